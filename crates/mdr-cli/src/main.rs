@@ -1,0 +1,3 @@
+//! The program `mdr`.
+
+fn main() {}

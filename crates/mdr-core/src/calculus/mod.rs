@@ -1,0 +1,1 @@
+//! Quadrature and root finding over any [`Real`](crate::number::Real).

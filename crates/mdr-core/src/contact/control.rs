@@ -1,0 +1,37 @@
+//! What is prescribed while the contact finds its radius.
+
+use super::{Error, Quantity, Result};
+use crate::number::Real;
+
+/// The controlled quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Control<R> {
+    /// Fixed grips: the indentation depth d (the case of the paper).
+    Indentation,
+    /// Dead load: the normal force F.
+    Force,
+    /// A machine of finite stiffness k (N/m): D = d + F/k. k → ∞ is fixed grips, k → 0 a dead load.
+    Machine {
+        /// k, in N/m.
+        stiffness: R,
+    },
+}
+
+impl<R: Real> Control<R> {
+    /// Control by a machine of the given stiffness.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless the stiffness is positive and finite.
+    pub fn machine(stiffness: R) -> Result<Self> {
+        Ok(Control::Machine { stiffness: Error::require_positive(Quantity::Stiffness, stiffness)? })
+    }
+
+    /// The value of the controlled quantity in a state with indentation `d` and force `f`.
+    pub fn controlled(&self, d: &R, f: &R) -> R {
+        match self {
+            Control::Indentation => d.clone(),
+            Control::Force => f.clone(),
+            Control::Machine { stiffness } => f.clone() / stiffness + d,
+        }
+    }
+}

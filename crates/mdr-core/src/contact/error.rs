@@ -1,0 +1,155 @@
+//! The one error type. Every message names the quantity, its value and the remedy.
+
+use std::fmt;
+
+use thiserror::Error as ThisError;
+
+use crate::number::Real;
+
+/// A result of this workspace.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// The quantities that an error can be about. Symbols are those of the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Quantity {
+    /// n of f = C rⁿ.
+    Exponent,
+    /// C of f = C rⁿ, in m^(1−n).
+    Coefficient,
+    /// E*, in Pa.
+    EffectiveModulus,
+    /// E of one body, in Pa.
+    YoungsModulus,
+    /// ν of one body.
+    PoissonsRatio,
+    /// w = Δγ, in J/m².
+    WorkOfAdhesion,
+    /// k of the machine, in N/m.
+    Stiffness,
+    /// a, in m.
+    ContactRadius,
+    /// d, in m.
+    Indentation,
+    /// F, in N.
+    Force,
+    /// A radius in the plane of contact, in m.
+    Radius,
+    /// κ_n.
+    Kappa,
+    /// g(x), the MDR-transformed profile, in m.
+    TransformedProfile,
+    /// Π, in J.
+    Energy,
+    /// Δx of the elastic foundation, in m.
+    Spacing,
+    /// Decimal digits asked for.
+    Digits,
+    /// A parameter of a profile, by name.
+    Parameter(&'static str),
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Quantity::Exponent => "the exponent n",
+            Quantity::Coefficient => "the coefficient C",
+            Quantity::EffectiveModulus => "the effective modulus E*",
+            Quantity::YoungsModulus => "Young's modulus E",
+            Quantity::PoissonsRatio => "Poisson's ratio ν",
+            Quantity::WorkOfAdhesion => "the work of adhesion w",
+            Quantity::Stiffness => "the machine stiffness k",
+            Quantity::ContactRadius => "the contact radius a",
+            Quantity::Indentation => "the indentation depth d",
+            Quantity::Force => "the normal force F",
+            Quantity::Radius => "the radius r",
+            Quantity::Kappa => "the factor κ_n",
+            Quantity::TransformedProfile => "the transformed profile g",
+            Quantity::Energy => "the potential energy Π",
+            Quantity::Spacing => "the spring spacing Δx",
+            Quantity::Digits => "the number of digits",
+            Quantity::Parameter(name) => name,
+        })
+    }
+}
+
+/// What can keep a question from having a number as its answer.
+///
+/// ```
+/// use mdr_core::contact::{Error, Quantity};
+/// let error = Error::domain(Quantity::Exponent, &-1.0, "positive and finite");
+/// assert_eq!(error.to_string(), "the exponent n must be positive and finite, got -1");
+/// ```
+#[derive(Clone, Debug, PartialEq, ThisError)]
+#[non_exhaustive]
+pub enum Error {
+    /// An input outside its domain.
+    #[error("{quantity} must be {requirement}, got {value}")]
+    Domain {
+        /// Which input.
+        quantity: Quantity,
+        /// Its value.
+        value: String,
+        /// What it must be.
+        requirement: &'static str,
+    },
+    /// The result is a number, but not one that this arithmetic can hold.
+    #[error(
+        "{quantity} is out of the range of this arithmetic: its log10 is {log10}; ask for certified digits instead"
+    )]
+    OutOfRange {
+        /// Which result.
+        quantity: Quantity,
+        /// log10 of its magnitude.
+        log10: f64,
+    },
+    /// No state satisfies the equations.
+    #[error("there is no equilibrium at {quantity} = {value}")]
+    NoEquilibrium {
+        /// The controlled quantity.
+        quantity: Quantity,
+        /// Its value.
+        value: String,
+    },
+    /// An iteration ended before its tolerance was met.
+    #[error(
+        "{quantity}: no convergence after {evaluations} evaluations, relative error about {error:.1e}; raise the precision or the budget"
+    )]
+    NoConvergence {
+        /// What was being computed.
+        quantity: Quantity,
+        /// Evaluations spent.
+        evaluations: usize,
+        /// Estimated relative error reached.
+        error: f64,
+    },
+    /// A rigorous computation could not decide between two answers at any precision it may use.
+    #[error("{quantity}: undecided at {bits} bits: {what}")]
+    Undecided {
+        /// What was being computed.
+        quantity: Quantity,
+        /// The largest precision tried.
+        bits: u32,
+        /// What could not be decided.
+        what: &'static str,
+    },
+}
+
+impl Error {
+    /// An input outside its domain.
+    pub fn domain<R: Real>(quantity: Quantity, value: &R, requirement: &'static str) -> Error {
+        Error::Domain { quantity, value: value.approx().to_string(), requirement }
+    }
+
+    /// Passes `value` on when it is certainly positive and finite.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] otherwise.
+    pub fn require_positive<R: Real>(quantity: Quantity, value: R) -> Result<R> {
+        if value > value.lit(0) && value.is_finite() {
+            Ok(value)
+        } else {
+            Err(Error::domain(quantity, &value, "positive and finite"))
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! The vocabulary of the field: what is pressed, how it is held, what comes out.
+
+mod control;
+mod error;
+mod material;
+mod profile;
+mod state;
+mod transform;
+
+pub use control::Control;
+pub use error::{Error, Quantity, Result};
+pub use material::{Body, Material};
+pub use profile::Profile;
+pub use state::{Equilibrium, FoldKind, Instability, Outcome, Ranged, Regime, Stability, Status};
+pub use transform::Transform;

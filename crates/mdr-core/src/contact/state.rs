@@ -1,0 +1,167 @@
+//! States of the contact, how they end, and how an answer is marked.
+
+use std::fmt;
+
+use super::{Error, Quantity, Result};
+
+/// What kind of instability a power-law profile f = C rⁿ has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Regime {
+    /// n > 1/2: pulled far enough, the contact breaks.
+    PullOff,
+    /// n = 1/2: no length in the problem; the ratio of C to a threshold decides.
+    ScaleFree,
+    /// n < 1/2: pressed far enough, the contact spreads over the whole surface.
+    CompleteContact,
+}
+
+impl fmt::Display for Regime {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Regime::PullOff => "pull-off",
+            Regime::ScaleFree => "scale-free",
+            Regime::CompleteContact => "complete-contact",
+        })
+    }
+}
+
+/// What a small change of the contact radius leads to, the controlled quantity being held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Stability {
+    /// Back to the equilibrium.
+    Stable,
+    /// Away from it.
+    Unstable,
+    /// Neither: the state is a fold.
+    Neutral,
+}
+
+/// A state that satisfies (1.5) and (1.6).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium<R> {
+    /// a, in m.
+    pub contact_radius: R,
+    /// d, in m; positive when pressed in.
+    pub indentation: R,
+    /// F, in N; positive when compressive.
+    pub force: R,
+    /// Under the control it was found with.
+    pub stability: Stability,
+}
+
+/// Whether the controlled quantity, as a function of the contact radius along the equilibria, has its minimum or its
+/// maximum at a fold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FoldKind {
+    /// Pulled further, there is no equilibrium near.
+    Minimum,
+    /// Pressed further, there is no equilibrium near.
+    Maximum,
+}
+
+/// What becomes of a contact that has lost its equilibrium at a fold.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome<R> {
+    /// It comes to rest at another finite radius.
+    Jump {
+        /// That radius, in m.
+        to: R,
+    },
+    /// The contact breaks.
+    Detached,
+    /// The surfaces come into contact everywhere.
+    CompleteContact,
+}
+
+/// A fold of the controlled quantity along the curve of equilibria.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instability<R> {
+    /// a, in m.
+    pub contact_radius: R,
+    /// d, in m.
+    pub indentation: R,
+    /// F, in N.
+    pub force: R,
+    /// Which way the controlled quantity turns.
+    pub kind: FoldKind,
+}
+
+/// How an answer is marked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Status {
+    /// A number, as good as its promise.
+    Ok,
+    /// No state satisfies the equations.
+    NoEquilibrium,
+    /// The double root itself.
+    Fold,
+    /// Beyond the largest number of the arithmetic.
+    Overflow,
+    /// Below the smallest.
+    Underflow,
+    /// The question is outside its domain.
+    DomainError,
+    /// The assumed simply connected contact would interpenetrate.
+    NotAdmissible,
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Status::Ok => "ok",
+            Status::NoEquilibrium => "no-equilibrium",
+            Status::Fold => "fold",
+            Status::Overflow => "overflow",
+            Status::Underflow => "underflow",
+            Status::DomainError => "domain-error",
+            Status::NotAdmissible => "not-admissible",
+        })
+    }
+}
+
+/// A result that may be out of the range of its arithmetic. It is never flushed to 0 or ∞ in silence.
+///
+/// ```
+/// use mdr_core::contact::{Quantity, Ranged, Status};
+/// let tiny: Ranged<f64> = Ranged::Underflow { log10: -4766.0 };
+/// assert_eq!(tiny.status(), Status::Underflow);
+/// assert!(tiny.value(Quantity::ContactRadius).is_err());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ranged<R> {
+    /// In range.
+    Value(R),
+    /// Too large; log10 of its magnitude.
+    Overflow {
+        /// log10 of the magnitude.
+        log10: f64,
+    },
+    /// Too small; log10 of its magnitude.
+    Underflow {
+        /// log10 of the magnitude.
+        log10: f64,
+    },
+}
+
+impl<R> Ranged<R> {
+    /// `Ok`, `Overflow` or `Underflow`.
+    pub fn status(&self) -> Status {
+        match self {
+            Ranged::Value(_) => Status::Ok,
+            Ranged::Overflow { .. } => Status::Overflow,
+            Ranged::Underflow { .. } => Status::Underflow,
+        }
+    }
+
+    /// The value of the named `quantity`.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] with log10 of the magnitude.
+    pub fn value(self, quantity: Quantity) -> Result<R> {
+        match self {
+            Ranged::Value(value) => Ok(value),
+            Ranged::Overflow { log10 } | Ranged::Underflow { log10 } => Err(Error::OutOfRange { quantity, log10 }),
+        }
+    }
+}

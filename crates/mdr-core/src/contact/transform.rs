@@ -1,0 +1,38 @@
+//! The seam between closed forms and quadrature: the MDR-transformed profile.
+
+use super::Result;
+use crate::number::Real;
+
+/// The MDR-transformed profile g of (1.1), with its slope and its integral.
+///
+/// Closed forms implement it in one crate, quadrature in another; equilibria, folds, paths, energy and fields are written
+/// once against it. All lengths in metres.
+pub trait Transform<R: Real>: Send + Sync {
+    /// g(x) for x > 0.
+    ///
+    /// # Errors
+    /// Outside the radius range, or when a quadrature does not converge.
+    fn g(&self, x: &R) -> Result<R>;
+
+    /// g'(x).
+    ///
+    /// # Errors
+    /// As [`Transform::g`].
+    fn slope(&self, x: &R) -> Result<R>;
+
+    /// G(x) = ∫₀ˣ g.
+    ///
+    /// # Errors
+    /// As [`Transform::g`].
+    fn integral(&self, x: &R) -> Result<R>;
+
+    /// The radius beyond which g is not defined, if there is one.
+    fn outer_radius(&self) -> Option<R> {
+        None
+    }
+
+    /// Radii where g or a derivative of it jumps, ascending.
+    fn kinks(&self) -> Vec<R> {
+        Vec::new()
+    }
+}

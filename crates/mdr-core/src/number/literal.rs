@@ -1,0 +1,245 @@
+//! Inputs as they were written: exact decimals and fractions.
+
+use std::fmt;
+use std::str::FromStr;
+
+use thiserror::Error;
+
+/// The largest decimal exponent of a literal, and the largest number of its digits.
+const LIMIT: i64 = 100_000;
+
+/// An exact rational number as a user writes it: `0.3`, `-1.5e-12`, or a fraction of two integers `1/3`.
+///
+/// It means the same in every arithmetic: exactly this rational where the arithmetic can hold it, else the nearest
+/// number or the tightest enclosure. Text that is not a finite number is refused with the reason.
+///
+/// ```
+/// use mdr_core::number::Literal;
+/// let third: Literal = "1/3".parse()?;
+/// assert_eq!(third.nearest_f64(), 1.0 / 3.0);
+/// assert_eq!(third.to_string(), "1/3");
+/// assert!("nan".parse::<Literal>().is_err());
+/// # Ok::<(), mdr_core::number::LiteralError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Literal {
+    text: String,
+    negative: bool,
+    /// Significant digits of the numerator, without leading zeros; empty for zero.
+    digits: String,
+    /// The value is ± digits · 10^exponent / denominator.
+    exponent: i64,
+    /// Digits of the denominator; "1" for a decimal.
+    denominator: String,
+}
+
+/// Why a text is not a literal.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum LiteralError {
+    /// Not of the form of a number.
+    #[error("not a number: expected a decimal such as 0.25 or 1e-9, or a fraction of integers such as 1/3")]
+    NotANumber,
+    /// An infinity or a NaN was written.
+    #[error("not finite: expected a decimal such as 0.25 or 1e-9")]
+    NotFinite,
+    /// More digits or a larger exponent than is useful.
+    #[error("too large to be meant: at most {LIMIT} digits and a decimal exponent within ±{LIMIT}")]
+    TooLarge,
+    /// A fraction over zero.
+    #[error("division by zero")]
+    ZeroDenominator,
+}
+
+impl FromStr for Literal {
+    type Err = LiteralError;
+
+    fn from_str(text: &str) -> Result<Self, LiteralError> {
+        let text = text.trim();
+        let (negative, unsigned) = match text.as_bytes().first() {
+            Some(b'-') => (true, &text[1..]),
+            Some(b'+') => (false, &text[1..]),
+            _ => (false, text),
+        };
+        if ["nan", "inf", "infinity"].iter().any(|word| unsigned.eq_ignore_ascii_case(word)) {
+            return Err(LiteralError::NotFinite);
+        }
+        let (digits, exponent, denominator) = match unsigned.split_once('/') {
+            Some((numerator, denominator)) => (integer(numerator)?, 0, integer(denominator)?),
+            None => {
+                let (digits, exponent) = decimal(unsigned)?;
+                (digits, exponent, "1".to_owned())
+            }
+        };
+        if denominator.is_empty() {
+            return Err(LiteralError::ZeroDenominator);
+        }
+        Ok(Literal { text: text.to_owned(), negative, digits, exponent, denominator })
+    }
+}
+
+/// The digits of an unsigned integer without leading zeros.
+fn integer(text: &str) -> Result<String, LiteralError> {
+    if text.is_empty() || !text.bytes().all(|b| b.is_ascii_digit()) {
+        return Err(LiteralError::NotANumber);
+    }
+    if text.len() as i64 > LIMIT {
+        return Err(LiteralError::TooLarge);
+    }
+    Ok(text.trim_start_matches('0').to_owned())
+}
+
+/// Digits and exponent of an unsigned decimal.
+fn decimal(text: &str) -> Result<(String, i64), LiteralError> {
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+        None => (text, 0),
+        Some((mantissa, exponent)) => (mantissa, signed_exponent(exponent)?),
+    };
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let mut digits = integer(&format!("{whole}{fraction}"))?;
+    let mut exponent = exponent - fraction.len() as i64;
+    let significant = digits.trim_end_matches('0').len();
+    exponent += (digits.len() - significant) as i64;
+    digits.truncate(significant);
+    if digits.is_empty() {
+        exponent = 0;
+    }
+    if exponent.abs() > LIMIT {
+        return Err(LiteralError::TooLarge);
+    }
+    Ok((digits, exponent))
+}
+
+fn signed_exponent(text: &str) -> Result<i64, LiteralError> {
+    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    if unsigned.is_empty() || !unsigned.bytes().all(|b| b.is_ascii_digit()) {
+        return Err(LiteralError::NotANumber);
+    }
+    text.parse()
+        .map_err(|_| LiteralError::TooLarge)
+        .and_then(|exponent: i64| if exponent.abs() > 2 * LIMIT { Err(LiteralError::TooLarge) } else { Ok(exponent) })
+}
+
+impl Literal {
+    /// Whether the literal is zero.
+    pub fn is_zero(&self) -> bool {
+        self.digits.is_empty()
+    }
+
+    /// Whether the literal is below zero.
+    pub fn is_negative(&self) -> bool {
+        self.negative && !self.is_zero()
+    }
+
+    /// The nearest double; ±∞ or ±0 where the range of `f64` ends. A fraction of integers beyond 2⁵³ may be one ulp off
+    /// without the feature `mp`.
+    pub fn nearest_f64(&self) -> f64 {
+        #[cfg(feature = "mp")]
+        if self.denominator != "1" {
+            return self.to_rational().to_f64_nearest();
+        }
+        let part = |digits: &str, exponent: i64| -> f64 {
+            // `digits` is not empty here or stands for zero; the grammar was checked on the way in.
+            format!("0{digits}e{exponent}").parse().unwrap_or(f64::NAN)
+        };
+        let magnitude = part(&self.digits, self.exponent) / part(&self.denominator, 0);
+        if self.negative { -magnitude } else { magnitude }
+    }
+
+    /// The exact value.
+    #[cfg(feature = "mp")]
+    pub fn to_rational(&self) -> rug::Rational {
+        use rug::ops::Pow;
+        use rug::{Integer, Rational};
+        let parse = |digits: &str| digits.parse::<Integer>().unwrap_or_default();
+        let scale = Integer::from(10).pow(self.exponent.unsigned_abs() as u32);
+        let mut numerator = parse(&self.digits);
+        let mut denominator = parse(&self.denominator);
+        if self.exponent < 0 {
+            denominator *= scale;
+        } else {
+            numerator *= scale;
+        }
+        let value = Rational::from((numerator, denominator));
+        if self.negative { -value } else { value }
+    }
+}
+
+/// Rounding a rational to the nearest double.
+#[cfg(feature = "mp")]
+trait NearestF64 {
+    fn to_f64_nearest(&self) -> f64;
+}
+
+#[cfg(feature = "mp")]
+impl NearestF64 for rug::Rational {
+    fn to_f64_nearest(&self) -> f64 {
+        // 53 bits round correctly except where f64 is subnormal; there the sticky bits of a long float decide.
+        let direct = rug::Float::with_val(f64::MANTISSA_DIGITS, self).to_f64();
+        if direct.is_normal() { direct } else { rug::Float::with_val(4096, self).to_f64() }
+    }
+}
+
+/// As it was written.
+impl fmt::Display for Literal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+/// The exact value of a finite double, as the shortest decimal that reads back as that double.
+impl TryFrom<f64> for Literal {
+    type Error = LiteralError;
+
+    fn try_from(value: f64) -> Result<Self, LiteralError> {
+        format!("{value:e}").parse()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_are_exact() {
+        for (text, value) in
+            [("0.3", 0.3), ("-1.5e-12", -1.5e-12), (".5", 0.5), ("5.", 5.0), ("0e5", 0.0), ("1E+3", 1e3)]
+        {
+            assert_eq!(text.parse::<Literal>().unwrap().nearest_f64(), value, "{text}");
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_not_a_finite_number() {
+        use LiteralError::*;
+        for (text, why) in [
+            ("", NotANumber),
+            ("-", NotANumber),
+            (".", NotANumber),
+            ("1e", NotANumber),
+            ("0x10", NotANumber),
+            ("1,5", NotANumber),
+            ("--1", NotANumber),
+            ("1/2/3", NotANumber),
+            ("1.5/2", NotANumber),
+            ("NaN", NotFinite),
+            ("-inf", NotFinite),
+            ("1e999999999", TooLarge),
+            ("1e99999999999999999999", TooLarge),
+            ("1/0", ZeroDenominator),
+        ] {
+            assert_eq!(text.parse::<Literal>(), Err(why), "{text:?}");
+        }
+    }
+
+    #[cfg(feature = "mp")]
+    #[test]
+    fn rational_value() {
+        let rational = |text: &str| text.parse::<Literal>().unwrap().to_rational();
+        assert_eq!(rational("0.3"), rug::Rational::from((3, 10)));
+        assert_eq!(rational("-2/6"), rug::Rational::from((-1, 3)));
+        assert_eq!(rational("1.20e2"), rug::Rational::from(120));
+        let tiny = "4.9406564584124654e-324".parse::<Literal>().unwrap();
+        assert_eq!(tiny.nearest_f64(), f64::from_bits(1));
+    }
+}

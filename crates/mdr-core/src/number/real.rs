@@ -1,0 +1,171 @@
+//! The trait that every formula of the workspace is written against.
+
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{Inv, ToPrimitive};
+
+use super::Literal;
+
+/// A real number in some arithmetic: hardware, arbitrary precision, rigorous enclosure, or any of them with derivatives.
+///
+/// * A value carries its precision. Inside a formula, constants come from a value ([`lit`](Real::lit),
+///   [`ratio`](Real::ratio), [`pi`](Real::pi), [`times`](Real::times), [`over`](Real::over)), never from a literal
+///   `f64`: there is deliberately no `Mul<f64>` for generic numbers. The context [`Ctx`](Real::Ctx) appears only where
+///   numbers are born.
+/// * All inputs of one computation come from one context.
+/// * The operations are total, as in IEEE 754: outside its domain a function returns a value that is not
+///   [finite](Real::is_finite). Public functions check domains first and return an
+///   [`Error`](crate::contact::Error) that names the quantity.
+/// * Comparison is partial. An interval compares only when the answer is *certain*; a dual number compares by its value.
+///
+/// ```
+/// use mdr_core::number::Real;
+/// fn circle_area<R: Real>(radius: &R) -> R {
+///     radius.square() * radius.pi()
+/// }
+/// assert_eq!(circle_area(&2.0_f64), 4.0 * std::f64::consts::PI);
+/// ```
+pub trait Real:
+    Clone
+    + Debug
+    + PartialOrd
+    + Send
+    + Sync
+    + 'static
+    + ToPrimitive
+    + Inv<Output = Self>
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + for<'a> Add<&'a Self, Output = Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+    + for<'a> Div<&'a Self, Output = Self>
+    + for<'a> AddAssign<&'a Self>
+    + for<'a> SubAssign<&'a Self>
+    + for<'a> MulAssign<&'a Self>
+    + for<'a> DivAssign<&'a Self>
+{
+    /// What a number needs to be born: nothing for `f64`, a precision in bits otherwise.
+    type Ctx: Copy + Debug + PartialEq + Send + Sync + 'static;
+
+    /// The context of this value.
+    fn ctx(&self) -> Self::Ctx;
+
+    /// The integer `value`.
+    fn from_int(ctx: Self::Ctx, value: i64) -> Self;
+
+    /// The number that a finite `f64` stands for, exactly where the precision allows.
+    fn from_f64(ctx: Self::Ctx, value: f64) -> Self;
+
+    /// An exact literal: nearest for a floating type, the tightest enclosure for an interval.
+    fn from_literal(ctx: Self::Ctx, literal: &Literal) -> Self;
+
+    /// The integer `value` in the precision of `self`.
+    fn lit(&self, value: i64) -> Self {
+        Self::from_int(self.ctx(), value)
+    }
+
+    /// The fraction `numerator/denominator` in the precision of `self`.
+    fn ratio(&self, numerator: i64, denominator: i64) -> Self {
+        self.lit(numerator).over(denominator)
+    }
+
+    /// π in the precision of `self`.
+    fn pi(&self) -> Self;
+
+    /// `self · k`.
+    fn times(self, k: i64) -> Self;
+
+    /// `self / k`.
+    fn over(self, k: i64) -> Self;
+
+    /// |self|.
+    fn abs(&self) -> Self;
+
+    /// self², which for an interval is tighter than `self * self`.
+    fn square(&self) -> Self;
+
+    /// √self, for self ≥ 0.
+    fn sqrt(&self) -> Self;
+
+    /// e^self.
+    fn exp(&self) -> Self;
+
+    /// e^self − 1 without cancellation near 0.
+    fn exp_m1(&self) -> Self;
+
+    /// ln self, for self > 0.
+    fn ln(&self) -> Self;
+
+    /// ln(1 + self) without cancellation near 0, for self > −1.
+    fn ln_1p(&self) -> Self;
+
+    /// self^exponent, for self > 0 (or self = 0 and exponent > 0).
+    fn pow(&self, exponent: &Self) -> Self;
+
+    /// self^exponent for an integer exponent.
+    fn powi(&self, exponent: i64) -> Self;
+
+    /// Bits in the significand.
+    fn precision(&self) -> u32;
+
+    /// The unit roundoff 2^−precision.
+    fn unit_roundoff(&self) -> Self;
+
+    /// The nearest double (midpoint of an interval, value of a dual). ±∞ or 0 when out of range.
+    fn approx(&self) -> f64;
+
+    /// Whether the value is a number (for an interval: both ends).
+    fn is_finite(&self) -> bool;
+
+    /// The value for steering an algorithm (pivots, brackets, stopping): itself for a floating type, the midpoint of an
+    /// interval as a degenerate interval, a dual without its slope. A decision, never part of a result.
+    fn steer(&self) -> Self {
+        self.clone()
+    }
+}
+
+/// The functions beyond algebra, exponential and logarithm: circular and inverse hyperbolic.
+pub trait Special: Real {
+    /// sin self.
+    fn sin(&self) -> Self;
+    /// cos self.
+    fn cos(&self) -> Self;
+    /// arctan self.
+    fn atan(&self) -> Self;
+    /// arcsin self, for |self| ≤ 1.
+    fn asin(&self) -> Self;
+    /// arccos self, for |self| ≤ 1.
+    fn acos(&self) -> Self;
+    /// artanh self, for |self| < 1.
+    fn atanh(&self) -> Self;
+}
+
+/// The Gamma family. Duals do not have it: its second derivative would need the trigamma function.
+pub trait Gamma: Real {
+    /// Γ(self), for self > 0.
+    fn gamma(&self) -> Self;
+    /// ln Γ(self), for self > 0.
+    fn ln_gamma(&self) -> Self;
+    /// ψ(self) = Γ'(self)/Γ(self), for self > 0.
+    fn digamma(&self) -> Self;
+}
+
+/// Numbers in which a value of `R` can stand as a constant: `R` itself, and `R` with derivatives.
+///
+/// A profile is written once as `fn height<S: Lift<R>>(&self, r: &S) -> S`; its parameters are lifted, and
+/// [`Dual`](super::Dual) then differentiates it.
+pub trait Lift<R: Real>: Real {
+    /// `constant` as a number of this kind with zero derivatives.
+    fn lift(constant: &R) -> Self;
+}
+
+impl<R: Real> Lift<R> for R {
+    fn lift(constant: &R) -> Self {
+        constant.clone()
+    }
+}
