@@ -122,6 +122,12 @@ pub trait Real:
     /// Whether the value is a number (for an interval: both ends).
     fn is_finite(&self) -> bool;
 
+    /// `self` after a truncation whose error is at most |bound|: an interval grows by it on both sides, other
+    /// arithmetics, which make no promise about their error, return `self`.
+    fn inflate(self, _bound: &Self) -> Self {
+        self
+    }
+
     /// The value for steering an algorithm (pivots, brackets, stopping): itself for a floating type, the midpoint of an
     /// interval as a degenerate interval, a dual without its slope. A decision, never part of a result.
     fn steer(&self) -> Self {
