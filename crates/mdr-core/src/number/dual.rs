@@ -46,13 +46,13 @@ impl<R: Real> Dual<R> {
     }
 }
 
-impl<R: Real> Lift<R> for Dual<R> {
+impl<R: Special> Lift<R> for Dual<R> {
     fn lift(constant: &R) -> Self {
         Dual::constant(constant.clone())
     }
 }
 
-impl<R: Real> Lift<R> for Dual<Dual<R>> {
+impl<R: Special> Lift<R> for Dual<Dual<R>> {
     fn lift(constant: &R) -> Self {
         Dual::constant(Dual::constant(constant.clone()))
     }

@@ -164,13 +164,13 @@ pub trait Gamma: Real {
 /// Numbers in which a value of `R` can stand as a constant: `R` itself, and `R` with derivatives.
 ///
 /// A profile is written once as `fn height<S: Lift<R>>(&self, r: &S) -> S`; its parameters are lifted, and
-/// [`Dual`](super::Dual) then differentiates it.
-pub trait Lift<R: Real>: Real {
+/// [`Dual`](super::Dual) then differentiates it. The circular functions are there for wavy profiles.
+pub trait Lift<R: Real>: Special {
     /// `constant` as a number of this kind with zero derivatives.
     fn lift(constant: &R) -> Self;
 }
 
-impl<R: Real> Lift<R> for R {
+impl<R: Special> Lift<R> for R {
     fn lift(constant: &R) -> Self {
         constant.clone()
     }
