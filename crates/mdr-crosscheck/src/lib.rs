@@ -1,1 +1,24 @@
-//! Closed forms against the independent route.
+//! Closed forms against the independent route, over parameter grids, with derived error bounds.
+//!
+//! [`run`] takes [`Options`] and gives a [`Report`]: one [`Row`] a check, with the worst error found, the error allowed
+//! for that case, and the case itself. A check compares two routes that share no formula. What it allows is derived from
+//! the error bounds of both routes and the condition of the question (module `tolerance`), never from what was found.
+//!
+//! A run is a pure function of level, digits, seed and shard. Case k of a check is the same at every level and in every
+//! shard; [`Report::from_json_lines`] merges the lines of all shards into the report of the whole.
+
+#![forbid(unsafe_code)]
+
+mod checks;
+mod merge;
+mod options;
+mod report;
+mod run;
+mod theory;
+mod trial;
+
+pub use merge::MergeError;
+pub use options::{Level, Options, Shard, ShardError};
+pub use report::{Failure, Finding, Grid, Report, Row, Unit, Verdict};
+pub use run::{Progress, run, run_against};
+pub use theory::Theory;

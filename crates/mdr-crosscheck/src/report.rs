@@ -1,0 +1,256 @@
+//! What a run found: one row a check, and every case that failed.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::options::{Level, Options, Shard};
+use crate::trial::{Case, Outcome};
+
+/// What an error is measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Unit {
+    /// Relative error over the unit roundoff 2^−p of the arithmetic of the case: f64 and arbitrary precision compare.
+    Roundoffs,
+    /// Units in the last place of the correctly rounded double.
+    Ulp,
+    /// Relative error, where the comparison is limited by truncation and not by roundoff.
+    Relative,
+    /// Answers that must be equal: 0 or 1.
+    Mismatch,
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Unit::Roundoffs => "u",
+            Unit::Ulp => "ulp",
+            Unit::Relative => "rel",
+            Unit::Mismatch => "mismatch",
+        })
+    }
+}
+
+/// Whether a check holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// No error exceeds what is allowed, and at least one case was compared.
+    Pass,
+    /// Some error exceeds what is allowed, or a route gave no answer where it must.
+    Fail,
+    /// No case was compared.
+    Skipped,
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Verdict::Pass => "pass",
+            Verdict::Fail => "fail",
+            Verdict::Skipped => "skipped",
+        })
+    }
+}
+
+/// One comparison worth telling.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Finding {
+    /// The index of the case: with the seed it gives the inputs again.
+    pub index: usize,
+    /// The quantity compared.
+    pub quantity: String,
+    /// The error found, in the unit of the row.
+    pub error: f64,
+    /// The error allowed for this case.
+    pub allowed: f64,
+    /// The inputs.
+    pub inputs: String,
+}
+
+impl Finding {
+    /// error/allowed; an exact agreement is 0 also where nothing is allowed.
+    pub fn share(&self) -> f64 {
+        if self.error == 0.0 { 0.0 } else { self.error / self.allowed }
+    }
+}
+
+/// A case that failed, and why.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Failure {
+    /// The check.
+    pub check: String,
+    /// The index of the case.
+    pub index: usize,
+    /// The inputs.
+    pub inputs: String,
+    /// What went wrong.
+    pub reason: String,
+}
+
+/// The result of one check.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Stable name of the check.
+    pub check: String,
+    /// What is compared with what.
+    pub claim: String,
+    /// The equations of the paper it covers.
+    pub equations: Vec<String>,
+    /// What the errors are measured in.
+    pub unit: Unit,
+    /// Cases that were compared.
+    pub cases: usize,
+    /// Cases that could not be asked (out of the range of f64, say).
+    pub skipped: usize,
+    /// Cases that failed.
+    pub failed: usize,
+    /// The largest error found.
+    pub worst: Option<Finding>,
+    /// The largest share of its allowed error that any comparison used.
+    pub tightest: Option<Finding>,
+    /// Pass, fail or skipped.
+    pub verdict: Verdict,
+    /// All errors, ascending: what the quantiles are taken from, also after merging shards.
+    pub errors: Vec<f64>,
+}
+
+impl Row {
+    /// The `tau`-quantile of the errors found; nothing without errors.
+    pub fn quantile(&self, tau: f64) -> Option<f64> {
+        use statrs::statistics::{Data, OrderStatistics};
+        (!self.errors.is_empty()).then(|| Data::new(self.errors.clone()).quantile(tau))
+    }
+
+    /// The median error.
+    pub fn median(&self) -> Option<f64> {
+        self.quantile(0.5)
+    }
+}
+
+/// What identifies the grid of a run.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Grid {
+    /// How many cases.
+    pub level: Level,
+    /// Decimal digits of the arbitrary-precision cases.
+    pub digits: u32,
+    /// The seed.
+    pub seed: u64,
+    /// At most so many cases a check, if limited.
+    pub limit: Option<usize>,
+}
+
+/// The result of a run or of several shards together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The grid.
+    pub grid: Grid,
+    /// Which part of it.
+    pub shard: Shard,
+    /// One row a check, in the order of the registry.
+    pub rows: Vec<Row>,
+    /// The cases that failed, in the order of checks and indices.
+    pub failures: Vec<Failure>,
+}
+
+impl Report {
+    /// An empty report of a run.
+    pub(crate) fn new(options: &Options) -> Self {
+        let Options { level, digits, seed, shard, limit, .. } = options.clone();
+        Report { grid: Grid { level, digits, seed, limit }, shard, rows: Vec::new(), failures: Vec::new() }
+    }
+
+    /// Whether no check failed.
+    pub fn passed(&self) -> bool {
+        self.rows.iter().all(|row| row.verdict != Verdict::Fail)
+    }
+
+    /// Cases compared in all rows.
+    pub fn cases(&self) -> usize {
+        self.rows.iter().map(|row| row.cases).sum()
+    }
+
+    /// Enters the cases of one check, in the order of their indices.
+    pub(crate) fn enter(&mut self, mut row: Row, cases: Vec<Case>) {
+        for case in cases {
+            match case.outcome {
+                Outcome::Skipped => row.skipped += 1,
+                Outcome::Broken(reason) => {
+                    row.cases += 1;
+                    row.failed += 1;
+                    self.failures.push(Failure {
+                        check: row.check.clone(),
+                        index: case.index,
+                        inputs: case.inputs,
+                        reason,
+                    });
+                }
+                Outcome::Compared(comparisons) => {
+                    row.cases += 1;
+                    let mut reasons = Vec::new();
+                    for comparison in comparisons {
+                        if !comparison.holds() {
+                            reasons.push(comparison.to_string());
+                        }
+                        row.errors.push(comparison.error);
+                        let finding = Finding {
+                            index: case.index,
+                            quantity: comparison.quantity,
+                            error: comparison.error,
+                            allowed: comparison.allowed,
+                            inputs: case.inputs.clone(),
+                        };
+                        keep_larger(&mut row.worst, finding.clone(), |finding| finding.error);
+                        keep_larger(&mut row.tightest, finding, Finding::share);
+                    }
+                    if !reasons.is_empty() {
+                        row.failed += 1;
+                        let reason = reasons.join("; ");
+                        let (check, index) = (row.check.clone(), case.index);
+                        self.failures.push(Failure { check, index, inputs: case.inputs, reason });
+                    }
+                }
+            }
+        }
+        self.rows.push(row.judged());
+    }
+}
+
+impl Row {
+    /// Sorts the errors and gives the verdict.
+    pub(crate) fn judged(mut self) -> Self {
+        self.errors.sort_by(f64::total_cmp);
+        self.verdict = match (self.failed, self.cases) {
+            (0, 0) => Verdict::Skipped,
+            (0, _) => Verdict::Pass,
+            _ => Verdict::Fail,
+        };
+        self
+    }
+
+    /// Takes in the same row of another shard.
+    pub(crate) fn absorb(&mut self, other: Row) {
+        self.cases += other.cases;
+        self.skipped += other.skipped;
+        self.failed += other.failed;
+        self.errors.extend(other.errors);
+        if let Some(finding) = other.worst {
+            keep_larger(&mut self.worst, finding, |finding| finding.error);
+        }
+        if let Some(finding) = other.tightest {
+            keep_larger(&mut self.tightest, finding, Finding::share);
+        }
+    }
+}
+
+/// Keeps the finding of the larger measure; of equal ones that of the smaller index, so that order does not matter.
+fn keep_larger(kept: &mut Option<Finding>, finding: Finding, measure: impl Fn(&Finding) -> f64) {
+    let replaces = kept.as_ref().is_none_or(|kept| {
+        (measure(&finding), std::cmp::Reverse(finding.index)) > (measure(kept), std::cmp::Reverse(kept.index))
+    });
+    if replaces {
+        *kept = Some(finding);
+    }
+}

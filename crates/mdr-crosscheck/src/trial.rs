@@ -1,0 +1,137 @@
+//! One case of a check: its inputs, drawn from its index alone, and what is compared.
+
+use std::fmt;
+
+use mdr_core::contact::Result;
+use mdr_core::number::{Precision, Real};
+use rand::rngs::Xoshiro256PlusPlus;
+use rand::{RngExt, SeedableRng};
+
+use crate::theory::Theory;
+
+/// One quantity by two routes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Comparison {
+    /// The quantity.
+    pub(crate) quantity: String,
+    /// The error found.
+    pub(crate) error: f64,
+    /// The error allowed.
+    pub(crate) allowed: f64,
+}
+
+impl Comparison {
+    /// Whether the error is within what is allowed.
+    pub(crate) fn holds(&self) -> bool {
+        self.error <= self.allowed
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: error {:.3e}, allowed {:.3e}", self.quantity, self.error, self.allowed)
+    }
+}
+
+/// What became of a case.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Outcome {
+    /// Compared; it may have failed.
+    Compared(Vec<Comparison>),
+    /// The question cannot be asked in this arithmetic.
+    Skipped,
+    /// A route gave no number, or an error where there must be an answer.
+    Broken(String),
+}
+
+/// A case after it was run.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Case {
+    pub(crate) index: usize,
+    pub(crate) inputs: String,
+    pub(crate) outcome: Outcome,
+}
+
+/// One case while it runs: where its inputs come from and where its comparisons go.
+#[derive(Debug)]
+pub(crate) struct Trial<'a> {
+    /// The closed forms under test.
+    #[expect(dead_code, reason = "read by the checks of closed forms")]
+    pub(crate) theory: &'a Theory,
+    /// The precision of arbitrary-precision cases.
+    pub(crate) precision: Precision,
+    /// The index of the case among those of its check.
+    pub(crate) index: usize,
+    random: Xoshiro256PlusPlus,
+    inputs: String,
+    comparisons: Vec<Comparison>,
+    broken: Option<String>,
+}
+
+impl<'a> Trial<'a> {
+    /// Case `index` of the check `name`. Its random numbers depend on the seed, the name and the index, on nothing else.
+    pub(crate) fn new(theory: &'a Theory, precision: Precision, seed: u64, name: &str, index: usize) -> Self {
+        let stream = name.bytes().fold(seed ^ 0xcbf2_9ce4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        });
+        let random = Xoshiro256PlusPlus::seed_from_u64(stream.wrapping_add(index as u64));
+        let (inputs, comparisons) = (String::new(), Vec::new());
+        Trial { theory, precision, index, random, inputs, comparisons, broken: None }
+    }
+
+    /// Runs `case` on this trial.
+    pub(crate) fn run(mut self, case: fn(&mut Trial<'_>) -> Result<()>) -> Case {
+        let result = case(&mut self);
+        let outcome = match (result, self.broken) {
+            (Err(error), _) => Outcome::Broken(error.to_string()),
+            (_, Some(reason)) => Outcome::Broken(reason),
+            (Ok(()), None) if self.comparisons.is_empty() => Outcome::Skipped,
+            (Ok(()), None) => Outcome::Compared(self.comparisons),
+        };
+        Case { index: self.index, inputs: self.inputs, outcome }
+    }
+
+    /// A number in [low, high), uniform.
+    pub(crate) fn uniform(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.random.random::<f64>()
+    }
+
+    /// Writes the inputs down, for the report.
+    pub(crate) fn describe(&mut self, inputs: impl fmt::Display) {
+        self.inputs = inputs.to_string();
+    }
+
+    /// Enters an error with what is allowed, both in the unit of the row. An error that is not a finite number breaks
+    /// the case.
+    pub(crate) fn enter(&mut self, quantity: impl Into<String>, error: f64, allowed: f64) {
+        let quantity = quantity.into();
+        if error.is_finite() && !allowed.is_nan() {
+            self.comparisons.push(Comparison { quantity, error, allowed });
+        } else {
+            self.fail(format!("{quantity}: the two routes cannot be compared (error {error}, allowed {allowed})"));
+        }
+    }
+
+    /// Compares two numbers: the relative difference in unit roundoffs of their arithmetic, against `allowed` of them.
+    pub(crate) fn compare<R: Real>(&mut self, quantity: impl Into<String>, found: &R, expected: &R, allowed: f64) {
+        self.enter(quantity, roundoffs(found, expected), allowed);
+    }
+
+    /// Demands a fact; enters 0 or 1 against 0.
+    pub(crate) fn demand(&mut self, fact: impl Into<String>, holds: bool) {
+        self.enter(fact, if holds { 0.0 } else { 1.0 }, 0.0);
+    }
+
+    /// Breaks the case.
+    pub(crate) fn fail(&mut self, reason: impl Into<String>) {
+        self.broken.get_or_insert(reason.into());
+    }
+}
+
+/// |found − expected|/|expected| in unit roundoffs of their arithmetic; 0 when they are equal, also at zero.
+pub(crate) fn roundoffs<R: Real>(found: &R, expected: &R) -> f64 {
+    if found == expected {
+        return 0.0;
+    }
+    ((found.clone() - expected) / expected / expected.unit_roundoff()).abs().approx()
+}

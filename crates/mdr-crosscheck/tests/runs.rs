@@ -1,0 +1,58 @@
+//! A run is a pure function of its options; shards partition it.
+
+use mdr_crosscheck::{Level, MergeError, Options, Report, Shard, Verdict, run};
+
+fn few(shard: Shard) -> Options {
+    Options { shard, limit: Some(25), ..Options::at(Level::Quick) }
+}
+
+#[test]
+fn shards_make_the_whole_bit_for_bit() {
+    let whole = run(&few(Shard::WHOLE), &|_| ());
+    // In reverse order: the order of the lines must not matter.
+    let lines: String = (1..=3).rev().map(|i| run(&few(Shard::new(i, 3).unwrap()), &|_| ()).to_json_lines()).collect();
+    assert_eq!(Report::from_json_lines(&lines).unwrap(), whole);
+}
+
+#[test]
+fn lines_read_back_as_the_report() {
+    let report = run(&few(Shard::WHOLE), &|_| ());
+    assert_eq!(Report::from_json_lines(&report.to_json_lines()).unwrap(), report);
+}
+
+#[test]
+fn a_missing_a_repeated_and_a_foreign_shard_are_told() {
+    let part = |i, n| run(&few(Shard::new(i, n).unwrap()), &|_| ()).to_json_lines();
+    let merged = |lines: String| Report::from_json_lines(&lines);
+    assert!(matches!(merged(part(1, 2)), Err(MergeError::Incomplete { got: 1, count: 2, .. })));
+    assert!(matches!(merged(part(1, 2) + &part(1, 2)), Err(MergeError::Repeated { .. })));
+    assert!(matches!(merged(part(1, 2) + &part(2, 3)), Err(MergeError::Mixed { .. })));
+    assert!(matches!(merged("{}".into()), Err(MergeError::Line { line: 1, .. })));
+    assert!(matches!(merged(String::new()), Err(MergeError::Empty)));
+}
+
+#[test]
+fn the_seed_and_nothing_else_decides() {
+    let options = few(Shard::WHOLE);
+    let again = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(|| run(&options, &|_| ()));
+    assert_eq!(run(&options, &|_| ()), again);
+    let other = run(&Options { seed: 1, ..options }, &|_| ());
+    assert_ne!(other.rows, again.rows);
+}
+
+#[test]
+fn a_check_without_cases_is_skipped() {
+    let report = run(&Options { limit: Some(0), ..Options::default() }, &|_| ());
+    assert!(report.rows.iter().all(|row| row.verdict == Verdict::Skipped && row.median().is_none()));
+    assert!(report.passed());
+}
+
+#[test]
+fn progress_counts_every_case() {
+    let seen = std::sync::atomic::AtomicUsize::new(0);
+    let report = run(&few(Shard::WHOLE), &|progress| {
+        assert!(progress.done <= progress.total);
+        seen.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+    });
+    assert_eq!(seen.into_inner(), report.rows.iter().map(|row| row.cases + row.skipped).sum::<usize>());
+}
