@@ -1,1 +1,3 @@
 //! Closed forms of the theory.
+
+pub mod profiles;

@@ -1,0 +1,139 @@
+//! Cones whose tip is rounded: by a paraboloid or by a sphere that the flank continues without a kink in slope.
+
+use mdr_core::contact::Result;
+use mdr_core::number::Special;
+
+use super::edge::{Edge, atanh_moment};
+use super::smooth::{Paraboloid, Sphere};
+use super::{ClosedForm, positive, transform};
+
+transform!(ParabolicCapCone, SphericalCapCone);
+
+/// A cone of slope t with a parabolic cap of radius b: f = t r²/2b for r < b, t(r − b/2) beyond. For x > b,
+/// g = t x [b/(x + √(x² − b²)) + arccos(b/x)] (Maugis & Barquins 1983).
+#[derive(Clone, Debug)]
+pub struct ParabolicCapCone<R> {
+    slope: R,
+    cap: R,
+    tip: Paraboloid<R>,
+}
+
+impl<R: Special> ParabolicCapCone<R> {
+    /// A cone of flank `slope` t = tan θ, capped up to the radius `cap` b by a paraboloid of curvature radius b/t.
+    ///
+    /// # Errors
+    /// Unless both are positive and finite.
+    pub fn new(slope: R, cap: R) -> Result<Self> {
+        let slope = positive("slope", slope)?;
+        let cap = positive("cap", cap)?;
+        let tip = Paraboloid::new(cap.clone() / &slope)?;
+        Ok(ParabolicCapCone { slope, cap, tip })
+    }
+
+    /// b/(x + q) = (x − q)/b.
+    fn cap_share(&self, x: &R, edge: &Edge<R>) -> R {
+        self.cap.clone() / &(edge.leg.clone() + x)
+    }
+}
+
+impl<R: Special> ClosedForm<R> for ParabolicCapCone<R> {
+    fn g_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.cap) {
+            None => self.tip.g_at(x),
+            Some(edge) => (self.cap_share(x, &edge) + &edge.angle) * x * &self.slope,
+        }
+    }
+    fn slope_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.cap) {
+            None => self.tip.slope_at(x),
+            Some(edge) => (self.cap_share(x, &edge).times(2) + &edge.angle) * &self.slope,
+        }
+    }
+    /// t[(x³ − q³)/3b + ½(x²θ − bq)], with x³ − q³ = (x − q)(x² + xq + q²).
+    fn integral_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.cap) {
+            None => self.tip.integral_at(x),
+            Some(edge) => {
+                let squares = x.square() + edge.leg.square() + edge.leg.clone() * x;
+                let cap = self.cap_share(x, &edge) * squares.over(3);
+                (cap + edge.cone_moment(&self.cap)) * &self.slope
+            }
+        }
+    }
+    fn edge(&self) -> Option<&R> {
+        Some(&self.cap)
+    }
+}
+
+/// A cone of slope t with a spherical cap of radius R that it continues at b = R t/√(1 + t²). For x > b,
+/// g = x ln[(R + x)/(√(R² − b²) + √(x² − b²))] + x t arccos(b/x) (Maugis & Barquins 1983).
+#[derive(Clone, Debug)]
+pub struct SphericalCapCone<R> {
+    slope: R,
+    radius: R,
+    /// b.
+    cap: R,
+    /// √(R² − b²) = R/√(1 + t²).
+    level: R,
+    tip: Sphere<R>,
+}
+
+impl<R: Special> SphericalCapCone<R> {
+    /// A cone of flank `slope` t = tan θ whose tip is a sphere of the given `radius` R.
+    ///
+    /// # Errors
+    /// Unless both are positive and finite.
+    pub fn new(slope: R, radius: R) -> Result<Self> {
+        let slope = positive("slope", slope)?;
+        let radius = positive("radius", radius)?;
+        let level = radius.clone() / &(slope.square() + slope.lit(1)).sqrt();
+        let cap = level.clone() * &slope;
+        let tip = Sphere::new(radius.clone())?;
+        Ok(SphericalCapCone { slope, radius, cap, level, tip })
+    }
+
+    /// ln[(R + x)/(s + q)] with s = √(R² − b²), q = √(x² − b²); R − s and x − q are written without cancellation.
+    fn logarithm(&self, x: &R, edge: &Edge<R>) -> R {
+        let differences = (self.radius.clone() + &self.level).inv() + (edge.leg.clone() + x).inv();
+        (self.cap.square() * differences / &(self.level.clone() + &edge.leg)).ln_1p()
+    }
+}
+
+impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
+    fn g_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.cap) {
+            None => self.tip.g_at(x),
+            Some(edge) => (self.logarithm(x, &edge) + edge.angle * &self.slope) * x,
+        }
+    }
+    /// ln[…] + tθ + R b t/(Rq + sx): the terms that are singular at b cancel exactly.
+    fn slope_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.cap) {
+            None => self.tip.slope_at(x),
+            Some(edge) => {
+                let denominator = edge.leg.clone() * &self.radius + self.level.clone() * x;
+                let joint = self.radius.clone() * &self.cap / &denominator;
+                self.logarithm(x, &edge) + (joint + &edge.angle) * &self.slope
+            }
+        }
+    }
+    /// ½(x² − R²) ln[…] + ½(Rx − sq) + ½t(x²θ − bq); well inside R the first two are the difference of two integrals
+    /// of a sphere, ½R²M(x/R) − ½s²M(q/s) with M(t) = t − (1 − t²) artanh t.
+    fn integral_at(&self, x: &R) -> R {
+        let Some(edge) = Edge::at(x, &self.cap) else {
+            return self.tip.integral_at(x);
+        };
+        let (radius, s) = (&self.radius, &self.level);
+        let sphere = if x.clone().times(2) < *radius {
+            let moment = |leg: &R, radius: &R| radius.square() * atanh_moment(&(leg.clone() / radius));
+            moment(x, radius) - moment(&edge.leg, s)
+        } else {
+            let area = (x.clone() - radius) * (x.clone() + radius);
+            self.logarithm(x, &edge) * area + (radius.clone() * x - s.clone() * &edge.leg)
+        };
+        sphere.over(2) + edge.cone_moment(&self.cap) * &self.slope
+    }
+    fn edge(&self) -> Option<&R> {
+        Some(&self.cap)
+    }
+}

@@ -1,0 +1,81 @@
+//! The functions of an edge radius b: √(x² − b²), arccos(b/x), and the combinations that cancel when written naively.
+
+use mdr_core::number::Special;
+
+/// What all profiles with an edge at b need at a radius x > b.
+pub(super) struct Edge<R> {
+    /// q = √(x² − b²).
+    pub(super) leg: R,
+    /// θ = arccos(b/x) = arctan(q/b), computed from q so that it keeps its digits as x → b.
+    pub(super) angle: R,
+}
+
+impl<R: Special> Edge<R> {
+    /// None when x is not certainly outside b.
+    pub(super) fn at(x: &R, b: &R) -> Option<Edge<R>> {
+        if x <= b {
+            return None;
+        }
+        let leg = ((x.clone() - b) * (x.clone() + b)).sqrt();
+        let angle = (leg.clone() / b).atan();
+        Some(Edge { leg, angle })
+    }
+
+    /// ½(x²θ − bq) = ½[q²θ − b²(tan θ − θ)]: the integral of x arccos(b/x).
+    pub(super) fn cone_moment(&self, b: &R) -> R {
+        let excess = tangent_excess(&(self.leg.clone() / b), &self.angle);
+        (self.leg.square() * &self.angle - b.square() * excess).over(2)
+    }
+
+    /// q³/3 − ½b(x²θ − bq): the integral of x(q − bθ), which starts with q⁵/15b².
+    pub(super) fn rounded_moment(&self, b: &R) -> R {
+        let t = self.leg.clone() / b;
+        // b³[t³/3 − ½((1 + t²) arctan t − t)] = b³t² Σ_{k≥1} (−1)^{k+1} t^{2k+1}/((2k+1)(2k+3))
+        match odd_series(&t, -1, |k| (1, (2 * k + 1) * (2 * k + 3))) {
+            Some(series) => series * self.leg.square() * b,
+            None => self.leg.powi(3).over(3) - self.cone_moment(b) * b,
+        }
+    }
+}
+
+/// t − (1 − t²) artanh t = Σ_{k≥1} 2 t^{2k+1}/((2k−1)(2k+1)), 0 < t < 1.
+pub(super) fn atanh_moment<R: Special>(t: &R) -> R {
+    odd_series(t, 1, |k| (2, (2 * k - 1) * (2 * k + 1)))
+        .unwrap_or_else(|| t.clone() - (t.lit(1) - t) * (t.lit(1) + t) * t.atanh())
+}
+
+/// (1 + t²) arctan t − t = Σ_{k≥1} (−1)^{k+1} 2 t^{2k+1}/((2k−1)(2k+1)), t > 0.
+pub(super) fn atan_moment<R: Special>(t: &R) -> R {
+    odd_series(t, -1, |k| (2, (2 * k - 1) * (2 * k + 1))).unwrap_or_else(|| (t.square() + t.lit(1)) * t.atan() - t)
+}
+
+/// tan θ − θ = t − arctan t = Σ_{k≥1} (−1)^{k+1} t^{2k+1}/(2k+1), t = tan θ > 0.
+pub(super) fn tangent_excess<R: Special>(t: &R, angle: &R) -> R {
+    odd_series(t, -1, |k| (1, 2 * k + 1)).unwrap_or_else(|| t.clone() - angle)
+}
+
+/// Σ_{k≥1} s^{k+1} c_k t^{2k+1} for t < 1/8, where the closed forms above lose six bits and more to cancellation; None
+/// for other t. The coefficients c_k = p/q fall with k, so what is left after a term is below 1/63 of that term.
+fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i64)) -> Option<R> {
+    if !(*t < t.ratio(1, 8)) {
+        return None;
+    }
+    let square = t.square().times(sign);
+    let term = |power: &R, k: i64| {
+        let (numerator, denominator) = coefficient(k);
+        power.clone().times(numerator).over(denominator)
+    };
+    let mut power = t.square() * t;
+    let mut sum = term(&power, 1);
+    let negligible = sum.abs().steer() * t.unit_roundoff();
+    let mut k = 1;
+    loop {
+        k += 1;
+        power *= &square;
+        let last = term(&power, k);
+        sum += &last;
+        if !(last.abs().steer() > negligible) {
+            return Some(sum.inflate(&last.over(63)));
+        }
+    }
+}

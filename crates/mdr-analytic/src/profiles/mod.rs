@@ -1,0 +1,107 @@
+//! The MDR-transformed profiles g, g' and G = ∫₀ˣ g that are known in closed form.
+//!
+//! Every profile is a small struct with a validating constructor and implements
+//! [`Transform`](mdr_core::contact::Transform). Lengths are in metres, slopes are tan θ. All formulas are generic, so the
+//! same lines give f64 values, p-bit values and rigorous enclosures. At a kink the slope returned is the one from inside.
+//!
+//! | module | profiles | source |
+//! |---|---|---|
+//! | [`smooth`] | cone, paraboloid, sphere, ellipsoid, hyperboloid | Heß 2011; Popov, Heß & Willert 2019 |
+//! | [`punch`] | truncated cone and paraboloid, rounded-edge punch | ibid. |
+//! | [`capped`] | cone with parabolic and with spherical cap | ibid. |
+//! | [`concave`] | displaced paraboloid, parabolic and elliptical dimple | ibid. |
+//!
+//! ```
+//! use mdr_analytic::profiles::Sphere;
+//! use mdr_core::contact::Transform;
+//! // The true sphere against its paraboloid x²/R: 3 % stiffer already at a = 0.3 R.
+//! let ball = Sphere::new(1.0)?;
+//! let ratio = ball.g(&0.3)? / 0.09;
+//! assert!((ratio - 1.0317).abs() < 1e-4);
+//! assert!(ball.g(&1.5).is_err());
+//! # Ok::<(), mdr_core::contact::Error>(())
+//! ```
+
+pub mod capped;
+pub mod concave;
+mod edge;
+pub mod punch;
+pub mod smooth;
+mod sum;
+
+pub use capped::{ParabolicCapCone, SphericalCapCone};
+pub use concave::{DisplacedParaboloid, EllipticalDimple, ParabolicDimple};
+pub use punch::{RoundedPunch, TruncatedCone, TruncatedParaboloid};
+pub use smooth::{Cone, Ellipsoid, Hyperboloid, Paraboloid, Sphere};
+pub use sum::Sum;
+
+use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::number::{Real, Special};
+
+/// The three closed forms of a profile, for a radius that is known to be in their domain.
+trait ClosedForm<R: Special> {
+    /// g(x).
+    fn g_at(&self, x: &R) -> R;
+    /// g'(x).
+    fn slope_at(&self, x: &R) -> R;
+    /// ∫₀ˣ g.
+    fn integral_at(&self, x: &R) -> R;
+    /// The radius where the profile ends.
+    fn end(&self) -> Option<&R> {
+        None
+    }
+    /// The radius where its formula changes.
+    fn edge(&self) -> Option<&R> {
+        None
+    }
+}
+
+/// Passes a radius on when it lies in (0, end).
+fn checked<'a, R: Real>(x: &'a R, end: Option<&R>) -> Result<&'a R> {
+    let inside = *x > x.lit(0) && x.is_finite();
+    match end {
+        _ if !inside => Err(Error::domain(Quantity::Radius, x, "positive and finite")),
+        Some(end) if !(x < end) => {
+            Err(Error::domain(Quantity::Radius, x, "smaller than the radius where the profile ends"))
+        }
+        _ => Ok(x),
+    }
+}
+
+/// Passes a result on unless x hit a singular radius (or the arithmetic overflowed there).
+fn regular<R: Real>(x: &R, value: R) -> Result<R> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::domain(Quantity::Radius, x, "away from the edge where the transformed profile is singular"))
+    }
+}
+
+/// A length or slope of a profile.
+fn positive<R: Real>(name: &'static str, value: R) -> Result<R> {
+    Error::require_positive(Quantity::Parameter(name), value)
+}
+
+/// `Transform` for profiles with a `ClosedForm`: check the radius, then evaluate.
+macro_rules! transform {
+    ($($profile:ident),*) => {$(
+        impl<R: mdr_core::number::Special> mdr_core::contact::Transform<R> for $profile<R> {
+            fn g(&self, x: &R) -> mdr_core::contact::Result<R> {
+                $crate::profiles::regular(x, self.g_at($crate::profiles::checked(x, self.end())?))
+            }
+            fn slope(&self, x: &R) -> mdr_core::contact::Result<R> {
+                $crate::profiles::regular(x, self.slope_at($crate::profiles::checked(x, self.end())?))
+            }
+            fn integral(&self, x: &R) -> mdr_core::contact::Result<R> {
+                $crate::profiles::regular(x, self.integral_at($crate::profiles::checked(x, self.end())?))
+            }
+            fn outer_radius(&self) -> Option<R> {
+                self.end().cloned()
+            }
+            fn kinks(&self) -> Vec<R> {
+                self.edge().cloned().into_iter().collect()
+            }
+        }
+    )*};
+}
+use transform;

@@ -1,0 +1,141 @@
+//! Punches with an edge: truncated cone, truncated paraboloid, rounded-edge flat punch.
+
+use mdr_core::contact::Result;
+use mdr_core::number::Special;
+
+use super::edge::{Edge, tangent_excess};
+use super::{ClosedForm, positive, transform};
+
+transform!(TruncatedCone, TruncatedParaboloid, RoundedPunch);
+
+/// The truncated cone f = (r − b) tan θ for r > b, 0 inside: g = x tan θ arccos(b/x) for x > b (Ejike 1981).
+#[derive(Clone, Debug)]
+pub struct TruncatedCone<R> {
+    slope: R,
+    flat: R,
+}
+
+impl<R: Special> TruncatedCone<R> {
+    /// A cone of the given flank `slope` = tan θ, cut off at the radius `flat` b.
+    ///
+    /// # Errors
+    /// Unless both are positive and finite.
+    pub fn new(slope: R, flat: R) -> Result<Self> {
+        Ok(TruncatedCone { slope: positive("slope", slope)?, flat: positive("flat", flat)? })
+    }
+}
+
+impl<R: Special> ClosedForm<R> for TruncatedCone<R> {
+    fn g_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.flat) {
+            None => x.lit(0),
+            Some(edge) => edge.angle * x * &self.slope,
+        }
+    }
+    fn slope_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.flat) {
+            None => x.lit(0),
+            Some(edge) => (self.flat.clone() / &edge.leg + &edge.angle) * &self.slope,
+        }
+    }
+    /// ½ tan θ [x²θ − bq] = ½ tan θ [q²θ − b²(tan θ − θ)], with x² = q² + b².
+    fn integral_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.flat) {
+            None => x.lit(0),
+            Some(edge) => edge.cone_moment(&self.flat) * &self.slope,
+        }
+    }
+    fn edge(&self) -> Option<&R> {
+        Some(&self.flat)
+    }
+}
+
+/// The truncated paraboloid f = (r² − b²)/2R for r > b, 0 inside: g = (x/R)√(x² − b²) for x > b (Ejike 1981).
+#[derive(Clone, Debug)]
+pub struct TruncatedParaboloid<R> {
+    radius: R,
+    flat: R,
+}
+
+impl<R: Special> TruncatedParaboloid<R> {
+    /// A paraboloid of curvature radius `radius` R, cut off at the radius `flat` b.
+    ///
+    /// # Errors
+    /// Unless both are positive and finite.
+    pub fn new(radius: R, flat: R) -> Result<Self> {
+        Ok(TruncatedParaboloid { radius: positive("radius", radius)?, flat: positive("flat", flat)? })
+    }
+}
+
+impl<R: Special> ClosedForm<R> for TruncatedParaboloid<R> {
+    fn g_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.flat) {
+            None => x.lit(0),
+            Some(edge) => edge.leg * x / &self.radius,
+        }
+    }
+    fn slope_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.flat) {
+            None => x.lit(0),
+            Some(edge) => (x.square() / &edge.leg + &edge.leg) / &self.radius,
+        }
+    }
+    fn integral_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.flat) {
+            None => x.lit(0),
+            Some(edge) => edge.leg.powi(3).over(3) / &self.radius,
+        }
+    }
+    fn edge(&self) -> Option<&R> {
+        Some(&self.flat)
+    }
+}
+
+/// The flat punch with a rounded edge f = (r − b)²/2R for r > b, 0 inside: g = (x/R)[√(x² − b²) − b arccos(b/x)] for
+/// x > b (Schubert 1942; Ciavarella 1999).
+#[derive(Clone, Debug)]
+pub struct RoundedPunch<R> {
+    radius: R,
+    flat: R,
+}
+
+impl<R: Special> RoundedPunch<R> {
+    /// A punch flat up to the radius `flat` b, then rounded with the curvature radius `radius` R.
+    ///
+    /// # Errors
+    /// Unless both are positive and finite.
+    pub fn new(radius: R, flat: R) -> Result<Self> {
+        Ok(RoundedPunch { radius: positive("radius", radius)?, flat: positive("flat", flat)? })
+    }
+
+    /// √(x² − b²) − b arccos(b/x) = b(tan θ − θ).
+    fn excess(&self, edge: &Edge<R>) -> R {
+        tangent_excess(&(edge.leg.clone() / &self.flat), &edge.angle) * &self.flat
+    }
+}
+
+impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
+    fn g_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.flat) {
+            None => x.lit(0),
+            Some(edge) => self.excess(&edge) * x / &self.radius,
+        }
+    }
+    /// (2q − bθ)/R = (q + b(tan θ − θ))/R.
+    fn slope_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.flat) {
+            None => x.lit(0),
+            Some(edge) => (self.excess(&edge) + &edge.leg) / &self.radius,
+        }
+    }
+    /// [q³/3 − ½b(x²θ − bq)]/R = ½b³[t³·2/3 − (1 + t²)θ + t]/R with t = tan θ.
+    fn integral_at(&self, x: &R) -> R {
+        match Edge::at(x, &self.flat) {
+            None => x.lit(0),
+            Some(edge) => edge.rounded_moment(&self.flat) / &self.radius,
+        }
+    }
+    fn edge(&self) -> Option<&R> {
+        Some(&self.flat)
+    }
+}

@@ -1,0 +1,109 @@
+//! The closed forms of the profile library against each other: G' = g and g' = slope by automatic differentiation,
+//! continuity across the edge, and the limits in which one profile becomes another.
+#![cfg(feature = "mp")]
+
+use mdr_analytic::profiles::*;
+use mdr_core::contact::{Result, Transform};
+use mdr_core::number::{Dual, Precision, Real, Special};
+use rug::Float;
+
+const BITS: u32 = 240;
+/// Each closed form is a few dozen operations; near an edge or a zero it may lose up to 40 of the 240 bits at the test
+/// radii (|x/b − 1| ≥ 2⁻²⁰, loss at most its square).
+const LOSS: u32 = 60;
+
+fn number(text: &str) -> Float {
+    Real::from_literal(Precision::new(BITS), &text.parse().unwrap())
+}
+
+/// The whole library over one arithmetic, with edge at b = 3/7 where there is one.
+fn library<R: Special>(seed: &R) -> Result<Vec<(&'static str, Box<dyn Transform<R>>)>> {
+    let b = seed.ratio(3, 7);
+    let one = seed.lit(1);
+    let slope = seed.ratio(2, 5);
+    let five = seed.lit(5);
+    Ok(vec![
+        ("cone", Box::new(Cone::new(slope.clone())?)),
+        ("paraboloid", Box::new(Paraboloid::new(five.clone())?)),
+        ("sphere", Box::new(Sphere::new(five.clone())?)),
+        ("ellipsoid", Box::new(Ellipsoid::new(five.clone(), one.clone())?)),
+        ("hyperboloid", Box::new(Hyperboloid::new(slope.clone(), b.clone())?)),
+        ("truncated cone", Box::new(TruncatedCone::new(slope.clone(), b.clone())?)),
+        ("truncated paraboloid", Box::new(TruncatedParaboloid::new(five.clone(), b.clone())?)),
+        ("rounded punch", Box::new(RoundedPunch::new(five.clone(), b.clone())?)),
+        ("parabolic cap", Box::new(ParabolicCapCone::new(slope.clone(), b.clone())?)),
+        ("spherical cap", Box::new(SphericalCapCone::new(slope.clone(), one.clone())?)),
+        ("displaced paraboloid", Box::new(DisplacedParaboloid::new(five.clone(), b.clone())?)),
+        ("parabolic dimple", Box::new(ParabolicDimple::new(one.clone(), b.clone())?)),
+        ("elliptical dimple", Box::new(EllipticalDimple::new(one, b.clone())?)),
+        ("sum", Box::new(Sum::new(vec![Box::new(Cone::new(slope)?), Box::new(RoundedPunch::new(five, b)?)]))),
+    ])
+}
+
+/// Radii on both sides of b, of the spherical cap's edge and of its 2x = R, down to a millionth from the edge.
+const RADII: [&str; 10] = ["1e-9", "0.01", "0.3", "0.42857", "0.428572", "0.43", "0.499", "0.501", "1.3", "4.9"];
+
+fn assert_close(what: &str, value: &Float, expected: &Float) {
+    let error = Float::with_val(BITS, value - expected).abs();
+    let scale = Float::with_val(BITS, expected.abs_ref());
+    assert!(error <= (scale >> (BITS - LOSS)), "{what}: {value} against {expected}");
+}
+
+#[test]
+fn slopes_are_derivatives_and_integrals_are_antiderivatives() {
+    let seed = number("1");
+    let plain = library(&seed).unwrap();
+    let dual = library(&Dual::constant(seed)).unwrap();
+    for ((name, profile), (_, differentiated)) in plain.iter().zip(&dual) {
+        for text in RADII {
+            let x = number(text);
+            let moving = Dual::variable(x.clone());
+            let g = differentiated.g(&moving).unwrap();
+            let integral = differentiated.integral(&moving).unwrap();
+            assert_close(&format!("{name}: g at {text}"), &integral.slope, &profile.g(&x).unwrap());
+            assert_close(&format!("{name}: g' at {text}"), &g.slope, &profile.slope(&x).unwrap());
+        }
+    }
+}
+
+#[test]
+fn continuous_across_the_edge() {
+    let b = Float::with_val(BITS, 3) / 7u32;
+    let step = Float::with_val(BITS, 1) >> 100;
+    for (name, profile) in library(&b).unwrap() {
+        if profile.kinks().is_empty() || name == "spherical cap" || name == "elliptical dimple" {
+            continue; // its edge is elsewhere; its g is singular there
+        }
+        let jump = |part: &dyn Fn(&Float) -> Result<Float>| {
+            let outside = part(&Float::with_val(BITS, &b + &step)).unwrap();
+            Float::with_val(BITS, outside - part(&b).unwrap()).abs().to_f64()
+        };
+        // g rises at most like √(x − b): 2⁻⁵⁰ over a step of 2⁻¹⁰⁰, with slopes and curvatures of order one.
+        assert!(jump(&|x| profile.g(x)) < 8.0 * 2f64.powi(-50), "{name}: g");
+        assert!(jump(&|x| profile.integral(x)) < 8.0 * 2f64.powi(-100), "{name}: G");
+    }
+}
+
+#[test]
+fn edges_and_ends_are_refused() {
+    let b = Float::with_val(BITS, 3) / 7u32;
+    for (name, profile) in library(&b).unwrap() {
+        assert!(profile.g(&number("0")).is_err(), "{name} at 0");
+        assert!(profile.g(&number("-1")).is_err(), "{name} below 0");
+        if let Some(end) = profile.outer_radius() {
+            assert!(profile.g(&end).is_err() && profile.integral(&(end + 1u32)).is_err(), "{name} at its end");
+        }
+    }
+    let dimple = EllipticalDimple::new(1.0, 0.5).unwrap();
+    assert!(dimple.g(&0.5).is_err(), "log-singular at its edge");
+    assert!(Cone::new(-1.0).is_err() && Sphere::new(f64::NAN).is_err());
+}
+
+#[test]
+fn far_away_a_capped_cone_is_a_cone() {
+    // g − πtx/2 → −(cap's missing height), so the ratio tends to 1 like b/x.
+    let cone = Cone::new(0.4).unwrap();
+    let capped = ParabolicCapCone::new(0.4, 1e-3).unwrap();
+    let x = 1e3;
+    assert!((capped.g(&x).unwrap() / cone.g(&x).unwrap() - 1.0).abs() < 1e-6);
+}
