@@ -2,6 +2,7 @@
 
 mod control;
 mod error;
+mod expression;
 mod material;
 mod profile;
 mod state;
@@ -9,6 +10,7 @@ mod transform;
 
 pub use control::Control;
 pub use error::{Error, Quantity, Result};
+pub use expression::{Expression, ExpressionError, ExpressionProfile};
 pub use material::{Body, Material};
 pub use profile::Profile;
 pub use state::{Equilibrium, FoldKind, Instability, Outcome, Ranged, Regime, Stability, Status};

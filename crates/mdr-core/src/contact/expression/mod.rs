@@ -1,0 +1,204 @@
+//! Profiles written as formulas: `r^2/(2*R) + A*(1 - cos(2*pi*r/L))`.
+
+mod parse;
+
+use std::collections::BTreeMap;
+
+use thiserror::Error;
+
+use super::Profile;
+use crate::number::{Lift, Literal, Special};
+
+/// Why a formula cannot be used, and where.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("column {column}: {reason}")]
+pub struct ExpressionError {
+    /// The position in the formula, counted in characters from 1.
+    pub column: usize,
+    /// What is wrong there, and what would be right.
+    pub reason: String,
+}
+
+/// A formula for a profile f(r), parsed but without an arithmetic.
+///
+/// The grammar has the variable `r`, parameters by name, exact decimal literals, `pi`, the operators `+ - * / ^` (with
+/// `^` binding tighter than a sign on its left and associating to the right), parentheses, and the functions `sqrt`,
+/// `exp`, `ln`, `sin`, `cos`, `atan`, `asin`, `acos`, `atanh`.
+///
+/// ```
+/// use mdr_core::contact::{Expression, Profile};
+/// use mdr_core::number::Dual;
+/// let formula: Expression = "r^2/(2*R) + A*(1 - cos(k*r))".parse()?;
+/// assert_eq!(formula.parameters().collect::<Vec<_>>(), ["A", "R", "k"]);
+/// let values = [("R", "2"), ("A", "0.25"), ("k", "1")].map(|(name, value)| (name.to_owned(), value.parse().unwrap()));
+/// let profile = formula.bind::<f64>((), &values.into())?;
+/// let f = profile.height(&Dual::variable(1.0));
+/// assert!((f.slope - (0.5 + 0.25 * 1f64.sin())).abs() < 1e-15);
+///
+/// let error = "r^2/(2*R".parse::<Expression>().unwrap_err();
+/// assert_eq!(error.to_string(), "column 9: expected `)` to close the `(` of column 5");
+/// # Ok::<(), mdr_core::contact::ExpressionError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expression {
+    root: Node<Constant>,
+}
+
+/// A constant before an arithmetic is chosen.
+#[derive(Clone, Debug, PartialEq)]
+enum Constant {
+    Literal(Literal),
+    Pi,
+    Parameter { name: String, column: usize },
+}
+
+/// A formula whose constants are of type `C`.
+#[derive(Clone, Debug, PartialEq)]
+enum Node<C> {
+    Variable,
+    Constant(C),
+    Negative(Box<Node<C>>),
+    Operation(Operator, Box<Node<C>>, Box<Node<C>>),
+    /// An integer power, which is defined for any base.
+    Power(Box<Node<C>>, i64),
+    Function(Function, Box<Node<C>>),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Operator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Function {
+    Sqrt,
+    Exp,
+    Ln,
+    Sin,
+    Cos,
+    Atan,
+    Asin,
+    Acos,
+    Atanh,
+}
+
+impl Function {
+    const ALL: [(&'static str, Function); 9] = [
+        ("sqrt", Function::Sqrt),
+        ("exp", Function::Exp),
+        ("ln", Function::Ln),
+        ("sin", Function::Sin),
+        ("cos", Function::Cos),
+        ("atan", Function::Atan),
+        ("asin", Function::Asin),
+        ("acos", Function::Acos),
+        ("atanh", Function::Atanh),
+    ];
+
+    fn apply<S: Special>(self, x: &S) -> S {
+        match self {
+            Function::Sqrt => x.sqrt(),
+            Function::Exp => x.exp(),
+            Function::Ln => x.ln(),
+            Function::Sin => x.sin(),
+            Function::Cos => x.cos(),
+            Function::Atan => x.atan(),
+            Function::Asin => x.asin(),
+            Function::Acos => x.acos(),
+            Function::Atanh => x.atanh(),
+        }
+    }
+}
+
+impl<C> Node<C> {
+    /// The same formula with every constant replaced.
+    fn map<D, E>(&self, replace: &mut impl FnMut(&C) -> Result<D, E>) -> Result<Node<D>, E> {
+        Ok(match self {
+            Node::Variable => Node::Variable,
+            Node::Constant(constant) => Node::Constant(replace(constant)?),
+            Node::Negative(x) => Node::Negative(Box::new(x.map(replace)?)),
+            Node::Operation(op, a, b) => Node::Operation(*op, Box::new(a.map(replace)?), Box::new(b.map(replace)?)),
+            Node::Power(x, n) => Node::Power(Box::new(x.map(replace)?), *n),
+            Node::Function(function, x) => Node::Function(*function, Box::new(x.map(replace)?)),
+        })
+    }
+}
+
+impl<R: Special> Node<R> {
+    fn value<S: Lift<R>>(&self, r: &S) -> S {
+        match self {
+            Node::Variable => r.clone(),
+            Node::Constant(constant) => S::lift(constant),
+            Node::Negative(x) => -x.value(r),
+            Node::Power(x, n) => x.value(r).powi(*n),
+            Node::Function(function, x) => function.apply(&x.value(r)),
+            Node::Operation(operator, a, b) => {
+                let (a, b) = (a.value(r), b.value(r));
+                match operator {
+                    Operator::Add => a + b,
+                    Operator::Subtract => a - b,
+                    Operator::Multiply => a * b,
+                    Operator::Divide => a / b,
+                    Operator::Power => a.pow(&b),
+                }
+            }
+        }
+    }
+}
+
+impl Expression {
+    /// The names of the parameters, sorted, each once.
+    pub fn parameters(&self) -> impl Iterator<Item = String> + use<> {
+        let mut names = std::collections::BTreeSet::new();
+        let collected: Result<Node<()>, std::convert::Infallible> = self.root.map(&mut |constant| {
+            if let Constant::Parameter { name, .. } = constant {
+                names.insert(name.clone());
+            }
+            Ok(())
+        });
+        debug_assert!(collected.is_ok());
+        names.into_iter()
+    }
+
+    /// The formula with the values of its parameters, in an arithmetic of the given context.
+    ///
+    /// # Errors
+    /// A parameter without a value, at its column.
+    pub fn bind<R: Special>(
+        &self,
+        ctx: R::Ctx,
+        values: &BTreeMap<String, Literal>,
+    ) -> Result<ExpressionProfile<R>, ExpressionError> {
+        let root = self.root.map(&mut |constant| match constant {
+            Constant::Literal(literal) => Ok(R::from_literal(ctx, literal)),
+            Constant::Pi => Ok(R::from_int(ctx, 1).pi()),
+            Constant::Parameter { name, column } => match values.get(name) {
+                Some(value) => Ok(R::from_literal(ctx, value)),
+                None => Err(ExpressionError { column: *column, reason: unknown_name(name, values.keys()) }),
+            },
+        })?;
+        Ok(ExpressionProfile { root })
+    }
+}
+
+/// The message for a name that has no meaning, with the known names.
+fn unknown_name<'a>(name: &str, parameters: impl Iterator<Item = &'a String>) -> String {
+    let known: Vec<&str> = ["r", "pi"].into_iter().chain(parameters.map(String::as_str)).collect();
+    format!("unknown name `{name}`; known here: {}", known.join(", "))
+}
+
+/// A formula with values, as a profile.
+#[derive(Clone, Debug)]
+pub struct ExpressionProfile<R> {
+    root: Node<R>,
+}
+
+impl<R: Special> Profile<R> for ExpressionProfile<R> {
+    fn height<S: Lift<R>>(&self, r: &S) -> S {
+        self.root.value(r)
+    }
+}

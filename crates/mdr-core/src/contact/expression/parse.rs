@@ -1,0 +1,285 @@
+//! The grammar of formulas, by precedence climbing.
+
+use std::str::FromStr;
+
+use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
+use crate::number::Literal;
+
+/// Nesting deeper than this, and longer formulas, are refused rather than risked on the stack.
+const DEEPEST: usize = 200;
+const LONGEST: usize = 2000;
+
+#[derive(Clone, Debug, PartialEq)]
+enum Token {
+    Number(Literal),
+    Name(String),
+    /// One of `+ - * / ^ ( )`.
+    Symbol(char),
+    End,
+}
+
+impl FromStr for Expression {
+    type Err = ExpressionError;
+
+    fn from_str(formula: &str) -> Result<Self, ExpressionError> {
+        let mut parser = Parser { tokens: tokens(formula)?, next: 0, depth: 0 };
+        let root = parser.sum()?;
+        match parser.peek() {
+            Token::End => Ok(Expression { root }),
+            Token::Symbol(')') => Err(parser.error("a `)` without its `(`")),
+            _ => Err(parser.error("expected an operator `+ - * / ^` or the end of the formula")),
+        }
+    }
+}
+
+/// The tokens with their columns; the last is `End`.
+fn tokens(formula: &str) -> Result<Vec<(Token, usize)>, ExpressionError> {
+    let text: Vec<char> = formula.chars().collect();
+    let mut tokens = Vec::new();
+    let mut at = 0;
+    while at < text.len() {
+        let start = at;
+        let is_name = |c: char| c.is_alphanumeric() || c == '_';
+        let token =
+            match text[at] {
+                c if c.is_whitespace() => {
+                    at += 1;
+                    continue;
+                }
+                c if c.is_ascii_digit() || c == '.' => {
+                    at = end_of_number(&text, at);
+                    let number: String = text[start..at].iter().collect();
+                    let literal = number.parse();
+                    Token::Number(literal.map_err(|error| ExpressionError {
+                        column: start + 1,
+                        reason: format!("`{number}` is {error}"),
+                    })?)
+                }
+                c if is_name(c) => {
+                    at += text[at..].iter().take_while(|c| is_name(**c)).count();
+                    Token::Name(text[start..at].iter().collect())
+                }
+                c if "+-*/^()".contains(c) => {
+                    at += 1;
+                    Token::Symbol(c)
+                }
+                c => return Err(ExpressionError { column: start + 1, reason: format!("unexpected character `{c}`") }),
+            };
+        if tokens.len() == LONGEST {
+            return Err(ExpressionError { column: start + 1, reason: format!("longer than {LONGEST} symbols") });
+        }
+        tokens.push((token, start + 1));
+    }
+    tokens.push((Token::End, text.len() + 1));
+    Ok(tokens)
+}
+
+/// Where the decimal that starts at `at` ends; an exponent belongs to it only when digits follow.
+fn end_of_number(text: &[char], mut at: usize) -> usize {
+    let digits = |from: usize| text[from..].iter().take_while(|c| c.is_ascii_digit()).count();
+    while at < text.len() && (text[at].is_ascii_digit() || text[at] == '.') {
+        at += 1;
+    }
+    if at < text.len() && matches!(text[at], 'e' | 'E') {
+        let sign = usize::from(matches!(text.get(at + 1), Some('+' | '-')));
+        let count = if at + 1 + sign < text.len() { digits(at + 1 + sign) } else { 0 };
+        if count > 0 {
+            at += 1 + sign + count;
+        }
+    }
+    at
+}
+
+struct Parser {
+    tokens: Vec<(Token, usize)>,
+    next: usize,
+    depth: usize,
+}
+
+type Parsed = Result<Node<Constant>, ExpressionError>;
+
+impl Parser {
+    fn peek(&self) -> &Token {
+        &self.tokens[self.next].0
+    }
+
+    fn column(&self) -> usize {
+        self.tokens[self.next].1
+    }
+
+    fn error(&self, reason: impl Into<String>) -> ExpressionError {
+        ExpressionError { column: self.column(), reason: reason.into() }
+    }
+
+    /// Takes the next token when it is one of these symbols.
+    fn take(&mut self, symbols: &str) -> Option<char> {
+        match *self.peek() {
+            Token::Symbol(c) if symbols.contains(c) => {
+                self.next += 1;
+                Some(c)
+            }
+            _ => None,
+        }
+    }
+
+    fn deeper(&mut self, parse: fn(&mut Self) -> Parsed) -> Parsed {
+        if self.depth == DEEPEST {
+            return Err(self.error(format!("nested deeper than {DEEPEST} levels")));
+        }
+        self.depth += 1;
+        let node = parse(self);
+        self.depth -= 1;
+        node
+    }
+
+    /// sum = product { (+|−) product }
+    fn sum(&mut self) -> Parsed {
+        let mut node = self.product()?;
+        while let Some(symbol) = self.take("+-") {
+            let operator = if symbol == '+' { Operator::Add } else { Operator::Subtract };
+            node = Node::Operation(operator, Box::new(node), Box::new(self.product()?));
+        }
+        Ok(node)
+    }
+
+    /// product = signed { (*|/) signed }
+    fn product(&mut self) -> Parsed {
+        let mut node = self.signed()?;
+        while let Some(symbol) = self.take("*/") {
+            let operator = if symbol == '*' { Operator::Multiply } else { Operator::Divide };
+            node = Node::Operation(operator, Box::new(node), Box::new(self.signed()?));
+        }
+        Ok(node)
+    }
+
+    /// signed = { +|− } power
+    fn signed(&mut self) -> Parsed {
+        match self.take("+-") {
+            Some('-') => Ok(Node::Negative(Box::new(self.deeper(Self::signed)?))),
+            Some(_) => self.deeper(Self::signed),
+            None => self.power(),
+        }
+    }
+
+    /// power = atom [ ^ signed ]; an integer exponent is an integer power.
+    fn power(&mut self) -> Parsed {
+        let base = self.atom()?;
+        if self.take("^").is_none() {
+            return Ok(base);
+        }
+        let exponent = self.deeper(Self::signed)?;
+        Ok(match integer(&exponent) {
+            Some(n) => Node::Power(Box::new(base), n),
+            None => Node::Operation(Operator::Power, Box::new(base), Box::new(exponent)),
+        })
+    }
+
+    /// atom = number | r | pi | parameter | function ( sum ) | ( sum )
+    fn atom(&mut self) -> Parsed {
+        let column = self.column();
+        match self.peek().clone() {
+            Token::Number(literal) => {
+                self.next += 1;
+                Ok(Node::Constant(Constant::Literal(literal)))
+            }
+            Token::Name(name) => {
+                self.next += 1;
+                self.named(name, column)
+            }
+            Token::Symbol('(') => self.parenthesis(),
+            Token::Symbol(c) => Err(self.error(format!("expected a number, a name or `(` before `{c}`"))),
+            Token::End => Err(self.error("the formula ends where a number, a name or `(` is expected")),
+        }
+    }
+
+    fn named(&mut self, name: String, column: usize) -> Parsed {
+        let function = Function::ALL.iter().find(|(known, _)| *known == name).map(|(_, function)| *function);
+        match (function, self.peek()) {
+            (Some(function), Token::Symbol('(')) => Ok(Node::Function(function, Box::new(self.parenthesis()?))),
+            (Some(_), _) => Err(self.error(format!("expected `(` after the function `{name}`"))),
+            (None, Token::Symbol('(')) => {
+                let known = Function::ALL.map(|(known, _)| known).join(", ");
+                Err(ExpressionError { column, reason: format!("unknown function `{name}`; known: {known}") })
+            }
+            (None, _) => Ok(match name.as_str() {
+                "r" => Node::Variable,
+                "pi" => Node::Constant(Constant::Pi),
+                _ => Node::Constant(Constant::Parameter { name, column }),
+            }),
+        }
+    }
+
+    fn parenthesis(&mut self) -> Parsed {
+        let opened = self.column();
+        self.next += 1;
+        let inside = self.deeper(Self::sum)?;
+        match self.take(")") {
+            Some(_) => Ok(inside),
+            None => Err(self.error(format!("expected `)` to close the `(` of column {opened}"))),
+        }
+    }
+}
+
+/// The value of a small integer literal, signed or not.
+fn integer(node: &Node<Constant>) -> Option<i64> {
+    match node {
+        Node::Negative(x) => integer(x).map(|n| -n),
+        Node::Constant(Constant::Literal(literal)) => {
+            let value = literal.nearest_f64();
+            (value.fract() == 0.0 && value.abs() < 1e6).then_some(value as i64)
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+    use crate::contact::Profile;
+
+    fn at(formula: &str, r: f64) -> f64 {
+        let values = BTreeMap::from([("R".to_owned(), "2".parse().unwrap())]);
+        formula.parse::<Expression>().unwrap().bind((), &values).unwrap().height(&r)
+    }
+
+    #[test]
+    fn precedence_and_associativity() {
+        assert_eq!(at("2 + 3*r^2", 2.0), 14.0);
+        assert_eq!(at("-r^2", 3.0), -9.0);
+        assert_eq!(at("2^3^2", 1.0), 512.0);
+        assert_eq!(at("8/2/2", 1.0), 2.0);
+        assert_eq!(at("1 - 2 - 3", 1.0), -4.0);
+        assert_eq!(at("r^-2", 2.0), 0.25);
+        assert_eq!(at("2e-1*r", 10.0), 2.0);
+        assert_eq!(at("r^2/(2*R)", 2.0), 1.0);
+        assert_eq!(at("sqrt(cos(0*pi))", 1.0), 1.0);
+        assert_eq!(at("- -r", 1.0), 1.0);
+        assert_eq!(at("(0-2)^3", 1.0), -8.0, "an integer power has any base");
+    }
+
+    #[test]
+    fn errors_point_at_the_column() {
+        for (formula, column) in [
+            ("", 1),
+            ("r +", 4),
+            ("r + * 2", 5),
+            ("(r", 3),
+            ("r)", 2),
+            ("sinh(r)", 1),
+            ("sin r", 5),
+            ("2 r", 3),
+            ("r $ 2", 3),
+            ("1.2.3*r", 1),
+            ("r^", 3),
+        ] {
+            let error = formula.parse::<Expression>().unwrap_err();
+            assert_eq!(error.column, column, "{formula:?}: {error}");
+        }
+        let missing = "r/Q".parse::<Expression>().unwrap().bind::<f64>((), &BTreeMap::new()).unwrap_err();
+        assert_eq!(missing.to_string(), "column 3: unknown name `Q`; known here: r, pi");
+        assert!("(".repeat(100_000).parse::<Expression>().is_err(), "deep nesting is an error, not a crash");
+        assert!("r+".repeat(100_000).parse::<Expression>().is_err(), "so is a long chain");
+    }
+}
