@@ -13,11 +13,13 @@ const BITS: u32 = 240;
 const LOSS: u32 = 60;
 
 fn number(text: &str) -> Float {
-    Real::from_literal(Precision::new(BITS), &text.parse().unwrap())
+    Real::from_literal(Precision::new(BITS), &text.parse().expect("a decimal"))
 }
 
+type Named<R> = (&'static str, Box<dyn Transform<R>>);
+
 /// The whole library over one arithmetic, with edge at b = 3/7 where there is one.
-fn library<R: Special>(seed: &R) -> Result<Vec<(&'static str, Box<dyn Transform<R>>)>> {
+fn library<R: Special>(seed: &R) -> Result<Vec<Named<R>>> {
     let b = seed.ratio(3, 7);
     let one = seed.lit(1);
     let slope = seed.ratio(2, 5);
