@@ -1,13 +1,19 @@
 //! The arithmetics in which every formula runs, behind one trait.
 
+#[cfg(feature = "mp")]
+pub mod certify;
 mod dual;
 mod float;
+#[cfg(feature = "mp")]
+mod interval;
 mod literal;
 #[cfg(feature = "mp")]
 mod mp;
 mod real;
 
 pub use dual::Dual;
+#[cfg(feature = "mp")]
+pub use interval::Interval;
 pub use literal::{Literal, LiteralError};
 #[cfg(feature = "mp")]
 pub use mp::Precision;

@@ -1,0 +1,101 @@
+//! A correctly rounded decimal.
+
+use std::fmt;
+
+use rug::Integer;
+
+/// ± d.ddd… · 10^exponent with a fixed number of significant digits, the first not zero; or exactly zero (the default).
+///
+/// Displays without an exponent where the decimal exponent lies between −6 and the number of digits, else as
+/// `d.ddde±x`; zero as `0`.
+///
+/// ```
+/// use mdr_core::number::certify::Enclosure;
+/// let show = |n: i64, d: i64| Enclosure::Exact((n, d).into()).round(3).map(|decimal| decimal.to_string());
+/// assert_eq!(show(-2, 3).as_deref(), Some("-0.667"));
+/// assert_eq!(show(1, 1_000_000_000).as_deref(), Some("1.00e-9"));
+/// assert_eq!(show(0, 1).as_deref(), Some("0"));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Decimal {
+    negative: bool,
+    digits: String,
+    exponent: Integer,
+}
+
+impl Decimal {
+    /// ± significand · 10^(exponent + 1 − digits), with a significand of exactly `digits` digits.
+    pub(super) fn new(negative: bool, significand: Integer, exponent: Integer, digits: u32) -> Self {
+        let text = significand.to_string();
+        debug_assert_eq!(text.len(), digits as usize);
+        Decimal { negative, digits: text, exponent }
+    }
+
+    /// Whether the number is exactly zero.
+    pub fn is_zero(&self) -> bool {
+        self.digits.is_empty()
+    }
+
+    /// Whether the number is below zero.
+    pub fn is_negative(&self) -> bool {
+        self.negative
+    }
+
+    /// The significant digits, the decimal point after the first; empty for zero.
+    pub fn digits(&self) -> &str {
+        &self.digits
+    }
+
+    /// The decimal exponent: the number lies between 10^exponent and 10^(exponent + 1) in magnitude. 0 for zero.
+    pub fn exponent(&self) -> &Integer {
+        &self.exponent
+    }
+
+    /// log₁₀ of the magnitude to about 16 digits; −∞ for zero.
+    pub fn log10_f64(&self) -> f64 {
+        // Seventeen digits fix a double; an empty string is the zero.
+        let leading = &self.digits[..self.digits.len().min(17)];
+        let mantissa: f64 = format!("0{leading}e-{leading_zeros}", leading_zeros = leading.len().saturating_sub(1))
+            .parse()
+            .unwrap_or(f64::NAN);
+        self.exponent.to_f64() + mantissa.log10()
+    }
+
+    /// The nearest double; ±∞ and ±0 beyond the range of `f64`.
+    pub fn to_f64(&self) -> f64 {
+        self.to_string().parse().unwrap_or(f64::NAN)
+    }
+}
+
+impl fmt::Display for Decimal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_zero() {
+            return f.write_str("0");
+        }
+        if self.negative {
+            f.write_str("-")?;
+        }
+        let digits = &self.digits;
+        let count = digits.len();
+        match self.exponent.to_i64() {
+            Some(exponent @ -6..0) => {
+                let zeros = exponent.unsigned_abs() as usize - 1;
+                write!(f, "0.{}{digits}", "0".repeat(zeros))
+            }
+            Some(exponent) if (0..=count as i64).contains(&exponent) => {
+                let whole = exponent as usize + 1;
+                match digits.split_at_checked(whole) {
+                    Some((whole, "")) => f.write_str(whole),
+                    Some((whole, fraction)) => write!(f, "{whole}.{fraction}"),
+                    None => write!(f, "{digits}{}", "0".repeat(whole - count)),
+                }
+            }
+            _ => {
+                let (first, rest) = digits.split_at(1);
+                let point = if rest.is_empty() { "" } else { "." };
+                let sign = if self.exponent.is_negative() { "" } else { "+" };
+                write!(f, "{first}{point}{rest}e{sign}{}", self.exponent)
+            }
+        }
+    }
+}

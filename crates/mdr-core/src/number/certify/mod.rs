@@ -1,0 +1,226 @@
+//! From enclosures to decimals whose every digit is proved.
+
+mod decimal;
+
+pub use decimal::Decimal;
+
+use rug::float::Round;
+use rug::ops::Pow;
+use rug::{Float, Integer, Rational};
+
+use super::{Interval, Precision, Real};
+use crate::contact::{Error, Quantity, Result};
+
+/// The most digits that are given.
+const MOST_DIGITS: u32 = 1_000_000;
+
+/// What is known about a real number.
+#[derive(Clone, Debug)]
+pub enum Enclosure {
+    /// The number lies in this interval.
+    Value(Interval),
+    /// The number is this rational. Zero and decimal ties, which no interval of positive width decides, need it.
+    Exact(Rational),
+    /// The number is ±e^L with L in this interval: for magnitudes beyond the exponents of MPFR, up to e^(10^300) and
+    /// further.
+    Log {
+        /// Whether the number is below zero.
+        negative: bool,
+        /// L.
+        ln_magnitude: Interval,
+    },
+}
+
+impl From<Interval> for Enclosure {
+    fn from(interval: Interval) -> Self {
+        Enclosure::Value(interval)
+    }
+}
+
+impl From<Rational> for Enclosure {
+    fn from(value: Rational) -> Self {
+        Enclosure::Exact(value)
+    }
+}
+
+impl Enclosure {
+    /// The number correctly rounded to `digits` ≥ 1 significant decimal digits, ties to the even digit; `None` while
+    /// the enclosure leaves room for more than one answer.
+    ///
+    /// ```
+    /// use mdr_core::number::certify::Enclosure;
+    /// use mdr_core::number::{Interval, Precision, Real};
+    /// let pi = |bits| Enclosure::from(Interval::from_int(Precision::new(bits), 0).pi());
+    /// assert!(pi(16).round(8).is_none());
+    /// assert_eq!(pi(40).round(8).map(|decimal| decimal.to_string()), Some("3.1415927".to_owned()));
+    /// ```
+    pub fn round(&self, digits: u32) -> Option<Decimal> {
+        match self {
+            Enclosure::Exact(value) => Some(round_rational(value, digits)),
+            Enclosure::Value(value) => round_interval(value, digits),
+            Enclosure::Log { negative, ln_magnitude } => round_exponential(*negative, ln_magnitude, digits),
+        }
+    }
+}
+
+/// Evaluates `f` at growing precision until all its quantities are decided to `digits` significant digits, and gives
+/// them correctly rounded.
+///
+/// The precision starts at `start` and grows by half at each attempt; an [`Error::Undecided`] of `f` counts as an
+/// attempt, any other error ends the search. A number that is itself a decimal tie, or zero, is decided only by an
+/// enclosure that is exact.
+///
+/// # Errors
+/// [`Error::Undecided`], naming the quantity, beyond 64 · `start` + 20 000 bits; [`Error::Domain`] for digits outside
+/// 1 to 10⁶; whatever `f` returns.
+///
+/// ```
+/// use mdr_core::contact::Quantity;
+/// use mdr_core::number::certify::certify;
+/// use mdr_core::number::{Interval, Precision, Real};
+/// // (10³⁰ + 1)^½ − 10¹⁵ loses a hundred bits; the digits are right all the same.
+/// let [difference] = certify([Quantity::Indentation], 10, Precision::new(64), |precision| {
+///     let large = Interval::from_int(precision, 10).powi(15);
+///     Ok([((large.square() + large.lit(1)).sqrt() - large).into()])
+/// })?;
+/// assert_eq!(difference.to_string(), "5.000000000e-16");
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+pub fn certify<const K: usize>(
+    quantities: [Quantity; K],
+    digits: u32,
+    start: Precision,
+    mut f: impl FnMut(Precision) -> Result<[Enclosure; K]>,
+) -> Result<[Decimal; K]> {
+    if !(1..=MOST_DIGITS).contains(&digits) {
+        let value = digits.to_string();
+        return Err(Error::Domain { quantity: Quantity::Digits, value, requirement: "from 1 to 1000000" });
+    }
+    let most = start.bits().saturating_mul(64).saturating_add(20_000);
+    let mut bits = start.bits();
+    let mut decided: [Option<Decimal>; K] = [const { None }; K];
+    loop {
+        let mut failure = None;
+        match f(Precision::new(bits)) {
+            Ok(enclosures) => {
+                for (decimal, enclosure) in decided.iter_mut().zip(&enclosures) {
+                    *decimal = decimal.take().or_else(|| enclosure.round(digits));
+                }
+            }
+            Err(error @ Error::Undecided { .. }) => failure = Some(error),
+            Err(error) => return Err(error),
+        }
+        let undecided = decided.iter().zip(quantities).find(|(decimal, _)| decimal.is_none());
+        let Some((_, quantity)) = undecided else { break };
+        if bits >= most {
+            return Err(failure.unwrap_or(Error::Undecided { quantity, bits, what: "the last digit asked for" }));
+        }
+        bits = bits.saturating_add(bits / 2 + 32).min(most);
+    }
+    Ok(decided.map(Option::unwrap_or_default))
+}
+
+/// Guard bits of the conversion: its own error stays far below that of the enclosure.
+const GUARD: u32 = 64;
+
+/// Bits that hold `digits` decimal digits and the guard.
+fn working_bits(value: &Interval, digits: u32) -> u32 {
+    value.precision().max(Precision::from_digits(digits).bits()).saturating_add(GUARD)
+}
+
+fn round_interval(value: &Interval, digits: u32) -> Option<Decimal> {
+    if value.contains_zero() || !value.is_finite() {
+        return (value.is_point() && value.contains_zero()).then(Decimal::default);
+    }
+    let magnitude = widen(&value.abs(), working_bits(value, digits));
+    // |value| < 2^e, so the decimal exponent is at most ⌊e · log₁₀2⌋, and at least one less: 2^(e−1) ≤ upper end.
+    let binary = magnitude.upper().get_exp()?;
+    let exponent = (f64::from(binary) * std::f64::consts::LOG10_2 + 1e-6).floor() as i64;
+    let scale = i64::from(digits) - 1 - exponent;
+    let power = magnitude.lit(10).powi(scale.abs());
+    let scaled = if scale < 0 { magnitude / power } else { magnitude * power };
+    decide(value.upper().is_sign_negative(), &scaled, exponent.into(), digits)
+}
+
+/// The same interval with more bits.
+fn widen(value: &Interval, bits: u32) -> Interval {
+    let end = |end: &Float| Float::with_val(bits.max(end.prec()), end);
+    Interval::new(end(value.lower()), end(value.upper()))
+}
+
+fn round_exponential(negative: bool, ln_magnitude: &Interval, digits: u32) -> Option<Decimal> {
+    let largest = ln_magnitude.lower().get_exp().max(ln_magnitude.upper().get_exp()).unwrap_or(0);
+    let integer_bits = u32::try_from(largest).unwrap_or(0);
+    if !ln_magnitude.is_finite() || integer_bits > ln_magnitude.precision() {
+        return None;
+    }
+    let bits = working_bits(ln_magnitude, digits).saturating_add(integer_bits);
+    let ln_magnitude = widen(ln_magnitude, bits);
+    let ln_10 = ln_magnitude.lit(10).ln();
+    let (exponent, _) = (ln_magnitude.clone() / &ln_10).upper().to_integer_round(Round::Down)?;
+    let whole = Interval::point(Float::with_val(bits, &exponent));
+    let scaled =
+        (ln_magnitude - whole * ln_10).exp() * Interval::from_int(Precision::new(bits), 10).powi(digits.into());
+    decide(negative, &scaled.over(10), exponent, digits)
+}
+
+/// The decimal of ±scaled · 10^(exponent + 1 − digits), where `exponent` is the decimal exponent of the upper end or one
+/// more.
+fn decide(negative: bool, scaled: &Interval, exponent: Integer, digits: u32) -> Option<Decimal> {
+    let lower = nearest(scaled.lower(), exponent.clone(), digits)?;
+    let upper = nearest(scaled.upper(), exponent, digits)?;
+    (lower == upper).then(|| Decimal::new(negative, lower.0, lower.1, digits))
+}
+
+/// `scaled` · 10^(exponent + 1 − digits) rounded to a significand of `digits` digits and its decimal exponent. `None`
+/// where the value is more than a decade below 10^exponent.
+fn nearest(scaled: &Float, exponent: Integer, digits: u32) -> Option<(Integer, Integer)> {
+    let unit = Integer::from(10).pow(digits - 1);
+    let (scaled, exponent) = if *scaled >= unit {
+        (scaled.clone(), exponent)
+    } else {
+        // Four more bits hold the tenfold exactly.
+        (Float::with_val(scaled.prec() + 4, scaled * 10u32), exponent - 1u32)
+    };
+    if scaled < unit {
+        return None;
+    }
+    let (significand, _) = scaled.to_integer_round(Round::Nearest)?;
+    Some(carry(significand, exponent, unit))
+}
+
+/// 10^digits, reached by rounding up, is 10^(digits − 1) with the next exponent.
+fn carry(significand: Integer, exponent: Integer, unit: Integer) -> (Integer, Integer) {
+    if significand >= Integer::from(&unit * 10u32) { (unit, exponent + 1u32) } else { (significand, exponent) }
+}
+
+fn round_rational(value: &Rational, digits: u32) -> Decimal {
+    if value.is_zero() {
+        return Decimal::default();
+    }
+    let (numerator, denominator) = (value.numer().clone().abs(), value.denom());
+    let unit = Integer::from(10).pow(digits - 1);
+    // log₂ of the value lies between this and two less, so that the exponent is right or one too high.
+    let binary = i64::from(numerator.significant_bits()) - i64::from(denominator.significant_bits()) + 1;
+    let mut exponent = (binary as f64 * std::f64::consts::LOG10_2 + 1e-6).floor() as i64;
+    loop {
+        let scale = i64::from(digits) - 1 - exponent;
+        let power = Integer::from(10).pow(scale.unsigned_abs() as u32);
+        let (dividend, divisor) = if scale < 0 {
+            (numerator.clone(), Integer::from(denominator * &power))
+        } else {
+            (Integer::from(&numerator * &power), denominator.clone())
+        };
+        let (mut significand, remainder) = dividend.div_rem(divisor.clone());
+        if significand < unit {
+            exponent -= 1;
+            continue;
+        }
+        let half = (remainder * 2u32).cmp(&divisor);
+        if half.is_gt() || (half.is_eq() && significand.is_odd()) {
+            significand += 1;
+        }
+        let (significand, exponent) = carry(significand, exponent.into(), unit);
+        return Decimal::new(*value < 0, significand, exponent, digits);
+    }
+}

@@ -1,0 +1,208 @@
+//! + − × ÷ with each end rounded outward, in place.
+
+use std::cmp::Ordering;
+use std::mem::swap;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::Inv;
+use rug::float::Round;
+use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
+use rug::{Assign, Float};
+
+use super::Interval;
+
+/// Where an interval lies relative to a number.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Above,
+    Below,
+    Across,
+}
+
+/// One end of an interval.
+#[derive(Clone, Copy)]
+pub(super) enum End {
+    Lower,
+    Upper,
+}
+
+impl End {
+    fn opposite(self) -> End {
+        match self {
+            End::Lower => End::Upper,
+            End::Upper => End::Lower,
+        }
+    }
+}
+
+/// The ends (of the left and of the right factor) whose product is the least, then those whose product is the greatest.
+/// `None` when both factors straddle zero, where two products compete for each end.
+pub(super) fn extremes(left: Side, right: Side) -> Option<[(End, End); 2]> {
+    use End::{Lower, Upper};
+    use Side::{Above, Across, Below};
+    Some(match (left, right) {
+        (Above, Above) => [(Lower, Lower), (Upper, Upper)],
+        (Above, Across) => [(Upper, Lower), (Upper, Upper)],
+        (Above, Below) => [(Upper, Lower), (Lower, Upper)],
+        (Across, Above) => [(Lower, Upper), (Upper, Upper)],
+        (Across, Below) => [(Upper, Lower), (Lower, Lower)],
+        (Below, Above) => [(Lower, Upper), (Upper, Lower)],
+        (Below, Across) => [(Lower, Upper), (Lower, Lower)],
+        (Below, Below) => [(Upper, Upper), (Lower, Lower)],
+        (Across, Across) => return None,
+    })
+}
+
+impl Interval {
+    /// Where the interval lies relative to `pivot`; touching it counts as lying on one side.
+    pub(super) fn side_of(&self, pivot: i32) -> Side {
+        if self.lo >= pivot {
+            Side::Above
+        } else if self.hi <= pivot {
+            Side::Below
+        } else {
+            Side::Across
+        }
+    }
+
+    pub(super) fn end(&self, end: End) -> &Float {
+        match end {
+            End::Lower => &self.lo,
+            End::Upper => &self.hi,
+        }
+    }
+
+    /// Replaces the ends by an operation on the given corners, rounded outward.
+    pub(super) fn combine(
+        &mut self,
+        other: &Interval,
+        [(least, by_least), (greatest, by_greatest)]: [(End, End); 2],
+        operation: impl Fn(&mut Float, &Float, Round) -> Ordering,
+    ) {
+        match (least, greatest) {
+            (End::Lower, End::Upper) => {}
+            (End::Upper, End::Lower) => swap(&mut self.lo, &mut self.hi),
+            (End::Lower, End::Lower) => self.hi.assign(&self.lo),
+            (End::Upper, End::Upper) => self.lo.assign(&self.hi),
+        }
+        operation(&mut self.lo, other.end(by_least), Round::Down);
+        operation(&mut self.hi, other.end(by_greatest), Round::Up);
+        self.settle();
+    }
+
+    /// 0 · ∞ appears only where one operand is unbounded and nothing useful can be said.
+    fn settle(&mut self) {
+        if self.lo.is_nan() || self.hi.is_nan() {
+            *self = self.nothing_known();
+        }
+    }
+
+    /// Both factors straddle zero.
+    fn multiply_across(&mut self, other: &Interval) {
+        let precision = self.lo.prec();
+        let product = |a: &Float, b: &Float, round| Float::with_val_round(precision, a * b, round).0;
+        let lo = product(&self.lo, &other.hi, Round::Down).min(&product(&self.hi, &other.lo, Round::Down));
+        let hi = product(&self.lo, &other.lo, Round::Up).max(&product(&self.hi, &other.hi, Round::Up));
+        *self = Interval { lo, hi };
+    }
+
+    /// self · k.
+    pub(super) fn scale(&mut self, k: i64) {
+        if k < 0 {
+            swap(&mut self.lo, &mut self.hi);
+        }
+        self.lo.mul_assign_round(k, Round::Down);
+        self.hi.mul_assign_round(k, Round::Up);
+        self.settle();
+    }
+
+    /// self / k; the entire line for k = 0.
+    pub(super) fn divide(&mut self, k: i64) {
+        if k == 0 {
+            *self = self.nothing_known();
+            return;
+        }
+        if k < 0 {
+            swap(&mut self.lo, &mut self.hi);
+        }
+        self.lo.div_assign_round(k, Round::Down);
+        self.hi.div_assign_round(k, Round::Up);
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+    fn neg(mut self) -> Self {
+        self.negate();
+        self
+    }
+}
+
+impl Inv for Interval {
+    type Output = Self;
+    fn inv(mut self) -> Self {
+        if self.contains_zero() {
+            return self.nothing_known();
+        }
+        swap(&mut self.lo, &mut self.hi);
+        self.lo.recip_round(Round::Down);
+        self.hi.recip_round(Round::Up);
+        self
+    }
+}
+
+impl AddAssign<&Self> for Interval {
+    fn add_assign(&mut self, other: &Self) {
+        self.lo.add_assign_round(&other.lo, Round::Down);
+        self.hi.add_assign_round(&other.hi, Round::Up);
+    }
+}
+
+impl SubAssign<&Self> for Interval {
+    fn sub_assign(&mut self, other: &Self) {
+        self.lo.sub_assign_round(&other.hi, Round::Down);
+        self.hi.sub_assign_round(&other.lo, Round::Up);
+    }
+}
+
+impl MulAssign<&Self> for Interval {
+    fn mul_assign(&mut self, other: &Self) {
+        match extremes(self.side_of(0), other.side_of(0)) {
+            Some(corners) => self.combine(other, corners, |x, y, round| x.mul_assign_round(y, round)),
+            None => self.multiply_across(other),
+        }
+    }
+}
+
+impl DivAssign<&Self> for Interval {
+    fn div_assign(&mut self, other: &Self) {
+        // The reciprocal of a divisor on one side of zero lies on that side, its ends exchanged.
+        let flip = |(left, right): (End, End)| (left, right.opposite());
+        match extremes(self.side_of(0), other.side_of(0)) {
+            Some(corners) if !other.contains_zero() => {
+                self.combine(other, corners.map(flip), |x, y, round| x.div_assign_round(y, round))
+            }
+            _ => *self = self.nothing_known(),
+        }
+    }
+}
+
+/// The four operators in the two forms that `Real` asks for, from the assigning ones.
+macro_rules! operators {
+    ($($operator:ident $method:ident $assign:ident),*) => {$(
+        impl $operator<&Self> for Interval {
+            type Output = Self;
+            fn $method(mut self, other: &Self) -> Self {
+                self.$assign(other);
+                self
+            }
+        }
+        impl $operator for Interval {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                self.$method(&other)
+            }
+        }
+    )*};
+}
+operators!(Add add add_assign, Sub sub sub_assign, Mul mul mul_assign, Div div div_assign);

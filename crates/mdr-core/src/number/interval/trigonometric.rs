@@ -1,0 +1,100 @@
+//! `Special` for intervals.
+
+use std::cmp::Ordering;
+
+use rug::Float;
+use rug::float::Round;
+
+use super::Interval;
+use crate::number::Special;
+
+/// Arguments beyond 2^LARGEST would need as many bits of π; there sin and cos are only known to lie in [−1, 1].
+const LARGEST: i32 = 1 << 17;
+
+impl Interval {
+    /// The image under sin or cos, given the function and, at a point, the sign of its derivative.
+    ///
+    /// Over less than half a turn the derivative changes its sign once or never, which its signs at the two ends tell.
+    fn oscillating(
+        &self,
+        function: impl Fn(&mut Float, Round) -> Ordering + Copy,
+        slope: impl Fn(&Float) -> Float + Copy,
+    ) -> Interval {
+        let exponent = self.lo.get_exp().max(self.hi.get_exp());
+        let width = self.width();
+        if exponent.is_some_and(|exponent| exponent > LARGEST) || width > TURN {
+            return self.between(-1, 1);
+        }
+        if self.is_point() {
+            return self.increasing(function);
+        }
+        if width > HALF_TURN {
+            let mid = self.mid();
+            if mid == self.lo || mid == self.hi {
+                // The precision is too low for the period.
+                return self.between(-1, 1);
+            }
+            let halves = [Interval::new(self.lo.clone(), mid.clone()), Interval::new(mid, self.hi.clone())];
+            let [left, right] = halves.map(|half| half.oscillating(function, slope));
+            return left.hull(&right);
+        }
+        let (first, last) = (slope(&self.lo), slope(&self.hi));
+        if first <= 0 && last <= 0 {
+            self.decreasing(function)
+        } else if first >= 0 && last >= 0 {
+            self.increasing(function)
+        } else {
+            self.across_extremum(function, first > 0)
+        }
+    }
+
+    /// The image across one interior maximum 1, or minimum −1: the other end is reached at one of the ends.
+    fn across_extremum(&self, function: impl Fn(&mut Float, Round) -> Ordering, maximum: bool) -> Interval {
+        let (mut first, mut last) = (self.lo.clone(), self.hi.clone());
+        let round = if maximum { Round::Down } else { Round::Up };
+        function(&mut first, round);
+        function(&mut last, round);
+        let extremum = Float::with_val(self.lo.prec(), if maximum { 1 } else { -1 });
+        if maximum {
+            Interval { lo: first.min(&last), hi: extremum }
+        } else {
+            Interval { lo: extremum, hi: first.max(&last) }
+        }
+    }
+
+    /// [lower, upper] in the precision of `self`.
+    fn between(&self, lower: i32, upper: i32) -> Interval {
+        let end = |value| Float::with_val(self.lo.prec(), value);
+        Interval { lo: end(lower), hi: end(upper) }
+    }
+}
+
+/// A little below 2π and below π, exactly representable at any precision in use.
+const TURN: f64 = 6.25;
+const HALF_TURN: f64 = 3.125;
+
+/// Enough bits for the sign of a correctly rounded function.
+const SIGN_BITS: u32 = 32;
+
+impl Special for Interval {
+    /// Tight for arguments up to 2^131072 in magnitude, [−1, 1] beyond.
+    fn sin(&self) -> Interval {
+        self.within(true, |x| x.oscillating(Float::sin_round, |x| Float::with_val(SIGN_BITS, x.cos_ref())))
+    }
+    /// Tight for arguments up to 2^131072 in magnitude, [−1, 1] beyond.
+    fn cos(&self) -> Interval {
+        self.within(true, |x| x.oscillating(Float::cos_round, |x| -Float::with_val(SIGN_BITS, x.sin_ref())))
+    }
+    fn atan(&self) -> Interval {
+        self.within(true, |x| x.increasing(Float::atan_round))
+    }
+    fn asin(&self) -> Interval {
+        self.within(self.lo >= -1 && self.hi <= 1, |x| x.increasing(Float::asin_round))
+    }
+    fn acos(&self) -> Interval {
+        self.within(self.lo >= -1 && self.hi <= 1, |x| x.decreasing(Float::acos_round))
+    }
+    fn atanh(&self) -> Interval {
+        self.within(self.lo > -1 && self.hi < 1, |x| x.increasing(Float::atanh_round))
+    }
+}
