@@ -1,0 +1,142 @@
+//! Critical states under controlled indentation and controlled force: (1.14), (1.15) corrected, (1.17).
+
+use mdr_core::contact::{Control, Error, Quantity, Regime, Result};
+use mdr_core::number::Real;
+
+use crate::contact::Contact;
+use crate::range::representable;
+
+/// A critical state, or one quantity of it in whatever form: numbers, certified decimals, logarithms.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Critical<T> {
+    /// a, in m.
+    pub contact_radius: T,
+    /// d, in m; positive when pressed in.
+    pub indentation: T,
+    /// F, in N; positive when compressive.
+    pub force: T,
+}
+
+impl<R: Real> Contact<R> {
+    /// The critical state under the given control.
+    ///
+    /// | control | a | d | F |
+    /// |---|---|---|---|
+    /// | indentation | (B/N²)^{1/(2n−1)} | ((1−2n)/n)√(Ba) | −(2(2n+1)/(n+1))E*a√(Ba) |
+    /// | force | (9B/N²)^{1/(2n−1)} | ((3−2n)/n)√(Ba) | (2(1−2n)/(n+1))E*a√(Ba) |
+    ///
+    /// with B = πw/(2E*), N = nκ_nC: (1.15) with its exponent corrected, and (1.17). For n > 1/2 the contact breaks
+    /// there, for n < 1/2 it spreads over the whole surface. Nothing cancels in these forms. Under a machine it is the
+    /// fold met first when leaving the stable branch, see [`Contact::machine_folds`].
+    ///
+    /// # Errors
+    /// [`Error::Domain`] at n = 1/2, where no length is singled out (see [`Contact::threshold`]);
+    /// [`Error::OutOfRange`] with the log10 of a result that the arithmetic cannot hold.
+    pub fn critical(&self, control: &Control<R>) -> Result<Critical<R>> {
+        match control {
+            Control::Indentation => self.tangency(1),
+            Control::Force => self.tangency(3),
+            Control::Machine { stiffness } => self.first_machine_fold(stiffness),
+        }
+    }
+
+    /// ln a, ln|d| and ln|F| of the critical state under controlled indentation or force, also where the quantities
+    /// themselves leave the range of the arithmetic. Not finite for d = 0 (n = 3/2 under force).
+    ///
+    /// # Errors
+    /// [`Error::Domain`] at n = 1/2 and under a machine.
+    pub fn ln_critical(&self, control: &Control<R>) -> Result<Critical<R>> {
+        let tension = match control {
+            Control::Indentation => 1,
+            Control::Force => 3,
+            Control::Machine { stiffness } => {
+                return Err(Error::domain(
+                    Quantity::Stiffness,
+                    stiffness,
+                    "absent: only the two limits have this form",
+                ));
+            }
+        };
+        self.require_length_scale()?;
+        let n = self.profile().exponent();
+        let ln_radius = self.ln_length_scale(&n.lit(tension));
+        Ok(self.ln_state(&ln_radius, &n.lit(tension)))
+    }
+
+    /// The state with N a^{n−1/2} = λ√B for an integer λ.
+    fn tangency(&self, tension: i64) -> Result<Critical<R>> {
+        self.require_length_scale()?;
+        let tension = self.profile().exponent().lit(tension);
+        let radius = self.length_scale(&tension)?;
+        self.tangent_state(radius, &tension)
+    }
+
+    /// (λ²B/N²)^{1/(2n−1)}, the radius at which N a^{n−1/2} = λ√B, in m.
+    pub(crate) fn length_scale(&self, tension: &R) -> Result<R> {
+        let slope = self.slope_coefficient();
+        // One quotient under one logarithm: near n = 1/2 its rounding is all that 1/(2n−1) magnifies.
+        let quotient = tension.square() * self.edge_length() / slope.square();
+        let radius = (quotient.ln() / self.profile().excess()).exp();
+        representable(Quantity::ContactRadius, radius, || self.ln_length_scale(tension))
+    }
+
+    /// ln of [`Contact::length_scale`], without intermediate results that could leave the range.
+    fn ln_length_scale(&self, tension: &R) -> R {
+        let ln_slope = self.profile().kappa().ln() + self.profile().coefficient().ln() + self.profile().exponent().ln();
+        (self.ln_edge_length() + (tension.ln() - &ln_slope).times(2)) / self.profile().excess()
+    }
+
+    /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a).
+    pub(crate) fn tangent_state(&self, a: R, tension: &R) -> Result<Critical<R>> {
+        let (d_factor, f_factor) = self.tangent_factors(tension);
+        let root = (self.edge_length().clone() * &a).sqrt();
+        let indentation = d_factor.clone() * &root;
+        let force = f_factor * self.material().effective_modulus() * &root * &a;
+        let ln_state = || self.ln_state(&a.ln(), tension);
+        // d = 0 is an answer where its factor is 0, and a flushed result elsewhere.
+        let indentation = if d_factor == d_factor.lit(0) {
+            indentation
+        } else {
+            representable(Quantity::Indentation, indentation, || ln_state().indentation)?
+        };
+        let force = representable(Quantity::Force, force, || ln_state().force)?;
+        Ok(Critical { contact_radius: a, indentation, force })
+    }
+
+    /// Logarithms of a, |d| and |F| of a tangent state.
+    fn ln_state(&self, ln_radius: &R, tension: &R) -> Critical<R> {
+        let (d_factor, f_factor) = self.tangent_factors(tension);
+        let ln_root = (self.ln_edge_length() + ln_radius).over(2);
+        let ln_modulus = self.material().effective_modulus().ln();
+        Critical {
+            contact_radius: ln_radius.clone(),
+            indentation: d_factor.abs().ln() + &ln_root,
+            force: f_factor.abs().ln() + &ln_modulus + &ln_root + ln_radius,
+        }
+    }
+
+    /// (λ−2n)/n and 2(λ−2(n+1))/(n+1).
+    fn tangent_factors(&self, tension: &R) -> (R, R) {
+        let n = self.profile().exponent();
+        let next = n.lit(1) + n;
+        let indentation = (tension.clone() - n.clone().times(2)) / n;
+        let force = (tension.clone() - next.clone().times(2)).times(2) / &next;
+        (indentation, force)
+    }
+
+    fn ln_edge_length(&self) -> R {
+        let (e, w) = (self.material().effective_modulus(), self.material().work_of_adhesion());
+        w.pi().over(2).ln() + w.ln() - e.ln()
+    }
+
+    pub(crate) fn require_length_scale(&self) -> Result<()> {
+        match self.regime()? {
+            Regime::ScaleFree => Err(Error::domain(
+                Quantity::Exponent,
+                self.profile().exponent(),
+                "other than 1/2 for a critical state; there the ratio of C to a threshold decides",
+            )),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! κ_n against closed forms, its functional equation, and other arithmetics.
+
+use mdr_core::number::{Dual, Real};
+
+use super::*;
+
+/// n from 10⁻³⁰⁰ to 10³⁰⁰, dense where one expansion hands over to the other.
+fn exponents() -> impl Iterator<Item = f64> {
+    let decades = (-300..=300).step_by(25).map(|e| 10f64.powi(e));
+    let dense = (1..400).map(|k| f64::from(k) * 0.25);
+    decades.chain(dense)
+}
+
+#[test]
+fn known_values() {
+    use std::f64::consts::PI;
+    // 4 ulp: about 60 roundings, each weighted by a term that decays by 1/8.
+    for (n, value) in [
+        (0.5, 1.3110287771460599),
+        (1.0, PI / 2.0),
+        (2.0, 2.0),
+        (3.0, 3.0 * PI / 4.0),
+        (4.0, 8.0 / 3.0),
+        (6.0, 3.2),
+        (1e-300, 1.0),
+        (1e300, (PI * 1e300 / 2.0).sqrt()),
+    ] {
+        let relative = (f64::kappa(&n) / value - 1.0).abs();
+        assert!(relative <= 4.0 * f64::EPSILON, "n = {n}: {relative:e}");
+    }
+}
+
+#[test]
+fn neighbours_multiply_to_a_multiple_of_pi() {
+    // κ_n κ_{n+1} = π(n+1)/2; 10 ulp for two values and the product.
+    for n in exponents().filter(|n| *n > 1e-3 && *n < 1e15) {
+        let product = f64::kappa(&n) * f64::kappa(&(n + 1.0)) / (n.pi() * (n + 1.0) / 2.0);
+        assert!((product - 1.0).abs() < 10.0 * f64::EPSILON, "n = {n}: {product}");
+    }
+}
+
+#[test]
+fn derivative_agrees_with_a_difference() {
+    for n in exponents().filter(|n| (0.1..1e3).contains(n)) {
+        let dual = Dual::kappa(&Dual::variable(Dual::variable(n)));
+        // Central differences of half-width h = n/4096: truncation ~ h²κ'''/6, below 10⁻⁷ of κ'.
+        let h = n / 4096.0;
+        let first = (f64::kappa(&(n + h)) - f64::kappa(&(n - h))) / (2.0 * h);
+        let second = (f64::kappa(&(n + h)) - 2.0 * f64::kappa(&n) + f64::kappa(&(n - h))) / (h * h);
+        assert!((dual.slope.value / first - 1.0).abs() < 1e-7, "n = {n}");
+        assert_eq!(dual.slope.value, dual.value.slope);
+        // The second difference loses (4096)² u/|κ''n²/κ|, and κ''n²/κ is at least 0.01 here.
+        assert!((dual.slope.slope / second - 1.0).abs() < 1e-5, "n = {n}: {} {second}", dual.slope.slope);
+    }
+}
+
+#[cfg(feature = "mp")]
+mod mp {
+    use mdr_core::number::{Dual, Precision};
+    use rug::Float;
+
+    use super::*;
+
+    /// √π Γ(1+n/2)/Γ((n+1)/2) by MPFR with ample guard bits.
+    fn kappa_by_gamma(n: &Float) -> Float {
+        let wide = Float::with_val(n.prec() + 256, n);
+        let numerator: Float = (wide.clone() / 2u32) + 1u32;
+        let denominator: Float = (wide.clone() + 1u32) / 2u32;
+        let ratio = if numerator > 1000 {
+            (numerator.ln_gamma() - denominator.ln_gamma()).exp()
+        } else {
+            numerator.gamma() / denominator.gamma()
+        };
+        ratio * wide.pi().sqrt()
+    }
+
+    fn relative_difference(value: &Float, reference: &Float) -> f64 {
+        ((value.clone() - reference) / reference).abs().to_f64()
+    }
+
+    #[test]
+    fn agrees_with_gamma() {
+        for bits in [24, 53, 113, 167, 400, 1500] {
+            for n in exponents().filter(|n| (1e-60..1e60).contains(n)).step_by(7) {
+                let n = Float::from_f64(Precision::new(bits), n);
+                let relative = relative_difference(&Float::kappa(&n), &kappa_by_gamma(&n));
+                // Half an ulp of rounding; the 32 guard bits leave the rest.
+                assert!(relative <= 0.501 * 2f64.powi(1 - bits as i32), "n = {n}, {bits} bits: {relative:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn double_precision_error_is_a_few_ulp() {
+        let mut worst = 0.0f64;
+        for n in exponents() {
+            let reference = Float::kappa(&Float::with_val(160, n));
+            worst = worst.max(relative_difference(&Float::with_val(160, f64::kappa(&n)), &reference));
+        }
+        assert!(worst < 4.0 * f64::EPSILON, "{:.2} ulp", worst / f64::EPSILON);
+    }
+
+    #[test]
+    fn derivative_agrees_with_digamma() {
+        for n in [1e-9, 0.25, 0.5, 2.0, 37.5, 1e6] {
+            let n = Float::with_val(200, n);
+            let dual = Dual::kappa(&Dual::variable(n.clone()));
+            let half: Float = n.clone() / 2u32;
+            let upper = Float::with_val(300, half.clone() + 1u32).digamma();
+            let lower = Float::with_val(300, Float::with_val(300, half + 0.5f64)).digamma();
+            let expected = (upper - lower) / 2u32 * &dual.value;
+            // 80 terms of the alternating series at 200 bits.
+            assert!(relative_difference(&dual.slope, &expected) < 2f64.powi(-190), "n = {n}");
+        }
+    }
+}

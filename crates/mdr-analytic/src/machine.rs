@@ -1,0 +1,245 @@
+//! Folds on a machine of finite stiffness k, which controls D = d + F/k.
+//!
+//! Along the equilibria k D' = k d' + F' = (k + 2E*a) d' − 2E*Δl. With g' = N aⁿ⁻¹ and Δl = 2√(Ba) this vanishes when
+//!
+//! N a^{n−1/2} = λ√B,  λ = (k + 6E*a)/(k + 2E*a) = 1 + 2p,
+//!
+//! where p = s/(1+s), s = 2E*a/k, is the part of the compliance that lies in the machine. λ runs from 1 (fixed grips) to
+//! 3 (dead load). In u = ln s the condition reads
+//!
+//! φ(u) = μu + L − ln(1+2p) = 0,  μ = n − 1/2,  L = ln(N/√B) + μ ln(k/2E*),
+//!
+//! and D grows with a where φ > 0. Since 0 < ln(1+2p) < ln 3, every root lies between −L/μ and (ln 3 − L)/μ, that is
+//! between the critical radii of the two limits.
+//!
+//! **How many.** φ'(u) = μ − 2p(1−p)/(1+2p) = μ − 2s/((1+s)(1+3s)). The last term is largest at s = 1/√3, where it is
+//! 2 − √3. So φ is monotone for μ < 0 (one fold, a maximum of D) and for μ ≥ 2 − √3 (one fold, a minimum). For
+//! 0 < μ < 2 − √3, that is 1/2 < n < 5/2 − √3, φ has a maximum and a minimum at the roots of 3μs² − 2(1−2μ)s + μ = 0, and
+//! there are three folds when φ is positive at the first and negative at the second, else one. For μ = 0, φ falls from
+//! ln ρ to ln(ρ/3), where ρ = N/√B: one fold for 1 < ρ < 3, none otherwise; λ = ρ gives a = k(ρ−1)/(2E*(3−ρ)).
+
+use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Regime, Result};
+use mdr_core::number::Real;
+
+use crate::contact::Contact;
+use crate::critical::Critical;
+use crate::range::representable;
+
+impl<R: Real> Contact<R> {
+    /// All folds on a machine of stiffness k (N/m), by increasing radius: one, or three for some machines when
+    /// 1/2 < n < 5/2 − √3; at n = 1/2 one or none. Each is a minimum or a maximum of D = d + F/k.
+    ///
+    /// ```
+    /// use mdr_analytic::{Contact, PowerLaw};
+    /// use mdr_core::contact::Material;
+    /// let contact = Contact::new(PowerLaw::new(0.6, 2.4829)?, Material::new(1.0, 1.0)?);
+    /// let folds = contact.machine_folds(&1.0)?;
+    /// assert_eq!(folds.len(), 3);
+    /// assert!((folds[2].contact_radius / 459.2 - 1.0).abs() < 1e-3);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless k is positive and finite; [`Error::Undecided`] when an interval cannot tell how many
+    /// there are; [`Error::OutOfRange`].
+    pub fn machine_folds(&self, stiffness: &R) -> Result<Vec<Instability<R>>> {
+        let stiffness = Error::require_positive(Quantity::Stiffness, stiffness.clone())?;
+        if self.regime()? == Regime::ScaleFree {
+            return self.scale_free_fold(&stiffness);
+        }
+        let balance = Balance::new(self, &stiffness);
+        balance
+            .pieces()?
+            .iter()
+            .map(|piece| {
+                let u = balance.root(piece)?;
+                let tension = balance.tension(&u);
+                let a = balance.radius_per_s.clone() * u.exp();
+                let a = representable(Quantity::ContactRadius, a, || balance.radius_per_s.ln() + &u)?;
+                self.fold(a, &tension, piece.kind)
+            })
+            .collect()
+    }
+
+    /// The fold met first when leaving the stable branch: the largest for n > 1/2, where the contact is unloaded, the
+    /// smallest, and only one, for n < 1/2.
+    pub(crate) fn first_machine_fold(&self, stiffness: &R) -> Result<Critical<R>> {
+        self.require_length_scale()?;
+        let fold = self.machine_folds(stiffness)?.pop();
+        fold.map(|f| Critical { contact_radius: f.contact_radius, indentation: f.indentation, force: f.force })
+            .ok_or_else(|| Error::domain(Quantity::Stiffness, stiffness, "such that there is a fold"))
+    }
+
+    /// n = 1/2, 1 < ρ < 3: a = k(ρ−1)/(2E*(3−ρ)), a maximum of D.
+    fn scale_free_fold(&self, stiffness: &R) -> Result<Vec<Instability<R>>> {
+        let ratio = self.slope_coefficient() / self.edge_length().sqrt();
+        let (above, below) = (ratio.clone() - ratio.lit(1), ratio.lit(3) - &ratio);
+        if above <= above.lit(0) || below <= below.lit(0) {
+            return Ok(Vec::new());
+        }
+        if !(above > above.lit(0) && below > below.lit(0)) {
+            return Err(undecided(&ratio, "whether C is between the two thresholds"));
+        }
+        let a = above / below * stiffness / self.material().effective_modulus().clone().times(2);
+        Ok(vec![self.fold(a, &ratio, FoldKind::Maximum)?])
+    }
+
+    fn fold(&self, a: R, tension: &R, kind: FoldKind) -> Result<Instability<R>> {
+        let Critical { contact_radius, indentation, force } = self.tangent_state(a, tension)?;
+        Ok(Instability { contact_radius, indentation, force, kind })
+    }
+}
+
+/// φ(u) and what it needs.
+struct Balance<R> {
+    /// μ = n − 1/2, not zero.
+    slope: R,
+    /// L.
+    offset: R,
+    /// k/(2E*): a = s k/(2E*).
+    radius_per_s: R,
+}
+
+/// An interval of u in which φ is monotone and has one root.
+struct Piece<R> {
+    from: R,
+    to: R,
+    kind: FoldKind,
+}
+
+impl<R: Real> Balance<R> {
+    fn new(contact: &Contact<R>, stiffness: &R) -> Self {
+        let slope = contact.profile().excess().over(2);
+        let radius_per_s = stiffness.clone() / contact.material().effective_modulus().clone().times(2);
+        let ratio = contact.slope_coefficient() / contact.edge_length().sqrt();
+        let offset = radius_per_s.ln() * &slope + ratio.ln();
+        Balance { slope, offset, radius_per_s }
+    }
+
+    /// p = s/(1+s), without overflow for any u.
+    fn share(u: &R) -> R {
+        ((-u.clone()).exp() + u.lit(1)).inv()
+    }
+
+    /// λ = 1 + 2p.
+    fn tension(&self, u: &R) -> R {
+        Self::share(u).times(2) + u.lit(1)
+    }
+
+    fn value(&self, u: &R) -> R {
+        u.clone() * &self.slope + &self.offset - Self::share(u).times(2).ln_1p()
+    }
+
+    fn derivative(&self, u: &R) -> R {
+        let share = Self::share(u);
+        let rest = (u.exp() + u.lit(1)).inv();
+        self.slope.clone() - (share.clone() * &rest).times(2) / (share.times(2) + u.lit(1))
+    }
+
+    /// The monotone pieces that have a root, by increasing u.
+    fn pieces(&self) -> Result<Vec<Piece<R>>> {
+        let zero = self.slope.lit(0);
+        let first = -self.offset.clone() / &self.slope;
+        let last = (zero.lit(3).ln() - &self.offset) / &self.slope;
+        if self.slope < zero {
+            return Ok(vec![Piece { from: last, to: first, kind: FoldKind::Maximum }]);
+        }
+        let Some((top, bottom)) = self.turning_points()? else {
+            return Ok(vec![Piece { from: first, to: last, kind: FoldKind::Minimum }]);
+        };
+        let positive = |u: &R| match self.value(u).partial_cmp(&zero) {
+            Some(order) => Ok(order.is_gt()),
+            None => Err(undecided(u, "whether two folds exist or have just merged")),
+        };
+        Ok(match (positive(&top)?, positive(&bottom)?) {
+            (_, true) => vec![Piece { from: first, to: top, kind: FoldKind::Minimum }],
+            (false, _) => vec![Piece { from: bottom, to: last, kind: FoldKind::Minimum }],
+            (true, false) => vec![
+                Piece { from: first, to: top.clone(), kind: FoldKind::Minimum },
+                Piece { from: top, to: bottom.clone(), kind: FoldKind::Maximum },
+                Piece { from: bottom, to: last, kind: FoldKind::Minimum },
+            ],
+        })
+    }
+
+    /// ln s of the maximum and the minimum of φ: 3μs² − 2(1−2μ)s + μ = 0, of which the product of the roots is 1/3.
+    fn turning_points(&self) -> Result<Option<(R, R)>> {
+        let mu = &self.slope;
+        let half = mu.lit(1) - mu.clone().times(2);
+        // (1−2μ)² − 3μ² = (1 − (2+√3)μ)(1 − (2−√3)μ); the second factor is positive with the first.
+        let discriminant = mu.lit(1) - mu.clone().times(4) + mu.square();
+        let zero = mu.lit(0);
+        if half <= zero || discriminant <= zero {
+            return Ok(None);
+        }
+        if !(half > zero && discriminant > zero) {
+            return Err(undecided(mu, "whether n is below 5/2 − √3"));
+        }
+        let sum = half + discriminant.sqrt();
+        let top = (mu.clone() / &sum).ln();
+        Ok(Some((top, (sum / mu.clone().times(3)).ln())))
+    }
+
+    /// The root in a piece: approximately first, then by a Newton step over a neighbourhood that has to contain its own
+    /// image. For an interval type that proves existence and uniqueness; for the others the steps polish, and carry the
+    /// derivatives of a dual number (the second step those of second and third order).
+    fn root(&self, piece: &Piece<R>) -> Result<R> {
+        let guess = self.steered().approximate_root(piece);
+        let residual = self.value(&guess) / self.derivative(&guess);
+        let mut radius = residual.abs().steer().times(4) + tolerance(&guess).times(8);
+        for _ in 0..8 {
+            let image = self.newton(&guess, &guess.clone().inflate(&radius));
+            if (image.clone() - &guess).abs() <= radius {
+                return Ok(self.newton(&image, &image));
+            }
+            radius = radius.times(8);
+        }
+        Err(undecided(&guess, "where exactly the fold lies"))
+    }
+
+    /// u − φ(u)/φ'(neighbourhood).
+    fn newton(&self, u: &R, neighbourhood: &R) -> R {
+        u.clone() - self.value(u) / self.derivative(neighbourhood)
+    }
+
+    /// The same function with parameters for steering.
+    fn steered(&self) -> Self {
+        Balance { slope: self.slope.steer(), offset: self.offset.steer(), radius_per_s: self.radius_per_s.steer() }
+    }
+
+    /// Newton's method kept inside a shrinking bracket.
+    fn approximate_root(&self, piece: &Piece<R>) -> R {
+        let rising = piece.kind == FoldKind::Minimum;
+        // A stiff or a soft machine has its root at an end, to the last bit.
+        let mut low = piece.from.steer() - tolerance(&piece.from.steer());
+        let mut high = piece.to.steer() + tolerance(&piece.to.steer());
+        let mut u = (low.clone() + &high).over(2);
+        let mut last_step = high.clone() - &low;
+        for _ in 0..64 + 2 * u.precision() {
+            if (self.value(&u) > u.lit(0)) == rising {
+                high = u.clone();
+            } else {
+                low = u.clone();
+            }
+            let newton = self.newton(&u, &u).steer();
+            let brisk = (newton.clone() - &u).abs().times(2) < last_step;
+            let next =
+                if brisk && newton >= low && newton <= high { newton } else { (low.clone() + &high).over(2).steer() };
+            last_step = (next.clone() - &u).abs();
+            u = next;
+            if last_step <= tolerance(&u) {
+                break;
+            }
+        }
+        u
+    }
+}
+
+/// Two units in the last place of u, or of one.
+fn tolerance<R: Real>(u: &R) -> R {
+    (u.abs() + u.lit(1)) * u.unit_roundoff().times(2)
+}
+
+fn undecided<R: Real>(at: &R, what: &'static str) -> Error {
+    Error::Undecided { quantity: Quantity::ContactRadius, bits: at.precision(), what }
+}

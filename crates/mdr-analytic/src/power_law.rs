@@ -1,0 +1,120 @@
+//! The power law f(r) = C rⁿ.
+
+use mdr_core::contact::{Error, Quantity, Regime, Result, Transform};
+use mdr_core::number::Real;
+
+use crate::kappa::Kappa;
+use crate::range::representable;
+
+/// The profile f(r) = C rⁿ with its factor κ_n, computed once.
+///
+/// n > 0 is free of units, C > 0 in m^(1−n). Its MDR transform is g(x) = κ_n C xⁿ (1.12).
+///
+/// ```
+/// use mdr_analytic::PowerLaw;
+/// use mdr_core::contact::{Regime, Transform};
+/// let ball = PowerLaw::new(2.0, 0.5)?; // r²/2R with R = 1
+/// assert_eq!(ball.regime()?, Regime::PullOff);
+/// assert!((ball.g(&3.0)? - 9.0).abs() < 1e-14); // x²/R
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct PowerLaw<R> {
+    exponent: R,
+    coefficient: R,
+    kappa: R,
+}
+
+impl<R: Kappa> PowerLaw<R> {
+    /// From n and C.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless both are positive and finite.
+    pub fn new(exponent: R, coefficient: R) -> Result<Self> {
+        let exponent = Error::require_positive(Quantity::Exponent, exponent)?;
+        let kappa = R::kappa(&exponent);
+        Self::with_kappa(exponent, coefficient, kappa)
+    }
+}
+
+impl<R: Real> PowerLaw<R> {
+    /// From n, C and a κ_n computed elsewhere.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless all are positive and finite.
+    pub fn with_kappa(exponent: R, coefficient: R, kappa: R) -> Result<Self> {
+        Ok(PowerLaw {
+            exponent: Error::require_positive(Quantity::Exponent, exponent)?,
+            coefficient: Error::require_positive(Quantity::Coefficient, coefficient)?,
+            kappa: Error::require_positive(Quantity::Kappa, kappa)?,
+        })
+    }
+
+    /// n.
+    pub fn exponent(&self) -> &R {
+        &self.exponent
+    }
+
+    /// C, in m^(1−n).
+    pub fn coefficient(&self) -> &R {
+        &self.coefficient
+    }
+
+    /// κ_n.
+    pub fn kappa(&self) -> &R {
+        &self.kappa
+    }
+
+    /// The kind of instability this exponent has: n against 1/2.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] when n is an interval around 1/2.
+    pub fn regime(&self) -> Result<Regime> {
+        use std::cmp::Ordering::*;
+        match self.exponent.partial_cmp(&self.exponent.ratio(1, 2)) {
+            Some(Greater) => Ok(Regime::PullOff),
+            Some(Equal) => Ok(Regime::ScaleFree),
+            Some(Less) => Ok(Regime::CompleteContact),
+            None => Err(Error::Undecided {
+                quantity: Quantity::Exponent,
+                bits: self.exponent.precision(),
+                what: "whether it is above or below 1/2",
+            }),
+        }
+    }
+
+    /// 2n − 1, the exponent of the length scale: positive in the pull-off regime.
+    pub(crate) fn excess(&self) -> R {
+        self.exponent.clone().times(2) - self.exponent.lit(1)
+    }
+
+    /// κ_n C.
+    pub(crate) fn strength(&self) -> R {
+        self.kappa.clone() * &self.coefficient
+    }
+
+    /// C x^power · factor, checked for range.
+    fn monomial(&self, x: &R, power: R, factor: R) -> Result<R> {
+        let x = Error::require_positive(Quantity::Radius, x.clone())?;
+        let factor = factor * &self.kappa;
+        representable(Quantity::TransformedProfile, x.pow(&power) * &self.coefficient * &factor, || {
+            x.ln() * &power + self.coefficient.ln() + factor.ln()
+        })
+    }
+}
+
+/// g(x) = κ_n C xⁿ (1.12), g' = n κ_n C xⁿ⁻¹ and G = κ_n C xⁿ⁺¹/(n+1), for x > 0.
+impl<R: Real> Transform<R> for PowerLaw<R> {
+    fn g(&self, x: &R) -> Result<R> {
+        self.monomial(x, self.exponent.clone(), x.lit(1))
+    }
+
+    fn slope(&self, x: &R) -> Result<R> {
+        self.monomial(x, self.exponent.clone() - x.lit(1), self.exponent.clone())
+    }
+
+    fn integral(&self, x: &R) -> Result<R> {
+        let next = self.exponent.clone() + x.lit(1);
+        self.monomial(x, next.clone(), next.inv())
+    }
+}

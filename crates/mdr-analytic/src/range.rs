@@ -1,0 +1,14 @@
+//! Results that leave the range of their arithmetic become errors, never 0 or ∞ in silence.
+
+use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::number::Real;
+
+/// `value`, which is not zero in exact arithmetic, unless it left the range; then an error with log10 of its magnitude,
+/// from the natural logarithm computed only in that case.
+pub(crate) fn representable<R: Real>(quantity: Quantity, value: R, ln_magnitude: impl FnOnce() -> R) -> Result<R> {
+    if value.is_finite() && value != value.lit(0) {
+        Ok(value)
+    } else {
+        Err(Error::OutOfRange { quantity, log10: ln_magnitude().approx() / std::f64::consts::LN_10 })
+    }
+}
