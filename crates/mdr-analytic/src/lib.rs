@@ -9,6 +9,7 @@ mod machine;
 mod power_law;
 pub mod profiles;
 mod range;
+pub mod struve;
 
 pub use contact::{Contact, detachment_elongation};
 pub use critical::Critical;

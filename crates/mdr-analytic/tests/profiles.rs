@@ -3,8 +3,9 @@
 #![cfg(feature = "mp")]
 
 use mdr_analytic::profiles::*;
+use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Result, Transform};
-use mdr_core::number::{Dual, Precision, Real, Special};
+use mdr_core::number::{Dual, Precision, Real};
 use rug::Float;
 
 const BITS: u32 = 240;
@@ -19,7 +20,7 @@ fn number(text: &str) -> Float {
 type Named<R> = (&'static str, Box<dyn Transform<R>>);
 
 /// The whole library over one arithmetic, with edge at b = 3/7 where there is one.
-fn library<R: Special>(seed: &R) -> Result<Vec<Named<R>>> {
+fn library<R: Struve>(seed: &R) -> Result<Vec<Named<R>>> {
     let b = seed.ratio(3, 7);
     let one = seed.lit(1);
     let slope = seed.ratio(2, 5);
@@ -38,6 +39,7 @@ fn library<R: Special>(seed: &R) -> Result<Vec<Named<R>>> {
         ("displaced paraboloid", Box::new(DisplacedParaboloid::new(five.clone(), b.clone())?)),
         ("parabolic dimple", Box::new(ParabolicDimple::new(one.clone(), b.clone())?)),
         ("elliptical dimple", Box::new(EllipticalDimple::new(one, b.clone())?)),
+        ("wavy paraboloid", Box::new(WavyParaboloid::new(five.clone(), seed.ratio(1, 50), seed.ratio(1, 3))?)),
         ("sum", Box::new(Sum::new(vec![Box::new(Cone::new(slope)?), Box::new(RoundedPunch::new(five, b)?)]))),
     ])
 }

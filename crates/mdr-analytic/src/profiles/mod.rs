@@ -10,6 +10,7 @@
 //! | [`punch`] | truncated cone and paraboloid, rounded-edge punch | ibid. |
 //! | [`capped`] | cone with parabolic and with spherical cap | ibid. |
 //! | [`concave`] | displaced paraboloid, parabolic and elliptical dimple | ibid. |
+//! | [`wavy`] | paraboloid with concentric waves | Guduru 2007 |
 //!
 //! ```
 //! use mdr_analytic::profiles::Sphere;
@@ -28,12 +29,14 @@ mod edge;
 pub mod punch;
 pub mod smooth;
 mod sum;
+pub mod wavy;
 
 pub use capped::{ParabolicCapCone, SphericalCapCone};
 pub use concave::{DisplacedParaboloid, EllipticalDimple, ParabolicDimple};
 pub use punch::{RoundedPunch, TruncatedCone, TruncatedParaboloid};
 pub use smooth::{Cone, Ellipsoid, Hyperboloid, Paraboloid, Sphere};
 pub use sum::Sum;
+pub use wavy::WavyParaboloid;
 
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Real, Special};
@@ -84,8 +87,9 @@ fn positive<R: Real>(name: &'static str, value: R) -> Result<R> {
 
 /// `Transform` for profiles with a `ClosedForm`: check the radius, then evaluate.
 macro_rules! transform {
-    ($($profile:ident),*) => {$(
-        impl<R: mdr_core::number::Special> mdr_core::contact::Transform<R> for $profile<R> {
+    ($($profile:ident),*) => { $crate::profiles::transform!(mdr_core::number::Special: $($profile),*); };
+    ($bound:path: $($profile:ident),*) => {$(
+        impl<R: $bound> mdr_core::contact::Transform<R> for $profile<R> {
             fn g(&self, x: &R) -> mdr_core::contact::Result<R> {
                 $crate::profiles::regular(x, self.g_at($crate::profiles::checked(x, self.end())?))
             }

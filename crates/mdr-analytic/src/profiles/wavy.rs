@@ -1,0 +1,57 @@
+//! The paraboloid with concentric waves, whose contact jumps from crest to crest (figure 4 of the paper).
+
+use mdr_core::contact::{Error, Quantity, Result};
+
+use super::{ClosedForm, Paraboloid, positive, transform};
+use crate::struve::Struve;
+
+transform!(Struve: WavyParaboloid);
+
+/// f = r²/2R + A(1 − cos kr), k = 2π/λ: g = x²/R + (π/2)Akx H₀(kx), with the Struve function H₀ (Guduru 2007).
+///
+/// A negative amplitude puts a crest instead of a trough on the axis.
+#[derive(Clone, Debug)]
+pub struct WavyParaboloid<R> {
+    paraboloid: Paraboloid<R>,
+    amplitude: R,
+    /// k = 2π/λ.
+    wavenumber: R,
+}
+
+impl<R: Struve> WavyParaboloid<R> {
+    /// A paraboloid of curvature radius `radius` R with waves of the given `amplitude` A and `wavelength` λ.
+    ///
+    /// # Errors
+    /// Unless R and λ are positive and finite and A is finite.
+    pub fn new(radius: R, amplitude: R, wavelength: R) -> Result<Self> {
+        if !amplitude.is_finite() {
+            return Err(Error::domain(Quantity::Parameter("amplitude"), &amplitude, "finite"));
+        }
+        let wavelength = positive("wavelength", wavelength)?;
+        let wavenumber = wavelength.pi().times(2) / &wavelength;
+        Ok(WavyParaboloid { paraboloid: Paraboloid::new(radius)?, amplitude, wavenumber })
+    }
+
+    /// (π/2)A.
+    fn scale(&self) -> R {
+        self.amplitude.pi().over(2) * &self.amplitude
+    }
+}
+
+impl<R: Struve> ClosedForm<R> for WavyParaboloid<R> {
+    fn g_at(&self, x: &R) -> R {
+        let z = self.wavenumber.clone() * x;
+        self.paraboloid.g_at(x) + self.scale() * &z * z.struve_h0()
+    }
+    /// 2x/R + (π/2)Ak[H₀ + kx(2/π − H₁)].
+    fn slope_at(&self, x: &R) -> R {
+        let z = self.wavenumber.clone() * x;
+        let wave = z.struve_h0() + (z.lit(2) / z.pi() - z.struve_h1()) * &z;
+        self.paraboloid.slope_at(x) + self.scale() * &self.wavenumber * wave
+    }
+    /// x³/3R + (π/2)Ax H₁(kx).
+    fn integral_at(&self, x: &R) -> R {
+        let z = self.wavenumber.clone() * x;
+        self.paraboloid.integral_at(x) + self.scale() * x * z.struve_h1()
+    }
+}
