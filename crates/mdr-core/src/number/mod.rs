@@ -10,6 +10,7 @@ mod literal;
 #[cfg(feature = "mp")]
 mod mp;
 mod real;
+mod wide;
 
 pub use dual::Dual;
 #[cfg(feature = "mp")]
@@ -18,3 +19,4 @@ pub use literal::{Literal, LiteralError};
 #[cfg(feature = "mp")]
 pub use mp::Precision;
 pub use real::{Gamma, Lift, Real, Special};
+pub use wide::Wide;

@@ -1,0 +1,105 @@
+//! e^x and 2^x.
+
+use super::arithmetic::shifted;
+use super::tables::{EXP2, EXP2_TAYLOR, LN_2};
+use super::{EXPONENT_LIMIT, Wide};
+
+impl<const N: usize> Wide<N> {
+    /// e^self.
+    pub(super) fn exponential(&self) -> Self {
+        if self.is_unknown() || self.exponent > 62 {
+            return Self::NOTHING;
+        }
+        if self.is_zero() {
+            return Self::from_double(1.0);
+        }
+        if N == 1 {
+            return self.quotient(&Self::constant(LN_2)).power_of_two();
+        }
+        // self = k ln2 + r with 0 ≤ |r| < ln2; all errors together are an absolute one, |self|·(error + 6) units.
+        let ln_2 = Self::constant(LN_2).exactly();
+        let k = self.quotient(&ln_2).whole();
+        let r = (self.exactly() - ln_2.times_int(k).exactly()).exactly();
+        let argument = shifted(self.error + 6, self.exponent);
+        r.exponential_of_fraction().widened(argument).scaled(k)
+    }
+
+    /// e^self for |self| < 1: Taylor's series of self/2^s, and s squarings.
+    fn exponential_of_fraction(&self) -> Self {
+        let one = Self::from_double(1.0);
+        let squarings = if N == 2 { 6 } else { 8 };
+        let x = self.scaled(-squarings);
+        // The first omitted term is below x^(terms + 1)/(terms + 1)! with x ≤ 2^-s: less than a unit even after squaring.
+        let terms = if N == 2 { 15 } else { 24 };
+        let mut sum = one;
+        for k in (1..=terms).rev() {
+            sum = one + sum.product(&x).over_int(k);
+        }
+        sum = sum.widened(1);
+        for _ in 0..squarings {
+            sum = sum.product(&sum);
+        }
+        sum
+    }
+
+    /// e^self − 1 without cancellation.
+    pub(super) fn exponential_minus_one(&self) -> Self {
+        let one = Self::from_double(1.0);
+        if self.is_zero() {
+            return *self;
+        }
+        if self.is_unknown() || self.exponent > -4 {
+            return self.exponential() - one;
+        }
+        // |self| < 1/16: 64N/4 terms are more than enough, since each gains at least 4 bits.
+        let mut sum = one;
+        for k in (2..=16 * N as i64).rev() {
+            sum = one + sum.product(self).over_int(k);
+        }
+        self.product(&sum).widened(1)
+    }
+
+    /// The whole part of a number below 2⁶², towards zero.
+    fn whole(&self) -> i64 {
+        if self.exponent <= 0 || self.limbs[N - 1] == 0 {
+            return 0;
+        }
+        let magnitude = (self.limbs[N - 1] >> (64 - self.exponent.min(63))) as i64;
+        if self.negative { -magnitude } else { magnitude }
+    }
+
+    /// 2^self in one word.
+    #[inline]
+    fn power_of_two(&self) -> Self {
+        if self.is_unknown() || self.exponent > 40 {
+            return Self::NOTHING;
+        }
+        let magnitude = u128::from(self.limbs[N - 1]);
+        let (fixed, dropped) = match self.exponent {
+            0.. => (magnitude << self.exponent, false),
+            -63..0 => (magnitude >> -self.exponent, (magnitude << (64 + self.exponent)) as u64 != 0),
+            _ => (0, self.limbs[N - 1] != 0),
+        };
+        let fixed = if self.negative { -(fixed as i128) } else { fixed as i128 };
+        Self::power_of_two_fixed(fixed, shifted(self.error, self.exponent).saturating_add(u64::from(dropped)))
+    }
+
+    /// 2^(fixed·2⁻⁶⁴), `fixed` being uncertain by `error` units, in one word.
+    #[inline]
+    pub(super) fn power_of_two_fixed(fixed: i128, error: u64) -> Self {
+        let high = |a: u64, b: u64| (u128::from(a) * u128::from(b) >> 64) as u64;
+        let (whole, fraction) = ((fixed >> 64) as i64, fixed as u64);
+        if error > Self::ERROR_LIMIT || whole.unsigned_abs() >= EXPONENT_LIMIT as u64 {
+            return Self::NOTHING;
+        }
+        let rest = fraction << 8;
+        let slope = EXP2_TAYLOR.iter().rev().fold(0, |sum, &c| c + high(sum, rest));
+        let power = EXP2[(fraction >> 56) as usize];
+        let mut limbs = [0; N];
+        limbs[N - 1] = power + (high(power, high(slope, rest)) >> 8);
+        // The table is right to half a unit in the last place, the correction is truncated twice: 4 units. An error δ of
+        // the argument is one of ln2·δ < 3δ/4 of the result.
+        let inexact = if fraction == 0 && error == 0 { 0 } else { error - error / 4 + 5 };
+        Self::from_parts(false, limbs, whole + 1, inexact)
+    }
+}

@@ -1,0 +1,78 @@
+//! From and to doubles.
+
+use super::{UNKNOWN, Wide};
+
+impl<const N: usize> Wide<N> {
+    /// The number that a finite double stands for; unknown for NaN and ∞.
+    #[inline]
+    pub(super) fn from_double(value: f64) -> Self {
+        let bits = value.to_bits();
+        let (biased, fraction) = ((bits >> 52 & 0x7ff) as i64, bits & ((1 << 52) - 1));
+        if biased == 0x7ff {
+            return Self::NOTHING;
+        }
+        let (significand, exponent) = if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
+        Self::from_integer(value.is_sign_negative(), significand).scaled(exponent)
+    }
+
+    /// ± an integer.
+    #[inline]
+    pub(super) fn from_integer(negative: bool, magnitude: u64) -> Self {
+        if magnitude == 0 {
+            return Self::ZERO;
+        }
+        let zeros = magnitude.leading_zeros();
+        let mut limbs = [0; N];
+        limbs[N - 1] = magnitude << zeros;
+        Wide { negative, limbs, exponent: 64 - i64::from(zeros), error: 0 }
+    }
+
+    /// The double nearest to the true value or next to the nearest one: the error stays below 0.75 units in the last
+    /// place of the result (5/8 when it is normal and the error bound is typical), gradual underflow included. `None`
+    /// when the error bound does not promise that.
+    ///
+    /// ±∞ stands for a magnitude beyond the largest double, and ±0 for one at or below half the smallest
+    /// ([`log10`](Wide::log10) tells how far); an exact zero is 0.
+    pub fn nearest_f64(&self) -> Option<f64> {
+        let subnormal_bits = self.exponent + 1074;
+        let kept = subnormal_bits.clamp(0, 53);
+        // error · 2^(e − 64N) ≤ ulp/4 = 2^(e − kept − 2).
+        let certain = self.error == 0
+            || self.error != UNKNOWN && 64 - i64::from(self.error.leading_zeros()) <= Self::BITS - kept - 2;
+        certain.then(|| self.to_double())
+    }
+
+    /// The stored value to the nearest double.
+    #[inline]
+    pub(super) fn to_double(self) -> f64 {
+        if self.is_unknown() {
+            return f64::NAN;
+        }
+        let kept = (self.exponent + 1074).min(53);
+        if kept < 0 || self.limbs[N - 1] == 0 {
+            return if self.negative { -0.0 } else { 0.0 };
+        }
+        let top = u128::from(self.limbs[N - 1]);
+        let below = 64 - kept;
+        let (mut rounded, rest, half) = ((top >> below) as u64, top & ((1 << below) - 1), 1 << (below - 1));
+        let sticky = self.limbs[..N - 1].iter().any(|&word| word != 0);
+        if rest > half || rest == half && (sticky || rounded & 1 == 1) {
+            rounded += 1;
+        }
+        let magnitude = if self.exponent > 1024 {
+            f64::INFINITY
+        } else if self.exponent >= -1021 {
+            // The carry of a rounded significand runs into the exponent by itself, up to ∞.
+            f64::from_bits((((self.exponent + 1022) as u64) << 52) + rounded - (1 << 52))
+        } else {
+            f64::from_bits(rounded)
+        };
+        if self.negative { -magnitude } else { magnitude }
+    }
+
+    /// log₁₀ of the magnitude, to the precision of a double.
+    pub fn log10(&self) -> f64 {
+        let fraction = Wide { exponent: 0, negative: false, ..*self }.to_double();
+        self.exponent as f64 * std::f64::consts::LOG10_2 + pxfm::f_log10(fraction)
+    }
+}
