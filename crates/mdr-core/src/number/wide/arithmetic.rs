@@ -19,7 +19,7 @@ pub(super) fn shifted(error: u64, shift: i64) -> u64 {
     match shift {
         _ if error == 0 => 0,
         ..=-64 => 1,
-        ..0 => (error >> -shift) + 1,
+        -63..0 => (error >> -shift) + 1,
         _ if i64::from(error.leading_zeros()) > shift => error << shift,
         _ => u64::MAX,
     }
@@ -28,8 +28,8 @@ pub(super) fn shifted(error: u64, shift: i64) -> u64 {
 impl<const N: usize> Wide<N> {
     #[inline]
     pub(super) fn product(&self, other: &Self) -> Self {
-        if self.limbs[N - 1] == 0 || other.limbs[N - 1] == 0 {
-            return if self.is_unknown() || other.is_unknown() { Self::NOTHING } else { Self::ZERO };
+        if self.is_hollow() || other.is_hollow() {
+            return self.hollow_product(other);
         }
         let (mut high, mut low) = limbs::mul(&self.limbs, &other.limbs);
         let mut exponent = self.exponent + other.exponent;
@@ -48,11 +48,12 @@ impl<const N: usize> Wide<N> {
 
     #[inline]
     pub(super) fn quotient(&self, other: &Self) -> Self {
-        if other.limbs[N - 1] == 0 || self.is_unknown() {
+        if other.is_hollow() {
             return Self::NOTHING;
         }
-        if self.limbs[N - 1] == 0 {
-            return *self;
+        if self.is_hollow() {
+            // |y| ≥ 2^(e − 2), its error included.
+            return self.scaled(2 - other.exponent);
         }
         let mut exponent = self.exponent - other.exponent;
         let (numerator, next) = if limbs::compare(&self.limbs, &other.limbs).is_lt() {
@@ -74,11 +75,13 @@ impl<const N: usize> Wide<N> {
     /// self ± other, the sign of `other` being given.
     #[inline]
     fn sum(&self, other: &Self, other_negative: bool) -> Self {
-        if self.limbs[N - 1] == 0 || other.limbs[N - 1] == 0 {
-            return match (self.is_unknown() || other.is_unknown(), self.limbs[N - 1] == 0) {
-                (true, _) => Self::NOTHING,
-                (_, true) => Wide { negative: other_negative, ..*other },
-                _ => *self,
+        if self.is_hollow() || other.is_hollow() {
+            let other = Wide { negative: other_negative && !other.is_hollow(), ..*other };
+            return match (self.is_zero(), other.is_zero(), other.is_around_zero()) {
+                (true, ..) => other,
+                (_, true, _) => *self,
+                (_, _, true) => self.blurred(other.exponent),
+                _ => other.blurred(self.exponent),
             };
         }
         let self_is_larger = self.exponent > other.exponent
@@ -117,7 +120,7 @@ impl<const N: usize> Wide<N> {
         let difference = limbs::sub(&large.limbs, aligned, borrow);
         let exact_operands = large.is_exact() && small.is_exact();
         let Some((difference, rest, shift)) = limbs::normalise(difference, guard) else {
-            return if exact_operands { Self::ZERO } else { Self::NOTHING };
+            return if exact_operands { Self::ZERO } else { Self::around_zero(Self::absolute_error(large, small)) };
         };
         let exponent = large.exponent - shift;
         let rounding = 2 * u64::from(rest != 0 || lost);
@@ -127,15 +130,37 @@ impl<const N: usize> Wide<N> {
         // |x|/|x − y| ≤ 2^(e_x − e + 1), and the same for y.
         let magnified = |x: &Self| shifted(x.error, x.exponent - exponent + 1);
         let error = magnified(large).saturating_add(magnified(small)).saturating_add(1 + rounding);
+        if error > Self::ERROR_LIMIT {
+            return Self::around_zero(exponent.max(Self::absolute_error(large, small)) + 1);
+        }
         Self::from_parts(negative, difference, exponent, error)
+    }
+
+    /// The errors of both are together at most 2 to this power.
+    fn absolute_error(large: &Self, small: &Self) -> i64 {
+        let units = large.error + small.error + 2;
+        large.exponent - Self::BITS + 64 - i64::from(units.leading_zeros())
+    }
+
+    /// A product with zero or with something around zero.
+    #[cold]
+    fn hollow_product(&self, other: &Self) -> Self {
+        if self.is_nothing() || other.is_nothing() {
+            Self::NOTHING
+        } else if self.is_zero() || other.is_zero() {
+            Self::ZERO
+        } else {
+            // One more bit for the error of a factor that is not around zero.
+            Self::around_zero(self.exponent + other.exponent + 1)
+        }
     }
 
     /// self · k.
     #[inline]
     pub(super) fn times_int(self, k: i64) -> Self {
         let magnitude = k.unsigned_abs();
-        if k == 0 || self.limbs[N - 1] == 0 {
-            return if self.is_unknown() { self } else { Self::ZERO };
+        if k == 0 || self.is_hollow() {
+            return self.product(&Self::from_integer(k < 0, magnitude));
         }
         let (low, over) = limbs::mul_word(&self.limbs, magnitude);
         self.shortened(low, over, false, k < 0, 0)
@@ -147,8 +172,8 @@ impl<const N: usize> Wide<N> {
         if k == 0 {
             return Self::NOTHING;
         }
-        if self.limbs[N - 1] == 0 {
-            return self;
+        if self.is_hollow() {
+            return self.scaled(i64::from(k.unsigned_abs().leading_zeros()) - 63);
         }
         // The quotient has N + 1 words counted from the top: its N lower ones and the carry are those of a product with k.
         let (quotient, last, remainder) = limbs::div_word(&self.limbs, k.unsigned_abs());
@@ -180,7 +205,7 @@ impl<const N: usize> Neg for Wide<N> {
     type Output = Self;
     #[inline]
     fn neg(mut self) -> Self {
-        self.negative = !self.negative && self.limbs[N - 1] != 0;
+        self.negative = !self.negative && !self.is_hollow();
         self
     }
 }

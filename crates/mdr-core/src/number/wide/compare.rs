@@ -9,7 +9,7 @@ impl<const N: usize> PartialOrd for Wide<N> {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let difference = *self - other;
-        match (difference.is_unknown(), difference.is_zero(), difference.negative) {
+        match (difference.is_around_zero(), difference.is_zero(), difference.negative) {
             (true, ..) => None,
             (_, true, _) => Some(Ordering::Equal),
             (_, _, true) => Some(Ordering::Less),

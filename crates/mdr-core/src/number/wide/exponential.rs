@@ -7,11 +7,11 @@ use super::{EXPONENT_LIMIT, Wide};
 impl<const N: usize> Wide<N> {
     /// e^self.
     pub(super) fn exponential(&self) -> Self {
-        if self.is_unknown() || self.exponent > 62 {
+        if self.exponent > 62 || self.is_around_zero() && self.exponent > -2 {
             return Self::NOTHING;
         }
-        if self.is_zero() {
-            return Self::from_double(1.0);
+        if self.is_hollow() {
+            return Self::from_double(1.0) + self.exponential_minus_one();
         }
         if N == 1 {
             return self.quotient(&Self::constant(LN_2)).power_of_two();
@@ -45,10 +45,11 @@ impl<const N: usize> Wide<N> {
     /// e^self − 1 without cancellation.
     pub(super) fn exponential_minus_one(&self) -> Self {
         let one = Self::from_double(1.0);
-        if self.is_zero() {
-            return *self;
+        if self.is_hollow() && self.exponent <= 0 {
+            // |e^x − 1| ≤ 2|x| for |x| ≤ 1.
+            return self.scaled(1);
         }
-        if self.is_unknown() || self.exponent > -4 {
+        if self.exponent > -4 {
             return self.exponential() - one;
         }
         // |self| < 1/16: 64N/4 terms are more than enough, since each gains at least 4 bits.
@@ -61,7 +62,7 @@ impl<const N: usize> Wide<N> {
 
     /// The whole part of a number below 2⁶², towards zero.
     fn whole(&self) -> i64 {
-        if self.exponent <= 0 || self.limbs[N - 1] == 0 {
+        if self.exponent <= 0 || self.is_hollow() {
             return 0;
         }
         let magnitude = (self.limbs[N - 1] >> (64 - self.exponent.min(63))) as i64;
@@ -71,7 +72,7 @@ impl<const N: usize> Wide<N> {
     /// 2^self in one word.
     #[inline]
     fn power_of_two(&self) -> Self {
-        if self.is_unknown() || self.exponent > 40 {
+        if self.is_hollow() || self.exponent > 40 {
             return Self::NOTHING;
         }
         let magnitude = u128::from(self.limbs[N - 1]);
@@ -87,7 +88,7 @@ impl<const N: usize> Wide<N> {
     /// 2^(fixed·2⁻⁶⁴), `fixed` being uncertain by `error` units, in one word.
     #[inline]
     pub(super) fn power_of_two_fixed(fixed: i128, error: u64) -> Self {
-        let high = |a: u64, b: u64| (u128::from(a) * u128::from(b) >> 64) as u64;
+        let high = |a: u64, b: u64| ((u128::from(a) * u128::from(b)) >> 64) as u64;
         let (whole, fraction) = ((fixed >> 64) as i64, fixed as u64);
         if error > Self::ERROR_LIMIT || whole.unsigned_abs() >= EXPONENT_LIMIT as u64 {
             return Self::NOTHING;

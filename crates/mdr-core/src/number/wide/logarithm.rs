@@ -5,13 +5,13 @@ use super::tables::{LN_2, LOG2_RECIPROCAL, LOG2_SERIES, RECIPROCAL};
 use super::{Wide, limbs};
 
 impl<const N: usize> Wide<N> {
-    /// ln self; unknown unless self > 0.
+    /// ln self; nothing is known unless self > 0.
     pub(super) fn logarithm(&self) -> Self {
-        if self.limbs[N - 1] == 0 || self.negative {
+        if self.is_hollow() || self.negative {
             return Self::NOTHING;
         }
         let less_one = *self - Self::from_double(1.0);
-        if less_one.is_zero() || (!less_one.is_unknown() && less_one.exponent < -7) {
+        if less_one.is_zero() || less_one.exponent < -7 {
             return less_one.logarithm_of_one_plus();
         }
         if N == 1 {
@@ -31,17 +31,19 @@ impl<const N: usize> Wide<N> {
         let power = power.exactly();
         let z = (m - power).exactly().quotient(&(m + power).exactly()).exactly();
         let ln_m = y + z.artanh_series(3).scaled(1).exactly();
-        (Self::constant(LN_2).times_int(k) + ln_m.exactly()).blurred(absolute)
+        (Self::constant(LN_2).times_int(k) + ln_m.exactly())
+            .blurred(64 - i64::from(absolute.leading_zeros()) - Self::BITS)
     }
 
     /// ln(1 + self) without cancellation.
     pub(super) fn logarithm_of_one_plus(&self) -> Self {
-        if self.is_zero() {
-            return *self;
-        }
         let one = Self::from_double(1.0);
-        if self.is_unknown() || self.exponent > -7 {
+        if self.exponent > -7 && !self.is_zero() {
             return (one + self).logarithm();
+        }
+        if self.is_hollow() {
+            // |ln(1 + x)| ≤ 2|x| for |x| ≤ 1/2.
+            return self.scaled(1);
         }
         // |z| < 2^-8: each term gains 16 bits.
         let z = self.quotient(&(*self + one.scaled(1)));
@@ -56,14 +58,6 @@ impl<const N: usize> Wide<N> {
             sum = sum.product(&square) + Self::from_double(1.0).over_int(2 * k + 1);
         }
         self.product(&sum).widened(1)
-    }
-
-    /// The same number with an absolute error larger by `units` of 2^(−64N).
-    fn blurred(self, units: u64) -> Self {
-        if self.limbs[N - 1] == 0 {
-            return Self::NOTHING;
-        }
-        self.widened(shifted(units, 1 - self.exponent))
     }
 
     /// log₂ self in Q64 and a bound of its error in units of 2⁻⁶⁴, in one word.
@@ -87,7 +81,7 @@ impl<const N: usize> Wide<N> {
     fn from_fixed(fixed: i128, error: u64) -> Self {
         let magnitude = fixed.unsigned_abs();
         if magnitude == 0 {
-            return if error == 0 { Self::ZERO } else { Self::NOTHING };
+            return if error == 0 { Self::ZERO } else { Self::around_zero(-i64::from(error.leading_zeros())) };
         }
         let zeros = magnitude.leading_zeros();
         let normal = magnitude << zeros;
@@ -103,14 +97,17 @@ impl<const N: usize> Wide<N> {
         if exponent.is_zero() {
             return Self::from_double(1.0);
         }
-        if self.is_zero() && !exponent.is_unknown() && !exponent.negative {
+        if self.is_zero() && !exponent.is_around_zero() && !exponent.negative {
             return *self;
         }
         if let Some(power) = self.power_by_roots(exponent) {
             return power;
         }
-        if self.limbs[N - 1] == 0 || self.negative || exponent.is_unknown() {
+        if self.is_hollow() || self.negative {
             return Self::NOTHING;
+        }
+        if exponent.is_hollow() {
+            return self.logarithm().product(exponent).exponential();
         }
         if N == 1 { self.power_of_word(exponent) } else { self.logarithm().product(exponent).exponential() }
     }

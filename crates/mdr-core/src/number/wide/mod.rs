@@ -18,9 +18,10 @@ mod tests;
 /// * Every operation adds its rounding error and the errors of its operands to [`error`](Wide::error). An operation whose
 ///   result is representable is exact and adds nothing, so `0` and the sign of a difference are decided by arithmetic,
 ///   never by a tolerance.
-/// * When nothing certain can be said any more (a difference of numbers whose errors are larger than it, a function
-///   outside its domain, an exponent beyond ±2⁶²) the value is *unknown*: not [finite](super::Real::is_finite), and of no
-///   certain order against anything. The caller then evaluates the same formula with a larger `N` (Ziv's strategy).
+/// * A difference of numbers whose errors are larger than it is *around zero*: a bound of its magnitude is all that is
+///   known. Outside the domain of a function, or with an exponent beyond ±2⁶², nothing is known, and the value is not
+///   [finite](super::Real::is_finite). Order is certain or absent. Whoever needs more evaluates the same formula with a
+///   larger `N` (Ziv's strategy).
 ///
 /// `Wide<1>` is the fast one: about 2⁻⁶³ an operation with table-driven exponential and logarithm, in integer arithmetic
 /// only, so that every machine gives the same bits. N is 1, 2, 3 or 4.
@@ -33,7 +34,7 @@ mod tests;
 /// let big = Wide::<1>::from_f64((), 1e300);
 /// assert_eq!(big.square().sqrt().nearest_f64(), Some(1e300));
 /// // √2·√2 − 2 is zero or it is not: 64 bits cannot say.
-/// assert!(!(x.sqrt().square() - x).is_finite());
+/// assert_eq!((x.sqrt().square() - x).partial_cmp(&x.lit(0)), None);
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Wide<const N: usize> {
@@ -42,12 +43,12 @@ pub struct Wide<const N: usize> {
     limbs: [u64; N],
     /// The magnitude is 0.limbs · 2^exponent.
     exponent: i64,
-    /// |true − stored| ≤ error · 2^(−64N) · |stored|.
+    /// |true − stored| ≤ error · 2^(−64N) · |stored|. When it is `AROUND_ZERO` the limbs are zero, and |true| ≤ 2^exponent.
     error: u64,
 }
 
-/// The error of a number about which nothing is known.
-const UNKNOWN: u64 = u64::MAX;
+/// The error of a number of which only the largest possible magnitude is known.
+const AROUND_ZERO: u64 = u64::MAX;
 
 /// Exponents are kept within ± this.
 const EXPONENT_LIMIT: i64 = 1 << 62;
@@ -62,8 +63,17 @@ impl<const N: usize> Wide<N> {
     /// Exactly zero.
     const ZERO: Self = Wide { negative: false, limbs: [0; N], exponent: 0, error: 0 };
 
-    /// Nothing certain can be said.
-    const NOTHING: Self = Wide { negative: false, limbs: [0; N], exponent: 0, error: UNKNOWN };
+    /// Nothing is known.
+    const NOTHING: Self = Wide { negative: false, limbs: [0; N], exponent: i64::MAX, error: AROUND_ZERO };
+
+    /// The magnitude is at most 2^exponent.
+    #[cold]
+    fn around_zero(exponent: i64) -> Self {
+        if exponent > EXPONENT_LIMIT {
+            return Self::NOTHING;
+        }
+        Wide { negative: false, limbs: [0; N], exponent: exponent.max(-EXPONENT_LIMIT), error: AROUND_ZERO }
+    }
 
     /// ±(0.limbs)·2^exponent with a relative error of at most `error` units of 2^(−64N). The top bit of the last limb must
     /// be set.
@@ -72,7 +82,7 @@ impl<const N: usize> Wide<N> {
     #[inline]
     pub fn from_parts(negative: bool, limbs: [u64; N], exponent: i64, error: u64) -> Self {
         if error > Self::ERROR_LIMIT || exponent.unsigned_abs() > EXPONENT_LIMIT as u64 || limbs[N - 1] >> 63 == 0 {
-            return Self::NOTHING;
+            return if error == u64::MAX { Self::NOTHING } else { Self::around_zero(exponent.saturating_add(1)) };
         }
         Wide { negative, limbs, exponent, error }
     }
@@ -96,7 +106,7 @@ impl<const N: usize> Wide<N> {
         self.exponent
     }
 
-    /// The bound on the relative error in units of 2^(−64N); 0 for an exact number, `u64::MAX` for an unknown one.
+    /// The bound on the relative error in units of 2^(−64N); 0 for an exact number, `u64::MAX` around zero.
     #[inline]
     pub fn error(&self) -> u64 {
         self.error
@@ -106,10 +116,21 @@ impl<const N: usize> Wide<N> {
     #[inline]
     #[must_use]
     pub fn widened(self, units: u64) -> Self {
+        if self.is_hollow() {
+            return self;
+        }
+        Self::from_parts(self.negative, self.limbs, self.exponent, self.error.saturating_add(units))
+    }
+
+    /// The same number with an absolute error larger by 2^exponent.
+    fn blurred(self, exponent: i64) -> Self {
         if self.is_zero() {
-            self
-        } else {
-            Self::from_parts(self.negative, self.limbs, self.exponent, self.error.saturating_add(units))
+            return Self::around_zero(exponent);
+        }
+        // In units of the number: 2^exponent/|self| ≤ 2^(exponent − e + 1).
+        match exponent.saturating_sub(self.exponent).saturating_add(1 + Self::BITS) {
+            shift if self.is_hollow() || shift > 61 => Self::around_zero(self.exponent.max(exponent).saturating_add(1)),
+            shift => self.widened(1 << shift.max(0)),
         }
     }
 
@@ -119,9 +140,20 @@ impl<const N: usize> Wide<N> {
         self.limbs[N - 1] == 0 && self.error == 0
     }
 
+    /// Zero or around zero: there is no significand to compute with.
     #[inline]
-    fn is_unknown(&self) -> bool {
-        self.error == UNKNOWN
+    fn is_hollow(&self) -> bool {
+        self.limbs[N - 1] == 0
+    }
+
+    #[inline]
+    fn is_around_zero(&self) -> bool {
+        self.error == AROUND_ZERO
+    }
+
+    #[inline]
+    fn is_nothing(&self) -> bool {
+        self.error == AROUND_ZERO && self.exponent == i64::MAX
     }
 
     #[inline]
@@ -130,20 +162,18 @@ impl<const N: usize> Wide<N> {
     }
 
     /// The stored number taken as exact.
-    fn exactly(mut self) -> Self {
-        if !self.is_unknown() {
-            self.error = 0;
-        }
-        self
+    fn exactly(self) -> Self {
+        if self.is_nothing() { self } else { Wide { error: 0, ..self } }
     }
 
     /// self · 2^k, exactly.
     #[inline]
     #[must_use]
     pub fn scaled(self, k: i64) -> Self {
-        if self.limbs[N - 1] == 0 {
-            return self;
+        match (self.is_hollow(), self.is_zero()) {
+            (false, _) => Self::from_parts(self.negative, self.limbs, self.exponent.saturating_add(k), self.error),
+            (_, true) => self,
+            _ => Self::around_zero(self.exponent.saturating_add(k)),
         }
-        Self::from_parts(self.negative, self.limbs, self.exponent.saturating_add(k), self.error)
     }
 }

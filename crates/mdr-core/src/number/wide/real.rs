@@ -2,8 +2,8 @@
 
 use num_traits::ToPrimitive;
 
+use super::Wide;
 use super::tables::PI;
-use super::{UNKNOWN, Wide};
 use crate::number::{Literal, Real};
 
 impl<const N: usize> ToPrimitive for Wide<N> {
@@ -87,7 +87,10 @@ impl<const N: usize> Real for Wide<N> {
     }
     #[inline]
     fn is_finite(&self) -> bool {
-        self.error != UNKNOWN
+        !self.is_nothing()
+    }
+    fn inflate(self, bound: &Self) -> Self {
+        if bound.is_zero() { self } else { self.blurred(bound.exponent.saturating_add(1)) }
     }
     fn steer(&self) -> Self {
         self.exactly()

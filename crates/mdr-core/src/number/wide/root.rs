@@ -3,10 +3,10 @@
 use super::{Wide, limbs};
 
 impl<const N: usize> Wide<N> {
-    /// √self; unknown for a negative number.
+    /// √self; nothing is known for a negative number.
     #[inline]
     pub(super) fn root(&self) -> Self {
-        if self.limbs[N - 1] == 0 || self.negative {
+        if self.is_hollow() || self.negative {
             return if self.is_zero() { *self } else { Self::NOTHING };
         }
         if N == 1 { self.root_of_word() } else { self.root_by_newton() }
@@ -55,7 +55,7 @@ impl<const N: usize> Wide<N> {
         }
         // The iteration has converged when the square of the root is the number, but for rounding.
         let residual = square - root.product(&root).exactly();
-        if residual.limbs[N - 1] != 0 && residual.exponent > 4 - Self::BITS {
+        if !residual.is_hollow() && residual.exponent > 4 - Self::BITS {
             return Self::NOTHING;
         }
         root.widened(self.error.div_ceil(2) + 24).scaled(exponent)
@@ -82,4 +82,4 @@ impl<const N: usize> Wide<N> {
 }
 
 /// The largest double below 2⁶⁴.
-const TWO_64_BELOW: f64 = 18_446_744_073_709_549_568.0;
+const TWO_64_BELOW: f64 = (u64::MAX - 0x7ff) as f64;

@@ -1,9 +1,9 @@
 //! From and to doubles.
 
-use super::{UNKNOWN, Wide};
+use super::Wide;
 
 impl<const N: usize> Wide<N> {
-    /// The number that a finite double stands for; unknown for NaN and ∞.
+    /// The number that a finite double stands for; nothing is known for NaN and ∞.
     #[inline]
     pub(super) fn from_double(value: f64) -> Self {
         let bits = value.to_bits();
@@ -34,22 +34,23 @@ impl<const N: usize> Wide<N> {
     /// ±∞ stands for a magnitude beyond the largest double, and ±0 for one at or below half the smallest
     /// ([`log10`](Wide::log10) tells how far); an exact zero is 0.
     pub fn nearest_f64(&self) -> Option<f64> {
-        let subnormal_bits = self.exponent + 1074;
-        let kept = subnormal_bits.clamp(0, 53);
+        if self.is_around_zero() {
+            return None;
+        }
+        let kept = (self.exponent + 1074).clamp(0, 53);
         // error · 2^(e − 64N) ≤ ulp/4 = 2^(e − kept − 2).
-        let certain = self.error == 0
-            || self.error != UNKNOWN && 64 - i64::from(self.error.leading_zeros()) <= Self::BITS - kept - 2;
-        certain.then(|| self.to_double())
+        let error_bits = 64 - i64::from(self.error.leading_zeros());
+        (self.error == 0 || error_bits <= Self::BITS - kept - 2).then(|| self.to_double())
     }
 
     /// The stored value to the nearest double.
     #[inline]
     pub(super) fn to_double(self) -> f64 {
-        if self.is_unknown() {
+        if self.is_nothing() {
             return f64::NAN;
         }
         let kept = (self.exponent + 1074).min(53);
-        if kept < 0 || self.limbs[N - 1] == 0 {
+        if kept < 0 || self.is_hollow() {
             return if self.negative { -0.0 } else { 0.0 };
         }
         let top = u128::from(self.limbs[N - 1]);
