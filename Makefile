@@ -1,0 +1,28 @@
+# make verify   the theory against the independent computation (arguments: make verify ARGS="--quick")
+# make test     all tests
+# The first build compiles GMP and MPFR from source and takes some minutes.
+
+# Where rustup puts cargo, and where Homebrew hides m4, when the shell does not look there.
+export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/opt/m4/bin
+
+ARGS ?=
+
+.PHONY: verify test build deps bench doc
+
+verify: deps
+	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
+
+test: deps
+	cargo test --locked --workspace
+
+build: deps
+	cargo build --locked --release --package mdr-cli
+
+bench: deps
+	cargo bench --locked --workspace
+
+doc: deps
+	cargo doc --locked --workspace --no-deps
+
+deps:
+	@sh scripts/deps.sh
