@@ -1,3 +1,56 @@
-//! The program `mdr`.
+//! The program `mdr`: verify the theory, ask for critical quantities.
 
-fn main() {}
+#![forbid(unsafe_code)]
+
+mod error;
+#[allow(dead_code, reason = "the flags of a command to come")]
+mod flags;
+mod output;
+mod table;
+mod verify;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::error::Result;
+use crate::output::Output;
+
+/// Reference software for adhesion instabilities of axisymmetric contacts.
+///
+/// Popov's theory of the critical states of adhesive contacts by the method of dimensionality reduction: closed forms
+/// with certified digits, and their verification against an independent computation.
+#[derive(Debug, Parser)]
+#[command(name = "mdr", version, max_term_width = 110, arg_required_else_help = true)]
+struct Program {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Verify(verify::Verify),
+}
+
+fn main() -> ExitCode {
+    let program = Program::parse();
+    let mut out = Output::stdout();
+    match program.command.run(&mut out) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(failure) => {
+            // A closed standard error changes nothing.
+            let _ = std::io::Write::write_fmt(&mut std::io::stderr(), format_args!("error: {failure}\n"));
+            ExitCode::from(2)
+        }
+    }
+}
+
+impl Command {
+    /// Whether everything that was checked holds.
+    fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
+        match self {
+            Command::Verify(verify) => verify.run(out),
+        }
+    }
+}

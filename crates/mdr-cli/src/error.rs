@@ -1,0 +1,77 @@
+//! Why the program stops without an answer, and with which exit status.
+
+use std::{fmt, io};
+
+use mdr_core::contact::Error as ContactError;
+
+/// The result of a command.
+pub(crate) type Result<T> = std::result::Result<T, Failure>;
+
+#[allow(dead_code, reason = "a command to come")]
+/// Why a command failed. Its text follows `error: ` on standard error.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// A flag with a value that makes no question.
+    Flag {
+        /// With its dashes.
+        flag: &'static str,
+        /// What is wrong.
+        why: String,
+        /// As it was typed; `None` when the flag is missing.
+        got: Option<String>,
+    },
+    /// The question has no certified or representable answer.
+    Contact(ContactError),
+    /// A file could not be read or written.
+    File {
+        /// Its name; standard output has one, too.
+        name: String,
+        /// The reason.
+        source: io::Error,
+    },
+}
+
+impl Failure {
+    /// A flag whose value is refused.
+    pub(crate) fn flag(flag: &'static str, why: impl fmt::Display, got: &str) -> Self {
+        Failure::Flag { flag, why: why.to_string(), got: Some(got.to_owned()) }
+    }
+
+    #[allow(dead_code, reason = "a command to come")]
+    /// A flag that is needed and was not given.
+    pub(crate) fn missing(flag: &'static str, why: impl fmt::Display) -> Self {
+        Failure::Flag { flag, why: format!("missing: {why}"), got: None }
+    }
+
+    /// A file, or standard output, that cannot be used.
+    pub(crate) fn file(name: impl Into<String>, source: impl Into<io::Error>) -> Self {
+        Failure::File { name: name.into(), source: source.into() }
+    }
+}
+
+impl From<ContactError> for Failure {
+    fn from(error: ContactError) -> Self {
+        Failure::Contact(error)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Flag { flag, why, got: None } => write!(f, "{flag}: {why}"),
+            Failure::Flag { flag, why, got: Some(got) } => write!(f, "{flag}: {why}, got {}", abridged(got)),
+            Failure::Contact(error) => error.fmt(f),
+            Failure::File { name, source } => write!(f, "{name}: {source}"),
+        }
+    }
+}
+
+/// At most 80 characters of `text`, on one line.
+fn abridged(text: &str) -> String {
+    let escape = |part: &str| part.escape_debug().to_string();
+    match text.char_indices().nth(80) {
+        Some((end, _)) => format!("{}… ({} characters)", escape(&text[..end]), text.chars().count()),
+        None if text.is_empty() => "an empty text".to_owned(),
+        None => escape(text),
+    }
+}

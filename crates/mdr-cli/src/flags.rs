@@ -1,0 +1,113 @@
+//! The values of flags: numbers as they were typed, checked against their domain, with messages that name the flag.
+
+use std::num::IntErrorKind;
+
+use mdr_core::number::Literal;
+
+use crate::error::{Failure, Result};
+
+/// The most digits that may be asked for.
+const MAX_DIGITS: u32 = 100_000;
+
+/// The digits of a certified answer when none are asked for.
+const DEFAULT_DIGITS: u32 = 20;
+
+/// A flag and its value as typed.
+#[derive(Clone, Copy)]
+pub(crate) struct Flag<'a> {
+    /// With its dashes.
+    pub(crate) name: &'static str,
+    /// The value as typed.
+    pub(crate) text: &'a str,
+}
+
+impl<'a> Flag<'a> {
+    pub(crate) fn new(name: &'static str, text: &'a str) -> Self {
+        Flag { name, text }
+    }
+
+    /// This value is refused.
+    pub(crate) fn refuse(self, why: impl std::fmt::Display) -> Failure {
+        Failure::flag(self.name, why, self.text)
+    }
+
+    /// An exact number.
+    pub(crate) fn number(self) -> Result<Literal> {
+        self.text.parse().map_err(|error| self.refuse(error))
+    }
+
+    /// A positive number.
+    pub(crate) fn positive(self) -> Result<Literal> {
+        let value = self.number()?;
+        if value.is_zero() || value.is_negative() {
+            return Err(self.refuse("must be positive and finite"));
+        }
+        Ok(value)
+    }
+
+    /// A Poisson's ratio: within (−1, 1/2].
+    pub(crate) fn poissons_ratio(self) -> Result<Literal> {
+        let value = self.number()?;
+        let rational = value.to_rational();
+        if rational > -1 && rational <= 0.5 { Ok(value) } else { Err(self.refuse("must be within (-1, 1/2]")) }
+    }
+
+    /// A whole number from `least` to `most`.
+    pub(crate) fn whole(self, least: u32, most: u32) -> Result<u32> {
+        let requirement = || format!("must be a whole number from {least} to {most}");
+        match self.text.trim().parse::<u32>() {
+            Ok(value) if (least..=most).contains(&value) => Ok(value),
+            _ => Err(self.refuse(requirement())),
+        }
+    }
+
+    /// A number of decimal digits.
+    pub(crate) fn digits(self) -> Result<u32> {
+        self.whole(1, MAX_DIGITS)
+    }
+
+    /// A seed: any whole number of 64 bits.
+    pub(crate) fn seed(self) -> Result<u64> {
+        self.text.trim().parse().map_err(|error: std::num::ParseIntError| {
+            self.refuse(match error.kind() {
+                IntErrorKind::PosOverflow => "must be below 2^64",
+                _ => "must be a whole number, 0 or larger",
+            })
+        })
+    }
+}
+
+/// In which arithmetic to answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Arithmetic {
+    /// Every printed digit is proved.
+    Certified {
+        /// Significant decimal digits.
+        digits: u32,
+    },
+    /// Hardware numbers, within a stated error.
+    Double,
+}
+
+/// `--digits D` or `--f64`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ArithmeticFlags {
+    /// Certified: D significant decimal digits, each proved, correctly rounded [default: 20]
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    digits: Option<String>,
+
+    /// Hardware arithmetic instead: fast, accurate to 2 units in the last place
+    #[arg(long)]
+    f64: bool,
+}
+
+impl ArithmeticFlags {
+    pub(crate) fn chosen(&self) -> Result<Arithmetic> {
+        match (self.digits.as_deref().map(|text| Flag::new("--digits", text)), self.f64) {
+            (Some(flag), true) => Err(flag.refuse("cannot be combined with --f64")),
+            (Some(flag), false) => Ok(Arithmetic::Certified { digits: flag.digits()? }),
+            (None, true) => Ok(Arithmetic::Double),
+            (None, false) => Ok(Arithmetic::Certified { digits: DEFAULT_DIGITS }),
+        }
+    }
+}

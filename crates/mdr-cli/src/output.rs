@@ -1,0 +1,76 @@
+//! Standard output: its format, and a pipe that may close early.
+
+use std::io::{self, ErrorKind, Write};
+
+use clap::ValueEnum;
+use serde::Serialize;
+
+use crate::error::{Failure, Result};
+
+/// The shape of an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For a reader: aligned, with units; in colour on a terminal unless NO_COLOR is set.
+    Table,
+    /// For a program: one JSON object a line, with a schema.
+    Json,
+    /// For a spreadsheet: a header and rows.
+    Csv,
+}
+
+/// A writer that goes on when the reader has closed the pipe: what a command found out still decides its exit status.
+pub(crate) struct Output<W>(W);
+
+impl Output<io::StdoutLock<'static>> {
+    pub(crate) fn stdout() -> Self {
+        Output(io::stdout().lock())
+    }
+}
+
+impl<W: Write> Output<W> {
+    /// One line of text, or several.
+    pub(crate) fn text(&mut self, text: impl std::fmt::Display) -> Result<()> {
+        self.finish(|out| writeln!(out, "{text}"))
+    }
+
+    /// One line of JSON.
+    #[allow(dead_code, reason = "a command to come")]
+    pub(crate) fn json(&mut self, value: &impl Serialize) -> Result<()> {
+        self.finish(|out| {
+            serde_json::to_writer(&mut *out, value)?;
+            out.write_all(b"\n")
+        })
+    }
+
+    /// A header and rows, quoted where needed.
+    pub(crate) fn csv<R: AsRef<[String]>>(&mut self, header: &[&str], rows: impl IntoIterator<Item = R>) -> Result<()> {
+        self.finish(|out| {
+            let mut csv = csv::Writer::from_writer(out);
+            csv.write_record(header)?;
+            for row in rows {
+                csv.write_record(row.as_ref())?;
+            }
+            csv.flush()
+        })
+    }
+
+    fn finish(&mut self, write: impl FnOnce(&mut Self) -> io::Result<()>) -> Result<()> {
+        write(self).and_then(|()| self.flush()).map_err(|error| Failure::file("standard output", error))
+    }
+}
+
+impl<W: Write> Write for Output<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.0.write(bytes) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(bytes.len()),
+            result => result,
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self.0.flush() {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            result => result,
+        }
+    }
+}
