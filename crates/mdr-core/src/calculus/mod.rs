@@ -1,1 +1,17 @@
 //! Quadrature and root finding over any [`Real`](crate::number::Real).
+//!
+//! Nothing here knows a unit: every tolerance is relative, and scaling the argument or the function by a power of two
+//! changes no bit of the significands.
+//!
+//! * [`quadrature`]: tanh-sinh, for integrands with any behaviour at the ends of the interval.
+//! * [`gauss_jacobi`]: Gauss rules for the weight tᵝ(1−t)ᵅ, for integrands that are smooth once the weight is taken out.
+//! * [`roots`]: brackets found by walking through the exponent range, and their refinement.
+
+mod cache;
+mod estimate;
+pub mod gauss_jacobi;
+mod jacobi;
+pub mod quadrature;
+pub mod roots;
+
+pub use estimate::{Estimate, roundoff_tolerance};

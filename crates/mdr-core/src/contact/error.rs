@@ -45,6 +45,12 @@ pub enum Quantity {
     Spacing,
     /// Decimal digits asked for.
     Digits,
+    /// A definite integral.
+    Integral,
+    /// An integrand.
+    Integrand,
+    /// A function whose zero is sought.
+    Residual,
     /// A parameter of a profile, by name.
     Parameter(&'static str),
 }
@@ -68,6 +74,9 @@ impl fmt::Display for Quantity {
             Quantity::Energy => "the potential energy Π",
             Quantity::Spacing => "the spring spacing Δx",
             Quantity::Digits => "the number of digits",
+            Quantity::Integral => "the integral",
+            Quantity::Integrand => "the integrand",
+            Quantity::Residual => "the residual",
             Quantity::Parameter(name) => name,
         })
     }

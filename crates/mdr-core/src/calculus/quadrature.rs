@@ -1,0 +1,241 @@
+//! Tanh-sinh (double exponential) quadrature. H. Takahasi, M. Mori, Publ. RIMS 9 (1974) 721.
+//!
+//! With x = a + (b−a)δ(t), δ = 1/(1 + e^(−π sinh t)), the integrand in t decays so fast that the trapezoidal rule doubles
+//! its digits with each halving of the step, whatever algebraic or logarithmic singularity sits at the ends.
+
+use std::sync::OnceLock;
+
+use super::cache::{self, Key, Stored};
+use super::estimate::{Estimate, Refinement, finite, no_convergence, sum};
+use crate::contact::Result;
+use crate::number::Real;
+
+/// A point of the interval, with its distances from the ends, each to full relative accuracy.
+#[derive(Clone, Debug)]
+pub struct Node<R> {
+    /// x.
+    pub x: R,
+    /// x − a, accurate also where x rounds to a.
+    pub from_lower: R,
+    /// b − x, accurate also where x rounds to b.
+    pub from_upper: R,
+}
+
+/// ∫ₐᵇ f(x) dx with an error estimate.
+///
+/// `tolerance` is relative to ∫|f| ([`roundoff_tolerance`](super::roundoff_tolerance) is the tightest). Endpoint
+/// singularities are harmless at x = 0; elsewhere x itself cannot come closer to the end than one rounding, and
+/// [`tanh_sinh_near_ends`] is for them. Split the interval at interior kinks.
+///
+/// ```
+/// use mdr_core::calculus::{quadrature::tanh_sinh, roundoff_tolerance};
+/// // ∫₀¹ ln x dx = −1
+/// let integral = tanh_sinh(&0.0, &1.0, &roundoff_tolerance(&1.0), |x: &f64| Ok(x.ln()))?;
+/// assert!((integral.value + 1.0).abs() <= integral.error && integral.error < 1e-14);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+///
+/// # Errors
+/// [`NoConvergence`](crate::contact::Error::NoConvergence) with the error reached; a
+/// [`Domain`](crate::contact::Error::Domain) error where f is not finite; whatever f returns.
+pub fn tanh_sinh<R: Real>(
+    lower: &R,
+    upper: &R,
+    tolerance: &R,
+    mut f: impl FnMut(&R) -> Result<R>,
+) -> Result<Estimate<R>> {
+    integrate(
+        lower,
+        upper,
+        tolerance,
+        |node| if node.is_interior(lower, upper) { f(&node.x).map(Some) } else { Ok(None) },
+    )
+}
+
+/// As [`tanh_sinh`], for an integrand that needs the distances from the ends: ∫₀¹ dx/√(1−x) = ∫ `from_upper`^(−1/2).
+///
+/// # Errors
+/// As [`tanh_sinh`].
+pub fn tanh_sinh_near_ends<R: Real>(
+    lower: &R,
+    upper: &R,
+    tolerance: &R,
+    mut f: impl FnMut(&Node<R>) -> Result<R>,
+) -> Result<Estimate<R>> {
+    integrate(lower, upper, tolerance, |node| if node.is_normal() { f(node).map(Some) } else { Ok(None) })
+}
+
+impl<R: Real> Node<R> {
+    fn new(lower: &R, upper: &R, near: R, far: R, side: Side) -> Self {
+        match side {
+            Side::Lower => Node { x: near.clone() + lower, from_lower: near, from_upper: far },
+            Side::Upper => Node { x: upper.clone() - &near, from_lower: far, from_upper: near },
+        }
+    }
+
+    /// Whether x is still distinct from the ends.
+    fn is_interior(&self, lower: &R, upper: &R) -> bool {
+        let x = self.x.steer();
+        self.is_normal() && x > lower.steer() && x < upper.steer()
+    }
+
+    /// Whether the distances have not yet begun to underflow.
+    fn is_normal(&self) -> bool {
+        let normal = |distance: &R| distance.clone() * distance.unit_roundoff() != distance.lit(0);
+        normal(&self.from_lower) && normal(&self.from_upper)
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Side {
+    Lower,
+    Upper,
+}
+
+/// δ in (0, 1/2) and dδ/dt for one t > 0, or rather −t: the distance from the nearer end of the unit interval.
+struct Abscissa<R> {
+    distance: R,
+    weight: R,
+}
+
+/// The abscissae by level, outwards: t = 1, 2, 3, … at level 0, the odd multiples of 2^−level later.
+struct Table<R> {
+    levels: Vec<OnceLock<Vec<Abscissa<R>>>>,
+}
+
+impl<R: Real> Stored for Table<R> {
+    fn bits(&self) -> usize {
+        0
+    }
+}
+
+impl<R: Real> Table<R> {
+    /// An empty table. Level ⌈log₂ bits⌉ suffices for entire integrands; the next two are for singularities nearby.
+    fn new(like: &R) -> Self {
+        let levels = u32::BITS - like.precision().leading_zeros() + 3;
+        Table { levels: (0..levels).map(|_| OnceLock::new()).collect() }
+    }
+
+    fn level(&self, like: &R, level: usize) -> &[Abscissa<R>] {
+        self.levels[level].get_or_init(|| abscissae(like, level as i64))
+    }
+}
+
+/// The abscissae of one level, until δ ends the exponent range or falls below 2^(−64·bits).
+fn abscissae<R: Real>(like: &R, level: i64) -> Vec<Abscissa<R>> {
+    let step = like.lit(2).powi(-level);
+    let stride = if level == 0 { 1 } else { 2 };
+    let one = like.lit(1);
+    let reach = like.lit(64 * i64::from(like.precision()));
+    let mut found = Vec::new();
+    for k in (1..).step_by(stride) {
+        // sinh and cosh from e^t − 1, without cancellation at small t.
+        let excess = step.clone().times(k).exp_m1();
+        let shrunk = excess.clone() / (excess.clone() + &one);
+        let sinh = (excess.clone() + &shrunk).over(2);
+        let cosh = (excess * shrunk).over(2) + &one;
+        let exponent = like.pi() * sinh;
+        let decay = (-exponent.clone()).exp();
+        let distance = decay.clone() / (decay.clone() + &one);
+        if exponent.steer() > reach || distance.clone() * like.unit_roundoff() == like.lit(0) {
+            break;
+        }
+        let weight = like.pi() * cosh * &distance / (decay + &one);
+        found.push(Abscissa { distance, weight });
+    }
+    found
+}
+
+/// The terms of one level, and what was cut off with the ends of the exponent range.
+struct Terms<R> {
+    terms: Vec<R>,
+    magnitude: R,
+    cut_off: R,
+    evaluations: usize,
+}
+
+/// The integral; `f` returns `None` where it cannot be evaluated any closer to an end.
+fn integrate<R: Real>(
+    lower: &R,
+    upper: &R,
+    tolerance: &R,
+    mut f: impl FnMut(&Node<R>) -> Result<Option<R>>,
+) -> Result<Estimate<R>> {
+    let width = upper.clone() - lower;
+    let zero = width.lit(0);
+    if width.steer() < zero {
+        let mirrored = integrate(upper, lower, tolerance, f)?;
+        return Ok(Estimate { value: -mirrored.value, ..mirrored });
+    }
+    if width.steer() == zero {
+        return Ok(Estimate { value: zero.clone(), error: zero, evaluations: 0 });
+    }
+    let table = cache::rule(width.precision(), Key::TanhSinh, || Ok(Table::new(&width)))?;
+    let mut refinement = Refinement::new(tolerance);
+    let middle = Node::new(lower, upper, width.clone().over(2), width.clone().over(2), Side::Lower);
+    let centre = f(&middle)?.map_or(Ok(zero.clone()), finite)? * width.pi().over(4);
+    let (mut total, mut magnitude, mut evaluations) = (centre.clone(), centre.abs(), 1);
+    let mut last = None;
+    for level in 0..table.levels.len() {
+        let mut cut_off = zero.clone();
+        for side in [Side::Lower, Side::Upper] {
+            let terms = walk(table.level(&width, level), lower, upper, side, &mut f)?;
+            total += &sum(&terms.terms, &zero);
+            magnitude += &terms.magnitude;
+            cut_off += &terms.cut_off;
+            evaluations += terms.evaluations;
+        }
+        let step = width.clone() * width.lit(2).powi(-(level as i64));
+        let scaled = |x: &R| x.clone() * &step;
+        let whole = scaled(&magnitude);
+        let (estimate, converged) = refinement.push(scaled(&total), &whole, &scaled(&cut_off.times(2)), evaluations);
+        if converged {
+            return Ok(estimate);
+        }
+        last = Some(no_convergence(&estimate, &whole));
+    }
+    last.map_or(Ok(Estimate { value: zero.clone(), error: zero, evaluations }), Err)
+}
+
+/// From the middle outwards until weight and term are both below rounding: a small term alone may be a zero of f.
+fn walk<R: Real>(
+    abscissae: &[Abscissa<R>],
+    lower: &R,
+    upper: &R,
+    side: Side,
+    f: &mut impl FnMut(&Node<R>) -> Result<Option<R>>,
+) -> Result<Terms<R>> {
+    let width = upper.clone() - lower;
+    let roundoff = width.unit_roundoff();
+    let mut terms: Vec<R> = Vec::with_capacity(abscissae.len());
+    let mut magnitude = width.lit(0);
+    let mut evaluations = 0;
+    for Abscissa { distance, weight } in abscissae {
+        let near = width.clone() * distance;
+        let far = width.clone() - &near;
+        let Some(value) = f(&Node::new(lower, upper, near, far, side))? else { break };
+        evaluations += 1;
+        let term = finite(value)? * weight;
+        let size = term.abs();
+        magnitude += &size;
+        let negligible = size.steer() <= (magnitude.clone() * &roundoff).steer();
+        terms.push(term);
+        if negligible && weight.steer() <= roundoff {
+            return Ok(Terms { terms, magnitude, cut_off: width.lit(0), evaluations });
+        }
+    }
+    let cut_off = tail(&terms).unwrap_or_else(|| magnitude.clone());
+    Ok(Terms { terms, magnitude, cut_off, evaluations })
+}
+
+/// The geometric bound on the terms beyond the last; none when they do not decay.
+fn tail<R: Real>(terms: &[R]) -> Option<R> {
+    let [.., before, last] = terms else { return None };
+    let (before, last) = (before.abs().steer(), last.abs().steer());
+    if last == last.lit(0) {
+        return Some(last);
+    }
+    let ratio = last.clone() / before;
+    let room = ratio.lit(1) - &ratio;
+    if room > room.lit(0) { Some(last * ratio / room) } else { None }
+}
