@@ -173,7 +173,17 @@ impl<R: Real> Real for Dual<R> {
         Dual { value: self.value.over(k), slope: self.slope.over(k) }
     }
     fn abs(&self) -> Self {
-        if self.value < self.value.lit(0) { -self.clone() } else { self.clone() }
+        let zero = self.value.lit(0);
+        if self.value < zero {
+            -self.clone()
+        } else if self.value >= zero {
+            self.clone()
+        } else {
+            // An interval across the kink: the sign of the slope is not known.
+            let value = self.value.abs();
+            let sign = self.value.clone() / &value;
+            self.chain(value, sign)
+        }
     }
     fn square(&self) -> Self {
         self.chain(self.value.square(), self.value.clone().times(2))
@@ -223,6 +233,11 @@ impl<R: Real> Real for Dual<R> {
     }
     fn is_finite(&self) -> bool {
         self.value.is_finite() && self.slope.is_finite()
+    }
+    /// A bound on an error bounds no derivative: over intervals a number with a slope keeps none that is finite.
+    fn inflate(self, bound: &Self) -> Self {
+        let unknown = bound.value.lit(1).over(0);
+        Dual { value: self.value.inflate(&bound.value), slope: self.slope.inflate(&unknown) }
     }
     fn steer(&self) -> Self {
         Dual::constant(self.value.steer())

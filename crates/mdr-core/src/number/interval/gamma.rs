@@ -10,7 +10,7 @@ use super::Interval;
 use crate::number::{Gamma, Real};
 
 /// x₀ rounded down and up.
-const MINIMUM: [f64; 2] = [1.461632144968362, 1.461632144968363];
+const MINIMUM: [f64; 2] = [1.461_632_144_968_362, 1.461_632_144_968_363];
 
 /// ψ'(x₀), the slope for the secant's first step.
 const TRIGAMMA: f64 = 0.967_672_045_446_862_2;
