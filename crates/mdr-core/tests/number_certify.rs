@@ -1,6 +1,7 @@
 //! Certified decimals: correctly rounded, decided where they can be, and never looping where they cannot.
 
 #![cfg(feature = "mp")]
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests do")]
 
 use mdr_core::contact::{Error, Quantity};
 use mdr_core::number::certify::{Decimal, Enclosure, certify};

@@ -2,6 +2,7 @@
 //! at 2p bits, over points, thin and wide intervals.
 
 #![cfg(feature = "mp")]
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests do")]
 
 mod number_support;
 
