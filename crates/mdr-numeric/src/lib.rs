@@ -1,1 +1,7 @@
 //! The independent numerical route.
+
+#![forbid(unsafe_code)]
+
+pub mod curve;
+pub mod profiles;
+pub mod transform;

@@ -26,6 +26,14 @@ pub trait Transform<R: Real>: Send + Sync {
     /// As [`Transform::g`].
     fn integral(&self, x: &R) -> Result<R>;
 
+    /// The mean (1/x) ∫₀ˣ g, a length like g itself: in range wherever g is. The force is 2E*a (d − mean).
+    ///
+    /// # Errors
+    /// As [`Transform::g`].
+    fn mean(&self, x: &R) -> Result<R> {
+        Ok(self.integral(x)? / x)
+    }
+
     /// The radius beyond which g is not defined, if there is one.
     fn outer_radius(&self) -> Option<R> {
         None

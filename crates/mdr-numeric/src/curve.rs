@@ -1,0 +1,151 @@
+//! The curve of equilibria a ↦ (d, F), and which way the contact moves off it.
+
+use mdr_core::contact::{Control, Error, Material, Quantity, Result, Transform};
+use mdr_core::number::Real;
+
+/// The states of (1.5) and (1.6), parametrised by the contact radius.
+///
+/// Everything else is read off this curve: equilibria are its points at a given value of the controlled quantity, folds
+/// are the extrema of that quantity along it.
+#[derive(Clone, Copy)]
+pub struct Curve<'a, R: Real> {
+    transform: &'a dyn Transform<R>,
+    material: &'a Material<R>,
+    control: &'a Control<R>,
+}
+
+impl<'a, R: Real> Curve<'a, R> {
+    /// The curve of a profile in contact, looked at under the given control.
+    pub fn new(transform: &'a dyn Transform<R>, material: &'a Material<R>, control: &'a Control<R>) -> Self {
+        Curve { transform, material, control }
+    }
+
+    /// The transformed profile.
+    pub fn transform(&self) -> &'a dyn Transform<R> {
+        self.transform
+    }
+
+    /// What is controlled.
+    pub fn control(&self) -> &'a Control<R> {
+        self.control
+    }
+
+    /// ℓ = w/E*, the length that the material brings into the problem.
+    pub fn material_length(&self) -> R {
+        self.material.work_of_adhesion().clone() / self.material.effective_modulus()
+    }
+
+    /// Δl(a) = √(2πaw/E*), the rule of Heß (1.4), in m.
+    ///
+    /// Written as a√(2πℓ/a), which neither overflows nor underflows while ℓ/a is in range.
+    pub fn detachment_elongation(&self, a: &R) -> R {
+        a.clone() * self.root(a)
+    }
+
+    /// √(2πℓ/a) = Δl/a.
+    fn root(&self, a: &R) -> R {
+        (self.material_length() / a * a.pi()).times(2).sqrt()
+    }
+
+    /// d(a) = g(a) − Δl(a) (1.5), in m.
+    ///
+    /// # Errors
+    /// As [`Transform::g`].
+    pub fn indentation(&self, a: &R) -> Result<R> {
+        Ok(self.transform.g(a)? - self.detachment_elongation(a))
+    }
+
+    /// F(a) = 2E* ∫₀ᵃ (d − g) dx (1.6) = 2E*a (d − mean of g), in N.
+    ///
+    /// # Errors
+    /// As [`Transform::mean`].
+    pub fn force(&self, a: &R) -> Result<R> {
+        self.force_at(a, &self.indentation(a)?)
+    }
+
+    /// The force of (1.6) at a contact radius and an indentation that need not be in equilibrium.
+    pub(crate) fn force_at(&self, a: &R, d: &R) -> Result<R> {
+        Ok(self.edge_stiffness(a) * (d.clone() - self.transform.mean(a)?))
+    }
+
+    /// 2E*a, the stiffness of the contact at fixed radius, in N/m.
+    fn edge_stiffness(&self, a: &R) -> R {
+        (a.clone() * self.material.effective_modulus()).times(2)
+    }
+
+    /// The controlled quantity along the curve.
+    ///
+    /// # Errors
+    /// As [`Transform::mean`].
+    pub fn controlled(&self, a: &R) -> Result<R> {
+        let d = self.indentation(a)?;
+        match self.control {
+            Control::Indentation => Ok(d),
+            control => Ok(control.controlled(&d, &self.force_at(a, &d)?)),
+        }
+    }
+
+    /// The indentation at radius `a` while the controlled quantity is held at `value`, equilibrium or not:
+    /// d itself, F/(2E*a) + mean g, or (kD + 2E*a·mean g)/(k + 2E*a).
+    fn held_indentation(&self, a: &R, value: &R) -> Result<R> {
+        let stiffness = self.edge_stiffness(a);
+        Ok(match self.control {
+            Control::Indentation => value.clone(),
+            Control::Force => value.clone() / stiffness + self.transform.mean(a)?,
+            Control::Machine { stiffness: k } => {
+                let whole = k.clone() + &stiffness;
+                k.clone() / &whole * value + stiffness / whole * self.transform.mean(a)?
+            }
+        })
+    }
+
+    /// The direction of change g(a) − d − Δl(a) with the controlled quantity held at `value`: the contact shrinks where
+    /// it is positive (1.8), grows where it is negative (1.9) and is in equilibrium where it vanishes.
+    ///
+    /// # Errors
+    /// As [`Transform::mean`].
+    pub fn direction(&self, a: &R, value: &R) -> Result<R> {
+        Ok(self.indentation(a)? - self.held_indentation(a, value)?)
+    }
+
+    /// The tangency ratio g'(a)/Δl'(a): under controlled indentation the curves touch (1.10) where it is 1.
+    ///
+    /// # Errors
+    /// As [`Transform::slope`].
+    pub fn tangency(&self, a: &R) -> Result<R> {
+        Ok(self.transform.slope(a)?.times(2) / self.root(a))
+    }
+
+    /// The value of the [tangency ratio](Curve::tangency) at which the controlled quantity is stationary.
+    ///
+    /// With d' = g' − Δl' and, from (1.6) along the curve, F' = 2E*(a d' − Δl), the condition d' + F'/k = 0 reads
+    /// g'/Δl' = (k + 6E*a)/(k + 2E*a): 1 for fixed grips (k → ∞), 3 for a dead load (k → 0). Equilibria are stable where
+    /// the ratio exceeds it.
+    pub fn threshold(&self, a: &R) -> R {
+        match self.control {
+            Control::Indentation => a.lit(1),
+            Control::Force => a.lit(3),
+            Control::Machine { stiffness: k } => {
+                let stiffness = self.edge_stiffness(a);
+                (k.clone() + stiffness.clone().times(3)) / (k.clone() + stiffness)
+            }
+        }
+    }
+
+    /// Indentation and force at radius `a`.
+    ///
+    /// # Errors
+    /// As [`Transform::mean`]; [`Error::OutOfRange`] when the force is no number of this arithmetic.
+    pub fn state(&self, a: &R) -> Result<(R, R)> {
+        let d = self.indentation(a)?;
+        let force = self.force_at(a, &d)?;
+        let excess = d.clone() - self.transform.mean(a)?;
+        let vanished = force == force.lit(0) && excess != excess.lit(0);
+        if vanished || !force.is_finite() {
+            let factors = [a.lit(2), a.clone(), self.material.effective_modulus().clone(), excess.abs()];
+            let log10 = factors.iter().map(|x| x.ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
+            return Err(Error::OutOfRange { quantity: Quantity::Force, log10 });
+        }
+        Ok((d, force))
+    }
+}

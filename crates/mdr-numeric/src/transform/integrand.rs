@@ -1,0 +1,59 @@
+//! The integrands: a profile and its logarithmic derivatives.
+
+use mdr_core::contact::Profile;
+use mdr_core::number::{Dual, Special};
+
+/// Which φ stands in I[φ] = ∫₀^{π/2} sinθ φ(x sinθ) dθ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Integrand {
+    /// f, for the mean of g.
+    Height,
+    /// (1 + D)f = f + r f', for g.
+    Transform,
+    /// D(1 + D)f = 2r f' + r² f'', for x g'.
+    Slope,
+}
+
+impl Integrand {
+    /// φ(r), with the derivatives from dual numbers. The variable has the slope r, not 1, so that the derivative is D and
+    /// every term is a length of the size of f.
+    pub(super) fn at<R: Special>(self, profile: &impl Profile<R>, r: &R) -> R {
+        match self {
+            Integrand::Height => profile.height(r),
+            Integrand::Transform => {
+                let f = profile.height(&logarithmic(r.clone()));
+                f.value + f.slope
+            }
+            Integrand::Slope => {
+                let first = second_order(profile, r).slope;
+                first.value + first.slope
+            }
+        }
+    }
+}
+
+/// The dual number whose derivative part is r d/dr.
+fn logarithmic<R: Special>(r: R) -> Dual<R> {
+    Dual { value: r.clone(), slope: r }
+}
+
+/// f, Df and D²f at r: `value.value`, `slope.value`, `slope.slope`.
+fn second_order<R: Special>(profile: &impl Profile<R>, r: &R) -> Dual<Dual<R>> {
+    let inner = logarithmic(r.clone());
+    profile.height(&Dual { value: inner.clone(), slope: inner })
+}
+
+/// The jump of Df at a kink b, from both sides: Df and D²f at b(1 ± h), extrapolated to b. None where it is nothing but
+/// rounding, as at a kink of the second derivative.
+pub(super) fn kink_jump<R: Special>(profile: &impl Profile<R>, kink: &R) -> Option<R> {
+    let h = kink.unit_roundoff().times(4);
+    let side = |h: R| {
+        let f = second_order(profile, &(kink.clone() * (h.lit(1) + &h))).slope;
+        (f.value - f.slope.clone() * h, f.slope.abs())
+    };
+    let (outer, outer_bend) = side(h.clone());
+    let (inner, inner_bend) = side(-h.clone());
+    let rounding = (outer.abs() + inner.abs() + outer_bend + inner_bend) * h.times(4);
+    let jump = outer - inner;
+    (jump.abs() > rounding).then_some(jump)
+}

@@ -1,0 +1,16 @@
+//! The MDR transform (1.1) of any profile, by quadrature.
+//!
+//! With r = x sinθ and D = r d/dr, partial integration of (1.1) leaves no singularity at either end (f(0) = 0):
+//!
+//! * g(x) = ∫₀^{π/2} sinθ (1+D)f dθ,
+//! * g'(x) = (1/x) ∫₀^{π/2} sinθ D(1+D)f dθ,
+//! * G(x) = ∫₀ˣ g = x ∫₀^{π/2} sinθ f dθ.
+//!
+//! The last needs no nested quadrature: g(s) = d/ds ∫₀ˢ r f(r)/√(s²−r²) dr (Abel), so the outer integral is done. All
+//! three are one functional, I[φ] = ∫₀^{π/2} sinθ φ(x sinθ) dθ, which this module computes.
+
+mod gauss;
+mod integrand;
+mod quadrature;
+
+pub use quadrature::{Quadrature, Rule};
