@@ -1,4 +1,8 @@
-//! The independent numerical route.
+//! The independent numerical route: nothing here knows a closed form of any transform.
+//!
+//! * [`profiles`]: heights f(r).
+//! * [`transform`]: g, g' and ∫g by quadrature, for any profile.
+//! * [`curve`]: the equilibria of (1.5) and (1.6) as a curve, and the direction of change off it.
 
 #![forbid(unsafe_code)]
 

@@ -43,8 +43,8 @@ pub(super) fn sum<R: Real>(
     Ok((total, magnitude, nodes.len()))
 }
 
-/// The rungs in units of bits/14 nodes. Power profiles are settled by the third; the last is where tanh-sinh is cheaper.
-const RUNGS: [usize; 6] = [1, 2, 3, 6, 12, 24];
+/// The rungs in units of bits/14 nodes. Power profiles are settled by the third, fifty waves by the last.
+const RUNGS: [usize; 8] = [1, 2, 3, 6, 12, 24, 48, 96];
 
 /// Rules of growing size for one tip exponent, made when first needed.
 pub(super) struct Ladder<R> {

@@ -27,8 +27,8 @@ pub enum Rule {
 
 /// The MDR-transformed profile g of a profile given as a function, by quadrature.
 ///
-/// Accuracy: the [tolerance](Quadrature::with_tolerance), by default 32 unit roundoffs of ∫|…|; beyond that a result is
-/// as good as the profile, whose relative rounding error it inherits.
+/// Accuracy: the [tolerance](Quadrature::with_tolerance), by default 32 unit roundoffs of ∫|…|, or where it is larger the
+/// condition number r φ'/φ of the integrand at r = x times the roundoff of r, as near the equator of a sphere.
 ///
 /// ```
 /// use mdr_core::contact::Transform;
@@ -59,7 +59,14 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     /// The profile must be continuous with f(0) = 0, and smooth between its kinks.
     pub fn new(profile: P) -> Self {
         let ladder = profile.tip_exponent().map(Ladder::new);
-        Quadrature { rule: Rule::default(), tolerance: None, kinks: profile.kinks(), ladder, fixed: OnceLock::new(), profile }
+        Quadrature {
+            rule: Rule::default(),
+            tolerance: None,
+            kinks: profile.kinks(),
+            ladder,
+            fixed: OnceLock::new(),
+            profile,
+        }
     }
 
     /// The same with a named rule.
@@ -117,11 +124,8 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     /// I[φ] at x.
     fn estimate(&self, x: &R, integrand: Integrand) -> Result<Estimate<R>> {
         self.check(x)?;
-        let result = if self.kinks.iter().any(|kink| kink < x) {
-            self.pieces(x, integrand)
-        } else {
-            self.whole(x, integrand)
-        };
+        let result =
+            if self.kinks.iter().any(|kink| kink < x) { self.pieces(x, integrand) } else { self.whole(x, integrand) };
         result.and_then(finite).map_err(in_our_terms)
     }
 
@@ -130,7 +134,9 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
             return Err(Error::domain(Quantity::Radius, x, "positive and finite"));
         }
         match self.profile.outer_radius() {
-            Some(outer) if *x >= outer => Err(Error::domain(Quantity::Radius, x, "below the outer radius of the profile")),
+            Some(outer) if *x >= outer => {
+                Err(Error::domain(Quantity::Radius, x, "below the outer radius of the profile"))
+            }
             _ => Ok(()),
         }
     }
@@ -138,6 +144,13 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     fn tolerance(&self, x: &R) -> R {
         let floor = roundoff_tolerance(x);
         self.tolerance.clone().filter(|tolerance| *tolerance > floor).unwrap_or(floor)
+    }
+
+    /// What the rounding of r = x sinθ does to the integrand, relative: u |Dφ/φ| at r = x, where it is largest.
+    fn noise(&self, x: &R) -> R {
+        let (value, slope) = (Integrand::Transform.at(&self.profile, x), Integrand::Slope.at(&self.profile, x));
+        let condition = (slope / value).abs();
+        if condition.is_finite() { condition * x.unit_roundoff() } else { x.lit(0) }
     }
 
     /// φ(x sinθ); 0 below sinθ = u, where no more than u² of the integral can be and where powers of r might leave the range.
@@ -153,7 +166,8 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         match (self.rule, &self.ladder) {
             (Rule::Gauss { nodes }, _) => self.fixed(x, nodes, integrand),
             (Rule::Automatic, Some(ladder)) => {
-                let settled = ladder.integrate(&self.tolerance(x), |s| Ok(integrand.at(&self.profile, &(s.clone() * x))))?;
+                let settled =
+                    ladder.integrate(&self.tolerance(x), |s| Ok(integrand.at(&self.profile, &(s.clone() * x))))?;
                 settled.map_or_else(|| self.double_exponential(x, &x.lit(0), &quarter(x), integrand), Ok)
             }
             _ => self.double_exponential(x, &x.lit(0), &quarter(x), integrand),
@@ -176,7 +190,11 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
             // Another thread may have been faster; its rules are the same.
             let _ = self.fixed.set(made);
         }
-        self.fixed.get().ok_or(Error::NoConvergence { quantity: Quantity::TransformedProfile, evaluations: 0, error: 1.0 })
+        self.fixed.get().ok_or(Error::NoConvergence {
+            quantity: Quantity::TransformedProfile,
+            evaluations: 0,
+            error: 1.0,
+        })
     }
 
     fn sum(&self, nodes: &[gauss::Node<R>], x: &R, integrand: Integrand) -> Result<(R, R, usize)> {
@@ -233,10 +251,14 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     }
 
     fn double_exponential(&self, x: &R, lower: &R, upper: &R, integrand: Integrand) -> Result<Estimate<R>> {
-        tanh_sinh(lower, upper, &self.tolerance(x), |theta| {
+        let (tolerance, noise) = (self.tolerance(x), self.noise(x));
+        let attainable = noise.clone().times(16);
+        let tolerance = if tolerance > attainable { tolerance } else { attainable };
+        let estimate = tanh_sinh(lower, upper, &tolerance, |theta| {
             let sine = theta.sin();
             Ok(self.sample(x, &sine, integrand) * sine)
-        })
+        })?;
+        Ok(Estimate { error: estimate.value.abs() * noise + &estimate.error, ..estimate })
     }
 }
 
