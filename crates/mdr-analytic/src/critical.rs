@@ -104,7 +104,7 @@ impl<R: Real> Contact<R> {
     }
 
     /// Logarithms of a, |d| and |F| of a tangent state.
-    fn ln_state(&self, ln_radius: &R, tension: &R) -> Critical<R> {
+    pub(crate) fn ln_state(&self, ln_radius: &R, tension: &R) -> Critical<R> {
         let (d_factor, f_factor) = self.tangent_factors(tension);
         let ln_root = (self.ln_edge_length() + ln_radius).over(2);
         let ln_modulus = self.material().effective_modulus().ln();
@@ -116,7 +116,7 @@ impl<R: Real> Contact<R> {
     }
 
     /// (λ−2n)/n and 2(λ−2(n+1))/(n+1).
-    fn tangent_factors(&self, tension: &R) -> (R, R) {
+    pub(crate) fn tangent_factors(&self, tension: &R) -> (R, R) {
         let n = self.profile().exponent();
         let next = n.lit(1) + n;
         let indentation = (tension.clone() - n.clone().times(2)) / n;

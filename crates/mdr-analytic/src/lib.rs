@@ -1,17 +1,74 @@
-//! Closed forms of the theory.
+//! Closed forms of the theory of adhesive contact of axisymmetric profiles: equilibria, critical states and folds of
+//! power laws f = C rⁿ, and the transformed profiles g(x) of many other shapes.
+//!
+//! Every closed form is one generic function over [`Real`](mdr_core::number::Real), beside its equation number in the
+//! source paper. The same function runs in `f64`, in arbitrary precision, over rigorous intervals, and over dual numbers
+//! for derivatives.
+//!
+//! ```
+//! use mdr_analytic::{Contact, PowerLaw};
+//! use mdr_core::contact::{Control, Material, Regime};
+//! // f = 1 · r^0.25 on rubber: E* = 1 MPa, w = 0.05 J/m².
+//! let tip = Contact::new(PowerLaw::new(0.25, 1.0)?, Material::new(1e6, 0.05)?);
+//! assert_eq!(tip.regime()?, Regime::CompleteContact);
+//! let critical = tip.critical(&Control::Indentation)?;
+//! assert!((critical.indentation / 603.9026733142962 - 1.0).abs() < 1e-13);
+//! # Ok::<(), mdr_core::contact::Error>(())
+//! ```
+//!
+//! | equation | here |
+//! |---|---|
+//! | (1.4) Δl(a) | [`detachment_elongation`] |
+//! | (1.5), (1.13) d(a); (1.6), (1.16) F(a); Π(a, d) | [`Contact::indentation`], [`Contact::force`], [`Contact::energy`] |
+//! | (1.10), (1.14) tangency | [`Contact::indentation_slope`], [`Contact::force_slope`] |
+//! | (1.12) g = κ_n C xⁿ | [`kappa`], [`PowerLaw`] |
+//! | (1.15) corrected, (1.17), and both under a dead load | [`Contact::critical`] |
+//! | folds on a machine of finite stiffness | [`Contact::machine_folds`] |
+//! | (1.18), (1.19) n = 1/2 | [`threshold`], [`Contact::ratio`], [`Contact::fate`] |
+//! | all power laws in one family | [`universal_indentation`], [`universal_force`] |
+//! | energy lost in a jump | [`Contact::energy_lost_at_pull_off`], [`Contact::energy_lost_at_jump_in`] |
+//! | paraboloid, cone, flat punch | [`PowerLaw::paraboloid`], [`PowerLaw::cone`], [`flat_punch_pull_off`] |
+//!
+//! Sensitivity to an input is the slope of a dual number; here of the pull-off force to the exponent:
+//!
+//! ```
+//! use mdr_analytic::{Contact, PowerLaw};
+//! use mdr_core::contact::{Control, Material};
+//! use mdr_core::number::Dual;
+//! let constant = |x| Dual::constant(x);
+//! let profile = PowerLaw::new(Dual::variable(2.0), constant(0.5))?;
+//! let contact = Contact::new(profile, Material::new(constant(1.0), constant(1.0))?);
+//! let force = contact.critical(&Control::Indentation)?.force;
+//! let relative = force.slope / force.value;
+//! assert!((relative - -0.3149099619498).abs() < 1e-12);
+//! # Ok::<(), mdr_core::contact::Error>(())
+//! ```
+//!
+//! With the feature `mp` (default) the module [`certified`] answers with any number of proved digits.
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "mp")]
+pub mod certified;
 mod contact;
 mod critical;
+mod jump;
 mod kappa;
 mod machine;
 mod power_law;
 pub mod profiles;
 mod range;
+mod special;
 pub mod struve;
+mod threshold;
+mod universal;
 
 pub use contact::{Contact, detachment_elongation};
 pub use critical::Critical;
+#[cfg(feature = "mp")]
+pub use kappa::kappa_enclosure;
 pub use kappa::{Kappa, kappa};
 pub use power_law::PowerLaw;
+pub use special::flat_punch_pull_off;
+pub use threshold::{Fate, lemniscate_constant, threshold};
+pub use universal::{universal_force, universal_indentation};

@@ -44,21 +44,48 @@ impl<R: Real> Contact<R> {
     /// there are; [`Error::OutOfRange`].
     pub fn machine_folds(&self, stiffness: &R) -> Result<Vec<Instability<R>>> {
         let stiffness = Error::require_positive(Quantity::Stiffness, stiffness.clone())?;
-        if self.regime()? == Regime::ScaleFree {
-            return self.scale_free_fold(&stiffness);
-        }
-        let balance = Balance::new(self, &stiffness);
-        balance
-            .pieces()?
-            .iter()
-            .map(|piece| {
-                let u = balance.root(piece)?;
-                let tension = balance.tension(&u);
-                let a = balance.radius_per_s.clone() * u.exp();
-                let a = representable(Quantity::ContactRadius, a, || balance.radius_per_s.ln() + &u)?;
-                self.fold(a, &tension, piece.kind)
+        let scale = self.machine_length(&stiffness);
+        self.machine_tangencies(&stiffness)?
+            .into_iter()
+            .map(|Tangency { s, ln_s, tension, kind }| {
+                let a = representable(Quantity::ContactRadius, scale.clone() * &s, || scale.ln() + &ln_s)?;
+                let Critical { contact_radius, indentation, force } = self.tangent_state(a, &tension)?;
+                Ok(Instability { contact_radius, indentation, force, kind })
             })
             .collect()
+    }
+
+    /// k/(2E*): a = s k/(2E*).
+    pub(crate) fn machine_length(&self, stiffness: &R) -> R {
+        stiffness.clone() / self.material().effective_modulus().clone().times(2)
+    }
+
+    /// The points of tangency that are the folds, by increasing radius.
+    pub(crate) fn machine_tangencies(&self, stiffness: &R) -> Result<Vec<Tangency<R>>> {
+        if self.regime()? == Regime::ScaleFree {
+            return Ok(self.scale_free_tangency()?.into_iter().collect());
+        }
+        let balance = Balance::new(self, stiffness);
+        let tangency = |piece: &Piece<R>| {
+            let ln_s = balance.root(piece)?;
+            Ok(Tangency { s: ln_s.exp(), tension: Balance::tension(&ln_s), ln_s, kind: piece.kind })
+        };
+        balance.pieces()?.iter().map(tangency).collect()
+    }
+
+    /// n = 1/2, 1 < ρ < 3: s = (ρ−1)/(3−ρ), a maximum of D.
+    fn scale_free_tangency(&self) -> Result<Option<Tangency<R>>> {
+        let tension = self.ratio()?;
+        let (above, below) = (tension.clone() - tension.lit(1), tension.lit(3) - &tension);
+        let zero = tension.lit(0);
+        if above <= zero || below <= zero {
+            return Ok(None);
+        }
+        let s = above / &below;
+        if s > zero {
+            return Ok(Some(Tangency { ln_s: s.ln(), s, tension, kind: FoldKind::Maximum }));
+        }
+        Err(undecided(&tension, "whether C is between the two thresholds"))
     }
 
     /// The fold met first when leaving the stable branch: the largest for n > 1/2, where the contact is unloaded, the
@@ -69,25 +96,15 @@ impl<R: Real> Contact<R> {
         fold.map(|f| Critical { contact_radius: f.contact_radius, indentation: f.indentation, force: f.force })
             .ok_or_else(|| Error::domain(Quantity::Stiffness, stiffness, "such that there is a fold"))
     }
+}
 
-    /// n = 1/2, 1 < ρ < 3: a = k(ρ−1)/(2E*(3−ρ)), a maximum of D.
-    fn scale_free_fold(&self, stiffness: &R) -> Result<Vec<Instability<R>>> {
-        let ratio = self.slope_coefficient() / self.edge_length().sqrt();
-        let (above, below) = (ratio.clone() - ratio.lit(1), ratio.lit(3) - &ratio);
-        if above <= above.lit(0) || below <= below.lit(0) {
-            return Ok(Vec::new());
-        }
-        if !(above > above.lit(0) && below > below.lit(0)) {
-            return Err(undecided(&ratio, "whether C is between the two thresholds"));
-        }
-        let a = above / below * stiffness / self.material().effective_modulus().clone().times(2);
-        Ok(vec![self.fold(a, &ratio, FoldKind::Maximum)?])
-    }
-
-    fn fold(&self, a: R, tension: &R, kind: FoldKind) -> Result<Instability<R>> {
-        let Critical { contact_radius, indentation, force } = self.tangent_state(a, tension)?;
-        Ok(Instability { contact_radius, indentation, force, kind })
-    }
+/// A point where N a^{n−1/2} = λ√B, with s = 2E*a/k.
+pub(crate) struct Tangency<R> {
+    pub(crate) s: R,
+    pub(crate) ln_s: R,
+    /// λ.
+    pub(crate) tension: R,
+    pub(crate) kind: FoldKind,
 }
 
 /// φ(u) and what it needs.
@@ -96,8 +113,6 @@ struct Balance<R> {
     slope: R,
     /// L.
     offset: R,
-    /// k/(2E*): a = s k/(2E*).
-    radius_per_s: R,
 }
 
 /// An interval of u in which φ is monotone and has one root.
@@ -110,10 +125,9 @@ struct Piece<R> {
 impl<R: Real> Balance<R> {
     fn new(contact: &Contact<R>, stiffness: &R) -> Self {
         let slope = contact.profile().excess().over(2);
-        let radius_per_s = stiffness.clone() / contact.material().effective_modulus().clone().times(2);
         let ratio = contact.slope_coefficient() / contact.edge_length().sqrt();
-        let offset = radius_per_s.ln() * &slope + ratio.ln();
-        Balance { slope, offset, radius_per_s }
+        let offset = contact.machine_length(stiffness).ln() * &slope + ratio.ln();
+        Balance { slope, offset }
     }
 
     /// p = s/(1+s), without overflow for any u.
@@ -122,7 +136,7 @@ impl<R: Real> Balance<R> {
     }
 
     /// λ = 1 + 2p.
-    fn tension(&self, u: &R) -> R {
+    fn tension(u: &R) -> R {
         Self::share(u).times(2) + u.lit(1)
     }
 
@@ -204,7 +218,7 @@ impl<R: Real> Balance<R> {
 
     /// The same function with parameters for steering.
     fn steered(&self) -> Self {
-        Balance { slope: self.slope.steer(), offset: self.offset.steer(), radius_per_s: self.radius_per_s.steer() }
+        Balance { slope: self.slope.steer(), offset: self.offset.steer() }
     }
 
     /// Newton's method kept inside a shrinking bracket.

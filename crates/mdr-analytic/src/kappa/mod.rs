@@ -10,7 +10,12 @@
 
 mod alternating;
 mod brouncker;
+#[cfg(feature = "mp")]
+mod rational;
 mod series;
+
+#[cfg(feature = "mp")]
+pub use rational::kappa_enclosure;
 
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Dual, Real};
@@ -80,6 +85,13 @@ impl Kappa for rug::Float {
         const GUARD: u32 = 32;
         let wide = rug::Float::with_val(n.prec() + GUARD, n);
         rug::Float::with_val(n.prec(), expansion(&wide))
+    }
+}
+
+#[cfg(feature = "mp")]
+impl Kappa for mdr_core::number::Interval {
+    fn kappa(n: &Self) -> Self {
+        rational::interval_kappa(n)
     }
 }
 

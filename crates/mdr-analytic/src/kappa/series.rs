@@ -15,13 +15,19 @@ use mdr_core::number::Real;
 pub(super) fn terms(n: f64, bits: u32) -> u32 {
     let x = n / 2.0;
     let mut remaining = f64::from(bits) + 1.0;
+    let mut product = 1.0;
     let mut m = 0;
     while remaining > 0.0 || f64::from(m) < x - 1.0 {
         let j = f64::from(m);
         // |1−x+m| may be arbitrarily small; that luck is not counted on.
         let above = (2.0 * x + j) * (1.0 - x + j).abs().max(1.0);
-        remaining += (above / (2.0 * (x + 1.0 + 2.0 * j) * (x + 2.0 + 2.0 * j))).log2();
+        product *= above / (2.0 * (x + 1.0 + 2.0 * j) * (x + 2.0 + 2.0 * j));
         m += 1;
+        // One logarithm for several terms.
+        if m % 8 == 0 || remaining < 40.0 {
+            remaining += product.log2();
+            product = 1.0;
+        }
     }
     m
 }

@@ -56,7 +56,7 @@ fn derivative_agrees_with_a_difference() {
 
 #[cfg(feature = "mp")]
 mod mp {
-    use mdr_core::number::{Dual, Precision};
+    use mdr_core::number::{Dual, Interval, Precision};
     use rug::Float;
 
     use super::*;
@@ -112,5 +112,46 @@ mod mp {
             // 80 terms of the alternating series at 200 bits.
             assert!(relative_difference(&dual.slope, &expected) < 2f64.powi(-190), "n = {n}");
         }
+    }
+
+    #[test]
+    fn intervals_contain_kappa_and_are_tight() {
+        for (numerator, denominator) in
+            [(1, 3), (1, 2), (2, 1), (1, 1), (7, 1), (1, 1000), (100, 3), (1000, 7), (123_456, 1), (10_000_000, 3)]
+        {
+            for bits in [20, 53, 200, 700] {
+                let n = rug::Rational::from((numerator, denominator));
+                // The reference carries 200 bits more and is wrong by less than 2^-100 of an ulp.
+                let exact = Interval::point(kappa_by_gamma(&Float::with_val(bits + 200, &n)));
+                let exact = exact.clone().inflate(&(exact.unit_roundoff() * exact.lit(2).powi(100)));
+                for kappa in [
+                    kappa_enclosure(Precision::new(bits), &n),
+                    Interval::kappa(&Interval::from_rational(Precision::new(bits + 32), &n)),
+                ] {
+                    assert!(kappa.overlaps(&exact), "n = {n}, {bits} bits: {kappa} {exact}");
+                    assert!(kappa.accuracy_bits() >= i64::from(bits) - 2, "n = {n}, {bits} bits: {kappa:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_wide_interval_gives_the_hull() {
+        let n = Interval::new(Float::with_val(100, 0.4), Float::with_val(100, 0.6));
+        let kappa = Interval::kappa(&n);
+        for end in [n.lower(), n.upper()] {
+            assert!(kappa.contains(&Float::kappa(end)));
+        }
+        let width = Float::with_val(100, kappa.upper() - kappa.lower()).to_f64();
+        assert!(width < 1.0001 * (f64::kappa(&0.6) - f64::kappa(&0.4)));
+    }
+
+    #[test]
+    fn derivatives_of_intervals_enclose() {
+        let n = Interval::from_rational(Precision::new(120), &(2, 3).into());
+        let dual = Dual::kappa(&Dual::variable(Dual::variable(n)));
+        let sharp = Dual::kappa(&Dual::variable(Dual::variable(Float::with_val(300, 2) / 3u32)));
+        assert!(dual.slope.value.contains(&sharp.slope.value) && dual.slope.value.accuracy_bits() > 100);
+        assert!(dual.slope.slope.contains(&sharp.slope.slope) && dual.slope.slope.accuracy_bits() > 100);
     }
 }

@@ -1,0 +1,190 @@
+//! Closed forms over intervals, to decimals.
+
+use mdr_core::contact::{Control, Error, FoldKind, Instability, Quantity, Regime, Result};
+use mdr_core::number::certify::{Decimal, Enclosure, certify};
+use mdr_core::number::{Interval, Literal, Precision, Real};
+use rug::{Float, Rational};
+
+use super::{Answer, Question, exact};
+use crate::contact::Contact;
+use crate::critical::Critical;
+use crate::threshold::threshold;
+
+/// Bits beyond those of the digits: rounding errors, and the small chance that the digits end close to a tie.
+const GUARD: u32 = 40;
+
+/// κ_n to the given number of significant digits, correctly rounded.
+///
+/// ```
+/// let third = "1/3".parse()?;
+/// assert_eq!(mdr_analytic::certified::kappa(&third, 30)?.to_string(), "1.21432532394379080590997084489");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Domain`] unless n is positive.
+pub fn kappa(n: &Literal, digits: u32) -> Result<Decimal> {
+    if n.is_zero() || n.is_negative() {
+        let value = n.to_string();
+        return Err(Error::Domain { quantity: Quantity::Exponent, value, requirement: "positive and finite" });
+    }
+    let n = n.to_rational();
+    let start = Precision::new(Precision::from_digits(digits).bits() + GUARD);
+    let [kappa] = certify([Quantity::Kappa], digits, start, |precision| Ok([kappa_result(precision, &n)]))?;
+    Ok(kappa)
+}
+
+impl Question {
+    /// All answers, each correctly rounded to the given number of significant digits (ties to even).
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for digits outside 1 to 10⁶. [`Error::Undecided`] for a tie that number theory does not exclude,
+    /// or for two folds so close to merging that no precision up to the limit tells them apart.
+    pub fn answer(&self, digits: u32) -> Result<Answer> {
+        let start = self.starting_precision(digits);
+        let regime = self.contact(start)?.regime()?;
+        if let Control::Machine { .. } = self.control {
+            return self.machine_answer(regime, digits, start);
+        }
+        if regime == Regime::ScaleFree {
+            return self.scale_free_answer(digits, start);
+        }
+        let quantities = [Quantity::Kappa, Quantity::ContactRadius, Quantity::Indentation, Quantity::Force];
+        let [kappa, a, d, f] = certify(quantities, digits, start, |precision| self.critical(precision))?;
+        let critical = Some(Critical { contact_radius: a, indentation: d, force: f });
+        Ok(Answer { regime, kappa, critical, folds: Vec::new(), threshold: None, ratio: None })
+    }
+
+    fn scale_free_answer(&self, digits: u32, start: Precision) -> Result<Answer> {
+        let quantities =
+            [Quantity::Kappa, Quantity::Coefficient, Quantity::Parameter("the ratio of C to its threshold")];
+        let [kappa, threshold, ratio] = certify(quantities, digits, start, |precision| {
+            let contact = self.contact(precision)?;
+            let threshold = threshold(contact.material(), &self.control(precision));
+            let ratio = contact.profile().coefficient().clone() / &threshold;
+            Ok([kappa_result(precision, &self.exponent), threshold.into(), ratio.into()])
+        })?;
+        let (threshold, ratio) = (Some(threshold), Some(ratio));
+        Ok(Answer { regime: Regime::ScaleFree, kappa, critical: None, folds: Vec::new(), threshold, ratio })
+    }
+
+    fn machine_answer(&self, regime: Regime, digits: u32, start: Precision) -> Result<Answer> {
+        let mut kinds = Vec::new();
+        // An exact answer of one digit: what is certified is that there are so many.
+        certify([Quantity::ContactRadius], 1, Precision::new(96), |precision| {
+            kinds = self.folds(precision)?.into_iter().map(|(kind, _)| kind).collect();
+            Ok([Rational::from(kinds.len()).into()])
+        })?;
+        let folds = match kinds.len() {
+            0 => Vec::new(),
+            1 => self.certified_folds::<3>(&kinds, digits, start)?,
+            _ => self.certified_folds::<9>(&kinds, digits, start)?,
+        };
+        let first = if regime == Regime::PullOff { folds.last() } else { folds.first() };
+        let critical = first.map(|Instability { contact_radius, indentation, force, .. }| Critical {
+            contact_radius: contact_radius.clone(),
+            indentation: indentation.clone(),
+            force: force.clone(),
+        });
+        let start = self.starting_precision(digits);
+        if regime == Regime::ScaleFree {
+            return Ok(Answer { critical, folds, ..self.scale_free_answer(digits, start)? });
+        }
+        let [kappa] = certify([Quantity::Kappa], digits, start, |p| Ok([kappa_result(p, &self.exponent)]))?;
+        Ok(Answer { regime, kappa, critical, folds, threshold: None, ratio: None })
+    }
+
+    /// Three decimals for each fold: K is three times their number.
+    fn certified_folds<const K: usize>(
+        &self,
+        kinds: &[FoldKind],
+        digits: u32,
+        start: Precision,
+    ) -> Result<Vec<Instability<Decimal>>> {
+        const STATE: [Quantity; 3] = [Quantity::ContactRadius, Quantity::Indentation, Quantity::Force];
+        let decimals = certify(std::array::from_fn(|i| STATE[i % 3]), digits, start, |precision| {
+            let enclosures: Vec<Enclosure> = self.folds(precision)?.into_iter().flat_map(|(_, state)| state).collect();
+            let undecided = Error::Undecided {
+                quantity: Quantity::ContactRadius,
+                bits: precision.bits(),
+                what: "the number of folds",
+            };
+            <[Enclosure; K]>::try_from(enclosures).map_err(|_| undecided)
+        })?;
+        let fold = |(kind, state): (&FoldKind, &[Decimal])| Instability {
+            contact_radius: state[0].clone(),
+            indentation: state[1].clone(),
+            force: state[2].clone(),
+            kind: *kind,
+        };
+        Ok(kinds.iter().zip(decimals.chunks(3)).map(fold).collect())
+    }
+
+    /// κ_n, a, d and F.
+    fn critical(&self, precision: Precision) -> Result<[Enclosure; 4]> {
+        let contact = self.contact(precision)?;
+        let control = self.control(precision);
+        let tension = contact.profile().exponent().lit(if control == Control::Force { 3 } else { 1 });
+        let state = contact.critical(&control);
+        let [a, d, f] = enclose(&contact, state, &tension, || contact.ln_critical(&control))?;
+        let d = exact::indentation(self).map_or(d, Enclosure::Exact);
+        Ok([kappa_result(precision, &self.exponent), a, d, f])
+    }
+
+    /// a, d and F at each fold on a machine.
+    fn folds(&self, precision: Precision) -> Result<Vec<(FoldKind, [Enclosure; 3])>> {
+        let contact = self.contact(precision)?;
+        let Control::Machine { stiffness } = self.control(precision) else { return Ok(Vec::new()) };
+        let scale = contact.machine_length(&stiffness);
+        let fold = |tangency: crate::machine::Tangency<Interval>| {
+            let state = contact.tangent_state(scale.clone() * &tangency.s, &tangency.tension);
+            let ln_state = || Ok(contact.ln_state(&(scale.ln() + &tangency.ln_s), &tangency.tension));
+            Ok((tangency.kind, enclose(&contact, state, &tangency.tension, ln_state)?))
+        };
+        contact.machine_tangencies(&stiffness)?.into_iter().map(fold).collect()
+    }
+
+    /// Enough bits for the digits in all but rare cases, from the sensitivity of exp(ln(B/N²)/(2n−1)) to its argument.
+    fn starting_precision(&self, digits: u32) -> Precision {
+        let log2 = |value: &Rational| Float::with_val(64, value).abs().log2().to_f64();
+        let ln_quotient = log2(&self.work_of_adhesion)
+            - log2(&self.effective_modulus)
+            - 2.0 * (log2(&self.coefficient) + log2(&self.exponent));
+        let excess = Rational::from(&self.exponent * 2u32) - 1u32;
+        let magnified = if excess.is_zero() { 0.0 } else { (ln_quotient.abs() + 1.0).log2() - log2(&excess) };
+        // The cap keeps a hopeless question from asking for unlimited memory.
+        let extra = magnified.clamp(0.0, 1e7) as u32;
+        Precision::new(Precision::from_digits(digits).bits() + GUARD + extra)
+    }
+}
+
+fn kappa_result(precision: Precision, n: &Rational) -> Enclosure {
+    exact::kappa(n).map_or_else(|| exact::kappa_interval(precision, n).into(), Enclosure::Exact)
+}
+
+/// A state as enclosures: by value, or by the logarithm where a value leaves the range of the exponents.
+fn enclose(
+    contact: &Contact<Interval>,
+    state: Result<Critical<Interval>>,
+    tension: &Interval,
+    ln_state: impl FnOnce() -> Result<Critical<Interval>>,
+) -> Result<[Enclosure; 3]> {
+    let (d_factor, f_factor) = contact.tangent_factors(tension);
+    let vanishes = |value: &Interval, factor: &Interval| value.contains_zero() && !factor.contains_zero();
+    match state {
+        Ok(Critical { contact_radius: a, indentation: d, force: f })
+            if !a.contains_zero() && !vanishes(&d, &d_factor) && !vanishes(&f, &f_factor) =>
+        {
+            return Ok([a.into(), d.into(), f.into()]);
+        }
+        Ok(_) | Err(Error::OutOfRange { .. }) => {}
+        Err(error) => return Err(error),
+    }
+    let Critical { contact_radius, indentation, force } = ln_state()?;
+    let log = |negative, ln_magnitude| Enclosure::Log { negative, ln_magnitude };
+    Ok([
+        log(false, contact_radius),
+        log(d_factor < d_factor.lit(0), indentation),
+        log(f_factor < f_factor.lit(0), force),
+    ])
+}

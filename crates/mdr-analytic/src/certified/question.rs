@@ -1,0 +1,98 @@
+//! What is asked.
+
+use mdr_core::contact::{Body, Control, Error, Material, Quantity, Result};
+use mdr_core::number::{Interval, Literal, Precision};
+use rug::Rational;
+
+use super::exact;
+use crate::contact::Contact;
+use crate::power_law::PowerLaw;
+
+/// The elastic part of the material, as it was written.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Elasticity {
+    /// E*, in Pa.
+    Effective(Literal),
+    /// Two bodies, combined by (1.3).
+    Bodies(Body<Literal>, Body<Literal>),
+}
+
+/// A question about the power law f = C rⁿ, with exact inputs that have been checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Question {
+    pub(super) exponent: Rational,
+    pub(super) coefficient: Rational,
+    pub(super) effective_modulus: Rational,
+    pub(super) work_of_adhesion: Rational,
+    pub(super) control: Control<Rational>,
+}
+
+impl Question {
+    /// From n, C (m^(1−n)), E* (Pa) or two bodies, w (J/m²) and the control with its stiffness (N/m).
+    ///
+    /// # Errors
+    /// [`Error::Domain`], naming the quantity and its value as written, unless n, C, the moduli, w and k are positive and
+    /// Poisson's ratios within (−1, 1/2].
+    pub fn new(
+        exponent: &Literal,
+        coefficient: &Literal,
+        elasticity: &Elasticity,
+        work_of_adhesion: &Literal,
+        control: &Control<Literal>,
+    ) -> Result<Self> {
+        Ok(Question {
+            exponent: positive(Quantity::Exponent, exponent)?,
+            coefficient: positive(Quantity::Coefficient, coefficient)?,
+            effective_modulus: match elasticity {
+                Elasticity::Effective(modulus) => positive(Quantity::EffectiveModulus, modulus)?,
+                Elasticity::Bodies(first, second) => (compliance(first)? + compliance(second)?).recip(),
+            },
+            work_of_adhesion: positive(Quantity::WorkOfAdhesion, work_of_adhesion)?,
+            control: match control {
+                Control::Indentation => Control::Indentation,
+                Control::Force => Control::Force,
+                Control::Machine { stiffness } => {
+                    Control::Machine { stiffness: positive(Quantity::Stiffness, stiffness)? }
+                }
+            },
+        })
+    }
+
+    /// The contact over intervals.
+    pub(super) fn contact(&self, precision: Precision) -> Result<Contact<Interval>> {
+        let enclose = |value| Interval::from_rational(precision, value);
+        let kappa = exact::kappa_interval(precision, &self.exponent);
+        let profile = PowerLaw::with_kappa(enclose(&self.exponent), enclose(&self.coefficient), kappa)?;
+        let material = Material::new(enclose(&self.effective_modulus), enclose(&self.work_of_adhesion))?;
+        Ok(Contact::new(profile, material))
+    }
+
+    /// The control over intervals.
+    pub(super) fn control(&self, precision: Precision) -> Control<Interval> {
+        match &self.control {
+            Control::Indentation => Control::Indentation,
+            Control::Force => Control::Force,
+            Control::Machine { stiffness } => {
+                Control::Machine { stiffness: Interval::from_rational(precision, stiffness) }
+            }
+        }
+    }
+}
+
+fn positive(quantity: Quantity, literal: &Literal) -> Result<Rational> {
+    if literal.is_zero() || literal.is_negative() {
+        return Err(Error::Domain { quantity, value: literal.to_string(), requirement: "positive and finite" });
+    }
+    Ok(literal.to_rational())
+}
+
+/// (1 − ν²)/E.
+fn compliance(body: &Body<Literal>) -> Result<Rational> {
+    let modulus = positive(Quantity::YoungsModulus, &body.youngs_modulus)?;
+    let nu = body.poissons_ratio.to_rational();
+    if nu <= -1 || nu > 0.5 {
+        let value = body.poissons_ratio.to_string();
+        return Err(Error::Domain { quantity: Quantity::PoissonsRatio, value, requirement: "within (-1, 1/2]" });
+    }
+    Ok((Rational::from(1) - nu.square()) / modulus)
+}

@@ -1,0 +1,71 @@
+//! Energy lost in jumps under controlled indentation, in J.
+
+use mdr_core::contact::{Control, Error, Quantity, Regime, Result};
+use mdr_core::number::Real;
+
+use crate::contact::Contact;
+
+impl<R: Real> Contact<R> {
+    /// a₀, the radius in equilibrium at d = 0: (2πw/(E*κ²C²))^{1/(2n−1)}. Stable for n > 1/2, unstable for n < 1/2.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] at n = 1/2; [`Error::OutOfRange`].
+    pub fn radius_at_zero_indentation(&self) -> Result<R> {
+        self.require_length_scale()?;
+        // d = ((λ−2n)/n)√(Ba) vanishes for λ = 2n.
+        self.length_scale(&self.profile().exponent().clone().times(2))
+    }
+
+    /// The energy lost when the contact breaks at fixed grips: n(2n−1)/((n+1)(2n+1)) · πa_c²w. Paraboloid: 2/5.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for n ≤ 1/2: the jump to complete contact has no end on an infinite surface;
+    /// [`Error::OutOfRange`].
+    pub fn energy_lost_at_pull_off(&self) -> Result<R> {
+        self.require_pull_off("above 1/2 for a contact that breaks")?;
+        let a = self.critical(&Control::Indentation)?.contact_radius;
+        let n = self.profile().exponent();
+        let next = n.lit(1) + n;
+        Ok(self.released_work(&a) * n / next)
+    }
+
+    /// The energy lost when the surfaces, approaching, jump into contact at d = 0: (2n−1)/(2n+1) · πa₀²w. Paraboloid:
+    /// 3/5.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for n ≤ 1/2: a point contact does not grow by itself; [`Error::OutOfRange`].
+    pub fn energy_lost_at_jump_in(&self) -> Result<R> {
+        self.require_pull_off("above 1/2 for a contact that jumps in")?;
+        Ok(self.released_work(&self.radius_at_zero_indentation()?))
+    }
+
+    /// The energy barrier between no contact and complete contact at d = 0 for n < 1/2: (1−2n)/(1+2n) · πa₀²w, the
+    /// energy of the unstable equilibrium.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for n ≥ 1/2: there is none; [`Error::OutOfRange`].
+    pub fn barrier_to_complete_contact(&self) -> Result<R> {
+        match self.regime()? {
+            Regime::CompleteContact => Ok(-self.released_work(&self.radius_at_zero_indentation()?)),
+            _ => Err(self.exponent_error("below 1/2 for a barrier before complete contact")),
+        }
+    }
+
+    /// (2n−1)/(2n+1) · πa²w.
+    fn released_work(&self, a: &R) -> R {
+        let excess = self.profile().excess();
+        let share = excess.clone() / (excess.clone() + excess.lit(2));
+        share * a.pi() * a.square() * self.material().work_of_adhesion()
+    }
+
+    fn require_pull_off(&self, requirement: &'static str) -> Result<()> {
+        match self.regime()? {
+            Regime::PullOff => Ok(()),
+            _ => Err(self.exponent_error(requirement)),
+        }
+    }
+
+    fn exponent_error(&self, requirement: &'static str) -> Error {
+        Error::domain(Quantity::Exponent, self.profile().exponent(), requirement)
+    }
+}

@@ -1,0 +1,90 @@
+//! Named special cases.
+
+use mdr_core::contact::{Error, Material, Quantity, Result};
+use mdr_core::number::{Real, Special};
+
+use crate::contact::{Contact, detachment_elongation, edge_length};
+use crate::critical::Critical;
+use crate::kappa::Kappa;
+use crate::power_law::PowerLaw;
+use crate::range::representable;
+
+impl<R: Kappa> PowerLaw<R> {
+    /// The paraboloid r²/(2R) of Johnson, Kendall and Roberts (1971), R in m: n = 2, κ = 2, g = x²/R.
+    ///
+    /// ```
+    /// use mdr_analytic::{Contact, PowerLaw};
+    /// use mdr_core::contact::{Control, Material};
+    /// let ball = Contact::new(PowerLaw::paraboloid(1.0)?, Material::new(1.0, 1.0)?);
+    /// // Fixed grips: F = −(5/6)πwR.
+    /// let critical = ball.critical(&Control::Indentation)?;
+    /// assert!((critical.force / (-5.0 / 6.0 * std::f64::consts::PI) - 1.0).abs() < 1e-14);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless R is positive and finite.
+    pub fn paraboloid(radius: R) -> Result<Self> {
+        let radius = Error::require_positive(Quantity::Radius, radius)?;
+        Self::new(radius.lit(2), radius.times(2).inv())
+    }
+
+    /// The cone r tanθ, θ its inclination to the surface: n = 1, κ = π/2.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless the slope tanθ is positive and finite.
+    pub fn cone(slope: R) -> Result<Self> {
+        Self::new(slope.lit(1), slope)
+    }
+
+    /// The cone with half angle α at its tip (in radians): the slope is cot α.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless 0 < α < π/2.
+    pub fn cone_with_half_angle(half_angle: R) -> Result<Self>
+    where
+        R: Special,
+    {
+        let right = half_angle.pi().over(2);
+        if half_angle > half_angle.lit(0) && half_angle < right {
+            Self::cone(half_angle.cos() / half_angle.sin())
+        } else {
+            let quantity = Quantity::Parameter("the half angle of the cone");
+            Err(Error::domain(quantity, &half_angle, "between 0 and π/2"))
+        }
+    }
+}
+
+/// Kendall's flat punch (1971): a cylinder of radius b, pulled off at d = −Δl(b) = −√(2πwb/E*) and
+/// F = 2E*bd = −√(8πE*wb³) under either control. The limit n → ∞ of C = b⁻ⁿ.
+///
+/// ```
+/// use mdr_analytic::flat_punch_pull_off;
+/// use mdr_core::contact::Material;
+/// let critical = flat_punch_pull_off(&1.0, &Material::new(1.0, 1.0)?)?;
+/// assert!((critical.force + (8.0 * std::f64::consts::PI).sqrt()).abs() < 1e-14);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Domain`] unless b is positive and finite; [`Error::OutOfRange`].
+pub fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> Result<Critical<R>> {
+    let b = Error::require_positive(Quantity::Radius, radius.clone())?;
+    let ln_indentation = || (edge_length(material).ln() + b.ln()).over(2) + b.lit(2).ln();
+    let indentation = representable(Quantity::Indentation, -detachment_elongation(material, &b)?, ln_indentation)?;
+    let stiffness = material.effective_modulus().clone().times(2) * &b;
+    let force = representable(Quantity::Force, indentation.clone() * &stiffness, || stiffness.ln() + ln_indentation())?;
+    Ok(Critical { contact_radius: b, indentation, force })
+}
+
+impl<R: Real> Contact<R> {
+    /// Kendall's punch of the radius that this profile tends to for n → ∞: C⁻^{1/n}.
+    ///
+    /// # Errors
+    /// As [`flat_punch_pull_off`].
+    pub fn flat_punch_limit(&self) -> Result<Critical<R>> {
+        let profile = self.profile();
+        let radius = (-(profile.coefficient().ln() / profile.exponent())).exp();
+        flat_punch_pull_off(&radius, self.material())
+    }
+}

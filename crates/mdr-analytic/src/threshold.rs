@@ -1,0 +1,116 @@
+//! n = 1/2, where the problem has no length scale (1.18), (1.19): thresholds of C decide.
+
+use mdr_core::contact::{Control, Error, Material, Quantity, Regime, Result};
+use mdr_core::number::Real;
+
+use crate::contact::{Contact, edge_length};
+use crate::critical::Critical;
+
+/// The lemniscate constant ϖ = π/agm(1, √2) = 2.62205755…, in the precision of `like`; κ_{1/2} = ϖ/2.
+pub fn lemniscate_constant<R: Real>(like: &R) -> R {
+    like.pi() / arithmetic_geometric_mean(&like.lit(1), &like.lit(2).sqrt())
+}
+
+/// agm(x, y) for 1 ≤ y/x ≤ 2. The difference of the two means is at most squared over 8 in each step, so ⌈log₂ p⌉ + 1
+/// steps give p bits; the last difference bounds what is left.
+fn arithmetic_geometric_mean<R: Real>(x: &R, y: &R) -> R {
+    let (mut x, mut y) = (x.clone(), y.clone());
+    let steps = u32::BITS - x.precision().leading_zeros() + 1;
+    for _ in 0..steps {
+        let arithmetic = (x.clone() + &y).over(2);
+        let geometric = (x * &y).sqrt();
+        (x, y) = (geometric, arithmetic);
+    }
+    let rest = y.clone() - &x;
+    y.inflate(&rest)
+}
+
+/// The coefficient C at n = 1/2 that separates the two fates (1.19), in √m.
+///
+/// Under controlled indentation (2/ϖ)√(2πw/E*) = 0.7627…√(2πw/E*), under controlled force three times that. On a machine
+/// nothing happens at a fixed C: between the two thresholds there is one fold ([`Contact::machine_folds`]); the value is
+/// that of the stiff limit, the lower one.
+///
+/// ```
+/// use mdr_analytic::threshold;
+/// use mdr_core::contact::{Control, Material};
+/// let unit = Material::new(2.0 * std::f64::consts::PI, 1.0)?;
+/// assert!((threshold(&unit, &Control::Indentation) - 0.762759763501813).abs() < 1e-15);
+/// assert!((threshold(&unit, &Control::Force) - 2.28827929050544).abs() < 1e-14);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+pub fn threshold<R: Real>(material: &Material<R>, control: &Control<R>) -> R {
+    // √(2πw/E*) = 2√B.
+    let root = edge_length(material).sqrt().times(4);
+    let indentation = root.clone() / lemniscate_constant(&root);
+    match control {
+        Control::Indentation | Control::Machine { .. } => indentation,
+        Control::Force => indentation.times(3),
+    }
+}
+
+/// What becomes of a contact with n = 1/2 (1.19).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Fate {
+    /// Above the threshold (case I): the equilibria are stable, and without indentation (or load) the radius shrinks to
+    /// nothing.
+    Shrinks,
+    /// Below it (case II): the equilibria are unstable, and the contact grows to cover the whole surface.
+    CompleteContact,
+    /// At the threshold: every radius is an equilibrium of d = 0 (or F = 0).
+    Indifferent,
+}
+
+impl<R: Real> Contact<R> {
+    /// ρ = κ_{1/2}C/√(2πw/E*) at n = 1/2: C over its threshold under controlled indentation, three times C over its
+    /// threshold under controlled force.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless n = 1/2.
+    pub fn ratio(&self) -> Result<R> {
+        self.require_scale_free()?;
+        Ok(self.profile().strength() / self.edge_length().sqrt().times(2))
+    }
+
+    /// The equilibrium of radius a at n = 1/2: d = (ρ−1)√(2πwa/E*) and F = 2E*a√(2πwa/E*)(ρ/3−1), tensile for ρ < 3.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless n = 1/2 and a is positive and finite; [`Error::OutOfRange`].
+    pub fn scale_free_state(&self, a: &R) -> Result<Critical<R>> {
+        let ratio = self.ratio()?;
+        let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
+        // Here N a^{n−1/2} = ρ√B at every radius.
+        self.tangent_state(a, &ratio)
+    }
+
+    /// What becomes of the contact at n = 1/2 under the given control (1.19). On a machine the answer for small radii is
+    /// that of fixed grips.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless n = 1/2; [`Error::Undecided`] when an interval contains the threshold.
+    pub fn fate(&self, control: &Control<R>) -> Result<Fate> {
+        use std::cmp::Ordering::*;
+        let ratio = self.ratio()?;
+        let critical = match control {
+            Control::Indentation | Control::Machine { .. } => ratio.lit(1),
+            Control::Force => ratio.lit(3),
+        };
+        match ratio.partial_cmp(&critical) {
+            Some(Greater) => Ok(Fate::Shrinks),
+            Some(Equal) => Ok(Fate::Indifferent),
+            Some(Less) => Ok(Fate::CompleteContact),
+            None => Err(Error::Undecided {
+                quantity: Quantity::Coefficient,
+                bits: ratio.precision(),
+                what: "whether it is above or below the threshold",
+            }),
+        }
+    }
+
+    fn require_scale_free(&self) -> Result<()> {
+        match self.regime()? {
+            Regime::ScaleFree => Ok(()),
+            _ => Err(Error::domain(Quantity::Exponent, self.profile().exponent(), "1/2 for a scale-free contact")),
+        }
+    }
+}
