@@ -14,7 +14,14 @@ pub enum Elasticity {
     /// E*, in Pa.
     Effective(Literal),
     /// Two bodies, combined by (1.3).
-    Bodies(Body<Literal>, Body<Literal>),
+    Bodies(Box<[Body<Literal>; 2]>),
+}
+
+impl Elasticity {
+    /// Two bodies, combined by (1.3).
+    pub fn bodies(first: Body<Literal>, second: Body<Literal>) -> Self {
+        Elasticity::Bodies(Box::new([first, second]))
+    }
 }
 
 /// A question about the power law f = C rⁿ, with exact inputs that have been checked.
@@ -45,7 +52,7 @@ impl Question {
             coefficient: positive(Quantity::Coefficient, coefficient)?,
             effective_modulus: match elasticity {
                 Elasticity::Effective(modulus) => positive(Quantity::EffectiveModulus, modulus)?,
-                Elasticity::Bodies(first, second) => (compliance(first)? + compliance(second)?).recip(),
+                Elasticity::Bodies(bodies) => (compliance(&bodies[0])? + compliance(&bodies[1])?).recip(),
             },
             work_of_adhesion: positive(Quantity::WorkOfAdhesion, work_of_adhesion)?,
             control: match control {
