@@ -1,0 +1,140 @@
+//! κ_n of (1.12) by other roads: Γ, a positive series, the arithmetic-geometric mean, and a functional equation.
+
+use mdr_core::contact::Result;
+use mdr_core::number::{Gamma, Real};
+use rug::Float;
+use rug::ops::AssignRound;
+
+use super::{Check, by_turns};
+use crate::arithmetic::Arithmetic;
+use crate::grid::{Exponent, Family};
+use crate::report::Unit;
+use crate::theory::Form;
+use crate::tolerance::{KAPPA, ROUNDED};
+use crate::trial::Trial;
+
+/// κ_n = √π Γ(1+n/2)/Γ((n+1)/2), by the Γ of MPFR.
+pub(super) const GAMMA: Check = Check {
+    name: "kappa-gamma",
+    claim: "κ_n against its definition by Γ (MPFR)",
+    equations: &["1.12"],
+    forms: &[Form::Kappa],
+    unit: Unit::Roundoffs,
+    cases: [400, 4000, 40_000],
+    case: |trial| by_turns!(trial, against, by_gamma),
+};
+
+/// κ_n = ₂F₁(1, n; 1+n/2; 1/2) = Σ_k Π_{j<k} (n+j)/(n+2+2j), Gauss's second theorem.
+pub(super) const SERIES: Check = Check {
+    name: "kappa-series",
+    claim: "κ_n against the hypergeometric series of positive terms",
+    equations: &["1.12"],
+    forms: &[Form::Kappa],
+    unit: Unit::Roundoffs,
+    cases: [100, 1000, 10_000],
+    case: |trial| by_turns!(trial, against, by_series),
+};
+
+/// κ_{1/2} and κ_{1/3} by the arithmetic-geometric mean, carried up by κ_{n+2} = κ_n (n+2)/(n+1).
+pub(super) const AGM: Check = Check {
+    name: "kappa-agm",
+    claim: "κ at 1/2 + 2j and 1/3 + 2j against the arithmetic-geometric mean",
+    equations: &["1.12", "1.18"],
+    forms: &[Form::Kappa],
+    unit: Unit::Roundoffs,
+    cases: [80, 200, 800],
+    case: |trial| by_turns!(trial, agm),
+};
+
+/// κ_n κ_{n+1} = π(n+1)/2. The rounding of n + 1 counts half: ∂ln κ/∂ln n ≤ 1/2.
+pub(super) const PRODUCT: Check = Check {
+    name: "kappa-product",
+    claim: "κ_n κ_{n+1} = π(n+1)/2",
+    equations: &["1.12"],
+    forms: &[Form::Kappa],
+    unit: Unit::Roundoffs,
+    cases: [200, 2000, 20_000],
+    case: |trial| by_turns!(trial, product),
+};
+
+/// All of the grid, up to 1/2 ± 2⁻⁵⁰.
+const FAMILY: Family = Family::up_to(50);
+
+fn against<R: Arithmetic>(
+    trial: &mut Trial<'_>,
+    round: usize,
+    ctx: R::Ctx,
+    reference: fn(&Float) -> Float,
+) -> Result<()> {
+    let exponent = trial.exponent(round, FAMILY);
+    let n: R = exponent.value(ctx);
+    trial.describe(format_args!("n = {exponent} ({})", R::NAME));
+    let found = trial.theory.kappa(&n)?;
+    let expected = R::round(ctx, &reference(&n.widen()));
+    trial.compare("κ", &found, &expected, KAPPA + ROUNDED);
+    Ok(())
+}
+
+/// With 64 guard bits and as many as the logarithms of Γ lose by their size (below n ln n < 2¹³).
+fn by_gamma(n: &Float) -> Float {
+    let n = Float::with_val(n.prec() + 64 + 16, n);
+    let half = n.ratio(1, 2);
+    let quotient = (half.clone() * &n + 1_u32).ln_gamma() - (half.clone() * &n + &half).ln_gamma();
+    (quotient + n.pi().ln() * half).exp()
+}
+
+/// Terms fall below 2^−bits after at most `bits + n` of them; 64 guard bits carry their sum.
+fn by_series(n: &Float) -> Float {
+    let bits = n.prec() + 64;
+    let n = Float::with_val(bits, n);
+    let mut term = n.lit(1);
+    let mut sum = term.clone();
+    for j in 0_u32.. {
+        term *= n.clone() + j;
+        term /= n.clone() + (2 + 2 * u64::from(j));
+        sum += &term;
+        if term.clone() << bits < sum {
+            break;
+        }
+    }
+    sum
+}
+
+fn agm<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let one = Float::with_val(R::from_int(ctx, 1).precision() + 64, 1);
+    let (tip, climb) = ([(1, 2), (1, 3)][round % 2], (round / 2) as i64);
+    let first = if tip == (1, 2) {
+        one.pi().over(2) / agm_of(&one, &one.lit(2).sqrt())
+    } else {
+        let modulus = (one.lit(3).sqrt() + 2_u32).over(4).sqrt();
+        let scale = one.lit(3).pow(&one.ratio(3, 4)).over(3);
+        scale * one.pi().over(2) / agm_of(&one, &modulus)
+    };
+    let (p, q) = tip;
+    let step = |kappa: Float, j: i64| kappa.times(p + (2 * j + 2) * q).over(p + (2 * j + 1) * q);
+    let expected = (0..climb).fold(first, step);
+    let exponent = Exponent::Fraction(p + 2 * climb * q, q);
+    trial.describe(format_args!("n = {exponent} ({})", R::NAME));
+    let found = trial.theory.kappa(&exponent.value::<R>(ctx))?;
+    // A third is rounded once, with condition at most 1/2.
+    trial.compare("κ", &found, &R::round(ctx, &expected), KAPPA + ROUNDED + 0.5);
+    Ok(())
+}
+
+fn agm_of(a: &Float, b: &Float) -> Float {
+    let mut mean = Float::new(a.prec());
+    mean.assign_round(a.agm_ref(b), rug::float::Round::Nearest);
+    mean
+}
+
+fn product<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let exponent = trial.exponent(round, FAMILY);
+    let n: R = exponent.value(ctx);
+    trial.describe(format_args!("n = {exponent} ({})", R::NAME));
+    let next = n.lit(1) + &n;
+    let found = trial.theory.kappa(&n)? * trial.theory.kappa(&next)?;
+    let expected = (next * n.pi()).over(2);
+    // The roundings of n + 1 on both sides, of π, and of the three products.
+    trial.compare("κκ", &found, &expected, 2.0 * KAPPA + 1.5 + 1.0 + 3.0);
+    Ok(())
+}

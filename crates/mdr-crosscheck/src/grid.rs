@@ -1,0 +1,174 @@
+//! The grid: exponents and scales of the cases.
+//!
+//! Exponents go round four families: log-uniform on [10⁻³, 10³] with both ends; 1/2 ± 2⁻ᵏ; small fractions; uniform in
+//! the range of real bodies. Scales go round two: E*, w and the critical radius independent over sixty decades, and real
+//! pairs of bodies. C follows from the critical radius, so that near n = 1/2, where a_c changes by hundreds of decades
+//! with the last digit of C, the questions still have an answer. A case that f64 could not hold is not drawn for f64.
+
+use std::fmt;
+
+use mdr_core::number::{Gamma, Real};
+use rug::Float;
+
+use crate::trial::Trial;
+
+/// An exponent n, the same number in every arithmetic that can hold it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Exponent {
+    /// p/q.
+    Fraction(i64, i64),
+    /// 1/2 ± 2^−k.
+    NearHalf { above: bool, k: i64 },
+    /// A double.
+    Double(f64),
+}
+
+impl Exponent {
+    /// n in the arithmetic of `ctx`.
+    pub(crate) fn value<R: Real>(&self, ctx: R::Ctx) -> R {
+        match *self {
+            Exponent::Fraction(p, q) => R::from_int(ctx, p).over(q),
+            Exponent::NearHalf { above, k } => {
+                let offset = R::from_int(ctx, 2).powi(-k);
+                let half = R::from_int(ctx, 1).over(2);
+                if above { half + &offset } else { half - &offset }
+            }
+            Exponent::Double(n) => R::from_f64(ctx, n),
+        }
+    }
+}
+
+impl fmt::Display for Exponent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Exponent::Fraction(p, 1) => write!(f, "{p}"),
+            Exponent::Fraction(p, q) => write!(f, "{p}/{q}"),
+            Exponent::NearHalf { above, k } => write!(f, "1/2{}2^-{k}", if *above { '+' } else { '-' }),
+            Exponent::Double(n) => write!(f, "{n:e}"),
+        }
+    }
+}
+
+/// Small fractions: the profiles with a name, and both sides of every special exponent.
+const FRACTIONS: [(i64, i64); 12] =
+    [(2, 1), (1, 4), (1, 1), (3, 2), (1, 3), (3, 1), (3, 4), (2, 5), (4, 1), (1, 10), (6, 1), (5, 2)];
+
+/// Which exponents a check can take.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Family {
+    /// The smallest n.
+    pub(crate) least: f64,
+    /// The largest n.
+    pub(crate) most: f64,
+    /// The largest k of 1/2 ± 2^−k.
+    pub(crate) nearest: i64,
+}
+
+impl Family {
+    /// All of the grid, up to 1/2 ± 2^−k.
+    pub(crate) const fn up_to(nearest: i64) -> Self {
+        Family { least: 1e-3, most: 1e3, nearest }
+    }
+}
+
+impl Trial<'_> {
+    /// The exponent of the given round of the grid, never 1/2 itself.
+    pub(crate) fn exponent(&mut self, round: usize, family: Family) -> Exponent {
+        let Family { least, most, nearest } = family;
+        let turn = round / 4;
+        let drawn = match round % 4 {
+            0 if turn == 0 => Exponent::Double(least),
+            0 if turn == 1 => Exponent::Double(most),
+            0 => Exponent::Double(self.uniform(least.ln(), most.ln()).exp()),
+            // 7 steps a turn reach every k, small and large ones early.
+            1 => Exponent::NearHalf { above: turn % 2 == 0, k: 2 + (7 * (turn as i64 / 2)) % (nearest - 1).max(1) },
+            2 => {
+                let (p, q) = FRACTIONS[turn % FRACTIONS.len()];
+                Exponent::Fraction(p, q)
+            }
+            _ => Exponent::Double(self.uniform(0.1, 4.0)),
+        };
+        let n: f64 = drawn.value(());
+        if n == 0.5 || n < least || n > most { Exponent::Double(self.uniform(least.ln(), most.ln()).exp()) } else { drawn }
+    }
+}
+
+/// E* in Pa, w in J/m² and a radius in m of real contacts.
+const BODIES: [(&str, f64, f64, f64); 6] = [
+    ("PDMS bead", 1.3e6, 0.05, 1e-5),
+    ("AFM tip", 7e10, 0.1, 2e-9),
+    ("gecko spatula", 2e9, 0.05, 1e-7),
+    ("tyre tread", 5e6, 0.06, 1e-4),
+    ("gelatine", 3e3, 0.02, 1e-3),
+    ("asperity of steel", 1.1e11, 1.0, 1e-8),
+];
+
+/// The widest scales of the grid: 10^±DECADES.
+const DECADES: f64 = 30.0;
+
+/// The decades of aⁿ that an f64 case may span: N², E*√B a^{3/2} and quadrature nodes then stay in range.
+const F64_DECADES: f64 = 60.0;
+
+/// A power-law contact of the grid, in one arithmetic.
+#[derive(Clone, Debug)]
+pub(crate) struct Scene<R> {
+    /// n.
+    pub(crate) n: R,
+    /// C, in m^(1−n).
+    pub(crate) c: R,
+    /// E*, in Pa.
+    pub(crate) e_star: R,
+    /// w, in J/m².
+    pub(crate) work: R,
+}
+
+impl Trial<'_> {
+    /// A contact with the given exponent; writes its inputs down.
+    ///
+    /// C is such that the critical radius under controlled indentation is about a drawn one.
+    pub(crate) fn scene<R: Real>(&mut self, round: usize, exponent: Exponent, ctx: R::Ctx) -> Scene<R> {
+        let n = exponent.value::<f64>(());
+        let double = R::from_int(ctx, 1).precision() == f64::MANTISSA_DIGITS;
+        let radius_decades = if double { DECADES.min(F64_DECADES / (n + 1.0)) } else { DECADES };
+        let [e_star, work, radius] = if round % 3 == 2 {
+            let (_, e_star, work, radius) = BODIES[round / 3 % BODIES.len()];
+            // A radius in nanometres to the power 1000 is out of the range of f64.
+            let radius = if double { radius.max(10_f64.powf(-radius_decades)) } else { radius };
+            [e_star, work, radius]
+        } else {
+            [DECADES, DECADES, radius_decades].map(|decades| 10_f64.powf(self.uniform(-decades, decades)))
+        };
+        let c = planted_coefficient(exponent, e_star, work, radius);
+        let scene = Scene {
+            n: exponent.value(ctx),
+            c: exact(ctx, &c),
+            e_star: R::from_f64(ctx, e_star),
+            work: R::from_f64(ctx, work),
+        };
+        let arithmetic = if double { "f64" } else { "mp" };
+        let c = c.to_string_radix(10, Some(17));
+        self.describe(format_args!("n = {exponent}, C = {c}, E* = {e_star:e}, w = {work:e} ({arithmetic})"));
+        scene
+    }
+}
+
+/// C = √(πw/(2E*)) a^{1/2−n}/(nκ_n), rounded to 53 bits: what puts the critical radius near `radius`.
+fn planted_coefficient(exponent: Exponent, e_star: f64, work: f64, radius: f64) -> Float {
+    let number = |x: f64| Float::with_val(WORKING_BITS, x);
+    let n: Float = exponent.value(number(1.0).ctx());
+    let half = number(0.5);
+    let ln_kappa = (n.clone() * &half + 1_u32).ln_gamma() - ((n.clone() + 1_u32) * &half).ln_gamma()
+        + n.pi().ln() * &half;
+    let edge = n.pi() * number(work) / (number(e_star) * 2_u32);
+    let ln_c = edge.ln() * &half + number(radius).ln() * (half - &n) - n.ln() - ln_kappa;
+    Float::with_val(f64::MANTISSA_DIGITS, ln_c.exp())
+}
+
+/// Enough for 1/2 ± 2⁻⁶⁰ and for powers of radii over tens of thousands of decades.
+const WORKING_BITS: u32 = 192;
+
+/// A number of at most 53 bits in another arithmetic, exactly.
+fn exact<R: Real>(ctx: R::Ctx, value: &Float) -> R {
+    let (mantissa, exponent) = value.to_f64_exp();
+    R::from_f64(ctx, mantissa) * R::from_int(ctx, 2).powi(exponent.into())
+}
