@@ -7,9 +7,12 @@
 
 use std::fmt;
 
-use mdr_core::number::{Gamma, Real};
+use mdr_analytic::{Contact, Kappa, PowerLaw};
+use mdr_core::contact::{Control, Material, Result};
+use mdr_core::number::Real;
 use rug::Float;
 
+use crate::tolerance::Tangent;
 use crate::trial::Trial;
 
 /// An exponent n, the same number in every arithmetic that can hold it.
@@ -89,7 +92,11 @@ impl Trial<'_> {
             _ => Exponent::Double(self.uniform(0.1, 4.0)),
         };
         let n: f64 = drawn.value(());
-        if n == 0.5 || n < least || n > most { Exponent::Double(self.uniform(least.ln(), most.ln()).exp()) } else { drawn }
+        if n == 0.5 || n < least || n > most {
+            Exponent::Double(self.uniform(least.ln(), most.ln()).exp())
+        } else {
+            drawn
+        }
     }
 }
 
@@ -125,8 +132,9 @@ pub(crate) struct Scene<R> {
 impl Trial<'_> {
     /// A contact with the given exponent; writes its inputs down.
     ///
-    /// C is such that the critical radius under controlled indentation is about a drawn one.
-    pub(crate) fn scene<R: Real>(&mut self, round: usize, exponent: Exponent, ctx: R::Ctx) -> Scene<R> {
+    /// C is such that the state with tangency λ (1 is the critical state under fixed grips, 3 under a dead load) is near
+    /// a drawn radius: towards n = 1/2 the two are more decades apart than f64 has.
+    pub(crate) fn scene<R: Real>(&mut self, round: usize, exponent: Exponent, lambda: i64, ctx: R::Ctx) -> Scene<R> {
         let n = exponent.value::<f64>(());
         let double = R::from_int(ctx, 1).precision() == f64::MANTISSA_DIGITS;
         let radius_decades = if double { DECADES.min(F64_DECADES / (n + 1.0)) } else { DECADES };
@@ -138,7 +146,7 @@ impl Trial<'_> {
         } else {
             [DECADES, DECADES, radius_decades].map(|decades| 10_f64.powf(self.uniform(-decades, decades)))
         };
-        let c = planted_coefficient(exponent, e_star, work, radius);
+        let c = planted_coefficient(exponent, lambda, e_star, work, radius);
         let scene = Scene {
             n: exponent.value(ctx),
             c: exact(ctx, &c),
@@ -152,16 +160,16 @@ impl Trial<'_> {
     }
 }
 
-/// C = √(πw/(2E*)) a^{1/2−n}/(nκ_n), rounded to 53 bits: what puts the critical radius near `radius`.
-fn planted_coefficient(exponent: Exponent, e_star: f64, work: f64, radius: f64) -> Float {
+/// C = λ√(πw/(2E*)) a^{1/2−n}/(nκ_n), rounded to 53 bits: what puts the critical radius near `radius`.
+fn planted_coefficient(exponent: Exponent, lambda: i64, e_star: f64, work: f64, radius: f64) -> Float {
     let number = |x: f64| Float::with_val(WORKING_BITS, x);
     let n: Float = exponent.value(number(1.0).ctx());
     let half = number(0.5);
-    let ln_kappa = (n.clone() * &half + 1_u32).ln_gamma() - ((n.clone() + 1_u32) * &half).ln_gamma()
-        + n.pi().ln() * &half;
+    let ln_kappa =
+        (n.clone() * &half + 1_u32).ln_gamma() - ((n.clone() + 1_u32) * &half).ln_gamma() + n.pi().ln() * &half;
     let edge = n.pi() * number(work) / (number(e_star) * 2_u32);
     let ln_c = edge.ln() * &half + number(radius).ln() * (half - &n) - n.ln() - ln_kappa;
-    Float::with_val(f64::MANTISSA_DIGITS, ln_c.exp())
+    Float::with_val(f64::MANTISSA_DIGITS, ln_c.exp().times(lambda))
 }
 
 /// Enough for 1/2 ± 2⁻⁶⁰ and for powers of radii over tens of thousands of decades.
@@ -171,4 +179,64 @@ const WORKING_BITS: u32 = 192;
 fn exact<R: Real>(ctx: R::Ctx, value: &Float) -> R {
     let (mantissa, exponent) = value.to_f64_exp();
     R::from_f64(ctx, mantissa) * R::from_int(ctx, 2).powi(exponent.into())
+}
+
+impl<R: Kappa> Scene<R> {
+    /// The closed forms of this contact.
+    pub(crate) fn contact(&self) -> Result<Contact<R>> {
+        Ok(Contact::new(PowerLaw::new(self.n.clone(), self.c.clone())?, self.material()?))
+    }
+
+    /// Its material.
+    pub(crate) fn material(&self) -> Result<Material<R>> {
+        Material::new(self.e_star.clone(), self.work.clone())
+    }
+
+    /// Where the conditions of a state with tangency λ and radius `a` are taken.
+    pub(crate) fn tangent(&self, lambda: i64, a: &R) -> Tangent {
+        Tangent { n: self.n.approx(), lambda: lambda as f64, ln_a: a.ln().approx() }
+    }
+}
+
+/// A control with a critical state in closed form, and its tangency λ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Held {
+    /// Fixed grips.
+    Indentation,
+    /// Dead load.
+    Force,
+}
+
+impl Held {
+    /// The control.
+    pub(crate) fn control<R>(self) -> Control<R> {
+        match self {
+            Held::Indentation => Control::Indentation,
+            Held::Force => Control::Force,
+        }
+    }
+
+    /// λ of its critical state.
+    pub(crate) fn lambda(self) -> i64 {
+        match self {
+            Held::Indentation => 1,
+            Held::Force => 3,
+        }
+    }
+}
+
+impl Trial<'_> {
+    /// One of the two controls.
+    pub(crate) fn held(&mut self) -> Held {
+        if self.uniform(0.0, 1.0) < 0.5 { Held::Indentation } else { Held::Force }
+    }
+}
+
+impl fmt::Display for Held {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Held::Indentation => "indentation",
+            Held::Force => "force",
+        })
+    }
 }

@@ -9,16 +9,21 @@
 
 #![forbid(unsafe_code)]
 
+mod arithmetic;
 mod checks;
+mod faults;
+mod grid;
 mod merge;
 mod options;
 mod report;
 mod run;
 mod theory;
+mod tolerance;
 mod trial;
 
+pub use faults::{Entry, FORMS, Fault, Mistake, faults};
 pub use merge::MergeError;
 pub use options::{Level, Options, Shard, ShardError};
 pub use report::{Failure, Finding, Grid, Report, Row, Unit, Verdict};
 pub use run::{Progress, run, run_against};
-pub use theory::Theory;
+pub use theory::{Form, Theory};

@@ -143,8 +143,9 @@ impl Options {
         Options { level, ..Options::default() }
     }
 
-    /// The precision of the arbitrary-precision cases.
+    /// The precision of the arbitrary-precision cases: that of the digits asked for, and at least the 38 digits in which
+    /// every input of the grid is exact and 1/2 ± 2⁻⁵⁰ still leaves digits.
     pub fn precision(&self) -> Precision {
-        Precision::from_digits(self.digits)
+        Precision::from_digits(self.digits.max(38))
     }
 }

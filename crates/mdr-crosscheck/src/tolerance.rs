@@ -7,17 +7,15 @@
 //! inputs. Two routes may differ by the sum of both bounds. The numbers of roundings below are counted in the formulas
 //! and stated with them; the conditions are derivatives of the closed forms.
 //!
-//! **Conditions of a power-law contact.** With q = λ²B/N² (B = πw/(2E*), N = nκ_nC, λ = 1 for fixed grips, 3 for a dead
-//! load) the critical radius is a = q^{1/(2n−1)}:
+//! **Conditions of a power-law contact.** A state where g' = λ√(B/a) (B = πw/(2E*); λ = 1 is the critical state under
+//! fixed grips, 3 under a dead load) has a = q^{1/(2n−1)}, q = λ²B/N², N = nκ_nC. So
 //!
 //! * ∂ln a/∂ln q = 1/(2n−1): roundings in q, so in every input, are magnified without limit towards n = 1/2;
 //! * the quotient ln q/(2n−1) is itself rounded, twice: 2u·|ln a|, which is what a power costs over many decades;
-//! * d and F along the equilibria: ∂d/∂ln a = a d'(a) = ½Δl(λ−1) and ∂F/∂ln a = 2E*a·½Δl(λ−3) at the tangency λ, so a
-//!   radius error does not reach the controlled quantity at its own fold;
-//! * d = g − Δl and F = 2E*a(d − mean g) cancel: they err by k·u of the *terms*, and are compared on the scale of the
-//!   terms, Δl and 2E*aΔl. d_F = 0 at n = 3/2 needs no exception that way.
-//! * beside a fold, at relative distance ε of the controlled quantity, a − a_fold ~ √ε: an error δ of the controlled
-//!   quantity moves a by δ/√ε, half of the digits are lost in the inverse problem.
+//! * g = λΔl/2n there, ∂d/∂ln a = ½(λ−1)Δl and ∂F/∂ln a = ½(λ−3)·2E*aΔl: a radius error does not reach the controlled
+//!   quantity at its own fold;
+//! * d = g − Δl and F = 2E*a(d − mean g) cancel. They are compared on the scale of their terms, Δl and 2E*aΔl, where
+//!   they are as good as the terms; d_F = 0 at n = 3/2 needs no exception that way.
 
 /// Roundings of κ_n as f64: at most seven a term in a series whose mean index is below 3, then its sum; the continued
 /// fraction for large n halves what its few steps bring in, by the square root.
@@ -26,11 +24,72 @@ pub(crate) const KAPPA: f64 = 32.0;
 /// Roundings of a reference computed with guard digits and rounded once.
 pub(crate) const ROUNDED: f64 = 1.0;
 
-/// Roundings in q = λ²B/N² and its logarithm beside those of κ², which enter twice: π, π·w, 2E*, the quotient, λ²,
-/// nκ, nκC, its square (twice), the quotient, the logarithm.
-pub(crate) const QUOTIENT: f64 = 12.0 + 2.0 * KAPPA;
+/// Roundings in ln q beside κ², which enters it twice: π, π·w, B, λ²B, nκ, nκC, its square (twice), q, ln q.
+const QUOTIENT: f64 = 10.0 + 2.0 * KAPPA;
 
-/// Error of ln a of a critical radius by closed form, in u.
-pub(crate) fn critical_radius(n: f64, ln_a: f64) -> f64 {
-    QUOTIENT / (2.0 * n - 1.0).abs() + 2.0 * ln_a.abs() + 2.0
+/// Roundings of g by closed form: κ, xⁿ, the two products, and the value of x.
+pub(crate) const TRANSFORM: f64 = KAPPA + 4.0;
+
+/// Roundings of Δl and of √(Ba) by closed form: B (three), the product, the root, the factor.
+pub(crate) const ELONGATION: f64 = 6.0;
+
+/// A state along the equilibria of a power law, with what its conditions depend on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tangent {
+    /// n.
+    pub(crate) n: f64,
+    /// λ.
+    pub(crate) lambda: f64,
+    /// ln a, with a in m.
+    pub(crate) ln_a: f64,
+}
+
+impl Tangent {
+    /// |2n − 1|.
+    pub(crate) fn excess(self) -> f64 {
+        (2.0 * self.n - 1.0).abs()
+    }
+
+    /// Error of ln a, where a is a closed form.
+    pub(crate) fn radius(self) -> f64 {
+        QUOTIENT / self.excess() + 2.0 * self.ln_a.abs() + 2.0
+    }
+
+    /// g(a)/Δl(a) = λ/2n.
+    pub(crate) fn transform(self) -> f64 {
+        self.lambda / (2.0 * self.n)
+    }
+
+    /// mean of g over Δl(a) = λ/(2n(n+1)), and g − mean = λ/(2(n+1)) of Δl.
+    pub(crate) fn pressed(self) -> f64 {
+        self.lambda / (2.0 * (self.n + 1.0))
+    }
+
+    /// d by closed form from a, against g(a) − Δl(a) at the same a, on the scale Δl.
+    ///
+    /// With a off by δ they differ by [½(λ−1) − ½(λ/2n − 1)]δ = λ(2n−1)/4n·δ: what 1/(2n−1) magnified is taken back.
+    pub(crate) fn indentation_at_radius(self) -> f64 {
+        let factors = 4.0;
+        self.lambda * self.excess() / (4.0 * self.n) * self.radius()
+            + self.transform() * (TRANSFORM + 1.0)
+            + (1.0 + self.transform()) * (factors + ELONGATION)
+            + ELONGATION
+            + 1.0
+    }
+
+    /// F by closed form from a, against (1.16) at the same a, on the scale 2E*aΔl: likewise λ(2n−1)/4(n+1)·δ.
+    pub(crate) fn force_at_radius(self) -> f64 {
+        let factors = 7.0;
+        self.lambda * self.excess() / (4.0 * (self.n + 1.0)) * self.radius()
+            + self.pressed() * (TRANSFORM + 4.0)
+            + (1.0 + self.pressed()) * (factors + ELONGATION)
+            + ELONGATION
+            + 3.0
+    }
+
+    /// g'(a) against λ√(B/a) at a closed-form a, on the scale √(B/a): λ(n−½)δ. The exponent n − 1 is rounded.
+    pub(crate) fn slope_at_radius(self) -> f64 {
+        let exponent = (self.n - 1.0).abs() * self.ln_a.abs();
+        self.lambda * (self.excess() / 2.0 * self.radius() + TRANSFORM + 1.0 + exponent) + ELONGATION + 2.0
+    }
 }

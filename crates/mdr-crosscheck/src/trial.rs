@@ -56,7 +56,6 @@ pub(crate) struct Case {
 #[derive(Debug)]
 pub(crate) struct Trial<'a> {
     /// The closed forms under test.
-    #[expect(dead_code, reason = "read by the checks of closed forms")]
     pub(crate) theory: &'a Theory,
     /// The precision of arbitrary-precision cases.
     pub(crate) precision: Precision,
@@ -115,6 +114,20 @@ impl<'a> Trial<'a> {
     /// Compares two numbers: the relative difference in unit roundoffs of their arithmetic, against `allowed` of them.
     pub(crate) fn compare<R: Real>(&mut self, quantity: impl Into<String>, found: &R, expected: &R, allowed: f64) {
         self.enter(quantity, roundoffs(found, expected), allowed);
+    }
+
+    /// Compares two numbers that come out of a cancellation: their difference in unit roundoffs of `scale`, the size of
+    /// the terms that cancel.
+    pub(crate) fn compare_on<R: Real>(
+        &mut self,
+        quantity: impl Into<String>,
+        found: &R,
+        expected: &R,
+        scale: &R,
+        allowed: f64,
+    ) {
+        let difference = (found.clone() - expected) / scale / scale.unit_roundoff();
+        self.enter(quantity, difference.abs().approx(), allowed);
     }
 
     /// Demands a fact; enters 0 or 1 against 0.

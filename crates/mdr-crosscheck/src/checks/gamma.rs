@@ -12,10 +12,11 @@ use crate::trial::Trial;
 const STATRS_ULP: f64 = 2708.0;
 
 /// Γ(x) on the arguments of (1.12): MPFR against statrs at its own accuracy, and against pxfm at one ulp.
-pub(super) const STATRS: Check = Check {
+pub(super) const LIBRARIES: Check = Check {
     name: "gamma-libraries",
     claim: "Γ of MPFR against statrs (2708 ulp) and pxfm (1 ulp)",
     equations: &["1.12"],
+    forms: &[],
     unit: Unit::Ulp,
     cases: [400, 4000, 40_000],
     case,

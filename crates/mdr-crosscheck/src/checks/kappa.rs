@@ -1,9 +1,8 @@
 //! κ_n of (1.12) by other roads: Γ, a positive series, the arithmetic-geometric mean, and a functional equation.
 
 use mdr_core::contact::Result;
-use mdr_core::number::{Gamma, Real};
+use mdr_core::number::Real;
 use rug::Float;
-use rug::ops::AssignRound;
 
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
@@ -104,11 +103,11 @@ fn agm<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Resul
     let one = Float::with_val(R::from_int(ctx, 1).precision() + 64, 1);
     let (tip, climb) = ([(1, 2), (1, 3)][round % 2], (round / 2) as i64);
     let first = if tip == (1, 2) {
-        one.pi().over(2) / agm_of(&one, &one.lit(2).sqrt())
+        one.pi().over(2) / one.clone().agm(&Real::sqrt(&one.lit(2)))
     } else {
-        let modulus = (one.lit(3).sqrt() + 2_u32).over(4).sqrt();
+        let modulus = ((one.lit(3).sqrt() + 2_u32) / 4_u32).sqrt();
         let scale = one.lit(3).pow(&one.ratio(3, 4)).over(3);
-        scale * one.pi().over(2) / agm_of(&one, &modulus)
+        scale * one.pi().over(2) / one.clone().agm(&modulus)
     };
     let (p, q) = tip;
     let step = |kappa: Float, j: i64| kappa.times(p + (2 * j + 2) * q).over(p + (2 * j + 1) * q);
@@ -119,12 +118,6 @@ fn agm<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Resul
     // A third is rounded once, with condition at most 1/2.
     trial.compare("κ", &found, &R::round(ctx, &expected), KAPPA + ROUNDED + 0.5);
     Ok(())
-}
-
-fn agm_of(a: &Float, b: &Float) -> Float {
-    let mut mean = Float::new(a.prec());
-    mean.assign_round(a.agm_ref(b), rug::float::Round::Nearest);
-    mean
 }
 
 fn product<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {

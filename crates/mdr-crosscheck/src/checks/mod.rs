@@ -2,11 +2,17 @@
 
 mod bodies;
 mod gamma;
+mod identities;
+mod kappa;
+mod known;
+mod printed;
+mod scaling;
 
 use mdr_core::contact::Result;
 
 use crate::options::Level;
 use crate::report::Unit;
+use crate::theory::Form;
 use crate::trial::Trial;
 
 /// One comparison of the closed forms with something else, over many cases.
@@ -18,6 +24,8 @@ pub(crate) struct Check {
     pub(crate) claim: &'static str,
     /// The equations of the paper it covers.
     pub(crate) equations: &'static [&'static str],
+    /// The closed forms it would catch a mistake in.
+    pub(crate) forms: &'static [Form],
     /// What its errors are measured in.
     pub(crate) unit: Unit,
     /// Cases at the levels quick, default and full.
@@ -33,8 +41,37 @@ impl Check {
     }
 }
 
+/// Runs a generic case by turns in f64 and in arbitrary precision, each in its own rounds of the grid.
+macro_rules! by_turns {
+    ($trial:ident, $case:ident $(, $argument:expr)*) => {{
+        let round = $trial.index / 2;
+        if $trial.index % 2 == 0 {
+            $case::<f64>($trial, round, () $(, $argument)*)
+        } else {
+            let precision = $trial.precision;
+            $case::<rug::Float>($trial, round, precision $(, $argument)*)
+        }
+    }};
+}
+use by_turns;
+
 /// All checks, in the order of the report.
 pub(crate) fn registry() -> &'static [Check] {
-    static CHECKS: [Check; 2] = [gamma::STATRS, bodies::BODIES];
-    &CHECKS
+    static CHECKS: &[Check] = &[
+        gamma::LIBRARIES,
+        bodies::BODIES,
+        kappa::GAMMA,
+        kappa::SERIES,
+        kappa::AGM,
+        kappa::PRODUCT,
+        identities::CRITICAL,
+        identities::SLOPES,
+        identities::LOGARITHMS,
+        printed::DIMENSIONS,
+        known::JKR,
+        known::KENDALL,
+        scaling::FORCE,
+        scaling::LENGTH,
+    ];
+    CHECKS
 }
