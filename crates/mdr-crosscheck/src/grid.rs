@@ -12,6 +12,7 @@ use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::Real;
 use rug::Float;
 
+use crate::arithmetic::Arithmetic;
 use crate::tolerance::Tangent;
 use crate::trial::Trial;
 
@@ -84,7 +85,10 @@ impl Trial<'_> {
             0 if turn == 1 => Exponent::Double(most),
             0 => Exponent::Double(self.uniform(least.ln(), most.ln()).exp()),
             // 7 steps a turn reach every k, small and large ones early.
-            1 => Exponent::NearHalf { above: turn % 2 == 0, k: 2 + (7 * (turn as i64 / 2)) % (nearest - 1).max(1) },
+            1 => Exponent::NearHalf {
+                above: turn.is_multiple_of(2),
+                k: 2 + (7 * (turn as i64 / 2)) % (nearest - 1).max(1),
+            },
             2 => {
                 let (p, q) = FRACTIONS[turn % FRACTIONS.len()];
                 Exponent::Fraction(p, q)
@@ -129,39 +133,73 @@ pub(crate) struct Scene<R> {
     pub(crate) work: R,
 }
 
+/// E*, w and a radius, in SI units.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scales {
+    /// E*, in Pa.
+    pub(crate) e_star: f64,
+    /// w, in J/m².
+    pub(crate) work: f64,
+    /// Where the contact shall be critical, in m.
+    pub(crate) radius: f64,
+}
+
 impl Trial<'_> {
-    /// A contact with the given exponent; writes its inputs down.
-    ///
-    /// C is such that the state with tangency λ (1 is the critical state under fixed grips, 3 under a dead load) is near
-    /// a drawn radius: towards n = 1/2 the two are more decades apart than f64 has.
-    pub(crate) fn scene<R: Real>(&mut self, round: usize, exponent: Exponent, lambda: i64, ctx: R::Ctx) -> Scene<R> {
+    /// The scales of the given round of the grid, for an exponent and an arithmetic.
+    pub(crate) fn scales<R: Arithmetic>(&mut self, round: usize, exponent: Exponent) -> Scales {
         let n = exponent.value::<f64>(());
-        let double = R::from_int(ctx, 1).precision() == f64::MANTISSA_DIGITS;
-        let radius_decades = if double { DECADES.min(F64_DECADES / (n + 1.0)) } else { DECADES };
-        let [e_star, work, radius] = if round % 3 == 2 {
+        let decades = if R::NAME == f64::NAME { DECADES.min(F64_DECADES / (n + 1.0)) } else { DECADES };
+        if round % 3 == 2 {
             let (_, e_star, work, radius) = BODIES[round / 3 % BODIES.len()];
             // A radius in nanometres to the power 1000 is out of the range of f64.
-            let radius = if double { radius.max(10_f64.powf(-radius_decades)) } else { radius };
-            [e_star, work, radius]
+            Scales { e_star, work, radius: radius.max(10_f64.powf(-decades)) }
         } else {
-            [DECADES, DECADES, radius_decades].map(|decades| 10_f64.powf(self.uniform(-decades, decades)))
-        };
-        let c = planted_coefficient(exponent, lambda, e_star, work, radius);
-        let scene = Scene {
+            let mut draw = |decades: f64| 10_f64.powf(self.uniform(-decades, decades));
+            Scales { e_star: draw(DECADES), work: draw(DECADES), radius: draw(decades) }
+        }
+    }
+
+    /// The contact with the given exponent and scales whose state of tangency λ (1 is the critical state under fixed
+    /// grips, 3 under a dead load) is near the radius of the scales. Writes its inputs down.
+    pub(crate) fn planted<R: Arithmetic>(
+        &mut self,
+        exponent: Exponent,
+        lambda: f64,
+        scales: Scales,
+        ctx: R::Ctx,
+    ) -> Scene<R> {
+        let c = planted_coefficient(exponent, lambda, scales);
+        let Scales { e_star, work, .. } = scales;
+        let digits = c.to_string_radix(10, Some(17));
+        let name = R::NAME;
+        self.describe(format_args!("n = {exponent}, C = {digits}, E* = {e_star:e}, w = {work:e} ({name})"));
+        Scene {
             n: exponent.value(ctx),
             c: exact(ctx, &c),
             e_star: R::from_f64(ctx, e_star),
             work: R::from_f64(ctx, work),
-        };
-        let arithmetic = if double { "f64" } else { "mp" };
-        let c = c.to_string_radix(10, Some(17));
-        self.describe(format_args!("n = {exponent}, C = {c}, E* = {e_star:e}, w = {work:e} ({arithmetic})"));
-        scene
+        }
+    }
+
+    /// A contact of the given round of the grid.
+    ///
+    /// C is such that the state with tangency λ is near a drawn radius: towards n = 1/2 the critical radii of the two
+    /// controls are more decades apart than f64 has.
+    pub(crate) fn scene<R: Arithmetic>(
+        &mut self,
+        round: usize,
+        exponent: Exponent,
+        lambda: f64,
+        ctx: R::Ctx,
+    ) -> Scene<R> {
+        let scales = self.scales::<R>(round, exponent);
+        self.planted(exponent, lambda, scales, ctx)
     }
 }
 
-/// C = λ√(πw/(2E*)) a^{1/2−n}/(nκ_n), rounded to 53 bits: what puts the critical radius near `radius`.
-fn planted_coefficient(exponent: Exponent, lambda: i64, e_star: f64, work: f64, radius: f64) -> Float {
+/// C = λ√(πw/(2E*)) a^{1/2−n}/(nκ_n), rounded to 53 bits.
+fn planted_coefficient(exponent: Exponent, lambda: f64, scales: Scales) -> Float {
+    let Scales { e_star, work, radius } = scales;
     let number = |x: f64| Float::with_val(WORKING_BITS, x);
     let n: Float = exponent.value(number(1.0).ctx());
     let half = number(0.5);
@@ -169,7 +207,7 @@ fn planted_coefficient(exponent: Exponent, lambda: i64, e_star: f64, work: f64, 
         (n.clone() * &half + 1_u32).ln_gamma() - ((n.clone() + 1_u32) * &half).ln_gamma() + n.pi().ln() * &half;
     let edge = n.pi() * number(work) / (number(e_star) * 2_u32);
     let ln_c = edge.ln() * &half + number(radius).ln() * (half - &n) - n.ln() - ln_kappa;
-    Float::with_val(f64::MANTISSA_DIGITS, ln_c.exp().times(lambda))
+    Float::with_val(f64::MANTISSA_DIGITS, ln_c.exp() * lambda)
 }
 
 /// Enough for 1/2 ± 2⁻⁶⁰ and for powers of radii over tens of thousands of decades.
@@ -193,8 +231,8 @@ impl<R: Kappa> Scene<R> {
     }
 
     /// Where the conditions of a state with tangency λ and radius `a` are taken.
-    pub(crate) fn tangent(&self, lambda: i64, a: &R) -> Tangent {
-        Tangent { n: self.n.approx(), lambda: lambda as f64, ln_a: a.ln().approx() }
+    pub(crate) fn tangent(&self, lambda: f64, a: &R) -> Tangent {
+        Tangent { n: self.n.approx(), lambda, ln_a: a.ln().approx() }
     }
 }
 
@@ -217,10 +255,10 @@ impl Held {
     }
 
     /// λ of its critical state.
-    pub(crate) fn lambda(self) -> i64 {
+    pub(crate) fn lambda(self) -> f64 {
         match self {
-            Held::Indentation => 1,
-            Held::Force => 3,
+            Held::Indentation => 1.0,
+            Held::Force => 3.0,
         }
     }
 }

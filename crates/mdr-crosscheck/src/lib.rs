@@ -21,6 +21,7 @@ mod theory;
 mod tolerance;
 mod trial;
 
+pub use checks::checks_of;
 pub use faults::{Entry, FORMS, Fault, Mistake, faults};
 pub use merge::MergeError;
 pub use options::{Level, Options, Shard, ShardError};

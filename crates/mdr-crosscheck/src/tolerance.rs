@@ -65,31 +65,49 @@ impl Tangent {
         self.lambda / (2.0 * (self.n + 1.0))
     }
 
-    /// d by closed form from a, against g(a) − Δl(a) at the same a, on the scale Δl.
+    /// Errors of d as a tangent state against g − Δl at the same a, on the scale Δl, the tangency being exact.
+    pub(crate) fn indentation_terms(self) -> f64 {
+        let factors = 4.0;
+        self.transform() * (TRANSFORM + 1.0) + (1.0 + self.transform()) * (factors + ELONGATION) + ELONGATION + 1.0
+    }
+
+    /// d of a critical state against (1.13) at the same closed-form a, on the scale Δl.
     ///
     /// With a off by δ they differ by [½(λ−1) − ½(λ/2n − 1)]δ = λ(2n−1)/4n·δ: what 1/(2n−1) magnified is taken back.
     pub(crate) fn indentation_at_radius(self) -> f64 {
-        let factors = 4.0;
-        self.lambda * self.excess() / (4.0 * self.n) * self.radius()
-            + self.transform() * (TRANSFORM + 1.0)
-            + (1.0 + self.transform()) * (factors + ELONGATION)
-            + ELONGATION
-            + 1.0
+        self.lambda * self.excess() / (4.0 * self.n) * self.radius() + self.indentation_terms()
     }
 
-    /// F by closed form from a, against (1.16) at the same a, on the scale 2E*aΔl: likewise λ(2n−1)/4(n+1)·δ.
-    pub(crate) fn force_at_radius(self) -> f64 {
+    /// Errors of F as a tangent state against (1.16) at the same a, on the scale 2E*aΔl, the tangency being exact.
+    pub(crate) fn force_terms(self) -> f64 {
         let factors = 7.0;
-        self.lambda * self.excess() / (4.0 * (self.n + 1.0)) * self.radius()
-            + self.pressed() * (TRANSFORM + 4.0)
-            + (1.0 + self.pressed()) * (factors + ELONGATION)
-            + ELONGATION
-            + 3.0
+        self.pressed() * (TRANSFORM + 4.0) + (1.0 + self.pressed()) * (factors + ELONGATION) + ELONGATION + 3.0
     }
 
-    /// g'(a) against λ√(B/a) at a closed-form a, on the scale √(B/a): λ(n−½)δ. The exponent n − 1 is rounded.
-    pub(crate) fn slope_at_radius(self) -> f64 {
-        let exponent = (self.n - 1.0).abs() * self.ln_a.abs();
-        self.lambda * (self.excess() / 2.0 * self.radius() + TRANSFORM + 1.0 + exponent) + ELONGATION + 2.0
+    /// F of a critical state against (1.16) at the same closed-form a, on the scale 2E*aΔl: λ(2n−1)/4(n+1)·δ.
+    pub(crate) fn force_at_radius(self) -> f64 {
+        self.lambda * self.excess() / (4.0 * (self.n + 1.0)) * self.radius() + self.force_terms()
     }
+
+    /// Errors of g'(a) and λ√(B/a), on the scale √(B/a). The exponent n − 1 is rounded.
+    pub(crate) fn slope_terms(self) -> f64 {
+        let exponent = (self.n - 1.0).abs() * self.ln_a.abs();
+        self.lambda * (TRANSFORM + 1.0 + exponent) + ELONGATION + 2.0
+    }
+
+    /// g' against λ√(B/a) at a closed-form critical a, on the scale √(B/a): λ(n−½)δ.
+    pub(crate) fn slope_at_radius(self) -> f64 {
+        self.lambda * self.excess() / 2.0 * self.radius() + self.slope_terms()
+    }
+}
+
+/// What the balance φ(u) = μu + ln(N/√B) + μ ln(k/2E*) − ln λ(u) of a machine fold at u = ln(2E*a/k) is off by, at the
+/// computed fold: each term to its own size, u itself to two of its roundings.
+///
+/// It is the relative error of g'/(λ√(B/a)) there, however flat φ is: the condition 1/φ' of u is not in it.
+pub(crate) fn machine_balance(n: f64, u: f64, ln_stiffness_length: f64, ln_ratio: f64) -> f64 {
+    let mu = (n - 0.5).abs();
+    let terms = mu * u.abs() + mu * ln_stiffness_length.abs() + ln_ratio.abs() + 2.0;
+    // |φ'| ≤ μ + 2 − √3.
+    KAPPA + 10.0 + 4.0 * terms + (mu + 0.268) * (4.0 * u.abs() + 8.0)
 }

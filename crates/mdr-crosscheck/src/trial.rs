@@ -100,6 +100,11 @@ impl<'a> Trial<'a> {
         self.inputs = inputs.to_string();
     }
 
+    /// Adds to the inputs written down.
+    pub(crate) fn describe_also(&mut self, input: impl fmt::Display) {
+        self.inputs = format!("{}, {input}", self.inputs);
+    }
+
     /// Enters an error with what is allowed, both in the unit of the row. An error that is not a finite number breaks
     /// the case.
     pub(crate) fn enter(&mut self, quantity: impl Into<String>, error: f64, allowed: f64) {

@@ -2,9 +2,11 @@
 
 mod bodies;
 mod gamma;
+mod griffith;
 mod identities;
 mod kappa;
 mod known;
+mod machine;
 mod printed;
 mod scaling;
 
@@ -41,6 +43,11 @@ impl Check {
     }
 }
 
+/// The names of the checks that would catch a mistake in a closed form.
+pub fn checks_of(form: Form) -> Vec<&'static str> {
+    registry().iter().filter(|check| check.forms.contains(&form)).map(|check| check.name).collect()
+}
+
 /// Runs a generic case by turns in f64 and in arbitrary precision, each in its own rounds of the grid.
 macro_rules! by_turns {
     ($trial:ident, $case:ident $(, $argument:expr)*) => {{
@@ -67,6 +74,8 @@ pub(crate) fn registry() -> &'static [Check] {
         identities::CRITICAL,
         identities::SLOPES,
         identities::LOGARITHMS,
+        griffith::CLOSED,
+        machine::FOLDS,
         printed::DIMENSIONS,
         known::JKR,
         known::KENDALL,

@@ -1,0 +1,103 @@
+//! Results that were known before the theory: Johnson, Kendall and Roberts (1971), Kendall (1971).
+
+use mdr_core::contact::{Control, Result};
+use mdr_core::number::Real;
+
+use super::{Check, by_turns};
+use crate::arithmetic::Arithmetic;
+use crate::grid::{Held, Scene};
+use crate::report::Unit;
+use crate::theory::Form;
+use crate::trial::Trial;
+
+/// The paraboloid r²/2R: F = −(5/6)πwR and a³ = πwR²/(8E*) under fixed grips, F = −(3/2)πwR and nine times that a³
+/// under a dead load.
+pub(super) const JKR: Check = Check {
+    name: "jkr",
+    claim: "n = 2, C = 1/2R: −5/6 πwR, −3/2 πwR, a_c³ = πwR²/(8E*)",
+    equations: &["1.15", "1.17"],
+    forms: &[Form::CriticalRadius, Form::CriticalIndentation, Form::CriticalForce],
+    unit: Unit::Roundoffs,
+    cases: [200, 2000, 20_000],
+    case: |trial| by_turns!(trial, jkr),
+};
+
+/// n → ∞ with C = R^{1−n}: Kendall's flat punch, F → −√(8πR³E*w).
+///
+/// From κ_nκ_{n+1} = π(n+1)/2 and κ growing: πn/2 < κ_n² < π(n+1)/2. Hence the logarithm of the ratio is
+/// ln((2n−1)/(2n+2)) + 3/(4n−2)·ln(18B/(πRn²√(n(n+1)))) within ±3/(8n−4)·ln(1+1/n): the rate, and how far it is known.
+pub(super) const KENDALL: Check = Check {
+    name: "kendall-limit",
+    claim: "F_F → −√(8πR³E*w) as n → ∞, at the known rate",
+    equations: &["1.17"],
+    forms: &[Form::CriticalForce],
+    unit: Unit::Relative,
+    cases: [200, 2000, 20_000],
+    case: |trial| by_turns!(trial, kendall),
+};
+
+/// Lengths and materials over many decades.
+fn decades<R: Real>(trial: &mut Trial<'_>, ctx: R::Ctx) -> [R; 3] {
+    [(); 3].map(|()| R::from_f64(ctx, 10_f64.powf(trial.uniform(-30.0, 30.0))))
+}
+
+fn jkr<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let held = [Held::Indentation, Held::Force][round % 2];
+    let [radius, e_star, work] = decades::<R>(trial, ctx);
+    let [r, e, w] = [&radius, &e_star, &work].map(R::approx);
+    trial.describe(format_args!("R = {r:e}, E* = {e:e}, w = {w:e} ({})", R::NAME));
+    let scene = Scene { n: radius.lit(2), c: radius.clone().times(2).inv(), e_star, work };
+    let state = trial.theory.critical(&scene.contact()?, &held.control())?;
+    let tangent = scene.tangent(held.lambda(), &state.contact_radius);
+
+    let pull = radius.pi() * &scene.work * &radius;
+    let force = match held {
+        Held::Indentation => pull.clone().times(-5).over(6),
+        Held::Force => pull.clone().times(-3).over(2),
+    };
+    // C is rounded: once more in q, squared.
+    let allowed = tangent.radius() + 2.0 / tangent.excess();
+    trial.compare(format!("F ({held})"), &state.force, &force, 1.5 * allowed + 24.0);
+    let cube = pull * &radius * &R::from_f64(ctx, held.lambda()).square() / scene.e_star.clone().times(8);
+    trial.compare(format!("a³ ({held})"), &state.contact_radius.powi(3), &cube, 3.0 * allowed + 8.0);
+    // d = a²/R − √(2πwa/E*) is −3a²/R at fixed grips and −a²/(3R) at a dead load: √(2πwa/E*) = 4a²/R, 4a²/3R.
+    let square = state.contact_radius.square() / &radius;
+    let depth = match held {
+        Held::Indentation => square.times(-3),
+        Held::Force => square.over(-3),
+    };
+    trial.compare(format!("d ({held})"), &state.indentation, &depth, 1.5 * allowed + 24.0);
+    Ok(())
+}
+
+fn kendall<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
+    let n = 10_f64.powf(trial.uniform(1.0, if R::NAME == "f64" { 2.0 } else { 6.0 }));
+    let decades = if R::NAME == "f64" { 60.0 / n } else { 30.0 };
+    let radius = R::from_f64(ctx, 10_f64.powf(trial.uniform(-decades, decades)));
+    let (e_star, ratio) = (trial.uniform(-30.0, 30.0), trial.uniform(-6.0, 6.0));
+    let e_star = R::from_f64(ctx, 10_f64.powf(e_star));
+    let work = R::from_f64(ctx, 10_f64.powf(ratio)) * &e_star * &radius;
+    let n = R::from_f64(ctx, n);
+    let [p, r, e, w] = [&n, &radius, &e_star, &work].map(R::approx);
+    trial.describe(format_args!("n = {p:e}, R = {r:e}, E* = {e:e}, w = {w:e} ({})", R::NAME));
+    let one = n.lit(1);
+    let scene = Scene { c: radius.pow(&(one.clone() - &n)), n, e_star, work };
+    let n = &scene.n;
+    let found = trial.theory.critical(&scene.contact()?, &Control::Force)?;
+    let flat = -(radius.powi(3) * radius.pi() * &scene.e_star * &scene.work).times(8).sqrt();
+
+    let excess = n.clone().times(2) - &one;
+    let edge = radius.pi() * &scene.work / &scene.e_star / &radius;
+    let next = one.clone() + n;
+    let scale = edge.times(9) / (n.square() * (next.clone() * n).sqrt() * radius.pi());
+    let predicted = (excess.clone() / next.times(2)).ln() + (scale.ln() / &excess).times(3).over(2);
+    let error = ((found.force / flat).ln() - predicted).abs().approx();
+
+    let (n, u) = (n.approx(), radius.unit_roundoff().approx());
+    let rate = 0.75 / (2.0 * n - 1.0) * (1.0 / n).ln_1p();
+    // The power in C has a rounded exponent and C enters squared.
+    let power = 2.0 * n * radius.ln().approx().abs() / (2.0 * n - 1.0);
+    let tangent = scene.tangent(3.0, &found.contact_radius);
+    trial.enter("ln F_F/F_Kendall", error, rate + u * (1.5 * (tangent.radius() + power + 8.0) + 24.0));
+    Ok(())
+}

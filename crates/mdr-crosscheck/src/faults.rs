@@ -1,0 +1,117 @@
+//! Deliberate faults: what a mistake in a closed form would look like.
+
+use std::fmt;
+
+use mdr_core::number::Real;
+
+use crate::theory::Form;
+
+/// One mistake in one closed form.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fault {
+    /// Where.
+    pub form: Form,
+    /// What.
+    pub mistake: Mistake,
+}
+
+/// A kind of mistake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Mistake {
+    /// The opposite sign.
+    Sign,
+    /// A factor p/q too much.
+    Factor(i64, i64),
+    /// A factor 1 + 2⁻ᵏ too much: what double precision can just see.
+    Slight(i64),
+    /// The power of the named input is wrong by p/q.
+    Exponent {
+        /// Its place among the inputs of the form.
+        input: usize,
+        /// Its name.
+        name: &'static str,
+        /// p.
+        p: i64,
+        /// q.
+        q: i64,
+    },
+}
+
+impl Fault {
+    /// The wrong value in the place of the right one.
+    pub(crate) fn apply<R: Real>(&self, value: R, inputs: &[&R]) -> R {
+        match self.mistake {
+            Mistake::Sign => -value,
+            Mistake::Factor(p, q) => value.times(p).over(q),
+            Mistake::Slight(k) => value.lit(2).powi(-k) * &value + &value,
+            Mistake::Exponent { input, p, q, .. } => value.clone() * inputs[input].pow(&value.ratio(p, q)),
+        }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}: ", self.form)?;
+        match self.mistake {
+            Mistake::Sign => f.write_str("wrong sign"),
+            Mistake::Factor(p, q) => write!(f, "factor {p}/{q}"),
+            Mistake::Slight(k) => write!(f, "factor 1 + 2^-{k}"),
+            Mistake::Exponent { name, p, q, .. } => write!(f, "power of {name} wrong by {p}/{q}"),
+        }
+    }
+}
+
+/// A closed form with the public function it comes from and the names of its inputs, in the order of
+/// [`Theory`](crate::Theory).
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Which.
+    pub form: Form,
+    /// The public function of mdr-analytic, with its type if it is a method.
+    pub function: &'static str,
+    /// What it depends on.
+    pub inputs: &'static [&'static str],
+}
+
+const fn entry(form: Form, function: &'static str, inputs: &'static [&'static str]) -> Entry {
+    Entry { form, function, inputs }
+}
+
+const GIVEN: &[&str] = &["C", "E*", "w"];
+const ALONG: &[&str] = &["a", "C", "E*", "w"];
+
+/// All closed forms under test.
+pub const FORMS: &[Entry] = &[
+    entry(Form::Kappa, "kappa", &["n"]),
+    entry(Form::Transform, "PowerLaw::g", &["x", "C"]),
+    entry(Form::TransformSlope, "PowerLaw::slope", &["x", "C"]),
+    entry(Form::TransformIntegral, "PowerLaw::integral", &["x", "C"]),
+    entry(Form::DetachmentElongation, "detachment_elongation", &["a", "E*", "w"]),
+    entry(Form::Indentation, "Contact::indentation", ALONG),
+    entry(Form::IndentationSlope, "Contact::indentation_slope", ALONG),
+    entry(Form::Force, "Contact::force", ALONG),
+    entry(Form::ForceSlope, "Contact::force_slope", ALONG),
+    entry(Form::Energy, "Contact::energy", ALONG),
+    entry(Form::CriticalRadius, "Contact::critical", GIVEN),
+    entry(Form::CriticalIndentation, "Contact::critical", GIVEN),
+    entry(Form::CriticalForce, "Contact::critical", GIVEN),
+    entry(Form::LnCriticalRadius, "Contact::ln_critical", GIVEN),
+    entry(Form::LnCriticalIndentation, "Contact::ln_critical", GIVEN),
+    entry(Form::LnCriticalForce, "Contact::ln_critical", GIVEN),
+    entry(Form::MachineFoldRadius, "Contact::machine_folds", GIVEN),
+    entry(Form::MachineFoldIndentation, "Contact::machine_folds", GIVEN),
+    entry(Form::MachineFoldForce, "Contact::machine_folds", GIVEN),
+];
+
+/// The mistakes that every closed form must be caught with.
+pub fn faults() -> impl Iterator<Item = Fault> {
+    FORMS.iter().flat_map(|&Entry { form, inputs, .. }| {
+        let general = [Mistake::Sign, Mistake::Factor(3, 2), Mistake::Factor(1, 2), Mistake::Slight(36)];
+        let powers = inputs
+            .iter()
+            .enumerate()
+            .flat_map(|(input, &name)| [(1, 2), (-1, 1)].map(|(p, q)| Mistake::Exponent { input, name, p, q }));
+        general.into_iter().chain(powers).map(move |mistake| Fault { form, mistake })
+    })
+}

@@ -1,0 +1,46 @@
+//! The checks bite: every deliberate fault in every closed form makes a row fail.
+
+#![allow(clippy::print_stdout, reason = "the count of faults is part of the result")]
+
+use std::collections::BTreeSet;
+
+use mdr_crosscheck::{FORMS, Level, Options, Report, Theory, Verdict, checks_of, faults, run, run_against};
+
+/// The rows that claim to watch over a form, over a few cases.
+fn watched(theory: &Theory, only: Vec<String>) -> Report {
+    run_against(theory, &Options { only, limit: Some(16), ..Options::at(Level::Quick) }, &|_| ())
+}
+
+#[test]
+fn every_fault_is_caught() {
+    let mut missed = Vec::new();
+    let mut count = 0;
+    for fault in faults() {
+        count += 1;
+        let names = checks_of(fault.form);
+        let caught = names.iter().any(|name| !watched(&Theory::with(fault), vec![(*name).to_owned()]).passed());
+        if !caught {
+            missed.push(fault.to_string());
+        }
+    }
+    println!("{count} faults in {} closed forms", FORMS.len());
+    assert!(missed.is_empty(), "not caught: {missed:#?}");
+}
+
+#[test]
+fn every_form_is_in_the_table_and_watched() {
+    for entry in FORMS {
+        assert!(!checks_of(entry.form).is_empty(), "{:?} has no check", entry.form);
+    }
+    let forms: BTreeSet<_> = FORMS.iter().map(|entry| entry.form).collect();
+    assert_eq!(forms.len(), FORMS.len(), "a form is in the table twice");
+}
+
+#[test]
+fn without_a_fault_the_quick_level_passes() {
+    let report = run(&Options::at(Level::Quick), &|_| ());
+    for row in &report.rows {
+        assert_eq!(row.verdict, Verdict::Pass, "{}", row.check);
+    }
+    assert!(report.failures.is_empty());
+}
