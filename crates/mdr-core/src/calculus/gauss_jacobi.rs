@@ -46,7 +46,10 @@ pub struct Rule<R> {
 /// [`NoConvergence`](Error::NoConvergence) when the zeros cannot be told apart.
 pub fn rule<R: Real>(n: usize, alpha: &R, beta: &R) -> Result<Arc<Rule<R>>> {
     let key = Key::GaussJacobi { n, alpha: format!("{alpha:?}"), beta: format!("{beta:?}") };
-    cache::rule(alpha.precision(), key, || Rule::new(n, alpha, beta))
+    let kept = cache::rule(alpha.precision(), key, || Rule::new(n, alpha, beta))?;
+    // The text of an exponent may be shorter than its precision, and then it stands for a neighbour too.
+    let same = kept.alpha == *alpha && kept.beta == *beta;
+    if same { Ok(kept) } else { Rule::new(n, alpha, beta).map(Arc::new) }
 }
 
 /// ∫₀¹ tᵝ(1−t)ᵅ f(t) dt to a `tolerance` relative to ∫ tᵝ(1−t)ᵅ|f|, by doubling the number of nodes.

@@ -6,12 +6,17 @@
 //! * [`quadrature`]: tanh-sinh, for integrands with any behaviour at the ends of the interval.
 //! * [`gauss_jacobi`]: Gauss rules for the weight tᵝ(1−t)ᵅ, for integrands that are smooth once the weight is taken out.
 //! * [`roots`]: brackets found by walking through the exponent range, and their refinement.
+//! * [`isolate`]: all sign changes on a range, with a proof of completeness where there is an enclosure test.
+//! * `verify` (feature `mp`): existence and uniqueness of a zero by the interval Newton operator.
 
 mod cache;
 mod estimate;
 pub mod gauss_jacobi;
+pub mod isolate;
 mod jacobi;
 pub mod quadrature;
 pub mod roots;
+#[cfg(feature = "mp")]
+pub mod verify;
 
 pub use estimate::{Estimate, roundoff_tolerance};

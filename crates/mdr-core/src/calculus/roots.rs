@@ -70,6 +70,11 @@ impl<R: Real> Sample<R> {
         )
     }
 
+    /// Whether both are nonzero and have the same sign for certain.
+    pub fn agrees(&self, other: &Self) -> bool {
+        !self.is_zero() && self.sign().is_some() && self.sign() == other.sign()
+    }
+
     fn is_zero(&self) -> bool {
         self.sign() == Some(Ordering::Equal)
     }
@@ -97,14 +102,18 @@ impl<R: Real> Bracket<R> {
     }
 }
 
-/// √(lower·upper) for positive numbers more than an octave apart, (lower + upper)/2 otherwise.
-pub(super) fn middle<R: Real>(lower: &R, upper: &R) -> R {
-    let zero = lower.lit(0);
-    if *lower > zero && *upper > lower.clone().times(2) {
-        let ratio = upper.clone() / lower;
-        // The quotient of the whole exponent range overflows; its root does not.
-        let root = if ratio.is_finite() { ratio.sqrt() } else { upper.sqrt() / lower.sqrt() };
-        (root * lower).steer()
+/// √(lower·upper) of positive numbers.
+pub(super) fn geometric_mean<R: Real>(lower: &R, upper: &R) -> R {
+    let ratio = upper.clone() / lower;
+    // The quotient of the whole exponent range overflows; its root does not.
+    let root = if ratio.is_finite() { ratio.sqrt() } else { upper.sqrt() / lower.sqrt() };
+    (root * lower).steer()
+}
+
+/// In log x for positive numbers more than an octave apart, (lower + upper)/2 otherwise.
+fn middle<R: Real>(lower: &R, upper: &R) -> R {
+    if *lower > lower.lit(0) && *upper > lower.clone().times(2) {
+        geometric_mean(lower, upper)
     } else {
         ((upper.clone() - lower).over(2) + lower).steer()
     }
@@ -112,8 +121,7 @@ pub(super) fn middle<R: Real>(lower: &R, upper: &R) -> R {
 
 /// Looks for a sign change of f on (0, ∞), outwards from a positive `guess` on both sides in steps that double in log x:
 /// some 20 evaluations reach the ends of the range of `f64`, some 60 those of arbitrary precision. `None` when every
-/// sample has the same sign; a pair of zeros between two samples goes unnoticed, and [`isolate`](super::isolate) is for
-/// those.
+/// sample has the same sign; a pair of zeros between two samples goes unnoticed ([`isolate`](super::isolate::isolate)).
 ///
 /// ```
 /// use mdr_core::calculus::{roots::{bracket_geometric, refine}, roundoff_tolerance};

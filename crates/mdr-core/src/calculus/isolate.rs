@@ -1,0 +1,264 @@
+//! All sign changes of a function on a range of radii.
+//!
+//! The range is halved in log x until each cell holds no zero or one. Who says so decides what the result is worth: an
+//! enclosure test proves it; samples only make it likely, and then the result says that it is not proved.
+
+use std::cmp::Ordering;
+
+use super::roots::{Bracket, Sample, geometric_mean};
+use crate::contact::{Error, Quantity, Result};
+use crate::number::Real;
+
+/// What an enclosure test knows about a function on a whole interval. It must be certain: from interval arithmetic, or from
+/// a theorem about the function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Behaviour {
+    /// It has no zero there.
+    Nonzero,
+    /// It is strictly monotone there: at most one zero, and that a sign change.
+    Monotone,
+    /// Neither is certain.
+    Unknown,
+}
+
+/// The sign changes of a function on an open interval.
+#[derive(Clone, Debug)]
+pub struct Isolation<R> {
+    /// One bracket for each sign change, ascending.
+    pub brackets: Vec<Bracket<R>>,
+    /// Where zeros may still hide, ascending: double zeros, pairs closer than √u relative to x, what the budget left over.
+    pub undecided: Vec<(R, R)>,
+    /// Whether everything outside `undecided` is proved by an enclosure test, not just sampled.
+    pub proved: bool,
+    /// Evaluations of the function.
+    pub evaluations: usize,
+}
+
+impl<R> Isolation<R> {
+    /// Whether the brackets are proved to hold all zeros, one each.
+    pub fn is_complete(&self) -> bool {
+        self.proved && self.undecided.is_empty()
+    }
+}
+
+/// The sign changes of f on (lower, upper), 0 < lower < upper, with proof: every cell must pass the enclosure `test`.
+/// Cells that do not, down to the relative width √u (u the unit roundoff) or when about `budget` evaluations are spent, are
+/// undecided. The work is spread evenly, one level of halving after the other.
+///
+/// # Errors
+/// [`Error::Domain`] for other ranges or where f is not a number; whatever f and the test return.
+pub fn isolate_with_proof<R: Real>(
+    lower: &R,
+    upper: &R,
+    budget: usize,
+    f: impl FnMut(&R) -> Result<R>,
+    mut test: impl FnMut(&R, &R) -> Result<Behaviour>,
+) -> Result<Isolation<R>> {
+    let mut sampler = Sampler { f, evaluations: 0 };
+    let range = sampler.ends(lower, upper)?;
+    let isolation = subdivide(&mut sampler, vec![range], budget, |sampler, cell| {
+        let Cell { lower, upper, .. } = cell;
+        Ok(match test(&lower.x, &upper.x)? {
+            Behaviour::Nonzero => Verdict::Empty,
+            Behaviour::Monotone if lower.differs(upper) => Verdict::change(&[lower, upper]),
+            Behaviour::Monotone if lower.agrees(upper) => Verdict::Empty,
+            _ => Verdict::Split(cell.halves(&sampler.between(lower, upper)?, None, None)),
+        })
+    })?;
+    Ok(Isolation { proved: true, ..isolation })
+}
+
+/// The sign changes of f on (lower, upper), 0 < lower < upper, from samples alone: `proved` is false. A cell is settled
+/// when five samples of it fit a smooth model: ln|f| nearly quadratic in ln x (no zero), or f monotone and nearly quadratic
+/// (one). There are at least 16 cells; `budget` is about the number of evaluations that may be spent.
+///
+/// ```
+/// use mdr_core::calculus::{isolate::isolate, roots::refine, roundoff_tolerance};
+/// let f = |x: &f64| Ok((x - 1e-9) * (x - 1.0) * (x - 1.001));
+/// let found = isolate(&1e-12, &1e3, 10_000, f)?;
+/// assert_eq!((found.brackets.len(), found.undecided.len(), found.is_complete()), (3, 0, false));
+/// let first = refine(found.brackets[0].clone(), &roundoff_tolerance(&1.0), f)?;
+/// assert!((first.value - 1e-9).abs() < 1e-23);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`isolate_with_proof`].
+pub fn isolate<R: Real>(lower: &R, upper: &R, budget: usize, f: impl FnMut(&R) -> Result<R>) -> Result<Isolation<R>> {
+    let mut sampler = Sampler { f, evaluations: 0 };
+    let mut cells = vec![sampler.ends(lower, upper)?];
+    for _ in 0..4 {
+        let mut halves = Vec::with_capacity(2 * cells.len());
+        for cell in cells {
+            halves.extend(cell.halves(&sampler.between(&cell.lower, &cell.upper)?, None, None));
+        }
+        cells = halves;
+    }
+    subdivide(&mut sampler, cells, budget, |sampler, cell| {
+        let Cell { lower, upper, .. } = cell;
+        let middle = cell.inner.clone().map_or_else(|| sampler.between(lower, upper), Ok)?;
+        let first = sampler.between(lower, &middle)?;
+        let last = sampler.between(&middle, upper)?;
+        let five = [lower, &first, &middle, &last, upper];
+        Ok(if has_no_zero(&five) {
+            Verdict::Empty
+        } else if has_one_zero(&five) {
+            Verdict::change(&five)
+        } else {
+            Verdict::Split(cell.halves(&middle, Some(first), Some(last)))
+        })
+    })
+}
+
+struct Cell<R> {
+    lower: Sample<R>,
+    /// In the middle, where it has been taken already.
+    inner: Option<Sample<R>>,
+    upper: Sample<R>,
+}
+
+impl<R: Real> Cell<R> {
+    /// The halves, with their own inner samples.
+    fn halves(&self, middle: &Sample<R>, first: Option<Sample<R>>, last: Option<Sample<R>>) -> [Self; 2] {
+        let half =
+            |lower: &Sample<R>, inner, upper: &Sample<R>| Cell { lower: lower.clone(), inner, upper: upper.clone() };
+        [half(&self.lower, first, middle), half(middle, last, &self.upper)]
+    }
+
+    /// Whether a double zero and a pair of zeros can no longer be told apart.
+    fn is_narrow(&self) -> bool {
+        let width = (self.upper.x.clone() - &self.lower.x).steer();
+        width <= (self.lower.x.unit_roundoff().sqrt() * &self.lower.x).steer()
+    }
+}
+
+enum Verdict<R> {
+    Empty,
+    Change(Option<Bracket<R>>),
+    Split([Cell<R>; 2]),
+}
+
+impl<R: Real> Verdict<R> {
+    /// The first sign change between successive samples.
+    fn change(samples: &[&Sample<R>]) -> Self {
+        let pair = samples.windows(2).find(|pair| pair[0].differs(pair[1]));
+        Verdict::Change(pair.and_then(|pair| Bracket::between(pair[0].clone(), pair[1].clone(), 0)))
+    }
+}
+
+struct Sampler<F> {
+    f: F,
+    evaluations: usize,
+}
+
+impl<F> Sampler<F> {
+    fn ends<R: Real>(&mut self, lower: &R, upper: &R) -> Result<Cell<R>>
+    where
+        F: FnMut(&R) -> Result<R>,
+    {
+        let lower = Error::require_positive(Quantity::Radius, lower.clone())?;
+        let upper = Error::require_positive(Quantity::Radius, upper.clone())?;
+        if !(lower.steer() < upper.steer()) {
+            return Err(Error::domain(Quantity::Radius, &upper, "above the lower end of its range"));
+        }
+        Ok(Cell { lower: self.take(lower)?, inner: None, upper: self.take(upper)? })
+    }
+
+    fn take<R: Real>(&mut self, x: R) -> Result<Sample<R>>
+    where
+        F: FnMut(&R) -> Result<R>,
+    {
+        self.evaluations += 1;
+        Sample::take(x, &mut self.f)
+    }
+
+    /// A sample at the geometric mean, or a little beside it where the function is exactly zero there.
+    fn between<R: Real>(&mut self, lower: &Sample<R>, upper: &Sample<R>) -> Result<Sample<R>>
+    where
+        F: FnMut(&R) -> Result<R>,
+    {
+        let middle = geometric_mean(&lower.x, &upper.x);
+        let sample = self.take(middle)?;
+        if sample.agrees(&sample) {
+            return Ok(sample);
+        }
+        self.take((upper.x.clone() - &sample.x).over(32) + &sample.x)
+    }
+}
+
+/// Level after level, so that the budget is spent evenly.
+fn subdivide<R: Real, F>(
+    sampler: &mut Sampler<F>,
+    mut cells: Vec<Cell<R>>,
+    budget: usize,
+    mut judge: impl FnMut(&mut Sampler<F>, &Cell<R>) -> Result<Verdict<R>>,
+) -> Result<Isolation<R>> {
+    let mut brackets: Vec<Bracket<R>> = Vec::new();
+    let mut undecided = Vec::new();
+    while !cells.is_empty() {
+        let mut next = Vec::new();
+        for cell in cells {
+            let verdict = if sampler.evaluations < budget { Some(judge(sampler, &cell)?) } else { None };
+            match verdict {
+                Some(Verdict::Empty) => {}
+                Some(Verdict::Change(bracket)) => brackets.extend(bracket),
+                Some(Verdict::Split(halves)) if !cell.is_narrow() => next.extend(halves),
+                _ => undecided.push((cell.lower.x, cell.upper.x)),
+            }
+        }
+        cells = next;
+    }
+    brackets.sort_by(|one, other| order(&one.lower.x, &other.lower.x));
+    let undecided = merge(undecided);
+    Ok(Isolation { brackets, undecided, proved: false, evaluations: sampler.evaluations })
+}
+
+/// Sorts intervals and joins those that touch.
+fn merge<R: Real>(mut intervals: Vec<(R, R)>) -> Vec<(R, R)> {
+    intervals.sort_by(|one, other| order(&one.0, &other.0));
+    let mut merged: Vec<(R, R)> = Vec::with_capacity(intervals.len());
+    for (lower, upper) in intervals {
+        match merged.last_mut() {
+            Some(last) if order(&last.1, &lower).is_ge() => last.1 = upper,
+            _ => merged.push((lower, upper)),
+        }
+    }
+    merged
+}
+
+/// The order of two abscissae, which are points.
+fn order<R: Real>(x: &R, y: &R) -> Ordering {
+    x.partial_cmp(y).unwrap_or(Ordering::Equal)
+}
+
+/// The quadratic through the first, third and fifth of five equidistant values misses the second and the fourth by these,
+/// times 8.
+fn misfit<R: Real>([v0, v1, v2, v3, v4]: [&R; 5]) -> [R; 2] {
+    let miss = |near: &R, value: &R, far: &R| {
+        (value.clone().times(8) - near.clone().times(3) - v2.clone().times(6) + far).abs().steer()
+    };
+    [miss(v0, v1, v4), miss(v4, v3, v0)]
+}
+
+/// One certain sign, and ln|f| within 1/8 of a quadratic; or out of range everywhere.
+fn has_no_zero<R: Real>(five: &[&Sample<R>; 5]) -> bool {
+    if !five.iter().all(|sample| sample.agrees(five[0])) {
+        return false;
+    }
+    if five.iter().all(|sample| !sample.f.is_finite()) {
+        return true;
+    }
+    let logs = five.map(|sample| sample.f.abs().ln());
+    misfit(logs.each_ref()).iter().all(|miss| *miss <= miss.lit(1))
+}
+
+/// Monotone with one certain sign change, and within 1/16 of its range of a quadratic.
+fn has_one_zero<R: Real>(five: &[&Sample<R>; 5]) -> bool {
+    let changes = five.windows(2).filter(|pair| pair[0].differs(pair[1])).count();
+    let values = five.map(|sample| sample.f.steer());
+    let rising = values.windows(2).all(|pair| pair[0] < pair[1]);
+    let falling = values.windows(2).all(|pair| pair[0] > pair[1]);
+    let range = (values[4].clone() - &values[0]).abs();
+    let smooth = misfit(values.each_ref()).iter().all(|miss| miss.clone().times(2) <= range);
+    changes == 1 && five[0].differs(five[4]) && (rising || falling) && smooth
+}

@@ -1,0 +1,59 @@
+//! Existence and uniqueness of a zero, proved by the interval Newton operator.
+
+use rug::Float;
+
+use crate::contact::Result;
+use crate::number::{Interval, Real};
+
+/// An interval around `candidate` in which f has exactly one zero, as narrow as the precision of the candidate allows; none
+/// when that cannot be proved (a double zero, a slope of uncertain sign, a candidate too far away).
+///
+/// `f` and `slope` are enclosures of a function and of its derivative. With N(X) = m − f(m)/f'(X), N(X) inside X proves
+/// existence and uniqueness (R. E. Moore, Interval Analysis, 1966); X is tried at five radii from twice the Newton step on.
+///
+/// ```
+/// use mdr_core::calculus::verify::verify;
+/// use mdr_core::number::{Interval, Precision, Real};
+/// use rug::Float;
+/// let candidate = Float::with_val(100, 1.41421356);
+/// let root = verify(&candidate, |x| Ok(x.square() - &x.lit(2)), |x| Ok(x.clone().times(2)))?.expect("a proof");
+/// assert!(root.contains(&Float::with_val(100, 2).sqrt()) && root.accuracy_bits() > 95);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+///
+/// # Errors
+/// Whatever f and its slope return.
+pub fn verify(
+    candidate: &Float,
+    mut f: impl FnMut(&Interval) -> Result<Interval>,
+    mut slope: impl FnMut(&Interval) -> Result<Interval>,
+) -> Result<Option<Interval>> {
+    let mut newton = |x: &Interval| -> Result<Interval> {
+        let middle = x.steer();
+        Ok(middle.clone() - f(&middle)? / slope(x)?)
+    };
+    let point = Interval::point(candidate.clone());
+    let step = newton(&point)? - &point;
+    let rounding = point.unit_roundoff().times(4) * point.abs();
+    let radius = (Interval::abs(&step) + rounding).times(2);
+    for growth in [1, 2, 4, 16, 256] {
+        let bound = radius.clone().times(growth);
+        let around = point.clone().inflate(&bound);
+        let image = newton(&around)?;
+        if around.lower() < image.lower() && image.upper() < around.upper() {
+            return tighten(image, newton).map(Some);
+        }
+    }
+    Ok(None)
+}
+
+/// Applies the operator while it halves the interval.
+fn tighten(mut root: Interval, mut newton: impl FnMut(&Interval) -> Result<Interval>) -> Result<Interval> {
+    loop {
+        let Some(narrower) = newton(&root)?.intersect(&root) else { return Ok(root) };
+        if narrower.radius() * 2u32 > root.radius() {
+            return Ok(narrower);
+        }
+        root = narrower;
+    }
+}
