@@ -66,11 +66,12 @@ impl<R: Real> Ladder<R> {
         Ok(self.rungs[index].get().map_or(&[], Vec::as_slice))
     }
 
-    /// Climbs until the estimated error is below `tolerance` relative to I[|φ|]. None when it gives up: then φ is not of
-    /// the form this rule is made for.
+    /// Climbs until the estimated error is below `tolerance` relative to I[|φ|], the samples themselves being known to
+    /// the relative `noise`. None when it gives up: then φ is not of the form this rule is made for.
     pub(super) fn integrate(
         &self,
         tolerance: &R,
+        noise: &R,
         mut sample: impl FnMut(&R) -> Result<R>,
     ) -> Result<Option<Estimate<R>>> {
         let zero = self.p.lit(0);
@@ -80,7 +81,7 @@ impl<R: Real> Ladder<R> {
             let (value, magnitude, count) = sum(self.rung(index)?, zero.clone(), &mut sample)?;
             evaluations += count;
             let step = (value.clone() - &last).abs();
-            let rounding = magnitude.unit_roundoff().times(4) * &magnitude;
+            let rounding = (magnitude.unit_roundoff() + noise).times(4) * &magnitude;
             let remainder = change.and_then(|before| remainder(&before, &step, &rounding));
             if let Some(remainder) = remainder.filter(|error| *error <= tolerance.clone() * &magnitude) {
                 return Ok(Some(Estimate { value, error: remainder + rounding, evaluations }));

@@ -141,6 +141,12 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         }
     }
 
+    /// The tolerance, or what the rounding of r leaves attainable: a steep profile knows its own height no better.
+    fn attainable(&self, x: &R, noise: &R) -> R {
+        let (tolerance, attainable) = (self.tolerance(x), noise.clone().times(16));
+        if tolerance > attainable { tolerance } else { attainable }
+    }
+
     fn tolerance(&self, x: &R) -> R {
         let floor = roundoff_tolerance(x);
         self.tolerance.clone().filter(|tolerance| *tolerance > floor).unwrap_or(floor)
@@ -166,8 +172,9 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         match (self.rule, &self.ladder) {
             (Rule::Gauss { nodes }, _) => self.fixed(x, nodes, integrand),
             (Rule::Automatic, Some(ladder)) => {
-                let settled =
-                    ladder.integrate(&self.tolerance(x), |s| Ok(integrand.at(&self.profile, &(s.clone() * x))))?;
+                let noise = self.noise(x);
+                let sample = |s: &R| Ok(integrand.at(&self.profile, &(s.clone() * x)));
+                let settled = ladder.integrate(&self.attainable(x, &noise), &noise, sample)?;
                 settled.map_or_else(|| self.double_exponential(x, &x.lit(0), &quarter(x), integrand), Ok)
             }
             _ => self.double_exponential(x, &x.lit(0), &quarter(x), integrand),
@@ -251,10 +258,8 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     }
 
     fn double_exponential(&self, x: &R, lower: &R, upper: &R, integrand: Integrand) -> Result<Estimate<R>> {
-        let (tolerance, noise) = (self.tolerance(x), self.noise(x));
-        let attainable = noise.clone().times(16);
-        let tolerance = if tolerance > attainable { tolerance } else { attainable };
-        let estimate = tanh_sinh(lower, upper, &tolerance, |theta| {
+        let noise = self.noise(x);
+        let estimate = tanh_sinh(lower, upper, &self.attainable(x, &noise), |theta| {
             let sine = theta.sin();
             Ok(self.sample(x, &sine, integrand) * sine)
         })?;
