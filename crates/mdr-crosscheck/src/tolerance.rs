@@ -17,6 +17,9 @@
 //! * d = g − Δl and F = 2E*a(d − mean g) cancel. They are compared on the scale of their terms, Δl and 2E*aΔl, where
 //!   they are as good as the terms; d_F = 0 at n = 3/2 needs no exception that way.
 
+use mdr_core::calculus::Estimate;
+use mdr_core::number::Real;
+
 /// Roundings of κ_n as f64: at most seven a term in a series whose mean index is below 3, then its sum; the continued
 /// fraction for large n halves what its few steps bring in, by the square root.
 pub(crate) const KAPPA: f64 = 32.0;
@@ -110,4 +113,13 @@ pub(crate) fn machine_balance(n: f64, u: f64, ln_stiffness_length: f64, ln_ratio
     let terms = mu * u.abs() + mu * ln_stiffness_length.abs() + ln_ratio.abs() + 2.0;
     // |φ'| ≤ μ + 2 − √3.
     KAPPA + 10.0 + 4.0 * terms + (mu + 0.268) * (4.0 * u.abs() + 8.0)
+}
+
+/// Error of a quadrature of (1.1) for a profile of the order rⁿ, in u.
+///
+/// What the rule itself says is left, a rounding for every term of its sum, and twice the profile's condition n: a node
+/// r = xs is rounded once for x·s and once in its own place, and rⁿ with its logarithmic derivatives repeats that.
+pub(crate) fn quadrature<R: Real>(estimate: &Estimate<R>, n: f64) -> f64 {
+    let left = (estimate.error.clone() / &estimate.value / estimate.value.unit_roundoff()).abs().approx();
+    left + estimate.evaluations as f64 + 4.0 * (n + 2.0)
 }

@@ -8,6 +8,7 @@ mod kappa;
 mod known;
 mod machine;
 mod printed;
+mod quadrature;
 mod scaling;
 
 use mdr_core::contact::Result;
@@ -71,6 +72,8 @@ pub(crate) fn registry() -> &'static [Check] {
         kappa::SERIES,
         kappa::AGM,
         kappa::PRODUCT,
+        quadrature::KAPPA_RATIO,
+        quadrature::POWER,
         identities::CRITICAL,
         identities::SLOPES,
         identities::LOGARITHMS,
