@@ -36,31 +36,31 @@ impl<R: Real> Contact<R> {
         match control {
             Control::Indentation => self.tangency(1),
             Control::Force => self.tangency(3),
-            Control::Machine { stiffness } => self.first_machine_fold(stiffness),
+            Control::Machine { stiffness } => {
+                self.require_length_scale()?;
+                self.machine_state(stiffness, &self.first_machine_tangency(stiffness)?)
+            }
         }
     }
 
-    /// ln a, ln|d| and ln|F| of the critical state under controlled indentation or force, also where the quantities
-    /// themselves leave the range of the arithmetic. Not finite for d = 0 (n = 3/2 under force).
+    /// ln a, ln|d| and ln|F| of the critical state, also where the quantities themselves leave the range of the
+    /// arithmetic. Not finite for d = 0 (n = 3/2 under force).
     ///
     /// # Errors
-    /// [`Error::Domain`] at n = 1/2 and under a machine.
+    /// [`Error::Domain`] at n = 1/2.
     pub fn ln_critical(&self, control: &Control<R>) -> Result<Critical<R>> {
-        let tension = match control {
-            Control::Indentation => 1,
-            Control::Force => 3,
+        self.require_length_scale()?;
+        let (ln_radius, tension) = match control {
             Control::Machine { stiffness } => {
-                return Err(Error::domain(
-                    Quantity::Stiffness,
-                    stiffness,
-                    "absent: only the two limits have this form",
-                ));
+                let fold = self.first_machine_tangency(stiffness)?;
+                (self.machine_length(stiffness).ln() + &fold.ln_s, fold.tension)
+            }
+            Control::Indentation | Control::Force => {
+                let tension = self.profile().exponent().lit(if matches!(control, Control::Force) { 3 } else { 1 });
+                (self.ln_length_scale(&tension), tension)
             }
         };
-        self.require_length_scale()?;
-        let n = self.profile().exponent();
-        let ln_radius = self.ln_length_scale(&n.lit(tension));
-        Ok(self.ln_state(&ln_radius, &n.lit(tension)))
+        Ok(self.ln_state(&ln_radius, &tension))
     }
 
     /// The state with N a^{n−1/2} = λ√B for an integer λ.

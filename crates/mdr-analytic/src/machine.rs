@@ -44,15 +44,19 @@ impl<R: Real> Contact<R> {
     /// there are; [`Error::OutOfRange`].
     pub fn machine_folds(&self, stiffness: &R) -> Result<Vec<Instability<R>>> {
         let stiffness = Error::require_positive(Quantity::Stiffness, stiffness.clone())?;
-        let scale = self.machine_length(&stiffness);
-        self.machine_tangencies(&stiffness)?
-            .into_iter()
-            .map(|Tangency { s, ln_s, tension, kind }| {
-                let a = representable(Quantity::ContactRadius, scale.clone() * &s, || scale.ln() + &ln_s)?;
-                let Critical { contact_radius, indentation, force } = self.tangent_state(a, &tension)?;
-                Ok(Instability { contact_radius, indentation, force, kind })
-            })
-            .collect()
+        let fold = |tangency: Tangency<R>| {
+            let Critical { contact_radius, indentation, force } = self.machine_state(&stiffness, &tangency)?;
+            Ok(Instability { contact_radius, indentation, force, kind: tangency.kind })
+        };
+        self.machine_tangencies(&stiffness)?.into_iter().map(fold).collect()
+    }
+
+    /// a, d and F at a fold.
+    pub(crate) fn machine_state(&self, stiffness: &R, tangency: &Tangency<R>) -> Result<Critical<R>> {
+        let scale = self.machine_length(stiffness);
+        let ln_radius = || scale.ln() + &tangency.ln_s;
+        let a = representable(Quantity::ContactRadius, scale.clone() * &tangency.s, ln_radius)?;
+        self.tangent_state(a, &tangency.tension)
     }
 
     /// k/(2E*): a = s k/(2E*).
@@ -90,11 +94,10 @@ impl<R: Real> Contact<R> {
 
     /// The fold met first when leaving the stable branch: the largest for n > 1/2, where the contact is unloaded, the
     /// smallest, and only one, for n < 1/2.
-    pub(crate) fn first_machine_fold(&self, stiffness: &R) -> Result<Critical<R>> {
-        self.require_length_scale()?;
-        let fold = self.machine_folds(stiffness)?.pop();
-        fold.map(|f| Critical { contact_radius: f.contact_radius, indentation: f.indentation, force: f.force })
-            .ok_or_else(|| Error::domain(Quantity::Stiffness, stiffness, "such that there is a fold"))
+    pub(crate) fn first_machine_tangency(&self, stiffness: &R) -> Result<Tangency<R>> {
+        let stiffness = Error::require_positive(Quantity::Stiffness, stiffness.clone())?;
+        let none = || Error::domain(Quantity::Stiffness, &stiffness, "such that there is a fold");
+        self.machine_tangencies(&stiffness)?.pop().ok_or_else(none)
     }
 }
 

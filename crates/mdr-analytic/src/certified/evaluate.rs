@@ -137,7 +137,7 @@ impl Question {
         let Control::Machine { stiffness } = self.control(precision) else { return Ok(Vec::new()) };
         let scale = contact.machine_length(&stiffness);
         let fold = |tangency: crate::machine::Tangency<Interval>| {
-            let state = contact.tangent_state(scale.clone() * &tangency.s, &tangency.tension);
+            let state = contact.machine_state(&stiffness, &tangency);
             let ln_state = || Ok(contact.ln_state(&(scale.ln() + &tangency.ln_s), &tangency.tension));
             Ok((tangency.kind, enclose(&contact, state, &tangency.tension, ln_state)?))
         };

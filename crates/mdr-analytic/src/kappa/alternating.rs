@@ -9,15 +9,15 @@ use mdr_core::number::Real;
 /// (−1)^{k−1} (k−1)! Σ_j (−1)ʲ/(n+1+j)ᵏ for the order k ≥ 1.
 pub(super) fn ln_kappa_derivative<R: Real>(n: &R, order: u32) -> R {
     let power = i64::from(order);
-    let sum = alternating_sum(n, |j| (n.lit(j + 1) + n).powi(-power));
+    // log₂(3+√8) > 5/2.
+    let terms = (n.precision() + 3) * 2 / 5 + 1;
+    let sum = alternating_sum(n, i64::from(terms), |j| (n.lit(j + 1) + n).powi(-power));
     let factorial = (1..power).fold(sum, R::times);
     if order.is_multiple_of(2) { -factorial } else { factorial }
 }
 
 /// Σ_j (−1)ʲ a_j for a totally monotone sequence a, in the precision of `like`.
-fn alternating_sum<R: Real>(like: &R, sequence: impl Fn(i64) -> R) -> R {
-    // log₂(3+√8) > 5/2.
-    let terms = i64::from((like.precision() + 3) * 2 / 5 + 1);
+pub(super) fn alternating_sum<R: Real>(like: &R, terms: i64, sequence: impl Fn(i64) -> R) -> R {
     let total = chebyshev_at_three(like, terms);
     let mut binomial = like.lit(-1);
     let mut weight = -total.clone();

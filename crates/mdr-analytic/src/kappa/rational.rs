@@ -69,7 +69,7 @@ pub(super) fn interval_kappa(n: &Interval) -> Interval {
 }
 
 /// The sum of `terms` terms as an interval of the given precision, remainder included.
-fn split_series(n: &Rational, terms: u32, bits: u32) -> Interval {
+pub(super) fn split_series(n: &Rational, terms: u32, bits: u32) -> Interval {
     let Block { above, below, sum } = Ratio::new(n, terms).split(0, terms);
     let enclose = |value: &Integer| {
         let end = |round| Float::with_val_round(bits, value, round).0;

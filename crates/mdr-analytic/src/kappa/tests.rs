@@ -154,4 +154,30 @@ mod mp {
         assert!(dual.slope.value.contains(&sharp.slope.value) && dual.slope.value.accuracy_bits() > 100);
         assert!(dual.slope.slope.contains(&sharp.slope.slope) && dual.slope.slope.accuracy_bits() > 100);
     }
+
+    /// Cut short, an expansion is as wrong as its remainder says: the enclosure holds, and is not much wider than the
+    /// error is.
+    #[test]
+    fn remainders_are_bounds_and_not_generous() {
+        for (numerator, denominator) in [(1, 3), (1, 2), (3, 2), (7, 1), (41, 4)] {
+            let n = rug::Rational::from((numerator, denominator));
+            let point = Interval::from_rational(Precision::new(400), &n);
+            let sharp = Float::kappa(&Float::with_val(500, &n));
+            let slope = Float::ln_kappa_derivative(&Float::with_val(500, &n), 1);
+            for terms in [6, 9, 14] {
+                let check = |enclosure: Interval, value: &Float| {
+                    assert!(enclosure.contains(value), "n = {n}, {terms} terms: {enclosure} {value}");
+                    let error: Float = enclosure.mid() - value;
+                    assert!(enclosure.radius() < error.abs() * 40u32, "n = {n}, {terms} terms: {enclosure}");
+                };
+                check(series::kappa(&point, terms), &sharp);
+                check(rational::split_series(&n, terms, 400), &sharp);
+                check(brouncker::kappa(&point, terms), &sharp);
+                let sequence = |j: i64| point.lit(1) / (point.lit(j + 1) + &point);
+                let sum = alternating::alternating_sum(&point, i64::from(terms), sequence);
+                // 2a₀/T_N(3) relative, and up to two bits of the measure itself.
+                assert!(sum.contains(&slope) && sum.accuracy_bits() > i64::from(terms) * 5 / 2 - 5);
+            }
+        }
+    }
 }
