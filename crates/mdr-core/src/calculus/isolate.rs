@@ -59,9 +59,8 @@ pub fn isolate_with_proof<R: Real>(
     let isolation = subdivide(&mut sampler, vec![range], budget, |sampler, cell| {
         let Cell { lower, upper, .. } = cell;
         Ok(match test(&lower.x, &upper.x)? {
-            Behaviour::Nonzero => Verdict::Empty,
-            Behaviour::Monotone if lower.differs(upper) => Verdict::change(&[lower, upper]),
-            Behaviour::Monotone if lower.agrees(upper) => Verdict::Empty,
+            Behaviour::Nonzero => Verdict::Settled(None),
+            Behaviour::Monotone if lower.differs(upper) || lower.agrees(upper) => Verdict::settled(&[lower, upper]),
             _ => Verdict::Split(cell.halves(&sampler.between(lower, upper)?, None, None)),
         })
     })?;
@@ -69,8 +68,9 @@ pub fn isolate_with_proof<R: Real>(
 }
 
 /// The sign changes of f on (lower, upper), 0 < lower < upper, from samples alone: `proved` is false. A cell is settled
-/// when five samples of it fit a smooth model: ln|f| nearly quadratic in ln x (no zero), or f monotone and nearly quadratic
-/// (one). There are at least 16 cells; `budget` is about the number of evaluations that may be spent.
+/// when six samples fit a smooth model, in it and in the cell it is half of: ln|f| nearly quadratic in ln x (no zero), or
+/// f monotone and nearly quadratic (at most one). There are at least 16 cells, none wider than four octaves
+/// (up to 4096 cells); `budget` is about the number of evaluations that may be spent.
 ///
 /// ```
 /// use mdr_core::calculus::{isolate::isolate, roots::refine, roundoff_tolerance};
@@ -87,7 +87,7 @@ pub fn isolate_with_proof<R: Real>(
 pub fn isolate<R: Real>(lower: &R, upper: &R, budget: usize, f: impl FnMut(&R) -> Result<R>) -> Result<Isolation<R>> {
     let mut sampler = Sampler { f, evaluations: 0 };
     let mut cells = vec![sampler.ends(lower, upper)?];
-    for _ in 0..4 {
+    while cells.len() < 16 || (cells.len() < 4096 && cells[0].octaves_exceed(4)) {
         let mut halves = Vec::with_capacity(2 * cells.len());
         for cell in cells {
             halves.extend(cell.halves(&sampler.between(&cell.lower, &cell.upper)?, None, None));
@@ -99,13 +99,13 @@ pub fn isolate<R: Real>(lower: &R, upper: &R, budget: usize, f: impl FnMut(&R) -
         let middle = cell.inner.clone().map_or_else(|| sampler.between(lower, upper), Ok)?;
         let first = sampler.between(lower, &middle)?;
         let last = sampler.between(&middle, upper)?;
-        let five = [lower, &first, &middle, &last, upper];
-        Ok(if has_no_zero(&five) {
-            Verdict::Empty
-        } else if has_one_zero(&five) {
-            Verdict::change(&five)
+        let aside = sampler.aside(lower, upper)?;
+        let six = [lower, &first, &aside, &middle, &last, upper];
+        let fits = fits_logarithm(&six) || fits_monotone(&six);
+        Ok(if fits && (cell.fitted || cell.is_narrow()) {
+            Verdict::settled(&six)
         } else {
-            Verdict::Split(cell.halves(&middle, Some(first), Some(last)))
+            Verdict::Split(cell.halves(&middle, Some(first), Some(last)).map(|half| Cell { fitted: fits, ..half }))
         })
     })
 }
@@ -115,14 +115,22 @@ struct Cell<R> {
     /// In the middle, where it has been taken already.
     inner: Option<Sample<R>>,
     upper: Sample<R>,
+    /// Whether it is half of a cell whose samples fitted a smooth model.
+    fitted: bool,
 }
 
 impl<R: Real> Cell<R> {
     /// The halves, with their own inner samples.
     fn halves(&self, middle: &Sample<R>, first: Option<Sample<R>>, last: Option<Sample<R>>) -> [Self; 2] {
-        let half =
-            |lower: &Sample<R>, inner, upper: &Sample<R>| Cell { lower: lower.clone(), inner, upper: upper.clone() };
+        let half = |lower: &Sample<R>, inner, upper: &Sample<R>| {
+            let (lower, upper) = (lower.clone(), upper.clone());
+            Cell { lower, inner, upper, fitted: false }
+        };
         [half(&self.lower, first, middle), half(middle, last, &self.upper)]
+    }
+
+    fn octaves_exceed(&self, octaves: i64) -> bool {
+        (self.upper.x.clone() / &self.lower.x).steer() > self.lower.x.lit(2).powi(octaves)
     }
 
     /// Whether a double zero and a pair of zeros can no longer be told apart.
@@ -133,16 +141,16 @@ impl<R: Real> Cell<R> {
 }
 
 enum Verdict<R> {
-    Empty,
-    Change(Option<Bracket<R>>),
+    /// No zero, or one in a bracket.
+    Settled(Option<Bracket<R>>),
     Split([Cell<R>; 2]),
 }
 
 impl<R: Real> Verdict<R> {
-    /// The first sign change between successive samples.
-    fn change(samples: &[&Sample<R>]) -> Self {
+    /// With the sign change between successive samples, if there is one.
+    fn settled(samples: &[&Sample<R>]) -> Self {
         let pair = samples.windows(2).find(|pair| pair[0].differs(pair[1]));
-        Verdict::Change(pair.and_then(|pair| Bracket::between(pair[0].clone(), pair[1].clone(), 0)))
+        Verdict::Settled(pair.and_then(|pair| Bracket::between(pair[0].clone(), pair[1].clone(), 0)))
     }
 }
 
@@ -161,7 +169,7 @@ impl<F> Sampler<F> {
         if !(lower.steer() < upper.steer()) {
             return Err(Error::domain(Quantity::Radius, &upper, "above the lower end of its range"));
         }
-        Ok(Cell { lower: self.take(lower)?, inner: None, upper: self.take(upper)? })
+        Ok(Cell { lower: self.take(lower)?, inner: None, upper: self.take(upper)?, fitted: false })
     }
 
     fn take<R: Real>(&mut self, x: R) -> Result<Sample<R>>
@@ -182,7 +190,17 @@ impl<F> Sampler<F> {
         if sample.agrees(&sample) {
             return Ok(sample);
         }
-        self.take((upper.x.clone() - &sample.x).over(32) + &sample.x)
+        let beside = (0..5).fold(upper.x.clone(), |x, _| geometric_mean(&sample.x, &x));
+        self.take(beside)
+    }
+
+    /// A sample at 5/13 of the way in log x: off every dyadic grid, so that a wave in step with one is not overlooked.
+    fn aside<R: Real>(&mut self, lower: &Sample<R>, upper: &Sample<R>) -> Result<Sample<R>>
+    where
+        F: FnMut(&R) -> Result<R>,
+    {
+        let ratio = upper.x.clone() / &lower.x;
+        self.take(ratio.ln().times(5).over(13).exp() * &lower.x)
     }
 }
 
@@ -200,8 +218,7 @@ fn subdivide<R: Real, F>(
         for cell in cells {
             let verdict = if sampler.evaluations < budget { Some(judge(sampler, &cell)?) } else { None };
             match verdict {
-                Some(Verdict::Empty) => {}
-                Some(Verdict::Change(bracket)) => brackets.extend(bracket),
+                Some(Verdict::Settled(bracket)) => brackets.extend(bracket),
                 Some(Verdict::Split(halves)) if !cell.is_narrow() => next.extend(halves),
                 _ => undecided.push((cell.lower.x, cell.upper.x)),
             }
@@ -231,34 +248,36 @@ fn order<R: Real>(x: &R, y: &R) -> Ordering {
     x.partial_cmp(y).unwrap_or(Ordering::Equal)
 }
 
-/// The quadratic through the first, third and fifth of five equidistant values misses the second and the fourth by these,
-/// times 8.
-fn misfit<R: Real>([v0, v1, v2, v3, v4]: [&R; 5]) -> [R; 2] {
-    let miss = |near: &R, value: &R, far: &R| {
-        (value.clone().times(8) - near.clone().times(3) - v2.clone().times(6) + far).abs().steer()
+/// By how much the quadratic through the ends and the middle misses the other three of six values, which lie at the
+/// fractions 0, 1/4, 5/13, 1/2, 3/4 and 1 of a cell.
+fn misfit<R: Real>([v0, v1, aside, v2, v3, v4]: [&R; 6]) -> R {
+    let miss = |value: &R, weights: [i64; 3], total: i64| {
+        let model = v0.clone().times(weights[0]) + v2.clone().times(weights[1]) + v4.clone().times(weights[2]);
+        (model.over(total) - value).abs().steer()
     };
-    [miss(v0, v1, v4), miss(v4, v3, v0)]
+    let larger = |x: R, y: R| if x > y { x } else { y };
+    larger(larger(miss(v1, [3, 6, -1], 8), miss(v3, [-1, 6, 3], 8)), miss(aside, [24, 160, -15], 169))
 }
 
 /// One certain sign, and ln|f| within 1/8 of a quadratic; or out of range everywhere.
-fn has_no_zero<R: Real>(five: &[&Sample<R>; 5]) -> bool {
-    if !five.iter().all(|sample| sample.agrees(five[0])) {
-        return false;
-    }
-    if five.iter().all(|sample| !sample.f.is_finite()) {
-        return true;
-    }
-    let logs = five.map(|sample| sample.f.abs().ln());
-    misfit(logs.each_ref()).iter().all(|miss| *miss <= miss.lit(1))
+fn fits_logarithm<R: Real>(six: &[&Sample<R>; 6]) -> bool {
+    let logs = six.map(|sample| sample.f.abs().ln());
+    let smooth = || misfit(logs.each_ref()) <= logs[0].ratio(1, 8);
+    let infinite = || six.iter().all(|sample| !sample.f.is_finite());
+    six.iter().all(|sample| sample.agrees(six[0])) && (infinite() || smooth())
 }
 
-/// Monotone with one certain sign change, and within 1/16 of its range of a quadratic.
-fn has_one_zero<R: Real>(five: &[&Sample<R>; 5]) -> bool {
-    let changes = five.windows(2).filter(|pair| pair[0].differs(pair[1])).count();
-    let values = five.map(|sample| sample.f.steer());
+/// Of certain signs, strictly monotone, and within 1/16 of its range of a quadratic that is itself monotone.
+fn fits_monotone<R: Real>(six: &[&Sample<R>; 6]) -> bool {
+    let values = six.map(|sample| sample.f.steer());
+    let [v0, _, _, v2, _, v4] = values.each_ref();
+    let range = v4.clone() - v0;
+    // Twice the slopes at the ends; for a straight line both are twice the range.
+    let bend = (v0.clone() + v4 - &v2.clone().times(2)).times(2);
+    let steep = |slope: R| slope.abs().times(4) >= range.abs() && (slope * &range) > range.lit(0);
+    let straight = || steep(range.clone() - &bend) && steep(range.clone() + &bend);
+    let smooth = || misfit(values.each_ref()) <= range.abs().over(16);
     let rising = values.windows(2).all(|pair| pair[0] < pair[1]);
     let falling = values.windows(2).all(|pair| pair[0] > pair[1]);
-    let range = (values[4].clone() - &values[0]).abs();
-    let smooth = misfit(values.each_ref()).iter().all(|miss| miss.clone().times(2) <= range);
-    changes == 1 && five[0].differs(five[4]) && (rising || falling) && smooth
+    six.iter().all(|sample| sample.agrees(sample)) && (rising || falling) && straight() && smooth()
 }
