@@ -30,6 +30,11 @@ impl<'a, R: Real> Curve<'a, R> {
         self.control
     }
 
+    /// E*, in Pa.
+    pub fn effective_modulus(&self) -> &'a R {
+        self.material.effective_modulus()
+    }
+
     /// ℓ = w/E*, the length that the material brings into the problem.
     pub fn material_length(&self) -> R {
         self.material.work_of_adhesion().clone() / self.material.effective_modulus()
