@@ -164,6 +164,20 @@ fn logarithms_of_any_size() {
     }
 }
 
+/// An exact logarithm needs no more bits than it has, whatever its size and the digits asked for.
+#[test]
+fn exact_logarithm() {
+    let log = |precision| {
+        let ln_magnitude = Interval::from_int(Precision::new(precision), 10).powi(300);
+        assert!(ln_magnitude.is_point());
+        Enclosure::Log { negative: false, ln_magnitude }
+    };
+    let decimal = log(1000).round(400).unwrap();
+    assert_eq!(Some(&decimal), log(4000).round(400).as_ref());
+    // 10^300 / ln 10.
+    assert!(decimal.exponent().to_string().starts_with("4342944819032518276511289189166050822943970058"));
+}
+
 /// 1000 digits of π end in …2164201989 (the next are 38…); 10 000 digits agree with MPFR's own conversion.
 #[test]
 fn many_digits() {

@@ -210,6 +210,13 @@ fn huge_and_wide_angles() {
     // Nearly a whole turn, and far out, where neighbouring numbers are further apart than the period.
     let most = interval(0.0, 6.0).sin();
     assert_eq!((most.lower().to_f64(), most.upper().to_f64()), (-1.0, 1.0));
+    // From cos 0 = 1 on either side of 0, over less and more than half a turn.
+    for (lo, hi, least) in
+        [(0.0, 3.0, -0.9899924966004454), (0.0, 4.0, -1.0), (-3.0, 0.0, -0.9899924966004454), (-4.0, 0.0, -1.0)]
+    {
+        let image = interval(lo, hi).cos();
+        assert_eq!((image.lower().to_f64(), image.upper().to_f64()), (least, 1.0), "cos [{lo}, {hi}]");
+    }
     let (low, high) = (2_f64.powi(90), 2_f64.powi(90) * (1.0 + f64::EPSILON));
     assert!(interval(low, high).cos().contains(&Float::with_val(BITS, -1)));
     let coarse = Interval::new(Float::with_val(4, 40), Float::with_val(4, 44));

@@ -60,9 +60,13 @@ fn quarter_turns(x: &Interval) -> Vec<Float> {
 }
 
 /// The minimum of Γ, as a root of ψ computed with mpmath (OEIS A030169).
-fn gamma_minimum(x: &Interval) -> Vec<Float> {
+fn minimum(bits: u32) -> Float {
     let digits = "1.46163214496836234126265954232572132846819620400644635129598840859878644035380181024307499273372559";
-    let minimum = Float::with_val(2 * x.precision(), Float::parse(digits).unwrap());
+    Float::with_val(bits, Float::parse(digits).unwrap())
+}
+
+fn gamma_minimum(x: &Interval) -> Vec<Float> {
+    let minimum = minimum(2 * x.precision());
     if x.contains(&minimum) { vec![minimum] } else { Vec::new() }
 }
 
@@ -87,11 +91,12 @@ fn up_to_unit(bits: u32) -> impl Strategy<Value = Interval> {
     interval_of(ends.boxed()).prop_filter_map("outside", move |x| x.intersect(&unit))
 }
 fn angles(bits: u32) -> impl Strategy<Value = Interval> {
-    interval_of(prop_oneof![signed(bits, -50..=3), signed(bits, 0..=300)].boxed())
+    let wide = (signed(bits, -3..=10), 2.0..7.0).prop_map(|(lo, width)| Interval::new(lo.clone(), lo + width));
+    prop_oneof![interval_of(signed(bits, -50..=3).boxed()), interval_of(signed(bits, 0..=300).boxed()), wide]
 }
 /// Thin and wide intervals on both sides of the minimum of Γ and across it, up to Γ(64).
 fn gamma_arguments(bits: u32) -> impl Strategy<Value = Interval> {
-    let close = signed(bits, -300..=-2).prop_map(|x| x + 1.461_632_144_968_362_3);
+    let close = signed(bits, -300..=-2).prop_map(move |x| x + minimum(bits));
     interval_of(prop_oneof![float(bits, -40..=6), float(bits, 1..=1), close].boxed())
 }
 fn digamma_arguments(bits: u32) -> impl Strategy<Value = Interval> {

@@ -95,3 +95,20 @@ impl Gamma for Interval {
         self.within(self.lo > 0, |x| x.increasing(Float::digamma_round))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The bound exceeds what it bounds, and is small against the last place.
+    #[test]
+    fn minimum_of_gamma() {
+        for precision in [10, 24, 53, 100, 200, 400] {
+            let (near, excess) = near_minimum(precision);
+            let (exact, _) = near_minimum(4 * precision + 100);
+            let bounded = (Float::with_val(exact.prec(), &near) - &exact) * near.digamma();
+            assert!(excess >= bounded && bounded >= 0, "{excess} below {bounded}");
+            assert!(excess < Float::with_val(10, 1) >> (precision + 8));
+        }
+    }
+}

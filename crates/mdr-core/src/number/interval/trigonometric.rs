@@ -1,6 +1,8 @@
 //! `Special` for intervals.
 
 use std::cmp::Ordering;
+// Both doubles lie just below the number they stand for.
+use std::f64::consts::{PI, TAU};
 
 use rug::Float;
 use rug::float::Round;
@@ -14,37 +16,28 @@ const LARGEST: i32 = 1 << 17;
 impl Interval {
     /// The image under sin or cos, given the function and, at a point, the sign of its derivative.
     ///
-    /// Over less than half a turn the derivative changes its sign once or never, which its signs at the two ends tell.
+    /// Over less than half a turn the derivative changes its sign at most once, over less than a whole turn at least
+    /// once and at most twice: its signs just inside the two ends tell which.
     fn oscillating(
         &self,
-        function: impl Fn(&mut Float, Round) -> Ordering + Copy,
-        slope: impl Fn(&Float) -> Float + Copy,
+        function: impl Fn(&mut Float, Round) -> Ordering,
+        slope: impl Fn(&Float) -> Float,
     ) -> Interval {
         let exponent = self.lo.get_exp().max(self.hi.get_exp());
         let width = self.width();
-        if exponent.is_some_and(|exponent| exponent > LARGEST) || width > TURN {
+        if exponent.is_some_and(|exponent| exponent > LARGEST) || width > TAU {
             return self.between(-1, 1);
         }
         if self.is_point() {
             return self.increasing(function);
         }
-        if width > HALF_TURN {
-            let mid = self.mid();
-            if mid == self.lo || mid == self.hi {
-                // The precision is too low for the period.
-                return self.between(-1, 1);
-            }
-            let halves = [Interval::new(self.lo.clone(), mid.clone()), Interval::new(mid, self.hi.clone())];
-            let [left, right] = halves.map(|half| half.oscillating(function, slope));
-            return left.hull(&right);
-        }
-        let (first, last) = (slope(&self.lo), slope(&self.hi));
-        if first <= 0 && last <= 0 {
-            self.decreasing(function)
-        } else if first >= 0 && last >= 0 {
-            self.increasing(function)
-        } else {
-            self.across_extremum(function, first > 0)
+        // The derivative of cos vanishes at 0, the only such number; it rises before and falls behind.
+        match (slope(&self.lo) > 0, slope(&self.hi) >= 0) {
+            (true, false) => self.across_extremum(function, true),
+            (false, true) => self.across_extremum(function, false),
+            _ if width > PI => self.between(-1, 1),
+            (true, true) => self.increasing(function),
+            (false, false) => self.decreasing(function),
         }
     }
 
@@ -68,10 +61,6 @@ impl Interval {
         Interval { lo: end(lower), hi: end(upper) }
     }
 }
-
-/// A little below 2π and below π, exactly representable at any precision in use.
-const TURN: f64 = 6.25;
-const HALF_TURN: f64 = 3.125;
 
 /// Enough bits for the sign of a correctly rounded function.
 const SIGN_BITS: u32 = 32;
