@@ -1,0 +1,154 @@
+//! Why a file is not a measured profile.
+
+use std::fmt;
+
+use mdr_core::number::LiteralError;
+use thiserror::Error;
+
+use super::MINIMUM_ROWS;
+
+/// The two columns of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Column {
+    /// `r`, the distance from the axis.
+    Radius,
+    /// `f`, the height above the tip.
+    Height,
+}
+
+impl Column {
+    /// The name in the header row.
+    pub fn name(self) -> &'static str {
+        match self {
+            Column::Radius => "r",
+            Column::Height => "f",
+        }
+    }
+}
+
+impl fmt::Display for Column {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// What is wrong with a table. Every message names the line, the column, what is written there and the remedy; numbers
+/// are quoted as they stand in the file.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum TableError {
+    /// The file cannot be read.
+    #[error("the table cannot be read: {0}")]
+    Read(#[from] std::io::Error),
+    /// It is not text with separated columns, or not UTF-8.
+    #[error("line {line}: not a row of UTF-8 text with separated columns: {reason}")]
+    Malformed {
+        /// Where.
+        line: usize,
+        /// What the reader of separated values says.
+        reason: String,
+    },
+    /// The header has no column of that name.
+    #[error("line {line}: no column `{column}` among `{found}`; the header must name the columns `r` and `f`")]
+    MissingColumn {
+        /// The line of the header.
+        line: usize,
+        /// The column looked for.
+        column: Column,
+        /// The names that are there.
+        found: String,
+    },
+    /// A row that has not as many fields as the table has columns.
+    #[error(
+        "line {line}: {found} fields where {expected} are expected; columns are separated by a comma, a semicolon or \
+         a tab, decimals are written with a point, and a table without header has the two columns r and f"
+    )]
+    Width {
+        /// Where.
+        line: usize,
+        /// Fields found.
+        found: usize,
+        /// Fields expected.
+        expected: usize,
+    },
+    /// A unit that is not a length.
+    #[error("line {line}, column {column}: unknown unit `{unit}`; expected m, alone or with an SI prefix: nm, um, mm")]
+    UnknownUnit {
+        /// The line of the units.
+        line: usize,
+        /// The column.
+        column: Column,
+        /// The unit as written.
+        unit: String,
+    },
+    /// A field that is not a finite number.
+    #[error("line {line}, column {column}: `{text}` is {reason}")]
+    NotANumber {
+        /// Where.
+        line: usize,
+        /// The column.
+        column: Column,
+        /// The field as written.
+        text: String,
+        /// Why.
+        reason: LiteralError,
+    },
+    /// A radius below zero.
+    #[error(
+        "line {line}, column r: the radius {radius} is negative; fold the trace at the tip, so that r ≥ 0 is the \
+         distance from the axis"
+    )]
+    NegativeRadius {
+        /// Where.
+        line: usize,
+        /// The radius as written.
+        radius: String,
+    },
+    /// A radius smaller than the one before.
+    #[error(
+        "line {line}, column r: the radius {radius} is smaller than {previous} on line {previous_line}; sort the rows \
+         by increasing r"
+    )]
+    Unsorted {
+        /// Where.
+        line: usize,
+        /// The radius as written.
+        radius: String,
+        /// The radius before it.
+        previous: String,
+        /// The line of that.
+        previous_line: usize,
+    },
+    /// A radius that is, as a double, the one before.
+    #[error(
+        "line {line}, column r: the radius {radius} was already given on line {previous_line}; keep one of the two \
+         rows, or their mean"
+    )]
+    Repeated {
+        /// Where.
+        line: usize,
+        /// The radius as written.
+        radius: String,
+        /// The line of the first.
+        previous_line: usize,
+    },
+    /// f(0) ≠ 0.
+    #[error(
+        "line {line}, column f: the profile is not zero at the tip, f(0) = {height}; subtract {height} from every f"
+    )]
+    TipNotZero {
+        /// Where.
+        line: usize,
+        /// f(0) as written.
+        height: String,
+    },
+    /// Not enough rows.
+    #[error(
+        "{rows} rows of numbers; at least {MINIMUM_ROWS} are needed, because with fewer the slopes of the interpolant \
+         follow from its end conditions and not from the data"
+    )]
+    TooFewRows {
+        /// Rows found.
+        rows: usize,
+    },
+}

@@ -1,0 +1,141 @@
+//! The shape-preserving cubic: slopes at the points, pieces between them.
+
+use mdr_core::contact::{Error, Profile, Quantity, Result};
+use mdr_core::number::{Lift, Real};
+
+use super::MeasuredProfile;
+
+/// c₀ + c₁s + c₂s².
+#[derive(Clone, Debug)]
+pub(super) struct Quadratic<R>(pub(super) [R; 3]);
+
+impl<R: Real> Quadratic<R> {
+    /// The same polynomial in powers of s − centre.
+    pub(super) fn about(&self, centre: &R) -> [R; 3] {
+        let [c0, c1, c2] = &self.0;
+        let slope = c2.clone() * centre;
+        let value = (slope.clone() + c1) * centre + c0;
+        [value, slope.times(2) + c1, c2.clone()]
+    }
+}
+
+/// One cubic piece, in the local coordinate s = (r − start)/width in [0, 1].
+#[derive(Clone, Debug)]
+pub(super) struct Piece<R> {
+    pub(super) start: R,
+    pub(super) width: R,
+    height: R,
+    /// f'.
+    pub(super) slope: Quadratic<R>,
+    /// (r f')' = f' + r f''.
+    pub(super) bend: Quadratic<R>,
+}
+
+impl<R: Real> Piece<R> {
+    /// The Hermite cubic with the difference quotient `secant` between the slopes `first` and `last`. All coefficients
+    /// are sums of the two differences of slopes, so that none is larger than f' varies.
+    fn new((start, height): &(R, R), width: &R, secant: &R, first: &R, last: &R) -> Self {
+        let (before, after) = (secant.clone() - first, last.clone() - secant);
+        let c1 = before.clone().times(4) - after.clone().times(2);
+        let c2 = (after - before).times(3);
+        let aspect = start.clone() / width;
+        let bend = Quadratic([
+            first.clone() + aspect.clone() * &c1,
+            (c1.clone() + aspect * &c2).times(2),
+            c2.clone().times(3),
+        ]);
+        let slope = Quadratic([first.clone(), c1, c2]);
+        Piece { start: start.clone(), width: width.clone(), height: height.clone(), slope, bend }
+    }
+
+    /// f(r), by Horner.
+    fn height<S: Lift<R>>(&self, r: &S) -> S {
+        let Quadratic([c0, c1, c2]) = &self.slope;
+        let lift = S::lift;
+        let s = (r.clone() - lift(&self.start)) / lift(&self.width);
+        let mean_slope = ((lift(c2).over(3) * &s + lift(c1).over(2)) * &s) + lift(c0);
+        mean_slope * s * lift(&self.width) + lift(&self.height)
+    }
+}
+
+/// The pieces through points whose first is the tip.
+pub(super) fn pieces<R: Real>(points: &[(R, R)]) -> Result<Vec<Piece<R>>> {
+    let mut widths = Vec::with_capacity(points.len());
+    let mut secants = Vec::with_capacity(points.len());
+    for pair in points.windows(2) {
+        let [(r, f), (next_r, next_f)] = pair else { continue };
+        let width = next_r.clone() - r;
+        if !(width > width.lit(0) && next_r.is_finite()) {
+            let requirement = "finite and larger than the radius before it";
+            return Err(Error::domain(Quantity::Parameter("a radius of the table"), next_r, requirement));
+        }
+        let secant = (next_f.clone() - f) / &width;
+        if !secant.clone().times(16).is_finite() {
+            let requirement = "finite, also as a difference quotient";
+            return Err(Error::domain(Quantity::Parameter("a height of the table"), next_f, requirement));
+        }
+        widths.push(width);
+        secants.push(secant);
+    }
+    let slopes = slopes(&widths, &secants);
+    let piece = |i: usize| Piece::new(&points[i], &widths[i], &secants[i], &slopes[i], &slopes[i + 1]);
+    Ok((0..widths.len()).map(piece).collect())
+}
+
+/// f' at the points: 0 at the tip; then that of the parabola through the point and its two neighbours, cut back to what
+/// keeps the pieces on either side monotone; at the end that of the last such parabola.
+fn slopes<R: Real>(widths: &[R], secants: &[R]) -> Vec<R> {
+    let mut slopes = vec![widths[0].lit(0)];
+    for i in 1..widths.len() {
+        let [left, right] = [&widths[i - 1], &widths[i]];
+        let [before, after] = [&secants[i - 1], &secants[i]];
+        let parabola = (before.clone() * right + after.clone() * left) / (left.clone() + right);
+        slopes.push(cut_back(parabola, before, after));
+    }
+    let [.., left, right] = widths else { return slopes };
+    let [.., before, last] = secants else { return slopes };
+    let parabola = (last.clone() - before) * right / (left.clone() + right) + last;
+    slopes.push(cut_back(parabola, last, last));
+    slopes
+}
+
+/// `slope` if both secants have its sign and it is at most three times the smaller; else the nearest that fits, or 0.
+fn cut_back<R: Real>(slope: R, before: &R, after: &R) -> R {
+    let zero = slope.lit(0);
+    let rising = slope > zero;
+    if [before, after].iter().any(|secant| **secant == zero || (**secant > zero) != rising) {
+        return zero;
+    }
+    let (before, after) = (before.clone().times(3), after.clone().times(3));
+    let flattest = if before.abs() < after.abs() { before } else { after };
+    if slope.abs() > flattest.abs() { flattest } else { slope }
+}
+
+/// The height of the interpolant, for r up to the last radius; beyond it the last cubic goes on.
+impl<R: Real> Profile<R> for MeasuredProfile<R> {
+    fn height<S: Lift<R>>(&self, r: &S) -> S {
+        let below = self.pieces.partition_point(|piece| S::lift(&piece.start) < *r);
+        self.pieces[below.max(1) - 1].height(r)
+    }
+
+    fn kinks(&self) -> Vec<R> {
+        self.pieces.iter().skip(1).map(|piece| piece.start.clone()).collect()
+    }
+
+    fn outer_radius(&self) -> Option<R> {
+        Some(self.end.clone())
+    }
+
+    /// The first piece begins as c r², unless that is flat.
+    fn tip_exponent(&self) -> Option<R> {
+        let Quadratic([_, curvature, third]) = &self.pieces[0].slope;
+        let zero = curvature.lit(0);
+        if *curvature != zero {
+            Some(zero.lit(2))
+        } else if *third != zero {
+            Some(zero.lit(3))
+        } else {
+            None
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! From text to exact rows.
+
+use std::io::Read;
+use std::ops::Range;
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+use mdr_core::number::{Literal, LiteralError};
+
+use super::units::{decimal_power, scaled};
+use super::{Column, MINIMUM_ROWS, Row, Table, TableError};
+
+/// A record of the file and the line it stands on.
+struct Line {
+    number: usize,
+    fields: StringRecord,
+}
+
+impl Line {
+    fn width(&self, expected: usize) -> Result<(), TableError> {
+        let (line, found) = (self.number, self.fields.len());
+        if found == expected { Ok(()) } else { Err(TableError::Width { line, found, expected }) }
+    }
+
+    /// Whether no field looks like a number: a header or a row of units.
+    fn is_words(&self) -> bool {
+        let word = |field: &str| {
+            let number_like = field.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+            !number_like && field.parse::<Literal>() == Err(LiteralError::NotANumber)
+        };
+        self.fields.iter().all(word)
+    }
+
+    fn is_units(&self) -> bool {
+        self.fields.iter().all(|field| decimal_power(field).is_some())
+    }
+}
+
+/// Where r and f stand in a record, and what they are multiplied with.
+struct Layout {
+    width: usize,
+    place: [usize; 2],
+    power: [i64; 2],
+}
+
+const COLUMNS: [Column; 2] = [Column::Radius, Column::Height];
+
+impl Layout {
+    /// The two columns of a table without header.
+    fn plain() -> Self {
+        Layout { width: 2, place: [0, 1], power: [0, 0] }
+    }
+
+    fn from_header(header: &Line) -> Result<Self, TableError> {
+        let mut layout = Layout { width: header.fields.len(), ..Layout::plain() };
+        for (place, column) in layout.place.iter_mut().zip(COLUMNS) {
+            let named = |field: &str| field.eq_ignore_ascii_case(column.name());
+            *place = header.fields.iter().position(named).ok_or_else(|| TableError::MissingColumn {
+                line: header.number,
+                column,
+                found: header.fields.iter().collect::<Vec<_>>().join(", "),
+            })?;
+        }
+        Ok(layout)
+    }
+
+    fn set_units(&mut self, units: &Line) -> Result<(), TableError> {
+        units.width(self.width)?;
+        for ((power, place), column) in self.power.iter_mut().zip(self.place).zip(COLUMNS) {
+            let unit = &units.fields[place];
+            *power = decimal_power(unit).ok_or_else(|| TableError::UnknownUnit {
+                line: units.number,
+                column,
+                unit: unit.to_owned(),
+            })?;
+        }
+        Ok(())
+    }
+
+    /// The number in a column: as written, and in metres.
+    fn number<'a>(&self, line: &'a Line, column: Column) -> Result<(&'a str, Literal), TableError> {
+        let (place, power) = (self.place[column as usize], self.power[column as usize]);
+        let text = &line.fields[place];
+        let metres = text.parse::<Literal>().and_then(|_| scaled(text, power).parse());
+        let refused = |reason| TableError::NotANumber { line: line.number, column, text: text.to_owned(), reason };
+        Ok((text, metres.map_err(refused)?))
+    }
+}
+
+impl Table {
+    /// Reads a table of two columns, `r` and `f`.
+    ///
+    /// Columns are separated by commas, semicolons or tabs (the first row decides); a header row names `r` and `f` (in
+    /// any order, other columns are ignored) and may be left out when there are just these two; a row of units
+    /// (`um,nm`; metres without it) may follow; comment lines start with `#`.
+    ///
+    /// # Errors
+    /// [`TableError`], with the line, the column and the value: see there for all that is refused.
+    pub fn from_csv(mut source: impl Read) -> Result<Table, TableError> {
+        let mut bytes = Vec::new();
+        source.read_to_end(&mut bytes)?;
+        let mut lines = records(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes)).peekable();
+        let mut words = || lines.next_if(|line| line.as_ref().is_ok_and(Line::is_words)).transpose();
+
+        let mut layout = Layout::plain();
+        let mut units = words()?;
+        if let Some(header) = units.take_if(|line| !line.is_units()) {
+            layout = Layout::from_header(&header)?;
+            units = words()?;
+        }
+        if let Some(units) = units {
+            layout.set_units(&units)?;
+        }
+        let mut rows = Rows { layout, rows: Vec::new(), previous: String::new() };
+        for line in lines {
+            rows.push(&line?)?;
+        }
+        rows.finish()
+    }
+}
+
+/// Rows read so far, with the last radius as it was written.
+struct Rows {
+    layout: Layout,
+    rows: Vec<Row>,
+    previous: String,
+}
+
+impl Rows {
+    fn push(&mut self, line: &Line) -> Result<(), TableError> {
+        line.width(self.layout.width)?;
+        let (radius_text, radius) = self.layout.number(line, Column::Radius)?;
+        let (height_text, height) = self.layout.number(line, Column::Height)?;
+        let line = line.number;
+        if radius.is_negative() {
+            return Err(TableError::NegativeRadius { line, radius: radius_text.to_owned() });
+        }
+        if radius.is_zero() && !height.is_zero() {
+            return Err(TableError::TipNotZero { line, height: height_text.to_owned() });
+        }
+        if let Some(last) = self.rows.last() {
+            let (radius, before) = (radius.nearest_f64(), last.radius.nearest_f64());
+            let written = radius_text.to_owned();
+            if radius < before {
+                let previous = std::mem::take(&mut self.previous);
+                return Err(TableError::Unsorted { line, radius: written, previous, previous_line: last.line });
+            }
+            if radius == before {
+                return Err(TableError::Repeated { line, radius: written, previous_line: last.line });
+            }
+        }
+        radius_text.clone_into(&mut self.previous);
+        self.rows.push(Row { line, radius, height });
+        Ok(())
+    }
+
+    fn finish(self) -> Result<Table, TableError> {
+        let rows = self.rows;
+        if rows.len() < MINIMUM_ROWS { Err(TableError::TooFewRows { rows: rows.len() }) } else { Ok(Table { rows }) }
+    }
+}
+
+/// The records of a text without its comments and blank lines.
+fn records(text: &[u8]) -> impl Iterator<Item = Result<Line, TableError>> + '_ {
+    let mut reader = ReaderBuilder::new()
+        .has_headers(false)
+        .comment(Some(b'#'))
+        .flexible(true)
+        .trim(Trim::All)
+        .delimiter(separator(text))
+        .from_reader(text);
+    let mut lines = LineCounter { text, seen: 0, line: 1 };
+    std::iter::from_fn(move || {
+        loop {
+            let mut fields = StringRecord::new();
+            let outcome = reader.read_record(&mut fields);
+            // The position of a record is that of the comments before it; where the reader stops is certain.
+            let number = lines.of_record_before(reader.position().byte() as usize);
+            match outcome {
+                Ok(false) => return None,
+                Ok(true) if fields.get(0).is_some_and(|first| first.starts_with('#')) => {}
+                Ok(true) => return Some(Ok(Line { number, fields })),
+                Err(error) => return Some(Err(TableError::Malformed { line: number, reason: error.to_string() })),
+            }
+        }
+    })
+}
+
+/// The separator of the first line that is neither blank nor a comment.
+fn separator(text: &[u8]) -> u8 {
+    let first = text.split(|&b| b == b'\n').map(<[u8]>::trim_ascii).find(|line| !matches!(line, [] | [b'#', ..]));
+    let first = first.unwrap_or_default();
+    [b'\t', b';'].into_iter().find(|separator| first.contains(separator)).unwrap_or(b',')
+}
+
+/// Counts lines while the reader moves on.
+struct LineCounter<'a> {
+    text: &'a [u8],
+    seen: usize,
+    line: usize,
+}
+
+impl LineCounter<'_> {
+    /// The line of the record that ends, its line break included, before byte `end`.
+    fn of_record_before(&mut self, end: usize) -> usize {
+        let fresh: Range<usize> = self.seen..end.saturating_sub(1).max(self.seen);
+        self.seen = fresh.end;
+        self.line += self.text[fresh].iter().filter(|&&b| b == b'\n').count();
+        self.line
+    }
+}
