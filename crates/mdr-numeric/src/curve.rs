@@ -42,14 +42,17 @@ impl<'a, R: Real> Curve<'a, R> {
 
     /// Δl(a) = √(2πaw/E*), the rule of Heß (1.4), in m.
     ///
-    /// Written as a√(2πℓ/a), which neither overflows nor underflows while ℓ/a is in range.
+    /// Written as a√(2πℓ/a), which stays in range where the product aw does not.
     pub fn detachment_elongation(&self, a: &R) -> R {
         a.clone() * self.root(a)
     }
 
     /// √(2πℓ/a) = Δl/a.
     fn root(&self, a: &R) -> R {
-        (self.material_length() / a * a.pi()).times(2).sqrt()
+        let length = self.material_length();
+        let ratio = length.clone() / a;
+        let normal = ratio.is_finite() && ratio.clone() * a.unit_roundoff() > a.lit(0);
+        if normal { (ratio * a.pi()).times(2).sqrt() } else { a.pi().times(2).sqrt() * length.sqrt() / a.sqrt() }
     }
 
     /// d(a) = g(a) − Δl(a) (1.5), in m.
@@ -131,8 +134,9 @@ impl<'a, R: Real> Curve<'a, R> {
             Control::Indentation => a.lit(1),
             Control::Force => a.lit(3),
             Control::Machine { stiffness: k } => {
-                let stiffness = self.edge_stiffness(a);
-                (k.clone() + stiffness.clone().times(3)) / (k.clone() + stiffness)
+                // 1 + 2/(1 + k/(2E*a)), which stays in range at both ends.
+                let share = (k.clone() / self.edge_stiffness(a) + a.lit(1)).inv();
+                share.times(2) + a.lit(1)
             }
         }
     }

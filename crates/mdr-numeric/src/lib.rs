@@ -3,13 +3,18 @@
 //! * [`profiles`]: heights f(r).
 //! * [`transform`]: g, g' and ∫g by quadrature, for any profile.
 //! * [`curve`]: the equilibria of (1.5) and (1.6) as a curve, and the direction of change off it.
+//! * [`folds`]: the instabilities, by tangency (1.10), under every control.
+//! * [`equilibrium`]: all equilibria at a given indentation, force or machine position, and what an instability leads to.
 //! * [`fields`]: pressure, displacement, gap.
 //! * [`table`]: measured profiles from a CSV file, transformed exactly.
 
 #![forbid(unsafe_code)]
 
 pub mod curve;
+pub mod equilibrium;
 pub mod fields;
+pub mod folds;
 pub mod profiles;
+mod survey;
 pub mod table;
 pub mod transform;

@@ -207,10 +207,14 @@ impl<R: Real> Real for Dual<R> {
         self.chain(self.value.ln_1p(), (self.value.lit(1) + &self.value).inv())
     }
     fn pow(&self, exponent: &Self) -> Self {
-        // d(x^y) = y x^(y−1) dx + x^y ln x dy; the second term only where y varies, so that x = 0 stays in the domain.
+        // d(x^y) = x^y (y dx/x + ln x dy): one power, and no x^(y−1) that could leave the range. Where x = 0 only x^(y−1) is
+        // in the domain; the second term only where y varies.
         let value = self.value.pow(&exponent.value);
-        let below = self.value.pow(&(exponent.value.clone() - exponent.value.lit(1)));
-        let mut slope = below * &exponent.value * &self.slope;
+        let mut slope = if self.value == self.value.lit(0) {
+            self.value.pow(&(exponent.value.clone() - exponent.value.lit(1))) * &exponent.value * &self.slope
+        } else {
+            self.slope.clone() / &self.value * &exponent.value * &value
+        };
         if exponent.slope != exponent.slope.lit(0) {
             slope += &(value.clone() * self.value.ln() * &exponent.slope);
         }

@@ -28,19 +28,15 @@ pub(super) fn nodes<R: Real>(p: &R, count: usize) -> Result<Vec<Node<R>>> {
 }
 
 /// I[φ] and I[|φ|], `sample(s)` being φ(xs), and the number of nodes.
-pub(super) fn sum<R: Real>(
-    nodes: &[Node<R>],
-    zero: R,
-    mut sample: impl FnMut(&R) -> Result<R>,
-) -> Result<(R, R, usize)> {
+pub(super) fn sum<R: Real>(nodes: &[Node<R>], zero: R, mut sample: impl FnMut(&R) -> R) -> (R, R, usize) {
     let mut total = zero.clone();
     let mut magnitude = zero;
     for node in nodes {
-        let term = sample(&node.s)? * &node.weight;
+        let term = sample(&node.s) * &node.weight;
         magnitude += &term.abs();
         total += &term;
     }
-    Ok((total, magnitude, nodes.len()))
+    (total, magnitude, nodes.len())
 }
 
 /// The rungs in units of bits/14 nodes. Power profiles are settled by the third, fifty waves by the last.
@@ -49,7 +45,8 @@ const RUNGS: [usize; 8] = [1, 2, 3, 6, 12, 24, 48, 96];
 /// Rules of growing size for one tip exponent, made when first needed.
 pub(super) struct Ladder<R> {
     p: R,
-    rungs: [OnceLock<Vec<Node<R>>>; RUNGS.len()],
+    /// None inside where the rule could not be made, as for a hundred nodes crowded by p = 1000.
+    rungs: [OnceLock<Option<Vec<Node<R>>>>; RUNGS.len()],
 }
 
 impl<R: Real> Ladder<R> {
@@ -57,40 +54,41 @@ impl<R: Real> Ladder<R> {
         Ladder { p, rungs: Default::default() }
     }
 
-    fn rung(&self, index: usize) -> Result<&[Node<R>]> {
-        if self.rungs[index].get().is_none() {
-            let made = nodes(&self.p, RUNGS[index] * self.p.precision().div_ceil(14) as usize)?;
-            // Another thread may have been faster; its rule is the same.
-            let _ = self.rungs[index].set(made);
-        }
-        Ok(self.rungs[index].get().map_or(&[], Vec::as_slice))
+    fn rung(&self, index: usize) -> Option<&[Node<R>]> {
+        let unit = self.p.precision().div_ceil(14) as usize;
+        self.rungs[index].get_or_init(|| nodes(&self.p, RUNGS[index] * unit).ok()).as_deref()
     }
 
     /// Climbs until the estimated error is below `tolerance` relative to I[|φ|], the samples themselves being known to
-    /// the relative `noise`. None when it gives up: then φ is not of the form this rule is made for.
-    pub(super) fn integrate(
-        &self,
-        tolerance: &R,
-        noise: &R,
-        mut sample: impl FnMut(&R) -> Result<R>,
-    ) -> Result<Option<Estimate<R>>> {
+    /// the relative `noise`. None when it gives up: then φ is not of the form this rule is made for. A value at the ends of
+    /// the range of the arithmetic is returned with an error as large as itself.
+    pub(super) fn integrate(&self, tolerance: &R, noise: &R, mut sample: impl FnMut(&R) -> R) -> Option<Estimate<R>> {
         let zero = self.p.lit(0);
-        let (mut last, _, mut evaluations) = sum(self.rung(0)?, zero.clone(), &mut sample)?;
+        let (mut last, _, mut evaluations) = sum(self.rung(0)?, zero.clone(), &mut sample);
         let mut change: Option<R> = None;
         for index in 1..RUNGS.len() {
-            let (value, magnitude, count) = sum(self.rung(index)?, zero.clone(), &mut sample)?;
+            let (value, magnitude, count) = sum(self.rung(index)?, zero.clone(), &mut sample);
             evaluations += count;
             let step = (value.clone() - &last).abs();
             let rounding = (magnitude.unit_roundoff() + noise).times(4) * &magnitude;
+            if !value.is_finite() || underflows(&magnitude) {
+                return Some(Estimate { value, error: magnitude, evaluations });
+            }
             let remainder = change.and_then(|before| remainder(&before, &step, &rounding));
             if let Some(remainder) = remainder.filter(|error| *error <= tolerance.clone() * &magnitude) {
-                return Ok(Some(Estimate { value, error: remainder + rounding, evaluations }));
+                return Some(Estimate { value, error: remainder + rounding, evaluations });
             }
             change = Some(step);
             last = value;
         }
-        Ok(None)
+        None
     }
+}
+
+/// Whether a magnitude is not zero, but so small that its terms no longer have all their digits.
+pub(super) fn underflows<R: Real>(magnitude: &R) -> bool {
+    let zero = magnitude.lit(0);
+    *magnitude != zero && magnitude.unit_roundoff().square() * magnitude == zero
 }
 
 /// What is left after the last of two changes. Over equal steps a geometric convergence leaves step²/before; a longer last

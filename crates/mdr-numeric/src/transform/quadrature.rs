@@ -28,7 +28,8 @@ pub enum Rule {
 /// The MDR-transformed profile g of a profile given as a function, by quadrature.
 ///
 /// Accuracy: the [tolerance](Quadrature::with_tolerance), by default 32 unit roundoffs of ∫|…|, or where it is larger the
-/// condition number r φ'/φ of the integrand at r = x times the roundoff of r, as near the equator of a sphere.
+/// condition number r φ'/φ of the integrand at r = x times the roundoff of r, as near the equator of a sphere. A transform
+/// below the range of the arithmetic is 0 or nearly so, with an estimated error of its own size.
 ///
 /// ```
 /// use mdr_core::contact::Transform;
@@ -173,9 +174,10 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
             (Rule::Gauss { nodes }, _) => self.fixed(x, nodes, integrand),
             (Rule::Automatic, Some(ladder)) => {
                 let noise = self.noise(x);
-                let sample = |s: &R| Ok(integrand.at(&self.profile, &(s.clone() * x)));
-                let settled = ladder.integrate(&self.attainable(x, &noise), &noise, sample)?;
-                settled.map_or_else(|| self.double_exponential(x, &x.lit(0), &quarter(x), integrand), Ok)
+                let sample = |s: &R| integrand.at(&self.profile, &(s.clone() * x));
+                ladder
+                    .integrate(&self.attainable(x, &noise), &noise, sample)
+                    .map_or_else(|| self.double_exponential(x, &x.lit(0), &quarter(x), integrand), Ok)
             }
             _ => self.double_exponential(x, &x.lit(0), &quarter(x), integrand),
         }
@@ -184,8 +186,8 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     /// The rule of the caller's size; its error is the distance from the rule of half that size, hence far too large.
     fn fixed(&self, x: &R, count: usize, integrand: Integrand) -> Result<Estimate<R>> {
         let rules = self.fixed_rules(x, count)?;
-        let (value, magnitude, fine) = self.sum(&rules.fine, x, integrand)?;
-        let (coarse, _, fewer) = self.sum(&rules.coarse, x, integrand)?;
+        let (value, magnitude, fine) = self.sum(&rules.fine, x, integrand);
+        let (coarse, _, fewer) = self.sum(&rules.coarse, x, integrand);
         let error = (value.clone() - coarse).abs() + magnitude.unit_roundoff().times(4) * &magnitude;
         Ok(Estimate { value, error, evaluations: fine + fewer })
     }
@@ -204,8 +206,8 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         })
     }
 
-    fn sum(&self, nodes: &[gauss::Node<R>], x: &R, integrand: Integrand) -> Result<(R, R, usize)> {
-        gauss::sum(nodes, x.lit(0), |s| Ok(integrand.at(&self.profile, &(s.clone() * x))))
+    fn sum(&self, nodes: &[gauss::Node<R>], x: &R, integrand: Integrand) -> (R, R, usize) {
+        gauss::sum(nodes, x.lit(0), |s| integrand.at(&self.profile, &(s.clone() * x)))
     }
 
     /// I[φ] piece by piece in θ between the kinks.
@@ -258,6 +260,10 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     }
 
     fn double_exponential(&self, x: &R, lower: &R, upper: &R, integrand: Integrand) -> Result<Estimate<R>> {
+        let largest = integrand.at(&self.profile, x).abs();
+        if gauss::underflows(&largest) {
+            return Ok(Estimate { value: x.lit(0), error: largest, evaluations: 1 });
+        }
         let noise = self.noise(x);
         let estimate = tanh_sinh(lower, upper, &self.attainable(x, &noise), |theta| {
             let sine = theta.sin();

@@ -1,0 +1,245 @@
+//! Equilibria at a given value of the controlled quantity, and what an instability leads to.
+//!
+//! Between two folds the controlled quantity is monotone along the curve of equilibria, so each branch holds at most one
+//! equilibrium. Its stability is read from the direction of change, (1.8) and (1.9), on both sides.
+
+use std::cmp::Ordering;
+
+use mdr_core::calculus::roots::{self, Bracket};
+use mdr_core::contact::{
+    Control, Equilibrium, Error, FoldKind, Instability, Material, Outcome, Result, Stability, Transform,
+};
+use mdr_core::number::Real;
+
+use crate::curve::Curve;
+use crate::folds::{self, Completeness};
+
+/// The branches of a contact under one control: the curve of equilibria cut at its folds.
+pub struct Branches<'a, R: Real> {
+    curve: Curve<'a, R>,
+    folds: Vec<Instability<R>>,
+    completeness: Completeness,
+}
+
+/// All equilibria at `value` of the controlled quantity (d, F, or D = d + F/k), by increasing radius. None is an empty list.
+/// At a fold itself the double root is one equilibrium, [`Neutral`](Stability::Neutral).
+///
+/// Accuracy: the residual is at the rounding level of g and Δl; the radius has that error times their condition, which
+/// near a fold at relative distance ε grows as 1/√ε: half the digits are left at ε = u.
+///
+/// ```
+/// use mdr_core::contact::{Control, Material, Stability};
+/// use mdr_numeric::{equilibrium::equilibria, profiles::Paraboloid, transform::Quadrature};
+/// let (ball, glue) = (Quadrature::new(Paraboloid::new(1.0)?), Material::new(1.0, 1e-3)?);
+/// let pulled = equilibria(&ball, &glue, &Control::Indentation, &-0.01)?;
+/// assert_eq!(pulled.len(), 2);
+/// assert_eq!(pulled[1].stability, Stability::Stable);
+/// assert!(equilibria(&ball, &glue, &Control::Indentation, &-1.0)?.is_empty());
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of the transform; [`OutOfRange`](Error::OutOfRange) when a force is no number of this arithmetic.
+pub fn equilibria<R: Real>(
+    transform: &dyn Transform<R>,
+    material: &Material<R>,
+    control: &Control<R>,
+    value: &R,
+) -> Result<Vec<Equilibrium<R>>> {
+    Branches::new(Curve::new(transform, material, control))?.equilibria(value)
+}
+
+impl<'a, R: Real> Branches<'a, R> {
+    /// Finds the folds of the curve. Do this once and ask for many values.
+    ///
+    /// # Errors
+    /// As [`folds::folds`].
+    pub fn new(curve: Curve<'a, R>) -> Result<Self> {
+        let folds::Folds { folds, completeness } = folds::find(&curve)?;
+        Ok(Branches { curve, folds, completeness })
+    }
+
+    /// The curve.
+    pub fn curve(&self) -> &Curve<'a, R> {
+        &self.curve
+    }
+
+    /// The folds by increasing radius.
+    pub fn folds(&self) -> &[Instability<R>] {
+        &self.folds
+    }
+
+    /// Whether there may be folds, and with them branches, that were not found.
+    pub fn completeness(&self) -> Completeness {
+        self.completeness
+    }
+
+    /// See [`equilibria`].
+    ///
+    /// # Errors
+    /// As [`equilibria`].
+    pub fn equilibria(&self, value: &R) -> Result<Vec<Equilibrium<R>>> {
+        let mut found = Vec::new();
+        for branch in 0..=self.folds.len() {
+            found.extend(self.on_branch(branch, value)?);
+            if let Some(fold) = self.folds.get(branch).filter(|fold| self.is_at(fold, value)) {
+                found.push(Equilibrium {
+                    contact_radius: fold.contact_radius.clone(),
+                    indentation: fold.indentation.clone(),
+                    force: fold.force.clone(),
+                    stability: Stability::Neutral,
+                });
+            }
+        }
+        Ok(found)
+    }
+
+    /// What becomes of the contact at a fold, given by its index, when the controlled quantity goes a little beyond it:
+    /// it follows the direction of change to the next equilibrium. Past a minimum it shrinks, and has detached when there
+    /// is none; past a maximum it grows, and covers the whole surface when there is none.
+    ///
+    /// # Errors
+    /// Those of the transform. An index that does not exist has [`Outcome::Detached`].
+    pub fn outcome(&self, fold: usize) -> Result<Outcome<R>> {
+        let Some(start) = self.folds.get(fold) else { return Ok(Outcome::Detached) };
+        let value = self.curve.control().controlled(&start.indentation, &start.force);
+        let (ways, end): (Vec<usize>, _) = match start.kind {
+            FoldKind::Minimum => ((0..fold).rev().collect(), Outcome::Detached),
+            FoldKind::Maximum => ((fold + 2..=self.folds.len()).collect(), Outcome::CompleteContact),
+        };
+        for branch in ways {
+            if let Some(rest) = self.on_branch(branch, &value)? {
+                return Ok(Outcome::Jump { to: rest.contact_radius });
+            }
+        }
+        Ok(end)
+    }
+
+    /// Whether `value` is that of the fold, up to the rounding of g, Δl and the mean of g.
+    fn is_at(&self, fold: &Instability<R>, value: &R) -> bool {
+        let control = self.curve.control();
+        let a = &fold.contact_radius;
+        let scale = {
+            let (d, l) = (fold.indentation.abs(), self.curve.detachment_elongation(a));
+            let displacement = d + l.times(2);
+            // The force is 2E*a times a difference of lengths of this size.
+            let force = match self.curve.force_at(a, &displacement) {
+                Ok(force) => force.abs() + fold.force.abs(),
+                Err(_) => fold.force.abs(),
+            };
+            control.controlled(&displacement, &force)
+        };
+        let distance = (control.controlled(&fold.indentation, &fold.force) - value).abs();
+        distance <= scale * value.unit_roundoff().times(8)
+    }
+
+    /// The equilibrium on one branch, between the fold of index `branch − 1` and that of index `branch`.
+    fn on_branch(&self, branch: usize, value: &R) -> Result<Option<Equilibrium<R>>> {
+        let Some(Change { lower, upper, below }) = self.change(branch, value)? else { return Ok(None) };
+        let direction = |a: &R| self.curve.direction(a, value);
+        let Some(bracket) = Bracket::new(&lower, &upper, direction)? else { return Ok(None) };
+        let contact_radius = roots::refine(bracket, &lower.unit_roundoff(), direction)?.value;
+        let (indentation, force) = self.curve.state(&contact_radius)?;
+        // It grows below and shrinks above: back to the equilibrium.
+        let stability = if below == Ordering::Less { Stability::Stable } else { Stability::Unstable };
+        Ok(Some(Equilibrium { contact_radius, indentation, force, stability }))
+    }
+
+    /// Where the direction of change turns on a branch.
+    fn change(&self, branch: usize, value: &R) -> Result<Option<Change<R>>> {
+        let below = branch.checked_sub(1).and_then(|index| self.folds.get(index));
+        let above = self.folds.get(branch);
+        match (below, above) {
+            (Some(below), Some(above)) => {
+                let signs = (self.beside(below, value)?, self.beside(above, value)?);
+                let (lower, upper) = (below.contact_radius.clone(), above.contact_radius.clone());
+                Ok((signs.0 != signs.1).then_some(Change { lower, upper, below: signs.0 }))
+            }
+            (Some(fold), None) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Way::Up, value),
+            (None, Some(fold)) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Way::Down, value),
+            (None, None) => {
+                let start = self.start();
+                let from = sign(&self.curve.direction(&start, value)?);
+                let down = self.walk(&start, from, Way::Down, value)?;
+                if down.is_some() { Ok(down) } else { self.walk(&start, from, Way::Up, value) }
+            }
+        }
+    }
+
+    /// The direction of change on the branch beside a fold. At the value of the fold itself it is that of both sides.
+    fn beside(&self, fold: &Instability<R>, value: &R) -> Result<Ordering> {
+        if self.is_at(fold, value) {
+            return Ok(match fold.kind {
+                FoldKind::Minimum => Ordering::Greater,
+                FoldKind::Maximum => Ordering::Less,
+            });
+        }
+        Ok(sign(&self.curve.direction(&fold.contact_radius, value)?))
+    }
+
+    /// A radius to start from where there is no fold: the length w/E*, or half the outer radius if that is smaller.
+    fn start(&self) -> R {
+        let length = self.curve.material_length();
+        match self.curve.transform().outer_radius().map(|outer| outer.over(2)) {
+            Some(half) if half < length => half,
+            _ => length,
+        }
+    }
+
+    /// Walks from `start` to the end of the range of radii in steps that double in ln a, and halve at the end, until the
+    /// direction of change is no longer `from`.
+    fn walk(&self, start: &R, from: Ordering, way: Way, value: &R) -> Result<Option<Change<R>>> {
+        let mut last = start.clone();
+        let mut octaves: i64 = 1;
+        let mut growing = true;
+        while octaves > 0 {
+            let power = match way {
+                Way::Up => octaves,
+                Way::Down => -octaves,
+            };
+            match self.turn(last.lit(2).powi(power) * &last, value)? {
+                Some((next, turn)) if turn != from => {
+                    return Ok(Some(match way {
+                        Way::Up => Change { lower: last, upper: next, below: from },
+                        Way::Down => Change { lower: next, upper: last, below: turn },
+                    }));
+                }
+                Some((next, _)) => last = next,
+                None => growing = false,
+            }
+            octaves = if growing { octaves * 2 } else { octaves / 2 };
+        }
+        Ok(None)
+    }
+
+    /// The direction of change at a radius; none out of the range of radii or of the arithmetic.
+    fn turn(&self, a: R, value: &R) -> Result<Option<(R, Ordering)>> {
+        let normal = a.is_finite() && a.clone() * a.unit_roundoff() > a.lit(0);
+        if !normal {
+            return Ok(None);
+        }
+        match self.curve.direction(&a, value) {
+            Ok(change) => Ok(change.partial_cmp(&change.lit(0)).map(|_| (a, sign(&change)))),
+            Err(Error::OutOfRange { .. } | Error::Domain { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+}
+
+/// Two radii between which the direction of change turns, and what it is below.
+struct Change<R> {
+    lower: R,
+    upper: R,
+    below: Ordering,
+}
+
+#[derive(Clone, Copy)]
+enum Way {
+    Up,
+    Down,
+}
+
+/// The sign of a direction of change; an exact zero counts as shrinking, on both sides alike.
+fn sign<R: Real>(change: &R) -> Ordering {
+    if *change < change.lit(0) { Ordering::Less } else { Ordering::Greater }
+}

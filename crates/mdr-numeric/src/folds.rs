@@ -1,0 +1,79 @@
+//! Instabilities: the folds of the controlled quantity along the curve of equilibria.
+
+use mdr_core::calculus::roots::{self, Bracket};
+use mdr_core::contact::{Control, FoldKind, Instability, Material, Result, Transform};
+use mdr_core::number::Real;
+
+use crate::curve::Curve;
+use crate::survey::{self, Range};
+
+/// How far a search can be trusted. Neither is a proof: that would need enclosures of g over intervals of radii.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Completeness {
+    /// Not proved; but the function was resolved everywhere in the range of radii, or kept a margin from the condition.
+    Resolved,
+    /// Not proved, and somewhere the function could not be resolved or evaluated: folds may be missing.
+    Doubtful,
+}
+
+/// The folds of one contact under one control.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Folds<R> {
+    /// By increasing radius.
+    pub folds: Vec<Instability<R>>,
+    /// Whether there may be more.
+    pub completeness: Completeness,
+}
+
+/// All folds by tangency: g'(a) = Δl'(a) (1.10) under controlled indentation, g' = 3Δl' under controlled force, and
+/// g' = Δl'·(k+6E*a)/(k+2E*a) on a machine. By increasing radius.
+///
+/// At a fold the relative error of the radius is the error of g' over |d ln(g'/Δl')/d ln a|, n − 1/2 for a power law;
+/// indentation and force lose less.
+///
+/// ```
+/// use mdr_core::contact::{Control, Material};
+/// use mdr_numeric::{folds::folds, profiles::Paraboloid, transform::Quadrature};
+/// // The pull-off force of JKR, −(3/2)πwR (Johnson, Kendall, Roberts 1971).
+/// let (ball, rubber) = (Quadrature::new(Paraboloid::new(1.0)?), Material::new(1e6, 0.05)?);
+/// let pull_off = &folds(&ball, &rubber, &Control::Force)?[0];
+/// assert!((pull_off.force / (-1.5 * 0.05 * std::f64::consts::PI) - 1.0).abs() < 1e-13);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of the transform at a fold; [`OutOfRange`](mdr_core::contact::Error::OutOfRange) when a force is no number of
+/// this arithmetic.
+pub fn folds<R: Real>(
+    transform: &dyn Transform<R>,
+    material: &Material<R>,
+    control: &Control<R>,
+) -> Result<Vec<Instability<R>>> {
+    Ok(find(&Curve::new(transform, material, control))?.folds)
+}
+
+/// As [`folds`], with a statement on completeness.
+///
+/// # Errors
+/// As [`folds`].
+pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
+    let range = Range {
+        scale: curve.material_length(),
+        kinks: curve.transform().kinks(),
+        outer: curve.transform().outer_radius(),
+    };
+    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a));
+    let survey = survey::survey(&range, ratio);
+    let mut folds = Vec::with_capacity(survey.crossings.len());
+    for crossing in &survey.crossings {
+        let excess = |a: &R| Ok(ratio(a)? - a.lit(1));
+        let Some(bracket) = Bracket::new(&crossing.lower, &crossing.upper, excess)? else { continue };
+        let contact_radius = roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value;
+        let (indentation, force) = curve.state(&contact_radius)?;
+        // The derivative of the controlled quantity has the sign of ratio − 1.
+        let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
+        folds.push(Instability { contact_radius, indentation, force, kind });
+    }
+    let completeness = if survey.resolved { Completeness::Resolved } else { Completeness::Doubtful };
+    Ok(Folds { folds, completeness })
+}

@@ -1,0 +1,262 @@
+//! Where a ratio passes through one: a search over the whole range of contact radii.
+//!
+//! The range is covered by panels in t = ln(a/ℓ), ℓ a length of the problem, that grow away from t = 0. A panel is sampled
+//! at nine Chebyshev points and halved until it is settled: its samples stay away from the crossing by a margin, or their
+//! interpolating polynomial is resolved and either has no zero or is monotone. Nothing depends on the unit of length. The
+//! search is adaptive, so it finds pairs of crossings that a fixed step would miss; it is numerical evidence, no proof.
+
+use std::f64::consts::PI;
+
+use mdr_core::contact::{Error, Result};
+use mdr_core::number::Real;
+
+/// A sign change of ln(ratio) between two radii.
+#[derive(Clone, Debug)]
+pub(crate) struct Crossing<R> {
+    /// Below it.
+    pub(crate) lower: R,
+    /// Above it.
+    pub(crate) upper: R,
+    /// Whether the ratio grows through one.
+    pub(crate) rising: bool,
+}
+
+/// All crossings that were found, ascending.
+#[derive(Clone, Debug)]
+pub(crate) struct Survey<R> {
+    pub(crate) crossings: Vec<Crossing<R>>,
+    /// Whether every panel was settled.
+    pub(crate) resolved: bool,
+}
+
+/// Where to look.
+pub(crate) struct Range<R> {
+    /// The length ℓ.
+    pub(crate) scale: R,
+    /// Radii where the ratio may jump, ascending.
+    pub(crate) kinks: Vec<R>,
+    /// The end of the range, if it is finite.
+    pub(crate) outer: Option<R>,
+}
+
+/// Intervals of a panel.
+const DEGREE: usize = 8;
+/// The largest |t| that is looked at: 10^±455000, far beyond which only n = 1/2 ± 10⁻⁶ and closer has anything.
+const REACH: f64 = 1_048_576.0;
+/// Panels are not halved below this width in ln a.
+const FINEST: f64 = 1e-7;
+/// How close in ln a the search comes to a kink, and to the outer radius, where quadrature loses its digits.
+const KINK_MARGIN: f64 = 1e-12;
+const OUTER_MARGIN: f64 = 1e-6;
+/// Panels, a bound on the work.
+const BUDGET: usize = 20_000;
+/// Levels below this are compressed, so that a ratio may pass through zero.
+const FLOOR: f64 = -3.0;
+const CEILING: f64 = 600.0;
+
+/// Finds the crossings of `ratio` through one.
+pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Survey<R> {
+    let mut search = Search { scale: &range.scale, ratio, crossings: Vec::new(), resolved: true, panels: 0 };
+    let mut edge: Option<Sample> = None;
+    for (lower, upper) in panels(range) {
+        let (first, last) = search.panel(lower, upper);
+        // Across a kink, or between two panels that were settled each for itself.
+        if let (Some(before), Some(after)) = (edge, first)
+            && before.above != after.above
+        {
+            search.push(before, after);
+        }
+        edge = last;
+    }
+    search.crossings.sort_by(|a, b| a.lower.partial_cmp(&b.lower).unwrap_or(std::cmp::Ordering::Equal));
+    Survey { crossings: search.crossings, resolved: search.resolved }
+}
+
+/// ± [0, 2], [2, 4], [4, 8], …, cut at kinks and ends.
+fn panels<R: Real>(range: &Range<R>) -> Vec<(f64, f64)> {
+    let position = |a: &R| (a.clone() / &range.scale).ln().approx();
+    let lowest = reach(&range.scale, -1.0);
+    let highest = match &range.outer {
+        Some(outer) => position(outer) - OUTER_MARGIN,
+        None => reach(&range.scale, 1.0),
+    };
+    let doubling = std::iter::successors(Some(2.0), |t| Some(2.0 * t)).take_while(|t| *t < REACH);
+    let mut cuts: Vec<(f64, f64)> = doubling.flat_map(|t| [t, -t]).chain([0.0]).map(|t| (t, 0.0)).collect();
+    cuts.extend(range.kinks.iter().map(|kink| (position(kink), KINK_MARGIN)));
+    cuts.retain(|(t, _)| *t > lowest && *t < highest);
+    cuts.extend([(lowest, 0.0), (highest, 0.0)]);
+    cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    cuts.windows(2).map(|pair| (pair[0].0 + pair[0].1, pair[1].0 - pair[1].1)).filter(|(a, b)| a < b).collect()
+}
+
+/// The largest t in the given direction at which ℓeᵗ keeps u² (u the unit roundoff) away from the ends of the arithmetic.
+fn reach<R: Real>(scale: &R, direction: f64) -> f64 {
+    let normal = |t: f64| {
+        let a = radius(scale, direction * t);
+        let headroom = a.unit_roundoff().square();
+        (a.clone() / &headroom).is_finite() && a.clone() * headroom > a.lit(0)
+    };
+    let (mut inside, mut outside) = (0.0, REACH);
+    if normal(outside) {
+        return direction * outside;
+    }
+    while outside - inside > 1e-3 {
+        let middle = 0.5 * (inside + outside);
+        if normal(middle) { inside = middle } else { outside = middle }
+    }
+    direction * inside
+}
+
+fn radius<R: Real>(scale: &R, t: f64) -> R {
+    R::from_f64(scale.ctx(), t).exp() * scale
+}
+
+/// The ratio at one radius.
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    t: f64,
+    /// ln(ratio), compressed.
+    level: f64,
+    /// Whether the ratio is at least one; decided in the full arithmetic.
+    above: bool,
+}
+
+struct Search<'a, R, F> {
+    scale: &'a R,
+    ratio: F,
+    crossings: Vec<Crossing<R>>,
+    resolved: bool,
+    panels: usize,
+}
+
+impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
+    /// Searches one panel; its first and last sample, where they exist.
+    fn panel(&mut self, lower: f64, upper: f64) -> (Option<Sample>, Option<Sample>) {
+        let samples = self.samples(lower, upper);
+        self.panels += 1;
+        let (first, last) = (samples[0], samples[DEGREE]);
+        let known: Vec<Sample> = samples.into_iter().flatten().collect();
+        let narrow = upper - lower < FINEST || self.panels > BUDGET;
+        let verdict = if known.len() == DEGREE + 1 { settle(&known) } else { outside(&known, upper - lower) };
+        match verdict {
+            Verdict::Empty => {}
+            Verdict::Monotone => self.between(&known),
+            Verdict::Open if narrow => {
+                self.resolved = false;
+                self.between(&known);
+            }
+            Verdict::Open => {
+                let middle = 0.5 * (lower + upper);
+                let (first, _) = self.panel(lower, middle);
+                let (_, last) = self.panel(middle, upper);
+                return (first, last);
+            }
+        }
+        (first, last)
+    }
+
+    fn samples(&mut self, lower: f64, upper: f64) -> [Option<Sample>; DEGREE + 1] {
+        std::array::from_fn(|i| {
+            let share = match i {
+                0 => 0.0,
+                DEGREE => 1.0,
+                _ => 0.5 - 0.5 * (PI * i as f64 / DEGREE as f64).cos(),
+            };
+            let t = lower * (1.0 - share) + upper * share;
+            match (self.ratio)(&radius(self.scale, t)) {
+                Ok(ratio) => sample(t, &ratio),
+                Err(Error::OutOfRange { .. } | Error::Domain { .. }) => None,
+                Err(_) => {
+                    self.resolved = false;
+                    None
+                }
+            }
+        })
+    }
+
+    /// Every sign change between neighbours.
+    fn between(&mut self, samples: &[Sample]) {
+        for pair in samples.windows(2) {
+            if pair[0].above != pair[1].above {
+                self.push(pair[0], pair[1]);
+            }
+        }
+    }
+
+    fn push(&mut self, before: Sample, after: Sample) {
+        let (lower, upper) = (radius(self.scale, before.t), radius(self.scale, after.t));
+        self.crossings.push(Crossing { lower, upper, rising: after.above });
+    }
+}
+
+/// None where the ratio is not a number. An infinite one is.
+fn sample<R: Real>(t: f64, ratio: &R) -> Option<Sample> {
+    let one = ratio.lit(1);
+    let above = match ratio.partial_cmp(&one)? {
+        std::cmp::Ordering::Less => false,
+        std::cmp::Ordering::Equal | std::cmp::Ordering::Greater => true,
+    };
+    let plain = ratio.approx();
+    let level = if plain > FLOOR.exp() { ratio.ln().approx() } else { FLOOR - 1.0 + plain / FLOOR.exp() };
+    Some(Sample { t, level: level.clamp(-CEILING, CEILING), above })
+}
+
+enum Verdict {
+    /// No crossing.
+    Empty,
+    /// At most one.
+    Monotone,
+    /// To be halved.
+    Open,
+}
+
+/// A panel that reaches out of the range of the arithmetic: halved until what is left does not matter.
+fn outside(known: &[Sample], width: f64) -> Verdict {
+    if known.is_empty() || width < 0.25 { Verdict::Empty } else { Verdict::Open }
+}
+
+fn settle(samples: &[Sample]) -> Verdict {
+    let levels: Vec<f64> = samples.iter().map(|sample| sample.level).collect();
+    let (smallest, largest) = levels.iter().fold((f64::MAX, f64::MIN), |(s, l), &x| (s.min(x), l.max(x)));
+    let one_sided = samples.windows(2).all(|pair| pair[0].above == pair[1].above);
+    let margin = levels.iter().fold(f64::MAX, |m, x| m.min(x.abs()));
+    let step = levels.windows(2).fold(0.0, |step: f64, pair| step.max((pair[1] - pair[0]).abs()));
+    if one_sided && margin > 1.0 + 2.0 * step {
+        return Verdict::Empty;
+    }
+
+    let spread = largest - smallest;
+    let noise = 64.0 * f64::EPSILON;
+    let coefficients = chebyshev(&levels);
+    let tail: f64 = coefficients[DEGREE - 2..].iter().map(|c| c.abs()).sum();
+    let width = samples[DEGREE].t - samples[0].t;
+    let allowed = if width <= 2.0 { 1e-2 * spread } else { 1e-6 * spread };
+    if tail > allowed.max(noise) {
+        return Verdict::Open;
+    }
+    let curve: Vec<f64> =
+        (0..=4 * DEGREE).map(|i| clenshaw(&coefficients, (PI * i as f64 / (4 * DEGREE) as f64).cos())).collect();
+    let clear = one_sided && curve.iter().all(|p| p.abs() > 4.0 * tail + noise);
+    let directed = |sign: f64| curve.windows(2).all(|pair| sign * (pair[1] - pair[0]) > -noise);
+    if clear {
+        Verdict::Empty
+    } else if spread > 4.0 * noise && (directed(1.0) || directed(-1.0)) {
+        Verdict::Monotone
+    } else {
+        Verdict::Open
+    }
+}
+
+/// The coefficients of Σ cₖ Tₖ through the values at −cos(iπ/DEGREE).
+fn chebyshev(levels: &[f64]) -> [f64; DEGREE + 1] {
+    let half = |i: usize| if i == 0 || i == DEGREE { 0.5 } else { 1.0 };
+    std::array::from_fn(|k| {
+        let term = |i: usize| half(i) * levels[DEGREE - i] * (PI * (i * k) as f64 / DEGREE as f64).cos();
+        2.0 / DEGREE as f64 * half(k) * (0..=DEGREE).map(term).sum::<f64>()
+    })
+}
+
+fn clenshaw(coefficients: &[f64], x: f64) -> f64 {
+    let (b1, b2) = coefficients.iter().skip(1).rev().fold((0.0, 0.0), |(b1, b2), c| (c + 2.0 * x * b1 - b2, b1));
+    coefficients[0] + x * b1 - b2
+}
