@@ -32,8 +32,7 @@ impl<R: Real> Refinement<R> {
     /// A tolerance below the rounding level is raised to it.
     pub(super) fn new(tolerance: &R) -> Self {
         let floor = roundoff_tolerance(tolerance);
-        let tolerance = if tolerance.steer() > floor { tolerance.steer() } else { floor };
-        Refinement { values: Vec::new(), tolerance }
+        Refinement { values: Vec::new(), tolerance: larger(tolerance.steer(), floor) }
     }
 
     /// Takes the next value, the integral `magnitude` of the absolute value, and an error `known` to be there besides.
@@ -41,29 +40,39 @@ impl<R: Real> Refinement<R> {
     pub(super) fn push(&mut self, value: R, magnitude: &R, known: &R, evaluations: usize) -> (Estimate<R>, bool) {
         self.values.push(value.clone());
         let rounding = magnitude.unit_roundoff().times(4) * magnitude;
-        let refinement = self.remainder().unwrap_or_else(|| magnitude.steer());
+        let refinement = self.remainder(magnitude).unwrap_or_else(|| magnitude.steer());
         let error = (refinement + known + &rounding).steer();
         let converged = error <= self.tolerance.clone() * magnitude.steer();
         (Estimate { value, error, evaluations }, converged)
     }
 
-    /// The error of the last of at least four values.
+    /// The error of the last of at least four values, from the last changes e₁, e₂, e₃ relative to the magnitude.
     ///
-    /// With changes d₁ (the last), d₂, d₃, refinement gains at least the factor r = max(d₁/d₂, (d₂/d₃)²): what is left is
-    /// d₁r/(1−r). A rule that doubles its digits at each refinement has left only d₁²; one lucky change is not believed.
-    fn remainder(&self) -> Option<R> {
+    /// A rule whose digits double with each refinement has e₁ ≈ e₂² ≈ e₃⁴ and e₁² left. Where the changes keep to it with a
+    /// margin (e₁ ≤ e₂^1.5/8, e₂ ≤ e₃^1.5/8), what is left is taken to be e₁·max(e₁/e₂, (e₂/e₃)²), else as large as
+    /// the changes, which may each be small by chance.
+    fn remainder(&self, magnitude: &R) -> Option<R> {
         let [.., v0, v1, v2, v3] = self.values.as_slice() else { return None };
-        let change = |new: &R, old: &R| (new.clone() - old).abs().steer();
-        let (d1, d2, d3) = (change(v3, v2), change(v2, v1), change(v1, v0));
-        if d1 == d1.lit(0) {
-            return Some(d1);
-        }
-        let (gain, earlier) = (d1.clone() / &d2, (d2 / d3).square());
-        let half = d1.ratio(1, 2);
-        let converging = gain < half && earlier < half;
-        let ratio = if gain > earlier { gain } else { earlier };
-        Some(if converging { (d1 * ratio).times(2) } else { d1.times(4) })
+        let change = |new: &R, old: &R| ((new.clone() - old).abs() / magnitude).steer();
+        let (e1, e2, e3) = (change(v3, v2), change(v2, v1), change(v1, v0));
+        let noise = magnitude.unit_roundoff().times(8);
+        let doubles = |new: &R, old: &R| new.square().times(64) <= old.clone() * old.square();
+        let relative = if *magnitude == e1.lit(0) {
+            magnitude.clone()
+        } else if e1 <= noise {
+            e1
+        } else if doubles(&e1, &e2) && doubles(&e2, &e3) {
+            larger(e1.clone() / &e2, (e2 / &e3).square()) * e1
+        } else {
+            larger(larger(e1, e2), e3.over(4))
+        };
+        Some((relative * magnitude).times(2))
     }
+}
+
+/// The larger of two.
+fn larger<R: Real>(x: R, y: R) -> R {
+    if x > y { x } else { y }
 }
 
 /// The error for an integral that did not converge.
