@@ -70,3 +70,90 @@ fn errors_name_what_is_wrong() {
     assert!(matches!(bracket_geometric(&-1.0, |x| Ok(*x)), Err(Error::Domain { .. })));
     assert!(matches!(bracket_geometric(&1.0, |_| Ok(f64::NAN)), Err(Error::Domain { .. })));
 }
+
+/// Zeros of high order are slow for interpolation; the pace keeper turns to halving.
+#[test]
+fn flat_zeros_end_in_bounded_time() {
+    for order in [3, 9, 21] {
+        let f = |x: &f64| Ok((x - 1.1).powi(order));
+        let bracket = Bracket::new(&0.3, &17.0, f).unwrap().unwrap();
+        let root = refine(bracket, &roundoff_tolerance(&1.0), f).unwrap();
+        // |x − 1.1|^order underflows to an exact zero within 1e-15 of 1.1 only for the steepest.
+        assert!((root.value - 1.1).abs() < 1e-13, "{root:?}");
+        assert!(root.evaluations < 200, "order {order}: {}", root.evaluations);
+    }
+}
+
+/// Across zero there is no logarithm; the tolerance refers to the bracket.
+#[test]
+fn brackets_across_zero() {
+    let f = |x: &f64| Ok(x.tanh() - 1e-3);
+    let bracket = Bracket::new(&-2.0, &3.0, f).unwrap().unwrap();
+    let root = refine(bracket, &1e-12, f).unwrap();
+    assert!((root.value - 1e-3f64.atanh()).abs() <= 3e-12, "{root:?}");
+}
+
+#[cfg(feature = "mp")]
+mod arbitrary_precision {
+    use super::*;
+    use mdr_core::calculus::verify::verify;
+    use mdr_core::number::{Interval, Precision, Real};
+    use rug::Float;
+
+    /// The cube root of two at 1000 digits: superlinear means a few more evaluations than at 50.
+    #[test]
+    fn evaluations_grow_like_the_logarithm_of_the_digits() {
+        let mut spent = Vec::new();
+        for digits in [50, 1000] {
+            let one = Float::with_val(Precision::from_digits(digits).bits(), 1);
+            let f = |x: &Float| Ok(x.clone().square() * x - 2u32);
+            let bracket = bracket_geometric(&one, f).unwrap().unwrap();
+            let tolerance = roundoff_tolerance(&one);
+            let root = refine(bracket.clone(), &tolerance, f).unwrap();
+            let truth = Float::with_val(one.prec(), 2).cbrt();
+            let error = Float::with_val(53, (root.value.clone() - &truth) / &truth).abs();
+            assert!(error <= tolerance && root.lower <= truth && truth <= root.upper);
+            let newton = refine_with_slope(bracket, &tolerance, |x| Ok((f(x)?, x.clone().square() * 3u32))).unwrap();
+            spent.push((root.evaluations, newton.evaluations));
+        }
+        assert!(spent[0].0 <= 16 && spent[1].0 <= spent[0].0 + 8, "{spent:?}");
+        assert!(spent[0].1 <= 14 && spent[1].1 <= spent[0].1 + 8, "{spent:?}");
+    }
+
+    #[test]
+    fn brackets_at_the_ends_of_the_exponent_range() {
+        let one = Float::with_val(64, 1);
+        for exponent in [-900_000_000i64, 900_000_000] {
+            let target = Float::with_val(64, 2).powi(exponent);
+            let bracket = bracket_geometric(&one, |x| Ok(x.clone() - &target)).unwrap().unwrap();
+            assert!(bracket.lower.x <= target && target <= bracket.upper.x && bracket.evaluations < 130);
+        }
+    }
+
+    /// In interval arithmetic the bracket is certain, and as tight as rounding allows.
+    #[test]
+    fn certain_brackets() {
+        let ctx = Precision::new(120);
+        let f = |x: &Interval| Ok(x.exp() - x.lit(3));
+        let bracket = bracket_geometric(&Interval::from_int(ctx, 1), f).unwrap().unwrap();
+        let root = refine(bracket, &roundoff_tolerance(&Interval::from_int(ctx, 1)), f).unwrap();
+        let truth = Float::with_val(200, 3).ln();
+        assert!(*root.lower.lower() < truth && truth < *root.upper.upper());
+        let width = Float::with_val(53, root.upper.lower() - root.lower.upper());
+        assert!(width < Float::with_val(53, 1) >> 110, "{width:e}");
+    }
+
+    #[test]
+    fn interval_newton_proves_simple_zeros_only() {
+        let ctx = Precision::new(120);
+        let candidate = Float::with_val(120, 3).ln() * 1.000_001;
+        let proof = verify(&candidate, |x| Ok(x.exp() - x.lit(3)), |x| Ok(x.exp())).unwrap().unwrap();
+        assert!(proof.contains(&Float::with_val(120, 3).ln()) && proof.accuracy_bits() >= 114, "{proof:?}");
+        // A double zero, no zero at all, and a candidate beyond reach.
+        let double = |x: &Interval| Ok((x.clone() - x.lit(1)).square());
+        let slope = |x: &Interval| Ok((x.clone() - x.lit(1)).times(2));
+        assert_eq!(verify(&Float::with_val(120, 1.000_01), double, slope).unwrap(), None);
+        let none = |x: &Interval| Ok(x.square() + x.lit(1));
+        assert_eq!(verify(&Float::with_val(ctx.bits(), 1), none, |x| Ok(x.clone().times(2))).unwrap(), None);
+    }
+}

@@ -35,13 +35,12 @@ impl<R: Real> Refinement<R> {
         Refinement { values: Vec::new(), tolerance: larger(tolerance.steer(), floor) }
     }
 
-    /// Takes the next value, the integral `magnitude` of the absolute value, and an error `known` to be there besides.
+    /// Takes the next value, the integral `magnitude` of the absolute value, and the error `known` to be there at least.
     /// Returns the estimate and whether it meets the tolerance, which is relative to the magnitude.
     pub(super) fn push(&mut self, value: R, magnitude: &R, known: &R, evaluations: usize) -> (Estimate<R>, bool) {
         self.values.push(value.clone());
-        let rounding = magnitude.unit_roundoff().times(4) * magnitude;
         let refinement = self.remainder(magnitude).unwrap_or_else(|| magnitude.steer());
-        let error = (refinement + known + &rounding).steer();
+        let error = (refinement + known).steer();
         let converged = error <= self.tolerance.clone() * magnitude.steer();
         (Estimate { value, error, evaluations }, converged)
     }
@@ -73,6 +72,11 @@ impl<R: Real> Refinement<R> {
 /// The larger of two.
 fn larger<R: Real>(x: R, y: R) -> R {
     if x > y { x } else { y }
+}
+
+/// `count` unit roundoffs of `magnitude`.
+pub(super) fn rounding<R: Real>(magnitude: &R, count: i64) -> R {
+    magnitude.unit_roundoff().times(count) * magnitude
 }
 
 /// The error for an integral that did not converge.

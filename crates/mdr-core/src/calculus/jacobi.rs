@@ -110,9 +110,11 @@ impl<R: Real> Jacobi<R> {
             }
             terms = coefficients.len().min(2 * terms);
         }
-        // Once more with all terms: for the slope at the zero, and for the derivatives of a dual number.
+        // Once more with all terms, so that the derivatives of a dual number converge, and the slope follows the zero.
         let (value, slope) = horner(&coefficients, &shift.steer());
-        (shift.steer() - value / &slope + guess, slope)
+        shift = shift.steer() - value / slope;
+        let (_, slope) = horner(&coefficients, &shift);
+        (shift + guess, slope)
     }
 }
 

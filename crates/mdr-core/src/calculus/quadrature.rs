@@ -6,7 +6,7 @@
 use std::sync::OnceLock;
 
 use super::cache::{self, Key, Stored};
-use super::estimate::{Estimate, Refinement, finite, no_convergence, sum};
+use super::estimate::{Estimate, Refinement, finite, no_convergence, rounding, sum};
 use crate::contact::{Error, Quantity, Result};
 use crate::number::Real;
 
@@ -192,7 +192,8 @@ fn integrate<R: Real>(
         let step = width.clone() * width.lit(2).powi(-(level as i64));
         let scaled = |x: &R| x.clone() * &step;
         let whole = scaled(&magnitude);
-        let (estimate, converged) = refinement.push(scaled(&total), &whole, &scaled(&cut_off.times(2)), evaluations);
+        let known = scaled(&cut_off.times(2)) + rounding(&whole, 4);
+        let (estimate, converged) = refinement.push(scaled(&total), &whole, &known, evaluations);
         if converged {
             return Ok(estimate);
         }

@@ -333,14 +333,15 @@ impl<R: Real> Search<R> {
         (middle > *lower && middle < *upper).then_some(middle)
     }
 
-    /// A proposal inside the bracket, moved so far from its ends that the step that finds the root also closes the
-    /// bracket. None while the bracket spans more than two octaves.
+    /// A proposal moved so far into the bracket that the step that finds the root also closes the bracket. None for one
+    /// that is outside, or while the bracket spans more than two octaves.
     fn inside(&self, x: R) -> Option<R> {
         let (lower, upper) = self.ends();
         let wide = *lower > lower.lit(0) && *upper > lower.clone().times(4);
         let margin = self.allowed();
-        let (first, last) = ((lower.clone() + &margin).steer(), (upper.clone() - margin).steer());
-        if wide || !(x > *lower && x < *upper && first < last) {
+        let (first, last) = ((lower.clone() + &margin).steer(), (upper.clone() - &margin).steer());
+        let far = x < (first.clone() - margin.clone().times(2)).steer() || x > (last.clone() + margin.times(2)).steer();
+        if wide || far || !(first < last) || !x.is_finite() {
             None
         } else if x < first {
             Some(first)
