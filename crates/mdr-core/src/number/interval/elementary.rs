@@ -35,7 +35,8 @@ impl Interval {
             return if exponent.lo >= 0 { self.increasing(raise) } else { self.decreasing(raise) };
         }
         let mut result = self.clone();
-        if let Some(corners) = extremes(self.side_of(1), exponent.side_of(0)) {
+        let side_of_one = Side::from_ends(self.lo.partial_cmp(&1), self.hi.partial_cmp(&1));
+        if let Some(corners) = extremes(side_of_one, exponent.sign()) {
             result.combine(exponent, corners, function);
             return result;
         }
@@ -96,7 +97,7 @@ impl Real for Interval {
         if self.is_entire() {
             return self.clone();
         }
-        match self.side_of(0) {
+        match self.sign() {
             Side::Above => self.clone(),
             Side::Below => -self.clone(),
             Side::Across => Interval { lo: Float::new(self.lo.prec()), hi: (-self.lo.clone()).max(&self.hi) },

@@ -134,7 +134,7 @@ impl Interval {
 
     /// Whether 0 lies in the interval.
     pub fn contains_zero(&self) -> bool {
-        self.lo <= 0 && self.hi >= 0
+        self.lo.cmp0() != Some(Ordering::Greater) && self.hi.cmp0() != Some(Ordering::Less)
     }
 
     /// Whether the two intervals have a number in common.

@@ -19,6 +19,19 @@ pub(super) enum Side {
     Across,
 }
 
+impl Side {
+    /// From the comparisons of the two ends with the number; touching it counts as lying on one side.
+    pub(super) fn from_ends(lower: Option<Ordering>, upper: Option<Ordering>) -> Self {
+        if lower != Some(Ordering::Less) {
+            Side::Above
+        } else if upper != Some(Ordering::Greater) {
+            Side::Below
+        } else {
+            Side::Across
+        }
+    }
+}
+
 /// One end of an interval.
 #[derive(Clone, Copy)]
 pub(super) enum End {
@@ -54,15 +67,9 @@ pub(super) fn extremes(left: Side, right: Side) -> Option<[(End, End); 2]> {
 }
 
 impl Interval {
-    /// Where the interval lies relative to `pivot`; touching it counts as lying on one side.
-    pub(super) fn side_of(&self, pivot: i32) -> Side {
-        if self.lo >= pivot {
-            Side::Above
-        } else if self.hi <= pivot {
-            Side::Below
-        } else {
-            Side::Across
-        }
+    /// Where the interval lies relative to zero.
+    pub(super) fn sign(&self) -> Side {
+        Side::from_ends(self.lo.cmp0(), self.hi.cmp0())
     }
 
     pub(super) fn end(&self, end: End) -> &Float {
@@ -167,7 +174,7 @@ impl SubAssign<&Self> for Interval {
 
 impl MulAssign<&Self> for Interval {
     fn mul_assign(&mut self, other: &Self) {
-        match extremes(self.side_of(0), other.side_of(0)) {
+        match extremes(self.sign(), other.sign()) {
             Some(corners) => self.combine(other, corners, |x, y, round| x.mul_assign_round(y, round)),
             None => self.multiply_across(other),
         }
@@ -178,7 +185,7 @@ impl DivAssign<&Self> for Interval {
     fn div_assign(&mut self, other: &Self) {
         // The reciprocal of a divisor on one side of zero lies on that side, its ends exchanged.
         let flip = |(left, right): (End, End)| (left, right.opposite());
-        match extremes(self.side_of(0), other.side_of(0)) {
+        match extremes(self.sign(), other.sign()) {
             Some(corners) if !other.contains_zero() => {
                 self.combine(other, corners.map(flip), |x, y, round| x.div_assign_round(y, round))
             }
