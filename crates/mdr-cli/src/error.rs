@@ -7,7 +7,6 @@ use mdr_core::contact::Error as ContactError;
 /// The result of a command.
 pub(crate) type Result<T> = std::result::Result<T, Failure>;
 
-#[allow(dead_code, reason = "a command to come")]
 /// Why a command failed. Its text follows `error: ` on standard error.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -37,7 +36,6 @@ impl Failure {
         Failure::Flag { flag, why: why.to_string(), got: Some(got.to_owned()) }
     }
 
-    #[allow(dead_code, reason = "a command to come")]
     /// A flag that is needed and was not given.
     pub(crate) fn missing(flag: &'static str, why: impl fmt::Display) -> Self {
         Failure::Flag { flag, why: format!("missing: {why}"), got: None }

@@ -2,8 +2,8 @@
 
 #![forbid(unsafe_code)]
 
+mod critical;
 mod error;
-#[allow(dead_code, reason = "the flags of a command to come")]
 mod flags;
 mod output;
 mod table;
@@ -30,6 +30,7 @@ struct Program {
 #[derive(Debug, Subcommand)]
 enum Command {
     Verify(verify::Verify),
+    Critical(critical::Critical),
 }
 
 fn main() -> ExitCode {
@@ -51,6 +52,7 @@ impl Command {
     fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         match self {
             Command::Verify(verify) => verify.run(out),
+            Command::Critical(critical) => critical.run(out).map(|()| true),
         }
     }
 }

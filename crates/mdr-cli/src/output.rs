@@ -34,7 +34,6 @@ impl<W: Write> Output<W> {
     }
 
     /// One line of JSON.
-    #[allow(dead_code, reason = "a command to come")]
     pub(crate) fn json(&mut self, value: &impl Serialize) -> Result<()> {
         self.finish(|out| {
             serde_json::to_writer(&mut *out, value)?;

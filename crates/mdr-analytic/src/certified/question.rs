@@ -65,6 +65,11 @@ impl Question {
         })
     }
 
+    /// E*, in Pa: as given, or derived from the two bodies by (1.3), exactly.
+    pub fn effective_modulus(&self) -> &Rational {
+        &self.effective_modulus
+    }
+
     /// The contact over intervals.
     pub(super) fn contact(&self, precision: Precision) -> Result<Contact<Interval>> {
         let enclose = |value| Interval::from_rational(precision, value);

@@ -1,0 +1,67 @@
+//! Help and version.
+
+use crate::{mdr, output};
+
+#[test]
+fn version() {
+    assert_eq!(output("--version"), format!("mdr {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn the_overview_lists_every_command() {
+    let help = output("--help");
+    for command in ["verify", "critical"] {
+        assert!(help.contains(&format!("\n  {command} ")), "{help}");
+    }
+    for command in ["solve", "report", "reference", "judge", "derive", "figures"] {
+        assert!(!help.contains(&format!("\n  {command} ")), "{command} is not there yet");
+    }
+}
+
+#[test]
+fn each_command_has_flags_examples_and_exit_statuses() {
+    let cases: [(&str, &[&str]); 2] = [
+        ("verify", &["--quick", "--full", "--digits", "--shard", "--seed", "--merge", "--format"]),
+        (
+            "critical",
+            &[
+                "--n",
+                "--c",
+                "--e-star",
+                "--e1",
+                "--nu1",
+                "--e2",
+                "--nu2",
+                "--work",
+                "--control",
+                "--stiffness",
+                "--digits",
+                "--format",
+            ],
+        ),
+    ];
+    for (command, flags) in cases {
+        let help = output(&format!("{command} --help"));
+        for flag in flags {
+            assert!(help.contains(&format!("{flag} ")) || help.contains(&format!("{flag}\n")), "{flag} in {help}");
+        }
+        assert!(help.contains("Examples:") && help.contains(&format!("    mdr {command} ")), "{help}");
+        assert!(help.contains("Exit status:"), "{help}");
+    }
+}
+
+/// Every example of the help pages runs as it stands.
+#[test]
+fn the_examples_of_critical_work() {
+    let help = output("critical --help");
+    let examples: Vec<_> = help.lines().filter_map(|line| line.trim().strip_prefix("mdr ")).collect();
+    assert!(examples.len() >= 4, "{help}");
+    for example in examples {
+        assert!(!output(example).is_empty(), "{example}");
+    }
+}
+
+#[test]
+fn without_a_command_the_help_is_an_error() {
+    mdr("").assert().code(2).stdout_eq("");
+}

@@ -1,0 +1,38 @@
+//! The program `mdr`, as a user meets it.
+
+#![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
+
+mod bad_input;
+mod critical;
+mod decimal;
+mod help;
+mod precision;
+mod readme;
+mod reference;
+mod verify;
+
+use serde_json::Value;
+use snapbox::cmd::Command;
+
+/// `mdr` with the arguments of a line.
+fn mdr(arguments: &str) -> Command {
+    Command::new(env!("CARGO_BIN_EXE_mdr")).args(arguments.split_whitespace())
+}
+
+/// What a successful `mdr` writes on standard output.
+fn output(arguments: &str) -> String {
+    let assert = mdr(arguments).assert().success().stderr_eq("");
+    String::from_utf8(assert.get_output().stdout.clone()).unwrap()
+}
+
+/// The answer of `mdr critical`.
+fn critical(arguments: &str) -> Value {
+    let text = output(&format!("critical {arguments} --format json"));
+    assert_eq!(text.lines().count(), 1, "one object, one line");
+    serde_json::from_str(&text).unwrap()
+}
+
+/// The text under a key.
+fn text<'a>(answer: &'a Value, key: &str) -> &'a str {
+    answer[key].as_str().unwrap_or_else(|| panic!("{key} is no text in {answer}"))
+}
