@@ -239,12 +239,13 @@ impl<R: Real> Balance<R> {
                 low = u.clone();
             }
             let newton = self.newton(&u, &u).steer();
-            let brisk = (newton.clone() - &u).abs().times(2) < last_step;
-            let next =
-                if brisk && newton >= low && newton <= high { newton } else { (low.clone() + &high).over(2).steer() };
+            let step = (newton.clone() - &u).abs();
+            let brisk = step.clone().times(2) < last_step && newton >= low && newton <= high;
+            let next = if brisk { newton } else { (low.clone() + &high).over(2).steer() };
             last_step = (next.clone() - &u).abs();
             u = next;
-            if last_step <= tolerance(&u) {
+            // Newton's method doubles the digits: the next step would be all rounding.
+            if last_step <= tolerance(&u) || (brisk && step.square() <= tolerance(&u)) {
                 break;
             }
         }

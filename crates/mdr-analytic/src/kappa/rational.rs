@@ -2,8 +2,8 @@
 //!
 //! With n = P/Q the term ratio of the [series](super::series) is
 //! −(P+Qm)(2Q(m+1)−P) / ((P+2Q(2m+1))(P+4Q(m+1))) and the weight (3P+2Q(3m+1))/(P+2Q(2m+1)): small integers when P and Q
-//! are. A sum of M terms is one exact fraction T/D, computed in a tree whose operands double from level to level; only
-//! the last division rounds.
+//! are. A run of terms is one exact fraction T/D, computed in a tree whose operands double from level to level. The runs
+//! are as long as the precision; only from one to the next is there rounding.
 
 use mdr_core::number::{Interval, Precision, Real};
 use rug::float::Round;
@@ -35,6 +35,9 @@ pub fn kappa_enclosure(precision: Precision, n: &Rational) -> Interval {
 /// Bits that the rounding errors of an expansion may use up.
 const GUARD: u32 = 8;
 
+/// Terms that are summed one by one.
+const LEAF: u32 = 16;
+
 enum Plan {
     /// Binary splitting of the series.
     Split { terms: u32 },
@@ -42,19 +45,15 @@ enum Plan {
     Expand,
 }
 
-/// A step of the continued fraction is a long division, a term of the series a few short products; factors of more than
-/// a sixteenth of the precision are no longer short.
+/// A step of the continued fraction is a long division, a term of the series a few short products; factors longer than
+/// the precision are no longer short.
 fn plan(n: &Rational, bits: u32) -> Plan {
     let approximate = n.to_f64();
     let size = n.numer().significant_bits() + n.denom().significant_bits();
     let fewest_terms = f64::from(bits / 3).max(approximate / 2.0);
     let shallow = brouncker::depth(approximate, bits)
         .is_some_and(|depth| f64::from(depth) * f64::from(bits) < 80.0 * fewest_terms);
-    if shallow || size > 128 + bits / 16 {
-        Plan::Expand
-    } else {
-        Plan::Split { terms: series::terms(approximate, bits) }
-    }
+    if shallow || size > 128 + bits { Plan::Expand } else { Plan::Split { terms: series::terms(approximate, bits) } }
 }
 
 /// κ_n for an interval n ≥ 0. κ grows with n, so a wide interval is treated at its ends.
@@ -70,14 +69,21 @@ pub(super) fn interval_kappa(n: &Interval) -> Interval {
 
 /// The sum of `terms` terms as an interval of the given precision, remainder included.
 pub(super) fn split_series(n: &Rational, terms: u32, bits: u32) -> Interval {
-    let Block { above, below, sum } = Ratio::new(n, terms).split(0, terms);
+    let ratio = Ratio::new(n, terms);
     let enclose = |value: &Integer| {
         let end = |round| Float::with_val_round(bits, value, round).0;
         Interval::new(end(Round::Down), end(Round::Up))
     };
-    let below = enclose(&below);
-    let remainder = (enclose(&above) / &below).times(2);
-    (enclose(&sum) / &below).inflate(&remainder)
+    let mut sum = Interval::from_int(Precision::new(bits), 0);
+    let mut product = sum.lit(1);
+    let run = usize::try_from((bits / ratio.bits_per_term).max(LEAF)).unwrap_or(usize::MAX);
+    for from in (0..terms).step_by(run) {
+        let Block { above, below, sum: part } = ratio.split(from, terms.min(from.saturating_add(run as u32)));
+        product /= &enclose(&below);
+        sum += &(enclose(&part) * &product);
+        product *= &enclose(&above);
+    }
+    sum.inflate(&product.times(2))
 }
 
 /// The same interval with ends rounded outward to fewer bits.
@@ -92,6 +98,8 @@ struct Ratio {
     q: Integer,
     /// The same in machine words, when all factors up to the last term fit in words.
     words: Option<(i64, i64)>,
+    /// The size of a denominator of the term ratio, about.
+    bits_per_term: u32,
 }
 
 /// Consecutive terms over one denominator: the products of the numerators and denominators of the term ratio, and the
@@ -105,13 +113,12 @@ struct Block {
 impl Ratio {
     fn new(n: &Rational, terms: u32) -> Self {
         let (p, q) = (n.numer().clone(), n.denom().clone());
-        let largest: Integer = Integer::from(&p * 3u32) + Integer::from(&q * 6u32) * (terms + 1);
-        let words = (largest.significant_bits() < 63).then(|| (p.to_i64_wrapping(), q.to_i64_wrapping()));
-        Ratio { p, q, words }
+        let largest = (Integer::from(&p * 3u32) + Integer::from(&q * 6u32) * (terms + 1)).significant_bits();
+        let words = (largest < 63).then(|| (p.to_i64_wrapping(), q.to_i64_wrapping()));
+        Ratio { p, q, words, bits_per_term: 2 * largest }
     }
 
     fn split(&self, from: u32, to: u32) -> Block {
-        const LEAF: u32 = 16;
         match self.words {
             Some((p, q)) if to - from <= LEAF => return short_terms(p, q, from, to),
             None if to - from == 1 => return self.long_term(from),
