@@ -7,6 +7,7 @@
 //! * [`equilibrium`]: all equilibria at a given indentation, force or machine position, and what an instability leads to.
 //! * [`fields`]: pressure, displacement, gap.
 //! * [`table`]: measured profiles from a CSV file, transformed exactly.
+//! * [`proof`]: folds with a proof that none is missed.
 
 #![forbid(unsafe_code)]
 
@@ -15,6 +16,8 @@ pub mod equilibrium;
 pub mod fields;
 pub mod folds;
 pub mod profiles;
+#[cfg(feature = "mp")]
+pub mod proof;
 mod survey;
 pub mod table;
 pub mod transform;

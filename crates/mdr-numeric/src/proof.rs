@@ -1,0 +1,212 @@
+//! Folds with a proof that none is missed, on a stated range of radii.
+//!
+//! The range is halved until on every cell an enclosure shows that the tangency condition (1.10) has no zero, or that it
+//! is monotone and so has at most one. The cost grows with the number of folds, not with the width of the range over the
+//! distance of the closest pair, as it would for a scan.
+
+use mdr_core::calculus::isolate::{Behaviour, isolate_with_proof};
+use mdr_core::calculus::verify::verify;
+use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Result};
+use mdr_core::number::{Dual, Interval, Precision, Real};
+use rug::Float;
+
+use crate::curve::Curve;
+
+/// One contact twice: over enclosures, and over enclosures with derivatives.
+#[derive(Clone)]
+pub struct EnclosedCurve<'a> {
+    plain: Curve<'a, Interval>,
+    moving: Curve<'a, Dual<Interval>>,
+}
+
+/// What was found on a range of radii, and what was not decided there.
+#[derive(Clone, Debug)]
+pub struct ProvedFolds {
+    /// The folds, by increasing radius; each quantity is an enclosure.
+    pub folds: Vec<Instability<Interval>>,
+    /// Parts of the range where more folds may hide: around kinks of g, and where two folds nearly merge.
+    pub undecided: Vec<(Float, Float)>,
+    /// Evaluations of the tangency condition.
+    pub evaluations: usize,
+}
+
+impl ProvedFolds {
+    /// Whether the folds are proved to be all in the range.
+    pub fn is_complete(&self) -> bool {
+        self.undecided.is_empty()
+    }
+}
+
+/// The relative distance from a kink of g at which the range is cut: 2^−KINK.
+const KINK: u32 = 40;
+
+impl<'a> EnclosedCurve<'a> {
+    /// The same contact in both arithmetics.
+    pub fn new(plain: Curve<'a, Interval>, moving: Curve<'a, Dual<Interval>>) -> Self {
+        EnclosedCurve { plain, moving }
+    }
+
+    /// All folds with radii in (lower, upper), with at most about `budget` evaluations.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless 0 < lower < upper; as [`Curve::tangency`].
+    pub fn folds(&self, lower: &Float, upper: &Float, budget: usize) -> Result<ProvedFolds> {
+        let mut found = ProvedFolds { folds: Vec::new(), undecided: Vec::new(), evaluations: 0 };
+        let mut from = lower.clone();
+        for kink in self.plain.transform().kinks() {
+            let before = shifted(kink.lower(), -1);
+            let after = shifted(kink.upper(), 1);
+            if before > from && after < *upper {
+                self.smooth_part(&from, &before, budget, &mut found)?;
+                self.kink(&kink, &before, &after, &mut found)?;
+                from = after;
+            }
+        }
+        self.smooth_part(&from, upper, budget, &mut found)?;
+        Ok(found)
+    }
+
+    /// The folds between kinks.
+    fn smooth_part(&self, lower: &Float, upper: &Float, budget: usize, found: &mut ProvedFolds) -> Result<()> {
+        let ends = [lower, upper].map(|end| Interval::point(end.clone()));
+        let condition = |a: &Interval| self.condition(a);
+        let isolation = isolate_with_proof(&ends[0], &ends[1], budget, condition, |a, b| self.behaviour(&a.hull(b)))?;
+        for bracket in &isolation.brackets {
+            let cell = bracket.lower.x.hull(&bracket.upper.x);
+            match self.zero(&cell)? {
+                Some(radius) => {
+                    let kind = if bracket.lower.f < bracket.upper.f { FoldKind::Minimum } else { FoldKind::Maximum };
+                    found.folds.push(self.state(radius, kind)?);
+                }
+                None => found.undecided.push((cell.lower().clone(), cell.upper().clone())),
+            }
+        }
+        let ends = |(a, b): (Interval, Interval)| (a.lower().clone(), b.upper().clone());
+        found.undecided.extend(isolation.undecided.into_iter().map(ends));
+        found.evaluations += isolation.evaluations;
+        Ok(())
+    }
+
+    /// A kink of g. Where the condition changes its sign there, the fold is the kink itself; either way the gap that was
+    /// cut out around it is not proved free of other folds.
+    fn kink(&self, kink: &Interval, before: &Float, after: &Float, found: &mut ProvedFolds) -> Result<()> {
+        let sides = [before, after].map(|side| self.condition(&Interval::point(side.clone())));
+        let [left, right] = sides;
+        let (left, right) = (left?, right?);
+        found.evaluations += 2;
+        let zero = left.lit(0);
+        let kind = if left < zero && right > zero {
+            Some(FoldKind::Minimum)
+        } else if left > zero && right < zero {
+            Some(FoldKind::Maximum)
+        } else {
+            None
+        };
+        // Where g has no enclosure across its kink, the gap below says what is known.
+        if let Some(Ok(fold)) = kind.map(|kind| self.state(kink.clone(), kind)) {
+            found.folds.push(fold);
+        }
+        found.undecided.push((before.clone(), after.clone()));
+        Ok(())
+    }
+
+    /// The same fold in the precision of this curve, from an enclosure in a lower one.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] when the enclosure of the derivative contains zero; as [`Curve::tangency`].
+    pub fn sharpen(&self, fold: &Instability<Interval>) -> Result<Instability<Interval>> {
+        let radius = if fold.contact_radius.is_point() { None } else { self.zero(&fold.contact_radius)? };
+        match radius {
+            Some(radius) => self.state(radius, fold.kind),
+            None if fold.contact_radius.is_point() => self.state(fold.contact_radius.clone(), fold.kind),
+            None => Err(Error::Undecided {
+                quantity: Quantity::ContactRadius,
+                bits: self.precision().bits(),
+                what: "whether the two curves touch once or twice",
+            }),
+        }
+    }
+
+    fn precision(&self) -> Precision {
+        self.plain.effective_modulus().ctx()
+    }
+
+    /// The tangency ratio less its threshold: positive where equilibria are stable, zero at a fold. The entire line where
+    /// the enclosure leaves the domain of the profile: nothing is known there.
+    fn condition(&self, a: &Interval) -> Result<Interval> {
+        match self.plain.tangency(a) {
+            Err(Error::Domain { .. }) => Ok(Interval::entire(a.ctx())),
+            ratio => Ok(ratio? - self.plain.threshold(a)),
+        }
+    }
+
+    fn slope(&self, a: &Interval) -> Result<Interval> {
+        Ok(self.with_slope(a)?.slope)
+    }
+
+    fn with_slope(&self, a: &Interval) -> Result<Dual<Interval>> {
+        let a = Dual::variable(a.clone());
+        match self.moving.tangency(&a) {
+            Err(Error::Domain { .. }) => {
+                let unknown = Interval::entire(a.ctx());
+                Ok(Dual { value: unknown.clone(), slope: unknown })
+            }
+            ratio => Ok(ratio? - self.moving.threshold(&a)),
+        }
+    }
+
+    /// What an enclosure over a whole cell says: its own value, or the mean-value form f(m) + f'(cell)(cell − m).
+    fn behaviour(&self, cell: &Interval) -> Result<Behaviour> {
+        let over_cell = self.with_slope(cell)?;
+        let centre = Interval::point(cell.mid());
+        let mean_value = self.condition(&centre)? + over_cell.slope.clone() * (cell.clone() - &centre);
+        Ok(if !over_cell.value.contains_zero() || !mean_value.contains_zero() {
+            Behaviour::Nonzero
+        } else if !over_cell.slope.contains_zero() {
+            Behaviour::Monotone
+        } else {
+            Behaviour::Unknown
+        })
+    }
+
+    /// The only zero in a cell where the condition is monotone, by interval Newton from where bisection has led.
+    fn zero(&self, cell: &Interval) -> Result<Option<Interval>> {
+        let promote = |end: &Float| Float::with_val(self.precision().bits().max(end.prec()), end);
+        let mut cell = Interval::new(promote(cell.lower()), promote(cell.upper()));
+        // Newton converges from nearly any cell that isolates a simple zero; halving gets it there.
+        for _ in 0..64 {
+            if let Some(zero) = verify(&cell.mid(), |a| self.condition(a), |a| self.slope(a))?
+                && zero.lower() >= cell.lower()
+                && zero.upper() <= cell.upper()
+            {
+                return Ok(Some(zero));
+            }
+            let Some(half) = self.half_with_zero(&cell)? else { return Ok(None) };
+            cell = half;
+        }
+        Ok(None)
+    }
+
+    fn half_with_zero(&self, cell: &Interval) -> Result<Option<Interval>> {
+        let middle = cell.mid();
+        let at = |a: &Float| self.condition(&Interval::point(a.clone()));
+        let (left, centre) = (at(cell.lower())?, at(&middle)?);
+        let zero = centre.lit(0);
+        Ok(match (left < zero, centre < zero, centre > zero) {
+            (_, false, false) => None,
+            (left, centre, _) if left != centre => Some(Interval::new(cell.lower().clone(), middle)),
+            _ => Some(Interval::new(middle, cell.upper().clone())),
+        })
+    }
+
+    fn state(&self, contact_radius: Interval, kind: FoldKind) -> Result<Instability<Interval>> {
+        let (indentation, force) = self.plain.state(&contact_radius)?;
+        Ok(Instability { contact_radius, indentation, force, kind })
+    }
+}
+
+/// kink·(1 ± 2^−KINK).
+fn shifted(kink: &Float, direction: i32) -> Float {
+    let step = Float::with_val(kink.prec(), kink >> KINK) * direction;
+    Float::with_val(kink.prec().max(2 * KINK), kink + step)
+}
