@@ -38,6 +38,11 @@ fn ties_go_to_the_even_digit() {
     assert_eq!(exact(99_995, 10_000, 4), "10.00");
     assert_eq!(exact(99_985, 10_000, 4), "9.998");
     assert_eq!(exact(99_994, 10_000, 4), "9.999");
+    // An enclosure that is a point decides a tie too, once its precision holds the scaled number.
+    for (value, digits, shown) in [(2.5, 1, "2"), (3.5, 1, "4"), (-0.375, 2, "-0.38"), (9.5, 1, "10")] {
+        let point = Interval::from_f64(Precision::new(64), value);
+        assert_eq!(Enclosure::from(point).round(digits).unwrap().to_string(), shown);
+    }
     assert_eq!(exact(2_500_000_000_000_001, 1_000_000_000_000_000, 1), "3");
 }
 

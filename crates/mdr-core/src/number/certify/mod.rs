@@ -135,9 +135,14 @@ fn round_interval(value: &Interval, digits: u32) -> Option<Decimal> {
     let magnitude = widen(&value.abs(), working_bits(value, digits));
     // |value| < 2^e, so the decimal exponent is at most ⌊e · log₁₀2⌋, and at least one less: 2^(e−1) ≤ upper end.
     let binary = magnitude.upper().get_exp()?;
-    let exponent = (f64::from(binary) * std::f64::consts::LOG10_2 + 1e-6).floor() as i64;
+    let mut exponent = (f64::from(binary) * std::f64::consts::LOG10_2 + 1e-6).floor() as i64;
+    let ten = magnitude.lit(10);
+    // Where this is certain, the scaled number needs no division that a tie might not survive.
+    if magnitude < ten.powi(exponent) {
+        exponent -= 1;
+    }
     let scale = i64::from(digits) - 1 - exponent;
-    let power = magnitude.lit(10).powi(scale.abs());
+    let power = ten.powi(scale.abs());
     let scaled = if scale < 0 { magnitude / power } else { magnitude * power };
     decide(value.upper().is_sign_negative(), &scaled, exponent.into(), digits)
 }
