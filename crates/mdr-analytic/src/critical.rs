@@ -76,7 +76,12 @@ impl<R: Real> Contact<R> {
         let slope = self.slope_coefficient();
         // One quotient under one logarithm: near n = 1/2 its rounding is all that 1/(2n−1) magnifies.
         let quotient = tension.square() * self.edge_length() / slope.square();
-        let radius = (quotient.ln() / self.profile().excess()).exp();
+        let ln_radius = if quotient.is_finite() && quotient > quotient.lit(0) {
+            quotient.ln() / self.profile().excess()
+        } else {
+            self.ln_length_scale(tension)
+        };
+        let radius = ln_radius.exp();
         representable(Quantity::ContactRadius, radius, || self.ln_length_scale(tension))
     }
 
@@ -89,7 +94,7 @@ impl<R: Real> Contact<R> {
     /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a).
     pub(crate) fn tangent_state(&self, a: R, tension: &R) -> Result<Critical<R>> {
         let (d_factor, f_factor) = self.tangent_factors(tension);
-        let root = (self.edge_length().clone() * &a).sqrt();
+        let root = self.edge_length().sqrt() * a.sqrt();
         let indentation = d_factor.clone() * &root;
         let force = f_factor * self.material().effective_modulus() * &root * &a;
         let ln_state = || self.ln_state(&a.ln(), tension);

@@ -159,7 +159,15 @@ fn bad_input_is_named() {
         }
     }
     assert!(question("1", "1", "1", "1", &machine("-1")).is_err());
-    assert!(question("1", "1", "1", "1", &control).unwrap().answer(0).is_err());
+    for digits in [0, 1_000_001, u32::MAX] {
+        let refused = question("1", "1", "1", "1", &control).unwrap().answer(digits);
+        assert!(matches!(refused, Err(Error::Domain { quantity: Quantity::Digits, .. })));
+        assert!(kappa(&literal("0.3"), digits).is_err());
+    }
+    // 1/2 + 10⁻⁹⁰⁰⁰⁰ is refused at once, not after hours.
+    let hopeless = format!("0.5{}1", "0".repeat(89_998));
+    let refused = question(&hopeless, "1", "1", "1", &control).unwrap().answer(5);
+    assert!(matches!(refused, Err(Error::Undecided { .. })));
     let body = |e: &str, nu: &str| Body { youngs_modulus: literal(e), poissons_ratio: literal(nu) };
     let with = |first, second| {
         Question::new(&literal("2"), &literal("1"), &Elasticity::bodies(first, second), &literal("1"), &control)

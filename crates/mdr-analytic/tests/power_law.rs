@@ -155,6 +155,11 @@ fn refusals() {
         Err(Error::OutOfRange { log10, .. }) => assert!(log10 > 1000.0, "{log10}"),
         other => panic!("{other:?}"),
     }
+    // N² overflows here, the radius does not: (B/N²)^{1/3} with N = 4·10²⁰⁰.
+    let steep = contact(2.0, 1e200, 1.0, 1.0).critical(&Control::Indentation).unwrap();
+    let expected = (PI / 32.0).cbrt() * 10f64.powf(-400.0 / 3.0);
+    // ln a ≈ −308 as an exponent, on both sides.
+    assert_relative_eq!(steep.contact_radius, expected, max_relative = 700.0 * f64::EPSILON);
     assert_eq!(contact(0.5, 1.0, 1.0, 1.0).regime().unwrap(), Regime::ScaleFree);
 }
 

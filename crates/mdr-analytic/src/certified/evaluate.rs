@@ -13,6 +13,12 @@ use crate::threshold::threshold;
 /// Bits beyond those of the digits: rounding errors, and the small chance that the digits end close to a tie.
 const GUARD: u32 = 40;
 
+/// The most digits that are given.
+const MOST_DIGITS: u32 = 1_000_000;
+
+/// The most bits that an exponent close to 1/2 may cost: |2n−1| down to about 10⁻²⁰⁰⁰⁰.
+const MOST_MAGNIFICATION: f64 = 65_536.0;
+
 /// κ_n to the given number of significant digits, correctly rounded.
 ///
 /// ```
@@ -22,14 +28,14 @@ const GUARD: u32 = 40;
 /// ```
 ///
 /// # Errors
-/// [`Error::Domain`] unless n is positive.
+/// [`Error::Domain`] unless n is positive and the digits are within 1 to 10⁶.
 pub fn kappa(n: &Literal, digits: u32) -> Result<Decimal> {
     if n.is_zero() || n.is_negative() {
         let value = n.to_string();
         return Err(Error::Domain { quantity: Quantity::Exponent, value, requirement: "positive and finite" });
     }
     let n = n.to_rational();
-    let start = Precision::new(Precision::from_digits(digits).bits() + GUARD);
+    let start = bits_for(digits)?;
     let [kappa] = certify([Quantity::Kappa], digits, start, |precision| Ok([kappa_result(precision, &n)]))?;
     Ok(kappa)
 }
@@ -38,10 +44,10 @@ impl Question {
     /// All answers, each correctly rounded to the given number of significant digits (ties to even).
     ///
     /// # Errors
-    /// [`Error::Domain`] for digits outside 1 to 10⁶. [`Error::Undecided`] for a tie that number theory does not exclude,
+    /// [`Error::Domain`] for digits outside 1 to 10⁶. [`Error::Undecided`] for |2n−1| below about 10⁻²⁰⁰⁰⁰, for a tie that number theory does not exclude,
     /// or for two folds so close to merging that no precision up to the limit tells them apart.
     pub fn answer(&self, digits: u32) -> Result<Answer> {
-        let start = self.starting_precision(digits);
+        let start = self.starting_precision(digits)?;
         let regime = self.contact(start)?.regime()?;
         if let Control::Machine { .. } = self.control {
             return self.machine_answer(regime, digits, start);
@@ -86,7 +92,6 @@ impl Question {
             indentation: indentation.clone(),
             force: force.clone(),
         });
-        let start = self.starting_precision(digits);
         if regime == Regime::ScaleFree {
             return Ok(Answer { critical, folds, ..self.scale_free_answer(digits, start)? });
         }
@@ -145,17 +150,32 @@ impl Question {
     }
 
     /// Enough bits for the digits in all but rare cases, from the sensitivity of exp(ln(B/N²)/(2n−1)) to its argument.
-    fn starting_precision(&self, digits: u32) -> Precision {
+    fn starting_precision(&self, digits: u32) -> Result<Precision> {
         let log2 = |value: &Rational| Float::with_val(64, value).abs().log2().to_f64();
         let ln_quotient = log2(&self.work_of_adhesion)
             - log2(&self.effective_modulus)
             - 2.0 * (log2(&self.coefficient) + log2(&self.exponent));
         let excess = Rational::from(&self.exponent * 2u32) - 1u32;
         let magnified = if excess.is_zero() { 0.0 } else { (ln_quotient.abs() + 1.0).log2() - log2(&excess) };
-        // The cap keeps a hopeless question from asking for unlimited memory.
-        let extra = magnified.clamp(0.0, 1e7) as u32;
-        Precision::new(Precision::from_digits(digits).bits() + GUARD + extra)
+        let bits = bits_for(digits)?.bits();
+        if magnified > MOST_MAGNIFICATION {
+            return Err(Error::Undecided {
+                quantity: Quantity::ContactRadius,
+                bits,
+                what: "an exponent this close to 1/2 would need far more",
+            });
+        }
+        Ok(Precision::new(bits + magnified.max(0.0) as u32))
     }
+}
+
+/// The bits of so many digits, and the guard.
+fn bits_for(digits: u32) -> Result<Precision> {
+    if !(1..=MOST_DIGITS).contains(&digits) {
+        let value = digits.to_string();
+        return Err(Error::Domain { quantity: Quantity::Digits, value, requirement: "from 1 to 1000000" });
+    }
+    Ok(Precision::new(Precision::from_digits(digits).bits() + GUARD))
 }
 
 fn kappa_result(precision: Precision, n: &Rational) -> Enclosure {
