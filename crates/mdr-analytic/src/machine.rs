@@ -41,7 +41,7 @@ impl<R: Real> Contact<R> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless k is positive and finite; [`Error::Undecided`] when an interval cannot tell how many
-    /// there are; [`Error::OutOfRange`].
+    /// there are, and for dual numbers over intervals, whose slopes the proof does not cover; [`Error::OutOfRange`].
     pub fn machine_folds(&self, stiffness: &R) -> Result<Vec<Instability<R>>> {
         let stiffness = Error::require_positive(Quantity::Stiffness, stiffness.clone())?;
         let fold = |tangency: Tangency<R>| {
