@@ -125,3 +125,51 @@ proptest! {
         prop_assert_eq!(walked(1.0) * scale, walked(scale));
     }
 }
+
+/// With one generic function, intervals prove what samples only suggest.
+#[cfg(feature = "mp")]
+mod proved_by_intervals {
+    use super::*;
+    use mdr_core::number::{Dual, Interval, Precision, Real};
+    use rug::Float;
+
+    /// (1 − 10⁻⁹/x)(x − 1)(x − 1001/1000), times a second (x − 1) for a double zero.
+    fn triple<R: Real>(x: &R, double: bool) -> R {
+        let one = x.lit(1);
+        let near = x.clone() - &one;
+        let value = (one - x.ratio(1, 1_000_000_000) / x) * &near * (x.clone() - x.ratio(1001, 1000));
+        if double { value * near } else { value }
+    }
+
+    fn behaviour(lower: &Float, upper: &Float, double: bool) -> Behaviour {
+        let x = Dual::variable(Interval::new(lower.clone(), upper.clone()));
+        let Dual { value, slope } = triple(&x, double);
+        match (value.contains_zero(), slope.contains_zero()) {
+            (false, _) => Behaviour::Nonzero,
+            (_, false) => Behaviour::Monotone,
+            _ => Behaviour::Unknown,
+        }
+    }
+
+    fn found(double: bool) -> Isolation<Float> {
+        let [lower, upper] = [-40, 10].map(|k| Float::with_val(Precision::new(80).bits(), 2).powi(k));
+        isolate_with_proof(&lower, &upper, 20_000, |x| Ok(triple(x, double)), |a, b| Ok(behaviour(a, b, double)))
+            .expect("a finite function")
+    }
+
+    #[test]
+    fn all_simple_zeros() {
+        let isolation = found(false);
+        assert!(isolation.is_complete() && isolation.brackets.len() == 3, "{isolation:?}");
+        for (bracket, root) in isolation.brackets.iter().zip([1e-9, 1.0, 1.001]) {
+            assert!(bracket.lower.x < root * 1.000_000_1 && bracket.upper.x > root * 0.999_999_9);
+        }
+    }
+
+    #[test]
+    fn a_double_zero_is_no_proof() {
+        let isolation = found(true);
+        assert!(!isolation.is_complete() && isolation.brackets.len() == 2, "{isolation:?}");
+        assert!(isolation.undecided.iter().any(|(lower, upper)| *lower <= 1 && *upper >= 1));
+    }
+}

@@ -216,3 +216,14 @@ fn closed_forms_at_50_and_200_digits() {
         closed_forms(&Float::with_val(Precision::from_digits(digits).bits(), 1));
     }
 }
+
+/// In interval arithmetic the sum is enclosed and the claim covers the rest: together they reach the truth.
+#[cfg(feature = "mp")]
+#[test]
+fn intervals() {
+    use mdr_core::number::{Interval, Precision};
+    let one = Interval::from_int(Precision::new(120), 1);
+    let estimate = tanh_sinh(&one.lit(0), &one, &one.unit_roundoff().times(1 << 20), |x| Ok(x.sqrt())).unwrap();
+    let value = estimate.value.clone().inflate(&estimate.error);
+    assert!(value.contains(one.ratio(2, 3).lower()) && value.accuracy_bits() > 95, "{estimate:?}");
+}

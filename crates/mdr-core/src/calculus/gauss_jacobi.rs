@@ -1,6 +1,6 @@
 //! Gauss–Jacobi quadrature on [0, 1] with the weight tᵝ(1−t)ᵅ.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::cache::{self, Key, Stored};
 use super::estimate::{Estimate, Refinement, finite, no_convergence, rounding, sum};
@@ -70,27 +70,58 @@ pub fn rule<R: Real>(n: usize, alpha: &R, beta: &R) -> Result<Arc<Rule<R>>> {
 /// # Errors
 /// Those of [`rule`] and of f; [`NoConvergence`](Error::NoConvergence) when 16 times the nodes that a power profile
 /// needs are not enough.
-pub fn integrate<R: Real>(
-    alpha: &R,
-    beta: &R,
-    tolerance: &R,
-    mut f: impl FnMut(&R) -> Result<R>,
-) -> Result<Estimate<R>> {
-    let smallest = alpha.precision().div_ceil(30) as usize;
-    let mut refinement = Refinement::new(tolerance);
-    let mut evaluations = 0;
-    let mut doublings = 0;
-    loop {
-        let (value, magnitude) = rule(smallest << doublings, alpha, beta)?.sums(&mut f)?;
-        evaluations += smallest << doublings;
-        let (estimate, converged) = refinement.push(value, &magnitude, &rounding(&magnitude, ROUNDINGS), evaluations);
-        if converged {
-            return Ok(estimate);
+pub fn integrate<R: Real>(alpha: &R, beta: &R, tolerance: &R, f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
+    Ladder::new(alpha, beta).integrate(tolerance, f)
+}
+
+/// The rules for one weight that [`integrate`] goes through. Whoever integrates many functions with the same weight keeps
+/// it, and saves looking the rules up, which in `f64` costs more than the integral.
+#[derive(Clone, Debug)]
+pub struct Ladder<R> {
+    alpha: R,
+    beta: R,
+    rules: [OnceLock<Arc<Rule<R>>>; RUNGS],
+}
+
+/// From bits/30 nodes to 128 times as many.
+const RUNGS: usize = 8;
+
+impl<R: Real> Ladder<R> {
+    /// Nothing is computed yet; unsuitable exponents are refused at the first integral.
+    pub fn new(alpha: &R, beta: &R) -> Self {
+        Ladder { alpha: alpha.clone(), beta: beta.clone(), rules: Default::default() }
+    }
+
+    fn rule(&self, rung: usize) -> Result<&Rule<R>> {
+        if let Some(rule) = self.rules[rung].get() {
+            return Ok(rule);
         }
-        if doublings == 7 {
-            return Err(no_convergence(&estimate, &magnitude));
+        let smallest = self.alpha.precision().div_ceil(30) as usize;
+        let rule = rule(smallest << rung, &self.alpha, &self.beta)?;
+        Ok(self.rules[rung].get_or_init(|| rule))
+    }
+
+    /// As the function [`integrate`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn integrate(&self, tolerance: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
+        let mut refinement = Refinement::new(tolerance);
+        let mut evaluations = 0;
+        let mut rung = 0;
+        loop {
+            let rule = self.rule(rung)?;
+            let (value, magnitude) = rule.sums(&mut f)?;
+            evaluations += rule.nodes.len();
+            let known = rounding(&magnitude, ROUNDINGS);
+            let (estimate, converged) = refinement.push(value, &magnitude, &known, evaluations);
+            rung += 1;
+            if converged {
+                return Ok(estimate);
+            } else if rung == RUNGS {
+                return Err(no_convergence(&estimate, &magnitude));
+            }
         }
-        doublings += 1;
     }
 }
 

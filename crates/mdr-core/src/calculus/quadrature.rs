@@ -149,14 +149,6 @@ fn abscissae<R: Real>(like: &R, level: i64) -> Vec<Abscissa<R>> {
     found
 }
 
-/// The terms of one level, and what was cut off with the ends of the exponent range.
-struct Terms<R> {
-    terms: Vec<R>,
-    magnitude: R,
-    cut_off: R,
-    evaluations: usize,
-}
-
 /// The integral; `f` returns `None` where it cannot be evaluated any closer to an end.
 fn integrate<R: Real>(
     lower: &R,
@@ -173,64 +165,84 @@ fn integrate<R: Real>(
     if width.steer() == zero {
         return Ok(Estimate { value: zero.clone(), error: zero, evaluations: 0 });
     }
-    let table = cache::rule(width.precision(), Key::TanhSinh, || Ok(Table::new(&width)))?;
+    let panel = Panel { lower, upper, width };
+    let table = cache::rule(panel.width.precision(), Key::TanhSinh, || Ok(Table::new(&panel.width)))?;
     let mut refinement = Refinement::new(tolerance);
-    let middle = Node::new(lower, upper, width.clone().over(2), width.clone().over(2), Side::Lower);
-    let centre = f(&middle)?.ok_or_else(|| Error::domain(INTERVAL, &width, "wider than rounding and normal"))?;
-    let centre = finite(centre)? * width.pi().over(4);
-    let (mut total, mut magnitude, mut evaluations) = (centre.clone(), centre.abs(), 1);
-    let mut last = None;
-    for level in 0..table.levels.len() {
+    let mut total = panel.centre(&mut f)?;
+    let (mut magnitude, mut evaluations) = (total.abs(), 1);
+    let mut level = 0;
+    loop {
         let mut cut_off = zero.clone();
         for side in [Side::Lower, Side::Upper] {
-            let terms = walk(table.level(&width, level), lower, upper, side, &mut f)?;
-            total += &sum(&terms.terms, &zero);
-            magnitude += &terms.magnitude;
-            cut_off += &terms.cut_off;
-            evaluations += terms.evaluations;
+            let walk = panel.walk(table.level(&panel.width, level), side, &mut f)?;
+            total += &sum(&walk.terms, &zero);
+            magnitude += &walk.magnitude;
+            cut_off += &walk.cut_off;
+            evaluations += walk.terms.len();
         }
-        let step = width.clone() * width.lit(2).powi(-(level as i64));
+        let step = panel.width.clone() * zero.lit(2).powi(-(level as i64));
         let scaled = |x: &R| x.clone() * &step;
         let whole = scaled(&magnitude);
         let known = scaled(&cut_off.times(2)) + rounding(&whole, 4);
         let (estimate, converged) = refinement.push(scaled(&total), &whole, &known, evaluations);
+        level += 1;
         if converged {
             return Ok(estimate);
+        } else if level == table.levels.len() {
+            return Err(no_convergence(&estimate, &whole));
         }
-        last = Some(no_convergence(&estimate, &whole));
     }
-    last.map_or(Ok(Estimate { value: zero.clone(), error: zero, evaluations }), Err)
 }
 
-/// From the middle outwards until weight and term are both below rounding: a small term alone may be a zero of f.
-fn walk<R: Real>(
-    abscissae: &[Abscissa<R>],
-    lower: &R,
-    upper: &R,
-    side: Side,
-    f: &mut impl FnMut(&Node<R>) -> Result<Option<R>>,
-) -> Result<Terms<R>> {
-    let width = upper.clone() - lower;
-    let roundoff = width.unit_roundoff();
-    let mut terms: Vec<R> = Vec::with_capacity(abscissae.len());
-    let mut magnitude = width.lit(0);
-    let mut evaluations = 0;
-    for Abscissa { distance, weight } in abscissae {
-        let near = width.clone() * distance;
-        let far = width.clone() - &near;
-        let Some(value) = f(&Node::new(lower, upper, near, far, side))? else { break };
-        evaluations += 1;
-        let term = finite(value)? * weight;
-        let size = term.abs();
-        magnitude += &size;
-        let negligible = size.steer() <= (magnitude.clone() * &roundoff).steer();
-        terms.push(term);
-        if negligible && weight.steer() <= roundoff {
-            return Ok(Terms { terms, magnitude, cut_off: width.lit(0), evaluations });
-        }
+/// The interval of integration.
+struct Panel<'a, R> {
+    lower: &'a R,
+    upper: &'a R,
+    width: R,
+}
+
+/// The terms of one level on one side, Σ|terms|, and what was cut off with the end of the exponent range.
+struct Walk<R> {
+    terms: Vec<R>,
+    magnitude: R,
+    cut_off: R,
+}
+
+impl<R: Real> Panel<'_, R> {
+    /// The term of the middle.
+    fn centre(&self, f: &mut impl FnMut(&Node<R>) -> Result<Option<R>>) -> Result<R> {
+        let half = self.width.clone().over(2);
+        let value = f(&Node::new(self.lower, self.upper, half.clone(), half, Side::Lower))?;
+        let value = value.ok_or_else(|| Error::domain(INTERVAL, &self.width, "wider than a rounding"))?;
+        Ok(finite(value)? * self.width.pi().over(4))
     }
-    let cut_off = tail(&terms).unwrap_or_else(|| magnitude.clone());
-    Ok(Terms { terms, magnitude, cut_off, evaluations })
+
+    /// From the middle outwards until weight and term are both below rounding: a small term alone may be a zero of f.
+    fn walk(
+        &self,
+        abscissae: &[Abscissa<R>],
+        side: Side,
+        f: &mut impl FnMut(&Node<R>) -> Result<Option<R>>,
+    ) -> Result<Walk<R>> {
+        let Panel { lower, upper, width } = self;
+        let roundoff = width.unit_roundoff();
+        let mut terms: Vec<R> = Vec::with_capacity(abscissae.len());
+        let mut magnitude = width.lit(0);
+        for Abscissa { distance, weight } in abscissae {
+            let near = width.clone() * distance;
+            let far = width.clone() - &near;
+            let Some(value) = f(&Node::new(lower, upper, near, far, side))? else { break };
+            let term = finite(value)? * weight;
+            let size = term.abs();
+            magnitude += &size;
+            terms.push(term);
+            if weight.steer() <= roundoff && size.steer() <= (magnitude.clone() * &roundoff).steer() {
+                return Ok(Walk { terms, magnitude, cut_off: width.lit(0) });
+            }
+        }
+        let cut_off = tail(&terms).unwrap_or_else(|| magnitude.clone());
+        Ok(Walk { terms, magnitude, cut_off })
+    }
 }
 
 /// The geometric bound on the terms beyond the last; none when they do not decay.
