@@ -30,7 +30,7 @@ impl<R: Real> Contact<R> {
     /// fold met first when leaving the stable branch, see [`Contact::machine_folds`].
     ///
     /// # Errors
-    /// [`Error::Domain`] at n = 1/2, where no length is singled out (see [`Contact::threshold`]);
+    /// [`Error::Domain`] at n = 1/2, where no length is singled out (see [`threshold`](crate::threshold()));
     /// [`Error::OutOfRange`] with the log10 of a result that the arithmetic cannot hold.
     pub fn critical(&self, control: &Control<R>) -> Result<Critical<R>> {
         match control {

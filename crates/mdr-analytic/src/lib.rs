@@ -21,10 +21,10 @@
 //! | (1.4) Δl(a) | [`detachment_elongation`] |
 //! | (1.5), (1.13) d(a); (1.6), (1.16) F(a); Π(a, d) | [`Contact::indentation`], [`Contact::force`], [`Contact::energy`] |
 //! | (1.10), (1.14) tangency | [`Contact::indentation_slope`], [`Contact::force_slope`] |
-//! | (1.12) g = κ_n C xⁿ | [`kappa`], [`PowerLaw`] |
+//! | (1.12) g = κ_n C xⁿ | [`kappa()`], [`PowerLaw`] |
 //! | (1.15) corrected, (1.17), and both under a dead load | [`Contact::critical`] |
 //! | folds on a machine of finite stiffness | [`Contact::machine_folds`] |
-//! | (1.18), (1.19) n = 1/2 | [`threshold`], [`Contact::ratio`], [`Contact::fate`] |
+//! | (1.18), (1.19) n = 1/2 | [`threshold()`], [`Contact::ratio`], [`Contact::fate`] |
 //! | all power laws in one family | [`universal_indentation`], [`universal_force`] |
 //! | energy lost in a jump | [`Contact::energy_lost_at_pull_off`], [`Contact::energy_lost_at_jump_in`] |
 //! | paraboloid, cone, flat punch | [`PowerLaw::paraboloid`], [`PowerLaw::cone`], [`flat_punch_pull_off`] |

@@ -17,7 +17,7 @@ pub struct Answer {
     pub critical: Option<Critical<Decimal>>,
     /// On a machine all folds, by increasing radius; otherwise empty.
     pub folds: Vec<Instability<Decimal>>,
-    /// At n = 1/2 the threshold of C under this control (1.19), see [`threshold`](crate::threshold); otherwise none.
+    /// At n = 1/2 the threshold of C under this control (1.19), see [`threshold`](crate::threshold()); otherwise none.
     pub threshold: Option<Decimal>,
     /// At n = 1/2 the ratio of C to the threshold.
     pub ratio: Option<Decimal>,

@@ -1,6 +1,6 @@
 //! κ_n for a rational n, by binary splitting of the series with three bits a term.
 //!
-//! With n = P/Q the term ratio of the [series](super::series) is
+//! With n = P/Q the term ratio of the [series] is
 //! −(P+Qm)(2Q(m+1)−P) / ((P+2Q(2m+1))(P+4Q(m+1))) and the weight (3P+2Q(3m+1))/(P+2Q(2m+1)): small integers when P and Q
 //! are. A run of terms is one exact fraction T/D, computed in a tree whose operands double from level to level. The runs
 //! are as long as the precision; only from one to the next is there rounding.
