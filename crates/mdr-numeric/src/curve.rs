@@ -49,10 +49,7 @@ impl<'a, R: Real> Curve<'a, R> {
 
     /// √(2πℓ/a) = Δl/a.
     fn root(&self, a: &R) -> R {
-        let length = self.material_length();
-        let ratio = length.clone() / a;
-        let normal = ratio.is_finite() && ratio.clone() * a.unit_roundoff() > a.lit(0);
-        if normal { (ratio * a.pi()).times(2).sqrt() } else { a.pi().times(2).sqrt() * length.sqrt() / a.sqrt() }
+        relative_elongation(a, &self.material_length())
     }
 
     /// d(a) = g(a) − Δl(a) (1.5), in m.
@@ -157,4 +154,11 @@ impl<'a, R: Real> Curve<'a, R> {
         }
         Ok((d, force))
     }
+}
+
+/// Δl/a = √(2πℓ/a), also where the quotient itself is out of range.
+pub(crate) fn relative_elongation<R: Real>(a: &R, material_length: &R) -> R {
+    let square = (material_length.clone() / a * a.pi()).times(2);
+    let normal = square.is_finite() && square.clone() * a.unit_roundoff() > a.lit(0);
+    if normal { square.sqrt() } else { a.pi().times(2).sqrt() * material_length.sqrt() / a.sqrt() }
 }

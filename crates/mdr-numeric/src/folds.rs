@@ -7,7 +7,7 @@ use mdr_core::number::Real;
 use crate::curve::Curve;
 use crate::survey::{self, Range};
 
-/// How far a search can be trusted. Neither is a proof: that would need enclosures of g over intervals of radii.
+/// How far a search can be trusted. Neither is a proof: that needs enclosures of g over intervals of radii.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Completeness {
     /// Not proved; but the function was resolved everywhere in the range of radii, or kept a margin from the condition.

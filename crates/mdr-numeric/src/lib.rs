@@ -5,6 +5,8 @@
 //! * [`curve`]: the equilibria of (1.5) and (1.6) as a curve, and the direction of change off it.
 //! * [`folds`]: the instabilities, by tangency (1.10), under every control.
 //! * [`equilibrium`]: all equilibria at a given indentation, force or machine position, and what an instability leads to.
+//! * [`energy`]: the same equilibria from the potential energy (Griffith).
+//! * [`springs`]: the elastic foundation of discrete springs, the paper's procedure taken literally.
 //! * [`fields`]: pressure, displacement, gap.
 //! * [`table`]: measured profiles from a CSV file, transformed exactly.
 //! * [`proof`]: folds with a proof that none is missed.
@@ -12,12 +14,14 @@
 #![forbid(unsafe_code)]
 
 pub mod curve;
+pub mod energy;
 pub mod equilibrium;
 pub mod fields;
 pub mod folds;
 pub mod profiles;
 #[cfg(feature = "mp")]
 pub mod proof;
+pub mod springs;
 mod survey;
 pub mod table;
 pub mod transform;

@@ -210,9 +210,16 @@ enum Verdict {
     Open,
 }
 
-/// A panel that reaches out of the range of the arithmetic: halved until what is left does not matter.
+/// A panel that reaches out of the range of the arithmetic, or into radii where the ratio cannot be had: halved until what
+/// is left does not matter, and read sample by sample.
 fn outside(known: &[Sample], width: f64) -> Verdict {
-    if known.is_empty() || width < 0.25 { Verdict::Empty } else { Verdict::Open }
+    if known.is_empty() {
+        Verdict::Empty
+    } else if width < 1e-3 {
+        Verdict::Monotone
+    } else {
+        Verdict::Open
+    }
 }
 
 fn settle(samples: &[Sample]) -> Verdict {

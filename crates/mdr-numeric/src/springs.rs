@@ -1,0 +1,163 @@
+//! The procedure of the paper taken literally: an elastic foundation of discrete springs.
+//!
+//! Springs stand at xᵢ = iΔx, i = −N…N, each of stiffness E*Δx (1.2). The transformed profile g(x) is pressed into them. The
+//! outermost spring in contact detaches when its elongation g(xᵢ) − d exceeds Δl(xᵢ), the rule of Heß (1.4); the next one
+//! attaches when its own would be smaller. The force is the sum of the spring forces.
+//!
+//! Pulling and pressing go from event to event, each at its exact indentation, so no step size enters. What is left is the
+//! error of the spacing:
+//! * the critical radius is that of a spring, so it is off by up to Δx/2: first order;
+//! * the critical indentation is the extremum of dᵢ = g(xᵢ) − Δl(xᵢ), a smooth function sampled within Δx/2 of it: second
+//!   order, error ≤ d''(a_c)Δx²/8;
+//! * the force is the trapezoidal sum plus one more half strip E*Δx(d − g(a)) at either edge: at the critical radius it
+//!   is off by −E*Δl(a_c)Δx and by F'(a)|_d = −2E*Δl per unit of the error of the radius: first order.
+
+use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Outcome, Quantity, Result, Transform};
+use mdr_core::number::Real;
+
+use crate::curve::relative_elongation;
+
+/// Springs under a transformed profile.
+///
+/// ```
+/// use mdr_core::contact::{Control, Material, Outcome};
+/// use mdr_numeric::{profiles::Paraboloid, springs::Foundation, transform::Quadrature};
+/// let (ball, glue) = (Quadrature::new(Paraboloid::new(1.0)?), Material::new(1.0, 1.0)?);
+/// let foundation = Foundation::new(&ball, &glue, 1e-3, 2000)?;
+/// let breaks = foundation.pull(2000, &Control::Indentation);
+/// assert_eq!(breaks.len(), 1);
+/// assert_eq!(breaks[0].outcome, Outcome::Detached);
+/// let jkr = (std::f64::consts::PI / 8.0).cbrt(); // a³ = πwR²/(8E*)
+/// assert!((breaks[0].instability.contact_radius - jkr).abs() <= 0.5e-3);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+pub struct Foundation<R> {
+    spacing: R,
+    /// E*Δx.
+    stiffness: R,
+    /// g at the springs i = 0…N of one side.
+    profile: Vec<R>,
+    /// dᵢ = g − Δl: above this indentation spring i is attached once its inner neighbour is.
+    critical: Vec<R>,
+    /// Σ g over the springs −i…i.
+    heights: Vec<R>,
+}
+
+/// A cascade: springs that detach or attach one after the other while the controlled quantity is held.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cascade<R> {
+    /// The state at which it starts.
+    pub instability: Instability<R>,
+    /// Where it ends.
+    pub outcome: Outcome<R>,
+}
+
+impl<R: Real> Foundation<R> {
+    /// Springs at 0, ±Δx, …, ±NΔx for N = `reach`.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless Δx is positive and finite and N at least 1; those of the transform at NΔx.
+    pub fn new(transform: &dyn Transform<R>, material: &Material<R>, spacing: R, reach: usize) -> Result<Self> {
+        let spacing = Error::require_positive(Quantity::Spacing, spacing)?;
+        if reach == 0 {
+            return Err(Error::domain(Quantity::Parameter("the number of springs"), &spacing.lit(0), "at least 1"));
+        }
+        let length = material.work_of_adhesion().clone() / material.effective_modulus();
+        let zero = spacing.lit(0);
+        let (mut profile, mut critical, mut heights) = (vec![zero.clone()], vec![zero.clone()], vec![zero]);
+        for i in 1..=reach {
+            let x = spacing.clone().times(i64::try_from(i).unwrap_or(i64::MAX));
+            let height = transform.g(&x)?;
+            let elongation = relative_elongation(&x, &length) * x;
+            heights.push(height.clone().times(2) + &heights[i - 1]);
+            critical.push(height.clone() - elongation);
+            profile.push(height);
+        }
+        let stiffness = spacing.clone() * material.effective_modulus();
+        Ok(Foundation { spacing, stiffness, profile, critical, heights })
+    }
+
+    /// The position of spring i, in m.
+    pub fn position(&self, i: usize) -> R {
+        self.spacing.clone().times(i64::try_from(i).unwrap_or(i64::MAX))
+    }
+
+    /// The sum of the spring forces with the springs −i…i in contact at indentation `d`, in N.
+    pub fn force(&self, i: usize, d: &R) -> R {
+        let count = i64::try_from(2 * i + 1).unwrap_or(i64::MAX);
+        (d.clone().times(count) - &self.heights[i]) * &self.stiffness
+    }
+
+    /// Elongation of spring i at indentation `d`, in m; negative when it is compressed.
+    pub fn elongation(&self, i: usize, d: &R) -> R {
+        self.profile[i].clone() - d
+    }
+
+    /// Pulls with the springs up to `start` in contact until the contact breaks. Springs detach one by one; where the
+    /// loss of one lets others follow by themselves, that is an instability. All of them, in the order they happen.
+    pub fn pull(&self, start: usize, control: &Control<R>) -> Vec<Cascade<R>> {
+        let mut cascades = Vec::new();
+        let mut i = start.min(self.profile.len() - 1);
+        while i > 0 {
+            let value = self.detaching(i, control);
+            let mut rest = i - 1;
+            while rest > 0 && self.detaching(rest, control) >= value {
+                rest -= 1;
+            }
+            if rest + 1 < i || rest == 0 {
+                let outcome = if rest == 0 { Outcome::Detached } else { Outcome::Jump { to: self.position(rest) } };
+                cascades.push(self.cascade(i, &self.critical[i], FoldKind::Minimum, outcome));
+            }
+            i = rest;
+        }
+        cascades
+    }
+
+    /// Presses with the springs up to `start` in contact until all are. Springs attach one by one; where one brings others
+    /// with it, that is an instability. All of them, in the order they happen; one that reaches the last spring has come to
+    /// complete contact.
+    pub fn press(&self, start: usize, control: &Control<R>) -> Vec<Cascade<R>> {
+        let last = self.profile.len() - 1;
+        let mut cascades = Vec::new();
+        let mut i = start;
+        while i < last {
+            let value = self.attaching(i, control);
+            let mut rest = i + 1;
+            while rest < last && self.attaching(rest, control) <= value {
+                rest += 1;
+            }
+            if rest > i + 1 {
+                let outcome =
+                    if rest == last { Outcome::CompleteContact } else { Outcome::Jump { to: self.position(rest) } };
+                cascades.push(self.cascade(i, &self.critical[i + 1], FoldKind::Maximum, outcome));
+            }
+            i = rest;
+        }
+        cascades
+    }
+
+    /// The number of the outermost spring of the largest contact that is at rest at `value` of the controlled quantity; none
+    /// where every contact shrinks to nothing or grows to the last spring.
+    pub fn largest_at_rest(&self, control: &Control<R>, value: &R) -> Option<usize> {
+        let at_rest = |i: &usize| self.detaching(*i, control) <= *value && self.attaching(*i, control) > *value;
+        (1..self.profile.len() - 1).rev().find(at_rest)
+    }
+
+    /// The controlled quantity at which the outermost spring i detaches.
+    fn detaching(&self, i: usize, control: &Control<R>) -> R {
+        let d = &self.critical[i];
+        control.controlled(d, &self.force(i, d))
+    }
+
+    /// The controlled quantity at which the spring outside the outermost spring i attaches.
+    fn attaching(&self, i: usize, control: &Control<R>) -> R {
+        let d = &self.critical[i + 1];
+        control.controlled(d, &self.force(i, d))
+    }
+
+    fn cascade(&self, i: usize, d: &R, kind: FoldKind, outcome: Outcome<R>) -> Cascade<R> {
+        let instability =
+            Instability { contact_radius: self.position(i), indentation: d.clone(), force: self.force(i, d), kind };
+        Cascade { instability, outcome }
+    }
+}
