@@ -2,7 +2,7 @@
 
 use std::{fmt, io};
 
-use mdr_core::contact::Error as ContactError;
+use mdr_core::contact::{Error as ContactError, Quantity};
 
 /// The result of a command.
 pub(crate) type Result<T> = std::result::Result<T, Failure>;
@@ -47,10 +47,30 @@ impl Failure {
     }
 }
 
+/// A refused input is a refused flag.
 impl From<ContactError> for Failure {
     fn from(error: ContactError) -> Self {
-        Failure::Contact(error)
+        match error {
+            ContactError::Domain { quantity, value, requirement } => match flag_of(quantity) {
+                Some(flag) => Failure::flag(flag, format_args!("must be {requirement}"), &value),
+                None => Failure::Contact(ContactError::Domain { quantity, value, requirement }),
+            },
+            error => Failure::Contact(error),
+        }
     }
+}
+
+/// The flag that gives a quantity.
+fn flag_of(quantity: Quantity) -> Option<&'static str> {
+    Some(match quantity {
+        Quantity::Exponent => "--n",
+        Quantity::Coefficient => "--c",
+        Quantity::EffectiveModulus => "--e-star",
+        Quantity::WorkOfAdhesion => "--work",
+        Quantity::Stiffness => "--stiffness",
+        Quantity::Digits => "--digits",
+        _ => return None,
+    })
 }
 
 impl fmt::Display for Failure {
