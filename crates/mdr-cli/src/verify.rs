@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use comfy_table::ColumnConstraint;
 use indicatif::{ProgressBar, ProgressStyle};
 use mdr_crosscheck::{Finding, Level, Options, Report, Row, Shard, Verdict};
 
@@ -153,6 +154,8 @@ fn for_reader(report: &Report) -> String {
             ),
         ]);
     }
+    // The name of a check stays in one piece, to be copied.
+    table.set_constraints([ColumnConstraint::ContentWidth]);
     let failures: Vec<_> = report
         .failures
         .iter()
