@@ -163,6 +163,10 @@ fn verification_flags() {
     for value in ["0", "-3", "1000000000", "abc"] {
         refused(&["verify", "--digits", value], &["error: --digits: ", &format!("got {value}")]);
     }
+    refused(
+        &["verify", "--only", "jkr,astrology"],
+        &["error: --only: must be one of ", "kappa-gamma", "got astrology"],
+    );
     refused(&["verify", "--quick", "--full"], &["--quick", "--full"]);
     refused(&["verify", "--merge"], &["--merge"]);
     refused(&["verify", "--merge", "no-such-file"], &["--merge", "no-such-file"]);

@@ -21,7 +21,7 @@ fn the_overview_lists_every_command() {
 #[test]
 fn each_command_has_flags_examples_and_exit_statuses() {
     let cases: [(&str, &[&str]); 2] = [
-        ("verify", &["--quick", "--full", "--digits", "--shard", "--seed", "--merge", "--format"]),
+        ("verify", &["--quick", "--full", "--digits", "--shard", "--seed", "--only", "--merge", "--format"]),
         (
             "critical",
             &[

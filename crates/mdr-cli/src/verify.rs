@@ -20,6 +20,9 @@ Examples:
   In seconds:
     mdr verify --quick
 
+  Two checks alone, by the names in the table:
+    mdr verify --only kappa-gamma,jkr
+
   At 200 digits, with another seed for the random part of the grid:
     mdr verify --digits 200 --seed 7
 
@@ -59,8 +62,12 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     seed: Option<String>,
 
+    /// Only the checks of these names, separated by commas
+    #[arg(long, value_name = "CHECK", value_delimiter = ',', allow_hyphen_values = true)]
+    only: Vec<String>,
+
     /// Judge the JSON lines of all shards of a run instead of running
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["quick", "full", "digits", "shard", "seed"])]
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["quick", "full", "digits", "shard", "seed", "only"])]
     merge: Vec<PathBuf>,
 
     /// Shape of the result
@@ -100,7 +107,21 @@ impl Verify {
             let flag = Flag::new("--shard", text);
             options.shard = text.parse::<Shard>().map_err(|_| flag.refuse("must be I/N with 1 <= I <= N"))?;
         }
+        options.only = self.only()?;
         Ok(options)
+    }
+
+    fn only(&self) -> Result<Vec<String>> {
+        if self.only.is_empty() {
+            return Ok(Vec::new());
+        }
+        // A run without cases tells the names of the checks.
+        let nothing = mdr_crosscheck::run(&Options { limit: Some(0), ..Options::default() }, &|_| ());
+        let names: Vec<_> = nothing.rows.iter().map(|row| row.check.as_str()).collect();
+        match self.only.iter().find(|name| !names.contains(&name.as_str())) {
+            Some(name) => Err(Failure::flag("--only", format_args!("must be one of {}", names.join(", ")), name)),
+            None => Ok(self.only.clone()),
+        }
     }
 
     fn merged(&self) -> Result<Report> {
