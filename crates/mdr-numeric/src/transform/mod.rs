@@ -7,7 +7,7 @@
 //! * G(x) = ∫₀ˣ g = x ∫₀^{π/2} sinθ f dθ.
 //!
 //! The last needs no nested quadrature: g(s) = d/ds ∫₀ˢ r f(r)/√(s²−r²) dr (Abel), so the outer integral is done. All
-//! three are one functional, I[φ] = ∫₀^{π/2} sinθ φ(x sinθ) dθ, which this module computes.
+//! three are one functional, `I[φ]` = ∫₀^{π/2} sinθ φ(x sinθ) dθ, which this module computes.
 
 mod gauss;
 mod integrand;

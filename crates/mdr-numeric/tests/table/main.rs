@@ -4,4 +4,5 @@
 
 #[cfg(feature = "mp")]
 mod accuracy;
+#[cfg(feature = "mp")]
 mod sample;
