@@ -38,6 +38,14 @@ table("EXP2", "2^(i/256) in Q63.", "u64", [f"0x{fixed(mpf(2) ** (mpf(i) / 256), 
 factorial = [mpf(1)]
 for k in range(1, 9):
     factorial.append(factorial[-1] * k)
+
+print("/// 1/k!, k = 2 …, in Q256, truncated.\n#[rustfmt::skip]\npub(super) static INVERSE_FACTORIAL: [[u64; 4]; 23] = [")
+inverse = mpf(1)
+for k in range(2, 25):
+    inverse /= k
+    word = int(floor(inverse * mpf(2) ** 256))
+    print("    [" + ", ".join(f"0x{(word >> 64 * i) & (2**64 - 1):016x}" for i in range(4)) + "],")
+print("];\n")
 table(
     "EXP2_TAYLOR",
     "ln2^(k+1)/(k+1)! · 2^-8k in Q64.",

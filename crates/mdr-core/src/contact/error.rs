@@ -154,6 +154,7 @@ impl Error {
     ///
     /// # Errors
     /// [`Error::Domain`] otherwise.
+    #[inline(always)]
     pub fn require_positive<R: Real>(quantity: Quantity, value: R) -> Result<R> {
         if value > value.lit(0) && value.is_finite() {
             Ok(value)

@@ -17,6 +17,7 @@ impl<R: Real> Body<R> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless E > 0 is finite and −1 < ν ≤ 1/2.
+    #[inline(always)]
     pub fn new(youngs_modulus: R, poissons_ratio: R) -> Result<Self> {
         let youngs_modulus = Error::require_positive(Quantity::YoungsModulus, youngs_modulus)?;
         if poissons_ratio > poissons_ratio.lit(-1) && poissons_ratio <= poissons_ratio.ratio(1, 2) {

@@ -107,6 +107,11 @@ pub trait Real:
     /// self^exponent, for self > 0 (or self = 0 and exponent > 0).
     fn pow(&self, exponent: &Self) -> Self;
 
+    /// self^exponent − 1 without cancellation near 1, for self > 0.
+    fn pow_m1(&self, exponent: &Self) -> Self {
+        (self.ln() * exponent).exp_m1()
+    }
+
     /// self^exponent for an integer exponent.
     fn powi(&self, exponent: i64) -> Self;
 

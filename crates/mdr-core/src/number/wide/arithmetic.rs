@@ -4,32 +4,29 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use num_traits::Inv;
 
-use super::{Wide, limbs};
-
-/// The error of a product or quotient: the sum of both, one unit for terms of second order, two for truncation.
-#[inline]
-fn combined(a: u64, b: u64, inexact: bool) -> u64 {
-    let sum = a.saturating_add(b);
-    sum.saturating_add(u64::from(sum != 0) + 2 * u64::from(inexact))
-}
-
-/// error · 2^shift, rounded up.
-#[inline]
-pub(super) fn shifted(error: u64, shift: i64) -> u64 {
-    match shift {
-        _ if error == 0 => 0,
-        ..=-64 => 1,
-        -63..0 => (error >> -shift) + 1,
-        _ if i64::from(error.leading_zeros()) > shift => error << shift,
-        _ => u64::MAX,
-    }
-}
+use super::{Wide, limbs, power_of_two, truncation};
 
 impl<const N: usize> Wide<N> {
+    /// The error of a product or quotient: the sum of both, truncation, and the terms of second order.
+    #[inline]
+    fn combined(a: f64, b: f64, inexact: bool) -> f64 {
+        Self::second_order(a + b) + truncation(inexact)
+    }
+
     #[inline]
     pub(super) fn product(&self, other: &Self) -> Self {
         if self.is_hollow() || other.is_hollow() {
             return self.hollow_product(other);
+        }
+        if N == 1 {
+            // Without a branch on the leading bit, which is as good as random.
+            let product = u128::from(self.limbs[0]) * u128::from(other.limbs[0]);
+            let zeros = product.leading_zeros();
+            let normal = product << zeros;
+            let error = Self::combined(self.error, other.error, normal as u64 != 0);
+            let exponent = self.exponent + other.exponent - i64::from(zeros);
+            let limbs = [(normal >> 64) as u64; N];
+            return Self::from_parts(self.negative != other.negative, limbs, exponent, error);
         }
         let (mut high, mut low) = limbs::mul(&self.limbs, &other.limbs);
         let mut exponent = self.exponent + other.exponent;
@@ -42,7 +39,7 @@ impl<const N: usize> Wide<N> {
             low[N - 1] <<= 1;
             exponent -= 1;
         }
-        let error = combined(self.error, other.error, !limbs::is_zero(&low));
+        let error = Self::combined(self.error, other.error, !limbs::is_zero(&low));
         Self::from_parts(self.negative != other.negative, high, exponent, error)
     }
 
@@ -56,6 +53,15 @@ impl<const N: usize> Wide<N> {
             return self.scaled(2 - other.exponent);
         }
         let mut exponent = self.exponent - other.exponent;
+        if N == 1 {
+            let below = self.limbs[0] < other.limbs[0];
+            let numerator = u128::from(self.limbs[0]) << (63 + u32::from(below));
+            let (quotient, divisor) = ((numerator / u128::from(other.limbs[0])) as u64, other.limbs[0]);
+            let inexact = quotient.wrapping_mul(divisor) != numerator as u64;
+            let (limbs, exponent) = ([quotient; N], exponent + i64::from(!below));
+            let error = Self::combined(self.error, other.error, inexact);
+            return Self::from_parts(self.negative != other.negative, limbs, exponent, error);
+        }
         let (numerator, next) = if limbs::compare(&self.limbs, &other.limbs).is_lt() {
             (self.limbs, 0)
         } else {
@@ -68,7 +74,7 @@ impl<const N: usize> Wide<N> {
             self.negative != other.negative,
             quotient,
             exponent,
-            combined(self.error, other.error, inexact),
+            Self::combined(self.error, other.error, inexact),
         )
     }
 
@@ -84,6 +90,9 @@ impl<const N: usize> Wide<N> {
                 _ => other.blurred(self.exponent),
             };
         }
+        if N == 1 {
+            return self.sum_of_words(other, other_negative);
+        }
         let self_is_larger = self.exponent > other.exponent
             || (self.exponent == other.exponent && limbs::compare(&self.limbs, &other.limbs).is_ge());
         let (large, small, negative) =
@@ -94,6 +103,39 @@ impl<const N: usize> Wide<N> {
             Self::added(large, small, &aligned, guard != 0 || lost, negative)
         } else {
             Self::subtracted(large, small, &aligned, guard, lost, negative)
+        }
+    }
+
+    /// One word: the one with the larger exponent in Q127, so that only a distance above 63 can lose a bit. Signs and order
+    /// are as good as random, hence selections instead of branches.
+    #[inline]
+    fn sum_of_words(&self, other: &Self, other_negative: bool) -> Self {
+        let distance = self.exponent - other.exponent;
+        let place = |limb: u64, below: i64| {
+            let word = u128::from(limb) << 63;
+            let shifted = word >> below.clamp(0, 127);
+            (shifted as i128, shifted << below.clamp(0, 127) != word)
+        };
+        let (first, first_lost) = place(self.limbs[0], -distance);
+        let (second, second_lost) = place(other.limbs[0], distance);
+        let lost = first_lost | second_lost;
+        let opposite = self.negative != other_negative;
+        let sum = if opposite { first - second } else { first.wrapping_add(second) };
+        if sum == 0 {
+            let exact = self.is_exact() && other.is_exact();
+            return if exact { Self::ZERO } else { Self::around_zero(Self::absolute_error(self, other)) };
+        }
+        let magnitude = if opposite { sum.unsigned_abs() } else { sum as u128 };
+        let zeros = magnitude.leading_zeros();
+        let normal = magnitude << zeros;
+        let exponent = self.exponent.max(other.exponent) + 1 - i64::from(zeros);
+        let limbs = [(normal >> 64) as u64; N];
+        let rounding = truncation(normal as u64 != 0 || lost);
+        if opposite {
+            Self::difference(self, other, limbs, exponent, (sum < 0) != self.negative, rounding)
+        } else {
+            let error = self.error.max(other.error);
+            Self::from_parts(self.negative, limbs, exponent, Self::second_order(error) + rounding)
         }
     }
 
@@ -109,7 +151,7 @@ impl<const N: usize> Wide<N> {
         }
         // A weighted mean of both errors.
         let error = large.error.max(small.error);
-        Self::from_parts(negative, sum, exponent, error + u64::from(error != 0) + 2 * u64::from(inexact))
+        Self::from_parts(negative, sum, exponent, Self::second_order(error) + truncation(inexact))
     }
 
     #[inline]
@@ -122,14 +164,27 @@ impl<const N: usize> Wide<N> {
         let Some((difference, rest, shift)) = limbs::normalise(difference, guard) else {
             return if exact_operands { Self::ZERO } else { Self::around_zero(Self::absolute_error(large, small)) };
         };
-        let exponent = large.exponent - shift;
-        let rounding = 2 * u64::from(rest != 0 || lost);
-        if exact_operands {
+        let rounding = truncation(rest != 0 || lost);
+        Self::difference(large, small, difference, large.exponent - shift, negative, rounding)
+    }
+
+    /// A difference with the errors of both, magnified by cancellation.
+    #[inline]
+    fn difference(
+        large: &Self,
+        small: &Self,
+        difference: [u64; N],
+        exponent: i64,
+        negative: bool,
+        rounding: f64,
+    ) -> Self {
+        if large.is_exact() && small.is_exact() {
             return Self::from_parts(negative, difference, exponent, rounding);
         }
-        // |x|/|x − y| ≤ 2^(e_x − e + 1), and the same for y.
-        let magnified = |x: &Self| shifted(x.error, x.exponent - exponent + 1);
-        let error = magnified(large).saturating_add(magnified(small)).saturating_add(1 + rounding);
+        // Times |x|/|x − y|, and the same for y.
+        let inverse = 1.0 / difference[N - 1] as f64;
+        let magnified = |x: &Self| x.error * (x.limbs[N - 1] as f64 * inverse) * power_of_two(x.exponent - exponent);
+        let error = magnified(large) + magnified(small) + 1.0 + rounding;
         if error > Self::ERROR_LIMIT {
             return Self::around_zero(exponent.max(Self::absolute_error(large, small)) + 1);
         }
@@ -138,8 +193,8 @@ impl<const N: usize> Wide<N> {
 
     /// The errors of both are together at most 2 to this power.
     fn absolute_error(large: &Self, small: &Self) -> i64 {
-        let units = large.error + small.error + 2;
-        large.exponent - Self::BITS + 64 - i64::from(units.leading_zeros())
+        let units = large.error + small.error + 2.0;
+        large.exponent.max(small.exponent) - Self::BITS + units.log2() as i64 + 2
     }
 
     /// A product with zero or with something around zero.
@@ -155,10 +210,19 @@ impl<const N: usize> Wide<N> {
         }
     }
 
+    /// −self if `flip`.
+    #[inline]
+    fn flipped(self, flip: bool) -> Self {
+        Wide { negative: self.negative != flip && !self.is_hollow(), ..self }
+    }
+
     /// self · k.
     #[inline]
     pub(super) fn times_int(self, k: i64) -> Self {
         let magnitude = k.unsigned_abs();
+        if magnitude.is_power_of_two() {
+            return self.flipped(k < 0).scaled(i64::from(magnitude.trailing_zeros()));
+        }
         if k == 0 || self.is_hollow() {
             return self.product(&Self::from_integer(k < 0, magnitude));
         }
@@ -169,14 +233,15 @@ impl<const N: usize> Wide<N> {
     /// self / k.
     #[inline]
     pub(super) fn over_int(self, k: i64) -> Self {
+        let magnitude = k.unsigned_abs();
         if k == 0 {
             return Self::NOTHING;
         }
-        if self.is_hollow() {
-            return self.scaled(i64::from(k.unsigned_abs().leading_zeros()) - 63);
+        if magnitude.is_power_of_two() || self.is_hollow() {
+            return self.flipped(k < 0).scaled(-i64::from(magnitude.ilog2()));
         }
         // The quotient has N + 1 words counted from the top: its N lower ones and the carry are those of a product with k.
-        let (quotient, last, remainder) = limbs::div_word(&self.limbs, k.unsigned_abs());
+        let (quotient, last, remainder) = limbs::div_word(&self.limbs, magnitude);
         let mut low = [0; N];
         low[1..].copy_from_slice(&quotient[..N - 1]);
         low[0] = last;
@@ -197,16 +262,15 @@ impl<const N: usize> Wide<N> {
             shifted[N - 1] |= over << (64 - bits);
             (shifted, remainder || guard != 0 || lost, self.exponent + bits as i64)
         };
-        Self::from_parts(self.negative != flip, significand, exponent + scale, combined(self.error, 0, inexact))
+        Self::from_parts(self.negative != flip, significand, exponent + scale, Self::combined(self.error, 0.0, inexact))
     }
 }
 
 impl<const N: usize> Neg for Wide<N> {
     type Output = Self;
     #[inline]
-    fn neg(mut self) -> Self {
-        self.negative = !self.negative && !self.is_hollow();
-        self
+    fn neg(self) -> Self {
+        self.flipped(true)
     }
 }
 
@@ -214,7 +278,7 @@ impl<const N: usize> Inv for Wide<N> {
     type Output = Self;
     #[inline]
     fn inv(self) -> Self {
-        let mut one = Wide { negative: false, limbs: [0; N], exponent: 1, error: 0 };
+        let mut one = Wide { negative: false, limbs: [0; N], exponent: 1, error: 0.0 };
         one.limbs[N - 1] = 1 << 63;
         one.quotient(&self)
     }

@@ -1,8 +1,7 @@
 //! e^x and 2^x.
 
-use super::arithmetic::shifted;
-use super::tables::{EXP2, EXP2_TAYLOR, LN_2};
-use super::{EXPONENT_LIMIT, Wide};
+use super::tables::{EXP2, EXP2_TAYLOR, INVERSE_FACTORIAL, LN_2};
+use super::{EXPONENT_LIMIT, Wide, limbs, power_of_two};
 
 impl<const N: usize> Wide<N> {
     /// e^self.
@@ -16,30 +15,44 @@ impl<const N: usize> Wide<N> {
         if N == 1 {
             return self.quotient(&Self::constant(LN_2)).power_of_two();
         }
-        // self = k ln2 + r with 0 ≤ |r| < ln2; all errors together are an absolute one, |self|·(error + 6) units.
+        // self = k ln2 + r with 0 ≤ r < 1; all errors together are an absolute one, |self|·(error + 6) units.
         let ln_2 = Self::constant(LN_2).exactly();
-        let k = self.quotient(&ln_2).whole();
-        let r = (self.exactly() - ln_2.times_int(k).exactly()).exactly();
-        let argument = shifted(self.error + 6, self.exponent);
+        let mut k = self.quotient(&ln_2).whole() - i64::from(self.negative);
+        let mut r = (self.exactly() - ln_2.times_int(k).exactly()).exactly();
+        if r.negative {
+            k -= 1;
+            r = (r + ln_2).exactly();
+        }
+        let argument = (self.error + 6.0) * power_of_two(self.exponent);
         r.exponential_of_fraction().widened(argument).scaled(k)
     }
 
-    /// e^self for |self| < 1: Taylor's series of self/2^s, and s squarings.
+    /// e^self for 0 ≤ self < 1: Taylor's series of self/2^s in fixed point, and s squarings.
     fn exponential_of_fraction(&self) -> Self {
-        let one = Self::from_double(1.0);
         let squarings = if N == 2 { 6 } else { 8 };
-        let x = self.scaled(-squarings);
-        // The first omitted term is below x^(terms + 1)/(terms + 1)! with x ≤ 2^-s: less than a unit even after squaring.
-        let terms = if N == 2 { 15 } else { 24 };
-        let mut sum = one;
-        for k in (1..=terms).rev() {
-            sum = one + sum.product(&x).over_int(k);
+        let Ok(shift) = u64::try_from(squarings - self.exponent) else { return Self::NOTHING };
+        let (x, ..) = limbs::shift_down(&self.limbs, shift);
+        // x ≤ 2^-s. The first omitted term, x^16/16! < 2^-140 or x^25/25! < 2^-283, is less than a unit; each product is
+        // truncated by one, and all but the last of these are multiplied by x.
+        let terms = if N == 2 { 14 } else { 23 };
+        let mut sum = [0; N];
+        for factorial in INVERSE_FACTORIAL[..terms].iter().rev() {
+            let mut term = [0; N];
+            term.copy_from_slice(&factorial[4 - N..]);
+            (sum, _) = limbs::add(&limbs::mul(&sum, &x).0, &term);
         }
-        sum = sum.widened(1);
+        // x + x²/2! + … = x + x·(x·sum).
+        let (sum, _) = limbs::add(&x, &limbs::mul(&limbs::mul(&sum, &x).0, &x).0);
+        let one = Self::from_double(1.0);
+        let mut power = match limbs::normalise(sum, 0) {
+            Some((limbs, _, shift)) => one + Self::from_parts(false, limbs, -shift, 0.0),
+            None => one,
+        };
+        power = power.widened(4.0);
         for _ in 0..squarings {
-            sum = sum.product(&sum);
+            power = power.product(&power);
         }
-        sum
+        power
     }
 
     /// e^self − 1 without cancellation.
@@ -57,7 +70,7 @@ impl<const N: usize> Wide<N> {
         for k in (2..=16 * N as i64).rev() {
             sum = one + sum.product(self).over_int(k);
         }
-        self.product(&sum).widened(1)
+        self.product(&sum).widened(1.0)
     }
 
     /// The whole part of a number below 2⁶², towards zero.
@@ -82,12 +95,12 @@ impl<const N: usize> Wide<N> {
             _ => (0, self.limbs[N - 1] != 0),
         };
         let fixed = if self.negative { -(fixed as i128) } else { fixed as i128 };
-        Self::power_of_two_fixed(fixed, shifted(self.error, self.exponent).saturating_add(u64::from(dropped)))
+        Self::power_of_two_fixed(fixed, self.error * power_of_two(self.exponent) + if dropped { 1.0 } else { 0.0 })
     }
 
     /// 2^(fixed·2⁻⁶⁴), `fixed` being uncertain by `error` units, in one word.
     #[inline]
-    pub(super) fn power_of_two_fixed(fixed: i128, error: u64) -> Self {
+    pub(super) fn power_of_two_fixed(fixed: i128, error: f64) -> Self {
         let high = |a: u64, b: u64| ((u128::from(a) * u128::from(b)) >> 64) as u64;
         let (whole, fraction) = ((fixed >> 64) as i64, fixed as u64);
         if error > Self::ERROR_LIMIT || whole.unsigned_abs() >= EXPONENT_LIMIT as u64 {
@@ -100,7 +113,7 @@ impl<const N: usize> Wide<N> {
         limbs[N - 1] = power + (high(power, high(slope, rest)) >> 8);
         // The table is right to half a unit in the last place, the correction is truncated twice: 4 units. An error δ of
         // the argument is one of ln2·δ < 3δ/4 of the result.
-        let inexact = if fraction == 0 && error == 0 { 0 } else { error - error / 4 + 5 };
+        let inexact = if fraction == 0 && error == 0.0 { 0.0 } else { 0.75 * error + 5.0 };
         Self::from_parts(false, limbs, whole + 1, inexact)
     }
 }

@@ -1,8 +1,7 @@
 //! ln x, and powers.
 
-use super::arithmetic::shifted;
 use super::tables::{LN_2, LOG2_RECIPROCAL, LOG2_SERIES, RECIPROCAL};
-use super::{Wide, limbs};
+use super::{Wide, limbs, power_of_two, truncation};
 
 impl<const N: usize> Wide<N> {
     /// ln self; nothing is known unless self > 0.
@@ -20,19 +19,18 @@ impl<const N: usize> Wide<N> {
         }
         // self = m·2^k with m in [1/√2, √2) and y ≈ ln m a double: ln m = y + 2 artanh((m − e^y)/(m + e^y)).
         let mut k = self.exponent;
-        let mut m = Wide { exponent: 0, error: 0, ..*self };
+        let mut m = Wide { exponent: 0, error: 0.0, ..*self };
         if m.to_double() < std::f64::consts::FRAC_1_SQRT_2 {
             m.exponent = 1;
             k -= 1;
         }
         let y = Self::from_double(pxfm::f_log(m.to_double()));
         let power = y.exponential();
-        let absolute = power.error.saturating_add(self.error).saturating_add(16);
+        let absolute = power.error + Self::second_order(self.error) + 16.0;
         let power = power.exactly();
         let z = (m - power).exactly().quotient(&(m + power).exactly()).exactly();
         let ln_m = y + z.artanh_series(3).scaled(1).exactly();
-        (Self::constant(LN_2).times_int(k) + ln_m.exactly())
-            .blurred(64 - i64::from(absolute.leading_zeros()) - Self::BITS)
+        (Self::constant(LN_2).times_int(k) + ln_m.exactly()).blurred(absolute.log2() as i64 + 1 - Self::BITS)
     }
 
     /// ln(1 + self) without cancellation.
@@ -57,15 +55,15 @@ impl<const N: usize> Wide<N> {
         for k in (0..terms).rev() {
             sum = sum.product(&square) + Self::from_double(1.0).over_int(2 * k + 1);
         }
-        self.product(&sum).widened(1)
+        self.product(&sum).widened(1.0)
     }
 
     /// log₂ self in Q64 and a bound of its error in units of 2⁻⁶⁴, in one word.
     #[inline]
-    fn log2_fixed(&self) -> (i128, u64) {
+    fn log2_fixed(&self) -> (i128, f64) {
         let m = self.limbs[N - 1];
         // log₂(m(1 + δ)) moves by less than 1.443 δ.
-        let error = self.error + self.error.div_ceil(2);
+        let error = 1.443 * Self::second_order(self.error);
         if m == 1 << 63 {
             return (i128::from(self.exponent - 1) << 64, error);
         }
@@ -74,28 +72,29 @@ impl<const N: usize> Wide<N> {
         let z = ((i128::from(m) * i128::from(RECIPROCAL[i]) - (1 << 74)) >> 4) as i64;
         let slope = LOG2_SERIES.iter().rev().fold(0, |sum, &c| c + ((i128::from(sum) * i128::from(z)) >> 64) as i64);
         let series = (i128::from(slope) * i128::from(z)) >> 68;
-        ((i128::from(self.exponent) << 64) - i128::from(LOG2_RECIPROCAL[i]) + series, error + 2)
+        ((i128::from(self.exponent) << 64) - i128::from(LOG2_RECIPROCAL[i]) + series, error + 2.0)
     }
 
     /// fixed·2⁻⁶⁴, uncertain by `error` units, in one word.
-    fn from_fixed(fixed: i128, error: u64) -> Self {
+    fn from_fixed(fixed: i128, error: f64) -> Self {
         let magnitude = fixed.unsigned_abs();
         if magnitude == 0 {
-            return if error == 0 { Self::ZERO } else { Self::around_zero(-i64::from(error.leading_zeros())) };
+            return if error == 0.0 { Self::ZERO } else { Self::around_zero(error.log2() as i64 + 1 - 64) };
         }
         let zeros = magnitude.leading_zeros();
         let normal = magnitude << zeros;
         let mut limbs = [0; N];
         limbs[N - 1] = (normal >> 64) as u64;
         let exponent = 64 - i64::from(zeros);
-        let truncated = 2 * u64::from(normal as u64 != 0);
-        Self::from_parts(fixed < 0, limbs, exponent, shifted(error, 1 - exponent).saturating_add(truncated))
+        let truncated = truncation(normal as u64 != 0);
+        Self::from_parts(fixed < 0, limbs, exponent, error * power_of_two(1 - exponent) + truncated)
     }
 
     /// self^exponent for self > 0; exact where base, exponent and result are.
     pub(super) fn power(&self, exponent: &Self) -> Self {
-        if exponent.is_zero() {
-            return Self::from_double(1.0);
+        let one = Self::from_double(1.0);
+        if exponent.is_zero() || self.is_exact() && *self == one {
+            return one;
         }
         if self.is_zero() && !exponent.is_around_zero() && !exponent.negative {
             return *self;
@@ -173,13 +172,9 @@ impl<const N: usize> Wide<N> {
         };
         let negative = (log2 < 0) != y.negative;
         let fixed = if negative { -(fixed as i128) } else { fixed as i128 };
-        // |log₂| · error of y + |y| · error of log₂, each rounded up, and the truncation above.
-        let from_y = u128::from(y.error) * ((fixed.unsigned_abs() >> 64) + 1);
-        let from_log = ((u128::from(uncertainty) * u128::from(factor)) >> 64) as u64;
-        let error = u64::try_from(from_y)
-            .unwrap_or(u64::MAX)
-            .saturating_add(shifted(from_log.saturating_add(1), y.exponent))
-            .saturating_add(2);
+        // |log₂ of the result| · error of y + |y| · error of log₂, and the truncation above.
+        let from_y = y.error * ((fixed.unsigned_abs() >> 64) as u64 + 1) as f64;
+        let error = from_y + uncertainty * (factor as f64 * power_of_two(-64)) * power_of_two(y.exponent) + 2.0;
         Self::power_of_two_fixed(fixed, error)
     }
 }

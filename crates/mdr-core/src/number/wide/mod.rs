@@ -43,28 +43,31 @@ pub struct Wide<const N: usize> {
     limbs: [u64; N],
     /// The magnitude is 0.limbs · 2^exponent.
     exponent: i64,
-    /// |true − stored| ≤ error · 2^(−64N) · |stored|. When it is `AROUND_ZERO` the limbs are zero, and |true| ≤ 2^exponent.
-    error: u64,
+    /// |true − stored| ≤ error · 2^(−64N) · |stored|. When it is infinite the limbs are zero, and |true| ≤ 2^exponent. Sums
+    /// of errors are rounded to 53 bits; [`round`] allows for that.
+    error: f64,
 }
 
-/// The error of a number of which only the largest possible magnitude is known.
-const AROUND_ZERO: u64 = u64::MAX;
+const TWO_64: f64 = (1u128 << 64) as f64;
 
 /// Exponents are kept within ± this.
 const EXPONENT_LIMIT: i64 = 1 << 62;
 
 impl<const N: usize> Wide<N> {
-    /// Above this, products of two errors might exceed one unit and the number is given up.
-    const ERROR_LIMIT: u64 = if N == 1 { 1 << 31 } else { 1 << 62 };
+    /// Above this the number is given up: an eighth of its magnitude.
+    const ERROR_LIMIT: f64 = (1u128 << 61) as f64 * Self::UNITS;
+
+    /// 2^(64(N−1)), which makes units of 2^(−64N) of those of 2⁻⁶⁴.
+    const UNITS: f64 = [1.0, TWO_64, TWO_64 * TWO_64, TWO_64 * TWO_64 * TWO_64][N - 1];
 
     /// Bits in the significand.
     const BITS: i64 = 64 * N as i64;
 
     /// Exactly zero.
-    const ZERO: Self = Wide { negative: false, limbs: [0; N], exponent: 0, error: 0 };
+    const ZERO: Self = Wide { negative: false, limbs: [0; N], exponent: 0, error: 0.0 };
 
     /// Nothing is known.
-    const NOTHING: Self = Wide { negative: false, limbs: [0; N], exponent: i64::MAX, error: AROUND_ZERO };
+    const NOTHING: Self = Wide { negative: false, limbs: [0; N], exponent: i64::MAX, error: f64::INFINITY };
 
     /// The magnitude is at most 2^exponent.
     #[cold]
@@ -72,7 +75,7 @@ impl<const N: usize> Wide<N> {
         if exponent > EXPONENT_LIMIT {
             return Self::NOTHING;
         }
-        Wide { negative: false, limbs: [0; N], exponent: exponent.max(-EXPONENT_LIMIT), error: AROUND_ZERO }
+        Wide { negative: false, limbs: [0; N], exponent: exponent.max(-EXPONENT_LIMIT), error: f64::INFINITY }
     }
 
     /// ±(0.limbs)·2^exponent with a relative error of at most `error` units of 2^(−64N). The top bit of the last limb must
@@ -80,18 +83,27 @@ impl<const N: usize> Wide<N> {
     ///
     /// Made for functions that compute a significand by integer arithmetic, as the fit of a special function does.
     #[inline]
-    pub fn from_parts(negative: bool, limbs: [u64; N], exponent: i64, error: u64) -> Self {
-        if error > Self::ERROR_LIMIT || exponent.unsigned_abs() > EXPONENT_LIMIT as u64 || limbs[N - 1] >> 63 == 0 {
-            return if error == u64::MAX { Self::NOTHING } else { Self::around_zero(exponent.saturating_add(1)) };
+    pub fn from_parts(negative: bool, limbs: [u64; N], exponent: i64, error: f64) -> Self {
+        debug_assert!(limbs[N - 1] >> 63 == 1, "the significand is normalised");
+        if (error > Self::ERROR_LIMIT) | (exponent.unsigned_abs() > EXPONENT_LIMIT as u64) {
+            return Self::given_up(exponent, error);
         }
         Wide { negative, limbs, exponent, error }
+    }
+
+    /// A number whose error is too large, or its exponent.
+    #[cold]
+    fn given_up(exponent: i64, error: f64) -> Self {
+        // |stored|(1 + error · 2^(−64N)).
+        let growth = (error.log2() as i64 + 2).saturating_sub(Self::BITS).max(1);
+        if error.is_finite() { Self::around_zero(exponent.saturating_add(growth)) } else { Self::NOTHING }
     }
 
     /// A positive constant of up to 256 bits, truncated.
     fn constant((limbs, exponent): ([u64; 4], i64)) -> Self {
         let mut top = [0; N];
         top.copy_from_slice(&limbs[4 - N..]);
-        Wide { negative: false, limbs: top, exponent, error: 2 }
+        Wide { negative: false, limbs: top, exponent, error: 2.0 }
     }
 
     /// The significand 0.limbs, in [1/2, 1) unless the number is zero; least significant limb first.
@@ -106,20 +118,20 @@ impl<const N: usize> Wide<N> {
         self.exponent
     }
 
-    /// The bound on the relative error in units of 2^(−64N); 0 for an exact number, `u64::MAX` around zero.
+    /// The bound on the relative error in units of 2^(−64N); 0 for an exact number, ∞ around zero.
     #[inline]
-    pub fn error(&self) -> u64 {
+    pub fn error(&self) -> f64 {
         self.error
     }
 
     /// The same number with a relative error larger by `units` of 2^(−64N).
     #[inline]
     #[must_use]
-    pub fn widened(self, units: u64) -> Self {
+    pub fn widened(self, units: f64) -> Self {
         if self.is_hollow() {
             return self;
         }
-        Self::from_parts(self.negative, self.limbs, self.exponent, self.error.saturating_add(units))
+        Self::from_parts(self.negative, self.limbs, self.exponent, units + Self::second_order(self.error))
     }
 
     /// The same number with an absolute error larger by 2^exponent.
@@ -127,17 +139,20 @@ impl<const N: usize> Wide<N> {
         if self.is_zero() {
             return Self::around_zero(exponent);
         }
+        if self.is_hollow() {
+            return Self::around_zero(self.exponent.max(exponent).saturating_add(1));
+        }
         // In units of the number: 2^exponent/|self| ≤ 2^(exponent − e + 1).
-        match exponent.saturating_sub(self.exponent).saturating_add(1 + Self::BITS) {
-            shift if self.is_hollow() || shift > 61 => Self::around_zero(self.exponent.max(exponent).saturating_add(1)),
-            shift => self.widened(1 << shift.max(0)),
+        match exponent.saturating_sub(self.exponent) {
+            0.. => Self::around_zero(exponent.saturating_add(2)),
+            below => self.widened(power_of_two(below.saturating_add(1 + Self::BITS))),
         }
     }
 
     /// Certainly zero.
     #[inline]
     pub fn is_zero(&self) -> bool {
-        self.limbs[N - 1] == 0 && self.error == 0
+        self.limbs[N - 1] == 0 && self.error == 0.0
     }
 
     /// Zero or around zero: there is no significand to compute with.
@@ -148,22 +163,30 @@ impl<const N: usize> Wide<N> {
 
     #[inline]
     fn is_around_zero(&self) -> bool {
-        self.error == AROUND_ZERO
+        self.error == f64::INFINITY
     }
 
     #[inline]
     fn is_nothing(&self) -> bool {
-        self.error == AROUND_ZERO && self.exponent == i64::MAX
+        self.error == f64::INFINITY && self.exponent == i64::MAX
     }
 
     #[inline]
     fn is_exact(&self) -> bool {
-        self.error == 0
+        self.error == 0.0
+    }
+
+    /// An error together with the terms of second order that it brings: below 2δ² where δ ≤ 1/8 is the relative error,
+    /// hence below a unit for every number that is known to half its bits.
+    #[inline]
+    fn second_order(error: f64) -> f64 {
+        let square = error * (1.0 / TWO_64 / Self::UNITS) * error;
+        if square < 0.25 { error + if error == 0.0 { 0.0 } else { 1.0 } } else { error + 1.0 + 2.0 * square }
     }
 
     /// The stored number taken as exact.
     fn exactly(self) -> Self {
-        if self.is_nothing() { self } else { Wide { error: 0, ..self } }
+        if self.is_nothing() { self } else { Wide { error: 0.0, ..self } }
     }
 
     /// self · 2^k, exactly.
@@ -176,4 +199,16 @@ impl<const N: usize> Wide<N> {
             _ => Self::around_zero(self.exponent.saturating_add(k)),
         }
     }
+}
+
+/// 2^exponent, from 2⁻⁶⁴ upwards.
+#[inline]
+fn power_of_two(exponent: i64) -> f64 {
+    f64::from_bits(((exponent.clamp(-64, 1024) + 1023) as u64) << 52)
+}
+
+/// The error of truncation: below one unit in the last place, which is up to 2^(1−64N) of the number.
+#[inline]
+fn truncation(inexact: bool) -> f64 {
+    if inexact { 2.0 } else { 0.0 }
 }

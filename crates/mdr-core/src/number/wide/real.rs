@@ -73,6 +73,10 @@ impl<const N: usize> Real for Wide<N> {
     fn pow(&self, exponent: &Self) -> Self {
         self.power(exponent)
     }
+    fn pow_m1(&self, exponent: &Self) -> Self {
+        let power = self.power(exponent);
+        if power.is_exact() { power - self.lit(1) } else { self.logarithm().product(exponent).exponential_minus_one() }
+    }
     fn powi(&self, exponent: i64) -> Self {
         self.whole_power(exponent)
     }

@@ -1,6 +1,6 @@
 //! Square roots: exact where the root is representable.
 
-use super::{Wide, limbs};
+use super::{TWO_64, Wide, limbs};
 
 impl<const N: usize> Wide<N> {
     /// √self; nothing is known for a negative number.
@@ -9,56 +9,48 @@ impl<const N: usize> Wide<N> {
         if self.is_hollow() || self.negative {
             return if self.is_zero() { *self } else { Self::NOTHING };
         }
-        if N == 1 { self.root_of_word() } else { self.root_by_newton() }
-    }
-
-    /// One word: a double, one Newton step in integers, and the floor is exact.
-    #[inline]
-    fn root_of_word(&self) -> Self {
         let odd = self.exponent & 1;
-        let square = (u128::from(self.limbs[N - 1]) << 64) >> odd;
-        let mut root = (square as f64).sqrt().min(TWO_64_BELOW) as u64;
-        let residual = square.wrapping_sub(u128::from(root) * u128::from(root)) as i128;
-        root = root.saturating_add_signed((residual as f64 / (2.0 * root as f64)) as i64);
-        let mut rest = square.wrapping_sub(u128::from(root) * u128::from(root)) as i128;
-        while rest < 0 {
-            root -= 1;
-            rest += 2 * i128::from(root) + 1;
-        }
-        while rest > 2 * i128::from(root) {
-            rest -= 2 * i128::from(root) + 1;
-            root += 1;
-        }
+        let (root, exact) = self.root_of_top(odd);
+        let exponent = (self.exponent + odd) / 2;
+        let error = Self::second_order(0.5 * self.error);
         let mut limbs = [0; N];
         limbs[N - 1] = root;
-        let error = self.error.div_ceil(2) + u64::from(self.error != 0) + 2 * u64::from(rest != 0);
-        Self::from_parts(false, limbs, (self.exponent + odd) / 2, error)
+        if N == 1 {
+            return Self::from_parts(false, limbs, exponent, error + if exact { 0.0 } else { 3.0 });
+        }
+        Self::from_parts(false, limbs, 0, 0.0).root_by_newton(&Wide { exponent: -odd, ..*self }).scaled(exponent)
     }
 
-    /// More words: Newton's iteration for 1/√x from a double, and a last step for √x itself.
-    fn root_by_newton(&self) -> Self {
-        let odd = self.exponent & 1;
-        let square = Wide { exponent: -odd, error: 0, ..*self };
-        let mut reciprocal = Self::from_double(1.0 / square.to_double().sqrt());
-        for _ in 0..N.ilog2() + 1 {
-            let defect = Self::from_double(1.0) - square.product(&reciprocal).product(&reciprocal).exactly();
-            reciprocal = (reciprocal + reciprocal.product(&defect.exactly()).scaled(-1)).exactly();
+    /// The root of the upper word over 2^odd to a unit in the last place, and whether it is exact: a double, and one Newton
+    /// step in integers.
+    #[inline]
+    fn root_of_top(&self, odd: i64) -> (u64, bool) {
+        let top = self.limbs[N - 1];
+        let square = (u128::from(top) << 64) >> odd;
+        let scale = if odd == 0 { TWO_64 } else { TWO_64 / 2.0 };
+        let mut root = (top as f64 * scale).sqrt().min(TWO_64_BELOW) as u64;
+        // The residual is below 2^77 and the step below 2^12: what the shift drops moves it by 2^-52.
+        let residual = square.wrapping_sub(u128::from(root) * u128::from(root)) as i128;
+        let step = (residual >> 14) as i64 as f64 * (1 << 13) as f64 / root as f64;
+        root = root.saturating_add_signed(step as i64);
+        (root, u128::from(root) * u128::from(root) == square)
+    }
+
+    /// From one word to N: each step s + (x − s²)/2s doubles the bits.
+    fn root_by_newton(self, square: &Self) -> Self {
+        let exact_square = square.exactly();
+        let mut root = self;
+        for _ in 0..N.next_power_of_two().ilog2() {
+            let defect = (exact_square - root.product(&root).exactly()).exactly();
+            root = (root + defect.quotient(&root).scaled(-1)).exactly();
         }
-        let root = square.product(&reciprocal).exactly();
-        let defect = (square - root.product(&root).exactly()).exactly();
-        let root = (root + defect.product(&reciprocal).scaled(-1)).exactly();
-        let exponent = (self.exponent + odd) / 2;
         // A root that ends 32 bits early may be the exact one.
         let short = root.rounded_to(Self::BITS - 32);
-        if self.is_exact() && short.product(&short) == square {
-            return short.scaled(exponent);
+        if square.is_exact() && short.product(&short) == exact_square {
+            return short;
         }
-        // The iteration has converged when the square of the root is the number, but for rounding.
-        let residual = square - root.product(&root).exactly();
-        if !residual.is_hollow() && residual.exponent > 4 - Self::BITS {
-            return Self::NOTHING;
-        }
-        root.widened(self.error.div_ceil(2) + 24).scaled(exponent)
+        // A relative error of 2^-63 is squared and halved in each step: 2^-127, 2^-255; then the roundings.
+        root.widened(0.5 * square.error + 8.0)
     }
 
     /// The nearest exact number of `bits` bits.

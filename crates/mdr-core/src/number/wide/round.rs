@@ -1,6 +1,6 @@
 //! From and to doubles.
 
-use super::Wide;
+use super::{Wide, power_of_two};
 
 impl<const N: usize> Wide<N> {
     /// The number that a finite double stands for; nothing is known for NaN and ∞.
@@ -24,28 +24,34 @@ impl<const N: usize> Wide<N> {
         let zeros = magnitude.leading_zeros();
         let mut limbs = [0; N];
         limbs[N - 1] = magnitude << zeros;
-        Wide { negative, limbs, exponent: 64 - i64::from(zeros), error: 0 }
+        Wide { negative, limbs, exponent: 64 - i64::from(zeros), error: 0.0 }
     }
 
-    /// The double nearest to the true value or next to the nearest one: the error stays below 0.75 units in the last
-    /// place of the result (5/8 when it is normal and the error bound is typical), gradual underflow included. `None`
-    /// when the error bound does not promise that.
+    /// The double nearest to the true value or next to the nearest one: within one unit in the last place, half of it from
+    /// this rounding, gradual underflow included. `None` when the error bound does not promise that.
     ///
     /// ±∞ stands for a magnitude beyond the largest double, and ±0 for one at or below half the smallest
     /// ([`log10`](Wide::log10) tells how far); an exact zero is 0.
+    #[inline]
     pub fn nearest_f64(&self) -> Option<f64> {
         if self.is_around_zero() {
             return None;
         }
         let kept = (self.exponent + 1074).clamp(0, 53);
-        // error · 2^(e − 64N) ≤ ulp/4 = 2^(e − kept − 2).
-        let error_bits = 64 - i64::from(self.error.leading_zeros());
-        (self.error == 0 || error_bits <= Self::BITS - kept - 2).then(|| self.to_double())
+        // error · 2^(e − 64N) ≤ ulp/2 = 2^(e − kept − 1); the bound itself has been rounded some hundred times.
+        let slack = 1.0 + f64::EPSILON * 1024.0;
+        (self.error * slack <= power_of_two(Self::BITS - kept - 1)).then(|| self.to_double())
     }
 
     /// The stored value to the nearest double.
     #[inline]
     pub(super) fn to_double(self) -> f64 {
+        if N == 1 && (-958..=1024).contains(&self.exponent) {
+            // The conversion of the word rounds to nearest even, the scaling is exact.
+            let scale = f64::from_bits(((self.exponent + (1023 - 64)) as u64) << 52);
+            let magnitude = self.limbs[0] as f64 * scale;
+            return if self.negative { -magnitude } else { magnitude };
+        }
         if self.is_nothing() {
             return f64::NAN;
         }
