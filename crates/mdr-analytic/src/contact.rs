@@ -15,6 +15,7 @@ pub fn detachment_elongation<R: Real>(material: &Material<R>, a: &R) -> Result<R
 }
 
 /// B = πw/(2E*), the length in Δl(a) = 2√(Ba), in m.
+#[inline(always)]
 pub(crate) fn edge_length<R: Real>(material: &Material<R>) -> R {
     let pi = material.work_of_adhesion().pi();
     pi * material.work_of_adhesion() / material.effective_modulus().clone().times(2)
@@ -45,6 +46,7 @@ pub struct Contact<R> {
 
 impl<R: Real> Contact<R> {
     /// The given profile on the given material.
+    #[inline(always)]
     pub fn new(profile: PowerLaw<R>, material: Material<R>) -> Self {
         let edge_length = edge_length(&material);
         Contact { profile, material, edge_length }
@@ -64,6 +66,7 @@ impl<R: Real> Contact<R> {
     ///
     /// # Errors
     /// As [`PowerLaw::regime`].
+    #[inline(always)]
     pub fn regime(&self) -> Result<Regime> {
         self.profile.regime()
     }
@@ -135,6 +138,7 @@ impl<R: Real> Contact<R> {
     }
 
     /// N = nκ_nC.
+    #[inline(always)]
     pub(crate) fn slope_coefficient(&self) -> R {
         self.profile.strength() * self.profile.exponent()
     }

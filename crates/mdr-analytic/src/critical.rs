@@ -32,6 +32,7 @@ impl<R: Real> Contact<R> {
     /// # Errors
     /// [`Error::Domain`] at n = 1/2, where no length is singled out (see [`threshold`](crate::threshold()));
     /// [`Error::OutOfRange`] with the log10 of a result that the arithmetic cannot hold.
+    #[inline(always)]
     pub fn critical(&self, control: &Control<R>) -> Result<Critical<R>> {
         match control {
             Control::Indentation => self.tangency(1),
@@ -64,6 +65,7 @@ impl<R: Real> Contact<R> {
     }
 
     /// The state with N a^{n−1/2} = λ√B for an integer λ.
+    #[inline(always)]
     fn tangency(&self, tension: i64) -> Result<Critical<R>> {
         self.require_length_scale()?;
         let tension = self.profile().exponent().lit(tension);
@@ -72,16 +74,16 @@ impl<R: Real> Contact<R> {
     }
 
     /// (λ²B/N²)^{1/(2n−1)}, the radius at which N a^{n−1/2} = λ√B, in m.
+    #[inline(always)]
     pub(crate) fn length_scale(&self, tension: &R) -> Result<R> {
         let slope = self.slope_coefficient();
-        // One quotient under one logarithm: near n = 1/2 its rounding is all that 1/(2n−1) magnifies.
+        // One power of one quotient: near n = 1/2 its rounding is all that 1/(2n−1) magnifies.
         let quotient = tension.square() * self.edge_length() / slope.square();
-        let ln_radius = if quotient.is_finite() && quotient > quotient.lit(0) {
-            quotient.ln() / self.profile().excess()
+        let radius = if quotient.is_finite() && quotient > quotient.lit(0) {
+            quotient.pow(&self.profile().excess().inv())
         } else {
-            self.ln_length_scale(tension)
+            self.ln_length_scale(tension).exp()
         };
-        let radius = ln_radius.exp();
         representable(Quantity::ContactRadius, radius, || self.ln_length_scale(tension))
     }
 
@@ -92,6 +94,7 @@ impl<R: Real> Contact<R> {
     }
 
     /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a).
+    #[inline(always)]
     pub(crate) fn tangent_state(&self, a: R, tension: &R) -> Result<Critical<R>> {
         let (d_factor, f_factor) = self.tangent_factors(tension);
         let root = self.edge_length().sqrt() * a.sqrt();
@@ -121,6 +124,7 @@ impl<R: Real> Contact<R> {
     }
 
     /// (λ−2n)/n and 2(λ−2(n+1))/(n+1).
+    #[inline(always)]
     pub(crate) fn tangent_factors(&self, tension: &R) -> (R, R) {
         let n = self.profile().exponent();
         let next = n.lit(1) + n;
@@ -134,6 +138,7 @@ impl<R: Real> Contact<R> {
         w.pi().over(2).ln() + w.ln() - e.ln()
     }
 
+    #[inline(always)]
     pub(crate) fn require_length_scale(&self) -> Result<()> {
         match self.regime()? {
             Regime::ScaleFree => Err(Error::domain(

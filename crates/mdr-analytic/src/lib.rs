@@ -52,6 +52,7 @@
 pub mod certified;
 mod contact;
 mod critical;
+pub mod double;
 mod jump;
 mod kappa;
 mod machine;

@@ -30,6 +30,7 @@ impl<R: Kappa> PowerLaw<R> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless both are positive and finite.
+    #[inline(always)]
     pub fn new(exponent: R, coefficient: R) -> Result<Self> {
         let exponent = Error::require_positive(Quantity::Exponent, exponent)?;
         let kappa = R::kappa(&exponent);
@@ -42,6 +43,7 @@ impl<R: Real> PowerLaw<R> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless all are positive and finite.
+    #[inline(always)]
     pub fn with_kappa(exponent: R, coefficient: R, kappa: R) -> Result<Self> {
         Ok(PowerLaw {
             exponent: Error::require_positive(Quantity::Exponent, exponent)?,
@@ -69,6 +71,7 @@ impl<R: Real> PowerLaw<R> {
     ///
     /// # Errors
     /// [`Error::Undecided`] when n is an interval around 1/2.
+    #[inline(always)]
     pub fn regime(&self) -> Result<Regime> {
         use std::cmp::Ordering::*;
         match self.exponent.partial_cmp(&self.exponent.ratio(1, 2)) {
@@ -84,11 +87,13 @@ impl<R: Real> PowerLaw<R> {
     }
 
     /// 2n − 1, the exponent of the length scale: positive in the pull-off regime.
+    #[inline(always)]
     pub(crate) fn excess(&self) -> R {
         self.exponent.clone().times(2) - self.exponent.lit(1)
     }
 
     /// κ_n C.
+    #[inline(always)]
     pub(crate) fn strength(&self) -> R {
         self.kappa.clone() * &self.coefficient
     }

@@ -5,6 +5,7 @@ use mdr_core::number::Real;
 
 /// `value`, which is not zero in exact arithmetic, unless it left the range; then an error with log10 of its magnitude,
 /// from the natural logarithm computed only in that case. An interval that knows nothing is undecided.
+#[inline(always)]
 pub(crate) fn representable<R: Real>(quantity: Quantity, value: R, ln_magnitude: impl FnOnce() -> R) -> Result<R> {
     if value.is_finite() && value != value.lit(0) {
         Ok(value)

@@ -5,7 +5,7 @@ use mdr_core::number::Real;
 
 /// d/|d_c| = (ãⁿ − 2nã^{1/2})/|1−2n| along the equilibria, with ã = a/a_c of controlled indentation.
 ///
-/// Evaluated as √ã (e^{(n−1/2) ln ã} − 1 − (2n−1))/|2n−1|, so that n → 1/2 costs no digits. −1 at ã = 1 for n > 1/2, +1
+/// Evaluated as √ã ((ã^{n−1/2} − 1) − (2n−1))/|2n−1|, so that n → 1/2 costs no digits. −1 at ã = 1 for n > 1/2, +1
 /// for n < 1/2.
 ///
 /// ```
@@ -19,7 +19,7 @@ use mdr_core::number::Real;
 /// [`Error::Domain`] unless n > 0, n ≠ 1/2 and ã > 0 are finite.
 pub fn universal_indentation<R: Real>(n: &R, scaled_radius: &R) -> Result<R> {
     let excess = checked(n, scaled_radius)?;
-    let growth = (scaled_radius.ln() * excess.clone().over(2)).exp_m1();
+    let growth = scaled_radius.pow_m1(&excess.clone().over(2));
     Ok((growth - &excess) * scaled_radius.sqrt() / excess.abs())
 }
 
@@ -29,7 +29,7 @@ pub fn universal_indentation<R: Real>(n: &R, scaled_radius: &R) -> Result<R> {
 /// As [`universal_indentation`].
 pub fn universal_force<R: Real>(n: &R, scaled_radius: &R) -> Result<R> {
     let excess = checked(n, scaled_radius)?;
-    let growth = (scaled_radius.ln() * excess.clone().over(2)).exp();
+    let growth = scaled_radius.pow(&excess.clone().over(2));
     let next = n.lit(1) + n;
     Ok((growth - next.times(2)) * scaled_radius.sqrt() * scaled_radius / (excess + n.lit(2)))
 }

@@ -56,15 +56,13 @@ pub fn kappa<R: Kappa>(n: &R) -> Result<R> {
 }
 
 /// The expansion with fewer terms for this n at this precision.
-fn expansion<R: Real>(n: &R) -> R {
+pub(crate) fn expansion<R: Real>(n: &R) -> R {
     let bits = n.precision() + 2;
     match brouncker::depth(n.approx(), bits) {
         Some(depth) => brouncker::kappa(n, depth),
         None => series::kappa(n, series::terms(n.approx(), bits)),
     }
 }
-
-impl Kappa for f64 {}
 
 impl<R: Kappa> Kappa for Dual<R> {
     fn kappa(n: &Self) -> Self {

@@ -1,0 +1,124 @@
+//! The accurate closed forms in `f64` beside the same formulas written down naively: `cargo bench --bench double`.
+//!
+//! Every route computes a, d and F of the critical state of 10⁶ random contacts under controlled indentation. The passes of
+//! all routes are interleaved and the median of each is reported, so that ratios hold within one run; ulps are those of the
+//! worst of the three results against the accurate route (itself within one ulp).
+#![allow(clippy::print_stdout, reason = "a benchmark prints its table")]
+
+use std::f64::consts::PI;
+use std::hint::black_box;
+use std::time::Instant;
+
+use mdr_analytic::{Critical, double};
+use mdr_core::contact::{Control, Material, Ranged};
+use rand::rngs::SmallRng;
+use rand::{RngExt, SeedableRng};
+use rayon::prelude::*;
+
+const POINTS: usize = 1_000_000;
+const PASSES: usize = 7;
+
+struct Point {
+    n: f64,
+    c: f64,
+    material: Material<f64>,
+}
+
+/// n from 0.05 to 4, E* from 1 kPa to 100 GPa, w from 1 mJ/m² to 1 J/m², and C such that a is between 10 nm and 10 cm.
+fn points() -> Vec<Point> {
+    let mut random = SmallRng::seed_from_u64(1);
+    let mut draw = |from: f64, to: f64| random.random_range(from..to);
+    (0..POINTS)
+        .map(|_| {
+            let (n, e, w) = (draw(0.05, 4.0), 10f64.powf(draw(3.0, 11.0)), 10f64.powf(draw(-3.0, 0.0)));
+            let a = 10f64.powf(draw(-8.0, -1.0));
+            let slope = (PI * w / (2.0 * e)).sqrt() * a.powf(0.5 - n);
+            let c = slope / (n * kappa_by(n, pxfm::f_tgamma));
+            Point { n, c, material: Material::new(e, w).expect("positive") }
+        })
+        .collect()
+}
+
+fn kappa_by(n: f64, gamma: impl Fn(f64) -> f64) -> f64 {
+    PI.sqrt() / 2.0 * n * gamma(n / 2.0) / gamma((n + 1.0) / 2.0)
+}
+
+fn kappa_by_logarithms(n: f64) -> f64 {
+    PI.sqrt() * (pxfm::f_lgamma(1.0 + n / 2.0) - pxfm::f_lgamma((n + 1.0) / 2.0)).exp()
+}
+
+/// (1.15) and (1.17) as one would type them.
+fn by_hand(p: &Point, kappa: impl Fn(f64) -> f64) -> [f64; 3] {
+    let (n, e, w) = (p.n, *p.material.effective_modulus(), *p.material.work_of_adhesion());
+    let nkc = n * kappa(n) * p.c;
+    let a = (PI * w / (2.0 * e * nkc * nkc)).powf(1.0 / (2.0 * n - 1.0));
+    let d = (1.0 - 2.0 * n) / n * (PI * w * a / (2.0 * e)).sqrt();
+    let f = -2.0 * (2.0 * n + 1.0) / (n + 1.0) * (e * PI * w / 2.0).sqrt() * a.powf(1.5);
+    [a, d, f]
+}
+
+fn accurate(p: &Point) -> [f64; 3] {
+    let value = |x: Ranged<f64>| match x {
+        Ranged::Value(value) => value,
+        _ => f64::NAN,
+    };
+    match double::critical(p.n, p.c, &p.material, &Control::Indentation) {
+        Ok(Critical { contact_radius, indentation, force }) => [contact_radius, indentation, force].map(value),
+        Err(_) => [f64::NAN; 3],
+    }
+}
+
+type Route = (&'static str, fn(&Point) -> [f64; 3]);
+const ROUTES: [Route; 5] = [
+    ("by hand, pxfm gamma", |p| by_hand(p, |n| kappa_by(n, pxfm::f_tgamma))),
+    ("by hand, pxfm log-gamma", |p| by_hand(p, kappa_by_logarithms)),
+    ("by hand, statrs gamma", |p| by_hand(p, |n| kappa_by(n, statrs::function::gamma::gamma))),
+    ("by hand, accurate kappa", |p| by_hand(p, |n| double::kappa(n).unwrap_or(f64::NAN))),
+    ("double::critical", accurate),
+];
+
+fn nanoseconds(work: impl FnOnce()) -> f64 {
+    let start = Instant::now();
+    work();
+    start.elapsed().as_secs_f64() * 1e9 / POINTS as f64
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+fn ulps(x: [f64; 3], y: [f64; 3]) -> f64 {
+    (0..3).map(|i| ((x[i] - y[i]) / (y[i].abs() * f64::EPSILON)).abs()).fold(0.0, f64::max)
+}
+
+fn main() {
+    let points = points();
+    let truth: Vec<[f64; 3]> = points.iter().map(accurate).collect();
+    assert!(truth.iter().flatten().all(|x| x.is_finite()), "an ordinary point has an ordinary answer");
+    let mut times = vec![Vec::new(); ROUTES.len()];
+    let mut parallel = Vec::new();
+    for _ in 0..PASSES {
+        for ((_, route), times) in ROUTES.iter().zip(&mut times) {
+            times.push(nanoseconds(|| {
+                black_box(points.iter().map(route).fold(0.0, |sum, x| sum + x[0] + x[1] + x[2]));
+            }));
+        }
+        parallel.push(nanoseconds(|| {
+            black_box(points.par_iter().map(|p| accurate(p).iter().sum::<f64>()).sum::<f64>());
+        }));
+    }
+    let medians: Vec<f64> = times.into_iter().map(median).collect();
+    println!(
+        "{:28} {:>9} {:>8} {:>12} {:>12}",
+        "critical, ordinary points", "ns/point", "ratio", "median ulp", "worst ulp"
+    );
+    for ((name, route), time) in ROUTES.iter().zip(&medians) {
+        let errors: Vec<f64> = points.iter().zip(&truth).map(|(p, &t)| ulps(route(p), t)).collect();
+        let worst = errors.iter().copied().fold(0.0, f64::max);
+        println!("{name:28} {time:9.1} {:8.2} {:12.1} {worst:12.1}", time / medians[0], median(errors));
+    }
+    let parallel = median(parallel);
+    let (threads, one) = (rayon::current_num_threads(), medians[medians.len() - 1]);
+    println!("double::critical on {threads} threads {parallel:7.1} ns/point, {:.2} times faster", one / parallel);
+}

@@ -1,0 +1,109 @@
+//! Ziv's strategy: the same formula with more words until its answer can be rounded.
+
+use mdr_core::contact::{Error, Instability, Quantity, Ranged, Result};
+use mdr_core::number::Wide;
+
+use crate::critical::Critical;
+use crate::threshold::Fate;
+
+/// An answer in extended precision that becomes one in `f64` when its error bound allows.
+pub(super) trait Round {
+    type Rounded;
+
+    /// The answer in `f64`; `None` when the error bound is too wide.
+    fn round(&self) -> Option<Self::Rounded>;
+}
+
+impl<const N: usize> Round for Wide<N> {
+    type Rounded = Ranged<f64>;
+
+    #[inline(always)]
+    fn round(&self) -> Option<Ranged<f64>> {
+        let value = self.nearest_f64()?;
+        Some(if value.is_infinite() {
+            Ranged::Overflow { log10: self.log10() }
+        } else if value == 0.0 && !self.is_zero() {
+            Ranged::Underflow { log10: self.log10() }
+        } else {
+            Ranged::Value(value)
+        })
+    }
+}
+
+impl<const N: usize> Round for Critical<Wide<N>> {
+    type Rounded = Critical<Ranged<f64>>;
+
+    #[inline(always)]
+    fn round(&self) -> Option<Self::Rounded> {
+        Some(Critical {
+            contact_radius: self.contact_radius.round()?,
+            indentation: self.indentation.round()?,
+            force: self.force.round()?,
+        })
+    }
+}
+
+impl<const N: usize> Round for Instability<Wide<N>> {
+    type Rounded = Instability<Ranged<f64>>;
+
+    fn round(&self) -> Option<Self::Rounded> {
+        Some(Instability {
+            contact_radius: self.contact_radius.round()?,
+            indentation: self.indentation.round()?,
+            force: self.force.round()?,
+            kind: self.kind,
+        })
+    }
+}
+
+impl Round for Fate {
+    type Rounded = Fate;
+
+    fn round(&self) -> Option<Fate> {
+        Some(*self)
+    }
+}
+
+impl<T: Round> Round for Vec<T> {
+    type Rounded = Vec<T::Rounded>;
+
+    fn round(&self) -> Option<Self::Rounded> {
+        self.iter().map(T::round).collect()
+    }
+}
+
+/// A decided answer, a certain error, or `None`: more words are needed.
+#[inline(always)]
+pub(super) fn settle<T: Round>(formula: impl FnOnce() -> Result<T>) -> Option<Result<T::Rounded>> {
+    match formula() {
+        Ok(answer) => answer.round().map(Ok),
+        // What is unknown in few words looks as if it could not be represented.
+        Err(Error::OutOfRange { .. } | Error::Undecided { .. } | Error::NoConvergence { .. }) => None,
+        Err(certain) => Some(Err(certain)),
+    }
+}
+
+#[cold]
+pub(super) fn undecided(quantity: Quantity) -> Error {
+    Error::Undecided { quantity, bits: 256, what: "which double is nearest" }
+}
+
+/// Evaluates a formula, generic in the arithmetic `$wide`, with 64, 128 and 256 bits until its answer can be rounded.
+macro_rules! decide {
+    ($quantity:expr, $wide:ident => $formula:expr) => {{
+        let one = {
+            type $wide = Wide<1>;
+            || settle(|| $formula)
+        };
+        let two = {
+            type $wide = Wide<2>;
+            || settle(|| $formula)
+        };
+        let four = {
+            type $wide = Wide<4>;
+            || settle(|| $formula)
+        };
+        one().or_else(two).or_else(four).unwrap_or_else(|| Err(undecided($quantity)))
+    }};
+}
+pub(super) use decide;
