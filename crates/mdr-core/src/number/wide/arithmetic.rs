@@ -134,8 +134,8 @@ impl<const N: usize> Wide<N> {
         if opposite {
             Self::difference(self, other, limbs, exponent, (sum < 0) != self.negative, rounding)
         } else {
-            let error = self.error.max(other.error);
-            Self::from_parts(self.negative, limbs, exponent, Self::second_order(error) + rounding)
+            let error = Self::weighted_error(self, other) + rounding;
+            Self::from_parts(self.negative, limbs, exponent, error)
         }
     }
 
@@ -149,9 +149,8 @@ impl<const N: usize> Wide<N> {
             sum[N - 1] |= 1 << 63;
             exponent += 1;
         }
-        // A weighted mean of both errors.
-        let error = large.error.max(small.error);
-        Self::from_parts(negative, sum, exponent, Self::second_order(error) + truncation(inexact))
+        let error = Self::weighted_error(large, small) + truncation(inexact);
+        Self::from_parts(negative, sum, exponent, error)
     }
 
     #[inline]
@@ -166,6 +165,15 @@ impl<const N: usize> Wide<N> {
         };
         let rounding = truncation(rest != 0 || lost);
         Self::difference(large, small, difference, large.exponent - shift, negative, rounding)
+    }
+
+    /// The error of a sum: a mean of both with the magnitudes as weights, hence at most the larger; and the weight of a
+    /// term with an exponent d below is less than 2^(1−d).
+    #[inline]
+    fn weighted_error(x: &Self, y: &Self) -> f64 {
+        let larger = x.exponent.max(y.exponent);
+        let part = |x: &Self| x.error * power_of_two((x.exponent - larger + 1).min(0));
+        Self::second_order((part(x) + part(y)).min(x.error.max(y.error)))
     }
 
     /// A difference with the errors of both, magnified by cancellation.
