@@ -2,6 +2,7 @@
 //!
 //! Allowed are the promised 1 ulp; where the error bound of one word is known to be below 2⁻⁵⁶, 0.625 ulp.
 #![cfg(feature = "mp")]
+#![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
 use mdr_analytic::{Critical, double};
 use mdr_core::contact::{Control, Material, Ranged};

@@ -1,4 +1,5 @@
 //! What the `f64` closed forms promise beyond accuracy: exact zeros, scaling, domains, folds. Runs without GMP.
+#![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
 use mdr_analytic::{Critical, Kappa, double};
 use mdr_core::contact::{Control, Error, FoldKind, Material, Quantity, Ranged};
