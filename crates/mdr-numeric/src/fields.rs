@@ -18,7 +18,7 @@ use crate::curve::Curve;
 /// use mdr_core::contact::{Control, Material};
 /// use mdr_numeric::{curve::Curve, fields::Fields, profiles::Paraboloid, transform::Quadrature};
 /// let ball = Quadrature::new(Paraboloid::new(1.0)?);
-/// let (material, control) = (Material::new(1.0, 1e-3)?, Control::Indentation);
+/// let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation);
 /// let fields = Fields::new(Curve::new(&ball, &material, &control), 0.1)?;
 /// assert!(fields.pressure(&0.0)? > 0.0);   // pressed in the middle,
 /// assert!(fields.pressure(&0.0999)? < 0.0); // torn at the edge

@@ -153,10 +153,15 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         self.tolerance.clone().filter(|tolerance| *tolerance > floor).unwrap_or(floor)
     }
 
-    /// What the rounding of r = x sinθ does to the integrand, relative: u |Dφ/φ| at r = x, where it is largest.
-    fn noise(&self, x: &R) -> R {
-        let (value, slope) = (Integrand::Transform.at(&self.profile, x), Integrand::Slope.at(&self.profile, x));
-        let condition = (slope / value).abs();
+    /// What the rounding of r = x sinθ does to the integrand, relative: u |Dφ|/|φ| at r = x, where it is largest. The terms
+    /// of φ are taken in magnitude, so that a zero of φ there means nothing.
+    fn noise(&self, x: &R, integrand: Integrand) -> R {
+        let size = |integrand: Integrand, r: &R| integrand.at(&self.profile, r).abs();
+        let height = size(Integrand::Height, x);
+        let condition = match integrand {
+            Integrand::Height => size(Integrand::Transform, x) / (size(Integrand::Height, &x.clone().over(2)) + height),
+            _ => size(Integrand::Slope, x) / (size(Integrand::Transform, x) + height),
+        };
         if condition.is_finite() { condition * x.unit_roundoff() } else { x.lit(0) }
     }
 
@@ -173,7 +178,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         match (self.rule, &self.ladder) {
             (Rule::Gauss { nodes }, _) => self.fixed(x, nodes, integrand),
             (Rule::Automatic, Some(ladder)) => {
-                let noise = self.noise(x);
+                let noise = self.noise(x, integrand);
                 let sample = |s: &R| integrand.at(&self.profile, &(s.clone() * x));
                 ladder
                     .integrate(&self.attainable(x, &noise), &noise, sample)
@@ -264,12 +269,21 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         if gauss::underflows(&largest) {
             return Ok(Estimate { value: x.lit(0), error: largest, evaluations: 1 });
         }
-        let noise = self.noise(x);
-        let estimate = tanh_sinh(lower, upper, &self.attainable(x, &noise), |theta| {
-            let sine = theta.sin();
-            Ok(self.sample(x, &sine, integrand) * sine)
-        })?;
-        Ok(Estimate { error: estimate.value.abs() * noise + &estimate.error, ..estimate })
+        let noise = self.noise(x, integrand);
+        let to = |tolerance: &R| {
+            tanh_sinh(lower, upper, tolerance, |theta| {
+                let sine = theta.sin();
+                Ok(self.sample(x, &sine, integrand) * sine)
+            })
+        };
+        match to(&self.tolerance(x)) {
+            // The noise at the end of the interval need not be that of the integral, so it is no excuse from the start.
+            Err(Error::NoConvergence { .. }) => {
+                let estimate = to(&self.attainable(x, &noise))?;
+                Ok(Estimate { error: estimate.value.abs() * noise + &estimate.error, ..estimate })
+            }
+            result => result,
+        }
     }
 }
 

@@ -1,0 +1,309 @@
+//! Folds, equilibria and outcomes against published values and the physics that every profile shares.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Material, Outcome, Stability};
+use mdr_numeric::curve::Curve;
+use mdr_numeric::equilibrium::{Branches, equilibria};
+use mdr_numeric::folds::{Completeness, find, folds};
+use mdr_numeric::profiles::{Cone, Paraboloid, Power, RoundedPunch, WavyParaboloid};
+use mdr_numeric::transform::Quadrature;
+use proptest::prelude::*;
+
+const U: f64 = f64::EPSILON / 2.0;
+
+/// A radius found by tangency of a power law of exponent n: g' and Δl' are good to about 16u, and d ln(g'/Δl')/d ln a is
+/// n − 1/2.
+fn fold_rounding(n: f64) -> f64 {
+    32.0 * U * (1.0 + 1.0 / (n - 0.5).abs()) * (1.0 + n)
+}
+
+#[test]
+fn jkr() {
+    // K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. A 324 (1971) 301.
+    let (radius, e, w) = (3.0, 7e5, 0.02);
+    let ball = Quadrature::new(Paraboloid::new(radius).unwrap());
+    let material = Material::new(e, w).unwrap();
+    let fixed_grips = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
+    let dead_load = &folds(&ball, &material, &Control::Force).unwrap()[0];
+    let a_c = f64::cbrt(PI * w * radius * radius / (8.0 * e));
+    let rounding = fold_rounding(2.0);
+    assert_relative_eq!(fixed_grips.contact_radius, a_c, max_relative = rounding);
+    assert_relative_eq!(fixed_grips.force, -5.0 / 6.0 * PI * w * radius, max_relative = rounding);
+    assert_relative_eq!(dead_load.contact_radius, a_c * 9.0_f64.cbrt(), max_relative = rounding);
+    assert_relative_eq!(dead_load.force, -1.5 * PI * w * radius, max_relative = rounding);
+    assert_eq!((fixed_grips.kind, dead_load.kind), (FoldKind::Minimum, FoldKind::Minimum));
+
+    // Fixed grips and dead load are the two ends of a machine: radii at k/(2E*a_c) = 0.1, 1, 10, by an independent
+    // computation to 25 digits.
+    for (ratio, expected) in [(0.1, 2.03658653), (1.0, 1.72526627), (10.0, 1.13128934)] {
+        let machine = Control::machine(ratio * 2.0 * e * a_c).unwrap();
+        let found = folds(&ball, &material, &machine).unwrap();
+        assert_eq!(found.len(), 1);
+        assert_relative_eq!(found[0].contact_radius / a_c, expected, max_relative = 1e-8);
+    }
+}
+
+#[test]
+fn rounded_punch_tends_to_kendall() {
+    // K. Kendall, J. Phys. D 4 (1971) 1186: d = −√(2πbw/E*), F = −√(8πb³E*w) for a flat punch of radius b. A sharp
+    // rounding of radius R moves the edge by (δ/b) ~ (R²ℓ/b³)^(1/3) at most; here 1e-4.
+    let material = Material::new(1.0, 1e-6).unwrap();
+    let punch = Quadrature::new(RoundedPunch::new(1e-3, 1.0).unwrap());
+    for control in [Control::Indentation, Control::Force] {
+        let found = folds(&punch, &material, &control).unwrap();
+        assert_eq!(found.len(), 1);
+        assert_relative_eq!(found[0].contact_radius, 1.0, max_relative = 1e-4);
+        assert_relative_eq!(found[0].force, -f64::sqrt(8.0 * PI * 1e-6), max_relative = 3e-4);
+    }
+}
+
+#[test]
+fn a_soft_machine_makes_three_folds() {
+    // n = 0.6, C = 2.4829, E* = w = k = 1, radii by an independent computation.
+    let (profile, material) = (Quadrature::new(Power::new(0.6, 2.4829).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let control = Control::machine(1.0).unwrap();
+    let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
+    let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
+    assert_eq!(radii.len(), 3);
+    for (radius, expected) in radii.iter().zip([0.01271, 0.06940, 459.2]) {
+        assert_relative_eq!(*radius, expected, max_relative = 5e-4);
+    }
+    // Pressed beyond the maximum it jumps outwards over the third fold; pulled beyond a minimum it breaks.
+    assert_eq!(branches.outcome(0).unwrap(), Outcome::Detached);
+    assert_eq!(branches.outcome(2).unwrap(), Outcome::Detached);
+    let Outcome::Jump { to } = branches.outcome(1).unwrap() else { panic!("no jump") };
+    assert!(to > radii[2]);
+}
+
+/// R = 1, A = 5e-4, λ = 0.1, w/E* = 1e-4: figure 4 of the paper.
+fn figure_4() -> (Quadrature<f64, WavyParaboloid<f64>>, Material<f64>) {
+    (Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1).unwrap()), Material::new(1.0, 1e-4).unwrap())
+}
+
+#[test]
+fn guduru_jumps_and_breaks() {
+    let (profile, material) = figure_4();
+    let branches = Branches::new(Curve::new(&profile, &material, &Control::Indentation)).unwrap();
+    let start = branches.equilibria(&0.0).unwrap();
+    assert_relative_eq!(start.last().unwrap().contact_radius, 0.0926, max_relative = 1e-3);
+    let [breaks, up, jump] = branches.folds() else { panic!("three folds") };
+    let kinds = (breaks.kind, up.kind, jump.kind);
+    assert_eq!(kinds, (FoldKind::Minimum, FoldKind::Maximum, FoldKind::Minimum));
+    assert_relative_eq!(jump.contact_radius, 0.0645, max_relative = 1e-3);
+    assert_relative_eq!(jump.indentation, -0.00185, max_relative = 2e-3);
+    assert_relative_eq!(breaks.contact_radius, 0.0189, max_relative = 3e-3);
+    assert_relative_eq!(breaks.indentation, -0.00249, max_relative = 2e-3);
+    let Outcome::Jump { to } = branches.outcome(2).unwrap() else { panic!("a jump") };
+    assert_relative_eq!(to, 0.0474, max_relative = 1e-3);
+    assert_eq!(branches.outcome(0).unwrap(), Outcome::Detached);
+}
+
+#[test]
+fn no_fold_is_missed_that_a_fine_scan_finds() {
+    let (profile, material) =
+        (Quadrature::new(WavyParaboloid::new(1.0, 5e-5, 0.01).unwrap()), Material::new(1.0, 1e-4).unwrap());
+    let curve = Curve::new(&profile, &material, &Control::Indentation);
+    let found = find(&curve).unwrap().folds;
+    // A hundred and more points a wave, up to a radius where g' exceeds Δl' by more than the waves can take away.
+    let above = |i: u32| curve.tangency(&(1e-4 * f64::from(i))).unwrap() > 1.0;
+    let scanned = (1..4000).filter(|i| above(*i) != above(i + 1)).count();
+    assert_eq!(found.len(), scanned);
+    assert!(scanned > 40);
+}
+
+#[test]
+fn powers_below_one_half_spread() {
+    let profile = Quadrature::new(Power::new(0.25, 1.0).unwrap());
+    let material = Material::new(1.0, 1.0).unwrap();
+    let branches = Branches::new(Curve::new(&profile, &material, &Control::Indentation)).unwrap();
+    assert_eq!(branches.folds().len(), 1);
+    assert_eq!(branches.folds()[0].kind, FoldKind::Maximum);
+    assert_eq!(branches.outcome(0).unwrap(), Outcome::CompleteContact);
+    assert_eq!(branches.completeness(), Completeness::Resolved);
+    // Figure 3: the only equilibrium at d = 0 is unstable.
+    let at_zero = branches.equilibria(&0.0).unwrap();
+    assert_eq!(at_zero.len(), 1);
+    assert_eq!(at_zero[0].stability, Stability::Unstable);
+}
+
+#[test]
+fn one_half_has_no_fold() {
+    // d = (ρ−1)·const·√a: one equilibrium of either kind, stable where C is above the threshold (1.19), 0.7628·√(2π).
+    let material = Material::new(1.0, 1.0).unwrap();
+    for (c, d, stability) in [(3.0, 0.7, Stability::Stable), (1.0, -0.7, Stability::Unstable)] {
+        let profile = Quadrature::new(Power::new(0.5, c).unwrap());
+        assert!(folds(&profile, &material, &Control::Indentation).unwrap().is_empty());
+        let found = equilibria(&profile, &material, &Control::Indentation, &d).unwrap();
+        assert_eq!(found.iter().map(|state| state.stability).collect::<Vec<_>>(), [stability]);
+        assert!(equilibria(&profile, &material, &Control::Indentation, &-d).unwrap().is_empty());
+    }
+}
+
+#[test]
+fn the_fold_itself_is_one_neutral_state() {
+    let (ball, material) = (Quadrature::new(Paraboloid::new(1.0).unwrap()), Material::new(1.0, 1.0).unwrap());
+    for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
+        let fold = &folds(&ball, &material, &control).unwrap()[0];
+        let value = control.controlled(&fold.indentation, &fold.force);
+        let found = equilibria(&ball, &material, &control, &value).unwrap();
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].stability, Stability::Neutral);
+    }
+}
+
+#[test]
+fn half_the_digits_are_lost_at_a_fold_and_no_more() {
+    // d/|d_c| = (ã² − 4√ã)/3 near ã = 1 is −1 + (ã−1)²/2·… : with d'' = 3/|…| the radii at d_c(1−ε) are 1 ± √(2ε)
+    // to first order; the next order is relative √ε.
+    let (ball, material) = (Quadrature::new(Paraboloid::new(1.0).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
+    for exponent in [4, 8, 12] {
+        let epsilon = f64::powi(10.0, -exponent);
+        let found = equilibria(&ball, &material, &Control::Indentation, &(fold.indentation * (1.0 - epsilon))).unwrap();
+        let offsets: Vec<f64> = found.iter().map(|state| state.contact_radius / fold.contact_radius - 1.0).collect();
+        // d²(d/|d_c|)/dã² = (2 + 1)/3 = 1.
+        let expected = f64::sqrt(2.0 * epsilon);
+        // Rounding of d, 4u, moves the radii by 4u/√(2ε).
+        let allowed = 2.0 * expected * expected + 8.0 * U / expected;
+        assert_relative_eq!(offsets[0], -expected, epsilon = allowed);
+        assert_relative_eq!(offsets[1], expected, epsilon = allowed);
+    }
+}
+
+#[test]
+fn extreme_scales() {
+    // a_c³ = πwR²/(8E*) with lengths of 10^±200 and forces of order one.
+    for scale in [1e-200, 1e-100, 1e100, 1e200] {
+        let ball = Quadrature::new(Paraboloid::new(scale).unwrap());
+        let material = Material::new(1.0 / scale, 1.0).unwrap();
+        let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
+        assert_relative_eq!(fold.contact_radius / scale, (PI / 8.0).cbrt(), max_relative = fold_rounding(2.0));
+        assert_relative_eq!(fold.force / scale, -5.0 / 6.0 * PI, max_relative = fold_rounding(2.0));
+        let pulled = equilibria(&ball, &material, &Control::Indentation, &(0.9 * fold.indentation)).unwrap();
+        assert_eq!(pulled.len(), 2);
+        assert!(equilibria(&ball, &material, &Control::Indentation, &(1.1 * fold.indentation)).unwrap().is_empty());
+    }
+    // A force that is no f64 is an error with its logarithm, not 0.
+    let (ball, material) = (Quadrature::new(Paraboloid::new(1e-200).unwrap()), Material::new(1.0, 1e-200).unwrap());
+    match folds(&ball, &material, &Control::Indentation) {
+        Err(Error::OutOfRange { log10, .. }) => assert_relative_eq!(log10, -399.582, epsilon = 1e-3),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// |g − d − Δl| against the size of its terms: g and Δl are good to 16u(1+n), and the radius to one rounding.
+fn assert_residual(curve: &Curve<'_, f64>, state: &Equilibrium<f64>, value: f64, n: f64) {
+    let a = &state.contact_radius;
+    let terms = curve.transform().g(a).unwrap().abs()
+        + curve.transform().mean(a).unwrap().abs()
+        + curve.detachment_elongation(a)
+        + state.indentation.abs();
+    let residual = curve.direction(a, &value).unwrap();
+    assert!(residual.abs() <= 32.0 * U * (1.0 + n) * terms, "residual {residual:e} of terms {terms:e}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// On the existing side of the fold there are two equilibria, of opposite stability: the larger is stable for n > 1/2,
+    /// the smaller for n < 1/2. On the other side there is none.
+    #[test]
+    fn stability_pattern(n in 0.05..4.0_f64, share in 0.05..0.95_f64, which in 0..2) {
+        prop_assume!((n - 0.5).abs() > 0.05);
+        let control = if which == 0 { Control::Indentation } else { Control::Force };
+        // d_F changes its sign at n = 3/2, but F_F and d_c keep theirs: shares of them are on one side.
+        let (profile, material) = (Quadrature::new(Power::new(n, 1.0).unwrap()), Material::new(2.0, 3.0).unwrap());
+        let curve = Curve::new(&profile, &material, &control);
+        let branches = Branches::new(curve).unwrap();
+        prop_assert_eq!(branches.folds().len(), 1);
+        let fold = &branches.folds()[0];
+        let extremum = control.controlled(&fold.indentation, &fold.force);
+        let found = branches.equilibria(&(share * extremum)).unwrap();
+        let pattern: Vec<Stability> = found.iter().map(|state| state.stability).collect();
+        let expected = if n > 0.5 {
+            [Stability::Unstable, Stability::Stable]
+        } else {
+            [Stability::Stable, Stability::Unstable]
+        };
+        prop_assert_eq!(pattern, expected);
+        prop_assert!(found[0].contact_radius < fold.contact_radius && fold.contact_radius < found[1].contact_radius);
+        for state in &found {
+            assert_residual(&curve, state, share * extremum, n);
+        }
+        prop_assert!(branches.equilibria(&(extremum / share)).unwrap().is_empty());
+    }
+
+    /// Along the stable branch of a cone the radius grows with the indentation.
+    #[test]
+    fn pressing_makes_contact_larger(slope in 0.01..10.0_f64, d in -0.9..5.0_f64, more in 0.01..1.0_f64) {
+        let (cone, material) = (Quadrature::new(Cone::new(slope).unwrap()), Material::new(1.0, 0.1).unwrap());
+        let branches = Branches::new(Curve::new(&cone, &material, &Control::Indentation)).unwrap();
+        let unit = branches.folds()[0].indentation.abs();
+        let stable = |d: f64| {
+            let found = branches.equilibria(&(d * unit)).unwrap();
+            found.into_iter().rfind(|state| state.stability == Stability::Stable).unwrap().contact_radius
+        };
+        prop_assert!(stable(d) < stable(d + more));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// A change of the units of length and force by powers of two changes no bit.
+    #[test]
+    fn units_do_not_matter(
+        length in -80..80_i32,
+        modulus in -80..80_i32,
+        w in 1e-4..1.0_f64,
+        share in 0.1..0.9_f64,
+        which in 0..3,
+    ) {
+        let solve = |length: f64, modulus: f64| {
+            let profile = Quadrature::new(WavyParaboloid::new(length, 5e-4 * length, 0.1 * length).unwrap());
+            let material = Material::new(modulus, w * modulus * length).unwrap();
+            let control = match which {
+                0 => Control::Indentation,
+                1 => Control::Force,
+                _ => Control::machine(0.3 * modulus * length).unwrap(),
+            };
+            let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
+            let fold = branches.folds()[0].clone();
+            let value = share * control.controlled(&fold.indentation, &fold.force);
+            let force = modulus * length * length;
+            let mut numbers = vec![fold.contact_radius / length, fold.indentation / length, fold.force / force];
+            for state in branches.equilibria(&value).unwrap() {
+                numbers.extend([state.contact_radius / length, state.indentation / length, state.force / force]);
+            }
+            numbers
+        };
+        prop_assert_eq!(solve(1.0, 1.0), solve(f64::powi(2.0, length), f64::powi(2.0, modulus)));
+    }
+}
+
+#[cfg(feature = "mp")]
+#[test]
+fn jkr_to_fifty_digits() {
+    use mdr_core::number::{Precision, Real};
+    use rug::Float;
+    let one = Float::from_int(Precision::from_digits(50), 1);
+    let ball = Quadrature::new(Paraboloid::new(one.clone()).unwrap());
+    let material = Material::new(one.clone(), one.clone()).unwrap();
+    let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
+    let relative = |value: &Float, truth: &Float| ((value.clone() - truth) / truth).abs();
+    let bound = one.unit_roundoff().times(256); // as fold_rounding(2)
+    assert!(relative(&fold.contact_radius.powi(3), &one.pi().over(8)) < bound);
+    assert!(relative(&fold.force, &(one.pi() * one.ratio(-5, 6))) < bound);
+    let d = fold.indentation.clone() * one.ratio(9, 10);
+    let found = equilibria(&ball, &material, &Control::Indentation, &d).unwrap();
+    let curve = Curve::new(&ball, &material, &Control::Indentation);
+    assert_eq!(found.len(), 2);
+    for state in &found {
+        let residual = curve.direction(&state.contact_radius, &d).unwrap();
+        assert!(residual.abs() <= bound.clone() * d.clone().abs());
+    }
+}

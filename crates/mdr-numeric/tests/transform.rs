@@ -1,0 +1,158 @@
+//! The transform by quadrature against facts that need no formula for κ_n.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use approx::assert_relative_eq;
+use mdr_core::contact::{Error, Profile, Transform};
+use mdr_core::number::{Lift, Real};
+use mdr_numeric::profiles::{Cone, Paraboloid, Power, RoundedPunch, Sphere, WavyParaboloid};
+use mdr_numeric::transform::{Quadrature, Rule};
+use proptest::prelude::*;
+
+/// At most 24 positive terms of four roundings each, with weights and nodes of a few roundings, summed.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// f = (r − b) for r > b: a kink of the profile itself, hence an infinite slope of g at b.
+struct TruncatedCone {
+    flat: f64,
+}
+
+impl Profile<f64> for TruncatedCone {
+    fn height<S: Lift<f64>>(&self, r: &S) -> S {
+        let beyond = r.clone() - S::lift(&self.flat);
+        if beyond > r.lit(0) { beyond } else { r.lit(0) }
+    }
+    fn kinks(&self) -> Vec<f64> {
+        vec![self.flat]
+    }
+}
+
+#[test]
+fn cone_paraboloid_and_sphere() {
+    // M. Heß, Über die exakte Abbildung ausgewählter dreidimensionaler Kontakte auf Systeme mit niedrigerer räumlicher
+    // Dimension, 2011; V. L. Popov, M. Heß, Method of Dimensionality Reduction, 2015, table 3.1.
+    let cone = Quadrature::new(Cone::new(0.5).unwrap());
+    let ball = Quadrature::new(Paraboloid::new(4.0).unwrap());
+    for x in [1e-200, 1e-9, 0.3, 1.0, 7e5, 1e150] {
+        assert_relative_eq!(cone.g(&x).unwrap(), FRAC_PI_2 * 0.5 * x, max_relative = ROUNDING);
+        assert_relative_eq!(cone.slope(&x).unwrap(), FRAC_PI_2 * 0.5, max_relative = ROUNDING);
+        assert_relative_eq!(cone.mean(&x).unwrap(), FRAC_PI_2 * 0.25 * x, max_relative = ROUNDING);
+        assert_relative_eq!(ball.slope(&x).unwrap(), x / 2.0, max_relative = ROUNDING);
+    }
+    for x in [1e-150, 1e-9, 0.3, 1.0, 7e5, 1e150] {
+        assert_relative_eq!(ball.g(&x).unwrap(), x * (x / 4.0), max_relative = ROUNDING);
+    }
+    assert_relative_eq!(ball.integral(&2.0).unwrap(), 2.0 / 3.0, max_relative = ROUNDING);
+
+    let sphere = Quadrature::new(Sphere::new(2.0).unwrap());
+    for s in [1e-6, 0.1, 0.5, 0.9, 0.99, 0.9999, 1.0 - 1e-9] {
+        let x = 2.0 * s;
+        // x g'/g bounds what the rounding of x and of r does near the equator; in g' it enters once more.
+        let condition = 1.0 / (1.0 - s * s);
+        let g = sphere.g_estimate(&x).unwrap();
+        assert_relative_eq!(g.value, x * f64::atanh(s), max_relative = ROUNDING * (1.0 + condition));
+        assert!((g.value - x * f64::atanh(s)).abs() <= 4.0 * g.error, "s = {s}: the error {} is too small", g.error);
+        let slope = f64::atanh(s) + s * condition;
+        assert_relative_eq!(sphere.slope(&x).unwrap(), slope, max_relative = ROUNDING * (1.0 + 2.0 * condition));
+        let integral = 0.5 * (x * x - 4.0) * f64::atanh(s) + x;
+        // The reference cancels as s².
+        assert_relative_eq!(sphere.integral(&x).unwrap(), integral, max_relative = ROUNDING * (1.0 + 1.0 / (s * s)));
+    }
+}
+
+#[test]
+fn kinks_split_the_integral() {
+    // Popov & Heß 2015, chapter 3: g = x tanθ arccos(b/x) beyond the flat, and for the rounded edge
+    // g = (x/R)(√(x²−b²) − b arccos(b/x)).
+    let b = 0.3;
+    let cone = Quadrature::new(TruncatedCone { flat: b });
+    let punch = Quadrature::new(RoundedPunch::new(2.0, b).unwrap());
+    for x in [0.1, 0.3] {
+        assert_eq!([cone.g(&x).unwrap(), cone.slope(&x).unwrap(), punch.g(&x).unwrap()], [0.0; 3]);
+    }
+    for x in [0.31, 0.5, 3.0, 300.0] {
+        let (angle, leg) = (f64::acos(b / x), f64::sqrt(x * x - b * b));
+        // arccos near 1 and the differences below lose what (x − b)/x does.
+        let rounding = ROUNDING * (1.0 + x / (x - b));
+        assert_relative_eq!(cone.g(&x).unwrap(), x * angle, max_relative = rounding);
+        assert_relative_eq!(cone.slope(&x).unwrap(), angle + b / leg, max_relative = rounding);
+        let squared = ROUNDING * (1.0 + x / (x - b)).powi(2);
+        assert_relative_eq!(punch.g(&x).unwrap(), x / 2.0 * (leg - b * angle), max_relative = squared);
+        assert_relative_eq!(punch.slope(&x).unwrap(), leg - b / 2.0 * angle, max_relative = rounding);
+    }
+}
+
+#[test]
+fn twelve_nodes_are_enough_for_powers() {
+    for n in [0.001, 0.25, 0.5, 1.0, 2.5, 7.0, 50.0, 1000.0] {
+        let profile = Power::new(n, 1.0).unwrap();
+        let automatic = Quadrature::new(profile.clone()).g_estimate(&1.0).unwrap();
+        assert_eq!(automatic.evaluations, 24, "n = {n}"); // 4 + 8 + 12
+        let fixed = Quadrature::new(profile).with_rule(Rule::Gauss { nodes: 12 });
+        assert_relative_eq!(fixed.g(&1.0).unwrap(), automatic.value, max_relative = ROUNDING);
+    }
+}
+
+#[test]
+fn radii_outside_the_domain_are_refused() {
+    let sphere = Quadrature::new(Sphere::new(1.0).unwrap());
+    for x in [0.0, -1.0, f64::NAN, f64::INFINITY, 1.0, 2.0] {
+        assert!(matches!(sphere.g(&x), Err(Error::Domain { .. })), "x = {x}");
+    }
+    let steep = Quadrature::new(Power::new(1000.0, 1.0).unwrap());
+    assert!(matches!(steep.g(&1e10), Err(Error::OutOfRange { .. })));
+    assert!(Quadrature::new(Cone::new(1.0).unwrap()).with_tolerance(-1.0).is_err());
+    assert!(Power::new(f64::NAN, 1.0).is_err() && Power::new(-1.0, 1.0).is_err());
+}
+
+proptest! {
+    /// A homogeneous profile of degree n has a homogeneous transform: x g' = n g and x g = (n+1) G (Euler).
+    #[test]
+    fn powers_are_homogeneous(n in 0.001..20.0_f64, x in 1e-9..1e9_f64) {
+        let q = Quadrature::new(Power::new(n, 0.7).unwrap());
+        let (g, slope, integral) = (q.g(&x).unwrap(), q.slope(&x).unwrap(), q.integral(&x).unwrap());
+        // The rounding of r = xs is multiplied by n.
+        let rounding = ROUNDING * (1.0 + n / 4.0);
+        prop_assert!((x * slope / (n * g) - 1.0).abs() <= rounding);
+        prop_assert!((x * g / ((n + 1.0) * integral) - 1.0).abs() <= rounding);
+    }
+
+    /// Two rules with nothing in common agree within what they claim.
+    #[test]
+    fn rules_agree(n in 0.01..50.0_f64, x in 1e-3..1e3_f64) {
+        let gauss = Quadrature::new(Power::new(n, 1.0).unwrap()).g_estimate(&x).unwrap();
+        let tanh_sinh =
+            Quadrature::new(Power::new(n, 1.0).unwrap()).with_rule(Rule::TanhSinh).g_estimate(&x).unwrap();
+        prop_assert!((gauss.value - tanh_sinh.value).abs() <= 2.0 * (gauss.error + tanh_sinh.error));
+        // A claim is not worth much when it is too large.
+        prop_assert!(gauss.error <= 64.0 * f64::EPSILON * (1.0 + n) * gauss.value);
+    }
+
+    /// g is linear in f: a wave added to a paraboloid adds its transform, whatever the paraboloid.
+    #[test]
+    fn transform_is_linear(x in 0.01..1.0_f64, first in 0.5..2.0_f64, second in 3.0..9.0_f64) {
+        let wavy = |radius| Quadrature::new(WavyParaboloid::new(radius, 1e-2, 0.2).unwrap()).g(&x).unwrap();
+        let wave = [first, second].map(|radius| wavy(radius) - x * x / radius);
+        let scale = x * x / first + 1e-2 * PI * x / 0.1 * FRAC_PI_2;
+        prop_assert!((wave[0] - wave[1]).abs() <= 4.0 * ROUNDING * scale);
+    }
+}
+
+#[cfg(feature = "mp")]
+#[test]
+fn fifty_digits() {
+    use mdr_core::number::Precision;
+    use rug::Float;
+    let like = Float::from_int(Precision::from_digits(50), 1);
+    let cone = Quadrature::new(Cone::new(like.clone()).unwrap());
+    let sphere = Quadrature::new(Sphere::new(like.clone()).unwrap()).with_rule(Rule::TanhSinh);
+    let x = like.ratio(1, 3);
+    let error = |value: Float, truth: Float| ((value - &truth) / truth).abs();
+    let bound = like.unit_roundoff().times(32);
+    let g = cone.g_estimate(&x).unwrap();
+    assert_eq!(g.evaluations, 72); // 12 + 24 + 36
+    assert!(error(g.value, like.pi().over(6)) < bound);
+    assert!(error(sphere.g(&x).unwrap(), x.clone() * x.atanh()) < bound);
+}
