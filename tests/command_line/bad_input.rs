@@ -110,6 +110,10 @@ fn absurd_digits() {
     for value in ["0", "-3", "abc", "1000000000", "100001", "99999999999999999999", "1.5", "1e3", "nan"] {
         critical(&[("--digits", value)], &["error: --digits: must be a whole number", &format!("got {value}")]);
     }
+    refused(
+        &["critical", "--n", "2", "--c", "1", "--e-star", "1", "--work", "1", "--digits", "30", "--f64"],
+        &["error: --digits: ", "--f64", "got 30"],
+    );
 }
 
 #[test]
@@ -124,6 +128,18 @@ fn a_machine_has_a_stiffness_and_nothing_else_has() {
         critical(&flags, &["error: --stiffness: only with --control machine", "got 4"]);
     }
     critical(&[("--control", "hands")], &["--control", "hands", "indentation", "force", "machine"]);
+}
+
+/// What is out of the range of f64 is refused in an f64 run and answered in a certified one.
+#[test]
+fn inputs_beyond_hardware() {
+    for flag in ["--n", "--c", "--e-star", "--work"] {
+        for value in ["1e400", "1e-400"] {
+            let mut arguments = vec!["critical", "--f64", flag, value];
+            arguments.extend(GOOD.iter().filter(|(name, _)| *name != flag).flat_map(|(name, value)| [*name, *value]));
+            refused(&arguments, &[&format!("error: {flag}: "), "f64", &format!("got {value}")]);
+        }
+    }
 }
 
 #[test]

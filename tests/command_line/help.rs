@@ -36,6 +36,7 @@ fn each_command_has_flags_examples_and_exit_statuses() {
                 "--control",
                 "--stiffness",
                 "--digits",
+                "--f64",
                 "--format",
             ],
         ),

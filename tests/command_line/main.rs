@@ -5,6 +5,7 @@
 mod bad_input;
 mod critical;
 mod decimal;
+mod doubles;
 mod help;
 mod precision;
 mod readme;

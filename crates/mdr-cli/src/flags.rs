@@ -77,16 +77,37 @@ impl<'a> Flag<'a> {
     }
 }
 
-/// `--digits D`.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Certified {
-    /// D significant decimal digits, each proved, correctly rounded [default: 20]
-    #[arg(long, value_name = "D", allow_hyphen_values = true)]
-    digits: Option<String>,
+/// In which arithmetic to answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Arithmetic {
+    /// Every printed digit is proved.
+    Certified {
+        /// Significant decimal digits.
+        digits: u32,
+    },
+    /// Hardware numbers, within a stated error.
+    Double,
 }
 
-impl Certified {
-    pub(crate) fn digits(&self) -> Result<u32> {
-        self.digits.as_deref().map_or(Ok(DEFAULT_DIGITS), |text| Flag::new("--digits", text).digits())
+/// `--digits D` or `--f64`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ArithmeticFlags {
+    /// Certified: D significant decimal digits, each proved, correctly rounded [default: 20]
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    digits: Option<String>,
+
+    /// Hardware arithmetic instead: fast, accurate to 2 units in the last place
+    #[arg(long)]
+    f64: bool,
+}
+
+impl ArithmeticFlags {
+    pub(crate) fn chosen(&self) -> Result<Arithmetic> {
+        match (self.digits.as_deref().map(|text| Flag::new("--digits", text)), self.f64) {
+            (Some(flag), true) => Err(flag.refuse("cannot be combined with --f64")),
+            (Some(flag), false) => Ok(Arithmetic::Certified { digits: flag.digits()? }),
+            (None, true) => Ok(Arithmetic::Double),
+            (None, false) => Ok(Arithmetic::Certified { digits: DEFAULT_DIGITS }),
+        }
     }
 }

@@ -10,7 +10,6 @@ pub(crate) enum Number {
     /// Proved digits, or an input as it was written.
     Decimal(String),
     /// A double.
-    #[allow(dead_code, reason = "answers in f64 are to come")]
     Double(f64),
 }
 
@@ -30,7 +29,6 @@ impl std::fmt::Display for Number {
 pub(crate) enum Entry {
     /// A number.
     Value(Number),
-    #[allow(dead_code, reason = "answers in f64 are to come")]
     /// Out of the range of f64; the log10 of its magnitude.
     Beyond {
         /// `Overflow` or `Underflow`.
@@ -43,7 +41,6 @@ pub(crate) enum Entry {
 }
 
 impl Entry {
-    #[allow(dead_code, reason = "answers in f64 are to come")]
     fn status(&self) -> Status {
         match self {
             Entry::Beyond { status, .. } => *status,
@@ -114,10 +111,48 @@ impl State {
         [&self.contact_radius, &self.indentation, &self.force]
     }
 
-    #[allow(dead_code, reason = "answers in f64 are to come")]
     /// That of the first quantity that is out of range, else ok.
     pub(crate) fn status(&self) -> Status {
-        self.entries().map(Entry::status).into_iter().find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
+        first_trouble(self.entries())
+    }
+}
+
+fn first_trouble<const K: usize>(entries: [&Entry; K]) -> Status {
+    entries.map(Entry::status).into_iter().find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
+}
+
+/// What decides at n = 1/2.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Threshold {
+    /// The C of (1.19) under this control; absent elsewhere.
+    pub(crate) threshold_c: Entry,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    log10_threshold_c: Option<f64>,
+    /// C over the threshold.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) ratio: Option<Entry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    log10_ratio: Option<f64>,
+}
+
+impl Threshold {
+    pub(crate) fn new(threshold_c: Entry, ratio: Entry) -> Self {
+        Threshold {
+            log10_threshold_c: threshold_c.log10(),
+            log10_ratio: ratio.log10(),
+            threshold_c,
+            ratio: Some(ratio),
+        }
+    }
+
+    /// Not at n = 1/2.
+    pub(crate) fn absent() -> Self {
+        Threshold { threshold_c: Entry::Absent, log10_threshold_c: None, ratio: None, log10_ratio: None }
+    }
+
+    /// That of the first number that is out of range, else ok.
+    pub(crate) fn status(&self) -> Status {
+        first_trouble([&self.threshold_c, self.ratio.as_ref().unwrap_or(&Entry::Absent)])
     }
 }
 
@@ -172,11 +207,8 @@ pub(crate) struct Answer {
     pub(crate) status: Status,
     #[serde(flatten)]
     pub(crate) state: State,
-    /// At n = 1/2: the C of (1.19) that decides, under this control.
-    pub(crate) threshold_c: Entry,
-    /// At n = 1/2: C over the threshold.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) ratio: Option<Entry>,
+    #[serde(flatten)]
+    pub(crate) threshold: Threshold,
     /// On a machine: all folds, by increasing radius.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) folds: Option<Vec<Fold>>,

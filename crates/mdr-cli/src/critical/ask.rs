@@ -1,16 +1,24 @@
-//! From checked inputs to an answer.
+//! From checked inputs to an answer, in either arithmetic.
 
 use mdr_analytic::certified::{Answer as Certified, Elasticity as ExactElasticity, Question};
 use mdr_core::contact::{Body, Control, Instability, Status};
 use mdr_core::number::Literal;
 use mdr_core::number::certify::{Decimal, Enclosure};
 
-use super::answer::{Answer, Bodies, Entry, Fold, Inputs, Number, State};
+use super::answer::{Answer, Bodies, Entry, Fold, Inputs, Number, State, Threshold};
 use super::{Checked, ControlKind, Elasticity};
 use crate::error::Result;
+use crate::flags::Arithmetic;
 
 /// Names the keys of the answer and their meaning.
 pub(super) const SCHEMA: &str = "mdr.critical/1";
+
+pub(crate) fn ask(checked: &Checked, arithmetic: Arithmetic) -> Result<Answer> {
+    match arithmetic {
+        Arithmetic::Certified { digits } => certified(checked, digits),
+        Arithmetic::Double => super::double::answer(checked),
+    }
+}
 
 /// The exact question.
 pub(super) fn question(checked: &Checked) -> Result<Question> {
@@ -30,7 +38,7 @@ pub(super) fn question(checked: &Checked) -> Result<Question> {
     Ok(Question::new(&checked.n, &checked.c, &elasticity, &checked.work, &control)?)
 }
 
-pub(super) fn certified(checked: &Checked, digits: u32) -> Result<Answer> {
+fn certified(checked: &Checked, digits: u32) -> Result<Answer> {
     let question = question(checked)?;
     let Certified { regime, kappa, critical, folds, threshold, ratio } = question.answer(digits)?;
     let state = critical.map_or_else(State::absent, |critical| {
@@ -51,8 +59,10 @@ pub(super) fn certified(checked: &Checked, digits: u32) -> Result<Answer> {
         kappa: Number::Decimal(kappa.to_string()),
         status: Status::Ok,
         state,
-        threshold_c: threshold.map_or(Entry::Absent, entry),
-        ratio: ratio.map(entry),
+        threshold: match (threshold, ratio) {
+            (Some(threshold), Some(ratio)) => Threshold::new(entry(threshold), entry(ratio)),
+            _ => Threshold::absent(),
+        },
         folds: (checked.control == ControlKind::Machine).then(|| folds.into_iter().map(fold).collect()),
     })
 }

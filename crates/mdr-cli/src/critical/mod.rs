@@ -2,13 +2,14 @@
 
 mod answer;
 mod ask;
+mod double;
 mod render;
 
 use clap::{Args, ValueEnum};
 use mdr_core::number::Literal;
 
 use crate::error::{Failure, Result};
-use crate::flags::{Certified, Flag};
+use crate::flags::{ArithmeticFlags, Flag};
 use crate::output::{Format, Output};
 
 const EXAMPLES: &str = "\
@@ -19,14 +20,14 @@ Examples:
   50 certified digits of a sharp tip that jumps to complete contact, for another program:
     mdr critical --n 0.25 --c 1e-6 --e-star 1e9 --work 0.05 --digits 50 --format json
 
-  A steel cone on rubber, given as two bodies:
-    mdr critical --n 1 --c 0.1 --e1 1e6 --nu1 0.5 --e2 2.1e11 --nu2 0.3 --work 0.05
+  A steel cone on rubber, given as two bodies, in hardware arithmetic:
+    mdr critical --n 1 --c 0.1 --e1 1e6 --nu1 0.5 --e2 2.1e11 --nu2 0.3 --work 0.05 --f64
 
   All instabilities on a machine of finite stiffness (N/m):
     mdr critical --n 0.6 --c 2.4829 --e-star 1 --work 1 --control machine --stiffness 1
 
 Numbers are exact as typed: 0.3, 1e-9 or 1/3. Quantities are in SI units; so is C, in m^(1-n).
-JSON: schema mdr.critical/1; numbers are strings.
+JSON: schema mdr.critical/1; numbers are strings in certified answers and JSON numbers with --f64.
 Exit status: 0 answered, 2 bad input.";
 
 /// Critical contact radius, indentation depth and force of the profile f(r) = C r^n.
@@ -77,7 +78,7 @@ pub(crate) struct Critical {
     stiffness: Option<String>,
 
     #[command(flatten)]
-    certified: Certified,
+    arithmetic: ArithmeticFlags,
 
     /// Shape of the answer
     #[arg(long, value_enum, default_value_t = Format::Table)]
@@ -113,11 +114,21 @@ enum Elasticity {
     Bodies(Box<[Literal; 4]>),
 }
 
+impl Elasticity {
+    /// E* or E1, as typed.
+    fn first_modulus(&self) -> String {
+        match self {
+            Elasticity::Effective(modulus) => modulus.to_string(),
+            Elasticity::Bodies(constants) => constants[0].to_string(),
+        }
+    }
+}
+
 impl Critical {
     /// Answers on `out`.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
         let checked = self.checked()?;
-        let answer = ask::certified(&checked, self.certified.digits()?)?;
+        let answer = ask::ask(&checked, self.arithmetic.chosen()?)?;
         render::write(&answer, self.format, out)
     }
 

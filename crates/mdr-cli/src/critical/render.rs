@@ -30,8 +30,8 @@ fn for_reader(answer: &Answer) -> String {
         };
         table.add_row([cell(name, Tone::Plain), cell(entry, tone), cell(unit, Tone::Faint)]);
     };
-    if let Some(ratio) = &answer.ratio {
-        add("threshold of C", &answer.threshold_c, "m^(1/2)");
+    if let Some(ratio) = &answer.threshold.ratio {
+        add("threshold of C", &answer.threshold.threshold_c, "m^(1/2)");
         add("C / threshold", ratio, "");
     }
     match answer.folds.as_deref() {
@@ -156,7 +156,7 @@ fn columns(answer: &Answer, state: &State, fold: Option<&Fold>) -> [(&'static st
         ("log10_indentation", log10(&state.indentation)),
         ("log10_force", log10(&state.force)),
         ("kind", fold.map(|fold| fold_name(fold.kind)).unwrap_or_default().to_owned()),
-        ("threshold_c", value(&answer.threshold_c)),
-        ("ratio", answer.ratio.as_ref().map(value).unwrap_or_default()),
+        ("threshold_c", value(&answer.threshold.threshold_c)),
+        ("ratio", answer.threshold.ratio.as_ref().map(value).unwrap_or_default()),
     ]
 }
