@@ -17,7 +17,12 @@ pub(super) struct Spoke<R> {
 }
 
 impl<R: Real> Spoke<R> {
-    /// The direction of r ≤ x.
+    /// The direction of r = x.
+    pub(super) fn edge(x: &R) -> Self {
+        Spoke { sin: x.lit(1), cos: x.lit(0) }
+    }
+
+    /// The direction of r < x.
     pub(super) fn new(r: &R, x: &R) -> Self {
         let sin = r.clone() / x;
         let cos = ((x.clone() - r) / x * (sin.lit(1) + &sin)).sqrt();

@@ -27,8 +27,7 @@ impl<R: Special> MeasuredProfile<R> {
         if !(*x <= self.end) {
             return Err(Error::domain(Quantity::Radius, x, "at most the last radius of the table"));
         }
-        let sum = self.sum(part, x);
-        if sum.is_finite() { Ok(sum) } else { Err(Error::domain(Quantity::TransformedProfile, &sum, "finite")) }
+        Ok(self.sum(part, x))
     }
 
     fn sum(&self, part: Part, x: &R) -> R {
@@ -52,7 +51,7 @@ impl<R: Special> MeasuredProfile<R> {
         }
         let last = &self.pieces[whole];
         let length = (x.clone() - &last.start) / &last.width;
-        sum + last.share(part, x, &spoke, &Spoke::new(x, x), &length)
+        sum + last.share(part, x, &spoke, &Spoke::edge(x), &length)
     }
 }
 
@@ -67,19 +66,31 @@ impl<R: Special> Piece<R> {
     }
 }
 
+/// sum · xᵏ, unless that is beyond the largest or below the smallest number.
+fn in_range<R: Special>(sum: R, x: &R, power: i32) -> Result<R> {
+    let zero = sum == sum.lit(0);
+    let log10 = sum.approx().abs().log10() + f64::from(power) * x.approx().log10();
+    let value = (0..power).fold(sum, |product, _| product * x);
+    if value.is_finite() && (zero || value != value.lit(0)) {
+        Ok(value)
+    } else {
+        Err(Error::OutOfRange { quantity: Quantity::TransformedProfile, log10 })
+    }
+}
+
 /// Exact up to rounding: see [`MeasuredProfile`] for the bounds. The kinks are all radii of the table, where f'' jumps
 /// and g'' has a square-root singularity from outside; g and g' are continuous.
 impl<R: Special> Transform<R> for MeasuredProfile<R> {
     fn g(&self, x: &R) -> Result<R> {
-        Ok(self.integrate(Part::Value, x)? * x)
+        in_range(self.integrate(Part::Value, x)?, x, 1)
     }
 
     fn slope(&self, x: &R) -> Result<R> {
-        self.integrate(Part::Slope, x)
+        in_range(self.integrate(Part::Slope, x)?, x, 0)
     }
 
     fn integral(&self, x: &R) -> Result<R> {
-        Ok(self.integrate(Part::Integral, x)? * x * x)
+        in_range(self.integrate(Part::Integral, x)?, x, 2)
     }
 
     fn outer_radius(&self) -> Option<R> {

@@ -4,5 +4,9 @@
 
 #[cfg(feature = "mp")]
 mod accuracy;
+mod convergence;
 #[cfg(feature = "mp")]
+mod exactness;
+mod read;
 mod sample;
+mod shape;
