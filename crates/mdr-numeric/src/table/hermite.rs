@@ -10,6 +10,12 @@ use super::MeasuredProfile;
 pub(super) struct Quadratic<R>(pub(super) [R; 3]);
 
 impl<R: Real> Quadratic<R> {
+    /// Its value at s.
+    pub(super) fn at(&self, s: &R) -> R {
+        let [c0, c1, c2] = &self.0;
+        (c2.clone() * s + c1) * s + c0
+    }
+
     /// The same polynomial in powers of s − centre.
     pub(super) fn about(&self, centre: &R) -> [R; 3] {
         let [c0, c1, c2] = &self.0;

@@ -108,7 +108,7 @@ impl<R: Special> MeasuredProfile<R> {
             points.insert(0, (zero.clone(), zero));
         }
         let pieces = hermite::pieces(&points)?;
-        let far = FarField::new(&pieces);
+        let far = FarField::new(&pieces)?;
         let (end, _) = points.swap_remove(points.len() - 1);
         Ok(MeasuredProfile { pieces, end, far })
     }

@@ -8,7 +8,7 @@ use super::arc::{Arc, Spoke};
 use super::hermite::Piece;
 
 /// The three integrals over θ, r = x sin θ.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
     /// g/x = ∫ f' dθ (1.1).
     Value,
@@ -57,7 +57,7 @@ impl<R: Special> MeasuredProfile<R> {
 
 impl<R: Special> Piece<R> {
     /// The share of the first `length` (of its width) of this piece, between two spokes.
-    fn share(&self, part: Part, x: &R, from: &Spoke<R>, to: &Spoke<R>, length: &R) -> R {
+    pub(super) fn share(&self, part: Part, x: &R, from: &Spoke<R>, to: &Spoke<R>, length: &R) -> R {
         let arc = Arc::new(from, to, length, &(x.clone() / &self.width));
         let density = if part == Part::Slope { &self.bend } else { &self.slope };
         let moments = if part == Part::Integral { arc.lifted() } else { arc.weighted() };

@@ -54,8 +54,10 @@ fn doubles_are_within_their_bound() {
         for jitter in [0.0, 0.3] {
             let smooth = sampled(&radii(rows, 1.0, jitter), wavy);
             let rough = with_noise(smooth.clone(), 0.01);
-            assert_bound(&smooth, &probes(&smooth));
-            assert_bound(&rough, &probes(&rough));
+            let step = sampled(&radii(rows, 1.0, jitter), |r| if r > 0.2 { 1.0 } else { 0.0 });
+            for points in [smooth, rough, step] {
+                assert_bound(&points, &probes(&points));
+            }
         }
     }
 }

@@ -12,7 +12,7 @@ fn rows(text: &str) -> Vec<(String, String)> {
     read(text).unwrap().rows().iter().map(exact).collect()
 }
 
-fn pairs<'a>(rows: &'a [(String, String)]) -> Vec<(&'a str, &'a str)> {
+fn pairs(rows: &[(String, String)]) -> Vec<(&str, &str)> {
     rows.iter().map(|(r, f)| (r.as_str(), f.as_str())).collect()
 }
 

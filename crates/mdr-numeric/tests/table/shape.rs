@@ -27,7 +27,7 @@ fn steps(rise: std::ops::Range<f64>, rows: std::ops::Range<usize>) -> impl Strat
 /// f and f' along the profile.
 fn walk(profile: &MeasuredProfile<f64>) -> impl Iterator<Item = Dual<f64>> + '_ {
     let end = Profile::outer_radius(profile).unwrap();
-    (0..=1000).map(move |i| profile.height(&Dual::variable(end * f64::from(i) / 1000.0)))
+    (0..=1000).map(move |i| profile.height(&Dual::variable((end * f64::from(i) / 1000.0).min(end))))
 }
 
 proptest! {
