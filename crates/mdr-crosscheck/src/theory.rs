@@ -1,8 +1,8 @@
 //! The closed forms under test, reached through one type so that a deliberate fault can be put into any of them.
 
-use mdr_analytic::{Contact, Critical, Kappa, PowerLaw};
+use mdr_analytic::{Contact, Critical, Fate, Kappa, PowerLaw};
 use mdr_core::contact::{Control, Instability, Material, Result, Transform};
-use mdr_core::number::Real;
+use mdr_core::number::{Real, Special};
 
 use crate::faults::Fault;
 
@@ -38,6 +38,24 @@ pub enum Form {
     MachineFoldRadius,
     MachineFoldIndentation,
     MachineFoldForce,
+    UniversalIndentation,
+    UniversalForce,
+    ZeroIndentationRadius,
+    PullOffLoss,
+    JumpInLoss,
+    CompleteContactBarrier,
+    LemniscateConstant,
+    Threshold,
+    ScaleFreeRatio,
+    ScaleFreeIndentation,
+    ScaleFreeForce,
+    Fate,
+    FlatPunchIndentation,
+    FlatPunchForce,
+    FlatPunchLimit,
+    ParaboloidProfile,
+    ConeProfile,
+    ConeAngleProfile,
 }
 
 impl Theory {
@@ -125,6 +143,93 @@ impl Theory {
             kind: fold.kind,
         };
         Ok(contact.machine_folds(stiffness)?.into_iter().map(bent).collect())
+    }
+
+    pub(crate) fn universal_indentation<R: Real>(&self, n: &R, scaled: &R) -> Result<R> {
+        Ok(self.bend(Form::UniversalIndentation, mdr_analytic::universal_indentation(n, scaled)?, &[scaled]))
+    }
+
+    pub(crate) fn universal_force<R: Real>(&self, n: &R, scaled: &R) -> Result<R> {
+        Ok(self.bend(Form::UniversalForce, mdr_analytic::universal_force(n, scaled)?, &[scaled]))
+    }
+
+    pub(crate) fn radius_at_zero_indentation<R: Real>(&self, contact: &Contact<R>) -> Result<R> {
+        Ok(self.bend(Form::ZeroIndentationRadius, contact.radius_at_zero_indentation()?, &given(contact)))
+    }
+
+    pub(crate) fn energy_lost_at_pull_off<R: Real>(&self, contact: &Contact<R>) -> Result<R> {
+        Ok(self.bend(Form::PullOffLoss, contact.energy_lost_at_pull_off()?, &given(contact)))
+    }
+
+    pub(crate) fn energy_lost_at_jump_in<R: Real>(&self, contact: &Contact<R>) -> Result<R> {
+        Ok(self.bend(Form::JumpInLoss, contact.energy_lost_at_jump_in()?, &given(contact)))
+    }
+
+    pub(crate) fn barrier_to_complete_contact<R: Real>(&self, contact: &Contact<R>) -> Result<R> {
+        Ok(self.bend(Form::CompleteContactBarrier, contact.barrier_to_complete_contact()?, &given(contact)))
+    }
+
+    pub(crate) fn lemniscate_constant<R: Real>(&self, like: &R) -> R {
+        self.bend(Form::LemniscateConstant, mdr_analytic::lemniscate_constant(like), &[])
+    }
+
+    pub(crate) fn threshold<R: Real>(&self, material: &Material<R>, control: &Control<R>) -> R {
+        let inputs = [material.effective_modulus(), material.work_of_adhesion()];
+        self.bend(Form::Threshold, mdr_analytic::threshold(material, control), &inputs)
+    }
+
+    pub(crate) fn ratio<R: Real>(&self, contact: &Contact<R>) -> Result<R> {
+        Ok(self.bend(Form::ScaleFreeRatio, contact.ratio()?, &given(contact)))
+    }
+
+    pub(crate) fn scale_free_state<R: Real>(&self, contact: &Contact<R>, a: &R) -> Result<Critical<R>> {
+        let Critical { contact_radius, indentation, force } = contact.scale_free_state(a)?;
+        let inputs = along(contact, a);
+        Ok(Critical {
+            contact_radius,
+            indentation: self.bend(Form::ScaleFreeIndentation, indentation, &inputs),
+            force: self.bend(Form::ScaleFreeForce, force, &inputs),
+        })
+    }
+
+    /// The fate as +1 (shrinks), −1 (complete contact) or 0.
+    pub(crate) fn fate<R: Real>(&self, contact: &Contact<R>, control: &Control<R>) -> Result<R> {
+        let sign = match contact.fate(control)? {
+            Fate::Shrinks => 1,
+            Fate::CompleteContact => -1,
+            Fate::Indifferent => 0,
+        };
+        Ok(self.bend(Form::Fate, contact.profile().exponent().lit(sign), &[]))
+    }
+
+    pub(crate) fn flat_punch_pull_off<R: Real>(&self, radius: &R, material: &Material<R>) -> Result<Critical<R>> {
+        let state = mdr_analytic::flat_punch_pull_off(radius, material)?;
+        let inputs = [radius, material.effective_modulus(), material.work_of_adhesion()];
+        Ok(Critical {
+            contact_radius: state.contact_radius,
+            indentation: self.bend(Form::FlatPunchIndentation, state.indentation, &inputs),
+            force: self.bend(Form::FlatPunchForce, state.force, &inputs),
+        })
+    }
+
+    pub(crate) fn flat_punch_limit<R: Real>(&self, contact: &Contact<R>) -> Result<R> {
+        Ok(self.bend(
+            Form::FlatPunchLimit,
+            contact.flat_punch_limit()?.contact_radius,
+            &[contact.profile().coefficient()],
+        ))
+    }
+
+    pub(crate) fn paraboloid<R: Kappa>(&self, radius: &R, x: &R) -> Result<R> {
+        Ok(self.bend(Form::ParaboloidProfile, PowerLaw::paraboloid(radius.clone())?.g(x)?, &[radius]))
+    }
+
+    pub(crate) fn cone<R: Kappa>(&self, slope: &R, x: &R) -> Result<R> {
+        Ok(self.bend(Form::ConeProfile, PowerLaw::cone(slope.clone())?.g(x)?, &[slope]))
+    }
+
+    pub(crate) fn cone_with_half_angle<R: Kappa + Special>(&self, angle: &R, x: &R) -> Result<R> {
+        Ok(self.bend(Form::ConeAngleProfile, PowerLaw::cone_with_half_angle(angle.clone())?.g(x)?, &[angle]))
     }
 }
 

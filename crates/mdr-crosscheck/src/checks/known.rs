@@ -1,6 +1,6 @@
 //! Results that were known before the theory: Johnson, Kendall and Roberts (1971), Kendall (1971).
 
-use mdr_core::contact::{Control, Result};
+use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::Real;
 
 use super::{Check, by_turns};
@@ -30,11 +30,35 @@ pub(super) const KENDALL: Check = Check {
     name: "kendall-limit",
     claim: "F_F → −√(8πR³E*w) as n → ∞, at the known rate",
     equations: &["1.17"],
-    forms: &[Form::CriticalForce],
+    forms: &[Form::CriticalForce, Form::FlatPunchLimit],
     unit: Unit::Relative,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, kendall),
 };
+
+/// A flat cylinder of radius b: −√(2πwb/E*) and −√(8πE*wb³).
+pub(super) const PUNCH: Check = Check {
+    name: "kendall-flat-punch",
+    claim: "d = −√(2πwb/E*), F = −√(8πE*wb³)",
+    equations: &["1.4", "1.6"],
+    forms: &[Form::FlatPunchIndentation, Form::FlatPunchForce],
+    unit: Unit::Roundoffs,
+    cases: [100, 1000, 10_000],
+    case: |trial| by_turns!(trial, punch),
+};
+
+fn punch<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
+    let [radius, e_star, work] = decades::<R>(trial, ctx);
+    let [r, e, w] = [&radius, &e_star, &work].map(R::approx);
+    trial.describe(format_args!("b = {r:e}, E* = {e:e}, w = {w:e} ({})", R::NAME));
+    let state = trial.theory.flat_punch_pull_off(&radius, &Material::new(e_star.clone(), work.clone())?)?;
+    let depth = -(work.pi() * &work * &radius / &e_star).times(2).sqrt();
+    let force = -(radius.powi(3) * work.pi() * &e_star * &work).times(8).sqrt();
+    // Five roundings under each root, the root, and two factors.
+    trial.compare("d", &state.indentation, &depth, 10.0);
+    trial.compare("F", &state.force, &force, 14.0);
+    Ok(())
+}
 
 /// Lengths and materials over many decades.
 fn decades<R: Real>(trial: &mut Trial<'_>, ctx: R::Ctx) -> [R; 3] {
@@ -85,6 +109,11 @@ fn kendall<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> 
     let n = &scene.n;
     let found = trial.theory.critical(&scene.contact()?, &Control::Force)?;
     let flat = -(radius.powi(3) * radius.pi() * &scene.e_star * &scene.work).times(8).sqrt();
+    let limit = trial.theory.flat_punch_limit(&scene.contact()?)?;
+    // C⁻^{1/n} = R^{1−1/n}; the power in C, its logarithm and the quotient are rounded.
+    let limit_error = ((limit / &radius).ln() + radius.ln() / n).abs().approx();
+    let ln_radius = radius.ln().approx().abs();
+    trial.enter("ln b/R", limit_error, radius.unit_roundoff().approx() * (6.0 * ln_radius + 8.0));
 
     let excess = n.clone().times(2) - &one;
     let edge = radius.pi() * &scene.work / &scene.e_star / &radius;

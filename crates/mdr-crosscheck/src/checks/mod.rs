@@ -10,6 +10,8 @@ mod machine;
 mod printed;
 mod quadrature;
 mod scaling;
+mod threshold;
+mod universal;
 
 use mdr_core::contact::Result;
 
@@ -74,6 +76,9 @@ pub(crate) fn registry() -> &'static [Check] {
         kappa::PRODUCT,
         quadrature::KAPPA_RATIO,
         quadrature::POWER,
+        universal::CURVES,
+        threshold::BISECTION,
+        threshold::STATES,
         identities::CRITICAL,
         identities::SLOPES,
         identities::LOGARITHMS,
@@ -82,6 +87,7 @@ pub(crate) fn registry() -> &'static [Check] {
         printed::DIMENSIONS,
         known::JKR,
         known::KENDALL,
+        known::PUNCH,
         scaling::FORCE,
         scaling::LENGTH,
     ];

@@ -1,0 +1,105 @@
+//! Every public closed form of mdr-analytic has a row, or a reason why not.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use mdr_crosscheck::FORMS;
+
+/// Public functions that are no closed forms of the theory.
+const EXEMPT: &[(&str, &str)] = &[
+    ("PowerLaw::new", "a validating constructor"),
+    ("PowerLaw::with_kappa", "a validating constructor"),
+    ("PowerLaw::exponent", "an accessor"),
+    ("PowerLaw::coefficient", "an accessor"),
+    ("PowerLaw::kappa", "an accessor; κ_n itself has its rows"),
+    ("PowerLaw::regime", "a comparison of n with 1/2"),
+    ("Contact::new", "a constructor"),
+    ("Contact::profile", "an accessor"),
+    ("Contact::material", "an accessor"),
+    ("Contact::regime", "a comparison of n with 1/2"),
+    ("Contact::detachment_elongation", "calls detachment_elongation"),
+];
+
+fn sources(directory: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(directory).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files.extend(sources(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    files
+}
+
+/// `Type::function` for each `pub fn` in an `impl`, the bare name outside; and what implements `Transform`.
+fn public_functions(source: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    let mut owner: Option<String> = None;
+    for line in source.lines() {
+        // Items begin in the first column; tests come last in a file.
+        if line.starts_with("#[cfg(test)]") {
+            break;
+        }
+        if let Some(header) = line.strip_prefix("impl") {
+            let subject = header.split(" for ").last().unwrap_or(header);
+            let subject =
+                if header.contains(" for ") || !header.starts_with('<') { subject } else { after_generics(subject) };
+            owner = Some(subject.trim().chars().take_while(|c| c.is_alphanumeric()).collect());
+            if header.contains("Transform<") {
+                let owner = owner.clone().unwrap_or_default();
+                names.extend(["g", "slope", "integral"].map(|method| format!("{owner}::{method}")));
+            }
+        } else if line.starts_with('}') {
+            owner = None;
+        }
+        if let Some((_, rest)) = line.split_once("pub fn ").or_else(|| line.split_once("pub const fn ")) {
+            if line.trim_start().starts_with("//") {
+                continue;
+            }
+            let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+            names.push(owner.as_ref().map_or(name.clone(), |owner| format!("{owner}::{name}")));
+        }
+    }
+    names
+}
+
+/// What follows the balanced `<…>` at the start of an impl header.
+fn after_generics(header: &str) -> &str {
+    let mut depth = 0;
+    for (i, c) in header.char_indices() {
+        depth += i32::from(c == '<') - i32::from(c == '>');
+        if depth == 0 {
+            return &header[i + 1..];
+        }
+    }
+    header
+}
+
+#[test]
+fn the_parser_sees_functions_and_methods() {
+    let source = "pub fn free() {}\nimpl<R: A<B>> Ball<R> {\n    pub fn method(&self) {}\n    fn private() {}\n}\n\
+                  impl<R: Real> Transform<R> for Cone<R> {\n}\npub fn last() {}\n";
+    let expected = ["free", "Ball::method", "Cone::g", "Cone::slope", "Cone::integral", "last"];
+    assert_eq!(public_functions(source), expected);
+}
+
+#[test]
+fn every_public_closed_form_has_a_row() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../mdr-analytic/src");
+    let files = sources(&root);
+    let found: BTreeSet<String> = files
+        .iter()
+        .filter(|path| path.file_name().is_some_and(|name| name != "tests.rs"))
+        .flat_map(|path| public_functions(&fs::read_to_string(path).unwrap()))
+        .collect();
+    assert!(found.len() > 20, "the sources of mdr-analytic were not found: {found:?}");
+    let covered: BTreeSet<&str> =
+        FORMS.iter().map(|entry| entry.function).chain(EXEMPT.iter().map(|(name, _)| *name)).collect();
+    let missing: Vec<_> = found.iter().filter(|name| !covered.contains(name.as_str())).collect();
+    assert!(missing.is_empty(), "without a row: {missing:#?}");
+    let stale: Vec<_> = covered.iter().filter(|name| !found.contains(**name)).collect();
+    assert!(stale.is_empty(), "covered, but not there: {stale:#?}");
+}
