@@ -1,11 +1,12 @@
 //! The two arithmetics of the cases: f64 and rug floats.
 
 use mdr_analytic::Kappa;
-use mdr_core::number::{Gamma, Lift, Precision, Special};
+use mdr_analytic::struve::Struve;
+use mdr_core::number::{Gamma, Lift, Precision};
 use rug::Float;
 
 /// An arithmetic in which closed forms and the numerical route both run.
-pub(crate) trait Arithmetic: Kappa + Special + Gamma + Lift<Self> {
+pub(crate) trait Arithmetic: Kappa + Struve + Gamma + Lift<Self> {
     /// As the reports call it.
     const NAME: &'static str;
 

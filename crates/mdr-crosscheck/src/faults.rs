@@ -4,7 +4,7 @@ use std::fmt;
 
 use mdr_core::number::Real;
 
-use crate::theory::Form;
+use crate::theory::{Form, Part, Shape};
 
 /// One mistake in one closed form.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,8 +81,37 @@ const fn entry(form: Form, function: &'static str, inputs: &'static [&'static st
 const GIVEN: &[&str] = &["C", "E*", "w"];
 const ALONG: &[&str] = &["a", "C", "E*", "w"];
 
+/// The parts of a profile of the library, which its constructor stands for.
+fn library(shape: Shape, function: &'static str) -> impl Iterator<Item = Entry> {
+    [Part::G, Part::Slope, Part::Mean].into_iter().map(move |part| entry(Form::Library(shape, part), function, &["x"]))
+}
+
 /// All closed forms under test.
-pub const FORMS: &[Entry] = &[
+pub fn forms() -> Vec<Entry> {
+    let library = LIBRARY.iter().flat_map(|&(shape, function)| library(shape, function));
+    FORMS.iter().copied().chain(library).collect()
+}
+
+const LIBRARY: [(Shape, &str); 15] = [
+    (Shape::Cone, "Cone::new"),
+    (Shape::Paraboloid, "Paraboloid::new"),
+    (Shape::Sphere, "Sphere::new"),
+    (Shape::Ellipsoid, "Ellipsoid::new"),
+    (Shape::Hyperboloid, "Hyperboloid::new"),
+    (Shape::TruncatedCone, "TruncatedCone::new"),
+    (Shape::TruncatedParaboloid, "TruncatedParaboloid::new"),
+    (Shape::RoundedPunch, "RoundedPunch::new"),
+    (Shape::ParabolicCapCone, "ParabolicCapCone::new"),
+    (Shape::SphericalCapCone, "SphericalCapCone::new"),
+    (Shape::DisplacedParaboloid, "DisplacedParaboloid::new"),
+    (Shape::ParabolicDimple, "ParabolicDimple::new"),
+    (Shape::EllipticalDimple, "EllipticalDimple::new"),
+    (Shape::WavyParaboloid, "WavyParaboloid::new"),
+    (Shape::Sum, "Sum::new"),
+];
+
+/// Those with a name of their own.
+const FORMS: &[Entry] = &[
     entry(Form::Kappa, "kappa", &["n"]),
     entry(Form::Transform, "PowerLaw::g", &["x", "C"]),
     entry(Form::TransformSlope, "PowerLaw::slope", &["x", "C"]),
@@ -119,12 +148,19 @@ pub const FORMS: &[Entry] = &[
     entry(Form::FlatPunchLimit, "Contact::flat_punch_limit", &["C"]),
     entry(Form::ParaboloidProfile, "PowerLaw::paraboloid", &["R"]),
     entry(Form::ConeProfile, "PowerLaw::cone", &["tan θ"]),
+    entry(Form::KappaEnclosure, "kappa_enclosure", &[]),
+    entry(Form::CertifiedKappa, "Question::answer", &[]),
+    entry(Form::CertifiedRadius, "Question::answer", &[]),
+    entry(Form::CertifiedIndentation, "Question::answer", &[]),
+    entry(Form::CertifiedForce, "Question::answer", &[]),
+    entry(Form::CertifiedThreshold, "Question::answer", &[]),
+    entry(Form::CertifiedRatio, "Question::answer", &[]),
     entry(Form::ConeAngleProfile, "PowerLaw::cone_with_half_angle", &["α"]),
 ];
 
 /// The mistakes that every closed form must be caught with.
 pub fn faults() -> impl Iterator<Item = Fault> {
-    FORMS.iter().flat_map(|&Entry { form, inputs, .. }| {
+    forms().into_iter().flat_map(|Entry { form, inputs, .. }| {
         let general = [Mistake::Sign, Mistake::Factor(3, 2), Mistake::Factor(1, 2), Mistake::Slight(36)];
         let powers = inputs
             .iter()

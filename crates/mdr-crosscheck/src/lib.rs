@@ -22,9 +22,9 @@ mod tolerance;
 mod trial;
 
 pub use checks::checks_of;
-pub use faults::{Entry, FORMS, Fault, Mistake, faults};
+pub use faults::{Entry, Fault, Mistake, faults, forms};
 pub use merge::MergeError;
 pub use options::{Level, Options, Shard, ShardError};
 pub use report::{Failure, Finding, Grid, Report, Row, Unit, Verdict};
 pub use run::{Progress, run, run_against};
-pub use theory::{Form, Theory};
+pub use theory::{Form, Part, Shape, Theory};

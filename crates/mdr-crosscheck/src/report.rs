@@ -13,7 +13,7 @@ use crate::trial::{Case, Outcome};
 pub enum Unit {
     /// Relative error over the unit roundoff 2^−p of the arithmetic of the case: f64 and arbitrary precision compare.
     Roundoffs,
-    /// Units in the last place of the correctly rounded double.
+    /// Units in the last place of the correctly rounded result, binary or decimal.
     Ulp,
     /// Relative error, where the comparison is limited by truncation and not by roundoff.
     Relative,

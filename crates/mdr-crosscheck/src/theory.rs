@@ -1,8 +1,11 @@
 //! The closed forms under test, reached through one type so that a deliberate fault can be put into any of them.
 
+use mdr_analytic::certified::Question;
 use mdr_analytic::{Contact, Critical, Fate, Kappa, PowerLaw};
 use mdr_core::contact::{Control, Instability, Material, Result, Transform};
-use mdr_core::number::{Real, Special};
+use mdr_core::number::certify::Decimal;
+use mdr_core::number::{Precision, Real, Special};
+use rug::{Float, Rational};
 
 use crate::faults::Fault;
 
@@ -56,6 +59,81 @@ pub enum Form {
     ParaboloidProfile,
     ConeProfile,
     ConeAngleProfile,
+    KappaEnclosure,
+    CertifiedKappa,
+    CertifiedRadius,
+    CertifiedIndentation,
+    CertifiedForce,
+    CertifiedThreshold,
+    CertifiedRatio,
+    Library(Shape, Part),
+}
+
+/// A profile of the library.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[expect(missing_docs, reason = "named after the type in mdr_analytic::profiles")]
+pub enum Shape {
+    Cone,
+    Paraboloid,
+    Sphere,
+    Ellipsoid,
+    Hyperboloid,
+    TruncatedCone,
+    TruncatedParaboloid,
+    RoundedPunch,
+    ParabolicCapCone,
+    SphericalCapCone,
+    DisplacedParaboloid,
+    ParabolicDimple,
+    EllipticalDimple,
+    WavyParaboloid,
+    Sum,
+}
+
+impl Shape {
+    /// All of them.
+    pub const ALL: [Shape; 15] = [
+        Shape::Cone,
+        Shape::Paraboloid,
+        Shape::Sphere,
+        Shape::Ellipsoid,
+        Shape::Hyperboloid,
+        Shape::TruncatedCone,
+        Shape::TruncatedParaboloid,
+        Shape::RoundedPunch,
+        Shape::ParabolicCapCone,
+        Shape::SphericalCapCone,
+        Shape::DisplacedParaboloid,
+        Shape::ParabolicDimple,
+        Shape::EllipticalDimple,
+        Shape::WavyParaboloid,
+        Shape::Sum,
+    ];
+}
+
+/// One of the three closed forms of a profile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Part {
+    /// g.
+    G,
+    /// g'.
+    Slope,
+    /// (1/x)∫₀ˣ g.
+    Mean,
+}
+
+/// A certified decimal, and a float that holds its digits.
+pub(crate) struct Digits {
+    pub(crate) decimal: Decimal,
+    pub(crate) value: Float,
+}
+
+/// A certified answer.
+pub(crate) struct Certified {
+    pub(crate) kappa: Digits,
+    pub(crate) critical: Option<Critical<Digits>>,
+    pub(crate) threshold: Option<Digits>,
+    pub(crate) ratio: Option<Digits>,
 }
 
 impl Theory {
@@ -230,6 +308,37 @@ impl Theory {
 
     pub(crate) fn cone_with_half_angle<R: Kappa + Special>(&self, angle: &R, x: &R) -> Result<R> {
         Ok(self.bend(Form::ConeAngleProfile, PowerLaw::cone_with_half_angle(angle.clone())?.g(x)?, &[angle]))
+    }
+
+    /// A value of the profile library at radius x.
+    pub(crate) fn profile<R: Real>(&self, shape: Shape, part: Part, value: R, x: &R) -> R {
+        self.bend(Form::Library(shape, part), value, &[x])
+    }
+
+    /// Middle and radius of the enclosure of κ_n.
+    pub(crate) fn kappa_enclosure(&self, precision: Precision, n: &Rational) -> (Float, Float) {
+        let enclosure = mdr_analytic::kappa_enclosure(precision, n);
+        (self.bend(Form::KappaEnclosure, enclosure.mid(), &[]), enclosure.radius())
+    }
+
+    pub(crate) fn certified(&self, question: &Question, digits: u32) -> Result<Certified> {
+        let answer = question.answer(digits)?;
+        let bits = Precision::from_digits(digits).bits() + 96;
+        let number = |form, decimal: Decimal| {
+            let parsed = Float::parse(decimal.to_string()).map(|text| Float::with_val(bits, text));
+            let value = self.bend(form, parsed.unwrap_or_else(|_| Float::with_val(bits, f64::NAN)), &[]);
+            Digits { decimal, value }
+        };
+        Ok(Certified {
+            kappa: number(Form::CertifiedKappa, answer.kappa),
+            critical: answer.critical.map(|state| Critical {
+                contact_radius: number(Form::CertifiedRadius, state.contact_radius),
+                indentation: number(Form::CertifiedIndentation, state.indentation),
+                force: number(Form::CertifiedForce, state.force),
+            }),
+            threshold: answer.threshold.map(|x| number(Form::CertifiedThreshold, x)),
+            ratio: answer.ratio.map(|x| number(Form::CertifiedRatio, x)),
+        })
     }
 }
 

@@ -121,5 +121,7 @@ pub(crate) fn machine_balance(n: f64, u: f64, ln_stiffness_length: f64, ln_ratio
 /// r = xs is rounded once for x·s and once in its own place, and rⁿ with its logarithmic derivatives repeats that.
 pub(crate) fn quadrature<R: Real>(estimate: &Estimate<R>, n: f64) -> f64 {
     let left = (estimate.error.clone() / &estimate.value / estimate.value.unit_roundoff()).abs().approx();
+    // Below a flat face the transform is zero exactly.
+    let left = if estimate.value == estimate.value.lit(0) { 0.0 } else { left };
     left + estimate.evaluations as f64 + 4.0 * (n + 2.0)
 }

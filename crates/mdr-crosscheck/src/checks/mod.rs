@@ -1,6 +1,7 @@
 //! The checks. To add one: a file with a `CHECK`, and its line in [`registry`].
 
 mod bodies;
+mod certified;
 mod gamma;
 mod griffith;
 mod identities;
@@ -8,6 +9,7 @@ mod kappa;
 mod known;
 mod machine;
 mod printed;
+mod profiles;
 mod quadrature;
 mod scaling;
 mod threshold;
@@ -76,9 +78,14 @@ pub(crate) fn registry() -> &'static [Check] {
         kappa::PRODUCT,
         quadrature::KAPPA_RATIO,
         quadrature::POWER,
+        profiles::LIBRARY,
+        profiles::NAMED,
         universal::CURVES,
         threshold::BISECTION,
         threshold::STATES,
+        certified::ROUNDING,
+        certified::PREFIX,
+        certified::ENCLOSURE,
         identities::CRITICAL,
         identities::SLOPES,
         identities::LOGARITHMS,

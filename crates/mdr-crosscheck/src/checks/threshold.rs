@@ -22,7 +22,7 @@ pub(super) const BISECTION: Check = Check {
     equations: &["1.8", "1.9", "1.18", "1.19"],
     forms: &[Form::Threshold],
     unit: Unit::Roundoffs,
-    cases: [12, 100, 1000],
+    cases: [10, 40, 400],
     case: |trial| by_turns!(trial, bisection),
 };
 

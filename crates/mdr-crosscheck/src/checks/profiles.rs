@@ -1,0 +1,234 @@
+//! The library of transformed profiles against quadrature of the profiles.
+
+use mdr_analytic::profiles as closed;
+use mdr_analytic::struve::Struve;
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{Profile, Result, Transform};
+use mdr_core::number::{Dual, Lift, Real};
+use mdr_numeric::profiles;
+use mdr_numeric::transform::Quadrature;
+
+use super::{Check, by_turns};
+use crate::arithmetic::Arithmetic;
+use crate::report::Unit;
+use crate::theory::{Form, Part, Shape};
+use crate::tolerance::{TRANSFORM, quadrature};
+use crate::trial::Trial;
+
+/// g, g' and ∫g of every profile with a closed form.
+///
+/// Each closed form does at most forty roundings and cancels no more than the question does: with the condition
+/// c = |d ln(·)/d ln x| it may err by 40(1 + c), as by homogeneity the conditions in the other lengths are not larger
+/// than 1 + c. x stays a fifth away from the edge.
+pub(super) const LIBRARY: Check = Check {
+    name: "profile-library",
+    claim: "g, g', ∫g of fourteen profiles against quadrature of (1.1)",
+    equations: &["1.1", "1.6"],
+    forms: LIBRARY_FORMS,
+    unit: Unit::Roundoffs,
+    cases: [84, 560, 5600],
+    case: |trial| by_turns!(trial, library),
+};
+
+const LIBRARY_FORMS: &[Form] = &library_forms();
+
+/// Every part of every shape.
+const fn library_forms() -> [Form; 3 * Shape::ALL.len()] {
+    let mut forms = [Form::Library(Shape::Cone, Part::G); 3 * Shape::ALL.len()];
+    let mut i = 0;
+    while i < forms.len() {
+        forms[i] = Form::Library(Shape::ALL[i / 3], [Part::G, Part::Slope, Part::Mean][i % 3]);
+        i += 1;
+    }
+    forms
+}
+
+/// The power laws with a name.
+pub(super) const NAMED: Check = Check {
+    name: "named-power-laws",
+    claim: "paraboloid r²/2R, cone r tanθ, cone of half angle α against quadrature of (1.1)",
+    equations: &["1.1", "1.12"],
+    forms: &[Form::ParaboloidProfile, Form::ConeProfile, Form::ConeAngleProfile],
+    unit: Unit::Roundoffs,
+    cases: [40, 400, 4000],
+    case: |trial| by_turns!(trial, named),
+};
+
+fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
+    let [radius, x] = [(); 2].map(|()| 10_f64.powf(trial.uniform(-30.0, 30.0)));
+    let angle = trial.uniform(0.02, 1.55);
+    trial.describe(format_args!("R = {radius:e}, α = {angle:e}, x = {x:e} ({})", R::NAME));
+    let [radius, angle, x] = [radius, angle, x].map(|value| R::from_f64(ctx, value));
+    let slope = angle.cos() / angle.sin();
+    let ball = Quadrature::new(profiles::Paraboloid::new(radius.clone())?).g_estimate(&x)?;
+    let cone = Quadrature::new(profiles::Cone::new(slope.clone())?).g_estimate(&x)?;
+    trial.compare(
+        "paraboloid",
+        &trial.theory.paraboloid(&radius, &x)?,
+        &ball.value,
+        quadrature(&ball, 2.0) + TRANSFORM,
+    );
+    let allowed = quadrature(&cone, 1.0) + TRANSFORM;
+    trial.compare("cone", &trial.theory.cone(&slope, &x)?, &cone.value, allowed);
+    let by_angle = trial.theory.cone_with_half_angle(&angle, &x)?;
+    trial.compare("cone of half angle", &by_angle, &cone.value, allowed + 4.0);
+    Ok(())
+}
+
+/// Roundings of a closed form of the library.
+const ROUNDINGS: f64 = 40.0;
+
+/// A profile: its shape, a length L, a second length b = ratio·L where there is one, and a slope or height over L.
+#[derive(Clone, Debug)]
+struct Drawn<R> {
+    shape: Shape,
+    length: R,
+    second: R,
+    slope: R,
+}
+
+/// f(r), written from the geometry, f(0) = 0.
+impl<R: Real> Profile<R> for Drawn<R> {
+    fn height<S: Lift<R>>(&self, r: &S) -> S {
+        let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
+        let zero = r.lit(0);
+        // h(1 − √(1 − r²/L²)) without cancellation.
+        let cap = |h: S| {
+            let s = r.clone() / &l;
+            let cosine = ((s.lit(1) - &s) * (s.lit(1) + &s)).sqrt();
+            s.square() * h / (s.lit(1) + cosine)
+        };
+        let beyond = *r > b;
+        match self.shape {
+            Shape::Cone => t * r,
+            Shape::Paraboloid => r.square() / l.times(2),
+            Shape::Sphere => cap(l.clone()),
+            Shape::Ellipsoid => cap(t * &l),
+            Shape::Hyperboloid => t * r.square() / ((r.square() + l.square()).sqrt() + &l),
+            Shape::TruncatedCone if beyond => t * (r.clone() - &b),
+            Shape::TruncatedParaboloid if beyond => (r.clone() - &b) * (r.clone() + &b) / l.times(2),
+            Shape::RoundedPunch if beyond => (r.clone() - &b).square() / l.times(2),
+            Shape::TruncatedCone | Shape::TruncatedParaboloid | Shape::RoundedPunch => zero,
+            Shape::ParabolicCapCone if beyond => t * (r.clone() - b.over(2)),
+            Shape::ParabolicCapCone => t * r.square() / b.times(2),
+            // b = Lt/√(1+t²): the flank continues the sphere of radius L.
+            Shape::SphericalCapCone if beyond => {
+                let level = (t.square() + t.lit(1)).sqrt().inv() * &l;
+                t * (r.clone() - &b) + b.square() / (level + &l)
+            }
+            Shape::SphericalCapCone => cap(l.clone()),
+            Shape::DisplacedParaboloid => (r.clone() - b.times(2)) * r / l.times(2),
+            Shape::ParabolicDimple if beyond => -(t * &b),
+            Shape::ParabolicDimple => -(r.square() / &b * t),
+            Shape::WavyParaboloid => {
+                let phase = r.pi() * r / &b;
+                r.square() / l.clone().times(2) + (phase.sin().square() * &b * &b / l).over(16)
+            }
+            Shape::EllipticalDimple => -cap(t * &l),
+            Shape::Sum => r.square() / l.times(2) + t * r,
+        }
+    }
+
+    fn kinks(&self) -> Vec<R> {
+        use Shape::*;
+        match self.shape {
+            TruncatedCone | TruncatedParaboloid | RoundedPunch | ParabolicCapCone | SphericalCapCone
+            | ParabolicDimple => vec![self.second.clone()],
+            _ => Vec::new(),
+        }
+    }
+
+    fn outer_radius(&self) -> Option<R> {
+        matches!(self.shape, Shape::Sphere | Shape::Ellipsoid | Shape::EllipticalDimple).then(|| self.length.clone())
+    }
+
+    fn tip_exponent(&self) -> Option<R> {
+        use Shape::*;
+        let p = match self.shape {
+            Cone | DisplacedParaboloid | Sum => 1,
+            TruncatedCone | TruncatedParaboloid | RoundedPunch => return None,
+            _ => 2,
+        };
+        Some(self.length.lit(p))
+    }
+}
+
+impl<R: Arithmetic> Drawn<R> {
+    /// A profile at any scale. The cap of a cone ends where the sphere has its slope.
+    fn draw(trial: &mut Trial<'_>, shape: Shape, ctx: R::Ctx) -> Self {
+        let length = R::from_f64(ctx, 10_f64.powf(trial.uniform(-15.0, 15.0)));
+        let ratio = R::from_f64(ctx, 2_f64.powf(trial.uniform(-2.0, 1.0)));
+        let slope = R::from_f64(ctx, 2_f64.powf(trial.uniform(-4.0, 1.0)));
+        let second = match shape {
+            Shape::SphericalCapCone => (slope.square() + slope.lit(1)).sqrt().inv() * &slope * &length,
+            _ => ratio * &length,
+        };
+        Drawn { shape, length, second, slope }
+    }
+
+    /// A radius within the profile, off its edge by a fifth or more.
+    fn radius(&self, trial: &mut Trial<'_>, ctx: R::Ctx) -> R {
+        if self.outer_radius().is_some() {
+            return self.length.clone() * R::from_f64(ctx, trial.uniform(0.05, 0.8));
+        }
+        let octaves = trial.uniform(0.3, 2.0);
+        let octaves = if trial.uniform(0.0, 1.0) < 0.3 { -octaves } else { octaves };
+        self.second.clone() * R::from_f64(ctx, 2_f64.powf(octaves))
+    }
+
+    /// The closed form, over numbers in which R is a constant.
+    fn closed<S: Lift<R> + Struve>(&self) -> Result<Box<dyn Transform<S>>> {
+        let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
+        Ok(match self.shape {
+            Shape::Cone => Box::new(closed::Cone::new(t)?),
+            Shape::Paraboloid => Box::new(closed::Paraboloid::new(l)?),
+            Shape::Sphere => Box::new(closed::Sphere::new(l)?),
+            Shape::Ellipsoid => Box::new(closed::Ellipsoid::new(l.clone(), t * &l)?),
+            Shape::Hyperboloid => Box::new(closed::Hyperboloid::new(t, l)?),
+            Shape::TruncatedCone => Box::new(closed::TruncatedCone::new(t, b)?),
+            Shape::TruncatedParaboloid => Box::new(closed::TruncatedParaboloid::new(l, b)?),
+            Shape::RoundedPunch => Box::new(closed::RoundedPunch::new(l, b)?),
+            Shape::ParabolicCapCone => Box::new(closed::ParabolicCapCone::new(t, b)?),
+            Shape::SphericalCapCone => Box::new(closed::SphericalCapCone::new(t, l)?),
+            Shape::DisplacedParaboloid => Box::new(closed::DisplacedParaboloid::new(l, b)?),
+            Shape::ParabolicDimple => Box::new(closed::ParabolicDimple::new(t * &b, b)?),
+            Shape::EllipticalDimple => Box::new(closed::EllipticalDimple::new(l.clone() * &t, l)?),
+            Shape::WavyParaboloid => {
+                let amplitude = b.square() / l.clone().times(32);
+                Box::new(closed::WavyParaboloid::new(l, amplitude, b)?)
+            }
+            Shape::Sum => {
+                let paraboloid = Box::new(closed::Paraboloid::new(l)?);
+                Box::new(closed::Sum::new(vec![paraboloid, Box::new(closed::Cone::new(t)?)]))
+            }
+        })
+    }
+}
+
+fn library<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let shape = Shape::ALL[round % Shape::ALL.len()];
+    let profile = Drawn::<R>::draw(trial, shape, ctx);
+    let x = profile.radius(trial, ctx);
+    let [l, b, t, at] = [&profile.length, &profile.second, &profile.slope, &x].map(R::approx);
+    trial.describe(format_args!("{shape:?}, L = {l:e}, b = {b:e}, t = {t:e}, x = {at:e} ({})", R::NAME));
+    let closed = profile.closed::<R>()?;
+    let with_slopes = profile.closed::<Dual<R>>()?;
+    let transform = Quadrature::new(profile);
+
+    let y = Dual::variable(x.clone());
+    let condition = |value: Dual<R>| {
+        let condition = (value.slope * &x / value.value).abs().approx();
+        if condition.is_finite() { condition } else { 0.0 }
+    };
+    let theory = trial.theory;
+    let mut compare = |part, closed: R, numeric: Estimate<R>, condition: f64| {
+        let closed = theory.profile(shape, part, closed, &x);
+        let allowed = ROUNDINGS * (1.0 + condition) + quadrature(&numeric, condition);
+        trial.compare(format!("{part:?}"), &closed, &numeric.value, allowed);
+    };
+    compare(Part::G, closed.g(&x)?, transform.g_estimate(&x)?, condition(with_slopes.g(&y)?));
+    compare(Part::Slope, closed.slope(&x)?, transform.slope_estimate(&x)?, condition(with_slopes.slope(&y)?));
+    let integral = with_slopes.integral(&y)?;
+    compare(Part::Mean, closed.integral(&x)? / &x, transform.mean_estimate(&x)?, condition(integral));
+    Ok(())
+}
