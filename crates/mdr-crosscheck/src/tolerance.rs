@@ -102,7 +102,38 @@ impl Tangent {
     pub(crate) fn slope_at_radius(self) -> f64 {
         self.lambda * self.excess() / 2.0 * self.radius() + self.slope_terms()
     }
+
+    /// Error of ln a of a fold found by quadrature: the tangency ratio to `slope` and its other roundings, over its
+    /// logarithmic derivative n − ½; and the last bracket.
+    pub(crate) fn found_radius(self, slope: f64) -> f64 {
+        2.0 * (slope + TANGENCY) / self.excess() + 4.0
+    }
+
+    /// d of a fold by closed form, with ln a off by `closed`, against quadrature (`g`) at its own fold, with ln a off by
+    /// `found`; on the scale Δl. The first moves d at fixed tangency, ½d, the second along the equilibria, ½(λ−1)Δl.
+    pub(crate) fn fold_indentation(self, closed: f64, found: f64, g: f64) -> f64 {
+        0.5 * (self.transform() - 1.0).abs() * closed
+            + 0.5 * (self.lambda - 1.0).abs() * found
+            + self.transform() * g
+            + self.indentation_terms()
+            + ELONGATION
+    }
+
+    /// F likewise, on the scale 2E*aΔl.
+    pub(crate) fn fold_force(self, closed: f64, found: f64, g: f64, mean: f64) -> f64 {
+        1.5 * (self.pressed() - 1.0).abs() * closed
+            + 0.5 * (self.lambda - 3.0).abs() * found
+            + self.transform() * g
+            + self.transform() / (self.n + 1.0) * mean
+            + self.force_terms()
+            + ELONGATION
+            + 6.0
+    }
 }
+
+/// Roundings of the tangency ratio g'/Δl' of the numerical route beside those of g': ℓ, its quotient by a, π, the root,
+/// the quotient, the threshold.
+const TANGENCY: f64 = 10.0;
 
 /// What the balance φ(u) = μu + ln(N/√B) + μ ln(k/2E*) − ln λ(u) of a machine fold at u = ln(2E*a/k) is off by, at the
 /// computed fold: each term to its own size, u itself to two of its roundings.

@@ -102,7 +102,7 @@ fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Res
 }
 
 /// s/(1+s), the part of the compliance that lies in the machine.
-fn part(share: f64) -> f64 {
+pub(super) fn part(share: f64) -> f64 {
     1.0 / (1.0 + 1.0 / share)
 }
 

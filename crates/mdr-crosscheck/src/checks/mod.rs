@@ -2,6 +2,7 @@
 
 mod bodies;
 mod certified;
+mod folds;
 mod gamma;
 mod griffith;
 mod identities;
@@ -80,6 +81,10 @@ pub(crate) fn registry() -> &'static [Check] {
         quadrature::POWER,
         profiles::LIBRARY,
         profiles::NAMED,
+        folds::INDENTATION,
+        folds::FORCE,
+        folds::MACHINE,
+        folds::PRINTED,
         universal::CURVES,
         threshold::BISECTION,
         threshold::STATES,

@@ -25,7 +25,7 @@ pub(super) const DIMENSIONS: Check = Check {
 };
 
 /// (πw/(2E*n²κ_n²C²))^{1/(1−2n)}: (1.15) as printed.
-fn printed_radius<R: Arithmetic>(scene: &Scene<R>) -> Result<R> {
+pub(super) fn printed_radius<R: Arithmetic>(scene: &Scene<R>) -> Result<R> {
     let kappa = mdr_analytic::kappa(&scene.n)?;
     let slope = kappa * &scene.n * &scene.c;
     let base = scene.work.pi() * &scene.work / &scene.e_star / slope.square().times(2);

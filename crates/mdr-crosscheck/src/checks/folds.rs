@@ -1,0 +1,176 @@
+//! Critical states: the folds that the numerical route finds by tangency, against the closed forms.
+
+use mdr_core::contact::{Control, FoldKind, Instability, Material, Result};
+use mdr_core::number::Real;
+use mdr_numeric::folds::folds;
+use mdr_numeric::profiles::Power;
+use mdr_numeric::transform::Quadrature;
+
+use super::machine::{Machine, part};
+use super::{Check, by_turns};
+use crate::arithmetic::Arithmetic;
+use crate::grid::{Family, Held, Scene};
+use crate::report::Unit;
+use crate::theory::Form;
+use crate::tolerance::{Tangent, quadrature};
+use crate::trial::Trial;
+
+const CRITICAL: &[Form] = &[Form::CriticalRadius, Form::CriticalIndentation, Form::CriticalForce];
+
+/// a_c, d_c, F_c under controlled indentation.
+pub(super) const INDENTATION: Check = Check {
+    name: "critical-indentation",
+    claim: "a_c, d_c, F_c under controlled indentation against the fold by quadrature and tangency",
+    equations: &["1.1", "1.4", "1.5", "1.6", "1.10", "1.15", "1.17"],
+    forms: CRITICAL,
+    unit: Unit::Roundoffs,
+    cases: [50, 300, 3000],
+    case: |trial| by_turns!(trial, critical, Held::Indentation),
+};
+
+/// The same under controlled force.
+pub(super) const FORCE: Check = Check {
+    name: "critical-force",
+    claim: "a_F, d_F, F_F under controlled force against the fold by quadrature and tangency",
+    equations: &["1.1", "1.4", "1.5", "1.6"],
+    forms: CRITICAL,
+    unit: Unit::Roundoffs,
+    cases: [50, 300, 3000],
+    case: |trial| by_turns!(trial, critical, Held::Force),
+};
+
+/// All folds of a machine, up to three.
+pub(super) const MACHINE: Check = Check {
+    name: "critical-machine",
+    claim: "every fold of a machine (up to three) against quadrature and tangency",
+    equations: &["1.1", "1.4", "1.5", "1.6"],
+    forms: &[Form::MachineFoldRadius, Form::MachineFoldIndentation, Form::MachineFoldForce],
+    unit: Unit::Roundoffs,
+    cases: [30, 200, 2000],
+    case: |trial| by_turns!(trial, machine),
+};
+
+/// (1.15) as printed against the fold: it is the reciprocal, so it must miss wherever a_c is not 1 m.
+pub(super) const PRINTED: Check = Check {
+    name: "printed-1.15-numerically",
+    claim: "the fold by quadrature is at a_c, and not at (1.15) as printed: refuted",
+    equations: &["1.15"],
+    forms: &[Form::CriticalRadius],
+    unit: Unit::Roundoffs,
+    cases: [20, 100, 1000],
+    case: |trial| by_turns!(trial, printed),
+};
+
+/// A power law for the numerical route, which knows nothing of it but its heights.
+pub(super) fn transform<R: Arithmetic>(scene: &Scene<R>) -> Result<Quadrature<R, Power<R>>> {
+    Ok(Quadrature::new(Power::new(scene.n.clone(), scene.c.clone())?))
+}
+
+/// Errors of the quadratures at a radius.
+#[derive(Clone, Copy)]
+pub(super) struct Quadratures {
+    pub(super) g: f64,
+    pub(super) slope: f64,
+    pub(super) mean: f64,
+}
+
+impl Quadratures {
+    pub(super) fn at<R: Arithmetic>(transform: &Quadrature<R, Power<R>>, n: f64, a: &R) -> Result<Self> {
+        Ok(Quadratures {
+            g: quadrature(&transform.g_estimate(a)?, n),
+            slope: quadrature(&transform.slope_estimate(a)?, n),
+            mean: quadrature(&transform.mean_estimate(a)?, n),
+        })
+    }
+}
+
+/// Which exponents: in f64 a radius magnified by more than 2⁴⁰ has no digit left to compare.
+fn family<R: Arithmetic>() -> Family {
+    Family::up_to(if R::NAME == f64::NAME { 36 } else { 40 })
+}
+
+fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx, held: Held) -> Result<()> {
+    let exponent = trial.exponent(round, family::<R>());
+    let scene: Scene<R> = trial.scene(round, exponent, held.lambda(), ctx);
+    let (material, control) = (scene.material()?, held.control());
+    let state = trial.theory.critical(&scene.contact()?, &control)?;
+    let transform = transform(&scene)?;
+    let found = folds(&transform, &material, &control)?;
+    trial.demand("one fold", found.len() == 1);
+    let Some(fold) = found.first() else { return Ok(()) };
+    let closed = Instability {
+        contact_radius: state.contact_radius,
+        indentation: state.indentation,
+        force: state.force,
+        kind: if scene.n < scene.n.ratio(1, 2) { FoldKind::Maximum } else { FoldKind::Minimum },
+    };
+    let tangent = scene.tangent(held.lambda(), &fold.contact_radius);
+    let errors = Quadratures::at(&transform, tangent.n, &fold.contact_radius)?;
+    let radii = (tangent.radius(), tangent.found_radius(errors.slope));
+    compare(trial, &closed, fold, &material, tangent, radii, errors);
+    Ok(())
+}
+
+/// Enters the three quantities and the kind of a fold.
+fn compare<R: Arithmetic>(
+    trial: &mut Trial<'_>,
+    closed: &Instability<R>,
+    found: &Instability<R>,
+    material: &Material<R>,
+    tangent: Tangent,
+    (closed_radius, found_radius): (f64, f64),
+    errors: Quadratures,
+) {
+    let a = &found.contact_radius;
+    let elongation = (a.pi() * a * material.work_of_adhesion() / material.effective_modulus()).times(2).sqrt();
+    let force_scale = elongation.clone() * a * material.effective_modulus().clone().times(2);
+    let radius_error = (closed.contact_radius.clone() / a).ln() / a.unit_roundoff();
+    trial.enter("ln a", radius_error.abs().approx(), closed_radius + found_radius);
+    let allowed = tangent.fold_indentation(closed_radius, found_radius, errors.g);
+    trial.compare_on("d/Δl", &closed.indentation, &found.indentation, &elongation, allowed);
+    let allowed = tangent.fold_force(closed_radius, found_radius, errors.g, errors.mean);
+    trial.compare_on("F/2E*aΔl", &closed.force, &found.force, &force_scale, allowed);
+    trial.demand("the kind of fold", closed.kind == found.kind);
+}
+
+fn machine<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let nearest = if R::NAME == f64::NAME { 5 } else { 16 };
+    let machine = trial.machine::<R>(round, Family::up_to(nearest), ctx);
+    let Machine { scene, stiffness, .. } = &machine;
+    let material = scene.material()?;
+    let control = Control::machine(stiffness.clone())?;
+    let closed = trial.theory.machine_folds(&scene.contact()?, stiffness)?;
+    let transform = transform(scene)?;
+    let found = folds(&transform, &material, &control)?;
+    trial.demand("the number of folds", closed.len() == found.len());
+    for (closed, found) in closed.iter().zip(&found) {
+        let share = found.contact_radius.clone() * &scene.e_star / stiffness;
+        let share = share.times(2);
+        let s = share.approx();
+        let tangent = scene.tangent(1.0 + 2.0 * part(s), &found.contact_radius);
+        let errors = Quadratures::at(&transform, tangent.n, &found.contact_radius)?;
+        // |φ'| = |μ − 2s/((1+s)(1+3s))|, in place of n − ½.
+        let steepness = (tangent.n - 0.5 - 2.0 * part(s) / (1.0 + 3.0 * s)).abs();
+        let closed_radius = machine.balance(&share) / steepness + 2.0;
+        let found_radius = (tangent.found_radius(errors.slope) - 4.0) * tangent.excess() / 2.0 / steepness + 4.0;
+        compare(trial, closed, found, &material, tangent, (2.0 * closed_radius, found_radius), errors);
+    }
+    Ok(())
+}
+
+fn printed<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let exponent = trial.exponent(round, Family { least: 1e-2, most: 20.0, nearest: 12 });
+    let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);
+    let transform = transform(&scene)?;
+    let found = folds(&transform, &scene.material()?, &Control::Indentation)?;
+    let Some(fold) = found.first() else { return Ok(()) };
+    let a = &fold.contact_radius;
+    let tangent = scene.tangent(1.0, a);
+    let errors = Quadratures::at(&transform, tangent.n, a)?;
+    let allowed = tangent.radius() + tangent.found_radius(errors.slope);
+    let corrected = trial.theory.critical(&scene.contact()?, &Control::Indentation)?.contact_radius;
+    let distance = |radius: R| ((radius / a).ln() / a.unit_roundoff()).abs().approx();
+    trial.enter("ln a_c", distance(corrected), allowed);
+    trial.demand("(1.15) as printed misses the fold", distance(super::printed::printed_radius(&scene)?) > allowed);
+    Ok(())
+}
