@@ -103,6 +103,18 @@ impl Tangent {
         self.lambda * self.excess() / 2.0 * self.radius() + self.slope_terms()
     }
 
+    /// Π of a critical state by closed form, against another closed form of it, on the scale πa²w (E*aΔl² is twice that).
+    ///
+    /// Π/E*a = (d − mean)² + n²mean²/(2n+1) − …, mean = g/(n+1); an error of g, from κ or from the tangency λ at which
+    /// the radius is not quite, enters both terms with twice their derivative.
+    pub(crate) fn energy(self) -> f64 {
+        let mean = self.transform() / (self.n + 1.0);
+        let spread = (self.n * mean).powi(2) / (2.0 * self.n + 1.0);
+        let by_transform = 4.0 * (self.pressed() - 1.0).abs() * self.transform() + 4.0 * spread;
+        let tangency = 0.5 * self.excess() * self.radius();
+        by_transform * (TRANSFORM + ELONGATION + 8.0 + tangency) + 30.0 * (1.0 + spread)
+    }
+
     /// Error of ln a of a fold found by quadrature: the tangency ratio to `slope` and its other roundings, over its
     /// logarithmic derivative n − ½; and the last bracket.
     pub(crate) fn found_radius(self, slope: f64) -> f64 {

@@ -22,6 +22,48 @@ pub(super) const CLOSED: Check = Check {
     case: |trial| by_turns!(trial, stationary),
 };
 
+/// The work lost in jumps and the barrier before complete contact as differences of Π, and d(a₀) = 0.
+pub(super) const JUMPS: Check = Check {
+    name: "jump-work-closed-form",
+    claim: "work lost at pull-off and jump-in, barrier to complete contact: differences of Π; d(a₀) = 0",
+    equations: &["1.13"],
+    forms: &[Form::PullOffLoss, Form::JumpInLoss, Form::CompleteContactBarrier, Form::ZeroIndentationRadius],
+    unit: Unit::Roundoffs,
+    cases: [100, 1000, 10_000],
+    case: |trial| by_turns!(trial, jumps),
+};
+
+fn jumps<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let exponent = trial.exponent(round, Family { least: 1e-2, ..Family::up_to(50) });
+    let scene: Scene<R> = trial.scene(round, exponent, 2.0 * exponent.value::<f64>(()), ctx);
+    let contact = scene.contact()?;
+    let a = trial.theory.radius_at_zero_indentation(&contact)?;
+    let tangent = scene.tangent(2.0 * scene.n.approx(), &a);
+    let elongation = trial.theory.detachment_elongation(contact.material(), &a)?;
+    let d = trial.theory.indentation(&contact, &a)?;
+    let allowed = 0.5 * tangent.excess() * tangent.radius() + TRANSFORM + ELONGATION + 4.0;
+    trial.compare_on("d(a₀)", &d, &a.lit(0), &elongation, allowed);
+
+    let unit = |scene: &Scene<R>, a: &R| a.pi() * a * a * &scene.work;
+    let rest = trial.theory.energy(&contact, &a, &a.lit(0))?;
+    if scene.n > scene.n.ratio(1, 2) {
+        let lost = trial.theory.energy_lost_at_jump_in(&contact)?;
+        trial.compare_on("jump-in", &lost, &-rest, &unit(&scene, &a), tangent.energy());
+        // Towards n = 1/2 the pull-off is hundreds of decades from a₀.
+        let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);
+        let contact = scene.contact()?;
+        let state = contact.critical(&Control::Indentation)?;
+        let a = &state.contact_radius;
+        let lost = trial.theory.energy_lost_at_pull_off(&contact)?;
+        let edge = trial.theory.energy(&contact, a, &state.indentation)?;
+        trial.compare_on("pull-off", &lost, &edge, &unit(&scene, a), scene.tangent(1.0, a).energy());
+    } else {
+        let barrier = trial.theory.barrier_to_complete_contact(&contact)?;
+        trial.compare_on("barrier", &barrier, &rest, &unit(&scene, &a), tangent.energy());
+    }
+    Ok(())
+}
+
 fn stationary<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, Family { least: 1e-2, ..Family::up_to(50) });
     let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);

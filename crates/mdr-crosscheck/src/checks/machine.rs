@@ -31,6 +31,8 @@ pub(super) const FOLDS: Check = Check {
 pub(super) struct Machine<R> {
     pub(super) scene: Scene<R>,
     pub(super) stiffness: R,
+    /// The planted radius.
+    pub(super) radius: f64,
     /// Whether the planted fold is the middle one of three.
     pub(super) middle: bool,
 }
@@ -60,7 +62,7 @@ impl Trial<'_> {
         let scene = self.planted(exponent, lambda, scales, ctx);
         let stiffness = R::from_f64(ctx, 2.0 * scales.e_star / share) * R::from_f64(ctx, scales.radius);
         self.describe_also(format_args!("k = {:e}", stiffness.approx()));
-        Machine { scene, stiffness, middle }
+        Machine { scene, stiffness, radius: scales.radius, middle }
     }
 }
 

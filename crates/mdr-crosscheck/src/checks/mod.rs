@@ -95,6 +95,7 @@ pub(crate) fn registry() -> &'static [Check] {
         identities::SLOPES,
         identities::LOGARITHMS,
         griffith::CLOSED,
+        griffith::JUMPS,
         machine::FOLDS,
         printed::DIMENSIONS,
         known::JKR,
