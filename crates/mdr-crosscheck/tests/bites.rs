@@ -32,8 +32,8 @@ fn every_form_is_in_the_table_and_watched() {
     for entry in forms() {
         assert!(!checks_of(entry.form).is_empty(), "{:?} has no check", entry.form);
     }
-    let forms: BTreeSet<_> = forms().iter().map(|entry| entry.form).collect();
-    assert_eq!(forms.len(), forms().len(), "a form is in the table twice");
+    let distinct: BTreeSet<_> = forms().iter().map(|entry| entry.form).collect();
+    assert_eq!(distinct.len(), forms().len(), "a form is in the table twice");
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Every public closed form of mdr-analytic has a row, or a reason why not.
 
+#![allow(clippy::unwrap_used, reason = "the sources of the workspace are there")]
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -95,7 +95,7 @@ pub(super) fn search<R: Arithmetic>(
     planted: f64,
 ) -> Result<Found<R>> {
     let material = scene.material()?;
-    if R::NAME == f64::NAME || round % 8 == 0 {
+    if R::NAME == f64::NAME || round.is_multiple_of(8) {
         return Ok(Found { all: true, folds: folds(transform, &material, control)? });
     }
     let curve = Curve::new(transform, &material, control);

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod certified;
+mod equilibria;
 mod folds;
 mod gamma;
 mod griffith;
@@ -85,6 +86,7 @@ pub(crate) fn registry() -> &'static [Check] {
         folds::FORCE,
         folds::MACHINE,
         folds::PRINTED,
+        equilibria::BESIDE,
         universal::CURVES,
         threshold::BISECTION,
         threshold::STATES,

@@ -7,6 +7,7 @@ use mdr_core::contact::{Profile, Result, Transform};
 use mdr_core::number::{Dual, Lift, Real};
 use mdr_numeric::profiles;
 use mdr_numeric::transform::Quadrature;
+use rug::Float;
 
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
@@ -26,8 +27,17 @@ pub(super) const LIBRARY: Check = Check {
     equations: &["1.1", "1.6"],
     forms: LIBRARY_FORMS,
     unit: Unit::Roundoffs,
-    cases: [84, 560, 5600],
-    case: |trial| by_turns!(trial, library),
+    cases: [90, 600, 6000],
+    case: |trial| {
+        // All shapes in one arithmetic, then in the other.
+        let (turn, shape) = (trial.index / Shape::ALL.len(), Shape::ALL[trial.index % Shape::ALL.len()]);
+        let precision = trial.precision;
+        if turn.is_multiple_of(2) {
+            library::<f64>(trial, shape, turn, ())
+        } else {
+            library::<Float>(trial, shape, turn, precision)
+        }
+    },
 };
 
 const LIBRARY_FORMS: &[Form] = &library_forms();
@@ -166,13 +176,13 @@ impl<R: Arithmetic> Drawn<R> {
         Drawn { shape, length, second, slope }
     }
 
-    /// A radius within the profile, off its edge by a fifth or more.
-    fn radius(&self, trial: &mut Trial<'_>, ctx: R::Ctx) -> R {
+    /// A radius within the profile, off its edge by a fifth or more on the given side.
+    fn radius(&self, trial: &mut Trial<'_>, beyond: bool, ctx: R::Ctx) -> R {
         if self.outer_radius().is_some() {
             return self.length.clone() * R::from_f64(ctx, trial.uniform(0.05, 0.8));
         }
         let octaves = trial.uniform(0.3, 2.0);
-        let octaves = if trial.uniform(0.0, 1.0) < 0.3 { -octaves } else { octaves };
+        let octaves = if beyond { octaves } else { -octaves };
         self.second.clone() * R::from_f64(ctx, 2_f64.powf(octaves))
     }
 
@@ -205,10 +215,9 @@ impl<R: Arithmetic> Drawn<R> {
     }
 }
 
-fn library<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
-    let shape = Shape::ALL[round % Shape::ALL.len()];
+fn library<R: Arithmetic>(trial: &mut Trial<'_>, shape: Shape, turn: usize, ctx: R::Ctx) -> Result<()> {
     let profile = Drawn::<R>::draw(trial, shape, ctx);
-    let x = profile.radius(trial, ctx);
+    let x = profile.radius(trial, turn % 6 < 4, ctx);
     let [l, b, t, at] = [&profile.length, &profile.second, &profile.slope, &x].map(R::approx);
     trial.describe(format_args!("{shape:?}, L = {l:e}, b = {b:e}, t = {t:e}, x = {at:e} ({})", R::NAME));
     let closed = profile.closed::<R>()?;

@@ -1,0 +1,94 @@
+//! Equilibria and their stability on both sides of a fold.
+
+use mdr_core::contact::{Outcome, Result, Stability};
+use mdr_core::number::Real;
+use mdr_numeric::curve::Curve;
+use mdr_numeric::equilibrium::Branches;
+use rug::Float;
+
+use super::Check;
+use super::folds::{Quadratures, transform};
+use crate::arithmetic::Arithmetic;
+use crate::grid::{Family, Held, Scene};
+use crate::report::Unit;
+use crate::theory::Form;
+use crate::tolerance::{ELONGATION, TRANSFORM};
+use crate::trial::Trial;
+
+/// At v = v_c(1 ∓ 2^−k) of the controlled quantity v: two equilibria before the closed-form critical value, the stable
+/// one at the larger radius for n > 1/2 and at the smaller for n < 1/2, and none beyond it; what becomes of the contact
+/// there; and each equilibrium put into the closed forms (1.13), (1.16).
+///
+/// k is as large as the errors of both routes in v_c allow. The residual is compared and not the radius: a − a_c grows as
+/// the root of the distance, so half the digits of a radius are lost at the fold in any route.
+pub(super) const BESIDE: Check = Check {
+    name: "equilibria-beside-the-fold",
+    claim: "two equilibria, one stable, at v_c(1 − 2^-k), none at v_c(1 + 2^-k); each in (1.13), (1.16)",
+    equations: &["1.5", "1.6", "1.8", "1.9", "1.13", "1.16"],
+    forms: &[Form::CriticalIndentation, Form::CriticalForce, Form::Indentation, Form::Force],
+    unit: Unit::Roundoffs,
+    cases: [30, 200, 2000],
+    // Each case is a search over all radii; one in five is in arbitrary precision.
+    case: |trial| {
+        let (round, precision) = (trial.index / 5, trial.precision);
+        match trial.index % 5 {
+            4 => beside::<Float>(trial, round, precision),
+            turn => beside::<f64>(trial, 4 * round + turn, ()),
+        }
+    },
+};
+
+fn beside<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let exponent = trial.exponent(round, Family { least: 1e-2, most: 1e2, nearest: 20 });
+    let held = trial.held();
+    let scene: Scene<R> = trial.scene(round, exponent, held.lambda(), ctx);
+    let (contact, material, control) = (scene.contact()?, scene.material()?, held.control());
+    let state = trial.theory.critical(&contact, &control)?;
+    let tangent = scene.tangent(held.lambda(), &state.contact_radius);
+    let transform = transform(&scene)?;
+    let errors = Quadratures::at(&transform, tangent.n, &state.contact_radius)?;
+    let (closed, found) = (tangent.radius(), tangent.found_radius(errors.slope));
+    // The error of v_c relative to itself, and twice what counts as the fold itself.
+    let (critical, error) = match held {
+        Held::Indentation => {
+            let error = tangent.fold_indentation(closed, found, errors.g) + 32.0;
+            (&state.indentation, error / (tangent.transform() - 1.0).abs())
+        }
+        Held::Force => {
+            let error = tangent.fold_force(closed, found, errors.g, errors.mean) + 32.0;
+            (&state.force, error / (tangent.pressed() - 1.0).abs())
+        }
+    };
+    let bits = f64::from(critical.precision()) - 2.0 - error.log2();
+    if bits < 1.0 {
+        return Ok(());
+    }
+    let k = trial.uniform(1.0, bits + 1.0).floor() as i64;
+    trial.describe_also(format_args!("{held}, k = {k}"));
+    let distance = critical.lit(2).powi(-k);
+    let branches = Branches::new(Curve::new(&transform, &material, &control))?;
+
+    let before = critical.clone() * &(distance.lit(1) - &distance);
+    let equilibria = branches.equilibria(&before)?;
+    let pull_off = scene.n > scene.n.ratio(1, 2);
+    let stable: Vec<bool> = equilibria.iter().map(|state| state.stability == Stability::Stable).collect();
+    trial.demand("two equilibria before the fold, and which is stable", stable == [!pull_off, pull_off]);
+    for equilibrium in &equilibria {
+        let a = &equilibrium.contact_radius;
+        let at = Quadratures::at(&transform, tangent.n, a)?;
+        let rounded_exponent = (tangent.n + 1.0) * a.ln().approx().abs();
+        let terms = trial.theory.g(contact.profile(), a)? + trial.theory.detachment_elongation(&material, a)?;
+        let (found, scale) = match held {
+            Held::Indentation => (trial.theory.indentation(&contact, a)?, terms),
+            Held::Force => (trial.theory.force(&contact, a)?, terms * a * scene.e_star.clone().times(2)),
+        };
+        // The direction of change vanishes to the rounding of its terms; the last bracket moves g by n and Δl by ½.
+        let allowed = at.g + at.mean + TRANSFORM + 2.0 * ELONGATION + 4.0 * tangent.n + rounded_exponent + 16.0;
+        trial.compare_on("v", &found, &before, &scale, allowed);
+    }
+    let beyond = critical.clone() * &(distance.lit(1) + &distance);
+    trial.demand("no equilibrium beyond the fold", branches.equilibria(&beyond)?.is_empty());
+    let outcome = if pull_off { Outcome::Detached } else { Outcome::CompleteContact };
+    trial.demand("what becomes of the contact", branches.outcome(0)? == outcome);
+    Ok(())
+}
