@@ -1,7 +1,6 @@
 //! Equilibria and their stability on both sides of a fold.
 
 use mdr_core::contact::{Outcome, Result, Stability};
-use mdr_core::number::Real;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use rug::Float;
