@@ -91,13 +91,17 @@ pub(super) fn underflows<R: Real>(magnitude: &R) -> bool {
     *magnitude != zero && magnitude.unit_roundoff().square() * magnitude == zero
 }
 
+/// Singularities in conjugate pairs make the changes oscillate, and a small one may be luck: what is left was seen to be
+/// twenty times the geometric estimate (a hyperboloid, x ≈ its lateral length, 50 digits).
+const OSCILLATION: i64 = 64;
+
 /// What is left after the last of two changes. Over equal steps a geometric convergence leaves step²/before; a longer last
 /// step leaves less. Nothing is believed where the changes do not at least halve, unless they are rounding.
 fn remainder<R: Real>(before: &R, step: &R, rounding: &R) -> Option<R> {
     if step <= rounding {
         Some(step.clone())
     } else if step.clone().times(2) <= *before {
-        Some(step.clone() / before * step)
+        Some((step.clone() / before * step).times(OSCILLATION))
     } else {
         None
     }
