@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use mdr_core::contact::Transform;
 use mdr_core::number::Real;
-use mdr_numeric::table::MeasuredProfile;
+use mdr_numeric::table::{MeasuredProfile, Table};
 
 use crate::sample::{Points, magnitude, radii, sampled};
 
@@ -68,4 +68,20 @@ fn a_cone_is_rounded_at_its_tip_only() {
     let ratio = |x: f64| profile.g(&x).unwrap() / (FRAC_PI_2 * x);
     assert!(ratio(1e-6) < 1e-3, "flat at the very tip");
     assert!((ratio(0.5) - 1.0).abs() < 1e-5);
+}
+
+#[test]
+fn the_synthetic_tip_is_its_hyperboloid_within_the_noise() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/tip.csv");
+    let table = Table::from_csv(std::fs::File::open(path).unwrap()).unwrap();
+    assert_eq!(table.rows().len(), 301);
+    let tip = table.profile::<f64>(()).unwrap();
+    let slope = 20f64.to_radians().tan();
+    for x in [5e-9, 20e-9, 44e-9] {
+        // g = x cot α arctan(x/A), A tan α = 20 nm.
+        let exact = x / slope * (x * slope / 20e-9).atan();
+        // Noise of 0.05 nm over a correlation length ℓ of 1 nm changes g by about its rms times √(x/ℓ) at most.
+        let noise = 0.05e-9 * (x / 1e-9).sqrt();
+        assert!((tip.g(&x).unwrap() - exact).abs() < 3.0 * noise, "{x}: {} for {exact}", tip.g(&x).unwrap());
+    }
 }

@@ -29,6 +29,7 @@ pub(crate) fn sampled(radii: &[f64], profile: impl Fn(f64) -> f64) -> Points {
 }
 
 /// The same with noise of the given amplitude everywhere but at the tip.
+#[cfg(feature = "mp")]
 pub(crate) fn with_noise(mut points: Points, amplitude: f64) -> Points {
     let mut noise = noise(points.len() as u64);
     points.iter_mut().skip(1).for_each(|(_, f)| *f += amplitude * noise());
