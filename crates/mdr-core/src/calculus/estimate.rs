@@ -39,16 +39,17 @@ impl<R: Real> Refinement<R> {
     /// Returns the estimate and whether it meets the tolerance, which is relative to the magnitude.
     pub(super) fn push(&mut self, value: R, magnitude: &R, known: &R, evaluations: usize) -> (Estimate<R>, bool) {
         self.values.push(value.clone());
-        let refinement = self.remainder(magnitude).unwrap_or_else(|| magnitude.steer());
-        let error = (refinement + known).steer();
-        let converged = error <= self.tolerance.clone() * magnitude.steer();
+        let remainder = self.remainder(magnitude);
+        let enough = remainder.is_some();
+        let error = (remainder.unwrap_or_else(|| magnitude.steer()) + known).steer();
+        let converged = enough && error <= self.tolerance.clone() * magnitude.steer();
         (Estimate { value, error, evaluations }, converged)
     }
 
     /// The error of the last of at least four values, from the last changes e₁, e₂, e₃ relative to the magnitude.
     ///
     /// A rule whose digits double with each refinement has e₁ ≈ e₂² ≈ e₃⁴ and e₁² left. Where the changes keep to it with a
-    /// margin (e₁ ≤ e₂^1.5/8, e₂ ≤ e₃^1.5/8), what is left is taken to be e₁·max(e₁/e₂, (e₂/e₃)²), else as large as
+    /// margin (e₁ ≤ e₂^1.5/8, e₂ ≤ e₃^1.5/8), what is left is taken to be e₁·max(e₁/e₂, e₂/e₃), else as large as
     /// the changes, which may each be small by chance.
     fn remainder(&self, magnitude: &R) -> Option<R> {
         let [.., v0, v1, v2, v3] = self.values.as_slice() else { return None };
@@ -61,7 +62,7 @@ impl<R: Real> Refinement<R> {
         } else if e1 <= noise {
             e1
         } else if doubles(&e1, &e2) && doubles(&e2, &e3) {
-            larger(e1.clone() / &e2, (e2 / &e3).square()) * e1
+            larger(e1.clone() / &e2, e2 / &e3) * e1
         } else {
             larger(larger(e1, e2), e3.over(4))
         };

@@ -57,7 +57,8 @@ pub fn rule<R: Real>(n: usize, alpha: &R, beta: &R) -> Result<Arc<Rule<R>>> {
 
 /// ∫₀¹ tᵝ(1−t)ᵅ f(t) dt to a `tolerance` relative to ∫ tᵝ(1−t)ᵅ|f|, by doubling the number of nodes.
 ///
-/// For an f analytic around [0, 1]. The first rule has bits/30 nodes: a power profile is then settled by the fourth.
+/// For an f analytic around [0, 1]. The first rule has about bits/25 nodes: a power profile is then settled by the
+/// fourth. Split the interval where f or a derivative of it jumps, or the error may be estimated too small.
 ///
 /// ```
 /// use mdr_core::calculus::{gauss_jacobi, roundoff_tolerance};
@@ -83,7 +84,7 @@ pub struct Ladder<R> {
     rules: [OnceLock<Arc<Rule<R>>>; RUNGS],
 }
 
-/// From bits/30 nodes to 128 times as many.
+/// From about bits/25 nodes to 128 times as many.
 const RUNGS: usize = 8;
 
 impl<R: Real> Ladder<R> {
@@ -96,7 +97,7 @@ impl<R: Real> Ladder<R> {
         if let Some(rule) = self.rules[rung].get() {
             return Ok(rule);
         }
-        let smallest = self.alpha.precision().div_ceil(30) as usize;
+        let smallest = (self.alpha.precision() as usize + 12) / 25;
         let rule = rule(smallest << rung, &self.alpha, &self.beta)?;
         Ok(self.rules[rung].get_or_init(|| rule))
     }
