@@ -154,6 +154,12 @@ mod arbitrary_precision {
         let candidate = Float::with_val(120, 3).ln() * 1.000_001;
         let proof = verify(&candidate, |x| Ok(x.exp() - x.lit(3)), |x| Ok(x.exp())).unwrap().unwrap();
         assert!(proof.contains(&Float::with_val(120, 3).ln()) && proof.accuracy_bits() >= 114, "{proof:?}");
+        // An exact zero is a point.
+        let exact = verify(&Float::with_val(120, 1.01), |x| Ok(x.clone() - x.lit(1)), |x| Ok(x.lit(1))).unwrap();
+        assert!(exact.unwrap().is_point());
+        // A slope of one sign, but the only zero beyond reach: the image must not be taken for a proof.
+        let far = verify(&Float::with_val(120, 30), |x| Ok(x.exp() - x.lit(3)), |x| Ok(x.exp())).unwrap();
+        assert_eq!(far, None);
         // A double zero, no zero at all, and a candidate beyond reach.
         let double = |x: &Interval| Ok((x.clone() - x.lit(1)).square());
         let slope = |x: &Interval| Ok((x.clone() - x.lit(1)).times(2));

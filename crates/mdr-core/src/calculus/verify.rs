@@ -47,11 +47,11 @@ pub fn verify(
     Ok(None)
 }
 
-/// Applies the operator while it halves the interval.
+/// Applies the operator while it more than halves the interval.
 fn tighten(mut root: Interval, mut newton: impl FnMut(&Interval) -> Result<Interval>) -> Result<Interval> {
     loop {
         let Some(narrower) = newton(&root)?.intersect(&root) else { return Ok(root) };
-        if narrower.radius() * 2u32 > root.radius() {
+        if narrower.radius() * 2u32 >= root.radius() {
             return Ok(narrower);
         }
         root = narrower;
