@@ -64,6 +64,16 @@ pub(crate) fn expansion<R: Real>(n: &R) -> R {
     }
 }
 
+/// The same for an arithmetic whose error bounds are powers of two: there a continued fraction is left as long as its
+/// partial numerators (2k+1)² are well below s², and the series serves the rest.
+pub(crate) fn cautious_expansion<R: Real>(n: &R) -> R {
+    let (size, bits) = (n.approx(), n.precision() + 2);
+    match brouncker::depth(size, bits).filter(|depth| 6.0 * f64::from(*depth) < size) {
+        Some(depth) => brouncker::kappa(n, depth),
+        None => series::kappa(n, series::terms(size, bits)),
+    }
+}
+
 impl<R: Kappa> Kappa for Dual<R> {
     fn kappa(n: &Self) -> Self {
         let value = R::kappa(&n.value);
