@@ -4,7 +4,7 @@ use std::fmt;
 
 use mdr_core::number::Real;
 
-use crate::theory::{Form, Part, Shape};
+use crate::theory::{DOUBLE, Form, Part, Shape};
 
 /// One mistake in one closed form.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,7 +89,8 @@ fn library(shape: Shape, function: &'static str) -> impl Iterator<Item = Entry> 
 /// All closed forms under test.
 pub fn forms() -> Vec<Entry> {
     let library = LIBRARY.iter().flat_map(|&(shape, function)| library(shape, function));
-    FORMS.iter().copied().chain(library).collect()
+    let double = DOUBLE.iter().map(|&name| entry(Form::Double(name), name, &[]));
+    FORMS.iter().copied().chain(library).chain(double).collect()
 }
 
 const LIBRARY: [(Shape, &str); 15] = [

@@ -67,7 +67,34 @@ pub enum Form {
     CertifiedThreshold,
     CertifiedRatio,
     Library(Shape, Part),
+    Double(&'static str),
 }
+
+/// The functions of `mdr_analytic::double` that give numbers.
+pub(crate) const DOUBLE: [&str; 22] = [
+    "double::critical",
+    "double::kappa",
+    "double::g",
+    "double::g_slope",
+    "double::g_integral",
+    "double::detachment_elongation",
+    "double::indentation",
+    "double::force",
+    "double::indentation_slope",
+    "double::force_slope",
+    "double::energy",
+    "double::universal_indentation",
+    "double::universal_force",
+    "double::radius_at_zero_indentation",
+    "double::energy_lost_at_pull_off",
+    "double::energy_lost_at_jump_in",
+    "double::barrier_to_complete_contact",
+    "double::flat_punch_pull_off",
+    "double::machine_folds",
+    "double::scale_free_state",
+    "double::ratio",
+    "double::threshold",
+];
 
 /// A profile of the library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -313,6 +340,11 @@ impl Theory {
     /// A value of the profile library at radius x.
     pub(crate) fn profile<R: Real>(&self, shape: Shape, part: Part, value: R, x: &R) -> R {
         self.bend(Form::Library(shape, part), value, &[x])
+    }
+
+    /// A result of the function of that name in `mdr_analytic::double`.
+    pub(crate) fn double(&self, name: &'static str, value: f64) -> f64 {
+        self.bend(Form::Double(name), value, &[])
     }
 
     /// Middle and radius of the enclosure of κ_n.

@@ -2,6 +2,8 @@
 
 mod bodies;
 mod certified;
+mod double;
+mod energy;
 mod equilibria;
 mod folds;
 mod gamma;
@@ -14,6 +16,7 @@ mod printed;
 mod profiles;
 mod quadrature;
 mod scaling;
+mod springs;
 mod threshold;
 mod universal;
 
@@ -87,9 +90,13 @@ pub(crate) fn registry() -> &'static [Check] {
         folds::MACHINE,
         folds::PRINTED,
         equilibria::BESIDE,
+        energy::POTENTIAL,
+        energy::ROUTES,
+        springs::SPRINGS,
         universal::CURVES,
         threshold::BISECTION,
         threshold::STATES,
+        double::DOUBLE_PRECISION,
         certified::ROUNDING,
         certified::PREFIX,
         certified::ENCLOSURE,

@@ -1,0 +1,210 @@
+//! The f64 functions that promise two ulp, against the same closed forms at 400 bits.
+
+use mdr_analytic::{Contact, Critical, PowerLaw, double};
+use mdr_core::contact::{Error, Material, Ranged, Result, Transform};
+use mdr_core::number::{Precision, Real};
+use rug::Float;
+
+use super::Check;
+use super::gamma::ulps;
+use crate::grid::{Exponent, Family, Held, Scene};
+use crate::report::Unit;
+use crate::theory::{DOUBLE, Form};
+use crate::trial::Trial;
+
+/// Every function of `mdr_analytic::double`, also where its result is out of the range of f64.
+pub(super) const DOUBLE_PRECISION: Check = Check {
+    name: "double-precision",
+    claim: "f64 functions against 400 bits: two ulp, or the log10 of what f64 cannot hold",
+    equations: &["1.4", "1.5", "1.6", "1.10", "1.12", "1.13", "1.15", "1.16", "1.17", "1.19"],
+    forms: DOUBLE_FORMS,
+    unit: Unit::Ulp,
+    cases: [120, 1200, 12_000],
+    case,
+};
+
+const DOUBLE_FORMS: &[Form] = &double_forms();
+
+const fn double_forms() -> [Form; DOUBLE.len()] {
+    let mut forms = [Form::Double(DOUBLE[0]); DOUBLE.len()];
+    let mut i = 0;
+    while i < forms.len() {
+        forms[i] = Form::Double(DOUBLE[i]);
+        i += 1;
+    }
+    forms
+}
+
+/// What the functions promise.
+const PROMISED_ULP: f64 = 2.0;
+
+/// Enough for 1/2 ± 2⁻⁵⁰, for ln a of any size and for what cancels in d, F and their slopes.
+const REFERENCE_BITS: u32 = 400;
+
+/// One comparison: the name of the function, its result, and the reference.
+struct Pair {
+    name: &'static str,
+    found: Result<Ranged<f64>>,
+    expected: Result<Float>,
+}
+
+fn pair(name: &'static str, found: Result<Ranged<f64>>, expected: Result<Float>) -> Pair {
+    Pair { name, found, expected }
+}
+
+/// The three quantities of a state.
+fn state(name: &'static str, found: Result<Critical<Ranged<f64>>>, expected: Result<Critical<Float>>) -> Vec<Pair> {
+    let split = |quantity: fn(&Critical<Ranged<f64>>) -> Ranged<f64>, exact: fn(&Critical<Float>) -> Float| {
+        pair(
+            name,
+            found.as_ref().map(quantity).map_err(Error::clone),
+            expected.as_ref().map(exact).map_err(Error::clone),
+        )
+    };
+    vec![
+        split(|s| s.contact_radius, |s| s.contact_radius.clone()),
+        split(|s| s.indentation, |s| s.indentation.clone()),
+        split(|s| s.force, |s| s.force.clone()),
+    ]
+}
+
+fn case(trial: &mut Trial<'_>) -> Result<()> {
+    let held = trial.held();
+    let round = trial.index;
+    if round % 6 == 5 {
+        return scale_free(trial, held);
+    }
+    let exponent = trial.exponent(round, Family::up_to(50));
+    let mut scene: Scene<f64> = trial.scene(round, exponent, held.lambda(), ());
+    // Every fourth coefficient is off by decades: results leave the range of f64.
+    if round % 4 == 3 {
+        let off = trial.uniform(-3.0, 3.0);
+        scene.c *= 10_f64.powf(off);
+        trial.describe_also(format_args!("C times 10^{off:e}"));
+    }
+    let stretch = (trial.uniform(-1.0, 1.0) / (scene.n + 1.0)).exp();
+    let (n, c, material) = (scene.n, scene.c, scene.material()?);
+    let exact = wide(&scene)?;
+    let control = held.control::<f64>();
+    let found = double::critical(n, c, &material, &control);
+    let Ok(Critical { contact_radius: Ranged::Value(radius), .. }) = found else {
+        return enter(trial, state("double::critical", found, exact.critical(&held.control())));
+    };
+    let a = radius * stretch;
+    let (x, profile) = (float(a), exact.profile());
+    let d = n.mul_add(a, -a);
+    let mut pairs = state("double::critical", found, exact.critical(&held.control()));
+    pairs.extend([
+        pair("double::kappa", double::kappa(n).map(Ranged::Value), Ok(profile.kappa().clone())),
+        pair("double::g", double::g(n, c, a), profile.g(&x)),
+        pair("double::g_slope", double::g_slope(n, c, a), profile.slope(&x)),
+        pair("double::g_integral", double::g_integral(n, c, a), profile.integral(&x)),
+        pair(
+            "double::detachment_elongation",
+            double::detachment_elongation(&material, a),
+            exact.detachment_elongation(&x),
+        ),
+        pair("double::indentation", double::indentation(n, c, &material, a), exact.indentation(&x)),
+        pair("double::force", double::force(n, c, &material, a), exact.force(&x)),
+        pair("double::indentation_slope", double::indentation_slope(n, c, &material, a), exact.indentation_slope(&x)),
+        pair("double::force_slope", double::force_slope(n, c, &material, a), exact.force_slope(&x)),
+        pair("double::energy", double::energy(n, c, &material, a, d), exact.energy(&x, &float(d))),
+        pair(
+            "double::universal_indentation",
+            double::universal_indentation(n, stretch),
+            mdr_analytic::universal_indentation(&float(n), &float(stretch)),
+        ),
+        pair(
+            "double::universal_force",
+            double::universal_force(n, stretch),
+            mdr_analytic::universal_force(&float(n), &float(stretch)),
+        ),
+        pair(
+            "double::radius_at_zero_indentation",
+            double::radius_at_zero_indentation(n, c, &material),
+            exact.radius_at_zero_indentation(),
+        ),
+    ]);
+    if n > 0.5 {
+        pairs.push(pair(
+            "double::energy_lost_at_pull_off",
+            double::energy_lost_at_pull_off(n, c, &material),
+            exact.energy_lost_at_pull_off(),
+        ));
+        pairs.push(pair(
+            "double::energy_lost_at_jump_in",
+            double::energy_lost_at_jump_in(n, c, &material),
+            exact.energy_lost_at_jump_in(),
+        ));
+    } else {
+        pairs.push(pair(
+            "double::barrier_to_complete_contact",
+            double::barrier_to_complete_contact(n, c, &material),
+            exact.barrier_to_complete_contact(),
+        ));
+    }
+    pairs.extend(state(
+        "double::flat_punch_pull_off",
+        double::flat_punch_pull_off(a, &material),
+        mdr_analytic::flat_punch_pull_off(&x, exact.material()),
+    ));
+    let stiffness = 2.0 * scene.e_star * a;
+    if (n - 0.5).abs() > 0.03 {
+        let folds = double::machine_folds(n, c, &material, stiffness)?;
+        let expected = exact.machine_folds(&float(stiffness))?;
+        trial.demand("the number of machine folds", folds.len() == expected.len());
+        for (fold, exact) in folds.into_iter().zip(expected) {
+            pairs.push(pair("double::machine_folds", Ok(fold.contact_radius), Ok(exact.contact_radius)));
+            pairs.push(pair("double::machine_folds", Ok(fold.indentation), Ok(exact.indentation)));
+            pairs.push(pair("double::machine_folds", Ok(fold.force), Ok(exact.force)));
+        }
+    }
+    enter(trial, pairs)
+}
+
+fn scale_free(trial: &mut Trial<'_>, held: Held) -> Result<()> {
+    let exponent = Exponent::Fraction(1, 2);
+    let scales = trial.scales::<f64>(trial.index, exponent);
+    let rho = 2_f64.powf(trial.uniform(-3.0, 3.0));
+    let scene: Scene<f64> = trial.planted(exponent, rho, scales, ());
+    let (c, material, a) = (scene.c, scene.material()?, scales.radius);
+    let exact = wide(&scene)?;
+    let mut pairs =
+        state("double::scale_free_state", double::scale_free_state(c, &material, a), exact.scale_free_state(&float(a)));
+    pairs.push(pair("double::ratio", double::ratio(c, &material), exact.ratio()));
+    let threshold = mdr_analytic::threshold(exact.material(), &held.control());
+    pairs.push(pair("double::threshold", double::threshold(&material, &held.control()), Ok(threshold)));
+    trial.demand("fate", double::fate(c, &material, &held.control())? == exact.fate(&held.control())?);
+    enter(trial, pairs)
+}
+
+fn float(x: f64) -> Float {
+    Float::from_f64(Precision::new(REFERENCE_BITS), x)
+}
+
+/// The same contact at 400 bits.
+fn wide(scene: &Scene<f64>) -> Result<Contact<Float>> {
+    let material = Material::new(float(scene.e_star), float(scene.work))?;
+    Ok(Contact::new(PowerLaw::new(float(scene.n), float(scene.c))?, material))
+}
+
+fn enter(trial: &mut Trial<'_>, pairs: Vec<Pair>) -> Result<()> {
+    for Pair { name, found, expected } in pairs {
+        let (log10, exact) = match (found?, expected) {
+            (Ranged::Value(value), expected) => {
+                let (value, expected) = (trial.theory.double(name, value), expected?);
+                let error = if value == 0.0 && expected == 0 { 0.0 } else { ulps(value, &expected) };
+                trial.enter(name, error, PROMISED_ULP);
+                continue;
+            }
+            (Ranged::Overflow { log10 } | Ranged::Underflow { log10 }, Ok(expected)) => (log10, expected.abs().log10()),
+            // Towards n = 1/2 some results, or what they come from, are out of the range of MPFR, too.
+            (Ranged::Overflow { .. } | Ranged::Underflow { .. }, Err(Error::OutOfRange { .. })) => continue,
+            (_, Err(error)) => return Err(error),
+        };
+        trial.demand(format!("{name} is out of range"), exact.to_f64().abs() > 307.0);
+        // The quotient by ln 10 and the rounding of ln 10, on both sides.
+        trial.enter(format!("log10 of {name}"), ulps(log10, &exact), PROMISED_ULP + 2.0);
+    }
+    Ok(())
+}

@@ -1,0 +1,115 @@
+//! Griffith's route: the potential energy by quadrature of quadratures, without the rule of Heß.
+
+use mdr_core::contact::{Control, Equilibrium, Result, Transform};
+use mdr_numeric::curve::Curve;
+use mdr_numeric::energy::Energy;
+use mdr_numeric::equilibrium::Branches;
+use rug::Float;
+
+use super::Check;
+use super::folds::transform;
+use crate::arithmetic::Arithmetic;
+use crate::grid::{Exponent, Family, Scene};
+use crate::report::Unit;
+use crate::theory::Form;
+use crate::trial::Trial;
+
+/// Π, the energy release rate and the work lost in jumps.
+///
+/// The numerical energy meets 128 u of its integrand, or where the inner quadrature is noisier 64 times that. With
+/// V = (|d|+g)/Δl the integrands v² and v² + 2v x g'/Δl are below V²(1+2n), on the scale where πa²w is ½ and the release
+/// rate of an equilibrium is 1.
+pub(super) const POTENTIAL: Check = Check {
+    name: "energy-quadrature",
+    claim: "Π, release rate 1 at d(a), work lost at pull-off against quadrature of the energy",
+    equations: &["1.5", "1.6", "1.13"],
+    forms: &[Form::Energy, Form::Indentation, Form::PullOffLoss, Form::CriticalIndentation],
+    unit: Unit::Roundoffs,
+    cases: [32, 200, 2000],
+    // Quadrature of quadrature: one case in eight is in arbitrary precision.
+    case: |trial| {
+        let (round, precision) = (trial.index / 8, trial.precision);
+        match trial.index % 8 {
+            7 => potential::<Float>(trial, round, precision),
+            turn => potential::<f64>(trial, 7 * round + turn, ()),
+        }
+    },
+};
+
+/// Equilibria as stationary points of the energy against those by the rule of Heß.
+///
+/// Between half of d_c and d_c only, and n > 1/4: far from the fold the terms of a nearly Hertzian contact cancel to less
+/// than a percent, and the search of the energy route, on integrals that coarse, passes such equilibria by.
+///
+/// The first are known to the tolerance above over the derivative of the release rate, d ln/d ln a of ((g−d)/Δl)².
+pub(super) const ROUTES: Check = Check {
+    name: "energy-route-against-force-route",
+    claim: "stationary points of Π against equilibria by the rule of Heß: number, stability, radii",
+    equations: &["1.5", "1.7", "1.8", "1.9"],
+    forms: &[],
+    unit: Unit::Roundoffs,
+    cases: [12, 60, 600],
+    case: routes,
+};
+
+/// What the numerical energy meets, in u of its integrand.
+const ENERGY: f64 = 64.0 * 128.0;
+
+fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let exponent = trial.exponent(round, Family { least: 0.05, most: 12.0, nearest: 20 });
+    let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);
+    let (contact, material) = (scene.contact()?, scene.material()?);
+    let transform = transform(&scene)?;
+    let energy = Energy::new(&transform, &material)?;
+    let critical = trial.theory.critical(&contact, &Control::Indentation)?;
+    let n = scene.n.approx();
+    let stretch = R::from_f64(ctx, trial.uniform(-1.0, 1.0)) / (scene.n.clone() + scene.n.lit(1));
+    let a = critical.contact_radius.clone() * stretch.exp();
+    let d = trial.theory.indentation(&contact, &a)?;
+    let size = |a: &R, d: &R| -> Result<f64> {
+        let elongation = contact.detachment_elongation(a)?;
+        let terms = (d.abs() + contact.indentation(a)?.abs() + &elongation) / elongation;
+        Ok(terms.approx().powi(2) * (1.0 + 2.0 * n))
+    };
+    let unit = |a: &R| a.pi() * a * a * &scene.work;
+
+    let allowed = ENERGY * size(&a, &d)?;
+    let closed = trial.theory.energy(&contact, &a, &d)?;
+    trial.compare_on("Π", &closed, &energy.potential(&a, &d)?, &unit(&a), 2.0 * allowed);
+    trial.compare("release rate", &energy.release(&a, &d)?, &a.lit(1), 2.0 * allowed);
+
+    let excess = (2.0 * n - 1.0).abs();
+    let tangent = scene.tangent(1.0, &critical.contact_radius);
+    if n > 0.5 {
+        let (a, d) = (&critical.contact_radius, &critical.indentation);
+        let lost = trial.theory.energy_lost_at_pull_off(&contact)?;
+        // a_c is off by the closed form's error, which moves the lost work by twice that, times its own small factor.
+        let allowed = 2.0 * ENERGY * size(a, d)? + 2.0 * excess * tangent.radius();
+        trial.compare_on("pull-off", &lost, &energy.potential(a, d)?, &unit(a), allowed);
+    }
+    Ok(())
+}
+
+fn routes(trial: &mut Trial<'_>) -> Result<()> {
+    let n = if trial.index.is_multiple_of(3) { trial.uniform(0.25, 0.42) } else { trial.uniform(0.6, 5.0) };
+    let exponent = Exponent::Double(n);
+    let scene: Scene<f64> = trial.scene(trial.index, exponent, 1.0, ());
+    let (contact, material) = (scene.contact()?, scene.material()?);
+    let share = trial.uniform(0.5, 0.9);
+    let value = contact.critical(&Control::Indentation)?.indentation * share;
+    trial.describe_also(format_args!("d = {share:e} d_c"));
+    let transform = transform(&scene)?;
+    let by_force = Branches::new(Curve::new(&transform, &material, &Control::Indentation))?.equilibria(&value)?;
+    let by_energy = Energy::new(&transform, &material)?.equilibria(&Control::Indentation, &value)?;
+    let stabilities = |states: &[Equilibrium<f64>]| -> Vec<_> { states.iter().map(|state| state.stability).collect() };
+    trial.demand("number and stability", stabilities(&by_force) == stabilities(&by_energy));
+    for (force, energy) in by_force.iter().zip(&by_energy) {
+        let a = force.contact_radius;
+        let elongation = contact.detachment_elongation(&a)?;
+        let terms = (value.abs() + contact.profile().g(&a)? + elongation) / elongation;
+        let rate = 2.0 * (contact.indentation_slope(&a)? * a / elongation).abs();
+        let allowed = 2.0 * ENERGY * terms.powi(2) * (1.0 + 2.0 * n) / rate;
+        trial.compare("a", &energy.contact_radius, &a, allowed);
+    }
+    Ok(())
+}
