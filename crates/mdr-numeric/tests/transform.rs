@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Error, Profile, Transform};
-use mdr_core::number::{Lift, Real};
+use mdr_core::number::Lift;
 use mdr_numeric::profiles::{Cone, Paraboloid, Power, RoundedPunch, Sphere, WavyParaboloid};
 use mdr_numeric::transform::{Quadrature, Rule};
 use proptest::prelude::*;
@@ -143,7 +143,7 @@ proptest! {
 #[cfg(feature = "mp")]
 #[test]
 fn fifty_digits() {
-    use mdr_core::number::Precision;
+    use mdr_core::number::{Precision, Real};
     use rug::Float;
     let like = Float::from_int(Precision::from_digits(50), 1);
     let cone = Quadrature::new(Cone::new(like.clone()).unwrap());
