@@ -1,11 +1,12 @@
 //! The closed forms in `f64`, right to the last place wherever the result is representable.
 //!
-//! Each function runs the generic formula of this crate in extended precision ([`Wide`]), first with one word, whose error
-//! bound suffices for ordinary inputs, then, where it does not promise the last place, with two and four words: near
-//! n = 1/2, near the zero of d(a) or F(a), at extreme ratios of scales. So nothing is lost near n = 1/2, nothing overflows on
-//! the way, and every result is within one ulp of the true value for the doubles given (0.6 ulp is typical for the worst of
-//! many), in the subnormal range too. A result beyond the range of `f64` is a [`Ranged::Overflow`] or
-//! [`Ranged::Underflow`] with its log₁₀. An exact zero is 0.
+//! Each function runs the generic formula of this crate in extended precision ([`Wide`](mdr_core::number::Wide)), first
+//! with one word, whose error bound suffices for ordinary inputs, then, where it does not promise the last place, with two
+//! and four words: near n = 1/2, near the zero of d(a) or F(a), at extreme ratios of scales. So nothing is lost near
+//! n = 1/2, nothing overflows on the way, and every result is within one ulp of the true value for the doubles given
+//! (0.6 ulp is typical for the worst of many), in the subnormal range too. A result beyond the range of `f64` is
+//! [`Overflow`](mdr_core::contact::Ranged::Overflow) or [`Underflow`](mdr_core::contact::Ranged::Underflow) with its
+//! log₁₀. An exact zero is 0.
 //!
 //! ```
 //! use mdr_analytic::double;
