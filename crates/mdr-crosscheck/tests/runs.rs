@@ -3,7 +3,7 @@
 use mdr_crosscheck::{Level, MergeError, Options, Report, Shard, Verdict, run};
 
 fn few(shard: Shard) -> Options {
-    Options { shard, limit: Some(25), ..Options::at(Level::Quick) }
+    Options { shard, limit: Some(5), ..Options::at(Level::Quick) }
 }
 
 #[test]
