@@ -1,19 +1,18 @@
 //! Instabilities: the folds of the controlled quantity along the curve of equilibria.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Result, Transform};
+use mdr_core::contact::{Control, FoldKind, Instability, Material, Result, Transform};
 use mdr_core::number::Real;
 
 use crate::curve::Curve;
-use crate::survey::{self, Crossing, Range};
+use crate::survey::{self, Range};
 
 /// How far a search can be trusted. Neither is a proof: that needs enclosures of g over intervals of radii.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Completeness {
     /// Not proved; but the function was resolved everywhere in the range of radii, or kept a margin from the condition.
     Resolved,
-    /// Not proved, and somewhere the function could not be resolved or evaluated: folds may be missing there. So it is for
-    /// a wavy profile by quadrature, whose transform is not to be had far beyond a hundred waves.
+    /// Not proved, and somewhere the function could not be resolved or evaluated: folds may be missing.
     Doubtful,
 }
 
@@ -63,34 +62,18 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
         kinks: curve.transform().kinks(),
         outer: curve.transform().outer_radius(),
     };
-    let survey = survey::survey(&range, |a| ratio(curve, a));
+    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a));
+    let survey = survey::survey(&range, ratio);
     let mut folds = Vec::with_capacity(survey.crossings.len());
-    let mut resolved = survey.resolved;
     for crossing in &survey.crossings {
-        match refine(curve, crossing) {
-            Ok(Some(fold)) => folds.push(fold),
-            Ok(None) => {}
-            // Too many waves for the quadrature between two radii where it still converges.
-            Err(Error::NoConvergence { .. }) => resolved = false,
-            Err(error) => return Err(error),
-        }
+        let excess = |a: &R| Ok(ratio(a)? - a.lit(1));
+        let Some(bracket) = Bracket::new(&crossing.lower, &crossing.upper, excess)? else { continue };
+        let contact_radius = roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value;
+        let (indentation, force) = curve.state(&contact_radius)?;
+        // The derivative of the controlled quantity has the sign of ratio − 1.
+        let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
+        folds.push(Instability { contact_radius, indentation, force, kind });
     }
-    let completeness = if resolved { Completeness::Resolved } else { Completeness::Doubtful };
+    let completeness = if survey.resolved { Completeness::Resolved } else { Completeness::Doubtful };
     Ok(Folds { folds, completeness })
-}
-
-/// The ratio of g'/Δl' to its value at a fold. Its excess over one has the sign of the derivative of the controlled
-/// quantity.
-fn ratio<R: Real>(curve: &Curve<'_, R>, a: &R) -> Result<R> {
-    Ok(curve.tangency(a)? / curve.threshold(a))
-}
-
-/// The fold at a crossing, with the state there.
-fn refine<R: Real>(curve: &Curve<'_, R>, crossing: &Crossing<R>) -> Result<Option<Instability<R>>> {
-    let excess = |a: &R| Ok(ratio(curve, a)? - a.lit(1));
-    let Some(bracket) = Bracket::new(&crossing.lower, &crossing.upper, excess)? else { return Ok(None) };
-    let contact_radius = roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value;
-    let (indentation, force) = curve.state(&contact_radius)?;
-    let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
-    Ok(Some(Instability { contact_radius, indentation, force, kind }))
 }

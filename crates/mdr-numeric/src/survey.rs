@@ -56,8 +56,7 @@ const CEILING: f64 = 600.0;
 
 /// Finds the crossings of `ratio` through one.
 pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Survey<R> {
-    let mut search =
-        Search { scale: &range.scale, ratio, crossings: Vec::new(), resolved: true, blind: false, panels: 0 };
+    let mut search = Search { scale: &range.scale, ratio, crossings: Vec::new(), resolved: true, panels: 0 };
     let mut edge: Option<Sample> = None;
     for (lower, upper) in panels(range) {
         let (first, last) = search.panel(lower, upper);
@@ -68,10 +67,6 @@ pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>)
             search.push(before, after);
         }
         edge = last;
-        // Where a thousand waves are too many to integrate over, a million are as well.
-        if search.blind && lower >= 0.0 {
-            break;
-        }
     }
     search.crossings.sort_by(|a, b| a.lower.partial_cmp(&b.lower).unwrap_or(std::cmp::Ordering::Equal));
     Survey { crossings: search.crossings, resolved: search.resolved }
@@ -131,8 +126,6 @@ struct Search<'a, R, F> {
     ratio: F,
     crossings: Vec<Crossing<R>>,
     resolved: bool,
-    /// Whether the last panel had no sample at all for another reason than its being out of range.
-    blind: bool,
     panels: usize,
 }
 
@@ -163,8 +156,7 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
     }
 
     fn samples(&mut self, lower: f64, upper: f64) -> [Option<Sample>; DEGREE + 1] {
-        let mut failures = 0;
-        let samples = std::array::from_fn(|i| {
+        std::array::from_fn(|i| {
             let share = match i {
                 0 => 0.0,
                 DEGREE => 1.0,
@@ -175,14 +167,11 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
                 Ok(ratio) => sample(t, &ratio),
                 Err(Error::OutOfRange { .. } | Error::Domain { .. }) => None,
                 Err(_) => {
-                    failures += 1;
+                    self.resolved = false;
                     None
                 }
             }
-        });
-        self.resolved &= failures == 0;
-        self.blind = failures == DEGREE + 1;
-        samples
+        })
     }
 
     /// Every sign change between neighbours.
@@ -221,33 +210,28 @@ enum Verdict {
     Open,
 }
 
-/// A panel that reaches out of the range of the arithmetic, or into radii where the ratio cannot be had: unless what is
-/// known keeps its margin, halved until what is left does not matter, and read sample by sample.
+/// A panel that reaches out of the range of the arithmetic, or into radii where the ratio cannot be had: halved until what
+/// is left does not matter, and read sample by sample.
 fn outside(known: &[Sample], width: f64) -> Verdict {
-    if known.is_empty() || known.len() > DEGREE / 2 && keep_away(known) {
+    if known.is_empty() {
         Verdict::Empty
-    } else if width < 0.03 {
+    } else if width < 1e-3 {
         Verdict::Monotone
     } else {
         Verdict::Open
     }
 }
 
-/// Whether the samples are on one side of the crossing, by more than twice the largest step between them.
-fn keep_away(samples: &[Sample]) -> bool {
-    let one_sided = samples.windows(2).all(|pair| pair[0].above == pair[1].above);
-    let margin = samples.iter().fold(f64::MAX, |margin: f64, sample| margin.min(sample.level.abs()));
-    let step = samples.windows(2).fold(0.0, |step: f64, pair| step.max((pair[1].level - pair[0].level).abs()));
-    one_sided && margin > 1.0 + 2.0 * step
-}
-
 fn settle(samples: &[Sample]) -> Verdict {
-    if keep_away(samples) {
-        return Verdict::Empty;
-    }
     let levels: Vec<f64> = samples.iter().map(|sample| sample.level).collect();
     let (smallest, largest) = levels.iter().fold((f64::MAX, f64::MIN), |(s, l), &x| (s.min(x), l.max(x)));
     let one_sided = samples.windows(2).all(|pair| pair[0].above == pair[1].above);
+    let margin = levels.iter().fold(f64::MAX, |m, x| m.min(x.abs()));
+    let step = levels.windows(2).fold(0.0, |step: f64, pair| step.max((pair[1] - pair[0]).abs()));
+    if one_sided && margin > 1.0 + 2.0 * step {
+        return Verdict::Empty;
+    }
+
     let spread = largest - smallest;
     let noise = 64.0 * f64::EPSILON;
     let coefficients = chebyshev(&levels);

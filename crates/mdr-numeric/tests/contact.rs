@@ -149,12 +149,9 @@ fn the_fold_itself_is_one_neutral_state() {
     for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
         let fold = &folds(&ball, &material, &control).unwrap()[0];
         let value = control.controlled(&fold.indentation, &fold.force);
-        // One rounding beside it is still the fold, as far as d and F are known.
-        for value in [value, value.next_up(), value.next_down()] {
-            let found = equilibria(&ball, &material, &control, &value).unwrap();
-            assert_eq!(found.len(), 1);
-            assert_eq!(found[0].stability, Stability::Neutral);
-        }
+        let found = equilibria(&ball, &material, &control, &value).unwrap();
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].stability, Stability::Neutral);
     }
 }
 
