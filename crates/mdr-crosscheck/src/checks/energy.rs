@@ -56,6 +56,7 @@ pub(super) const ROUTES: Check = Check {
 const ENERGY: f64 = 64.0 * 128.0;
 
 fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    // Steeper profiles are left out: near n = 26 the quadrature of (d − g)² can end without convergence and says so.
     let exponent = trial.exponent(round, Family { least: 0.05, most: 12.0, nearest: 20 });
     let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);
     let (contact, material) = (scene.contact()?, scene.material()?);
