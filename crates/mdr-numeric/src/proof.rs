@@ -90,9 +90,8 @@ impl<'a> EnclosedCurve<'a> {
     /// A kink of g. Where the condition changes its sign there, the fold is the kink itself; either way the gap that was
     /// cut out around it is not proved free of other folds.
     fn kink(&self, kink: &Interval, before: &Float, after: &Float, found: &mut ProvedFolds) -> Result<()> {
-        let sides = [before, after].map(|side| self.condition(&Interval::point(side.clone())));
-        let [left, right] = sides;
-        let (left, right) = (left?, right?);
+        let beside = |side: &Float| self.condition(&Interval::point(side.clone()));
+        let (left, right) = (beside(before)?, beside(after)?);
         found.evaluations += 2;
         let zero = left.lit(0);
         let kind = if left < zero && right > zero {
@@ -115,10 +114,11 @@ impl<'a> EnclosedCurve<'a> {
     /// # Errors
     /// [`Error::Undecided`] when the enclosure of the derivative contains zero; as [`Curve::tangency`].
     pub fn sharpen(&self, fold: &Instability<Interval>) -> Result<Instability<Interval>> {
-        let radius = if fold.contact_radius.is_point() { None } else { self.zero(&fold.contact_radius)? };
-        match radius {
+        if fold.contact_radius.is_point() {
+            return self.state(fold.contact_radius.clone(), fold.kind);
+        }
+        match self.zero(&fold.contact_radius)? {
             Some(radius) => self.state(radius, fold.kind),
-            None if fold.contact_radius.is_point() => self.state(fold.contact_radius.clone(), fold.kind),
             None => Err(Error::Undecided {
                 quantity: Quantity::ContactRadius,
                 bits: self.precision().bits(),
