@@ -41,7 +41,7 @@ impl<R: Real> Contact<R> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless k is positive and finite; [`Error::Undecided`] when an interval cannot tell how many
-    /// there are, and for dual numbers over intervals, whose slopes the proof does not cover; [`Error::OutOfRange`].
+    /// there are; [`Error::OutOfRange`].
     pub fn machine_folds(&self, stiffness: &R) -> Result<Vec<Instability<R>>> {
         let stiffness = Error::require_positive(Quantity::Stiffness, stiffness.clone())?;
         let fold = |tangency: Tangency<R>| {
@@ -199,13 +199,15 @@ impl<R: Real> Balance<R> {
 
     /// The root in a piece: approximately first, then by a Newton step over a neighbourhood that has to contain its own
     /// image. For an interval type that proves existence and uniqueness; for the others the steps polish, and carry the
-    /// derivatives of a dual number (the second step those of second and third order).
+    /// derivatives of a dual number (the second step those of second and third order). Over intervals the derivative is
+    /// enclosed too: that of u − φ(u)/φ'(u) with respect to u is φφ''/φ'², which encloses 0 where u encloses the root, so
+    /// it does not matter how well the slope of u was known.
     fn root(&self, piece: &Piece<R>) -> Result<R> {
         let guess = self.steered().approximate_root(piece);
         let residual = self.value(&guess) / self.derivative(&guess);
         let mut radius = residual.abs().steer().times(4) + tolerance(&guess).times(8);
         for _ in 0..8 {
-            let image = self.newton(&guess, &guess.clone().inflate(&radius));
+            let image = self.newton(&guess, &guess.clone().inflate_with_slope(&radius));
             if (image.clone() - &guess).abs() <= radius {
                 return Ok(self.newton(&image, &image));
             }

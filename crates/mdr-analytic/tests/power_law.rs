@@ -386,13 +386,16 @@ mod arithmetics {
         let difference: Float = (above.value - below.value) * Float::with_val(300, Float::parse("5e19").unwrap());
         let relative: Float = difference / &here.slope - 1u32;
         assert!(relative.abs() < 1e-30);
-        // Over intervals the proof of the root says nothing about its slope: an error, not a number.
+        // Over intervals derivative and value are enclosures: n in 9/10 ± 2⁻⁹⁶.
         let one = Interval::from_int(Precision::new(100), 1);
+        let n = one.ratio(9, 10).inflate(&one.lit(2).powi(-96));
         let contact = Contact::new(
-            PowerLaw::new(Dual::variable(one.clone()), Dual::constant(one.clone())).unwrap(),
+            PowerLaw::new(Dual::variable(n), Dual::constant(one.clone())).unwrap(),
             Material::new(Dual::constant(one.clone()), Dual::constant(one.clone())).unwrap(),
         );
-        assert!(matches!(contact.machine_folds(&Dual::constant(one)), Err(Error::Undecided { .. })));
+        let enclosed = contact.machine_folds(&Dual::constant(one)).unwrap()[0].contact_radius.clone();
+        assert!(enclosed.value.contains(&here.value) && enclosed.slope.contains(&here.slope));
+        assert!(enclosed.value.accuracy_bits() > 80 && enclosed.slope.accuracy_bits() > 60);
     }
 
     #[test]

@@ -5,8 +5,9 @@
 use mdr_analytic::profiles::*;
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Result, Transform};
-use mdr_core::number::{Dual, Precision, Real};
+use mdr_core::number::{Dual, Interval, Precision, Real};
 use rug::Float;
+use rug::float::Round;
 
 const BITS: u32 = 240;
 /// Each closed form is a few dozen operations; near an edge or a zero it may lose up to 40 of the 240 bits at the test
@@ -67,6 +68,53 @@ fn slopes_are_derivatives_and_integrals_are_antiderivatives() {
             assert_close(&format!("{name}: g at {text}"), &integral.slope, &profile.g(&x).unwrap());
             assert_close(&format!("{name}: g' at {text}"), &g.slope, &profile.slope(&x).unwrap());
         }
+    }
+}
+
+/// Every closed form over cells of radii, with its slope, against points in them at 240 bits; the cells are of relative
+/// width 2⁻³ to 2⁻³⁰ and come as close to an edge as they are wide.
+#[test]
+fn enclosures_with_slopes_contain_what_they_should() {
+    let seed = number("1");
+    let sharp = library(&Dual::constant(seed.clone())).unwrap();
+    let one = Interval::from_int(Precision::new(60), 1);
+    let enclosed = library(&Dual::constant(one.clone())).unwrap();
+    for ((name, sharp), (_, enclosed)) in sharp.iter().zip(&enclosed) {
+        let edge = sharp.kinks().first().map_or_else(|| seed.ratio(3, 7), |kink| kink.value.clone());
+        for octave in 3..=30 {
+            let width = seed.lit(2).powi(-octave);
+            for start in [1, 2, 5] {
+                let ends = [start, start + 1].map(|steps| edge.clone() * (seed.lit(1) + width.clone().times(steps)));
+                let end = |value: &Float, round| Float::with_val_round(60, value, round).0;
+                let cell = Interval::new(end(&ends[0], Round::Up), end(&ends[1], Round::Down));
+                let moving = Dual::variable(cell.clone());
+                let parts =
+                    [enclosed.g(&moving), enclosed.slope(&moving), enclosed.integral(&moving)].map(Result::unwrap);
+                for share in 0..=4 {
+                    let x = Float::with_val(BITS, cell.upper() - cell.lower()) * share / 4u32 + cell.lower();
+                    let x = Dual::variable(x);
+                    let points = [sharp.g(&x), sharp.slope(&x), sharp.integral(&x)].map(Result::unwrap);
+                    for (part, point) in parts.iter().zip(points) {
+                        assert!(part.value.contains(&point.value), "{name} at {:?}: {part:?}", x.value);
+                        assert!(part.slope.contains(&point.slope), "{name} at {:?}: {part:?}", x.value);
+                        assert!(part.slope.is_finite(), "{name} at {:?}", x.value);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The slope of the slope of a rounded punch, 1/q > 0 beside its edge: the truncated series keeps its sign.
+#[test]
+fn a_truncated_series_proves_monotonicity() {
+    let one = Dual::constant(Interval::from_int(Precision::new(64), 1));
+    let punch = RoundedPunch::new(one.lit(5), one.clone()).unwrap();
+    for octave in 10..40 {
+        let step = one.lit(2).powi(-octave);
+        let cell = (one.clone() + &step).value.hull(&(step.times(3).over(2) + &one).value);
+        let slope = punch.slope(&Dual::variable(cell)).unwrap();
+        assert!(slope.slope > one.value.lit(0), "2^-{octave}: {slope:?}");
     }
 }
 

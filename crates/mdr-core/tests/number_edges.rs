@@ -263,5 +263,11 @@ fn duals_over_intervals_claim_nothing_unproved() {
     let truncated = x.clone().inflate(&Dual::lift(&int(1).over(8)));
     assert_eq!(truncated.value.to_string(), interval(0.875, 1.125).to_string());
     assert!(!truncated.slope.is_finite());
+    let bound = Dual { value: int(1).over(8), slope: int(-1).over(4) };
+    let truncated = x.inflate_with_slope(&bound);
+    assert_eq!(truncated.value.to_string(), interval(0.875, 1.125).to_string());
+    assert_eq!(truncated.slope.to_string(), interval(0.75, 1.25).to_string());
+    let twice = Dual::variable(Dual::variable(int(1))).inflate_with_slope(&Dual::constant(bound));
+    assert!(twice.value.slope.is_finite() && twice.slope.value.is_finite() && !twice.slope.slope.is_finite());
     assert_eq!(Dual::variable(3.0).inflate(&Dual::constant(1.0)).slope, 1.0);
 }

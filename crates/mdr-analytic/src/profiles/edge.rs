@@ -55,7 +55,8 @@ pub(super) fn tangent_excess<R: Special>(t: &R, angle: &R) -> R {
 }
 
 /// Σ_{k≥1} s^{k+1} c_k t^{2k+1} for t < 1/8, where the closed forms above lose six bits and more to cancellation; None
-/// for other t. The coefficients c_k = p/q fall with k, so what is left after a term is below 1/63 of that term.
+/// for other t. The coefficients c_k = p/q fall with k, so what is left after a term is below 1/63 of that term; so do
+/// (2k+1)c_k or they stay the same, so that the derivatives obey the same bound.
 fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i64)) -> Option<R> {
     if !(*t < t.ratio(1, 8)) {
         return None;
@@ -75,7 +76,7 @@ fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i
         let last = term(&power, k);
         sum += &last;
         if !(last.abs().steer() > negligible) {
-            return Some(sum.inflate(&last.over(63)));
+            return Some(sum.inflate_with_slope(&last.over(63)));
         }
     }
 }

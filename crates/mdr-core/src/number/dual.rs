@@ -243,6 +243,10 @@ impl<R: Real> Real for Dual<R> {
         let unknown = bound.value.lit(1).over(0);
         Dual { value: self.value.inflate(&bound.value), slope: self.slope.inflate(&unknown) }
     }
+    /// Of two derivatives the first is kept; nothing is known of the second.
+    fn inflate_with_slope(self, bound: &Self) -> Self {
+        Dual { value: self.value.inflate_with_slope(&bound.value), slope: self.slope.inflate(&bound.slope) }
+    }
     fn steer(&self) -> Self {
         Dual::constant(self.value.steer())
     }

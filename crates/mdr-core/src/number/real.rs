@@ -133,6 +133,12 @@ pub trait Real:
         self
     }
 
+    /// As [`inflate`](Real::inflate), where the error and its derivative are at most |bound| and |bound'|: a dual number
+    /// over intervals keeps its slope, which grows by that of the bound.
+    fn inflate_with_slope(self, bound: &Self) -> Self {
+        self.inflate(bound)
+    }
+
     /// The value for steering an algorithm (pivots, brackets, stopping): itself for a floating type, the midpoint of an
     /// interval as a degenerate interval, a dual without its slope. A decision, never part of a result.
     fn steer(&self) -> Self {
