@@ -25,6 +25,11 @@ impl<'a, R: Real> Curve<'a, R> {
         self.transform
     }
 
+    /// The outer radius of a profile with a wall there.
+    pub fn wall(&self) -> Option<R> {
+        self.transform.outer_radius().filter(|_| self.transform.wall())
+    }
+
     /// What is controlled.
     pub fn control(&self) -> &'a Control<R> {
         self.control
@@ -104,6 +109,19 @@ impl<'a, R: Real> Curve<'a, R> {
         })
     }
 
+    /// Indentation and force at radius `a` while the controlled quantity is held at `value`, equilibrium or not.
+    ///
+    /// # Errors
+    /// As [`Curve::state`].
+    pub(crate) fn held_state(&self, a: &R, value: &R) -> Result<(R, R)> {
+        let d = self.held_indentation(a, value)?;
+        let force = match self.control {
+            Control::Force => value.clone(),
+            _ => self.force_in_range(a, &d)?,
+        };
+        Ok((d, force))
+    }
+
     /// The direction of change g(a) − d − Δl(a) with the controlled quantity held at `value`: the contact shrinks where
     /// it is positive (1.8), grows where it is negative (1.9) and is in equilibrium where it vanishes.
     ///
@@ -144,7 +162,13 @@ impl<'a, R: Real> Curve<'a, R> {
     /// As [`Transform::mean`]; [`Error::OutOfRange`] when the force is no number of this arithmetic.
     pub fn state(&self, a: &R) -> Result<(R, R)> {
         let d = self.indentation(a)?;
-        let force = self.force_at(a, &d)?;
+        let force = self.force_in_range(a, &d)?;
+        Ok((d, force))
+    }
+
+    /// As [`force_at`](Curve::force_at), or [`Error::OutOfRange`].
+    fn force_in_range(&self, a: &R, d: &R) -> Result<R> {
+        let force = self.force_at(a, d)?;
         let excess = d.clone() - self.transform.mean(a)?;
         let vanished = force == force.lit(0) && excess != excess.lit(0);
         if vanished || !force.is_finite() {
@@ -152,7 +176,7 @@ impl<'a, R: Real> Curve<'a, R> {
             let log10 = factors.iter().map(|x| x.ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
             return Err(Error::OutOfRange { quantity: Quantity::Force, log10 });
         }
-        Ok((d, force))
+        Ok(force)
     }
 }
 

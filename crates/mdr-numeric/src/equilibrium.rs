@@ -1,4 +1,4 @@
-//! Equilibria at a given value of the controlled quantity, and what an instability leads to.
+//! Equilibria at a given value of the controlled quantity.
 //!
 //! Between two folds the controlled quantity is monotone along the curve of equilibria, so each branch holds at most one
 //! equilibrium. Its stability is read from the direction of change, (1.8) and (1.9), on both sides.
@@ -6,11 +6,10 @@
 use std::cmp::Ordering;
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{
-    Control, Equilibrium, Error, FoldKind, Instability, Material, Outcome, Result, Stability, Transform,
-};
+use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Material, Result, Stability, Transform};
 use mdr_core::number::Real;
 
+use crate::branch::Branched;
 use crate::curve::Curve;
 use crate::folds::{self, Completeness};
 
@@ -64,11 +63,6 @@ impl<'a, R: Real> Branches<'a, R> {
         &self.curve
     }
 
-    /// The folds by increasing radius.
-    pub fn folds(&self) -> &[Instability<R>] {
-        &self.folds
-    }
-
     /// Whether there may be folds, and with them branches, that were not found.
     pub fn completeness(&self) -> Completeness {
         self.completeness
@@ -94,27 +88,6 @@ impl<'a, R: Real> Branches<'a, R> {
         Ok(found)
     }
 
-    /// What becomes of the contact at a fold, given by its index, when the controlled quantity goes a little beyond it:
-    /// it follows the direction of change to the next equilibrium. Past a minimum it shrinks, and has detached when there
-    /// is none; past a maximum it grows, and covers the whole surface when there is none.
-    ///
-    /// # Errors
-    /// Those of the transform. An index that does not exist has [`Outcome::Detached`].
-    pub fn outcome(&self, fold: usize) -> Result<Outcome<R>> {
-        let Some(start) = self.folds.get(fold) else { return Ok(Outcome::Detached) };
-        let value = self.curve.control().controlled(&start.indentation, &start.force);
-        let (ways, end): (Vec<usize>, _) = match start.kind {
-            FoldKind::Minimum => ((0..fold).rev().collect(), Outcome::Detached),
-            FoldKind::Maximum => ((fold + 2..=self.folds.len()).collect(), Outcome::CompleteContact),
-        };
-        for branch in ways {
-            if let Some(rest) = self.on_branch(branch, &value)? {
-                return Ok(Outcome::Jump { to: rest.contact_radius });
-            }
-        }
-        Ok(end)
-    }
-
     /// Whether `value` is that of the fold, up to the rounding of g, Δl and the mean of g.
     fn is_at(&self, fold: &Instability<R>, value: &R) -> bool {
         let control = self.curve.control();
@@ -133,16 +106,18 @@ impl<'a, R: Real> Branches<'a, R> {
         distance <= scale * value.unit_roundoff().times(8)
     }
 
-    /// The equilibrium on one branch, between the fold of index `branch − 1` and that of index `branch`.
-    fn on_branch(&self, branch: usize, value: &R) -> Result<Option<Equilibrium<R>>> {
-        let Some(Change { lower, upper, below }) = self.change(branch, value)? else { return Ok(None) };
-        let direction = |a: &R| self.curve.direction(a, value);
-        let Some(bracket) = Bracket::new(&lower, &upper, direction)? else { return Ok(None) };
-        let contact_radius = roots::refine(bracket, &lower.unit_roundoff(), direction)?.value;
-        let (indentation, force) = self.curve.state(&contact_radius)?;
-        // It grows below and shrinks above: back to the equilibrium.
-        let stability = if below == Ordering::Less { Stability::Stable } else { Stability::Unstable };
-        Ok(Some(Equilibrium { contact_radius, indentation, force, stability }))
+    /// The state at a wall, if the contact rests there at `value`.
+    fn at_wall(&self, value: &R) -> Result<Option<Equilibrium<R>>> {
+        let Some(wall) = self.curve.wall() else { return Ok(None) };
+        let grows = match self.folds.last().filter(|fold| fold.contact_radius == wall) {
+            Some(fold) => !self.is_at(fold, value) && self.curve.direction(&wall, value)? < value.lit(0),
+            None => self.curve.direction(&wall, value)? < value.lit(0),
+        };
+        if !grows {
+            return Ok(None);
+        }
+        let (indentation, force) = self.curve.held_state(&wall, value)?;
+        Ok(Some(Equilibrium { contact_radius: wall, indentation, force, stability: Stability::Stable }))
     }
 
     /// Where the direction of change turns on a branch.
@@ -209,6 +184,27 @@ impl<'a, R: Real> Branches<'a, R> {
             }
             octaves = if growing { octaves * 2 } else { octaves / 2 };
         }
+        match (way, self.curve.transform().outer_radius()) {
+            (Way::Up, Some(outer)) => self.approach(last, &outer, from, value),
+            _ => Ok(None),
+        }
+    }
+
+    /// The rest of a walk, towards the outer radius b: to b(1 − 2⁻¹), b(1 − 2⁻²), b(1 − 2⁻⁴), …, and to a wall itself.
+    fn approach(&self, mut last: R, outer: &R, from: Ordering, value: &R) -> Result<Option<Change<R>>> {
+        let halvings =
+            std::iter::successors(Some(1), |k| Some(2 * k)).take_while(|k| *k < i64::from(outer.precision()));
+        let steps = halvings.map(|k| outer.clone() - outer.lit(2).powi(-k) * outer).chain(self.curve.wall());
+        for step in steps {
+            if !(step > last) {
+                continue;
+            }
+            match self.turn(step, value)? {
+                Some((upper, turn)) if turn != from => return Ok(Some(Change { lower: last, upper, below: from })),
+                Some((step, _)) => last = step,
+                None => break,
+            }
+        }
         Ok(None)
     }
 
@@ -222,6 +218,40 @@ impl<'a, R: Real> Branches<'a, R> {
             Ok(change) => Ok(change.partial_cmp(&change.lit(0)).map(|_| (a, sign(&change)))),
             Err(Error::OutOfRange { .. } | Error::Domain { .. }) => Ok(None),
             Err(error) => Err(error),
+        }
+    }
+}
+
+impl<R: Real> Branched<R> for Branches<'_, R> {
+    fn control(&self) -> &Control<R> {
+        self.curve.control()
+    }
+
+    fn folds(&self) -> &[Instability<R>] {
+        &self.folds
+    }
+
+    fn on_branch(&self, branch: usize, value: &R) -> Result<Option<Equilibrium<R>>> {
+        if branch == self.folds.len()
+            && let Some(rest) = self.at_wall(value)?
+        {
+            return Ok(Some(rest));
+        }
+        let Some(Change { lower, upper, below }) = self.change(branch, value)? else { return Ok(None) };
+        let direction = |a: &R| self.curve.direction(a, value);
+        let Some(bracket) = Bracket::new(&lower, &upper, direction)? else { return Ok(None) };
+        let contact_radius = roots::refine(bracket, &lower.unit_roundoff(), direction)?.value;
+        let (indentation, force) = self.curve.state(&contact_radius)?;
+        // It grows below and shrinks above: back to the equilibrium.
+        let stability = if below == Ordering::Less { Stability::Stable } else { Stability::Unstable };
+        Ok(Some(Equilibrium { contact_radius, indentation, force, stability }))
+    }
+
+    fn compare(&self, value: &R, fold: &Instability<R>) -> Result<Ordering> {
+        let at_fold = self.control().controlled(&fold.indentation, &fold.force);
+        match value.partial_cmp(&at_fold) {
+            Some(order) if !self.is_at(fold, value) => Ok(order),
+            _ => Ok(Ordering::Equal),
         }
     }
 }

@@ -5,7 +5,7 @@ use mdr_core::contact::{Control, FoldKind, Instability, Material, Result, Transf
 use mdr_core::number::Real;
 
 use crate::curve::Curve;
-use crate::survey::{self, Range};
+use crate::survey::{self, Crossing, Range};
 
 /// How far a search can be trusted. Neither is a proof: that needs enclosures of g over intervals of radii.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +27,9 @@ pub struct Folds<R> {
 
 /// All folds by tangency: g'(a) = Δl'(a) (1.10) under controlled indentation, g' = 3Δl' under controlled force, and
 /// g' = Δl'·(k+6E*a)/(k+2E*a) on a machine. By increasing radius.
+///
+/// Where the curve is unstable up to a [wall](Transform::wall), the last fold is a minimum at the wall: the contact edge
+/// rests there when the controlled quantity is larger.
 ///
 /// At a fold the relative error of the radius is the error of g' over |d ln(g'/Δl')/d ln a|, n − 1/2 for a power law;
 /// indentation and force lose less.
@@ -63,17 +66,37 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
         outer: curve.transform().outer_radius(),
     };
     let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a));
-    let survey = survey::survey(&range, ratio);
+    let mut survey = survey::survey(&range, ratio);
+    let wall = curve.wall();
+    if let Some(wall) = &wall {
+        survey.crossings.extend(before_wall(wall, ratio)?);
+    }
     let mut folds = Vec::with_capacity(survey.crossings.len());
     for crossing in &survey.crossings {
         let excess = |a: &R| Ok(ratio(a)? - a.lit(1));
         let Some(bracket) = Bracket::new(&crossing.lower, &crossing.upper, excess)? else { continue };
         let contact_radius = roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value;
-        let (indentation, force) = curve.state(&contact_radius)?;
         // The derivative of the controlled quantity has the sign of ratio − 1.
         let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
-        folds.push(Instability { contact_radius, indentation, force, kind });
+        folds.push(fold(curve, contact_radius, kind)?);
+    }
+    if let Some(wall) = wall
+        && ratio(&wall)? < wall.lit(1)
+    {
+        folds.push(fold(curve, wall, FoldKind::Minimum)?);
     }
     let completeness = if survey.resolved { Completeness::Resolved } else { Completeness::Doubtful };
     Ok(Folds { folds, completeness })
+}
+
+fn fold<R: Real>(curve: &Curve<'_, R>, contact_radius: R, kind: FoldKind) -> Result<Instability<R>> {
+    let (indentation, force) = curve.state(&contact_radius)?;
+    Ok(Instability { contact_radius, indentation, force, kind })
+}
+
+/// The crossing between a wall and where the survey ends, if there is one.
+fn before_wall<R: Real>(wall: &R, ratio: impl Fn(&R) -> Result<R>) -> Result<Option<Crossing<R>>> {
+    let surveyed = wall.clone() - R::from_f64(wall.ctx(), survey::OUTER_MARGIN) * wall;
+    let [before, after] = [ratio(&surveyed)?, ratio(wall)?].map(|ratio| ratio >= ratio.lit(1));
+    Ok((before != after).then(|| Crossing { lower: surveyed, upper: wall.clone(), rising: after }))
 }

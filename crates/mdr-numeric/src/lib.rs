@@ -5,6 +5,7 @@
 //! * [`curve`]: the equilibria of (1.5) and (1.6) as a curve, and the direction of change off it.
 //! * [`folds`]: the instabilities, by tangency (1.10), under every control.
 //! * [`equilibrium`]: all equilibria at a given indentation, force or machine position, and what an instability leads to.
+//! * [`branch`]: the curve cut at its folds, as a loading path needs it.
 //! * [`energy`]: the same equilibria from the potential energy (Griffith).
 //! * [`springs`]: the elastic foundation of discrete springs, the paper's procedure taken literally.
 //! * [`fields`]: pressure, displacement, gap.
@@ -13,6 +14,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod branch;
 pub mod curve;
 pub mod energy;
 pub mod equilibrium;

@@ -129,6 +129,36 @@ impl<R: Real> Profile<R> for Sphere<R> {
     }
 }
 
+/// f = 0 up to a vertical flank at r = b: the flat punch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlatPunch<R> {
+    radius: R,
+}
+
+impl<R: Real> FlatPunch<R> {
+    /// From the radius b of the flat face (m).
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless it is positive and finite.
+    pub fn new(radius: R) -> Result<Self> {
+        Ok(FlatPunch { radius: Error::require_positive(Quantity::Parameter("the radius of the flat face"), radius)? })
+    }
+}
+
+impl<R: Real> Profile<R> for FlatPunch<R> {
+    fn height<S: Lift<R>>(&self, r: &S) -> S {
+        r.lit(0)
+    }
+
+    fn outer_radius(&self) -> Option<R> {
+        Some(self.radius.clone())
+    }
+
+    fn wall(&self) -> bool {
+        true
+    }
+}
+
 /// f = (r−b)²/2R for r > b, else 0: the flat punch with a rounded edge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RoundedPunch<R> {

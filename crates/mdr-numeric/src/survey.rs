@@ -47,7 +47,7 @@ const REACH: f64 = 1_048_576.0;
 const FINEST: f64 = 1e-7;
 /// How close in ln a the search comes to a kink, and to the outer radius, where quadrature loses its digits.
 const KINK_MARGIN: f64 = 1e-12;
-const OUTER_MARGIN: f64 = 1e-6;
+pub(crate) const OUTER_MARGIN: f64 = 1e-6;
 /// Panels, a bound on the work.
 const BUDGET: usize = 20_000;
 /// Levels below this are compressed, so that a ratio may pass through zero.

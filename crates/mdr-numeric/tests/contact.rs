@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Material, Outcome, Stability};
+use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::{Branches, equilibria};
 use mdr_numeric::folds::{Completeness, find, folds};

@@ -7,7 +7,7 @@
 //! | module | profiles | source |
 //! |---|---|---|
 //! | [`smooth`] | cone, paraboloid, sphere, ellipsoid, hyperboloid | Heß 2011; Popov, Heß & Willert 2019 |
-//! | [`punch`] | truncated cone and paraboloid, rounded-edge punch | ibid. |
+//! | [`punch`] | flat punch, truncated cone and paraboloid, rounded-edge punch | ibid. |
 //! | [`capped`] | cone with parabolic and with spherical cap | ibid. |
 //! | [`concave`] | displaced paraboloid, parabolic and elliptical dimple | ibid. |
 //! | [`wavy`] | paraboloid with concentric waves | Guduru 2007 |
@@ -33,7 +33,7 @@ pub mod wavy;
 
 pub use capped::{ParabolicCapCone, SphericalCapCone};
 pub use concave::{DisplacedParaboloid, EllipticalDimple, ParabolicDimple};
-pub use punch::{RoundedPunch, TruncatedCone, TruncatedParaboloid};
+pub use punch::{FlatPunch, RoundedPunch, TruncatedCone, TruncatedParaboloid};
 pub use smooth::{Cone, Ellipsoid, Hyperboloid, Paraboloid, Sphere};
 pub use sum::Sum;
 pub use wavy::WavyParaboloid;
@@ -53,21 +53,23 @@ trait ClosedForm<R: Special> {
     fn end(&self) -> Option<&R> {
         None
     }
+    /// Whether it ends with a vertical flank; its formulas then hold at the end too.
+    fn wall(&self) -> bool {
+        false
+    }
     /// The radius where its formula changes.
     fn edge(&self) -> Option<&R> {
         None
     }
-}
-
-/// Passes a radius on when it lies in (0, end).
-fn checked<'a, R: Real>(x: &'a R, end: Option<&R>) -> Result<&'a R> {
-    let inside = *x > x.lit(0) && x.is_finite();
-    match end {
-        _ if !inside => Err(Error::domain(Quantity::Radius, x, "positive and finite")),
-        Some(end) if !(x < end) => {
-            Err(Error::domain(Quantity::Radius, x, "smaller than the radius where the profile ends"))
-        }
-        _ => Ok(x),
+    /// Passes a radius on when it lies in (0, end), or at the end with a wall.
+    fn checked<'a>(&self, x: &'a R) -> Result<&'a R> {
+        let requirement = match self.end() {
+            _ if !(*x > x.lit(0) && x.is_finite()) => "positive and finite",
+            Some(end) if self.wall() && !(x <= end) => "no larger than the radius where the profile ends",
+            Some(end) if !self.wall() && !(x < end) => "smaller than the radius where the profile ends",
+            _ => return Ok(x),
+        };
+        Err(Error::domain(Quantity::Radius, x, requirement))
     }
 }
 
@@ -91,16 +93,19 @@ macro_rules! transform {
     ($bound:path: $($profile:ident),*) => {$(
         impl<R: $bound> mdr_core::contact::Transform<R> for $profile<R> {
             fn g(&self, x: &R) -> mdr_core::contact::Result<R> {
-                $crate::profiles::regular(x, self.g_at($crate::profiles::checked(x, self.end())?))
+                $crate::profiles::regular(x, self.g_at(self.checked(x)?))
             }
             fn slope(&self, x: &R) -> mdr_core::contact::Result<R> {
-                $crate::profiles::regular(x, self.slope_at($crate::profiles::checked(x, self.end())?))
+                $crate::profiles::regular(x, self.slope_at(self.checked(x)?))
             }
             fn integral(&self, x: &R) -> mdr_core::contact::Result<R> {
-                $crate::profiles::regular(x, self.integral_at($crate::profiles::checked(x, self.end())?))
+                $crate::profiles::regular(x, self.integral_at(self.checked(x)?))
             }
             fn outer_radius(&self) -> Option<R> {
                 self.end().cloned()
+            }
+            fn wall(&self) -> bool {
+                ClosedForm::wall(self)
             }
             fn kinks(&self) -> Vec<R> {
                 self.edge().cloned().into_iter().collect()

@@ -1,4 +1,4 @@
-//! Punches with an edge: truncated cone, truncated paraboloid, rounded-edge flat punch.
+//! Punches with an edge: flat punch, truncated cone, truncated paraboloid, rounded-edge flat punch.
 
 use mdr_core::contact::Result;
 use mdr_core::number::Special;
@@ -6,7 +6,51 @@ use mdr_core::number::Special;
 use super::edge::{Edge, tangent_excess};
 use super::{ClosedForm, positive, transform};
 
-transform!(TruncatedCone, TruncatedParaboloid, RoundedPunch);
+transform!(FlatPunch, TruncatedCone, TruncatedParaboloid, RoundedPunch);
+
+/// The flat punch f = 0 for r < b with a vertical flank at b: g = 0 for x ≤ b (Kendall 1971). The edge of the contact can
+/// rest at the flank.
+///
+/// ```
+/// use mdr_analytic::profiles::FlatPunch;
+/// use mdr_core::contact::Transform;
+/// let punch = FlatPunch::new(2.0)?;
+/// assert_eq!((punch.g(&2.0)?, punch.wall()), (0.0, true));
+/// assert!(punch.g(&2.1).is_err());
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct FlatPunch<R> {
+    radius: R,
+}
+
+impl<R: Special> FlatPunch<R> {
+    /// A flat-ended cylinder of the given `radius` b.
+    ///
+    /// # Errors
+    /// Unless it is positive and finite.
+    pub fn new(radius: R) -> Result<Self> {
+        Ok(FlatPunch { radius: positive("radius", radius)? })
+    }
+}
+
+impl<R: Special> ClosedForm<R> for FlatPunch<R> {
+    fn g_at(&self, x: &R) -> R {
+        x.lit(0)
+    }
+    fn slope_at(&self, x: &R) -> R {
+        x.lit(0)
+    }
+    fn integral_at(&self, x: &R) -> R {
+        x.lit(0)
+    }
+    fn end(&self) -> Option<&R> {
+        Some(&self.radius)
+    }
+    fn wall(&self) -> bool {
+        true
+    }
+}
 
 /// The truncated cone f = (r − b) tan θ for r > b, 0 inside: g = x tan θ arccos(b/x) for x > b (Ejike 1981).
 #[derive(Clone, Debug)]

@@ -33,6 +33,11 @@ impl<R: Special> Transform<R> for Sum<R> {
         let ends = self.terms.iter().filter_map(|term| term.outer_radius());
         ends.reduce(|a, b| if b < a { b } else { a })
     }
+    fn wall(&self) -> bool {
+        let Some(end) = self.outer_radius() else { return false };
+        let mut last = self.terms.iter().filter(|term| term.outer_radius().is_some_and(|outer| !(outer > end)));
+        last.all(|term| term.wall())
+    }
     fn kinks(&self) -> Vec<R> {
         let mut kinks: Vec<R> = self.terms.iter().flat_map(|term| term.kinks()).collect();
         kinks.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));

@@ -26,6 +26,15 @@ impl<R: Real> Control<R> {
         Ok(Control::Machine { stiffness: Error::require_positive(Quantity::Stiffness, stiffness)? })
     }
 
+    /// What the controlled quantity is.
+    pub fn quantity(&self) -> Quantity {
+        match self {
+            Control::Indentation => Quantity::Indentation,
+            Control::Force => Quantity::Force,
+            Control::Machine { .. } => Quantity::MachinePosition,
+        }
+    }
+
     /// The value of the controlled quantity in a state with indentation `d` and force `f`.
     pub fn controlled(&self, d: &R, f: &R) -> R {
         match self {

@@ -33,6 +33,8 @@ pub enum Quantity {
     Indentation,
     /// F, in N.
     Force,
+    /// D = d + F/k, in m.
+    MachinePosition,
     /// A radius in the plane of contact, in m.
     Radius,
     /// κ_n.
@@ -68,6 +70,7 @@ impl fmt::Display for Quantity {
             Quantity::ContactRadius => "the contact radius a",
             Quantity::Indentation => "the indentation depth d",
             Quantity::Force => "the normal force F",
+            Quantity::MachinePosition => "the machine position D",
             Quantity::Radius => "the radius r",
             Quantity::Kappa => "the factor κ_n",
             Quantity::TransformedProfile => "the transformed profile g",

@@ -34,6 +34,11 @@ pub trait Profile<R: Real>: Send + Sync {
         None
     }
 
+    /// Whether it rises vertically at its outer radius, where f is the limit from inside.
+    fn wall(&self) -> bool {
+        false
+    }
+
     /// The exponent p of f(r) ≈ c rᵖ at the tip where it is known. It selects the quadrature weight that is exact there.
     fn tip_exponent(&self) -> Option<R> {
         None

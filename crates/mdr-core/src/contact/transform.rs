@@ -39,6 +39,12 @@ pub trait Transform<R: Real>: Send + Sync {
         None
     }
 
+    /// Whether the profile rises vertically at its outer radius, so that the edge of the contact can rest there at any
+    /// larger indentation. If so, g, g' and ∫g are defined at the outer radius too, as limits from inside.
+    fn wall(&self) -> bool {
+        false
+    }
+
     /// Radii where g or a derivative of it jumps, ascending.
     fn kinks(&self) -> Vec<R> {
         Vec::new()

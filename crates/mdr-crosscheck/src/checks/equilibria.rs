@@ -1,6 +1,7 @@
 //! Equilibria and their stability on both sides of a fold.
 
 use mdr_core::contact::{Outcome, Result, Stability};
+use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use rug::Float;

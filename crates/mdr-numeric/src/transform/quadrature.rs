@@ -135,7 +135,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
             return Err(Error::domain(Quantity::Radius, x, "positive and finite"));
         }
         match self.profile.outer_radius() {
-            Some(outer) if *x >= outer => {
+            Some(outer) if *x > outer || (*x == outer && !self.profile.wall()) => {
                 Err(Error::domain(Quantity::Radius, x, "below the outer radius of the profile"))
             }
             _ => Ok(()),
@@ -306,6 +306,10 @@ impl<R: Special, P: Profile<R>> Transform<R> for Quadrature<R, P> {
 
     fn outer_radius(&self) -> Option<R> {
         self.profile.outer_radius()
+    }
+
+    fn wall(&self) -> bool {
+        self.profile.wall()
     }
 
     fn kinks(&self) -> Vec<R> {
