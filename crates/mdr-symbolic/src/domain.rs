@@ -1,0 +1,53 @@
+//! Where in n a statement is made.
+
+use rug::Rational;
+
+/// The values of n for which a statement is made. Every other symbol is positive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Domain {
+    /// n > 0.
+    Positive,
+    /// n > 1/2: the contact breaks.
+    Above,
+    /// 0 < n < 1/2: the contact becomes complete.
+    Below,
+    /// n = 1/2: nothing sets a length.
+    Half,
+}
+
+impl Domain {
+    /// As text.
+    pub fn text(self) -> &'static str {
+        match self {
+            Domain::Positive => "n > 0",
+            Domain::Above => "n > 1/2",
+            Domain::Below => "0 < n < 1/2",
+            Domain::Half => "n = 1/2",
+        }
+    }
+
+    /// Whether n is a single number.
+    pub(crate) fn is_point(self) -> bool {
+        self == Domain::Half
+    }
+
+    /// The ends of the interval; no upper end means all larger numbers.
+    pub(crate) fn bounds(self) -> (Rational, Option<Rational>) {
+        let half = || Rational::from((1, 2));
+        match self {
+            Domain::Positive => (Rational::new(), None),
+            Domain::Above => (half(), None),
+            Domain::Below => (Rational::new(), Some(half())),
+            Domain::Half => (half(), Some(half())),
+        }
+    }
+
+    /// Some number of the domain.
+    pub(crate) fn sample(self) -> Rational {
+        match self {
+            Domain::Positive | Domain::Above => Rational::from(1),
+            Domain::Below => Rational::from((1, 4)),
+            Domain::Half => Rational::from((1, 2)),
+        }
+    }
+}

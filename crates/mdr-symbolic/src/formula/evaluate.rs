@@ -1,0 +1,132 @@
+//! Evaluation in any arithmetic, without this crate knowing one.
+
+use rug::Rational;
+
+use super::{Formula, Function};
+use crate::domain::Domain;
+use crate::error::Result;
+use crate::expression::Expression;
+use crate::monomial::Base;
+use crate::polynomial::Polynomial;
+use crate::quotient::Quotient;
+use crate::rational_function::RationalFunction;
+use crate::symbol::Symbol;
+
+/// An arithmetic with a point: values for n and for every symbol. Rigorous intervals make a value an enclosure.
+pub trait Arithmetic {
+    /// A number.
+    type Value: Clone;
+
+    /// An exact rational.
+    fn rational(&self, value: &Rational) -> Self::Value;
+    /// π.
+    fn pi(&self) -> Self::Value;
+    /// n.
+    fn n(&self) -> Self::Value;
+    /// The value of a symbol.
+    fn symbol(&self, symbol: Symbol) -> Self::Value;
+    /// left + right.
+    fn add(&self, left: &Self::Value, right: &Self::Value) -> Self::Value;
+    /// left · right.
+    fn multiply(&self, left: &Self::Value, right: &Self::Value) -> Self::Value;
+    /// left / right.
+    fn divide(&self, left: &Self::Value, right: &Self::Value) -> Self::Value;
+    /// base^exponent for an integer exponent.
+    fn integer_power(&self, base: &Self::Value, exponent: i32) -> Self::Value;
+    /// base^exponent for a positive base.
+    fn power(&self, base: &Self::Value, exponent: &Self::Value) -> Self::Value;
+    /// A function outside the algebra.
+    fn function(&self, function: Function, arguments: &[Self::Value]) -> Self::Value;
+    /// ∫₀^{π/2} integrand dθ.
+    fn quarter_turn(&self, integrand: &Formula) -> Self::Value;
+}
+
+/// The value of a formula. Derivatives, integrals and substitutions are carried out exactly first.
+///
+/// # Errors
+/// As [`Formula::normalise`] for those.
+pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A) -> Result<A::Value> {
+    let of = |formula: &Formula| evaluate(formula, domain, arithmetic);
+    let combine = |parts: &[Formula], start: i32, join: fn(&A, &A::Value, &A::Value) -> A::Value| {
+        parts.iter().try_fold(arithmetic.rational(&Rational::from(start)), |total, part| {
+            Ok(join(arithmetic, &total, &of(part)?))
+        })
+    };
+    Ok(match formula {
+        Formula::Number(value) => arithmetic.rational(value),
+        Formula::N => arithmetic.n(),
+        Formula::Pi => arithmetic.pi(),
+        Formula::Symbol(symbol) => arithmetic.symbol(*symbol),
+        Formula::Name(definition) => of(&definition.formula()?)?,
+        Formula::Negative(inner) => arithmetic.multiply(&arithmetic.rational(&Rational::from(-1)), &of(inner)?),
+        Formula::Sum(terms) => combine(terms, 0, A::add)?,
+        Formula::Product(factors) => combine(factors, 1, A::multiply)?,
+        Formula::Quotient(above, below) => arithmetic.divide(&of(above)?, &of(below)?),
+        Formula::Power(base, exponent) => match integer(exponent, domain) {
+            Some(exponent) => arithmetic.integer_power(&of(base)?, exponent),
+            None => arithmetic.power(&of(base)?, &of(exponent)?),
+        },
+        Formula::Root(inner) => arithmetic.power(&of(inner)?, &arithmetic.rational(&Rational::from((1, 2)))),
+        Formula::Derivative(..) | Formula::Integral(..) | Formula::At(..) => {
+            evaluate_quotient(&formula.normalise(domain)?, arithmetic)
+        }
+        Formula::Function(function, arguments) => {
+            let arguments = arguments.iter().map(of).collect::<Result<Vec<_>>>()?;
+            arithmetic.function(*function, &arguments)
+        }
+        Formula::QuarterTurn(integrand) => arithmetic.quarter_turn(integrand),
+    })
+}
+
+/// The integer that an exponent is.
+fn integer(exponent: &Formula, domain: Domain) -> Option<i32> {
+    exponent.normalise(domain).ok()?.as_function()?.as_integer()?.to_i32()
+}
+
+/// The value of a normal form.
+pub fn evaluate_quotient<A: Arithmetic>(quotient: &Quotient, arithmetic: &A) -> A::Value {
+    let above = evaluate_expression(quotient.numerator(), arithmetic);
+    match quotient.as_expression() {
+        Some(_) => above,
+        None => arithmetic.divide(&above, &evaluate_expression(quotient.denominator(), arithmetic)),
+    }
+}
+
+/// The value of a sum in normal form.
+pub fn evaluate_expression<A: Arithmetic>(expression: &Expression, arithmetic: &A) -> A::Value {
+    let mut sum = arithmetic.rational(&Rational::new());
+    for (coefficient, monomial) in expression.terms() {
+        let mut product = function(coefficient, arithmetic);
+        for (base, exponent) in monomial.powers() {
+            let base = match base {
+                Base::Prime(prime) => arithmetic.rational(&Rational::from(*prime)),
+                Base::Factor(factor) => polynomial(factor, arithmetic),
+                Base::Pi => arithmetic.pi(),
+                Base::Symbol(symbol) => arithmetic.symbol(*symbol),
+            };
+            let power = match exponent.as_integer().and_then(|integer| integer.to_i32()) {
+                Some(integer) => arithmetic.integer_power(&base, integer),
+                None => arithmetic.power(&base, &function(exponent, arithmetic)),
+            };
+            product = arithmetic.multiply(&product, &power);
+        }
+        sum = arithmetic.add(&sum, &product);
+    }
+    sum
+}
+
+fn function<A: Arithmetic>(function: &RationalFunction, arithmetic: &A) -> A::Value {
+    let above = polynomial(function.numerator(), arithmetic);
+    match function.denominator().degree() {
+        0 => above,
+        _ => arithmetic.divide(&above, &polynomial(function.denominator(), arithmetic)),
+    }
+}
+
+fn polynomial<A: Arithmetic>(polynomial: &Polynomial, arithmetic: &A) -> A::Value {
+    let n = arithmetic.n();
+    let horner = |sum: A::Value, coefficient: &Rational| {
+        arithmetic.add(&arithmetic.multiply(&sum, &n), &arithmetic.rational(coefficient))
+    };
+    polynomial.coefficients().iter().rev().fold(arithmetic.rational(&Rational::new()), horner)
+}

@@ -1,0 +1,93 @@
+//! Formulas as they are written: what is printed, brought to normal form, evaluated and mutated is one and the same tree.
+
+mod definition;
+mod evaluate;
+mod from_normal_form;
+mod mutate;
+mod normalise;
+mod parse;
+
+use rug::Rational;
+
+use crate::symbol::Symbol;
+
+pub use definition::Definition;
+pub use evaluate::{Arithmetic, evaluate, evaluate_expression, evaluate_quotient};
+
+/// A formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Formula {
+    /// A number that is not negative.
+    Number(Rational),
+    /// n, the exponent of the profile.
+    N,
+    /// π.
+    Pi,
+    /// A symbol.
+    Symbol(Symbol),
+    /// Something defined elsewhere.
+    Name(Definition),
+    /// The opposite.
+    Negative(Box<Formula>),
+    /// A sum.
+    Sum(Vec<Formula>),
+    /// A product.
+    Product(Vec<Formula>),
+    /// A quotient.
+    Quotient(Box<Formula>, Box<Formula>),
+    /// Base and exponent.
+    Power(Box<Formula>, Box<Formula>),
+    /// A square root.
+    Root(Box<Formula>),
+    /// A derivative with respect to a symbol.
+    Derivative(Box<Formula>, Symbol),
+    /// ∫₀ over a symbol up to a bound.
+    Integral(Box<Formula>, Symbol, Box<Formula>),
+    /// A formula with a value in the place of a variable.
+    At(Box<Formula>, Variable, Box<Formula>),
+    /// A function outside the algebra, of which it knows a few values.
+    Function(Function, Vec<Formula>),
+    /// ∫₀^{π/2} of a formula in sinθ and cosθ over θ: for enclosures only.
+    QuarterTurn(Box<Formula>),
+}
+
+/// What can be replaced in a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variable {
+    /// n.
+    N,
+    /// A symbol.
+    Symbol(Symbol),
+}
+
+/// Functions beyond powers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// Euler's Γ: in normal form for n/2 plus a multiple of 1/2, and for multiples of 1/4.
+    Gamma,
+    /// κ of another exponent, which the algebra resolves into Γ.
+    Kappa,
+    /// The arithmetic-geometric mean of two numbers.
+    Agm,
+    /// The sine.
+    Sine,
+    /// The Struve function of order 0.
+    StruveH0,
+    /// The power series of the Struve function of order 0, from DLMF 11.2.1.
+    StruveSeries,
+    /// ₂F₁(1, b; c; 1/2).
+    Hypergeometric,
+}
+
+impl Function {
+    /// The functions by the names they have in a formula.
+    const NAMES: [(&'static str, Function, usize); 7] = [
+        ("Γ", Function::Gamma, 1),
+        ("kappa", Function::Kappa, 1),
+        ("agm", Function::Agm, 2),
+        ("sin", Function::Sine, 1),
+        ("H0", Function::StruveH0, 1),
+        ("H0series", Function::StruveSeries, 1),
+        ("f", Function::Hypergeometric, 2),
+    ];
+}

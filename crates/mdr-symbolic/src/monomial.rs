@@ -1,0 +1,208 @@
+//! Products of positive bases raised to exponents in Q(n).
+
+use std::collections::BTreeMap;
+use std::ops::Add;
+
+use rug::{Integer, Rational};
+
+use crate::domain::Domain;
+use crate::error::{Error, Result};
+use crate::polynomial::{Factors, Polynomial, prime_factors};
+use crate::rational_function::RationalFunction;
+use crate::symbol::Symbol;
+
+/// What is raised to a power. Each is positive on the domain.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Base {
+    /// A prime number.
+    Prime(u32),
+    /// An irreducible polynomial in n, with the sign that makes it positive on the domain.
+    Factor(Polynomial),
+    /// π.
+    Pi,
+    /// A symbol.
+    Symbol(Symbol),
+}
+
+/// A product of powers. Primes and polynomials stand with exponents whose constant part lies in [0, 1); their integer
+/// powers belong to the coefficient.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Monomial(BTreeMap<Base, RationalFunction>);
+
+/// A coefficient and a monomial.
+pub(crate) type Term = (RationalFunction, Monomial);
+
+impl Monomial {
+    /// The empty product.
+    pub fn one() -> Self {
+        Self::default()
+    }
+
+    /// The first power of π or of a symbol, which belong to no coefficient.
+    pub(crate) fn of(base: Base) -> Self {
+        Monomial(BTreeMap::from([(base, RationalFunction::constant(1))]))
+    }
+
+    /// Bases and exponents, in a fixed order.
+    pub fn powers(&self) -> impl Iterator<Item = (&Base, &RationalFunction)> {
+        self.0.iter()
+    }
+
+    /// The exponent of a symbol.
+    pub fn exponent(&self, symbol: Symbol) -> RationalFunction {
+        self.0.get(&Base::Symbol(symbol)).cloned().unwrap_or_else(|| RationalFunction::constant(0))
+    }
+
+    /// The same without a symbol.
+    pub(crate) fn without(&self, symbol: Symbol) -> Self {
+        let mut rest = self.clone();
+        rest.0.remove(&Base::Symbol(symbol));
+        rest
+    }
+
+    /// The product, with the coefficient that splits off.
+    pub(crate) fn times(&self, other: &Self) -> Result<Term> {
+        let mut powers = self.0.clone();
+        for (base, exponent) in &other.0 {
+            add_power(&mut powers, base.clone(), exponent);
+        }
+        split_off_integers(powers)
+    }
+
+    /// All exponents times a number of Q(n).
+    pub(crate) fn raised(&self, exponent: &RationalFunction) -> Result<Term> {
+        split_off_integers(self.0.iter().map(|(base, power)| (base.clone(), power * exponent)).collect())
+    }
+
+    /// A positive element of Q(n) raised to an exponent in Q(n).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] when it is not known to be positive on the domain, [`Error::Unfactored`].
+    pub(crate) fn power_of(value: &RationalFunction, exponent: &RationalFunction, domain: Domain) -> Result<Term> {
+        let mut powers = BTreeMap::new();
+        let mut positive = true;
+        for (polynomial, sense) in [(value.numerator(), 1), (value.denominator(), -1)] {
+            let Factors { content, factors } = polynomial.factors()?;
+            positive ^= content < 0;
+            let along = |multiplicity: u32| exponent * &RationalFunction::constant(sense * i64::from(multiplicity));
+            for (number, side) in [(content.numer(), 1), (content.denom(), -1)] {
+                for (prime, multiplicity) in prime_factors(&number.clone().abs())? {
+                    let power = along(multiplicity);
+                    add_power(&mut powers, Base::Prime(prime), &if side < 0 { -&power } else { power });
+                }
+            }
+            for (factor, multiplicity) in factors {
+                let sign = factor.sign_on(domain).filter(|sign| sign.is_ne());
+                let sign = sign.ok_or_else(|| not_positive(value, domain))?;
+                positive ^= sign.is_lt() && multiplicity % 2 == 1;
+                let factor = if sign.is_lt() { -&factor } else { factor };
+                add_power(&mut powers, Base::Factor(factor), &along(multiplicity));
+            }
+        }
+        if positive { split_off_integers(powers) } else { Err(not_positive(value, domain)) }
+    }
+
+    /// The monomial at a fixed n.
+    pub(crate) fn at_n(&self, n: &Rational) -> Result<Term> {
+        let mut coefficient = RationalFunction::constant(1);
+        let mut total = Monomial::one();
+        for (base, exponent) in &self.0 {
+            let exponent = RationalFunction::constant(exponent.evaluate(n)?);
+            let (factor, monomial) = match base {
+                Base::Factor(polynomial) => {
+                    let value = RationalFunction::constant(polynomial.evaluate(n));
+                    Self::power_of(&value, &exponent, Domain::Positive)?
+                }
+                Base::Symbol(symbol) => split_off_integers(special_values(*symbol, n, &exponent)?)?,
+                base => split_off_integers(BTreeMap::from([(base.clone(), exponent)]))?,
+            };
+            let (split, product) = total.times(&monomial)?;
+            coefficient = &(&coefficient * &factor) * &split;
+            total = product;
+        }
+        Ok((coefficient, total))
+    }
+}
+
+fn not_positive(value: &RationalFunction, domain: Domain) -> Error {
+    Error::NotPositive { base: crate::print::function_text(value), domain: domain.text() }
+}
+
+fn add_power(powers: &mut BTreeMap<Base, RationalFunction>, base: Base, exponent: &RationalFunction) {
+    let total = powers.entry(base).or_insert_with(|| RationalFunction::constant(0));
+    *total = total.add(exponent);
+}
+
+/// The normal form of a product of powers: no exponent 0, and integer powers of primes and polynomials split off.
+fn split_off_integers(powers: BTreeMap<Base, RationalFunction>) -> Result<Term> {
+    let mut coefficient = RationalFunction::constant(1);
+    let mut rest = BTreeMap::new();
+    for (base, exponent) in powers {
+        let value = match &base {
+            Base::Prime(prime) => Some(RationalFunction::constant(*prime)),
+            Base::Factor(polynomial) => Some(polynomial.clone().into()),
+            Base::Pi | Base::Symbol(_) => None,
+        };
+        let exponent = match value {
+            Some(value) => {
+                let whole = exponent.constant_part().floor();
+                let power = whole.numer().to_i32().ok_or_else(|| Error::Unfactored(format!("a power {whole}")))?;
+                coefficient = &coefficient * &value.power(power)?;
+                &exponent - &RationalFunction::constant(whole)
+            }
+            None => exponent,
+        };
+        if !exponent.is_zero() {
+            rest.insert(base, exponent);
+        }
+    }
+    Ok((coefficient, Monomial(rest)))
+}
+
+/// A symbol raised to a power where n is a given number: κ_n and the Gamma functions are known at positive integers, and
+/// refused elsewhere; other symbols do not depend on n.
+fn special_values(
+    symbol: Symbol,
+    n: &Rational,
+    exponent: &RationalFunction,
+) -> Result<BTreeMap<Base, RationalFunction>> {
+    let mut powers = BTreeMap::new();
+    let twice_argument = |shift: u32| integer_at_least_one(&Rational::from(n + shift));
+    match symbol {
+        Symbol::GAMMA_LOWER => gamma_of_half(twice_argument(0)?, exponent, &mut powers)?,
+        Symbol::GAMMA_UPPER => gamma_of_half(twice_argument(1)?, exponent, &mut powers)?,
+        Symbol::KAPPA => {
+            // κ_n = √π Γ(1 + n/2)/Γ((n+1)/2).
+            add_power(&mut powers, Base::Pi, &(exponent * &RationalFunction::ratio(1, 2)));
+            gamma_of_half(twice_argument(2)?, exponent, &mut powers)?;
+            gamma_of_half(twice_argument(1)?, &-exponent, &mut powers)?;
+        }
+        symbol => add_power(&mut powers, Base::Symbol(symbol), exponent),
+    }
+    Ok(powers)
+}
+
+fn integer_at_least_one(value: &Rational) -> Result<u32> {
+    let integer = if value.is_integer() { value.numer().to_u32() } else { None };
+    integer.filter(|m| (1..1000).contains(m)).ok_or_else(|| Error::Transcendental(format!("Γ({value}/2)")))
+}
+
+/// Γ(m/2)^exponent: (m/2−1)! for even m, √π (m−2)!!/2^{(m−1)/2} for odd m.
+fn gamma_of_half(m: u32, exponent: &RationalFunction, powers: &mut BTreeMap<Base, RationalFunction>) -> Result<()> {
+    let mut value = Rational::from(1);
+    let mut twice = m;
+    while twice > 2 {
+        twice -= 2;
+        value *= Rational::from((twice, 2));
+    }
+    if twice == 1 {
+        add_power(powers, Base::Pi, &(exponent * &RationalFunction::ratio(1, 2)));
+    }
+    for (number, sense) in [(value.numer(), 1), (value.denom(), -1)] {
+        for (prime, multiplicity) in prime_factors(&Integer::from(number))? {
+            let power = RationalFunction::constant(sense * i64::from(multiplicity));
+            add_power(powers, Base::Prime(prime), &(exponent * &power));
+        }
+    }
+    Ok(())
+}

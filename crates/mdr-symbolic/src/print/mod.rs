@@ -1,0 +1,38 @@
+//! Formulas for readers: as text, and in TeX for Markdown and LaTeX.
+
+mod tex;
+mod text;
+
+use rug::Rational;
+
+use crate::formula::Formula;
+use crate::rational_function::RationalFunction;
+
+/// An element of Q(n) as text.
+pub(crate) fn function_text(function: &RationalFunction) -> String {
+    Formula::from(function).text()
+}
+
+/// How tightly a formula binds: what is less tight than its surroundings needs brackets.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strength {
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+/// A number as a decimal where it is one, else as a fraction.
+fn number(value: &Rational) -> String {
+    let (mut scaled, mut places) = (value.clone(), 0usize);
+    while !scaled.is_integer() && places < 30 {
+        scaled *= 10u32;
+        places += 1;
+    }
+    if places == 0 || !scaled.is_integer() {
+        return value.to_string();
+    }
+    let digits = format!("{:0>width$}", scaled.numer().to_string(), width = places + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - places);
+    format!("{whole}.{fraction}")
+}

@@ -1,0 +1,133 @@
+//! Formulas in TeX, in the subset that GitHub renders.
+
+use super::{Strength, number};
+use crate::formula::{Formula, Function, Variable};
+use crate::symbol::Symbol;
+
+impl Formula {
+    /// The formula in TeX, without the dollars.
+    pub fn tex(&self) -> String {
+        match self {
+            Formula::Number(value) => tex_number(&number(value)),
+            Formula::N => "n".to_owned(),
+            Formula::Pi => r"\pi".to_owned(),
+            Formula::Symbol(symbol) => symbol.tex().to_owned(),
+            Formula::Name(definition) => definition.tex().to_owned(),
+            Formula::Negative(inner) => format!("-{}", within(inner, Strength::Product)),
+            Formula::Sum(terms) => sum(terms),
+            Formula::Product(factors) => product(factors),
+            Formula::Quotient(above, below) => format!(r"\frac{{{}}}{{{}}}", above.tex(), below.tex()),
+            Formula::Power(base, exponent) => power(base, exponent),
+            Formula::Root(inner) => format!(r"\sqrt{{{}}}", inner.tex()),
+            Formula::Derivative(inner, variable) => {
+                format!(r"\frac{{d}}{{d {}}} {}", variable.tex(), within(inner, Strength::Atom))
+            }
+            Formula::Integral(inner, variable, upper) => {
+                let integrand = within(inner, Strength::Product);
+                format!(r"\int_0^{{{}}} {integrand} \, d {}", upper.tex(), variable.tex())
+            }
+            Formula::At(inner, variable, value) => {
+                format!(r"\left[ {} \right]_{{{} = {}}}", inner.tex(), of(*variable), value.tex())
+            }
+            Formula::Function(Function::Hypergeometric, arguments) => {
+                let [b, c] = [&arguments[0], &arguments[1]].map(Formula::tex);
+                format!(r"{{}}_2F_1\left(1, {b}; {c}; \tfrac12\right)")
+            }
+            Formula::Function(Function::Kappa, arguments) => format!(r"\kappa_{{{}}}", arguments[0].tex()),
+            Formula::Function(function, arguments) => {
+                let arguments: Vec<_> = arguments.iter().map(Formula::tex).collect();
+                format!(r"{}\left({}\right)", name(*function), arguments.join(", "))
+            }
+            Formula::QuarterTurn(inner) => {
+                format!(r"\int_0^{{\pi/2}} {} \, d\theta", within(inner, Strength::Product))
+            }
+        }
+    }
+
+    fn tex_strength(&self) -> Strength {
+        match self {
+            Formula::Sum(_) | Formula::Negative(_) => Strength::Sum,
+            Formula::Product(_) | Formula::Integral(..) | Formula::QuarterTurn(_) => Strength::Product,
+            Formula::Derivative(..) => Strength::Product,
+            // A fraction stands for itself in a product, but not under an exponent.
+            Formula::Quotient(..) | Formula::Power(..) | Formula::Function(..) => Strength::Power,
+            Formula::Symbol(symbol) if decorated(*symbol) => Strength::Power,
+            Formula::Name(definition) if definition.tex().ends_with(')') => Strength::Power,
+            _ => Strength::Atom,
+        }
+    }
+}
+
+/// Symbols that already carry a superscript, or arguments.
+fn decorated(symbol: Symbol) -> bool {
+    symbol.tex().contains(['^', '\'', '(']) || symbol.tex().starts_with(r"\sin") || symbol.tex().starts_with(r"\cos")
+}
+
+fn within(formula: &Formula, needed: Strength) -> String {
+    if formula.tex_strength() < needed { format!(r"\left({}\right)", formula.tex()) } else { formula.tex() }
+}
+
+fn tex_number(text: &str) -> String {
+    match text.split_once('/') {
+        Some((above, below)) => format!(r"\frac{{{above}}}{{{below}}}"),
+        None => text.to_owned(),
+    }
+}
+
+fn sum(terms: &[Formula]) -> String {
+    let mut tex = String::new();
+    for (i, term) in terms.iter().enumerate() {
+        let (sign, part) = match term {
+            Formula::Negative(inner) => ("-", &**inner),
+            term => (if i == 0 { "" } else { "+" }, term),
+        };
+        let blank = if i == 0 { "" } else { " " };
+        tex += &format!("{blank}{sign}{blank}{}", within(part, Strength::Product));
+    }
+    tex
+}
+
+/// Factors side by side, with a dot before a digit.
+fn product(factors: &[Formula]) -> String {
+    let mut tex = String::new();
+    for factor in factors {
+        let part = within(factor, Strength::Power);
+        if !tex.is_empty() {
+            tex += if part.starts_with(|c: char| c.is_ascii_digit()) { r" \cdot " } else { " " };
+        }
+        tex += &part;
+    }
+    tex
+}
+
+fn power(base: &Formula, exponent: &Formula) -> String {
+    let exponent = match exponent {
+        // A fraction of two short parts is easier to read on one line.
+        Formula::Quotient(above, below) if plain(above) && plain(below) => format!("{}/{}", above.tex(), below.tex()),
+        exponent => exponent.tex(),
+    };
+    format!("{}^{{{exponent}}}", within(base, Strength::Atom))
+}
+
+fn plain(formula: &Formula) -> bool {
+    matches!(formula, Formula::Number(_) | Formula::N)
+}
+
+fn of(variable: Variable) -> &'static str {
+    match variable {
+        Variable::N => "n",
+        Variable::Symbol(symbol) => symbol.tex(),
+    }
+}
+
+fn name(function: Function) -> &'static str {
+    match function {
+        Function::Gamma => r"\Gamma",
+        Function::Kappa => r"\kappa",
+        Function::Agm => r"\operatorname{agm}",
+        Function::Sine => r"\sin",
+        Function::StruveH0 => r"\mathbf{H}_0",
+        Function::StruveSeries => r"\Sigma",
+        Function::Hypergeometric => "F",
+    }
+}

@@ -1,0 +1,163 @@
+//! Quotients of sums.
+
+use std::cmp::Ordering;
+
+use rug::Rational;
+
+use crate::domain::Domain;
+use crate::error::{Error, Result};
+use crate::expression::Expression;
+use crate::rational_function::RationalFunction;
+use crate::symbol::Symbol;
+
+/// A quotient of two expressions, compared by cross-multiplication. A denominator of one term is divided out.
+///
+/// The expressions are analytic functions on a connected domain, so their ring has no divisors of zero and
+/// P/Q = S/T exactly when PT = SQ.
+#[derive(Clone, Debug)]
+pub struct Quotient {
+    numerator: Expression,
+    denominator: Expression,
+}
+
+impl Quotient {
+    /// The quotient of two expressions.
+    ///
+    /// # Errors
+    /// [`Error::DivisionByZero`].
+    pub fn new(numerator: Expression, denominator: Expression) -> Result<Self> {
+        if denominator.is_zero() {
+            return Err(Error::DivisionByZero);
+        }
+        if denominator.len() > 1 {
+            return Ok(Quotient { numerator, denominator });
+        }
+        // An integer power asks for no sign.
+        let inverse = denominator.power(&RationalFunction::constant(-1), Domain::Positive)?;
+        Ok(numerator.times(&inverse)?.into())
+    }
+
+    /// The numerator.
+    pub fn numerator(&self) -> &Expression {
+        &self.numerator
+    }
+
+    /// The denominator: 1, or a sum of several terms.
+    pub fn denominator(&self) -> &Expression {
+        &self.denominator
+    }
+
+    /// The expression this is, without a denominator.
+    pub fn as_expression(&self) -> Option<&Expression> {
+        (self.denominator == Expression::integer(1)).then_some(&self.numerator)
+    }
+
+    /// The element of Q(n) this is.
+    pub fn as_function(&self) -> Option<RationalFunction> {
+        self.as_expression().and_then(Expression::as_function)
+    }
+
+    /// The sum.
+    ///
+    /// # Errors
+    /// As [`Expression::times`].
+    pub fn plus(&self, other: &Self) -> Result<Self> {
+        if self.denominator == other.denominator {
+            return Quotient::new(&self.numerator + &other.numerator, self.denominator.clone());
+        }
+        let numerator = &self.numerator.times(&other.denominator)? + &other.numerator.times(&self.denominator)?;
+        Quotient::new(numerator, self.denominator.times(&other.denominator)?)
+    }
+
+    /// The opposite.
+    pub fn negated(&self) -> Self {
+        Quotient { numerator: -&self.numerator, denominator: self.denominator.clone() }
+    }
+
+    /// The difference.
+    ///
+    /// # Errors
+    /// As [`Expression::times`].
+    pub fn minus(&self, other: &Self) -> Result<Self> {
+        self.plus(&other.negated())
+    }
+
+    /// The product.
+    ///
+    /// # Errors
+    /// As [`Expression::times`].
+    pub fn times(&self, other: &Self) -> Result<Self> {
+        let numerator = self.numerator.times(&other.numerator)?;
+        Quotient::new(numerator, self.denominator.times(&other.denominator)?)
+    }
+
+    /// This over another quotient.
+    ///
+    /// # Errors
+    /// [`Error::DivisionByZero`].
+    pub fn over(&self, other: &Self) -> Result<Self> {
+        self.times(&Quotient::new(other.denominator.clone(), other.numerator.clone())?)
+    }
+
+    /// The power with an exponent in Q(n).
+    ///
+    /// # Errors
+    /// As [`Expression::power`].
+    pub fn power(&self, exponent: &RationalFunction, domain: Domain) -> Result<Self> {
+        let negative = exponent.as_integer().is_some_and(|integer| integer < 0);
+        if negative {
+            let one = Quotient::from(Expression::integer(1));
+            return one.over(self)?.power(&-exponent, domain);
+        }
+        Quotient::new(self.numerator.power(exponent, domain)?, self.denominator.power(exponent, domain)?)
+    }
+
+    /// The derivative with respect to a symbol.
+    ///
+    /// # Errors
+    /// As [`Expression::derivative`].
+    pub fn derivative(&self, variable: Symbol) -> Result<Self> {
+        let rising = self.numerator.derivative(variable)?.times(&self.denominator)?;
+        let falling = self.numerator.times(&self.denominator.derivative(variable)?)?;
+        Quotient::new(&rising - &falling, self.denominator.times(&self.denominator)?)
+    }
+
+    /// This with `value` in the place of a symbol.
+    ///
+    /// # Errors
+    /// As [`Expression::substitute`]; [`Error::PowerOfSum`] when `value` has a denominator of several terms.
+    pub fn substitute(&self, symbol: Symbol, value: &Quotient, domain: Domain) -> Result<Self> {
+        let value = value.as_expression().ok_or_else(|| Error::PowerOfSum { exponent: "-1".to_owned() })?;
+        let numerator = self.numerator.substitute(symbol, value, domain)?;
+        Quotient::new(numerator, self.denominator.substitute(symbol, value, domain)?)
+    }
+
+    /// This at a fixed n.
+    ///
+    /// # Errors
+    /// As [`Expression::at_n`].
+    pub fn at_n(&self, n: &Rational) -> Result<Self> {
+        Quotient::new(self.numerator.at_n(n)?, self.denominator.at_n(n)?)
+    }
+
+    /// Whether the two are the same function. Decided.
+    ///
+    /// # Errors
+    /// As [`Expression::times`].
+    pub fn equals(&self, other: &Self) -> Result<bool> {
+        Ok(self.numerator.times(&other.denominator)? == other.numerator.times(&self.denominator)?)
+    }
+
+    /// The sign on the whole domain, where the signs of the coefficients decide it.
+    pub fn sign_on(&self, domain: Domain) -> Option<Ordering> {
+        let below = self.denominator.sign_on(domain).filter(|sign| sign.is_ne())?;
+        let above = self.numerator.sign_on(domain)?;
+        Some(if below.is_lt() { above.reverse() } else { above })
+    }
+}
+
+impl From<Expression> for Quotient {
+    fn from(numerator: Expression) -> Self {
+        Quotient { numerator, denominator: Expression::integer(1) }
+    }
+}

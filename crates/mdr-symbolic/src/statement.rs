@@ -1,0 +1,158 @@
+//! Statements about formulas, and how they are decided.
+
+use std::cmp::Ordering;
+use std::str::FromStr;
+
+use crate::domain::Domain;
+use crate::error::{Error, Result};
+use crate::formula::Formula;
+use crate::quotient::Quotient;
+
+/// What a statement says about its two sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// They are the same function.
+    Equal,
+    /// The left one is smaller everywhere.
+    Less,
+    /// The left one is larger everywhere.
+    Greater,
+    /// They have the same dimension.
+    SameDimension,
+}
+
+/// Two formulas and a relation.
+///
+/// ```
+/// use mdr_symbolic::{Decision, Domain, Statement};
+/// let corrected: Statement = "at(diff(d_n, a), a, (B/N^2)^(1/(2*n - 1))) = 0".parse()?;
+/// let printed: Statement = "at(diff(d_n, a), a, (B/N^2)^(1/(1 - 2*n))) = 0".parse()?;
+/// assert!(matches!(corrected.decide(Domain::Above), Decision::Proved { .. }));
+/// assert!(matches!(printed.decide(Domain::Above), Decision::Refuted { .. }));
+/// # Ok::<(), mdr_symbolic::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Statement {
+    /// The left side.
+    pub left: Formula,
+    /// What is said.
+    pub relation: Relation,
+    /// The right side.
+    pub right: Formula,
+}
+
+/// What exact algebra says to a statement on a domain.
+#[derive(Clone, Debug)]
+pub enum Decision {
+    /// It holds.
+    Proved {
+        /// Why: the common normal form, the difference that has a sign, or the common dimension.
+        because: String,
+    },
+    /// It does not hold.
+    Refuted {
+        /// Why: what remains of the difference, or the two dimensions.
+        because: String,
+    },
+    /// Algebra cannot tell: something lies outside it, or a sign is not that of every term.
+    Undecided(Undecided),
+}
+
+/// Why algebra cannot tell.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Undecided {
+    /// One side has no normal form.
+    NoNormalForm(Error),
+    /// The terms of the difference have different signs.
+    MixedSigns,
+}
+
+impl FromStr for Statement {
+    type Err = Error;
+
+    /// `left = right`, `left < right`, `left > right`, or `left ~ right` for the same dimension.
+    fn from_str(text: &str) -> Result<Self> {
+        let relations =
+            [('=', Relation::Equal), ('<', Relation::Less), ('>', Relation::Greater), ('~', Relation::SameDimension)];
+        for (sign, relation) in relations {
+            if let Some((left, right)) = text.split_once(sign) {
+                return Ok(Statement { left: left.parse()?, relation, right: right.parse()? });
+            }
+        }
+        Err(Error::Syntax { why: "no relation".to_owned(), text: text.to_owned() })
+    }
+}
+
+impl Statement {
+    /// Decides the statement on a domain, for all positive values of the symbols.
+    pub fn decide(&self, domain: Domain) -> Decision {
+        self.try_decide(domain).unwrap_or_else(|error| Decision::Undecided(Undecided::NoNormalForm(error)))
+    }
+
+    fn try_decide(&self, domain: Domain) -> Result<Decision> {
+        let (left, right) = (self.left.normalise(domain)?, self.right.normalise(domain)?);
+        if self.relation == Relation::SameDimension {
+            return Ok(same_dimension(&left, &right));
+        }
+        let difference = left.minus(&right)?;
+        if self.relation == Relation::Equal {
+            return Ok(if left.equals(&right)? {
+                Decision::Proved { because: Formula::from(&left).tex() }
+            } else {
+                Decision::Refuted { because: Formula::from(&difference).tex() }
+            });
+        }
+        let wanted = if self.relation == Relation::Less { Ordering::Less } else { Ordering::Greater };
+        let because = Formula::from(&difference).tex();
+        Ok(match difference.sign_on(domain) {
+            Some(sign) if sign == wanted => Decision::Proved { because },
+            Some(_) => Decision::Refuted { because },
+            None => Decision::Undecided(Undecided::MixedSigns),
+        })
+    }
+
+    /// All statements with one small mistake in one of the sides, or with the opposite sense.
+    pub fn mutants(&self) -> Vec<Statement> {
+        let with = |left: Formula, relation, right: Formula| Statement { left, relation, right };
+        match self.relation {
+            // Whether an inequality with another number still holds says nothing about this one.
+            Relation::Less => vec![with(self.left.clone(), Relation::Greater, self.right.clone())],
+            Relation::Greater => vec![with(self.left.clone(), Relation::Less, self.right.clone())],
+            Relation::SameDimension => Vec::new(),
+            Relation::Equal => {
+                let left = self.left.mutants().into_iter().map(|left| with(left, self.relation, self.right.clone()));
+                let right = self.right.mutants().into_iter().map(|right| with(self.left.clone(), self.relation, right));
+                left.chain(right).collect()
+            }
+        }
+    }
+
+    /// The statement as one line of text.
+    pub fn text(&self) -> String {
+        match self.relation {
+            Relation::Equal => format!("{} = {}", self.left.text(), self.right.text()),
+            Relation::Less => format!("{} < {}", self.left.text(), self.right.text()),
+            Relation::Greater => format!("{} > {}", self.left.text(), self.right.text()),
+            Relation::SameDimension => format!("dim {} = dim {}", self.left.text(), self.right.text()),
+        }
+    }
+
+    /// The statement in TeX, without the dollars.
+    pub fn tex(&self) -> String {
+        let (left, right) = (self.left.tex(), self.right.tex());
+        match self.relation {
+            Relation::Equal => format!("{left} = {right}"),
+            Relation::Less => format!(r"{left} \lt {right}"),
+            Relation::Greater => format!(r"{left} \gt {right}"),
+            Relation::SameDimension => format!(r"\left[{left}\right]_{{\dim}} = \left[{right}\right]_{{\dim}}"),
+        }
+    }
+}
+
+fn same_dimension(left: &Quotient, right: &Quotient) -> Decision {
+    let shown = |side: &Quotient| side.dimension().map_or_else(|| "none".to_owned(), |dimension| dimension.tex());
+    match (left.dimension(), right.dimension()) {
+        (Some(l), Some(r)) if l == r => Decision::Proved { because: l.tex() },
+        _ => Decision::Refuted { because: format!(r"{} \ne {}", shown(left), shown(right)) },
+    }
+}
