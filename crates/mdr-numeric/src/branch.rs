@@ -2,8 +2,10 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Outcome, Result};
+use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Outcome, Quantity, Result};
 use mdr_core::number::Real;
+
+use crate::curve::Curve;
 
 /// The curve of equilibria cut at its folds. Between two folds the controlled quantity is monotone, so each branch holds
 /// at most one equilibrium at a value.
@@ -40,6 +42,12 @@ pub trait Branched<R: Real> {
         })
     }
 
+    /// How contact begins at the tip; [`onset`] finds out.
+    ///
+    /// # Errors
+    /// Those of the transform; [`Error::Undecided`].
+    fn onset(&self) -> Result<Onset>;
+
     /// Whether equilibria on a branch are stable; none where no fold bounds it.
     fn is_stable(&self, branch: usize) -> Option<bool> {
         let below = branch.checked_sub(1).and_then(|fold| self.folds().get(fold));
@@ -55,22 +63,10 @@ pub trait Branched<R: Real> {
     fn landing(&self, fold: usize) -> Result<Option<(usize, Equilibrium<R>)>> {
         let Some(start) = self.folds().get(fold) else { return Ok(None) };
         let value = self.control().controlled(&start.indentation, &start.force);
-        let shrinks = start.kind == FoldKind::Minimum;
-        let mut next = if shrinks { fold.checked_sub(1) } else { Some(fold + 2) };
-        while let Some(branch) = next.filter(|branch| *branch <= self.folds().len()) {
-            // The near end of a stable branch is passed by; the value is on it if it does not reach the far end.
-            let far_end = if shrinks { branch.checked_sub(1) } else { Some(branch) };
-            let holds = match far_end.and_then(|end| self.folds().get(end)) {
-                Some(end) if shrinks => self.compare(&value, end)? == Ordering::Greater,
-                Some(end) => self.compare(&value, end)? == Ordering::Less,
-                None => true,
-            };
-            if holds && let Some(rest) = self.on_branch(branch, &value)? {
-                return Ok(Some((branch, rest)));
-            }
-            next = if shrinks { branch.checked_sub(2) } else { Some(branch + 2) };
+        match start.kind {
+            FoldKind::Minimum => seek(self, &value, fold.checked_sub(1), Way::Smaller),
+            FoldKind::Maximum => seek(self, &value, Some(fold + 2), Way::Larger),
         }
-        Ok(None)
     }
 
     /// What becomes of the contact at a fold when the controlled quantity goes a little beyond it: the radius of its
@@ -87,4 +83,81 @@ pub trait Branched<R: Real> {
             (None, _) => Outcome::Detached,
         })
     }
+}
+
+/// How a contact begins, a = d = F = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Onset {
+    /// The controlled quantity grows with the radius: contact grows smoothly from a point.
+    Smooth,
+    /// It falls: once they touch, the surfaces jump into contact.
+    Abrupt,
+    /// The tip is the deepest point of a dimple, g < 0 near it: the surfaces cannot touch there first.
+    Dimple,
+}
+
+/// How contact begins on a curve with the given first fold: from the sign of g close to the tip, and from whether the first
+/// branch is stable.
+///
+/// "Close" is the unit roundoff times w/E* or times the radius of the fold, whichever is smaller.
+///
+/// # Errors
+/// Those of the transform; [`Error::Undecided`] over enclosures that do not tell.
+pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> Result<Onset> {
+    let length = curve.material_length();
+    let radius = first.map(|fold| fold.contact_radius.clone()).filter(|radius| *radius < length).unwrap_or(length);
+    let close = (radius.unit_roundoff() * &radius).steer();
+    let undecided = |what| Error::Undecided { quantity: Quantity::ContactRadius, bits: radius.precision(), what };
+    let g = curve.transform().g(&close)?;
+    if g < g.lit(0) {
+        return Ok(Onset::Dimple);
+    }
+    if !(g >= g.lit(0)) {
+        return Err(undecided("whether the profile has a dimple at its tip"));
+    }
+    let stable = match first {
+        Some(fold) => fold.kind == FoldKind::Maximum,
+        None => match curve.tangency(&close)?.partial_cmp(&curve.threshold(&close)) {
+            Some(order) => order == Ordering::Greater,
+            None => return Err(undecided("whether contact grows smoothly from a point")),
+        },
+    };
+    Ok(if stable { Onset::Smooth } else { Onset::Abrupt })
+}
+
+/// Which way the radius goes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Way {
+    Smaller,
+    Larger,
+}
+
+/// The first equilibrium at `value` on a stable branch, from branch `next` on.
+///
+/// The near end of each branch is known to be on this side of the value; it is on the branch if it does not reach the far
+/// end.
+pub(crate) fn seek<R: Real, B: Branched<R> + ?Sized>(
+    branches: &B,
+    value: &R,
+    mut next: Option<usize>,
+    way: Way,
+) -> Result<Option<(usize, Equilibrium<R>)>> {
+    while let Some(branch) = next.filter(|branch| *branch <= branches.folds().len()) {
+        let (far_end, within) = match way {
+            Way::Smaller => (branch.checked_sub(1), Ordering::Greater),
+            Way::Larger => (Some(branch), Ordering::Less),
+        };
+        let holds = match far_end.and_then(|end| branches.folds().get(end)) {
+            Some(end) => branches.compare(value, end)? == within,
+            None => true,
+        };
+        if holds && let Some(rest) = branches.on_branch(branch, value)? {
+            return Ok(Some((branch, rest)));
+        }
+        next = match way {
+            Way::Smaller => branch.checked_sub(2),
+            Way::Larger => Some(branch + 2),
+        };
+    }
+    Ok(None)
 }

@@ -9,7 +9,7 @@ use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Material, Result, Stability, Transform};
 use mdr_core::number::Real;
 
-use crate::branch::Branched;
+use crate::branch::{Branched, Onset, onset};
 use crate::curve::Curve;
 use crate::folds::{self, Completeness};
 
@@ -245,6 +245,10 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
         // It grows below and shrinks above: back to the equilibrium.
         let stability = if below == Ordering::Less { Stability::Stable } else { Stability::Unstable };
         Ok(Some(Equilibrium { contact_radius, indentation, force, stability }))
+    }
+
+    fn onset(&self) -> Result<Onset> {
+        onset(&self.curve, self.folds.first())
     }
 
     fn compare(&self, value: &R, fold: &Instability<R>) -> Result<Ordering> {

@@ -6,6 +6,7 @@
 //! * [`folds`]: the instabilities, by tangency (1.10), under every control.
 //! * [`equilibrium`]: all equilibria at a given indentation, force or machine position, and what an instability leads to.
 //! * [`branch`]: the curve cut at its folds, as a loading path needs it.
+//! * [`path`]: what the contact does along a loading path.
 //! * [`energy`]: the same equilibria from the potential energy (Griffith).
 //! * [`springs`]: the elastic foundation of discrete springs, the paper's procedure taken literally.
 //! * [`fields`]: pressure, displacement, gap.
@@ -20,6 +21,7 @@ pub mod energy;
 pub mod equilibrium;
 pub mod fields;
 pub mod folds;
+pub mod path;
 pub mod profiles;
 #[cfg(feature = "mp")]
 pub mod proof;

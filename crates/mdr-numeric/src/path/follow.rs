@@ -1,0 +1,314 @@
+//! The path algorithm: which event comes next.
+
+use std::cmp::Ordering;
+
+use mdr_core::contact::{Equilibrium, Error, FoldKind, Instability, Quantity, Result, Stability};
+use mdr_core::number::Real;
+
+use super::{Event, EventKind, Start, State};
+use crate::branch::{Branched, Onset, Way, seek};
+
+/// Where the contact is, up to the value of the controlled quantity.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    Detached,
+    /// On a stable branch.
+    Branch(usize),
+    /// At rest at a fold.
+    Fold(usize),
+    /// Nothing more is known.
+    Ended,
+}
+
+struct Follower<'a, R, B> {
+    branches: &'a B,
+    place: Place,
+    value: R,
+    events: Vec<Event<R>>,
+}
+
+/// The events of [`Path::follow`](super::Path::follow).
+pub(super) fn follow<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, way: &[R]) -> Result<Vec<Event<R>>> {
+    let Some((first, rest)) = way.split_first() else {
+        return Err(Error::Domain {
+            quantity: Quantity::Parameter("the number of way points"),
+            value: "0".to_owned(),
+            requirement: "at least 1",
+        });
+    };
+    let (place, state) = begin(branches, start, first)?;
+    let mut follower = Follower { branches, place, value: first.clone(), events: Vec::new() };
+    follower.stay(EventKind::Start, first, state);
+    follower.approach(first)?;
+    for (i, target) in rest.iter().enumerate() {
+        let last = i + 1 == rest.len();
+        follower.go(target, if last { EventKind::End } else { EventKind::WayPoint })?;
+    }
+    if rest.is_empty() {
+        follower.go(first, EventKind::End)?;
+    }
+    Ok(follower.events)
+}
+
+impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
+    /// Moves the controlled quantity to `target`, and enters what happens on the way.
+    fn go(&mut self, target: &R, arrival: EventKind) -> Result<()> {
+        match certain(target, &self.value, self.branches)? {
+            Ordering::Less => while self.pull(target)? {},
+            Ordering::Greater => while self.press(target)? {},
+            Ordering::Equal => {}
+        }
+        if self.place == Place::Ended {
+            return Ok(());
+        }
+        match state(self.branches, self.place, target)? {
+            Some(state) => self.stay(arrival, target, state),
+            None => self.leave(EventKind::EndOfProfile, target),
+        }
+        Ok(())
+    }
+
+    /// Down to the next event; whether there was one before `target`.
+    fn pull(&mut self, target: &R) -> Result<bool> {
+        let fold = match self.place {
+            Place::Detached | Place::Ended => return Ok(false),
+            Place::Branch(0) => {
+                if certain(target, &target.lit(0), self.branches)? == Ordering::Greater {
+                    return Ok(false);
+                }
+                self.vanish(target);
+                return Ok(false);
+            }
+            Place::Branch(branch) => branch - 1,
+            Place::Fold(fold) if self.is_maximum(fold) => {
+                self.place = Place::Branch(fold);
+                return Ok(true);
+            }
+            Place::Fold(fold) => fold,
+        };
+        self.past(fold, target, Ordering::Less)
+    }
+
+    /// Up to the next event; whether there was one before `target`.
+    fn press(&mut self, target: &R) -> Result<bool> {
+        let fold = match self.place {
+            Place::Detached => return self.approach(target),
+            Place::Ended => return Ok(false),
+            Place::Branch(branch) => branch,
+            Place::Fold(fold) if self.is_maximum(fold) => fold,
+            Place::Fold(fold) => {
+                self.place = Place::Branch(fold + 1);
+                return Ok(true);
+            }
+        };
+        self.past(fold, target, Ordering::Greater)
+    }
+
+    /// Past a fold in the given direction, if `target` is beyond it.
+    fn past(&mut self, fold: usize, target: &R, beyond: Ordering) -> Result<bool> {
+        let Some(here) = self.branches.folds().get(fold) else { return Ok(false) };
+        let side = self.branches.compare(target, here)?;
+        if side == Ordering::Equal {
+            self.place = Place::Fold(fold);
+        }
+        if side != beyond {
+            return Ok(false);
+        }
+        let value = self.branches.control().controlled(&here.indentation, &here.force);
+        match self.branches.landing(fold)? {
+            Some((branch, rest)) => {
+                self.place = Place::Branch(branch);
+                self.enter(EventKind::Jump, &value, at_fold(here), State::Contact(rest), Some(fold));
+            }
+            None if here.kind == FoldKind::Minimum => {
+                self.place = Place::Detached;
+                self.enter(EventKind::Detached, &value, at_fold(here), State::Detached, Some(fold));
+            }
+            None => {
+                self.place = Place::Ended;
+                self.enter(EventKind::CompleteContact, &value, at_fold(here), State::Complete, Some(fold));
+            }
+        }
+        Ok(true)
+    }
+
+    /// Detached surfaces, and the controlled quantity comes up to `target`: they touch at zero. Whether they do.
+    fn approach(&mut self, target: &R) -> Result<bool> {
+        if self.place != Place::Detached {
+            return Ok(false);
+        }
+        let zero = target.lit(0);
+        let side = certain(target, &zero, self.branches)?;
+        match self.branches.onset()? {
+            Onset::Dimple => {
+                let value = self.value.clone();
+                self.leave(EventKind::NotAdmissible, &value);
+                Ok(false)
+            }
+            Onset::Smooth if side == Ordering::Greater => {
+                self.place = Place::Branch(0);
+                self.enter(EventKind::Touch, &zero, State::Detached, State::Contact(point(&zero)), None);
+                Ok(true)
+            }
+            Onset::Abrupt if side != Ordering::Less => {
+                self.jump_in(&zero)?;
+                Ok(true)
+            }
+            Onset::Smooth | Onset::Abrupt => Ok(false),
+        }
+    }
+
+    /// From a point to the next equilibrium at zero.
+    fn jump_in(&mut self, zero: &R) -> Result<()> {
+        match seek(self.branches, zero, Some(1), Way::Larger)? {
+            Some((branch, rest)) => {
+                self.place = Place::Branch(branch);
+                self.enter(EventKind::JumpIn, zero, State::Detached, State::Contact(rest), None);
+            }
+            None => {
+                self.place = Place::Ended;
+                self.enter(EventKind::CompleteContact, zero, State::Detached, State::Complete, None);
+            }
+        }
+        Ok(())
+    }
+
+    /// The contact has shrunk to a point, at zero, and the controlled quantity goes down to `target`.
+    fn vanish(&mut self, target: &R) {
+        let zero = target.lit(0);
+        self.place = Place::Detached;
+        self.enter(EventKind::Detached, &zero, State::Contact(point(&zero)), State::Detached, None);
+    }
+
+    fn is_maximum(&self, fold: usize) -> bool {
+        self.branches.folds().get(fold).is_some_and(|fold| fold.kind == FoldKind::Maximum)
+    }
+
+    /// An event that changes nothing.
+    fn stay(&mut self, kind: EventKind, value: &R, state: State<R>) {
+        self.enter(kind, value, state.clone(), state, None);
+    }
+
+    /// The path cannot be continued: the last state is all that is known.
+    fn leave(&mut self, kind: EventKind, value: &R) {
+        self.place = Place::Ended;
+        let last = self.events.last().map_or(State::Detached, |event| event.after.clone());
+        self.enter(kind, value, last.clone(), last, None);
+    }
+
+    fn enter(&mut self, kind: EventKind, value: &R, before: State<R>, after: State<R>, fold: Option<usize>) {
+        self.value = value.clone();
+        self.events.push(Event { kind, value: value.clone(), before, after, fold });
+    }
+}
+
+/// Where a path begins at its first way point, and in which state.
+fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, value: &R) -> Result<(Place, State<R>)> {
+    let count = branches.folds().len();
+    let found = match start {
+        Start::Detached if certain(value, &value.lit(0), branches)? != Ordering::Greater => {
+            Some((Place::Detached, State::Detached))
+        }
+        Start::Detached => None,
+        Start::Smallest => {
+            first_at_rest(branches, (0..=count).flat_map(|i| [Place::Branch(i), Place::Fold(i)]), value)?
+        }
+        Start::Largest => {
+            first_at_rest(branches, (0..=count).rev().flat_map(|i| [Place::Fold(i), Place::Branch(i)]), value)?
+        }
+        Start::Nearest(radius) => nearest(branches, radius, value)?,
+    };
+    found.ok_or_else(|| Error::NoEquilibrium {
+        quantity: branches.control().quantity(),
+        value: value.approx().to_string(),
+    })
+}
+
+/// The first of the places where a contact is at rest at `value`.
+fn first_at_rest<R: Real, B: Branched<R>>(
+    branches: &B,
+    places: impl Iterator<Item = Place>,
+    value: &R,
+) -> Result<Option<(Place, State<R>)>> {
+    for place in places {
+        if let Some(state) = at_rest(branches, place, value)? {
+            return Ok(Some((place, state)));
+        }
+    }
+    Ok(None)
+}
+
+/// The place at rest whose radius is nearest to `radius`, in ratio.
+fn nearest<R: Real, B: Branched<R>>(branches: &B, radius: &R, value: &R) -> Result<Option<(Place, State<R>)>> {
+    let radius = Error::require_positive(Quantity::ContactRadius, radius.clone())?;
+    let mut best: Option<(R, Place, State<R>)> = None;
+    for place in (0..=branches.folds().len()).flat_map(|i| [Place::Branch(i), Place::Fold(i)]) {
+        let Some(State::Contact(rest)) = at_rest(branches, place, value)? else { continue };
+        let distance = (rest.contact_radius.ln() - radius.ln()).abs();
+        let nearer = match &best {
+            Some((least, ..)) => certain(&distance, least, branches)? == Ordering::Less,
+            None => true,
+        };
+        if nearer {
+            best = Some((distance, place, State::Contact(rest)));
+        }
+    }
+    Ok(best.map(|(_, place, state)| (place, state)))
+}
+
+/// The state at a place, if the place is stable and has one at `value`.
+fn at_rest<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Result<Option<State<R>>> {
+    let side = |fold: Option<usize>| -> Result<Option<Ordering>> {
+        fold.and_then(|fold| branches.folds().get(fold)).map(|fold| branches.compare(value, fold)).transpose()
+    };
+    let holds = match place {
+        Place::Branch(branch) => {
+            let stable = match branches.is_stable(branch) {
+                Some(stable) => stable,
+                None => branches.onset()? == Onset::Smooth,
+            };
+            // The two ends of a stable branch are a minimum and a maximum.
+            stable
+                && side(branch.checked_sub(1))?.is_none_or(|side| side == Ordering::Greater)
+                && side(Some(branch))?.is_none_or(|side| side == Ordering::Less)
+        }
+        Place::Fold(fold) => side(Some(fold))? == Some(Ordering::Equal),
+        Place::Detached | Place::Ended => false,
+    };
+    if holds { state(branches, place, value) } else { Ok(None) }
+}
+
+/// The state at `value`, with the contact at a place; none when it would be beyond the end of the last branch.
+fn state<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Result<Option<State<R>>> {
+    Ok(match place {
+        Place::Detached => Some(State::Detached),
+        Place::Branch(branch) => branches.on_branch(branch, value)?.map(State::Contact),
+        Place::Fold(fold) => branches.folds().get(fold).map(at_fold),
+        Place::Ended => None,
+    })
+}
+
+/// At rest at a fold.
+fn at_fold<R: Real>(fold: &Instability<R>) -> State<R> {
+    State::Contact(Equilibrium {
+        contact_radius: fold.contact_radius.clone(),
+        indentation: fold.indentation.clone(),
+        force: fold.force.clone(),
+        stability: Stability::Neutral,
+    })
+}
+
+/// The contact in a point with which contact begins or ends smoothly.
+fn point<R: Real>(zero: &R) -> Equilibrium<R> {
+    let [contact_radius, indentation, force] = [(); 3].map(|()| zero.clone());
+    Equilibrium { contact_radius, indentation, force, stability: Stability::Stable }
+}
+
+/// The order of two values of the controlled quantity, if it is certain.
+fn certain<R: Real, B: Branched<R>>(one: &R, other: &R, branches: &B) -> Result<Ordering> {
+    one.partial_cmp(other).ok_or(Error::Undecided {
+        quantity: branches.control().quantity(),
+        bits: one.precision(),
+        what: "which of two values of it is larger",
+    })
+}
