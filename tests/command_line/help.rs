@@ -10,17 +10,17 @@ fn version() {
 #[test]
 fn the_overview_lists_every_command() {
     let help = output("--help");
-    for command in ["verify", "critical"] {
+    for command in ["verify", "critical", "solve"] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
     }
-    for command in ["solve", "report", "reference", "judge", "derive", "figures"] {
+    for command in ["report", "reference", "judge", "derive", "figures"] {
         assert!(!help.contains(&format!("\n  {command} ")), "{command} is not there yet");
     }
 }
 
 #[test]
 fn each_command_has_flags_examples_and_exit_statuses() {
-    let cases: [(&str, &[&str]); 2] = [
+    let cases: [(&str, &[&str]); 3] = [
         ("verify", &["--quick", "--full", "--digits", "--shard", "--seed", "--only", "--merge", "--format"]),
         (
             "critical",
@@ -40,6 +40,7 @@ fn each_command_has_flags_examples_and_exit_statuses() {
                 "--format",
             ],
         ),
+        ("solve", &["<SCENE.toml>", "--digits", "--f64", "--format", "--explain"]),
     ];
     for (command, flags) in cases {
         let help = output(&format!("{command} --help"));

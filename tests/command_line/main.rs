@@ -10,14 +10,22 @@ mod help;
 mod precision;
 mod readme;
 mod reference;
+mod solve;
 mod verify;
+
+use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 use snapbox::cmd::Command;
 
-/// `mdr` with the arguments of a line.
+/// The folder of the repository.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// `mdr` with the arguments of a line, called from the folder of the repository.
 fn mdr(arguments: &str) -> Command {
-    Command::new(env!("CARGO_BIN_EXE_mdr")).args(arguments.split_whitespace())
+    Command::new(env!("CARGO_BIN_EXE_mdr")).args(arguments.split_whitespace()).current_dir(root())
 }
 
 /// What a successful `mdr` writes on standard output.

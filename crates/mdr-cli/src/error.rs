@@ -21,6 +21,17 @@ pub(crate) enum Failure {
     },
     /// The question has no certified or representable answer.
     Contact(ContactError),
+    /// A scene that makes no question.
+    Scene {
+        /// The scene file.
+        file: String,
+        /// The line, from 1.
+        line: usize,
+        /// The key with the names of its tables: `profile.radius`.
+        key: String,
+        /// What is wrong.
+        why: String,
+    },
     /// A file could not be read or written.
     File {
         /// Its name; standard output has one, too.
@@ -79,6 +90,7 @@ impl fmt::Display for Failure {
             Failure::Flag { flag, why, got: None } => write!(f, "{flag}: {why}"),
             Failure::Flag { flag, why, got: Some(got) } => write!(f, "{flag}: {why}, got {}", abridged(got)),
             Failure::Contact(error) => error.fmt(f),
+            Failure::Scene { file, line, key, why } => write!(f, "{file}:{line}: {key}: {why}"),
             Failure::File { name, source } => write!(f, "{name}: {source}"),
         }
     }

@@ -7,10 +7,10 @@ use mdr_core::number::Literal;
 use crate::error::{Failure, Result};
 
 /// The most digits that may be asked for.
-const MAX_DIGITS: u32 = 100_000;
+pub(crate) const MAX_DIGITS: u32 = 100_000;
 
 /// The digits of a certified answer when none are asked for.
-const DEFAULT_DIGITS: u32 = 20;
+pub(crate) const DEFAULT_DIGITS: u32 = 20;
 
 /// A flag and its value as typed.
 #[derive(Clone, Copy)]
@@ -102,12 +102,18 @@ pub(crate) struct ArithmeticFlags {
 }
 
 impl ArithmeticFlags {
+    /// As given; certified to 20 digits when neither is.
     pub(crate) fn chosen(&self) -> Result<Arithmetic> {
+        Ok(self.given()?.unwrap_or(Arithmetic::Certified { digits: DEFAULT_DIGITS }))
+    }
+
+    /// As given, if one is.
+    pub(crate) fn given(&self) -> Result<Option<Arithmetic>> {
         match (self.digits.as_deref().map(|text| Flag::new("--digits", text)), self.f64) {
             (Some(flag), true) => Err(flag.refuse("cannot be combined with --f64")),
-            (Some(flag), false) => Ok(Arithmetic::Certified { digits: flag.digits()? }),
-            (None, true) => Ok(Arithmetic::Double),
-            (None, false) => Ok(Arithmetic::Certified { digits: DEFAULT_DIGITS }),
+            (Some(flag), false) => Ok(Some(Arithmetic::Certified { digits: flag.digits()? })),
+            (None, true) => Ok(Some(Arithmetic::Double)),
+            (None, false) => Ok(None),
         }
     }
 }

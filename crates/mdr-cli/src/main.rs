@@ -1,11 +1,14 @@
-//! The program `mdr`: verify the theory, ask for critical quantities.
+//! The program `mdr`: verify the theory, ask for critical quantities, solve whole scenes.
 
 #![forbid(unsafe_code)]
 
 mod critical;
 mod error;
 mod flags;
+mod number;
 mod output;
+mod scene;
+mod solve;
 mod table;
 mod verify;
 
@@ -31,6 +34,7 @@ struct Program {
 enum Command {
     Verify(verify::Verify),
     Critical(critical::Critical),
+    Solve(solve::Solve),
 }
 
 fn main() -> ExitCode {
@@ -53,6 +57,7 @@ impl Command {
         match self {
             Command::Verify(verify) => verify.run(out),
             Command::Critical(critical) => critical.run(out).map(|()| true),
+            Command::Solve(solve) => solve.run(out).map(|()| true),
         }
     }
 }

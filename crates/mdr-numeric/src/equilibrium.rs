@@ -11,13 +11,15 @@ use mdr_core::number::Real;
 
 use crate::branch::{Branched, Onset, onset};
 use crate::curve::Curve;
-use crate::folds::{self, Completeness};
+use crate::folds::{self, Completeness, Folds};
 
 /// The branches of a contact under one control: the curve of equilibria cut at its folds.
 pub struct Branches<'a, R: Real> {
     curve: Curve<'a, R>,
     folds: Vec<Instability<R>>,
     completeness: Completeness,
+    /// The radii that are looked at, where not all of them are.
+    reach: Option<[R; 2]>,
 }
 
 /// All equilibria at `value` of the controlled quantity (d, F, or D = d + F/k), by increasing radius. None is an empty list.
@@ -54,8 +56,20 @@ impl<'a, R: Real> Branches<'a, R> {
     /// # Errors
     /// As [`folds::folds`].
     pub fn new(curve: Curve<'a, R>) -> Result<Self> {
-        let folds::Folds { folds, completeness } = folds::find(&curve)?;
-        Ok(Branches { curve, folds, completeness })
+        let folds = folds::find(&curve)?;
+        Ok(Self::cut_at(curve, folds))
+    }
+
+    /// The curve cut at folds that are known already: those of the same contact under the same control.
+    pub fn cut_at(curve: Curve<'a, R>, folds: Folds<R>) -> Self {
+        let Folds { folds, completeness } = folds;
+        Branches { curve, folds, completeness, reach: None }
+    }
+
+    /// Looks for equilibria between these radii only. The exponents of arbitrary precision reach to 10^±3·10⁸, where a
+    /// transform may cost more than its answer is worth.
+    pub fn within(self, lower: R, upper: R) -> Self {
+        Branches { reach: Some([lower, upper]), ..self }
     }
 
     /// The curve.
@@ -211,7 +225,8 @@ impl<'a, R: Real> Branches<'a, R> {
     /// The direction of change at a radius; none out of the range of radii or of the arithmetic.
     fn turn(&self, a: R, value: &R) -> Result<Option<(R, Ordering)>> {
         let normal = a.is_finite() && a.clone() * a.unit_roundoff() > a.lit(0);
-        if !normal {
+        let within = self.reach.as_ref().is_none_or(|[lower, upper]| a >= *lower && a <= *upper);
+        if !(normal && within) {
             return Ok(None);
         }
         match self.curve.direction(&a, value) {

@@ -5,10 +5,11 @@ use mdr_core::contact::{Body, Control, Instability, Status};
 use mdr_core::number::Literal;
 use mdr_core::number::certify::{Decimal, Enclosure};
 
-use super::answer::{Answer, Bodies, Entry, Fold, Inputs, Number, State, Threshold};
+use super::answer::{Answer, Bodies, Entry, Fold, Inputs, State, Threshold};
 use super::{Checked, ControlKind, Elasticity};
 use crate::error::Result;
 use crate::flags::Arithmetic;
+use crate::number::Number;
 
 /// Names the keys of the answer and their meaning.
 pub(super) const SCHEMA: &str = "mdr.critical/1";

@@ -5,10 +5,11 @@ use mdr_core::contact::{Control, Instability, Material, Ranged, Regime, Status};
 use mdr_core::number::Literal;
 use mdr_core::number::certify::Enclosure;
 
-use super::answer::{Answer, Entry, Fold, Number, State, Threshold};
+use super::answer::{Answer, Entry, Fold, State, Threshold};
 use super::ask::{SCHEMA, question};
 use super::{Checked, ControlKind};
 use crate::error::{Failure, Result};
+use crate::number::Number;
 
 /// Digits that fix the nearest double.
 const ENOUGH_DIGITS: u32 = 40;

@@ -2,8 +2,9 @@
 
 use mdr_core::contact::Regime;
 
-use super::answer::{Answer, Entry, Fold, Number, State, fold_name};
+use super::answer::{Answer, Entry, Fold, State, fold_name};
 use crate::error::Result;
+use crate::number::Number;
 use crate::output::{Format, Output};
 use crate::table::{Tone, cell, render, table};
 

@@ -104,6 +104,8 @@ pub enum Status {
     DomainError,
     /// The assumed simply connected contact would interpenetrate.
     NotAdmissible,
+    /// No precision that may be used decides the digits asked for.
+    Undecided,
 }
 
 impl fmt::Display for Status {
@@ -116,6 +118,7 @@ impl fmt::Display for Status {
             Status::Underflow => "underflow",
             Status::DomainError => "domain-error",
             Status::NotAdmissible => "not-admissible",
+            Status::Undecided => "undecided",
         })
     }
 }

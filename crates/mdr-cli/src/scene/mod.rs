@@ -1,0 +1,163 @@
+//! Scenes: what is pressed, how it is held, and what is wanted, as a TOML file.
+
+mod output;
+mod profile;
+mod reader;
+
+use std::path::Path;
+
+use mdr_core::number::Literal;
+
+pub(crate) use output::{Want, Wanted};
+pub(crate) use profile::{Shape, Slope};
+pub(crate) use reader::Place;
+use reader::{Document, Section, Value};
+
+use crate::error::Result;
+use crate::flags::Arithmetic;
+
+/// A whole scene, checked as far as text can be checked.
+#[derive(Debug)]
+pub(crate) struct Scene {
+    pub(crate) bodies: Bodies,
+    pub(crate) work_of_adhesion: Literal,
+    pub(crate) profile: Shape,
+    /// For complaints about the profile.
+    pub(crate) profile_place: Place,
+    pub(crate) held: Held,
+    pub(crate) output: Wanted,
+}
+
+/// The elastic side of the material.
+#[derive(Debug)]
+pub(crate) enum Bodies {
+    /// E* itself.
+    Effective(Literal),
+    /// (E, ν) of the two bodies.
+    Pair(Box<[(Literal, Literal); 2]>),
+}
+
+/// How the contact is held, and moved.
+#[derive(Debug)]
+pub(crate) struct Held {
+    pub(crate) by: HeldBy,
+    /// Way points of the controlled quantity; empty when there is no path.
+    pub(crate) path: Vec<Literal>,
+    pub(crate) start: Start,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum HeldBy {
+    Indentation,
+    Force,
+    Machine { stiffness: Literal },
+}
+
+impl HeldBy {
+    /// As in a scene.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            HeldBy::Indentation => "indentation",
+            HeldBy::Force => "force",
+            HeldBy::Machine { .. } => "machine",
+        }
+    }
+}
+
+/// The state at the first way point.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Start {
+    /// The stable equilibrium with the largest contact radius.
+    Largest,
+    /// The one with the smallest.
+    Smallest,
+    /// The stable equilibrium nearest to this radius.
+    Radius(Literal),
+    /// Not in contact yet.
+    Detached,
+}
+
+impl Scene {
+    /// Reads the file, or standard input for `-`. An arithmetic `asked` for elsewhere takes precedence.
+    ///
+    /// # Errors
+    /// With file, line and key.
+    pub(crate) fn open(path: &Path, asked: Option<Arithmetic>) -> Result<Scene> {
+        Scene::read(&Document::open(path)?, asked)
+    }
+
+    fn read(document: &Document, asked: Option<Arithmetic>) -> Result<Scene> {
+        let table = document.parse()?;
+        let top = Section::top(document, &table);
+        let (bodies, work_of_adhesion) = material(&top.section("material")?)?;
+        let profile = top.section("profile")?;
+        let profile_place = profile.place();
+        let profile = Shape::read(&profile)?;
+        let held = held(&top.section("control")?)?;
+        let mut output = Wanted::read(&top.section("output")?, &held)?;
+        top.finish()?;
+        output.arithmetic = asked.unwrap_or(output.arithmetic);
+        if output.arithmetic == Arithmetic::Double {
+            document.require_doubles()?;
+        }
+        Ok(Scene { bodies, work_of_adhesion, profile, profile_place, held, output })
+    }
+}
+
+fn material(section: &Section<'_>) -> Result<(Bodies, Literal)> {
+    let work = section.required("work_of_adhesion")?.positive()?;
+    let bodies = match section.one_of(&["e_star", "body"])? {
+        (0, e_star) => Bodies::Effective(e_star.positive()?),
+        (_, list) => {
+            let bodies: Vec<_> = list.list()?.iter().map(body).collect::<Result<_>>()?;
+            let pair = <Box<[_; 2]>>::try_from(bodies);
+            Bodies::Pair(pair.map_err(|bodies| list.refuse(format!("expected two bodies, got {}", bodies.len())))?)
+        }
+    };
+    section.finish()?;
+    Ok((bodies, work))
+}
+
+fn body(value: &Value<'_>) -> Result<(Literal, Literal)> {
+    let section = value.section()?;
+    let e = section.required("e")?.positive()?;
+    let nu = section.required("nu")?;
+    let ratio = nu.number()?;
+    let rational = ratio.to_rational();
+    if !(rational > -1 && rational <= 0.5) {
+        return Err(nu.refuse(format!("Poisson's ratio must be within (-1, 1/2], got {ratio}")));
+    }
+    section.finish()?;
+    Ok((e, ratio))
+}
+
+fn held(section: &Section<'_>) -> Result<Held> {
+    let kinds = [("indentation", 0), ("force", 1), ("machine", 2)];
+    let kind = section.required("kind")?.choice("control", &kinds)?;
+    let stiffness = section.optional("stiffness");
+    let by = match (kind, stiffness) {
+        (2, _) => HeldBy::Machine { stiffness: section.required("stiffness")?.positive()? },
+        (_, Some(stiffness)) => return Err(stiffness.refuse("only a machine has a stiffness: kind = \"machine\"")),
+        (0, None) => HeldBy::Indentation,
+        (_, None) => HeldBy::Force,
+    };
+    let path = section.optional("path").map_or(Ok(Vec::new()), |path| path.numbers(Value::number))?;
+    let start = section.optional("start").map_or(Ok(Start::Largest), |start| start_of(&start))?;
+    section.finish()?;
+    Ok(Held { by, path, start })
+}
+
+fn start_of(value: &Value<'_>) -> Result<Start> {
+    match value.text() {
+        Ok("largest") => Ok(Start::Largest),
+        Ok("smallest") => Ok(Start::Smallest),
+        Ok("detached") => Ok(Start::Detached),
+        _ => value
+            .positive()
+            .map(Start::Radius)
+            .map_err(|_| value.refuse("expected \"largest\", \"smallest\", \"detached\" or a positive contact radius")),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,153 @@
+//! The table [output]: what is wanted, where, and in which arithmetic.
+
+use mdr_core::number::Literal;
+
+use super::Held;
+use super::reader::{Section, Value};
+use crate::error::Result;
+use crate::flags::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS};
+
+/// One output of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Want {
+    Transform,
+    Equilibria,
+    Folds,
+    Path,
+    Curve,
+    Pressure,
+    Gap,
+    Energy,
+}
+
+impl Want {
+    const ALL: [(&'static str, Want); 8] = [
+        ("transform", Want::Transform),
+        ("equilibria", Want::Equilibria),
+        ("folds", Want::Folds),
+        ("path", Want::Path),
+        ("curve", Want::Curve),
+        ("pressure", Want::Pressure),
+        ("gap", Want::Gap),
+        ("energy", Want::Energy),
+    ];
+
+    /// The key of the output in a scene and in an answer.
+    pub(crate) fn name(self) -> &'static str {
+        Self::ALL[self as usize].0
+    }
+}
+
+/// What is wanted, in which arithmetic.
+#[derive(Debug)]
+pub(crate) struct Wanted {
+    /// Each once, in the order of the scene.
+    pub(crate) want: Vec<Want>,
+    pub(crate) arithmetic: Arithmetic,
+    /// Radii x for `transform`.
+    pub(crate) transform: Vec<Literal>,
+    /// Values of the controlled quantity for `equilibria`, `pressure`, `gap` and `energy`.
+    pub(crate) values: Vec<Literal>,
+    /// Contact radii for `curve`; empty when the program shall choose.
+    pub(crate) curve: Vec<Literal>,
+    /// Radii r for `pressure`; empty when the program shall choose.
+    pub(crate) pressure: Vec<Literal>,
+    /// Radii r for `gap`; empty when the program shall choose.
+    pub(crate) gap: Vec<Literal>,
+    /// The contact radii between which all folds are to be proved; none when the program shall choose.
+    pub(crate) range: Option<[Literal; 2]>,
+}
+
+impl Wanted {
+    pub(super) fn read(section: &Section<'_>, held: &Held) -> Result<Wanted> {
+        let list = section.required("want")?;
+        let want = wants(&list)?;
+        let wanted = Wanted {
+            arithmetic: arithmetic(section)?,
+            transform: at(section, "transform", Value::positive)?,
+            values: at(section, "equilibria", Value::number)?,
+            curve: at(section, "curve", Value::positive)?,
+            pressure: at(section, "pressure", Value::not_negative)?,
+            gap: at(section, "gap", Value::positive)?,
+            range: range(section)?,
+            want,
+        };
+        wanted.check(&list, held)?;
+        section.finish()?;
+        Ok(wanted)
+    }
+
+    /// Whether the scene says all that its outputs need.
+    fn check(&self, list: &Value<'_>, held: &Held) -> Result<()> {
+        for want in &self.want {
+            let missing = match want {
+                Want::Path if true => "a later version",
+                Want::Transform if self.transform.is_empty() => "radii: [output.transform] at = [\"…\"]",
+                Want::Equilibria if self.values.is_empty() => "values: [output.equilibria] at = [\"…\"]",
+                Want::Path if held.path.len() < 2 => "at least two way points: [control] path = [\"…\", \"…\"]",
+                Want::Pressure | Want::Gap | Want::Energy if self.values.is_empty() && held.path.is_empty() => {
+                    "states: [output.equilibria] at = [\"…\"], or the start of a path"
+                }
+                _ => continue,
+            };
+            return Err(list.refuse(format!("`{}` needs {missing}", want.name())));
+        }
+        Ok(())
+    }
+}
+
+fn wants(list: &Value<'_>) -> Result<Vec<Want>> {
+    let mut want = Vec::new();
+    for value in list.list()? {
+        let output = value.choice("output", &Want::ALL)?;
+        if want.contains(&output) {
+            return Err(value.refuse(format!("`{}` is wanted twice", output.name())));
+        }
+        want.push(output);
+    }
+    if want.is_empty() {
+        let all: Vec<&str> = Want::ALL.iter().map(|(name, _)| *name).collect();
+        return Err(list.refuse(format!("nothing is wanted; there are `{}`", all.join("`, `"))));
+    }
+    Ok(want)
+}
+
+fn arithmetic(section: &Section<'_>) -> Result<Arithmetic> {
+    match (section.optional("digits"), section.optional("arithmetic")) {
+        (Some(_), Some(arithmetic)) => Err(arithmetic.refuse("cannot be given together with `digits`")),
+        (Some(digits), None) => Ok(Arithmetic::Certified { digits: digits.whole(1, MAX_DIGITS)? }),
+        (None, Some(arithmetic)) => arithmetic.choice(
+            "arithmetic",
+            &[("f64", Arithmetic::Double), ("certified", Arithmetic::Certified { digits: DEFAULT_DIGITS })],
+        ),
+        (None, None) => Ok(Arithmetic::Certified { digits: DEFAULT_DIGITS }),
+    }
+}
+
+/// The list `at` of a sub-table of [output].
+fn at<'a>(section: &Section<'a>, key: &'static str, read: fn(&Value<'a>) -> Result<Literal>) -> Result<Vec<Literal>> {
+    let Some(value) = section.optional(key) else {
+        return Ok(Vec::new());
+    };
+    let inner = value.section()?;
+    let list = inner.required("at")?.numbers(read);
+    inner.finish()?;
+    list
+}
+
+/// The key `range` of [output.folds].
+fn range(section: &Section<'_>) -> Result<Option<[Literal; 2]>> {
+    let Some(value) = section.optional("folds") else {
+        return Ok(None);
+    };
+    let inner = value.section()?;
+    let list = inner.required("range")?;
+    let ends = list.numbers(Value::positive)?;
+    inner.finish()?;
+    let [lower, upper] = <[Literal; 2]>::try_from(ends)
+        .map_err(|ends| list.refuse(format!("expected two contact radii, got {}", ends.len())))?;
+    if lower.to_rational() >= upper.to_rational() {
+        return Err(list.refuse(format!("the range must ascend, got {lower} to {upper}")));
+    }
+    Ok(Some([lower, upper]))
+}

@@ -1,0 +1,188 @@
+//! The profiles a scene can name.
+
+use std::collections::BTreeMap;
+use std::fs::File;
+
+use mdr_core::contact::Expression;
+use mdr_core::number::Literal;
+use mdr_numeric::table::Table;
+
+use super::reader::{Section, Value};
+use crate::error::Result;
+
+/// The steepness of a flank, as it was given.
+#[derive(Clone, Debug)]
+pub(crate) enum Slope {
+    /// tan θ, the rise of the flank.
+    Tangent(Literal),
+    /// The half opening angle at the apex, in degrees: the slope is its cotangent.
+    HalfAngleDegrees(Literal),
+}
+
+/// A profile as a scene gives it.
+#[derive(Debug)]
+pub(crate) enum Shape {
+    Power { n: Literal, c: Literal },
+    Paraboloid { radius: Literal },
+    Cone { slope: Slope },
+    Sphere { radius: Literal },
+    Ellipsoid { lateral: Literal, height: Literal },
+    FlatPunch { radius: Literal },
+    TruncatedCone { slope: Slope, flat: Literal },
+    TruncatedParaboloid { radius: Literal, flat: Literal },
+    ConeParabolicCap { slope: Slope, cap: Literal },
+    ConeSphericalCap { slope: Slope, radius: Literal },
+    Hyperboloid { slope: Slope, lateral: Literal },
+    RoundedPunch { radius: Literal, flat: Literal },
+    DisplacedParaboloid { radius: Literal, offset: Literal },
+    ParabolicDimple { depth: Literal, radius: Literal },
+    EllipticalDimple { depth: Literal, radius: Literal },
+    WavyParaboloid { radius: Literal, amplitude: Literal, wavelength: Literal },
+    Sum(Vec<Shape>),
+    Expression { formula: Expression, values: BTreeMap<String, Literal> },
+    Table(Table),
+}
+
+type Reader = fn(&Section<'_>) -> Result<Shape>;
+
+/// Every kind by its name in a scene.
+const KINDS: [(&str, Reader); 19] = [
+    ("power", |s| Ok(Shape::Power { n: length(s, "n")?, c: length(s, "c")? })),
+    ("paraboloid", |s| Ok(Shape::Paraboloid { radius: length(s, "radius")? })),
+    ("cone", |s| Ok(Shape::Cone { slope: slope(s)? })),
+    ("sphere", |s| Ok(Shape::Sphere { radius: length(s, "radius")? })),
+    ("ellipsoid", |s| Ok(Shape::Ellipsoid { lateral: length(s, "lateral")?, height: length(s, "height")? })),
+    ("flat-punch", |s| Ok(Shape::FlatPunch { radius: length(s, "radius")? })),
+    ("truncated-cone", |s| Ok(Shape::TruncatedCone { slope: slope(s)?, flat: length(s, "flat")? })),
+    ("truncated-paraboloid", |s| {
+        Ok(Shape::TruncatedParaboloid { radius: length(s, "radius")?, flat: length(s, "flat")? })
+    }),
+    ("cone-parabolic-cap", |s| Ok(Shape::ConeParabolicCap { slope: slope(s)?, cap: length(s, "cap")? })),
+    ("cone-spherical-cap", |s| Ok(Shape::ConeSphericalCap { slope: slope(s)?, radius: length(s, "radius")? })),
+    ("hyperboloid", |s| Ok(Shape::Hyperboloid { slope: slope(s)?, lateral: length(s, "lateral")? })),
+    ("rounded-punch", |s| Ok(Shape::RoundedPunch { radius: length(s, "radius")?, flat: length(s, "flat")? })),
+    ("displaced-paraboloid", |s| {
+        Ok(Shape::DisplacedParaboloid { radius: length(s, "radius")?, offset: length(s, "offset")? })
+    }),
+    ("parabolic-dimple", |s| Ok(Shape::ParabolicDimple { depth: length(s, "depth")?, radius: length(s, "radius")? })),
+    ("elliptical-dimple", |s| Ok(Shape::EllipticalDimple { depth: length(s, "depth")?, radius: length(s, "radius")? })),
+    ("wavy-paraboloid", |s| {
+        Ok(Shape::WavyParaboloid {
+            radius: length(s, "radius")?,
+            amplitude: s.required("amplitude")?.number()?,
+            wavelength: length(s, "wavelength")?,
+        })
+    }),
+    ("sum", sum),
+    ("expression", expression),
+    ("table", |s| Ok(Shape::Table(table(s)?))),
+];
+
+impl Shape {
+    /// The name of the kind in a scene.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Shape::Power { .. } => "power",
+            Shape::Paraboloid { .. } => "paraboloid",
+            Shape::Cone { .. } => "cone",
+            Shape::Sphere { .. } => "sphere",
+            Shape::Ellipsoid { .. } => "ellipsoid",
+            Shape::FlatPunch { .. } => "flat-punch",
+            Shape::TruncatedCone { .. } => "truncated-cone",
+            Shape::TruncatedParaboloid { .. } => "truncated-paraboloid",
+            Shape::ConeParabolicCap { .. } => "cone-parabolic-cap",
+            Shape::ConeSphericalCap { .. } => "cone-spherical-cap",
+            Shape::Hyperboloid { .. } => "hyperboloid",
+            Shape::RoundedPunch { .. } => "rounded-punch",
+            Shape::DisplacedParaboloid { .. } => "displaced-paraboloid",
+            Shape::ParabolicDimple { .. } => "parabolic-dimple",
+            Shape::EllipticalDimple { .. } => "elliptical-dimple",
+            Shape::WavyParaboloid { .. } => "wavy-paraboloid",
+            Shape::Sum(_) => "sum",
+            Shape::Expression { .. } => "expression",
+            Shape::Table(_) => "table",
+        }
+    }
+
+    /// Whether g is a closed form; otherwise it is a quadrature or measured.
+    pub(crate) fn is_closed(&self) -> bool {
+        match self {
+            Shape::Sum(terms) => terms.iter().all(Shape::is_closed),
+            Shape::Expression { .. } | Shape::Table(_) => false,
+            _ => true,
+        }
+    }
+
+    pub(super) fn read(section: &Section<'_>) -> Result<Shape> {
+        let read = section.required("kind")?.choice("profile", &KINDS)?;
+        let shape = read(section)?;
+        section.finish()?;
+        Ok(shape)
+    }
+}
+
+/// A positive parameter.
+fn length(section: &Section<'_>, key: &'static str) -> Result<Literal> {
+    section.required(key)?.positive()
+}
+
+fn slope(section: &Section<'_>) -> Result<Slope> {
+    match section.one_of(&["slope", "half_angle_degrees"])? {
+        (0, value) => Ok(Slope::Tangent(value.positive()?)),
+        (_, value) => {
+            let angle = value.positive()?;
+            if angle.to_rational() >= 90 {
+                return Err(value.refuse(format!("must be below 90 degrees, got {angle}")));
+            }
+            Ok(Slope::HalfAngleDegrees(angle))
+        }
+    }
+}
+
+fn sum(section: &Section<'_>) -> Result<Shape> {
+    let list = section.required("term")?;
+    let terms: Vec<Shape> = list.list()?.iter().map(|term| Shape::read(&term.section()?)).collect::<Result<_>>()?;
+    if terms.is_empty() {
+        return Err(list.refuse("a sum needs at least one [[profile.term]]"));
+    }
+    Ok(Shape::Sum(terms))
+}
+
+fn expression(section: &Section<'_>) -> Result<Shape> {
+    let text = section.required("formula")?;
+    let formula: Expression = text.text()?.parse().map_err(|error| text.refuse(format!("{error}")))?;
+    let values: BTreeMap<String, Literal> = match section.optional("parameters") {
+        None => BTreeMap::new(),
+        Some(table) => {
+            let section = table.section()?;
+            section.entries().map(|(name, value)| Ok((name, value.number()?))).collect::<Result<_>>()?
+        }
+    };
+    formula.bind::<f64>((), &values).map_err(|error| text.refuse(format!("{error}")))?;
+    let names: Vec<String> = formula.parameters().collect();
+    if let Some(unused) = values.keys().find(|name| !names.contains(name)) {
+        return Err(unused_parameter(section, unused, &names));
+    }
+    Ok(Shape::Expression { formula, values })
+}
+
+fn unused_parameter(section: &Section<'_>, name: &str, known: &[String]) -> crate::error::Failure {
+    let why = match known {
+        [] => format!("the formula has no parameter `{name}`; it has none"),
+        known => format!("the formula has no parameter `{name}`; it has `{}`", known.join("`, `")),
+    };
+    section.optional("parameters").map_or_else(|| section.place(), |value: Value<'_>| value.place()).refuse(why)
+}
+
+fn table(section: &Section<'_>) -> Result<Table> {
+    let file = section.required("file")?;
+    if let Some(columns) = section.optional("columns")
+        && columns.text()? != "r,f"
+    {
+        return Err(columns.refuse("the columns of a table are \"r,f\": radius, height"));
+    }
+    let path = section.document().beside(file.text()?);
+    let refuse = |why: &dyn std::fmt::Display| file.refuse(format!("{}: {why}", path.display()));
+    let opened = File::open(&path).map_err(|error| refuse(&error))?;
+    Table::from_csv(opened).map_err(|error| refuse(&error))
+}

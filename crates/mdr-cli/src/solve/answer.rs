@@ -1,0 +1,145 @@
+//! What `mdr solve` answers, and its JSON.
+
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use super::record::{Field, Record};
+use crate::number::Number;
+use crate::scene::Want;
+
+/// Names the keys of the answer and their meaning.
+const SCHEMA: &str = "mdr.solve/1";
+
+/// How far a number can be trusted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Promise {
+    /// Hardware numbers, within a stated error.
+    Double,
+    /// Arbitrary precision with an estimated error: two precisions agree on the digits that are printed.
+    Estimated,
+    /// Every printed digit is proved.
+    Certified,
+}
+
+impl Promise {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Promise::Double => "f64",
+            Promise::Estimated => "mp",
+            Promise::Certified => "certified",
+        }
+    }
+}
+
+/// Whether a list is complete.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Complete {
+    /// Whether that is proved, on the range.
+    pub(crate) proved: bool,
+    /// The contact radii of the range; null is no end.
+    pub(crate) from: Option<String>,
+    pub(crate) to: Option<String>,
+    /// By what, or why not.
+    pub(crate) why: String,
+}
+
+/// One output that was wanted.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Output {
+    pub(crate) want: Want,
+    pub(crate) promise: Promise,
+    /// Fields with a promise of their own.
+    pub(crate) exceptions: Vec<(&'static str, Promise)>,
+    pub(crate) complete: Option<Complete>,
+    pub(crate) records: Vec<Record<Number>>,
+}
+
+/// The answer to a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Answer {
+    /// `None` in f64.
+    pub(crate) digits: Option<u32>,
+    pub(crate) profile: &'static str,
+    pub(crate) control: &'static str,
+    /// In the order of the scene.
+    pub(crate) outputs: Vec<Output>,
+}
+
+impl Answer {
+    /// The arithmetic that was asked for.
+    pub(crate) fn arithmetic(&self) -> &'static str {
+        if self.digits.is_some() { Promise::Certified.name() } else { Promise::Double.name() }
+    }
+}
+
+impl Serialize for Answer {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("schema", SCHEMA)?;
+        map.serialize_entry("arithmetic", self.arithmetic())?;
+        map.serialize_entry("digits", &self.digits)?;
+        map.serialize_entry("profile", self.profile)?;
+        map.serialize_entry("control", self.control)?;
+        map.serialize_entry("promise", &Promises(&self.outputs))?;
+        map.serialize_entry("complete", &Completes(&self.outputs))?;
+        for output in &self.outputs {
+            map.serialize_entry(output.want.name(), &output.records)?;
+        }
+        map.end()
+    }
+}
+
+/// The promise of each output, and of the fields that have their own.
+struct Promises<'a>(&'a [Output]);
+
+impl Serialize for Promises<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for output in self.0 {
+            map.serialize_entry(output.want.name(), output.promise.name())?;
+            for (field, promise) in &output.exceptions {
+                map.serialize_entry(&format!("{}.{field}", output.want.name()), promise.name())?;
+            }
+        }
+        map.end()
+    }
+}
+
+/// What is known about the completeness of each list for which it is a question.
+struct Completes<'a>(&'a [Output]);
+
+impl Serialize for Completes<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().filter_map(|output| Some((output.want.name(), output.complete.as_ref()?))))
+    }
+}
+
+impl Serialize for Record<Number> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (key, field) in self.fields() {
+            map.serialize_entry(key, field)?;
+            if let Field::Marked { log10: Some(log10), .. } = field {
+                map.serialize_entry(&format!("log10_{key}"), log10)?;
+            }
+        }
+        map.serialize_entry("status", &self.status().to_string())?;
+        if let Some(why) = self.why() {
+            map.serialize_entry("why", why)?;
+        }
+        map.end()
+    }
+}
+
+impl Serialize for Field<Number> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Field::Number(number) => number.serialize(serializer),
+            Field::Given(literal) => serializer.serialize_str(&literal.to_string()),
+            Field::Marked { .. } => serializer.serialize_none(),
+            Field::Word(word) => serializer.serialize_str(word),
+            Field::Flag(flag) => serializer.serialize_bool(*flag),
+            Field::Records(records) => records.serialize(serializer),
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! The contact of a scene in one arithmetic, with its evaluations counted.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use mdr_analytic::Kappa;
+use mdr_analytic::struve::Struve;
+use mdr_core::contact::{Body, Control, Material, Result, Transform};
+use mdr_core::number::{Dual, Interval, Literal};
+use mdr_numeric::curve::Curve;
+use rug::Float;
+
+use super::library;
+use crate::scene::{Bodies, HeldBy, Scene};
+
+/// An arithmetic in which a scene can be computed.
+pub(crate) trait Arithmetic: Struve + Kappa {
+    /// Its place among the [`NAMES`].
+    const INDEX: usize;
+}
+
+/// The arithmetics, as `--explain` names them.
+pub(crate) const NAMES: [&str; 4] = ["f64", "mp", "interval", "interval with slope"];
+
+impl Arithmetic for f64 {
+    const INDEX: usize = 0;
+}
+impl Arithmetic for Float {
+    const INDEX: usize = 1;
+}
+impl Arithmetic for Interval {
+    const INDEX: usize = 2;
+}
+impl Arithmetic for Dual<Interval> {
+    const INDEX: usize = 3;
+}
+
+/// Evaluations of g, g' and of its integral or mean.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Evaluations {
+    pub(crate) g: usize,
+    pub(crate) slope: usize,
+    pub(crate) integral: usize,
+}
+
+impl std::ops::Sub for Evaluations {
+    type Output = Self;
+    fn sub(self, before: Self) -> Self {
+        Evaluations {
+            g: self.g - before.g,
+            slope: self.slope - before.slope,
+            integral: self.integral - before.integral,
+        }
+    }
+}
+
+/// The evaluations so far, by arithmetic.
+#[derive(Debug, Default)]
+pub(crate) struct Tally([[AtomicUsize; 3]; NAMES.len()]);
+
+impl Tally {
+    pub(crate) fn read(&self) -> [Evaluations; NAMES.len()] {
+        self.0.each_ref().map(|counts| {
+            let [g, slope, integral] = counts.each_ref().map(|count| count.load(Ordering::Relaxed));
+            Evaluations { g, slope, integral }
+        })
+    }
+}
+
+/// A transform that counts.
+struct Counted<R> {
+    inner: Box<dyn Transform<R>>,
+    tally: Arc<Tally>,
+}
+
+impl<R: Arithmetic> Counted<R> {
+    fn count(&self, part: usize) -> &dyn Transform<R> {
+        self.tally.0[R::INDEX][part].fetch_add(1, Ordering::Relaxed);
+        self.inner.as_ref()
+    }
+}
+
+impl<R: Arithmetic> Transform<R> for Counted<R> {
+    fn g(&self, x: &R) -> Result<R> {
+        self.count(0).g(x)
+    }
+    fn slope(&self, x: &R) -> Result<R> {
+        self.count(1).slope(x)
+    }
+    fn integral(&self, x: &R) -> Result<R> {
+        self.count(2).integral(x)
+    }
+    fn mean(&self, x: &R) -> Result<R> {
+        self.count(2).mean(x)
+    }
+    fn outer_radius(&self) -> Option<R> {
+        self.inner.outer_radius()
+    }
+    fn wall(&self) -> bool {
+        self.inner.wall()
+    }
+    fn kinks(&self) -> Vec<R> {
+        self.inner.kinks()
+    }
+}
+
+/// Profile, material and control in one arithmetic.
+pub(crate) struct Contact<R: Arithmetic> {
+    ctx: R::Ctx,
+    transform: Counted<R>,
+    material: Material<R>,
+    control: Control<R>,
+}
+
+impl<R: Arithmetic> Contact<R> {
+    /// # Errors
+    /// A parameter of the profile or the material that is out of its domain.
+    pub(crate) fn new(scene: &Scene, ctx: R::Ctx, tally: &Arc<Tally>) -> Result<Self> {
+        let number = |literal: &Literal| R::from_literal(ctx, literal);
+        let work = number(&scene.work_of_adhesion);
+        let material = match &scene.bodies {
+            Bodies::Effective(modulus) => Material::new(number(modulus), work)?,
+            Bodies::Pair(bodies) => {
+                let [first, second] = bodies.as_ref().each_ref().map(|(e, nu)| Body::new(number(e), number(nu)));
+                Material::from_bodies(&first?, &second?, work)?
+            }
+        };
+        let control = match &scene.held.by {
+            HeldBy::Indentation => Control::Indentation,
+            HeldBy::Force => Control::Force,
+            HeldBy::Machine { stiffness } => Control::machine(number(stiffness))?,
+        };
+        let inner = library::transform(&scene.profile, ctx)?;
+        Ok(Contact { ctx, transform: Counted { inner, tally: Arc::clone(tally) }, material, control })
+    }
+
+    pub(crate) fn number(&self, literal: &Literal) -> R {
+        R::from_literal(self.ctx, literal)
+    }
+
+    /// A double, exactly.
+    pub(crate) fn double(&self, value: f64) -> R {
+        R::from_f64(self.ctx, value)
+    }
+
+    pub(crate) fn transform(&self) -> &dyn Transform<R> {
+        &self.transform
+    }
+
+    pub(crate) fn material(&self) -> &Material<R> {
+        &self.material
+    }
+
+    pub(crate) fn curve(&self) -> Curve<'_, R> {
+        Curve::new(&self.transform, &self.material, &self.control)
+    }
+}

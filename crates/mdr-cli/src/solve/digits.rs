@@ -1,0 +1,130 @@
+//! From enclosures and from two precisions to decimals.
+
+use mdr_core::contact::{Error, Quantity, Result, Status};
+use mdr_core::number::certify::{Decimal, Enclosure};
+use mdr_core::number::{Interval, Precision};
+use rug::Float;
+
+use super::record::{Field, Record, numbers};
+use crate::number::Number;
+
+/// Bits beyond those of the digits asked for, to begin with.
+const GUARD: u32 = 32;
+
+/// How often the precision is raised before a proved number is called undecided, by half each time.
+const ATTEMPTS: u32 = 12;
+
+/// The same for estimated numbers, whose quadratures grow much faster with the precision.
+const ESTIMATES: u32 = 3;
+
+/// The precision to begin with.
+pub(crate) fn start(digits: u32) -> Precision {
+    Precision::new(Precision::from_digits(digits).bits().saturating_add(GUARD).max(64))
+}
+
+fn raised(precision: Precision) -> Precision {
+    Precision::new(precision.bits().saturating_add(precision.bits() / 2))
+}
+
+/// Evaluates `f` at growing precision until the enclosures decide every number to `digits` significant digits, correctly
+/// rounded. A number that stays open, as zero or a decimal tie does when its enclosure is not exact, is undecided.
+///
+/// # Errors
+/// Those of `f`; [`Error::Undecided`] only when it is the last attempt that returns it.
+pub(crate) fn proved(
+    digits: u32,
+    mut f: impl FnMut(Precision) -> Result<Vec<Record<Enclosure>>>,
+) -> Result<Vec<Record<Number>>> {
+    let mut precision = start(digits);
+    let mut decided: Vec<Option<Decimal>> = Vec::new();
+    for attempt in 1.. {
+        let last = attempt == ATTEMPTS;
+        match f(precision) {
+            Err(Error::Undecided { .. }) if !last => {}
+            Err(error) => return Err(error),
+            Ok(records) => {
+                let open = round(&records, digits, &mut decided);
+                if !open || last {
+                    return Ok(written(records, decided));
+                }
+            }
+        }
+        precision = raised(precision);
+    }
+    Ok(Vec::new())
+}
+
+/// Evaluates `f` at two precisions and takes their difference for the error; raises both until all `digits` agree. What
+/// does not agree then is not printed.
+///
+/// # Errors
+/// Those of `f`.
+pub(crate) fn estimated(
+    digits: u32,
+    mut f: impl FnMut(Precision) -> Result<Vec<Record<Float>>>,
+) -> Result<Vec<Record<Number>>> {
+    let mut precision = start(digits);
+    let mut coarse = f(precision)?;
+    for attempt in 1.. {
+        precision = raised(precision);
+        let fine = f(precision)?;
+        let Some(records) = compared(&coarse, fine.clone()) else {
+            return Err(Error::Undecided {
+                quantity: Quantity::ContactRadius,
+                bits: precision.bits(),
+                what: "how many equilibria there are",
+            });
+        };
+        let mut decided = Vec::new();
+        let open = round(&records, digits, &mut decided);
+        if !open || attempt == ESTIMATES {
+            for (decimal, enclosure) in decided.iter_mut().zip(numbers(&records)) {
+                *decimal = decimal.take().or_else(|| (1..digits).rev().find_map(|fewer| enclosure.round(fewer)));
+            }
+            return Ok(written(records, decided));
+        }
+        coarse = fine;
+    }
+    Ok(Vec::new())
+}
+
+/// The finer records, each number with the difference of the two on both sides; none when they differ in their form.
+fn compared(coarse: &[Record<Float>], fine: Vec<Record<Float>>) -> Option<Vec<Record<Enclosure>>> {
+    let coarse = numbers(coarse);
+    if coarse.len() != numbers(&fine).len() {
+        return None;
+    }
+    let mut coarse = coarse.into_iter();
+    let enclose = |number: Float| {
+        let error = coarse
+            .next()
+            .map_or_else(|| number.clone(), |coarse| Float::with_val(number.prec(), coarse - &number).abs());
+        let ends = [Float::with_val(number.prec(), &number - &error), Float::with_val(number.prec(), &number + &error)];
+        let [lower, upper] = ends;
+        Enclosure::Value(Interval::new(lower, upper))
+    };
+    let mut enclose = enclose;
+    Some(fine.into_iter().map(|record| record.convert(&mut enclose)).collect())
+}
+
+/// Rounds what is not decided yet; whether something is still open.
+fn round(records: &[Record<Enclosure>], digits: u32, decided: &mut Vec<Option<Decimal>>) -> bool {
+    let enclosures = numbers(records);
+    // The number of equilibria is no function of the precision; if it were, nothing before would count.
+    if decided.len() != enclosures.len() {
+        *decided = vec![None; enclosures.len()];
+    }
+    for (decimal, enclosure) in decided.iter_mut().zip(enclosures) {
+        *decimal = decimal.take().or_else(|| enclosure.round(digits));
+    }
+    decided.iter().any(Option::is_none)
+}
+
+fn written(records: Vec<Record<Enclosure>>, decided: Vec<Option<Decimal>>) -> Vec<Record<Number>> {
+    let mut decided = decided.into_iter();
+    let mut write = |_| match decided.next().flatten() {
+        Some(decimal) => Field::Number(Number::Decimal(decimal.to_string())),
+        None => Field::Marked { status: Status::Undecided, log10: None, why: None },
+    };
+    records.into_iter().map(|record| record.map(&mut write)).collect()
+}

@@ -1,0 +1,96 @@
+//! A scene in f64.
+
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+use mdr_core::contact::{Result, Status};
+use mdr_core::number::Literal;
+use mdr_numeric::folds::{self, Completeness, Folds};
+
+use super::answer::{Complete, Output, Promise};
+use super::contact::{Contact, Tally};
+use super::record::{Field, Record};
+use super::states::States;
+use super::{outputs, sample};
+use crate::number::Number;
+use crate::scene::{Scene, Want};
+
+/// The contact in f64; its folds are searched when something needs them, and once.
+pub(crate) struct Double<'s> {
+    scene: &'s Scene,
+    contact: Contact<f64>,
+    folds: OnceCell<Folds<f64>>,
+}
+
+impl<'s> Double<'s> {
+    /// # Errors
+    /// As [`Contact::new`].
+    pub(crate) fn new(scene: &'s Scene, tally: &Arc<Tally>) -> Result<Self> {
+        Ok(Double { scene, contact: Contact::new(scene, (), tally)?, folds: OnceCell::new() })
+    }
+
+    pub(crate) fn contact(&self) -> &Contact<f64> {
+        &self.contact
+    }
+
+    /// # Errors
+    /// As [`folds::find`].
+    pub(crate) fn folds(&self) -> Result<&Folds<f64>> {
+        if let Some(folds) = self.folds.get() {
+            return Ok(folds);
+        }
+        let found = folds::find(&self.contact.curve())?;
+        Ok(self.folds.get_or_init(|| found))
+    }
+
+    /// # Errors
+    /// Those of the transform and of the quadratures.
+    pub(crate) fn output(&self, want: Want) -> Result<Output> {
+        let wanted = &self.scene.output;
+        let records = match want {
+            Want::Transform => outputs::transform(&self.contact, &wanted.transform)?,
+            Want::Folds => self.folds()?.folds.iter().cloned().map(outputs::fold).collect(),
+            Want::Curve => outputs::curve(&self.contact, &self.radii()?)?,
+            Want::Equilibria => self.states()?.equilibria(&wanted.values)?,
+            Want::Pressure | Want::Gap | Want::Energy => self.states()?.fields(self.scene, want)?,
+            Want::Path => Vec::new(),
+        };
+        let complete = match want {
+            Want::Folds | Want::Equilibria | Want::Path => Some(self.completeness()?),
+            _ => None,
+        };
+        let records = records.into_iter().map(|record: Record<f64>| record.map(&mut double)).collect();
+        Ok(Output { want, promise: Promise::Double, exceptions: Vec::new(), complete, records })
+    }
+
+    fn states(&self) -> Result<States<'_, f64>> {
+        Ok(States::new(&self.contact, &self.contact, self.folds()?.clone()))
+    }
+
+    /// The contact radii of `curve`.
+    pub(crate) fn radii(&self) -> Result<Vec<Literal>> {
+        let given = &self.scene.output.curve;
+        if given.is_empty() { sample::radii(&self.contact, self.folds()?) } else { Ok(given.clone()) }
+    }
+
+    pub(crate) fn completeness(&self) -> Result<Complete> {
+        Ok(match self.folds()?.completeness {
+            Completeness::Resolved => not_proved("searched over all radii in f64, and resolved everywhere"),
+            Completeness::Doubtful => not_proved("searched in f64, and not resolved everywhere: folds may be missing"),
+        })
+    }
+}
+
+/// A list that is not proved to be complete.
+pub(crate) fn not_proved(why: &str) -> Complete {
+    Complete { proved: false, from: None, to: None, why: why.to_owned() }
+}
+
+/// A double as it is printed; one that is no number is out of range.
+fn double(value: f64) -> Field<Number> {
+    if value.is_finite() {
+        Field::Number(Number::Double(value))
+    } else {
+        Field::Marked { status: Status::Overflow, log10: None, why: None }
+    }
+}

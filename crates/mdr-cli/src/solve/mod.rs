@@ -1,0 +1,137 @@
+//! `mdr solve`: whatever a scene asks for, and nothing else.
+
+mod answer;
+mod certified;
+mod contact;
+mod digits;
+mod double;
+mod exact;
+mod explain;
+mod library;
+mod outputs;
+mod record;
+mod render;
+mod sample;
+mod states;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use mdr_core::contact::Error;
+
+use self::answer::{Answer, Output as Solved};
+use self::certified::Certified;
+use self::contact::Tally;
+use self::double::Double;
+use self::explain::Cost;
+use crate::error::{Failure, Result};
+use crate::flags::{Arithmetic, ArithmeticFlags};
+use crate::output::{Format, Output};
+use crate::scene::{Scene, Want};
+
+const EXAMPLES: &str = "\
+Examples:
+  All instabilities of a wavy sphere, 20 digits, each proved:
+    mdr solve examples/scenes/figure-4.toml
+
+  For another program, or in hardware arithmetic:
+    mdr solve examples/scenes/figure-4.toml --format json
+    mdr solve examples/scenes/figure-4.toml --f64
+
+  What was evaluated, how often and how long it took, on standard error:
+    mdr solve examples/scenes/figure-4.toml --explain
+
+A scene is a TOML file with the tables [material], [profile], [control] and [output]; examples/scenes has one for every
+kind of profile and control. Numbers are exact as written, as text or not: 0.3, \"1e-9\", \"1/3\".
+Every output names its promise: certified (each digit proved), mp (two precisions agree), or f64.
+JSON: schema mdr.solve/1, one key for each output that is wanted.
+Exit status: 0 answered, 2 bad input.";
+
+/// Solve a scene: transform, equilibria, folds, loading path, curve, pressure, gap and energy of a contact.
+///
+/// What is wanted, for which profile, material and control, is written in a TOML file. Nothing else is computed.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Solve {
+    /// The scene, a TOML file; - is standard input
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+
+    #[command(flatten)]
+    arithmetic: ArithmeticFlags,
+
+    /// Shape of the answer
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    format: Format,
+
+    /// Tell on standard error what each output cost: evaluations of g, its slope and its integral, and time
+    #[arg(long)]
+    explain: bool,
+}
+
+impl Solve {
+    /// Answers on `out`.
+    pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
+        let scene = Scene::open(&self.scene, self.arithmetic.given()?)?;
+        let (answer, costs) = solve(&scene)?;
+        render::write(&answer, self.format, out)?;
+        if self.explain { explain::write(&costs) } else { Ok(()) }
+    }
+}
+
+/// The answer, and what each output cost.
+fn solve(scene: &Scene) -> Result<(Answer, Vec<Cost>)> {
+    let tally = Arc::new(Tally::default());
+    let solver = Solver::new(scene, &tally).map_err(|error| scene.profile_place.refuse(error.to_string()))?;
+    let mut outputs = Vec::new();
+    let mut costs = Vec::new();
+    for &want in &scene.output.want {
+        let (before, begin) = (tally.read(), Instant::now());
+        let bar = spinner(want);
+        let output = solver.output(want).map_err(Failure::Contact)?;
+        bar.finish_and_clear();
+        costs.push(Cost::new(want, before, tally.read(), begin.elapsed()));
+        outputs.push(output);
+    }
+    let digits = match scene.output.arithmetic {
+        Arithmetic::Certified { digits } => Some(digits),
+        Arithmetic::Double => None,
+    };
+    Ok((Answer { digits, profile: scene.profile.name(), control: scene.held.by.name(), outputs }, costs))
+}
+
+/// A scene in the arithmetic that it asks for.
+enum Solver<'s> {
+    Double(Double<'s>),
+    Certified(Certified<'s>),
+}
+
+impl<'s> Solver<'s> {
+    fn new(scene: &'s Scene, tally: &Arc<Tally>) -> std::result::Result<Self, Error> {
+        Ok(match scene.output.arithmetic {
+            Arithmetic::Double => Solver::Double(Double::new(scene, tally)?),
+            Arithmetic::Certified { digits } => Solver::Certified(Certified::new(scene, digits, tally)),
+        })
+    }
+
+    fn output(&self, want: Want) -> std::result::Result<Solved, Error> {
+        match self {
+            Solver::Double(double) => double.output(want),
+            Solver::Certified(certified) => certified.output(want),
+        }
+    }
+}
+
+/// What is being computed, on a terminal and when it takes long.
+fn spinner(want: Want) -> ProgressBar {
+    let bar = ProgressBar::new_spinner();
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+        bar.set_style(style);
+    }
+    bar.set_message(want.name());
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}

@@ -1,0 +1,137 @@
+//! Records of an answer: named fields, in any arithmetic.
+//!
+//! An output is a list of records. The same record holds enclosures while its digits are being decided, and decimals or
+//! doubles when it is printed.
+
+use mdr_core::contact::{Error, Result, Status};
+use mdr_core::number::Literal;
+
+/// One field.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Field<N> {
+    /// A result.
+    Number(N),
+    /// A number of the scene, as it was written.
+    Given(Literal),
+    /// No number: its status, log10 of its magnitude where that is known, and the reason in words.
+    Marked { status: Status, log10: Option<f64>, why: Option<String> },
+    /// A word.
+    Word(&'static str),
+    /// Yes or no.
+    Flag(bool),
+    /// Records below this one.
+    Records(Vec<Record<N>>),
+}
+
+impl<N> Field<N> {
+    /// A result that may be out of range or out of its domain.
+    ///
+    /// # Errors
+    /// What is wrong with the whole computation and not with this number.
+    pub(crate) fn from_result(result: Result<N>) -> Result<Self> {
+        Ok(match result {
+            Ok(value) => Field::Number(value),
+            Err(Error::OutOfRange { log10, .. }) => {
+                let status = if log10 > 0.0 { Status::Overflow } else { Status::Underflow };
+                Field::Marked { status, log10: Some(log10), why: None }
+            }
+            Err(error @ (Error::Domain { .. } | Error::NoConvergence { .. })) => {
+                Field::Marked { status: Status::DomainError, log10: None, why: Some(error.to_string()) }
+            }
+            Err(error) => return Err(error),
+        })
+    }
+
+    pub(crate) fn status(&self) -> Status {
+        match self {
+            Field::Marked { status, .. } => *status,
+            _ => Status::Ok,
+        }
+    }
+
+    fn map<M>(self, f: &mut impl FnMut(N) -> Field<M>) -> Field<M> {
+        match self {
+            Field::Number(number) => f(number),
+            Field::Given(literal) => Field::Given(literal),
+            Field::Marked { status, log10, why } => Field::Marked { status, log10, why },
+            Field::Word(word) => Field::Word(word),
+            Field::Flag(flag) => Field::Flag(flag),
+            Field::Records(records) => Field::Records(records.into_iter().map(|record| record.map(f)).collect()),
+        }
+    }
+}
+
+/// Named fields in the order in which they are printed, and the status of the whole.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Record<N> {
+    fields: Vec<(&'static str, Field<N>)>,
+    status: Option<Status>,
+}
+
+impl<N> Record<N> {
+    pub(crate) fn new() -> Self {
+        Record { fields: Vec::new(), status: None }
+    }
+
+    pub(crate) fn with(mut self, key: &'static str, field: Field<N>) -> Self {
+        self.fields.push((key, field));
+        self
+    }
+
+    /// A result; see [`Field::from_result`].
+    ///
+    /// # Errors
+    /// As there.
+    pub(crate) fn number(self, key: &'static str, result: Result<N>) -> Result<Self> {
+        Ok(self.with(key, Field::from_result(result)?))
+    }
+
+    /// The same with a status that its numbers do not tell.
+    pub(crate) fn marked(self, status: Status) -> Self {
+        Record { status: Some(status), ..self }
+    }
+
+    pub(crate) fn fields(&self) -> &[(&'static str, Field<N>)] {
+        &self.fields
+    }
+
+    /// That of the record where it has one, else that of its first number in trouble, else ok.
+    pub(crate) fn status(&self) -> Status {
+        let of_fields = || self.fields.iter().map(|(_, field)| field.status()).find(|status| *status != Status::Ok);
+        self.status.or_else(of_fields).unwrap_or(Status::Ok)
+    }
+
+    /// What is wrong, in words.
+    pub(crate) fn why(&self) -> Option<&str> {
+        self.fields.iter().find_map(|(_, field)| match field {
+            Field::Marked { why: Some(why), .. } => Some(why.as_str()),
+            _ => None,
+        })
+    }
+
+    pub(crate) fn map<M>(self, f: &mut impl FnMut(N) -> Field<M>) -> Record<M> {
+        let fields = self.fields.into_iter().map(|(key, field)| (key, field.map(f))).collect();
+        Record { fields, status: self.status }
+    }
+
+    /// The same with all numbers in another type.
+    pub(crate) fn convert<M>(self, mut f: impl FnMut(N) -> M) -> Record<M> {
+        self.map(&mut |number| Field::Number(f(number)))
+    }
+}
+
+/// The numbers of records, in their order.
+pub(crate) fn numbers<N>(records: &[Record<N>]) -> Vec<&N> {
+    fn collect<'a, N>(records: &'a [Record<N>], found: &mut Vec<&'a N>) {
+        for (_, field) in records.iter().flat_map(|record| &record.fields) {
+            match field {
+                Field::Number(number) => found.push(number),
+                Field::Records(records) => collect(records, found),
+                _ => {}
+            }
+        }
+    }
+    let mut found = Vec::new();
+    collect(records, &mut found);
+    found
+}

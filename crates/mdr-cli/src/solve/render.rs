@@ -1,0 +1,168 @@
+//! The answer for a reader and for a spreadsheet.
+
+use mdr_core::contact::Status;
+
+use super::answer::{Answer, Output as Solved};
+use super::record::{Field, Record};
+use crate::error::Result;
+use crate::number::Number;
+use crate::output::{Format, Output};
+use crate::table::{Tone, cell, render, table};
+
+/// Writes `answer` in the `format` asked for.
+pub(crate) fn write(answer: &Answer, format: Format, out: &mut Output<impl std::io::Write>) -> Result<()> {
+    match format {
+        Format::Json => out.json(answer),
+        Format::Csv => for_spreadsheet(answer, out),
+        Format::Table => out.text(for_reader(answer)),
+    }
+}
+
+/// A heading with its unit.
+fn title(key: &str) -> &str {
+    match key {
+        "contact_radius" => "contact radius, m",
+        "to_contact_radius" => "to radius, m",
+        "indentation" => "indentation, m",
+        "force" => "force, N",
+        "to_force" => "to force, N",
+        "dissipated" => "dissipated, J",
+        "energy" => "energy, J",
+        "stiffness" => "stiffness, N/m",
+        "pressure" => "pressure, Pa",
+        "gap" => "gap, m",
+        "g" => "g, m",
+        "integral" => "integral, m²",
+        "x" => "x, m",
+        "r" => "r, m",
+        key => key,
+    }
+}
+
+fn for_reader(answer: &Answer) -> String {
+    let digits = match answer.digits {
+        Some(1) => "1 digit".to_owned(),
+        Some(digits) => format!("{digits} digits"),
+        None => "f64".to_owned(),
+    };
+    let heading = format!("Profile: {}; controlled: {}; {digits}", answer.profile, answer.control);
+    let parts = answer.outputs.iter().map(output);
+    std::iter::once(heading).chain(parts).collect::<Vec<_>>().join("\n\n")
+}
+
+fn output(output: &Solved) -> String {
+    let rows = flat(&output.records);
+    let mut text = format!("{} ({})\n\n", output.want.name(), output.promise.name());
+    let columns = columns(&rows);
+    if rows.is_empty() {
+        text.push_str(" none\n");
+    } else {
+        let mut table = table(&columns.iter().map(|key| title(key)).collect::<Vec<_>>());
+        for row in &rows {
+            table.add_row(columns.iter().map(|key| match row.iter().find(|(name, _)| name == key) {
+                Some((_, (text, tone))) => cell(text, *tone),
+                None => cell("", Tone::Plain),
+            }));
+        }
+        text.push_str(&render(&table));
+        text.push('\n');
+    }
+    for (field, promise) in &output.exceptions {
+        text.push_str(&format!("\n{field}: {}\n", promise.name()));
+    }
+    if let Some(complete) = &output.complete {
+        let range = match (&complete.from, &complete.to) {
+            (Some(from), Some(to)) => format!(" for contact radii from {from} to {to} m"),
+            (Some(_), None) => " for all contact radii".to_owned(),
+            _ => String::new(),
+        };
+        text.push('\n');
+        let proved = if complete.proved { "Proved complete" } else { "Not proved complete" };
+        text.push_str(&format!("{proved}{range}: {}.", complete.why));
+    }
+    text.trim_end().to_owned()
+}
+
+/// A row: its columns with their texts.
+type Row = Vec<(&'static str, (String, Tone))>;
+
+/// One row for each innermost record, with the fields of the records around it.
+fn flat(records: &[Record<Number>]) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for record in records {
+        let mut own: Row = Vec::new();
+        let mut inner = Vec::new();
+        let mut nested = false;
+        for (key, field) in record.fields() {
+            match field {
+                Field::Records(records) => {
+                    nested = true;
+                    inner.extend(flat(records));
+                }
+                field => own.push((key, text(field))),
+            }
+        }
+        let status = record.status();
+        let tone = if status == Status::Ok { Tone::Faint } else { Tone::Bad };
+        if inner.is_empty() {
+            own.push(("status", (status.to_string(), tone)));
+            rows.push(own);
+            continue;
+        }
+        for row in inner {
+            let mut row: Row = own.iter().cloned().chain(row).collect();
+            // The status of a state counts where that of its point is ok.
+            if nested
+                && status != Status::Ok
+                && let Some((_, (text, old))) = row.iter_mut().find(|(key, _)| *key == "status")
+                && text == "ok"
+            {
+                (*text, *old) = (status.to_string(), tone);
+            }
+            rows.push(row);
+        }
+    }
+    rows
+}
+
+fn text(field: &Field<Number>) -> (String, Tone) {
+    match field {
+        Field::Number(number) => (number.to_string(), Tone::Good),
+        Field::Given(literal) => (literal.to_string(), Tone::Plain),
+        Field::Marked { log10: Some(log10), .. } => (format!("about 10^{log10:.6}"), Tone::Bad),
+        Field::Marked { .. } | Field::Records(_) => (String::new(), Tone::Faint),
+        Field::Word(word) => ((*word).to_owned(), Tone::Plain),
+        Field::Flag(true) => ("yes".to_owned(), Tone::Plain),
+        Field::Flag(false) => ("no".to_owned(), Tone::Plain),
+    }
+}
+
+/// The keys of all rows, in the order in which they first appear; the status last.
+fn columns(rows: &[Row]) -> Vec<&'static str> {
+    let mut columns = Vec::new();
+    for (key, _) in rows.iter().flatten() {
+        if *key != "status" && !columns.contains(key) {
+            columns.push(*key);
+        }
+    }
+    columns.push("status");
+    columns
+}
+
+/// One table for all outputs: the first columns say which output, and its promise.
+fn for_spreadsheet(answer: &Answer, out: &mut Output<impl std::io::Write>) -> Result<()> {
+    let tables: Vec<_> = answer.outputs.iter().map(|output| (output, flat(&output.records))).collect();
+    let all: Vec<Row> = tables.iter().flat_map(|(_, rows)| rows.iter().cloned()).collect();
+    let keys = columns(&all);
+    let header: Vec<&str> = ["output", "promise"].into_iter().chain(keys.iter().copied()).collect();
+    let rows = tables.iter().flat_map(|(output, rows)| {
+        rows.iter().map(|row| {
+            let value = |key: &&str| {
+                row.iter().find(|(name, _)| name == key).map(|(_, (text, _))| text.clone()).unwrap_or_default()
+            };
+            let first = [output.want.name().to_owned(), output.promise.name().to_owned()];
+            first.into_iter().chain(keys.iter().map(value)).collect::<Vec<_>>()
+        })
+    });
+    out.csv(&header, rows)
+}

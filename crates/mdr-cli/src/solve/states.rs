@@ -1,0 +1,220 @@
+//! Pressure, gap and energy of states, for any arithmetic that is not an enclosure.
+
+use mdr_core::calculus::roots::{self, Bracket};
+use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Result, Stability, Status};
+use mdr_core::number::Literal;
+use mdr_numeric::curve::Curve;
+use mdr_numeric::energy::Energy;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::fields::Fields;
+use mdr_numeric::folds::Folds;
+
+use super::contact::{Arithmetic, Contact};
+use super::outputs::{at_value, equilibrium};
+use super::record::{Field, Record};
+use super::sample::decimal;
+use crate::scene::{Scene, Start, Want};
+
+/// Radii of `pressure` over the contact radius, when the scene names none.
+const INSIDE: [(i64, i64); 6] = [(0, 1), (1, 4), (1, 2), (3, 4), (9, 10), (99, 100)];
+/// Radii of `gap` over the contact radius, when the scene names none.
+const OUTSIDE: [(i64, i64); 6] = [(101, 100), (11, 10), (5, 4), (3, 2), (2, 1), (4, 1)];
+/// How far the gap is searched for interpenetration, in contact radii.
+const FAR: f64 = 8.0;
+/// How many octaves from the folds equilibria are looked for.
+const REACH: i64 = 1000;
+
+/// A contact and its folds.
+pub(crate) struct States<'a, R: Arithmetic> {
+    contact: &'a Contact<R>,
+    /// In f64: where samples are good enough.
+    rough: &'a Contact<f64>,
+    branches: Branches<'a, R>,
+}
+
+impl<'a, R: Arithmetic> States<'a, R> {
+    pub(crate) fn new(contact: &'a Contact<R>, rough: &'a Contact<f64>, folds: Folds<R>) -> Self {
+        let [lower, upper] = reach(contact, &folds);
+        States { contact, rough, branches: Branches::cut_at(contact.curve(), folds).within(lower, upper) }
+    }
+
+    /// All equilibria at a value of the controlled quantity, which they have exactly.
+    fn at(&self, literal: &Literal) -> Result<Vec<Equilibrium<R>>> {
+        let value = self.contact.number(literal);
+        let mut states = self.branches.equilibria(&value)?;
+        for state in states.iter_mut().filter(|state| state.stability != Stability::Neutral) {
+            match self.branches.curve().control() {
+                Control::Indentation => state.indentation = value.clone(),
+                Control::Force => state.force = value.clone(),
+                Control::Machine { .. } => {}
+            }
+        }
+        Ok(states)
+    }
+
+    /// All equilibria at the values that the scene asks for.
+    ///
+    /// # Errors
+    /// As [`Branches::equilibria`].
+    pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<Record<R>>> {
+        let at = |literal: &Literal| {
+            let states = self.at(literal)?;
+            Ok(at_value(literal, "equilibria", states.into_iter().map(equilibrium).collect()))
+        };
+        values.iter().map(at).collect()
+    }
+
+    /// Pressure, gap or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
+    ///
+    /// # Errors
+    /// As [`Branches::equilibria`].
+    pub(crate) fn fields(&self, scene: &Scene, want: Want) -> Result<Vec<Record<R>>> {
+        let describe = |literal: &Literal, states: Vec<Equilibrium<R>>| {
+            let records = states.into_iter().map(|state| self.describe(scene, want, state)).collect::<Result<_>>()?;
+            Ok(at_value(literal, "states", records))
+        };
+        match (scene.output.values.as_slice(), scene.held.path.first()) {
+            ([], Some(first)) => {
+                let states = self.at(first)?;
+                Ok(vec![describe(first, self.started(&scene.held.start, states))?])
+            }
+            (values, _) => values.iter().map(|literal| describe(literal, self.at(literal)?)).collect(),
+        }
+    }
+
+    /// The one of all equilibria at a value on which a path starts.
+    fn started(&self, start: &Start, states: Vec<Equilibrium<R>>) -> Vec<Equilibrium<R>> {
+        let mut stable = states.into_iter().filter(|state| state.stability == Stability::Stable);
+        let found = match start {
+            Start::Largest => stable.last(),
+            Start::Smallest => stable.next(),
+            Start::Detached => None,
+            Start::Radius(radius) => {
+                let near = self.contact.number(radius);
+                let distance = |state: &Equilibrium<R>| (state.contact_radius.clone() - &near).abs();
+                stable.reduce(|best, state| if distance(&state) < distance(&best) { state } else { best })
+            }
+        };
+        found.into_iter().collect()
+    }
+
+    fn describe(&self, scene: &Scene, want: Want, state: Equilibrium<R>) -> Result<Record<R>> {
+        let fields = Fields::new(self.contact.curve(), state.contact_radius.clone())?;
+        match want {
+            Want::Pressure => self.pressure(&scene.output.pressure, &fields, state),
+            Want::Gap => self.gap(&scene.output.gap, &fields, state),
+            _ => self.energy(&fields, state),
+        }
+    }
+
+    fn pressure(&self, radii: &[Literal], fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<R>> {
+        let points = self.points(radii, &INSIDE, &state.contact_radius, "pressure", |r| fields.pressure(r))?;
+        Ok(equilibrium(state).with("pressure", Field::Records(points)))
+    }
+
+    fn gap(&self, radii: &[Literal], fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<R>> {
+        let points = self.points(radii, &OUTSIDE, &state.contact_radius, "gap", |r| fields.gap(r))?;
+        let closed = self.interpenetration(fields, state.contact_radius.approx())?;
+        let record = equilibrium(state).with("gap", Field::Records(points));
+        Ok(match closed {
+            None => record,
+            Some(point) => record.with("interpenetration", Field::Records(vec![point])).marked(Status::NotAdmissible),
+        })
+    }
+
+    /// A radius outside the contact at which the gap is negative: the contact is not simply connected as assumed.
+    fn interpenetration(&self, fields: &Fields<'_, R>, a: f64) -> Result<Option<Record<R>>> {
+        let Some(r) = interpenetration(self.rough, &a)? else { return Ok(None) };
+        // As short as it may be: any radius with a negative gap is as good as another.
+        for digits in 3..=17 {
+            let literal = decimal(r, digits)?;
+            let gap = fields.gap(&self.contact.number(&literal));
+            if gap.as_ref().is_ok_and(|gap| *gap < gap.lit(0)) {
+                return Ok(Some(Record::new().with("r", Field::Given(literal)).number("gap", gap)?));
+            }
+        }
+        Ok(None)
+    }
+
+    fn energy(&self, fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<R>> {
+        let energy = Energy::new(self.contact.transform(), self.contact.material())?;
+        let potential = energy.potential(&state.contact_radius, &state.indentation);
+        equilibrium(state).number("energy", potential)?.number("stiffness", fields.stiffness())
+    }
+
+    /// A field at the radii of the scene, else at fractions of the contact radius.
+    fn points(
+        &self,
+        radii: &[Literal],
+        fractions: &[(i64, i64)],
+        a: &R,
+        key: &'static str,
+        field: impl Fn(&R) -> Result<R>,
+    ) -> Result<Vec<Record<R>>> {
+        if radii.is_empty() {
+            let at = |&(numerator, denominator): &(i64, i64)| {
+                let r = a.clone().times(numerator).over(denominator);
+                let value = field(&r);
+                Record::new().with("r", Field::Number(r)).number(key, value)
+            };
+            return fractions.iter().map(at).collect();
+        }
+        let at = |literal: &Literal| {
+            let value = field(&self.contact.number(literal));
+            Record::new().with("r", Field::Given(literal.clone())).number(key, value)
+        };
+        radii.iter().map(at).collect()
+    }
+}
+
+/// The radius at which the gap of a state is closed although the contact ends before: none where it is admissible.
+///
+/// # Errors
+/// As [`Fields::interpenetration`].
+fn interpenetration(contact: &Contact<f64>, a: &f64) -> Result<Option<f64>> {
+    let until = match contact.transform().outer_radius() {
+        Some(outer) => (a * FAR).min(a + 0.99 * (outer - a)),
+        None => a * FAR,
+    };
+    if until > *a { Fields::new(contact.curve(), *a)?.interpenetration(&until) } else { Ok(None) }
+}
+
+/// The radii between which equilibria are looked for: far below the folds and far above, or all that f64 could reach.
+fn reach<R: Arithmetic>(contact: &Contact<R>, folds: &Folds<R>) -> [R; 2] {
+    let length = contact.curve().material_length();
+    let first = folds.folds.first().map_or(&length, |fold| &fold.contact_radius);
+    let last = folds.folds.last().map_or(&length, |fold| &fold.contact_radius);
+    [length.lit(2).powi(-REACH) * first, length.lit(2).powi(REACH) * last]
+}
+
+/// Folds that are known in f64, in another arithmetic: each is looked for near the radius that is known.
+///
+/// # Errors
+/// Those of the transform; [`Error::NoConvergence`] when a fold is not found again.
+pub(crate) fn polished<R: Arithmetic>(contact: &Contact<R>, rough: &Folds<f64>) -> Result<Folds<R>> {
+    let curve = contact.curve();
+    let folds = rough.folds.iter().map(|fold| polish(contact, &curve, fold)).collect::<Result<_>>()?;
+    Ok(Folds { folds, completeness: rough.completeness })
+}
+
+fn polish<R: Arithmetic>(
+    contact: &Contact<R>,
+    curve: &Curve<'_, R>,
+    rough: &Instability<f64>,
+) -> Result<Instability<R>> {
+    let centre = contact.double(rough.contact_radius);
+    if let Some(wall) = curve.wall().filter(|wall| wall.approx() == rough.contact_radius) {
+        let (indentation, force) = curve.state(&wall)?;
+        return Ok(Instability { contact_radius: wall, indentation, force, kind: rough.kind });
+    }
+    let excess = |a: &R| Ok(curve.tangency(a)? - curve.threshold(a));
+    for halvings in [44, 36, 28, 20, 12] {
+        let margin = centre.lit(2).powi(-halvings) * &centre;
+        let (lower, upper) = (centre.clone() - &margin, centre.clone() + &margin);
+        let Some(bracket) = Bracket::new(&lower, &upper, excess)? else { continue };
+        let contact_radius = roots::refine(bracket, &centre.unit_roundoff(), excess)?.value;
+        let (indentation, force) = curve.state(&contact_radius)?;
+        return Ok(Instability { contact_radius, indentation, force, kind: rough.kind });
+    }
+    Err(Error::NoConvergence { quantity: Quantity::ContactRadius, evaluations: 10, error: 2f64.powi(-12) })
+}
