@@ -6,6 +6,7 @@ mod bad_input;
 mod critical;
 mod decimal;
 mod doubles;
+mod figures;
 mod help;
 mod precision;
 mod readme;

@@ -4,9 +4,11 @@
 
 mod critical;
 mod error;
+mod figures;
 mod flags;
 mod number;
 mod output;
+mod picture;
 mod scene;
 mod solve;
 mod table;
@@ -35,6 +37,7 @@ enum Command {
     Verify(verify::Verify),
     Critical(critical::Critical),
     Solve(solve::Solve),
+    Figures(figures::Figures),
 }
 
 fn main() -> ExitCode {
@@ -58,6 +61,7 @@ impl Command {
             Command::Verify(verify) => verify.run(out),
             Command::Critical(critical) => critical.run(out).map(|()| true),
             Command::Solve(solve) => solve.run(out).map(|()| true),
+            Command::Figures(figures) => figures.run(out).map(|()| true),
         }
     }
 }
