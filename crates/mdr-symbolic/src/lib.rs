@@ -59,6 +59,7 @@
 #![forbid(unsafe_code)]
 
 mod calculus;
+pub mod derivations;
 mod dimension;
 mod domain;
 mod error;

@@ -125,11 +125,10 @@ impl Quotient {
     /// This with `value` in the place of a symbol.
     ///
     /// # Errors
-    /// As [`Expression::substitute`]; [`Error::PowerOfSum`] when `value` has a denominator of several terms.
+    /// As [`Expression::substitute`].
     pub fn substitute(&self, symbol: Symbol, value: &Quotient, domain: Domain) -> Result<Self> {
-        let value = value.as_expression().ok_or_else(|| Error::PowerOfSum { exponent: "-1".to_owned() })?;
-        let numerator = self.numerator.substitute(symbol, value, domain)?;
-        Quotient::new(numerator, self.denominator.substitute(symbol, value, domain)?)
+        let above = self.numerator.substitute_quotient(symbol, value, domain)?;
+        above.over(&self.denominator.substitute_quotient(symbol, value, domain)?)
     }
 
     /// This at a fixed n.
@@ -153,6 +152,28 @@ impl Quotient {
         let below = self.denominator.sign_on(domain).filter(|sign| sign.is_ne())?;
         let above = self.numerator.sign_on(domain)?;
         Some(if below.is_lt() { above.reverse() } else { above })
+    }
+}
+
+impl Expression {
+    /// The expression with a quotient in the place of a symbol.
+    fn substitute_quotient(&self, symbol: Symbol, value: &Quotient, domain: Domain) -> Result<Quotient> {
+        if let Some(value) = value.as_expression() {
+            match self.substitute(symbol, value, domain) {
+                // A negative power of a sum is a quotient.
+                Err(Error::PowerOfSum { .. }) => {}
+                result => return result.map(Quotient::from),
+            }
+        }
+        // Refuses where another symbol is a function of the replaced one.
+        self.substitute(symbol, &Expression::symbol(symbol), domain)?;
+        let mut sum = Quotient::from(Expression::zero());
+        for (coefficient, monomial) in self.terms() {
+            let rest = Expression::from_term((coefficient.clone(), monomial.without(symbol)));
+            let power = value.power(&monomial.exponent(symbol), domain)?;
+            sum = sum.plus(&Quotient::from(rest).times(&power)?)?;
+        }
+        Ok(sum)
     }
 }
 

@@ -35,8 +35,10 @@ impl RationalFunction {
             return Err(Error::DivisionByZero);
         }
         let common = numerator.gcd(&denominator);
-        let (numerator, _) = numerator.divide(&common)?;
-        let (denominator, _) = denominator.divide(&common)?;
+        let (numerator, denominator) = match common.degree() {
+            0 => (numerator, denominator),
+            _ => (numerator.divide(&common)?.0, denominator.divide(&common)?.0),
+        };
         let scale = denominator.leading().recip();
         Ok(RationalFunction { numerator: numerator.scaled(&scale), denominator: denominator.scaled(&scale) })
     }
@@ -157,6 +159,9 @@ fn lowest_terms(numerator: Polynomial, denominator: Polynomial) -> RationalFunct
 impl Add for &RationalFunction {
     type Output = RationalFunction;
     fn add(self, other: &RationalFunction) -> RationalFunction {
+        if self.is_zero() {
+            return other.clone();
+        }
         let numerator = &(&self.numerator * &other.denominator) + &(&other.numerator * &self.denominator);
         lowest_terms(numerator, &self.denominator * &other.denominator)
     }
@@ -179,6 +184,12 @@ impl Sub for &RationalFunction {
 impl Mul for &RationalFunction {
     type Output = RationalFunction;
     fn mul(self, other: &RationalFunction) -> RationalFunction {
+        if self.is_one() {
+            return other.clone();
+        }
+        if other.is_one() {
+            return self.clone();
+        }
         lowest_terms(&self.numerator * &other.numerator, &self.denominator * &other.denominator)
     }
 }

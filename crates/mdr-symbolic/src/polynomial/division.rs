@@ -35,6 +35,9 @@ impl Polynomial {
 
     /// The monic greatest common divisor, by Euclid's algorithm; 0 when both are 0.
     pub fn gcd(&self, other: &Self) -> Self {
+        if [self, other].iter().any(|side| side.degree() == 0 && !side.is_zero()) {
+            return Self::constant(1);
+        }
         let (mut greater, mut less) = (self.clone(), other.clone());
         while let Ok((_, rest)) = greater.divide(&less) {
             (greater, less) = (less, rest);

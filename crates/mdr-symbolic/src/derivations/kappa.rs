@@ -1,0 +1,76 @@
+//! The factor κ: recurrences, and series without the Gamma function.
+
+use super::{Claim, Entry, POSITIVE, Step};
+
+pub(super) const RECURRENCES: Entry = Entry {
+    id: "kappa-recurrences",
+    title: "Recurrences of κ",
+    verdict: Claim::Proved,
+    assumptions: &["n > 0"],
+    steps: &[
+        Step::proved(POSITIVE, "kappa(n) = κ_Γ", "The definition (1.12)."),
+        Step::proved(POSITIVE, "kappa(n)*kappa(n + 1) = π*(n + 1)/2", "By Γ(z + 1) = z Γ(z)."),
+        Step::proved(
+            POSITIVE,
+            "kappa(n + 2) = kappa(n)*(n + 2)/(n + 1)",
+            "The same, or the equality of integrals in 1.1: it carries κ through all exponents that differ by 2.",
+        ),
+        Step::proved(POSITIVE, "kappa(4) = 8/3", "As 2·4/3."),
+        Step::proved(POSITIVE, "kappa(3) = 3*π/4", "As (π/2)·3/2."),
+    ],
+    erratum: None,
+    references: &[],
+};
+
+pub(super) const SERIES: Entry = Entry {
+    id: "kappa-series",
+    title: "Series for κ without the Gamma function",
+    verdict: Claim::Enclosed,
+    assumptions: &["f(b, c) = ₂F₁(1, b; c; 1/2) is the sum of terms t_j with t_0 = 1", "n > 0"],
+    steps: &[
+        Step::enclosed(
+            POSITIVE,
+            "f(n, 1 + n/2) = κ_Γ",
+            "Gauss's second theorem, cited; the enclosure sums the series and bounds its tail by a geometric series.",
+        ),
+        Step::proved(
+            POSITIVE,
+            "at(q, j, 0) = b/(2*c)",
+            "The ratio t_{j+1}/t_j is `q = (b + j)/(2*(c + j))`. So t_1 = b/2c,",
+        ),
+        Step::proved(
+            POSITIVE,
+            "at(q, j, j + 1) = at(at(q, b, b + 1), c, c + 1)",
+            "and from there on the ratios are those of f(b+1, c+1): f(b,c) = 1 + (b/2c) f(b+1,c+1).",
+        ),
+        Step::proved(
+            POSITIVE,
+            "at(c/(c + j), j, j + 1)*(c + j)/c = at(q, c, c + 1)/q",
+            "The terms of f(b, c+1) are c/(c+j) times those of f(b, c): both are 1 at j = 0, and the ratios agree.",
+        ),
+        Step::proved(
+            POSITIVE,
+            "1 + (c - b)/c*c/(c + j) = 2*(1 - q)",
+            "So the terms of f(b,c) + ((c−b)/c) f(b,c+1) are 2t_j − 2t_{j+1}, and their sum is 2t_0: \
+             f(b,c) = 2 − ((c−b)/c) f(b,c+1).",
+        ),
+        Step::proved(
+            POSITIVE,
+            "1 + b/(2*c)*(2 - (c - b)/(c + 1)*z) = (b + c)/c - b*(c - b)/(2*c*(c + 1))*z",
+            "Both in turn, with z for f(b+1, c+2).",
+        ),
+        Step::proved(
+            POSITIVE,
+            "at(at((b + c)/c, b, n + m), c, 1 + n/2 + 2*m) = (3*n/2 + 1 + 3*m)/(n/2 + 1 + 2*m)",
+            "Started at b = n, c = 1 + n/2, the m-th turn has b = n + m, c = 1 + n/2 + 2m, and contributes this,",
+        ),
+        Step::proved(
+            POSITIVE,
+            "at(at(b*(c - b)/(2*c*(c + 1)), b, n + m), c, 1 + n/2 + 2*m) \
+             = (n + m)*(1 - n/2 + m)/(2*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m))",
+            "times the product of these with alternating sign, which tends to 1/8: three bits a turn. For even n the series ends.",
+        ),
+    ],
+    erratum: None,
+    references: &["NIST Digital Library of Mathematical Functions, §15.4 and §15.5"],
+};
