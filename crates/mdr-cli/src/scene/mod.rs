@@ -44,6 +44,8 @@ pub(crate) struct Held {
     /// Way points of the controlled quantity; empty when there is no path.
     pub(crate) path: Vec<Literal>,
     pub(crate) start: Start,
+    /// For complaints about the start.
+    pub(crate) start_place: Place,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -60,6 +62,15 @@ impl HeldBy {
             HeldBy::Indentation => "indentation",
             HeldBy::Force => "force",
             HeldBy::Machine { .. } => "machine",
+        }
+    }
+
+    /// The symbol of the controlled quantity.
+    pub(crate) fn quantity(&self) -> &'static str {
+        match self {
+            HeldBy::Indentation => "d",
+            HeldBy::Force => "F",
+            HeldBy::Machine { .. } => "D = d + F/k",
         }
     }
 }
@@ -142,9 +153,11 @@ fn held(section: &Section<'_>) -> Result<Held> {
         (_, None) => HeldBy::Force,
     };
     let path = section.optional("path").map_or(Ok(Vec::new()), |path| path.numbers(Value::number))?;
-    let start = section.optional("start").map_or(Ok(Start::Largest), |start| start_of(&start))?;
+    let start = section.optional("start");
+    let start_place = start.as_ref().map_or_else(|| section.place(), Value::place);
+    let start = start.map_or(Ok(Start::Largest), |start| start_of(&start))?;
     section.finish()?;
-    Ok(Held { by, path, start })
+    Ok(Held { by, path, start, start_place })
 }
 
 fn start_of(value: &Value<'_>) -> Result<Start> {

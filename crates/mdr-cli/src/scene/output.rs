@@ -81,7 +81,6 @@ impl Wanted {
     fn check(&self, list: &Value<'_>, held: &Held) -> Result<()> {
         for want in &self.want {
             let missing = match want {
-                Want::Path if true => "a later version",
                 Want::Transform if self.transform.is_empty() => "radii: [output.transform] at = [\"…\"]",
                 Want::Equilibria if self.values.is_empty() => "values: [output.equilibria] at = [\"…\"]",
                 Want::Path if held.path.len() < 2 => "at least two way points: [control] path = [\"…\", \"…\"]",

@@ -18,7 +18,7 @@ path = ["0", "-0.01"]
 start = "largest"
 
 [output]
-want = ["folds", "energy"]
+want = ["folds", "path"]
 digits = 20
 "#;
 
@@ -37,7 +37,7 @@ fn a_good_scene_keeps_its_decimals() {
     let scene = Scene::read(&Document::from_text("scene.toml", FIGURE_4), None).expect("a good scene");
     let Shape::WavyParaboloid { amplitude, .. } = &scene.profile else { panic!("{:?}", scene.profile) };
     assert_eq!(amplitude.to_string(), "5e-4");
-    assert_eq!(scene.output.want, [Want::Folds, Want::Energy]);
+    assert_eq!(scene.output.want, [Want::Folds, Want::Path]);
     assert_eq!((&scene.held.by, &scene.held.start), (&HeldBy::Indentation, &Start::Largest));
     assert_eq!(scene.output.arithmetic, Arithmetic::Certified { digits: 20 });
 }
@@ -69,6 +69,11 @@ fn complaints_name_file_line_and_key() {
         ),
         ("\"folds\"", "\"fold\"", "scene.toml:18: output.want: unknown output `fold`; did you mean `folds`?"),
         ("digits = 20", "digits = 0", "scene.toml:19: output.digits: must be a whole number from 1 to 100000, got 0"),
+        (
+            "path = [\"0\", \"-0.01\"]",
+            "path = [\"0\"]",
+            "scene.toml:18: output.want: `path` needs at least two way points: [control] path = [\"…\", \"…\"]",
+        ),
         (
             "start = \"largest\"",
             "start = \"biggest\"",

@@ -136,7 +136,7 @@ impl Serialize for Field<Number> {
         match self {
             Field::Number(number) => number.serialize(serializer),
             Field::Given(literal) => serializer.serialize_str(&literal.to_string()),
-            Field::Marked { .. } => serializer.serialize_none(),
+            Field::Marked { .. } | Field::Absent => serializer.serialize_none(),
             Field::Word(word) => serializer.serialize_str(word),
             Field::Flag(flag) => serializer.serialize_bool(*flag),
             Field::Records(records) => records.serialize(serializer),

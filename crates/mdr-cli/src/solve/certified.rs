@@ -38,9 +38,13 @@ impl<'s> Certified<'s> {
             Want::Transform => self.along(want, &self.scene.output.transform)?,
             Want::Curve => self.along(want, &self.rough_or_given_radii()?)?,
             Want::Folds => self.folds()?,
-            Want::Equilibria | Want::Path => {
+            Want::Equilibria => {
                 let values = &self.scene.output.values;
                 let records = self.estimated(|states| states.equilibria(values))?;
+                (Promise::Estimated, Some(self.searched()?), records)
+            }
+            Want::Path => {
+                let records = self.estimated(|states| states.path(&self.scene.held))?;
                 (Promise::Estimated, Some(self.searched()?), records)
             }
             Want::Pressure | Want::Gap | Want::Energy => {

@@ -151,6 +151,10 @@ impl<R: Arithmetic> Contact<R> {
         &self.material
     }
 
+    pub(crate) fn control(&self) -> &Control<R> {
+        &self.control
+    }
+
     pub(crate) fn curve(&self) -> Curve<'_, R> {
         Curve::new(&self.transform, &self.material, &self.control)
     }

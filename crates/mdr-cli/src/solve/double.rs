@@ -53,7 +53,7 @@ impl<'s> Double<'s> {
             Want::Curve => outputs::curve(&self.contact, &self.radii()?)?,
             Want::Equilibria => self.states()?.equilibria(&wanted.values)?,
             Want::Pressure | Want::Gap | Want::Energy => self.states()?.fields(self.scene, want)?,
-            Want::Path => Vec::new(),
+            Want::Path => self.states()?.path(&self.scene.held)?,
         };
         let complete = match want {
             Want::Folds | Want::Equilibria | Want::Path => Some(self.completeness()?),

@@ -9,6 +9,7 @@ mod exact;
 mod explain;
 mod library;
 mod outputs;
+mod path;
 mod record;
 mod render;
 mod sample;
@@ -91,8 +92,9 @@ fn solve(scene: &Scene) -> Result<(Answer, Vec<Cost>)> {
     for &want in &scene.output.want {
         let (before, begin) = (tally.read(), Instant::now());
         let bar = spinner(want);
-        let output = solver.output(want).map_err(Failure::Contact)?;
+        let output = solver.output(want);
         bar.finish_and_clear();
+        let output = output.map_err(|error| complaint(scene, want, error))?;
         costs.push(Cost::new(want, before, tally.read(), begin.elapsed()));
         outputs.push(output);
     }
@@ -101,6 +103,18 @@ fn solve(scene: &Scene) -> Result<(Answer, Vec<Cost>)> {
         Arithmetic::Double => None,
     };
     Ok((Answer { digits, profile: scene.profile.name(), control: scene.held.by.name(), outputs }, costs))
+}
+
+/// What is wrong with the scene when it has no answer.
+fn complaint(scene: &Scene, want: Want, error: Error) -> Failure {
+    match error {
+        Error::NoEquilibrium { .. } if want == Want::Path => scene.held.start_place.refuse(format!(
+            "the path cannot start there: no stable equilibrium, and no gap, at {} = {}",
+            scene.held.by.quantity(),
+            scene.held.path[0]
+        )),
+        error => Failure::Contact(error),
+    }
 }
 
 /// A scene in the arithmetic that it asks for.

@@ -15,6 +15,8 @@ pub(crate) enum Field<N> {
     Given(Literal),
     /// No number: its status, log10 of its magnitude where that is known, and the reason in words.
     Marked { status: Status, log10: Option<f64>, why: Option<String> },
+    /// There is none, and none is expected.
+    Absent,
     /// A word.
     Word(&'static str),
     /// Yes or no.
@@ -54,6 +56,7 @@ impl<N> Field<N> {
             Field::Number(number) => f(number),
             Field::Given(literal) => Field::Given(literal),
             Field::Marked { status, log10, why } => Field::Marked { status, log10, why },
+            Field::Absent => Field::Absent,
             Field::Word(word) => Field::Word(word),
             Field::Flag(flag) => Field::Flag(flag),
             Field::Records(records) => Field::Records(records.into_iter().map(|record| record.map(f)).collect()),

@@ -11,9 +11,10 @@ use mdr_numeric::folds::Folds;
 
 use super::contact::{Arithmetic, Contact};
 use super::outputs::{at_value, equilibrium};
+use super::path;
 use super::record::{Field, Record};
 use super::sample::decimal;
-use crate::scene::{Scene, Start, Want};
+use crate::scene::{Held, Scene, Start, Want};
 
 /// Radii of `pressure` over the contact radius, when the scene names none.
 const INSIDE: [(i64, i64); 6] = [(0, 1), (1, 4), (1, 2), (3, 4), (9, 10), (99, 100)];
@@ -62,6 +63,15 @@ impl<'a, R: Arithmetic> States<'a, R> {
             Ok(at_value(literal, "equilibria", states.into_iter().map(equilibrium).collect()))
         };
         values.iter().map(at).collect()
+    }
+
+    /// The events of the path.
+    ///
+    /// # Errors
+    /// As [`path::follow`].
+    pub(crate) fn path(&self, held: &Held) -> Result<Vec<Record<R>>> {
+        let events = path::follow(self.contact, &self.branches, held)?;
+        path::records(self.contact.control(), &events, |event| path::dissipated(self.contact, event))
     }
 
     /// Pressure, gap or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
