@@ -35,6 +35,11 @@ impl<'a, R: Real> Curve<'a, R> {
         self.control
     }
 
+    /// E* and w.
+    pub fn material(&self) -> &'a Material<R> {
+        self.material
+    }
+
     /// E*, in Pa.
     pub fn effective_modulus(&self) -> &'a R {
         self.material.effective_modulus()
@@ -97,7 +102,7 @@ impl<'a, R: Real> Curve<'a, R> {
 
     /// The indentation at radius `a` while the controlled quantity is held at `value`, equilibrium or not:
     /// d itself, F/(2E*a) + mean g, or (kD + 2E*a·mean g)/(k + 2E*a).
-    fn held_indentation(&self, a: &R, value: &R) -> Result<R> {
+    pub(crate) fn held_indentation(&self, a: &R, value: &R) -> Result<R> {
         let stiffness = self.edge_stiffness(a);
         Ok(match self.control {
             Control::Indentation => value.clone(),

@@ -6,11 +6,15 @@
 //! decisions is proved.
 
 mod follow;
+mod integral;
+mod ledger;
 
 use mdr_core::contact::{Equilibrium, Result};
 use mdr_core::number::Real;
 
 use crate::branch::Branched;
+
+pub use ledger::{Balance, Entry, Ledger, Loss};
 
 /// Which of the equilibria at the first way point a path begins with.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,0 +1,143 @@
+//! Integrals over contact radii: smooth between folds, with anything at kinks and at the tip.
+
+use std::cmp::Ordering;
+
+use mdr_core::calculus::{Estimate, gauss_jacobi, quadrature::tanh_sinh, roundoff_tolerance};
+use mdr_core::contact::{Error, Result};
+use mdr_core::number::Real;
+
+/// Pieces that do not settle are halved this often: waves that make no fold, thousands in one piece.
+const HALVINGS: u32 = 12;
+/// A relative error above this is no noise of the integrand.
+const ROOT_NOISE: f64 = 1e-8;
+
+/// Where an integrand is not smooth.
+pub(super) struct Breaks<R> {
+    /// Radii where g or a derivative of it jumps, ascending.
+    kinks: Vec<R>,
+    /// All radii where a piece should end, ascending.
+    ends: Vec<R>,
+}
+
+impl<R: Real> Breaks<R> {
+    /// At the kinks, and in between at the `folds`, so that there is not much more than one wave in a piece.
+    pub(super) fn new(kinks: Vec<R>, folds: impl Iterator<Item = R>) -> Self {
+        let mut ends: Vec<R> = kinks.iter().cloned().chain(folds).collect();
+        ends.sort_by(order);
+        Breaks { kinks, ends }
+    }
+
+    /// ∫ f(a) da from one radius to another. Only what lies between them is looked at.
+    pub(super) fn integrate(&self, from: &R, to: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
+        self.to_tolerance(from, to, &roundoff_tolerance(from).times(4), &mut f)
+    }
+
+    /// The same to two digits.
+    pub(super) fn roughly(&self, from: &R, to: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<R> {
+        Ok(self.to_tolerance(from, to, &from.ratio(1, 100), &mut f)?.value)
+    }
+
+    fn to_tolerance(
+        &self,
+        from: &R,
+        to: &R,
+        tolerance: &R,
+        f: &mut impl FnMut(&R) -> Result<R>,
+    ) -> Result<Estimate<R>> {
+        let (lower, upper) = if from < to { (from, to) } else { (to, from) };
+        let first = self.ends.partition_point(|end| end <= lower);
+        let inside = self.ends[first..].iter().take_while(|end| *end < upper);
+        let mut total = Estimate { value: from.lit(0), error: from.lit(0), evaluations: 0 };
+        let mut last = lower;
+        for end in inside.chain([upper]) {
+            add(&mut total, self.piece([last, end], tolerance, None, HALVINGS, f)?);
+            last = end;
+        }
+        if from > to {
+            total.value = -total.value;
+        }
+        Ok(total)
+    }
+
+    /// One piece; where it does not settle, its two halves. `before` is the relative error of the piece it is a half of.
+    fn piece(
+        &self,
+        ends: [&R; 2],
+        tolerance: &R,
+        before: Option<f64>,
+        halvings: u32,
+        f: &mut impl FnMut(&R) -> Result<R>,
+    ) -> Result<Estimate<R>> {
+        let [lower, upper] = ends;
+        let reached = match self.rule(lower, upper, tolerance, f) {
+            Err(Error::NoConvergence { error, .. }) => error,
+            result => return result,
+        };
+        let worth_halving = before.is_none_or(|before| reached > ROOT_NOISE || reached < before / 16.0);
+        let middle =
+            if wide(lower, upper) { (lower.ln() + upper.ln()).over(2).exp() } else { (lower.clone() + upper).over(2) };
+        if halvings == 0 || !worth_halving || !(middle > *lower && middle < *upper) {
+            // The integrand is no better than that.
+            let noise = R::from_f64(tolerance.ctx(), 4.0 * reached);
+            return self.rule(
+                lower,
+                upper,
+                if noise < tolerance.unit_roundoff().sqrt() { &noise } else { tolerance },
+                f,
+            );
+        }
+        let mut total = self.piece([lower, &middle], tolerance, Some(reached), halvings - 1, f)?;
+        add(&mut total, self.piece([&middle, upper], tolerance, Some(reached), halvings - 1, f)?);
+        Ok(total)
+    }
+
+    /// Gauss–Legendre, in s with a = lower + s²·width beside a kink, where g' may have an inverse root. At the tip, and
+    /// where that does not converge at a kink or over decades, tanh-sinh.
+    fn rule(&self, lower: &R, upper: &R, tolerance: &R, f: &mut impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
+        let zero = lower.lit(0);
+        let (width, beside_kink) = (upper.clone() - lower, self.is_kink(lower));
+        if *lower > zero {
+            let result = gauss_jacobi::integrate(&zero, &zero, tolerance, |s| {
+                let (a, weight) = if beside_kink {
+                    (s.square() * &width + lower, s.clone().times(2))
+                } else {
+                    (s.clone() * &width + lower, s.lit(1))
+                };
+                Ok(f(&a)? * weight)
+            });
+            match result {
+                Ok(Estimate { value, error, evaluations }) => {
+                    return Ok(Estimate { value: value * &width, error: error * &width, evaluations });
+                }
+                Err(Error::NoConvergence { .. }) if beside_kink || self.is_kink(upper) || wide(lower, upper) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        tanh_sinh(lower, upper, tolerance, |a| f(&not_vanishing(a, upper)))
+    }
+
+    fn is_kink(&self, radius: &R) -> bool {
+        self.kinks.contains(radius)
+    }
+}
+
+/// A radius so small that nothing depends on it any more, in place of a smaller one that leads out of the arithmetic.
+fn not_vanishing<R: Real>(a: &R, upper: &R) -> R {
+    let least = upper.unit_roundoff().square() * upper;
+    if *a > least { a.clone() } else { least }
+}
+
+fn add<R: Real>(total: &mut Estimate<R>, piece: Estimate<R>) {
+    total.value += &piece.value;
+    total.error += &piece.error;
+    total.evaluations += piece.evaluations;
+}
+
+fn order<R: Real>(one: &R, other: &R) -> Ordering {
+    one.partial_cmp(other).unwrap_or(Ordering::Equal)
+}
+
+/// Whether a piece is so long that power laws are not smooth on it.
+fn wide<R: Real>(lower: &R, upper: &R) -> bool {
+    *lower > lower.lit(0) && *upper > lower.clone().times(8)
+}

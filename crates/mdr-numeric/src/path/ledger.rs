@@ -1,0 +1,292 @@
+//! Where the energy of a loading path goes.
+//!
+//! The work of the control is ∫F dd along the curve of equilibria, on a machine ∫F dD with its spring, and under
+//! controlled force F(d₂ − d₁) in a jump. The energy lost in a jump from a₁ to a₂ at a held value is
+//! E* ∫_{a₂}^{a₁} [(d(a) − g(a))² − Δl(a)²] da, with d(a) the indentation held by the control at radius a. What is stored,
+//! Π(a, d) and F²/2k in the spring, is an integral over the whole contact. The three are computed from different
+//! integrands, so that
+//!
+//! work − lost = Π(end) − Π(start)
+//!
+//! is a check of the path, and its residual is compared with a bound.
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result};
+use mdr_core::number::Real;
+
+use super::integral::Breaks;
+use super::{Event, EventKind, Path, State};
+use crate::branch::Branched;
+use crate::curve::Curve;
+use crate::energy::Energy;
+
+/// What an event costs.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Loss<R> {
+    /// This energy, in J.
+    Finite(Estimate<R>),
+    /// More than any number: a dead load that pulls a body off goes on falling; contact that covers the whole surface of a
+    /// half-space goes on spreading.
+    Unbounded,
+}
+
+/// The line of the ledger that belongs to one event.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry<R> {
+    /// The work done by the control since the event before, in J.
+    pub work: Estimate<R>,
+    /// The work done by the control in the event, in J: F(d₂ − d₁) under controlled force, else 0.
+    pub work_in_event: R,
+    /// The energy lost in the event.
+    pub lost: Loss<R>,
+}
+
+/// The energy ledger of a path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ledger<R> {
+    /// One for each event of the path.
+    pub entries: Vec<Entry<R>>,
+    /// The sum; none where something is unbounded.
+    pub balance: Option<Balance<R>>,
+}
+
+/// The books, closed. In J.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Balance<R> {
+    /// The work of the control. On a closed path, one that ends in the state in which it began, it equals the energy
+    /// lost: the hysteresis of the cycle.
+    pub work: R,
+    /// The energy lost in all events.
+    pub lost: R,
+    /// What is stored in the contact and in the spring of a machine at the end, less that at the beginning.
+    pub stored: R,
+    /// work − lost − stored.
+    pub residual: R,
+    /// What the residual may be: the estimated errors of the quadratures, and the rounding of their integrands. It takes g,
+    /// g' and the mean of g to be good to 64 unit roundoffs.
+    pub bound: R,
+}
+
+/// Roundings of g, g', the mean of g and what is made of them, in unit roundoffs.
+const ROUNDINGS: i64 = 64;
+
+impl<R: Real> Ledger<R> {
+    /// The ledger of a path that was followed on the given curve.
+    ///
+    /// Each jump is integrated between its own two radii only, in pieces between the folds and kinks there. The stored
+    /// energy is needed at the beginning and the end of the path.
+    ///
+    /// Over enclosures the integrals are estimates, not enclosures.
+    ///
+    /// ```
+    /// use mdr_core::contact::{Control, Material};
+    /// use mdr_numeric::path::{Ledger, Loss, Path, Start};
+    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, profiles::Paraboloid, transform::Quadrature};
+    /// // The paraboloid loses 2/5 of πa²w when it is pulled off at fixed grips.
+    /// let (ball, control) = (Quadrature::new(Paraboloid::new(1.0)?), Control::Indentation);
+    /// let material = Material::new(1.0, 1e-3)?;
+    /// let branches = Branches::new(Curve::new(&ball, &material, &control))?;
+    /// let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.1])?;
+    /// let ledger = Ledger::new(&path, &branches, branches.curve())?;
+    /// let Loss::Finite(lost) = &ledger.entries[1].lost else { panic!("finite at fixed grips") };
+    /// let a = path.events[1].before.contact().expect("in contact").contact_radius;
+    /// assert!((lost.value / (std::f64::consts::PI * a * a * 1e-3) - 0.4).abs() < 1e-13);
+    /// let balance = ledger.balance.expect("nothing unbounded");
+    /// assert!(balance.residual.abs() <= balance.bound);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of the transform and of the quadrature; [`Error::OutOfRange`] when an energy is no number of this arithmetic.
+    pub fn new(path: &Path<R>, branches: &impl Branched<R>, curve: &Curve<'_, R>) -> Result<Self> {
+        let folds = branches.folds().iter().map(|fold| fold.contact_radius.clone());
+        let books = Books { curve, breaks: Breaks::new(curve.transform().kinks(), folds) };
+        let mut entries = Vec::with_capacity(path.events.len());
+        let mut last: Option<&Event<R>> = None;
+        for event in &path.events {
+            let work = match last {
+                Some(last) => books.work(&last.after, &event.before)?,
+                None => nothing(&event.value),
+            };
+            let (work_in_event, lost) = books.event(event)?;
+            entries.push(Entry { work, work_in_event, lost });
+            last = Some(event);
+        }
+        let balance = books.balance(path, &entries)?;
+        Ok(Ledger { entries, balance })
+    }
+}
+
+struct Books<'a, 'c, R: Real> {
+    curve: &'a Curve<'c, R>,
+    breaks: Breaks<R>,
+}
+
+impl<R: Real> Books<'_, '_, R> {
+    /// The work of the control between two states on one branch.
+    fn work(&self, from: &State<R>, to: &State<R>) -> Result<Estimate<R>> {
+        let (State::Contact(from), State::Contact(to)) = (from, to) else { return Ok(self.none()) };
+        let mut work = self.along_curve(&from.contact_radius, &to.contact_radius)?;
+        if let Some(wall) = self.curve.wall() {
+            // At the wall the contact is a linear spring from the corner of the curve on.
+            let corner = self.curve.state(&wall)?;
+            for (state, sign) in [(from, -1), (to, 1)] {
+                if state.contact_radius == wall {
+                    let mean_force = (corner.1.clone() + &state.force).over(2);
+                    let along = (state.indentation.clone() - &corner.0) * mean_force;
+                    work.error += &(along.abs() * along.unit_roundoff().times(ROUNDINGS));
+                    work.value += &along.times(sign);
+                }
+            }
+        }
+        if let Control::Machine { stiffness } = self.curve.control() {
+            let spring = |state: &Equilibrium<R>| spring_energy(&state.force, stiffness);
+            let (before, after) = (spring(from), spring(to));
+            work.error += &((before.clone() + &after) * before.unit_roundoff().times(ROUNDINGS));
+            work.value += &(after - before);
+        }
+        Ok(work)
+    }
+
+    /// ∫F dd = ∫F(a) (g' − Δl') da.
+    fn along_curve(&self, from: &R, to: &R) -> Result<Estimate<R>> {
+        if from == to {
+            return Ok(self.none());
+        }
+        let slopes = |a: &R| -> Result<(R, R)> {
+            Ok((self.curve.transform().slope(a)?, self.curve.detachment_elongation(a) / a.clone().times(2)))
+        };
+        let mut work = self.breaks.integrate(from, to, |a| {
+            let (rise, fall) = slopes(a)?;
+            Ok(self.curve.force(a)? * (rise - fall))
+        })?;
+        let size = self.breaks.roughly(from, to, |a| {
+            let (rise, fall) = slopes(a)?;
+            Ok(self.terms(a)? * a * (rise.abs() + fall))
+        })?;
+        work.error += &self.rounding(size.times(2));
+        Ok(work)
+    }
+
+    /// What an event costs: work of the control, and energy lost.
+    fn event(&self, event: &Event<R>) -> Result<(R, Loss<R>)> {
+        let zero = event.value.lit(0);
+        let dead_load = *self.curve.control() == Control::Force;
+        match event.kind {
+            EventKind::CompleteContact => Ok((zero, Loss::Unbounded)),
+            EventKind::Detached if dead_load && event.fold.is_some() => Ok((zero, Loss::Unbounded)),
+            EventKind::Jump | EventKind::JumpIn | EventKind::Detached => {
+                let lost = self.lost(&event.before, &event.after, &event.value)?;
+                let work = match (&event.before, &event.after) {
+                    (State::Contact(before), State::Contact(after)) if dead_load => {
+                        (after.indentation.clone() - &before.indentation) * &event.value
+                    }
+                    _ => zero,
+                };
+                Ok((work, Loss::Finite(lost)))
+            }
+            _ => Ok((zero, Loss::Finite(self.none()))),
+        }
+    }
+
+    /// E* ∫_{a₂}^{a₁} δ(δ + 2Δl) da with the direction of change δ = g − d − Δl at the held value.
+    fn lost(&self, before: &State<R>, after: &State<R>, value: &R) -> Result<Estimate<R>> {
+        let radius = |state: &State<R>| state.contact().map_or(value.lit(0), |rest| rest.contact_radius.clone());
+        let (from, to) = (radius(after), radius(before));
+        if from == to {
+            return Ok(self.none());
+        }
+        let modulus = self.curve.effective_modulus();
+        let lost = self.breaks.integrate(&from, &to, |a| {
+            let change = self.curve.direction(a, value)?;
+            Ok((self.curve.detachment_elongation(a).times(2) + &change) * change)
+        })?;
+        let size = self.breaks.roughly(&from, &to, |a| {
+            let change = self.curve.direction(a, value)?.abs() + self.curve.detachment_elongation(a);
+            Ok(change * (self.terms(a)? + self.curve.held_indentation(a, value)?.abs()))
+        })?;
+        let error = lost.error * modulus + self.rounding(size.times(2));
+        Ok(Estimate { value: lost.value * modulus, error, evaluations: lost.evaluations })
+    }
+
+    /// The size of the lengths that d and the force at radius `a` are made of, the rounding of a itself among them.
+    fn terms(&self, a: &R) -> Result<R> {
+        let transform = self.curve.transform();
+        let rise = transform.slope(a)? * a;
+        Ok(transform.g(a)?.abs() + transform.mean(a)?.abs() + rise.abs() + self.curve.detachment_elongation(a))
+    }
+
+    /// The rounding of an energy E*·`size`.
+    fn rounding(&self, size: R) -> R {
+        size.abs() * size.unit_roundoff().times(ROUNDINGS) * self.curve.effective_modulus()
+    }
+
+    fn balance(&self, path: &Path<R>, entries: &[Entry<R>]) -> Result<Option<Balance<R>>> {
+        let (Some(first), Some(last)) = (path.events.first(), path.events.last()) else { return Ok(None) };
+        let (Some(start), Some(end)) = (self.stored(&first.after)?, self.stored(&last.after)?) else {
+            return Ok(None);
+        };
+        let zero = first.value.lit(0);
+        let (mut work, mut lost, mut bound) = (zero.clone(), zero.clone(), start.error + &end.error);
+        for (entry, event) in entries.iter().zip(&path.events) {
+            let Loss::Finite(loss) = &entry.lost else { return Ok(None) };
+            work += &(entry.work.value.clone() + &entry.work_in_event);
+            lost += &loss.value;
+            bound += &(entry.work.error.clone() + &loss.error + self.landing(event)?);
+        }
+        let stored = end.value - &start.value;
+        let residual = work.clone() - &lost - &stored;
+        if !residual.is_finite() {
+            return Err(Error::OutOfRange { quantity: Quantity::Energy, log10: work.approx().abs().log10() });
+        }
+        Ok(Some(Balance { work, lost, stored, residual, bound }))
+    }
+
+    /// What it matters that the states of an event are at its value up to rounding only: the force times the rounding of d.
+    fn landing(&self, event: &Event<R>) -> Result<R> {
+        let mut total = event.value.lit(0);
+        for state in [&event.before, &event.after] {
+            if let Some(rest) = state.contact().filter(|rest| rest.contact_radius > total.lit(0)) {
+                let stiffness = rest.contact_radius.clone().times(2);
+                let lengths = self.terms(&rest.contact_radius)? + rest.indentation.abs();
+                total += &self.rounding(stiffness * lengths.square());
+            }
+        }
+        Ok(total)
+    }
+
+    /// Π, and F²/2k of a machine; none for complete contact.
+    fn stored(&self, state: &State<R>) -> Result<Option<Estimate<R>>> {
+        let rest = match state {
+            State::Contact(rest) if rest.contact_radius > rest.contact_radius.lit(0) => rest,
+            State::Contact(_) | State::Detached => return Ok(Some(self.none())),
+            State::Complete => return Ok(None),
+        };
+        let a = &rest.contact_radius;
+        let energy = Energy::new(self.curve.transform(), self.curve.material())?;
+        let mut value = energy.potential(a, &rest.indentation)?;
+        let lengths = self.terms(a)? + rest.indentation.abs();
+        // The quadrature of Π meets 128 unit roundoffs of its integrand.
+        let mut error = self.rounding(lengths.square() * a).times(4);
+        if let Control::Machine { stiffness } = self.curve.control() {
+            let spring = spring_energy(&rest.force, stiffness);
+            error += &(spring.unit_roundoff().times(ROUNDINGS) * &spring);
+            value += &spring;
+        }
+        Ok(Some(Estimate { value, error, evaluations: 0 }))
+    }
+
+    fn none(&self) -> Estimate<R> {
+        nothing(self.curve.effective_modulus())
+    }
+}
+
+/// F²/2k.
+fn spring_energy<R: Real>(force: &R, stiffness: &R) -> R {
+    force.clone() / stiffness * force.clone().over(2)
+}
+
+/// No energy, exactly.
+fn nothing<R: Real>(like: &R) -> Estimate<R> {
+    Estimate { value: like.lit(0), error: like.lit(0), evaluations: 0 }
+}

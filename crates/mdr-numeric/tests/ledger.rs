@@ -1,0 +1,215 @@
+//! The energy ledger of loading paths: known losses, balance, hysteresis.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use mdr_core::contact::{Control, Material, Transform};
+use mdr_numeric::branch::Branched;
+use mdr_numeric::curve::Curve;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::path::{Balance, EventKind, Ledger, Loss, Path, Start, State};
+use mdr_numeric::profiles::{FlatPunch, Paraboloid, Power, RoundedPunch, WavyParaboloid};
+use mdr_numeric::transform::Quadrature;
+use proptest::prelude::*;
+
+const U: f64 = f64::EPSILON / 2.0;
+
+struct Run {
+    path: Path<f64>,
+    ledger: Ledger<f64>,
+}
+
+impl Run {
+    fn new(
+        transform: &dyn Transform<f64>,
+        material: &Material<f64>,
+        control: &Control<f64>,
+        start: Start<f64>,
+        way: &[f64],
+    ) -> Self {
+        let branches = Branches::new(Curve::new(transform, material, control)).unwrap();
+        let path = Path::follow(&branches, &start, way).unwrap();
+        let ledger = Ledger::new(&path, &branches, branches.curve()).unwrap();
+        Run { path, ledger }
+    }
+
+    /// The finite loss in the first event of a kind, and the radius on its contact side.
+    fn loss(&self, kind: EventKind) -> (f64, f64) {
+        let i = self.path.events.iter().position(|event| event.kind == kind).unwrap();
+        let Loss::Finite(lost) = &self.ledger.entries[i].lost else { panic!("unbounded") };
+        let event = &self.path.events[i];
+        let rest = event.before.contact().or(event.after.contact()).unwrap();
+        (lost.value, rest.contact_radius)
+    }
+
+    fn balanced(&self) -> &Balance<f64> {
+        let balance = self.ledger.balance.as_ref().unwrap();
+        assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
+        // A bound that allows anything checks nothing.
+        let works: f64 = self.ledger.entries.iter().map(|entry| entry.work.value.abs()).sum();
+        assert!(balance.bound <= 1e-10 * (works + balance.lost + balance.stored.abs()), "{balance:?}");
+        balance
+    }
+}
+
+#[test]
+fn losses_of_power_laws() {
+    // At fixed grips n(2n−1)/((n+1)(2n+1)) of πa_c²w at pull-off; (2n−1)/(2n+1) at jump-in from d = 0, and from F = 0 too:
+    // there d(a) is the mean of g and the integrand Δl² − (n/(n+1))²g², with (n/(n+1))g = Δl at the end.
+    for n in [0.6, 1.0, 2.0, 3.5, 12.0] {
+        let profile = Quadrature::new(Power::new(n, 0.7).unwrap());
+        let (e, w) = (3e5, 0.04);
+        let material = Material::new(e, w).unwrap();
+        let unit = |a: f64| PI * a * a * w;
+        let run = Run::new(&profile, &material, &Control::Indentation, Start::Detached, &[0.0, -1e3]);
+        let (lost, a) = run.loss(EventKind::JumpIn);
+        // Quadrature to 128u of integrals over Δl², twice πa²w, and 2n for the rounding of a in g².
+        let allowed = 256.0 * U * (1.0 + 2.0 * n);
+        assert_relative_eq!(lost / unit(a), (2.0 * n - 1.0) / (2.0 * n + 1.0), epsilon = allowed);
+        let (lost, a) = run.loss(EventKind::Detached);
+        let fraction = n * (2.0 * n - 1.0) / ((n + 1.0) * (2.0 * n + 1.0));
+        // (d/Δl)² there is (1 − 1/2n)².
+        assert_relative_eq!(lost / unit(a), fraction, epsilon = allowed);
+        run.balanced();
+
+        let run = Run::new(&profile, &material, &Control::Force, Start::Detached, &[0.0, 1.0]);
+        let (lost, a) = run.loss(EventKind::JumpIn);
+        assert_relative_eq!(lost / unit(a), (2.0 * n - 1.0) / (2.0 * n + 1.0), epsilon = allowed);
+        run.balanced();
+    }
+}
+
+#[test]
+fn the_flat_punch_gives_all_it_has() {
+    // Jump-in at d = 0: πb²w. Pull-off: ∫(Δl(b)² − Δl(a)²) is πb²w as well. Pressed, it is a linear spring.
+    let (b, e, w) = (0.3, 2e6, 0.05);
+    let (punch, material) = (Quadrature::new(FlatPunch::new(b).unwrap()), Material::new(e, w).unwrap());
+    let run = Run::new(&punch, &material, &Control::Indentation, Start::Detached, &[0.0, 1e-3, -1e-3]);
+    for kind in [EventKind::JumpIn, EventKind::Detached] {
+        assert_relative_eq!(run.loss(kind).0, PI * b * b * w, max_relative = 256.0 * U);
+    }
+    assert_relative_eq!(run.ledger.entries[2].work.value, e * b * 1e-6, max_relative = 16.0 * U);
+    run.balanced();
+}
+
+#[test]
+fn a_cycle_of_jkr_loses_its_area() {
+    // Fixed grips: 2/5 of π a_c² w at pull-off and 3/5 of π a₀² w at jump-in, a₀³ = 16a_c³.
+    let (r, e, w) = (3.0, 7e5, 0.02);
+    let (ball, material) = (Quadrature::new(Paraboloid::new(r).unwrap()), Material::new(e, w).unwrap());
+    let a_c = f64::cbrt(PI * w * r * r / (8.0 * e));
+    let depth = 10.0 * a_c * a_c / r;
+    let run = Run::new(&ball, &material, &Control::Indentation, Start::Detached, &[-depth, depth, -depth]);
+    let balance = run.balanced();
+    let expected = PI * w * a_c * a_c * (0.4 + 0.6 * f64::cbrt(256.0));
+    assert_relative_eq!(balance.lost, expected, max_relative = 256.0 * U);
+    assert_relative_eq!(balance.work, balance.lost, max_relative = balance.bound / balance.lost);
+    assert_eq!(balance.stored, 0.0);
+
+    // A soft machine: Π of the spring enters; the loss in between.
+    let machine = Control::machine(2.0 * e * a_c).unwrap();
+    let soft = Run::new(&ball, &material, &machine, Start::Detached, &[-9.0 * depth, depth, -9.0 * depth]);
+    assert!(soft.balanced().lost > balance.lost);
+    let open = Run::new(&ball, &material, &machine, Start::Largest, &[0.0, depth]);
+    let spring = open.path.events[1].after.contact().unwrap().force.powi(2) / (4.0 * e * a_c);
+    assert!(open.balanced().stored > spring - 10.0 * PI * w * a_c * a_c);
+
+    // Under a dead load the pull-off has no end, and nothing else is unbounded.
+    let dead = Run::new(&ball, &material, &Control::Force, Start::Largest, &[0.0, -100.0]);
+    assert_eq!((&dead.ledger.entries[1].lost, &dead.ledger.balance), (&Loss::Unbounded, &None));
+    Run::new(&ball, &material, &Control::Force, Start::Detached, &[-1.0, 3.0, -0.1]).balanced();
+}
+
+/// R = 1, A = 5e-4, λ = 0.1, w/E* = 1e-4.
+fn figure_4() -> (Quadrature<f64, WavyParaboloid<f64>>, Material<f64>) {
+    (Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1).unwrap()), Material::new(1.0, 1e-4).unwrap())
+}
+
+#[test]
+fn the_hysteresis_of_figure_4() {
+    let (profile, material) = figure_4();
+    // Down over the first jump and back up: a closed cycle that never detaches.
+    let cycle = Run::new(&profile, &material, &Control::Indentation, Start::Largest, &[0.0, -0.002, 0.0]);
+    let [first, .., last] = cycle.path.events.as_slice() else { panic!("events") };
+    assert_eq!(first.after, last.after);
+    let balance = cycle.balanced();
+    assert!(balance.lost > 0.0);
+    assert_relative_eq!(balance.work, balance.lost, max_relative = balance.bound / balance.lost);
+    // All the way: under every control the losses are positive and the books are closed.
+    let stiff = Control::machine(0.05).unwrap();
+    for control in [Control::Indentation, stiff] {
+        let run = Run::new(&profile, &material, &control, Start::Detached, &[-0.02, 0.02, -0.02]);
+        run.balanced();
+    }
+    // Under a dead load until just before the pull-off.
+    let run = Run::new(&profile, &material, &Control::Force, Start::Detached, &[0.0, 0.02, -0.0001]);
+    run.balanced();
+}
+
+#[test]
+fn a_small_force_control_jump_is_paid_by_the_load() {
+    // Waves that make folds under a dead load: F(d₂ − d₁) enters the work.
+    let profile = Quadrature::new(WavyParaboloid::new(1.0, 2e-3, 0.1).unwrap());
+    let material = Material::new(1.0, 1e-4).unwrap();
+    let run = Run::new(&profile, &material, &Control::Force, Start::Detached, &[0.0, 0.02]);
+    let jumps: Vec<f64> = run.ledger.entries.iter().map(|entry| entry.work_in_event).collect();
+    assert!(run.path.events.iter().any(|event| event.kind == EventKind::Jump), "{:?}", run.path);
+    assert!(jumps.iter().any(|work| *work > 0.0));
+    run.balanced();
+}
+
+#[test]
+fn below_one_half_a_cycle_loses_nothing() {
+    let (profile, material) = (Quadrature::new(Power::new(0.25, 1.0).unwrap()), Material::new(1.0, 1.0).unwrap());
+    for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
+        let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
+        let fold = &branches.folds()[0];
+        let top = control.controlled(&fold.indentation, &fold.force);
+        let run = Run::new(&profile, &material, &control, Start::Detached, &[-top, 0.9 * top]);
+        assert_eq!(run.balanced().lost, 0.0);
+        let cycle = Run::new(&profile, &material, &control, Start::Detached, &[-top, 0.9 * top, -top]);
+        let balance = cycle.ledger.balance.unwrap();
+        assert!(balance.work.abs() <= balance.bound && balance.lost == 0.0 && balance.stored == 0.0);
+        let beyond = Run::new(&profile, &material, &control, Start::Detached, &[-top, 2.0 * top]);
+        assert_eq!((beyond.ledger.balance, beyond.ledger.entries[2].lost.clone()), (None, Loss::Unbounded));
+    }
+}
+
+#[test]
+fn kinks_do_no_harm() {
+    let (punch, material) = (Quadrature::new(RoundedPunch::new(1.0, 0.3).unwrap()), Material::new(1.0, 1e-4).unwrap());
+    Run::new(&punch, &material, &Control::Indentation, Start::Detached, &[-0.1, 0.1, -0.1]).balanced();
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// Random wavy profiles, ways and controls: the books are closed, and every jump loses energy.
+    #[test]
+    fn energy_is_balanced(
+        amplitude in 1e-4..1e-3, wavelength in 0.07..0.3, ways in prop::collection::vec(-1.0..1.0, 1..5),
+        stiffness in -3.0..1.0, by_machine in any::<bool>(),
+    ) {
+        let profile = Quadrature::new(WavyParaboloid::new(1.0, amplitude, wavelength).unwrap());
+        let material = Material::new(1.0, 1e-4).unwrap();
+        let control = if by_machine {
+            Control::machine(10f64.powf(stiffness)).unwrap()
+        } else {
+            Control::Indentation
+        };
+        let mut way = vec![-0.02];
+        way.extend(ways.iter().map(|x| 0.01 * x));
+        let run = Run::new(&profile, &material, &control, Start::Detached, &way);
+        prop_assert!(run.path.is_finished());
+        let balance = run.ledger.balance.as_ref().unwrap();
+        prop_assert!(balance.residual.abs() <= balance.bound, "{:?}", balance);
+        for (entry, event) in run.ledger.entries.iter().zip(&run.path.events) {
+            let Loss::Finite(lost) = &entry.lost else { panic!("unbounded") };
+            prop_assert!(lost.value >= 0.0);
+            let jumps = event.before != event.after && event.before != State::Detached;
+            prop_assert!(!jumps || lost.value > lost.error, "{:?}", event);
+        }
+    }
+}
