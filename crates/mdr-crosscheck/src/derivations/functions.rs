@@ -1,0 +1,66 @@
+//! Functions outside the algebra, enclosed.
+
+use mdr_analytic::struve::Struve;
+use mdr_core::number::{Gamma, Interval, Real, Special};
+use mdr_symbolic::formula::Function;
+
+/// The value of a function; the entire line outside its domain.
+pub(super) fn value(function: Function, arguments: &[Interval]) -> Interval {
+    let unknown = |like: &Interval| Interval::entire(like.ctx());
+    match (function, arguments) {
+        (Function::Gamma, [z]) => gamma(z),
+        (Function::Kappa, [n]) => kappa(n),
+        (Function::Agm, [x, y]) => arithmetic_geometric_mean(x, y),
+        (Function::Sine, [z]) => z.sin(),
+        (Function::StruveH0, [z]) if *z >= z.lit(0) => z.struve_h0(),
+        (Function::Hypergeometric, [b, c]) => hypergeometric(b, c),
+        (_, [first, ..]) => unknown(first),
+        (_, []) => unknown(&Interval::from_int(mdr_core::number::Precision::new(super::BITS), 0)),
+    }
+}
+
+/// Γ(z) for z > 0.
+pub(super) fn gamma(z: &Interval) -> Interval {
+    if *z > z.lit(0) { z.gamma() } else { Interval::entire(z.ctx()) }
+}
+
+/// κ_n = (√π/2) n Γ(n/2)/Γ((n+1)/2), as printed in (1.12).
+pub(super) fn kappa(n: &Interval) -> Interval {
+    let upper = (n.clone() + n.lit(1)).over(2);
+    n.pi().sqrt().over(2) * n * gamma(&n.clone().over(2)) / gamma(&upper)
+}
+
+/// agm(x, y) for positive arguments: it lies between the means of every step.
+fn arithmetic_geometric_mean(x: &Interval, y: &Interval) -> Interval {
+    let (mut arithmetic, mut geometric) = (x.clone(), y.clone());
+    // The difference of the means is squared in each step.
+    for _ in 0..super::BITS.ilog2() + 4 {
+        let mean = (arithmetic.clone() + &geometric).over(2);
+        geometric = (arithmetic * &geometric).sqrt();
+        arithmetic = mean;
+    }
+    arithmetic.hull(&geometric)
+}
+
+/// ₂F₁(1, b; c; 1/2) = Σ Π (b+j)/(2(c+j)), for b, c > 0.
+///
+/// The ratio of the terms tends to 1/2 monotonically. So from a term on, of which it is below one, the tail is at most that
+/// of a geometric series with the larger of the ratio there and 1/2.
+fn hypergeometric(b: &Interval, c: &Interval) -> Interval {
+    let zero = b.lit(0);
+    let mut sum = b.lit(0);
+    if !(*b > zero && *c > zero) {
+        return Interval::entire(b.ctx());
+    }
+    let mut term = b.lit(1);
+    for j in 0..20 * i64::from(super::BITS) {
+        sum += &term;
+        let ratio = (b.clone() + b.lit(j)) / (c.clone() + b.lit(j)).times(2);
+        term *= &ratio;
+        let bound = ratio.hull(&b.ratio(1, 2));
+        if bound < b.lit(1) && term < sum.clone() * b.unit_roundoff() {
+            return sum.inflate(&(term / (b.lit(1) - &bound)));
+        }
+    }
+    Interval::entire(b.ctx())
+}

@@ -1,0 +1,218 @@
+//! The derivations of `mdr-symbolic`, judged: normal forms where they decide, rigorous intervals at random rational points
+//! where they do not, and counter-examples for what is refuted.
+//!
+//! Values are enclosed in intervals of [`BITS`] bits. A step that is
+//!
+//! * *proved* holds by normal forms; as an independent check of the algebra both sides, evaluated as they are written,
+//!   have to overlap at [`SPOT_CHECKS`] points;
+//! * *enclosed* is false at none of [`POINTS`] random points and certain at one of them at least. An equality is certain
+//!   where the two sides overlap and agree to [`AGREEMENT`] bits;
+//! * *refuted* fails by normal forms, and there is a point where its two sides certainly differ.
+//!
+//! Each equality is also mutated: every statement with one sign, exponent or factor wrong has to be refuted, by normal
+//! forms or at a point.
+
+mod functions;
+mod point;
+mod turn;
+
+use mdr_core::number::{Interval, Real};
+use mdr_symbolic::derivations::{Claim, Entry, Step, entries};
+use mdr_symbolic::formula::evaluate;
+use mdr_symbolic::{Domain, Error, Relation, Statement};
+
+pub use point::{Point, Points};
+
+/// Bits of the intervals.
+pub const BITS: u32 = 96;
+/// Random points at which a step is enclosed.
+pub const POINTS: u32 = 30;
+/// Random points at which a proved step is evaluated.
+pub const SPOT_CHECKS: u32 = 3;
+/// Bits to which two sides that overlap have to be known to count as certain.
+pub const AGREEMENT: i64 = 12;
+
+/// What became of an entry.
+#[derive(Debug)]
+pub struct Judgement {
+    /// The entry.
+    pub entry: &'static Entry,
+    /// Its steps in order.
+    pub steps: Vec<StepJudgement>,
+}
+
+/// What became of a step.
+#[derive(Debug)]
+pub struct StepJudgement {
+    /// The step.
+    pub step: &'static Step,
+    /// Why its claim does not hold; `None` when it does.
+    pub failure: Option<String>,
+    /// Points at which it was evaluated.
+    pub points: u32,
+    /// How many mutants there were.
+    pub mutants: usize,
+    /// Mutants that were not refuted.
+    pub survivors: Vec<Statement>,
+}
+
+impl Judgement {
+    /// Whether every step is what it claims to be, and no mutant survives.
+    pub fn holds(&self) -> bool {
+        self.steps.iter().all(StepJudgement::holds)
+    }
+
+    /// Mutants of all steps.
+    pub fn mutants(&self) -> usize {
+        self.steps.iter().map(|step| step.mutants).sum()
+    }
+
+    /// Mutants of all steps that were not refuted.
+    pub fn survivors(&self) -> usize {
+        self.steps.iter().map(|step| step.survivors.len()).sum()
+    }
+}
+
+impl StepJudgement {
+    /// Whether the step is what it claims to be, and no mutant survives.
+    pub fn holds(&self) -> bool {
+        self.failure.is_none() && self.survivors.is_empty()
+    }
+}
+
+/// Judges every entry.
+pub fn judge_all() -> Vec<Judgement> {
+    use rayon::prelude::*;
+    entries().par_iter().map(judge).collect()
+}
+
+/// Judges an entry. The random points depend on the statement alone.
+pub fn judge(entry: &'static Entry) -> Judgement {
+    Judgement { entry, steps: entry.steps.iter().map(judge_step).collect() }
+}
+
+fn judge_step(step: &'static Step) -> StepJudgement {
+    let mut judgement = StepJudgement { step, failure: None, points: 0, mutants: 0, survivors: Vec::new() };
+    if let Err(error) = judgement.decide() {
+        judgement.failure = Some(error.to_string());
+    }
+    judgement
+}
+
+/// What intervals say about a statement at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Truth {
+    Certain,
+    Possible,
+    False,
+    /// A side has no finite enclosure.
+    Unknown,
+}
+
+impl StepJudgement {
+    fn decide(&mut self) -> Result<(), Error> {
+        let step = self.step;
+        let Some(statement) = step.statement()? else { return Ok(()) };
+        if !step.holds()? {
+            self.failure = Some(format!("not {} by normal forms", step.claim.word()));
+            return Ok(());
+        }
+        if statement.relation != Relation::SameDimension {
+            for domain in step.domains {
+                self.evaluate(&statement, *domain)?;
+            }
+        }
+        if step.claim == Claim::Proved {
+            (self.mutants, self.survivors) = step.surviving_mutants()?;
+        }
+        if step.claim == Claim::Enclosed && step.point.is_empty() {
+            self.mutate(&statement)?;
+        }
+        Ok(())
+    }
+
+    /// Intervals at the points of the step on a domain.
+    fn evaluate(&mut self, statement: &Statement, domain: Domain) -> Result<(), Error> {
+        let count = match self.step.claim {
+            _ if !self.step.point.is_empty() => 1,
+            Claim::Enclosed => POINTS,
+            _ => SPOT_CHECKS,
+        };
+        let mut truths = Vec::new();
+        for point in self.points(statement, domain).take(count as usize) {
+            truths.push(truth(statement, domain, &point)?);
+        }
+        self.points += count;
+        let (certain, false_somewhere) = (truths.contains(&Truth::Certain), truths.contains(&Truth::False));
+        let failure = match self.step.claim {
+            Claim::Refuted if !false_somewhere => "no counter-example was found",
+            Claim::Proved | Claim::Enclosed if false_somewhere => "false at a point",
+            Claim::Proved | Claim::Enclosed if !certain => "certain at no point",
+            _ => return Ok(()),
+        };
+        self.failure.get_or_insert_with(|| format!("{failure} for {}", domain.text()));
+        Ok(())
+    }
+
+    fn points(&self, statement: &Statement, domain: Domain) -> Points {
+        Points::new(&statement.text(), domain, self.step.point)
+    }
+
+    /// Mutants of an enclosed statement: each has to be false at one of the points, or to have a meaning at none.
+    fn mutate(&mut self, statement: &Statement) -> Result<(), Error> {
+        let mutants = statement.mutants();
+        self.mutants = mutants.len();
+        for mutant in mutants {
+            if !self.is_refuted(&mutant, statement) {
+                self.survivors.push(mutant);
+            }
+        }
+        Ok(())
+    }
+
+    fn is_refuted(&self, mutant: &Statement, statement: &Statement) -> bool {
+        let mut meaningful = false;
+        for domain in self.step.domains {
+            for point in self.points(statement, *domain).take(POINTS as usize) {
+                match truth(mutant, *domain, &point) {
+                    Ok(Truth::False) => return true,
+                    Ok(Truth::Certain | Truth::Possible) => meaningful = true,
+                    Ok(Truth::Unknown) | Err(_) => {}
+                }
+            }
+        }
+        !meaningful
+    }
+}
+
+/// What intervals say about a statement at a point.
+fn truth(statement: &Statement, domain: Domain, point: &Point) -> Result<Truth, Error> {
+    let left = evaluate(&statement.left, domain, point)?;
+    let right = evaluate(&statement.right, domain, point)?;
+    Ok(compare(&left, statement.relation, &right))
+}
+
+fn compare(left: &Interval, relation: Relation, right: &Interval) -> Truth {
+    use std::cmp::Ordering::{Greater, Less};
+    let known = left.is_finite() && right.is_finite();
+    match (relation, left.partial_cmp(right)) {
+        _ if !known => Truth::Unknown,
+        (Relation::Less, Some(Less)) | (Relation::Greater, Some(Greater)) => Truth::Certain,
+        (Relation::Less | Relation::Greater, Some(_)) => Truth::False,
+        (Relation::Less | Relation::Greater, None) => Truth::Possible,
+        (Relation::Equal | Relation::SameDimension, _) => equal(left, right),
+    }
+}
+
+/// Two sides that overlap are certain when the width of the difference is small against the larger side; a side that is
+/// exactly 0 gives no measure, and an overlap is all there is to see.
+fn equal(left: &Interval, right: &Interval) -> Truth {
+    if !left.overlaps(right) {
+        return Truth::False;
+    }
+    let size = left.abs().hull(&right.abs());
+    let width = left.hull(right).radius();
+    let zero = [left, right].iter().any(|side| side.is_point() && side.contains_zero());
+    let scaled = rug::Float::with_val(BITS, &width << u32::try_from(AGREEMENT).unwrap_or(0));
+    if zero || scaled <= *size.upper() { Truth::Certain } else { Truth::Possible }
+}

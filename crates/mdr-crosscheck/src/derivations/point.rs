@@ -1,0 +1,144 @@
+//! Random rational points, and formulas evaluated there in rigorous intervals.
+
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use mdr_core::number::{Interval, Precision, Real};
+use mdr_symbolic::formula::{Arithmetic, Function};
+use mdr_symbolic::{Domain, Formula, Symbol};
+use rand::rngs::Xoshiro256PlusPlus;
+use rand::{RngExt, SeedableRng};
+use rug::Rational;
+
+use super::{BITS, functions, turn};
+
+/// Exact values for n and for every symbol. Formulas are evaluated there in intervals.
+#[derive(Clone, Debug)]
+pub struct Point {
+    n: Rational,
+    values: BTreeMap<Symbol, Rational>,
+    /// Symbols that are known as intervals only.
+    enclosed: BTreeMap<Symbol, Interval>,
+}
+
+impl Point {
+    /// The value of n.
+    pub fn exponent(&self) -> &Rational {
+        &self.n
+    }
+
+    /// The value of a symbol of this name; 1 when there is none.
+    pub fn value(&self, name: &str) -> Rational {
+        let value = Symbol::named(name).and_then(|symbol| self.values.get(&symbol));
+        value.cloned().unwrap_or_else(|| Rational::from(1))
+    }
+
+    /// This point with an enclosed value for the symbol of this name.
+    pub fn with(&self, name: &str, value: &Interval) -> Self {
+        let mut point = self.clone();
+        point.enclosed.extend(Symbol::named(name).map(|symbol| (symbol, value.clone())));
+        point
+    }
+
+    /// An interval of the precision used here.
+    pub fn interval(value: &Rational) -> Interval {
+        Interval::from_rational(Precision::new(BITS), value)
+    }
+}
+
+/// Random points of a domain, without end. The same words give the same points.
+#[derive(Debug)]
+pub struct Points {
+    random: Xoshiro256PlusPlus,
+    domain: Domain,
+    fixed: &'static [(&'static str, &'static str)],
+}
+
+impl Points {
+    /// Points for a statement on a domain, some values of which may be fixed.
+    pub fn new(words: &str, domain: Domain, fixed: &'static [(&'static str, &'static str)]) -> Self {
+        let mut hasher = DefaultHasher::new();
+        words.hash(&mut hasher);
+        Points { random: Xoshiro256PlusPlus::seed_from_u64(hasher.finish()), domain, fixed }
+    }
+
+    fn fraction(&mut self, numerators: std::ops::RangeInclusive<i64>, denominator: i64) -> Rational {
+        Rational::from((self.random.random_range(numerators), denominator))
+    }
+
+    fn exponent(&mut self) -> Rational {
+        match self.domain {
+            Domain::Half => Rational::from((1, 2)),
+            Domain::Positive => self.fraction(1..=499, 97),
+            Domain::Above => self.fraction(5..=499, 97) + Rational::from((1, 2)),
+            Domain::Below => self.fraction(1..=45, 97),
+        }
+    }
+}
+
+impl Iterator for Points {
+    type Item = Point;
+
+    fn next(&mut self) -> Option<Point> {
+        let mut n = self.exponent();
+        let mut values: BTreeMap<_, _> = Symbol::all().map(|symbol| (symbol, self.fraction(11..=997, 101))).collect();
+        for (name, text) in self.fixed {
+            let value = text.parse::<mdr_core::number::Literal>().ok()?.to_rational();
+            match Symbol::named(name) {
+                Some(symbol) => drop(values.insert(symbol, value)),
+                None => n = value,
+            }
+        }
+        Some(Point { n, values, enclosed: BTreeMap::new() })
+    }
+}
+
+impl Arithmetic for Point {
+    type Value = Interval;
+
+    fn rational(&self, value: &Rational) -> Interval {
+        Self::interval(value)
+    }
+    fn pi(&self) -> Interval {
+        Self::interval(&self.n).pi()
+    }
+    fn n(&self) -> Interval {
+        Self::interval(&self.n)
+    }
+    /// κ and the Gamma functions have their true values.
+    fn symbol(&self, symbol: Symbol) -> Interval {
+        let of = |value: Rational| Self::interval(&value);
+        if let Some(value) = self.enclosed.get(&symbol) {
+            return value.clone();
+        }
+        let n = of(self.n.clone());
+        match symbol {
+            Symbol::KAPPA => functions::kappa(&n),
+            Symbol::GAMMA_LOWER => functions::gamma(&n.over(2)),
+            Symbol::GAMMA_UPPER => functions::gamma(&(n.lit(1) + &n).over(2)),
+            Symbol::GAMMA_THREE_QUARTERS => functions::gamma(&of(Rational::from((3, 4)))),
+            symbol => of(self.value(symbol.name())),
+        }
+    }
+    fn add(&self, left: &Interval, right: &Interval) -> Interval {
+        left.clone() + right
+    }
+    fn multiply(&self, left: &Interval, right: &Interval) -> Interval {
+        left.clone() * right
+    }
+    fn divide(&self, left: &Interval, right: &Interval) -> Interval {
+        left.clone() / right
+    }
+    fn integer_power(&self, base: &Interval, exponent: i32) -> Interval {
+        base.powi(i64::from(exponent))
+    }
+    fn power(&self, base: &Interval, exponent: &Interval) -> Interval {
+        base.pow(exponent)
+    }
+    fn function(&self, function: Function, arguments: &[Interval]) -> Interval {
+        functions::value(function, arguments)
+    }
+    fn quarter_turn(&self, integrand: &Formula) -> Interval {
+        turn::quarter_turn(integrand, self)
+    }
+}
