@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::output;
+use crate::{mdr, output, root};
 
 /// The answer to a scene of the examples.
 fn solve(scene: &str, flags: &str) -> Value {
@@ -53,5 +53,77 @@ fn the_path_of_figure_4() {
         near(read(2, "contact_radius"), 0.0189);
         assert!(read(1, "dissipated") > 0.0 && read(2, "dissipated") > 0.0);
         assert!(events[2]["to_contact_radius"].is_null() && read(2, "to_force") == 0.0);
+    }
+}
+
+/// Every scene of the folder is refused with the message beside it (SNAPSHOTS=overwrite writes it anew).
+#[test]
+fn bad_scenes_are_refused_with_file_line_and_key() {
+    let folder = root().join("tests/command_line/bad_scenes");
+    let mut scenes: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    scenes.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    assert!(scenes.len() >= 40, "{}", scenes.len());
+    for scene in scenes {
+        let name = scene.file_stem().unwrap().to_str().unwrap();
+        let expected = snapbox::Data::read_from(&scene.with_extension("stderr"), None);
+        mdr("")
+            .args(["solve", &format!("{name}.toml")])
+            .current_dir(&folder)
+            .assert()
+            .code(2)
+            .stdout_eq("")
+            .stderr_eq(expected);
+    }
+}
+
+/// What `--explain` says about a scene: output, arithmetic, and evaluations of g, slope and integral.
+fn explained(scene: &str) -> Vec<(String, String, [usize; 3])> {
+    let assert = mdr("solve - --explain").stdin(scene).assert().success();
+    let text = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+    let mut output = String::new();
+    let row = |line: &str| {
+        let columns: Vec<_> = line.split("  ").map(str::trim).filter(|column| !column.is_empty()).collect();
+        let first = columns.len() == 6;
+        if first {
+            output = columns[0].to_owned();
+        }
+        let columns = &columns[usize::from(first)..];
+        let count = |i: usize| columns[i].parse().unwrap();
+        (output.clone(), columns[0].to_owned(), [count(1), count(2), count(3)])
+    };
+    text.lines().skip(1).map(row).collect()
+}
+
+fn figure_4() -> String {
+    std::fs::read_to_string(root().join("examples/scenes/figure-4.toml")).unwrap()
+}
+
+/// Folds need g' where they are looked for, and g and its integral once for each fold that is found: no field, and no
+/// quadrature where g is closed.
+#[test]
+fn folds_alone_cost_nothing_but_folds() {
+    let scene = figure_4().replace("want = [\"folds\", \"path\"]", "want = [\"folds\"]");
+    let in_f64 = explained(&scene.replace("digits = 20", "arithmetic = \"f64\""));
+    let [(output, arithmetic, [g, slope, integral])] = &in_f64[..] else { panic!("{in_f64:?}") };
+    assert_eq!((output.as_str(), arithmetic.as_str(), *g, *integral), ("folds", "f64", 3, 6));
+    assert!((100..1000).contains(slope), "{slope}");
+    let certified = explained(&scene);
+    assert!(certified.iter().all(|(output, arithmetic, [g, _, integral])| {
+        output == "folds" && arithmetic != "mp" && *g <= 20 && *integral <= 40
+    }));
+}
+
+/// `arithmetic = "f64"` is hardware arithmetic for every output.
+#[test]
+fn f64_touches_no_other_arithmetic() {
+    let all = "\"transform\", \"equilibria\", \"folds\", \"path\", \"curve\", \"pressure\", \"gap\", \"energy\"";
+    let scene = figure_4().replace("\"folds\", \"path\"", all).replace("digits = 20", "arithmetic = \"f64\"")
+        + "transform.at = [\"0.1\"]\nequilibria.at = [\"-0.001\"]\n";
+    let costs = explained(&scene);
+    assert!(costs.len() == 8 && costs.iter().all(|(_, name, _)| name == "f64" || name == "none"), "{costs:?}");
+    // In certified digits the same scene uses them all.
+    let certified = explained(&scene.replace("arithmetic = \"f64\"", "digits = 10"));
+    for name in ["f64", "mp", "interval", "interval with slope"] {
+        assert!(certified.iter().any(|(_, arithmetic, _)| arithmetic == name), "{name} in {certified:?}");
     }
 }

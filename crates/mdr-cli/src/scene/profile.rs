@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::fs::File;
 
-use mdr_core::contact::Expression;
-use mdr_core::number::Literal;
+use mdr_core::contact::{Expression, Profile};
+use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::table::Table;
 
 use super::reader::{Section, Value};
@@ -159,11 +159,24 @@ fn expression(section: &Section<'_>) -> Result<Shape> {
         }
     };
     formula.bind::<f64>((), &values).map_err(|error| text.refuse(format!("{error}")))?;
+    zero_at_the_tip(&text, &formula, &values)?;
     let names: Vec<String> = formula.parameters().collect();
     if let Some(unused) = values.keys().find(|name| !names.contains(name)) {
         return Err(unused_parameter(section, unused, &names));
     }
     Ok(Shape::Expression { formula, values })
+}
+
+/// Refuses a formula with f(0) ≠ 0, decided exactly. One that is not defined at 0 is left to its transform.
+fn zero_at_the_tip(text: &Value<'_>, formula: &Expression, values: &BTreeMap<String, Literal>) -> Result<()> {
+    let precision = Precision::new(128);
+    let profile = formula.bind::<Interval>(precision, values).map_err(|error| text.refuse(error.to_string()))?;
+    let tip = profile.height(&Interval::from_int(precision, 0));
+    if tip.contains_zero() {
+        return Ok(());
+    }
+    let height = tip.approx();
+    Err(text.refuse(format!("the profile is not zero at the tip, f(0) = {height}; subtract {height} from it")))
 }
 
 fn unused_parameter(section: &Section<'_>, name: &str, known: &[String]) -> crate::error::Failure {
