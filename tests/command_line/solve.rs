@@ -52,6 +52,10 @@ fn the_path_of_figure_4() {
         near(read(1, "to_contact_radius"), 0.0474);
         near(read(2, "contact_radius"), 0.0189);
         assert!(read(1, "dissipated") > 0.0 && read(2, "dissipated") > 0.0);
+        // work − dissipated = stored, three integrals of their own.
+        let balance = |key: &str| number(&answer["balance"][key]);
+        let residual = balance("work") - balance("dissipated") - balance("stored");
+        assert!(residual.abs() < 1e-12 * balance("work"), "{residual}");
         assert!(events[2]["to_contact_radius"].is_null() && read(2, "to_force") == 0.0);
     }
 }

@@ -52,6 +52,25 @@ pub(crate) struct Output {
     pub(crate) exceptions: Vec<(&'static str, Promise)>,
     pub(crate) complete: Option<Complete>,
     pub(crate) records: Vec<Record<Number>>,
+    /// The energy of a path, where it is finite.
+    pub(crate) balance: Option<Record<Number>>,
+}
+
+impl Output {
+    pub(crate) fn new(want: Want, promise: Promise, records: Vec<Record<Number>>) -> Self {
+        Output { want, promise, exceptions: Vec::new(), complete: None, records, balance: None }
+    }
+
+    /// From the one record of [`States::path`](super::states::States::path).
+    pub(crate) fn path(promise: Promise, mut records: Vec<Record<Number>>) -> Self {
+        let whole = records.pop().unwrap_or_default();
+        let balance = whole.clone().into_records("balance").pop();
+        Output { balance, ..Output::new(Want::Path, promise, whole.into_records("events")) }
+    }
+
+    pub(crate) fn complete(self, complete: Complete) -> Self {
+        Output { complete: Some(complete), ..self }
+    }
 }
 
 /// The answer to a scene.
@@ -84,6 +103,9 @@ impl Serialize for Answer {
         map.serialize_entry("complete", &Completes(&self.outputs))?;
         for output in &self.outputs {
             map.serialize_entry(output.want.name(), &output.records)?;
+            if let Some(balance) = &output.balance {
+                map.serialize_entry("balance", balance)?;
+            }
         }
         map.end()
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use mdr_core::contact::Result;
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Literal, Precision};
+use mdr_core::number::{Interval, Literal};
 use rug::Float;
 
 use super::answer::{Complete, Output, Promise};
@@ -34,24 +34,23 @@ impl<'s> Certified<'s> {
     /// # Errors
     /// Those of the transform, of the quadratures and of the proofs.
     pub(crate) fn output(&self, want: Want) -> Result<Output> {
-        let (promise, complete, records) = match want {
-            Want::Transform => self.along(want, &self.scene.output.transform)?,
-            Want::Curve => self.along(want, &self.rough_or_given_radii()?)?,
-            Want::Folds => self.folds()?,
+        match want {
+            Want::Transform => self.along(want, &self.scene.output.transform),
+            Want::Curve => self.along(want, &self.rough_or_given_radii()?),
+            Want::Folds => self.folds(),
             Want::Equilibria => {
-                let values = &self.scene.output.values;
-                let records = self.estimated(|states| states.equilibria(values))?;
-                (Promise::Estimated, Some(self.searched()?), records)
+                let records = self.estimated(|states| states.equilibria(&self.scene.output.values))?;
+                Ok(Output::new(want, Promise::Estimated, records).complete(self.searched()?))
             }
             Want::Path => {
                 let records = self.estimated(|states| states.path(&self.scene.held))?;
-                (Promise::Estimated, Some(self.searched()?), records)
+                Ok(Output::path(Promise::Estimated, records).complete(self.searched()?))
             }
             Want::Pressure | Want::Gap | Want::Energy => {
-                (Promise::Estimated, None, self.estimated(|states| states.fields(self.scene, want))?)
+                let records = self.estimated(|states| states.fields(self.scene, want))?;
+                Ok(Output::new(want, Promise::Estimated, records))
             }
-        };
-        Ok(Output { want, promise, exceptions: Vec::new(), complete, records })
+        }
     }
 
     /// The same contact in f64.
@@ -77,29 +76,28 @@ impl<'s> Certified<'s> {
     }
 
     /// What is read off the curve at given radii: proved where g is closed.
-    fn along(&self, want: Want, radii: &[Literal]) -> Result<Answered> {
-        Ok(if self.scene.profile.is_closed() {
-            let enclosed = |precision: Precision| {
-                let records = read(&self.contact::<Interval>(precision)?, want, radii)?;
-                Ok(records.into_iter().map(|record| record.convert(Enclosure::from)).collect())
-            };
-            (Promise::Certified, None, proved(self.digits, enclosed)?)
-        } else {
+    fn along(&self, want: Want, radii: &[Literal]) -> Result<Output> {
+        if !self.scene.profile.is_closed() {
             let records = estimated(self.digits, |precision| read(&self.contact::<Float>(precision)?, want, radii))?;
-            (Promise::Estimated, None, records)
-        })
+            return Ok(Output::new(want, Promise::Estimated, records));
+        }
+        let records = proved(self.digits, |precision| {
+            let records = read(&self.contact::<Interval>(precision)?, want, radii)?;
+            Ok(records.into_iter().map(|record| record.convert(Enclosure::from)).collect())
+        })?;
+        Ok(Output::new(want, Promise::Certified, records))
     }
 
     /// All folds: proved where g is closed.
-    fn folds(&self) -> Result<Answered> {
+    fn folds(&self) -> Result<Output> {
         if self.scene.profile.is_closed() {
             return exact::folds(self);
         }
-        let records = |precision| {
+        let records = estimated(self.digits, |precision| {
             let contact = self.contact::<Float>(precision)?;
             Ok(polished(&contact, self.rough()?.folds()?)?.folds.into_iter().map(outputs::fold).collect())
-        };
-        Ok((Promise::Estimated, Some(self.searched()?), estimated(self.digits, records)?))
+        })?;
+        Ok(Output::new(Want::Folds, Promise::Estimated, records).complete(self.searched()?))
     }
 
     /// What is computed at states that f64 has found.
@@ -121,9 +119,6 @@ impl<'s> Certified<'s> {
         Ok(not_proved(&format!("{}; found in f64, then sharpened", search.why)))
     }
 }
-
-/// A promise, what is known about completeness, and the records.
-pub(super) type Answered = (Promise, Option<Complete>, Vec<Record<Number>>);
 
 fn read<R: Arithmetic>(contact: &Contact<R>, want: Want, radii: &[Literal]) -> Result<Vec<Record<R>>> {
     match want {

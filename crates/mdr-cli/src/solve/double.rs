@@ -52,15 +52,17 @@ impl<'s> Double<'s> {
             Want::Folds => self.folds()?.folds.iter().cloned().map(outputs::fold).collect(),
             Want::Curve => outputs::curve(&self.contact, &self.radii()?)?,
             Want::Equilibria => self.states()?.equilibria(&wanted.values)?,
-            Want::Pressure | Want::Gap | Want::Energy => self.states()?.fields(self.scene, want)?,
             Want::Path => self.states()?.path(&self.scene.held)?,
-        };
-        let complete = match want {
-            Want::Folds | Want::Equilibria | Want::Path => Some(self.completeness()?),
-            _ => None,
+            Want::Pressure | Want::Gap | Want::Energy => self.states()?.fields(self.scene, want)?,
         };
         let records = records.into_iter().map(|record: Record<f64>| record.map(&mut double)).collect();
-        Ok(Output { want, promise: Promise::Double, exceptions: Vec::new(), complete, records })
+        Ok(match want {
+            Want::Path => Output::path(Promise::Double, records).complete(self.completeness()?),
+            Want::Folds | Want::Equilibria => {
+                Output::new(want, Promise::Double, records).complete(self.completeness()?)
+            }
+            _ => Output::new(want, Promise::Double, records),
+        })
     }
 
     fn states(&self) -> Result<States<'_, f64>> {
@@ -75,7 +77,7 @@ impl<'s> Double<'s> {
 
     pub(crate) fn completeness(&self) -> Result<Complete> {
         Ok(match self.folds()?.completeness {
-            Completeness::Resolved => not_proved("searched over all radii in f64, and resolved everywhere"),
+            Completeness::Resolved => not_proved("searched over all radii in f64"),
             Completeness::Doubtful => not_proved("searched in f64, and not resolved everywhere: folds may be missing"),
         })
     }

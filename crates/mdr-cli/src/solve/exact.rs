@@ -8,20 +8,20 @@ use mdr_core::number::{Dual, Interval, Literal, Precision};
 use mdr_numeric::proof::{EnclosedCurve, ProvedFolds};
 use rug::{Float, Rational};
 
-use super::answer::{Complete, Promise};
-use super::certified::{Answered, Certified};
+use super::answer::{Complete, Output, Promise};
+use super::certified::Certified;
 use super::contact::Contact;
 use super::digits::proved;
 use super::{outputs, sample};
 use crate::number::Number;
-use crate::scene::{Bodies, HeldBy, Scene, Shape, Slope};
+use crate::scene::{Bodies, HeldBy, Scene, Shape, Slope, Want};
 
 /// Bits in which folds are isolated; they are sharpened afterwards.
 const ISOLATION: u32 = 64;
 /// Evaluations that the isolation may spend.
 const BUDGET: usize = 4_000_000;
 
-pub(super) fn folds(certified: &Certified<'_>) -> Result<Answered> {
+pub(super) fn folds(certified: &Certified<'_>) -> Result<Output> {
     match power_law(&certified.scene.profile) {
         Some((exponent, coefficient)) => power_law_folds(certified, &exponent, &coefficient),
         None => enclosed_folds(certified),
@@ -42,7 +42,7 @@ fn power_law(shape: &Shape) -> Option<(Literal, Literal)> {
     }
 }
 
-fn power_law_folds(certified: &Certified<'_>, exponent: &Literal, coefficient: &Literal) -> Result<Answered> {
+fn power_law_folds(certified: &Certified<'_>, exponent: &Literal, coefficient: &Literal) -> Result<Output> {
     let question = question(certified.scene, exponent, coefficient)?;
     let answer = question.answer(certified.digits)?;
     let kind = match answer.regime {
@@ -61,7 +61,7 @@ fn power_law_folds(certified: &Certified<'_>, exponent: &Literal, coefficient: &
         Complete { proved: true, from: Some("0".to_owned()), to: None, why: "closed form of a power law".to_owned() };
     let written = |decimal: Decimal| Number::Decimal(decimal.to_string());
     let records = folds.into_iter().map(|fold| outputs::fold(fold).convert(written)).collect();
-    Ok((Promise::Certified, Some(complete), records))
+    Ok(Output::new(Want::Folds, Promise::Certified, records).complete(complete))
 }
 
 fn question(scene: &Scene, exponent: &Literal, coefficient: &Literal) -> Result<Question> {
@@ -109,7 +109,7 @@ impl Enclosed {
     }
 }
 
-fn enclosed_folds(certified: &Certified<'_>) -> Result<Answered> {
+fn enclosed_folds(certified: &Certified<'_>) -> Result<Output> {
     let range = match &certified.scene.output.range {
         Some(range) => range.clone(),
         None => {
@@ -124,7 +124,7 @@ fn enclosed_folds(certified: &Certified<'_>) -> Result<Answered> {
             isolated.folds.iter().map(|fold| Ok(outputs::fold(enclosed.sharpened(fold)?).convert(Enclosure::from)));
         sharp.collect()
     })?;
-    Ok((Promise::Certified, Some(completeness(&isolated, &range)), records))
+    Ok(Output::new(Want::Folds, Promise::Certified, records).complete(completeness(&isolated, &range)))
 }
 
 fn isolate(certified: &Certified<'_>, range: &[Literal; 2]) -> Result<ProvedFolds> {

@@ -3,22 +3,17 @@
 use mdr_core::contact::{Control, Equilibrium, Result};
 use mdr_core::number::Literal;
 use mdr_numeric::branch::Branched;
-use mdr_numeric::energy::Energy;
-use mdr_numeric::path::{Event, EventKind, Path, Start as Begin, State};
+use mdr_numeric::path::{Entry, Event, EventKind, Ledger, Loss, Path, Start as Begin, State};
 
 use super::contact::{Arithmetic, Contact};
 use super::record::{Field, Record};
 use crate::scene::{Held, Start};
 
-/// The events of the path of a scene, without the energy that they dissipate.
+/// The path of a scene.
 ///
 /// # Errors
 /// As [`Path::follow`].
-pub(crate) fn follow<R: Arithmetic>(
-    contact: &Contact<R>,
-    branches: &impl Branched<R>,
-    held: &Held,
-) -> Result<Vec<Event<R>>> {
+pub(crate) fn follow<R: Arithmetic>(contact: &Contact<R>, branches: &impl Branched<R>, held: &Held) -> Result<Path<R>> {
     let start = match &held.start {
         Start::Largest => Begin::Largest,
         Start::Smallest => Begin::Smallest,
@@ -26,42 +21,33 @@ pub(crate) fn follow<R: Arithmetic>(
         Start::Detached => Begin::Detached,
     };
     let way: Vec<R> = held.path.iter().map(|point: &Literal| contact.number(point)).collect();
-    Ok(Path::follow(branches, &start, &way)?.events)
+    Path::follow(branches, &start, &way)
 }
 
-/// The records of events; `dissipated` gives the energy lost in each.
-///
-/// # Errors
-/// Those of `dissipated`.
-pub(crate) fn records<R: Arithmetic>(
-    control: &Control<R>,
-    events: &[Event<R>],
-    dissipated: impl Fn(&Event<R>) -> Result<Field<R>>,
-) -> Result<Vec<Record<R>>> {
-    let record = |event: &Event<R>| {
-        let before = quantities(control, &event.before, &event.value);
-        let after = if event.before == event.after {
-            [Field::Absent, Field::Absent, Field::Absent]
-        } else {
-            quantities(control, &event.after, &event.value)
-        };
-        let [radius, indentation, force] = before;
-        let [to_radius, to_indentation, to_force] = after;
-        let event_name = Record::new().with("event", Field::Word(name(event.kind)));
-        let placed = match control {
-            Control::Machine { .. } => event_name.with("position", Field::Number(event.value.clone())),
-            _ => event_name,
-        };
-        Ok(placed
-            .with("indentation", indentation)
-            .with("force", force)
-            .with("contact_radius", radius)
-            .with("to_contact_radius", to_radius)
-            .with("to_indentation", to_indentation)
-            .with("to_force", to_force)
-            .with("dissipated", dissipated(event)?))
+/// The records of events, with the energy that is lost in each.
+pub(crate) fn records<R: Arithmetic>(control: &Control<R>, path: &Path<R>, lost: Vec<Field<R>>) -> Vec<Record<R>> {
+    path.events.iter().zip(lost).map(|(event, lost)| record(control, event).with("dissipated", lost)).collect()
+}
+
+fn record<R: Arithmetic>(control: &Control<R>, event: &Event<R>) -> Record<R> {
+    let [radius, indentation, force] = quantities(control, &event.before, &event.value);
+    let [to_radius, to_indentation, to_force] = if event.before == event.after {
+        [Field::Absent, Field::Absent, Field::Absent]
+    } else {
+        quantities(control, &event.after, &event.value)
     };
-    events.iter().map(record).collect()
+    let named = Record::new().with("event", Field::Word(name(event.kind)));
+    let placed = match control {
+        Control::Machine { .. } => named.with("position", Field::Number(event.value.clone())),
+        _ => named,
+    };
+    placed
+        .with("indentation", indentation)
+        .with("force", force)
+        .with("contact_radius", radius)
+        .with("to_contact_radius", to_radius)
+        .with("to_indentation", to_indentation)
+        .with("to_force", to_force)
 }
 
 /// Radius, indentation and force of a state; the controlled one is what it is held at.
@@ -86,38 +72,23 @@ fn quantities<R: Arithmetic>(control: &Control<R>, state: &State<R>, value: &R) 
     }
 }
 
-/// The energy lost in an event: that of the contact and of what holds it before, less that after, the controlled quantity
-/// being the same. None where nothing jumps, and where the state after it has no energy: complete contact, and surfaces
-/// that a dead load drives apart.
-///
-/// # Errors
-/// As [`Energy::potential`].
-pub(crate) fn dissipated<R: Arithmetic>(contact: &Contact<R>, event: &Event<R>) -> Result<Field<R>> {
-    let energy = Energy::new(contact.transform(), contact.material())?;
-    let zero = event.value.lit(0);
-    let of = |state: &State<R>| match (state, contact.control()) {
-        (State::Complete, _) | (State::Detached, Control::Force) => None,
-        (State::Detached, _) => Some(Ok(zero.clone())),
-        (State::Contact(rest), _) if rest.contact_radius == zero => Some(Ok(zero.clone())),
-        (State::Contact(rest), control) => Some(stored(&energy, control, rest)),
+/// The energy lost in each event, as its ledger has it.
+pub(crate) fn losses<R: Arithmetic>(path: &Path<R>, ledger: &Ledger<R>) -> Vec<Field<R>> {
+    let of = |(event, entry): (&Event<R>, &Entry<R>)| match &entry.lost {
+        _ if event.before == event.after => Field::Absent,
+        Loss::Finite(lost) => Field::Number(lost.value.clone()),
+        Loss::Unbounded => Field::Word("unbounded"),
     };
-    let jumps = matches!(event.kind, EventKind::Jump | EventKind::JumpIn | EventKind::Touch | EventKind::Detached);
-    // Contact begins at no load: nothing was stored.
-    let before = if event.kind == EventKind::JumpIn { Some(Ok(zero.clone())) } else { of(&event.before) };
-    match (before, of(&event.after)) {
-        (Some(before), Some(after)) if jumps => Field::from_result(before.and_then(|before| Ok(before - after?))),
-        _ => Ok(Field::Absent),
-    }
+    path.events.iter().zip(&ledger.entries).map(of).collect()
 }
 
-/// Π, with the potential of a dead load or the energy in the spring of a machine.
-fn stored<R: Arithmetic>(energy: &Energy<'_, R>, control: &Control<R>, rest: &Equilibrium<R>) -> Result<R> {
-    let contact = energy.potential(&rest.contact_radius, &rest.indentation)?;
-    Ok(match control {
-        Control::Indentation => contact,
-        Control::Force => contact - rest.force.clone() * &rest.indentation,
-        Control::Machine { stiffness } => rest.force.square() / stiffness.clone().times(2) + &contact,
-    })
+/// The books of a path: the work of the control, the energy lost, and what is stored more than at the start. None where
+/// something is unbounded.
+pub(crate) fn balance<R: Arithmetic>(ledger: &Ledger<R>) -> Option<Record<R>> {
+    let balance = ledger.balance.as_ref()?;
+    let numbers = [("work", &balance.work), ("dissipated", &balance.lost), ("stored", &balance.stored)];
+    let with = |record: Record<R>, (key, value): (&'static str, &R)| record.with(key, Field::Number(value.clone()));
+    Some(numbers.into_iter().fold(Record::new(), with))
 }
 
 /// As an answer names it.

@@ -71,9 +71,15 @@ pub(crate) struct Record<N> {
     status: Option<Status>,
 }
 
+impl<N> Default for Record<N> {
+    fn default() -> Self {
+        Record { fields: Vec::new(), status: None }
+    }
+}
+
 impl<N> Record<N> {
     pub(crate) fn new() -> Self {
-        Record { fields: Vec::new(), status: None }
+        Record::default()
     }
 
     pub(crate) fn with(mut self, key: &'static str, field: Field<N>) -> Self {
@@ -92,6 +98,12 @@ impl<N> Record<N> {
     /// The same with a status that its numbers do not tell.
     pub(crate) fn marked(self, status: Status) -> Self {
         Record { status: Some(status), ..self }
+    }
+
+    /// The records under a key.
+    pub(crate) fn into_records(self, key: &str) -> Vec<Record<N>> {
+        let found = self.fields.into_iter().find(|(name, _)| *name == key);
+        if let Some((_, Field::Records(records))) = found { records } else { Vec::new() }
     }
 
     pub(crate) fn fields(&self) -> &[(&'static str, Field<N>)] {

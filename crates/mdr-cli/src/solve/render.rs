@@ -69,6 +69,9 @@ fn output(output: &Solved) -> String {
         text.push_str(&render(&table));
         text.push('\n');
     }
+    if let Some(balance) = &output.balance {
+        text.push_str(&format!("\n{}\n", books(balance)));
+    }
     for (field, promise) in &output.exceptions {
         text.push_str(&format!("\n{field}: {}\n", promise.name()));
     }
@@ -83,6 +86,16 @@ fn output(output: &Solved) -> String {
         text.push_str(&format!("{proved}{range}: {}.", complete.why));
     }
     text.trim_end().to_owned()
+}
+
+/// The energy of a path in a sentence.
+fn books(balance: &Record<Number>) -> String {
+    let part = |(key, field): &(&'static str, Field<Number>)| match *key {
+        "work" => format!("work of the control {} J", text(field).0),
+        "dissipated" => format!("dissipated {} J", text(field).0),
+        key => format!("{key} {} J more than at the start", text(field).0),
+    };
+    format!("Energy: {}.", balance.fields().iter().map(part).collect::<Vec<_>>().join(", "))
 }
 
 /// A row: its columns with their texts.

@@ -8,6 +8,7 @@ use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::Folds;
+use mdr_numeric::path::Ledger;
 
 use super::contact::{Arithmetic, Contact};
 use super::outputs::{at_value, equilibrium};
@@ -65,13 +66,16 @@ impl<'a, R: Arithmetic> States<'a, R> {
         values.iter().map(at).collect()
     }
 
-    /// The events of the path.
+    /// One record with the `events` of the path and the `balance` of its energy.
     ///
     /// # Errors
-    /// As [`path::follow`].
+    /// As [`path::follow`] and [`Ledger::new`].
     pub(crate) fn path(&self, held: &Held) -> Result<Vec<Record<R>>> {
-        let events = path::follow(self.contact, &self.branches, held)?;
-        path::records(self.contact.control(), &events, |event| path::dissipated(self.contact, event))
+        let path = path::follow(self.contact, &self.branches, held)?;
+        let ledger = Ledger::new(&path, &self.branches, self.branches.curve())?;
+        let events = path::records(self.contact.control(), &path, path::losses(&path, &ledger));
+        let balance = path::balance(&ledger).into_iter().collect();
+        Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
     }
 
     /// Pressure, gap or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
