@@ -206,7 +206,9 @@ impl<R: Real> Balance<R> {
         let guess = self.steered().approximate_root(piece);
         let residual = self.value(&guess) / self.derivative(&guess);
         let mut radius = residual.abs().steer().times(4) + tolerance(&guess).times(8);
-        for _ in 0..8 {
+        // What φ is uncertain by at a guess where its terms cancel, no residual tells: the neighbourhood grows as long as
+        // it is known to a quarter of the digits.
+        for _ in 0..guess.precision().div_ceil(4) {
             let image = self.newton(&guess, &guess.clone().inflate_with_slope(&radius));
             if (image.clone() - &guess).abs() <= radius {
                 return Ok(self.newton(&image, &image));

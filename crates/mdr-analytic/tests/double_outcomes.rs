@@ -102,6 +102,30 @@ fn folds_of_a_machine() {
     assert!((value(fold.contact_radius) / (3.5 * (rho - 1.0) / (3.0 - rho)) - 1.0).abs() < 8.0 * f64::EPSILON);
 }
 
+/// A cone whose fold comes close to d = 0 (s = 1, a = 4a_c): d is a small difference, ln s is nearly 0, and no word length
+/// makes the terms of the condition for the fold anything but uncertain at its root.
+#[test]
+fn folds_where_everything_cancels_are_decided() {
+    let (c, e, w) = (2.080_928_347_144_029_7e-25, 5.592_452_198_508_288e24, 4.818_464_280_684_792e-23);
+    let glue = material(e, w);
+    let critical = double::critical(1.0, c, &glue, &Control::Indentation).unwrap();
+    let at_zero = 8.0 * e * value(critical.contact_radius);
+    for step in -200..=200_i32 {
+        // Close to the zero in powers of two, further off in steps.
+        let off = if step % 2 == 0 {
+            f64::from(step) * 4e-3
+        } else {
+            f64::from(step.signum()) * 2f64.powi(-2 - step.abs() / 4)
+        };
+        let fold = &double::machine_folds(1.0, c, &glue, at_zero * (1.0 + off)).unwrap()[0];
+        let (a, d) = (value(fold.contact_radius), value(fold.indentation));
+        // d = (λ−2)√(Ba), and a stiffer machine has the smaller radius and λ.
+        if off != 0.0 && off.abs() > 8.0 * f64::EPSILON {
+            assert!((d < 0.0) == (off > 0.0), "off by {off}: a = {a}, d = {d}");
+        }
+    }
+}
+
 proptest! {
     /// With lengths in units of 2^−p and moduli of 2^q every result scales by a power of two: bit for bit where the exponent
     /// 1/(2n−1) is exact, and otherwise within one ulp of the same truth on both sides.
