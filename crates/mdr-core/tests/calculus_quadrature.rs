@@ -3,7 +3,7 @@
 //! Most integrals are those of D. H. Bailey, K. Jeyabalan, X. S. Li, "A comparison of three high-precision quadrature
 //! schemes", Experimental Mathematics 14 (2005) 317, with their singular ends.
 
-use mdr_core::calculus::quadrature::{Node, tanh_sinh, tanh_sinh_near_ends};
+use mdr_core::calculus::quadrature::{Node, pieces, tanh_sinh, tanh_sinh_near_ends, tanh_sinh_pieces};
 use mdr_core::calculus::{Estimate, gauss_jacobi, roundoff_tolerance};
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Dual, Real, Special};
@@ -243,4 +243,28 @@ fn intervals() {
     let estimate = tanh_sinh(&one.lit(0), &one, &one.unit_roundoff().times(1 << 20), |x| Ok(x.sqrt())).unwrap();
     let value = estimate.value.clone().inflate(&estimate.error);
     assert!(value.contains(one.ratio(2, 3).lower()) && value.accuracy_bits() > 95, "{estimate:?}");
+}
+
+#[test]
+fn pieces_add_up_in_either_direction() -> Result<()> {
+    // ∫₁⁴ |x − 2|^(1/2) + |x − 3| dx = (2/3)(1 + 2√2) + 5/2, with breaks in any order, outside and at the ends.
+    let bent = |x: &f64| Ok((x - 2.0).abs().sqrt() + (x - 3.0).abs());
+    let truth = 2.0 / 3.0 * (1.0 + 8f64.sqrt()) + 2.5;
+    let tolerance = roundoff_tolerance(&1.0);
+    let breaks = [3.0, 9.0, 2.0, 1.0, 4.0, 0.5];
+    let there = tanh_sinh_pieces(&1.0, &4.0, &breaks, &tolerance, bent)?;
+    // x − 2 has the error of x itself where the root is steep: half the digits of a weight that is no larger.
+    assert!((there.value - truth).abs() < 1e-7 && there.error < 1e-6, "{there:?}");
+    let back = tanh_sinh_pieces(&4.0, &1.0, &breaks, &tolerance, bent)?;
+    assert!((back.value + there.value).abs() <= 4.0 * f64::EPSILON * truth && back.evaluations == there.evaluations);
+
+    // The ends of the pieces, the sum of errors and evaluations.
+    let mut ends = Vec::new();
+    let total = pieces(&0.0, &3.0, &[2.0, 1.0, 5.0], |from, to| {
+        ends.push((*from, *to));
+        Ok(Estimate { value: to - from, error: 0.5, evaluations: 7 })
+    })?;
+    assert_eq!(ends, [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]);
+    assert_eq!(total, Estimate { value: 3.0, error: 1.5, evaluations: 21 });
+    Ok(())
 }

@@ -7,7 +7,7 @@
 //! In units of 2πa²w: Π/(2πa²w) = ∫₀¹ v² dt − 1/2 with v = (d − g(at))/√(2πaw/E*), which is in range at any scale.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::calculus::{gauss_jacobi, quadrature::tanh_sinh, roundoff_tolerance};
+use mdr_core::calculus::{gauss_jacobi, quadrature::tanh_sinh_pieces, roundoff_tolerance};
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
@@ -207,14 +207,8 @@ impl<'a, R: Real> Energy<'a, R> {
     }
 
     fn double_exponential(&self, a: &R, tolerance: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<R> {
-        let kinks = self.transform.kinks();
-        let mut total = a.lit(0);
-        let mut lower = a.lit(0);
-        for upper in kinks.iter().filter(|kink| *kink < a).chain([a]) {
-            total += &(tanh_sinh(&lower, upper, tolerance, &mut *h)?.value / a);
-            lower = upper.clone();
-        }
-        Ok(total)
+        let integral = tanh_sinh_pieces(&a.lit(0), a, &self.transform.kinks(), tolerance, h)?;
+        Ok(integral.value / a)
     }
 }
 

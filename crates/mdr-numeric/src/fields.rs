@@ -4,7 +4,7 @@
 //! square-root singularities out, and every integral is split at the kinks of g.
 
 use mdr_core::calculus::isolate::isolate;
-use mdr_core::calculus::quadrature::tanh_sinh;
+use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::roots::bisect;
 use mdr_core::calculus::roundoff_tolerance;
 use mdr_core::contact::{Error, Quantity, Result};
@@ -61,7 +61,7 @@ impl<'a, R: Special> Fields<'a, R> {
         }
         let reach = leg(a, r);
         let breaks = self.breaks(r, a, |kink| leg(kink, r));
-        let bulk = integrate(&r.lit(0), &reach, &breaks, |t| {
+        let bulk = integrate(&reach, &breaks, |t| {
             let x = (r.square() + t.square()).sqrt();
             Ok(self.curve.transform().slope(&x)? / &x)
         })?;
@@ -80,7 +80,7 @@ impl<'a, R: Special> Fields<'a, R> {
         let angle = |x: &R| (leg(r, x) / x).atan();
         let breaks = self.breaks(a, r, angle);
         let excess = |phi: &R| Ok(self.curve.transform().g(&(phi.cos() * r))? - &self.indentation);
-        Ok(integrate(&r.lit(0), &angle(a), &breaks, excess)?.times(2) / r.pi())
+        Ok(integrate(&angle(a), &breaks, excess)?.times(2) / r.pi())
     }
 
     /// The displacement of the surface at r > a, in m, positive into the half-space:
@@ -93,7 +93,7 @@ impl<'a, R: Special> Fields<'a, R> {
         let angle = |x: &R| (x.clone() / &leg(r, x)).atan();
         let breaks = self.breaks(&r.lit(0), a, angle);
         let depth = |theta: &R| Ok(self.indentation.clone() - self.curve.transform().g(&(theta.sin() * r))?);
-        Ok(integrate(&r.lit(0), &angle(a), &breaks, depth)?.times(2) / r.pi())
+        Ok(integrate(&angle(a), &breaks, depth)?.times(2) / r.pi())
     }
 
     /// The smallest sampled radius in (a, `until`) where the gap turns negative: there the surfaces would interpenetrate,
@@ -141,12 +141,10 @@ impl<'a, R: Special> Fields<'a, R> {
         if r > a { Ok(a) } else { Err(Error::domain(Quantity::Radius, r, "outside the contact, r > a")) }
     }
 
-    /// The kinks of g strictly between two radii, as values of the variable of integration, ascending.
+    /// The kinks of g strictly between two radii, as values of the variable of integration.
     fn breaks(&self, from: &R, to: &R, variable: impl Fn(&R) -> R) -> Vec<R> {
         let kinks = self.curve.transform().kinks();
-        let mut breaks: Vec<R> = kinks.iter().filter(|kink| *kink > from && *kink < to).map(variable).collect();
-        breaks.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
-        breaks
+        kinks.iter().filter(|kink| *kink > from && *kink < to).map(variable).collect()
     }
 }
 
@@ -155,14 +153,7 @@ fn leg<R: Special>(x: &R, r: &R) -> R {
     ((x.clone() - r) * (x.clone() + r)).sqrt()
 }
 
-/// Tanh-sinh on each piece between the breaks.
-fn integrate<R: Special>(lower: &R, upper: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<R> {
-    let tolerance = roundoff_tolerance(upper);
-    let mut total = upper.lit(0);
-    let mut from = lower;
-    for to in breaks.iter().chain([upper]) {
-        total += &tanh_sinh(from, to, &tolerance, &f)?.value;
-        from = to;
-    }
-    Ok(total)
+/// ∫ f from 0 to `upper`, as far as rounding lets.
+fn integrate<R: Special>(upper: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<R> {
+    Ok(tanh_sinh_pieces(&upper.lit(0), upper, breaks, &roundoff_tolerance(upper), f)?.value)
 }

@@ -2,7 +2,11 @@
 
 use std::sync::OnceLock;
 
-use mdr_core::calculus::{Estimate, gauss_jacobi, quadrature::tanh_sinh, roundoff_tolerance};
+use mdr_core::calculus::{
+    Estimate, gauss_jacobi,
+    quadrature::{pieces, tanh_sinh},
+    roundoff_tolerance,
+};
 use mdr_core::contact::{Error, Profile, Quantity, Result, Transform};
 use mdr_core::number::Special;
 
@@ -217,17 +221,8 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
 
     /// I[φ] piece by piece in θ between the kinks.
     fn pieces(&self, x: &R, integrand: Integrand) -> Result<Estimate<R>> {
-        let mut total = Estimate { value: x.lit(0), error: x.lit(0), evaluations: 0 };
-        let mut lower = x.lit(0);
-        let inside = self.kinks.iter().filter(|kink| *kink < x).map(|kink| (kink.clone() / x).asin());
-        for upper in inside.chain([quarter(x)]) {
-            let piece = self.piece(x, &lower, &upper, integrand)?;
-            total.value += &piece.value;
-            total.error += &piece.error;
-            total.evaluations += piece.evaluations;
-            lower = upper;
-        }
-        Ok(total)
+        let inside: Vec<R> = self.kinks.iter().filter(|kink| *kink < x).map(|kink| (kink.clone() / x).asin()).collect();
+        pieces(&x.lit(0), &quarter(x), &inside, |from, to| self.piece(x, from, to, integrand))
     }
 
     fn piece(&self, x: &R, lower: &R, upper: &R, integrand: Integrand) -> Result<Estimate<R>> {
