@@ -7,7 +7,7 @@
 //! In units of 2πa²w: Π/(2πa²w) = ∫₀¹ v² dt − 1/2 with v = (d − g(at))/√(2πaw/E*), which is in range at any scale.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::calculus::{gauss_jacobi, quadrature::tanh_sinh_pieces, roundoff_tolerance};
+use mdr_core::calculus::{Estimate, gauss_jacobi, quadrature::tanh_sinh_pieces, roundoff_tolerance};
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
@@ -35,16 +35,24 @@ pub struct Energy<'a, R: Real> {
 }
 
 /// How well an integral is needed.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Grade {
-    /// To a percent or so, for finding the crossings.
-    Coarse,
+enum Grade<R> {
+    /// To a sixteenth of itself or of this scale, for finding the crossings.
+    Coarse(R),
     /// To rounding.
     Full,
 }
 
-/// Nodes of a coarse integral.
-const COARSE: usize = 12;
+/// How far a search has come.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Search {
+    /// To know where the crossings are.
+    Coarse,
+    /// To know them.
+    Full,
+}
+
+/// Nodes of a coarse integral, and of the one that it is compared with.
+const COARSE: [usize; 2] = [12, 8];
 
 impl<'a, R: Real> Energy<'a, R> {
     /// The energy of a transformed profile against a material.
@@ -67,7 +75,7 @@ impl<'a, R: Real> Energy<'a, R> {
     pub fn potential(&self, a: &R, d: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let unit = self.unit(&a);
-        let elastic = self.mean(&a, Grade::Full, |x| Ok(((d.clone() - g(self.transform, x)?) / &unit).square()))?;
+        let elastic = self.mean(&a, &Grade::Full, |x| Ok(((d.clone() - g(self.transform, x)?) / &unit).square()))?;
         let reduced = elastic.times(2) - a.lit(1);
         let potential = a.clone() * self.material.work_of_adhesion() * a.pi() * &a * &reduced;
         let vanished = potential == potential.lit(0) && reduced != reduced.lit(0);
@@ -93,10 +101,10 @@ impl<'a, R: Real> Energy<'a, R> {
     /// # Errors
     /// Those of the transform and of the quadrature.
     pub fn release(&self, a: &R, d: &R) -> Result<R> {
-        self.graded_release(a, d, Grade::Full)
+        self.graded_release(a, d, &Grade::Full)
     }
 
-    fn graded_release(&self, a: &R, d: &R, grade: Grade) -> Result<R> {
+    fn graded_release(&self, a: &R, d: &R, grade: &Grade<R>) -> Result<R> {
         // a d/da of a ∫ v(at)² dt, with the unit of v held: the dual's slope is a d/da.
         let unit = self.unit(a);
         self.mean(a, grade, |x| {
@@ -113,7 +121,7 @@ impl<'a, R: Real> Energy<'a, R> {
     }
 
     /// The indentation that makes the energy stationary in d at radius `a`: ∂Π/∂d = 2E* ∫₀ᵃ (d − g) dx is F, or k(D − d).
-    fn indentation(&self, control: &Control<R>, value: &R, a: &R, grade: Grade) -> Result<R> {
+    fn indentation(&self, control: &Control<R>, value: &R, a: &R, grade: &Grade<R>) -> Result<R> {
         let stiffness = self.stiffness(a);
         let mean = || self.mean(a, grade, |x| g(self.transform, x));
         Ok(match control {
@@ -136,6 +144,21 @@ impl<'a, R: Real> Energy<'a, R> {
         relative_elongation(a, &self.length) * a
     }
 
+    /// What is one at equilibria alone: the root of the release rate, positive where the edge is in tension, g(a) − d > 0,
+    /// and negative elsewhere. So a nearly Hertzian equilibrium is where a smooth function passes from large negative to
+    /// large positive values. Without the sign it would be one side of a notch, as narrow as Δl is small against d, that a
+    /// search passes over.
+    fn tension(&self, control: &Control<R>, value: &R, a: &R, search: Search) -> Result<R> {
+        // Near a crossing d − g is of the size of the unit: what is wrong by a part of it matters as little.
+        let (of_length, of_rate) = match search {
+            Search::Coarse => (Grade::Coarse(self.unit(a)), Grade::Coarse(a.lit(1))),
+            Search::Full => (Grade::Full, Grade::Full),
+        };
+        let d = self.indentation(control, value, a, &of_length)?;
+        let root = self.graded_release(a, &d, &of_rate)?.abs().sqrt();
+        Ok(if self.transform.g(a)? > d { root } else { -root })
+    }
+
     /// All equilibria at `value` of the controlled quantity, as stationary points of the energy where the edge is in
     /// tension, g(a) − d > 0; by increasing radius. Minima are stable.
     ///
@@ -146,21 +169,19 @@ impl<'a, R: Real> Energy<'a, R> {
     /// # Errors
     /// Those of the transform and of the quadrature.
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
-        let ratio = |a: &R, grade| self.graded_release(a, &self.indentation(control, value, a, grade)?, grade);
+        let tension = |a: &R, search| self.tension(control, value, a, search);
         let kinks = self.transform.kinks();
         let range = Range { scale: self.length.clone(), kinks, outer: self.transform.outer_radius() };
-        let survey = survey::survey(&range, |a| ratio(a, Grade::Coarse));
-        let excess = |a: &R| Ok(ratio(a, Grade::Full)? - a.lit(1));
+        let survey = survey::survey(&range, |a| tension(a, Search::Coarse));
+        let excess = |a: &R| Ok(tension(a, Search::Full)? - a.lit(1));
         let mut found = Vec::new();
         for crossing in &survey.crossings {
             let Some(bracket) = bracket(crossing, excess)? else { continue };
             let a = roots::refine(bracket, &roundoff_tolerance(&crossing.lower).over(8), excess)?.value;
-            let d = self.indentation(control, value, &a, Grade::Full)?;
-            if self.transform.g(&a)? > d {
-                let force = self.stiffness(&a) * (d.clone() - self.mean(&a, Grade::Full, |x| g(self.transform, x))?);
-                let stability = if crossing.rising { Stability::Stable } else { Stability::Unstable };
-                found.push(Equilibrium { contact_radius: a, indentation: d, force, stability });
-            }
+            let d = self.indentation(control, value, &a, &Grade::Full)?;
+            let force = self.stiffness(&a) * (d.clone() - self.mean(&a, &Grade::Full, |x| g(self.transform, x))?);
+            let stability = if crossing.rising { Stability::Stable } else { Stability::Unstable };
+            found.push(Equilibrium { contact_radius: a, indentation: d, force, stability });
         }
         Ok(found)
     }
@@ -168,48 +189,66 @@ impl<'a, R: Real> Energy<'a, R> {
     /// (1/a) ∫₀ᵃ h(x) dx.
     ///
     /// g may itself be noisy: a tolerance that cannot be met is relaxed step by step, up to √u.
-    fn mean(&self, a: &R, grade: Grade, mut h: impl FnMut(&R) -> Result<R>) -> Result<R> {
-        if grade == Grade::Coarse {
-            return self.coarse(a, &mut h);
+    fn mean(&self, a: &R, grade: &Grade<R>, mut h: impl FnMut(&R) -> Result<R>) -> Result<R> {
+        if let Grade::Coarse(scale) = grade
+            && let Some(value) = self.coarse(a, scale, &mut h)?
+        {
+            return Ok(value);
         }
         let limit = a.unit_roundoff().sqrt();
         let mut tolerance = roundoff_tolerance(a).times(4);
         loop {
             match self.full(a, &tolerance, &mut h) {
                 Err(Error::NoConvergence { .. }) if tolerance < limit => tolerance = tolerance.times(64),
-                result => return result,
+                result => return Ok(result?.value),
             }
         }
     }
 
-    fn coarse(&self, a: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<R> {
-        match &self.tip {
+    /// None where the terms of the integral cancel so far that its error might matter.
+    fn coarse(&self, a: &R, scale: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Option<R>> {
+        let (value, error) = match &self.tip {
             Some(p) => {
                 let inverse = p.clone().inv();
-                let rule = gauss_jacobi::rule(COARSE, &a.lit(0), &(inverse.clone() - a.lit(1)))?;
-                Ok(rule.integrate(|tau| h(&(tau.pow(&inverse) * a)))? * inverse)
+                let beta = inverse.clone() - a.lit(1);
+                let mut by = |nodes| -> Result<R> {
+                    let rule = gauss_jacobi::rule(nodes, &a.lit(0), &beta)?;
+                    Ok(rule.integrate(|tau| h(&(tau.pow(&inverse) * a)))? * &inverse)
+                };
+                let (fine, rough) = (by(COARSE[0])?, by(COARSE[1])?);
+                (fine.clone(), (fine - rough).abs())
             }
-            None => self.double_exponential(a, &a.ratio(1, 10_000), h),
-        }
+            None => {
+                let Estimate { value, error, .. } = self.double_exponential(a, &a.ratio(1, 10_000), h)?;
+                (value, error)
+            }
+        };
+        // Infinite terms are as large as need be, and their error is no number.
+        let uncertain = error.times(16) > value.abs() + scale;
+        Ok((!uncertain).then_some(value))
     }
 
     /// In τ = tᵖ, t = x/a, whole powers of g are analytic: Gauss–Jacobi with the weight τ^(1/p−1). Where that does not
     /// converge and beside kinks, tanh-sinh.
-    fn full(&self, a: &R, tolerance: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<R> {
+    fn full(&self, a: &R, tolerance: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
         let Some(p) = &self.tip else { return self.double_exponential(a, tolerance, h) };
         let inverse = p.clone().inv();
         let beta = inverse.clone() - a.lit(1);
         match gauss_jacobi::integrate(&a.lit(0), &beta, tolerance, |tau| h(&(tau.pow(&inverse) * a))) {
-            Ok(estimate) => Ok(estimate.value * inverse),
+            Ok(estimate) => Ok(scaled(estimate, &inverse)),
             Err(Error::NoConvergence { .. }) => self.double_exponential(a, tolerance, h),
             Err(error) => Err(error),
         }
     }
 
-    fn double_exponential(&self, a: &R, tolerance: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<R> {
+    fn double_exponential(&self, a: &R, tolerance: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
         let integral = tanh_sinh_pieces(&a.lit(0), a, &self.transform.kinks(), tolerance, h)?;
-        Ok(integral.value / a)
+        Ok(scaled(integral, &a.clone().inv()))
     }
+}
+
+fn scaled<R: Real>(estimate: Estimate<R>, factor: &R) -> Estimate<R> {
+    Estimate { value: estimate.value * factor, error: estimate.error * factor, ..estimate }
 }
 
 /// g(x), zero where x is.
@@ -222,12 +261,57 @@ fn vanishes<R: Real>(x: &R) -> bool {
     x.unit_roundoff().square() * x == x.lit(0)
 }
 
-/// x g'/g close to the tip, on the scale of the material's length.
+/// x g'/g close to the tip: at the material's length times u, or where g is no normal number there, at the nearest power of
+/// two times that where it is. A steep profile leaves the range within a few octaves.
 fn tip_exponent<R: Real>(transform: &dyn Transform<R>, length: &R) -> Option<R> {
-    let x = length.clone() * length.unit_roundoff();
-    let (value, slope) = (transform.g(&x).ok()?, transform.slope(&x).ok()?);
-    let p = slope * x / value;
-    (p > p.ratio(1, 10_000) && p < p.lit(10_000)).then_some(p)
+    /// No exponent range is wider: 2^±2²⁰.
+    const GALLOPS: u32 = 20;
+    let start = -i64::from(length.precision());
+    let side = |t: i64| side(transform, length.clone() * length.lit(2).powi(t));
+    let (mut low, mut high) = match side(start) {
+        Side::Normal(p) => return p,
+        Side::Below => (Some(start), None),
+        Side::Above => (None, Some(start)),
+    };
+    for gallop in 4..GALLOPS {
+        let t = match (low, high) {
+            (Some(low), Some(high)) => (low + high) / 2,
+            (Some(low), None) => low + (1 << gallop),
+            (_, high) => high? - (1 << gallop),
+        };
+        match side(t) {
+            Side::Normal(p) => return p,
+            Side::Below => low = Some(t),
+            Side::Above => high = Some(t),
+        }
+    }
+    None
+}
+
+/// Where g(x) lies.
+enum Side<R> {
+    /// Below the normal numbers of the arithmetic.
+    Below,
+    /// Among them, with x g'/g where that can be an exponent.
+    Normal(Option<R>),
+    /// Above them, or beyond the profile.
+    Above,
+}
+
+fn side<R: Real>(transform: &dyn Transform<R>, x: R) -> Side<R> {
+    if vanishes(&x) {
+        return Side::Below;
+    }
+    match (transform.g(&x), transform.slope(&x)) {
+        (Ok(value), _) if vanishes(&value.abs()) => Side::Below,
+        (Ok(value), Ok(slope)) => {
+            let p = slope * x / value;
+            Side::Normal((p > p.ratio(1, 10_000) && p < p.lit(10_000)).then_some(p))
+        }
+        (Err(Error::OutOfRange { log10, .. }), _) if log10 < 0.0 => Side::Below,
+        (Err(Error::OutOfRange { .. } | Error::Domain { .. }), _) => Side::Above,
+        _ => Side::Normal(None),
+    }
 }
 
 /// The bracket of a crossing that was found with coarse integrals: widened until the full ones change sign in it.

@@ -35,7 +35,16 @@ impl<R: Real> Power<R> {
 
 impl<R: Real> Profile<R> for Power<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
-        r.pow(&S::lift(&self.exponent)) * S::lift(&self.coefficient)
+        let (n, c) = (S::lift(&self.exponent), S::lift(&self.coefficient));
+        let power = r.pow(&n);
+        let headroom = power.unit_roundoff().square();
+        let normal = power.is_finite() && power.clone() * headroom > power.lit(0);
+        if normal {
+            return power * c;
+        }
+        // C rⁿ may be in range where rⁿ is not.
+        let root = r.pow(&n.over(2));
+        root.clone() * c * root
     }
 
     fn tip_exponent(&self) -> Option<R> {

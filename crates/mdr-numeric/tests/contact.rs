@@ -80,6 +80,30 @@ fn a_soft_machine_makes_three_folds() {
     assert!(to > radii[2]);
 }
 
+#[test]
+fn folds_that_have_nearly_merged_are_still_three() {
+    // n = 3/4 is just below 5/2 − √3. ln(g'/Δl') less its threshold dips by 10⁻⁵ below zero, between radii 3 % apart, while
+    // it changes by 0.02 in a panel of the search. Radii by the closed condition for a machine.
+    let (profile, material) =
+        (Quadrature::new(Power::new(0.75, 4.148093971349991e-4).unwrap()), Material::new(7e10, 0.1).unwrap());
+    let found = folds(&profile, &material, &Control::machine(275.4555976740107).unwrap()).unwrap();
+    let radii: Vec<f64> = found.iter().map(|fold| fold.contact_radius).collect();
+    assert_eq!(radii.len(), 3, "{radii:?}");
+    for (radius, expected) in radii.iter().zip([3.6732365773263554e-10, 1.9353455083582483e-9, 2.000000000000055e-9]) {
+        // The condition is known to some 10⁻¹⁴ and its logarithmic slope at the pair is 10⁻³.
+        assert_relative_eq!(*radius, expected, max_relative = 1e-10);
+    }
+}
+
+#[test]
+fn a_power_may_leave_the_range_where_the_height_does_not() {
+    use mdr_core::contact::Profile;
+    // rⁿ is 10⁻³⁶⁴ or 10³⁶⁴; rounding 10^∓14 to f64 changes it by 26 roundings.
+    for (r, c, height) in [(1e-14, 1e250, 1e-114), (1e14, 1e-250, 1e114)] {
+        assert_relative_eq!(Power::new(26.0, c).unwrap().height(&r), height, max_relative = 64.0 * f64::EPSILON);
+    }
+}
+
 /// R = 1, A = 5e-4, λ = 0.1, w/E* = 1e-4: figure 4 of the paper.
 fn figure_4() -> (Quadrature<f64, WavyParaboloid<f64>>, Material<f64>) {
     (Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1).unwrap()), Material::new(1.0, 1e-4).unwrap())

@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, FoldKind, Material, Outcome, Stability, Transform};
+use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::equilibria;
 use mdr_numeric::folds::folds;
@@ -70,6 +71,34 @@ fn stable_means_minimum() {
         }
     }
     assert_eq!(found.len(), 2);
+}
+
+/// Pressed in far from its fold a contact is nearly that of Hertz: Δl is a small part of d, and equilibrium a small
+/// difference of large terms. There the two routes agree to 128·64 roundings of those terms, over the logarithmic
+/// derivative of the release rate.
+#[test]
+fn nearly_hertzian_contacts_are_stationary_too() {
+    let material = Material::new(1.0, 1e-3).unwrap();
+    let blade = Quadrature::new(Power::new(0.17, 1.0).unwrap());
+    let fold = &folds(&blade, &material, &Control::Indentation).unwrap()[0];
+    let ball = Quadrature::new(Paraboloid::new(1.0).unwrap());
+    let cases: [(&dyn Transform<f64>, f64, usize); 3] =
+        [(&blade, 0.1 * fold.indentation, 2), (&blade, 0.01 * fold.indentation, 2), (&ball, 100.0, 1)];
+    for (transform, d, count) in cases {
+        let by_force = equilibria(transform, &material, &Control::Indentation, &d).unwrap();
+        let by_energy = Energy::new(transform, &material).unwrap().equilibria(&Control::Indentation, &d).unwrap();
+        assert_eq!((by_force.len(), by_energy.len()), (count, count), "d = {d}");
+        let curve = Curve::new(transform, &material, &Control::Indentation);
+        for (force, energy) in by_force.iter().zip(&by_energy) {
+            assert_eq!(force.stability, energy.stability);
+            let a = force.contact_radius;
+            let elongation = curve.detachment_elongation(&a);
+            let terms = (d + transform.g(&a).unwrap() + elongation) / elongation;
+            let steepness = a * transform.slope(&a).unwrap() / elongation;
+            let bound = 8192.0 * f64::EPSILON * terms.powi(2) * (1.0 + steepness / terms) / (steepness - 0.5).abs();
+            assert_relative_eq!(energy.contact_radius, a, max_relative = bound);
+        }
+    }
 }
 
 #[test]

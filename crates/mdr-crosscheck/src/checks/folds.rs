@@ -101,13 +101,16 @@ pub(super) fn search<R: Arithmetic>(
     let curve = Curve::new(transform, &material, control);
     let near = R::from_f64(scene.n.ctx(), planted);
     let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a) - a.lit(1));
-    let spread = near.ratio(9, 8);
     let mut folds = Vec::new();
-    if let Some(bracket) = Bracket::new(&(near.clone() / &spread), &(near * spread), ratio)? {
+    // Of two folds in one bracket nothing is seen: closer then.
+    for k in [3, 6, 9, 12] {
+        let spread = near.lit(1) + near.lit(2).powi(-k);
+        let Some(bracket) = Bracket::new(&(near.clone() / &spread), &(near.clone() * spread), ratio)? else { continue };
         let kind = if bracket.lower.f < bracket.upper.f { FoldKind::Minimum } else { FoldKind::Maximum };
         let contact_radius = roots::refine(bracket, &scene.n.unit_roundoff(), ratio)?.value;
         let (indentation, force) = curve.state(&contact_radius)?;
         folds.push(Instability { contact_radius, indentation, force, kind });
+        break;
     }
     Ok(Found { all: false, folds })
 }
