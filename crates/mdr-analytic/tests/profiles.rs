@@ -105,6 +105,45 @@ fn enclosures_with_slopes_contain_what_they_should() {
     }
 }
 
+/// g, its mean and the bounds of g' beside every kink and at the wall, against 240 bits; b = 3/7 is no number of 64 bits.
+#[test]
+fn kinks_are_enclosed_from_both_sides() {
+    let seed = number("1");
+    let one = Interval::from_int(Precision::new(64), 1);
+    let (mut sharp, mut enclosed) = (library(&seed).unwrap(), library(&one).unwrap());
+    sharp.push(("flat punch", Box::new(FlatPunch::new(seed.ratio(3, 7)).unwrap())));
+    enclosed.push(("flat punch", Box::new(FlatPunch::new(one.ratio(3, 7)).unwrap())));
+    let mut seen = Vec::new();
+    for ((name, sharp), (_, enclosed)) in sharp.iter().zip(&enclosed) {
+        let wall = sharp.outer_radius().filter(|_| sharp.wall());
+        for (index, b) in sharp.kinks().iter().chain(&wall).enumerate() {
+            seen.push(*name);
+            for octave in [3, 10, 20, 40] {
+                let margin = seed.lit(2).powi(-octave);
+                let kink = enclosed.kink(index, &Interval::point(Float::with_val(64, &margin))).unwrap().unwrap();
+                if let Some((g, mean)) = &kink.value {
+                    assert!(g.contains(&sharp.g(b).unwrap()) && mean.contains(&sharp.mean(b).unwrap()), "{name}");
+                }
+                for share in [1, 3, 17, 1000, 1_000_000_000] {
+                    let step = margin.clone().over(share) * b;
+                    let slope = |side: i64| sharp.slope(&(step.clone().times(side) + b)).ok();
+                    for (slopes, slope) in [(&kink.inside, slope(-1)), (&kink.outside, slope(1))] {
+                        let Some(slope) = slope else { continue };
+                        let above = slopes.least.as_ref().is_none_or(|least| *least.lower() <= slope);
+                        let below = slopes.greatest.as_ref().is_none_or(|greatest| *greatest.upper() >= slope);
+                        assert!(above && below, "{name} at 2^-{octave}/{share}: {slope} in {slopes:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(seen.len(), 9, "{seen:?}");
+    let past = enclosed
+        .iter()
+        .filter(|(_, profile)| profile.kink(2, &one.ratio(1, 8)).unwrap().is_some());
+    assert_eq!(past.count(), 0);
+}
+
 /// The slope of the slope of a rounded punch, 1/q > 0 beside its edge: the truncated series keeps its sign.
 #[test]
 fn a_truncated_series_proves_monotonicity() {

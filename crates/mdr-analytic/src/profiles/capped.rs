@@ -1,9 +1,9 @@
 //! Cones whose tip is rounded: by a paraboloid or by a sphere that the flank continues without a kink in slope.
 
-use mdr_core::contact::Result;
+use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
-use super::edge::{Edge, atanh_moment};
+use super::edge::{Edge, around, atanh_moment};
 use super::smooth::{Paraboloid, Sphere};
 use super::{ClosedForm, positive, transform};
 
@@ -34,6 +34,10 @@ impl<R: Special> ParabolicCapCone<R> {
     fn cap_share(&self, x: &R, edge: &Edge<R>) -> R {
         self.cap.clone() / &(edge.leg.clone() + x)
     }
+
+    fn outer_slope(&self, x: &R, edge: &Edge<R>) -> R {
+        (self.cap_share(x, edge).times(2) + &edge.angle) * &self.slope
+    }
 }
 
 impl<R: Special> ClosedForm<R> for ParabolicCapCone<R> {
@@ -46,7 +50,7 @@ impl<R: Special> ClosedForm<R> for ParabolicCapCone<R> {
     fn slope_at(&self, x: &R) -> R {
         match Edge::at(x, &self.cap) {
             None => self.tip.slope_at(x),
-            Some(edge) => (self.cap_share(x, &edge).times(2) + &edge.angle) * &self.slope,
+            Some(edge) => self.outer_slope(x, &edge),
         }
     }
     /// t[(x³ − q³)/3b + ½(x²θ − bq)], with x³ − q³ = (x − q)(x² + xq + q²).
@@ -62,6 +66,16 @@ impl<R: Special> ClosedForm<R> for ParabolicCapCone<R> {
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.cap)
+    }
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        let (b, x) = (&self.cap, around(&self.cap, margin));
+        let outside = self.outer_slope(&x, &Edge::beside(b, margin));
+        let value = (self.tip.g_at(b), self.tip.integral_at(b) / b);
+        Some(Kink {
+            value: Some(value),
+            inside: Slopes::within(self.tip.slope_at(&x)),
+            outside: Slopes::within(outside),
+        })
     }
 }
 
@@ -97,6 +111,13 @@ impl<R: Special> SphericalCapCone<R> {
         let differences = (self.radius.clone() + &self.level).inv() + (edge.leg.clone() + x).inv();
         (self.cap.square() * differences / &(self.level.clone() + &edge.leg)).ln_1p()
     }
+
+    /// ln[…] + tθ + R b t/(Rq + sx): the terms that are singular at b cancel exactly.
+    fn outer_slope(&self, x: &R, edge: &Edge<R>) -> R {
+        let denominator = edge.leg.clone() * &self.radius + self.level.clone() * x;
+        let joint = self.radius.clone() * &self.cap / &denominator;
+        self.logarithm(x, edge) + (joint + &edge.angle) * &self.slope
+    }
 }
 
 impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
@@ -106,15 +127,10 @@ impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
             Some(edge) => (self.logarithm(x, &edge) + edge.angle * &self.slope) * x,
         }
     }
-    /// ln[…] + tθ + R b t/(Rq + sx): the terms that are singular at b cancel exactly.
     fn slope_at(&self, x: &R) -> R {
         match Edge::at(x, &self.cap) {
             None => self.tip.slope_at(x),
-            Some(edge) => {
-                let denominator = edge.leg.clone() * &self.radius + self.level.clone() * x;
-                let joint = self.radius.clone() * &self.cap / &denominator;
-                self.logarithm(x, &edge) + (joint + &edge.angle) * &self.slope
-            }
+            Some(edge) => self.outer_slope(x, &edge),
         }
     }
     /// ½(x² − R²) ln[…] + ½(Rx − sq) + ½t(x²θ − bq); well inside R the first two are the difference of two integrals
@@ -135,5 +151,15 @@ impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.cap)
+    }
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        let (b, x) = (&self.cap, around(&self.cap, margin));
+        let outside = self.outer_slope(&x, &Edge::beside(b, margin));
+        let value = (self.tip.g_at(b), self.tip.integral_at(b) / b);
+        Some(Kink {
+            value: Some(value),
+            inside: Slopes::within(self.tip.slope_at(&x)),
+            outside: Slopes::within(outside),
+        })
     }
 }

@@ -1,9 +1,9 @@
 //! Profiles that first go down: displaced paraboloid, parabolic and elliptical dimple. Their g is negative near the axis.
 
-use mdr_core::contact::Result;
+use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
-use super::edge::Edge;
+use super::edge::{Edge, around};
 use super::smooth::{Cone, Ellipsoid, Paraboloid};
 use super::{ClosedForm, positive, transform};
 
@@ -58,6 +58,16 @@ impl<R: Special> ParabolicDimple<R> {
         Ok(ParabolicDimple { depth: positive("depth", depth)?, radius: positive("radius", radius)? })
     }
 
+    /// 2h(x − q)/(q(x + q)) = 2hb²/(q(x + q)²).
+    fn outer_slope(&self, x: &R, leg: &R) -> R {
+        let sum = leg.clone() + x;
+        (self.depth.clone() * self.radius.square()).times(2) / &(leg.clone() * sum.square())
+    }
+
+    fn inner_slope(&self, x: &R) -> R {
+        -(self.curvature() * x).times(4)
+    }
+
     /// h/b².
     fn curvature(&self) -> R {
         self.depth.clone() / &self.radius.square()
@@ -71,14 +81,10 @@ impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
             Some(edge) => -(self.depth.clone() * x).times(2) / &(edge.leg + x),
         }
     }
-    /// Beyond b: −(2h/b²)(x − q)(1 − x/q) = 2h(x − q)/(q(x + q)).
     fn slope_at(&self, x: &R) -> R {
         match Edge::at(x, &self.radius) {
-            None => -(self.curvature() * x).times(4),
-            Some(edge) => {
-                let sum = edge.leg.clone() + x;
-                (self.depth.clone() * self.radius.square()).times(2) / &(edge.leg * sum.square())
-            }
+            None => self.inner_slope(x),
+            Some(edge) => self.outer_slope(x, &edge.leg),
         }
     }
     /// Beyond b: −(2h/3b²)(x³ − q³) = −(2h/3)(x² + xq + q²)/(x + q).
@@ -93,6 +99,13 @@ impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.radius)
+    }
+    /// g = −2h with the mean −2h/3; beyond b, g' falls with q and with x.
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        let (b, x) = (&self.radius, around(&self.radius, margin));
+        let g = -self.depth.clone().times(2);
+        let outside = Slopes::at_least(self.outer_slope(&x, &Edge::reach(b, margin)));
+        Some(Kink { value: Some((g.clone(), g.over(3))), inside: Slopes::within(self.inner_slope(&x)), outside })
     }
 }
 
@@ -152,5 +165,15 @@ impl<R: Special> ClosedForm<R> for EllipticalDimple<R> {
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.radius)
+    }
+    /// With x = b(1 ± m): inside, g' = −(h/b)[artanh(1 − m) + (1 − m)/(m(2 − m))] falls to −∞; outside, it falls from ∞
+    /// to (h/b)[(1 + m)/(m(2 + m)) − artanh(1/(1 + m))], with the derivative −2/(m(2 + m))² in m.
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        let (one, two) = (margin.lit(1), margin.lit(2));
+        let (below, above) = (one.clone() - margin, one + margin);
+        let inside = below.atanh() + below / ((two.clone() - margin) * margin);
+        let outside = above.clone() / ((two + margin) * margin) - above.inv().atanh();
+        let [inside, outside] = [-inside, outside].map(|slope| slope * self.aspect());
+        Some(Kink { value: None, inside: Slopes::at_most(inside), outside: Slopes::at_least(outside) })
     }
 }

@@ -21,6 +21,19 @@ impl<R: Special> Edge<R> {
         Some(Edge { leg, angle })
     }
 
+    /// All radii between b and b(1 + margin) at once: over enclosures one that contains them all.
+    pub(super) fn beside(b: &R, margin: &R) -> Edge<R> {
+        let half = Self::reach(b, margin).over(2);
+        let leg = half.clone().inflate(&half);
+        let angle = (leg.clone() / b).atan();
+        Edge { leg, angle }
+    }
+
+    /// √(x² − b²) at x = b(1 + margin).
+    pub(super) fn reach(b: &R, margin: &R) -> R {
+        ((margin.lit(2) + margin) * margin).sqrt() * b
+    }
+
     /// ½(x²θ − bq) = ½[q²θ − b²(tan θ − θ)]: the integral of x arccos(b/x).
     pub(super) fn cone_moment(&self, b: &R) -> R {
         let excess = tangent_excess(&(self.leg.clone() / b), &self.angle);
@@ -36,6 +49,11 @@ impl<R: Special> Edge<R> {
             None => self.leg.powi(3).over(3) - self.cone_moment(b) * b,
         }
     }
+}
+
+/// The radii between b(1 − margin) and b(1 + margin): over enclosures all of them.
+pub(super) fn around<R: Special>(b: &R, margin: &R) -> R {
+    b.clone().inflate(&(margin.clone() * b))
 }
 
 /// t − (1 − t²) artanh t = Σ_{k≥1} 2 t^{2k+1}/((2k−1)(2k+1)), 0 < t < 1.

@@ -38,7 +38,7 @@ pub use smooth::{Cone, Ellipsoid, Hyperboloid, Paraboloid, Sphere};
 pub use sum::Sum;
 pub use wavy::WavyParaboloid;
 
-use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::contact::{Error, Kink, Quantity, Result};
 use mdr_core::number::{Real, Special};
 
 /// The three closed forms of a profile, for a radius that is known to be in their domain.
@@ -59,6 +59,10 @@ trait ClosedForm<R: Special> {
     }
     /// The radius where its formula changes.
     fn edge(&self) -> Option<&R> {
+        None
+    }
+    /// What is known of g at the edge, or else at a wall, and up to the relative distance `margin` from it.
+    fn at_edge(&self, _margin: &R) -> Option<Kink<R>> {
         None
     }
     /// Passes a radius on when it lies in (0, end), or at the end with a wall.
@@ -109,6 +113,9 @@ macro_rules! transform {
             }
             fn kinks(&self) -> Vec<R> {
                 self.edge().cloned().into_iter().collect()
+            }
+            fn kink(&self, index: usize, margin: &R) -> mdr_core::contact::Result<Option<mdr_core::contact::Kink<R>>> {
+                Ok(if index == 0 { self.at_edge(margin) } else { None })
             }
         }
     )*};

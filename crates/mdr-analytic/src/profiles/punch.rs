@@ -1,6 +1,6 @@
 //! Punches with an edge: flat punch, truncated cone, truncated paraboloid, rounded-edge flat punch.
 
-use mdr_core::contact::Result;
+use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
 use super::edge::{Edge, tangent_excess};
@@ -50,6 +50,9 @@ impl<R: Special> ClosedForm<R> for FlatPunch<R> {
     fn wall(&self) -> bool {
         true
     }
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        Some(beside_flat(margin, Slopes::unknown()))
+    }
 }
 
 /// The truncated cone f = (r − b) tan θ for r > b, 0 inside: g = x tan θ arccos(b/x) for x > b (Ejike 1981).
@@ -92,6 +95,11 @@ impl<R: Special> ClosedForm<R> for TruncatedCone<R> {
     fn edge(&self) -> Option<&R> {
         Some(&self.flat)
     }
+    /// Beyond b, g' is at least (b/q) tan θ.
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        let steepest = self.flat.clone() / Edge::reach(&self.flat, margin) * &self.slope;
+        Some(beside_flat(margin, Slopes::at_least(steepest)))
+    }
 }
 
 /// The truncated paraboloid f = (r² − b²)/2R for r > b, 0 inside: g = (x/R)√(x² − b²) for x > b (Ejike 1981).
@@ -133,6 +141,11 @@ impl<R: Special> ClosedForm<R> for TruncatedParaboloid<R> {
     fn edge(&self) -> Option<&R> {
         Some(&self.flat)
     }
+    /// Beyond b, g' is at least b²/Rq.
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        let steepest = self.flat.square() / Edge::reach(&self.flat, margin) / &self.radius;
+        Some(beside_flat(margin, Slopes::at_least(steepest)))
+    }
 }
 
 /// The flat punch with a rounded edge f = (r − b)²/2R for r > b, 0 inside: g = (x/R)[√(x² − b²) − b arccos(b/x)] for
@@ -156,6 +169,11 @@ impl<R: Special> RoundedPunch<R> {
     fn excess(&self, edge: &Edge<R>) -> R {
         tangent_excess(&(edge.leg.clone() / &self.flat), &edge.angle) * &self.flat
     }
+
+    /// (2q − bθ)/R = (q + b(tan θ − θ))/R.
+    fn outer_slope(&self, edge: &Edge<R>) -> R {
+        (self.excess(edge) + &edge.leg) / &self.radius
+    }
 }
 
 impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
@@ -165,11 +183,10 @@ impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
             Some(edge) => self.excess(&edge) * x / &self.radius,
         }
     }
-    /// (2q − bθ)/R = (q + b(tan θ − θ))/R.
     fn slope_at(&self, x: &R) -> R {
         match Edge::at(x, &self.flat) {
             None => x.lit(0),
-            Some(edge) => (self.excess(&edge) + &edge.leg) / &self.radius,
+            Some(edge) => self.outer_slope(&edge),
         }
     }
     /// [q³/3 − ½b(x²θ − bq)]/R = ½b³[t³·2/3 − (1 + t²)θ + t]/R with t = tan θ.
@@ -182,4 +199,13 @@ impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
     fn edge(&self) -> Option<&R> {
         Some(&self.flat)
     }
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        Some(beside_flat(margin, Slopes::within(self.outer_slope(&Edge::beside(&self.flat, margin)))))
+    }
+}
+
+/// The edge of a flat face, with what is known of g' beyond it.
+fn beside_flat<R: Special>(like: &R, outside: Slopes<R>) -> Kink<R> {
+    let zero = like.lit(0);
+    Kink { value: Some((zero.clone(), zero.clone())), inside: Slopes::within(zero), outside }
 }

@@ -1,6 +1,8 @@
 //! Sums of profiles: g is linear in f.
 
-use mdr_core::contact::{Result, Transform};
+use std::cmp::Ordering;
+
+use mdr_core::contact::{Error, Kink, Result, Slopes, Transform};
 use mdr_core::number::Special;
 
 /// The profile f₁ + f₂ + …, whose g, g' and G are the sums of theirs. It ends where its first term ends.
@@ -39,8 +41,76 @@ impl<R: Special> Transform<R> for Sum<R> {
         last.all(|term| term.wall())
     }
     fn kinks(&self) -> Vec<R> {
-        let mut kinks: Vec<R> = self.terms.iter().flat_map(|term| term.kinks()).collect();
-        kinks.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
-        kinks
+        self.edges().into_iter().map(|edge| edge.radius).collect()
+    }
+    fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
+        let Some(edge) = self.edges().into_iter().nth(index).or_else(|| self.end()) else { return Ok(None) };
+        let mut sum: Option<Kink<R>> = None;
+        for (i, term) in self.terms.iter().enumerate() {
+            let share = if i == edge.term {
+                term.kink(edge.index, margin)?
+            } else {
+                share(term.as_ref(), &edge.radius, margin)?
+            };
+            let Some(share) = share else { return Ok(None) };
+            sum = Some(match sum {
+                Some(sum) => sum.plus(share),
+                None => share,
+            });
+        }
+        Ok(sum)
+    }
+}
+
+/// A kink, or the end, of one of the terms.
+struct EdgeOf<R> {
+    radius: R,
+    term: usize,
+    index: usize,
+}
+
+impl<R: Special> Sum<R> {
+    /// The kinks of all terms, ascending.
+    fn edges(&self) -> Vec<EdgeOf<R>> {
+        let mut edges = Vec::new();
+        for (term, profile) in self.terms.iter().enumerate() {
+            let kinks = profile.kinks().into_iter().enumerate();
+            edges.extend(kinks.map(|(index, radius)| EdgeOf { radius, term, index }));
+        }
+        edges.sort_by(|a, b| a.radius.partial_cmp(&b.radius).unwrap_or(Ordering::Equal));
+        edges
+    }
+
+    /// The first end of a term.
+    fn end(&self) -> Option<EdgeOf<R>> {
+        let ends = self.terms.iter().enumerate().filter_map(|(term, profile)| {
+            Some(EdgeOf { radius: profile.outer_radius()?, term, index: profile.kinks().len() })
+        });
+        ends.reduce(|a, b| if b.radius < a.radius { b } else { a })
+    }
+}
+
+/// What a term contributes at the kink of another one: a kink of its own that is certainly the same, or smooth values.
+fn share<R: Special>(term: &dyn Transform<R>, radius: &R, margin: &R) -> Result<Option<Kink<R>>> {
+    let near = radius.clone().inflate(&(margin.clone() * radius));
+    for (index, kink) in term.kinks().iter().enumerate() {
+        if kink == radius {
+            return term.kink(index, margin);
+        }
+        if !kink.partial_cmp(&near).is_some_and(Ordering::is_ne) {
+            return Ok(None);
+        }
+    }
+    let known = || {
+        let slope = term.slope(&near)?;
+        Ok(Kink {
+            value: Some((term.g(radius)?, term.mean(radius)?)),
+            inside: Slopes::within(slope.clone()),
+            outside: Slopes::within(slope),
+        })
+    };
+    match known() {
+        Err(Error::Domain { .. }) => Ok(None),
+        kink => kink.map(Some),
     }
 }

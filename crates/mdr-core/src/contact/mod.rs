@@ -3,6 +3,7 @@
 mod control;
 mod error;
 mod expression;
+mod kink;
 mod material;
 mod profile;
 mod state;
@@ -11,6 +12,7 @@ mod transform;
 pub use control::Control;
 pub use error::{Error, Quantity, Result};
 pub use expression::{Expression, ExpressionError, ExpressionProfile};
+pub use kink::{Kink, Slopes};
 pub use material::{Body, Material};
 pub use profile::Profile;
 pub use state::{Equilibrium, FoldKind, Instability, Outcome, Ranged, Regime, Stability, Status};

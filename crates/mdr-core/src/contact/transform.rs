@@ -1,6 +1,6 @@
 //! The seam between closed forms and quadrature: the MDR-transformed profile.
 
-use super::Result;
+use super::{Kink, Result};
 use crate::number::Real;
 
 /// The MDR-transformed profile g of (1.1), with its slope and its integral.
@@ -48,5 +48,15 @@ pub trait Transform<R: Real>: Send + Sync {
     /// Radii where g or a derivative of it jumps, ascending.
     fn kinks(&self) -> Vec<R> {
         Vec::new()
+    }
+    /// What is known of g at the kink of this index and up to the relative distance `margin` < 1/4 on both sides of it; the
+    /// [wall](Transform::wall) comes after the last kink, with nothing outside. None where nothing is known.
+    ///
+    /// Bounds hold over enclosures; other arithmetics promise nothing about them.
+    ///
+    /// # Errors
+    /// As [`Transform::g`].
+    fn kink(&self, _index: usize, _margin: &R) -> Result<Option<Kink<R>>> {
+        Ok(None)
     }
 }
