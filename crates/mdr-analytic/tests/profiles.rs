@@ -138,9 +138,7 @@ fn kinks_are_enclosed_from_both_sides() {
         }
     }
     assert_eq!(seen.len(), 9, "{seen:?}");
-    let past = enclosed
-        .iter()
-        .filter(|(_, profile)| profile.kink(2, &one.ratio(1, 8)).unwrap().is_some());
+    let past = enclosed.iter().filter(|(_, profile)| profile.kink(2, &one.ratio(1, 8)).unwrap().is_some());
     assert_eq!(past.count(), 0);
 }
 

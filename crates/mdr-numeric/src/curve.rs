@@ -84,7 +84,7 @@ impl<'a, R: Real> Curve<'a, R> {
     }
 
     /// 2E*a, the stiffness of the contact at fixed radius, in N/m.
-    fn edge_stiffness(&self, a: &R) -> R {
+    pub(crate) fn edge_stiffness(&self, a: &R) -> R {
         (a.clone() * self.material.effective_modulus()).times(2)
     }
 
@@ -103,13 +103,18 @@ impl<'a, R: Real> Curve<'a, R> {
     /// The indentation at radius `a` while the controlled quantity is held at `value`, equilibrium or not:
     /// d itself, F/(2E*a) + mean g, or (kD + 2E*a·mean g)/(k + 2E*a).
     pub(crate) fn held_indentation(&self, a: &R, value: &R) -> Result<R> {
+        self.held_against(a, value, || self.transform.mean(a))
+    }
+
+    /// The same, with the mean of g from elsewhere.
+    pub(crate) fn held_against(&self, a: &R, value: &R, mean: impl FnOnce() -> Result<R>) -> Result<R> {
         let stiffness = self.edge_stiffness(a);
         Ok(match self.control {
             Control::Indentation => value.clone(),
-            Control::Force => value.clone() / stiffness + self.transform.mean(a)?,
+            Control::Force => value.clone() / stiffness + mean()?,
             Control::Machine { stiffness: k } => {
                 let whole = k.clone() + &stiffness;
-                k.clone() / &whole * value + stiffness / whole * self.transform.mean(a)?
+                k.clone() / &whole * value + stiffness / whole * mean()?
             }
         })
     }
@@ -141,7 +146,12 @@ impl<'a, R: Real> Curve<'a, R> {
     /// # Errors
     /// As [`Transform::slope`].
     pub fn tangency(&self, a: &R) -> Result<R> {
-        Ok(self.transform.slope(a)?.times(2) / self.root(a))
+        Ok(self.tangency_of(self.transform.slope(a)?, a))
+    }
+
+    /// The same, with g' from elsewhere.
+    pub(crate) fn tangency_of(&self, slope: R, a: &R) -> R {
+        slope.times(2) / self.root(a)
     }
 
     /// The value of the [tangency ratio](Curve::tangency) at which the controlled quantity is stationary.

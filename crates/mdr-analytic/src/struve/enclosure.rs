@@ -22,14 +22,40 @@ impl Struve for Interval {
     }
 }
 
-/// The value at the middle, widened by the largest slope times the distance to the ends.
+/// The value at the middle, widened by the largest slope times the distance to the ends, and what the envelope leaves of
+/// it. Over a wave and more the envelope alone.
 fn spread(z: &Interval, order: i64, change: impl Fn(Interval) -> Interval) -> Interval {
     if !z.is_finite() || *z.lower() < 0 {
         return Interval::entire(z.ctx());
     }
-    let middle = Interval::point(z.mid());
-    let value = at_point(&middle, order);
-    if z.is_point() { value } else { value.inflate(&change(Interval::point(z.radius()))) }
+    if z.is_point() {
+        return at_point(z, order);
+    }
+    let radius = Interval::point(z.radius());
+    let envelope = (*z.lower() >= 1).then(|| envelope(&Interval::point(z.lower().clone()), order));
+    match envelope {
+        Some(envelope) if *radius.lower() > 4 => envelope,
+        envelope => {
+            let value = at_point(&Interval::point(z.mid()), order).inflate(&change(radius));
+            envelope.and_then(|envelope| envelope.intersect(&value)).unwrap_or(value)
+        }
+    }
+}
+
+/// What H is at all arguments from z on.
+///
+/// |Y_ν| ≤ √(J_ν² + Y_ν²), of which the square is at most 2/πz for ν = 0 and (2/πz)(1 + 3/8z²) for ν = 1 (Watson 1944,
+/// §13.74 and §13.75). H₀ − Y₀ lies between 0 and 2/πz, H₁ − Y₁ between 2/π and (2/π)(1 + 1/z²) (DLMF 11.6.1).
+fn envelope(z: &Interval, order: i64) -> Interval {
+    let share = z.lit(2) / z.pi();
+    let decay = share.clone() / z;
+    if order == 0 {
+        let bessel = decay.sqrt();
+        return (-bessel.clone()).hull(&(bessel + decay));
+    }
+    let square = z.lit(1) / z.square();
+    let bessel = (decay * (square.clone().times(3).over(8) + z.lit(1))).sqrt();
+    (share.clone() - &bessel).hull(&(bessel + (square + z.lit(1)) * share))
 }
 
 /// H at an exactly known point.

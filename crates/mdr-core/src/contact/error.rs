@@ -145,6 +145,18 @@ pub enum Error {
         /// What could not be decided.
         what: &'static str,
     },
+    /// A part of a range that a proof does not cover.
+    #[error("nothing is proved of {quantity} between {from} and {to}: {remedy}")]
+    Unproved {
+        /// Of what.
+        quantity: Quantity,
+        /// Where the part begins.
+        from: String,
+        /// Where it ends.
+        to: String,
+        /// What may help.
+        remedy: &'static str,
+    },
 }
 
 impl Error {

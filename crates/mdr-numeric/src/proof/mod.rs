@@ -1,8 +1,20 @@
-//! Folds with a proof that none is missed, on a stated range of radii.
+//! Folds and equilibria with a proof that none is missed, on a stated range of radii.
 //!
 //! The range is halved until on every cell an enclosure shows that the tangency condition (1.10) has no zero, or that it
 //! is monotone and so has at most one. The cost grows with the number of folds, not with the width of the range over the
-//! distance of the closest pair, as it would for a scan.
+//! distance of the closest pair, as it would for a scan. Between two folds the controlled quantity is monotone, which
+//! makes every equilibrium a certain change of sign: see [`EnclosedBranches`].
+//!
+//! At a kink of g the condition jumps. There the profile itself gives bounds of g' on both sides
+//! ([`Transform::kink`](mdr_core::contact::Transform::kink)), which tell whether the kink is a fold, and that none hides
+//! beside it.
+
+mod branches;
+mod kinks;
+mod range;
+
+pub use branches::EnclosedBranches;
+pub use range::range;
 
 use mdr_core::calculus::isolate::{Behaviour, isolate_with_proof};
 use mdr_core::calculus::verify::verify;
@@ -22,9 +34,15 @@ pub struct EnclosedCurve<'a> {
 /// What was found on a range of radii, and what was not decided there.
 #[derive(Clone, Debug)]
 pub struct ProvedFolds {
+    /// The range. Of other radii nothing is claimed.
+    pub range: (Float, Float),
     /// The folds, by increasing radius; each quantity is an enclosure.
     pub folds: Vec<Instability<Interval>>,
-    /// Parts of the range where more folds may hide: around kinks of g, and where two folds nearly merge.
+    /// Where g is infinite, and with it the controlled quantity: the curve of equilibria is cut there as by a fold. The
+    /// radius is somewhere in its enclosure; indentation and force are without bound.
+    pub poles: Vec<Instability<Interval>>,
+    /// Parts of the range where more folds may hide: around kinks of which nothing is known, where two folds nearly
+    /// merge, and what the budget left over.
     pub undecided: Vec<(Float, Float)>,
     /// Evaluations of the tangency condition.
     pub evaluations: usize,
@@ -37,37 +55,52 @@ impl ProvedFolds {
     }
 }
 
-/// The relative distance from a kink of g at which the range is cut: 2^−KINK.
-const KINK: u32 = 40;
-
 impl<'a> EnclosedCurve<'a> {
     /// The same contact in both arithmetics.
     pub fn new(plain: Curve<'a, Interval>, moving: Curve<'a, Dual<Interval>>) -> Self {
         EnclosedCurve { plain, moving }
     }
 
-    /// All folds with radii in (lower, upper), with at most about `budget` evaluations.
+    /// The contact over enclosures.
+    pub fn plain(&self) -> &Curve<'a, Interval> {
+        &self.plain
+    }
+
+    /// All folds with radii in (lower, upper), with at most about `budget` evaluations between two kinks. The range ends
+    /// where the profile does, at its wall or a relative distance of 2⁻⁴⁰ before its outer radius.
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 < lower < upper; as [`Curve::tangency`].
     pub fn folds(&self, lower: &Float, upper: &Float, budget: usize) -> Result<ProvedFolds> {
-        let mut found = ProvedFolds { folds: Vec::new(), undecided: Vec::new(), evaluations: 0 };
-        let mut from = lower.clone();
-        for kink in self.plain.transform().kinks() {
-            let before = shifted(kink.lower(), -1);
-            let after = shifted(kink.upper(), 1);
-            if before > from && after < *upper {
-                self.smooth_part(&from, &before, budget, &mut found)?;
-                self.kink(&kink, &before, &after, &mut found)?;
-                from = after;
-            }
+        let range = (lower.clone(), upper.clone());
+        if !(*lower > 0 && lower < upper && upper.is_finite()) {
+            return Err(Error::domain(Quantity::Radius, upper, "finite and above the lower end of the range, above 0"));
         }
-        self.smooth_part(&from, upper, budget, &mut found)?;
+        let mut found =
+            ProvedFolds { range, folds: Vec::new(), poles: Vec::new(), undecided: Vec::new(), evaluations: 0 };
+        let mut from = lower.clone();
+        for gap in self.gaps(lower, upper)? {
+            self.smooth_part(&from, &gap.before, budget, &mut found)?;
+            from = gap.after.clone();
+            self.gap(gap, &mut found)?;
+        }
+        match self.plain.transform().outer_radius() {
+            Some(outer) if from < *outer.lower() => {
+                let end = kinks::shifted(outer.lower(), -1, kinks::FINEST);
+                found.range.1 = if end < *upper { end } else { upper.clone() };
+                self.smooth_part(&from, &found.range.1.clone(), budget, &mut found)?;
+            }
+            Some(_) => found.range.1 = from,
+            None => self.smooth_part(&from, upper, budget, &mut found)?,
+        }
         Ok(found)
     }
 
     /// The folds between kinks.
     fn smooth_part(&self, lower: &Float, upper: &Float, budget: usize, found: &mut ProvedFolds) -> Result<()> {
+        if lower >= upper {
+            return Ok(());
+        }
         let ends = [lower, upper].map(|end| Interval::point(end.clone()));
         let condition = |a: &Interval| self.condition(a);
         let isolation = isolate_with_proof(&ends[0], &ends[1], budget, condition, |a, b| self.behaviour(&a.hull(b)))?;
@@ -87,33 +120,14 @@ impl<'a> EnclosedCurve<'a> {
         Ok(())
     }
 
-    /// A kink of g. Where the condition changes its sign there, the fold is the kink itself; either way the gap that was
-    /// cut out around it is not proved free of other folds.
-    fn kink(&self, kink: &Interval, before: &Float, after: &Float, found: &mut ProvedFolds) -> Result<()> {
-        let beside = |side: &Float| self.condition(&Interval::point(side.clone()));
-        let (left, right) = (beside(before)?, beside(after)?);
-        found.evaluations += 2;
-        let zero = left.lit(0);
-        let kind = if left < zero && right > zero {
-            Some(FoldKind::Minimum)
-        } else if left > zero && right < zero {
-            Some(FoldKind::Maximum)
-        } else {
-            None
-        };
-        // Where g has no enclosure across its kink, the gap below says what is known.
-        if let Some(Ok(fold)) = kind.map(|kind| self.state(kink.clone(), kind)) {
-            found.folds.push(fold);
-        }
-        found.undecided.push((before.clone(), after.clone()));
-        Ok(())
-    }
-
     /// The same fold in the precision of this curve, from an enclosure in a lower one.
     ///
     /// # Errors
     /// [`Error::Undecided`] when the enclosure of the derivative contains zero; as [`Curve::tangency`].
     pub fn sharpen(&self, fold: &Instability<Interval>) -> Result<Instability<Interval>> {
+        if let Some(kink) = self.fold_at_kink(fold)? {
+            return Ok(kink);
+        }
         if fold.contact_radius.is_point() {
             return self.state(fold.contact_radius.clone(), fold.kind);
         }
@@ -158,9 +172,12 @@ impl<'a> EnclosedCurve<'a> {
     /// What an enclosure over a whole cell says: its own value, or the mean-value form f(m) + f'(cell)(cell − m).
     fn behaviour(&self, cell: &Interval) -> Result<Behaviour> {
         let over_cell = self.with_slope(cell)?;
+        if !over_cell.value.contains_zero() {
+            return Ok(Behaviour::Nonzero);
+        }
         let centre = Interval::point(cell.mid());
         let mean_value = self.condition(&centre)? + over_cell.slope.clone() * (cell.clone() - &centre);
-        Ok(if !over_cell.value.contains_zero() || !mean_value.contains_zero() {
+        Ok(if !mean_value.contains_zero() {
             Behaviour::Nonzero
         } else if !over_cell.slope.contains_zero() {
             Behaviour::Monotone
@@ -171,8 +188,7 @@ impl<'a> EnclosedCurve<'a> {
 
     /// The only zero in a cell where the condition is monotone, by interval Newton from where bisection has led.
     fn zero(&self, cell: &Interval) -> Result<Option<Interval>> {
-        let promote = |end: &Float| Float::with_val(self.precision().bits().max(end.prec()), end);
-        let mut cell = Interval::new(promote(cell.lower()), promote(cell.upper()));
+        let mut cell = self.promoted(cell);
         // Newton converges from nearly any cell that isolates a simple zero; halving gets it there.
         for _ in 0..64 {
             if let Some(zero) = verify(&cell.mid(), |a| self.condition(a), |a| self.slope(a))?
@@ -185,6 +201,12 @@ impl<'a> EnclosedCurve<'a> {
             cell = half;
         }
         Ok(None)
+    }
+
+    /// An interval in the precision of this curve, or its own if that is larger.
+    fn promoted(&self, interval: &Interval) -> Interval {
+        let promote = |end: &Float| Float::with_val(self.precision().bits().max(end.prec()), end);
+        Interval::new(promote(interval.lower()), promote(interval.upper()))
     }
 
     fn half_with_zero(&self, cell: &Interval) -> Result<Option<Interval>> {
@@ -203,10 +225,4 @@ impl<'a> EnclosedCurve<'a> {
         let (indentation, force) = self.plain.state(&contact_radius)?;
         Ok(Instability { contact_radius, indentation, force, kind })
     }
-}
-
-/// kink·(1 ± 2^−KINK).
-fn shifted(kink: &Float, direction: i32) -> Float {
-    let step = Float::with_val(kink.prec(), kink >> KINK) * direction;
-    Float::with_val(kink.prec().max(2 * KINK), kink + step)
 }

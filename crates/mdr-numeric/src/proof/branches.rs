@@ -1,0 +1,306 @@
+//! Equilibria with a proof that none is missed: one at most on each branch between proved folds.
+
+use std::cmp::Ordering;
+
+use mdr_core::calculus::roots::{self, Bracket, Sample};
+use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Quantity, Result, Stability};
+use mdr_core::number::{Dual, Interval, Real};
+use rug::Float;
+
+use super::{EnclosedCurve, ProvedFolds, kinks};
+use crate::branch::Branched;
+
+/// The branches of a contact over enclosures, between folds that are proved to be all in their range.
+///
+/// Whether a branch holds an equilibrium is decided by the certain order of the value against the controlled quantity at
+/// both ends, so that on the range none is missed and none is invented; where the order is not certain the answer is
+/// [`Error::Undecided`], and more bits may decide. The value may itself be an enclosure, as that of a fold is: then the
+/// answer holds for every number in it. Beyond the range, equilibria are looked for by walking outwards; one that is found
+/// exists for certain, but there may be more.
+pub struct EnclosedBranches<'a> {
+    curve: EnclosedCurve<'a>,
+    /// Poles among them.
+    folds: Vec<Instability<Interval>>,
+    range: (Float, Float),
+    wall: Option<Wall>,
+}
+
+/// The wall, with the mean of g and the controlled quantity of the state in which the contact just reaches it.
+struct Wall {
+    radius: Interval,
+    mean: Interval,
+    controlled: Interval,
+}
+
+/// An end of a branch: where it may lie, the end of that from which the branch is searched, and the sign of the controlled
+/// quantity less its prescribed value.
+struct End {
+    enclosure: Interval,
+    radius: Interval,
+    excess: Interval,
+}
+
+impl<'a> EnclosedBranches<'a> {
+    /// The branches between folds that were proved in the precision of `curve` or in a lower one.
+    ///
+    /// # Errors
+    /// [`Error::Unproved`] with the first part of the range that was not decided; as [`EnclosedCurve::sharpen`].
+    pub fn new(curve: EnclosedCurve<'a>, proved: &ProvedFolds) -> Result<Self> {
+        if let Some((from, to)) = proved.undecided.first() {
+            let [from, to] = [from, to].map(|end| end.to_f64().to_string());
+            let remedy = "raise the precision or the budget, or narrow the range of radii";
+            return Err(Error::Unproved { quantity: Quantity::ContactRadius, from, to, remedy });
+        }
+        let mut folds = proved.folds.iter().map(|fold| curve.sharpen(fold)).collect::<Result<Vec<_>>>()?;
+        folds.extend(proved.poles.iter().cloned());
+        folds.sort_by(|one, other| one.contact_radius.lower().total_cmp(other.contact_radius.lower()));
+        let wall = curve.wall()?.filter(|wall| proved.range.1 >= *wall.radius.lower());
+        Ok(EnclosedBranches { curve, folds, range: proved.range.clone(), wall })
+    }
+
+    /// The range of radii on which all equilibria are found.
+    pub fn range(&self) -> &(Float, Float) {
+        &self.range
+    }
+
+    /// All equilibria at `value` with radii in the [range](Self::range), by increasing radius, and those found beyond it.
+    /// Where the value is certainly that of a fold, the double root is one, [`Neutral`](Stability::Neutral).
+    ///
+    /// # Errors
+    /// As [`Branched::on_branch`].
+    pub fn equilibria(&self, value: &Interval) -> Result<Vec<Equilibrium<Interval>>> {
+        let mut found = Vec::new();
+        for branch in 0..=self.folds.len() {
+            found.extend(self.on_branch(branch, value)?);
+            let Some(fold) = self.folds.get(branch) else { continue };
+            if self.compare(value, fold)? == Ordering::Equal {
+                let Instability { contact_radius, indentation, force, .. } = fold.clone();
+                found.push(Equilibrium { contact_radius, indentation, force, stability: Stability::Neutral });
+            }
+        }
+        Ok(found)
+    }
+
+    fn controlled(&self, fold: &Instability<Interval>) -> Interval {
+        self.control().controlled(&fold.indentation, &fold.force)
+    }
+
+    /// The end of a branch at a fold. At the value of the fold itself the sign is that of both sides.
+    fn at_fold(&self, fold: &Instability<Interval>, radius: &Float, value: &Interval) -> Result<End> {
+        let enclosure = fold.contact_radius.clone();
+        let radius = Interval::point(radius.clone());
+        if !fold.indentation.is_finite() {
+            let End { excess, .. } = self.at_radius(radius.clone(), value)?;
+            let zero = excess.lit(0);
+            let agrees = if fold.kind == FoldKind::Minimum { excess < zero } else { excess > zero };
+            let near = || self.undecided("where exactly the equilibrium lies beside an edge where g is infinite");
+            return if agrees { Ok(End { enclosure, radius, excess }) } else { Err(near()) };
+        }
+        let excess = match self.compare(value, fold)? {
+            Ordering::Equal if fold.kind == FoldKind::Minimum => value.lit(1),
+            Ordering::Equal => value.lit(-1),
+            _ => self.controlled(fold) - value,
+        };
+        Ok(End { enclosure, radius, excess })
+    }
+
+    /// The sign at a radius with no fold.
+    fn at_radius(&self, radius: Interval, value: &Interval) -> Result<End> {
+        let excess = self.direction(&radius, value)?;
+        Ok(End { enclosure: radius.clone(), radius, excess })
+    }
+
+    /// As [`Curve::direction`](crate::curve::Curve::direction); where a point is not certainly on one side of a kink, more
+    /// bits are needed.
+    fn direction(&self, a: &Interval, value: &Interval) -> Result<Interval> {
+        match self.curve.plain.direction(a, value) {
+            Err(Error::Domain { .. }) => Err(self.undecided("on which side of a kink a radius lies")),
+            direction => direction,
+        }
+    }
+
+    fn undecided(&self, what: &'static str) -> Error {
+        Error::Undecided { quantity: Quantity::ContactRadius, bits: self.curve.precision().bits(), what }
+    }
+
+    /// The two ends of a branch.
+    fn ends(&self, branch: usize, value: &Interval) -> Result<[End; 2]> {
+        let promoted = |end: &Float| self.curve.promoted(&Interval::point(end.clone()));
+        let below = branch.checked_sub(1).and_then(|index| self.folds.get(index));
+        let lower = match below {
+            Some(fold) => self.at_fold(fold, fold.contact_radius.upper(), value)?,
+            None => self.at_radius(promoted(&self.range.0), value)?,
+        };
+        let upper = match (self.folds.get(branch), &self.wall) {
+            (Some(fold), _) => self.at_fold(fold, fold.contact_radius.lower(), value)?,
+            (None, Some(wall)) => {
+                let radius = Interval::point(wall.radius.lower().clone());
+                End { enclosure: wall.radius.clone(), radius, excess: wall.controlled.clone() - value }
+            }
+            (None, None) => self.at_radius(promoted(&self.range.1), value)?,
+        };
+        Ok([lower, upper])
+    }
+
+    /// The contact at rest at the wall, if it is pressed beyond where it just reaches it.
+    fn at_wall(&self, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
+        let Some(wall) = &self.wall else { return Ok(None) };
+        match value.partial_cmp(&wall.controlled) {
+            None => Err(self.undecided("whether the contact rests at the wall")),
+            Some(Ordering::Less | Ordering::Equal) => Ok(None),
+            Some(Ordering::Greater) => {
+                let curve = &self.curve.plain;
+                let d = curve.held_against(&wall.radius, value, || Ok(wall.mean.clone()))?;
+                let force = curve.edge_stiffness(&wall.radius) * (d.clone() - &wall.mean);
+                Ok(Some(self.equilibrium(wall.radius.clone(), d, force, value, Stability::Stable)))
+            }
+        }
+    }
+
+    /// The controlled one of d and F is known better from its prescribed value.
+    fn equilibrium(
+        &self,
+        contact_radius: Interval,
+        indentation: Interval,
+        force: Interval,
+        value: &Interval,
+        stability: Stability,
+    ) -> Equilibrium<Interval> {
+        let (indentation, force) = match self.control() {
+            Control::Indentation => (value.clone(), force),
+            Control::Force => (indentation, value.clone()),
+            Control::Machine { .. } => (indentation, force),
+        };
+        Equilibrium { contact_radius, indentation, force, stability }
+    }
+
+    /// The equilibrium between two radii at which the contact moves in opposite directions.
+    fn between(&self, [lower, upper]: [End; 2], value: &Interval) -> Result<Equilibrium<Interval>> {
+        let grows_below = lower.excess < lower.excess.lit(0);
+        let sample = |end: &End| Sample { x: end.radius.clone(), f: end.excess.clone() };
+        let Some(bracket) = Bracket::between(sample(&lower), sample(&upper), 0) else {
+            return Err(self.undecided("which way the contact moves at the ends of a branch"));
+        };
+        let direction = |a: &Interval| self.direction(a, value);
+        let root = roots::refine(bracket, &value.unit_roundoff(), direction)?;
+        // Nothing was sampled within the enclosure of an end itself.
+        let first = if root.lower == lower.radius { lower.enclosure } else { root.lower };
+        let last = if root.upper == upper.radius { upper.enclosure } else { root.upper };
+        let radius = self.narrowed(first.hull(&last), value)?;
+        let (d, force) = self.curve.plain.state(&radius)?;
+        let stability = if grows_below { Stability::Stable } else { Stability::Unstable };
+        Ok(self.equilibrium(radius, d, force, value, stability))
+    }
+
+    /// The same enclosure after a step of the interval Newton operator, where the slope has a certain sign.
+    fn narrowed(&self, radius: Interval, value: &Interval) -> Result<Interval> {
+        let middle = radius.steer();
+        let at_middle = self.direction(&middle, value)?;
+        let held = Dual::constant(value.clone());
+        let slope = match self.curve.moving.direction(&Dual::variable(radius.clone()), &held) {
+            Err(Error::Domain { .. }) => return Ok(radius),
+            direction => direction?.slope,
+        };
+        Ok((middle - at_middle / slope).intersect(&radius).unwrap_or(radius))
+    }
+
+    /// An end further out in which the contact moves the other way, with the last end before it.
+    fn walk(&self, mut last: End, steps: impl Iterator<Item = Interval>, value: &Interval) -> Option<[End; 2]> {
+        let zero = value.lit(0);
+        let growing = last.excess < zero;
+        for radius in steps {
+            let Ok(next) = self.at_radius(radius, value) else { return None };
+            if next.excess.partial_cmp(&zero).is_none_or(Ordering::is_eq) {
+                continue;
+            }
+            if (next.excess < zero) != growing {
+                return Some([last, next]);
+            }
+            last = next;
+        }
+        None
+    }
+
+    /// Radii below the range: 2^−1, 2^−2, 2^−4, … of its lower end.
+    fn below(&self) -> impl Iterator<Item = Interval> {
+        let lower = Interval::point(self.range.0.clone());
+        octaves().map(move |octave| self.curve.promoted(&(lower.lit(2).powi(-octave) * &lower)))
+    }
+
+    /// Radii above the range: 2^1, 2^2, 2^4, … times its upper end, or ever closer to where the profile ends.
+    fn above(&self) -> impl Iterator<Item = Interval> {
+        let upper = self.curve.promoted(&Interval::point(self.range.1.clone()));
+        let outer = self.curve.plain.transform().outer_radius();
+        let bits = i64::from(self.curve.precision().bits());
+        let finest = move |octave: &i64| outer.is_none() || *octave < bits - i64::from(kinks::FINEST);
+        let outer = self.curve.plain.transform().outer_radius();
+        octaves().take_while(finest).map(move |octave| match &outer {
+            Some(outer) => {
+                let step = outer.lit(2).powi(-octave - i64::from(kinks::FINEST)) * outer;
+                (outer.clone() - step).steer()
+            }
+            None => upper.lit(2).powi(octave) * &upper,
+        })
+    }
+}
+
+/// 1, 2, 4, … to the exponent range of double precision.
+fn octaves() -> impl Iterator<Item = i64> {
+    (0..=10).map(|power| 1 << power)
+}
+
+impl Branched<Interval> for EnclosedBranches<'_> {
+    fn control(&self) -> &Control<Interval> {
+        self.curve.plain.control()
+    }
+
+    fn folds(&self) -> &[Instability<Interval>] {
+        &self.folds
+    }
+
+    fn on_branch(&self, branch: usize, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
+        let last = branch == self.folds.len();
+        if last && let Some(rest) = self.at_wall(value)? {
+            return Ok(Some(rest));
+        }
+        if last && self.wall_is_fold() {
+            return Ok(None);
+        }
+        let ends = self.ends(branch, value)?;
+        let zero = value.lit(0);
+        let [below, above] = ends.each_ref().map(|end| end.excess.partial_cmp(&zero));
+        let (Some(below), Some(above)) = (below, above) else {
+            return Err(self.undecided("which way the contact moves at the ends of a branch"));
+        };
+        if below != above {
+            return self.between(ends, value).map(Some);
+        }
+        let [lower, upper] = ends;
+        let beyond = if branch == 0 { self.walk(lower, self.below(), value) } else { None };
+        let open = last && self.wall.is_none();
+        let beyond =
+            beyond.map(|[near, far]| [far, near]).or_else(|| open.then(|| self.walk(upper, self.above(), value))?);
+        beyond.map(|ends| self.between(ends, value)).transpose()
+    }
+}
+
+impl EnclosedBranches<'_> {
+    /// Whether the last fold is that of the wall, beyond which there is nothing but the wall.
+    fn wall_is_fold(&self) -> bool {
+        let last = self.folds.last();
+        self.wall.as_ref().is_some_and(|wall| last.is_some_and(|fold| fold.contact_radius.overlaps(&wall.radius)))
+    }
+}
+
+impl EnclosedCurve<'_> {
+    /// The wall, where the profile knows its g there.
+    fn wall(&self) -> Result<Option<Wall>> {
+        let Some(radius) = self.plain.wall() else { return Ok(None) };
+        let index = self.plain.transform().kinks().len();
+        let kink = self.plain.transform().kink(index, &radius.lit(2).powi(-i64::from(kinks::FINEST)))?;
+        let Some((g, mean)) = kink.and_then(|kink| kink.value) else { return Ok(None) };
+        let state = self.state_at_kink(&radius, &g, &mean, FoldKind::Minimum);
+        let controlled = self.plain.control().controlled(&state.indentation, &state.force);
+        Ok(Some(Wall { radius, mean, controlled }))
+    }
+}

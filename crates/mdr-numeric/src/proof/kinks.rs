@@ -1,0 +1,177 @@
+//! Kinks of g, the wall and what lies between the last cell on one side and the first on the other.
+
+use std::cmp::Ordering;
+
+use mdr_core::contact::{FoldKind, Instability, Kink, Result, Slopes};
+use mdr_core::number::{Interval, Real};
+use rug::Float;
+use rug::float::Special;
+
+use super::{EnclosedCurve, ProvedFolds};
+
+/// Relative distances 2^−k from a kink at which the range is cut, the first that does.
+const MARGINS: [u32; 4] = [6, 12, 24, FINEST];
+/// The smallest of them.
+pub(super) const FINEST: u32 = 40;
+
+/// A neighbourhood of a kink or of a wall, with what is certain of the condition on the two sides of it.
+pub(super) struct Gap {
+    pub(super) before: Float,
+    pub(super) after: Float,
+    radius: Interval,
+    known: Option<Known>,
+}
+
+struct Known {
+    kink: Kink<Interval>,
+    /// The sign of the condition below and above; above is none at a wall.
+    signs: (Ordering, Option<Ordering>),
+}
+
+impl EnclosedCurve<'_> {
+    /// The neighbourhoods of all kinks in (lower, upper), and of the wall if it is there.
+    pub(super) fn gaps(&self, lower: &Float, upper: &Float) -> Result<Vec<Gap>> {
+        let kinks = self.radii();
+        let mut gaps: Vec<Gap> = Vec::new();
+        for (index, kink) in kinks.iter().enumerate() {
+            let repeated = gaps.last().is_some_and(|gap| gap.radius == *kink);
+            let from = gaps.last().map_or(lower, |gap| &gap.after);
+            let to = kinks.get(index + 1).filter(|next| *next != kink).map_or(upper, |next| next.lower());
+            if !repeated && let Some(gap) = self.neighbourhood(index, kink, from, to)? {
+                gaps.push(gap);
+            }
+        }
+        Ok(gaps)
+    }
+
+    /// The kinks, and the wall after them.
+    fn radii(&self) -> Vec<Interval> {
+        let mut radii = self.plain.transform().kinks();
+        radii.extend(self.plain.wall());
+        radii
+    }
+
+    fn is_wall(&self, index: usize) -> bool {
+        index == self.plain.transform().kinks().len()
+    }
+
+    /// The widest neighbourhood within (from, to) on which both signs are certain, or else the narrowest. None when the
+    /// kink itself is not there.
+    fn neighbourhood(&self, index: usize, kink: &Interval, from: &Float, to: &Float) -> Result<Option<Gap>> {
+        let mut narrowest = None;
+        for margin in MARGINS {
+            let before = shifted(kink.lower(), -1, margin);
+            let after = if self.is_wall(index) { kink.upper().clone() } else { shifted(kink.upper(), 1, margin) };
+            let reached = if self.is_wall(index) { before < *to } else { after < *to };
+            if !(before > *from && reached) {
+                continue;
+            }
+            let known = self.known(index, kink, margin)?;
+            let decided = known.is_some();
+            narrowest = Some(Gap { before, after, radius: kink.clone(), known });
+            if decided {
+                break;
+            }
+        }
+        Ok(narrowest)
+    }
+
+    /// The signs of the condition on both sides of a kink, where they are certain.
+    fn known(&self, index: usize, radius: &Interval, margin: u32) -> Result<Option<Known>> {
+        let margin = radius.lit(2).powi(-i64::from(margin));
+        let Some(kink) = self.plain.transform().kink(index, &margin)? else { return Ok(None) };
+        let around = radius.clone().inflate(&(margin * radius));
+        let below = self.sign(&around, &kink.inside);
+        let above = self.sign(&around, &kink.outside);
+        let signs = match (below, above) {
+            (Some(below), _) if self.is_wall(index) => (below, None),
+            (Some(below), Some(above)) => (below, Some(above)),
+            _ => return Ok(None),
+        };
+        Ok(Some(Known { kink, signs }))
+    }
+
+    /// The sign of the condition at all radii of a cell, from bounds of g'.
+    fn sign(&self, cell: &Interval, slopes: &Slopes<Interval>) -> Option<Ordering> {
+        let threshold = self.plain.threshold(cell);
+        let ratio = |slope: &Interval| self.plain.tangency_of(slope.clone(), cell);
+        if slopes.greatest.as_ref().is_some_and(|greatest| ratio(greatest) < threshold) {
+            Some(Ordering::Less)
+        } else if slopes.least.as_ref().is_some_and(|least| ratio(least) > threshold) {
+            Some(Ordering::Greater)
+        } else {
+            None
+        }
+    }
+
+    /// Enters what a gap holds: a fold at the kink, a pole, nothing, or something unknown.
+    pub(super) fn gap(&self, gap: Gap, found: &mut ProvedFolds) -> Result<()> {
+        let Some(known) = &gap.known else {
+            found.undecided.push((gap.before, gap.after));
+            return Ok(());
+        };
+        let Some(kind) = known.fold() else { return Ok(()) };
+        match &known.kink.value {
+            Some((g, mean)) => found.folds.push(self.state_at_kink(&gap.radius, g, mean, kind)),
+            None => found.poles.push(pole(Interval::new(gap.before, gap.after), kind)),
+        }
+        Ok(())
+    }
+
+    /// The fold again, where it is that of a kink or of the wall.
+    pub(super) fn fold_at_kink(&self, fold: &Instability<Interval>) -> Result<Option<Instability<Interval>>> {
+        for (index, radius) in self.radii().iter().enumerate() {
+            if !radius.overlaps(&fold.contact_radius) {
+                continue;
+            }
+            for margin in MARGINS {
+                let Some(known) = self.known(index, radius, margin)? else { continue };
+                if let (Some(kind), Some((g, mean))) = (known.fold(), &known.kink.value) {
+                    return Ok(Some(self.state_at_kink(radius, g, mean, kind)));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// The state at a kink, from g and its mean there.
+    pub(super) fn state_at_kink(
+        &self,
+        a: &Interval,
+        g: &Interval,
+        mean: &Interval,
+        kind: FoldKind,
+    ) -> Instability<Interval> {
+        let indentation = g.clone() - self.plain.detachment_elongation(a);
+        let force = self.plain.edge_stiffness(a) * (indentation.clone() - mean);
+        Instability { contact_radius: a.clone(), indentation, force, kind }
+    }
+}
+
+impl Known {
+    /// Whether the controlled quantity has an extremum there. At a wall the contact rests on a branch of its own, on which
+    /// it grows.
+    fn fold(&self) -> Option<FoldKind> {
+        match self.signs {
+            (Ordering::Less, Some(Ordering::Greater) | None) => Some(FoldKind::Minimum),
+            (Ordering::Greater, Some(Ordering::Less)) => Some(FoldKind::Maximum),
+            _ => None,
+        }
+    }
+}
+
+/// An extremum without bound, somewhere in an enclosure of radii.
+fn pole(radius: Interval, kind: FoldKind) -> Instability<Interval> {
+    let bits = radius.precision();
+    let mut largest = Float::with_val(bits, Special::Infinity);
+    largest.next_down();
+    let infinite = Interval::new(largest, Float::with_val(bits, Special::Infinity));
+    let value = if kind == FoldKind::Maximum { infinite } else { -infinite };
+    Instability { contact_radius: radius, indentation: value.clone(), force: value, kind }
+}
+
+/// radius·(1 ± 2^−margin).
+pub(super) fn shifted(radius: &Float, direction: i32, margin: u32) -> Float {
+    let step = Float::with_val(radius.prec(), radius >> margin) * direction;
+    Float::with_val(radius.prec().max(2 * FINEST), radius + step)
+}
