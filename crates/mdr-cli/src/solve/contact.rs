@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Body, Control, Material, Result, Transform};
+use mdr_core::contact::{Body, Control, Kink, Material, Result, Transform};
 use mdr_core::number::{Dual, Interval, Literal};
 use mdr_numeric::curve::Curve;
 use rug::Float;
@@ -101,6 +101,9 @@ impl<R: Arithmetic> Transform<R> for Counted<R> {
     }
     fn kinks(&self) -> Vec<R> {
         self.inner.kinks()
+    }
+    fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
+        self.inner.kink(index, margin)
     }
 }
 

@@ -95,18 +95,6 @@ impl Enclosed {
     fn curve(&self) -> EnclosedCurve<'_> {
         EnclosedCurve::new(self.plain.curve(), self.moving.curve())
     }
-
-    /// A fold in this precision; one at a kink of g is the kink.
-    fn sharpened(&self, fold: &Instability<Interval>) -> Result<Instability<Interval>> {
-        let kinks = self.plain.transform().kinks();
-        match kinks.into_iter().find(|kink| kink.overlaps(&fold.contact_radius)) {
-            Some(contact_radius) => {
-                let (indentation, force) = self.plain.curve().state(&contact_radius)?;
-                Ok(Instability { contact_radius, indentation, force, kind: fold.kind })
-            }
-            None => self.curve().sharpen(fold),
-        }
-    }
 }
 
 fn enclosed_folds(certified: &Certified<'_>) -> Result<Output> {
@@ -120,8 +108,10 @@ fn enclosed_folds(certified: &Certified<'_>) -> Result<Output> {
     let isolated = isolate(certified, &range)?;
     let records = proved(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
-        let sharp =
-            isolated.folds.iter().map(|fold| Ok(outputs::fold(enclosed.sharpened(fold)?).convert(Enclosure::from)));
+        let sharp = isolated
+            .folds
+            .iter()
+            .map(|fold| Ok(outputs::fold(enclosed.curve().sharpen(fold)?).convert(Enclosure::from)));
         sharp.collect()
     })?;
     Ok(Output::new(Want::Folds, Promise::Certified, records).complete(completeness(&isolated, &range)))

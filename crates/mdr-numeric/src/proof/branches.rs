@@ -8,7 +8,7 @@ use mdr_core::number::{Dual, Interval, Real};
 use rug::Float;
 
 use super::{EnclosedCurve, ProvedFolds, kinks};
-use crate::branch::Branched;
+use crate::branch::{self, Branched, Onset};
 
 /// The branches of a contact over enclosures, between folds that are proved to be all in their range.
 ///
@@ -256,6 +256,10 @@ impl Branched<Interval> for EnclosedBranches<'_> {
 
     fn folds(&self) -> &[Instability<Interval>] {
         &self.folds
+    }
+
+    fn onset(&self) -> Result<Onset> {
+        branch::onset(&self.curve.plain, self.folds.first())
     }
 
     fn on_branch(&self, branch: usize, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
