@@ -41,7 +41,7 @@ fn each_command_has_flags_examples_and_exit_statuses() {
                 "--format",
             ],
         ),
-        ("solve", &["<SCENE.toml>", "--digits", "--f64", "--format", "--explain"]),
+        ("solve", &["<SCENE.toml>", "--digits", "--f64", "--format", "--plot", "--explain"]),
     ];
     for (command, flags) in cases {
         let help = output(&format!("{command} --help"));

@@ -8,6 +8,7 @@ mod decimal;
 mod doubles;
 mod figures;
 mod help;
+mod plot;
 mod precision;
 mod readme;
 mod reference;

@@ -1,8 +1,8 @@
 //! Figure 4: a paraboloid with waves, whose contact jumps from crest to crest while it is pulled off.
 
 use mdr_analytic::profiles::WavyParaboloid;
-use mdr_core::contact::{FoldKind, Material, Outcome, Result, Stability};
-use mdr_numeric::branch::Branched;
+use mdr_core::contact::{Material, Result};
+use mdr_numeric::path::{Event, EventKind, Path, Start, State};
 
 use super::convex::elongation_name;
 use super::diagram::{ARROW_HEIGHT, CRITICAL, STABLE, Study, panel};
@@ -55,25 +55,15 @@ struct Jump {
     to: Option<f64>,
 }
 
-/// Follows the stable branch down from d = 0, over every jump to a smaller contact.
+/// Pulls the contact from d = 0 until it breaks.
 fn history(study: &Study<'_>) -> Result<History> {
-    let rest = study.equilibria(0.0)?.into_iter().rfind(|state| state.stability == Stability::Stable);
-    let Some(rest) = rest else { return Ok(History { start: 0.0, jumps: Vec::new() }) };
-    let mut radius = rest.contact_radius;
-    let mut jumps = Vec::new();
-    // Below a stable branch there is a fold that is a minimum, unless the branch reaches down to the tip.
-    while let Some(index) = study.folds().iter().rposition(|fold| fold.contact_radius < radius) {
-        let fold = &study.folds()[index];
-        debug_assert_eq!(fold.kind, FoldKind::Minimum);
-        let to = match study.branches().outcome(index)? {
-            Outcome::Jump { to } => Some(to),
-            Outcome::Detached | Outcome::CompleteContact => None,
-        };
-        jumps.push(Jump { from: fold.contact_radius, d: fold.indentation, to });
-        let Some(to) = to else { break };
-        radius = to;
-    }
-    Ok(History { start: rest.contact_radius, jumps })
+    let path = Path::follow(study.branches(), &Start::Largest, &[0.0, -RADIUS])?;
+    let radius = |state: &State<f64>| state.contact().map(|rest| rest.contact_radius);
+    let start = path.events.first().and_then(|event| radius(&event.before)).unwrap_or_default();
+    let jumps = path.events.iter().filter(|event| matches!(event.kind, EventKind::Jump | EventKind::Detached));
+    let jump =
+        |event: &Event<f64>| Some(Jump { from: radius(&event.before)?, d: event.value, to: radius(&event.after) });
+    Ok(History { start, jumps: jumps.filter_map(jump).collect() })
 }
 
 /// The history in words and numbers.

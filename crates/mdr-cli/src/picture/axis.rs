@@ -11,12 +11,20 @@ pub(crate) enum Unit {
     Si(&'static str),
 }
 
+/// Equal distances are equal differences or equal ratios.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Scale {
+    Linear,
+    Log,
+}
+
 /// One axis of a diagram.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
     /// With the markup of [`super::typeset`].
     pub(crate) quantity: String,
     unit: Unit,
+    scale: Scale,
     lower: f64,
     upper: f64,
 }
@@ -40,7 +48,31 @@ impl Axis {
         } else {
             lower.abs() / 10.0
         };
-        Axis { quantity: quantity.into(), unit, lower: lower - half, upper: upper + half }
+        Axis { quantity: quantity.into(), unit, scale: Scale::Linear, lower: lower - half, upper: upper + half }
+    }
+
+    /// An axis from `lower` > 0 to `upper` with equal ratios.
+    pub(crate) fn log(quantity: impl Into<String>, unit: Unit, lower: f64, upper: f64) -> Self {
+        let factor = if upper > lower { 1.0 } else { 10.0 };
+        Axis { quantity: quantity.into(), unit, scale: Scale::Log, lower: lower / factor, upper: upper * factor }
+    }
+
+    /// A linear axis that shows all of `values`, with a margin, and zero where `zero` asks for it.
+    pub(crate) fn around(
+        quantity: impl Into<String>,
+        unit: Unit,
+        values: impl IntoIterator<Item = f64>,
+        zero: bool,
+    ) -> Self {
+        let start = if zero { (0.0, 0.0) } else { (f64::INFINITY, f64::NEG_INFINITY) };
+        let finite = values.into_iter().filter(|value| value.is_finite());
+        let (lower, upper) = finite.fold(start, |(lower, upper), value| (value.min(lower), value.max(upper)));
+        let margin = 0.1 * (upper - lower);
+        if lower > upper {
+            Self::linear(quantity, unit, 0.0, 1.0)
+        } else {
+            Self::linear(quantity, unit, lower - margin, upper + margin)
+        }
     }
 
     /// The lower and the upper end.
@@ -50,25 +82,41 @@ impl Axis {
 
     /// The value at a fraction of the axis.
     pub(crate) fn at(&self, fraction: f64) -> f64 {
-        self.lower + fraction * (self.upper - self.lower)
+        match self.scale {
+            Scale::Linear => self.lower + fraction * (self.upper - self.lower),
+            Scale::Log => self.lower * (self.upper / self.lower).powf(fraction),
+        }
     }
 
     /// Where on the axis a value is: 0 at the lower end, 1 at the upper.
     pub(crate) fn fraction(&self, value: f64) -> f64 {
-        (value - self.lower) / (self.upper - self.lower)
+        match self.scale {
+            Scale::Linear => (value - self.lower) / (self.upper - self.lower),
+            Scale::Log => (value / self.lower).ln() / (self.upper / self.lower).ln(),
+        }
     }
 
     /// Quantity and unit, for the side of the axis.
     pub(crate) fn title(&self) -> String {
-        let power = self.power();
-        match self.unit {
-            Unit::One if power == 0 => self.quantity.clone(),
-            Unit::One => format!("{} (10^{{{}}})", self.quantity, typographic(&power.to_string())),
-            Unit::Si(unit) => match prefix(power) {
-                Some(prefix) => format!("{} ({prefix}{unit})", self.quantity),
-                None => format!("{} (10^{{{}}} {unit})", self.quantity, typographic(&power.to_string())),
-            },
+        match self.scaled_unit() {
+            (_, unit) if unit.is_empty() => self.quantity.clone(),
+            (_, unit) => format!("{} ({unit})", self.quantity),
         }
+    }
+
+    /// The power of ten that the numbers of the axis are multiples of, and the unit that has it as its prefix.
+    pub(crate) fn scaled_unit(&self) -> (i32, String) {
+        let power = self.power();
+        let ten = format!("10^{{{}}}", typographic(&power.to_string()));
+        let unit = match self.unit {
+            Unit::One if power == 0 => String::new(),
+            Unit::One => ten,
+            Unit::Si(unit) => match prefix(power) {
+                Some(prefix) => format!("{prefix}{unit}"),
+                None => format!("{ten} {unit}"),
+            },
+        };
+        (power, unit)
     }
 
     /// Quantity and base unit in plain letters, for a table.
@@ -84,11 +132,23 @@ impl Axis {
     fn power(&self) -> i32 {
         let largest = self.lower.abs().max(self.upper.abs());
         let thousands = (largest.log10() / 3.0).floor();
-        if self.unit == Unit::One && (0.01..1e4).contains(&largest) { 0 } else { 3 * thousands as i32 }
+        match self.scale {
+            Scale::Log => 0,
+            Scale::Linear if self.unit == Unit::One && (0.01..1e4).contains(&largest) => 0,
+            // A largest number of 1.2 is better told as 1200 of the next smaller unit only when ticks would need it.
+            Scale::Linear => 3 * thousands as i32,
+        }
     }
 
     /// At most `most` ticks at round numbers.
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
+        match self.scale {
+            Scale::Linear => self.linear_ticks(most),
+            Scale::Log => self.decades(most),
+        }
+    }
+
+    fn linear_ticks(&self, most: usize) -> Vec<Tick> {
         let unit = 10f64.powi(self.power());
         let points = round_numbers(self.lower / unit, self.upper / unit, most);
         let step = points.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
@@ -104,6 +164,15 @@ impl Axis {
             Tick { fraction: self.fraction(value * unit), text: typographic(&text) }
         };
         points.into_iter().map(tick).filter(|tick| (-1e-9..=1.0 + 1e-9).contains(&tick.fraction)).collect()
+    }
+
+    fn decades(&self, most: usize) -> Vec<Tick> {
+        let exponents = round_numbers(self.lower.log10(), self.upper.log10(), most);
+        let tick = |exponent: f64| Tick {
+            fraction: self.fraction(10f64.powf(exponent)),
+            text: format!("10^{{{}}}", typographic(&exponent.to_string())),
+        };
+        exponents.into_iter().filter(|exponent| exponent.fract() == 0.0).map(tick).collect()
     }
 }
 
@@ -162,5 +231,18 @@ mod tests {
             let axis = Axis::linear("a", Unit::Si("m"), -2.0 * unit, 7.0 * unit);
             assert_eq!(texts(&axis, 6), ["−2", "0", "2", "4", "6"], "10^{power}");
         }
+    }
+
+    #[test]
+    fn decades() {
+        assert_eq!(texts(&Axis::log("e", Unit::One, 1e-18, 1.0), 7), ["10^{−15}", "10^{−10}", "10^{−5}", "10^{0}"]);
+    }
+
+    #[test]
+    fn a_range_without_length_is_widened() {
+        let axis = Axis::around("a", Unit::One, [3.0], false);
+        assert!(axis.range().0 < 3.0 && axis.range().1 > 3.0);
+        assert!(!axis.ticks(5).is_empty());
+        assert_eq!(Axis::around("a", Unit::One, [], false).range(), (0.0, 1.0));
     }
 }

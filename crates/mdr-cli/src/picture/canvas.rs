@@ -15,6 +15,8 @@ pub(crate) const PER_POINT: f64 = 10.0;
 const HEAD: (f64, f64) = (62.0, 22.0);
 const MARK: f64 = 27.0;
 
+const GREY: RGBColor = RGBColor(0xD9, 0xD9, 0xD9);
+
 /// What the backend may complain about.
 pub(crate) type Failed = Box<dyn std::error::Error + Send + Sync>;
 
@@ -62,6 +64,12 @@ impl<'a> Canvas<'a> {
         Ok(())
     }
 
+    /// A shaded area without border.
+    pub(crate) fn area(&self, outline: &[Spot]) -> Drawn {
+        let outline: Vec<_> = outline.iter().map(|spot| whole(*spot)).collect();
+        Ok(self.area.draw(&Polygon::new(outline, GREY.filled()))?)
+    }
+
     /// The border of a rectangle.
     pub(crate) fn frame(&self, rect: &Rect) -> Drawn {
         let corners =
@@ -93,15 +101,14 @@ impl<'a> Canvas<'a> {
     pub(crate) fn arrow(&self, from: Spot, to: Spot, stroke: Stroke) -> Drawn {
         let (length, half) = HEAD;
         let reach = (to[0] - from[0]).hypot(to[1] - from[1]);
-        if reach == 0.0 {
-            return Ok(());
+        // Too short for a head.
+        if reach <= length {
+            return self.line(&[from, to], stroke);
         }
         let along = [(to[0] - from[0]) / reach, (to[1] - from[1]) / reach];
         let back =
             |by: f64, aside: f64| [to[0] - by * along[0] - aside * along[1], to[1] - by * along[1] + aside * along[0]];
-        if reach > length {
-            self.line(&[from, back(0.8 * length, 0.0)], stroke)?;
-        }
+        self.line(&[from, back(0.8 * length, 0.0)], stroke)?;
         let head: Vec<_> = [to, back(length, half), back(0.75 * length, 0.0), back(length, -half)].map(whole).to_vec();
         Ok(self.area.draw(&Polygon::new(head, BLACK.filled()))?)
     }

@@ -13,6 +13,8 @@ fn sample(key: Key) -> f64 {
     match key {
         Key::Mark(_) => 60.0,
         Key::Line(_) | Key::Arrow => 280.0,
+        Key::Area => 200.0,
+        Key::Text => 0.0,
     }
 }
 
@@ -51,6 +53,12 @@ impl Entry<'_> {
             Key::Line(stroke) => canvas.line(&ends, stroke)?,
             Key::Mark(mark) => canvas.mark([left + width / 2.0, y], mark)?,
             Key::Arrow => canvas.arrow(ends[0], ends[1], Stroke::Thin)?,
+            Key::Text => {}
+            Key::Area => {
+                let half = 40.0;
+                let [[left, _], [right, _]] = ends;
+                canvas.area(&[[left, y - half], [right, y - half], [right, y + half], [left, y + half]])?;
+            }
         }
         canvas.text(self.text, [left + width + GAP, y], Stand::After)
     }

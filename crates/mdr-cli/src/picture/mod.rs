@@ -12,6 +12,7 @@ mod legend;
 mod placement;
 mod render;
 pub(crate) mod sampling;
+pub(crate) mod scene;
 mod series;
 mod typeset;
 
@@ -53,6 +54,8 @@ pub(crate) struct Panel {
 /// Something to be seen in a diagram. Texts may hold the markup of [`typeset`].
 #[derive(Clone, Debug)]
 pub(crate) enum Layer {
+    /// A shaded area.
+    Area { name: String, outline: Vec<Point> },
     /// A curve; it is cut where it leaves the axes.
     Curve { name: String, points: Vec<Point>, stroke: Stroke },
     /// States set off on a curve.
@@ -103,4 +106,7 @@ pub(crate) enum Key {
     Line(Stroke),
     Mark(Mark),
     Arrow,
+    Area,
+    /// No sample.
+    Text,
 }

@@ -76,6 +76,7 @@ fn arranged(panels: &[Panel]) -> (Vec<Placed<'_>>, f64) {
 impl Placed<'_> {
     fn draw(&self, canvas: &Canvas<'_>, crowded: &mut Vec<String>) -> Drawn {
         let mut obstacles = Obstacles::default();
+        self.areas(canvas)?;
         self.axes(canvas)?;
         self.head(canvas)?;
         for layer in &self.panel.layers {
@@ -132,6 +133,18 @@ impl Placed<'_> {
         let Rect { left, right, top, bottom } = self.frame.rect;
         let at = bottom - y.fraction(0.0) * (bottom - top);
         if at > top && at < bottom { canvas.line(&[[left, at], [right, at]], Stroke::Guide) } else { Ok(()) }
+    }
+
+    fn areas(&self, canvas: &Canvas<'_>) -> Drawn {
+        for layer in &self.panel.layers {
+            if let Layer::Area { outline, .. } = layer {
+                let rect = &self.frame.rect;
+                let inside = |[x, y]: Spot| [x.clamp(rect.left, rect.right), y.clamp(rect.top, rect.bottom)];
+                let outline: Vec<_> = self.frame.places(outline).into_iter().map(inside).collect();
+                canvas.area(&simplified(&outline, TOLERANCE))?;
+            }
+        }
+        Ok(())
     }
 
     fn lines(&self, canvas: &Canvas<'_>, layer: &Layer, obstacles: &mut Obstacles) -> Drawn {

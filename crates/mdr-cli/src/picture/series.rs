@@ -5,7 +5,7 @@ use crate::error::{Failure, Result};
 
 const HEADER: [&str; 9] = ["panel", "element", "series", "style", "x_quantity", "x", "y_quantity", "y", "units"];
 
-/// The points of all curves, marks and arrows, one a row.
+/// The points of all curves, areas, marks and arrows, one a row.
 ///
 /// # Errors
 /// When `out` cannot be written.
@@ -46,6 +46,7 @@ fn rows(number: usize, panel: &Panel) -> impl Iterator<Item = [String; 9]> {
 fn data(layer: &Layer) -> Option<(&'static str, &str, &'static str, Vec<Point>)> {
     Some(match layer {
         Layer::Curve { stroke: Stroke::Guide, .. } | Layer::Label { .. } => return None,
+        Layer::Area { name, outline } => ("area", name, "shaded", outline.clone()),
         Layer::Curve { name, points, stroke } => ("curve", name, stroke_name(*stroke), points.clone()),
         Layer::Marks { name, points, mark } => ("mark", name, mark_name(*mark), points.clone()),
         Layer::Arrow { name, from, to, stroke } => ("arrow", name, stroke_name(*stroke), vec![*from, *to]),

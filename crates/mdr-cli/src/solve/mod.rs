@@ -10,10 +10,13 @@ mod explain;
 mod library;
 mod outputs;
 mod path;
+mod plot;
 mod record;
 mod render;
 mod sample;
 mod states;
+
+pub(crate) use path::name as event_name;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -45,6 +48,9 @@ Examples:
   What was evaluated, how often and how long it took, on standard error:
     mdr solve examples/scenes/figure-4.toml --explain
 
+  With a picture of the branches, the path and its jumps, and the data of the picture as CSV:
+    mdr solve examples/scenes/figure-4.toml --plot figure-4.svg
+
 A scene is a TOML file with the tables [material], [profile], [control] and [output]; examples/scenes has one for every
 kind of profile and control. Numbers are exact as written, as text or not: 0.3, \"1e-9\", \"1/3\".
 Every output names its promise: certified (each digit proved), mp (two precisions agree), or f64.
@@ -68,6 +74,10 @@ pub(crate) struct Solve {
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
 
+    /// Draw the contact, its branches and its path as SVG, and write the data as CSV beside it; in f64
+    #[arg(long, value_name = "OUT.svg")]
+    plot: Option<PathBuf>,
+
     /// Tell on standard error what each output cost: evaluations of g, its slope and its integral, and time
     #[arg(long)]
     explain: bool,
@@ -79,6 +89,9 @@ impl Solve {
         let scene = Scene::open(&self.scene, self.arithmetic.given()?)?;
         let (answer, costs) = solve(&scene)?;
         render::write(&answer, self.format, out)?;
+        if let Some(file) = &self.plot {
+            plot::write(&scene, &self.scene, file)?;
+        }
         if self.explain { explain::write(&costs) } else { Ok(()) }
     }
 }

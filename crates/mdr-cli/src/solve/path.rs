@@ -92,7 +92,7 @@ pub(crate) fn balance<R: Arithmetic>(ledger: &Ledger<R>) -> Option<Record<R>> {
 }
 
 /// As an answer names it.
-fn name(kind: EventKind) -> &'static str {
+pub(crate) fn name(kind: EventKind) -> &'static str {
     match kind {
         EventKind::Start => "start",
         EventKind::Touch => "touch",

@@ -1,0 +1,79 @@
+//! `mdr solve --plot`: the picture of a scene.
+
+use std::path::{Path, PathBuf};
+
+use crate::mdr;
+
+/// A file of this test.
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+/// Runs `mdr solve` on a scene with a picture; the text of the picture and of its data.
+fn plotted(name: &str, control: &str) -> (String, String) {
+    let (scene, svg) = (file(&format!("{name}.toml")), file(&format!("{name}.svg")));
+    let text = format!(
+        "[material]\ne_star = \"5e10\"\nwork_of_adhesion = \"0.1\"\n[profile]\nkind = \"paraboloid\"\nradius = \"50e-9\"\n\
+         {control}\n[output]\nwant = [\"folds\"]\narithmetic = \"f64\"\n"
+    );
+    std::fs::write(&scene, text).unwrap();
+    mdr(&format!("solve {} --plot {}", scene.display(), svg.display())).assert().success().stderr_eq("");
+    let read = |path: PathBuf| std::fs::read_to_string(path).unwrap();
+    (read(svg.clone()), read(svg.with_extension("csv")))
+}
+
+/// The numbers in one column of the rows of a series.
+fn column(csv: &str, series: &str, column: usize) -> Vec<f64> {
+    let rows = csv.lines().filter(|line| line.split(',').nth(2) == Some(series));
+    rows.map(|line| line.split(',').nth(column).unwrap().parse().unwrap()).collect()
+}
+
+/// An AFM tip is pulled off: nanometres at the axes, the pull-off force of Johnson, Kendall and Roberts where it breaks.
+#[test]
+fn a_picture_and_its_data() {
+    let control = "[control]\nkind = \"force\"\npath = [\"0\", \"-1e-7\"]";
+    let (svg, csv) = plotted("plot-force", control);
+    let picture = roxmltree::Document::parse(&svg).unwrap();
+    let title = picture.root_element().children().find(|node| node.has_tag_name("title")).unwrap();
+    assert_eq!(title.text(), Some("paraboloid under controlled force: plot-force"));
+    let texts: String = picture.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect();
+    assert!(texts.contains("(nm)") && texts.contains("(nN)"), "{texts}");
+    let pull_off = -1.5 * std::f64::consts::PI * 0.1 * 50e-9;
+    let forces = column(&csv, "detached", 7);
+    assert!(!forces.is_empty() && forces.iter().all(|force| (force / pull_off - 1.0).abs() < 1e-9), "{forces:?}");
+    assert_eq!(plotted("plot-force", control), (svg, csv), "two runs differ");
+}
+
+/// Branches in the picture are those of d = a²/R − Δl, F = 4E*a³/3R − √(8πa³E*w).
+#[test]
+fn branches_are_the_closed_forms() {
+    let (_, csv) = plotted("plot-branches", "[control]\nkind = \"indentation\"\npath = [\"0\", \"-1e-9\"]");
+    let (e, w, r) = (5e10_f64, 0.1, 50e-9);
+    let (mut states, mut panels) = (0, [0; 2]);
+    for line in csv.lines().filter(|line| line.starts_with("2,curve") || line.starts_with("3,curve")) {
+        let fields: Vec<_> = line.split(',').collect();
+        panels[usize::from(fields[0] == "3")] += 1;
+        let force: f64 = fields[7].parse().unwrap();
+        if fields[0] == "3" {
+            let a: f64 = fields[5].parse().unwrap();
+            let (pressed, pulled) =
+                (4.0 * e * a.powi(3) / (3.0 * r), (8.0 * std::f64::consts::PI * a.powi(3) * e * w).sqrt());
+            // Ten digits of a and of F.
+            assert!(
+                (force - (pressed - pulled)).abs() <= 5.1e-10 * (3.0 * pressed + 1.5 * pulled + force.abs()),
+                "{line}"
+            );
+            states += 1;
+        }
+    }
+    assert!(states > 50 && panels[0] == panels[1]);
+}
+
+#[test]
+fn a_picture_that_cannot_be_written_is_named() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/figure-4.toml");
+    let place = file("no-such-directory/out.svg");
+    let result = mdr(&format!("solve {scene} --f64 --plot {}", place.display())).assert().code(2);
+    let error = String::from_utf8(result.get_output().stderr.clone()).unwrap();
+    assert!(error.starts_with(&format!("error: --plot {}: ", place.display())), "{error}");
+}
