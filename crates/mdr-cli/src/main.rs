@@ -6,9 +6,11 @@ mod critical;
 mod error;
 mod figures;
 mod flags;
+mod judge;
 mod number;
 mod output;
 mod picture;
+mod reference;
 mod scene;
 mod solve;
 mod table;
@@ -38,6 +40,8 @@ enum Command {
     Critical(critical::Critical),
     Solve(solve::Solve),
     Figures(figures::Figures),
+    Reference(reference::Reference),
+    Judge(judge::Judge),
 }
 
 fn main() -> ExitCode {
@@ -62,6 +66,8 @@ impl Command {
             Command::Critical(critical) => critical.run(out).map(|()| true),
             Command::Solve(solve) => solve.run(out).map(|()| true),
             Command::Figures(figures) => figures.run(out).map(|()| true),
+            Command::Reference(reference) => reference.run(out),
+            Command::Judge(judge) => judge.run(out),
         }
     }
 }

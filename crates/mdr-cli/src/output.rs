@@ -28,6 +28,16 @@ impl Output<io::StdoutLock<'static>> {
 }
 
 impl<W: Write> Output<W> {
+    /// Any other writer.
+    pub(crate) fn new(writer: W) -> Self {
+        Output(writer)
+    }
+
+    /// The writer, with all that was written.
+    pub(crate) fn into_inner(self) -> W {
+        self.0
+    }
+
     /// One line of text, or several.
     pub(crate) fn text(&mut self, text: impl std::fmt::Display) -> Result<()> {
         self.finish(|out| writeln!(out, "{text}"))

@@ -16,6 +16,7 @@ mod faults;
 mod grid;
 mod merge;
 mod options;
+pub mod records;
 mod report;
 mod run;
 mod theory;

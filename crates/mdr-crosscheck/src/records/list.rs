@@ -1,0 +1,104 @@
+//! The power laws of the records.
+
+use mdr_analytic::Kappa;
+use mdr_core::number::{Precision, Real};
+use rug::ops::Pow;
+use rug::{Float, Integer};
+
+use super::draft::literal;
+use super::power::{Held, Power};
+
+/// Exponents with a name or a place in the theory, on E* = w = 1.
+const UNIT: [(&str, &str, &str); 24] = [
+    ("jkr-unit", "2", "0.5"),
+    ("cone-unit", "1", "1"),
+    ("n=1.5", "1.5", "1"),
+    ("n=3", "3", "1"),
+    ("n=4", "4", "1"),
+    ("n=6", "6", "1"),
+    ("n=2.5", "2.5", "1"),
+    ("n=1.25", "1.25", "1"),
+    ("n=0.75", "0.75", "1"),
+    ("n=0.6", "0.6", "2"),
+    ("n=0.55", "0.55", "2"),
+    ("n=0.45", "0.45", "2"),
+    ("n=0.4", "0.4", "2"),
+    ("n=0.25", "0.25", "1"),
+    ("n=0.1", "0.1", "1"),
+    ("n=0.01", "0.01", "1"),
+    ("n=1e-3", "0.001", "1"),
+    ("n=1e-4", "0.0001", "1"),
+    ("n=1e-6", "0.000001", "1"),
+    ("n=10", "10", "1"),
+    ("n=31", "31", "1"),
+    ("n=100", "100", "1"),
+    ("n=316", "316", "1"),
+    ("n=1000", "1000", "1"),
+];
+
+/// Contacts of real size, in SI units.
+const REAL: [(&str, [&str; 4]); 9] = [
+    ("afm-tip", ["2", "2.5e7", "7e10", "0.1"]),
+    ("afm-tip-blunt", ["4", "1e22", "7e10", "0.1"]),
+    ("glass-bead", ["2", "500", "4e10", "0.08"]),
+    ("pdms-bead", ["2", "5e4", "1.3e6", "0.05"]),
+    ("gecko-spatula", ["2", "5e6", "2e9", "0.05"]),
+    ("tyre-asperity", ["2", "5e3", "5e6", "0.06"]),
+    ("wheel-on-rail", ["2", "1.0870", "1.154e11", "0.5"]),
+    ("berkovich-cone", ["1", "0.3584", "1.1e11", "0.3"]),
+    ("cusp-on-gelatine", ["0.25", "0.01", "3e3", "0.02"]),
+];
+
+/// Scales that a program in f64 meets when it squares, cubes or multiplies carelessly, and beyond.
+const EXTREME: [(&str, [&str; 4]); 9] = [
+    ("stiff-1e100", ["2", "0.5", "1e100", "1"]),
+    ("soft-1e-100", ["2", "0.5", "1e-100", "1"]),
+    ("sticky-1e100", ["2", "0.5", "1", "1e100"]),
+    ("slippery-1e-100", ["2", "0.5", "1", "1e-100"]),
+    ("sharp-1e100", ["2", "1e100", "1", "1"]),
+    ("flat-1e-100", ["2", "1e-100", "1", "1"]),
+    ("all-1e100", ["3", "1e100", "1e100", "1e100"]),
+    ("cone-1e-150", ["1", "1e-150", "1e-100", "1e100"]),
+    ("cusp-1e-100", ["0.25", "1e-100", "1", "1"]),
+];
+
+/// k of n = 1/2 ± 2^−k.
+const LADDER: [u32; 14] = [2, 3, 4, 6, 8, 10, 13, 16, 20, 25, 30, 35, 42, 50];
+
+/// All power laws with a critical state.
+pub(super) fn all() -> Vec<Power> {
+    let unit = UNIT.iter().map(|(name, n, c)| Power::new(name, [n, c, "1", "1"], &[]));
+    let real = REAL.iter().map(|(name, inputs)| Power::new(name, *inputs, &["si"]));
+    let extreme = EXTREME.iter().map(|(name, inputs)| Power::new(name, *inputs, &["extreme-scale"]));
+    let ladder = LADDER.iter().flat_map(|k| [near_half(*k, true), near_half(*k, false)]);
+    unit.chain(real).chain(extreme).chain(ladder.flatten()).collect()
+}
+
+/// From this k on, the two critical radii are so far apart that no arbitrary-precision number holds both.
+const APART: u32 = 26;
+
+/// n = 1/2 ± 2^−k, exactly, and the C of 17 digits that puts the critical radius next to 1 for E* = w = 1: that of fixed
+/// grips, and where the other one is out of reach that of a dead load in a case of its own.
+fn near_half(k: u32, above: bool) -> Vec<Power> {
+    // In units of 10^−k: 2^−k is 5^k, and 1/2 is 5·10^(k−1).
+    let (step, half) = (Integer::from(5).pow(k), Integer::from(10).pow(k - 1) * 5u32);
+    let digits: Integer = if above { half + step } else { half - step };
+    let n = format!("0.{:0>width$}", digits.to_string(), width = k as usize);
+    let sign = if above { '+' } else { '-' };
+    let case = |suffix: &str, tension| {
+        let name = format!("half{sign}2^-{k}{suffix}");
+        Power::new(&name, [&n, &planted(&n, tension), "1", "1"], &["near-half"])
+    };
+    if k < APART {
+        return vec![case("", 1)];
+    }
+    let only = |held, law| Power { held: vec![held], ..law };
+    vec![only(Held::Indentation, case("", 1)), only(Held::Force, case("-loaded", 3))]
+}
+
+/// C = λ√B/(nκ_n) for E* = w = 1, to 17 digits.
+fn planted(n: &str, tension: i64) -> String {
+    let n = Float::from_literal(Precision::new(192), &literal(n));
+    let c = n.pi().over(2).sqrt().times(tension) / Float::kappa(&n) / &n;
+    c.to_string_radix(10, Some(17))
+}

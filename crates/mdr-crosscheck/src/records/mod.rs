@@ -1,0 +1,116 @@
+//! Generation of the certified records of `mdr-reference`.
+//!
+//! Every value is enclosed to fifty digits by a rigorous method and confirmed by a second one that shares no formula with
+//! the first. [`generate`] gives the files of the release, bit for bit the same on every machine.
+
+mod confirm;
+mod draft;
+mod list;
+mod power;
+
+use mdr_core::contact::Error;
+use mdr_reference::Record;
+use rayon::prelude::*;
+use thiserror::Error as ThisError;
+
+use power::Power;
+
+/// Why a record cannot be certified.
+#[derive(Clone, Debug, PartialEq, ThisError)]
+#[error("{case}: {what}")]
+pub struct RecordError {
+    case: String,
+    what: String,
+}
+
+impl RecordError {
+    fn of(case: &str, error: Error) -> Self {
+        RecordError { case: case.to_owned(), what: error.to_string() }
+    }
+
+    fn missing(case: &str, what: &str) -> Self {
+        RecordError { case: case.to_owned(), what: format!("there is no {what}") }
+    }
+
+    /// An error unless the second method agrees.
+    fn unless(case: &str, what: &str, agrees: mdr_core::contact::Result<bool>) -> Result<(), Self> {
+        match agrees {
+            Ok(true) => Ok(()),
+            Ok(false) => Err(RecordError {
+                case: case.to_owned(),
+                what: format!("the second method has another value of {what}"),
+            }),
+            Err(error) => {
+                Err(RecordError { case: case.to_owned(), what: format!("{what}, by the second method: {error}") })
+            }
+        }
+    }
+}
+
+/// A question, or a few that are answered together, and the file that its records belong to.
+pub struct RecordCase {
+    file: &'static str,
+    build: Box<dyn Fn() -> Result<Vec<Record>, RecordError> + Send + Sync>,
+}
+
+impl RecordCase {
+    fn new(
+        file: &'static str,
+        build: impl Fn() -> Result<Vec<Record>, RecordError> + Send + Sync + 'static,
+    ) -> RecordCase {
+        RecordCase { file, build: Box::new(build) }
+    }
+
+    /// The name of the file, without a folder.
+    pub fn file(&self) -> &'static str {
+        self.file
+    }
+
+    /// Certifies and confirms its records.
+    ///
+    /// # Errors
+    /// Where a digit cannot be decided, or the second method disagrees.
+    pub fn records(&self) -> Result<Vec<Record>, RecordError> {
+        (self.build)()
+    }
+}
+
+/// All cases in the order of their records.
+pub fn record_cases() -> Vec<RecordCase> {
+    let mut cases = Vec::new();
+    for law in list::all() {
+        cases.push(RecordCase::new("critical.jsonl", move || critical(&law)));
+    }
+    cases
+}
+
+fn critical(law: &Power) -> Result<Vec<Record>, RecordError> {
+    // Contacts of the same exponent share their kappa.
+    let mut records = Vec::new();
+    if !law.flags.iter().any(|flag| ["si", "extreme-scale"].contains(flag)) && !law.name.ends_with("-loaded") {
+        records.push(law.kappa()?);
+    }
+    for held in &law.held {
+        records.extend(law.critical(*held)?);
+    }
+    Ok(records)
+}
+
+/// The files of the release: name and content.
+///
+/// # Errors
+/// The first case that cannot be certified.
+pub fn generate() -> Result<Vec<(&'static str, String)>, RecordError> {
+    let cases = record_cases();
+    let records: Vec<_> = cases.par_iter().map(RecordCase::records).collect();
+    let mut files: Vec<(&'static str, String)> = Vec::new();
+    for (case, records) in cases.iter().zip(records) {
+        if files.last().is_none_or(|(name, _)| *name != case.file) {
+            files.push((case.file, String::new()));
+        }
+        if let Some((_, content)) = files.last_mut() {
+            content.extend(records?.iter().map(|record| record.to_json() + "\n"));
+        }
+    }
+    Ok(files)
+}

@@ -1,0 +1,156 @@
+//! All records, and the choice of some.
+
+use std::fmt;
+use std::str::FromStr;
+use std::sync::OnceLock;
+
+use crate::record::Record;
+
+/// The files of the release, in their order.
+const FILES: [&str; 1] = [include_str!("../data/critical.jsonl")];
+
+/// All records of this release, read once.
+///
+/// ```
+/// use mdr_reference::{Difficulty, records};
+/// let hard = records().iter().filter(|record| record.difficulty == Difficulty::Higher);
+/// assert!(hard.count() > 0);
+/// ```
+pub fn records() -> &'static [Record] {
+    static RECORDS: OnceLock<Vec<Record>> = OnceLock::new();
+    // A test reads every line; what it accepts is read here.
+    RECORDS.get_or_init(|| lines().filter_map(|line| Record::from_json(line).ok()).collect())
+}
+
+/// The records as they are published, one JSON object a line.
+pub fn lines() -> impl Iterator<Item = &'static str> {
+    FILES.iter().flat_map(|file| file.lines())
+}
+
+/// The record of this identifier.
+pub fn record(id: &str) -> Option<&'static Record> {
+    records().iter().find(|record| record.id == id)
+}
+
+/// A choice of records: terms separated by blanks or commas, all of which must hold.
+///
+/// A term is `key=value`, `key!=value` or `key~part` (contains). Keys: `id`, `profile`, `formula`, `quantity`, `unit`,
+/// `control` (`none` where there is none), `status`, `difficulty`, `flag`.
+///
+/// ```
+/// use mdr_reference::{Filter, records};
+/// let filter: Filter = "profile=power control=force difficulty!=higher".parse()?;
+/// assert!(records().iter().any(|record| filter.accepts(record)));
+/// assert!("colour=red".parse::<Filter>().is_err());
+/// # Ok::<(), mdr_reference::FilterError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Filter(Vec<Term>);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Term {
+    key: Key,
+    relation: Relation,
+    value: String,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Key {
+    Id,
+    Profile,
+    Formula,
+    Quantity,
+    Unit,
+    Control,
+    Status,
+    Difficulty,
+    Flag,
+}
+
+const KEYS: [(&str, Key); 9] = [
+    ("id", Key::Id),
+    ("profile", Key::Profile),
+    ("formula", Key::Formula),
+    ("quantity", Key::Quantity),
+    ("unit", Key::Unit),
+    ("control", Key::Control),
+    ("status", Key::Status),
+    ("difficulty", Key::Difficulty),
+    ("flag", Key::Flag),
+];
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Relation {
+    Is,
+    IsNot,
+    Contains,
+}
+
+/// A term that is none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FilterError {
+    term: String,
+}
+
+impl fmt::Display for FilterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let keys = KEYS.map(|(name, _)| name).join(", ");
+        write!(f, "{:?} is no condition: expected key=value, key!=value or key~part with one of {keys}", self.term)
+    }
+}
+
+impl std::error::Error for FilterError {}
+
+impl FromStr for Filter {
+    type Err = FilterError;
+
+    fn from_str(text: &str) -> Result<Self, FilterError> {
+        let terms = text.split([' ', ',', '\t', '\n']).filter(|term| !term.is_empty());
+        terms.map(term).collect::<Result<_, _>>().map(Filter)
+    }
+}
+
+fn term(text: &str) -> Result<Term, FilterError> {
+    let error = || FilterError { term: text.to_owned() };
+    let at = text.find(['=', '!', '~']).ok_or_else(error)?;
+    let (name, rest) = text.split_at(at);
+    let (relation, value) = [("!=", Relation::IsNot), ("=", Relation::Is), ("~", Relation::Contains)]
+        .into_iter()
+        .find_map(|(sign, relation)| rest.strip_prefix(sign).map(|value| (relation, value)))
+        .ok_or_else(error)?;
+    let (_, key) = KEYS.into_iter().find(|(key, _)| *key == name).ok_or_else(error)?;
+    if value.is_empty() { Err(error()) } else { Ok(Term { key, relation, value: value.to_owned() }) }
+}
+
+impl Filter {
+    /// Whether the record is chosen. The filter of an empty text chooses all.
+    pub fn accepts(&self, record: &Record) -> bool {
+        self.0.iter().all(|term| term.holds(record))
+    }
+
+    /// The records that are chosen.
+    pub fn select(&self) -> impl Iterator<Item = &'static Record> {
+        records().iter().filter(|record| self.accepts(record))
+    }
+}
+
+impl Term {
+    fn holds(&self, record: &Record) -> bool {
+        let fits = |text: &str| match self.relation {
+            Relation::Contains => text.contains(&self.value),
+            Relation::Is | Relation::IsNot => text == self.value,
+        };
+        let found = match self.key {
+            Key::Id => fits(&record.id),
+            Key::Profile => fits(&record.profile),
+            Key::Formula => fits(&record.formula),
+            Key::Quantity => fits(&record.quantity),
+            Key::Unit => fits(&record.unit),
+            Key::Control => fits(record.control.as_deref().unwrap_or("none")),
+            Key::Status => fits(record.status.name()),
+            Key::Difficulty => fits(record.difficulty.name()),
+            Key::Flag => record.flags.iter().any(|flag| fits(flag)),
+        };
+        found != (self.relation == Relation::IsNot)
+    }
+}

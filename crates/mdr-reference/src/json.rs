@@ -1,0 +1,315 @@
+//! JSON as it comes from other programs: numbers stay the text that was written, and the words with which many writers
+//! put down what is not a number (`NaN`, `Infinity`, `-Infinity`) are read as such a text.
+//!
+//! A number must not pass through `f64` on its way to the judge: the digits beyond the seventeenth are what is judged.
+
+use std::borrow::Cow;
+
+/// A value; texts without escapes are borrowed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Json<'a> {
+    Null,
+    Bool(bool),
+    /// As written.
+    Number(&'a str),
+    Text(Cow<'a, str>),
+    List(Vec<Json<'a>>),
+    Object(Vec<(Cow<'a, str>, Json<'a>)>),
+}
+
+impl<'a> Json<'a> {
+    /// The value under a key; of several the last, as most readers do.
+    pub(crate) fn get(&self, key: &str) -> Option<&Json<'a>> {
+        let Json::Object(entries) = self else { return None };
+        entries.iter().rev().find(|(name, _)| name == key).map(|(_, value)| value)
+    }
+
+    /// A text, or the text of a number.
+    pub(crate) fn as_text(&self) -> Option<&str> {
+        match self {
+            Json::Text(text) => Some(text),
+            Json::Number(text) => Some(text),
+            _ => None,
+        }
+    }
+}
+
+/// The deepest nesting that is read.
+const DEPTH: usize = 32;
+
+/// Reads one value.
+///
+/// # Errors
+/// What was expected, and at which byte, counted from 1.
+pub(crate) fn read(text: &str) -> Result<Json<'_>, String> {
+    let mut reader = Reader { text, at: 0 };
+    let value = reader.value(0)?;
+    reader.blanks();
+    if reader.at == text.len() { Ok(value) } else { Err(reader.expected("the end of the line")) }
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl<'a> Reader<'a> {
+    fn expected(&self, what: &str) -> String {
+        format!("byte {}: expected {what}", self.at + 1)
+    }
+
+    fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
+    fn next(&self) -> Option<u8> {
+        self.text.as_bytes().get(self.at).copied()
+    }
+
+    fn blanks(&mut self) {
+        let rest = self.rest();
+        self.at += rest.len() - rest.trim_start_matches([' ', '\t', '\r', '\n']).len();
+    }
+
+    /// Whether the text goes on with `word`, which is then passed.
+    fn takes(&mut self, word: &str) -> bool {
+        let found = self.rest().starts_with(word);
+        self.at += if found { word.len() } else { 0 };
+        found
+    }
+
+    fn value(&mut self, depth: usize) -> Result<Json<'a>, String> {
+        self.blanks();
+        for (word, value) in [("null", Json::Null), ("true", Json::Bool(true)), ("false", Json::Bool(false))] {
+            if self.takes(word) {
+                return Ok(value);
+            }
+        }
+        for word in ["NaN", "Infinity", "-Infinity"] {
+            if self.takes(word) {
+                return Ok(Json::Number(word));
+            }
+        }
+        match self.next() {
+            Some(b'"') => self.text().map(Json::Text),
+            Some(b'[' | b'{') if depth == DEPTH => Err(self.expected("less nesting")),
+            Some(b'[') => self.list(depth),
+            Some(b'{') => self.object(depth),
+            Some(b'-' | b'0'..=b'9') => self.number(),
+            _ => Err(self.expected("a value")),
+        }
+    }
+
+    fn list(&mut self, depth: usize) -> Result<Json<'a>, String> {
+        let mut values = Vec::new();
+        self.members(b']', |reader| {
+            values.push(reader.value(depth + 1)?);
+            Ok(())
+        })?;
+        Ok(Json::List(values))
+    }
+
+    fn object(&mut self, depth: usize) -> Result<Json<'a>, String> {
+        let mut entries = Vec::new();
+        self.members(b'}', |reader| {
+            let key = reader.text()?;
+            reader.blanks();
+            if !reader.takes(":") {
+                return Err(reader.expected("a colon"));
+            }
+            entries.push((key, reader.value(depth + 1)?));
+            Ok(())
+        })?;
+        Ok(Json::Object(entries))
+    }
+
+    /// Members separated by commas up to `end`; the opening bracket is next.
+    fn members(&mut self, end: u8, mut member: impl FnMut(&mut Self) -> Result<(), String>) -> Result<(), String> {
+        self.at += 1;
+        self.blanks();
+        if self.next() == Some(end) {
+            self.at += 1;
+            return Ok(());
+        }
+        loop {
+            self.blanks();
+            member(self)?;
+            self.blanks();
+            if self.next() == Some(end) {
+                self.at += 1;
+                return Ok(());
+            }
+            if !self.takes(",") {
+                return Err(self.expected("a comma or the closing bracket"));
+            }
+        }
+    }
+
+    /// -?(0|[1-9][0-9]*)(.[0-9]+)?([eE][+-]?[0-9]+)?
+    fn number(&mut self) -> Result<Json<'a>, String> {
+        let start = self.at;
+        self.takes("-");
+        if !self.takes("0") {
+            self.digits()?;
+        }
+        if self.takes(".") {
+            self.digits()?;
+        }
+        if self.takes("e") || self.takes("E") {
+            let _sign = self.takes("+") || self.takes("-");
+            self.digits()?;
+        }
+        Ok(Json::Number(&self.text[start..self.at]))
+    }
+
+    fn digits(&mut self) -> Result<(), String> {
+        let count = self.rest().bytes().take_while(u8::is_ascii_digit).count();
+        self.at += count;
+        if count == 0 { Err(self.expected("a digit")) } else { Ok(()) }
+    }
+
+    fn text(&mut self) -> Result<Cow<'a, str>, String> {
+        if !self.takes("\"") {
+            return Err(self.expected("a text in quotation marks"));
+        }
+        let plain = self.plain();
+        if self.takes("\"") {
+            return Ok(Cow::Borrowed(plain));
+        }
+        let mut text = plain.to_owned();
+        while !self.takes("\"") {
+            text.push(self.escape()?);
+            text.push_str(self.plain());
+        }
+        Ok(Cow::Owned(text))
+    }
+
+    /// Up to the next quotation mark, backslash or control character.
+    fn plain(&mut self) -> &'a str {
+        let rest = self.rest();
+        let end = rest.bytes().position(|byte| byte == b'"' || byte == b'\\' || byte < b' ').unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+
+    fn escape(&mut self) -> Result<char, String> {
+        const SIMPLE: [(&str, char); 8] = [
+            ("\\\"", '"'),
+            ("\\\\", '\\'),
+            ("\\/", '/'),
+            ("\\b", '\u{8}'),
+            ("\\f", '\u{c}'),
+            ("\\n", '\n'),
+            ("\\r", '\r'),
+            ("\\t", '\t'),
+        ];
+        if let Some((_, letter)) = SIMPLE.iter().find(|(escape, _)| self.takes(escape)) {
+            return Ok(*letter);
+        }
+        let high = self.code_unit()?;
+        let code = if (0xD800..0xDC00).contains(&high) {
+            let low = self.code_unit()?.wrapping_sub(0xDC00);
+            if low < 0x400 { 0x10000 + ((high - 0xD800) << 10) + low } else { high }
+        } else {
+            high
+        };
+        char::from_u32(code).ok_or_else(|| self.expected("a pair of surrogates"))
+    }
+
+    fn code_unit(&mut self) -> Result<u32, String> {
+        if !self.takes("\\u") {
+            return Err(self.expected("an escape, or the closing quotation mark"));
+        }
+        let digits = self.rest().get(..4).filter(|digits| digits.bytes().all(|byte| byte.is_ascii_hexdigit()));
+        let code = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
+        self.at += if code.is_some() { 4 } else { 0 };
+        code.ok_or_else(|| self.expected("four hexadecimal digits"))
+    }
+}
+
+/// A text with its quotation marks.
+pub(crate) fn quoted(text: &str) -> String {
+    let mut quoted = String::with_capacity(text.len() + 2);
+    quoted.push('"');
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => quoted.extend(['\\', letter]),
+            control if control < ' ' => quoted.push_str(&format!("\\u{:04x}", control as u32)),
+            letter => quoted.push(letter),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use serde_json::Value;
+
+    /// The same value as serde_json reads.
+    fn agrees(ours: &Json<'_>, theirs: &Value) -> bool {
+        match (ours, theirs) {
+            (Json::Null, Value::Null) => true,
+            (Json::Bool(a), Value::Bool(b)) => a == b,
+            (Json::Number(a), Value::Number(b)) => a.parse::<f64>().ok() == b.as_f64(),
+            (Json::Text(a), Value::String(b)) => a == b,
+            (Json::List(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| agrees(a, b)),
+            (Json::Object(_), Value::Object(b)) => b.iter().all(|(key, b)| ours.get(key).is_some_and(|a| agrees(a, b))),
+            _ => false,
+        }
+    }
+
+    fn any_value() -> impl Strategy<Value = Value> {
+        let leaf = prop_oneof![
+            Just(Value::Null),
+            any::<bool>().prop_map(Value::from),
+            any::<i64>().prop_map(Value::from),
+            any::<f64>().prop_map(Value::from),
+            any::<String>().prop_map(Value::from),
+        ];
+        leaf.prop_recursive(4, 32, 6, |inner| {
+            prop_oneof![
+                prop::collection::vec(inner.clone(), 0..6).prop_map(Value::from),
+                prop::collection::btree_map(any::<String>(), inner, 0..6)
+                    .prop_map(|map| Value::from(map.into_iter().collect::<serde_json::Map<_, _>>())),
+            ]
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn reads_what_others_write(value in any_value()) {
+            let text = value.to_string();
+            let ours = read(&text).unwrap();
+            prop_assert!(agrees(&ours, &value), "{text}");
+        }
+
+        #[test]
+        fn others_read_what_is_quoted(text in any::<String>()) {
+            prop_assert_eq!(serde_json::from_str::<String>(&quoted(&text)).unwrap(), text);
+        }
+
+        /// Neither panics nor accepts what serde_json refuses.
+        #[test]
+        fn as_strict_as_others(text in "[\\[\\]{}\",:\\\\0-9eE+.ntrufals -]{0,24}") {
+            let theirs = serde_json::from_str::<Value>(&text);
+            match (read(&text), theirs) {
+                (Ok(ours), Ok(theirs)) => prop_assert!(agrees(&ours, &theirs), "{}", text),
+                (Ok(_), Err(error)) => prop_assert!(error.to_string().contains("out of range"), "{}: {}", text, error),
+                (Err(error), Ok(_)) => prop_assert!(false, "{}: {}", text, error),
+                (Err(_), Err(_)) => {}
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_a_text() {
+        for word in ["NaN", "Infinity", "-Infinity"] {
+            assert_eq!(read(word), Ok(Json::Number(word)));
+        }
+        assert_eq!(read(r#""\ud83d\ude00""#), Ok(Json::Text("😀".into())));
+        assert!(read(r#""\ud83d""#).is_err() && read(&"[".repeat(10_000)).is_err());
+    }
+}

@@ -1,0 +1,93 @@
+//! An answer of another program.
+
+use crate::decimal::{Decimal, DecimalError};
+use crate::json::{Json, read};
+use crate::record::Status;
+
+/// What a program says to one question.
+///
+/// ```
+/// use mdr_reference::Answer;
+/// let measured = Answer::from(-4.71).with_error(0.01);
+/// let none: Answer = mdr_reference::Status::NoEquilibrium.into();
+/// assert_ne!(measured, none);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Answer {
+    /// The number, if it gives one.
+    pub(crate) value: Option<Number>,
+    /// The absolute error it claims not to exceed.
+    pub(crate) error: Option<Decimal>,
+    /// How it marks its answer; a number without a mark is `ok`.
+    pub(crate) status: Option<Status>,
+}
+
+/// A number as other programs have them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Number {
+    Finite(Decimal),
+    /// NaN or an infinity.
+    NotFinite,
+}
+
+impl From<Decimal> for Answer {
+    fn from(value: Decimal) -> Self {
+        Answer { value: Some(Number::Finite(value)), error: None, status: None }
+    }
+}
+
+/// The exact value of a double.
+impl From<f64> for Answer {
+    fn from(value: f64) -> Self {
+        let number = if value.is_finite() { Number::Finite(Decimal::from_double(value)) } else { Number::NotFinite };
+        Answer { value: Some(number), error: None, status: None }
+    }
+}
+
+/// No number, for a reason.
+impl From<Status> for Answer {
+    fn from(status: Status) -> Self {
+        Answer { value: None, error: None, status: Some(status) }
+    }
+}
+
+impl Answer {
+    /// The same with the absolute error that the program claims; a claim that is not finite claims nothing.
+    pub fn with_error(self, error: f64) -> Self {
+        Answer { error: error.is_finite().then(|| Decimal::from_double(error.abs())), ..self }
+    }
+
+    /// The identifier and the answer on a line `{"id":…, "value":…, "error":…, "status":…}`, numbers as JSON numbers or as
+    /// texts, decimal or hexadecimal.
+    ///
+    /// # Errors
+    /// What is wrong with the line.
+    pub fn from_json(line: &str) -> Result<(String, Answer), String> {
+        let json = read(line)?;
+        if !matches!(json, Json::Object(_)) {
+            return Err("expected an object {\"id\":…, \"value\":…}".to_owned());
+        }
+        let text = |key: &str| match json.get(key) {
+            None | Some(Json::Null) => Ok(None),
+            Some(value) => value.as_text().map(Some).ok_or_else(|| format!("{key} must be a number or a text")),
+        };
+        let id = text("id")?.ok_or("there is no id")?.to_owned();
+        let value = match text("value")?.map(str::parse) {
+            None => None,
+            Some(Ok(value)) => Some(Number::Finite(value)),
+            Some(Err(DecimalError::NotFinite)) => Some(Number::NotFinite),
+            Some(Err(error)) => return Err(format!("value: {error}")),
+        };
+        let error = match text("error")?.map(str::parse::<Decimal>) {
+            None | Some(Err(DecimalError::NotFinite)) => None,
+            Some(Ok(error)) if error >= Decimal::default() => Some(error),
+            Some(Ok(_)) => return Err("error: must not be negative".to_owned()),
+            Some(Err(error)) => return Err(format!("error: {error}")),
+        };
+        let status = text("status")?.map(str::parse).transpose()?;
+        if value.is_none() && status.is_none() {
+            return Err("there is neither a value nor a status".to_owned());
+        }
+        Ok((id, Answer { value, error, status }))
+    }
+}

@@ -1,0 +1,39 @@
+//! Certified reference values of adhesive contact mechanics, for the tests of other programs.
+//!
+//! What the Statistical Reference Datasets of NIST are to statistics, these records are to adhesive contact: numbers of
+//! which every digit is proved, from plain to nasty. A [`Record`] has a question (exact decimal inputs), fifty certified
+//! digits, the nearest double, the condition of the question with respect to each input, and a difficulty with published
+//! thresholds ([`Hardness`]). The judge marks answers and tells a bad algorithm from a badly conditioned question.
+//!
+//! The crate is data and a judge: no dependencies, no numerics of its own. As a dev-dependency:
+//!
+//! ```
+//! use mdr_reference::{Answer, Filter, judge};
+//! // Pull-off force of a power law f = C rⁿ under a dead load; here only the paraboloid, by the formula of JKR.
+//! let questions: Filter = "formula=critical control=force quantity=force status=ok".parse()?;
+//! let report = judge(questions.select(), |question| {
+//!     let [n, c, w] = ["n", "C", "w"].map(|name| question.input_f64(name));
+//!     (n == 2.0).then(|| Answer::from(-0.75 * std::f64::consts::PI * w / c))
+//! });
+//! assert!(report.passed(), "{report}");
+//! # Ok::<(), mdr_reference::FilterError>(())
+//! ```
+//!
+//! Programs in other languages read the files of `data/`, one JSON object a line, or `mdr reference --export`, write one
+//! answer a line, and run `mdr judge`.
+
+#![forbid(unsafe_code)]
+
+mod catalogue;
+mod decimal;
+mod difficulty;
+mod json;
+mod judge;
+mod record;
+mod write;
+
+pub use catalogue::{Filter, FilterError, lines, record, records};
+pub use decimal::{Decimal, DecimalError};
+pub use difficulty::{Difficulty, Hardness};
+pub use judge::{Answer, Claim, Class, Judge, Judged, Limits, Mark, Range, Refused, Report, Verdict, judge, mark};
+pub use record::{Certified, Method, Record, Status, UNIT_ROUNDOFF};

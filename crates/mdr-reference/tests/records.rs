@@ -1,0 +1,105 @@
+//! The records themselves.
+
+#![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
+
+use std::collections::HashSet;
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use mdr_reference::{Decimal, Difficulty, Filter, Record, Status, lines, record, records};
+
+#[test]
+fn every_line_is_a_record() {
+    for line in lines() {
+        let record = Record::from_json(line).unwrap_or_else(|error| panic!("{error}: {line}"));
+        assert_eq!(record.to_json(), line, "a record is written as it was read");
+    }
+    assert_eq!(records().len(), lines().count());
+}
+
+#[test]
+fn identifiers_are_unique() {
+    let ids: HashSet<_> = records().iter().map(|record| &record.id).collect();
+    assert_eq!(ids.len(), records().len());
+}
+
+/// One digit changed somewhere is noticed.
+#[test]
+fn a_changed_line_is_refused() {
+    let line = lines().nth(1).unwrap();
+    let (before, after) = line.split_once("\"mid\":\"0.7").unwrap();
+    let changed = format!("{before}\"mid\":\"0.8{after}");
+    assert!(Record::from_json(&changed).is_err());
+    let changed = line.replace("\"C\":\"0.5\"", "\"C\":\"0.6\"");
+    assert!(Record::from_json(&changed).unwrap_err().starts_with("the hash"));
+}
+
+#[test]
+fn values_are_certified_by_a_rigorous_and_a_second_method() {
+    for record in records() {
+        let Some(value) = &record.value else { continue };
+        let [mid, rad]: [Decimal; 2] = [&value.mid, &value.rad].map(|text| text.parse().unwrap());
+        let digits = f64::from(value.digits);
+        assert!(rad.is_zero() || rad.log10() < mid.log10() - digits + 1.0, "{}", record.id);
+        assert!(record.methods.len() >= 2 && record.methods[0].rigorous, "{}", record.id);
+        assert_eq!(mid.is_zero(), record.log10.is_none(), "{}", record.id);
+        assert!(!mid.is_zero() || record.scale.is_some(), "{}", record.id);
+        assert!(!record.condition.is_empty(), "{}", record.id);
+    }
+}
+
+/// What a double holds is `ok`, what it does not is marked.
+#[test]
+fn statuses_are_those_of_doubles() {
+    for record in records().iter().filter(|record| record.value.is_some()) {
+        let size = record.nearest().abs();
+        let expected = match size {
+            f64::INFINITY => Status::Overflow,
+            size if size < f64::MIN_POSITIVE && record.log10.is_some() => Status::Underflow,
+            _ => Status::Ok,
+        };
+        assert!(record.status == expected || record.status == Status::Fold, "{}", record.id);
+        assert_eq!(record.hexadecimal().is_some(), expected == Status::Ok, "{}", record.id);
+    }
+}
+
+/// Johnson, Kendall & Roberts 1971, Maugis & Barquins 1978, Popov 2025.
+#[test]
+fn known_values() {
+    let value = |id: &str| record(id).unwrap_or_else(|| panic!("{id}")).nearest();
+    assert_relative_eq!(value("critical/jkr-unit/force/force"), -1.5 * PI, max_relative = 1e-15);
+    assert_relative_eq!(value("critical/jkr-unit/indentation/force"), -PI * 5.0 / 6.0, max_relative = 1e-15);
+    assert_relative_eq!(value("critical/jkr-unit/indentation/contact_radius").powi(3), PI / 8.0, max_relative = 1e-15);
+    assert_relative_eq!(value("critical/cone-unit/indentation/indentation"), -1.0, max_relative = 1e-15);
+    assert_eq!(value("kappa/n=2/kappa"), 2.0);
+    assert_eq!(value("critical/n=1.5/force/indentation"), 0.0);
+}
+
+#[test]
+fn a_pair_of_doubles_has_thirty_digits() {
+    for record in records().iter().filter(|record| record.status == Status::Ok && record.log10.is_some()) {
+        let (high, low) = record.pair();
+        let sum = &Decimal::from_double(high) + &Decimal::from_double(low);
+        let mid = record.decimal().unwrap();
+        let digits = mid.log10() - (&sum - &mid).log10();
+        // Unless the rest is itself below the normal doubles.
+        assert!(digits > 31.0 || high.abs() < 1e-270, "{}: {digits}", record.id);
+        assert_eq!(high + low, high, "{}", record.id);
+    }
+}
+
+#[test]
+fn filters() {
+    let count = |filter: &str| filter.parse::<Filter>().unwrap().select().count();
+    assert_eq!(count(""), records().len());
+    let by_difficulty = Difficulty::ALL.map(|level| count(&format!("difficulty={level}")));
+    assert!(by_difficulty.iter().all(|count| *count > 20), "{by_difficulty:?}");
+    assert_eq!(by_difficulty.iter().sum::<usize>(), records().len());
+    assert_eq!(count("control=force") + count("control!=force"), records().len());
+    assert_eq!(count("id=critical/jkr-unit/force/force"), 1);
+    assert!(count("id~jkr,control=none") > 0 || count("id~n=2,control=none") > 0);
+    for bad in ["colour=red", "profile", "profile=", "=x", "profile!power"] {
+        let error = bad.parse::<Filter>().unwrap_err().to_string();
+        assert!(error.contains(bad) && error.contains("difficulty"), "{error}");
+    }
+}

@@ -1,0 +1,40 @@
+//! `mdr reference`.
+
+use serde_json::Value;
+
+use crate::{mdr, output};
+
+#[test]
+fn a_table_of_all_records() {
+    let table = output("reference");
+    let records = mdr_reference::records().len();
+    assert!(table.contains(&format!("{records} of {records} records")), "{table}");
+    assert!(table.contains("-4.7123889803846898576…"));
+}
+
+#[test]
+fn one_record_in_full() {
+    let text = output("reference --filter id=critical/jkr-unit/force/force --format json");
+    let record: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(record["mid"], "-4.7123889803846898576939650749192543262957540990627");
+    assert_eq!(record["f64"], "-0x1.2d97c7f3321d2p+2");
+    let csv = output("reference --filter id=critical/jkr-unit/force/force --format csv");
+    assert_eq!(csv.lines().count(), 2);
+}
+
+#[test]
+fn exports_and_refuses() {
+    let folder = std::env::temp_dir().join(format!("mdr-records-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    output(&format!("reference --export {}", file("all.jsonl")));
+    let written = std::fs::read_to_string(file("all.jsonl")).unwrap();
+    assert!(written.lines().eq(mdr_reference::lines()));
+    output(&format!("reference --filter difficulty=higher --export {}", file("hard.csv")));
+    assert!(std::fs::read_to_string(file("hard.csv")).unwrap().starts_with("id,profile,formula,"));
+    let refused = mdr(&format!("reference --export {}", file("all.xls"))).assert().code(2).stdout_eq("");
+    assert!(refused.get_output().stderr.starts_with(b"error: --export: must end in .jsonl or .csv"));
+    mdr("reference --filter colour=red").assert().code(2).stdout_eq("");
+    mdr("reference --filter id=none --format json").assert().code(1).stdout_eq("").stderr_eq("");
+    std::fs::remove_dir_all(folder).unwrap();
+}
