@@ -158,6 +158,7 @@ impl Placed<'_> {
             }
             Layer::Arrow { from, to, stroke, .. } => {
                 let [from, to] = [*from, *to].map(|point| self.frame.place(point));
+                debug_assert!(from.iter().chain(&to).all(|x| x.is_finite()));
                 if let Some((from, to)) = self.frame.rect.clip(from, to) {
                     canvas.arrow(from, to, *stroke)?;
                     obstacles.line(&[from, to]);

@@ -33,6 +33,9 @@ impl Sample {
 /// The largest distance of the polyline from the curve, in shares of the range of each quantity.
 const TOLERANCE: f64 = 1.5e-4;
 
+/// How near to a singular radius the curve is drawn, in shares of the radius.
+const BESIDE: f64 = 1e-9;
+
 /// Halvings of an interval between two nodes.
 const DEPTH: u32 = 14;
 
@@ -46,7 +49,8 @@ pub(crate) fn samples(curve: &Curve<'_, f64>, lower: f64, upper: f64, nodes: &[f
     // Equal steps in √a: near the tip everything changes as a root or faster.
     let root = |share: f64| (lower.sqrt() + share * (upper.sqrt() - lower.sqrt())).powi(2);
     let mut radii: Vec<f64> = (1..COARSE).map(|step| root(f64::from(step) / f64::from(COARSE))).collect();
-    radii.extend(curve.transform().kinks().iter().chain(nodes).copied().filter(|a| *a > lower && *a < upper));
+    let nodes = curve.transform().kinks().into_iter().chain(nodes.iter().copied());
+    radii.extend(nodes.flat_map(|a| regular(curve, a)).filter(|a| *a > lower && *a < upper));
     radii.extend([lower, upper]);
     radii.sort_by(f64::total_cmp);
     radii.dedup();
@@ -57,6 +61,11 @@ pub(crate) fn samples(curve: &Curve<'_, f64>, lower: f64, upper: f64, nodes: &[f
         refine(curve, (pair[0], pair[1]), &scales, DEPTH, &mut fine)?;
     }
     Ok(fine)
+}
+
+/// The radius itself, or where the profile is singular its two neighbours.
+fn regular(curve: &Curve<'_, f64>, a: f64) -> Vec<f64> {
+    if curve.state(&a).is_ok() { vec![a] } else { vec![a * (1.0 - BESIDE), a * (1.0 + BESIDE)] }
 }
 
 /// The largest minus the smallest of each quantity.
@@ -78,6 +87,10 @@ fn refine(
     depth: u32,
     fine: &mut Vec<Sample>,
 ) -> Result<()> {
+    if to.contact_radius - from.contact_radius <= 3.0 * BESIDE * to.contact_radius {
+        fine.push(to);
+        return Ok(());
+    }
     let middle = Sample::at(curve, f64::midpoint(from.contact_radius, to.contact_radius))?;
     let bent = (0..4).any(|index| {
         let [from, middle, to] = [from, middle, to].map(|sample| sample.coordinates()[index]);
@@ -94,10 +107,20 @@ fn refine(
 
 #[cfg(test)]
 mod tests {
-    use mdr_analytic::profiles::WavyParaboloid;
+    use mdr_analytic::profiles::{EllipticalDimple, WavyParaboloid};
     use mdr_core::contact::{Control, Material};
 
     use super::*;
+
+    #[test]
+    fn a_singular_radius_is_passed_by() {
+        let dimple = EllipticalDimple::new(1e-6, 1e-4).unwrap();
+        let material = Material::new(1e6, 0.05).unwrap();
+        let curve = Curve::new(&dimple, &material, &Control::Indentation);
+        assert!(curve.state(&1e-4).is_err());
+        let samples = samples(&curve, 1e-7, 3e-4, &[]).unwrap();
+        assert!(samples.iter().all(|sample| sample.indentation.is_finite()));
+    }
 
     #[test]
     fn the_polyline_stays_with_the_curve_and_passes_through_the_nodes() {

@@ -3,22 +3,23 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use mdr_core::contact::{Error, Result as Computed};
+use mdr_core::contact::{Error, Instability};
 use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::folds;
 
 use super::contact::{Contact, Tally};
-use super::path;
+use super::{complaint, path};
 use crate::error::{Failure, Result};
 use crate::picture::scene::SceneData;
 use crate::picture::{self, Picture};
-use crate::scene::Scene;
+use crate::scene::{Scene, Want};
 
 /// Draws the scene that was read from the file `from` to the SVG file `to`, and its data to a CSV file beside it.
 ///
 /// # Errors
 /// When the contact cannot be computed in f64 or a file cannot be written.
 pub(crate) fn write(scene: &Scene, from: &Path, to: &Path) -> Result<()> {
-    let picture = drawing(scene, from).map_err(Failure::Contact)?;
+    let picture = drawing(scene, from)?;
     let failed = |file: &Path| {
         let name = format!("--plot {}", file.display());
         move |error: std::io::Error| Failure::file(name, error)
@@ -31,21 +32,28 @@ pub(crate) fn write(scene: &Scene, from: &Path, to: &Path) -> Result<()> {
 }
 
 /// What is seen of a scene.
-fn drawing(scene: &Scene, from: &Path) -> Computed<Picture> {
+fn drawing(scene: &Scene, from: &Path) -> Result<Picture> {
     let contact: Contact<f64> = Contact::new(scene, (), &Arc::new(Tally::default()))?;
-    let branches = Branches::new(contact.curve())?;
+    let branches = branches(&contact)?;
     let events = if scene.held.path.is_empty() {
         Vec::new()
     } else {
-        match path::follow(&contact, &branches, &scene.held) {
-            // A path that has no beginning is told by the output that asks for it.
-            Err(Error::NoEquilibrium { .. }) => Vec::new(),
-            path => path?.events,
-        }
+        let path = path::follow(&contact, &branches, &scene.held);
+        path.map_err(|error| complaint(scene, Want::Path, error))?.events
     };
     let values: Vec<f64> = scene.output.values.iter().map(|literal| contact.number(literal)).collect();
     let name =
         from.file_stem().filter(|stem| *stem != "-").map_or_else(String::new, |stem| format!(": {}", stem.display()));
     let title = format!("{} under controlled {}{name}", scene.profile.name(), scene.held.by.name());
     Ok(picture::scene::picture(&SceneData::new(title, &branches, &events, &values)?))
+}
+
+/// The branches as far as a picture can show them: twelve decades below the folds and above.
+fn branches(contact: &Contact<f64>) -> std::result::Result<Branches<'_, f64>, Error> {
+    const FAR: f64 = 1e12;
+    let folds = folds::find(&contact.curve())?;
+    let length = contact.curve().material_length();
+    let radius = |fold: Option<&Instability<f64>>| fold.map_or(length, |fold| fold.contact_radius);
+    let (lower, upper) = (radius(folds.folds.first()) / FAR, radius(folds.folds.last()) * FAR);
+    Ok(Branches::cut_at(contact.curve(), folds).within(lower, upper))
 }

@@ -38,6 +38,10 @@ pub(super) fn panel(data: &SceneData, plane: Plane) -> Panel {
     if let Some(wall) = data.wall {
         let points = wall.map(|spot| plane.point(&spot)).to_vec();
         layers.push(Layer::Curve { name: "at the wall".to_owned(), points, stroke: Stroke::Solid });
+        let entry = (Key::Line(Stroke::Solid), "stable".to_owned());
+        if !legend.contains(&entry) {
+            legend.insert(0, entry);
+        }
     }
     if !data.folds.is_empty() && data.folds.len() <= MOST_MARKS {
         let points = data.folds.iter().map(|spot| plane.point(spot)).collect();
@@ -64,10 +68,10 @@ impl Plane {
     }
 }
 
-/// The states that must be seen: in contact, with the curve between them, and where they jump to.
+/// The states that must be seen: in contact, with the curve between them.
 fn states(data: &SceneData) -> Vec<Spot> {
-    let events = || data.path.iter().filter(|event| event.in_contact().is_some());
-    let mut states: Vec<Spot> = events().flat_map(|event| [event.before, event.after]).flatten().collect();
+    let reached = data.path.iter().flat_map(|event| [event.before, event.after]).flatten();
+    let mut states: Vec<Spot> = reached.filter(|spot| spot.contact_radius > 0.0).collect();
     if states.is_empty() {
         states.extend(data.held.iter().flat_map(|held| &held.equilibria).map(|state| Spot {
             contact_radius: state.contact_radius,
@@ -85,7 +89,17 @@ fn states(data: &SceneData) -> Vec<Spot> {
         .collect();
     states.extend(between);
     states.extend(data.wall.iter().flatten());
+    states.extend(near(data, &states));
     states
+}
+
+/// The states after the contact has come off, unless they are so far away that nothing else would be seen: a soft machine
+/// draws the body back a long way.
+fn near(data: &SceneData, states: &[Spot]) -> Vec<Spot> {
+    let depths = || states.iter().map(|spot| spot.indentation);
+    let (least, most) = (depths().fold(0.0, f64::min), depths().fold(0.0, f64::max));
+    let apart = data.path.iter().filter(|event| event.kind == EventKind::Detached).filter_map(|event| event.after);
+    apart.filter(|spot| (2.0 * least - most..=2.0 * most - least).contains(&spot.indentation)).collect()
 }
 
 fn spot(sample: &Sample) -> Spot {
@@ -166,11 +180,13 @@ fn events(data: &SceneData, plane: Plane, x: &Axis, layers: &mut Vec<Layer>, leg
     for (index, event) in data.path.iter().enumerate() {
         let Some(from) = event.before else { continue };
         let to = event.after.unwrap_or(from);
-        let [start, mut end] = [from, to].map(|spot| plane.point(&spot));
+        let [mut start, mut end] = [from, to].map(|spot| plane.point(&spot));
         // Where a body that has come off goes to under its load, and how far a contact spreads, is not in the diagram.
         match (event.kind, plane) {
             (EventKind::Detached, _) if end[0].is_nan() => end = [x.range().0, start[1]],
             (EventKind::CompleteContact, Plane::Radius) => end = [x.range().1, start[1]],
+            // A logarithmic axis has no zero.
+            (_, Plane::Radius) => [start, end] = [start, end].map(|[a, force]| [a.max(x.range().0), force]),
             _ => {}
         }
         if start != end && start.iter().chain(&end).all(|value| value.is_finite()) {

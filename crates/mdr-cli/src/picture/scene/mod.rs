@@ -43,7 +43,8 @@ fn radius_axis(data: &SceneData) -> Axis {
     if spans_decades(data) {
         Axis::log(NAME, Unit::Si("m"), lower, upper)
     } else {
-        Axis::linear(NAME, Unit::Si("m"), 0.0, upper)
+        // A wall is seen from outside, too.
+        Axis::linear(NAME, Unit::Si("m"), 0.0, if data.wall.is_some() { 1.1 * upper } else { upper })
     }
 }
 

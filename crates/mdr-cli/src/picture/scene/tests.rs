@@ -34,7 +34,27 @@ fn drawn(name: &str, data: &SceneData) -> String {
         std::fs::write(std::path::Path::new(&directory).join(format!("{name}.svg")), &text).unwrap();
     }
     assert_eq!(crowded(&picture), [""; 0], "{name}: labels cover something");
+    in_sheet(&text);
     text
+}
+
+/// No line, mark or text begins outside the sheet.
+fn in_sheet(text: &str) {
+    let document = roxmltree::Document::parse(text).unwrap();
+    let sheet: Vec<f64> =
+        document.root_element().attribute("viewBox").unwrap().split(' ').map(|side| side.parse().unwrap()).collect();
+    for node in document.descendants() {
+        let number = |name: &str| node.attribute(name).map(|text| text.parse::<f64>().unwrap());
+        let mut spots: Vec<(f64, f64)> =
+            number("x").zip(number("y")).into_iter().chain(number("cx").zip(number("cy"))).collect();
+        for pair in node.attribute("points").unwrap_or_default().split_whitespace() {
+            let (x, y) = pair.split_once(',').unwrap();
+            spots.push((x.parse().unwrap(), y.parse().unwrap()));
+        }
+        for (x, y) in spots {
+            assert!((0.0..=sheet[2]).contains(&x) && (0.0..=sheet[3]).contains(&y), "{x}, {y} in {node:?}");
+        }
+    }
 }
 
 /// An AFM tip of 50 nm on mica: E* = 50 GPa, w = 0.1 J/m².
@@ -66,7 +86,7 @@ fn a_sphere_under_a_dead_load_and_on_a_machine() {
 #[test]
 fn folds_decades_apart_have_a_logarithmic_axis() {
     let profile = PowerLaw::new(0.6, 2.4829).unwrap();
-    let data = follow(&profile, (1.0, 1.0), &Control::machine(1.0).unwrap(), &Start::Largest, &[]);
+    let data = follow(&profile, (1.0, 1.0), &Control::machine(1.0).unwrap(), &Start::Largest, &[0.0, -1e4]);
     assert_eq!(data.folds.len(), 3);
     assert!(drawn("multistable", &data).contains("10<tspan"));
 }
