@@ -131,3 +131,62 @@ fn f64_touches_no_other_arithmetic() {
         assert!(certified.iter().any(|(_, arithmetic, _)| arithmetic == name), "{name} in {certified:?}");
     }
 }
+
+/// Every example, in JSON, against the answer that was reviewed (SNAPSHOTS=overwrite writes it anew).
+#[test]
+fn the_examples_are_answered_as_they_were() {
+    let folder = root().join("tests/command_line/scenes");
+    for name in examples() {
+        let answer = output(&format!("solve examples/scenes/{name}.toml --format json"));
+        let expected = snapbox::Data::read_from(&folder.join(format!("{name}.json")), None).raw();
+        snapbox::Assert::new().action_env("SNAPSHOTS").eq(answer, expected);
+    }
+}
+
+/// There is an example for every kind of profile and every control.
+#[test]
+fn the_examples_show_every_profile_and_control() {
+    let kinds = [
+        "power",
+        "paraboloid",
+        "cone",
+        "sphere",
+        "ellipsoid",
+        "flat-punch",
+        "truncated-cone",
+        "truncated-paraboloid",
+        "cone-parabolic-cap",
+        "cone-spherical-cap",
+        "hyperboloid",
+        "rounded-punch",
+        "displaced-paraboloid",
+        "parabolic-dimple",
+        "elliptical-dimple",
+        "wavy-paraboloid",
+        "sum",
+        "expression",
+        "table",
+        "indentation",
+        "force",
+        "machine",
+    ];
+    let scenes: Vec<_> = examples()
+        .into_iter()
+        .map(|name| std::fs::read_to_string(root().join(format!("examples/scenes/{name}.toml"))).unwrap())
+        .collect();
+    for kind in kinds {
+        let line = format!("kind = \"{kind}\"");
+        assert!(scenes.iter().any(|scene| scene.lines().any(|given| given == line)), "{kind}");
+    }
+}
+
+/// The names of the examples.
+fn examples() -> Vec<String> {
+    let files = std::fs::read_dir(root().join("examples/scenes")).unwrap().map(|entry| entry.unwrap().path());
+    let mut names: Vec<_> = files
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+        .collect();
+    names.sort();
+    names
+}

@@ -1,7 +1,7 @@
 //! Instabilities: the folds of the controlled quantity along the curve of equilibria.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, FoldKind, Instability, Material, Result, Transform};
+use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Result, Transform};
 use mdr_core::number::Real;
 
 use crate::curve::Curve;
@@ -73,12 +73,12 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
     }
     let mut folds = Vec::with_capacity(survey.crossings.len());
     for crossing in &survey.crossings {
-        let excess = |a: &R| Ok(ratio(a)? - a.lit(1));
-        let Some(bracket) = Bracket::new(&crossing.lower, &crossing.upper, excess)? else { continue };
-        let contact_radius = roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value;
-        // The derivative of the controlled quantity has the sign of ratio − 1.
-        let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
-        folds.push(fold(curve, contact_radius, kind)?);
+        match at_crossing(curve, crossing, ratio) {
+            Ok(found) => folds.extend(found),
+            // A pole of g, which no fold lies on.
+            Err(Error::Domain { .. }) => survey.resolved = false,
+            Err(error) => return Err(error),
+        }
     }
     if let Some(wall) = wall
         && ratio(&wall)? < wall.lit(1)
@@ -87,6 +87,20 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
     }
     let completeness = if survey.resolved { Completeness::Resolved } else { Completeness::Doubtful };
     Ok(Folds { folds, completeness })
+}
+
+/// The fold at a crossing.
+fn at_crossing<R: Real>(
+    curve: &Curve<'_, R>,
+    crossing: &Crossing<R>,
+    ratio: impl Fn(&R) -> Result<R>,
+) -> Result<Option<Instability<R>>> {
+    let excess = |a: &R| Ok(ratio(a)? - a.lit(1));
+    let Some(bracket) = Bracket::new(&crossing.lower, &crossing.upper, excess)? else { return Ok(None) };
+    let contact_radius = roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value;
+    // The derivative of the controlled quantity has the sign of ratio − 1.
+    let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
+    fold(curve, contact_radius, kind).map(Some)
 }
 
 fn fold<R: Real>(curve: &Curve<'_, R>, contact_radius: R, kind: FoldKind) -> Result<Instability<R>> {

@@ -48,7 +48,7 @@ pub(crate) struct Complete {
 pub(crate) struct Output {
     pub(crate) want: Want,
     pub(crate) promise: Promise,
-    /// Fields with a promise of their own.
+    /// What has a promise of its own.
     pub(crate) exceptions: Vec<(&'static str, Promise)>,
     pub(crate) complete: Option<Complete>,
     pub(crate) records: Vec<Record<Number>>,
@@ -66,6 +66,25 @@ impl Output {
         let whole = records.pop().unwrap_or_default();
         let balance = whole.clone().into_records("balance").pop();
         Output { balance, ..Output::new(Want::Path, promise, whole.into_records("events")) }
+    }
+
+    /// Whether two paths are the same sequence of events.
+    pub(crate) fn has_the_events_of(&self, other: &Output) -> bool {
+        let events = |path: &Output| path.records.iter().map(|record| record.get("event").cloned()).collect::<Vec<_>>();
+        events(self) == events(other)
+    }
+
+    /// The same path with the energies of another computation of it.
+    pub(crate) fn with_energy_of(self, other: Output) -> Self {
+        let lost = other.records.iter().map(|record| record.get("dissipated").cloned());
+        let pair = |(record, energy): (Record<Number>, Option<_>)| match energy {
+            Some(energy) => record.replacing("dissipated", energy),
+            None => record,
+        };
+        let records = self.records.into_iter().zip(lost.chain(std::iter::repeat(None))).map(pair).collect();
+        let energies = [Some("path.dissipated"), other.balance.as_ref().map(|_| "balance")];
+        let exceptions = energies.into_iter().flatten().map(|field| (field, other.promise)).collect();
+        Output { records, exceptions, balance: other.balance, ..self }
     }
 
     pub(crate) fn complete(self, complete: Complete) -> Self {
@@ -120,7 +139,7 @@ impl Serialize for Promises<'_> {
         for output in self.0 {
             map.serialize_entry(output.want.name(), output.promise.name())?;
             for (field, promise) in &output.exceptions {
-                map.serialize_entry(&format!("{}.{field}", output.want.name()), promise.name())?;
+                map.serialize_entry(field, promise.name())?;
             }
         }
         map.end()

@@ -12,9 +12,10 @@ use super::answer::{Complete, Output, Promise};
 use super::contact::{Arithmetic, Contact, Tally};
 use super::digits::{estimated, proved};
 use super::double::{Double, not_proved};
+use super::enclosed::{self, Isolated};
 use super::record::Record;
 use super::states::{States, polished};
-use super::{exact, outputs};
+use super::{outputs, power_law};
 use crate::number::Number;
 use crate::scene::{Scene, Want};
 
@@ -24,11 +25,12 @@ pub(crate) struct Certified<'s> {
     pub(super) digits: u32,
     pub(super) tally: Arc<Tally>,
     rough: OnceCell<Double<'s>>,
+    isolated: OnceCell<Isolated>,
 }
 
 impl<'s> Certified<'s> {
     pub(crate) fn new(scene: &'s Scene, digits: u32, tally: &Arc<Tally>) -> Self {
-        Certified { scene, digits, tally: Arc::clone(tally), rough: OnceCell::new() }
+        Certified { scene, digits, tally: Arc::clone(tally), rough: OnceCell::new(), isolated: OnceCell::new() }
     }
 
     /// # Errors
@@ -38,14 +40,8 @@ impl<'s> Certified<'s> {
             Want::Transform => self.along(want, &self.scene.output.transform),
             Want::Curve => self.along(want, &self.rough_or_given_radii()?),
             Want::Folds => self.folds(),
-            Want::Equilibria => {
-                let records = self.estimated(|states| states.equilibria(&self.scene.output.values))?;
-                Ok(Output::new(want, Promise::Estimated, records).complete(self.searched()?))
-            }
-            Want::Path => {
-                let records = self.estimated(|states| states.path(&self.scene.held))?;
-                Ok(Output::path(Promise::Estimated, records).complete(self.searched()?))
-            }
+            Want::Equilibria => self.equilibria(),
+            Want::Path => self.path(),
             Want::Pressure | Want::Gap | Want::Energy => {
                 let records = self.estimated(|states| states.fields(self.scene, want))?;
                 Ok(Output::new(want, Promise::Estimated, records))
@@ -91,13 +87,50 @@ impl<'s> Certified<'s> {
     /// All folds: proved where g is closed.
     fn folds(&self) -> Result<Output> {
         if self.scene.profile.is_closed() {
-            return exact::folds(self);
+            return match power_law::folds(self.scene, self.digits)? {
+                Some(output) => Ok(output),
+                None => enclosed::folds(self, self.isolated()?),
+            };
         }
         let records = estimated(self.digits, |precision| {
             let contact = self.contact::<Float>(precision)?;
             Ok(polished(&contact, self.rough()?.folds()?)?.folds.into_iter().map(outputs::fold).collect())
         })?;
         Ok(Output::new(Want::Folds, Promise::Estimated, records).complete(self.searched()?))
+    }
+
+    /// All equilibria: proved where g is closed and its folds are proved.
+    fn equilibria(&self) -> Result<Output> {
+        if self.scene.profile.is_closed()
+            && let Some(output) = enclosed::equilibria(self, self.isolated()?)?
+        {
+            return Ok(output);
+        }
+        let records = self.estimated(|states| states.equilibria(&self.scene.output.values))?;
+        Ok(Output::new(Want::Equilibria, Promise::Estimated, records).complete(self.searched()?))
+    }
+
+    /// The path: proved where g is closed and its folds are proved, except for the energy.
+    fn path(&self) -> Result<Output> {
+        let events = match self.scene.profile.is_closed() {
+            true => enclosed::path(self, self.isolated()?)?,
+            false => None,
+        };
+        let records = self.estimated(|states| states.path(&self.scene.held))?;
+        let estimated = Output::path(Promise::Estimated, records).complete(self.searched()?);
+        Ok(match events {
+            Some(events) if events.has_the_events_of(&estimated) => events.with_energy_of(estimated),
+            _ => estimated,
+        })
+    }
+
+    /// The folds on which proofs rest.
+    fn isolated(&self) -> Result<&Isolated> {
+        if let Some(isolated) = self.isolated.get() {
+            return Ok(isolated);
+        }
+        let isolated = Isolated::new(self)?;
+        Ok(self.isolated.get_or_init(|| isolated))
     }
 
     /// What is computed at states that f64 has found.

@@ -5,12 +5,13 @@ mod certified;
 mod contact;
 mod digits;
 mod double;
-mod exact;
+mod enclosed;
 mod explain;
 mod library;
 mod outputs;
 mod path;
 mod plot;
+mod power_law;
 mod record;
 mod render;
 mod sample;
@@ -133,14 +134,14 @@ fn complaint(scene: &Scene, want: Want, error: Error) -> Failure {
 /// A scene in the arithmetic that it asks for.
 enum Solver<'s> {
     Double(Double<'s>),
-    Certified(Certified<'s>),
+    Certified(Box<Certified<'s>>),
 }
 
 impl<'s> Solver<'s> {
     fn new(scene: &'s Scene, tally: &Arc<Tally>) -> std::result::Result<Self, Error> {
         Ok(match scene.output.arithmetic {
             Arithmetic::Double => Solver::Double(Double::new(scene, tally)?),
-            Arithmetic::Certified { digits } => Solver::Certified(Certified::new(scene, digits, tally)),
+            Arithmetic::Certified { digits } => Solver::Certified(Box::new(Certified::new(scene, digits, tally))),
         })
     }
 

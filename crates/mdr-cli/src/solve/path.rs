@@ -31,10 +31,10 @@ pub(crate) fn records<R: Arithmetic>(control: &Control<R>, path: &Path<R>, lost:
 
 fn record<R: Arithmetic>(control: &Control<R>, event: &Event<R>) -> Record<R> {
     let [radius, indentation, force] = quantities(control, &event.before, &event.value);
-    let [to_radius, to_indentation, to_force] = if event.before == event.after {
-        [Field::Absent, Field::Absent, Field::Absent]
-    } else {
+    let [to_radius, to_indentation, to_force] = if changes(event.kind) {
         quantities(control, &event.after, &event.value)
+    } else {
+        [Field::Absent, Field::Absent, Field::Absent]
     };
     let named = Record::new().with("event", Field::Word(name(event.kind)));
     let placed = match control {
@@ -75,7 +75,7 @@ fn quantities<R: Arithmetic>(control: &Control<R>, state: &State<R>, value: &R) 
 /// The energy lost in each event, as its ledger has it.
 pub(crate) fn losses<R: Arithmetic>(path: &Path<R>, ledger: &Ledger<R>) -> Vec<Field<R>> {
     let of = |(event, entry): (&Event<R>, &Entry<R>)| match &entry.lost {
-        _ if event.before == event.after => Field::Absent,
+        _ if !changes(event.kind) => Field::Absent,
         Loss::Finite(lost) => Field::Number(lost.value.clone()),
         Loss::Unbounded => Field::Word("unbounded"),
     };
@@ -89,6 +89,12 @@ pub(crate) fn balance<R: Arithmetic>(ledger: &Ledger<R>) -> Option<Record<R>> {
     let numbers = [("work", &balance.work), ("dissipated", &balance.lost), ("stored", &balance.stored)];
     let with = |record: Record<R>, (key, value): (&'static str, &R)| record.with(key, Field::Number(value.clone()));
     Some(numbers.into_iter().fold(Record::new(), with))
+}
+
+/// Whether the state is another one after the event.
+fn changes(kind: EventKind) -> bool {
+    use EventKind::{CompleteContact, Detached, Jump, JumpIn, Touch};
+    matches!(kind, Touch | JumpIn | Jump | Detached | CompleteContact)
 }
 
 /// As an answer names it.

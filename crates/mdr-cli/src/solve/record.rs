@@ -87,6 +87,21 @@ impl<N> Record<N> {
         self
     }
 
+    /// The same with another number under a key that has one.
+    pub(crate) fn replacing(mut self, key: &str, field: Field<N>) -> Self {
+        let number =
+            |(name, old): &&mut (&str, Field<N>)| *name == key && matches!(old, Field::Number(_) | Field::Absent);
+        if let Some((_, old)) = self.fields.iter_mut().find(number) {
+            *old = field;
+        }
+        self
+    }
+
+    /// What stands under a key.
+    pub(crate) fn get(&self, key: &str) -> Option<&Field<N>> {
+        self.fields.iter().find(|(name, _)| *name == key).map(|(_, field)| field)
+    }
+
     /// A result; see [`Field::from_result`].
     ///
     /// # Errors

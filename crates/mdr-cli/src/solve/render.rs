@@ -72,8 +72,9 @@ fn output(output: &Solved) -> String {
     if let Some(balance) = &output.balance {
         text.push_str(&format!("\n{}\n", books(balance)));
     }
-    for (field, promise) in &output.exceptions {
-        text.push_str(&format!("\n{field}: {}\n", promise.name()));
+    if let Some((_, promise)) = output.exceptions.first() {
+        let fields: Vec<&str> = output.exceptions.iter().map(|(field, _)| *field).collect();
+        text.push_str(&format!("\nWith the promise {}: {}.\n", promise.name(), fields.join(", ")));
     }
     if let Some(complete) = &output.complete {
         let range = match (&complete.from, &complete.to) {

@@ -31,6 +31,8 @@ pub(crate) fn decimal(value: f64, digits: usize) -> Result<Literal> {
 /// When w/E* or a fold is out of the range of f64.
 pub(crate) fn radii(contact: &Contact<f64>, folds: &Folds<f64>) -> Result<Vec<Literal>> {
     let (lower, upper) = span(contact, folds, MARGIN);
+    let rim = contact.transform().outer_radius().map_or(f64::MAX, |outer| outer * (1.0 - RIM));
+    let upper = upper.min(rim);
     let step = (upper / lower).ln() / (POINTS - 1) as f64;
     (0..POINTS).map(|i| decimal(lower * (step * i as f64).exp(), 4)).collect()
 }
@@ -41,21 +43,18 @@ pub(crate) fn radii(contact: &Contact<f64>, folds: &Folds<f64>) -> Result<Vec<Li
 /// As [`radii`].
 pub(crate) fn range(contact: &Contact<f64>, folds: &Folds<f64>) -> Result<[Literal; 2]> {
     let (lower, upper) = span(contact, folds, REACH);
+    let kinks = contact.transform().kinks();
+    let lower = kinks.first().map_or(lower, |kink| lower.min(kink / REACH));
+    let upper = kinks.last().map_or(upper, |kink| upper.max(kink * REACH));
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);
-    let outer = contact.transform().outer_radius();
-    Ok([
-        power(lower)?,
-        if outer.is_some_and(|outer| upper * 4.0 >= outer) { decimal(upper, 12)? } else { power(upper)? },
-    ])
+    Ok([power(lower)?, power(upper)?])
 }
 
-/// From below all folds to above them by a factor, within the profile; around w/E* where there is no fold.
+/// From below all folds to above them by a factor; around w/E* where there is no fold.
 fn span(contact: &Contact<f64>, folds: &Folds<f64>, factor: f64) -> (f64, f64) {
     let length = contact.curve().material_length();
-    let outer = contact.transform().outer_radius();
-    let middle = outer.map_or(length, |outer| length.min(outer / 2.0));
-    let first = folds.folds.first().map_or(middle / factor, |fold| fold.contact_radius);
-    let last = folds.folds.last().map_or(middle * factor, |fold| fold.contact_radius);
-    let rim = outer.map_or(f64::MAX, |outer| outer * (1.0 - RIM));
-    (first / factor, (last * factor).min(rim))
+    let middle = contact.transform().outer_radius().map_or(length, |outer| length.min(outer / 2.0));
+    let first = folds.folds.first().map_or(middle, |fold| fold.contact_radius);
+    let last = folds.folds.last().map_or(middle, |fold| fold.contact_radius);
+    (first / factor, last * factor)
 }

@@ -1,0 +1,172 @@
+//! Folds, equilibria and paths over enclosures: each digit and each decision proved, and nothing missed on a range of radii.
+
+use mdr_core::contact::{Error, Instability, Result};
+use mdr_core::number::certify::Enclosure;
+use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
+use mdr_numeric::path::EventKind;
+use mdr_numeric::proof::{EnclosedBranches, EnclosedCurve, ProvedFolds};
+use rug::Float;
+use rug::float::Round;
+
+use super::answer::{Complete, Output, Promise};
+use super::certified::Certified;
+use super::contact::Contact;
+use super::digits::proved;
+use super::record::{Field, Record};
+use super::{outputs, path, sample};
+use crate::number::Number;
+use crate::scene::{HeldBy, Want};
+
+/// Bits in which folds are isolated; they are sharpened afterwards.
+const ISOLATION: u32 = 64;
+/// Evaluations that the isolation may spend between two kinks.
+const BUDGET: usize = 4_000_000;
+
+/// The contact over enclosures, and over enclosures with derivatives.
+struct Enclosed {
+    plain: Contact<Interval>,
+    moving: Contact<Dual<Interval>>,
+}
+
+impl Enclosed {
+    fn new(certified: &Certified<'_>, precision: Precision) -> Result<Self> {
+        Ok(Enclosed { plain: certified.contact(precision)?, moving: certified.contact(precision)? })
+    }
+
+    fn curve(&self) -> EnclosedCurve<'_> {
+        EnclosedCurve::new(self.plain.curve(), self.moving.curve())
+    }
+}
+
+/// All folds on a range of radii, in a precision that tells them apart.
+pub(super) struct Isolated {
+    proved: ProvedFolds,
+    complete: Complete,
+}
+
+impl Isolated {
+    /// On the range that the scene names, else on one that holds what f64 has found.
+    ///
+    /// # Errors
+    /// As [`EnclosedCurve::folds`].
+    pub(super) fn new(certified: &Certified<'_>) -> Result<Self> {
+        let range = match &certified.scene.output.range {
+            Some(range) => range.clone(),
+            None => {
+                let rough = certified.rough()?;
+                sample::range(rough.contact(), rough.folds()?)?
+            }
+        };
+        let precision = Precision::new(ISOLATION);
+        let [lower, upper] = range.each_ref().map(|end| Interval::from_literal(precision, end));
+        let enclosed = Enclosed::new(certified, precision)?;
+        let proved = enclosed.curve().folds(lower.lower(), upper.upper(), BUDGET)?;
+        let [from, to] = range;
+        let to = match enclosed.plain.curve().wall() {
+            Some(wall) if *wall.lower() < *upper.upper() => Number::Double(wall.approx()).to_string(),
+            _ if proved.range.1 < *upper.lower() => proved.range.1.to_string_radix_round(10, Some(10), Round::Down),
+            _ => to.to_string(),
+        };
+        let complete = Complete {
+            proved: proved.is_complete(),
+            from: Some(from.to_string()),
+            to: Some(to),
+            why: reason(&proved.undecided),
+        };
+        Ok(Isolated { proved, complete })
+    }
+}
+
+/// Why folds are all, or are not.
+fn reason(undecided: &[(Float, Float)]) -> String {
+    if undecided.is_empty() {
+        return "enclosures of the tangency condition leave no room for another fold".to_owned();
+    }
+    let gap = |(lower, upper): &(Float, Float)| format!("{:.8e} to {:.8e}", lower.to_f64(), upper.to_f64());
+    let shown: Vec<_> = undecided.iter().take(3).map(gap).collect();
+    let more = if undecided.len() > 3 { format!(" and {} more", undecided.len() - 3) } else { String::new() };
+    format!("undecided at contact radii {}{more}", shown.join(", "))
+}
+
+/// # Errors
+/// As [`EnclosedCurve::sharpen`].
+pub(super) fn folds(certified: &Certified<'_>, isolated: &Isolated) -> Result<Output> {
+    let records = proved(certified.digits, |precision| {
+        let enclosed = Enclosed::new(certified, precision)?;
+        let curve = enclosed.curve();
+        let sharp = |fold: &Instability<Interval>| Ok(enclose(outputs::fold(curve.sharpen(fold)?)));
+        isolated.proved.folds.iter().map(sharp).collect()
+    })?;
+    Ok(Output::new(Want::Folds, Promise::Certified, records).complete(isolated.complete.clone()))
+}
+
+/// All equilibria in the range, and those met beyond it; none where that cannot be proved.
+///
+/// # Errors
+/// As [`EnclosedBranches::equilibria`].
+pub(super) fn equilibria(certified: &Certified<'_>, isolated: &Isolated) -> Result<Option<Output>> {
+    let records = proved(certified.digits, |precision| {
+        let enclosed = Enclosed::new(certified, precision)?;
+        let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
+        let at = |literal: &Literal| {
+            let states = branches.equilibria(&enclosed.plain.number(literal))?;
+            let exact = |state| held(enclose(outputs::equilibrium(state)), &certified.scene.held.by, literal);
+            Ok(outputs::at_value(literal, "equilibria", states.into_iter().map(exact).collect()))
+        };
+        certified.scene.output.values.iter().map(at).collect()
+    });
+    let why = "one equilibrium at most between two folds, and the folds are proved to be all";
+    let complete = Complete { why: why.to_owned(), ..isolated.complete.clone() };
+    Ok(decided(records)?.map(|records| Output::new(Want::Equilibria, Promise::Certified, records).complete(complete)))
+}
+
+/// The events of the path without their energy; none where a decision cannot be proved.
+///
+/// # Errors
+/// As [`Path::follow`](mdr_numeric::path::Path::follow).
+pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Option<Output>> {
+    let scene = certified.scene;
+    let records = proved(certified.digits, |precision| {
+        let enclosed = Enclosed::new(certified, precision)?;
+        let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
+        let path = path::follow(&enclosed.plain, &branches, &scene.held)?;
+        let nothing = path.events.iter().map(|_| Field::Absent).collect();
+        let records = path::records(enclosed.plain.control(), &path, nothing).into_iter().map(enclose);
+        let mut way = scene.held.path.iter();
+        let exact = |(record, kind)| match kind {
+            EventKind::Start | EventKind::WayPoint | EventKind::End => match way.next() {
+                Some(literal) => held(record, &scene.held.by, literal),
+                None => record,
+            },
+            _ => record,
+        };
+        Ok(records.zip(path.events.iter().map(|event| event.kind)).map(exact).collect())
+    });
+    let why = "every decision on the path is certain, and its folds are proved to be all";
+    let complete = Complete { why: why.to_owned(), ..isolated.complete.clone() };
+    Ok(decided(records)?.map(|records| Output::new(Want::Path, Promise::Certified, records).complete(complete)))
+}
+
+/// None where the question stays open.
+fn decided<T>(result: Result<T>) -> Result<Option<T>> {
+    match result {
+        Err(Error::Undecided { .. } | Error::Unproved { .. }) => Ok(None),
+        result => result.map(Some),
+    }
+}
+
+fn enclose(record: Record<Interval>) -> Record<Enclosure> {
+    record.convert(Enclosure::from)
+}
+
+/// The same state with the exact value of what is controlled. Surfaces apart carry no load, whatever is applied.
+fn held(record: Record<Enclosure>, by: &HeldBy, value: &Literal) -> Record<Enclosure> {
+    let in_contact = matches!(record.get("contact_radius"), Some(Field::Number(_)));
+    let key = match by {
+        HeldBy::Indentation => "indentation",
+        HeldBy::Force if !in_contact => return record,
+        HeldBy::Force => "force",
+        HeldBy::Machine { .. } => "position",
+    };
+    record.replacing(key, Field::Number(Enclosure::Exact(value.to_rational())))
+}

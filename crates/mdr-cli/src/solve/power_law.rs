@@ -1,0 +1,69 @@
+//! The folds of power laws, by their own closed forms: all of them, on all radii.
+
+use mdr_analytic::certified::{Elasticity, Question};
+use mdr_core::contact::{Body, Control, FoldKind, Instability, Regime, Result};
+use mdr_core::number::Literal;
+use mdr_core::number::certify::Decimal;
+use rug::Rational;
+
+use super::answer::{Complete, Output, Promise};
+use super::outputs;
+use crate::number::Number;
+use crate::scene::{Bodies, HeldBy, Scene, Shape, Slope, Want};
+
+/// Correctly rounded folds, where the profile is a power law with rational constants.
+///
+/// # Errors
+/// As [`Question::answer`].
+pub(super) fn folds(scene: &Scene, digits: u32) -> Result<Option<Output>> {
+    let Some((exponent, coefficient)) = power_law(&scene.profile) else { return Ok(None) };
+    let answer = question(scene, &exponent, &coefficient)?.answer(digits)?;
+    let kind = match answer.regime {
+        Regime::CompleteContact => FoldKind::Maximum,
+        _ => FoldKind::Minimum,
+    };
+    let folds = match &scene.held.by {
+        HeldBy::Machine { .. } => answer.folds,
+        _ => answer
+            .critical
+            .map(|c| Instability { contact_radius: c.contact_radius, indentation: c.indentation, force: c.force, kind })
+            .into_iter()
+            .collect(),
+    };
+    let complete =
+        Complete { proved: true, from: Some("0".to_owned()), to: None, why: "closed form of a power law".to_owned() };
+    let written = |decimal: Decimal| Number::Decimal(decimal.to_string());
+    let records = folds.into_iter().map(|fold| outputs::fold(fold).convert(written)).collect();
+    Ok(Some(Output::new(Want::Folds, Promise::Certified, records).complete(complete)))
+}
+
+/// n and C of f = C rⁿ where the profile is one with rational constants.
+fn power_law(shape: &Shape) -> Option<(Literal, Literal)> {
+    let literal = |value: &Rational| value.to_string().parse().ok();
+    match shape {
+        Shape::Power { n, c } => Some((n.clone(), c.clone())),
+        Shape::Cone { slope: Slope::Tangent(slope) } => Some((literal(&Rational::from(1))?, slope.clone())),
+        Shape::Paraboloid { radius } => {
+            let curvature = (radius.to_rational() * 2u32).recip();
+            Some((literal(&Rational::from(2))?, literal(&curvature)?))
+        }
+        _ => None,
+    }
+}
+
+fn question(scene: &Scene, exponent: &Literal, coefficient: &Literal) -> Result<Question> {
+    let elasticity = match &scene.bodies {
+        Bodies::Effective(modulus) => Elasticity::Effective(modulus.clone()),
+        Bodies::Pair(bodies) => {
+            let body = |(e, nu): &(Literal, Literal)| Body { youngs_modulus: e.clone(), poissons_ratio: nu.clone() };
+            let [first, second] = bodies.as_ref().each_ref().map(body);
+            Elasticity::bodies(first, second)
+        }
+    };
+    let control = match &scene.held.by {
+        HeldBy::Indentation => Control::Indentation,
+        HeldBy::Force => Control::Force,
+        HeldBy::Machine { stiffness } => Control::Machine { stiffness: stiffness.clone() },
+    };
+    Question::new(exponent, coefficient, &elasticity, &scene.work_of_adhesion, &control)
+}
