@@ -7,7 +7,7 @@ use mdr_core::calculus::isolate::isolate;
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::roots::bisect;
 use mdr_core::calculus::roundoff_tolerance;
-use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Special;
 
 use crate::curve::Curve;
@@ -30,6 +30,8 @@ pub struct Fields<'a, R: Special> {
     curve: Curve<'a, R>,
     contact_radius: R,
     indentation: R,
+    /// g(a) − d, by which the springs at the edge are stretched: Δl, but less at a wall that the contact is pressed against.
+    edge: R,
 }
 
 impl<'a, R: Special> Fields<'a, R> {
@@ -40,7 +42,21 @@ impl<'a, R: Special> Fields<'a, R> {
     pub fn new(curve: Curve<'a, R>, contact_radius: R) -> Result<Self> {
         let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
         let indentation = curve.indentation(&contact_radius)?;
-        Ok(Fields { curve, contact_radius, indentation })
+        let edge = curve.detachment_elongation(&contact_radius);
+        Ok(Fields { curve, contact_radius, indentation, edge })
+    }
+
+    /// An equilibrium that was found on the curve, or at its wall.
+    ///
+    /// # Errors
+    /// As [`Fields::new`].
+    pub fn of(curve: Curve<'a, R>, state: &Equilibrium<R>) -> Result<Self> {
+        let fields = Self::new(curve, state.contact_radius.clone())?;
+        if fields.curve.wall().as_ref() != Some(&state.contact_radius) {
+            return Ok(fields);
+        }
+        let edge = fields.curve.transform().g(&state.contact_radius)? - &state.indentation;
+        Ok(Fields { indentation: state.indentation.clone(), edge, ..fields })
     }
 
     /// The indentation depth d, in m.
@@ -48,8 +64,9 @@ impl<'a, R: Special> Fields<'a, R> {
         &self.indentation
     }
 
-    /// The pressure p(r) = (E*/π)[∫ᵣᵃ g'(x)/√(x² − r²) dx − Δl/√(a² − r²)] for 0 ≤ r < a, in Pa (Popov & Heß 2014);
-    /// negative is tension. With x² = r² + t² the integral is ∫ g'(x)/x dt over 0 < t < √(a² − r²).
+    /// The pressure p(r) = (E*/π)[∫ᵣᵃ g'(x)/√(x² − r²) dx − (g(a) − d)/√(a² − r²)] for 0 ≤ r < a, in Pa (Popov & Heß 2014),
+    /// with g(a) − d = Δl away from a wall; negative is tension. With x² = r² + t² the integral is ∫ g'(x)/x dt over
+    /// 0 < t < √(a² − r²).
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 ≤ r < a; where the pressure is infinite (the tip of a cone, r = 0) the quadrature does
@@ -65,7 +82,7 @@ impl<'a, R: Special> Fields<'a, R> {
             let x = (r.square() + t.square()).sqrt();
             Ok(self.curve.transform().slope(&x)? / &x)
         })?;
-        let edge = self.curve.detachment_elongation(a) / &reach;
+        let edge = self.edge.clone() / &reach;
         Ok((bulk - edge) * self.curve.effective_modulus() / r.pi())
     }
 
@@ -116,11 +133,16 @@ impl<'a, R: Special> Fields<'a, R> {
         Ok(closing.brackets.into_iter().next().map(|bracket| bracket.upper.x))
     }
 
-    /// The stiffness of the contact along the equilibria, dF/dd = F'(a)/d'(a), in N/m; infinite at a fold of d.
+    /// The stiffness of the contact along the equilibria, dF/dd = F'(a)/d'(a), in N/m; infinite at a fold of d. At a wall
+    /// the radius is fixed, and it is 2E*a.
     ///
     /// # Errors
     /// [`Error::Domain`] at the fold itself; as [`Curve::tangency`].
     pub fn stiffness(&self) -> Result<R> {
+        let stiffness = (self.contact_radius.clone() * self.curve.effective_modulus()).times(2);
+        if self.curve.wall().as_ref() == Some(&self.contact_radius) {
+            return Ok(stiffness);
+        }
         // d' = Δl'(τ − 1) and F' = 2E*a Δl'(τ − 3) with the tangency ratio τ = g'/Δl'.
         let tangency = self.curve.tangency(&self.contact_radius)?;
         let fold = tangency.clone() - tangency.lit(1);
@@ -131,7 +153,6 @@ impl<'a, R: Special> Fields<'a, R> {
                 "off the fold of the indentation",
             ));
         }
-        let stiffness = (self.contact_radius.clone() * self.curve.effective_modulus()).times(2);
         Ok(stiffness * (tangency.clone() - tangency.lit(3)) / fold)
     }
 

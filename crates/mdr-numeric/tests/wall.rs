@@ -10,6 +10,7 @@ use mdr_core::number::{Lift, Real};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::{Branches, equilibria};
+use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::folds;
 use mdr_numeric::profiles::{FlatPunch, Sphere};
 use mdr_numeric::transform::Quadrature;
@@ -113,4 +114,22 @@ fn equilibria_are_found_up_to_the_equator() {
         assert_relative_eq!(found.last().unwrap().contact_radius, a, max_relative = 1e-13);
     }
     assert!(ball.g(&1.0).is_err());
+}
+
+/// Pressed with F, a flat punch of radius b has p(r) = F/(2πb√(b² − r²)) (Boussinesq 1885), with or without adhesion, and
+/// the stiffness 2E*b.
+#[test]
+fn the_pressure_under_a_flat_punch() {
+    let (b, e, w) = (0.3, 2e6, 0.05);
+    let (punch, material) = (Quadrature::new(FlatPunch::new(b).unwrap()), Material::new(e, w).unwrap());
+    let curve = Curve::new(&punch, &material, &Control::Force);
+    for force in [500.0, -50.0] {
+        let rest = equilibria(&punch, &material, &Control::Force, &force).unwrap().pop().unwrap();
+        let fields = Fields::of(curve, &rest).unwrap();
+        for r in [0.0_f64, 0.1, 0.29] {
+            let expected = force / (2.0 * PI * b * (b * b - r * r).sqrt());
+            assert_relative_eq!(fields.pressure(&r).unwrap(), expected, max_relative = ROUNDING);
+        }
+        assert_relative_eq!(fields.stiffness().unwrap(), 2.0 * e * b, max_relative = ROUNDING);
+    }
 }

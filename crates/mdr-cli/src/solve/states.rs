@@ -113,7 +113,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
     }
 
     fn describe(&self, scene: &Scene, want: Want, state: Equilibrium<R>) -> Result<Record<R>> {
-        let fields = Fields::new(self.contact.curve(), state.contact_radius.clone())?;
+        let fields = Fields::of(self.contact.curve(), &state)?;
         match want {
             Want::Pressure => self.pressure(&scene.output.pressure, &fields, state),
             Want::Gap => self.gap(&scene.output.gap, &fields, state),
