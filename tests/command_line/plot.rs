@@ -69,6 +69,22 @@ fn branches_are_the_closed_forms() {
     assert!(states > 50 && panels[0] == panels[1]);
 }
 
+/// The shaded area is the work lost in both jumps: (3/5)πa₀²w at jump-in from d = 0, where a₀³ = 2πwR²/E*, and (2/5)πa_c²w
+/// at pull-off, where a_c³ = a₀³/16.
+#[test]
+fn the_shaded_area_is_the_work_lost() {
+    let control = "[control]\nkind = \"indentation\"\npath = [\"-2e-10\", \"2e-10\", \"-2e-10\"]\nstart = \"detached\"";
+    let (_, csv) = plotted("plot-cycle", control);
+    let points: Vec<_> = column(&csv, "hysteresis", 5).into_iter().zip(column(&csv, "hysteresis", 7)).collect();
+    let next = points.iter().cycle().skip(1);
+    let area = points.iter().zip(next).map(|((x, y), (u, v))| (x * v - u * y) / 2.0).sum::<f64>().abs();
+    let pi = std::f64::consts::PI;
+    let cube: f64 = 2.0 * pi * 0.1 * 50e-9_f64.powi(2) / 5e10;
+    let lost = pi * 0.1 * (0.6 * cube.powf(2.0 / 3.0) + 0.4 * (cube / 16.0).powf(2.0 / 3.0));
+    // The polyline keeps to 1.5·10⁻⁴ of the ranges of d and of F, which contain a few times the area.
+    assert!((area / lost - 1.0).abs() < 1e-3, "{area} J, expected {lost} J");
+}
+
 #[test]
 fn a_picture_that_cannot_be_written_is_named() {
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/figure-4.toml");
@@ -76,4 +92,20 @@ fn a_picture_that_cannot_be_written_is_named() {
     let result = mdr(&format!("solve {scene} --f64 --plot {}", place.display())).assert().code(2);
     let error = String::from_utf8(result.get_output().stderr.clone()).unwrap();
     assert!(error.starts_with(&format!("error: --plot {}: ", place.display())), "{error}");
+}
+
+/// The picture of a scene in the documents is that of this program.
+#[test]
+fn the_picture_of_the_documents_is_current() {
+    let shown = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/figures");
+    let svg = file("cycle.svg");
+    mdr(&format!("solve {} --plot {}", shown.join("cycle.toml").display(), svg.display())).assert().success();
+    let [checked_in, drawn] =
+        [shown.join("cycle.svg"), svg].map(|path| std::fs::read_to_string(path).unwrap_or_default());
+    assert!(
+        checked_in == drawn,
+        "docs/figures/cycle.svg is stale: cargo run -p mdr-cli -- solve docs/figures/cycle.toml --plot docs/figures/cycle.svg; \
+         rm docs/figures/cycle.csv"
+    );
+    assert!(drawn.contains("work lost in the cycle"));
 }
