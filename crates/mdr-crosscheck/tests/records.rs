@@ -22,3 +22,16 @@ fn a_sample_is_regenerated_bit_for_bit() {
     }
     assert!(compared > 40, "{compared}");
 }
+
+/// What a record names as its proof is a derivation of which every step holds.
+#[test]
+fn proofs_are_derivations() {
+    let mut named: Vec<_> = mdr_reference::records().iter().flat_map(|record| &record.proof).collect();
+    named.sort();
+    named.dedup();
+    assert!(named.len() > 10, "{named:?}");
+    for id in named {
+        let entry = mdr_symbolic::derivations::entry(id).unwrap_or_else(|| panic!("no derivation {id}"));
+        assert!(entry.steps.iter().all(|step| step.holds().unwrap()), "{id}");
+    }
+}

@@ -7,7 +7,12 @@ use std::sync::OnceLock;
 use crate::record::Record;
 
 /// The files of the release, in their order.
-const FILES: [&str; 1] = [include_str!("../data/critical.jsonl")];
+const FILES: [&str; 4] = [
+    include_str!("../data/critical.jsonl"),
+    include_str!("../data/equilibria.jsonl"),
+    include_str!("../data/profiles.jsonl"),
+    include_str!("../data/edges.jsonl"),
+];
 
 /// All records of this release, read once.
 ///

@@ -202,8 +202,9 @@ fn a_solver_in_one_call() {
     let solver = |factor: f64| {
         judge(records(), move |question| {
             // Where the question costs all digits of a double, nothing is certainly wrong.
-            let wanted = question.formula == "critical" && question.difficulty != Difficulty::Higher;
-            (wanted && question.quantity == "force").then(|| (question.nearest() * factor).into())
+            let certain = question.status == Status::Ok && question.difficulty != Difficulty::Higher;
+            (certain && question.formula == "critical" && question.quantity == "force")
+                .then(|| (question.nearest() * factor).into())
         })
     };
     assert!(solver(1.0).passed());

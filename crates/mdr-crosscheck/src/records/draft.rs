@@ -20,6 +20,7 @@ pub(super) struct Draft {
     pub(super) formula: &'static str,
     pub(super) inputs: Vec<(&'static str, String)>,
     pub(super) control: Option<&'static str>,
+    /// The rigorous one first; the second is empty where the first is a definition.
     pub(super) methods: [&'static str; 2],
     pub(super) proof: Vec<&'static str>,
     pub(super) flags: Vec<&'static str>,
@@ -69,6 +70,19 @@ impl Draft {
         }
     }
 
+    /// The record of a question without a number.
+    pub(super) fn without_number(&self, quantity: &str, unit: &str, status: Status) -> Record {
+        let hardness = Hardness {
+            fold_distance: self.fold_distance.unwrap_or(f64::INFINITY),
+            decades: self.input_decades().map(f64::abs).fold(0.0, f64::max),
+            from_half: self.half_distance(),
+            is_number: false,
+            ..Hardness::default()
+        };
+        let methods = self.method_list();
+        Record { status, difficulty: hardness.difficulty(), methods, ..self.bare(quantity, unit) }
+    }
+
     fn bare(&self, quantity: &str, unit: &str) -> Record {
         Record {
             id: self.identifier(quantity),
@@ -101,7 +115,7 @@ impl Draft {
 
     fn method_list(&self) -> Vec<Method> {
         let method = |(index, name): (usize, &&str)| Method { name: (*name).to_owned(), rigorous: index == 0 };
-        self.methods.iter().enumerate().map(method).collect()
+        self.methods.iter().enumerate().filter(|(_, name)| !name.is_empty()).map(method).collect()
     }
 
     /// log₁₀ of the inputs.

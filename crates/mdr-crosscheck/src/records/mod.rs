@@ -5,8 +5,15 @@
 
 mod confirm;
 mod draft;
+mod edges;
+mod equilibria;
+mod folds;
+mod height;
+mod library;
 mod list;
+mod machine;
 mod power;
+mod shapes;
 
 use mdr_core::contact::Error;
 use mdr_reference::Record;
@@ -81,6 +88,45 @@ pub fn record_cases() -> Vec<RecordCase> {
     for law in list::all() {
         cases.push(RecordCase::new("critical.jsonl", move || critical(&law)));
     }
+    for law in list::scale_free() {
+        cases.push(RecordCase::new("critical.jsonl", move || machine::thresholds(&law)));
+    }
+    for (law, jump) in list::jumps() {
+        cases.push(RecordCase::new("critical.jsonl", move || Ok(vec![machine::jump(&law, jump)?])));
+    }
+    for (law, stiffness) in list::machines() {
+        cases.push(RecordCase::new("critical.jsonl", move || machine::folds(&law, stiffness)));
+    }
+    for equilibrium in list::equilibria() {
+        cases.push(RecordCase::new("equilibria.jsonl", move || equilibrium.records()));
+    }
+    for fold in list::double_roots() {
+        cases.push(RecordCase::new("equilibria.jsonl", move || fold.double_root()));
+    }
+    for equilibrium in list::past_folds() {
+        cases.push(RecordCase::new("equilibria.jsonl", move || equilibrium.none()));
+    }
+    for (profile, radii) in shapes::LIBRARY {
+        for x in radii {
+            let profile = profile.clone();
+            cases.push(RecordCase::new("profiles.jsonl", move || profile.at(x)));
+        }
+    }
+    for scene in shapes::SCENES {
+        for held in power::Held::ALL {
+            let scene = scene.clone();
+            cases.push(RecordCase::new("profiles.jsonl", move || scene.records(held)));
+        }
+    }
+    for law in list::outside() {
+        cases.push(RecordCase::new("edges.jsonl", move || edges::no_question(&law)));
+    }
+    for (profile, x) in shapes::BEYOND {
+        cases.push(RecordCase::new("edges.jsonl", move || edges::beyond(&profile, x)));
+    }
+    for a in shapes::INSIDE {
+        cases.push(RecordCase::new("edges.jsonl", move || edges::interpenetrating(a)));
+    }
     cases
 }
 
@@ -113,4 +159,35 @@ pub fn generate() -> Result<Vec<(&'static str, String)>, RecordError> {
         }
     }
     Ok(files)
+}
+
+/// Questions whose cost is measured.
+#[derive(Clone, Copy, Debug)]
+pub enum Specimen {
+    /// The critical state of a sphere under a dead load.
+    Critical,
+    /// Its stable equilibrium at 15/16 of the critical indentation.
+    Equilibrium,
+}
+
+impl Specimen {
+    /// Certifies it to so many digits.
+    ///
+    /// # Errors
+    /// Where a digit cannot be decided.
+    pub fn certify(self, digits: u32) -> Result<(), RecordError> {
+        let law = Power::new("sphere", ["2", "0.5", "1", "1"], &[]);
+        let name = law.name.clone();
+        let held = power::Held::Force;
+        let done = match self {
+            Specimen::Critical => law.question(&held.control())?.answer(digits).map(|_| ()),
+            Specimen::Equilibrium => {
+                let target = equilibria::Target::Share("0.0625".to_owned());
+                let (held, side) = (power::Held::Indentation, equilibria::Side::Outer);
+                let equilibrium = equilibria::Equilibrium { law, held, target, side, label: name.clone() };
+                equilibrium.certified(digits).map(|_| ())
+            }
+        };
+        done.map_err(|error| RecordError::of(&name, error))
+    }
 }

@@ -2,7 +2,7 @@
 
 use mdr_analytic::certified::{self, Elasticity, Question};
 use mdr_analytic::{Contact, Kappa, PowerLaw};
-use mdr_core::contact::{Control, Material};
+use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::certify::Decimal;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_reference::Record;
@@ -55,42 +55,42 @@ impl Power {
         }
     }
 
-    /// The contact with a derivative with respect to input number `moving` (of its logarithm).
-    pub(super) fn moving<R: Kappa>(&self, ctx: R::Ctx, moving: usize) -> Result<Contact<Dual<R>>, RecordError> {
+    /// The contact in an arithmetic.
+    pub(super) fn contact<R: Kappa>(&self, ctx: R::Ctx) -> Result<Contact<R>> {
+        assemble(self.texts().map(|text| R::from_literal(ctx, &literal(text))))
+    }
+
+    /// The contact with a derivative with respect to the logarithm of input number `moving`.
+    pub(super) fn moving<R: Kappa>(&self, ctx: R::Ctx, moving: usize) -> Result<Contact<Dual<R>>> {
         let mut index = 0;
-        let inputs = self.texts().map(|text| {
+        assemble(self.texts().map(|text| {
             let value = R::from_literal(ctx, &literal(text));
             let slope = if index == moving { value.clone() } else { value.lit(0) };
             index += 1;
             Dual { value, slope }
-        });
-        self.assemble(inputs)
+        }))
     }
 
-    fn assemble<R: Kappa>(&self, [n, c, e_star, work]: [R; 4]) -> Result<Contact<R>, RecordError> {
-        let build = || Ok(Contact::new(PowerLaw::new(n, c)?, Material::new(e_star, work)?));
-        build().map_err(|error| RecordError::of(&self.name, error))
-    }
-
-    fn question(&self, control: &Control<Literal>) -> Result<Question, RecordError> {
+    pub(super) fn question(&self, control: &Control<Literal>) -> std::result::Result<Question, RecordError> {
         let [n, c, e_star, work] = self.texts().map(|text| literal(text));
         Question::new(&n, &c, &Elasticity::Effective(e_star), &work, control)
             .map_err(|error| RecordError::of(&self.name, error))
     }
 
     /// a, d and F at the critical state under fixed grips or a dead load.
-    pub(super) fn critical(&self, held: Held) -> Result<Vec<Record>, RecordError> {
+    pub(super) fn critical(&self, held: Held) -> std::result::Result<Vec<Record>, RecordError> {
         let wrong = |error| RecordError::of(&self.name, error);
         let answer = self.question(&held.control())?.answer(DIGITS).map_err(wrong)?;
         let state = answer.critical.ok_or_else(|| RecordError::missing(&self.name, "critical state"))?;
         let values = [state.contact_radius, state.indentation, state.force];
-        let (conditions, scale) = self.critical_conditions(held, &values)?;
+        let (conditions, scale) = self.critical_conditions(held, &values).map_err(wrong)?;
         let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
         confirm::fold(self, &held.control(), &values, total)?;
         let draft = Draft {
             formula: "critical",
             control: Some(held.name()),
             methods: ["closed-form/interval", "quadrature-tangency/mp"],
+            proof: held.proof(),
             refs: held.refs(),
             ..self.draft("critical")
         };
@@ -105,22 +105,21 @@ impl Power {
     }
 
     /// d ln a, d ln|d| and d ln|F| with respect to the logarithm of every input, and Δl(a), to which d = 0 is compared.
-    fn critical_conditions(&self, held: Held, values: &[Decimal; 3]) -> Result<([Named; 3], Float), RecordError> {
+    fn critical_conditions(&self, held: Held, values: &[Decimal; 3]) -> Result<([Named; 3], Float)> {
         let ctx = Precision::new(BITS);
         let mut conditions: [Named; 3] = Default::default();
-        let wrong = |error| RecordError::of(&self.name, error);
         let mut scale = Float::new(BITS);
         for (index, name) in NAMES.into_iter().enumerate() {
             let contact = self.moving::<Interval>(ctx, index)?;
             let slopes = if values[1].is_zero() {
-                let state = contact.critical(&held.control()).map_err(wrong)?;
-                let elongation = contact.detachment_elongation(&state.contact_radius).map_err(wrong)?.value;
+                let state = contact.critical(&held.control())?;
+                let elongation = contact.detachment_elongation(&state.contact_radius)?.value;
                 scale = elongation.mid();
                 let relative = |x: Dual<Interval>| x.slope / x.value;
                 let (a, f) = (relative(state.contact_radius), relative(state.force));
                 [a, state.indentation.slope / elongation, f]
             } else {
-                let ln = contact.ln_critical(&held.control()).map_err(wrong)?;
+                let ln = contact.ln_critical(&held.control())?;
                 [ln.contact_radius.slope, ln.indentation.slope, ln.force.slope]
             };
             for (list, slope) in conditions.iter_mut().zip(slopes) {
@@ -131,7 +130,7 @@ impl Power {
     }
 
     /// κ_n.
-    pub(super) fn kappa(&self) -> Result<Record, RecordError> {
+    pub(super) fn kappa(&self) -> std::result::Result<Record, RecordError> {
         let wrong = |error| RecordError::of(&self.name, error);
         let value = certified::kappa(&literal(&self.n), DIGITS).map_err(wrong)?;
         confirm::kappa(self, &value)?;
@@ -144,6 +143,7 @@ impl Power {
             formula: "kappa",
             inputs: vec![("n", self.n.clone())],
             methods: ["hypergeometric-series/interval", "quadrature/mp"],
+            proof: vec!["1.12", "kappa-series"],
             refs: vec!["Popov (1.12)", "Hess 2011"],
             flags: near_half.then_some("near-half").into_iter().collect(),
             ..Draft::default()
@@ -151,6 +151,10 @@ impl Power {
         let condition = vec![("n".to_owned(), condition)];
         Ok(draft.record(Answered { quantity: "kappa", unit: "1", value, condition, scale: None }))
     }
+}
+
+fn assemble<R: Kappa>([n, c, e_star, work]: [R; 4]) -> Result<Contact<R>> {
+    Ok(Contact::new(PowerLaw::new(n, c)?, Material::new(e_star, work)?))
 }
 
 /// Conditions by the names of the inputs.
@@ -177,6 +181,22 @@ impl Held {
         match self {
             Held::Indentation => Control::Indentation,
             Held::Force => Control::Force,
+        }
+    }
+
+    /// The symbol of the controlled quantity.
+    pub(super) fn symbol(self) -> &'static str {
+        match self {
+            Held::Indentation => "d",
+            Held::Force => "F",
+        }
+    }
+
+    /// The steps of the derivations from which its critical state follows.
+    fn proof(self) -> Vec<&'static str> {
+        match self {
+            Held::Indentation => vec!["1.13", "1.15", "1.17", "critical-indentation"],
+            Held::Force => vec!["1.13", "1.16", "critical-force"],
         }
     }
 

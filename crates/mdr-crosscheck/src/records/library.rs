@@ -1,0 +1,140 @@
+//! The library of transformed profiles: g, g' and G at points by closed forms over intervals, confirmed by quadrature.
+
+use mdr_analytic::profiles as closed;
+use mdr_analytic::struve::Struve;
+use mdr_core::contact::{Error, Quantity, Result, Transform};
+use mdr_core::number::certify::{Enclosure, certify};
+use mdr_core::number::{Dual, Interval, Lift, Precision, Real};
+use mdr_numeric::transform::Quadrature;
+use mdr_reference::Record;
+use rug::Float;
+
+use super::RecordError;
+use super::confirm;
+use super::draft::{Answered, DIGITS, Draft, literal};
+use super::height::Height;
+use super::power::Named;
+
+/// Bits for conditions.
+const BITS: u32 = 192;
+
+/// A profile of the library with exact parameters.
+#[derive(Clone, Debug)]
+pub(super) struct Profile {
+    pub(super) kind: &'static str,
+    pub(super) parameters: &'static [(&'static str, &'static str)],
+}
+
+/// The quantities of a transform at a point.
+const QUANTITIES: [(&str, &str); 3] = [("g", "m"), ("slope", "1"), ("integral", "m^2")];
+
+impl Profile {
+    /// The parameters in an arithmetic; input number `moving` with a slope of its own size.
+    pub(super) fn numbers<R: Real>(&self, ctx: R::Ctx) -> Vec<R> {
+        self.parameters.iter().map(|(_, text)| R::from_literal(ctx, &literal(text))).collect()
+    }
+
+    /// The parameters with a derivative with respect to the logarithm of one of them.
+    pub(super) fn moving(&self, ctx: Precision, moving: usize) -> Vec<Dual<Interval>> {
+        let seed = |(index, value): (usize, Interval)| {
+            let slope = if index == moving { value.clone() } else { value.lit(0) };
+            Dual { value, slope }
+        };
+        self.numbers::<Interval>(ctx).into_iter().enumerate().map(seed).collect()
+    }
+
+    /// The closed form.
+    pub(super) fn closed<R: Struve + Lift<R>>(&self, p: &[R]) -> Result<Box<dyn Transform<R>>> {
+        let [first, rest @ ..] = p else { return Err(self.unknown()) };
+        let first = first.clone();
+        Ok(match (self.kind, rest) {
+            ("cone", []) => Box::new(closed::Cone::new(first)?),
+            ("paraboloid", []) => Box::new(closed::Paraboloid::new(first)?),
+            ("sphere", []) => Box::new(closed::Sphere::new(first)?),
+            ("ellipsoid", [height]) => Box::new(closed::Ellipsoid::new(first, height.clone())?),
+            ("hyperboloid", [lateral]) => Box::new(closed::Hyperboloid::new(first, lateral.clone())?),
+            ("truncated-cone", [flat]) => Box::new(closed::TruncatedCone::new(first, flat.clone())?),
+            ("truncated-paraboloid", [flat]) => Box::new(closed::TruncatedParaboloid::new(first, flat.clone())?),
+            ("rounded-punch", [flat]) => Box::new(closed::RoundedPunch::new(first, flat.clone())?),
+            ("cone-parabolic-cap", [cap]) => Box::new(closed::ParabolicCapCone::new(first, cap.clone())?),
+            ("cone-spherical-cap", [radius]) => Box::new(closed::SphericalCapCone::new(first, radius.clone())?),
+            ("displaced-paraboloid", [offset]) => Box::new(closed::DisplacedParaboloid::new(first, offset.clone())?),
+            ("parabolic-dimple", [radius]) => Box::new(closed::ParabolicDimple::new(first, radius.clone())?),
+            ("elliptical-dimple", [radius]) => Box::new(closed::EllipticalDimple::new(first, radius.clone())?),
+            ("wavy-paraboloid", [amplitude, wavelength]) => {
+                Box::new(closed::WavyParaboloid::new(first, amplitude.clone(), wavelength.clone())?)
+            }
+            ("sum", [slope]) => {
+                let paraboloid = Box::new(closed::Paraboloid::new(first)?);
+                Box::new(closed::Sum::new(vec![paraboloid, Box::new(closed::Cone::new(slope.clone())?)]))
+            }
+            _ => return Err(self.unknown()),
+        })
+    }
+
+    fn unknown(&self) -> Error {
+        let value = format!("{self:?}");
+        Error::Domain { quantity: Quantity::Parameter("the profile"), value, requirement: "one of the library" }
+    }
+
+    /// g, g' and G at x.
+    pub(super) fn at(&self, x: &str) -> std::result::Result<Vec<Record>, RecordError> {
+        let name = format!("{}/x={x}", self.kind);
+        let wrong = |error| RecordError::of(&name, error);
+        let values = certify([Quantity::TransformedProfile; 3], DIGITS, Precision::new(BITS), |precision| {
+            let x = Interval::from_literal(precision, &literal(x));
+            let transform = self.closed(&self.numbers::<Interval>(precision))?;
+            Ok([transform.g(&x)?, transform.slope(&x)?, transform.integral(&x)?].map(Enclosure::from))
+        })
+        .map_err(wrong)?;
+        let conditions = self.conditions(x).map_err(wrong)?;
+        let check = || {
+            let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
+            let ctx = confirm::precision(total);
+            let x = Float::from_literal(ctx, &literal(x));
+            let transform = Quadrature::new(Height { kind: self.kind, parameters: self.numbers::<Float>(ctx) });
+            let found = [transform.g(&x)?, transform.slope(&x)?, transform.integral(&x)?];
+            let agree = |(found, value): (&Float, _)| {
+                let value = confirm::float(ctx, value);
+                confirm::agree(found, &value, &value.clone().abs())
+            };
+            Ok(found.iter().zip(&values).all(agree))
+        };
+        RecordError::unless(&name, "the transform", check())?;
+        let inputs = self.parameters.iter().map(|(name, value)| (*name, (*value).to_owned()));
+        let draft = Draft {
+            id: format!("transform/{name}"),
+            profile: self.kind,
+            formula: "transform",
+            inputs: inputs.chain([("x", x.to_owned())]).collect(),
+            methods: ["closed-form/interval", "quadrature/mp"],
+            proof: vec!["1.1"],
+            refs: vec!["Popov (1.1)", "Popov, Hess & Willert 2019"],
+            ..Draft::default()
+        };
+        let records = QUANTITIES.into_iter().zip(values).zip(conditions);
+        Ok(records
+            .map(|(((quantity, unit), value), condition)| {
+                draft.record(Answered { quantity, unit, value, condition, scale: None })
+            })
+            .collect())
+    }
+
+    /// With respect to every parameter and x.
+    fn conditions(&self, x: &str) -> Result<[Named; 3]> {
+        let ctx = Precision::new(BITS);
+        let mut conditions: [Named; 3] = Default::default();
+        let names = self.parameters.iter().map(|(name, _)| *name).chain(["x"]);
+        for (index, name) in names.enumerate() {
+            let transform = self.closed(&self.moving(ctx, index))?;
+            let value = Interval::from_literal(ctx, &literal(x));
+            let slope = if index == self.parameters.len() { value.clone() } else { value.lit(0) };
+            let x = Dual { value, slope };
+            let found = [transform.g(&x)?, transform.slope(&x)?, transform.integral(&x)?];
+            for (list, moved) in conditions.iter_mut().zip(found) {
+                list.push((name.to_owned(), (moved.slope / moved.value).approx().abs()));
+            }
+        }
+        Ok(conditions)
+    }
+}

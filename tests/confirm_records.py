@@ -1,0 +1,354 @@
+#!/usr/bin/env python3
+"""Recomputes the certified records in Arb, from nothing but their own fields.
+
+    pip install python-flint
+    python3 tests/confirm_records.py [RECORDS.jsonl ...]
+
+Closed forms are evaluated in ball arithmetic; zeros are confirmed by a certain change of sign between mid - rad and
+mid + rad, and refined; integrals are rigorous quadratures. A record is confirmed when the ball of the recomputed number
+lies within rad of mid. Nothing is shared with the Rust code: not a formula, not a library.
+
+Exit status: 0 all confirmed, 1 a record differs, 77 python-flint is not there.
+"""
+
+import glob
+import json
+import os
+import sys
+import time
+
+try:
+    from flint import acb, arb, arb_series, ctx, fmpq
+except ImportError:
+    print("skipped: python-flint is not installed (pip install python-flint)")
+    sys.exit(77)
+
+BITS = 512
+
+
+def exact(text):
+    """The rational number that a decimal is."""
+    mantissa, _, exponent = text.lower().partition("e")
+    whole, _, fraction = mantissa.partition(".")
+    scale = int(exponent or 0) - len(fraction)
+    digits = int(whole + fraction)
+    return fmpq(digits * 10**scale) if scale >= 0 else fmpq(digits, 10**-scale)
+
+
+def ball(text):
+    """The same as a ball."""
+    mantissa, _, exponent = text.lower().partition("e")
+    if abs(int(exponent or 0)) < 5000:
+        return arb(exact(text))
+    # 10^exponent is too long to be written out.
+    return arb(exact(mantissa)) * arb(10) ** int(exponent)
+
+
+class Law:
+    """f = C r^n."""
+
+    def __init__(self, given):
+        self.n, self.c, self.e, self.w = (given[key] for key in ("n", "C", "E*", "w"))
+        self.kappa = kappa(self.n)
+
+    def g(self, x):
+        return self.kappa * self.c * x**self.n
+
+    def slope(self, x):
+        return self.n * self.g(x) / x
+
+    def integral(self, x):
+        return self.g(x) * x / (self.n + 1)
+
+    def critical_radius(self, tangency):
+        """g'(a) = tangency * sqrt(pi w/(2 E a))."""
+        square = tangency**2 * arb.pi() * self.w / (2 * self.e)
+        return (square / (self.n * self.kappa * self.c) ** 2) ** (1 / (2 * self.n - 1))
+
+
+def kappa(n):
+    return arb.pi().sqrt() * (1 + n / 2).gamma() / ((n + 1) / 2).gamma()
+
+
+def elongation(profile, a):
+    return (2 * arb.pi() * a * profile.w / profile.e).sqrt()
+
+
+def indentation(profile, a):
+    return profile.g(a) - elongation(profile, a)
+
+
+def force(profile, a):
+    return 2 * profile.e * (a * indentation(profile, a) - profile.integral(a))
+
+
+def tangency(profile, a, control, k=None):
+    """Zero at a fold."""
+    ratio = {"indentation": arb(1), "force": arb(3)}.get(control)
+    if control == "machine":
+        ratio = (k + 6 * profile.e * a) / (k + 2 * profile.e * a)
+    return profile.slope(a) - ratio * (arb.pi() * profile.w / (2 * profile.e * a)).sqrt()
+
+
+def half(t):
+    """artanh"""
+    return ((1 + t) / (1 - t)).log() / 2
+
+
+def struve(order, z):
+    """H_0 and H_1 by their power series."""
+    if order == 0:
+        return 2 * z / arb.pi() * (-z * z / 4).hypgeom([arb(1)], [arb(1.5), arb(1.5)])
+    return 2 * z * z / (3 * arb.pi()) * (-z * z / 4).hypgeom([arb(1)], [arb(1.5), arb(2.5)])
+
+
+class Profile:
+    """A profile of the library."""
+
+    def __init__(self, kind, given):
+        self.kind, self.given = kind, given
+        self.e, self.w = given.get("E*"), given.get("w")
+
+    def edge(self):
+        given = self.given
+        if self.kind == "cone-spherical-cap":
+            return given["radius"] * given["slope"] / (1 + given["slope"] ** 2).sqrt()
+        name = {"cone-parabolic-cap": "cap", "parabolic-dimple": "radius"}.get(self.kind, "flat")
+        return given.get(name, arb(0))
+
+    def form(self, x, beyond):
+        """g for balls, complex balls and power series; `beyond` says on which side of the edge."""
+        p, pi, b = self.given, arb.pi(), self.edge()
+        kind = self.kind
+        if kind == "cone":
+            return x * (pi / 2 * p["slope"])
+        if kind == "paraboloid":
+            return x * x / p["radius"]
+        if kind == "sphere":
+            return x * half(x / p["radius"])
+        if kind == "ellipsoid":
+            return x * half(x / p["lateral"]) * (p["height"] / p["lateral"])
+        if kind == "hyperboloid":
+            return x * (x / p["lateral"]).atan() * p["slope"]
+        if kind == "displaced-paraboloid":
+            return x * x / p["radius"] - x * (pi * p["offset"] / (2 * p["radius"]))
+        if kind == "sum":
+            return x * x / p["radius"] + x * (pi / 2 * p["slope"])
+        if kind == "elliptical-dimple":
+            return -(x * half(x / p["radius"]) * (p["depth"] / p["radius"]))
+        if not beyond:
+            return {
+                "cone-parabolic-cap": lambda: x * x * (p["slope"] / b),
+                "cone-spherical-cap": lambda: x * half(x / p["radius"]),
+                "parabolic-dimple": lambda: -(x * x * (2 * p["depth"] / (b * b))),
+            }.get(kind, lambda: x * 0)()
+        root, angle = (x * x - b * b).sqrt(), ((x * x - b * b).sqrt() / b).atan()
+        if kind == "truncated-cone":
+            return x * angle * p["slope"]
+        if kind == "truncated-paraboloid":
+            return x * root / p["radius"]
+        if kind == "rounded-punch":
+            return x * (root - angle * b) / p["radius"]
+        if kind == "cone-parabolic-cap":
+            return x * (x - root) * (p["slope"] / b) + x * angle * p["slope"]
+        if kind == "cone-spherical-cap":
+            inner = (p["radius"] ** 2 - b * b).sqrt()
+            return x * ((x + p["radius"]) / (root + inner)).log() + x * angle * p["slope"]
+        if kind == "parabolic-dimple":
+            return -(x * (x - root) * (2 * p["depth"] / (b * b)))
+        raise KeyError(kind)
+
+    def g(self, x):
+        if self.kind == "wavy-paraboloid":
+            p = self.given
+            z = 2 * arb.pi() / p["wavelength"] * x
+            return x * x / p["radius"] + arb.pi() / 2 * p["amplitude"] * z * struve(0, z)
+        return self.form(x, bool(x > self.edge()))
+
+    def slope(self, x):
+        if self.kind == "wavy-paraboloid":
+            p = self.given
+            k = 2 * arb.pi() / p["wavelength"]
+            wave = struve(0, k * x) + k * x * (2 / arb.pi() - struve(1, k * x))
+            return 2 * x / p["radius"] + arb.pi() / 2 * p["amplitude"] * k * wave
+        ctx.cap = 2
+        return self.form(arb_series([x, 1]), bool(x > self.edge()))[1]
+
+    def integral(self, x):
+        """Rigorous quadrature of g; beyond an edge in u with x^2 = b^2 + u^2, where g is analytic."""
+        if self.kind == "wavy-paraboloid":
+            p = self.given
+            z = 2 * arb.pi() / p["wavelength"] * x
+            return x**3 / (3 * p["radius"]) + arb.pi() / 2 * p["amplitude"] * x * struve(1, z)
+        b = self.edge()
+        inner = x if not bool(x > b) or b == 0 else b
+        total = quadrature(lambda t: self.form(t, False), arb(0), inner) if b == 0 or inner is x or self.inside() else arb(0)
+        if b == 0 or not bool(x > b):
+            return total
+
+        def beyond(u):
+            t = (b * b + u * u).sqrt()
+            return self.form(t, True) * u / t
+
+        return total + quadrature(beyond, arb(0), (x * x - b * b).sqrt())
+
+    def inside(self):
+        """Whether g is more than 0 inside of the edge."""
+        return self.kind in ("cone-parabolic-cap", "cone-spherical-cap", "parabolic-dimple")
+
+
+def quadrature(f, lower, upper):
+    """The integral over [lower, upper], scaled to [0, 1]."""
+    width = upper - lower
+    value = acb.integral(lambda t, _: f(lower + width * t), 0, 1, rel_tol=arb(2) ** -230, abs_tol=arb(2) ** -400)
+    return value.real * width
+
+
+def refine(f, lower, upper):
+    """The zero between two points where f certainly has different signs."""
+    left, right = f(lower), f(upper)
+    if not ((left < 0 and right > 0) or (left > 0 and right < 0)):
+        raise ValueError("no certain change of sign")
+    rising = bool(left < 0)
+    for _ in range(140):
+        middle = arb(((lower + upper) / 2).mid())
+        value = f(middle)
+        if value > 0:
+            lower, upper = (lower, middle) if rising else (middle, upper)
+        elif value < 0:
+            lower, upper = (middle, upper) if rising else (lower, middle)
+        else:
+            break
+    return lower.union(upper)
+
+
+class Records:
+    """All records, for those that belong to one state."""
+
+    def __init__(self, files):
+        lines = (line for file in files for line in open(file, encoding="utf-8"))
+        self.all = [json.loads(line) for line in lines]
+        self.by_id = {record["id"]: record for record in self.all}
+
+    def root(self, record, f):
+        """The zero of f within the certified radius of the same state."""
+        state = self.by_id[record["id"].rsplit("/", 1)[0] + "/contact_radius"]
+        mid, rad = ball(state["mid"]), ball(state["rad"])
+        return refine(f, mid - rad, mid + rad)
+
+    def answer(self, record):
+        """The number, recomputed; None where there is nothing to compute."""
+        given = {name: ball(text) for name, text in record["inputs"].items()}
+        formula, control, quantity = record["formula"], record["control"], record["quantity"]
+        parts = {"indentation": indentation, "force": force}
+        if formula == "kappa":
+            return kappa(given["n"])
+        if formula == "transform":
+            profile = Profile(record["profile"], given)
+            return getattr(profile, quantity)(given["x"])
+        if formula == "threshold":
+            factor = 3 if control == "force" else 1
+            limit = factor * (2 * arb.pi() * given["w"] / given["E*"]).sqrt() / kappa(arb(0.5))
+            return limit if quantity == "threshold_c" else given["C"] / limit
+        if formula == "folds":
+            profile = Profile(record["profile"], given)
+            a = self.root(record, lambda a: tangency(profile, a, control))
+            return a if quantity == "contact_radius" else parts[quantity](profile, a)
+        law = Law(given)
+        if formula == "critical":
+            return critical(law, control, quantity)
+        if formula == "machine-folds":
+            a = self.root(record, lambda a: tangency(law, a, "machine", given["k"]))
+            return a if quantity == "contact_radius" else parts[quantity](law, a)
+        if formula.startswith("equilibrium"):
+            return self.equilibrium(record, law, given)
+        return energy(law, formula)
+
+    def equilibrium(self, record, law, given):
+        control = record["control"]
+        fold = critical(law, control, control)
+        if record["inputs"].get("tau") == "0":
+            return critical(law, control, record["quantity"])
+        target = fold * (1 - given["tau"]) if "tau" in given else given["d" if control == "indentation" else "F"]
+        held = indentation if control == "indentation" else force
+        a = self.root(record, lambda a: held(law, a) - target)
+        side = critical(law, control, "contact_radius")
+        if not (a > side if "outer" in record["flags"] else a < side):
+            raise ValueError("on the other side of the fold")
+        return a if record["quantity"] == "contact_radius" else {"force": force, "indentation": indentation}[record["quantity"]](law, a)
+
+
+def critical(law, control, quantity):
+    ratio = arb(3 if control == "force" else 1)
+    a = law.critical_radius(ratio)
+    if quantity == "contact_radius":
+        return a
+    # Without the difference of g and the elongation, which cancels far from n = 1.
+    root = (arb.pi() * law.w * a / (2 * law.e)).sqrt()
+    if quantity == "indentation":
+        return (ratio - 2 * law.n) / law.n * root
+    return 2 * (ratio - 2 * law.n - 2) / (law.n + 1) * law.e * a * root
+
+
+def energy(law, formula):
+    """The potential energy E* int (d - g)^2 dx - pi a^2 w of the state, term by term."""
+    if formula == "work-lost-at-pull-off":
+        a = law.critical_radius(arb(1))
+        d = indentation(law, a)
+    else:
+        a = law.critical_radius(2 * law.n)
+        d = arb(0)
+    g, n = law.g(a), law.n
+    elastic = law.e * a * (d * d - 2 * d * g / (n + 1) + g * g / (2 * n + 1))
+    value = elastic - arb.pi() * a * a * law.w
+    return -value if formula == "work-lost-at-jump-in" else value
+
+
+def absent(record, records):
+    """Whether there is certainly no equilibrium."""
+    given = {name: ball(text) for name, text in record["inputs"].items()}
+    law, control = Law(given), record["control"]
+    fold = critical(law, control, control)
+    target = given["d" if control == "indentation" else "F"]
+    return bool(target < fold) if given["n"] > arb(0.5) else bool(target > fold)
+
+
+def confirmed(record, records):
+    """Whether Arb says the same; None where there is nothing to say."""
+    if record["status"] == "no-equilibrium":
+        return absent(record, records)
+    if record["mid"] is None:
+        return None
+    mid, rad = ball(record["mid"]), ball(record["rad"])
+    value = records.answer(record)
+    if rad == 0:
+        return bool((value - mid).contains(0))
+    return bool(abs(value - mid) <= rad * (1 + arb(2) ** -100))
+
+
+def main():
+    ctx.prec = BITS
+    here = os.path.dirname(os.path.abspath(__file__))
+    files = sys.argv[1:] or sorted(glob.glob(os.path.join(here, "../crates/mdr-reference/data/*.jsonl")))
+    records = Records(files)
+    counts, start = {}, time.time()
+    for record in records.all:
+        try:
+            verdict = confirmed(record, records)
+        except (ValueError, KeyError, ZeroDivisionError) as error:
+            print(f"{record['id']}: {error!r}")
+            verdict = False
+        if verdict is False:
+            print(f"{record['id']}: not confirmed")
+        formula = counts.setdefault(record["formula"], [0, 0, 0])
+        formula[{True: 0, False: 1, None: 2}[verdict]] += 1
+    for formula, (good, bad, passed) in counts.items():
+        print(f"{formula}: {good} confirmed, {bad} not, {passed} without a number")
+    wrong = sum(bad for _, bad, _ in counts.values())
+    total = sum(good for good, _, _ in counts.values())
+    print(f"{total} records confirmed by Arb, {wrong} not, in {time.time() - start:.1f} s")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
