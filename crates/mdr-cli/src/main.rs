@@ -1,8 +1,9 @@
-//! The program `mdr`: verify the theory, ask for critical quantities, solve whole scenes.
+//! The program `mdr`: verify the theory, ask for critical quantities, solve whole scenes, prove the derivations.
 
 #![forbid(unsafe_code)]
 
 mod critical;
+mod derive;
 mod error;
 mod figures;
 mod flags;
@@ -42,6 +43,7 @@ enum Command {
     Figures(figures::Figures),
     Reference(reference::Reference),
     Judge(judge::Judge),
+    Derive(derive::Derive),
 }
 
 fn main() -> ExitCode {
@@ -68,6 +70,7 @@ impl Command {
             Command::Figures(figures) => figures.run(out).map(|()| true),
             Command::Reference(reference) => reference.run(out),
             Command::Judge(judge) => judge.run(out),
+            Command::Derive(derive) => derive.run(out),
         }
     }
 }

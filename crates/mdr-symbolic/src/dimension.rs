@@ -33,13 +33,21 @@ impl Dimension {
 }
 
 impl Dimension {
+    /// As powers of m and N.
+    pub(crate) fn text(&self) -> String {
+        self.powers("·", |unit, power| format!("{unit}^({})", power.text()))
+    }
+
     /// As powers of m and N, in TeX.
     pub(crate) fn tex(&self) -> String {
+        self.powers(" ", |unit, power| format!(r"\mathrm{{{unit}}}^{{{}}}", power.tex()))
+    }
+
+    fn powers(&self, joint: &str, write: impl Fn(&str, &Formula) -> String) -> String {
         let powers = [("m", &self.length), ("N", &self.force)];
         let shown = powers.into_iter().filter(|(_, power)| !power.is_zero());
-        let parts: Vec<_> =
-            shown.map(|(unit, power)| format!(r"\mathrm{{{unit}}}^{{{}}}", Formula::from(power).tex())).collect();
-        if parts.is_empty() { "1".to_owned() } else { parts.join(r" \, ") }
+        let parts: Vec<_> = shown.map(|(unit, power)| write(unit, &Formula::from(power))).collect();
+        if parts.is_empty() { "1".to_owned() } else { parts.join(joint) }
     }
 }
 

@@ -82,5 +82,5 @@ pub use monomial::{Base, Monomial};
 pub use polynomial::Polynomial;
 pub use quotient::Quotient;
 pub use rational_function::RationalFunction;
-pub use statement::{Decision, Relation, Statement, Undecided};
+pub use statement::{Decision, Relation, Statement, Undecided, Witness};
 pub use symbol::Symbol;

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::str::FromStr;
 
+use crate::dimension::Dimension;
 use crate::domain::Domain;
 use crate::error::{Error, Result};
 use crate::formula::Formula;
@@ -46,16 +47,49 @@ pub struct Statement {
 pub enum Decision {
     /// It holds.
     Proved {
-        /// Why: the common normal form, the difference that has a sign, or the common dimension.
-        because: String,
+        /// Why.
+        because: Witness,
     },
     /// It does not hold.
     Refuted {
-        /// Why: what remains of the difference, or the two dimensions.
-        because: String,
+        /// Why.
+        because: Witness,
     },
     /// Algebra cannot tell: something lies outside it, or a sign is not that of every term.
     Undecided(Undecided),
+}
+
+/// What shows that a statement holds, or that it does not.
+#[derive(Clone, Debug)]
+pub enum Witness {
+    /// The normal form of both sides.
+    Both(Quotient),
+    /// The difference of the two sides, which is not 0 or has a sign.
+    Difference(Quotient),
+    /// The dimensions of the two sides; none where the terms of a side differ in theirs.
+    Dimensions(Option<Dimension>, Option<Dimension>),
+}
+
+impl Witness {
+    /// In words. `math` chooses between a formula as text and in TeX.
+    pub fn describe(&self, math: &dyn Fn(&str, &str) -> String) -> String {
+        let of = |form: &Quotient| {
+            let formula = Formula::from(form);
+            math(&formula.text(), &formula.tex())
+        };
+        let unit = |dimension: &Option<Dimension>| match dimension {
+            Some(dimension) => math(&dimension.text(), &dimension.tex()),
+            None => "none".to_owned(),
+        };
+        match self {
+            Witness::Both(form) => format!("both sides are {}", of(form)),
+            Witness::Difference(form) => format!("left minus right is {}", of(form)),
+            Witness::Dimensions(left, right) if left == right => {
+                format!("both sides have the dimension {}", unit(left))
+            }
+            Witness::Dimensions(left, right) => format!("the dimensions are {} and {}", unit(left), unit(right)),
+        }
+    }
 }
 
 /// Why algebra cannot tell.
@@ -97,14 +131,15 @@ impl Statement {
         let difference = left.minus(&right)?;
         if self.relation == Relation::Equal {
             return Ok(if left.equals(&right)? {
-                Decision::Proved { because: Formula::from(&left).tex() }
+                Decision::Proved { because: Witness::Both(left) }
             } else {
-                Decision::Refuted { because: Formula::from(&difference).tex() }
+                Decision::Refuted { because: Witness::Difference(difference) }
             });
         }
         let wanted = if self.relation == Relation::Less { Ordering::Less } else { Ordering::Greater };
-        let because = Formula::from(&difference).tex();
-        Ok(match difference.sign_on(domain) {
+        let sign = difference.sign_on(domain);
+        let because = Witness::Difference(difference);
+        Ok(match sign {
             Some(sign) if sign == wanted => Decision::Proved { because },
             Some(_) => Decision::Refuted { because },
             None => Decision::Undecided(Undecided::MixedSigns),
@@ -150,9 +185,8 @@ impl Statement {
 }
 
 fn same_dimension(left: &Quotient, right: &Quotient) -> Decision {
-    let shown = |side: &Quotient| side.dimension().map_or_else(|| "none".to_owned(), |dimension| dimension.tex());
-    match (left.dimension(), right.dimension()) {
-        (Some(l), Some(r)) if l == r => Decision::Proved { because: l.tex() },
-        _ => Decision::Refuted { because: format!(r"{} \ne {}", shown(left), shown(right)) },
-    }
+    let (left, right) = (left.dimension(), right.dimension());
+    let same = left.is_some() && left == right;
+    let because = Witness::Dimensions(left, right);
+    if same { Decision::Proved { because } } else { Decision::Refuted { because } }
 }

@@ -74,6 +74,7 @@ const ENTRIES: &[Entry] = &[
     pure("Γ(n/2)", r"\Gamma\left(\frac{n}{2}\right)", "Euler's Gamma function"),
     pure("Γ((n+1)/2)", r"\Gamma\left(\frac{n+1}{2}\right)", "Euler's Gamma function"),
     pure("Γ(3/4)", r"\Gamma\left(\frac34\right)", "Euler's Gamma function"),
+    length("r", "r", 1, "polar radius"),
     pure("Λ", r"\Lambda", "value of λ at a fold"),
 ];
 

@@ -54,6 +54,8 @@ fn claims_fit_their_steps() {
             let cited = entry.steps.iter().filter(|step| step.claim == Claim::Cited).count();
             assert!(cited <= 1, "{} leans on the literature", entry.id);
         }
+        let shown = entry.erratum.map_or(&[][..], |erratum| erratum.shown_by);
+        assert!(shown.iter().all(|index| *index < entry.steps.len()), "{}", entry.id);
         for step in entry.steps {
             assert_eq!(step.statement.is_none(), step.claim == Claim::Cited, "{}: {}", entry.id, step.why);
             assert!(step.claim == Claim::Cited || !step.domains.is_empty(), "{}: {}", entry.id, step.why);

@@ -134,7 +134,7 @@ impl StepJudgement {
     /// Intervals at the points of the step on a domain.
     fn evaluate(&mut self, statement: &Statement, domain: Domain) -> Result<(), Error> {
         let count = match self.step.claim {
-            _ if !self.step.point.is_empty() => 1,
+            _ if !self.step.point.is_empty() || is_number(statement) => 1,
             Claim::Enclosed => POINTS,
             _ => SPOT_CHECKS,
         };
@@ -183,6 +183,11 @@ impl StepJudgement {
         }
         !meaningful
     }
+}
+
+/// Whether a statement is about numbers, the same at every point.
+pub fn is_number(statement: &Statement) -> bool {
+    statement.left.is_number() && statement.right.is_number()
 }
 
 /// What intervals say about a statement at a point.

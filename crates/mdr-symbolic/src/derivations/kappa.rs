@@ -8,7 +8,7 @@ pub(super) const RECURRENCES: Entry = Entry {
     verdict: Claim::Proved,
     assumptions: &["n > 0"],
     steps: &[
-        Step::proved(POSITIVE, "kappa(n) = κ_Γ", "The definition (1.12)."),
+        Step::proved(POSITIVE, "kappa(n) = sqrt(π)/2*n*Γ(n/2)/Γ((n + 1)/2)", "The definition (1.12)."),
         Step::proved(POSITIVE, "kappa(n)*kappa(n + 1) = π*(n + 1)/2", "By Γ(z + 1) = z Γ(z)."),
         Step::proved(
             POSITIVE,

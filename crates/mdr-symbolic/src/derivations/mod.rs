@@ -75,9 +75,18 @@ pub struct Entry {
     /// The derivation.
     pub steps: &'static [Step],
     /// What is to be corrected in the paper.
-    pub erratum: Option<&'static str>,
+    pub erratum: Option<Erratum>,
     /// Literature.
     pub references: &'static [&'static str],
+}
+
+/// A correction of the paper.
+#[derive(Clone, Copy, Debug)]
+pub struct Erratum {
+    /// What is to be corrected. Formulas stand between backquotes.
+    pub text: &'static str,
+    /// The steps that show it, counted from 0.
+    pub shown_by: &'static [usize],
 }
 
 const POSITIVE: &[Domain] = &[Domain::Positive];

@@ -1,10 +1,10 @@
 //! Power laws under controlled indentation: (1.13) to (1.17).
 
-use super::{ABOVE, BELOW, BOTH, Claim, Entry, POSITIVE, Step};
+use super::{ABOVE, BELOW, BOTH, Claim, Entry, Erratum, POSITIVE, Step};
 
 const POWER: &[&str] = &["f = C rⁿ with n > 0", "the indentation is controlled"];
 const JKR: &str = "K. L. Johnson, K. Kendall, A. D. Roberts, Proceedings of the Royal Society A 324 (1971) 301–313";
-const PRINTED_RADIUS: &str = "Equation (1.15) has the exponent 1/(1−2n); it must be 1/(2n−1).";
+const PRINTED_RADIUS: &str = "Equation (1.15) has the exponent `1/(1 - 2*n)`; it must be `1/(2*n - 1)`.";
 
 pub(super) const INDENTATION: Entry = Entry {
     id: "1.13",
@@ -95,7 +95,7 @@ pub(super) const RADIUS: Entry = Entry {
             "For n < 1/2 it is a maximum: pressed further, the contact becomes complete.",
         ),
     ],
-    erratum: Some(PRINTED_RADIUS),
+    erratum: Some(Erratum { text: PRINTED_RADIUS, shown_by: &[0, 1, 2, 3, 4, 5] }),
     references: &[JKR],
 };
 
@@ -147,7 +147,11 @@ pub(super) const PULL_OFF: Entry = Entry {
         Step::proved(BOTH, "F_c < 0", "The force is tensile in both regimes."),
         Step::proved(ABOVE, "at(at(F_c, n, 2), C, 1/(2*R)) = -5/6*π*w*R", "The paraboloid at fixed grips."),
     ],
-    erratum: Some("Equation (1.17) writes c for the coefficient C. It is the force at the corrected radius."),
+    erratum: Some(Erratum {
+        text: "Equation (1.17) writes c for the coefficient `C`. It is the force at the corrected radius, not at the one \
+               printed in (1.15).",
+        shown_by: &[0, 1],
+    }),
     references: &[JKR],
 };
 
@@ -178,9 +182,10 @@ pub(super) const CRITICAL: Entry = Entry {
              tensile from there to the instability.",
         ),
     ],
-    erratum: Some(
-        "“The adhesion force is exactly zero” for n < 1/2 is true for d ≤ 0 only. On the stable branch, at small positive \
-         indentation, the force becomes tensile before the instability, and F_c of (1.17) is tensile itself.",
-    ),
+    erratum: Some(Erratum {
+        text: "“The adhesion force is exactly zero” for `n < 1/2` is true for d ≤ 0 only. On the stable branch, at small \
+               positive indentation, the force becomes tensile before the instability, and `F_c` of (1.17) is tensile itself.",
+        shown_by: &[2, 3, 4, 5, 6],
+    }),
     references: &[],
 };

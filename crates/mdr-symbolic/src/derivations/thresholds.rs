@@ -1,6 +1,6 @@
 //! n = 1/2: (1.18), (1.19), and the threshold under a dead load.
 
-use super::{Claim, Entry, HALF as AT_HALF, Step};
+use super::{Claim, Entry, Erratum, HALF as AT_HALF, Step};
 
 const GAUSS: &str =
     "C. F. Gauss, Werke III (1866), on the lemniscate; NIST Digital Library of Mathematical Functions, §19.8";
@@ -21,9 +21,13 @@ pub(super) const HALF: Entry = Entry {
             "κ*C*a^n/Δl = κ*C/sqrt(2*π*w/E)",
             "g and Δl are both proportional to √a: no length is singled out.",
         ),
-        Step::enclosed(AT_HALF, "κ_Γ = π/(2*agm(1, sqrt(2)))", "By Gauss: half the lemniscate constant."),
-        Step::enclosed(AT_HALF, "κ_Γ > 1.3105", "The printed value 1,311,"),
-        Step::enclosed(AT_HALF, "κ_Γ < 1.3115", "to its last digit."),
+        Step::enclosed(AT_HALF, "kappa(1/2) = π/(2*agm(1, sqrt(2)))", "By Gauss: half the lemniscate constant."),
+        Step::enclosed(
+            AT_HALF,
+            "kappa(1/2) > 1.3105",
+            "The printed value 1,311 is right to its last digit: from below,",
+        ),
+        Step::enclosed(AT_HALF, "kappa(1/2) < 1.3115", "and from above."),
     ],
     erratum: None,
     references: &[GAUSS],
@@ -52,11 +56,18 @@ pub(super) const THRESHOLD: Entry = Entry {
             "at(at(d_n, C, C_ρ), ρ, 1 - t) < 0",
             "II. Below (ρ = 1 − t) it grows (1.9) until it is complete.",
         ),
-        Step::enclosed(AT_HALF, "1/κ_Γ = 2*agm(1, sqrt(2))/π", "The constant of the paper is exactly this."),
-        Step::enclosed(AT_HALF, "1/κ_Γ > 0.76275", "The printed value 0,7628,"),
-        Step::enclosed(AT_HALF, "1/κ_Γ < 0.76285", "to its last digit."),
+        Step::enclosed(AT_HALF, "1/kappa(1/2) = 2*agm(1, sqrt(2))/π", "The constant of the paper is exactly this."),
+        Step::enclosed(
+            AT_HALF,
+            "1/kappa(1/2) > 0.76275",
+            "The printed value 0,7628 is right to its last digit: from below,",
+        ),
+        Step::enclosed(AT_HALF, "1/kappa(1/2) < 0.76285", "and from above."),
     ],
-    erratum: Some("The number 0.7628 in (1.19) is 1/κ_n at n = 1/2, exactly 2 agm(1, √2)/π = 0.762759763501813…"),
+    erratum: Some(Erratum {
+        text: "The number 0.7628 in (1.19) is `1/kappa(1/2)`, exactly `2*agm(1, sqrt(2))/π` = 0.762759763501813…",
+        shown_by: &[1, 4, 5, 6],
+    }),
     references: &[GAUSS],
 };
 
@@ -82,8 +93,12 @@ pub(super) const UNDER_FORCE: Entry = Entry {
             "at(at(diff(F_n, a), C, C_ρ), ρ, 3 + t) > 0",
             "Above it the equilibria are stable under a dead load, too.",
         ),
-        Step::enclosed(AT_HALF, "3/κ_Γ > 2.28827929", "The threshold in units of √(2πw/E*) is 2.28827929…"),
-        Step::enclosed(AT_HALF, "3/κ_Γ < 2.28827930", "From above."),
+        Step::enclosed(
+            AT_HALF,
+            "3/kappa(1/2) > 2.28827929",
+            "The threshold in units of √(2πw/E*) is 2.28827929…: above this,",
+        ),
+        Step::enclosed(AT_HALF, "3/kappa(1/2) < 2.28827930", "and below that."),
     ],
     erratum: None,
     references: &[],

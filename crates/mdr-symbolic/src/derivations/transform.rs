@@ -18,7 +18,7 @@ pub(super) const TRANSFORM: Entry = Entry {
         ),
         Step::proved(
             POSITIVE,
-            "x*at(diff(C*x^n, x), x, x*sinθ) = n*C*x^n*sinθ^(n - 1)",
+            "x*at(diff(C*r^n, r), r, x*sinθ) = n*C*x^n*sinθ^(n - 1)",
             "With r = x sinθ the transform (1.1) is g(x) = x ∫ f'(x sinθ) dθ over a quarter turn: the root in the \
              denominator is gone. This is the integrand for f = C rⁿ; for n < 1 it is infinite at θ = 0.",
         ),
@@ -46,13 +46,13 @@ pub(super) const POWER: Entry = Entry {
     steps: &[
         Step::enclosed(
             POSITIVE,
-            "(n + 1)*turn(sinθ^(n + 1)) = κ_Γ",
+            "(n + 1)*turn(sinθ^(n + 1)) = sqrt(π)/2*n*Γ(n/2)/Γ((n + 1)/2)",
             "The integral of (1.1) in the regular form, over C xⁿ. It is Wallis's integral, whose value is cited; here \
              quadrature with a proved remainder encloses it.",
         ),
         Step::proved(
             POSITIVE,
-            "κ_Γ = sqrt(π)*Γ(1 + n/2)/Γ((n + 1)/2)",
+            "sqrt(π)/2*n*Γ(n/2)/Γ((n + 1)/2) = sqrt(π)*Γ(1 + n/2)/Γ((n + 1)/2)",
             "By Γ(z + 1) = z Γ(z). The printed form is 0·∞ at n = 0; this one is 1 there.",
         ),
         Step::proved(POSITIVE, "kappa(1) = π/2", "The cone."),

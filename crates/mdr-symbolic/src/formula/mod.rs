@@ -60,6 +60,22 @@ pub enum Variable {
     Symbol(Symbol),
 }
 
+impl Formula {
+    /// Whether the formula has a value without n or any symbol being given one.
+    pub fn is_number(&self) -> bool {
+        let all = |parts: &[Formula]| parts.iter().all(Formula::is_number);
+        match self {
+            Formula::Number(_) | Formula::Pi => true,
+            Formula::N | Formula::Symbol(_) | Formula::Derivative(..) | Formula::QuarterTurn(_) => false,
+            Formula::Name(definition) => definition.formula().is_ok_and(|formula| formula.is_number()),
+            Formula::Negative(inner) | Formula::Root(inner) => inner.is_number(),
+            Formula::Sum(parts) | Formula::Product(parts) | Formula::Function(_, parts) => all(parts),
+            Formula::Quotient(left, right) | Formula::Power(left, right) => left.is_number() && right.is_number(),
+            Formula::Integral(..) | Formula::At(..) => false,
+        }
+    }
+}
+
 /// Functions beyond powers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
@@ -73,21 +89,18 @@ pub enum Function {
     Sine,
     /// The Struve function of order 0.
     StruveH0,
-    /// The power series of the Struve function of order 0, from DLMF 11.2.1.
-    StruveSeries,
     /// ₂F₁(1, b; c; 1/2).
     Hypergeometric,
 }
 
 impl Function {
     /// The functions by the names they have in a formula.
-    const NAMES: [(&'static str, Function, usize); 7] = [
+    const NAMES: [(&'static str, Function, usize); 6] = [
         ("Γ", Function::Gamma, 1),
         ("kappa", Function::Kappa, 1),
         ("agm", Function::Agm, 2),
         ("sin", Function::Sine, 1),
         ("H0", Function::StruveH0, 1),
-        ("H0series", Function::StruveSeries, 1),
         ("f", Function::Hypergeometric, 2),
     ];
 }

@@ -20,11 +20,13 @@ impl Formula {
             Formula::Power(base, exponent) => power(base, exponent),
             Formula::Root(inner) => format!(r"\sqrt{{{}}}", inner.tex()),
             Formula::Derivative(inner, variable) => {
-                format!(r"\frac{{d}}{{d {}}} {}", variable.tex(), within(inner, Strength::Atom))
+                let d = if is_of_two_variables(inner) { r"\partial " } else { "d" };
+                let inner = if is_named(inner) { inner.tex() } else { within(inner, Strength::Atom) };
+                format!(r"\frac{{{}}}{{{d}{}}} {inner}", d.trim_end(), variable.tex())
             }
             Formula::Integral(inner, variable, upper) => {
                 let integrand = within(inner, Strength::Product);
-                format!(r"\int_0^{{{}}} {integrand} \, d {}", upper.tex(), variable.tex())
+                format!(r"\int_0^{{{}}} {integrand} \, d{}", upper.tex(), variable.tex())
             }
             Formula::At(inner, variable, value) => {
                 format!(r"\left[ {} \right]_{{{} = {}}}", inner.tex(), of(*variable), value.tex())
@@ -33,7 +35,7 @@ impl Formula {
                 let [b, c] = [&arguments[0], &arguments[1]].map(Formula::tex);
                 format!(r"{{}}_2F_1\left(1, {b}; {c}; \tfrac12\right)")
             }
-            Formula::Function(Function::Kappa, arguments) => format!(r"\kappa_{{{}}}", arguments[0].tex()),
+            Formula::Function(Function::Kappa, arguments) => format!(r"\kappa_{{{}}}", small(&arguments[0])),
             Formula::Function(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(Formula::tex).collect();
                 format!(r"{}\left({}\right)", name(*function), arguments.join(", "))
@@ -50,11 +52,29 @@ impl Formula {
             Formula::Product(_) | Formula::Integral(..) | Formula::QuarterTurn(_) => Strength::Product,
             Formula::Derivative(..) => Strength::Product,
             // A fraction stands for itself in a product, but not under an exponent.
-            Formula::Quotient(..) | Formula::Power(..) | Formula::Function(..) => Strength::Power,
+            Formula::Quotient(..) | Formula::Power(..) | Formula::Function(..) | Formula::At(..) => Strength::Power,
             Formula::Symbol(symbol) if decorated(*symbol) => Strength::Power,
             Formula::Name(definition) if definition.tex().ends_with(')') => Strength::Power,
             _ => Strength::Atom,
         }
+    }
+}
+
+/// Whether what is differentiated needs no brackets: a name, or a derivative of one.
+fn is_named(formula: &Formula) -> bool {
+    match formula {
+        Formula::Name(_) | Formula::Symbol(_) => true,
+        Formula::Derivative(inner, _) => is_named(inner),
+        _ => false,
+    }
+}
+
+/// Whether a derivative is a partial one.
+fn is_of_two_variables(formula: &Formula) -> bool {
+    match formula {
+        Formula::Name(definition) => definition.tex().contains(','),
+        Formula::Derivative(inner, _) => is_of_two_variables(inner),
+        _ => false,
     }
 }
 
@@ -90,8 +110,10 @@ fn sum(terms: &[Formula]) -> String {
 /// Factors side by side, with a dot before a digit.
 fn product(factors: &[Formula]) -> String {
     let mut tex = String::new();
-    for factor in factors {
-        let part = within(factor, Strength::Power);
+    for (i, factor) in factors.iter().enumerate() {
+        // Whatever stands to the right of an operator belongs to it: at the end that is nothing.
+        let open = matches!(factor, Formula::Integral(..) | Formula::QuarterTurn(_) | Formula::Derivative(..));
+        let part = if open && i + 1 == factors.len() { factor.tex() } else { within(factor, Strength::Power) };
         if !tex.is_empty() {
             tex += if part.starts_with(|c: char| c.is_ascii_digit()) { r" \cdot " } else { " " };
         }
@@ -101,12 +123,15 @@ fn product(factors: &[Formula]) -> String {
 }
 
 fn power(base: &Formula, exponent: &Formula) -> String {
-    let exponent = match exponent {
-        // A fraction of two short parts is easier to read on one line.
+    format!("{}^{{{}}}", within(base, Strength::Atom), small(exponent))
+}
+
+/// An exponent or index: a fraction of two short parts is easier to read on one line.
+fn small(formula: &Formula) -> String {
+    match formula {
         Formula::Quotient(above, below) if plain(above) && plain(below) => format!("{}/{}", above.tex(), below.tex()),
-        exponent => exponent.tex(),
-    };
-    format!("{}^{{{exponent}}}", within(base, Strength::Atom))
+        formula => formula.tex(),
+    }
 }
 
 fn plain(formula: &Formula) -> bool {
@@ -127,7 +152,6 @@ fn name(function: Function) -> &'static str {
         Function::Agm => r"\operatorname{agm}",
         Function::Sine => r"\sin",
         Function::StruveH0 => r"\mathbf{H}_0",
-        Function::StruveSeries => r"\Sigma",
-        Function::Hypergeometric => "F",
+        Function::Hypergeometric => "f",
     }
 }

@@ -26,6 +26,9 @@ impl Formula {
                 format!("∫₀^{upper} {} d{}", within(inner, Strength::Product), variable.text())
             }
             Formula::At(inner, variable, value) => format!("[{}]({} = {})", inner.text(), of(*variable), value.text()),
+            Formula::Function(Function::Hypergeometric, arguments) => {
+                format!("₂F₁(1, {}; {}; 1/2)", arguments[0].text(), arguments[1].text())
+            }
             Formula::Function(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(Formula::text).collect();
                 format!("{}({})", name(*function), arguments.join(", "))
@@ -101,7 +104,6 @@ fn name(function: Function) -> &'static str {
         Function::Agm => "agm",
         Function::Sine => "sin",
         Function::StruveH0 => "H₀",
-        Function::StruveSeries => "Σ(DLMF 11.2.1)",
-        Function::Hypergeometric => "₂F₁(1, ·; ·; 1/2)",
+        Function::Hypergeometric => "f",
     }
 }

@@ -1,0 +1,121 @@
+//! Derivations as a LaTeX document.
+
+use mdr_crosscheck::derivations::{Judgement, StepJudgement};
+use mdr_symbolic::{Formula, Statement};
+
+use super::{Extent, document, errata, prose};
+
+const BEGIN: &str = r"\documentclass{article}
+\usepackage[utf8]{inputenc}
+\usepackage[T1]{fontenc}
+\usepackage{amsmath}
+\begin{document}
+\sloppy
+";
+const END: &str = r"\end{document}";
+
+pub(super) fn write(extent: Extent<'_>) -> String {
+    let body = match extent {
+        Extent::All(judgements) => {
+            let entries: Vec<_> = judgements.iter().map(entry).collect();
+            format!("{}\n\n{}", entries.join("\n\n"), escaped(&document::summary(judgements)))
+        }
+        Extent::One(judgement) => entry(judgement),
+        Extent::Errata(judgements) => {
+            let items = errata::items(judgements).into_iter().map(|(judgement, erratum)| {
+                let steps: Vec<_> = errata::evidence(judgement, erratum).into_iter().map(step).collect();
+                format!("{}\n{}\n\n{}", section(judgement), words(erratum.text), steps.join("\n\n"))
+            });
+            items.collect::<Vec<_>>().join("\n\n")
+        }
+    };
+    format!("{BEGIN}\n{body}\n\n{END}")
+}
+
+fn section(judgement: &Judgement) -> String {
+    format!(r"\section*{{{}}}", escaped(&document::heading(judgement)))
+}
+
+fn entry(judgement: &Judgement) -> String {
+    let entry = judgement.entry;
+    let mut parts = vec![section(judgement)];
+    let assumptions: Vec<_> = entry.assumptions.iter().map(|text| words(text)).collect();
+    let verdict = document::verdict(judgement);
+    parts.push(format!(r"Verdict: \textbf{{{verdict}}}. Assumes: {}.", assumptions.join("; ")));
+    parts.push(r"\begin{enumerate}".to_owned());
+    parts.extend(judgement.steps.iter().map(|one| format!("\\item {}", step(one))));
+    parts.push(r"\end{enumerate}".to_owned());
+    parts.extend(entry.erratum.map(|erratum| format!(r"\textbf{{Erratum.}} {}", words(erratum.text))));
+    if !entry.references.is_empty() {
+        let references: Vec<_> = entry.references.iter().map(|reference| escaped(reference)).collect();
+        parts.push(format!("\nReferences: {}.", references.join("; ")));
+    }
+    parts.join("\n")
+}
+
+fn step(step: &StepJudgement) -> String {
+    let mut text = words(step.step.why);
+    if let Ok(Some(statement)) = step.step.statement() {
+        text += &format!("\n\\[ {} \\]\n", statement.tex());
+    }
+    let place = document::place(step);
+    let blank = if place.is_empty() { "" } else { " " };
+    text + &format!(r" \textbf{{{}}}{blank}{}.", escaped(&document::step_verdict(step)), escaped(&place))
+}
+
+fn words(text: &str) -> String {
+    let formula = |formula: &Formula| format!("${}$", formula.tex());
+    let statement = |statement: &Statement| format!("${}$", statement.tex());
+    prose::render(text, escaped, formula, statement)
+}
+
+/// Characters that TeX reads in another way or does not have.
+const CHARACTERS: &[(char, &str)] = &[
+    ('_', r"\_"),
+    ('^', r"\textasciicircum{}"),
+    ('{', r"\{"),
+    ('}', r"\}"),
+    ('<', "$<$"),
+    ('>', "$>$"),
+    ('κ', r"$\kappa$"),
+    ('λ', r"$\lambda$"),
+    ('Λ', r"$\Lambda$"),
+    ('μ', r"$\mu$"),
+    ('ν', r"$\nu$"),
+    ('ρ', r"$\rho$"),
+    ('π', r"$\pi$"),
+    ('θ', r"$\theta$"),
+    ('φ', r"$\varphi$"),
+    ('δ', r"$\delta$"),
+    ('γ', r"$\gamma$"),
+    ('Δ', r"$\Delta$"),
+    ('Γ', r"$\Gamma$"),
+    ('Π', r"$\Pi$"),
+    ('Σ', r"$\Sigma$"),
+    ('√', r"$\surd$"),
+    ('∫', r"$\int$"),
+    ('∞', r"$\infty$"),
+    ('≤', r"$\le$"),
+    ('≥', r"$\ge$"),
+    ('≈', r"$\approx$"),
+    ('≠', r"$\ne$"),
+    ('−', "$-$"),
+    ('·', r"$\cdot$"),
+    ('…', r"\dots{}"),
+    ('“', "``"),
+    ('”', "''"),
+    ('–', "--"),
+    ('ⁿ', "$^n$"),
+    ('²', "$^2$"),
+    ('³', "$^3$"),
+    ('⁴', "$^4$"),
+    ('⁻', "$^-$"),
+    ('₀', "$_0$"),
+    ('₁', "$_1$"),
+    ('₂', "$_2$"),
+];
+
+fn escaped(text: &str) -> String {
+    let of = |c: char| CHARACTERS.iter().find(|(known, _)| *known == c).map(|(_, tex)| *tex);
+    text.chars().map(|c| of(c).map_or_else(|| c.to_string(), str::to_owned)).collect()
+}

@@ -1,0 +1,166 @@
+//! Derivations as pages, with mathematics that GitHub renders.
+
+use mdr_crosscheck::derivations::{Judgement, StepJudgement};
+use mdr_symbolic::formula::Definition;
+use mdr_symbolic::{Formula, Statement, Symbol};
+
+use super::{Extent, document, errata, prose};
+
+/// The longest witness that is shown, in characters of TeX.
+const LONGEST: usize = 260;
+
+pub(super) fn write(extent: Extent<'_>) -> String {
+    match extent {
+        Extent::All(judgements) => page(judgements),
+        Extent::One(judgement) => entry(judgement, "#"),
+        Extent::Errata(judgements) => errata_page(judgements),
+    }
+}
+
+const INTRODUCTION: &str = "\
+# Derivations
+
+This page is written by `mdr derive --format markdown`; a test fails when it is out of date. `mdr derive ID` shows one entry \
+on the terminal.
+
+The sentence of a step is the argument, its formula is what is checked. Each step carries its verdict:
+
+* **proved**: both sides have the same normal form in an exact algebra of sums of powers whose coefficients and exponents \
+are rational functions of $`n`$ (crate `mdr-symbolic`, whose documentation tells what that proves and why); an inequality is \
+proved when all coefficients of the difference have one sign on the whole domain;
+* **enclosed**: rigorous intervals at 30 random rational points contradict the statement nowhere and confirm it; used where an \
+integral, a special function or a number occurs;
+* **refuted**: the normal forms differ, and intervals show it at a point;
+* **cited**: taken from the literature.
+
+Every equality is also mutated, one sign, exponent or factor at a time. Each mutant has to be refuted.
+
+## Notation
+
+";
+
+fn page(judgements: &[Judgement]) -> String {
+    let mut page = INTRODUCTION.to_owned();
+    page += &notation();
+    page += "\n## Overview\n\n| id | what | steps | mutants | verdict |\n|---|---|---|---|---|\n";
+    for judgement in judgements {
+        page += &format!(
+            "| [{}](#{}) | {} | {} | {} | {} |\n",
+            judgement.entry.id,
+            anchor(&document::heading(judgement)),
+            judgement.entry.title,
+            document::tally(judgement),
+            judgement.mutants(),
+            document::verdict(judgement)
+        );
+    }
+    page += &format!("\n{}\n", document::summary(judgements));
+    for judgement in judgements {
+        page += "\n";
+        page += &entry(judgement, "##");
+        page += "\n";
+    }
+    page.trim_end().to_owned()
+}
+
+/// The symbols that stand in the paper or need a word, and the definitions in use.
+fn notation() -> String {
+    let mut lines = String::new();
+    for name in ["E", "w", "C", "κ", "a", "d", "k", "g", "g'", "G", "Q"] {
+        if let Some(symbol) = Symbol::named(name) {
+            lines += &format!("* $`{}`$: {}\n", symbol.tex(), escaped(symbol.meaning()));
+        }
+    }
+    for name in ["B", "N", "Δl", "λ"] {
+        let definition = Definition::named(name).and_then(|known| Some((known, known.formula().ok()?)));
+        if let Some((definition, formula)) = definition {
+            lines += &format!("* $`{} = {}`$\n", definition.tex(), formula.tex());
+        }
+    }
+    lines + "\nThe force is $`F`$, positive when compressive; $`d`$ is positive when pressed in.\n"
+}
+
+fn errata_page(judgements: &[Judgement]) -> String {
+    let mut page = "\
+# Errata of the paper
+
+V. L. Popov, *Surface profiles with zero and finite adhesion force and adhesion instabilities*. This page is written by `mdr \
+derive --errata --format markdown`; a test fails when it is out of date. The full derivations are in \
+[derivations.md](derivations.md).
+"
+    .to_owned();
+    for (judgement, erratum) in errata::items(judgements) {
+        let heading = document::heading(judgement);
+        page += &format!("\n## {heading}\n\n{}\n", words(erratum.text));
+        for step in errata::evidence(judgement, erratum) {
+            page += &format!("\n{}\n", self::step(step));
+        }
+        page += &format!("\nDerivation: [{}](derivations.md#{})\n", judgement.entry.id, anchor(&heading));
+    }
+    page.trim_end().to_owned()
+}
+
+fn entry(judgement: &Judgement, level: &str) -> String {
+    let entry = judgement.entry;
+    let mut section =
+        format!("{level} {}\n\nVerdict: **{}**.", document::heading(judgement), document::verdict(judgement));
+    if !entry.assumptions.is_empty() {
+        let assumptions: Vec<_> = entry.assumptions.iter().map(|text| words(text)).collect();
+        section += &format!(" Assumes: {}.", assumptions.join("; "));
+    }
+    for (i, step) in judgement.steps.iter().enumerate() {
+        let marker = format!("{}. ", i + 1);
+        section += &format!("\n\n{marker}{}", indented(&self::step(step), marker.len()));
+    }
+    if let Some(erratum) = entry.erratum {
+        section += &format!("\n\n**Erratum.** {}", words(erratum.text));
+    }
+    if !entry.references.is_empty() {
+        let references: Vec<_> = entry.references.iter().map(|reference| escaped(reference)).collect();
+        section += &format!("\n\nReferences: {}.", references.join("; "));
+    }
+    section
+}
+
+/// The text with all lines but the first moved to the right: it belongs to an item of a list.
+fn indented(text: &str, width: usize) -> String {
+    let indent = " ".repeat(width);
+    let mut lines = text.lines().map(|line| if line.is_empty() { String::new() } else { format!("{indent}{line}") });
+    let first = lines.next().unwrap_or_default();
+    let rest: Vec<_> = std::iter::once(first.trim_start().to_owned()).chain(lines).collect();
+    rest.join("\n")
+}
+
+/// Prose, statement, witness and verdict of a step.
+fn step(step: &StepJudgement) -> String {
+    let mut text = words(step.step.why);
+    if let Ok(Some(statement)) = step.step.statement() {
+        text += &format!("\n\n```math\n{}\n```\n", statement.tex());
+    }
+    let place = document::place(step);
+    let blank = if place.is_empty() { "" } else { " " };
+    text += &format!("\n**{}**{blank}{}", escaped(&document::step_verdict(step)), escaped(&place));
+    let witness = document::witness(step).map(|witness| witness.describe(&|_, tex| format!("$`{tex}`$")));
+    match witness.filter(|witness| witness.chars().count() <= LONGEST) {
+        Some(witness) => text + &format!(": {witness}."),
+        None => text + ".",
+    }
+}
+
+fn words(text: &str) -> String {
+    let formula = |formula: &Formula| format!("$`{}`$", formula.tex());
+    let statement = |statement: &Statement| format!("$`{}`$", statement.tex());
+    prose::render(text, escaped, formula, statement)
+}
+
+/// Stars, underscores and signs of less than are no markup here.
+fn escaped(text: &str) -> String {
+    text.replace('*', "\\*").replace('_', "\\_").replace('<', "&lt;")
+}
+
+/// The anchor that GitHub gives a heading.
+fn anchor(heading: &str) -> String {
+    let kept = heading.to_lowercase();
+    let kept = kept.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
+    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+}
