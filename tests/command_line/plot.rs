@@ -109,3 +109,11 @@ fn the_picture_of_the_documents_is_current() {
     );
     assert!(drawn.contains("work lost in the cycle"));
 }
+
+#[test]
+fn a_picture_is_an_svg_file() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/figure-4.toml");
+    let result = mdr(&format!("solve {scene} --plot out.csv")).assert().code(2).stdout_eq("");
+    let error = String::from_utf8(result.get_output().stderr.clone()).unwrap();
+    assert_eq!(error, "error: --plot: must be the name of an .svg file, got out.csv\n");
+}

@@ -87,6 +87,7 @@ pub(crate) struct Solve {
 impl Solve {
     /// Answers on `out`.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
+        self.plot.as_deref().map_or(Ok(()), plot::check)?;
         let scene = Scene::open(&self.scene, self.arithmetic.given()?)?;
         let (answer, costs) = solve(&scene)?;
         render::write(&answer, self.format, out)?;

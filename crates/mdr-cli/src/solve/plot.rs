@@ -14,6 +14,17 @@ use crate::picture::scene::SceneData;
 use crate::picture::{self, Picture};
 use crate::scene::{Scene, Want};
 
+/// Refuses a file whose name would be that of its own data.
+///
+/// # Errors
+/// Unless the name ends in `.svg`.
+pub(crate) fn check(to: &Path) -> Result<()> {
+    if to.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg")) {
+        return Ok(());
+    }
+    Err(Failure::flag("--plot", "must be the name of an .svg file", &to.display().to_string()))
+}
+
 /// Draws the scene that was read from the file `from` to the SVG file `to`, and its data to a CSV file beside it.
 ///
 /// # Errors
