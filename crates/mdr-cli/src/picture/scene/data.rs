@@ -4,6 +4,7 @@ use mdr_core::contact::{Control, Equilibrium, Instability, Result, Stability};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::folds::Completeness;
 use mdr_numeric::path::{Event, EventKind, State};
 
 use crate::picture::sampling::{Sample, samples};
@@ -59,6 +60,8 @@ pub(crate) struct SceneData {
     /// At the values that the scene asks for.
     pub(crate) held: Vec<Held>,
     pub(crate) path: Vec<Happening>,
+    /// Whether there may be folds that were not found.
+    pub(crate) completeness: Completeness,
 }
 
 /// At how many values of the controlled quantity the upper panel shows g − d.
@@ -112,6 +115,7 @@ impl SceneData {
             folds: folds.into_iter().map(fold_spot).collect(),
             held,
             path,
+            completeness: branches.completeness(),
         })
     }
 }

@@ -5,13 +5,15 @@ mod loading;
 #[cfg(test)]
 mod tests;
 
+use mdr_core::contact::Control;
+use mdr_numeric::folds::Completeness;
+
 pub(crate) use data::SceneData;
 use data::{DECADES, Held, Spot, is_stable};
 
 use super::axis::typographic;
 use super::{Axis, Key, Layer, Mark, Panel, Picture, Stroke, Unit};
 use crate::solve::event_name;
-use mdr_core::contact::Control;
 
 /// The picture of a scene.
 pub(crate) fn picture(data: &SceneData) -> Picture {
@@ -186,8 +188,12 @@ fn description(data: &SceneData) -> String {
     let mut text = format!(
         "Under {control}, computed in f64. (a) The diagram of Δl(a) and g(a) − d; equilibria are where the curves meet. \
          (b), (c) Force against indentation depth and against contact radius: stable equilibria solid, unstable ones \
-         dashed, jumps as arrows. The contact is assumed to be simply connected. {} folds in the range of radii shown.",
-        data.folds.len()
+         dashed, jumps as arrows. The contact is assumed to be simply connected. {} folds in the range of radii shown, {}.",
+        data.folds.len(),
+        match data.completeness {
+            Completeness::Resolved => "not proved to be all",
+            Completeness::Doubtful => "and perhaps more that the search in f64 could not resolve",
+        }
     );
     for (index, event) in data.path.iter().enumerate().take(MOST_TOLD) {
         text.push_str(&format!(" Event {}: {}", index + 1, event_name(event.kind)));
