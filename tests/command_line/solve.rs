@@ -80,6 +80,105 @@ fn bad_scenes_are_refused_with_file_line_and_key() {
     }
 }
 
+/// The answer to a scene from standard input.
+fn solve_text(scene: &str, flags: &str) -> Value {
+    let assert = mdr(&format!("solve - {flags} --format json")).stdin(scene).assert().success().stderr_eq("");
+    serde_json::from_slice(&assert.get_output().stdout).unwrap()
+}
+
+const DEEP_WAVES: &str = r#"
+material = { e_star = 1, work_of_adhesion = 1e-6 }
+profile = { kind = "wavy-paraboloid", radius = 1, amplitude = 0.01, wavelength = 0.1 }
+control = { kind = "indentation" }
+[output]
+want = ["gap", "equilibria", "pressure"]
+equilibria.at = ["0.01"]
+gap.at = ["0.01", "0.5"]
+pressure.at = ["0", "0.5"]
+"#;
+
+/// On waves that are deep against their length the contact of the first crest alone is no simply connected contact: the
+/// surfaces overlap at the next one.
+#[test]
+fn interpenetration_is_not_hidden() {
+    for flags in ["--f64", "--digits 12"] {
+        let answer = solve_text(DEEP_WAVES, flags);
+        let states = answer["gap"][0]["states"].as_array().unwrap();
+        let outside: Vec<_> = states.iter().filter(|state| state["status"] == "not-admissible").collect();
+        assert!(!outside.is_empty(), "{answer}");
+        for state in &outside {
+            let point = &state["interpenetration"][0];
+            assert!(number(&point["gap"]) < 0.0 && number(&point["r"]) > number(&state["contact_radius"]), "{state}");
+        }
+        // A radius inside the contact has no gap, one outside no pressure.
+        for (state, key) in states
+            .iter()
+            .map(|s| (s, "gap"))
+            .chain(answer["pressure"][0]["states"].as_array().unwrap().iter().map(|state| (state, "pressure")))
+        {
+            let a = number(&state["contact_radius"]);
+            for point in state[key].as_array().unwrap() {
+                let inside = number(&point["r"]) < a;
+                assert_eq!(point["status"] == "ok", inside == (key == "pressure"), "{state}");
+                assert_eq!(point[key].is_null(), point["status"] == "domain-error", "{point}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_value_without_equilibrium_is_no_error() {
+    let scene = DEEP_WAVES.replace("equilibria.at = [\"0.01\"]", "equilibria.at = [\"-10\"]");
+    for flags in ["--f64", ""] {
+        let answer = solve_text(&scene, flags);
+        for (output, key) in [("equilibria", "equilibria"), ("gap", "states"), ("pressure", "states")] {
+            assert_eq!(answer[output][0]["status"], "no-equilibrium", "{answer}");
+            assert_eq!(answer[output][0][key].as_array().unwrap().len(), 0, "{answer}");
+        }
+    }
+}
+
+/// Folds and equilibria do not depend on the unit of force, however far it is out of the range of hardware.
+#[test]
+fn moduli_beyond_hardware() {
+    let scene = |modulus: &str, work: &str| {
+        format!(
+            "material = {{ e_star = \"{modulus}\", work_of_adhesion = \"{work}\" }}
+            profile = {{ kind = \"sphere\", radius = 1 }}
+            control = {{ kind = \"indentation\" }}
+            [output]\nwant = [\"folds\", \"equilibria\", \"energy\"]\nequilibria.at = [\"0.01\"]\n"
+        )
+    };
+    let plain = solve_text(&scene("1", "1e-3"), "");
+    let beyond = solve_text(&scene("1e600", "1e597"), "");
+    let digits = |answer: &Value, pointer: &str| answer.pointer(pointer).unwrap().as_str().unwrap().to_owned();
+    for pointer in ["/folds/0/contact_radius", "/folds/0/indentation", "/equilibria/0/equilibria/0/contact_radius"] {
+        assert_eq!(digits(&plain, pointer), digits(&beyond, pointer));
+    }
+    // The mantissa is the same, the exponent 600 more.
+    for pointer in ["/folds/0/force", "/energy/0/states/0/energy"] {
+        let (near, far) = (digits(&plain, pointer), digits(&beyond, pointer));
+        let significant =
+            |text: &str| text.split('e').next().unwrap().replace(['-', '.'], "").trim_start_matches('0').to_owned();
+        assert_eq!(significant(&near), significant(&far));
+        assert!(far.contains("e+59"), "{far}");
+    }
+}
+
+/// In CSV each innermost record is a row, with the output, its promise and the fields around it.
+#[test]
+fn a_spreadsheet_has_a_row_for_each_record() {
+    let csv = output("solve examples/scenes/paraboloid.toml --f64 --format csv");
+    let mut lines = csv.lines();
+    let header: Vec<_> = lines.next().unwrap().split(',').collect();
+    assert_eq!(header[..2], ["output", "promise"]);
+    let rows: Vec<Vec<_>> = lines.map(|line| line.split(',').collect()).collect();
+    assert!(rows.iter().all(|row| row.len() == header.len() && row[1] == "f64"));
+    let count = |output: &str| rows.iter().filter(|row| row[0] == output).count();
+    // Three states in equilibrium with six pressures each, and a value without any.
+    assert_eq!((count("folds"), count("equilibria"), count("path"), count("pressure")), (1, 4, 5, 19));
+}
+
 /// What `--explain` says about a scene: output, arithmetic, and evaluations of g, slope and integral.
 fn explained(scene: &str) -> Vec<(String, String, [usize; 3])> {
     let assert = mdr("solve - --explain").stdin(scene).assert().success();

@@ -7,6 +7,7 @@ mod reader;
 use std::path::Path;
 
 use mdr_core::number::Literal;
+use rug::Rational;
 
 pub(crate) use output::{Want, Wanted};
 pub(crate) use profile::{Shape, Slope};
@@ -19,22 +20,14 @@ use crate::flags::Arithmetic;
 /// A whole scene, checked as far as text can be checked.
 #[derive(Debug)]
 pub(crate) struct Scene {
-    pub(crate) bodies: Bodies,
+    /// E*, exactly: as given, or of the two bodies.
+    pub(crate) effective_modulus: Literal,
     pub(crate) work_of_adhesion: Literal,
     pub(crate) profile: Shape,
     /// For complaints about the profile.
     pub(crate) profile_place: Place,
     pub(crate) held: Held,
     pub(crate) output: Wanted,
-}
-
-/// The elastic side of the material.
-#[derive(Debug)]
-pub(crate) enum Bodies {
-    /// E* itself.
-    Effective(Literal),
-    /// (E, ν) of the two bodies.
-    Pair(Box<[(Literal, Literal); 2]>),
 }
 
 /// How the contact is held, and moved.
@@ -100,7 +93,7 @@ impl Scene {
     fn read(document: &Document, asked: Option<Arithmetic>) -> Result<Scene> {
         let table = document.parse()?;
         let top = Section::top(document, &table);
-        let (bodies, work_of_adhesion) = material(&top.section("material")?)?;
+        let (effective_modulus, work_of_adhesion) = material(&top.section("material")?)?;
         let profile = top.section("profile")?;
         let profile_place = profile.place();
         let profile = Shape::read(&profile)?;
@@ -111,35 +104,42 @@ impl Scene {
         if output.arithmetic == Arithmetic::Double {
             document.require_doubles()?;
         }
-        Ok(Scene { bodies, work_of_adhesion, profile, profile_place, held, output })
+        Ok(Scene { effective_modulus, work_of_adhesion, profile, profile_place, held, output })
     }
 }
 
-fn material(section: &Section<'_>) -> Result<(Bodies, Literal)> {
+fn material(section: &Section<'_>) -> Result<(Literal, Literal)> {
     let work = section.required("work_of_adhesion")?.positive()?;
-    let bodies = match section.one_of(&["e_star", "body"])? {
-        (0, e_star) => Bodies::Effective(e_star.positive()?),
+    let modulus = match section.one_of(&["e_star", "body"])? {
+        (0, e_star) => e_star.positive()?,
         (_, list) => {
-            let bodies: Vec<_> = list.list()?.iter().map(body).collect::<Result<_>>()?;
-            let pair = <Box<[_; 2]>>::try_from(bodies);
-            Bodies::Pair(pair.map_err(|bodies| list.refuse(format!("expected two bodies, got {}", bodies.len())))?)
+            let bodies: Vec<Rational> = list.list()?.iter().map(compliance).collect::<Result<_>>()?;
+            let [first, second] = <[Rational; 2]>::try_from(bodies)
+                .map_err(|bodies| list.refuse(format!("expected two bodies, got {}", bodies.len())))?;
+            exactly(&(first + second).recip()).ok_or_else(|| list.refuse("E* has more digits than can be meant"))?
         }
     };
     section.finish()?;
-    Ok((bodies, work))
+    Ok((modulus, work))
 }
 
-fn body(value: &Value<'_>) -> Result<(Literal, Literal)> {
+/// (1 − ν²)/E of one body (1.3).
+fn compliance(value: &Value<'_>) -> Result<Rational> {
     let section = value.section()?;
     let e = section.required("e")?.positive()?;
     let nu = section.required("nu")?;
-    let ratio = nu.number()?;
-    let rational = ratio.to_rational();
-    if !(rational > -1 && rational <= 0.5) {
-        return Err(nu.refuse(format!("Poisson's ratio must be within (-1, 1/2], got {ratio}")));
+    let given = nu.number()?;
+    let ratio = given.to_rational();
+    if !(ratio > -1 && ratio <= 0.5) {
+        return Err(nu.refuse(format!("Poisson's ratio must be within (-1, 1/2], got {given}")));
     }
     section.finish()?;
-    Ok((e, ratio))
+    Ok((Rational::from(1) - ratio.square()) / e.to_rational())
+}
+
+/// A rational number as a literal; none for one of absurd length.
+pub(crate) fn exactly(value: &Rational) -> Option<Literal> {
+    value.to_string().parse().ok()
 }
 
 fn held(section: &Section<'_>) -> Result<Held> {

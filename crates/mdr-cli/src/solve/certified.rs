@@ -57,7 +57,7 @@ impl<'s> Certified<'s> {
         if let Some(rough) = self.rough.get() {
             return Ok(rough);
         }
-        let rough = Double::new(self.scene, &self.tally)?;
+        let rough = Double::rough(self.scene, &self.tally)?;
         Ok(self.rough.get_or_init(|| rough))
     }
 

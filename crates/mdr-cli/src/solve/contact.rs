@@ -5,13 +5,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Body, Control, Kink, Material, Result, Transform};
+use mdr_core::contact::{Control, Kink, Material, Result, Transform};
 use mdr_core::number::{Dual, Interval, Literal};
 use mdr_numeric::curve::Curve;
 use rug::Float;
 
 use super::library;
-use crate::scene::{Bodies, HeldBy, Scene};
+use crate::scene::{HeldBy, Scene, exactly};
 
 /// An arithmetic in which a scene can be computed.
 pub(crate) trait Arithmetic: Struve + Kappa {
@@ -120,19 +120,22 @@ impl<R: Arithmetic> Contact<R> {
     /// A parameter of the profile or the material that is out of its domain.
     pub(crate) fn new(scene: &Scene, ctx: R::Ctx, tally: &Arc<Tally>) -> Result<Self> {
         let number = |literal: &Literal| R::from_literal(ctx, literal);
-        let work = number(&scene.work_of_adhesion);
-        let material = match &scene.bodies {
-            Bodies::Effective(modulus) => Material::new(number(modulus), work)?,
-            Bodies::Pair(bodies) => {
-                let [first, second] = bodies.as_ref().each_ref().map(|(e, nu)| Body::new(number(e), number(nu)));
-                Material::from_bodies(&first?, &second?, work)?
-            }
-        };
+        let material = Material::new(number(&scene.effective_modulus), number(&scene.work_of_adhesion))?;
         let control = match &scene.held.by {
             HeldBy::Indentation => Control::Indentation,
             HeldBy::Force => Control::Force,
             HeldBy::Machine { stiffness } => Control::machine(number(stiffness))?,
         };
+        Self::with(scene, ctx, material, control, tally)
+    }
+
+    fn with(
+        scene: &Scene,
+        ctx: R::Ctx,
+        material: Material<R>,
+        control: Control<R>,
+        tally: &Arc<Tally>,
+    ) -> Result<Self> {
         let inner = library::transform(&scene.profile, ctx)?;
         Ok(Contact { ctx, transform: Counted { inner, tally: Arc::clone(tally) }, material, control })
     }
@@ -160,5 +163,26 @@ impl<R: Arithmetic> Contact<R> {
 
     pub(crate) fn curve(&self) -> Curve<'_, R> {
         Curve::new(&self.transform, &self.material, &self.control)
+    }
+}
+
+impl Contact<f64> {
+    /// The same contact with forces in units of E* times an area: all its lengths are the same, and the moduli may be out of
+    /// the range of f64.
+    ///
+    /// # Errors
+    /// As [`Contact::new`].
+    pub(crate) fn in_units_of_modulus(scene: &Scene, tally: &Arc<Tally>) -> Result<Self> {
+        let over_modulus = |literal: &Literal| {
+            let ratio = exactly(&(literal.to_rational() / scene.effective_modulus.to_rational()));
+            ratio.map_or(f64::NAN, |ratio| ratio.nearest_f64())
+        };
+        let material = Material::new(1.0, over_modulus(&scene.work_of_adhesion))?;
+        let control = match &scene.held.by {
+            HeldBy::Indentation => Control::Indentation,
+            HeldBy::Force => Control::Force,
+            HeldBy::Machine { stiffness } => Control::machine(over_modulus(stiffness))?,
+        };
+        Self::with(scene, (), material, control, tally)
     }
 }

@@ -128,3 +128,60 @@ fn written(records: Vec<Record<Enclosure>>, decided: Vec<Option<Decimal>>) -> Ve
     };
     records.into_iter().map(|record| record.map(&mut write)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use mdr_core::number::Real;
+
+    use super::*;
+
+    fn only(records: Vec<Record<Number>>) -> String {
+        match records[0].get("x") {
+            Some(Field::Number(number)) => number.to_string(),
+            field => format!("{field:?}"),
+        }
+    }
+
+    fn record<N>(number: N) -> Vec<Record<N>> {
+        vec![Record::new().with("x", Field::Number(number))]
+    }
+
+    #[test]
+    fn proved_digits_are_those_of_the_enclosure() {
+        // (10¹⁰ + 1)^½ − 10⁵ = 5·10⁻⁶ − 1.25·10⁻¹⁶ + … loses 34 bits: the precision rises until the digits are decided.
+        let difference = |precision| {
+            let large = Interval::from_int(precision, 10).powi(5);
+            Ok(record(Enclosure::Value((large.square() + large.lit(1)).sqrt() - large)))
+        };
+        assert_eq!(only(proved(20, difference).unwrap()), "0.0000049999999998750000000");
+        // A zero that is not exact is never decided, and is not printed as a zero.
+        let zero = |precision| {
+            let third = Interval::from_int(precision, 1).over(3);
+            Ok(record(Enclosure::Value(third.clone() - &third)))
+        };
+        let open = proved(5, zero).unwrap();
+        assert_eq!(open[0].status(), Status::Undecided);
+    }
+
+    #[test]
+    fn estimated_digits_are_those_on_which_two_precisions_agree() {
+        // An error of 10⁻¹² at every precision, of alternating sign.
+        let mut sign = 1;
+        let noisy = |precision: Precision| {
+            sign = -sign;
+            let third = Float::from_int(precision, 1).over(3);
+            Ok(record(third + Float::from_int(precision, sign) * Float::from_int(precision, 10).powi(-12)))
+        };
+        let text = only(estimated(20, noisy).unwrap());
+        assert!(text.starts_with("0.33333") && text.len() < 16, "{text}");
+        let clean = |precision| Ok(record(Float::from_int(precision, 1).over(3)));
+        assert_eq!(only(estimated(20, clean).unwrap()), "0.33333333333333333333");
+        // Noise around zero has no digits.
+        let mut sign = 1;
+        let noise = |precision: Precision| {
+            sign = -sign;
+            Ok(record(Float::from_int(precision, sign) >> precision.bits()))
+        };
+        assert_eq!(estimated(20, noise).unwrap()[0].status(), Status::Undecided);
+    }
+}

@@ -29,6 +29,14 @@ impl<'s> Double<'s> {
         Ok(Double { scene, contact: Contact::new(scene, (), tally)?, folds: OnceCell::new() })
     }
 
+    /// The lengths of the contact alone, for other arithmetics to start from.
+    ///
+    /// # Errors
+    /// As [`Contact::in_units_of_modulus`].
+    pub(crate) fn rough(scene: &'s Scene, tally: &Arc<Tally>) -> Result<Self> {
+        Ok(Double { scene, contact: Contact::in_units_of_modulus(scene, tally)?, folds: OnceCell::new() })
+    }
+
     pub(crate) fn contact(&self) -> &Contact<f64> {
         &self.contact
     }

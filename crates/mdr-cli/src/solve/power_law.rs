@@ -1,7 +1,7 @@
 //! The folds of power laws, by their own closed forms: all of them, on all radii.
 
 use mdr_analytic::certified::{Elasticity, Question};
-use mdr_core::contact::{Body, Control, FoldKind, Instability, Regime, Result};
+use mdr_core::contact::{Control, FoldKind, Instability, Regime, Result};
 use mdr_core::number::Literal;
 use mdr_core::number::certify::Decimal;
 use rug::Rational;
@@ -9,7 +9,7 @@ use rug::Rational;
 use super::answer::{Complete, Output, Promise};
 use super::outputs;
 use crate::number::Number;
-use crate::scene::{Bodies, HeldBy, Scene, Shape, Slope, Want};
+use crate::scene::{HeldBy, Scene, Shape, Slope, Want, exactly};
 
 /// Correctly rounded folds, where the profile is a power law with rational constants.
 ///
@@ -39,27 +39,19 @@ pub(super) fn folds(scene: &Scene, digits: u32) -> Result<Option<Output>> {
 
 /// n and C of f = C rⁿ where the profile is one with rational constants.
 fn power_law(shape: &Shape) -> Option<(Literal, Literal)> {
-    let literal = |value: &Rational| value.to_string().parse().ok();
     match shape {
         Shape::Power { n, c } => Some((n.clone(), c.clone())),
-        Shape::Cone { slope: Slope::Tangent(slope) } => Some((literal(&Rational::from(1))?, slope.clone())),
+        Shape::Cone { slope: Slope::Tangent(slope) } => Some((exactly(&Rational::from(1))?, slope.clone())),
         Shape::Paraboloid { radius } => {
             let curvature = (radius.to_rational() * 2u32).recip();
-            Some((literal(&Rational::from(2))?, literal(&curvature)?))
+            Some((exactly(&Rational::from(2))?, exactly(&curvature)?))
         }
         _ => None,
     }
 }
 
 fn question(scene: &Scene, exponent: &Literal, coefficient: &Literal) -> Result<Question> {
-    let elasticity = match &scene.bodies {
-        Bodies::Effective(modulus) => Elasticity::Effective(modulus.clone()),
-        Bodies::Pair(bodies) => {
-            let body = |(e, nu): &(Literal, Literal)| Body { youngs_modulus: e.clone(), poissons_ratio: nu.clone() };
-            let [first, second] = bodies.as_ref().each_ref().map(body);
-            Elasticity::bodies(first, second)
-        }
-    };
+    let elasticity = Elasticity::Effective(scene.effective_modulus.clone());
     let control = match &scene.held.by {
         HeldBy::Indentation => Control::Indentation,
         HeldBy::Force => Control::Force,
