@@ -165,6 +165,27 @@ fn moduli_beyond_hardware() {
     }
 }
 
+/// What no double holds is marked, with log10; the rest is there.
+#[test]
+fn results_beyond_hardware() {
+    let scene = "material = { e_star = 1e300, work_of_adhesion = 1e297 }
+        profile = { kind = \"sphere\", radius = 1e12 }
+        control = { kind = \"indentation\" }
+        [output]\nwant = [\"folds\", \"transform\"]\ntransform.at = [\"1e-200\", \"1\"]\n";
+    let answer = solve_text(scene, "--f64");
+    let fold = &answer["folds"][0];
+    assert_eq!((&fold["status"], &fold["force"]), (&"overflow".into(), &Value::Null), "{answer}");
+    // Close to the pull-off force of a paraboloid at fixed grips, (5/6)πwR.
+    let expected = (5.0 / 6.0 * std::f64::consts::PI).log10() + 309.0;
+    assert!((number(&fold["log10_force"]) - expected).abs() < 1e-3, "{answer}");
+    assert!(fold["contact_radius"].is_f64() && fold["indentation"].is_f64());
+    let tip = &answer["transform"][0];
+    assert_eq!((&tip["status"], &tip["g"]), (&"underflow".into(), &Value::Null), "{answer}");
+    assert!((number(&tip["log10_g"]) + 412.0).abs() < 1e-9 && (number(&tip["slope"]) / 2e-212 - 1.0).abs() < 1e-12);
+    assert_eq!(answer["transform"][1]["status"], "ok");
+    assert_eq!(answer["promise"]["folds"], "f64");
+}
+
 /// In CSV each innermost record is a row, with the output, its promise and the fields around it.
 #[test]
 fn a_spreadsheet_has_a_row_for_each_record() {

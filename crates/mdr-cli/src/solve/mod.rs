@@ -1,6 +1,7 @@
 //! `mdr solve`: whatever a scene asks for, and nothing else.
 
 mod answer;
+mod beyond;
 mod certified;
 mod contact;
 mod digits;
@@ -107,7 +108,7 @@ fn solve(scene: &Scene) -> Result<(Answer, Vec<Cost>)> {
     for &want in &scene.output.want {
         let (before, begin) = (tally.read(), Instant::now());
         let bar = spinner(want);
-        let output = solver.output(want);
+        let output = solver.output(scene, want, &tally);
         bar.finish_and_clear();
         let output = output.map_err(|error| complaint(scene, want, error))?;
         costs.push(Cost::new(want, before, tally.read(), begin.elapsed()));
@@ -146,9 +147,13 @@ impl<'s> Solver<'s> {
         })
     }
 
-    fn output(&self, want: Want) -> std::result::Result<Solved, Error> {
+    fn output(&self, scene: &Scene, want: Want, tally: &Arc<Tally>) -> std::result::Result<Solved, Error> {
         match self {
-            Solver::Double(double) => double.output(want),
+            Solver::Double(double) => match double.output(want) {
+                Err(Error::OutOfRange { .. }) => beyond::output(scene, want, tally),
+                Ok(output) if beyond::lost_numbers(&output) => beyond::output(scene, want, tally),
+                output => output,
+            },
             Solver::Certified(certified) => certified.output(want),
         }
     }
