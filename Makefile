@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc
+.PHONY: verify test build deps bench doc confirm
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -23,6 +23,10 @@ bench: deps
 
 doc: deps
 	cargo doc --locked --workspace --no-deps
+
+# The certified values once more, by Arb (pip install python-flint).
+confirm:
+	python3 tests/confirm_records.py
 
 deps:
 	@sh scripts/deps.sh

@@ -12,6 +12,13 @@ fn a_table_of_all_records() {
     assert!(table.contains("-4.7123889803846898576…"));
 }
 
+/// The README counts them.
+#[test]
+fn the_readme_counts_the_records() {
+    let readme = include_str!("../../README.md");
+    assert!(readme.contains(&format!("publishes {} [certified records]", mdr_reference::records().len())));
+}
+
 #[test]
 fn one_record_in_full() {
     let text = output("reference --filter id=critical/jkr-unit/force/force --format json");

@@ -120,6 +120,16 @@ fn statuses() {
     }
 }
 
+/// Where there is no number, only the status is right.
+#[test]
+fn no_equilibrium() {
+    let id = "equilibrium/jkr-unit/past=2^-40/outer/indentation/contact_radius";
+    assert_eq!(marked(id, &Status::NoEquilibrium.into()).verdict, Verdict::Right);
+    assert!(marked(id, &f64::NAN.into()).reason.starts_with("NaN"));
+    assert!(marked(id, &0.7.into()).reason.starts_with("a number where there is none"));
+    assert_eq!(marked(id, &Status::Overflow.into()).verdict, Verdict::Wrong);
+}
+
 /// Where the value is 0, errors count against the terms that cancel.
 #[test]
 fn an_exact_zero() {

@@ -167,7 +167,13 @@ fn certified(value: &Decimal) -> Certified {
     Certified { mid: value.to_string(), rad, digits: DIGITS }
 }
 
+/// What rounding leaves of a condition that is zero is below this.
+const NOTHING: f64 = 1e-30;
+
 /// Conditions are orders of magnitude: three digits.
 fn three_digits(x: f64) -> f64 {
+    if x.abs() < NOTHING {
+        return 0.0;
+    }
     format!("{:.2e}", x.abs()).parse().unwrap_or(x)
 }

@@ -23,6 +23,10 @@ const BITS: u32 = 256;
 /// Bits beyond the digits.
 const GUARD: u32 = 88;
 
+/// Enough for Newton's method to converge from there, also at a relative distance of 2⁻⁵² to the fold, which is 2⁻²⁶ in the
+/// radius.
+const BISECTIONS: u32 = 96;
+
 /// On which side of the critical radius.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
@@ -218,7 +222,7 @@ impl Equilibrium {
         let (fold, _) = self.fold(contact)?;
         let excess = |a: &Interval| Ok(self.controlled(contact, a)? - &target);
         let undecided = |what| Error::Undecided { quantity: Quantity::ContactRadius, bits: fold.precision(), what };
-        let candidate = self.approximate(&fold, excess)?;
+        let candidate = self.approximate(contact, &fold, excess)?;
         let zero = verify(&candidate, excess, |a| self.slope(contact, a))?;
         let zero = zero.ok_or_else(|| undecided("where exactly the equilibrium lies"))?;
         let beside = match self.side {
@@ -229,7 +233,12 @@ impl Equilibrium {
     }
 
     /// By doubling away from the fold until the sign changes, bisection, and Newton's method.
-    fn approximate(&self, fold: &Interval, excess: impl Fn(&Interval) -> Result<Interval>) -> Result<Float> {
+    fn approximate(
+        &self,
+        contact: &Contact<Interval>,
+        fold: &Interval,
+        excess: impl Fn(&Interval) -> Result<Interval>,
+    ) -> Result<Float> {
         let fold = fold.mid();
         let bits = fold.prec();
         let at = |t: &Float| Interval::point(Float::with_val(bits, &fold * t.clone().exp()));
@@ -243,7 +252,7 @@ impl Equilibrium {
             near = far.clone();
             far *= 2u32;
         }
-        for _ in 0..bits + 16 {
+        for _ in 0..BISECTIONS {
             let middle = Float::with_val(bits, &near + &far) / 2u32;
             if rising(&middle)? == here {
                 near = middle;
@@ -251,7 +260,11 @@ impl Equilibrium {
                 far = middle;
             }
         }
-        Ok(at(&far).mid())
+        let mut a = at(&far);
+        for _ in 0..=bits.ilog2() {
+            a = (a.clone() - excess(&a)? / self.slope(contact, &a)?).steer();
+        }
+        Ok(a.mid())
     }
 
     /// By the implicit function theorem: the slope of the radius is that of the residual at fixed radius over −d'(a), or

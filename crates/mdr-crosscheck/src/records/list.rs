@@ -130,9 +130,11 @@ pub(super) fn equilibria() -> Vec<Equilibrium> {
                     found.push(ask(Target::Value(value), side, format!("near=2^-{k}")));
                 }
             }
-            // On the other side of zero there is one equilibrium.
-            let value = beside_fold(&law, held, 0, -2);
-            found.push(ask(Target::Value(value), Side::Outer, "opposite".to_owned()));
+            // On the other side of zero there is one equilibrium, at last without a trace of adhesion in its leading digits.
+            for (label, sign) in [("opposite", -2), ("opposite-1e3", -1001), ("opposite-1e6", -1_000_001)] {
+                let value = beside_fold(&law, held, 0, sign);
+                found.push(ask(Target::Value(value), Side::Outer, label.to_owned()));
+            }
         }
     }
     found

@@ -146,6 +146,9 @@ pub fn mark(record: &Record, answer: &Answer, limits: &Limits) -> Mark {
             }
         }
         (Some(Number::NotFinite), Some(_)) => verdict(Verdict::Wrong, "not a finite number".to_owned()),
+        (Some(Number::NotFinite), None) if status == Status::Ok => {
+            verdict(Verdict::Wrong, format!("NaN or an infinity instead of the status {}", record.status))
+        }
         (Some(_), None) if status == Status::Ok => {
             verdict(Verdict::Wrong, format!("a number where there is none: {}", record.status))
         }

@@ -1,0 +1,97 @@
+//! Three ways to compute the contact radius of a JKR sphere at a given indentation, judged by the certified records.
+//! The numbers of docs/judged.md: `cargo run --release --package mdr-crosscheck --example judged`.
+
+#![allow(clippy::print_stdout, reason = "an example talks")]
+
+use std::f64::consts::PI;
+
+use mdr_analytic::PowerLaw;
+use mdr_core::contact::{Control, Error, Material, Stability};
+use mdr_numeric::equilibrium::equilibria;
+use mdr_reference::{Answer, Filter, Record, Status, judge};
+
+/// R, E*, w and d of a question about a sphere.
+struct Sphere {
+    radius: f64,
+    e_star: f64,
+    work: f64,
+    d: f64,
+}
+
+/// A way to answer a question about a sphere.
+type Way = fn(&Sphere) -> Answer;
+
+impl Sphere {
+    fn of(question: &Record) -> Option<Self> {
+        let [n, c, e_star, work, d] = ["n", "C", "E*", "w", "d"].map(|name| question.input_f64(name));
+        (n == 2.0).then(|| Sphere { radius: 0.5 / c, e_star, work, d })
+    }
+
+    /// (a²/R − d)² = 2πwa/E* is a quartic for a. Ferrari's solution, as discrete element codes use it (Parteli et al.,
+    /// Sci. Rep. 4 (2014) 6227).
+    fn ferrari(&self) -> f64 {
+        let Sphere { radius, e_star, work, d } = self;
+        let c0 = (radius * d).powi(2);
+        let c1 = -2.0 * PI * work * radius.powi(2) / e_star;
+        let c2 = -2.0 * d * radius;
+        let p = -c2 * c2 / 12.0 - c0;
+        let q = -c2.powi(3) / 108.0 + c0 * c2 / 3.0 - c1 * c1 / 8.0;
+        let u = (-q / 2.0 + (q * q / 4.0 + p.powi(3) / 27.0).sqrt()).cbrt();
+        let s = if p == 0.0 { -5.0 * c2 / 6.0 - q.cbrt() } else { -5.0 * c2 / 6.0 + u - p / (3.0 * u) };
+        let w = (c2 + 2.0 * s).sqrt();
+        let lambda = c1 / (2.0 * w);
+        (w + (w * w - 4.0 * (c2 + s + lambda)).sqrt()) / 2.0
+    }
+
+    /// Newton's method for a²/R − √(2πwa/E*) = d from the radius at zero load, until a step is below 10⁻¹² m.
+    fn newton(&self) -> f64 {
+        let Sphere { radius, e_star, work, d } = self;
+        let mut a = (4.5 * PI * work * radius.powi(2) / e_star).cbrt();
+        for _ in 0..100 {
+            let elongation = (2.0 * PI * work * a / e_star).sqrt();
+            let step = (a * a / radius - elongation - d) / (2.0 * a / radius - elongation / (2.0 * a));
+            a -= step;
+            if step.abs() < 1e-12 {
+                break;
+            }
+        }
+        a
+    }
+
+    /// The equilibria of this workspace in f64: the stable one.
+    fn workspace(&self) -> Result<Option<f64>, Error> {
+        let profile = PowerLaw::new(2.0, 0.5 / self.radius)?;
+        let material = Material::new(self.e_star, self.work)?;
+        let found = equilibria(&profile, &material, &Control::Indentation, &self.d)?;
+        Ok(found.iter().rfind(|state| state.stability == Stability::Stable).map(|state| state.contact_radius))
+    }
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let questions: Filter = "formula=equilibrium control=indentation quantity=contact_radius flag=outer".parse()?;
+    let ways: [(&str, Way); 3] = [
+        ("Ferrari's solution of the quartic", |sphere| sphere.ferrari().into()),
+        ("Newton's method, absolute tolerance 1e-12 m", |sphere| sphere.newton().into()),
+        ("this workspace, f64", |sphere| match sphere.workspace() {
+            Ok(Some(a)) => a.into(),
+            Ok(None) => Status::NoEquilibrium.into(),
+            Err(_) => Status::DomainError.into(),
+        }),
+    ];
+    for (name, way) in ways {
+        let report = judge(questions.select(), |question| Sphere::of(question).as_ref().map(way));
+        println!("{name}\n{report}");
+        for judged in &report.judged {
+            let digits = judged.mark.lre.map_or(String::new(), |lre| format!("{:.1}", lre.low));
+            let loss = judged.mark.excess_loss.map_or(String::new(), |loss| format!("{:.1}", loss.low));
+            println!(
+                "  {:<70} {:>5} digits, loss {:>5}: {}",
+                judged.record.id,
+                digits,
+                loss,
+                judged.mark.verdict.name()
+            );
+        }
+    }
+    Ok(())
+}
