@@ -132,12 +132,12 @@ struct Search<'a, R, F> {
 impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
     /// Searches one panel; its first and last sample, where they exist.
     fn panel(&mut self, lower: f64, upper: f64) -> (Option<Sample>, Option<Sample>) {
-        let samples = self.samples(lower, upper);
+        let (samples, blind) = self.samples(lower, upper);
         self.panels += 1;
         let (first, last) = (samples[0], samples[DEGREE]);
         let known: Vec<Sample> = samples.into_iter().flatten().collect();
         let narrow = upper - lower < FINEST || self.panels > BUDGET;
-        let verdict = if known.len() == DEGREE + 1 { settle(&known) } else { outside(&known, upper - lower) };
+        let verdict = if known.len() == DEGREE + 1 { settle(&known) } else { outside(&known, upper - lower, blind) };
         match verdict {
             Verdict::Empty => {}
             Verdict::Monotone => self.between(&known),
@@ -155,8 +155,10 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
         (first, last)
     }
 
-    fn samples(&mut self, lower: f64, upper: f64) -> [Option<Sample>; DEGREE + 1] {
-        std::array::from_fn(|i| {
+    /// The samples of a panel, and whether one of them could not be computed although it is in range.
+    fn samples(&mut self, lower: f64, upper: f64) -> ([Option<Sample>; DEGREE + 1], bool) {
+        let mut blind = false;
+        let samples = std::array::from_fn(|i| {
             let share = match i {
                 0 => 0.0,
                 DEGREE => 1.0,
@@ -167,11 +169,13 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
                 Ok(ratio) => sample(t, &ratio),
                 Err(Error::OutOfRange { .. } | Error::Domain { .. }) => None,
                 Err(_) => {
-                    self.resolved = false;
+                    blind = true;
                     None
                 }
             }
-        })
+        });
+        self.resolved &= !blind;
+        (samples, blind)
     }
 
     /// Every sign change between neighbours.
@@ -212,10 +216,12 @@ enum Verdict {
 
 /// A panel that reaches out of the range of the arithmetic, or into radii where the ratio cannot be had: halved until what
 /// is left does not matter, and read sample by sample.
-fn outside(known: &[Sample], width: f64) -> Verdict {
+///
+/// Where a quadrature gives up a sample is dear and the answer doubtful anyway.
+fn outside(known: &[Sample], width: f64, blind: bool) -> Verdict {
     if known.is_empty() {
         Verdict::Empty
-    } else if width < 1e-3 {
+    } else if width < if blind { 0.25 } else { 1e-3 } {
         Verdict::Monotone
     } else {
         Verdict::Open

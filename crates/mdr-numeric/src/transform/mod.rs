@@ -12,5 +12,6 @@
 mod gauss;
 mod integrand;
 mod quadrature;
+mod strides;
 
 pub use quadrature::{Quadrature, Rule};

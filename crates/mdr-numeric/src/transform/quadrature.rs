@@ -12,6 +12,7 @@ use mdr_core::number::Special;
 
 use super::gauss::{self, Ladder};
 use super::integrand::{Integrand, kink_jump};
+use super::strides::strides;
 
 /// How the integrals over θ are done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,7 +51,14 @@ pub struct Quadrature<R, P> {
     kinks: Vec<R>,
     ladder: Option<Ladder<R>>,
     fixed: OnceLock<Fixed<R>>,
+    /// Pieces that an integral may be cut into.
+    strides: i64,
 }
+
+/// Waves in the narrowest piece; a rule can do some thirty.
+const WAVES: i64 = 16;
+/// Waves that are integrated over unless more are asked for.
+const PATIENCE: i64 = 500;
 
 /// A rule of the caller's size, and one of half that size to compare with.
 struct Fixed<R> {
@@ -70,6 +78,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
             kinks: profile.kinks(),
             ladder,
             fixed: OnceLock::new(),
+            strides: PATIENCE / WAVES,
             profile,
         }
     }
@@ -86,6 +95,15 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     pub fn with_tolerance(self, tolerance: R) -> Result<Self> {
         let tolerance = Some(Error::require_positive(Quantity::Parameter("the tolerance"), tolerance)?);
         Ok(Quadrature { tolerance, ..self })
+    }
+
+    /// The same for profiles with up to about this many waves inside x, 500 unless it is said otherwise; beyond it says
+    /// [`NoConvergence`](Error::NoConvergence).
+    ///
+    /// A wave costs some twenty heights in `f64`. A search for folds visits hundreds of radii out to where quadrature
+    /// fails, and takes the longer the later that is.
+    pub fn with_waves(self, count: u32) -> Self {
+        Quadrature { strides: (i64::from(count) / WAVES).max(1), ..self }
     }
 
     /// The profile.
@@ -160,13 +178,22 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     /// What the rounding of r = x sinθ does to the integrand, relative: u |Dφ|/|φ| at r = x, where it is largest. The terms
     /// of φ are taken in magnitude, so that a zero of φ there means nothing.
     fn noise(&self, x: &R, integrand: Integrand) -> R {
-        let size = |integrand: Integrand, r: &R| integrand.at(&self.profile, r).abs();
-        let height = size(Integrand::Height, x);
-        let condition = match integrand {
-            Integrand::Height => size(Integrand::Transform, x) / (size(Integrand::Height, &x.clone().over(2)) + height),
-            _ => size(Integrand::Slope, x) / (size(Integrand::Transform, x) + height),
+        self.noise_over(std::slice::from_ref(x), integrand)
+    }
+
+    /// The same where the terms are the sums over several radii.
+    fn noise_over(&self, radii: &[R], integrand: Integrand) -> R {
+        let zero = self.profile.height(&radii[0]).lit(0);
+        let total = |integrand: Integrand, share: i64| {
+            let size = |r: &R| integrand.at(&self.profile, &r.clone().over(share)).abs();
+            radii.iter().fold(zero.clone(), |sum, r| sum + size(r))
         };
-        if condition.is_finite() { condition * x.unit_roundoff() } else { x.lit(0) }
+        let height = total(Integrand::Height, 1);
+        let condition = match integrand {
+            Integrand::Height => total(Integrand::Transform, 1) / (total(Integrand::Height, 2) + height),
+            _ => total(Integrand::Slope, 1) / (total(Integrand::Transform, 1) + height),
+        };
+        if condition.is_finite() { condition * zero.unit_roundoff() } else { zero }
     }
 
     /// φ(x sinθ); 0 below sinθ = u, where no more than u² of the integral can be and where powers of r might leave the range.
@@ -186,9 +213,9 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
                 let sample = |s: &R| integrand.at(&self.profile, &(s.clone() * x));
                 ladder
                     .integrate(&self.attainable(x, &noise), &noise, sample)
-                    .map_or_else(|| self.double_exponential(x, &x.lit(0), &quarter(x), integrand), Ok)
+                    .map_or_else(|| self.patient(x, &x.lit(0), &quarter(x), integrand), Ok)
             }
-            _ => self.double_exponential(x, &x.lit(0), &quarter(x), integrand),
+            _ => self.patient(x, &x.lit(0), &quarter(x), integrand),
         }
     }
 
@@ -226,17 +253,11 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     }
 
     fn piece(&self, x: &R, lower: &R, upper: &R, integrand: Integrand) -> Result<Estimate<R>> {
-        let at_tip = *lower == lower.lit(0);
-        let weight = match (at_tip, self.profile.tip_exponent()) {
-            (true, Some(p)) => Some(p.lit(1) + p),
-            (true, None) => None,
-            (false, _) => Some(lower.lit(0)),
-        };
-        match (self.rule, weight) {
-            (Rule::TanhSinh, _) | (Rule::Automatic, None) => self.double_exponential(x, lower, upper, integrand),
+        match (self.rule, self.weight(lower)) {
+            (Rule::TanhSinh, _) | (Rule::Automatic, None) => self.patient(x, lower, upper, integrand),
             (Rule::Automatic, Some(beta)) => self
-                .gauss(x, lower, upper, &beta, integrand)
-                .or_else(|_| self.double_exponential(x, lower, upper, integrand)),
+                .gauss(x, lower, upper, &beta, &self.tolerance(x), integrand)
+                .or_else(|_| self.patient(x, lower, upper, integrand)),
             (Rule::Gauss { nodes }, beta) => {
                 let rule = gauss_jacobi::rule(nodes, &x.lit(0), &beta.unwrap_or_else(|| x.lit(0)))?;
                 rule.integrate_with_estimate(|t| Ok(self.weighted(x, lower, upper, t, rule.beta(), integrand)))
@@ -244,11 +265,14 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         }
     }
 
+    /// β of the Gauss–Jacobi rule for a piece that begins at this angle; none at a tip of unknown shape.
+    fn weight(&self, lower: &R) -> Option<R> {
+        if *lower == lower.lit(0) { self.profile.tip_exponent().map(|p| p.lit(1) + p) } else { Some(lower.lit(0)) }
+    }
+
     /// Gauss–Jacobi in t = (θ − θ₀)/(θ₁ − θ₀) with the weight tᵝ.
-    fn gauss(&self, x: &R, lower: &R, upper: &R, beta: &R, integrand: Integrand) -> Result<Estimate<R>> {
-        gauss_jacobi::integrate(&x.lit(0), beta, &self.tolerance(x), |t| {
-            Ok(self.weighted(x, lower, upper, t, beta, integrand))
-        })
+    fn gauss(&self, x: &R, lower: &R, upper: &R, beta: &R, tolerance: &R, integrand: Integrand) -> Result<Estimate<R>> {
+        gauss_jacobi::integrate(&x.lit(0), beta, tolerance, |t| Ok(self.weighted(x, lower, upper, t, beta, integrand)))
     }
 
     /// The integrand in t with tᵝ taken out.
@@ -259,12 +283,34 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         if *beta == beta.lit(0) { value } else { value / t.pow(beta) }
     }
 
+    /// Tanh-sinh, and where that does not converge [strides](super::strides): a hundred waves are too many for one rule.
+    fn patient(&self, x: &R, lower: &R, upper: &R, integrand: Integrand) -> Result<Estimate<R>> {
+        match self.double_exponential(x, lower, upper, integrand) {
+            Err(Error::NoConvergence { .. }) if self.rule == Rule::Automatic => self.many(x, lower, upper, integrand),
+            result => result,
+        }
+    }
+
+    /// Many Gauss rules between two angles.
+    fn many(&self, x: &R, lower: &R, upper: &R, integrand: Integrand) -> Result<Estimate<R>> {
+        // Over many waves the integrand at one radius may happen to be small.
+        let radii: [R; 8] = std::array::from_fn(|i| x.clone() - x.clone().times(i as i64).over(19));
+        let noise = self.noise_over(&radii, integrand);
+        let tolerance = self.attainable(x, &noise);
+        let estimate = strides(lower, upper, self.strides, |from, to| match self.weight(from) {
+            Some(beta) => self.gauss(x, from, to, &beta, &tolerance, integrand),
+            None => self.double_exponential(x, from, to, integrand),
+        })?;
+        let size = |r: &R| integrand.at(&self.profile, r).abs();
+        let sizes = radii.iter().fold(x.lit(0), |sum, r| sum + size(r)).over(radii.len() as i64);
+        Ok(Estimate { error: sizes * noise + &estimate.error, ..estimate })
+    }
+
     fn double_exponential(&self, x: &R, lower: &R, upper: &R, integrand: Integrand) -> Result<Estimate<R>> {
         let largest = integrand.at(&self.profile, x).abs();
         if gauss::underflows(&largest) {
             return Ok(Estimate { value: x.lit(0), error: largest, evaluations: 1 });
         }
-        let noise = self.noise(x, integrand);
         let to = |tolerance: &R| {
             tanh_sinh(lower, upper, tolerance, |theta| {
                 let sine = theta.sin();
@@ -273,8 +319,13 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         };
         match to(&self.tolerance(x)) {
             // The noise at the end of the interval need not be that of the integral, so it is no excuse from the start.
-            Err(Error::NoConvergence { .. }) => {
-                let estimate = to(&self.attainable(x, &noise))?;
+            Err(error @ Error::NoConvergence { .. }) => {
+                let noise = self.noise(x, integrand);
+                let attainable = self.attainable(x, &noise);
+                if attainable <= self.tolerance(x) {
+                    return Err(error);
+                }
+                let estimate = to(&attainable)?;
                 Ok(Estimate { error: estimate.value.abs() * noise + &estimate.error, ..estimate })
             }
             result => result,

@@ -1,0 +1,58 @@
+//! Profiles with many waves: the transform by quadrature against the closed form with Struve functions, and the search for
+//! folds against the proved list.
+
+use mdr_analytic::profiles::WavyParaboloid as Closed;
+use mdr_analytic::struve::Struve;
+use mdr_core::contact::{Result, Transform};
+use mdr_core::number::{Literal, Precision, Real, Special};
+
+use mdr_numeric::profiles::WavyParaboloid;
+use mdr_numeric::transform::Quadrature;
+use rug::Float;
+
+fn number<R: Real>(ctx: R::Ctx, text: &str) -> R {
+    R::from_literal(ctx, &text.parse::<Literal>().expect("a number"))
+}
+
+/// g, xg' and the mean at a number of waves from the tip: within the errors that the quadrature states, which are those of
+/// the phase, 2π times the number of waves in roundings, times a margin of 64.
+fn compare<R: Struve + Special>(ctx: R::Ctx, waves: &[&str]) -> Result<()> {
+    let [radius, amplitude, wavelength] = ["1", "5e-4", "1e-3"].map(|text| number::<R>(ctx, text));
+    let closed = Closed::new(radius.clone(), amplitude.clone(), wavelength.clone())?;
+    let numeric =
+        Quadrature::new(WavyParaboloid::new(radius, amplitude.clone(), wavelength.clone())?).with_waves(20_000);
+    for waves in waves {
+        let x = number::<R>(ctx, waves) * &wavelength;
+        let phase = x.pi().times(2) * &x / &wavelength + x.lit(1);
+        let pairs = [
+            ("g", numeric.g_estimate(&x)?, closed.g(&x)?, x.lit(1)),
+            ("slope", numeric.slope_estimate(&x)?, closed.slope(&x)?, phase.clone() / &x),
+            ("mean", numeric.mean_estimate(&x)?, closed.mean(&x)?, phase.clone().inv()),
+        ];
+        for (name, found, truth, derivative) in pairs {
+            let error = (found.value.clone() - &truth).abs();
+            // The closed form has the error of its own phase.
+            let size = (amplitude.clone() * &phase + x.square()) * derivative;
+            let rounding = size * phase.clone() * x.unit_roundoff();
+            assert!(error <= found.error.clone() + rounding.clone().times(4), "{name} at {waves} waves: {error:?}");
+            assert!(found.error <= rounding.times(64), "{name} at {waves} waves claims {:?}", found.error);
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn many_waves_in_f64() -> Result<()> {
+    compare::<f64>((), &["0.3", "3.1", "31.7", "99.9", "131.3", "300", "1234.5", "10000"])
+}
+
+#[test]
+fn many_waves_to_fifty_digits() -> Result<()> {
+    compare::<Float>(Precision::from_digits(50), &["30.3", "500.7"])
+}
+
+#[test]
+#[ignore = "slow"]
+fn ten_thousand_waves_to_fifty_digits() -> Result<()> {
+    compare::<Float>(Precision::from_digits(50), &["10000.3"])
+}
