@@ -3,9 +3,11 @@
 
 use mdr_analytic::profiles::WavyParaboloid as Closed;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Result, Transform};
+use mdr_core::contact::{Control, FoldKind, Material, Result, Transform};
 use mdr_core::number::{Literal, Precision, Real, Special};
 
+use mdr_numeric::curve::Curve;
+use mdr_numeric::folds::{Completeness, find};
 use mdr_numeric::profiles::WavyParaboloid;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
@@ -52,7 +54,32 @@ fn many_waves_to_fifty_digits() -> Result<()> {
 }
 
 #[test]
-#[ignore = "slow"]
+#[ignore = "some ten seconds without optimisation"]
 fn ten_thousand_waves_to_fifty_digits() -> Result<()> {
     compare::<Float>(Precision::from_digits(50), &["10000.3"])
+}
+
+/// Waves of 1 cm on a paraboloid of 1 m, w/E* = 10⁻⁴ m, that beat its slope up to N/2 of them: g' = 2x/R + (π/2)Ak(…) has
+/// an amplitude of √(π/2) Ak √(kx), so A = √(8N)/(k²R) leaves about N folds.
+fn folds_of_waves(count: f64) -> Result<(usize, Completeness)> {
+    let wavelength = 0.01;
+    let k = 2.0 * std::f64::consts::PI / wavelength;
+    let waves = Closed::new(1.0, (8.0 * count).sqrt() / (k * k), wavelength)?;
+    let material = Material::new(1.0, 1e-4)?;
+    let found = find(&Curve::new(&waves, &material, &Control::Indentation))?;
+    assert!(found.folds.windows(2).all(|pair| pair[0].contact_radius < pair[1].contact_radius));
+    assert!(found.folds.windows(2).all(|pair| pair[0].kind != pair[1].kind), "a fold is missing");
+    assert!(found.folds.first().is_none_or(|fold| fold.kind == FoldKind::Minimum));
+    Ok((found.folds.len(), found.completeness))
+}
+
+#[test]
+fn folds_by_the_thousand() -> Result<()> {
+    for count in [30.0, 300.0, 3000.0, 10_000.0] {
+        let (found, completeness) = folds_of_waves(count)?;
+        // The estimate is of first order in 1/kx, and the last waves come close to it; an odd number ends in a minimum.
+        assert!(found as f64 > 0.995 * count && found as f64 <= count + 3.0, "{found} of {count}");
+        assert_eq!((found % 2, completeness), (1, Completeness::Resolved));
+    }
+    Ok(())
 }

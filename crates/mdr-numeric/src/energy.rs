@@ -167,12 +167,13 @@ impl<'a, R: Real> Energy<'a, R> {
     /// some ten milliseconds in f64, and seconds at 50 digits where g is itself a quadrature.
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature.
+    /// Those of the transform and of the quadrature; [`Error::Undecided`] where Π is stationary, up to rounding, over a whole
+    /// range of radii, as at d = 0 at the threshold of n = 1/2.
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
         let tension = |a: &R, search| self.tension(control, value, a, search);
         let kinks = self.transform.kinks();
         let range = Range { scale: self.length.clone(), kinks, outer: self.transform.outer_radius() };
-        let survey = survey::survey(&range, |a| tension(a, Search::Coarse));
+        let survey = survey::survey(&range, |a| tension(a, Search::Coarse))?;
         let excess = |a: &R| Ok(tension(a, Search::Full)? - a.lit(1));
         let mut found = Vec::new();
         for crossing in &survey.crossings {

@@ -57,12 +57,15 @@ impl<'a, R: Real> Branches<'a, R> {
     /// As [`folds::folds`].
     pub fn new(curve: Curve<'a, R>) -> Result<Self> {
         let folds = folds::find(&curve)?;
-        Ok(Self::cut_at(curve, folds))
+        match folds.beyond.first() {
+            Some(fold) => Err(fold.error.clone()),
+            None => Ok(Self::cut_at(curve, folds)),
+        }
     }
 
-    /// The curve cut at folds that are known already: those of the same contact under the same control.
+    /// The curve cut at folds that are known already: those of the same contact under the same control, all with a state.
     pub fn cut_at(curve: Curve<'a, R>, folds: Folds<R>) -> Self {
-        let Folds { folds, completeness } = folds;
+        let Folds { folds, completeness, .. } = folds;
         Branches { curve, folds, completeness, reach: None }
     }
 

@@ -1,5 +1,7 @@
 //! Instabilities: the folds of the controlled quantity along the curve of equilibria.
 
+use std::ops::Deref;
+
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Result, Transform};
 use mdr_core::number::Real;
@@ -21,8 +23,41 @@ pub enum Completeness {
 pub struct Folds<R> {
     /// By increasing radius.
     pub folds: Vec<Instability<R>>,
+    /// Those of which only the radius is a number of this arithmetic, by increasing radius.
+    pub beyond: Vec<Beyond<R>>,
     /// Whether there may be more.
     pub completeness: Completeness,
+}
+
+/// A fold whose force is out of the range of the arithmetic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beyond<R> {
+    /// a, in m.
+    pub contact_radius: R,
+    /// Whether the controlled quantity is smallest or largest there.
+    pub kind: FoldKind,
+    /// What is out of range, and its log₁₀.
+    pub error: Error,
+}
+
+impl<R: Real> Folds<R> {
+    fn add(&mut self, curve: &Curve<'_, R>, contact_radius: R, kind: FoldKind) -> Result<()> {
+        match curve.state(&contact_radius) {
+            Ok((indentation, force)) => self.folds.push(Instability { contact_radius, indentation, force, kind }),
+            Err(error @ Error::OutOfRange { .. }) => self.beyond.push(Beyond { contact_radius, kind, error }),
+            Err(error) => return Err(error),
+        }
+        Ok(())
+    }
+}
+
+/// The folds that have a state.
+impl<R> Deref for Folds<R> {
+    type Target = [Instability<R>];
+
+    fn deref(&self) -> &[Instability<R>] {
+        &self.folds
+    }
 }
 
 /// All folds by tangency: g'(a) = Δl'(a) (1.10) under controlled indentation, g' = 3Δl' under controlled force, and
@@ -45,20 +80,20 @@ pub struct Folds<R> {
 /// ```
 ///
 /// # Errors
-/// Those of the transform at a fold; [`OutOfRange`](mdr_core::contact::Error::OutOfRange) when a force is no number of
-/// this arithmetic.
-pub fn folds<R: Real>(
-    transform: &dyn Transform<R>,
-    material: &Material<R>,
-    control: &Control<R>,
-) -> Result<Vec<Instability<R>>> {
-    Ok(find(&Curve::new(transform, material, control))?.folds)
+/// As [`find`]; [`OutOfRange`](Error::OutOfRange) when the force of a fold is no number of this arithmetic.
+pub fn folds<R: Real>(transform: &dyn Transform<R>, material: &Material<R>, control: &Control<R>) -> Result<Folds<R>> {
+    let found = find(&Curve::new(transform, material, control))?;
+    match found.beyond.first() {
+        Some(fold) => Err(fold.error.clone()),
+        None => Ok(found),
+    }
 }
 
-/// As [`folds`], with a statement on completeness.
+/// As [`folds`], and with those whose force is out of range.
 ///
 /// # Errors
-/// As [`folds`].
+/// Those of the transform at a fold; [`Error::Undecided`] where the condition holds, up to rounding, over a whole range of
+/// radii, so that each of them or none is a fold: n = 1/2 with C at a threshold (1.19).
 pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
     let range = Range {
         scale: curve.material_length(),
@@ -66,46 +101,40 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
         outer: curve.transform().outer_radius(),
     };
     let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a));
-    let mut survey = survey::survey(&range, ratio);
+    let mut survey = survey::survey(&range, ratio)?;
     let wall = curve.wall();
     if let Some(wall) = &wall {
         survey.crossings.extend(before_wall(wall, ratio)?);
     }
-    let mut folds = Vec::with_capacity(survey.crossings.len());
+    let completeness = if survey.resolved { Completeness::Resolved } else { Completeness::Doubtful };
+    let mut found = Folds { folds: Vec::with_capacity(survey.crossings.len()), beyond: Vec::new(), completeness };
     for crossing in &survey.crossings {
-        match at_crossing(curve, crossing, ratio) {
-            Ok(found) => folds.extend(found),
+        // The derivative of the controlled quantity has the sign of ratio − 1.
+        let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
+        let added = match radius_at(crossing, ratio) {
+            Ok(Some(radius)) => found.add(curve, radius, kind),
+            Ok(None) => Ok(()),
+            Err(error) => Err(error),
+        };
+        match added {
             // A pole of g, which no fold lies on.
-            Err(Error::Domain { .. }) => survey.resolved = false,
-            Err(error) => return Err(error),
+            Err(Error::Domain { .. }) => found.completeness = Completeness::Doubtful,
+            added => added?,
         }
     }
     if let Some(wall) = wall
         && ratio(&wall)? < wall.lit(1)
     {
-        folds.push(fold(curve, wall, FoldKind::Minimum)?);
+        found.add(curve, wall, FoldKind::Minimum)?;
     }
-    let completeness = if survey.resolved { Completeness::Resolved } else { Completeness::Doubtful };
-    Ok(Folds { folds, completeness })
+    Ok(found)
 }
 
-/// The fold at a crossing.
-fn at_crossing<R: Real>(
-    curve: &Curve<'_, R>,
-    crossing: &Crossing<R>,
-    ratio: impl Fn(&R) -> Result<R>,
-) -> Result<Option<Instability<R>>> {
+/// The radius of the fold at a crossing.
+fn radius_at<R: Real>(crossing: &Crossing<R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Option<R>> {
     let excess = |a: &R| Ok(ratio(a)? - a.lit(1));
     let Some(bracket) = Bracket::new(&crossing.lower, &crossing.upper, excess)? else { return Ok(None) };
-    let contact_radius = roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value;
-    // The derivative of the controlled quantity has the sign of ratio − 1.
-    let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
-    fold(curve, contact_radius, kind).map(Some)
-}
-
-fn fold<R: Real>(curve: &Curve<'_, R>, contact_radius: R, kind: FoldKind) -> Result<Instability<R>> {
-    let (indentation, force) = curve.state(&contact_radius)?;
-    Ok(Instability { contact_radius, indentation, force, kind })
+    Ok(Some(roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value))
 }
 
 /// The crossing between a wall and where the survey ends, if there is one.

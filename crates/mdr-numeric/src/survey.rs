@@ -1,13 +1,17 @@
 //! Where a ratio passes through one: a search over the whole range of contact radii.
 //!
 //! The range is covered by panels in t = ln(a/ℓ), ℓ a length of the problem, that grow away from t = 0. A panel is sampled
-//! at nine Chebyshev points and halved until it is settled: its samples stay away from the crossing by a margin, or their
-//! interpolating polynomial is resolved and either has no zero or is monotone. Nothing depends on the unit of length. The
-//! search is adaptive, so it finds pairs of crossings that a fixed step would miss; it is numerical evidence, no proof.
+//! at nine Chebyshev points and halved until it is settled: its samples and those of two panels around it stay away from
+//! the crossing by a margin, or the polynomial through them, or through their logarithms, is resolved and either has no
+//! zero or is monotone. Nothing depends on the unit of length. The search is adaptive, so it finds pairs of crossings that
+//! a fixed step would miss; it is numerical evidence, no proof.
+//!
+//! Why not `mdr_core::calculus::isolate`: that is for a function that is a number everywhere on a bounded range. This one
+//! goes to the ends of the exponent range, over kinks, and past radii where the ratio is out of range or cannot be had.
 
 use std::f64::consts::PI;
 
-use mdr_core::contact::{Error, Result};
+use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::Real;
 
 /// A sign change of ln(ratio) between two radii.
@@ -48,18 +52,28 @@ const FINEST: f64 = 1e-7;
 /// How close in ln a the search comes to a kink, and to the outer radius, where quadrature loses its digits.
 const KINK_MARGIN: f64 = 1e-12;
 pub(crate) const OUTER_MARGIN: f64 = 1e-6;
-/// Panels, a bound on the work.
+/// Panels within each other that have to be quiet before the last is left.
+const QUIET: usize = 3;
+/// Panels, a bound on the work: these, and more with each crossing that was found, of which two in a wave take about ten.
 const BUDGET: usize = 20_000;
+const PER_CROSSING: usize = 64;
+/// Roundings of the arithmetic up to which the logarithm of a ratio is not known, four times what a quadrature is good to.
+const NOISE: f64 = 128.0;
 /// Levels below this are compressed, so that a ratio may pass through zero.
 const FLOOR: f64 = -3.0;
 const CEILING: f64 = 600.0;
 
 /// Finds the crossings of `ratio` through one.
-pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Survey<R> {
-    let mut search = Search { scale: &range.scale, ratio, crossings: Vec::new(), resolved: true, panels: 0 };
+///
+/// # Errors
+/// [`Error::Undecided`] where it is one up to rounding over a whole panel: every radius there may be a crossing, or none.
+pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Survey<R>> {
+    let roundoff = range.scale.unit_roundoff().approx();
+    let crossings = Vec::new();
+    let mut search = Search { scale: &range.scale, ratio, roundoff, crossings, resolved: true, flat: false, panels: 0 };
     let mut edge: Option<Sample> = None;
     for (lower, upper) in panels(range) {
-        let (first, last) = search.panel(lower, upper);
+        let (first, last) = search.panel(lower, upper, 0);
         // Across a kink, or between two panels that were settled each for itself.
         if let (Some(before), Some(after)) = (edge, first)
             && before.above != after.above
@@ -68,8 +82,15 @@ pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>)
         }
         edge = last;
     }
+    if search.flat {
+        return Err(Error::Undecided {
+            quantity: Quantity::ContactRadius,
+            bits: range.scale.precision(),
+            what: "which radius it is: the condition holds up to rounding over a whole range of them",
+        });
+    }
     search.crossings.sort_by(|a, b| a.lower.partial_cmp(&b.lower).unwrap_or(std::cmp::Ordering::Equal));
-    Survey { crossings: search.crossings, resolved: search.resolved }
+    Ok(Survey { crossings: search.crossings, resolved: search.resolved })
 }
 
 /// ± [0, 2], [2, 4], [4, 8], …, cut at kinks and ends.
@@ -117,6 +138,8 @@ struct Sample {
     t: f64,
     /// ln(ratio), compressed.
     level: f64,
+    /// ratio − 1.
+    excess: f64,
     /// Whether the ratio is at least one; decided in the full arithmetic.
     above: bool,
 }
@@ -124,22 +147,35 @@ struct Sample {
 struct Search<'a, R, F> {
     scale: &'a R,
     ratio: F,
+    /// u.
+    roundoff: f64,
     crossings: Vec<Crossing<R>>,
     resolved: bool,
+    /// Whether the ratio was one over a whole panel.
+    flat: bool,
     panels: usize,
 }
 
 impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
-    /// Searches one panel; its first and last sample, where they exist.
-    fn panel(&mut self, lower: f64, upper: f64) -> (Option<Sample>, Option<Sample>) {
+    /// Searches one panel, which is within `quiet` others that were; its first and last sample, where they exist.
+    fn panel(&mut self, lower: f64, upper: f64, quiet: usize) -> (Option<Sample>, Option<Sample>) {
         let (samples, blind) = self.samples(lower, upper);
         self.panels += 1;
         let (first, last) = (samples[0], samples[DEGREE]);
         let known: Vec<Sample> = samples.into_iter().flatten().collect();
-        let narrow = upper - lower < FINEST || self.panels > BUDGET;
-        let verdict = if known.len() == DEGREE + 1 { settle(&known) } else { outside(&known, upper - lower, blind) };
+        let narrow = upper - lower < FINEST || self.panels > BUDGET + PER_CROSSING * self.crossings.len();
+        let whole = known.len() == DEGREE + 1;
+        let quiet = if whole && is_quiet(&known) { quiet + 1 } else { 0 };
+        let verdict = if quiet == QUIET {
+            Verdict::Empty
+        } else if whole {
+            settle(&known, self.roundoff)
+        } else {
+            outside(&known, upper - lower, blind)
+        };
         match verdict {
             Verdict::Empty => {}
+            Verdict::Flat => self.flat = true,
             Verdict::Monotone => self.between(&known),
             Verdict::Open if narrow => {
                 self.resolved = false;
@@ -147,8 +183,8 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
             }
             Verdict::Open => {
                 let middle = 0.5 * (lower + upper);
-                let (first, _) = self.panel(lower, middle);
-                let (_, last) = self.panel(middle, upper);
+                let (first, _) = self.panel(lower, middle, quiet);
+                let (_, last) = self.panel(middle, upper, quiet);
                 return (first, last);
             }
         }
@@ -202,7 +238,8 @@ fn sample<R: Real>(t: f64, ratio: &R) -> Option<Sample> {
     };
     let plain = ratio.approx();
     let level = if plain > FLOOR.exp() { ratio.ln().approx() } else { FLOOR - 1.0 + plain / FLOOR.exp() };
-    Some(Sample { t, level: level.clamp(-CEILING, CEILING), above })
+    let excess = (ratio.clone() - one).approx();
+    Some(Sample { t, level: level.clamp(-CEILING, CEILING), excess, above })
 }
 
 enum Verdict {
@@ -210,6 +247,8 @@ enum Verdict {
     Empty,
     /// At most one.
     Monotone,
+    /// Nothing else, as far as rounding tells.
+    Flat,
     /// To be halved.
     Open,
 }
@@ -228,21 +267,50 @@ fn outside(known: &[Sample], width: f64, blind: bool) -> Verdict {
     }
 }
 
-fn settle(samples: &[Sample]) -> Verdict {
+fn one_sided(samples: &[Sample]) -> bool {
+    samples.windows(2).all(|pair| pair[0].above == pair[1].above)
+}
+
+/// Whether the samples keep away from the crossing by a margin, and either are within a factor of two or lie on a smooth
+/// curve. Nine samples of many waves may do so by chance, one time in 500 where the waves reach the crossing; so it counts
+/// the third time only.
+fn is_quiet(samples: &[Sample]) -> bool {
     let levels: Vec<f64> = samples.iter().map(|sample| sample.level).collect();
     let (smallest, largest) = levels.iter().fold((f64::MAX, f64::MIN), |(s, l), &x| (s.min(x), l.max(x)));
-    let one_sided = samples.windows(2).all(|pair| pair[0].above == pair[1].above);
     let margin = levels.iter().fold(f64::MAX, |m, x| m.min(x.abs()));
     let step = levels.windows(2).fold(0.0, |step: f64, pair| step.max((pair[1] - pair[0]).abs()));
-    if one_sided && margin > 1.0 + 2.0 * step {
-        return Verdict::Empty;
-    }
+    let smooth = || {
+        let coefficients = chebyshev(&levels);
+        coefficients[DEGREE - 2..].iter().map(|c| c.abs()).sum::<f64>() < 0.02 * (largest - smallest)
+    };
+    one_sided(samples) && margin > 1.0 + 2.0 * step && (largest - smallest < std::f64::consts::LN_2 || smooth())
+}
 
-    let spread = largest - smallest;
-    let noise = 64.0 * f64::EPSILON;
-    let coefficients = chebyshev(&levels);
-    let tail: f64 = coefficients[DEGREE - 2..].iter().map(|c| c.abs()).sum();
+/// By ln(ratio), smooth over decades of radii, or else by the ratio itself, smooth over a wave.
+fn settle(samples: &[Sample], roundoff: f64) -> Verdict {
+    let levels: Vec<f64> = samples.iter().map(|sample| sample.level).collect();
+    let one_sided = one_sided(samples);
+    if levels.iter().all(|level| level.abs() <= NOISE * roundoff) {
+        return Verdict::Flat;
+    }
     let width = samples[DEGREE].t - samples[0].t;
+    match resolved(&levels, one_sided, width, roundoff) {
+        Verdict::Open => {
+            let excesses: Vec<f64> = samples.iter().map(|sample| sample.excess).collect();
+            let finite = excesses.iter().all(|excess| excess.is_finite());
+            if finite { resolved(&excesses, one_sided, width, roundoff) } else { Verdict::Open }
+        }
+        verdict => verdict,
+    }
+}
+
+/// What the polynomial through the samples of a panel says about its zeros.
+fn resolved(levels: &[f64], one_sided: bool, width: f64, roundoff: f64) -> Verdict {
+    let (smallest, largest) = levels.iter().fold((f64::MAX, f64::MIN), |(s, l), &x| (s.min(x), l.max(x)));
+    let spread = largest - smallest;
+    let noise = NOISE * roundoff + 8.0 * f64::EPSILON * largest.abs().max(smallest.abs());
+    let coefficients = chebyshev(levels);
+    let tail: f64 = coefficients[DEGREE - 2..].iter().map(|c| c.abs()).sum();
     let allowed = if width <= 2.0 { 1e-2 * spread } else { 1e-6 * spread };
     if tail > allowed.max(noise) {
         return Verdict::Open;

@@ -80,6 +80,53 @@ fn a_soft_machine_makes_three_folds() {
     assert!(to > radii[2]);
 }
 
+/// n = 1/2, E* = w = 1, with ρ = κC/√(2πw/E*) and κ = ϖ/2 (1.18).
+fn scale_free(rho: f64) -> Quadrature<f64, Power<f64>> {
+    Quadrature::new(Power::new(0.5, rho * f64::sqrt(2.0 * PI) / 1.311_028_777_146_059_9).unwrap())
+}
+
+#[test]
+fn at_a_threshold_of_one_half_nothing_is_decided() {
+    // At ρ = 1 every radius is in equilibrium at d = 0 and none at any other d; at ρ = 3 the same holds for F. With a ρ that
+    // is rounded each of them is a fold, or none.
+    let material = Material::new(1.0, 1.0).unwrap();
+    let undecided = |error: Option<Error>| matches!(error, Some(Error::Undecided { .. }));
+    let machine = Control::machine(1.0).unwrap();
+    for (rho, control) in [(1.0, Control::Indentation), (3.0, Control::Force), (1.0, machine)] {
+        let profile = scale_free(rho);
+        assert!(undecided(folds(&profile, &material, &control).err()), "{control:?}");
+        assert!(undecided(find(&Curve::new(&profile, &material, &control)).err()));
+        assert!(undecided(equilibria(&profile, &material, &control, &0.0).err()));
+    }
+    let energy = mdr_numeric::energy::Energy::new(&scale_free(1.0), &material)
+        .and_then(|energy| energy.equilibria(&Control::Indentation, &0.0));
+    assert!(undecided(energy.err()));
+
+    // Beside it there is no fold, and one equilibrium on the side of the sign of ρ − 1: d = (ρ−1)√(2πa).
+    for off in [1e-9, -1e-9] {
+        let profile = scale_free(1.0 + off);
+        assert!(folds(&profile, &material, &Control::Indentation).unwrap().is_empty());
+        let at = |d: f64| equilibria(&profile, &material, &Control::Indentation, &d).unwrap();
+        let [state] = at(off).try_into().unwrap();
+        // ρ − 1 is known to 32 roundings of ρ.
+        assert_relative_eq!(state.contact_radius, 0.5 / PI, max_relative = 64.0 * f64::EPSILON / off.abs());
+        assert_eq!(state.stability, if off > 0.0 { Stability::Stable } else { Stability::Unstable });
+        assert!(at(-off).is_empty());
+    }
+}
+
+#[test]
+fn a_fold_whose_force_is_out_of_range_keeps_its_radius() {
+    // JKR with R = w/E* = 10²⁰⁰: a = (π/8)^(1/3) 10²⁰⁰ and F of the order of −10³⁵⁰.
+    let (ball, material) = (Quadrature::new(Paraboloid::new(1e200).unwrap()), Material::new(1e-50, 1e150).unwrap());
+    let found = find(&Curve::new(&ball, &material, &Control::Indentation)).unwrap();
+    assert!(found.folds.is_empty());
+    let [fold] = found.beyond.as_slice() else { panic!("{found:?}") };
+    assert_relative_eq!(fold.contact_radius, f64::cbrt(PI / 8.0) * 1e200, max_relative = fold_rounding(2.0));
+    assert!(matches!(fold.error, Error::OutOfRange { log10, .. } if (350.0..351.0).contains(&log10)), "{fold:?}");
+    assert!(folds(&ball, &material, &Control::Indentation).is_err());
+}
+
 #[test]
 fn folds_that_have_nearly_merged_are_still_three() {
     // n = 3/4 is just below 5/2 − √3. ln(g'/Δl') less its threshold dips by 10⁻⁵ below zero, between radii 3 % apart, while

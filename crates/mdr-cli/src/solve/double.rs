@@ -48,6 +48,9 @@ impl<'s> Double<'s> {
             return Ok(folds);
         }
         let found = folds::find(&self.contact.curve())?;
+        if let Some(fold) = found.beyond.first() {
+            return Err(fold.error.clone());
+        }
         Ok(self.folds.get_or_init(|| found))
     }
 

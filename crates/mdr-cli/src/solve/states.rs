@@ -208,7 +208,7 @@ fn reach<R: Arithmetic>(contact: &Contact<R>, folds: &Folds<R>) -> [R; 2] {
 pub(crate) fn polished<R: Arithmetic>(contact: &Contact<R>, rough: &Folds<f64>) -> Result<Folds<R>> {
     let curve = contact.curve();
     let folds = rough.folds.iter().map(|fold| polish(contact, &curve, fold)).collect::<Result<_>>()?;
-    Ok(Folds { folds, completeness: rough.completeness })
+    Ok(Folds { folds, beyond: Vec::new(), completeness: rough.completeness })
 }
 
 fn polish<R: Arithmetic>(

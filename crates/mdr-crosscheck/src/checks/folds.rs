@@ -96,7 +96,7 @@ pub(super) fn search<R: Arithmetic>(
 ) -> Result<Found<R>> {
     let material = scene.material()?;
     if R::NAME == f64::NAME || round.is_multiple_of(8) {
-        return Ok(Found { all: true, folds: folds(transform, &material, control)? });
+        return Ok(Found { all: true, folds: folds(transform, &material, control)?.folds });
     }
     let curve = Curve::new(transform, &material, control);
     let near = R::from_f64(scene.n.ctx(), planted);
