@@ -38,6 +38,11 @@ fn signs_depend_on_the_domain() {
     fails("sqrt((2*n - 1)^2) = 2*n - 1", Domain::Below);
     let undecided = decide("sqrt((2*n - 1)^2) = 2*n - 1", Domain::Positive);
     assert!(matches!(undecided, Decision::Undecided(Undecided::NoNormalForm(Error::NotPositive { .. }))));
+    for (text, domain) in [("sqrt(1 - 2*n) = 1", Domain::Above), ("sqrt(0 - 2) = 1", Domain::Positive)] {
+        let refused = decide(text, domain);
+        let refused = matches!(refused, Decision::Undecided(Undecided::NoNormalForm(Error::NotPositive { .. })));
+        assert!(refused, "{text}: the root of a negative number");
+    }
     holds("(1 - 2*n)/n < 0", Domain::Above);
     holds("(1 - 2*n)/n > 0", Domain::Below);
     assert!(matches!(decide("a > w", Domain::Above), Decision::Undecided(Undecided::MixedSigns)));

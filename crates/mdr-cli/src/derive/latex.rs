@@ -9,6 +9,8 @@ const BEGIN: &str = r"\documentclass{article}
 \usepackage[utf8]{inputenc}
 \usepackage[T1]{fontenc}
 \usepackage{amsmath}
+\newcommand{\lt}{<}
+\newcommand{\gt}{>}
 \begin{document}
 \sloppy
 ";

@@ -20,6 +20,7 @@ pub(super) const CRITICAL: Entry = Entry {
         ),
         Step::proved(POSITIVE, "at(λ, k, 0) = 3", "A very compliant machine is a dead load."),
         Step::proved(POSITIVE, "λ - 1 = 4*E*a/(k + 2*E*a)", "A very stiff one is fixed grips: λ tends to 1."),
+        Step::proved(POSITIVE, "3 - λ = 2*k/(k + 2*E*a)", "So λ lies between 1 and 3."),
         Step::proved(POSITIVE, "diff(λ, a) > 0", "Between the two limits λ grows with the contact radius."),
         Step::proved(
             POSITIVE,

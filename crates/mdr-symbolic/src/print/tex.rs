@@ -149,7 +149,7 @@ fn name(function: Function) -> &'static str {
     match function {
         Function::Gamma => r"\Gamma",
         Function::Kappa => r"\kappa",
-        Function::Agm => r"\operatorname{agm}",
+        Function::Agm => r"\mathrm{agm}",
         Function::Sine => r"\sin",
         Function::StruveH0 => r"\mathbf{H}_0",
         Function::Hypergeometric => "f",
