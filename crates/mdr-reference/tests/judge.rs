@@ -99,6 +99,8 @@ fn what_a_wrong_convention_leaves_behind() {
     assert!(hint(4.0 / 3.0).contains("K = 4E*/3"));
     assert!(hint(5.0 / 9.0).contains("fixed grips"));
     assert!(hint(1e10).ends_with("no digit is right"));
+    // A result flushed to zero in silence.
+    assert_eq!(hint(0.0), "0 in place of a number of size 10^0.7");
 }
 
 #[test]

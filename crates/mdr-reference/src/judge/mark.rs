@@ -201,7 +201,10 @@ fn outward(low: f64, high: f64) -> Range {
 fn no_digit(value: &Decimal, mid: &Decimal) -> String {
     let ratio = 10_f64.powf(value.log10() - mid.log10());
     let sign = if (*value < Decimal::default()) == (*mid < Decimal::default()) { 1.0 } else { -1.0 };
-    if mid.is_zero() || value.is_zero() || !(1e-3..1e3).contains(&ratio) {
+    if value.is_zero() && !mid.is_zero() {
+        return format!("0 in place of a number of size 10^{:.1}", mid.log10());
+    }
+    if mid.is_zero() || !(1e-3..1e3).contains(&ratio) {
         return "no digit is right".to_owned();
     }
     let factor = sign * ratio;
