@@ -12,6 +12,7 @@ mod identities;
 mod kappa;
 mod known;
 mod machine;
+mod path;
 mod printed;
 mod profiles;
 mod quadrature;
@@ -92,6 +93,8 @@ pub(crate) fn registry() -> &'static [Check] {
         equilibria::BESIDE,
         energy::POTENTIAL,
         energy::ROUTES,
+        path::BALANCE,
+        path::LOSSES,
         springs::SPRINGS,
         universal::CURVES,
         threshold::BISECTION,
@@ -110,6 +113,7 @@ pub(crate) fn registry() -> &'static [Check] {
         known::JKR,
         known::KENDALL,
         known::PUNCH,
+        path::FLAT_PUNCH,
         scaling::FORCE,
         scaling::LENGTH,
     ];

@@ -113,7 +113,7 @@ impl<R: Real> Breaks<R> {
                 Err(error) => return Err(error),
             }
         }
-        tanh_sinh(lower, upper, tolerance, |a| f(&not_vanishing(a, upper)))
+        tanh_sinh(lower, upper, tolerance, |a| f(&off_tip(a, upper)))
     }
 
     fn is_kink(&self, radius: &R) -> bool {
@@ -121,9 +121,9 @@ impl<R: Real> Breaks<R> {
     }
 }
 
-/// A radius so small that nothing depends on it any more, in place of a smaller one that leads out of the arithmetic.
-fn not_vanishing<R: Real>(a: &R, upper: &R) -> R {
-    let least = upper.unit_roundoff().square() * upper;
+/// A radius within rounding of the tip stands for all that are nearer to it, where powers of a leave the arithmetic.
+fn off_tip<R: Real>(a: &R, upper: &R) -> R {
+    let least = upper.unit_roundoff() * upper;
     if *a > least { a.clone() } else { least }
 }
 

@@ -19,6 +19,7 @@ use super::{Event, EventKind, Path, State};
 use crate::branch::Branched;
 use crate::curve::Curve;
 use crate::energy::Energy;
+use crate::equilibrium::Branches;
 
 /// What an event costs.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,8 +47,6 @@ pub struct Entry<R> {
 pub struct Ledger<R> {
     /// One for each event of the path.
     pub entries: Vec<Entry<R>>,
-    /// The sum; none where something is unbounded.
-    pub balance: Option<Balance<R>>,
 }
 
 /// The books, closed. In J.
@@ -71,12 +70,9 @@ pub struct Balance<R> {
 const ROUNDINGS: i64 = 64;
 
 impl<R: Real> Ledger<R> {
-    /// The ledger of a path that was followed on the given curve.
+    /// The ledger of a path that was followed on the given branches.
     ///
-    /// Each jump is integrated between its own two radii only, in pieces between the folds and kinks there. The stored
-    /// energy is needed at the beginning and the end of the path.
-    ///
-    /// Over enclosures the integrals are estimates, not enclosures.
+    /// Each jump is integrated between its own two radii only, in pieces between the folds and kinks there.
     ///
     /// ```
     /// use mdr_core::contact::{Control, Material};
@@ -87,20 +83,19 @@ impl<R: Real> Ledger<R> {
     /// let material = Material::new(1.0, 1e-3)?;
     /// let branches = Branches::new(Curve::new(&ball, &material, &control))?;
     /// let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.1])?;
-    /// let ledger = Ledger::new(&path, &branches, branches.curve())?;
+    /// let ledger = Ledger::new(&path, &branches)?;
     /// let Loss::Finite(lost) = &ledger.entries[1].lost else { panic!("finite at fixed grips") };
     /// let a = path.events[1].before.contact().expect("in contact").contact_radius;
     /// assert!((lost.value / (std::f64::consts::PI * a * a * 1e-3) - 0.4).abs() < 1e-13);
-    /// let balance = ledger.balance.expect("nothing unbounded");
+    /// let balance = ledger.balance(&path, &branches)?.expect("nothing unbounded");
     /// assert!(balance.residual.abs() <= balance.bound);
     /// # Ok::<(), mdr_core::contact::Error>(())
     /// ```
     ///
     /// # Errors
     /// Those of the transform and of the quadrature; [`Error::OutOfRange`] when an energy is no number of this arithmetic.
-    pub fn new(path: &Path<R>, branches: &impl Branched<R>, curve: &Curve<'_, R>) -> Result<Self> {
-        let folds = branches.folds().iter().map(|fold| fold.contact_radius.clone());
-        let books = Books { curve, breaks: Breaks::new(curve.transform().kinks(), folds) };
+    pub fn new(path: &Path<R>, branches: &Branches<'_, R>) -> Result<Self> {
+        let books = Books::new(branches);
         let mut entries = Vec::with_capacity(path.events.len());
         let mut last: Option<&Event<R>> = None;
         for event in &path.events {
@@ -112,8 +107,26 @@ impl<R: Real> Ledger<R> {
             entries.push(Entry { work, work_in_event, lost });
             last = Some(event);
         }
-        let balance = books.balance(path, &entries)?;
-        Ok(Ledger { entries, balance })
+        Ok(Ledger { entries })
+    }
+
+    /// The sum; none where something is unbounded. It adds the energies that are stored at the beginning and at the end of
+    /// the path, integrals over the whole contact.
+    ///
+    /// # Errors
+    /// As [`Ledger::new`].
+    pub fn balance(&self, path: &Path<R>, branches: &Branches<'_, R>) -> Result<Option<Balance<R>>> {
+        Books::new(branches).balance(path, &self.entries)
+    }
+}
+
+impl<R: Real> Loss<R> {
+    /// The energy lost in one event of a path.
+    ///
+    /// # Errors
+    /// As [`Ledger::new`].
+    pub fn of(event: &Event<R>, branches: &Branches<'_, R>) -> Result<Self> {
+        Ok(Books::new(branches).event(event)?.1)
     }
 }
 
@@ -122,7 +135,13 @@ struct Books<'a, 'c, R: Real> {
     breaks: Breaks<R>,
 }
 
-impl<R: Real> Books<'_, '_, R> {
+impl<'a, 'c, R: Real> Books<'a, 'c, R> {
+    fn new(branches: &'a Branches<'c, R>) -> Self {
+        let folds = branches.folds().iter().map(|fold| fold.contact_radius.clone());
+        let curve = branches.curve();
+        Books { curve, breaks: Breaks::new(curve.transform().kinks(), folds) }
+    }
+
     /// The work of the control between two states on one branch.
     fn work(&self, from: &State<R>, to: &State<R>) -> Result<Estimate<R>> {
         let (State::Contact(from), State::Contact(to)) = (from, to) else { return Ok(self.none()) };

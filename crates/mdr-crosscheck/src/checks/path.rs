@@ -1,0 +1,242 @@
+//! Loading paths and their energy ledgers.
+
+use mdr_analytic::profiles as closed;
+use mdr_core::contact::{Control, FoldKind, Material, Result, Stability, Transform};
+use mdr_core::number::Real;
+use mdr_numeric::branch::Branched;
+use mdr_numeric::curve::Curve;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::path::{EventKind, Ledger, Loss, Path, Start};
+use mdr_numeric::profiles::FlatPunch;
+use mdr_numeric::transform::Quadrature;
+use rug::Float;
+
+use super::folds::{Quadratures, transform};
+use super::{Check, by_turns};
+use crate::arithmetic::Arithmetic;
+use crate::grid::{Exponent, Family, Held, Scene};
+use crate::report::Unit;
+use crate::theory::Form;
+use crate::tolerance::{ELONGATION, TRANSFORM};
+use crate::trial::Trial;
+
+/// work − lost = Π(end) − Π(start) along random paths of power laws, by quadrature, and of wavy paraboloids.
+///
+/// The bound is that of the ledger: errors of its quadratures, and the rounding of their integrands.
+pub(super) const BALANCE: Check = Check {
+    name: "path-energy-balance",
+    claim: "along random paths: work of the control less the energy lost in jumps against the difference of Π",
+    equations: &["1.5", "1.6", "1.8", "1.9"],
+    forms: &[],
+    unit: Unit::Roundoffs,
+    cases: [32, 160, 1600],
+    // One case in eight is in arbitrary precision.
+    case: |trial| {
+        let (round, precision) = (trial.index / 8, trial.precision);
+        match trial.index % 8 {
+            7 => balance::<Float>(trial, round, precision),
+            turn => balance::<f64>(trial, 7 * round + turn, ()),
+        }
+    },
+};
+
+/// Work lost at jump-in and pull-off, on the scale πa²w.
+///
+/// The integrands vanish at the radius of a fold or an equilibrium, so its error δ enters through πa²w only: 2δ times the
+/// loss.
+pub(super) const LOSSES: Check = Check {
+    name: "path-losses",
+    claim: "work lost at jump-in from d = 0 and from F = 0 and at pull-off against the ledger of a path by quadrature",
+    equations: &["1.5", "1.8", "1.9"],
+    forms: &[Form::PullOffLoss, Form::JumpInLoss],
+    unit: Unit::Roundoffs,
+    cases: [32, 160, 1600],
+    case: |trial| {
+        let (round, precision) = (trial.index / 8, trial.precision);
+        match trial.index % 8 {
+            7 => losses::<Float>(trial, round, precision),
+            turn => losses::<f64>(trial, 7 * round + turn, ()),
+        }
+    },
+};
+
+/// The flat punch with its contact at the wall, under every control: jump-in, linear compression, pull-off; πb²w lost in
+/// either, and F²/2k of the machine.
+pub(super) const FLAT_PUNCH: Check = Check {
+    name: "flat-punch",
+    claim: "d, F at pull-off and πb²w against a path of the flat punch, by closed form and by quadrature",
+    equations: &["1.4", "1.6"],
+    forms: &[Form::FlatPunchIndentation, Form::FlatPunchForce],
+    unit: Unit::Roundoffs,
+    cases: [40, 200, 2000],
+    case: |trial| by_turns!(trial, flat_punch),
+};
+
+/// Indentation, force, or a machine of the stiffness k.
+fn control<R: Real>(turn: usize, stiffness: &R) -> Result<Control<R>> {
+    match turn % 3 {
+        0 => Ok(Control::Indentation),
+        1 => Ok(Control::Force),
+        _ => Control::machine(stiffness.clone()),
+    }
+}
+
+fn balance<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let by_waves = !round.is_multiple_of(3);
+    let n = if by_waves { 2.0 } else { [trial.uniform(0.6, 6.0), trial.uniform(0.2, 0.45)][round / 3 % 2] };
+    let scales = trial.scales::<R>(round, Exponent::Double(n));
+    let scene: Scene<R> = trial.planted(Exponent::Double(n), 1.0, scales, ctx);
+    let material = scene.material()?;
+    let length = R::from_f64(ctx, scales.radius);
+    let stiffness = scene.e_star.clone() * &length * R::from_f64(ctx, 10_f64.powf(trial.uniform(-1.5, 1.5)));
+    let control = control(round, &stiffness)?;
+    if by_waves {
+        // a²/2R + A(1 − cos 2πr/λ), A k²R of the order of one.
+        let curvature = scene.c.clone().times(2).inv();
+        let wavelength = length * R::from_f64(ctx, trial.uniform(0.5, 3.0));
+        let steepness = R::from_f64(ctx, trial.uniform(0.2, 1.5));
+        let amplitude = wavelength.square() / wavelength.pi().square() / curvature.clone().times(4) * steepness;
+        trial.describe_also(format_args!("A = {:e}, λ = {:e}", amplitude.approx(), wavelength.approx()));
+        let profile = closed::WavyParaboloid::new(curvature, amplitude, wavelength)?;
+        close_the_books(trial, &profile, &material, &control)
+    } else {
+        close_the_books(trial, &transform(&scene)?, &material, &control)
+    }
+}
+
+fn close_the_books<R: Arithmetic>(
+    trial: &mut Trial<'_>,
+    transform: &dyn Transform<R>,
+    material: &Material<R>,
+    control: &Control<R>,
+) -> Result<()> {
+    let branches = Branches::new(Curve::new(transform, material, control))?;
+    let Some(fold) = branches.folds().first() else { return Ok(()) };
+    let unit = control.controlled(&fold.indentation, &fold.force).abs();
+    // A pull-off by a dead load and complete contact have no finite energy.
+    let (least, most) = match (fold.kind, control) {
+        (FoldKind::Maximum, _) => (-1.0, 0.9),
+        (FoldKind::Minimum, Control::Force) => (-0.1, 4.0),
+        (FoldKind::Minimum, _) => (-2.0, 4.0),
+    };
+    let ways: Vec<f64> = (0..4).map(|_| trial.uniform(least, most)).collect();
+    trial.describe_also(format_args!("{:?}, way {ways:?}", control));
+    let way: Vec<R> = std::iter::once(0.0).chain(ways).map(|x| R::from_f64(unit.ctx(), x) * &unit).collect();
+    let path = Path::follow(&branches, &Start::Detached, &way)?;
+    trial.demand("the path comes to its end", path.is_finished());
+    let ledger = Ledger::new(&path, &branches)?;
+    let mut positive = true;
+    let mut scale = unit.lit(0);
+    for entry in &ledger.entries {
+        scale += &entry.work.value.abs();
+        if let Loss::Finite(lost) = &entry.lost {
+            positive &= lost.value >= -lost.error.clone();
+            scale += &lost.value.abs();
+        }
+    }
+    trial.demand("no jump gains energy", positive);
+    let Some(balance) = ledger.balance(&path, &branches)? else {
+        trial.fail("an energy is unbounded");
+        return Ok(());
+    };
+    if scale > scale.lit(0) {
+        let allowed = balance.bound / &scale / scale.unit_roundoff();
+        trial.compare_on("balance", &(balance.work - &balance.lost), &balance.stored, &scale, allowed.approx());
+    }
+    Ok(())
+}
+
+fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let exponent = trial.exponent(round, Family { least: 0.51, most: 12.0, nearest: 10 });
+    let held = trial.held();
+    let scene: Scene<R> = trial.scene(round, exponent, held.lambda(), ctx);
+    trial.describe_also(held);
+    let (contact, material, control) = (scene.contact()?, scene.material()?, held.control());
+    let transform = transform(&scene)?;
+    let branches = Branches::new(Curve::new(&transform, &material, &control))?;
+    let [zero, one] = [scene.n.lit(0), scene.n.lit(1)];
+    let critical = contact.critical(&control)?;
+    let beyond = control.controlled(&critical.indentation, &critical.force).times(2);
+    let path = Path::follow(&branches, &Start::Detached, &[zero, beyond])?;
+    let kinds: Vec<EventKind> = path.events.iter().map(|event| event.kind).collect();
+    let expected = [EventKind::Start, EventKind::JumpIn, EventKind::Detached, EventKind::End];
+    trial.demand("jump-in and pull-off", kinds == expected);
+    let ledger = Ledger::new(&path, &branches)?;
+    let unit = |a: &R| a.pi() * a * a * &scene.work;
+
+    let start = contact.radius_at_zero_indentation()?;
+    // Of πa²w lost, a loss at F = 0 has the same share as one at d = 0.
+    let jump_in = trial.theory.energy_lost_at_jump_in(&contact)? / unit(&start);
+    let fixed_grips = contact.critical(&Control::Indentation)?.contact_radius;
+    let pull_off = trial.theory.energy_lost_at_pull_off(&contact)? / unit(&fixed_grips);
+    for (entry, event) in ledger.entries.iter().zip(&path.events) {
+        let (share, name) = match event.kind {
+            EventKind::JumpIn => (&jump_in, "jump-in"),
+            EventKind::Detached => (&pull_off, "pull-off"),
+            _ => continue,
+        };
+        let Loss::Finite(lost) = &entry.lost else {
+            trial.demand("only a dead load is unbounded", held == Held::Force && event.kind == EventKind::Detached);
+            continue;
+        };
+        let Some(rest) = event.after.contact().or(event.before.contact()) else { continue };
+        let a = &rest.contact_radius;
+        let errors = Quadratures::at(&transform, scene.n.approx(), a)?;
+        let tangent = scene.tangent(held.lambda(), a);
+        let balance = 2.0 * (errors.g + errors.mean + TRANSFORM + ELONGATION + 8.0) / tangent.excess() + 4.0;
+        let radius = balance + tangent.found_radius(errors.slope);
+        let error = (lost.error.clone() / unit(a) / a.unit_roundoff()).approx();
+        let allowed = error + 2.0 * share.approx() * radius + 24.0;
+        trial.compare_on(name, &(lost.value.clone() / unit(a)), share, &one, allowed);
+    }
+    Ok(())
+}
+
+fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let [radius, e_star, work] = [(); 3].map(|()| R::from_f64(ctx, 10_f64.powf(trial.uniform(-20.0, 20.0))));
+    let share = R::from_f64(ctx, 10_f64.powf(trial.uniform(-2.0, 2.0)));
+    let control = control(round, &(share * &e_star * &radius))?;
+    let [b, e, w] = [&radius, &e_star, &work].map(R::approx);
+    trial.describe(format_args!("b = {b:e}, E* = {e:e}, w = {w:e}, {control:?} ({})", R::NAME));
+    let material = Material::new(e_star.clone(), work.clone())?;
+    let state = trial.theory.flat_punch_pull_off(&radius, &material)?;
+    let by_heights = Quadrature::new(FlatPunch::new(radius.clone())?);
+    let by_form = closed::FlatPunch::new(radius.clone())?;
+    let transforms: [&dyn Transform<R>; 2] = [&by_form, &by_heights];
+    let pull_off = control.controlled(&state.indentation, &state.force);
+    for transform in transforms {
+        let branches = Branches::new(Curve::new(transform, &material, &control))?;
+        let way = [pull_off.lit(0), -pull_off.clone(), pull_off.clone().times(2)];
+        let path = Path::follow(&branches, &Start::Detached, &way)?;
+        let [_, jump_in, pressed, breaks, _] = path.events.as_slice() else {
+            trial.fail("the flat punch jumps in and breaks");
+            return Ok(());
+        };
+        let rests = [&jump_in.after, &pressed.after, &breaks.before].map(|state| state.contact());
+        let [Some(flat), Some(pressed), Some(breaks)] = rests else {
+            trial.fail("the flat punch rests at its wall");
+            return Ok(());
+        };
+        trial.demand("at the wall", [flat, pressed, breaks].iter().all(|rest| rest.contact_radius == radius));
+        trial.demand("stable when pressed", pressed.stability == Stability::Stable);
+        // Five roundings under each root, the root, and two factors, twice; on a machine those of D and its parts.
+        trial.compare("d", &breaks.indentation, &state.indentation, 24.0);
+        trial.compare("F", &breaks.force, &state.force, 32.0);
+        trial.compare("F pressed", &pressed.force, &-state.force.clone(), 48.0);
+        let adhesion = radius.pi() * &radius * &radius * &work;
+        for (entry, event) in Ledger::new(&path, &branches)?.entries.iter().zip(&path.events) {
+            // The spring of a machine is let go with the contact.
+            let expected = match (event.kind, &control) {
+                (EventKind::JumpIn, _) | (EventKind::Detached, Control::Indentation) => adhesion.clone(),
+                (EventKind::Detached, Control::Machine { stiffness }) => {
+                    state.force.square() / stiffness.clone().times(2) + &adhesion
+                }
+                _ => continue,
+            };
+            let Loss::Finite(lost) = &entry.lost else { continue };
+            let allowed = lost.error.clone() / &expected / expected.unit_roundoff();
+            trial.compare("lost", &lost.value, &expected, allowed.approx() + 32.0);
+        }
+    }
+    Ok(())
+}
