@@ -3,7 +3,7 @@
 use mdr_core::contact::{Control, Equilibrium, Result};
 use mdr_core::number::Literal;
 use mdr_numeric::branch::Branched;
-use mdr_numeric::path::{Entry, Event, EventKind, Ledger, Loss, Path, Start as Begin, State};
+use mdr_numeric::path::{Balance, Entry, Event, EventKind, Ledger, Loss, Path, Start as Begin, State};
 
 use super::contact::{Arithmetic, Contact};
 use super::record::{Field, Record};
@@ -82,13 +82,10 @@ pub(crate) fn losses<R: Arithmetic>(path: &Path<R>, ledger: &Ledger<R>) -> Vec<F
     path.events.iter().zip(&ledger.entries).map(of).collect()
 }
 
-/// The books of a path: the work of the control, the energy lost, and what is stored more than at the start. None where
-/// something is unbounded.
-pub(crate) fn balance<R: Arithmetic>(ledger: &Ledger<R>) -> Option<Record<R>> {
-    let balance = ledger.balance.as_ref()?;
-    let numbers = [("work", &balance.work), ("dissipated", &balance.lost), ("stored", &balance.stored)];
-    let with = |record: Record<R>, (key, value): (&'static str, &R)| record.with(key, Field::Number(value.clone()));
-    Some(numbers.into_iter().fold(Record::new(), with))
+/// The books of a path: the work of the control, the energy lost, and what is stored more than at the start.
+pub(crate) fn balance<R: Arithmetic>(balance: Balance<R>) -> Record<R> {
+    let numbers = [("work", balance.work), ("dissipated", balance.lost), ("stored", balance.stored)];
+    numbers.into_iter().fold(Record::new(), |record, (key, value)| record.with(key, Field::Number(value)))
 }
 
 /// Whether the state is another one after the event.

@@ -72,9 +72,9 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// As [`path::follow`] and [`Ledger::new`].
     pub(crate) fn path(&self, held: &Held) -> Result<Vec<Record<R>>> {
         let path = path::follow(self.contact, &self.branches, held)?;
-        let ledger = Ledger::new(&path, &self.branches, self.branches.curve())?;
+        let ledger = Ledger::new(&path, &self.branches)?;
         let events = path::records(self.contact.control(), &path, path::losses(&path, &ledger));
-        let balance = path::balance(&ledger).into_iter().collect();
+        let balance = ledger.balance(&path, &self.branches)?.map(path::balance).into_iter().collect();
         Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
     }
 

@@ -29,7 +29,7 @@ pub(super) const BALANCE: Check = Check {
     equations: &["1.5", "1.6", "1.8", "1.9"],
     forms: &[],
     unit: Unit::Roundoffs,
-    cases: [32, 160, 1600],
+    cases: [16, 80, 800],
     // One case in eight is in arbitrary precision.
     case: |trial| {
         let (round, precision) = (trial.index / 8, trial.precision);
@@ -50,7 +50,7 @@ pub(super) const LOSSES: Check = Check {
     equations: &["1.5", "1.8", "1.9"],
     forms: &[Form::PullOffLoss, Form::JumpInLoss],
     unit: Unit::Roundoffs,
-    cases: [32, 160, 1600],
+    cases: [16, 80, 800],
     case: |trial| {
         let (round, precision) = (trial.index / 8, trial.precision);
         match trial.index % 8 {
@@ -68,7 +68,7 @@ pub(super) const FLAT_PUNCH: Check = Check {
     equations: &["1.4", "1.6"],
     forms: &[Form::FlatPunchIndentation, Form::FlatPunchForce],
     unit: Unit::Roundoffs,
-    cases: [40, 200, 2000],
+    cases: [12, 60, 600],
     case: |trial| by_turns!(trial, flat_punch),
 };
 

@@ -2,7 +2,11 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::calculus::{Estimate, gauss_jacobi, quadrature::tanh_sinh, roundoff_tolerance};
+use mdr_core::calculus::{
+    Estimate, gauss_jacobi,
+    quadrature::{pieces, tanh_sinh},
+    roundoff_tolerance,
+};
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::Real;
 
@@ -46,13 +50,8 @@ impl<R: Real> Breaks<R> {
     ) -> Result<Estimate<R>> {
         let (lower, upper) = if from < to { (from, to) } else { (to, from) };
         let first = self.ends.partition_point(|end| end <= lower);
-        let inside = self.ends[first..].iter().take_while(|end| *end < upper);
-        let mut total = Estimate { value: from.lit(0), error: from.lit(0), evaluations: 0 };
-        let mut last = lower;
-        for end in inside.chain([upper]) {
-            add(&mut total, self.piece([last, end], tolerance, None, HALVINGS, f)?);
-            last = end;
-        }
+        let inside = &self.ends[first..self.ends.partition_point(|end| end < upper).max(first)];
+        let mut total = pieces(lower, upper, inside, |a, b| self.piece([a, b], tolerance, None, HALVINGS, f))?;
         if from > to {
             total.value = -total.value;
         }
@@ -86,9 +85,7 @@ impl<R: Real> Breaks<R> {
                 f,
             );
         }
-        let mut total = self.piece([lower, &middle], tolerance, Some(reached), halvings - 1, f)?;
-        add(&mut total, self.piece([&middle, upper], tolerance, Some(reached), halvings - 1, f)?);
-        Ok(total)
+        pieces(lower, upper, &[middle], |a, b| self.piece([a, b], tolerance, Some(reached), halvings - 1, f))
     }
 
     /// Gauss–Legendre, in s with a = lower + s²·width beside a kink, where g' may have an inverse root. At the tip, and
@@ -125,12 +122,6 @@ impl<R: Real> Breaks<R> {
 fn off_tip<R: Real>(a: &R, upper: &R) -> R {
     let least = upper.unit_roundoff() * upper;
     if *a > least { a.clone() } else { least }
-}
-
-fn add<R: Real>(total: &mut Estimate<R>, piece: Estimate<R>) {
-    total.value += &piece.value;
-    total.error += &piece.error;
-    total.evaluations += piece.evaluations;
 }
 
 fn order<R: Real>(one: &R, other: &R) -> Ordering {
