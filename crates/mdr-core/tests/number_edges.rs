@@ -252,6 +252,27 @@ fn printing_is_outward() {
     assert!(down < up);
 }
 
+/// The greater and the lesser of two: certain where the order is, an enclosure of both where it is not.
+#[test]
+fn the_greater_of_two() {
+    let (low, wide, high) = (interval(-1.0, 0.0), interval(-0.5, 3.0), interval(1.0, 2.0));
+    assert_eq!(low.greater(&high).to_string(), high.to_string());
+    assert_eq!(low.lesser(&high).to_string(), low.to_string());
+    assert_eq!(wide.greater(&high).to_string(), interval(1.0, 3.0).to_string());
+    assert_eq!(wide.lesser(&high).to_string(), interval(-0.5, 2.0).to_string());
+    assert_eq!((1.0.greater(&2.0), 1.0.lesser(&2.0), 2.0.lesser(&2.0)), (2.0, 1.0, 2.0));
+    assert!(f64::NAN.greater(&1.0).is_nan() && 1.0.lesser(&f64::NAN).is_nan());
+    let dual = |value: &Interval, slope| Dual { value: value.clone(), slope: int(slope) };
+    assert_eq!(dual(&low, 3).greater(&dual(&high, 5)).slope.to_string(), int(5).to_string());
+    // max(x, y) has the slope of either where the two may be equal.
+    for other in [&wide, &high] {
+        let either = dual(&high, 3).greater(&dual(other, 5)).slope;
+        assert!(either.contains(int(3).lower()) && either.contains(int(5).lower()), "{either}");
+    }
+    let equal = Dual { value: int(1), slope: int(3) }.lesser(&Dual { value: int(1), slope: int(5) });
+    assert!(equal.slope.contains(int(3).lower()) && equal.slope.contains(int(5).lower()));
+}
+
 /// Across a kink of |x| a derivative is not finite; a truncation bound says nothing about the derivative either.
 #[test]
 fn duals_over_intervals_claim_nothing_unproved() {

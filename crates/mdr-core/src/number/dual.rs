@@ -247,6 +247,17 @@ impl<R: Real> Real for Dual<R> {
     fn inflate_with_slope(self, bound: &Self) -> Self {
         Dual { value: self.value.inflate_with_slope(&bound.value), slope: self.slope.inflate(&bound.slope) }
     }
+    /// Where the order is not certain, and where the two are equal, with a slope that may be either.
+    fn greater(&self, other: &Self) -> Self {
+        match self.value.partial_cmp(&other.value) {
+            Some(Ordering::Less) => other.clone(),
+            Some(Ordering::Greater) => self.clone(),
+            _ => Dual { value: self.value.greater(&other.value), slope: self.slope.either(&other.slope) },
+        }
+    }
+    fn either(&self, other: &Self) -> Self {
+        Dual { value: self.value.either(&other.value), slope: self.slope.either(&other.slope) }
+    }
     fn steer(&self) -> Self {
         Dual::constant(self.value.steer())
     }

@@ -1,5 +1,6 @@
 //! The trait that every formula of the workspace is written against.
 
+use std::cmp::Ordering;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -137,6 +138,27 @@ pub trait Real:
     /// over intervals keeps its slope, which grows by that of the bound.
     fn inflate_with_slope(self, bound: &Self) -> Self {
         self.inflate(bound)
+    }
+
+    /// The greater of two numbers; over intervals it contains the greater of every pair, whose order need not be certain.
+    fn greater(&self, other: &Self) -> Self {
+        match self.partial_cmp(other) {
+            Some(Ordering::Less) => other.clone(),
+            Some(_) => self.clone(),
+            None => self.either(other),
+        }
+    }
+
+    /// The lesser of two numbers, likewise.
+    fn lesser(&self, other: &Self) -> Self {
+        -(-self.clone()).greater(&-other.clone())
+    }
+
+    /// One of two numbers, over intervals any: their mean ± half their difference.
+    fn either(&self, other: &Self) -> Self {
+        let half = [self, other].map(|number| number.clone().over(2));
+        let [mean, spread] = [half[0].clone() + &half[1], half[0].clone() - &half[1]];
+        mean.inflate(&spread)
     }
 
     /// The value for steering an algorithm (pivots, brackets, stopping): itself for a floating type, the midpoint of an

@@ -17,6 +17,11 @@ pub(super) struct Spoke<R> {
 }
 
 impl<R: Real> Spoke<R> {
+    /// From r/x and √(x² − r²)/x.
+    pub(super) fn at(sin: R, cos: R) -> Self {
+        Spoke { sin, cos }
+    }
+
     /// The direction of r = x.
     pub(super) fn edge(x: &R) -> Self {
         Spoke { sin: x.lit(1), cos: x.lit(0) }
@@ -100,10 +105,13 @@ impl<R: Real> Arc<R> {
 ///
 /// With Iₖ = ιₖ zᵏ sin η, integration by parts gives (2k−1) ιₖ₋₁ = 1 + k z ιₖ: upward unstable, downward a Horner scheme of
 /// positive terms that forgets its start by z/2 a step. Started at ι_K = 1/(2K+1), the relative error is below (z/2)^(K−3).
+/// There ι_K lies between 1/(2K+1) and 1/(2K+1)/(1 − z/2), and its derivative between 0 and 1/(2K+1): an enclosure starts
+/// with that, and so does its slope.
 fn versine_integrals<R: Real>(z: &R, sin: &R) -> [R; 5] {
     let bits_a_step = 1.0 - z.approx().max(f64::MIN_POSITIVE).log2();
     let steps = (f64::from(z.precision()) / bits_a_step).ceil() as i64;
-    let mut iota = z.lit(1).over(2 * steps + 11);
+    let start = z.lit(1).over(2 * steps + 11);
+    let mut iota = start.clone().inflate_with_slope(&(start * z));
     let mut next = |k: i64| {
         iota = (iota.clone() * z).times(k) + z.lit(1);
         iota = iota.clone().over(2 * k - 1);

@@ -39,10 +39,12 @@ pub(super) struct FarField<R> {
 }
 
 impl<R: Special> FarField<R> {
-    /// None where it would not pay: for small tables and high precision.
+    /// None where it would not pay, for small tables and high precision, and over enclosures, which would have to account
+    /// for what the interpolation leaves out.
     pub(super) fn new(pieces: &[Piece<R>]) -> Result<Option<Self>> {
         let like = &pieces[0].width;
-        if like.precision() > WIDEST || pieces.len() < 2 * LEAF {
+        let encloses = like.clone().inflate(like) != *like;
+        if encloses || like.precision() > WIDEST || pieces.len() < 2 * LEAF {
             return Ok(None);
         }
         let grid = Grid::new(like)?;

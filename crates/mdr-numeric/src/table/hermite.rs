@@ -106,15 +106,14 @@ fn slopes<R: Real>(widths: &[R], secants: &[R]) -> Vec<R> {
 }
 
 /// `slope` if both secants have its sign and it is at most three times the smaller; else the nearest that fits, or 0.
+///
+/// Written as a bound from below and one from above, of which one is 0: a continuous function of all three, which an
+/// enclosure can follow where it does not know their order.
 fn cut_back<R: Real>(slope: R, before: &R, after: &R) -> R {
     let zero = slope.lit(0);
-    let rising = slope > zero;
-    if [before, after].iter().any(|secant| **secant == zero || (**secant > zero) != rising) {
-        return zero;
-    }
-    let (before, after) = (before.clone().times(3), after.clone().times(3));
-    let flattest = if before.abs() < after.abs() { before } else { after };
-    if slope.abs() > flattest.abs() { flattest } else { slope }
+    let steepest_rise = before.lesser(after).greater(&zero).times(3);
+    let steepest_fall = before.greater(after).lesser(&zero).times(3);
+    slope.lesser(&steepest_rise).greater(&steepest_fall)
 }
 
 /// The height of the interpolant, for r up to the last radius; beyond it the last cubic goes on.

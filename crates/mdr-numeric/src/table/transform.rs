@@ -1,6 +1,6 @@
 //! g, g' and G of the interpolant, piece by piece.
 
-use mdr_core::contact::{Error, Quantity, Result, Transform};
+use mdr_core::contact::{Error, Kink, Quantity, Result, Slopes, Transform};
 use mdr_core::number::Special;
 
 use super::MeasuredProfile;
@@ -27,11 +27,15 @@ impl<R: Special> MeasuredProfile<R> {
         if !(*x <= self.end) {
             return Err(Error::domain(Quantity::Radius, x, "at most the last radius of the table"));
         }
-        Ok(self.sum(part, x))
+        let whole = self.pieces.partition_point(|piece| piece.start < *x) - 1;
+        if self.pieces.get(whole + 1).is_some_and(|next| !(*x <= next.start)) {
+            return Err(Error::domain(Quantity::Radius, x, "certainly on one side of each row of the table"));
+        }
+        Ok(self.sum(part, x, whole))
     }
 
-    fn sum(&self, part: Part, x: &R) -> R {
-        let whole = self.pieces.partition_point(|piece| piece.start < *x) - 1;
+    /// For x in the piece of index `whole`.
+    fn sum(&self, part: Part, x: &R, whole: usize) -> R {
         let mut sum = x.lit(0);
         let mut next = 0;
         let mut spoke = Spoke::new(&x.lit(0), x);
@@ -99,5 +103,38 @@ impl<R: Special> Transform<R> for MeasuredProfile<R> {
 
     fn kinks(&self) -> Vec<R> {
         self.pieces.iter().skip(1).map(|piece| piece.start.clone()).collect()
+    }
+
+    fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
+        let Some(next) = self.pieces.get(index + 1) else { return Ok(None) };
+        let b = &next.start;
+        let near = b.clone().inflate(&(margin.clone() * b));
+        let value = (self.sum(Part::Value, b, index) * b, self.sum(Part::Integral, b, index) * b);
+        let inside = Slopes::within(self.sum(Part::Slope, &near, index));
+        let outside = Slopes::within(self.just_outside(index, &near, margin));
+        Ok(Some(Kink { value: Some(value), inside, outside }))
+    }
+}
+
+impl<R: Special> MeasuredProfile<R> {
+    /// g' at all x between b = the end of the piece of index `last` and b(1 + margin).
+    ///
+    /// What lies beyond b is seen under the angle arccos(b/x), which begins at 0; the spoke to b is seen under the rest.
+    fn just_outside(&self, last: usize, x: &R, margin: &R) -> R {
+        let up_to = |greatest: R| {
+            let half = greatest.over(2);
+            half.clone().inflate(&half)
+        };
+        let (piece, next) = (&self.pieces[last], &self.pieces[last + 1]);
+        let stretch = margin.lit(1) + margin;
+        let tangent = ((margin.lit(2) + margin) * margin).sqrt();
+        let spoke = Spoke::at(next.start.clone() / x, up_to(tangent.clone() / &stretch));
+        let before: R = (0..last).fold(x.lit(0), |sum, i| {
+            let [from, to] = [i, i + 1].map(|row| Spoke::new(&self.pieces[row].start, x));
+            sum + self.pieces[i].share(Part::Slope, x, &from, &to, &x.lit(1))
+        });
+        let whole = piece.share(Part::Slope, x, &Spoke::new(&piece.start, x), &spoke, &x.lit(1));
+        let beyond = next.bend.at(&up_to(margin.clone() * &next.start / &next.width)) * up_to(tangent.atan());
+        before + whole + beyond
     }
 }

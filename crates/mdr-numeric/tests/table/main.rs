@@ -6,6 +6,8 @@
 mod accuracy;
 mod convergence;
 #[cfg(feature = "mp")]
+mod enclosed;
+#[cfg(feature = "mp")]
 mod exactness;
 mod read;
 mod sample;

@@ -155,6 +155,12 @@ impl Real for Interval {
         self.hi.add_assign_round(&bound, Round::Up);
         self
     }
+    fn greater(&self, other: &Interval) -> Interval {
+        Interval::new(self.lo.clone().max(&other.lo), self.hi.clone().max(&other.hi))
+    }
+    fn either(&self, other: &Interval) -> Interval {
+        self.hull(other)
+    }
     fn steer(&self) -> Interval {
         Interval::point(self.mid())
     }
