@@ -15,6 +15,7 @@ mod machine;
 mod path;
 mod printed;
 mod profiles;
+mod proof;
 mod quadrature;
 mod scaling;
 mod springs;
@@ -90,6 +91,9 @@ pub(crate) fn registry() -> &'static [Check] {
         folds::FORCE,
         folds::MACHINE,
         folds::PRINTED,
+        proof::SEARCH,
+        proof::CLOSED,
+        proof::EQUILIBRIA,
         equilibria::BESIDE,
         energy::POTENTIAL,
         energy::ROUTES,

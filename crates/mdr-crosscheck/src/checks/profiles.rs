@@ -86,11 +86,11 @@ fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Re
 }
 
 /// Roundings of a closed form of the library.
-const ROUNDINGS: f64 = 40.0;
+pub(super) const ROUNDINGS: f64 = 40.0;
 
 /// A profile: its shape, a length L, a second length b = ratio·L where there is one, and a slope or height over L.
 #[derive(Clone, Debug)]
-struct Drawn<R> {
+pub(super) struct Drawn<R> {
     shape: Shape,
     length: R,
     second: R,
@@ -165,7 +165,7 @@ impl<R: Real> Profile<R> for Drawn<R> {
 
 impl<R: Arithmetic> Drawn<R> {
     /// A profile at any scale. The cap of a cone ends where the sphere has its slope.
-    fn draw(trial: &mut Trial<'_>, shape: Shape, ctx: R::Ctx) -> Self {
+    pub(super) fn draw(trial: &mut Trial<'_>, shape: Shape, ctx: R::Ctx) -> Self {
         let length = R::from_f64(ctx, 10_f64.powf(trial.uniform(-15.0, 15.0)));
         let ratio = R::from_f64(ctx, 2_f64.powf(trial.uniform(-2.0, 1.0)));
         let slope = R::from_f64(ctx, 2_f64.powf(trial.uniform(-4.0, 1.0)));
@@ -177,7 +177,7 @@ impl<R: Arithmetic> Drawn<R> {
     }
 
     /// A radius within the profile, off its edge by a fifth or more on the given side.
-    fn radius(&self, trial: &mut Trial<'_>, beyond: bool, ctx: R::Ctx) -> R {
+    pub(super) fn radius(&self, trial: &mut Trial<'_>, beyond: bool, ctx: R::Ctx) -> R {
         if self.outer_radius().is_some() {
             return self.length.clone() * R::from_f64(ctx, trial.uniform(0.05, 0.8));
         }
@@ -186,8 +186,23 @@ impl<R: Arithmetic> Drawn<R> {
         self.second.clone() * R::from_f64(ctx, 2_f64.powf(octaves))
     }
 
+    /// The slope or height over L.
+    pub(super) fn steepness(&self) -> R {
+        self.slope.clone()
+    }
+}
+
+impl Drawn<f64> {
+    /// The same profile, exactly, in another arithmetic.
+    pub(super) fn lifted<R: Real>(&self, ctx: R::Ctx) -> Drawn<R> {
+        let [length, second, slope] = [self.length, self.second, self.slope].map(|value| R::from_f64(ctx, value));
+        Drawn { shape: self.shape, length, second, slope }
+    }
+}
+
+impl<R: Real> Drawn<R> {
     /// The closed form, over numbers in which R is a constant.
-    fn closed<S: Lift<R> + Struve>(&self) -> Result<Box<dyn Transform<S>>> {
+    pub(super) fn closed<S: Lift<R> + Struve>(&self) -> Result<Box<dyn Transform<S>>> {
         let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
         Ok(match self.shape {
             Shape::Cone => Box::new(closed::Cone::new(t)?),

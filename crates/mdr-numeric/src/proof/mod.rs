@@ -192,10 +192,12 @@ impl<'a> EnclosedCurve<'a> {
         // Newton converges from nearly any cell that isolates a simple zero; halving gets it there.
         for _ in 0..64 {
             if let Some(zero) = verify(&cell.mid(), |a| self.condition(a), |a| self.slope(a))?
-                && zero.lower() >= cell.lower()
-                && zero.upper() <= cell.upper()
+                && let Some(common) = zero.intersect(&cell)
+                && (cell.contains(zero.lower()) && cell.contains(zero.upper())
+                    || !self.slope(&zero.hull(&cell))?.contains_zero())
             {
-                return Ok(Some(zero));
+                // The zero that was verified is that of the cell: within it, or there is but one in both together.
+                return Ok(Some(common));
             }
             let Some(half) = self.half_with_zero(&cell)? else { return Ok(None) };
             cell = half;

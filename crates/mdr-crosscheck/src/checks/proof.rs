@@ -1,0 +1,278 @@
+//! What is proved over enclosures against closed forms and against the searches in f64, for every profile and control.
+
+use mdr_analytic::{Contact, PowerLaw};
+use mdr_core::contact::{Control, FoldKind, Instability, Material, Result, Stability, Transform};
+use mdr_core::number::{Dual, Interval, Precision, Real};
+use mdr_numeric::curve::Curve;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::folds;
+use mdr_numeric::proof::{self, EnclosedBranches, EnclosedCurve, ProvedFolds};
+use rug::Float;
+
+use super::Check;
+use super::machine::Machine;
+use super::profiles::{Drawn, ROUNDINGS};
+use crate::grid::{Family, Scene};
+use crate::report::Unit;
+use crate::theory::{Form, Shape};
+use crate::trial::Trial;
+
+/// Bits of the enclosures.
+const BITS: u32 = 80;
+/// Evaluations that a proof may spend.
+const BUDGET: usize = 1_000_000;
+
+/// All folds proved, as many as the search in f64 finds, and each where it finds it.
+///
+/// The search errs by the error of g', 40(1 + c) roundoffs with the condition c of g', over the steepness
+/// |d ln(g'/Δl'λ)/d ln a| of the tangency condition; at an edge it finds the edge to two roundoffs.
+pub(super) const SEARCH: Check = Check {
+    name: "proved-folds-against-search",
+    claim: "all folds proved for every profile and control; number, kinds and radii by the search in f64",
+    equations: &["1.10"],
+    forms: &[],
+    unit: Unit::Roundoffs,
+    cases: [90, 600, 6000],
+    case: search,
+};
+
+/// The proved folds of power laws against a_c, d_c, F_c and the folds of machines in closed form, as enclosures.
+pub(super) const CLOSED: Check = Check {
+    name: "proved-folds-closed-form",
+    claim: "proved folds of power laws: the enclosures overlap those of the closed forms, none more, none less",
+    equations: &["1.10", "1.15", "1.17"],
+    forms: &[
+        Form::CriticalRadius,
+        Form::CriticalIndentation,
+        Form::CriticalForce,
+        Form::MachineFoldRadius,
+        Form::MachineFoldIndentation,
+        Form::MachineFoldForce,
+    ],
+    unit: Unit::Mismatch,
+    cases: [30, 200, 2000],
+    case: closed,
+};
+
+/// All equilibria proved, as many as the branches in f64 hold, each where they hold it and as stable.
+///
+/// The radius errs by the rounding of the direction of change, 100(1 + c) roundoffs of its terms with the condition c of
+/// g, over the slope of that direction.
+pub(super) const EQUILIBRIA: Check = Check {
+    name: "proved-equilibria",
+    claim: "all equilibria proved at a value for every profile and control; number, stability and radii by Branches in f64",
+    equations: &["1.5", "1.6", "1.8", "1.9"],
+    forms: &[],
+    unit: Unit::Roundoffs,
+    cases: [90, 600, 6000],
+    case: equilibria,
+};
+
+/// A number of f64, exactly.
+fn exact<R: Real>(ctx: R::Ctx, value: f64) -> R {
+    R::from_f64(ctx, value)
+}
+
+/// E*, w and what is controlled, in f64; lifted exactly.
+struct Setting {
+    e_star: f64,
+    work: f64,
+    stiffness: Option<f64>,
+    force: bool,
+}
+
+impl Setting {
+    fn material<R: Real>(&self, ctx: R::Ctx) -> Result<Material<R>> {
+        Material::new(exact(ctx, self.e_star), exact(ctx, self.work))
+    }
+
+    fn control<R: Real>(&self, ctx: R::Ctx) -> Result<Control<R>> {
+        match self.stiffness {
+            Some(stiffness) => Control::machine(exact(ctx, stiffness)),
+            None if self.force => Ok(Control::Force),
+            None => Ok(Control::Indentation),
+        }
+    }
+}
+
+/// A contact in one arithmetic.
+struct Side<R: Real> {
+    transform: Box<dyn Transform<R>>,
+    material: Material<R>,
+    control: Control<R>,
+}
+
+impl<R: Real> Side<R> {
+    fn new(transform: Box<dyn Transform<R>>, setting: &Setting, ctx: R::Ctx) -> Result<Self> {
+        Ok(Side { transform, material: setting.material(ctx)?, control: setting.control(ctx)? })
+    }
+
+    fn curve(&self) -> Curve<'_, R> {
+        Curve::new(self.transform.as_ref(), &self.material, &self.control)
+    }
+}
+
+/// A contact of the library in f64 and over enclosures, each with derivatives too.
+struct Library {
+    rough: Side<f64>,
+    steered: Side<Dual<f64>>,
+    plain: Side<Interval>,
+    moving: Side<Dual<Interval>>,
+    /// A radius on the scale of the profile.
+    radius: f64,
+}
+
+impl Library {
+    /// A profile of the library at any scale, with w such that the state at a drawn radius is tangent or nearly so.
+    fn draw(trial: &mut Trial<'_>) -> Result<Self> {
+        let (turn, shape) = (trial.index / Shape::ALL.len(), Shape::ALL[trial.index % Shape::ALL.len()]);
+        let drawn = Drawn::<f64>::draw(trial, shape, ());
+        let beyond = trial.uniform(0.0, 1.0) < 0.6;
+        let radius = drawn.radius(trial, beyond, ());
+        let rough = drawn.closed::<f64>()?;
+        let slope = match rough.slope(&radius)?.abs() {
+            0.0 => drawn.steepness(),
+            slope => slope,
+        };
+        let e_star = 10_f64.powf(trial.uniform(-8.0, 8.0));
+        let lambda = 10_f64.powf(trial.uniform(-0.5, 0.5));
+        let work = (slope / lambda).powi(2) * 2.0 * e_star * radius / std::f64::consts::PI;
+        let stiffness = (turn % 3 == 2).then(|| 2.0 * e_star * radius * 10_f64.powf(trial.uniform(-2.0, 2.0)));
+        let setting = Setting { e_star, work, stiffness, force: turn % 3 == 1 };
+        trial.describe(format_args!(
+            "{drawn:?}, E* = {e_star:e}, w = {work:e}, control {}, k = {stiffness:?}",
+            turn % 3
+        ));
+        let ctx = Precision::new(BITS);
+        let lifted = drawn.lifted::<Interval>(ctx);
+        Ok(Library {
+            rough: Side::new(rough, &setting, ())?,
+            steered: Side::new(drawn.closed::<Dual<f64>>()?, &setting, ())?,
+            plain: Side::new(lifted.closed::<Interval>()?, &setting, ctx)?,
+            moving: Side::new(lifted.closed::<Dual<Interval>>()?, &setting, ctx)?,
+            radius,
+        })
+    }
+
+    fn enclosed(&self) -> EnclosedCurve<'_> {
+        EnclosedCurve::new(self.plain.curve(), self.moving.curve())
+    }
+
+    /// All folds around what f64 finds, or around the drawn radius where it refuses (g is infinite at an edge).
+    fn prove(&self) -> Result<ProvedFolds> {
+        let (lower, upper) = proof::range(&self.rough.curve()).unwrap_or((self.radius / 1e6, self.radius * 1e6));
+        let [lower, upper] = [lower, upper].map(|end| Float::with_val(BITS, end));
+        self.enclosed().folds(&lower, &upper, BUDGET)
+    }
+
+    /// The allowed error of a fold in f64.
+    fn fold_error(&self, a: f64) -> Result<f64> {
+        if self.rough.transform.kinks().iter().any(|kink| (a / kink - 1.0).abs() < 8.0 * f64::EPSILON) {
+            return Ok(4.0);
+        }
+        let (curve, a) = (self.steered.curve(), Dual::variable(a));
+        let condition = |f: Dual<f64>| (f.slope * a.value / f.value).abs();
+        let steepness = condition(curve.tangency(&a)? / curve.threshold(&a));
+        Ok(ROUNDINGS * (2.0 + condition(self.steered.transform.slope(&a)?)) / steepness + 4.0)
+    }
+
+    /// The allowed error of an equilibrium in f64.
+    fn equilibrium_error(&self, a: f64, value: f64) -> Result<f64> {
+        let (curve, x) = (self.steered.curve(), Dual::variable(a));
+        let g = self.steered.transform.g(&x)?;
+        let terms = g.value.abs() + curve.detachment_elongation(&x).value + self.rough.transform.mean(&a)?.abs();
+        let direction = curve.direction(&x, &Dual::constant(value))?;
+        Ok(100.0 * (terms + (g.slope * a).abs()) / (direction.slope * a).abs() + 4.0)
+    }
+}
+
+fn search(trial: &mut Trial<'_>) -> Result<()> {
+    let library = Library::draw(trial)?;
+    let proved = library.prove()?;
+    trial.demand("the proof is complete", proved.is_complete());
+    let Ok(found) = folds::find(&library.rough.curve()) else { return Ok(()) };
+    let mut all: Vec<_> = proved.folds.iter().chain(&proved.poles).collect();
+    all.sort_by(|one, other| one.contact_radius.lower().total_cmp(other.contact_radius.lower()));
+    trial.demand("as many folds", all.len() == found.folds.len());
+    for (proved, found) in all.iter().zip(&found.folds) {
+        trial.demand("the kind of fold", proved.kind == found.kind);
+        if proved.indentation.is_finite() {
+            let a = &proved.contact_radius;
+            let allowed = library.fold_error(a.approx())?;
+            trial.compare("a", &found.contact_radius, &a.approx(), allowed);
+        }
+    }
+    Ok(())
+}
+
+fn equilibria(trial: &mut Trial<'_>) -> Result<()> {
+    let library = Library::draw(trial)?;
+    let proved = library.prove()?;
+    // The state at a radius that is not the drawn one, where it is likely to be tangent.
+    let at = library.radius * 2_f64.powf(-trial.uniform(0.1, 1.0));
+    let Ok(value) = library.rough.curve().controlled(&at) else { return Ok(()) };
+    trial.describe_also(format_args!("value {value:e}"));
+    let branches = EnclosedBranches::new(library.enclosed(), &proved)?;
+    let Ok(rough) = Branches::new(library.rough.curve()) else { return Ok(()) };
+    let found = branches.equilibria(&exact(Precision::new(BITS), value))?;
+    let expected = rough.equilibria(&value)?;
+    trial.demand("as many equilibria", found.len() == expected.len());
+    for (found, expected) in found.iter().zip(&expected) {
+        trial.demand("stability", found.stability == expected.stability);
+        if found.stability != Stability::Neutral {
+            let a = found.contact_radius.approx();
+            trial.compare("a", &expected.contact_radius, &a, library.equilibrium_error(a, value)?);
+        }
+    }
+    Ok(())
+}
+
+/// A power law over enclosures.
+fn closed(trial: &mut Trial<'_>) -> Result<()> {
+    let round = trial.index / 3;
+    let family = Family { least: 0.05, most: 12.0, nearest: 4 };
+    let exponent = trial.exponent(round, family);
+    let (scene, radius, setting) = if trial.index % 3 == 2 {
+        let Machine { scene, stiffness, radius, .. } = trial.machine::<f64>(round, family, ());
+        let setting = Setting { e_star: scene.e_star, work: scene.work, stiffness: Some(stiffness), force: false };
+        (scene, radius, setting)
+    } else {
+        let force = trial.index % 3 == 1;
+        let scales = trial.scales::<f64>(round, exponent);
+        let scene: Scene<f64> = trial.planted(exponent, if force { 3.0 } else { 1.0 }, scales, ());
+        let setting = Setting { e_star: scene.e_star, work: scene.work, stiffness: None, force };
+        (scene, scales.radius, setting)
+    };
+    let ctx = Precision::new(BITS);
+    let law = PowerLaw::<Interval>::new(exact(ctx, scene.n), exact(ctx, scene.c))?;
+    let moving = PowerLaw::<Dual<Interval>>::new(exact(ctx, scene.n), exact(ctx, scene.c))?;
+    let contact = Contact::new(law.clone(), setting.material(ctx)?);
+    let plain = Side::new(Box::new(law), &setting, ctx)?;
+    let moving = Side::new(Box::new(moving), &setting, ctx)?;
+    let expected = match &plain.control {
+        Control::Machine { stiffness } => trial.theory.machine_folds(&contact, stiffness)?,
+        control => {
+            let critical = trial.theory.critical(&contact, control)?;
+            let kind = if scene.n < 0.5 { FoldKind::Maximum } else { FoldKind::Minimum };
+            let (contact_radius, indentation, force) = (critical.contact_radius, critical.indentation, critical.force);
+            vec![Instability { contact_radius, indentation, force, kind }]
+        }
+    };
+    // Wide enough for all three folds of a machine.
+    let ends = [-60, 60].map(|octaves| Float::with_val(BITS, radius) << octaves);
+    let enclosed = EnclosedCurve::new(plain.curve(), moving.curve());
+    let within = |fold: &&Instability<Interval>| {
+        *fold.contact_radius.lower() > ends[0] && *fold.contact_radius.upper() < ends[1]
+    };
+    let expected: Vec<_> = expected.iter().filter(within).collect();
+    let proved = enclosed.folds(&ends[0], &ends[1], BUDGET)?;
+    trial.demand("the proof is complete", proved.is_complete());
+    trial.demand("as many folds", proved.folds.len() == expected.len());
+    for (proved, expected) in proved.folds.iter().zip(expected) {
+        trial.demand("a", proved.contact_radius.overlaps(&expected.contact_radius));
+        trial.demand("d", proved.indentation.overlaps(&expected.indentation));
+        trial.demand("F", proved.force.overlaps(&expected.force));
+        trial.demand("the kind of fold", proved.kind == expected.kind);
+    }
+    Ok(())
+}
