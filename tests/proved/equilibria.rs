@@ -4,6 +4,7 @@ use mdr_analytic::profiles::*;
 use mdr_core::contact::{Error, Result, Stability};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use mdr_numeric::branch::Branched;
+use mdr_numeric::path::{EventKind, Path, Start};
 use mdr_numeric::proof::ProvedFolds;
 use rug::Float;
 
@@ -156,6 +157,28 @@ fn beyond_the_range() -> Result<()> {
         let tiny = -Interval::from_int(Precision::new(64), 1).over(1_000_000);
         let found = branches.equilibria(&tiny)?;
         assert!(found.len() == 2 && found[0].contact_radius.upper() < &branches.range().0, "{found:?}");
+        Ok(())
+    })
+}
+
+/// Loading paths run over enclosures as they do over f64, and then each decision in them is proved.
+#[test]
+fn paths_are_proved() -> Result<()> {
+    use EventKind::{Detached, End, Jump, JumpIn, Start as Begin, WayPoint};
+    let proved = waves(64, Held::Indentation)?.folds(1e-6, 1e3)?;
+    waves(200, Held::Indentation)?.branches(&proved, |branches| {
+        let way = ["0", "-0.01", "0"].map(|value| crate::number::<Interval>(Precision::new(200), value));
+        let path = Path::follow(&branches, &Start::Largest, &way)?;
+        let kinds: Vec<EventKind> = path.events.iter().map(|event| event.kind).collect();
+        assert_eq!(kinds, [Begin, Jump, Detached, WayPoint, JumpIn, End], "{path:?}");
+        // 0.0645 → 0.0474 at d ≈ −0.00185, and the end at 0.0189, d ≈ −0.00249; each to 40 digits and more.
+        for (event, from, value) in [(&path.events[1], 0.0645, -0.00185), (&path.events[2], 0.0189, -0.00249)] {
+            let left = &event.before.contact().expect("in contact").contact_radius;
+            assert!((left.approx() - from).abs() < 1e-4 && (event.value.approx() - value).abs() < 1e-5, "{event:?}");
+            assert!(left.accuracy_bits() > 140 && event.value.accuracy_bits() > 140);
+        }
+        let landing = path.events[1].after.contact().expect("a landing point");
+        assert!((landing.contact_radius.approx() - 0.0474).abs() < 1e-4);
         Ok(())
     })
 }

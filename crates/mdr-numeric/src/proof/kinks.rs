@@ -36,7 +36,7 @@ impl EnclosedCurve<'_> {
         for (index, kink) in kinks.iter().enumerate() {
             let repeated = gaps.last().is_some_and(|gap| gap.radius == *kink);
             let from = gaps.last().map_or(lower, |gap| &gap.after);
-            let to = kinks.get(index + 1).filter(|next| *next != kink).map_or(upper, |next| next.lower());
+            let to = kinks[index + 1..].iter().find(|next| *next != kink).map_or(upper, |next| next.lower());
             if !repeated && let Some(gap) = self.neighbourhood(index, kink, from, to)? {
                 gaps.push(gap);
             }

@@ -109,6 +109,11 @@ impl<R: Special> Transform<R> for MeasuredProfile<R> {
         let Some(next) = self.pieces.get(index + 1) else { return Ok(None) };
         let b = &next.start;
         let near = b.clone().inflate(&(margin.clone() * b));
+        // No other row may be so close.
+        let last = next.start.clone() + &next.width;
+        if !(near > self.pieces[index].start && near < last) {
+            return Ok(None);
+        }
         let value = (self.sum(Part::Value, b, index) * b, self.sum(Part::Integral, b, index) * b);
         let inside = Slopes::within(self.sum(Part::Slope, &near, index));
         let outside = Slopes::within(self.just_outside(index, &near, margin));

@@ -72,6 +72,15 @@ fn rows_are_enclosed_from_both_sides() {
     }
 }
 
+/// Of a neighbourhood that reaches another row nothing is said.
+#[test]
+fn a_wide_neighbourhood_is_refused() {
+    let profile = enclosed::<Interval>();
+    let known = |part: i64| profile.kink(5, &Interval::from_int(Precision::new(BITS), 1).over(part)).unwrap().is_some();
+    // The row at 0.7, a seventh of it from its neighbours at 0.6 and 0.8.
+    assert!(known(8) && !known(7) && !known(4));
+}
+
 #[test]
 fn a_row_is_not_straddled() {
     let profile = enclosed::<Interval>();
