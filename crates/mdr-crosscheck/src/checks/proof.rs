@@ -191,16 +191,11 @@ fn search(trial: &mut Trial<'_>) -> Result<()> {
     let proved = library.prove()?;
     trial.demand("the proof is complete", proved.is_complete());
     let Ok(found) = folds::find(&library.rough.curve()) else { return Ok(()) };
-    let mut all: Vec<_> = proved.folds.iter().chain(&proved.poles).collect();
-    all.sort_by(|one, other| one.contact_radius.lower().total_cmp(other.contact_radius.lower()));
-    trial.demand("as many folds", all.len() == found.folds.len());
-    for (proved, found) in all.iter().zip(&found.folds) {
+    trial.demand("as many folds", proved.folds.len() == found.folds.len());
+    for (proved, found) in proved.folds.iter().zip(&found.folds) {
         trial.demand("the kind of fold", proved.kind == found.kind);
-        if proved.indentation.is_finite() {
-            let a = &proved.contact_radius;
-            let allowed = library.fold_error(a.approx())?;
-            trial.compare("a", &found.contact_radius, &a.approx(), allowed);
-        }
+        let a = proved.contact_radius.approx();
+        trial.compare("a", &found.contact_radius, &a, library.fold_error(a)?);
     }
     Ok(())
 }
@@ -208,6 +203,10 @@ fn search(trial: &mut Trial<'_>) -> Result<()> {
 fn equilibria(trial: &mut Trial<'_>) -> Result<()> {
     let library = Library::draw(trial)?;
     let proved = library.prove()?;
+    // In f64 a curve is not cut where g is infinite.
+    if !proved.poles.is_empty() {
+        return Ok(());
+    }
     // The state at a radius that is not the drawn one, where it is likely to be tangent.
     let at = library.radius * 2_f64.powf(-trial.uniform(0.1, 1.0));
     let Ok(value) = library.rough.curve().controlled(&at) else { return Ok(()) };
