@@ -92,6 +92,19 @@ impl Witness {
     }
 }
 
+impl Decision {
+    /// The decision and its reason, as text.
+    pub fn text(&self) -> String {
+        let plain = |because: &Witness| because.describe(&|text, _| text.to_owned());
+        match self {
+            Decision::Proved { because } => format!("proved: {}", plain(because)),
+            Decision::Refuted { because } => format!("refuted: {}", plain(because)),
+            Decision::Undecided(Undecided::NoNormalForm(error)) => format!("undecided: {error}"),
+            Decision::Undecided(Undecided::MixedSigns) => "undecided: the terms have different signs".to_owned(),
+        }
+    }
+}
+
 /// Why algebra cannot tell.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Undecided {

@@ -113,8 +113,8 @@ impl StepJudgement {
     fn decide(&mut self) -> Result<(), Error> {
         let step = self.step;
         let Some(statement) = step.statement()? else { return Ok(()) };
-        if !step.holds()? {
-            self.failure = Some(format!("not {} by normal forms", step.claim.word()));
+        if let Some((domain, decision)) = step.contradictions()?.first() {
+            self.failure = Some(format!("for {} normal forms say {}", domain.text(), decision.text()));
             return Ok(());
         }
         if statement.relation != Relation::SameDimension {

@@ -146,16 +146,25 @@ impl Step {
         }
     }
 
+    /// Where normal forms do not say what the step claims, and what they say instead. Empty for a step that is enclosed or
+    /// cited.
+    ///
+    /// # Errors
+    /// As [`Step::statement`].
+    pub fn contradictions(&self) -> Result<Vec<(Domain, Decision)>> {
+        let as_claimed = |decision: &Decision| match self.claim {
+            Claim::Refuted => matches!(decision, Decision::Refuted { .. }),
+            _ => matches!(decision, Decision::Proved { .. }),
+        };
+        Ok(self.check()?.into_iter().filter(|(_, decision)| !as_claimed(decision)).collect())
+    }
+
     /// Whether normal forms say what the step claims, on each of its domains. True for a step that is enclosed or cited.
     ///
     /// # Errors
     /// As [`Step::statement`].
     pub fn holds(&self) -> Result<bool> {
-        let as_claimed = |decision: &Decision| match self.claim {
-            Claim::Refuted => matches!(decision, Decision::Refuted { .. }),
-            _ => matches!(decision, Decision::Proved { .. }),
-        };
-        Ok(self.check()?.iter().all(|(_, decision)| as_claimed(decision)))
+        Ok(self.contradictions()?.is_empty())
     }
 
     /// Mutants of a proved statement: how many there are, and those that are not refuted on any domain of the step.
