@@ -69,11 +69,15 @@ pub(crate) fn estimated(
         precision = raised(precision);
         let fine = f(precision)?;
         let Some(records) = compared(&coarse, fine.clone()) else {
-            return Err(Error::Undecided {
-                quantity: Quantity::ContactRadius,
-                bits: precision.bits(),
-                what: "how many equilibria there are",
-            });
+            if attempt == ESTIMATES {
+                return Err(Error::Undecided {
+                    quantity: Quantity::ContactRadius,
+                    bits: precision.bits(),
+                    what: "how many equilibria there are",
+                });
+            }
+            coarse = fine;
+            continue;
         };
         let mut decided = Vec::new();
         let open = round(&records, digits, &mut decided);

@@ -1,6 +1,6 @@
 //! The output `path`: one record for each event.
 
-use mdr_core::contact::{Control, Equilibrium, Result};
+use mdr_core::contact::{Control, Equilibrium, Error, Result, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::branch::Branched;
 use mdr_numeric::path::{Balance, Entry, Event, EventKind, Ledger, Loss, Path, Start as Begin, State};
@@ -80,6 +80,12 @@ pub(crate) fn losses<R: Arithmetic>(path: &Path<R>, ledger: &Ledger<R>) -> Vec<F
         Loss::Unbounded => Field::Word("unbounded"),
     };
     path.events.iter().zip(&ledger.entries).map(of).collect()
+}
+
+/// The energy lost in each event, where its integral does not converge.
+pub(crate) fn unknown_losses<R: Arithmetic>(path: &Path<R>, error: &Error) -> Vec<Field<R>> {
+    let unknown = || Field::Marked { status: Status::Undecided, log10: None, why: Some(error.to_string()) };
+    path.events.iter().map(|event| if changes(event.kind) { unknown() } else { Field::Absent }).collect()
 }
 
 /// The books of a path: the work of the control, the energy lost, and what is stored more than at the start.

@@ -72,9 +72,14 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// As [`path::follow`] and [`Ledger::new`].
     pub(crate) fn path(&self, held: &Held) -> Result<Vec<Record<R>>> {
         let path = path::follow(self.contact, &self.branches, held)?;
-        let ledger = Ledger::new(&path, &self.branches)?;
-        let events = path::records(self.contact.control(), &path, path::losses(&path, &ledger));
-        let balance = ledger.balance(&path, &self.branches)?.map(path::balance).into_iter().collect();
+        let (losses, balance) = match Ledger::new(&path, &self.branches) {
+            Ok(ledger) => (path::losses(&path, &ledger), ledger.balance(&path, &self.branches)?),
+            // The events stand without their energy.
+            Err(error @ Error::NoConvergence { .. }) => (path::unknown_losses(&path, &error), None),
+            Err(error) => return Err(error),
+        };
+        let events = path::records(self.contact.control(), &path, losses);
+        let balance = balance.map(path::balance).into_iter().collect();
         Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
     }
 
