@@ -225,7 +225,8 @@ impl<'a, R: Real> Branches<'a, R> {
         Ok(None)
     }
 
-    /// The direction of change at a radius; none out of the range of radii or of the arithmetic.
+    /// The direction of change at a radius; none out of the range of radii or of the arithmetic, or where g cannot be had:
+    /// a walk ends there. The search for folds met the same radii and has said that it is [`Completeness::Doubtful`].
     fn turn(&self, a: R, value: &R) -> Result<Option<(R, Ordering)>> {
         let normal = a.is_finite() && a.clone() * a.unit_roundoff() > a.lit(0);
         let within = self.reach.as_ref().is_none_or(|[lower, upper]| a >= *lower && a <= *upper);
@@ -234,7 +235,7 @@ impl<'a, R: Real> Branches<'a, R> {
         }
         match self.curve.direction(&a, value) {
             Ok(change) => Ok(change.partial_cmp(&change.lit(0)).map(|_| (a, sign(&change)))),
-            Err(Error::OutOfRange { .. } | Error::Domain { .. }) => Ok(None),
+            Err(Error::OutOfRange { .. } | Error::Domain { .. } | Error::NoConvergence { .. }) => Ok(None),
             Err(error) => Err(error),
         }
     }

@@ -5,7 +5,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Material, Outcome, Stability};
+use mdr_core::contact::{Control, Equilibrium, Error, Expression, FoldKind, Material, Outcome, Stability, Transform};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::{Branches, equilibria};
@@ -264,6 +264,29 @@ fn extreme_scales() {
     match folds(&ball, &material, &Control::Indentation) {
         Err(Error::OutOfRange { log10, .. }) => assert_relative_eq!(log10, -399.582, epsilon = 1e-3),
         other => panic!("{other:?}"),
+    }
+}
+
+/// 1 − cos kr is all rounding near the tip, so that g cannot be had there. What is to be found lies elsewhere.
+#[test]
+fn a_tip_of_noise_hides_no_equilibrium() {
+    let formula: Expression = "r^2/(2*R) + A*(1-cos(k*r))".parse().unwrap();
+    let values = [("R", "1e-2"), ("A", "1e-8"), ("k", "1e4")].map(|(name, x)| (name.to_owned(), x.parse().unwrap()));
+    let noisy = Quadrature::new(formula.bind::<f64>((), &values.into()).unwrap());
+    let smooth = Quadrature::new(WavyParaboloid::new(1e-2, 1e-8, 2.0 * PI / 1e4).unwrap());
+    assert!(noisy.g(&1e-10).is_err());
+
+    let material = Material::new(1e6, 0.05).unwrap();
+    let curves = [&noisy as &dyn Transform<f64>, &smooth].map(|g| Curve::new(g, &material, &Control::Force));
+    let [found, expected] = curves.map(|curve| Branches::new(curve).unwrap());
+    assert_eq!(found.completeness(), Completeness::Doubtful);
+    for force in [0.0, 1e-3, -1.0] {
+        let [found, expected] = [&found, &expected].map(|branches| branches.equilibria(&force).unwrap());
+        assert_eq!(found.len(), expected.len());
+        for (found, expected) in found.iter().zip(&expected) {
+            // 1 − cos kr has the error u/(kr)², and kr is about 4.
+            assert_relative_eq!(found.contact_radius, expected.contact_radius, max_relative = 1e3 * U);
+        }
     }
 }
 

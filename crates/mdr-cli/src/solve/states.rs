@@ -109,8 +109,9 @@ impl<'a, R: Arithmetic> States<'a, R> {
             Start::Smallest => stable.next(),
             Start::Detached => None,
             Start::Radius(radius) => {
+                // Nearest in ratio, as on a path.
                 let near = self.contact.number(radius);
-                let distance = |state: &Equilibrium<R>| (state.contact_radius.clone() - &near).abs();
+                let distance = |state: &Equilibrium<R>| (state.contact_radius.clone() / &near).ln().abs();
                 stable.reduce(|best, state| if distance(&state) < distance(&best) { state } else { best })
             }
         };
