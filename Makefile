@@ -24,9 +24,9 @@ bench: deps
 doc: deps
 	cargo doc --locked --workspace --no-deps
 
-# The certified values once more, by Arb (pip install python-flint).
+# The certified values once more, by Arb: installs python-flint below target/ if it can.
 confirm:
-	python3 tests/confirm_records.py
+	@sh scripts/confirm.sh
 
 deps:
 	@sh scripts/deps.sh

@@ -165,9 +165,11 @@ impl Record {
         (self.value.is_some() && matches!(self.status, Status::Ok | Status::Fold)).then(|| hexadecimal(self.nearest()))
     }
 
-    /// The total condition Σ|d ln value/d ln input|: what relative errors of one unit in the inputs cost.
+    /// The total condition Σ|d ln value/d ln input|: what relative errors of one unit in the inputs cost; 0 where there
+    /// is no number.
     pub fn total_condition(&self) -> f64 {
-        self.condition.iter().map(|(_, condition)| condition).sum()
+        // Not `sum`, which gives −0 for an empty list.
+        self.condition.iter().fold(0.0, |total, (_, condition)| total + condition)
     }
 
     /// A relative error that a good double-precision program can keep: four roundings, 4u·max(1, condition).
