@@ -2,6 +2,7 @@
 //! error: how far the interpolant of a sphere is from the sphere, and how far doubles are from 60 digits.
 
 use std::hint::black_box;
+use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use mdr_core::contact::Transform;
@@ -40,6 +41,7 @@ fn rounding(_: &[(f64, f64)], _: &MeasuredProfile<f64>) -> mdr_core::contact::Re
 
 fn transform(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("table");
+    group.sample_size(10).warm_up_time(Duration::from_millis(200)).measurement_time(Duration::from_secs(1));
     for rows in [100, 1000, 10_000, 100_000] {
         let points = sphere(rows);
         let profile = MeasuredProfile::new(points.clone()).expect("a table");
@@ -50,9 +52,7 @@ fn transform(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("g", rows), |b| b.iter(|| profile.g(black_box(&X))));
         group.bench_function(BenchmarkId::new("g'", rows), |b| b.iter(|| profile.slope(black_box(&X))));
         group.bench_function(BenchmarkId::new("G", rows), |b| b.iter(|| profile.integral(black_box(&X))));
-        group.sample_size(10);
         group.bench_function(BenchmarkId::new("set-up", rows), |b| b.iter(|| MeasuredProfile::new(points.clone())));
-        group.sample_size(100);
     }
     group.finish();
 }
