@@ -1,4 +1,4 @@
-//! The table [output]: what is wanted, where, and in which arithmetic.
+//! The table `[output]`: what is wanted, where, and in which arithmetic.
 
 use mdr_core::number::Literal;
 
@@ -123,7 +123,7 @@ fn arithmetic(section: &Section<'_>) -> Result<Arithmetic> {
     }
 }
 
-/// The list `at` of a sub-table of [output].
+/// The list `at` of a sub-table of `[output]`.
 fn at<'a>(section: &Section<'a>, key: &'static str, read: fn(&Value<'a>) -> Result<Literal>) -> Result<Vec<Literal>> {
     let Some(value) = section.optional(key) else {
         return Ok(Vec::new());
