@@ -360,8 +360,9 @@ impl Drawn {
         Drawn { points: std::array::from_fn(point) }
     }
 
-    /// Whether no value is closer to zero than `margin`, between the points neither: there a value is less than the
-    /// neighbours by an eighth of their second difference in the angle, of which twice as much is allowed for.
+    /// Whether all values have one sign and are no closer to zero than `margin`, between the points neither: there a value
+    /// is less than the neighbours by an eighth of their second difference in the angle, of which twice as much is allowed
+    /// for.
     fn keeps_away(&self, margin: f64) -> bool {
         let value = |i: usize| self.points[i].1;
         let bend = |i: usize| {
@@ -370,7 +371,7 @@ impl Drawn {
         };
         (0..=DRAWN).all(|i| {
             let bends = (i.saturating_sub(1)..=DRAWN.min(i + 1)).map(bend);
-            value(i).abs() > margin + bends.fold(0.0, f64::max) / 4.0
+            value(i) * value(0).signum() > margin + bends.fold(0.0, f64::max) / 4.0
         })
     }
 
