@@ -1,6 +1,9 @@
 //! Profiles with many waves: the transform by quadrature against the closed form with Struve functions, and the search for
 //! folds against the proved list.
 
+#[path = "../crates/mdr-crosscheck/benches/waves/mod.rs"]
+mod waves;
+
 use mdr_analytic::profiles::WavyParaboloid as Closed;
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Control, FoldKind, Material, Result, Transform};
@@ -84,14 +87,11 @@ fn folds_by_the_thousand() -> Result<()> {
     Ok(())
 }
 
-/// The same contact as in the benches of folds: waves of λ = 0.2/N m as steep as the paraboloid up to a = 0.1. The
-/// numbers are those proved by enclosures on radii from 10⁻⁶ to 10³ (bench `proof`).
+/// The contact of the benches of folds: the numbers are those proved by enclosures on radii from 10⁻⁶ to 10³.
 #[test]
 fn as_many_folds_as_are_proved() -> Result<()> {
-    let pi = std::f64::consts::PI;
-    for (count, proved) in [(3.0, 5), (30.0, 35), (300.0, 353), (3000.0, 3535), (10_000.0, 11_785)] {
-        let k = 10.0 * pi * count;
-        let waves = Closed::new(1.0, 0.4 / (pi * k) / (0.2 * k / pi).sqrt(), 0.2 / count)?;
+    for (count, proved) in waves::CASES {
+        let waves = waves::waves::<f64>((), count)?;
         let material = Material::new(1.0, 1e-4)?;
         let found = find(&Curve::new(&waves, &material, &Control::Indentation))?;
         assert_eq!((found.folds.len(), found.completeness), (proved, Completeness::Resolved));

@@ -48,6 +48,23 @@ pub trait Branched<R: Real> {
     /// Those of the transform; [`Error::Undecided`].
     fn onset(&self) -> Result<Onset>;
 
+    /// All equilibria at `value`, by increasing radius; none is an empty list. At a fold itself the double root is one,
+    /// [`Neutral`](mdr_core::contact::Stability::Neutral).
+    ///
+    /// # Errors
+    /// As [`Branched::on_branch`].
+    fn equilibria(&self, value: &R) -> Result<Vec<Equilibrium<R>>> {
+        let mut found = Vec::new();
+        for branch in 0..=self.folds().len() {
+            found.extend(self.on_branch(branch, value)?);
+            let Some(fold) = self.folds().get(branch) else { continue };
+            if self.compare(value, fold)? == Ordering::Equal {
+                found.push(fold.clone().into());
+            }
+        }
+        Ok(found)
+    }
+
     /// Whether equilibria on a branch are stable; none where no fold bounds it.
     fn is_stable(&self, branch: usize) -> Option<bool> {
         let below = branch.checked_sub(1).and_then(|fold| self.folds().get(fold));

@@ -85,26 +85,6 @@ impl<'a, R: Real> Branches<'a, R> {
         self.completeness
     }
 
-    /// See [`equilibria`].
-    ///
-    /// # Errors
-    /// As [`equilibria`].
-    pub fn equilibria(&self, value: &R) -> Result<Vec<Equilibrium<R>>> {
-        let mut found = Vec::new();
-        for branch in 0..=self.folds.len() {
-            found.extend(self.on_branch(branch, value)?);
-            if let Some(fold) = self.folds.get(branch).filter(|fold| self.is_at(fold, value)) {
-                found.push(Equilibrium {
-                    contact_radius: fold.contact_radius.clone(),
-                    indentation: fold.indentation.clone(),
-                    force: fold.force.clone(),
-                    stability: Stability::Neutral,
-                });
-            }
-        }
-        Ok(found)
-    }
-
     /// Whether `value` is that of the fold, up to the rounding of g, Δl and the mean of g.
     fn is_at(&self, fold: &Instability<R>, value: &R) -> bool {
         let control = self.curve.control();

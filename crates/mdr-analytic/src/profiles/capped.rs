@@ -68,14 +68,7 @@ impl<R: Special> ClosedForm<R> for ParabolicCapCone<R> {
         Some(&self.cap)
     }
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
-        let (b, x) = (&self.cap, around(&self.cap, margin));
-        let outside = self.outer_slope(&x, &Edge::beside(b, margin));
-        let value = (self.tip.g_at(b), self.tip.integral_at(b) / b);
-        Some(Kink {
-            value: Some(value),
-            inside: Slopes::within(self.tip.slope_at(&x)),
-            outside: Slopes::within(outside),
-        })
+        Some(joint(&self.tip, &self.cap, margin, |x, edge| self.outer_slope(x, edge)))
     }
 }
 
@@ -153,13 +146,16 @@ impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
         Some(&self.cap)
     }
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
-        let (b, x) = (&self.cap, around(&self.cap, margin));
-        let outside = self.outer_slope(&x, &Edge::beside(b, margin));
-        let value = (self.tip.g_at(b), self.tip.integral_at(b) / b);
-        Some(Kink {
-            value: Some(value),
-            inside: Slopes::within(self.tip.slope_at(&x)),
-            outside: Slopes::within(outside),
-        })
+        Some(joint(&self.tip, &self.cap, margin, |x, edge| self.outer_slope(x, edge)))
+    }
+}
+
+/// Where the flank takes over from a tip at b, with the slope of g beyond.
+fn joint<R: Special>(tip: &impl ClosedForm<R>, b: &R, margin: &R, outer_slope: impl Fn(&R, &Edge<R>) -> R) -> Kink<R> {
+    let x = around(b, margin);
+    Kink {
+        value: Some((tip.g_at(b), tip.integral_at(b) / b)),
+        inside: Slopes::within(tip.slope_at(&x)),
+        outside: Slopes::within(outer_slope(&x, &Edge::beside(b, margin))),
     }
 }

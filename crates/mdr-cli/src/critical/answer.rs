@@ -199,14 +199,6 @@ fn text<S: Serializer>(value: &impl ToString, serializer: S) -> Result<S::Ok, S:
     serializer.serialize_str(&value.to_string())
 }
 
-/// `minimum` or `maximum`.
-pub(crate) fn fold_name(kind: FoldKind) -> &'static str {
-    match kind {
-        FoldKind::Minimum => "minimum",
-        FoldKind::Maximum => "maximum",
-    }
-}
-
 fn fold_kind<S: Serializer>(kind: &FoldKind, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(fold_name(*kind))
+    serializer.serialize_str(kind.name())
 }

@@ -2,7 +2,7 @@
 
 use mdr_core::contact::Regime;
 
-use super::answer::{Answer, Entry, Fold, State, fold_name};
+use super::answer::{Answer, Entry, Fold, State};
 use crate::error::Result;
 use crate::number::Number;
 use crate::output::{Format, Output};
@@ -39,7 +39,7 @@ fn for_reader(answer: &Answer) -> String {
         Some(folds) if folds.len() > 1 => {
             for (index, fold) in folds.iter().enumerate() {
                 for ((name, unit), entry) in QUANTITIES.iter().zip(fold.state.entries()) {
-                    add(&format!("{name}, fold {} ({})", index + 1, fold_name(fold.kind)), entry, unit);
+                    add(&format!("{name}, fold {} ({})", index + 1, fold.kind.name()), entry, unit);
                 }
             }
         }
@@ -156,7 +156,7 @@ fn columns(answer: &Answer, state: &State, fold: Option<&Fold>) -> [(&'static st
         ("log10_contact_radius", log10(&state.contact_radius)),
         ("log10_indentation", log10(&state.indentation)),
         ("log10_force", log10(&state.force)),
-        ("kind", fold.map(|fold| fold_name(fold.kind)).unwrap_or_default().to_owned()),
+        ("kind", fold.map(|fold| fold.kind.name()).unwrap_or_default().to_owned()),
         ("threshold_c", value(&answer.threshold.threshold_c)),
         ("ratio", answer.threshold.ratio.as_ref().map(value).unwrap_or_default()),
     ]

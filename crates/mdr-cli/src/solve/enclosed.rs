@@ -3,6 +3,7 @@
 use mdr_core::contact::{Error, Instability, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
+use mdr_numeric::branch::Branched;
 use mdr_numeric::path::EventKind;
 use mdr_numeric::proof::{EnclosedBranches, EnclosedCurve, ProvedFolds};
 use rug::Float;
@@ -103,7 +104,7 @@ pub(super) fn folds(certified: &Certified<'_>, isolated: &Isolated) -> Result<Ou
 /// All equilibria in the range, and those met beyond it; none where that cannot be proved.
 ///
 /// # Errors
-/// As [`EnclosedBranches::equilibria`].
+/// As [`Branched::equilibria`].
 pub(super) fn equilibria(certified: &Certified<'_>, isolated: &Isolated) -> Result<Option<Output>> {
     let records = proved(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Equilibrium, Error, FoldKind, Instability, Quantity, Result, Stability, Status};
+use mdr_core::contact::{Equilibrium, Error, Instability, Quantity, Result, Stability, Status};
 use mdr_core::number::Literal;
 
 use super::contact::{Arithmetic, Contact};
@@ -68,15 +68,7 @@ pub(crate) fn fold<N>(fold: Instability<N>) -> Record<N> {
         .with("contact_radius", Field::Number(fold.contact_radius))
         .with("indentation", Field::Number(fold.indentation))
         .with("force", Field::Number(fold.force))
-        .with("kind", Field::Word(kind(fold.kind)))
-}
-
-/// `minimum` or `maximum`.
-pub(crate) fn kind(kind: FoldKind) -> &'static str {
-    match kind {
-        FoldKind::Minimum => "minimum",
-        FoldKind::Maximum => "maximum",
-    }
+        .with("kind", Field::Word(fold.kind.name()))
 }
 
 /// An equilibrium.

@@ -3,6 +3,7 @@
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Result, Stability, Status};
 use mdr_core::number::Literal;
+use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::Branches;
@@ -57,7 +58,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// All equilibria at the values that the scene asks for.
     ///
     /// # Errors
-    /// As [`Branches::equilibria`].
+    /// As [`Branched::equilibria`].
     pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<Record<R>>> {
         let at = |literal: &Literal| {
             let states = self.at(literal)?;
@@ -86,7 +87,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// Pressure, gap or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
     ///
     /// # Errors
-    /// As [`Branches::equilibria`].
+    /// As [`Branched::equilibria`].
     pub(crate) fn fields(&self, scene: &Scene, want: Want) -> Result<Vec<Record<R>>> {
         let describe = |literal: &Literal, states: Vec<Equilibrium<R>>| {
             let records = states.into_iter().map(|state| self.describe(scene, want, state)).collect::<Result<_>>()?;

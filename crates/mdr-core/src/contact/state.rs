@@ -59,6 +59,16 @@ pub enum FoldKind {
     Maximum,
 }
 
+impl FoldKind {
+    /// `minimum` or `maximum`.
+    pub fn name(self) -> &'static str {
+        match self {
+            FoldKind::Minimum => "minimum",
+            FoldKind::Maximum => "maximum",
+        }
+    }
+}
+
 /// What becomes of a contact that has lost its equilibrium at a fold.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome<R> {
@@ -84,6 +94,14 @@ pub struct Instability<R> {
     pub force: R,
     /// Which way the controlled quantity turns.
     pub kind: FoldKind,
+}
+
+/// The contact at rest at the fold: the double root.
+impl<R> From<Instability<R>> for Equilibrium<R> {
+    fn from(fold: Instability<R>) -> Self {
+        let Instability { contact_radius, indentation, force, .. } = fold;
+        Equilibrium { contact_radius, indentation, force, stability: Stability::Neutral }
+    }
 }
 
 /// How an answer is marked.

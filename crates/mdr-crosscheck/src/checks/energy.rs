@@ -1,6 +1,7 @@
 //! Griffith's route: the potential energy by quadrature of quadratures, without the rule of Heß.
 
 use mdr_core::contact::{Control, Equilibrium, Result, Transform};
+use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::Branches;

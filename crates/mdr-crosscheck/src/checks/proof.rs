@@ -3,6 +3,7 @@
 use mdr_analytic::{Contact, PowerLaw};
 use mdr_core::contact::{Control, FoldKind, Instability, Material, Result, Stability, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
+use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::folds;

@@ -58,10 +58,6 @@ impl Scene {
     }
 
     fn draft(&self, index: usize, fold: &Instability<Interval>, complete: bool, held: Held) -> Draft {
-        let kind = match fold.kind {
-            mdr_core::contact::FoldKind::Minimum => "minimum",
-            mdr_core::contact::FoldKind::Maximum => "maximum",
-        };
         Draft {
             id: format!("fold/{}/fold-{}", self.name, index + 1),
             profile: self.profile.kind,
@@ -69,7 +65,7 @@ impl Scene {
             inputs: self.inputs().into_iter().map(|(name, text)| (name, text.to_owned())).collect(),
             control: Some(held.name()),
             methods: ["interval-isolation", "quadrature-tangency/mp"],
-            flags: [kind].into_iter().chain(complete.then_some("all-folds-proved")).collect(),
+            flags: [fold.kind.name()].into_iter().chain(complete.then_some("all-folds-proved")).collect(),
             proof: vec!["1.5", "1.6", "1.10"],
             refs: vec!["Popov (1.5)", "Popov (1.6)", "Popov (1.10)"],
             ..Draft::default()

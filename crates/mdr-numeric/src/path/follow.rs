@@ -290,12 +290,7 @@ fn state<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Resu
 
 /// At rest at a fold.
 fn at_fold<R: Real>(fold: &Instability<R>) -> State<R> {
-    State::Contact(Equilibrium {
-        contact_radius: fold.contact_radius.clone(),
-        indentation: fold.indentation.clone(),
-        force: fold.force.clone(),
-        stability: Stability::Neutral,
-    })
+    State::Contact(fold.clone().into())
 }
 
 /// The contact in a point with which contact begins or ends smoothly.

@@ -58,27 +58,9 @@ impl<'a> EnclosedBranches<'a> {
         Ok(EnclosedBranches { curve, folds, range: proved.range.clone(), wall })
     }
 
-    /// The range of radii on which all equilibria are found.
+    /// The range of radii on which [all equilibria](Branched::equilibria) are found; those met beyond it are told, too.
     pub fn range(&self) -> &(Float, Float) {
         &self.range
-    }
-
-    /// All equilibria at `value` with radii in the [range](Self::range), by increasing radius, and those found beyond it.
-    /// Where the value is certainly that of a fold, the double root is one, [`Neutral`](Stability::Neutral).
-    ///
-    /// # Errors
-    /// As [`Branched::on_branch`].
-    pub fn equilibria(&self, value: &Interval) -> Result<Vec<Equilibrium<Interval>>> {
-        let mut found = Vec::new();
-        for branch in 0..=self.folds.len() {
-            found.extend(self.on_branch(branch, value)?);
-            let Some(fold) = self.folds.get(branch) else { continue };
-            if self.compare(value, fold)? == Ordering::Equal {
-                let Instability { contact_radius, indentation, force, .. } = fold.clone();
-                found.push(Equilibrium { contact_radius, indentation, force, stability: Stability::Neutral });
-            }
-        }
-        Ok(found)
     }
 
     fn controlled(&self, fold: &Instability<Interval>) -> Interval {
