@@ -11,6 +11,7 @@
 
 mod arithmetic;
 mod checks;
+pub mod contest;
 pub mod derivations;
 mod faults;
 mod grid;

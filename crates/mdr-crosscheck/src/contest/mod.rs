@@ -1,0 +1,105 @@
+//! Error against run time: several methods answer the same question with growing effort, and each answer is compared with
+//! an enclosure of the truth that none of them had a part in.
+//!
+//! A [`Diagram`] is one question, a [`Curve`] one contestant, a [`Point`] one setting of its effort. Right digits and
+//! numbers of evaluations are a pure function of the source and are gated by a stored baseline; times are measured only
+//! when the [`Clock`] runs, and are never gated.
+
+mod clock;
+
+pub use clock::{Clock, Time};
+
+use serde::{Deserialize, Serialize};
+
+/// How far a set of diagrams goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Effort {
+    /// Seconds: what a test can afford.
+    Quick,
+    /// Minutes: what a report shows.
+    Full,
+}
+
+/// What becomes of an attempt.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// −log₁₀ of the relative error. Below zero when not even the order of magnitude is right.
+    Digits(f64),
+    /// At least so many digits are right: the error is below the width of the enclosure of the truth.
+    AtLeast(f64),
+    /// No answer, and why. It is drawn at the edge of the diagram.
+    Failed(String),
+}
+
+/// One answer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Point {
+    /// What was set, for a reader: "12 nodes", "50 digits", "4096 springs".
+    pub setting: String,
+    /// What was reached.
+    pub outcome: Outcome,
+    /// Evaluations of the integrand, function or spring that the method is made of, where they are counted.
+    pub evaluations: Option<u64>,
+    /// How long one answer took; none when the clock was off.
+    pub time: Option<Time>,
+}
+
+/// The arithmetic of a contestant, and so what it promises.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Arithmetic {
+    /// Double precision.
+    Double,
+    /// Arbitrary precision without proof.
+    Mp,
+    /// An enclosure.
+    Certified,
+}
+
+/// One contestant on one question.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Curve {
+    /// The name of the method, as in the legend.
+    pub contestant: String,
+    /// Its arithmetic.
+    pub arithmetic: Arithmetic,
+    /// Whether another project's code gave the answers (and so may be absent from a report).
+    pub outside: bool,
+    /// By growing effort.
+    pub points: Vec<Point>,
+}
+
+/// One question.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Diagram {
+    /// Stable name, and the stem of its files: "transform-power-0.25".
+    pub id: String,
+    /// The task it belongs to: "kappa", "transform", "fold", "precision", "grid".
+    pub task: String,
+    /// What is asked, in one line.
+    pub title: String,
+    /// Where the truth comes from, and why no contestant shares code with it.
+    pub truth: String,
+    /// Digits that the question leaves in double precision whatever the method, −log₁₀(u·max(1, condition)).
+    pub ceiling: Option<f64>,
+    /// The contestants.
+    pub curves: Vec<Curve>,
+}
+
+/// A task: a family of questions.
+#[derive(Clone, Copy)]
+pub struct Task {
+    /// "kappa", "transform", "fold", "precision", "grid".
+    pub name: &'static str,
+    /// What it is about, in one line.
+    pub claim: &'static str,
+    /// Answers its questions.
+    pub diagrams: fn(Effort, &Clock) -> Vec<Diagram>,
+}
+
+/// All tasks, in the order of the report.
+pub fn tasks() -> &'static [Task] {
+    &[]
+}
