@@ -6,8 +6,11 @@
 //! when the [`Clock`] runs, and are never gated.
 
 mod clock;
+mod judge;
+mod kappa;
 
 pub use clock::{Clock, Time};
+pub use judge::{Answer, ceiling};
 
 use serde::{Deserialize, Serialize};
 
@@ -31,6 +34,8 @@ pub enum Outcome {
     AtLeast(f64),
     /// No answer, and why. It is drawn at the edge of the diagram.
     Failed(String),
+    /// Done, and all that was checked holds: only time and size are told.
+    Passed,
 }
 
 /// One answer.
@@ -71,6 +76,25 @@ pub struct Curve {
     pub points: Vec<Point>,
 }
 
+/// How a diagram is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum View {
+    /// Time to the right, relative error upwards.
+    Error,
+    /// Digits to the right, time upwards: what precision costs.
+    Digits,
+    /// Evaluations to the right, time upwards: what size costs.
+    Size,
+}
+
+impl Curve {
+    /// A contestant of this workspace or of a crate that it uses.
+    pub fn new(contestant: impl Into<String>, arithmetic: Arithmetic, points: Vec<Point>) -> Self {
+        Curve { contestant: contestant.into(), arithmetic, outside: false, points }
+    }
+}
+
 /// One question.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Diagram {
@@ -82,10 +106,14 @@ pub struct Diagram {
     pub title: String,
     /// Where the truth comes from, and why no contestant shares code with it.
     pub truth: String,
+    /// How it is drawn.
+    pub view: View,
     /// Digits that the question leaves in double precision whatever the method, −log₁₀(u·max(1, condition)).
     pub ceiling: Option<f64>,
     /// The contestants.
     pub curves: Vec<Curve>,
+    /// Who or what is missing, and why, a sentence each.
+    pub omissions: Vec<String>,
 }
 
 /// A task: a family of questions.
@@ -101,5 +129,5 @@ pub struct Task {
 
 /// All tasks, in the order of the report.
 pub fn tasks() -> &'static [Task] {
-    &[]
+    &[kappa::KAPPA]
 }
