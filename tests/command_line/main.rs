@@ -15,6 +15,7 @@ mod precision;
 mod readme;
 mod records;
 mod reference;
+mod report;
 mod solve;
 mod verify;
 

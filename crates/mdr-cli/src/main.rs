@@ -12,6 +12,7 @@ mod number;
 mod output;
 mod picture;
 mod reference;
+mod report;
 mod scene;
 mod solve;
 mod table;
@@ -40,6 +41,7 @@ enum Command {
     Verify(verify::Verify),
     Critical(critical::Critical),
     Solve(solve::Solve),
+    Report(report::Report),
     Figures(figures::Figures),
     Reference(reference::Reference),
     Judge(judge::Judge),
@@ -67,6 +69,7 @@ impl Command {
             Command::Verify(verify) => verify.run(out),
             Command::Critical(critical) => critical.run(out).map(|()| true),
             Command::Solve(solve) => solve.run(out).map(|()| true),
+            Command::Report(report) => report.run(out).map(|()| true),
             Command::Figures(figures) => figures.run(out).map(|()| true),
             Command::Reference(reference) => reference.run(out),
             Command::Judge(judge) => judge.run(out),

@@ -16,6 +16,8 @@ pub(crate) enum Unit {
 enum Scale {
     Linear,
     Log,
+    /// As `Log`, of numbers that no `f64` holds: values and ends are powers of ten.
+    Powers,
 }
 
 /// One axis of a diagram.
@@ -57,6 +59,11 @@ impl Axis {
         Axis { quantity: quantity.into(), unit, scale: Scale::Log, lower: lower / factor, upper: upper * factor }
     }
 
+    /// An axis with equal ratios whose values are powers of ten, from 10^`lower` to 10^`upper`.
+    pub(crate) fn powers(quantity: impl Into<String>, lower: f64, upper: f64) -> Self {
+        Axis { scale: Scale::Powers, ..Self::linear(quantity, Unit::One, lower, upper) }
+    }
+
     /// A linear axis that shows all of `values`, with a margin, and zero where `zero` asks for it.
     pub(crate) fn around(
         quantity: impl Into<String>,
@@ -83,7 +90,7 @@ impl Axis {
     /// The value at a fraction of the axis.
     pub(crate) fn at(&self, fraction: f64) -> f64 {
         match self.scale {
-            Scale::Linear => self.lower + fraction * (self.upper - self.lower),
+            Scale::Linear | Scale::Powers => self.lower + fraction * (self.upper - self.lower),
             Scale::Log => self.lower * (self.upper / self.lower).powf(fraction),
         }
     }
@@ -91,7 +98,7 @@ impl Axis {
     /// Where on the axis a value is: 0 at the lower end, 1 at the upper.
     pub(crate) fn fraction(&self, value: f64) -> f64 {
         match self.scale {
-            Scale::Linear => (value - self.lower) / (self.upper - self.lower),
+            Scale::Linear | Scale::Powers => (value - self.lower) / (self.upper - self.lower),
             Scale::Log => (value / self.lower).ln() / (self.upper / self.lower).ln(),
         }
     }
@@ -133,7 +140,7 @@ impl Axis {
         let largest = self.lower.abs().max(self.upper.abs());
         let thousands = (largest.log10() / 3.0).floor();
         match self.scale {
-            Scale::Log => 0,
+            Scale::Log | Scale::Powers => 0,
             Scale::Linear if self.unit == Unit::One && (0.01..1e4).contains(&largest) => 0,
             // A largest number of 1.2 is better told as 1200 of the next smaller unit only when ticks would need it.
             Scale::Linear => 3 * thousands as i32,
@@ -144,7 +151,8 @@ impl Axis {
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
         match self.scale {
             Scale::Linear => self.linear_ticks(most),
-            Scale::Log => self.decades(most),
+            Scale::Log => self.decades((self.lower.log10(), self.upper.log10()), most),
+            Scale::Powers => self.decades((self.lower, self.upper), most),
         }
     }
 
@@ -166,10 +174,10 @@ impl Axis {
         points.into_iter().map(tick).filter(|tick| (-1e-9..=1.0 + 1e-9).contains(&tick.fraction)).collect()
     }
 
-    fn decades(&self, most: usize) -> Vec<Tick> {
-        let exponents = round_numbers(self.lower.log10(), self.upper.log10(), most);
+    fn decades(&self, (lower, upper): (f64, f64), most: usize) -> Vec<Tick> {
+        let exponents = round_numbers(lower, upper, most);
         let tick = |exponent: f64| Tick {
-            fraction: self.fraction(10f64.powf(exponent)),
+            fraction: (exponent - lower) / (upper - lower),
             text: format!("10^{{{}}}", typographic(&exponent.to_string())),
         };
         exponents.into_iter().filter(|exponent| exponent.fract() == 0.0).map(tick).collect()
@@ -236,6 +244,13 @@ mod tests {
     #[test]
     fn decades() {
         assert_eq!(texts(&Axis::log("e", Unit::One, 1e-18, 1.0), 7), ["10^{−15}", "10^{−10}", "10^{−5}", "10^{0}"]);
+    }
+
+    #[test]
+    fn powers_of_ten_beyond_every_double() {
+        let axis = Axis::powers("e", -10_000.0, 0.0);
+        assert_eq!(texts(&axis, 3), ["10^{−10000}", "10^{−5000}", "10^{0}"]);
+        assert_eq!((axis.fraction(-2500.0), axis.at(0.75), axis.title()), (0.75, -2500.0, "e".to_owned()));
     }
 
     #[test]

@@ -80,7 +80,7 @@ pub(crate) enum Stroke {
     Guide,
 }
 
-/// How a state is marked.
+/// How a state is marked, or the points of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
     /// Stable.
@@ -89,6 +89,16 @@ pub(crate) enum Mark {
     Open,
     /// Neither: the critical state itself.
     Diamond,
+    OpenDiamond,
+    Square,
+    OpenSquare,
+    Triangle,
+    OpenTriangle,
+    /// A triangle that stands on its tip.
+    Inverted,
+    OpenInverted,
+    /// What failed.
+    Cross,
 }
 
 /// Where a label would like to be, seen from its anchor.
@@ -105,6 +115,8 @@ pub(crate) enum Side {
 pub(crate) enum Key {
     Line(Stroke),
     Mark(Mark),
+    /// A line with marks.
+    Series(Stroke, Mark),
     Arrow,
     Area,
     /// No sample.

@@ -46,11 +46,13 @@ impl Clock {
         let Clock::Runs(runs) = *self else { return None };
         let begin = Instant::now();
         let mut repeats = 1;
-        while run(repeats, &mut work) < SHORTEST {
+        let mut first = run(repeats, &mut work);
+        while first < SHORTEST {
             repeats *= 2;
+            first = run(repeats, &mut work);
         }
-        let mut seconds = Vec::new();
-        while seconds.len() < runs.max(1) && (seconds.is_empty() || begin.elapsed() < LONGEST) {
+        let mut seconds = vec![first.as_secs_f64() / f64::from(repeats)];
+        while seconds.len() < runs && begin.elapsed() < LONGEST {
             seconds.push(run(repeats, &mut work).as_secs_f64() / f64::from(repeats));
         }
         seconds.sort_by(f64::total_cmp);

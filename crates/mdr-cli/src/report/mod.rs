@@ -1,0 +1,179 @@
+//! `mdr report`: error against run time.
+
+mod diagram;
+mod footer;
+mod page;
+mod table;
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use mdr_crosscheck::contest::{Clock, Diagram, Effort, Task, tasks};
+use serde::Serialize;
+
+use self::footer::Machine;
+use crate::error::{Failure, Result};
+use crate::output::{Format, Output};
+use crate::picture;
+use crate::table::{Tone, cell};
+
+const EXAMPLES: &str = "\
+Examples:
+  All tasks, into the directory report, in less than ten minutes on two cores:
+    mdr report
+
+  In less than a minute, into another directory, which is made when it is not there:
+    mdr report --quick --out /tmp/report
+
+  Two tasks alone:
+    mdr report --only kappa,fold
+
+Each diagram is an SVG file of black lines on white and a CSV file of its points; README.md shows them all, with a table of
+the time to so many digits, what failed, and what was left out; report.json has everything in one file. Errors are those of
+the answers against an enclosure of the truth in which no contestant had a part. Times are medians of repeated runs and
+belong to the machine that the page names: compare them within one report.
+JSON: schema mdr.report/1, one line a diagram.
+Exit status: 0 all files are written, 2 bad input or a file that cannot be written.";
+
+/// Report error against run time: every method on the same questions, as diagrams, tables and data.
+///
+/// Several methods answer the same question with growing effort: closed forms, quadratures, searches, springs, in double,
+/// arbitrary and certified precision.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Report {
+    /// Directory of the files
+    #[arg(long, value_name = "DIR", default_value = "report")]
+    out: PathBuf,
+
+    /// Less effort and fewer runs: less than a minute
+    #[arg(long)]
+    quick: bool,
+
+    /// Only the tasks of these names, separated by commas
+    #[arg(long, value_name = "TASK", value_delimiter = ',', allow_hyphen_values = true)]
+    only: Vec<String>,
+
+    /// Shape of the result on standard output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    format: Format,
+}
+
+/// What a report is about.
+#[derive(Serialize)]
+struct Findings {
+    schema: &'static str,
+    /// How it was asked for.
+    command: String,
+    machine: Machine,
+    effort: Effort,
+    /// Timed runs of every answer, where they are not too long.
+    runs: usize,
+    tasks: Vec<Section>,
+}
+
+/// The diagrams of one task.
+#[derive(Serialize)]
+struct Section {
+    name: &'static str,
+    claim: &'static str,
+    diagrams: Vec<Diagram>,
+}
+
+impl Findings {
+    fn diagrams(&self) -> impl Iterator<Item = &Diagram> {
+        self.tasks.iter().flat_map(|section| &section.diagrams)
+    }
+}
+
+impl Report {
+    /// Writes the files, and what is in them on `out`.
+    pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
+        let tasks = self.tasks()?;
+        let directory = || self.out.display().to_string();
+        std::fs::create_dir_all(&self.out).map_err(|error| Failure::file(format!("--out {}", directory()), error))?;
+        let findings = self.findings(&tasks);
+        for diagram in findings.diagrams() {
+            write(&self.out, &format!("{}.svg", diagram.id), picture::svg(&diagram::picture(diagram))?)?;
+            write(&self.out, &format!("{}.csv", diagram.id), table::csv([diagram])?)?;
+        }
+        write(&self.out, "README.md", page::page(&findings))?;
+        let json = serde_json::to_string(&findings)
+            .map_err(|error| Failure::file("report.json", std::io::Error::other(error)))?;
+        write(&self.out, "report.json", json + "\n")?;
+        self.list(&findings, out)
+    }
+
+    /// The tasks that are asked for.
+    fn tasks(&self) -> Result<Vec<&'static Task>> {
+        let names: Vec<_> = tasks().iter().map(|task| task.name).collect();
+        if let Some(name) = self.only.iter().find(|name| !names.contains(&name.as_str())) {
+            return Err(Failure::flag("--only", format_args!("must be one of {}", names.join(", ")), name));
+        }
+        let asked = |task: &&Task| self.only.is_empty() || self.only.iter().any(|name| name == task.name);
+        Ok(tasks().iter().filter(asked).collect())
+    }
+
+    fn findings(&self, tasks: &[&'static Task]) -> Findings {
+        let (effort, runs) = if self.quick { (Effort::Quick, 3) } else { (Effort::Full, 9) };
+        let style = ProgressStyle::with_template("{bar:40.green} {pos} of {len}  {msg}  {elapsed}");
+        let bar =
+            ProgressBar::new(tasks.len() as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        bar.enable_steady_tick(Duration::from_millis(500));
+        let mut sections = Vec::with_capacity(tasks.len());
+        for task in tasks {
+            bar.set_message(task.name);
+            let diagrams = (task.diagrams)(effort, &Clock::Runs(runs));
+            sections.push(Section { name: task.name, claim: task.claim, diagrams });
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        let (schema, command, machine) = ("mdr.report/1", self.command(), Machine::here());
+        Findings { schema, command, machine, effort, runs, tasks: sections }
+    }
+
+    /// How this report is asked for, wherever its files go.
+    fn command(&self) -> String {
+        let quick = if self.quick { " --quick" } else { "" };
+        let only = if self.only.is_empty() { String::new() } else { format!(" --only {}", self.only.join(",")) };
+        format!("mdr report{quick}{only}")
+    }
+
+    fn list(&self, findings: &Findings, out: &mut Output<impl std::io::Write>) -> Result<()> {
+        match self.format {
+            Format::Json => findings.diagrams().try_for_each(|diagram| {
+                #[derive(Serialize)]
+                struct Line<'a> {
+                    schema: &'static str,
+                    diagram: &'a Diagram,
+                }
+                out.json(&Line { schema: findings.schema, diagram })
+            }),
+            Format::Csv => out.csv(&table::HEADER, findings.diagrams().flat_map(table::rows)),
+            Format::Table => {
+                let mut files =
+                    crate::table::table(&["file", "contestants", "best digits", "failures", "what is asked"]);
+                for diagram in findings.diagrams() {
+                    let (digits, failures) = table::summary(diagram);
+                    files.add_row([
+                        cell(self.out.join(format!("{}.svg", diagram.id)).display(), Tone::Good),
+                        cell(diagram.curves.len(), Tone::Plain),
+                        cell(digits.map_or(String::new(), |digits| format!("{digits:.1}")), Tone::Plain),
+                        cell(failures, Tone::Plain),
+                        cell(&diagram.title, Tone::Plain),
+                    ]);
+                }
+                let page = self.out.join("README.md");
+                out.text(format_args!("{}\n\nThe page: {}", crate::table::render(&files), page.display()))
+            }
+        }
+    }
+}
+
+/// Writes one file of a directory.
+fn write(directory: &Path, name: &str, text: impl AsRef<[u8]>) -> Result<()> {
+    let path = directory.join(name);
+    std::fs::write(&path, text).map_err(|error| Failure::file(path.display().to_string(), error))
+}

@@ -1,0 +1,76 @@
+//! `mdr report`: its files, and the page that shows them.
+
+use std::path::{Path, PathBuf};
+
+use snapbox::str;
+
+use crate::mdr;
+
+/// An empty directory of this test.
+fn directory(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    // It may be there from an earlier run.
+    let _ = std::fs::remove_dir_all(&path);
+    path
+}
+
+/// A quick report on one task, with everything that a reader opens.
+#[test]
+fn a_report_on_one_task() {
+    let path = directory("report-kappa");
+    let run = mdr(&format!("report --quick --only kappa --format csv --out {}", path.display())).assert().success();
+    let csv = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+    // Times are those of the day: the first ten columns.
+    let rows: Vec<Vec<String>> = csv::Reader::from_reader(csv.as_bytes())
+        .records()
+        .map(|row| row.unwrap().iter().map(str::to_owned).collect())
+        .collect();
+    let shown: String = rows.iter().take(6).map(|row| row[..10].join(" | ") + "\n").collect();
+    snapbox::assert_data_eq!(shown, str![[r#"
+kappa | kappa-1e-6 | shipped, f64 | f64 | false | f64 | at-least | 15.95 |  | 
+kappa | kappa-1e-6 | extended precision | f64 | false | 64 bits | at-least | 15.95 |  | 
+kappa | kappa-1e-6 | extended precision | f64 | false | 128 bits | at-least | 15.95 |  | 
+kappa | kappa-1e-6 | extended precision | f64 | false | 256 bits | at-least | 15.95 |  | 
+kappa | kappa-1e-6 | Γ quotient, pxfm | f64 | false | f64 | at-least | 15.95 |  | 
+kappa | kappa-1e-6 | Γ quotient, statrs | f64 | false | f64 | digits | 15.34 |  | 
+
+"#]]);
+    assert!(rows.iter().all(|row| row[10..13].iter().all(|time| time.parse::<f64>().is_ok_and(|time| time > 0.0))));
+    let page = std::fs::read_to_string(path.join("README.md")).unwrap();
+    let links: Vec<_> = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()).collect();
+    assert!(links.len() >= 14, "{page}");
+    for link in &links {
+        assert!(path.join(link).is_file(), "{link}");
+    }
+    for svg in links.iter().filter(|link| link.ends_with(".svg")) {
+        let text = std::fs::read_to_string(path.join(svg)).unwrap();
+        assert!(text.len() < 100_000, "{svg}: {} bytes", text.len());
+        roxmltree::Document::parse(&text).unwrap();
+    }
+    for part in ["## kappa\n", "## Failures\n", "## What was left out\n", "    mdr report --quick --only kappa\n"] {
+        assert!(page.contains(part), "{part}");
+    }
+    let json: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(path.join("report.json")).unwrap()).unwrap();
+    assert_eq!((&json["schema"], &json["effort"]), (&"mdr.report/1".into(), &"quick".into()));
+    let diagrams = json["tasks"][0]["diagrams"].as_array().unwrap();
+    assert!(diagrams.iter().all(|diagram| path.join(format!("{}.csv", diagram["id"].as_str().unwrap())).is_file()));
+    let points = diagrams.iter().flat_map(|diagram| diagram["curves"].as_array().unwrap());
+    let points: usize = points.map(|curve| curve["points"].as_array().unwrap().len()).sum();
+    assert_eq!(points, rows.len(), "every point is on standard output");
+}
+
+#[test]
+fn a_task_that_is_none_is_refused() {
+    let run = mdr("report --only kapa").assert().code(2).stdout_eq("");
+    let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    assert!(error.starts_with("error: --only: must be one of kappa"), "{error}");
+}
+
+#[test]
+fn a_directory_that_cannot_be_made_is_named() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml/report");
+    let run = mdr(&format!("report --only kappa --out {file}")).assert().code(2).stdout_eq("");
+    let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    assert!(error.starts_with(&format!("error: --out {file}: ")), "{error}");
+}
