@@ -4,7 +4,7 @@
 //! schemes", Experimental Mathematics 14 (2005) 317, with their singular ends.
 
 use mdr_core::calculus::quadrature::{Node, pieces, tanh_sinh, tanh_sinh_near_ends, tanh_sinh_pieces};
-use mdr_core::calculus::{Estimate, gauss_jacobi, roundoff_tolerance};
+use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, roundoff_tolerance};
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Dual, Real, Special};
 
@@ -159,6 +159,31 @@ fn divergent_integrals_do_not_converge() {
         panic!("converged")
     };
     assert!(0.5e-3 < error && error < 5e-3, "{error:e}");
+}
+
+/// eˣ known to a relative noise only: the refinement ends there, with an error that covers it and is not much larger, and at
+/// a small part of the price of all levels. Below the limit nothing is accepted.
+#[test]
+fn noise_of_the_integrand_ends_the_refinement() {
+    // Some fixed number in (−1, 1) for each x.
+    let hash = |x: f64| (x.to_bits().wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 11) as f64 / 2f64.powi(52) - 1.0;
+    let truth = 1f64.exp_m1();
+    for exponent in 4..14 {
+        let noise = 10f64.powi(-exponent);
+        let noisy = |x: &f64| Ok(x.exp() * (1.0 + noise * hash(*x)));
+        let with = |limit| -> [Result<Estimate<f64>>; 2] {
+            let tolerance = Tolerance::new(&0.0).or_noise_below(limit);
+            [tanh_sinh(&0.0, &1.0, tolerance.clone(), noisy), gauss_jacobi::integrate(&0.0, &0.0, tolerance, noisy)]
+        };
+        for estimate in with(10.0 * noise) {
+            let Estimate { value, error, evaluations } = estimate.unwrap();
+            assert!((value - truth).abs() <= error && error <= 10.0 * noise * truth, "{noise:e}: {value} ± {error:e}");
+            assert!(evaluations < 500, "{noise:e}: {evaluations} evaluations");
+        }
+        if noise > 1e-12 {
+            assert!(with(0.01 * noise).iter().all(Result::is_err), "{noise:e}");
+        }
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@
 //! In units of 2πa²w: Π/(2πa²w) = ∫₀¹ v² dt − 1/2 with v = (d − g(at))/√(2πaw/E*), which is in range at any scale.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::calculus::{Estimate, gauss_jacobi, quadrature::tanh_sinh_pieces, roundoff_tolerance};
+use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, quadrature::tanh_sinh_pieces, roundoff_tolerance};
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
@@ -189,21 +189,15 @@ impl<'a, R: Real> Energy<'a, R> {
 
     /// (1/a) ∫₀ᵃ h(x) dx.
     ///
-    /// g may itself be noisy: a tolerance that cannot be met is relaxed step by step, up to √u.
+    /// g may itself be noisy, up to √u.
     fn mean(&self, a: &R, grade: &Grade<R>, mut h: impl FnMut(&R) -> Result<R>) -> Result<R> {
         if let Grade::Coarse(scale) = grade
             && let Some(value) = self.coarse(a, scale, &mut h)?
         {
             return Ok(value);
         }
-        let limit = a.unit_roundoff().sqrt();
-        let mut tolerance = roundoff_tolerance(a).times(4);
-        loop {
-            match self.full(a, &tolerance, &mut h) {
-                Err(Error::NoConvergence { .. }) if tolerance < limit => tolerance = tolerance.times(64),
-                result => return Ok(result?.value),
-            }
-        }
+        let tolerance = Tolerance::new(&roundoff_tolerance(a).times(4)).or_noise_below(a.unit_roundoff().sqrt());
+        Ok(self.full(a, tolerance, &mut h)?.value)
     }
 
     /// None where the terms of the integral cancel so far that its error might matter.
@@ -231,18 +225,23 @@ impl<'a, R: Real> Energy<'a, R> {
 
     /// In τ = tᵖ, t = x/a, whole powers of g are analytic: Gauss–Jacobi with the weight τ^(1/p−1). Where that does not
     /// converge and beside kinks, tanh-sinh.
-    fn full(&self, a: &R, tolerance: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
+    fn full(&self, a: &R, tolerance: Tolerance<R>, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
         let Some(p) = &self.tip else { return self.double_exponential(a, tolerance, h) };
         let inverse = p.clone().inv();
         let beta = inverse.clone() - a.lit(1);
-        match gauss_jacobi::integrate(&a.lit(0), &beta, tolerance, |tau| h(&(tau.pow(&inverse) * a))) {
+        match gauss_jacobi::integrate(&a.lit(0), &beta, tolerance.clone(), |tau| h(&(tau.pow(&inverse) * a))) {
             Ok(estimate) => Ok(scaled(estimate, &inverse)),
             Err(Error::NoConvergence { .. }) => self.double_exponential(a, tolerance, h),
             Err(error) => Err(error),
         }
     }
 
-    fn double_exponential(&self, a: &R, tolerance: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
+    fn double_exponential(
+        &self,
+        a: &R,
+        tolerance: impl Into<Tolerance<R>>,
+        h: &mut impl FnMut(&R) -> Result<R>,
+    ) -> Result<Estimate<R>> {
         let integral = tanh_sinh_pieces(&a.lit(0), a, &self.transform.kinks(), tolerance, h)?;
         Ok(scaled(integral, &a.clone().inv()))
     }

@@ -6,7 +6,7 @@
 use mdr_core::calculus::isolate::isolate;
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::roots::bisect;
-use mdr_core::calculus::roundoff_tolerance;
+use mdr_core::calculus::{Tolerance, roundoff_tolerance};
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Special;
 
@@ -174,18 +174,9 @@ fn leg<R: Special>(x: &R, r: &R) -> R {
     ((x.clone() - r) * (x.clone() + r)).sqrt()
 }
 
-/// How much a tolerance is relaxed where the integrand cancels and rounding lets it not be met.
-const RELAXED: [i64; 4] = [1, 16, 256, 4096];
-
-/// ∫ f from 0 to `upper`, as far as rounding lets.
+/// ∫ f from 0 to `upper`. Where the integrand cancels, rounding may leave less of it than is asked for.
 fn integrate<R: Special>(upper: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<R> {
-    let mut result = Ok(upper.lit(0));
-    for factor in RELAXED {
-        let tolerance = roundoff_tolerance(upper).times(factor);
-        result = tanh_sinh_pieces(&upper.lit(0), upper, breaks, &tolerance, &f).map(|estimate| estimate.value);
-        if !matches!(result, Err(Error::NoConvergence { .. })) {
-            break;
-        }
-    }
-    result
+    let goal = roundoff_tolerance(upper);
+    let tolerance = Tolerance::new(&goal).or_noise_below(goal.times(4096));
+    Ok(tanh_sinh_pieces(&upper.lit(0), upper, breaks, tolerance, f)?.value)
 }

@@ -22,28 +22,75 @@ pub fn roundoff_tolerance<R: Real>(like: &R) -> R {
     like.unit_roundoff().times(32)
 }
 
+/// How well an integral is wanted, relative to the integral of the absolute value.
+///
+/// A plain number is a goal that has to be met. But an integrand that cancels, or is itself a quadrature, is known only to a
+/// noise that may be above the goal. Then refinements cease to help: the changes from one to the next no longer shrink to a
+/// quarter. Where that happens with an error below the `limit`, the value is taken, with its error.
+///
+/// ```
+/// use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh, roundoff_tolerance};
+/// // ∫₀¹ (1 + x/10⁶ − 1) dx = 1/(2·10⁶), where ten digits are left of the integrand.
+/// let cancels = |x: &f64| Ok(1.0 + 1e-6 * x - 1.0);
+/// let goal = roundoff_tolerance(&1.0);
+/// assert!(tanh_sinh(&0.0, &1.0, &goal, cancels).is_err());
+/// let integral = tanh_sinh(&0.0, &1.0, Tolerance::new(&goal).or_noise_below(1e-8), cancels)?;
+/// assert!((integral.value - 5e-7).abs() <= integral.error && integral.error < 5e-7 * 1e-8);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Tolerance<R> {
+    goal: R,
+    limit: R,
+}
+
+impl<R: Real> Tolerance<R> {
+    /// A goal that has to be met; one below the rounding level ([`roundoff_tolerance`]) is raised to it.
+    pub fn new(goal: &R) -> Self {
+        let goal = larger(goal.steer(), roundoff_tolerance(goal));
+        Tolerance { limit: goal.clone(), goal }
+    }
+
+    /// The same goal, or as near to it as the noise of the integrand lets, below this limit.
+    pub fn or_noise_below(self, limit: R) -> Self {
+        Tolerance { limit: larger(limit.steer(), self.goal.clone()), ..self }
+    }
+}
+
+impl<R: Real> From<&R> for Tolerance<R> {
+    fn from(goal: &R) -> Self {
+        Tolerance::new(goal)
+    }
+}
+
 /// Values of one integral, each from a rule twice as fine as the one before.
 pub(super) struct Refinement<R> {
     values: Vec<R>,
-    tolerance: R,
+    tolerance: Tolerance<R>,
 }
 
 impl<R: Real> Refinement<R> {
-    /// A tolerance below the rounding level is raised to it.
-    pub(super) fn new(tolerance: &R) -> Self {
-        let floor = roundoff_tolerance(tolerance);
-        Refinement { values: Vec::new(), tolerance: larger(tolerance.steer(), floor) }
+    pub(super) fn new(tolerance: Tolerance<R>) -> Self {
+        Refinement { values: Vec::new(), tolerance }
     }
 
     /// Takes the next value, the integral `magnitude` of the absolute value, and the error `known` to be there at least.
-    /// Returns the estimate and whether it meets the tolerance, which is relative to the magnitude.
+    /// Returns the estimate and whether it is as good as the tolerance asks, relative to the magnitude.
     pub(super) fn push(&mut self, value: R, magnitude: &R, known: &R, evaluations: usize) -> (Estimate<R>, bool) {
         self.values.push(value.clone());
         let remainder = self.remainder(magnitude);
         let enough = remainder.is_some();
         let error = (remainder.unwrap_or_else(|| magnitude.steer()) + known).steer();
-        let converged = enough && error <= self.tolerance.clone() * magnitude.steer();
-        (Estimate { value, error, evaluations }, converged)
+        let within = |tolerance: &R| enough && error <= tolerance.clone() * magnitude.steer();
+        let done = within(&self.tolerance.goal) || (within(&self.tolerance.limit) && self.is_noise());
+        (Estimate { value, error, evaluations }, done)
+    }
+
+    /// Whether the last change is not much smaller than the one before.
+    fn is_noise(&self) -> bool {
+        let [.., v1, v2, v3] = self.values.as_slice() else { return false };
+        let change = |new: &R, old: &R| (new.clone() - old).abs().steer();
+        change(v3, v2).times(4) >= change(v2, v1)
     }
 
     /// The error of the last of at least four values, from the last changes e₁, e₂, e₃ relative to the magnitude.

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::cache::{self, Key, Stored};
-use super::estimate::{Estimate, Refinement, finite, no_convergence, rounding, sum};
+use super::estimate::{Estimate, Refinement, Tolerance, finite, no_convergence, rounding, sum};
 use super::jacobi::Jacobi;
 use crate::contact::{Error, Quantity, Result};
 use crate::number::Real;
@@ -71,7 +71,12 @@ pub fn rule<R: Real>(n: usize, alpha: &R, beta: &R) -> Result<Arc<Rule<R>>> {
 /// # Errors
 /// Those of [`rule`] and of f; [`NoConvergence`](Error::NoConvergence) when 16 times the nodes that a power profile
 /// needs are not enough.
-pub fn integrate<R: Real>(alpha: &R, beta: &R, tolerance: &R, f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
+pub fn integrate<R: Real>(
+    alpha: &R,
+    beta: &R,
+    tolerance: impl Into<Tolerance<R>>,
+    f: impl FnMut(&R) -> Result<R>,
+) -> Result<Estimate<R>> {
     Ladder::new(alpha, beta).integrate(tolerance, f)
 }
 
@@ -106,8 +111,12 @@ impl<R: Real> Ladder<R> {
     ///
     /// # Errors
     /// As there.
-    pub fn integrate(&self, tolerance: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
-        let mut refinement = Refinement::new(tolerance);
+    pub fn integrate(
+        &self,
+        tolerance: impl Into<Tolerance<R>>,
+        mut f: impl FnMut(&R) -> Result<R>,
+    ) -> Result<Estimate<R>> {
+        let mut refinement = Refinement::new(tolerance.into());
         let mut evaluations = 0;
         let mut rung = 0;
         loop {

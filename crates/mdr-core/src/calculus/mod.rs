@@ -19,4 +19,4 @@ pub mod roots;
 #[cfg(feature = "mp")]
 pub mod verify;
 
-pub use estimate::{Estimate, roundoff_tolerance};
+pub use estimate::{Estimate, Tolerance, roundoff_tolerance};

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use std::sync::OnceLock;
 
 use super::cache::{self, Key, Stored};
-use super::estimate::{Estimate, Refinement, finite, no_convergence, rounding, sum};
+use super::estimate::{Estimate, Refinement, Tolerance, finite, no_convergence, rounding, sum};
 use crate::contact::{Error, Quantity, Result};
 use crate::number::Real;
 
@@ -43,15 +43,12 @@ pub struct Node<R> {
 pub fn tanh_sinh<R: Real>(
     lower: &R,
     upper: &R,
-    tolerance: &R,
+    tolerance: impl Into<Tolerance<R>>,
     mut f: impl FnMut(&R) -> Result<R>,
 ) -> Result<Estimate<R>> {
-    integrate(
-        lower,
-        upper,
-        tolerance,
-        |node| if node.is_interior(lower, upper) { f(&node.x).map(Some) } else { Ok(None) },
-    )
+    integrate(lower, upper, tolerance.into(), |node| {
+        if node.is_interior(lower, upper) { f(&node.x).map(Some) } else { Ok(None) }
+    })
 }
 
 /// As [`tanh_sinh`], for an integrand that needs the distances from the ends: ∫₀¹ dx/√(1−x) = ∫ `from_upper`^(−1/2).
@@ -61,10 +58,10 @@ pub fn tanh_sinh<R: Real>(
 pub fn tanh_sinh_near_ends<R: Real>(
     lower: &R,
     upper: &R,
-    tolerance: &R,
+    tolerance: impl Into<Tolerance<R>>,
     mut f: impl FnMut(&Node<R>) -> Result<R>,
 ) -> Result<Estimate<R>> {
-    integrate(lower, upper, tolerance, |node| if node.is_normal() { f(node).map(Some) } else { Ok(None) })
+    integrate(lower, upper, tolerance.into(), |node| if node.is_normal() { f(node).map(Some) } else { Ok(None) })
 }
 
 /// ∫ₐᵇ f(x) dx by [`tanh_sinh`] on each piece between the `breaks`, where f or a derivative of it jumps.
@@ -87,10 +84,11 @@ pub fn tanh_sinh_pieces<R: Real>(
     lower: &R,
     upper: &R,
     breaks: &[R],
-    tolerance: &R,
+    tolerance: impl Into<Tolerance<R>>,
     mut f: impl FnMut(&R) -> Result<R>,
 ) -> Result<Estimate<R>> {
-    pieces(lower, upper, breaks, |from, to| tanh_sinh(from, to, tolerance, &mut f))
+    let tolerance = tolerance.into();
+    pieces(lower, upper, breaks, |from, to| tanh_sinh(from, to, tolerance.clone(), &mut f))
 }
 
 /// The sum of the integrals over the pieces of (a, b) between the `breaks`, each by the rule `integral(from, to)`: with the
@@ -212,7 +210,7 @@ fn abscissae<R: Real>(like: &R, level: i64) -> Vec<Abscissa<R>> {
 fn integrate<R: Real>(
     lower: &R,
     upper: &R,
-    tolerance: &R,
+    tolerance: Tolerance<R>,
     mut f: impl FnMut(&Node<R>) -> Result<Option<R>>,
 ) -> Result<Estimate<R>> {
     let width = upper.clone() - lower;

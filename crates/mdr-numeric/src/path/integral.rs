@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use mdr_core::calculus::{
-    Estimate, gauss_jacobi,
+    Estimate, Tolerance, gauss_jacobi,
     quadrature::{pieces, tanh_sinh},
     roundoff_tolerance,
 };
@@ -12,8 +12,6 @@ use mdr_core::number::Real;
 
 /// Pieces that do not settle are halved this often: waves that make no fold, thousands in one piece.
 const HALVINGS: u32 = 12;
-/// A relative error above this is no noise of the integrand.
-const ROOT_NOISE: f64 = 1e-8;
 
 /// Where an integrand is not smooth.
 pub(super) struct Breaks<R> {
@@ -33,68 +31,64 @@ impl<R: Real> Breaks<R> {
 
     /// ∫ f(a) da from one radius to another. Only what lies between them is looked at.
     pub(super) fn integrate(&self, from: &R, to: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
-        self.to_tolerance(from, to, &roundoff_tolerance(from).times(4), &mut f)
+        let goal = roundoff_tolerance(from).times(4);
+        let tolerance = Tolerance::new(&goal).or_noise_below(from.unit_roundoff().sqrt());
+        self.to_tolerance(from, to, &tolerance, &mut f)
     }
 
     /// The same to two digits.
     pub(super) fn roughly(&self, from: &R, to: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<R> {
-        Ok(self.to_tolerance(from, to, &from.ratio(1, 100), &mut f)?.value)
+        Ok(self.to_tolerance(from, to, &Tolerance::new(&from.ratio(1, 100)), &mut f)?.value)
     }
 
     fn to_tolerance(
         &self,
         from: &R,
         to: &R,
-        tolerance: &R,
+        tolerance: &Tolerance<R>,
         f: &mut impl FnMut(&R) -> Result<R>,
     ) -> Result<Estimate<R>> {
         let (lower, upper) = if from < to { (from, to) } else { (to, from) };
         let first = self.ends.partition_point(|end| end <= lower);
         let inside = &self.ends[first..self.ends.partition_point(|end| end < upper).max(first)];
-        let mut total = pieces(lower, upper, inside, |a, b| self.piece([a, b], tolerance, None, HALVINGS, f))?;
+        let mut total = pieces(lower, upper, inside, |a, b| self.piece([a, b], tolerance, HALVINGS, f))?;
         if from > to {
             total.value = -total.value;
         }
         Ok(total)
     }
 
-    /// One piece; where it does not settle, its two halves. `before` is the relative error of the piece it is a half of.
+    /// One piece; where it does not settle, its two halves.
     fn piece(
         &self,
-        ends: [&R; 2],
-        tolerance: &R,
-        before: Option<f64>,
+        [lower, upper]: [&R; 2],
+        tolerance: &Tolerance<R>,
         halvings: u32,
         f: &mut impl FnMut(&R) -> Result<R>,
     ) -> Result<Estimate<R>> {
-        let [lower, upper] = ends;
-        let reached = match self.rule(lower, upper, tolerance, f) {
-            Err(Error::NoConvergence { error, .. }) => error,
-            result => return result,
-        };
-        let worth_halving = before.is_none_or(|before| reached > ROOT_NOISE || reached < before / 16.0);
         let middle =
             if wide(lower, upper) { (lower.ln() + upper.ln()).over(2).exp() } else { (lower.clone() + upper).over(2) };
-        if halvings == 0 || !worth_halving || !(middle > *lower && middle < *upper) {
-            // The integrand is no better than that.
-            let noise = R::from_f64(tolerance.ctx(), 4.0 * reached);
-            return self.rule(
-                lower,
-                upper,
-                if noise < tolerance.unit_roundoff().sqrt() { &noise } else { tolerance },
-                f,
-            );
+        match self.rule(lower, upper, tolerance, f) {
+            Err(Error::NoConvergence { .. }) if halvings > 0 && middle > *lower && middle < *upper => {
+                pieces(lower, upper, &[middle], |a, b| self.piece([a, b], tolerance, halvings - 1, f))
+            }
+            result => result,
         }
-        pieces(lower, upper, &[middle], |a, b| self.piece([a, b], tolerance, Some(reached), halvings - 1, f))
     }
 
     /// Gauss–Legendre, in s with a = lower + s²·width beside a kink, where g' may have an inverse root. At the tip, and
     /// where that does not converge at a kink or over decades, tanh-sinh.
-    fn rule(&self, lower: &R, upper: &R, tolerance: &R, f: &mut impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
+    fn rule(
+        &self,
+        lower: &R,
+        upper: &R,
+        tolerance: &Tolerance<R>,
+        f: &mut impl FnMut(&R) -> Result<R>,
+    ) -> Result<Estimate<R>> {
         let zero = lower.lit(0);
         let (width, beside_kink) = (upper.clone() - lower, self.is_kink(lower));
         if *lower > zero {
-            let result = gauss_jacobi::integrate(&zero, &zero, tolerance, |s| {
+            let result = gauss_jacobi::integrate(&zero, &zero, tolerance.clone(), |s| {
                 let (a, weight) = if beside_kink {
                     (s.square() * &width + lower, s.clone().times(2))
                 } else {
@@ -110,7 +104,7 @@ impl<R: Real> Breaks<R> {
                 Err(error) => return Err(error),
             }
         }
-        tanh_sinh(lower, upper, tolerance, |a| f(&off_tip(a, upper)))
+        tanh_sinh(lower, upper, tolerance.clone(), |a| f(&off_tip(a, upper)))
     }
 
     fn is_kink(&self, radius: &R) -> bool {
