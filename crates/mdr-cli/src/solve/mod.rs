@@ -27,10 +27,11 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use mdr_core::contact::Error;
+use mdr_numeric::folds::Folds;
 
 use self::answer::{Answer, Output as Solved};
 use self::certified::Certified;
-use self::contact::Tally;
+use self::contact::{Contact, Tally};
 use self::double::Double;
 use self::explain::Cost;
 use crate::error::{Failure, Result};
@@ -90,25 +91,25 @@ impl Solve {
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
         self.plot.as_deref().map_or(Ok(()), plot::check)?;
         let scene = Scene::open(&self.scene, self.arithmetic.given()?)?;
-        let (answer, costs) = solve(&scene)?;
+        let tally = Arc::new(Tally::default());
+        let solver = Solver::new(&scene, &tally).map_err(|error| scene.profile_place.refuse(error.to_string()))?;
+        let (answer, costs) = solve(&scene, &solver, &tally)?;
         render::write(&answer, self.format, out)?;
         if let Some(file) = &self.plot {
-            plot::write(&scene, &self.scene, file)?;
+            plot::write(&scene, &solver, &self.scene, file)?;
         }
         if self.explain { explain::write(&costs) } else { Ok(()) }
     }
 }
 
 /// The answer, and what each output cost.
-fn solve(scene: &Scene) -> Result<(Answer, Vec<Cost>)> {
-    let tally = Arc::new(Tally::default());
-    let solver = Solver::new(scene, &tally).map_err(|error| scene.profile_place.refuse(error.to_string()))?;
+fn solve(scene: &Scene, solver: &Solver<'_>, tally: &Arc<Tally>) -> Result<(Answer, Vec<Cost>)> {
     let mut outputs = Vec::new();
     let mut costs = Vec::new();
     for &want in &scene.output.want {
         let (before, begin) = (tally.read(), Instant::now());
         let bar = spinner(want);
-        let output = solver.output(scene, want, &tally);
+        let output = solver.output(scene, want, tally);
         bar.finish_and_clear();
         let output = output.map_err(|error| complaint(scene, want, error))?;
         costs.push(Cost::new(want, before, tally.read(), begin.elapsed()));
@@ -155,6 +156,14 @@ impl<'s> Solver<'s> {
                 output => output,
             },
             Solver::Certified(certified) => certified.output(want),
+        }
+    }
+
+    /// The folds of the same contact in f64, as far as they are known already.
+    fn folds(&self, contact: &Contact<f64>) -> std::result::Result<Folds<f64>, Error> {
+        match self {
+            Solver::Double(double) => double.folds().cloned(),
+            Solver::Certified(certified) => states::polished(contact, certified.rough()?.folds()?),
         }
     }
 }

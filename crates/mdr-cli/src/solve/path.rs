@@ -14,14 +14,18 @@ use crate::scene::{Held, Start};
 /// # Errors
 /// As [`Path::follow`].
 pub(crate) fn follow<R: Arithmetic>(contact: &Contact<R>, branches: &impl Branched<R>, held: &Held) -> Result<Path<R>> {
-    let start = match &held.start {
+    let way: Vec<R> = held.path.iter().map(|point: &Literal| contact.number(point)).collect();
+    Path::follow(branches, &start(contact, held), &way)
+}
+
+/// Where the path of a scene starts.
+pub(crate) fn start<R: Arithmetic>(contact: &Contact<R>, held: &Held) -> Begin<R> {
+    match &held.start {
         Start::Largest => Begin::Largest,
         Start::Smallest => Begin::Smallest,
         Start::Radius(radius) => Begin::Nearest(contact.number(radius)),
         Start::Detached => Begin::Detached,
-    };
-    let way: Vec<R> = held.path.iter().map(|point: &Literal| contact.number(point)).collect();
-    Path::follow(branches, &start, &way)
+    }
 }
 
 /// The records of events, with the energy that is lost in each.

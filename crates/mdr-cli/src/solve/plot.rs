@@ -3,12 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use mdr_core::contact::{Error, Instability};
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::folds;
-
 use super::contact::{Contact, Tally};
-use super::{complaint, path};
+use super::states::branches;
+use super::{Solver, complaint, path};
 use crate::error::{Failure, Result};
 use crate::picture::scene::SceneData;
 use crate::picture::{self, Picture};
@@ -25,12 +22,16 @@ pub(crate) fn check(to: &Path) -> Result<()> {
     Err(Failure::flag("--plot", "must be the name of an .svg file", &to.display().to_string()))
 }
 
-/// Draws the scene that was read from the file `from` to the SVG file `to`, and its data to a CSV file beside it.
+/// How many octaves from the folds a picture can show equilibria.
+const REACH: i64 = 40;
+
+/// Draws the scene that was read from the file `from` and has been solved to the SVG file `to`, and its data to a CSV file
+/// beside it.
 ///
 /// # Errors
 /// When the contact cannot be computed in f64 or a file cannot be written.
-pub(crate) fn write(scene: &Scene, from: &Path, to: &Path) -> Result<()> {
-    let picture = drawing(scene, from)?;
+pub(crate) fn write(scene: &Scene, solver: &Solver<'_>, from: &Path, to: &Path) -> Result<()> {
+    let picture = drawing(scene, solver, from)?;
     let failed = |file: &Path| {
         let name = format!("--plot {}", file.display());
         move |error: std::io::Error| Failure::file(name, error)
@@ -43,9 +44,9 @@ pub(crate) fn write(scene: &Scene, from: &Path, to: &Path) -> Result<()> {
 }
 
 /// What is seen of a scene.
-fn drawing(scene: &Scene, from: &Path) -> Result<Picture> {
+fn drawing(scene: &Scene, solver: &Solver<'_>, from: &Path) -> Result<Picture> {
     let contact: Contact<f64> = Contact::new(scene, (), &Arc::new(Tally::default()))?;
-    let branches = branches(&contact)?;
+    let branches = branches(&contact, solver.folds(&contact)?, REACH);
     let events = if scene.held.path.is_empty() {
         Vec::new()
     } else {
@@ -57,14 +58,4 @@ fn drawing(scene: &Scene, from: &Path) -> Result<Picture> {
         from.file_stem().filter(|stem| *stem != "-").map_or_else(String::new, |stem| format!(": {}", stem.display()));
     let title = format!("{} under controlled {}{name}", scene.profile.name(), scene.held.by.name());
     Ok(picture::scene::picture(&SceneData::new(title, &branches, &events, &values)?))
-}
-
-/// The branches as far as a picture can show them: twelve decades below the folds and above.
-fn branches(contact: &Contact<f64>) -> std::result::Result<Branches<'_, f64>, Error> {
-    const FAR: f64 = 1e12;
-    let folds = folds::find(&contact.curve())?;
-    let length = contact.curve().material_length();
-    let radius = |fold: Option<&Instability<f64>>| fold.map_or(length, |fold| fold.contact_radius);
-    let (lower, upper) = (radius(folds.folds.first()) / FAR, radius(folds.folds.last()) * FAR);
-    Ok(Branches::cut_at(contact.curve(), folds).within(lower, upper))
 }

@@ -9,14 +9,14 @@ use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::Folds;
-use mdr_numeric::path::Ledger;
+use mdr_numeric::path::{Ledger, Path, State};
 
 use super::contact::{Arithmetic, Contact};
 use super::outputs::{at_value, equilibrium};
 use super::path;
 use super::record::{Field, Record};
 use super::sample::decimal;
-use crate::scene::{Held, Scene, Start, Want};
+use crate::scene::{Held, Scene, Want};
 
 /// Radii of `pressure` over the contact radius, when the scene names none.
 const INSIDE: [(i64, i64); 6] = [(0, 1), (1, 4), (1, 2), (3, 4), (9, 10), (99, 100)];
@@ -37,22 +37,25 @@ pub(crate) struct States<'a, R: Arithmetic> {
 
 impl<'a, R: Arithmetic> States<'a, R> {
     pub(crate) fn new(contact: &'a Contact<R>, rough: &'a Contact<f64>, folds: Folds<R>) -> Self {
-        let [lower, upper] = reach(contact, &folds);
-        States { contact, rough, branches: Branches::cut_at(contact.curve(), folds).within(lower, upper) }
+        States { contact, rough, branches: branches(contact, folds, REACH) }
     }
 
     /// All equilibria at a value of the controlled quantity, which they have exactly.
     fn at(&self, literal: &Literal) -> Result<Vec<Equilibrium<R>>> {
         let value = self.contact.number(literal);
-        let mut states = self.branches.equilibria(&value)?;
-        for state in states.iter_mut().filter(|state| state.stability != Stability::Neutral) {
-            match self.branches.curve().control() {
-                Control::Indentation => state.indentation = value.clone(),
-                Control::Force => state.force = value.clone(),
-                Control::Machine { .. } => {}
-            }
+        let states = self.branches.equilibria(&value)?;
+        Ok(states.into_iter().map(|state| self.held_at(state, &value)).collect())
+    }
+
+    /// A state with the exact value of what is controlled, which at a fold is that of the fold.
+    fn held_at(&self, mut state: Equilibrium<R>, value: &R) -> Equilibrium<R> {
+        match self.contact.control() {
+            _ if state.stability == Stability::Neutral => {}
+            Control::Indentation => state.indentation = value.clone(),
+            Control::Force => state.force = value.clone(),
+            Control::Machine { .. } => {}
         }
-        Ok(states)
+        state
     }
 
     /// All equilibria at the values that the scene asks for.
@@ -95,28 +98,21 @@ impl<'a, R: Arithmetic> States<'a, R> {
         };
         match (scene.output.values.as_slice(), scene.held.path.first()) {
             ([], Some(first)) => {
-                let states = self.at(first)?;
-                Ok(vec![describe(first, self.started(&scene.held.start, states))?])
+                let state = self.started(&scene.held, first)?;
+                Ok(vec![describe(first, state.into_iter().collect())?])
             }
             (values, _) => values.iter().map(|literal| describe(literal, self.at(literal)?)).collect(),
         }
     }
 
-    /// The one of all equilibria at a value on which a path starts.
-    fn started(&self, start: &Start, states: Vec<Equilibrium<R>>) -> Vec<Equilibrium<R>> {
-        let mut stable = states.into_iter().filter(|state| state.stability == Stability::Stable);
-        let found = match start {
-            Start::Largest => stable.last(),
-            Start::Smallest => stable.next(),
-            Start::Detached => None,
-            Start::Radius(radius) => {
-                // Nearest in ratio, as on a path.
-                let near = self.contact.number(radius);
-                let distance = |state: &Equilibrium<R>| (state.contact_radius.clone() / &near).ln().abs();
-                stable.reduce(|best, state| if distance(&state) < distance(&best) { state } else { best })
-            }
-        };
-        found.into_iter().collect()
+    /// The equilibrium in which the path starts; none where it cannot, or where the surfaces are apart.
+    fn started(&self, held: &Held, first: &Literal) -> Result<Option<Equilibrium<R>>> {
+        let value = self.contact.number(first);
+        match Path::first(&self.branches, &path::start(self.contact, held), &value) {
+            Ok(State::Contact(state)) => Ok(Some(self.held_at(state, &value))),
+            Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
     }
 
     fn describe(&self, scene: &Scene, want: Want, state: Equilibrium<R>) -> Result<Record<R>> {
@@ -200,12 +196,13 @@ fn interpenetration(contact: &Contact<f64>, a: &f64) -> Result<Option<f64>> {
     if until > *a { Fields::new(contact.curve(), *a)?.interpenetration(&until) } else { Ok(None) }
 }
 
-/// The radii between which equilibria are looked for: far below the folds and far above, or all that f64 could reach.
-fn reach<R: Arithmetic>(contact: &Contact<R>, folds: &Folds<R>) -> [R; 2] {
+/// The branches between radii that many octaves below the folds and above; around w/E* where there is no fold.
+pub(crate) fn branches<R: Arithmetic>(contact: &Contact<R>, folds: Folds<R>, octaves: i64) -> Branches<'_, R> {
     let length = contact.curve().material_length();
     let first = folds.folds.first().map_or(&length, |fold| &fold.contact_radius);
     let last = folds.folds.last().map_or(&length, |fold| &fold.contact_radius);
-    [length.lit(2).powi(-REACH) * first, length.lit(2).powi(REACH) * last]
+    let [lower, upper] = [length.lit(2).powi(-octaves) * first, length.lit(2).powi(octaves) * last];
+    Branches::cut_at(contact.curve(), folds).within(lower, upper)
 }
 
 /// Folds that are known in f64, in another arithmetic: each is looked for near the radius that is known.

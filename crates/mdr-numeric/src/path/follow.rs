@@ -10,7 +10,7 @@ use crate::branch::{Branched, Onset, Way, seek};
 
 /// Where the contact is, up to the value of the controlled quantity.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
+pub(super) enum Place {
     Detached,
     /// On a stable branch.
     Branch(usize),
@@ -203,7 +203,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
 }
 
 /// Where a path begins at its first way point, and in which state.
-fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, value: &R) -> Result<(Place, State<R>)> {
+pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, value: &R) -> Result<(Place, State<R>)> {
     let count = branches.folds().len();
     let found = match start {
         Start::Detached if certain(value, &value.lit(0), branches)? != Ordering::Greater => {

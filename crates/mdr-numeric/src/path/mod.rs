@@ -119,6 +119,26 @@ impl<R: Real> Path<R> {
         follow::follow(branches, start, way).map(|events| Path { events })
     }
 
+    /// The state in which a path begins: what [`follow`](Path::follow) has in its first event.
+    ///
+    /// ```
+    /// use mdr_core::contact::{Control, Material, Stability};
+    /// use mdr_numeric::path::{Path, Start};
+    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, profiles::Paraboloid, transform::Quadrature};
+    /// let (ball, control) = (Quadrature::new(Paraboloid::new(1.0)?), Control::Indentation);
+    /// let material = Material::new(1.0, 1e-3)?;
+    /// let branches = Branches::new(Curve::new(&ball, &material, &control))?;
+    /// let state = Path::first(&branches, &Start::Largest, &0.0)?;
+    /// assert_eq!(state.contact().expect("in contact").stability, Stability::Stable);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Path::follow`].
+    pub fn first(branches: &impl Branched<R>, start: &Start<R>, value: &R) -> Result<State<R>> {
+        follow::begin(branches, start, value).map(|(_, state)| state)
+    }
+
     /// Whether the path came to its last way point.
     pub fn is_finished(&self) -> bool {
         self.events.last().is_some_and(|event| event.kind == EventKind::End)
