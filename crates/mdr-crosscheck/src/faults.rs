@@ -4,7 +4,8 @@ use std::fmt;
 
 use mdr_core::number::Real;
 
-use crate::theory::{DOUBLE, Form, Part, Shape};
+use crate::library::Shape;
+use crate::theory::{DOUBLE, Form, Part};
 
 /// One mistake in one closed form.
 #[derive(Clone, Copy, Debug, PartialEq)]

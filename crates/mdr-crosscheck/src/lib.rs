@@ -15,6 +15,7 @@ pub mod contest;
 pub mod derivations;
 mod faults;
 mod grid;
+mod library;
 mod merge;
 mod options;
 pub mod records;
@@ -26,8 +27,9 @@ mod trial;
 
 pub use checks::checks_of;
 pub use faults::{Entry, Fault, Mistake, faults, forms};
+pub use library::Shape;
 pub use merge::MergeError;
 pub use options::{Level, Options, Shard, ShardError};
 pub use report::{Failure, Finding, Grid, Report, Row, Unit, Verdict};
 pub use run::{Progress, run, run_against};
-pub use theory::{Form, Part, Shape, Theory};
+pub use theory::{Form, Part, Theory};

@@ -8,6 +8,7 @@ use mdr_core::number::{Precision, Real, Special};
 use rug::{Float, Rational};
 
 use crate::faults::Fault;
+use crate::library::Shape;
 
 /// The closed forms of mdr-analytic, as they are or with one deliberate fault.
 ///
@@ -95,48 +96,6 @@ pub(crate) const DOUBLE: [&str; 22] = [
     "double::ratio",
     "double::threshold",
 ];
-
-/// A profile of the library.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[expect(missing_docs, reason = "named after the type in mdr_analytic::profiles")]
-pub enum Shape {
-    Cone,
-    Paraboloid,
-    Sphere,
-    Ellipsoid,
-    Hyperboloid,
-    TruncatedCone,
-    TruncatedParaboloid,
-    RoundedPunch,
-    ParabolicCapCone,
-    SphericalCapCone,
-    DisplacedParaboloid,
-    ParabolicDimple,
-    EllipticalDimple,
-    WavyParaboloid,
-    Sum,
-}
-
-impl Shape {
-    /// All of them.
-    pub const ALL: [Shape; 15] = [
-        Shape::Cone,
-        Shape::Paraboloid,
-        Shape::Sphere,
-        Shape::Ellipsoid,
-        Shape::Hyperboloid,
-        Shape::TruncatedCone,
-        Shape::TruncatedParaboloid,
-        Shape::RoundedPunch,
-        Shape::ParabolicCapCone,
-        Shape::SphericalCapCone,
-        Shape::DisplacedParaboloid,
-        Shape::ParabolicDimple,
-        Shape::EllipticalDimple,
-        Shape::WavyParaboloid,
-        Shape::Sum,
-    ];
-}
 
 /// One of the three closed forms of a profile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -1,9 +1,8 @@
 //! The library of transformed profiles against quadrature of the profiles.
 
-use mdr_analytic::profiles as closed;
 use mdr_analytic::struve::Struve;
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Profile, Result, Transform};
+use mdr_core::contact::{Result, Transform};
 use mdr_core::number::{Dual, Lift, Real};
 use mdr_numeric::profiles;
 use mdr_numeric::transform::Quadrature;
@@ -11,8 +10,9 @@ use rug::Float;
 
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
+use crate::library::{Height, Shape, closed_form};
 use crate::report::Unit;
-use crate::theory::{Form, Part, Shape};
+use crate::theory::{Form, Part};
 use crate::tolerance::{TRANSFORM, quadrature};
 use crate::trial::Trial;
 
@@ -97,72 +97,6 @@ pub(super) struct Drawn<R> {
     slope: R,
 }
 
-/// f(r), written from the geometry, f(0) = 0.
-impl<R: Real> Profile<R> for Drawn<R> {
-    fn height<S: Lift<R>>(&self, r: &S) -> S {
-        let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
-        let zero = r.lit(0);
-        // h(1 − √(1 − r²/L²)) without cancellation.
-        let cap = |h: S| {
-            let s = r.clone() / &l;
-            let cosine = ((s.lit(1) - &s) * (s.lit(1) + &s)).sqrt();
-            s.square() * h / (s.lit(1) + cosine)
-        };
-        let beyond = *r > b;
-        match self.shape {
-            Shape::Cone => t * r,
-            Shape::Paraboloid => r.square() / l.times(2),
-            Shape::Sphere => cap(l.clone()),
-            Shape::Ellipsoid => cap(t * &l),
-            Shape::Hyperboloid => t * r.square() / ((r.square() + l.square()).sqrt() + &l),
-            Shape::TruncatedCone if beyond => t * (r.clone() - &b),
-            Shape::TruncatedParaboloid if beyond => (r.clone() - &b) * (r.clone() + &b) / l.times(2),
-            Shape::RoundedPunch if beyond => (r.clone() - &b).square() / l.times(2),
-            Shape::TruncatedCone | Shape::TruncatedParaboloid | Shape::RoundedPunch => zero,
-            Shape::ParabolicCapCone if beyond => t * (r.clone() - b.over(2)),
-            Shape::ParabolicCapCone => t * r.square() / b.times(2),
-            // b = Lt/√(1+t²): the flank continues the sphere of radius L.
-            Shape::SphericalCapCone if beyond => {
-                let level = (t.square() + t.lit(1)).sqrt().inv() * &l;
-                t * (r.clone() - &b) + b.square() / (level + &l)
-            }
-            Shape::SphericalCapCone => cap(l.clone()),
-            Shape::DisplacedParaboloid => (r.clone() - b.times(2)) * r / l.times(2),
-            Shape::ParabolicDimple if beyond => -(t * &b),
-            Shape::ParabolicDimple => -(r.square() / &b * t),
-            Shape::WavyParaboloid => {
-                let phase = r.pi() * r / &b;
-                r.square() / l.clone().times(2) + (phase.sin().square() * &b * &b / l).over(16)
-            }
-            Shape::EllipticalDimple => -cap(t * &l),
-            Shape::Sum => r.square() / l.times(2) + t * r,
-        }
-    }
-
-    fn kinks(&self) -> Vec<R> {
-        use Shape::*;
-        match self.shape {
-            TruncatedCone | TruncatedParaboloid | RoundedPunch | ParabolicCapCone | SphericalCapCone
-            | ParabolicDimple => vec![self.second.clone()],
-            _ => Vec::new(),
-        }
-    }
-
-    fn outer_radius(&self) -> Option<R> {
-        matches!(self.shape, Shape::Sphere | Shape::Ellipsoid | Shape::EllipticalDimple).then(|| self.length.clone())
-    }
-
-    fn tip_exponent(&self) -> Option<R> {
-        use Shape::*;
-        let p = match self.shape {
-            Cone | DisplacedParaboloid | Sum => 1,
-            TruncatedCone | TruncatedParaboloid | RoundedPunch => return None,
-            _ => 2,
-        };
-        Some(self.length.lit(p))
-    }
-}
-
 impl<R: Arithmetic> Drawn<R> {
     /// A profile at any scale. The cap of a cone ends where the sphere has its slope.
     pub(super) fn draw(trial: &mut Trial<'_>, shape: Shape, ctx: R::Ctx) -> Self {
@@ -178,7 +112,7 @@ impl<R: Arithmetic> Drawn<R> {
 
     /// A radius within the profile, off its edge by a fifth or more on the given side.
     pub(super) fn radius(&self, trial: &mut Trial<'_>, beyond: bool, ctx: R::Ctx) -> R {
-        if self.outer_radius().is_some() {
+        if matches!(self.shape, Shape::Sphere | Shape::Ellipsoid | Shape::EllipticalDimple) {
             return self.length.clone() * R::from_f64(ctx, trial.uniform(0.05, 0.8));
         }
         let octaves = trial.uniform(0.3, 2.0);
@@ -201,32 +135,29 @@ impl Drawn<f64> {
 }
 
 impl<R: Real> Drawn<R> {
-    /// The closed form, over numbers in which R is a constant.
-    pub(super) fn closed<S: Lift<R> + Struve>(&self) -> Result<Box<dyn Transform<S>>> {
+    /// The parameters of the shape, over numbers in which R is a constant.
+    fn parameters<S: Lift<R>>(&self) -> Vec<S> {
         let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
-        Ok(match self.shape {
-            Shape::Cone => Box::new(closed::Cone::new(t)?),
-            Shape::Paraboloid => Box::new(closed::Paraboloid::new(l)?),
-            Shape::Sphere => Box::new(closed::Sphere::new(l)?),
-            Shape::Ellipsoid => Box::new(closed::Ellipsoid::new(l.clone(), t * &l)?),
-            Shape::Hyperboloid => Box::new(closed::Hyperboloid::new(t, l)?),
-            Shape::TruncatedCone => Box::new(closed::TruncatedCone::new(t, b)?),
-            Shape::TruncatedParaboloid => Box::new(closed::TruncatedParaboloid::new(l, b)?),
-            Shape::RoundedPunch => Box::new(closed::RoundedPunch::new(l, b)?),
-            Shape::ParabolicCapCone => Box::new(closed::ParabolicCapCone::new(t, b)?),
-            Shape::SphericalCapCone => Box::new(closed::SphericalCapCone::new(t, l)?),
-            Shape::DisplacedParaboloid => Box::new(closed::DisplacedParaboloid::new(l, b)?),
-            Shape::ParabolicDimple => Box::new(closed::ParabolicDimple::new(t * &b, b)?),
-            Shape::EllipticalDimple => Box::new(closed::EllipticalDimple::new(l.clone() * &t, l)?),
+        match self.shape {
+            Shape::Cone => vec![t],
+            Shape::Paraboloid | Shape::Sphere => vec![l],
+            Shape::Ellipsoid => vec![l.clone(), t * &l],
+            Shape::Hyperboloid | Shape::SphericalCapCone => vec![t, l],
+            Shape::TruncatedCone | Shape::ParabolicCapCone => vec![t, b],
+            Shape::TruncatedParaboloid | Shape::RoundedPunch | Shape::DisplacedParaboloid => vec![l, b],
+            Shape::ParabolicDimple => vec![t * &b, b],
+            Shape::EllipticalDimple => vec![t * &l, l],
             Shape::WavyParaboloid => {
                 let amplitude = b.square() / l.clone().times(32);
-                Box::new(closed::WavyParaboloid::new(l, amplitude, b)?)
+                vec![l, amplitude, b]
             }
-            Shape::Sum => {
-                let paraboloid = Box::new(closed::Paraboloid::new(l)?);
-                Box::new(closed::Sum::new(vec![paraboloid, Box::new(closed::Cone::new(t)?)]))
-            }
-        })
+            Shape::Sum => vec![l, t],
+        }
+    }
+
+    /// The closed form, over numbers in which R is a constant.
+    pub(super) fn closed<S: Lift<R> + Struve>(&self) -> Result<Box<dyn Transform<S>>> {
+        closed_form(self.shape, &self.parameters::<S>())
     }
 }
 
@@ -237,7 +168,7 @@ fn library<R: Arithmetic>(trial: &mut Trial<'_>, shape: Shape, turn: usize, ctx:
     trial.describe(format_args!("{shape:?}, L = {l:e}, b = {b:e}, t = {t:e}, x = {at:e} ({})", R::NAME));
     let closed = profile.closed::<R>()?;
     let with_slopes = profile.closed::<Dual<R>>()?;
-    let transform = Quadrature::new(profile);
+    let transform = Quadrature::new(Height { shape, parameters: profile.parameters::<R>() });
 
     let y = Dual::variable(x.clone());
     let condition = |value: Dual<R>| {

@@ -14,8 +14,9 @@ use super::Check;
 use super::machine::Machine;
 use super::profiles::{Drawn, ROUNDINGS};
 use crate::grid::{Family, Scene};
+use crate::library::Shape;
 use crate::report::Unit;
-use crate::theory::{Form, Shape};
+use crate::theory::Form;
 use crate::trial::Trial;
 
 /// Bits of the enclosures.

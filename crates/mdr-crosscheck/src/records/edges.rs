@@ -10,10 +10,10 @@ use mdr_reference::{Record, Status};
 
 use super::RecordError;
 use super::draft::{Draft, literal};
-use super::height::Height;
 use super::library::Profile;
 use super::power::{Held, Power};
 use super::shapes;
+use crate::library::Height;
 
 /// A critical state that is asked for with inputs for which there is none.
 pub(super) fn no_question(law: &Power) -> std::result::Result<Vec<Record>, RecordError> {
@@ -39,12 +39,12 @@ pub(super) fn beyond(profile: &Profile, x: &str) -> std::result::Result<Vec<Reco
     let at = Interval::from_literal(ctx, &literal(x));
     let found = profile.closed(&profile.numbers::<Interval>(ctx)).and_then(|transform| transform.g(&at));
     if !matches!(found, Err(Error::Domain { .. })) {
-        return Err(RecordError::missing(profile.kind, "radius outside of the domain"));
+        return Err(RecordError::missing(profile.shape.name(), "radius outside of the domain"));
     }
     let parameters = profile.parameters.iter().map(|(name, value)| (*name, (*value).to_owned()));
     let draft = Draft {
-        id: format!("transform/{}/x={x}", profile.kind),
-        profile: profile.kind,
+        id: format!("transform/{}/x={x}", profile.shape.name()),
+        profile: profile.shape.name(),
         formula: "transform",
         inputs: parameters.chain([("x", x.to_owned())]).collect(),
         methods: ["definition", ""],
@@ -59,16 +59,16 @@ pub(super) fn beyond(profile: &Profile, x: &str) -> std::result::Result<Vec<Reco
 /// (2/π)[r²(Φ + sin Φ cos Φ)/2R − πbr sin Φ/2R − dΦ], and certainly negative.
 pub(super) fn interpenetrating(a: &str) -> std::result::Result<Vec<Record>, RecordError> {
     let profile = shapes::RIDGE;
-    let wrong = |error| RecordError::of(profile.kind, error);
+    let wrong = |error| RecordError::of(profile.shape.name(), error);
     let [gap, again] = [enclosed_gap(&profile, a), integrated_gap(&profile, a)];
     if !(gap.map_err(wrong)? && again.map_err(wrong)?) {
-        return Err(RecordError::missing(profile.kind, "interpenetration"));
+        return Err(RecordError::missing(profile.shape.name(), "interpenetration"));
     }
     let parameters = profile.parameters.iter().chain(&shapes::RIDGE_MATERIAL);
     let inputs = parameters.map(|(name, value)| (*name, (*value).to_owned()));
     let draft = Draft {
-        id: format!("state/{}/a={a}", profile.kind),
-        profile: profile.kind,
+        id: format!("state/{}/a={a}", profile.shape.name()),
+        profile: profile.shape.name(),
         formula: "state",
         inputs: inputs.chain([("a", a.to_owned())]).collect(),
         methods: ["closed-form/interval", "gap-quadrature/f64"],
@@ -108,7 +108,7 @@ fn enclosed_gap(profile: &Profile, a: &str) -> Result<bool> {
 fn integrated_gap(profile: &Profile, a: &str) -> Result<bool> {
     let parameters = profile.numbers::<f64>(());
     let ridge = parameters[1];
-    let transform = Quadrature::new(Height { kind: profile.kind, parameters });
+    let transform = Quadrature::new(Height { shape: profile.shape, parameters });
     let (material, control) = (material::<f64>(())?, Control::Indentation);
     let fields = Fields::new(Curve::new(&transform, &material, &control), literal(a).nearest_f64())?;
     Ok(fields.gap(&ridge)? < 0.0)

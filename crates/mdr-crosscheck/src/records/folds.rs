@@ -13,9 +13,9 @@ use rug::Float;
 use super::RecordError;
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
-use super::height::Height;
 use super::library::Profile;
 use super::power::{Held, Named};
+use crate::library::Height;
 
 /// A profile of the library on a material, and the range of radii in which its folds are sought.
 #[derive(Clone, Debug)]
@@ -60,7 +60,7 @@ impl Scene {
     fn draft(&self, index: usize, fold: &Instability<Interval>, complete: bool, held: Held) -> Draft {
         Draft {
             id: format!("fold/{}/fold-{}", self.name, index + 1),
-            profile: self.profile.kind,
+            profile: self.profile.shape.name(),
             formula: "folds",
             inputs: self.inputs().into_iter().map(|(name, text)| (name, text.to_owned())).collect(),
             control: Some(held.name()),
@@ -144,7 +144,7 @@ impl Scene {
     fn confirmed(&self, values: &[Decimal; 3], held: Held, condition: f64) -> Result<bool> {
         let ctx = confirm::precision(condition);
         let parameters = self.profile.numbers::<Float>(ctx);
-        let transform = Quadrature::new(Height { kind: self.profile.kind, parameters });
+        let transform = Quadrature::new(Height { shape: self.profile.shape, parameters });
         let (material, control) = (self.material::<Float>(ctx)?, held.control());
         let state = std::array::from_fn(|index| confirm::float(ctx, &values[index]));
         confirm::state_at_fold(&Curve::new(&transform, &material, &control), &state)

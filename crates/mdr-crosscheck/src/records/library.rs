@@ -1,8 +1,7 @@
 //! The library of transformed profiles: g, g' and G at points by closed forms over intervals, confirmed by quadrature.
 
-use mdr_analytic::profiles as closed;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Error, Quantity, Result, Transform};
+use mdr_core::contact::{Quantity, Result, Transform};
 use mdr_core::number::certify::{Enclosure, certify};
 use mdr_core::number::{Dual, Interval, Lift, Precision, Real};
 use mdr_numeric::transform::Quadrature;
@@ -12,8 +11,8 @@ use rug::Float;
 use super::RecordError;
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
-use super::height::Height;
 use super::power::Named;
+use crate::library::{Height, Shape, closed_form};
 
 /// Bits for conditions.
 const BITS: u32 = 192;
@@ -21,7 +20,7 @@ const BITS: u32 = 192;
 /// A profile of the library with exact parameters.
 #[derive(Clone, Debug)]
 pub(super) struct Profile {
-    pub(super) kind: &'static str,
+    pub(super) shape: Shape,
     pub(super) parameters: &'static [(&'static str, &'static str)],
 }
 
@@ -44,42 +43,13 @@ impl Profile {
     }
 
     /// The closed form.
-    pub(super) fn closed<R: Struve + Lift<R>>(&self, p: &[R]) -> Result<Box<dyn Transform<R>>> {
-        let [first, rest @ ..] = p else { return Err(self.unknown()) };
-        let first = first.clone();
-        Ok(match (self.kind, rest) {
-            ("cone", []) => Box::new(closed::Cone::new(first)?),
-            ("paraboloid", []) => Box::new(closed::Paraboloid::new(first)?),
-            ("sphere", []) => Box::new(closed::Sphere::new(first)?),
-            ("ellipsoid", [height]) => Box::new(closed::Ellipsoid::new(first, height.clone())?),
-            ("hyperboloid", [lateral]) => Box::new(closed::Hyperboloid::new(first, lateral.clone())?),
-            ("truncated-cone", [flat]) => Box::new(closed::TruncatedCone::new(first, flat.clone())?),
-            ("truncated-paraboloid", [flat]) => Box::new(closed::TruncatedParaboloid::new(first, flat.clone())?),
-            ("rounded-punch", [flat]) => Box::new(closed::RoundedPunch::new(first, flat.clone())?),
-            ("cone-parabolic-cap", [cap]) => Box::new(closed::ParabolicCapCone::new(first, cap.clone())?),
-            ("cone-spherical-cap", [radius]) => Box::new(closed::SphericalCapCone::new(first, radius.clone())?),
-            ("displaced-paraboloid", [offset]) => Box::new(closed::DisplacedParaboloid::new(first, offset.clone())?),
-            ("parabolic-dimple", [radius]) => Box::new(closed::ParabolicDimple::new(first, radius.clone())?),
-            ("elliptical-dimple", [radius]) => Box::new(closed::EllipticalDimple::new(first, radius.clone())?),
-            ("wavy-paraboloid", [amplitude, wavelength]) => {
-                Box::new(closed::WavyParaboloid::new(first, amplitude.clone(), wavelength.clone())?)
-            }
-            ("sum", [slope]) => {
-                let paraboloid = Box::new(closed::Paraboloid::new(first)?);
-                Box::new(closed::Sum::new(vec![paraboloid, Box::new(closed::Cone::new(slope.clone())?)]))
-            }
-            _ => return Err(self.unknown()),
-        })
-    }
-
-    fn unknown(&self) -> Error {
-        let value = format!("{self:?}");
-        Error::Domain { quantity: Quantity::Parameter("the profile"), value, requirement: "one of the library" }
+    pub(super) fn closed<R: Struve + Lift<R>>(&self, parameters: &[R]) -> Result<Box<dyn Transform<R>>> {
+        closed_form(self.shape, parameters)
     }
 
     /// g, g' and G at x.
     pub(super) fn at(&self, x: &str) -> std::result::Result<Vec<Record>, RecordError> {
-        let name = format!("{}/x={x}", self.kind);
+        let name = format!("{}/x={x}", self.shape.name());
         let wrong = |error| RecordError::of(&name, error);
         let values = certify([Quantity::TransformedProfile; 3], DIGITS, Precision::new(BITS), |precision| {
             let x = Interval::from_literal(precision, &literal(x));
@@ -92,7 +62,7 @@ impl Profile {
             let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
             let ctx = confirm::precision(total);
             let x = Float::from_literal(ctx, &literal(x));
-            let transform = Quadrature::new(Height { kind: self.kind, parameters: self.numbers::<Float>(ctx) });
+            let transform = Quadrature::new(Height { shape: self.shape, parameters: self.numbers::<Float>(ctx) });
             let found = [transform.g(&x)?, transform.slope(&x)?, transform.integral(&x)?];
             let agree = |(found, value): (&Float, _)| {
                 let value = confirm::float(ctx, value);
@@ -104,7 +74,7 @@ impl Profile {
         let inputs = self.parameters.iter().map(|(name, value)| (*name, (*value).to_owned()));
         let draft = Draft {
             id: format!("transform/{name}"),
-            profile: self.kind,
+            profile: self.shape.name(),
             formula: "transform",
             inputs: inputs.chain([("x", x.to_owned())]).collect(),
             methods: ["closed-form/interval", "quadrature/mp"],

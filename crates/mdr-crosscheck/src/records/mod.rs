@@ -8,7 +8,6 @@ mod draft;
 mod edges;
 mod equilibria;
 mod folds;
-mod height;
 mod library;
 mod list;
 mod machine;
