@@ -10,6 +10,7 @@
 //! goes to the ends of the exponent range, over kinks, and past radii where the ratio is out of range or cannot be had.
 
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::Real;
@@ -46,7 +47,7 @@ pub(crate) struct Range<R> {
 /// Intervals of a panel.
 const DEGREE: usize = 8;
 /// The largest |t| that is looked at: 10^±455000, far beyond which only n = 1/2 ± 10⁻⁶ and closer has anything.
-const REACH: f64 = 1_048_576.0;
+pub(crate) const REACH: f64 = 1_048_576.0;
 /// Panels are not halved below this width in ln a.
 const FINEST: f64 = 1e-7;
 /// How close in ln a the search comes to a kink, and to the outer radius, where quadrature loses its digits.
@@ -164,14 +165,12 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
         let (first, last) = (samples[0], samples[DEGREE]);
         let known: Vec<Sample> = samples.into_iter().flatten().collect();
         let narrow = upper - lower < FINEST || self.panels > BUDGET + PER_CROSSING * self.crossings.len();
-        let whole = known.len() == DEGREE + 1;
-        let quiet = if whole && is_quiet(&known) { quiet + 1 } else { 0 };
-        let verdict = if quiet == QUIET {
-            Verdict::Empty
-        } else if whole {
-            settle(&known, self.roundoff)
-        } else {
-            outside(&known, upper - lower, blind)
+        let by_level = (known.len() == DEGREE + 1).then(|| Fit::new(&known, |sample| sample.level));
+        let quiet = if by_level.as_ref().is_some_and(|fit| is_quiet(&known, fit)) { quiet + 1 } else { 0 };
+        let verdict = match by_level {
+            _ if quiet == QUIET => Verdict::Empty,
+            Some(by_level) => settle(&known, &by_level, self.roundoff),
+            None => outside(&known, upper - lower, blind),
         };
         match verdict {
             Verdict::Empty => {}
@@ -274,48 +273,39 @@ fn one_sided(samples: &[Sample]) -> bool {
 /// Whether the samples keep away from the crossing by a margin, and either are within a factor of two or lie on a smooth
 /// curve. Nine samples of many waves may do so by chance, one time in 500 where the waves reach the crossing; so it counts
 /// the third time only.
-fn is_quiet(samples: &[Sample]) -> bool {
-    let levels: Vec<f64> = samples.iter().map(|sample| sample.level).collect();
-    let (smallest, largest) = levels.iter().fold((f64::MAX, f64::MIN), |(s, l), &x| (s.min(x), l.max(x)));
-    let margin = levels.iter().fold(f64::MAX, |m, x| m.min(x.abs()));
-    let step = levels.windows(2).fold(0.0, |step: f64, pair| step.max((pair[1] - pair[0]).abs()));
-    let smooth = || {
-        let coefficients = chebyshev(&levels);
-        coefficients[DEGREE - 2..].iter().map(|c| c.abs()).sum::<f64>() < 0.02 * (largest - smallest)
-    };
-    one_sided(samples) && margin > 1.0 + 2.0 * step && (largest - smallest < std::f64::consts::LN_2 || smooth())
+fn is_quiet(samples: &[Sample], by_level: &Fit) -> bool {
+    let margin = samples.iter().fold(f64::MAX, |m, sample| m.min(sample.level.abs()));
+    let step = samples.windows(2).fold(0.0, |step: f64, pair| step.max((pair[1].level - pair[0].level).abs()));
+    let spread = by_level.spread();
+    one_sided(samples)
+        && margin > 1.0 + 2.0 * step
+        && (spread < std::f64::consts::LN_2 || by_level.tail() < 0.02 * spread)
 }
 
 /// By ln(ratio), smooth over decades of radii, or else by the ratio itself, smooth over a wave.
-fn settle(samples: &[Sample], roundoff: f64) -> Verdict {
-    let levels: Vec<f64> = samples.iter().map(|sample| sample.level).collect();
-    let one_sided = one_sided(samples);
-    if levels.iter().all(|level| level.abs() <= NOISE * roundoff) {
+fn settle(samples: &[Sample], by_level: &Fit, roundoff: f64) -> Verdict {
+    if samples.iter().all(|sample| sample.level.abs() <= NOISE * roundoff) {
         return Verdict::Flat;
     }
+    let one_sided = one_sided(samples);
     let width = samples[DEGREE].t - samples[0].t;
-    match resolved(&levels, one_sided, width, roundoff) {
-        Verdict::Open => {
-            let excesses: Vec<f64> = samples.iter().map(|sample| sample.excess).collect();
-            let finite = excesses.iter().all(|excess| excess.is_finite());
-            if finite { resolved(&excesses, one_sided, width, roundoff) } else { Verdict::Open }
+    match resolved(by_level, one_sided, width, roundoff) {
+        Verdict::Open if samples.iter().all(|sample| sample.excess.is_finite()) => {
+            resolved(&Fit::new(samples, |sample| sample.excess), one_sided, width, roundoff)
         }
         verdict => verdict,
     }
 }
 
 /// What the polynomial through the samples of a panel says about its zeros.
-fn resolved(levels: &[f64], one_sided: bool, width: f64, roundoff: f64) -> Verdict {
-    let (smallest, largest) = levels.iter().fold((f64::MAX, f64::MIN), |(s, l), &x| (s.min(x), l.max(x)));
-    let spread = largest - smallest;
-    let noise = NOISE * roundoff + 8.0 * f64::EPSILON * largest.abs().max(smallest.abs());
-    let coefficients = chebyshev(levels);
-    let tail: f64 = coefficients[DEGREE - 2..].iter().map(|c| c.abs()).sum();
+fn resolved(fit: &Fit, one_sided: bool, width: f64, roundoff: f64) -> Verdict {
+    let (spread, tail) = (fit.spread(), fit.tail());
+    let noise = NOISE * roundoff + 8.0 * f64::EPSILON * fit.largest.abs().max(fit.smallest.abs());
     let allowed = if width <= 2.0 { 1e-2 * spread } else { 1e-6 * spread };
     if tail > allowed.max(noise) {
         return Verdict::Open;
     }
-    let curve = Drawn::new(&coefficients);
+    let curve = Drawn::new(&fit.coefficients);
     let clear = one_sided && curve.keeps_away(4.0 * tail + noise);
     // The slope of what the polynomial leaves out, by Markov's inequality: two turning points of half a percent of the
     // spread are two folds all the same.
@@ -330,14 +320,38 @@ fn resolved(levels: &[f64], one_sided: bool, width: f64, roundoff: f64) -> Verdi
     }
 }
 
-/// The coefficients of Σ cₖ Tₖ through the values at −cos(iπ/DEGREE).
-fn chebyshev(levels: &[f64]) -> [f64; DEGREE + 1] {
-    let half = |i: usize| if i == 0 || i == DEGREE { 0.5 } else { 1.0 };
-    std::array::from_fn(|k| {
-        let term = |i: usize| half(i) * levels[DEGREE - i] * (PI * (i * k) as f64 / DEGREE as f64).cos();
-        2.0 / DEGREE as f64 * half(k) * (0..=DEGREE).map(term).sum::<f64>()
-    })
+/// The polynomial Σ cₖ Tₖ through the values at the samples of a panel, at −cos(iπ/DEGREE).
+struct Fit {
+    smallest: f64,
+    largest: f64,
+    coefficients: [f64; DEGREE + 1],
 }
+
+impl Fit {
+    fn new(samples: &[Sample], value: impl Fn(&Sample) -> f64) -> Self {
+        let values: [f64; DEGREE + 1] = std::array::from_fn(|i| value(&samples[i]));
+        let (smallest, largest) = values.iter().fold((f64::MAX, f64::MIN), |(s, l), &x| (s.min(x), l.max(x)));
+        let half = |i: usize| if i == 0 || i == DEGREE { 0.5 } else { 1.0 };
+        let coefficients = std::array::from_fn(|k| {
+            let term = |i: usize| half(i) * values[DEGREE - i] * COSINES[i * k % (2 * DEGREE)];
+            2.0 / DEGREE as f64 * half(k) * (0..=DEGREE).map(term).sum::<f64>()
+        });
+        Fit { smallest, largest, coefficients }
+    }
+
+    fn spread(&self) -> f64 {
+        self.largest - self.smallest
+    }
+
+    /// The size of what the polynomial leaves out: that of its last terms.
+    fn tail(&self) -> f64 {
+        self.coefficients[DEGREE - 2..].iter().map(|c| c.abs()).sum()
+    }
+}
+
+/// cos(iπ/DEGREE) over a whole turn.
+static COSINES: LazyLock<[f64; 2 * DEGREE]> =
+    LazyLock::new(|| std::array::from_fn(|i| (PI * i as f64 / DEGREE as f64).cos()));
 
 fn clenshaw(coefficients: &[f64], x: f64) -> f64 {
     let (b1, b2) = coefficients.iter().skip(1).rev().fold((0.0, 0.0), |(b1, b2), c| (c + 2.0 * x * b1 - b2, b1));
