@@ -12,6 +12,7 @@ use mdr_core::number::Real;
 use crate::branch::{Branched, Onset, onset};
 use crate::curve::Curve;
 use crate::folds::{self, Completeness, Folds};
+use crate::survey;
 
 /// The branches of a contact under one control: the curve of equilibria cut at its folds.
 pub struct Branches<'a, R: Real> {
@@ -69,8 +70,7 @@ impl<'a, R: Real> Branches<'a, R> {
         Branches { curve, folds, completeness, reach: None }
     }
 
-    /// Looks for equilibria between these radii only. The exponents of arbitrary precision reach to 10^±3·10⁸, where a
-    /// transform may cost more than its answer is worth.
+    /// Looks for equilibria between these radii only; else where folds are searched, at most 10^±455000 times w/E*.
     pub fn within(self, lower: R, upper: R) -> Self {
         Branches { reach: Some([lower, upper]), ..self }
     }
@@ -207,10 +207,12 @@ impl<'a, R: Real> Branches<'a, R> {
 
     /// The direction of change at a radius; none out of the range of radii or of the arithmetic, or where g cannot be had:
     /// a walk ends there. The search for folds met the same radii and has said that it is [`Completeness::Doubtful`].
+    ///
+    /// Nor beyond the radii where folds are searched: the exponents of arbitrary precision reach to 10^±3·10⁸.
     fn turn(&self, a: R, value: &R) -> Result<Option<(R, Ordering)>> {
         let normal = a.is_finite() && a.clone() * a.unit_roundoff() > a.lit(0);
         let within = self.reach.as_ref().is_none_or(|[lower, upper]| a >= *lower && a <= *upper);
-        if !(normal && within) {
+        if !(normal && within) || (a.ln() - self.curve.material_length().ln()).abs().approx() > survey::REACH {
             return Ok(None);
         }
         match self.curve.direction(&a, value) {
