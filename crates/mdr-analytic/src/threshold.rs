@@ -11,7 +11,7 @@ pub fn lemniscate_constant<R: Real>(like: &R) -> R {
     like.pi() / arithmetic_geometric_mean(&like.lit(1), &like.lit(2).sqrt())
 }
 
-/// agm(x, y) for 1 ≤ y/x ≤ 2. The difference of the two means is at most squared over 8 in each step, so ⌈log₂ p⌉ + 1
+/// agm(x, y) of constants, 1 ≤ y/x ≤ 2. The difference of the two means is at most squared over 8 in each step, so ⌈log₂ p⌉ + 1
 /// steps give p bits; the last difference bounds what is left.
 fn arithmetic_geometric_mean<R: Real>(x: &R, y: &R) -> R {
     let (mut x, mut y) = (x.clone(), y.clone());
@@ -21,8 +21,9 @@ fn arithmetic_geometric_mean<R: Real>(x: &R, y: &R) -> R {
         let geometric = (x * &y).sqrt();
         (x, y) = (geometric, arithmetic);
     }
+    // The slopes of duals are those of constants, zero, and so is that of the rest.
     let rest = y.clone() - &x;
-    y.inflate(&rest)
+    y.inflate_with_slope(&rest)
 }
 
 /// The coefficient C at n = 1/2 that separates the two fates (1.19), in √m.

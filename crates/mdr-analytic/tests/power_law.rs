@@ -9,7 +9,7 @@ use mdr_analytic::{
     universal_indentation,
 };
 use mdr_core::contact::{Control, Error, FoldKind, Material, Regime, Transform};
-use mdr_core::number::Dual;
+use mdr_core::number::{Dual, Interval, Precision, Real};
 use proptest::prelude::*;
 
 fn contact(n: f64, c: f64, e_star: f64, work: f64) -> Contact<f64> {
@@ -111,6 +111,19 @@ fn three_folds() {
     assert_eq!(kinds, [FoldKind::Minimum, FoldKind::Maximum, FoldKind::Minimum]);
     for (fold, radius) in folds.iter().zip([0.01271, 0.06940, 459.2]) {
         assert_relative_eq!(fold.contact_radius, radius, max_relative = 5e-4);
+    }
+}
+
+/// C at the threshold grows as √(w/E*): enclosures of its derivative are sharp, as ϖ is a constant.
+#[test]
+fn the_threshold_is_differentiated_over_enclosures() {
+    let precision = Precision::new(120);
+    let [two, three] = [2, 3].map(|value| Interval::from_int(precision, value));
+    let material = Material::new(Dual::constant(three), Dual::variable(two)).unwrap();
+    for control in [Control::Indentation, Control::Force] {
+        let threshold = threshold(&material, &control);
+        let half = threshold.slope.times(4) / threshold.value;
+        assert!(half.contains(&rug::Float::with_val(120, 1)) && half.accuracy_bits() > 110, "{half:?}");
     }
 }
 
