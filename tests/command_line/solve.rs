@@ -86,6 +86,60 @@ fn solve_text(scene: &str, flags: &str) -> Value {
     serde_json::from_slice(&assert.get_output().stdout).unwrap()
 }
 
+/// A path that starts exactly at a fold rests there, and its fields are those of the fold.
+#[test]
+fn a_start_at_a_fold_has_fields() {
+    let (a, d) =
+        (f64::cbrt(std::f64::consts::PI * 1e-3 / 8.0), -3.0 * f64::cbrt(std::f64::consts::PI * 1e-3 / 8.0).powi(2));
+    let scene = |path: f64| {
+        format!(
+            "material = {{ e_star = 1, work_of_adhesion = 1e-3 }}\nprofile = {{ kind = \"paraboloid\", radius = 1 }}\n\
+             control = {{ kind = \"indentation\", path = [{path:e}] }}\noutput = {{ want = [\"energy\", \"path\"] }}\n"
+        )
+    };
+    let states = |path: f64| solve_text(&scene(path), "--f64")["energy"][0]["states"].as_array().unwrap().clone();
+    let at_fold = states(d);
+    assert_eq!(at_fold.len(), 1, "{at_fold:?}");
+    assert!((number(&at_fold[0]["contact_radius"]) / a - 1.0).abs() < 1e-14, "{at_fold:?}");
+    // Π at the fold: E*∫(d − x²)² dx − πa²w with d = −3a² and πw = 8a³.
+    let energy = a.powi(5) * (9.0 + 2.0 + 0.2 - 8.0);
+    assert!((number(&at_fold[0]["energy"]) / energy - 1.0).abs() < 1e-13, "{at_fold:?} {energy}");
+    assert_eq!(solve_text(&scene(d), "--f64")["path"][0]["event"], "start");
+}
+
+/// Short tables are proved, and the cubic through points of a paraboloid is the paraboloid: every digit is that of the
+/// closed form. Longer ones are searched, and the answer says so.
+#[test]
+fn folds_of_short_tables_are_proved() {
+    let scene = |profile: &str| {
+        format!(
+            "material = {{ e_star = 1, work_of_adhesion = 1e-3 }}\nprofile = {{ {profile} }}\n\
+             control = {{ kind = \"indentation\", path = [0, -1] }}\n\
+             output = {{ want = [\"folds\", \"equilibria\", \"path\"], equilibria = {{ at = [-0.01, 0.001] }} }}\n"
+        )
+    };
+    let table = |name: &str, rows: u32| {
+        let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        // r²/2 up to r = 0.3, exactly.
+        let row = |i: u32| format!("{}/{},{}/{}\n", 3 * i, 10 * rows, 9 * i * i, 200 * rows * rows);
+        let text = (0..=rows).map(row).fold("r,f\nm,m\n".to_owned(), |text, row| text + &row);
+        std::fs::write(&file, text).unwrap();
+        solve_text(&scene(&format!("kind = \"table\", file = \"{}\"", file.display())), "--digits 20")
+    };
+    let closed = solve_text(&scene("kind = \"paraboloid\", radius = 1"), "--digits 20");
+    let short = table("short.csv", 15);
+    for want in ["folds", "equilibria", "path"] {
+        assert_eq!(short["promise"][want], "certified");
+        assert_eq!(short["complete"][want]["proved"], true, "{}", short["complete"]);
+        assert_eq!(short[want], closed[want]);
+    }
+    let long = table("long.csv", 100);
+    assert_eq!(long["promise"]["folds"], "mp");
+    let why = long["complete"]["folds"]["why"].as_str().unwrap();
+    assert!(why.ends_with("tables are proved up to 100 rows, this has 101"), "{why}");
+    assert_eq!(long["folds"], closed["folds"]);
+}
+
 const DEEP_WAVES: &str = r#"
 material = { e_star = 1, work_of_adhesion = 1e-6 }
 profile = { kind = "wavy-paraboloid", radius = 1, amplitude = 0.01, wavelength = 0.1 }

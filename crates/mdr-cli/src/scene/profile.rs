@@ -113,6 +113,11 @@ impl Shape {
         }
     }
 
+    /// The rows of a table.
+    pub(crate) fn rows(&self) -> Option<usize> {
+        if let Shape::Table(table) = self { Some(table.rows().len()) } else { None }
+    }
+
     pub(super) fn read(section: &Section<'_>) -> Result<Shape> {
         let read = section.required("kind")?.choice("profile", &KINDS)?;
         let shape = read(section)?;

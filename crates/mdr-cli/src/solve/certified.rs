@@ -19,13 +19,16 @@ use super::{outputs, power_law};
 use crate::number::Number;
 use crate::scene::{Scene, Want};
 
+/// Up to this many rows the folds of a table are proved, within some seconds: the cost grows with the square of the rows.
+const PROVED_ROWS: usize = 100;
+
 /// The contact in certified digits; f64 tells where to look.
 pub(crate) struct Certified<'s> {
     pub(super) scene: &'s Scene,
     pub(super) digits: u32,
     pub(super) tally: Arc<Tally>,
     rough: OnceCell<Double<'s>>,
-    isolated: OnceCell<Isolated>,
+    isolated: OnceCell<Option<Isolated>>,
 }
 
 impl<'s> Certified<'s> {
@@ -84,13 +87,13 @@ impl<'s> Certified<'s> {
         Ok(Output::new(want, Promise::Certified, records))
     }
 
-    /// All folds: proved where g is closed.
+    /// All folds: proved where that can be.
     fn folds(&self) -> Result<Output> {
-        if self.scene.profile.is_closed() {
-            return match power_law::folds(self.scene, self.digits)? {
-                Some(output) => Ok(output),
-                None => enclosed::folds(self, self.isolated()?),
-            };
+        if let Some(output) = power_law::folds(self.scene, self.digits)? {
+            return Ok(output);
+        }
+        if let Some(isolated) = self.isolated()? {
+            return enclosed::folds(self, isolated);
         }
         let records = estimated(self.digits, |precision| {
             let contact = self.contact::<Float>(precision)?;
@@ -99,10 +102,10 @@ impl<'s> Certified<'s> {
         Ok(Output::new(Want::Folds, Promise::Estimated, records).complete(self.searched()?))
     }
 
-    /// All equilibria: proved where g is closed and its folds are proved.
+    /// All equilibria: proved where the folds are.
     fn equilibria(&self) -> Result<Output> {
-        if self.scene.profile.is_closed()
-            && let Some(output) = enclosed::equilibria(self, self.isolated()?)?
+        if let Some(isolated) = self.isolated()?
+            && let Some(output) = enclosed::equilibria(self, isolated)?
         {
             return Ok(output);
         }
@@ -110,11 +113,11 @@ impl<'s> Certified<'s> {
         Ok(Output::new(Want::Equilibria, Promise::Estimated, records).complete(self.searched()?))
     }
 
-    /// The path: proved where g is closed and its folds are proved, except for the energy.
+    /// The path: proved where the folds are, except for the energy.
     fn path(&self) -> Result<Output> {
-        let events = match self.scene.profile.is_closed() {
-            true => enclosed::path(self, self.isolated()?)?,
-            false => None,
+        let events = match self.isolated()? {
+            Some(isolated) => enclosed::path(self, isolated)?,
+            None => None,
         };
         let records = self.estimated(|states| states.path(&self.scene.held))?;
         let estimated = Output::path(Promise::Estimated, records).complete(self.searched()?);
@@ -124,13 +127,19 @@ impl<'s> Certified<'s> {
         })
     }
 
-    /// The folds on which proofs rest.
-    fn isolated(&self) -> Result<&Isolated> {
+    /// The folds on which proofs rest: of closed forms, and of tables that are short and leave nothing undecided. A longer or
+    /// a rougher table is better searched.
+    fn isolated(&self) -> Result<Option<&Isolated>> {
         if let Some(isolated) = self.isolated.get() {
-            return Ok(isolated);
+            return Ok(isolated.as_ref());
         }
-        let isolated = Isolated::new(self)?;
-        Ok(self.isolated.get_or_init(|| isolated))
+        let profile = &self.scene.profile;
+        let isolated = match profile.rows() {
+            None if profile.is_closed() => Some(Isolated::new(self)?),
+            Some(rows) if rows <= PROVED_ROWS => Some(Isolated::new(self)?).filter(Isolated::is_complete),
+            _ => None,
+        };
+        Ok(self.isolated.get_or_init(|| isolated).as_ref())
     }
 
     /// What is computed at states that f64 has found.
@@ -149,7 +158,13 @@ impl<'s> Certified<'s> {
 
     fn searched(&self) -> Result<Complete> {
         let search = self.rough()?.completeness()?;
-        Ok(not_proved(&format!("{}; found in f64, then sharpened", search.why)))
+        let long = match self.scene.profile.rows() {
+            Some(rows) if rows > PROVED_ROWS => {
+                format!("; tables are proved up to {PROVED_ROWS} rows, this has {rows}")
+            }
+            _ => String::new(),
+        };
+        Ok(not_proved(&format!("{}; found in f64, then sharpened{long}", search.why)))
     }
 }
 

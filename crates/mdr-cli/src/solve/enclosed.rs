@@ -22,6 +22,8 @@ use crate::scene::{HeldBy, Want};
 const ISOLATION: u32 = 64;
 /// Evaluations that the isolation may spend between two kinks.
 const BUDGET: usize = 4_000_000;
+/// The same between two rows of a table, where an evaluation is a sum over all rows and one fold the rule.
+const BUDGET_OF_ROWS: usize = 10_000;
 
 /// The contact over enclosures, and over enclosures with derivatives.
 struct Enclosed {
@@ -61,7 +63,8 @@ impl Isolated {
         let precision = Precision::new(ISOLATION);
         let [lower, upper] = range.each_ref().map(|end| Interval::from_literal(precision, end));
         let enclosed = Enclosed::new(certified, precision)?;
-        let proved = enclosed.curve().folds(lower.lower(), upper.upper(), BUDGET)?;
+        let budget = if certified.scene.profile.is_closed() { BUDGET } else { BUDGET_OF_ROWS };
+        let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget)?;
         let [from, to] = range;
         let to = match enclosed.plain.curve().wall() {
             Some(wall) if *wall.lower() < *upper.upper() => Number::Double(wall.approx()).to_string(),
@@ -75,6 +78,11 @@ impl Isolated {
             why: reason(&proved.undecided),
         };
         Ok(Isolated { proved, complete })
+    }
+
+    /// Whether the folds are proved to be all in the range.
+    pub(super) fn is_complete(&self) -> bool {
+        self.complete.proved
     }
 }
 

@@ -14,7 +14,7 @@ use crate::scene::{Shape, Slope};
 
 /// The transformed profile: a closed form where there is one, quadrature for a formula, exact pieces for a table.
 ///
-/// Over intervals only a closed form has a meaning.
+/// Over intervals only a closed form and a table have a meaning.
 ///
 /// # Errors
 /// A parameter out of the domain of the profile.
