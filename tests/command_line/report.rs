@@ -26,7 +26,9 @@ fn a_report_on_one_task() {
         .map(|row| row.unwrap().iter().map(str::to_owned).collect())
         .collect();
     let shown: String = rows.iter().take(6).map(|row| row[..10].join(" | ") + "\n").collect();
-    snapbox::assert_data_eq!(shown, str![[r#"
+    snapbox::assert_data_eq!(
+        shown,
+        str![[r#"
 kappa | kappa-1e-6 | shipped, f64 | f64 | false | f64 | at-least | 15.95 |  | 
 kappa | kappa-1e-6 | extended precision | f64 | false | 64 bits | at-least | 15.95 |  | 
 kappa | kappa-1e-6 | extended precision | f64 | false | 128 bits | at-least | 15.95 |  | 
@@ -34,7 +36,8 @@ kappa | kappa-1e-6 | extended precision | f64 | false | 256 bits | at-least | 15
 kappa | kappa-1e-6 | Γ quotient, pxfm | f64 | false | f64 | at-least | 15.95 |  | 
 kappa | kappa-1e-6 | Γ quotient, statrs | f64 | false | f64 | digits | 15.34 |  | 
 
-"#]]);
+"#]]
+    );
     assert!(rows.iter().all(|row| row[10..13].iter().all(|time| time.parse::<f64>().is_ok_and(|time| time > 0.0))));
     let page = std::fs::read_to_string(path.join("README.md")).unwrap();
     let links: Vec<_> = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()).collect();
