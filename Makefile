@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm
+.PHONY: verify test build deps bench doc confirm contestants
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -27,6 +27,11 @@ doc: deps
 # The certified values once more, by Arb: installs python-flint below target/ if it can.
 confirm:
 	@sh scripts/confirm.sh
+
+# Other projects' methods for `mdr report`, below target/: Arb, scipy and mpmath.
+contestants:
+	python3 -m venv target/python
+	target/python/bin/python -m pip install --quiet python-flint numpy scipy mpmath
 
 deps:
 	@sh scripts/deps.sh

@@ -75,7 +75,7 @@ fn against<R: Arithmetic>(
 }
 
 /// With 64 guard bits and as many as the logarithms of Γ lose by their size (below n ln n < 2¹³).
-pub(super) fn by_gamma(n: &Float) -> Float {
+pub(crate) fn by_gamma(n: &Float) -> Float {
     let n = Float::with_val(n.prec() + 64 + 16, n);
     let half = n.ratio(1, 2);
     let quotient = (half.clone() * &n + 1_u32).ln_gamma() - (half.clone() * &n + &half).ln_gamma();

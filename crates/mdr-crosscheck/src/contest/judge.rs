@@ -91,6 +91,13 @@ impl Outcome {
         }
     }
 
+    /// The outcome with the fewest digits: what several numbers together are worth. A failure is worse than any.
+    pub(crate) fn worst(outcomes: impl IntoIterator<Item = Outcome>) -> Outcome {
+        let rank = |outcome: &Outcome| outcome.digits().unwrap_or(f64::NEG_INFINITY);
+        let least = outcomes.into_iter().min_by(|one, other| rank(one).total_cmp(&rank(other)));
+        least.unwrap_or_else(|| Outcome::Failed("no answer".to_owned()))
+    }
+
     /// The digits that are certainly right; none for a failure.
     pub fn digits(&self) -> Option<f64> {
         match self {

@@ -8,6 +8,10 @@
 mod clock;
 mod judge;
 mod kappa;
+mod outside;
+mod precision;
+pub mod speed;
+mod transform;
 
 pub use clock::{Clock, Time};
 pub use judge::{Answer, ceiling};
@@ -129,5 +133,5 @@ pub struct Task {
 
 /// All tasks, in the order of the report.
 pub fn tasks() -> &'static [Task] {
-    &[kappa::KAPPA]
+    &[kappa::KAPPA, transform::TRANSFORM, precision::PRECISION]
 }
