@@ -145,6 +145,16 @@ pub enum Error {
         /// What could not be decided.
         what: &'static str,
     },
+    /// Slices that belong together differ in length.
+    #[error("{quantity}: {len} given for {expected} points")]
+    Length {
+        /// Which slice.
+        quantity: Quantity,
+        /// Its length.
+        len: usize,
+        /// That of the first.
+        expected: usize,
+    },
     /// A part of a range that a proof does not cover.
     #[error("nothing is proved of {quantity} between {from} and {to}: {remedy}")]
     Unproved {

@@ -1,0 +1,133 @@
+//! Sums of two doubles, in arithmetic with and without a fused multiply-add.
+
+/// How products round. The error of a product is one instruction with FMA; without, Dekker's splitting gives the same
+/// exact value (T. J. Dekker, Numer. Math. 18, 224, 1971), since `f64::mul_add` would be a slow call there.
+pub(super) trait Arithmetic: Copy {
+    /// ab + c, rounded once or twice.
+    fn multiply_add(a: f64, b: f64, c: f64) -> f64;
+
+    /// ab exactly, unless it leaves the range.
+    fn product(a: f64, b: f64) -> Pair;
+
+    /// c − ab within one rounding of the result where c and ab nearly cancel.
+    fn residual(c: f64, a: f64, b: f64) -> f64;
+}
+
+/// One rounding for ab + c.
+#[derive(Clone, Copy)]
+pub(super) struct Fused;
+
+/// Two roundings for ab + c.
+#[derive(Clone, Copy)]
+pub(super) struct Separate;
+
+impl Arithmetic for Fused {
+    #[inline(always)]
+    fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
+        a.mul_add(b, c)
+    }
+
+    #[inline(always)]
+    fn product(a: f64, b: f64) -> Pair {
+        let hi = a * b;
+        Pair { hi, lo: a.mul_add(b, -hi) }
+    }
+
+    #[inline(always)]
+    fn residual(c: f64, a: f64, b: f64) -> f64 {
+        (-a).mul_add(b, c)
+    }
+}
+
+impl Arithmetic for Separate {
+    #[inline(always)]
+    fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
+        a * b + c
+    }
+
+    #[inline(always)]
+    fn product(a: f64, b: f64) -> Pair {
+        let hi = a * b;
+        let ((a, a_rest), (b, b_rest)) = (halves(a), halves(b));
+        Pair { hi, lo: a_rest * b_rest - (((hi - a * b) - a_rest * b) - a * b_rest) }
+    }
+
+    #[inline(always)]
+    fn residual(c: f64, a: f64, b: f64) -> f64 {
+        let product = Self::product(a, b);
+        (c - product.hi) - product.lo
+    }
+}
+
+/// Veltkamp's splitting into two parts of 26 bits.
+#[inline(always)]
+fn halves(a: f64) -> (f64, f64) {
+    let shifted = 134_217_729.0 * a; // 2²⁷ + 1
+    let high = shifted - (shifted - a);
+    (high, a - high)
+}
+
+/// hi + lo with |lo| of the order of 2⁻⁵³|hi|. Products and quotients are right to a few units of 2⁻¹⁰⁵.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair {
+    pub(super) hi: f64,
+    pub(super) lo: f64,
+}
+
+impl Pair {
+    /// a + b exactly if |a| ≥ |b|, or if a is a multiple of the last place of b and of the sum.
+    #[inline(always)]
+    pub(super) fn quick_sum(a: f64, b: f64) -> Pair {
+        let hi = a + b;
+        Pair { hi, lo: b - (hi - a) }
+    }
+
+    #[inline(always)]
+    pub(super) fn scaled<A: Arithmetic>(self, _: A, factor: f64) -> Pair {
+        let product = A::product(self.hi, factor);
+        Pair { hi: product.hi, lo: A::multiply_add(self.lo, factor, product.lo) }
+    }
+
+    #[inline(always)]
+    pub(super) fn times<A: Arithmetic>(self, _: A, other: Pair) -> Pair {
+        let Pair { hi, lo } = A::product(self.hi, other.hi);
+        Pair { hi, lo: A::multiply_add(self.lo, other.hi, A::multiply_add(self.hi, other.lo, lo)) }
+    }
+
+    #[inline(always)]
+    pub(super) fn square<A: Arithmetic>(self, _: A) -> Pair {
+        let Pair { hi, lo } = A::product(self.hi, self.hi);
+        Pair { hi, lo: A::multiply_add(self.hi + self.hi, self.lo, lo) }
+    }
+
+    /// The quotient by `divisor`, given its reciprocal to a few units in the last place.
+    #[inline(always)]
+    pub(super) fn over<A: Arithmetic>(self, _: A, divisor: Pair, reciprocal: f64) -> Pair {
+        let hi = self.hi * reciprocal;
+        let residual = A::residual(self.hi, hi, divisor.hi) + A::residual(self.lo, hi, divisor.lo);
+        Pair { hi, lo: residual * reciprocal }
+    }
+
+    #[inline(always)]
+    pub(super) fn rounded(self) -> f64 {
+        self.hi + self.lo
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both are exact, so they agree to the last bit.
+    #[test]
+    fn the_splitting_gives_the_error_of_a_product() {
+        let mut a = 1.0f64;
+        for k in 0..2000 {
+            a = (a * 1.618_033_988_749_895 + 0.1) % 3.0;
+            let b = a.sqrt() * 2f64.powi(k % 400 - 200);
+            let (fused, split) = (Fused::product(a, b), Separate::product(a, b));
+            assert_eq!((fused.hi, fused.lo), (split.hi, split.lo), "{a:e} · {b:e}");
+            assert_eq!(Fused::residual(fused.hi, a, b), Separate::residual(fused.hi, a, b));
+        }
+    }
+}

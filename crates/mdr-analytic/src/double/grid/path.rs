@@ -1,0 +1,67 @@
+//! Which instructions the kernel may use.
+
+use std::fmt;
+
+use fearless_simd::Level;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::x86::{Avx2, Avx512};
+
+/// A choice of instructions that this processor has.
+///
+/// All give results within the same bound; [`Path::baseline`] may differ from the others in the last place.
+#[derive(Clone, Copy, Debug)]
+pub struct Path(pub(super) Instructions);
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Instructions {
+    Baseline,
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    Avx2(Avx2),
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    Avx512(Avx512),
+}
+
+impl Path {
+    /// What the program was compiled for: on x86-64 two points at once, without fused multiply-add.
+    pub fn baseline() -> Path {
+        Path(Instructions::Baseline)
+    }
+
+    /// Four points at once, with fused multiply-add: AVX2 and FMA of x86.
+    pub fn avx2() -> Option<Path> {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        return Level::new().as_avx2().map(|token| Path(Instructions::Avx2(token)));
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        None
+    }
+
+    /// Eight points at once: AVX-512 of Ice Lake and later.
+    pub fn avx512() -> Option<Path> {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        return Level::new().as_avx512().map(|token| Path(Instructions::Avx512(token)));
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        None
+    }
+
+    /// All that this processor has, the fastest first.
+    pub fn available() -> impl Iterator<Item = Path> {
+        [Path::avx512(), Path::avx2(), Some(Path::baseline())].into_iter().flatten()
+    }
+
+    /// The fastest that this processor has.
+    pub fn fastest() -> Path {
+        Path::avx512().or_else(Path::avx2).unwrap_or_else(Path::baseline)
+    }
+}
+
+impl fmt::Display for Path {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self.0 {
+            Instructions::Baseline => "baseline",
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Instructions::Avx2(_) => "AVX2",
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Instructions::Avx512(_) => "AVX-512",
+        })
+    }
+}
