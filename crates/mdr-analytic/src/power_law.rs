@@ -122,4 +122,10 @@ impl<R: Real> Transform<R> for PowerLaw<R> {
         let next = self.exponent.clone() + x.lit(1);
         self.monomial(x, next.clone(), next.inv())
     }
+
+    /// κ_n C xⁿ n/(n+1).
+    fn above_mean(&self, x: &R) -> Result<R> {
+        let next = self.exponent.clone() + x.lit(1);
+        self.monomial(x, self.exponent.clone(), self.exponent.clone() / next)
+    }
 }

@@ -4,6 +4,7 @@ use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
 use super::edge::{Edge, around, atanh_moment};
+use super::ranged::length;
 use super::smooth::{Paraboloid, Sphere};
 use super::{ClosedForm, positive, transform};
 
@@ -64,6 +65,10 @@ impl<R: Special> ClosedForm<R> for ParabolicCapCone<R> {
             }
         }
     }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        let cap = length(&self.cap, k)?;
+        Some(ParabolicCapCone { slope: self.slope.clone(), cap, tip: self.tip.scaled(k)? })
+    }
     fn edge(&self) -> Option<&R> {
         Some(&self.cap)
     }
@@ -93,22 +98,23 @@ impl<R: Special> SphericalCapCone<R> {
     pub fn new(slope: R, radius: R) -> Result<Self> {
         let slope = positive("slope", slope)?;
         let radius = positive("radius", radius)?;
-        let level = radius.clone() / &(slope.square() + slope.lit(1)).sqrt();
-        let cap = level.clone() * &slope;
+        let [sine, cosine] = sine_and_cosine(&slope);
+        let (level, cap) = (cosine * &radius, sine * &radius);
         let tip = Sphere::new(radius.clone())?;
         Ok(SphericalCapCone { slope, radius, cap, level, tip })
     }
 
     /// ln[(R + x)/(s + q)] with s = √(R² − b²), q = √(x² − b²); R − s and x − q are written without cancellation.
     fn logarithm(&self, x: &R, edge: &Edge<R>) -> R {
-        let differences = (self.radius.clone() + &self.level).inv() + (edge.leg.clone() + x).inv();
-        (self.cap.square() * differences / &(self.level.clone() + &edge.leg)).ln_1p()
+        let [own, beyond] =
+            [self.radius.clone() + &self.level, edge.leg.clone() + x].map(|sum| self.cap.clone() / &sum);
+        ((own + beyond) * (self.cap.clone() / &(self.level.clone() + &edge.leg))).ln_1p()
     }
 
     /// ln[…] + tθ + R b t/(Rq + sx): the terms that are singular at b cancel exactly.
     fn outer_slope(&self, x: &R, edge: &Edge<R>) -> R {
-        let denominator = edge.leg.clone() * &self.radius + self.level.clone() * x;
-        let joint = self.radius.clone() * &self.cap / &denominator;
+        let denominator = edge.leg.clone() + self.level.clone() / &self.radius * x;
+        let joint = self.cap.clone() / &denominator;
         self.logarithm(x, edge) + (joint + &edge.angle) * &self.slope
     }
 }
@@ -127,14 +133,14 @@ impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
         }
     }
     /// ½(x² − R²) ln[…] + ½(Rx − sq) + ½t(x²θ − bq); well inside R the first two are the difference of two integrals
-    /// of a sphere, ½R²M(x/R) − ½s²M(q/s) with M(t) = t − (1 − t²) artanh t.
+    /// of a sphere, ½x²m(x/R) − ½q²m(q/s) with m(t) = [t − (1 − t²) artanh t]/t².
     fn integral_at(&self, x: &R) -> R {
         let Some(edge) = Edge::at(x, &self.cap) else {
             return self.tip.integral_at(x);
         };
         let (radius, s) = (&self.radius, &self.level);
         let sphere = if x.clone().times(2) < *radius {
-            let moment = |leg: &R, radius: &R| radius.square() * atanh_moment(&(leg.clone() / radius));
+            let moment = |leg: &R, radius: &R| leg.square() * atanh_moment(&(leg.clone() / radius));
             moment(x, radius) - moment(&edge.leg, s)
         } else {
             let area = (x.clone() - radius) * (x.clone() + radius);
@@ -142,12 +148,30 @@ impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
         };
         sphere.over(2) + edge.cone_moment(&self.cap) * &self.slope
     }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(SphericalCapCone {
+            slope: self.slope.clone(),
+            radius: length(&self.radius, k)?,
+            cap: length(&self.cap, k)?,
+            level: length(&self.level, k)?,
+            tip: self.tip.scaled(k)?,
+        })
+    }
     fn edge(&self) -> Option<&R> {
         Some(&self.cap)
     }
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
         Some(joint(&self.tip, &self.cap, margin, |x, edge| self.outer_slope(x, edge)))
     }
+}
+
+/// sin θ and cos θ of an angle of which the tangent t is known, without a square that leaves the range.
+fn sine_and_cosine<R: Special>(t: &R) -> [R; 2] {
+    let flat = *t < t.lit(1);
+    let small = if flat { t.clone() } else { t.clone().inv() };
+    let larger = (small.square() + t.lit(1)).sqrt().inv();
+    let smaller = small * &larger;
+    if flat { [smaller, larger] } else { [larger, smaller] }
 }
 
 /// Where the flank takes over from a tip at b, with the slope of g beyond.

@@ -3,18 +3,19 @@
 use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
-use super::edge::{Edge, around};
-use super::smooth::{Cone, Ellipsoid, Paraboloid};
+use super::edge::{Edge, around, atanh_excess};
+use super::ranged::length;
+use super::smooth::Ellipsoid;
 use super::{ClosedForm, positive, transform};
 
 transform!(DisplacedParaboloid, ParabolicDimple, EllipticalDimple);
 
 /// The displaced paraboloid f = (r − b)²/2R (a torus-like ridge at b): g = x²/R − πbx/2R (Argatov, Li, Pohrt & Popov
-/// 2016). It is a paraboloid less a cone of slope b/R.
+/// 2016).
 #[derive(Clone, Debug)]
 pub struct DisplacedParaboloid<R> {
-    ridge: Paraboloid<R>,
-    cone: Cone<R>,
+    radius: R,
+    offset: R,
 }
 
 impl<R: Special> DisplacedParaboloid<R> {
@@ -23,21 +24,29 @@ impl<R: Special> DisplacedParaboloid<R> {
     /// # Errors
     /// Unless both are positive and finite.
     pub fn new(radius: R, offset: R) -> Result<Self> {
-        let ridge = Paraboloid::new(radius.clone())?;
-        let cone = Cone::new(positive("offset", offset)? / &radius)?;
-        Ok(DisplacedParaboloid { ridge, cone })
+        Ok(DisplacedParaboloid { radius: positive("radius", radius)?, offset: positive("offset", offset)? })
+    }
+
+    /// πb/2, where g has its zero.
+    fn zero(&self) -> R {
+        self.offset.pi().over(2) * &self.offset
     }
 }
 
 impl<R: Special> ClosedForm<R> for DisplacedParaboloid<R> {
+    /// x(x − πb/2)/R.
     fn g_at(&self, x: &R) -> R {
-        self.ridge.g_at(x) - self.cone.g_at(x)
+        (x.clone() - self.zero()) / &self.radius * x
     }
     fn slope_at(&self, x: &R) -> R {
-        self.ridge.slope_at(x) - self.cone.slope_at(x)
+        (x.clone().times(2) - self.zero()) / &self.radius
     }
+    /// x²(x/3 − πb/4)/R.
     fn integral_at(&self, x: &R) -> R {
-        self.ridge.integral_at(x) - self.cone.integral_at(x)
+        (x.clone().over(3) - self.zero().over(2)) / &self.radius * x.square()
+    }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(DisplacedParaboloid { radius: length(&self.radius, k)?, offset: length(&self.offset, k)? })
     }
 }
 
@@ -58,27 +67,26 @@ impl<R: Special> ParabolicDimple<R> {
         Ok(ParabolicDimple { depth: positive("depth", depth)?, radius: positive("radius", radius)? })
     }
 
-    /// 2h(x − q)/(q(x + q)) = 2hb²/(q(x + q)²).
+    /// 2h(x − q)/(q(x + q)) = 2(h/q)(b/(x + q))².
     fn outer_slope(&self, x: &R, leg: &R) -> R {
-        let sum = leg.clone() + x;
-        (self.depth.clone() * self.radius.square()).times(2) / &(leg.clone() * sum.square())
+        let share = self.radius.clone() / &(leg.clone() + x);
+        (self.depth.clone() / leg * &share).times(2) * share
     }
 
+    /// −4hx/b².
     fn inner_slope(&self, x: &R) -> R {
-        -(self.curvature() * x).times(4)
-    }
-
-    /// h/b².
-    fn curvature(&self) -> R {
-        self.depth.clone() / &self.radius.square()
+        -(x.clone() / &self.radius * (self.depth.clone() / &self.radius)).times(4)
     }
 }
 
 impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
     fn g_at(&self, x: &R) -> R {
         match Edge::at(x, &self.radius) {
-            None => -(self.curvature() * x.square()).times(2),
-            Some(edge) => -(self.depth.clone() * x).times(2) / &(edge.leg + x),
+            None => {
+                let t = x.clone() / &self.radius;
+                -(t.clone() * &self.depth).times(2) * t
+            }
+            Some(edge) => -(x.clone() / &(edge.leg + x) * &self.depth).times(2),
         }
     }
     fn slope_at(&self, x: &R) -> R {
@@ -90,12 +98,19 @@ impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
     /// Beyond b: −(2h/3b²)(x³ − q³) = −(2h/3)(x² + xq + q²)/(x + q).
     fn integral_at(&self, x: &R) -> R {
         match Edge::at(x, &self.radius) {
-            None => -(self.curvature() * x.powi(3)).times(2).over(3),
+            None => {
+                let t = x.clone() / &self.radius;
+                -(t.clone() * x).times(2).over(3) * (t * &self.depth)
+            }
+            // (x² + xq + q²)/(x + q) = x + q²/(x + q).
             Some(edge) => {
-                let squares = x.square() + edge.leg.square() + edge.leg.clone() * x;
-                -(self.depth.clone() * squares).times(2).over(3) / &(edge.leg + x)
+                let share = edge.leg.clone() / &(edge.leg.clone() + x);
+                -(share * edge.leg + x).times(2).over(3) * &self.depth
             }
         }
+    }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(ParabolicDimple { depth: length(&self.depth, k)?, radius: length(&self.radius, k)? })
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.radius)
@@ -133,9 +148,9 @@ impl<R: Special> EllipticalDimple<R> {
         self.depth.clone() / &self.radius
     }
 
-    /// artanh(b/x).
-    fn outer(&self, x: &R) -> R {
-        (self.radius.clone() / x).atanh()
+    /// 1 − b²/x², beyond b.
+    fn rest(&self, x: &R) -> R {
+        (x.clone() - &self.radius) / x * (self.radius.clone() / x + x.lit(1))
     }
 }
 
@@ -144,24 +159,32 @@ impl<R: Special> ClosedForm<R> for EllipticalDimple<R> {
         if x < &self.radius {
             return -self.inside.g_at(x);
         }
-        -(self.outer(x) * x * self.aspect())
+        -((self.radius.clone() / x).atanh() * x * self.aspect())
     }
     fn slope_at(&self, x: &R) -> R {
         if x < &self.radius {
             return -self.inside.slope_at(x);
         }
-        let b = &self.radius;
-        let rest = (x.clone() - b) * (x.clone() + b);
-        (b.clone() * x / &rest - self.outer(x)) * self.aspect()
+        let t = self.radius.clone() / x;
+        let steep = t.clone() / &self.rest(x);
+        if !(t < t.ratio(1, 2)) {
+            return (steep - t.atanh()) * self.aspect();
+        }
+        // t/(1 − t²) − artanh t = t³/(1 − t²) − (artanh t − t): of the order of t³, where the terms are of that of t.
+        (steep / &t - atanh_excess(&t)) * &t * (self.depth.clone() / x) * &t
     }
-    /// Beyond b: −(h/b)½[(x² − b²) artanh(b/x) + bx].
+    /// Beyond b, with t = b/x: −(hx/2)[(1 − t²)(artanh t)/t + 1].
     fn integral_at(&self, x: &R) -> R {
         if x < &self.radius {
             return -self.inside.integral_at(x);
         }
-        let b = &self.radius;
-        let rest = (x.clone() - b) * (x.clone() + b);
-        -((self.outer(x) * rest + b.clone() * x) * self.aspect()).over(2)
+        let t = self.radius.clone() / x;
+        let mean = if t < t.ratio(1, 2) { atanh_excess(&t) * t.square() + t.lit(1) } else { t.atanh() / &t };
+        -((mean * self.rest(x) + t.lit(1)) * &self.depth) * x.clone().over(2)
+    }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        let [depth, radius] = [&self.depth, &self.radius].map(|x| length(x, k));
+        Some(EllipticalDimple { depth: depth?, radius: radius?, inside: self.inside.scaled(k)? })
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.radius)

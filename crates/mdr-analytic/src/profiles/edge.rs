@@ -16,7 +16,7 @@ impl<R: Special> Edge<R> {
         if x <= b {
             return None;
         }
-        let leg = ((x.clone() - b) * (x.clone() + b)).sqrt();
+        let leg = (x.clone() - b).sqrt() * (x.clone() + b).sqrt();
         let angle = (leg.clone() / b).atan();
         Some(Edge { leg, angle })
     }
@@ -37,16 +37,16 @@ impl<R: Special> Edge<R> {
     /// ½(x²θ − bq) = ½[q²θ − b²(tan θ − θ)]: the integral of x arccos(b/x).
     pub(super) fn cone_moment(&self, b: &R) -> R {
         let excess = tangent_excess(&(self.leg.clone() / b), &self.angle);
-        (self.leg.square() * &self.angle - b.square() * excess).over(2)
+        (self.leg.square() * &self.angle - b.clone() * excess * b).over(2)
     }
 
-    /// q³/3 − ½b(x²θ − bq): the integral of x(q − bθ), which starts with q⁵/15b².
-    pub(super) fn rounded_moment(&self, b: &R) -> R {
+    /// [q³/3 − ½b(x²θ − bq)]/R: the integral of x(q − bθ)/R, which starts with q⁵/15b²R.
+    pub(super) fn rounded_moment(&self, b: &R, radius: &R) -> R {
         let t = self.leg.clone() / b;
-        // b³[t³/3 − ½((1 + t²) arctan t − t)] = b³t² Σ_{k≥1} (−1)^{k+1} t^{2k+1}/((2k+1)(2k+3))
+        // b³[t³/3 − ½((1 + t²) arctan t − t)] = bq² Σ_{k≥1} (−1)^{k+1} t^{2k+1}/((2k+1)(2k+3))
         match odd_series(&t, -1, |k| (1, (2 * k + 1) * (2 * k + 3))) {
-            Some(series) => series * self.leg.square() * b,
-            None => self.leg.powi(3).over(3) - self.cone_moment(b) * b,
+            Some(series) => series * t.square() * t * self.leg.square() * (b.clone() / radius),
+            None => self.leg.clone() / radius * self.leg.square().over(3) - self.cone_moment(b) * (b.clone() / radius),
         }
     }
 }
@@ -56,25 +56,43 @@ pub(super) fn around<R: Special>(b: &R, margin: &R) -> R {
     b.clone().inflate(&(margin.clone() * b))
 }
 
-/// t − (1 − t²) artanh t = Σ_{k≥1} 2 t^{2k+1}/((2k−1)(2k+1)), 0 < t < 1.
+/// [t − (1 − t²) artanh t]/t² = Σ_{k≥1} 2 t^{2k−1}/((2k−1)(2k+1)), 0 < t < 1. A multiple of t and not of its cube: it is in
+/// range wherever t is.
 pub(super) fn atanh_moment<R: Special>(t: &R) -> R {
-    odd_series(t, 1, |k| (2, (2 * k - 1) * (2 * k + 1)))
-        .unwrap_or_else(|| t.clone() - (t.lit(1) - t) * (t.lit(1) + t) * t.atanh())
+    match odd_series(t, 1, |k| (2, (2 * k - 1) * (2 * k + 1))) {
+        Some(series) => series * t,
+        None => (t.clone() - (t.lit(1) - t) * (t.lit(1) + t) * t.atanh()) / t.square(),
+    }
 }
 
-/// (1 + t²) arctan t − t = Σ_{k≥1} (−1)^{k+1} 2 t^{2k+1}/((2k−1)(2k+1)), t > 0.
+/// [(1 + t²) arctan t − t]/t² = Σ_{k≥1} (−1)^{k+1} 2 t^{2k−1}/((2k−1)(2k+1)), t > 0.
 pub(super) fn atan_moment<R: Special>(t: &R) -> R {
-    odd_series(t, -1, |k| (2, (2 * k - 1) * (2 * k + 1))).unwrap_or_else(|| (t.square() + t.lit(1)) * t.atan() - t)
+    match odd_series(t, -1, |k| (2, (2 * k - 1) * (2 * k + 1))) {
+        Some(series) => series * t,
+        None => {
+            // With 1/t its square cannot leave the range.
+            let inverse = t.clone().inv();
+            t.atan() * (inverse.square() + t.lit(1)) - inverse
+        }
+    }
 }
 
 /// tan θ − θ = t − arctan t = Σ_{k≥1} (−1)^{k+1} t^{2k+1}/(2k+1), t = tan θ > 0.
 pub(super) fn tangent_excess<R: Special>(t: &R, angle: &R) -> R {
-    odd_series(t, -1, |k| (1, 2 * k + 1)).unwrap_or_else(|| t.clone() - angle)
+    match odd_series(t, -1, |k| (1, 2 * k + 1)) {
+        Some(series) => series * t * t.square(),
+        None => t.clone() - angle,
+    }
 }
 
-/// Σ_{k≥1} s^{k+1} c_k t^{2k+1} for t < 1/8, where the closed forms above lose six bits and more to cancellation; None
-/// for other t. The coefficients c_k = p/q fall with k, so what is left after a term is below 1/63 of that term; so do
-/// (2k+1)c_k or they stay the same, so that the derivatives obey the same bound.
+/// (artanh t − t)/t³ = Σ_{k≥1} t^{2k−2}/(2k+1), 0 < t < 1.
+pub(super) fn atanh_excess<R: Special>(t: &R) -> R {
+    odd_series(t, 1, |k| (1, 2 * k + 1)).unwrap_or_else(|| (t.atanh() - t) / (t.square() * t))
+}
+
+/// Σ_{k≥1} s^{k+1} c_k t^{2k−2} for t < 1/8, where the closed forms above lose six bits and more to cancellation; None
+/// for other t. The coefficients c_k = p/q fall with k, so what is left after a term is below 1/63 of that term;
+/// and 2k c_{k+1} < 3/2 (2k−2) c_k, so that what is left of the derivatives is below 1/40 of the last one.
 fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i64)) -> Option<R> {
     if !(*t < t.ratio(1, 8)) {
         return None;
@@ -84,7 +102,7 @@ fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i
         let (numerator, denominator) = coefficient(k);
         power.clone().times(numerator).over(denominator)
     };
-    let mut power = t.square() * t;
+    let mut power = t.lit(1);
     let mut sum = term(&power, 1);
     let negligible = sum.abs().steer() * t.unit_roundoff();
     let mut k = 1;
@@ -94,7 +112,7 @@ fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i
         let last = term(&power, k);
         sum += &last;
         if !(last.abs().steer() > negligible) {
-            return Some(sum.inflate_with_slope(&last.over(63)));
+            return Some(sum.inflate_with_slope(&last.over(40)));
         }
     }
 }

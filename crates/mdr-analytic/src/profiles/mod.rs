@@ -27,6 +27,7 @@ pub mod capped;
 pub mod concave;
 mod edge;
 pub mod punch;
+mod ranged;
 pub mod smooth;
 mod sum;
 pub mod wavy;
@@ -49,6 +50,10 @@ trait ClosedForm<R: Special> {
     fn slope_at(&self, x: &R) -> R;
     /// ∫₀ˣ g.
     fn integral_at(&self, x: &R) -> R;
+    /// The same profile with all lengths times 2ᵏ; none where one of them leaves the range of the arithmetic.
+    fn scaled(&self, k: i64) -> Option<Self>
+    where
+        Self: Sized;
     /// The radius where the profile ends.
     fn end(&self) -> Option<&R> {
         None
@@ -77,15 +82,6 @@ trait ClosedForm<R: Special> {
     }
 }
 
-/// Passes a result on unless x hit a singular radius (or the arithmetic overflowed there).
-fn regular<R: Real>(x: &R, value: R) -> Result<R> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::domain(Quantity::Radius, x, "away from the edge where the transformed profile is singular"))
-    }
-}
-
 /// A length or slope of a profile.
 fn positive<R: Real>(name: &'static str, value: R) -> Result<R> {
     Error::require_positive(Quantity::Parameter(name), value)
@@ -97,13 +93,13 @@ macro_rules! transform {
     ($bound:path: $($profile:ident),*) => {$(
         impl<R: $bound> mdr_core::contact::Transform<R> for $profile<R> {
             fn g(&self, x: &R) -> mdr_core::contact::Result<R> {
-                $crate::profiles::regular(x, self.g_at(self.checked(x)?))
+                $crate::profiles::ranged::evaluate(self, self.checked(x)?, 1, Self::g_at)
             }
             fn slope(&self, x: &R) -> mdr_core::contact::Result<R> {
-                $crate::profiles::regular(x, self.slope_at(self.checked(x)?))
+                $crate::profiles::ranged::evaluate(self, self.checked(x)?, 0, Self::slope_at)
             }
             fn integral(&self, x: &R) -> mdr_core::contact::Result<R> {
-                $crate::profiles::regular(x, self.integral_at(self.checked(x)?))
+                $crate::profiles::ranged::evaluate(self, self.checked(x)?, 2, Self::integral_at)
             }
             fn outer_radius(&self) -> Option<R> {
                 self.end().cloned()

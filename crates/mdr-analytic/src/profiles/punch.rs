@@ -4,6 +4,7 @@ use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
 use super::edge::{Edge, tangent_excess};
+use super::ranged::length;
 use super::{ClosedForm, positive, transform};
 
 transform!(FlatPunch, TruncatedCone, TruncatedParaboloid, RoundedPunch);
@@ -43,6 +44,9 @@ impl<R: Special> ClosedForm<R> for FlatPunch<R> {
     }
     fn integral_at(&self, x: &R) -> R {
         x.lit(0)
+    }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(FlatPunch { radius: length(&self.radius, k)? })
     }
     fn end(&self) -> Option<&R> {
         Some(&self.radius)
@@ -92,6 +96,9 @@ impl<R: Special> ClosedForm<R> for TruncatedCone<R> {
             Some(edge) => edge.cone_moment(&self.flat) * &self.slope,
         }
     }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(TruncatedCone { slope: self.slope.clone(), flat: length(&self.flat, k)? })
+    }
     fn edge(&self) -> Option<&R> {
         Some(&self.flat)
     }
@@ -123,20 +130,23 @@ impl<R: Special> ClosedForm<R> for TruncatedParaboloid<R> {
     fn g_at(&self, x: &R) -> R {
         match Edge::at(x, &self.flat) {
             None => x.lit(0),
-            Some(edge) => edge.leg * x / &self.radius,
+            Some(edge) => edge.leg / &self.radius * x,
         }
     }
     fn slope_at(&self, x: &R) -> R {
         match Edge::at(x, &self.flat) {
             None => x.lit(0),
-            Some(edge) => (x.square() / &edge.leg + &edge.leg) / &self.radius,
+            Some(edge) => (x.clone() / &edge.leg * x + &edge.leg) / &self.radius,
         }
     }
     fn integral_at(&self, x: &R) -> R {
         match Edge::at(x, &self.flat) {
             None => x.lit(0),
-            Some(edge) => edge.leg.powi(3).over(3) / &self.radius,
+            Some(edge) => edge.leg.clone() / &self.radius * edge.leg.square().over(3),
         }
+    }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(TruncatedParaboloid { radius: length(&self.radius, k)?, flat: length(&self.flat, k)? })
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.flat)
@@ -180,7 +190,7 @@ impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
     fn g_at(&self, x: &R) -> R {
         match Edge::at(x, &self.flat) {
             None => x.lit(0),
-            Some(edge) => self.excess(&edge) * x / &self.radius,
+            Some(edge) => self.excess(&edge) / &self.radius * x,
         }
     }
     fn slope_at(&self, x: &R) -> R {
@@ -193,8 +203,11 @@ impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
     fn integral_at(&self, x: &R) -> R {
         match Edge::at(x, &self.flat) {
             None => x.lit(0),
-            Some(edge) => edge.rounded_moment(&self.flat) / &self.radius,
+            Some(edge) => edge.rounded_moment(&self.flat, &self.radius),
         }
+    }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(RoundedPunch { radius: length(&self.radius, k)?, flat: length(&self.flat, k)? })
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.flat)

@@ -3,6 +3,7 @@
 use mdr_core::contact::Result;
 use mdr_core::number::Special;
 
+use super::ranged::length;
 use super::{ClosedForm, positive, transform};
 
 transform!(Cone, Paraboloid, Sphere, Ellipsoid, Hyperboloid);
@@ -33,6 +34,9 @@ impl<R: Special> ClosedForm<R> for Cone<R> {
     fn integral_at(&self, x: &R) -> R {
         self.g_at(x).over(2) * x
     }
+    fn scaled(&self, _k: i64) -> Option<Self> {
+        Some(self.clone())
+    }
 }
 
 /// The paraboloid f = r²/2R: g = x²/R (Hertz; Johnson, Kendall & Roberts 1971).
@@ -61,6 +65,9 @@ impl<R: Special> ClosedForm<R> for Paraboloid<R> {
     fn integral_at(&self, x: &R) -> R {
         self.g_at(x) * x.clone().over(3)
     }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(Paraboloid { radius: length(&self.radius, k)? })
+    }
 }
 
 /// The true sphere f = R − √(R² − r²), r < R: g = x artanh(x/R) (Segedin 1957; Maugis 1995).
@@ -88,6 +95,9 @@ impl<R: Special> ClosedForm<R> for Sphere<R> {
     fn integral_at(&self, x: &R) -> R {
         self.0.integral_at(x)
     }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(Sphere(self.0.scaled(k)?))
+    }
     fn end(&self) -> Option<&R> {
         self.0.end()
     }
@@ -114,9 +124,10 @@ impl<R: Special> Ellipsoid<R> {
         self.height.clone() / &self.lateral
     }
 
-    /// (A − x)(A + x).
+    /// (A − x)/A · (1 + x/A), which keeps its digits as x → A and stays in range at any A.
     fn rest(&self, x: &R) -> R {
-        (self.lateral.clone() - x) * (self.lateral.clone() + x)
+        let t = x.clone() / &self.lateral;
+        (self.lateral.clone() - x) / &self.lateral * (t.lit(1) + &t)
     }
 }
 
@@ -125,13 +136,17 @@ impl<R: Special> ClosedForm<R> for Ellipsoid<R> {
         (x.clone() / &self.lateral).atanh() * x * self.aspect()
     }
     fn slope_at(&self, x: &R) -> R {
-        ((x.clone() / &self.lateral).atanh() + self.lateral.clone() * x / self.rest(x)) * self.aspect()
+        let t = x.clone() / &self.lateral;
+        (t.atanh() + t / self.rest(x)) * self.aspect()
     }
-    /// With t = x/A the bracket of ½A²[t − (1 − t²) artanh t] starts with (2/3)t³.
+    /// ½Ac[t − (1 − t²) artanh t] with t = x/A, of which the bracket starts with (2/3)t³: ½cx·t·m(t).
     fn integral_at(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
-        let bracket = super::edge::atanh_moment(&t);
-        self.aspect() * self.lateral.square() * bracket.over(2)
+        let moment = super::edge::atanh_moment(&t);
+        t * &self.height * (moment * x.clone().over(2))
+    }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(Ellipsoid { lateral: length(&self.lateral, k)?, height: length(&self.height, k)? })
     }
     fn end(&self) -> Option<&R> {
         Some(&self.lateral)
@@ -161,13 +176,17 @@ impl<R: Special> ClosedForm<R> for Hyperboloid<R> {
     }
     fn slope_at(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
-        let rational = t.clone() / (t.lit(1) + t.square());
+        // t/(1 + t²) without a square that leaves the range.
+        let rational =
+            if t > t.lit(1) { (t.clone() + t.clone().inv()).inv() } else { t.clone() / (t.lit(1) + t.square()) };
         (t.atan() + rational) * &self.slope
     }
-    /// With t = x/A the bracket of ½A²[(1 + t²) arctan t − t] starts with (2/3)t³.
+    /// ½A²[(1 + t²) arctan t − t] with t = x/A, of which the bracket starts with (2/3)t³: ½x²m(t).
     fn integral_at(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
-        let bracket = super::edge::atan_moment(&t);
-        self.slope.clone() * self.lateral.square() * bracket.over(2)
+        super::edge::atan_moment(&t) * &self.slope * x * x.clone().over(2)
+    }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        Some(Hyperboloid { slope: self.slope.clone(), lateral: length(&self.lateral, k)? })
     }
 }

@@ -31,6 +31,9 @@ impl<R: Special> Transform<R> for Sum<R> {
     fn integral(&self, x: &R) -> Result<R> {
         self.total(x, |term| term.integral(x))
     }
+    fn above_mean(&self, x: &R) -> Result<R> {
+        self.total(x, |term| term.above_mean(x))
+    }
     fn outer_radius(&self) -> Option<R> {
         let ends = self.terms.iter().filter_map(|term| term.outer_radius());
         ends.reduce(|a, b| if b < a { b } else { a })

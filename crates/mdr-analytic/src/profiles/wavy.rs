@@ -2,8 +2,9 @@
 
 use mdr_core::contact::{Error, Quantity, Result};
 
+use super::ranged::length;
 use super::{ClosedForm, Paraboloid, positive, transform};
-use crate::struve::Struve;
+use crate::struve::{Struve, small_h1};
 
 transform!(Struve: WavyParaboloid);
 
@@ -14,6 +15,7 @@ transform!(Struve: WavyParaboloid);
 pub struct WavyParaboloid<R> {
     paraboloid: Paraboloid<R>,
     amplitude: R,
+    wavelength: R,
     /// k = 2π/λ.
     wavenumber: R,
 }
@@ -29,7 +31,7 @@ impl<R: Struve> WavyParaboloid<R> {
         }
         let wavelength = positive("wavelength", wavelength)?;
         let wavenumber = wavelength.pi().times(2) / &wavelength;
-        Ok(WavyParaboloid { paraboloid: Paraboloid::new(radius)?, amplitude, wavenumber })
+        Ok(WavyParaboloid { paraboloid: Paraboloid::new(radius)?, amplitude, wavelength, wavenumber })
     }
 
     /// (π/2)A.
@@ -52,6 +54,21 @@ impl<R: Struve> ClosedForm<R> for WavyParaboloid<R> {
     /// x³/3R + (π/2)Ax H₁(kx).
     fn integral_at(&self, x: &R) -> R {
         let z = self.wavenumber.clone() * x;
-        self.paraboloid.integral_at(x) + self.scale() * x * z.struve_h1()
+        let wave = match small_h1(&z) {
+            // H₁ may be below the range where A H₁ is not.
+            Some(quotient) => self.scale() * &z * x * quotient,
+            None => self.scale() * x * z.struve_h1(),
+        };
+        self.paraboloid.integral_at(x) + wave
+    }
+    fn scaled(&self, k: i64) -> Option<Self> {
+        let wavelength = length(&self.wavelength, k)?;
+        let flat = self.amplitude == self.amplitude.lit(0);
+        Some(WavyParaboloid {
+            paraboloid: self.paraboloid.scaled(k)?,
+            amplitude: if flat { self.amplitude.clone() } else { length(&self.amplitude, k)? },
+            wavenumber: wavelength.pi().times(2) / &wavelength,
+            wavelength,
+        })
     }
 }

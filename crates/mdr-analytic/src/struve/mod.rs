@@ -49,6 +49,27 @@ fn power_series<R: Real>(z: &R, order: i64) -> R {
     }
 }
 
+/// H₁(z)/z = (2/π) Σ (−1)ᵏ z^{2k+1}/((2k+1)!!² (2k+3)) where z < 2⁻²⁰, so that it is in range where H₁ may not be; None
+/// for other z. What is left out is below the first term left out, and so are the derivatives.
+pub(crate) fn small_h1<R: Real>(z: &R) -> Option<R> {
+    if !(*z < z.lit(2).powi(-20)) {
+        return None;
+    }
+    let square = -z.square();
+    let mut term = z.clone().over(3);
+    let mut sum = term.clone();
+    let mut k = 0;
+    loop {
+        k += 1;
+        term *= &square;
+        term = term.over((2 * k + 1) * (2 * k + 3));
+        if !(term.abs().steer() > sum.abs().steer() * z.unit_roundoff()) {
+            return Some(sum.inflate_with_slope(&term).times(2) / z.pi());
+        }
+        sum += &term;
+    }
+}
+
 /// Where the tables of the large-argument part begin.
 const FAR: f64 = 3.0;
 

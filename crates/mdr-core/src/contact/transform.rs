@@ -34,6 +34,15 @@ pub trait Transform<R: Real>: Send + Sync {
         Ok(self.integral(x)? / x)
     }
 
+    /// g less its mean, (1/x) ∫₀ˣ s g'(s) ds, in m: a state has F = 2E*a (this − Δl). Override it where g and its mean nearly
+    /// cancel, as for a power law with n → 0.
+    ///
+    /// # Errors
+    /// As [`Transform::g`].
+    fn above_mean(&self, x: &R) -> Result<R> {
+        Ok(self.g(x)? - self.mean(x)?)
+    }
+
     /// The radius beyond which g is not defined, if there is one.
     fn outer_radius(&self) -> Option<R> {
         None

@@ -1,0 +1,65 @@
+//! Closed forms at any scale: squares and cubes of lengths must not leave the range where the result does not.
+
+use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::number::Special;
+
+use super::ClosedForm;
+
+/// Radii within which four factors of their size stay in the range of doubles.
+const COMFORTABLE: std::ops::Range<f64> = 1e-60..1e60;
+
+/// A formula of dimension length^`degree` at x. g, g' and G are homogeneous in the lengths, so where x is far from 1 all
+/// lengths are first brought near it, by a power of two and so exactly.
+///
+/// A result below the range of the arithmetic is rounded as any other: to a subnormal number or 0.
+pub(super) fn evaluate<R: Special, P: ClosedForm<R>>(
+    profile: &P,
+    x: &R,
+    degree: i64,
+    formula: impl Fn(&P, &R) -> R,
+) -> Result<R> {
+    if COMFORTABLE.contains(&x.approx()) {
+        let value = formula(profile, x);
+        if value.is_finite() {
+            return Ok(value);
+        }
+    }
+    rescaled(profile, x, degree, formula)
+}
+
+#[cold]
+fn rescaled<R: Special, P: ClosedForm<R>>(profile: &P, x: &R, degree: i64, formula: impl Fn(&P, &R) -> R) -> Result<R> {
+    let singular =
+        || Error::domain(Quantity::Radius, x, "away from the edge where the transformed profile is singular");
+    let k = (x.ln().approx() / std::f64::consts::LN_2).floor() as i64;
+    let (value, k) = match (profile.scaled(-k), times_power_of_two(x, -k)) {
+        (Some(near), Some(x)) => (formula(&near, &x), k),
+        _ => (formula(profile, x), 0),
+    };
+    if !value.is_finite() {
+        return Err(singular());
+    }
+    times_power_of_two(&value, degree * k).map_or_else(
+        || {
+            let log2 = value.abs().ln().approx() / std::f64::consts::LN_2 + (degree * k) as f64;
+            Err(Error::OutOfRange { quantity: Quantity::TransformedProfile, log10: log2 * std::f64::consts::LOG10_2 })
+        },
+        Ok,
+    )
+}
+
+/// x·2ᵏ, in two steps where the power of two is itself out of range; none where it overflows.
+fn times_power_of_two<R: Special>(x: &R, k: i64) -> Option<R> {
+    let power = x.lit(2).powi(k);
+    let value = if power.is_finite() && power != x.lit(0) {
+        power * x
+    } else {
+        x.lit(2).powi(k / 2) * x * x.lit(2).powi(k - k / 2)
+    };
+    value.is_finite().then_some(value)
+}
+
+/// A length times 2ᵏ; none where it leaves the range.
+pub(super) fn length<R: Special>(x: &R, k: i64) -> Option<R> {
+    times_power_of_two(x, k).filter(|length| *length != length.lit(0))
+}
