@@ -70,12 +70,17 @@ impl<'a, R: Real> Curve<'a, R> {
         Ok(self.transform.g(a)? - self.detachment_elongation(a))
     }
 
-    /// F(a) = 2E* ∫₀ᵃ (d − g) dx (1.6) = 2E*a (d − mean of g), in N.
+    /// F(a) = 2E* ∫₀ᵃ (d − g) dx (1.6) = 2E*a (g − Δl − mean of g), in N.
     ///
     /// # Errors
-    /// As [`Transform::mean`].
+    /// As [`Transform::above_mean`].
     pub fn force(&self, a: &R) -> Result<R> {
-        self.force_at(a, &self.indentation(a)?)
+        Ok(self.edge_stiffness(a) * self.depth_below_mean(a)?)
+    }
+
+    /// d less the mean of g, in equilibrium.
+    fn depth_below_mean(&self, a: &R) -> Result<R> {
+        Ok(self.transform.above_mean(a)? - self.detachment_elongation(a))
     }
 
     /// The force of (1.6) at a contact radius and an indentation that need not be in equilibrium.
@@ -96,7 +101,7 @@ impl<'a, R: Real> Curve<'a, R> {
         let d = self.indentation(a)?;
         match self.control {
             Control::Indentation => Ok(d),
-            control => Ok(control.controlled(&d, &self.force_at(a, &d)?)),
+            control => Ok(control.controlled(&d, &self.force(a)?)),
         }
     }
 
@@ -127,7 +132,7 @@ impl<'a, R: Real> Curve<'a, R> {
         let d = self.held_indentation(a, value)?;
         let force = match self.control {
             Control::Force => value.clone(),
-            _ => self.force_in_range(a, &d)?,
+            _ => self.in_range(a, d.clone() - self.transform.mean(a)?)?,
         };
         Ok((d, force))
     }
@@ -177,14 +182,13 @@ impl<'a, R: Real> Curve<'a, R> {
     /// As [`Transform::mean`]; [`Error::OutOfRange`] when the force is no number of this arithmetic.
     pub fn state(&self, a: &R) -> Result<(R, R)> {
         let d = self.indentation(a)?;
-        let force = self.force_in_range(a, &d)?;
+        let force = self.in_range(a, self.depth_below_mean(a)?)?;
         Ok((d, force))
     }
 
-    /// As [`force_at`](Curve::force_at), or [`Error::OutOfRange`].
-    fn force_in_range(&self, a: &R, d: &R) -> Result<R> {
-        let force = self.force_at(a, d)?;
-        let excess = d.clone() - self.transform.mean(a)?;
+    /// 2E*a times the indentation less the mean of g, or [`Error::OutOfRange`].
+    fn in_range(&self, a: &R, excess: R) -> Result<R> {
+        let force = self.edge_stiffness(a) * &excess;
         let vanished = force == force.lit(0) && excess != excess.lit(0);
         if vanished || !force.is_finite() {
             let factors = [a.lit(2), a.clone(), self.material.effective_modulus().clone(), excess.abs()];

@@ -78,21 +78,38 @@ impl<'a, R: Real> Energy<'a, R> {
         let elastic = self.mean(&a, &Grade::Full, |x| Ok(((d.clone() - g(self.transform, x)?) / &unit).square()))?;
         let reduced = elastic.times(2) - a.lit(1);
         let potential = a.clone() * self.material.work_of_adhesion() * a.pi() * &a * &reduced;
-        let vanished = potential == potential.lit(0) && reduced != reduced.lit(0);
-        if vanished || !potential.is_finite() {
-            let factors = [a.pi(), a.clone(), a, self.material.work_of_adhesion().clone(), reduced.abs()];
-            let log10 = factors.iter().map(|x| x.ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
-            return Err(Error::OutOfRange { quantity: Quantity::Energy, log10 });
-        }
-        Ok(potential)
+        let factors = [a.pi(), a.clone(), a, self.material.work_of_adhesion().clone(), reduced.clone()];
+        in_range(potential, &reduced, factors)
     }
 
-    /// The energy lost when the radius jumps from `from` to `to` at fixed d, in J.
+    /// The energy lost when the radius jumps from `from` to `to` at fixed d, in J: Π(from, d) − Π(to, d), which is
+    /// E* ∫ ((d − g)² − Δl²) dx from `to` to `from`. No difference of energies, so a small jump keeps its digits.
     ///
     /// # Errors
     /// As [`Energy::potential`].
     pub fn dissipated(&self, from: &R, to: &R, d: &R) -> Result<R> {
-        Ok(self.potential(from, d)? - self.potential(to, d)?)
+        let [from, to] = [from, to].map(|a| Error::require_positive(Quantity::ContactRadius, a.clone()));
+        let (from, to) = (from?, to?);
+        let unit = self.unit(&from);
+        let (kinks, distance) = (self.transform.kinks(), (from.clone() - &to).abs());
+        if distance == from.lit(0) {
+            return Ok(distance);
+        }
+        // A jump is known no better than the distance of its ends.
+        let limit = (from.clone() / distance * from.unit_roundoff()).times(64).greater(&from.unit_roundoff().sqrt());
+        let tolerance = Tolerance::new(&roundoff_tolerance(&from).times(4)).or_noise_below(limit);
+        let shrinks = to < from;
+        let [lower, upper] = if shrinks { [&to, &from] } else { [&from, &to] };
+        let gained = tanh_sinh_pieces(lower, upper, &kinks, tolerance, |x| {
+            let (excess, length) = (d.clone() - g(self.transform, x)?, self.unit(x));
+            Ok((excess.clone() - &length) / &unit * ((excess + length) / &unit))
+        })?
+        .value;
+        let reduced = if shrinks { gained } else { -gained };
+        // In units of 2πaw, as the potential of πa²w.
+        let lost = (from.clone() * self.material.work_of_adhesion() * from.pi()).times(2) * &reduced;
+        let factors = [from.pi().times(2), from, self.material.work_of_adhesion().clone(), reduced.clone()];
+        in_range(lost, &reduced, factors)
     }
 
     /// The energy release rate at fixed d over the work of adhesion: (∂/∂a of the elastic energy)/(2πaw). Where it is one,
@@ -245,6 +262,16 @@ impl<'a, R: Real> Energy<'a, R> {
         let integral = tanh_sinh_pieces(&a.lit(0), a, &self.transform.kinks(), tolerance, h)?;
         Ok(scaled(integral, &a.clone().inv()))
     }
+}
+
+/// An energy, unless it is no number of this arithmetic: then the log₁₀ of the product of these factors.
+fn in_range<R: Real, const N: usize>(energy: R, reduced: &R, factors: [R; N]) -> Result<R> {
+    let vanished = energy == energy.lit(0) && *reduced != reduced.lit(0);
+    if vanished || !energy.is_finite() {
+        let log10 = factors.iter().map(|x| x.abs().ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
+        return Err(Error::OutOfRange { quantity: Quantity::Energy, log10 });
+    }
+    Ok(energy)
 }
 
 fn scaled<R: Real>(estimate: Estimate<R>, factor: &R) -> Estimate<R> {

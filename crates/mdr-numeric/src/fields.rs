@@ -153,7 +153,7 @@ impl<'a, R: Special> Fields<'a, R> {
                 "off the fold of the indentation",
             ));
         }
-        Ok(stiffness * (tangency.clone() - tangency.lit(3)) / fold)
+        Ok((tangency.clone() - tangency.lit(3)) / fold * stiffness)
     }
 
     /// The contact radius, for a radius outside it.

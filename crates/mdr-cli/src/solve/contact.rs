@@ -93,6 +93,9 @@ impl<R: Arithmetic> Transform<R> for Counted<R> {
     fn mean(&self, x: &R) -> Result<R> {
         self.count(2).mean(x)
     }
+    fn above_mean(&self, x: &R) -> Result<R> {
+        self.count(2).above_mean(x)
+    }
     fn outer_radius(&self) -> Option<R> {
         self.inner.outer_radius()
     }

@@ -8,6 +8,8 @@ use mdr_core::number::{Dual, Special};
 pub(super) enum Integrand {
     /// f, for the mean of g.
     Height,
+    /// Df = r f', for g less its mean.
+    Rise,
     /// (1 + D)f = f + r f', for g.
     Transform,
     /// D(1 + D)f = 2r f' + r² f'', for x g'.
@@ -20,6 +22,7 @@ impl Integrand {
     pub(super) fn at<R: Special>(self, profile: &impl Profile<R>, r: &R) -> R {
         match self {
             Integrand::Height => profile.height(r),
+            Integrand::Rise => profile.height(&logarithmic(r.clone())).slope,
             Integrand::Transform => {
                 let f = profile.height(&logarithmic(r.clone()));
                 f.value + f.slope

@@ -350,6 +350,11 @@ impl<R: Special, P: Profile<R>> Transform<R> for Quadrature<R, P> {
         Ok(self.mean_estimate(x)?.value)
     }
 
+    /// I[Df]: no difference of two integrals.
+    fn above_mean(&self, x: &R) -> Result<R> {
+        Ok(self.estimate(x, Integrand::Rise)?.value)
+    }
+
     fn outer_radius(&self) -> Option<R> {
         self.profile.outer_radius()
     }
