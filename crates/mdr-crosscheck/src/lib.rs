@@ -15,6 +15,7 @@ pub mod contest;
 pub mod derivations;
 mod faults;
 mod grid;
+pub mod ladders;
 mod library;
 mod merge;
 mod options;

@@ -95,8 +95,9 @@ impl<'a, R: Real> Energy<'a, R> {
         if distance == from.lit(0) {
             return Ok(distance);
         }
-        // A jump is known no better than the distance of its ends.
-        let limit = (from.clone() / distance * from.unit_roundoff()).times(64).greater(&from.unit_roundoff().sqrt());
+        // Beside a fold the integrand is of the order of the square of the distance, and its rounding is not.
+        let share = (from.clone() / distance).square() * from.unit_roundoff();
+        let limit = share.times(64).greater(&from.unit_roundoff().sqrt()).lesser(&from.ratio(1, 1024));
         let tolerance = Tolerance::new(&roundoff_tolerance(&from).times(4)).or_noise_below(limit);
         let shrinks = to < from;
         let [lower, upper] = if shrinks { [&to, &from] } else { [&from, &to] };

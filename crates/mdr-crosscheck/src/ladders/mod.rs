@@ -1,0 +1,240 @@
+//! Stability ladders: how the error of a function in double precision grows while its question becomes hard.
+//!
+//! A [`Ladder`] leads one function in one dangerous direction: towards n = 1/2, to the fold, to the edge of a face, to the
+//! ends of the range of doubles. On each [`Rung`] the error of our answer stands beside what the question itself costs,
+//! max(1, condition) roundoffs, and beside the error of the formula as textbooks write it. The truth is an enclosure of the
+//! exact result for the doubles given, at a precision that rises until it is far narrower than a double.
+//!
+//! The **excess loss** log₁₀(error/(u·max(1, condition))) tells a bad algorithm from a badly conditioned question.
+//! Acceptance ([`Ladder::accepted`]): no NaN, no infinity and no zero where there is a number, and an excess loss of one
+//! digit at most.
+
+mod critical;
+mod energy;
+mod equilibria;
+mod fields;
+mod folds;
+mod functions;
+mod library;
+mod measure;
+mod naive;
+mod open;
+mod questions;
+mod transform;
+mod worst;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::contest::Effort;
+
+pub use open::{OPEN, Open};
+pub use worst::{Worst, WorstError, worst_inputs};
+
+/// Where a ladder leads: the pictures are drawn by family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Family {
+    /// n → 1/2 from both sides.
+    Half,
+    /// n → 0.
+    SmallExponent,
+    /// n → ∞.
+    LargeExponent,
+    /// To a fold, or to folds that merge.
+    Fold,
+    /// To a zero of the result.
+    Zero,
+    /// To the ends of the range of doubles.
+    Scale,
+    /// x → the radius of an edge, b/x → 1.
+    Edge,
+    /// x → 0.
+    Tip,
+    /// x → ∞.
+    Far,
+    /// The wavelength → 0.
+    Wavelength,
+    /// The stiffness of the machine → 0 and ∞.
+    Stiffness,
+}
+
+impl Family {
+    /// All of them, in the order of the report.
+    pub const ALL: [Family; 11] = [
+        Family::Half,
+        Family::SmallExponent,
+        Family::LargeExponent,
+        Family::Fold,
+        Family::Zero,
+        Family::Scale,
+        Family::Edge,
+        Family::Tip,
+        Family::Far,
+        Family::Wavelength,
+        Family::Stiffness,
+    ];
+
+    /// As in names of files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Family::Half => "half",
+            Family::SmallExponent => "small-exponent",
+            Family::LargeExponent => "large-exponent",
+            Family::Fold => "fold",
+            Family::Zero => "zero",
+            Family::Scale => "scale",
+            Family::Edge => "edge",
+            Family::Tip => "tip",
+            Family::Far => "far",
+            Family::Wavelength => "wavelength",
+            Family::Stiffness => "stiffness",
+        }
+    }
+
+    /// For a reader.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Family::Half => "the exponent tends to 1/2",
+            Family::SmallExponent => "the exponent tends to 0",
+            Family::LargeExponent => "the exponent tends to infinity",
+            Family::Fold => "the state tends to a fold",
+            Family::Zero => "the result tends to a zero",
+            Family::Scale => "an input tends to the ends of the range of doubles",
+            Family::Edge => "the radius tends to an edge",
+            Family::Tip => "the radius tends to 0",
+            Family::Far => "the radius tends to infinity",
+            Family::Wavelength => "the wavelength tends to 0",
+            Family::Stiffness => "the stiffness of the machine tends to 0 and to infinity",
+        }
+    }
+}
+
+/// One function in one direction.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Ladder {
+    /// The function and, where it gives more than a number, the number: "double::critical, force control: F".
+    pub function: String,
+    /// The family of its direction.
+    pub family: Family,
+    /// Its direction, such as "n → 1/2 from above".
+    pub toward: String,
+    /// What the parameter of the rungs is, such as "|n − 1/2|".
+    pub axis: String,
+    /// The names of the inputs.
+    pub inputs: Vec<String>,
+    /// The formula that naive errors belong to, where there is one.
+    pub naive: Option<String>,
+    /// In the order of the direction.
+    pub rungs: Vec<Rung>,
+}
+
+/// One question.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Rung {
+    /// Where on the ladder.
+    pub parameter: f64,
+    /// What the function was asked, to the last bit.
+    pub inputs: Vec<f64>,
+    /// Σ|xᵢ ∂f/∂xᵢ|/|f| over the inputs; none where the result is 0.
+    pub condition: Option<f64>,
+    /// What our function did.
+    pub found: Found,
+    /// The error of the naive formula in ulp, infinite where it gives no number.
+    pub naive_ulp: Option<f64>,
+}
+
+/// What became of a question.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Found {
+    /// A number.
+    Number {
+        /// Its error, in units in the last place of the correctly rounded result.
+        ulp: f64,
+        /// log₁₀(error/(u·max(1, condition))); −∞ where there is no error at all.
+        excess: f64,
+    },
+    /// An exact result is out of the range of doubles, and was said to be, with its log₁₀.
+    Beyond {
+        /// log₁₀ of (the error of the log₁₀ over what rounding costs there); −∞ where the function says that it does not
+        /// know the log₁₀.
+        excess: f64,
+    },
+    /// A result below the least double, rounded to 0 by a function that is documented to do so.
+    Flushed,
+    /// There is no such number, and it was said.
+    Refused,
+    /// There is a number, but the function says in a typed error that it could not find it.
+    Declined(String),
+    /// NaN, an infinity, a zero, a number where there is none: wrong in silence.
+    Wrong(String),
+}
+
+/// The digits that may be lost beyond what the question costs.
+pub const MOST_EXCESS: f64 = 1.0;
+
+impl Rung {
+    /// What the question costs in double precision, in roundoffs of the result.
+    pub fn attainable(&self) -> f64 {
+        self.condition.unwrap_or(1.0).max(1.0)
+    }
+
+    /// The excess loss; none where there is no number.
+    pub fn excess(&self) -> Option<f64> {
+        match self.found {
+            Found::Number { excess, .. } | Found::Beyond { excess } => Some(excess),
+            _ => None,
+        }
+    }
+
+    /// Whether the answer is no worse than it may be.
+    pub fn accepted(&self) -> bool {
+        match &self.found {
+            Found::Number { excess, .. } | Found::Beyond { excess } => *excess <= MOST_EXCESS,
+            Found::Flushed | Found::Refused => true,
+            Found::Declined(_) | Found::Wrong(_) => false,
+        }
+    }
+}
+
+impl Ladder {
+    /// Whether all rungs are.
+    pub fn accepted(&self) -> bool {
+        self.rungs.iter().all(Rung::accepted)
+    }
+
+    /// The rung with the largest excess loss; one that is not accepted otherwise comes first.
+    pub fn worst(&self) -> Option<&Rung> {
+        let key =
+            |rung: &Rung| if rung.accepted() { rung.excess().unwrap_or(f64::NEG_INFINITY) } else { f64::INFINITY };
+        self.rungs.iter().max_by(|a, b| key(a).total_cmp(&key(b)))
+    }
+
+    /// The largest error in ulp among the numbers.
+    pub fn worst_ulp(&self) -> Option<f64> {
+        let ulps = self.rungs.iter().filter_map(|rung| match rung.found {
+            Found::Number { ulp, .. } => Some(ulp),
+            _ => None,
+        });
+        ulps.max_by(f64::total_cmp)
+    }
+
+    /// The largest error of the naive formula in ulp.
+    pub fn worst_naive(&self) -> Option<f64> {
+        self.rungs.iter().filter_map(|rung| rung.naive_ulp).max_by(f64::total_cmp)
+    }
+}
+
+/// All ladders, in the order of the functions.
+pub fn ladders(effort: Effort) -> Vec<Ladder> {
+    let climbs: Vec<_> = questions::all(effort);
+    climbs.par_iter().map(questions::Climb::ladder).collect()
+}
+
+/// The public functions of f64 that have a ladder, such as "double::kappa" or "Sphere::g".
+pub fn functions() -> Vec<String> {
+    let mut names: Vec<_> = questions::all(Effort::Quick).iter().map(|climb| climb.subject.function()).collect();
+    names.dedup();
+    names
+}

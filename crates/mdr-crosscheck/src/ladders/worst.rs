@@ -1,0 +1,72 @@
+//! The worst inputs that were ever found, one a function and family: they are asked again on every run.
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error as ThisError;
+
+use super::{Found, Ladder, Rung, questions};
+use crate::contest::Effort;
+
+/// The list. It only grows: `cargo run --release -p mdr-crosscheck --example ladders -- --worst` writes it anew, with what
+/// was there and what was found to be worse.
+const KEPT: &str = include_str!("../../data/worst.jsonl");
+
+/// An input that did worst.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Worst {
+    /// The function, as in [`Ladder::function`].
+    pub function: String,
+    /// The family of the direction in which it was found.
+    pub family: String,
+    /// The inputs, to the last bit.
+    pub inputs: Vec<f64>,
+    /// The excess loss when it was found, to two digits.
+    pub excess: f64,
+}
+
+/// A line that cannot be read, or asks a function that is not there.
+#[derive(Clone, Debug, PartialEq, Eq, ThisError)]
+#[error("worst inputs, line {line}: {what}")]
+pub struct WorstError {
+    /// From 1.
+    pub line: usize,
+    /// What is wrong.
+    pub what: String,
+}
+
+/// All that are kept.
+///
+/// # Errors
+/// Where a line is no input.
+pub fn worst_inputs() -> Result<Vec<Worst>, WorstError> {
+    let read = |(index, line)| {
+        serde_json::from_str(line).map_err(|error| WorstError { line: index + 1, what: error.to_string() })
+    };
+    KEPT.lines().enumerate().map(read).collect()
+}
+
+impl Worst {
+    /// Asks again; none where there is no such function any more.
+    pub fn ask(&self) -> Option<Rung> {
+        let climbs = questions::all(Effort::Quick);
+        let climb = climbs.iter().find(|climb| climb.subject.name == self.function)?;
+        Some(climb.subject.rung(f64::NAN, &self.inputs))
+    }
+
+    /// The worst rung of each function and family that is an error at all, where it is worse than what is kept.
+    pub fn found(ladders: &[Ladder], kept: &[Worst]) -> Vec<Worst> {
+        let mut all = kept.to_vec();
+        for ladder in ladders {
+            let Some(rung) = ladder.worst() else { continue };
+            let (Found::Number { excess, .. } | Found::Beyond { excess }) = rung.found else { continue };
+            let excess = (excess * 100.0).round() / 100.0;
+            let family = ladder.family.name().to_owned();
+            let before = all.iter().filter(|worst| worst.function == ladder.function && worst.family == family);
+            let most = before.map(|worst| worst.excess).fold(f64::NEG_INFINITY, f64::max);
+            if excess > most.max(-1.0) {
+                all.retain(|worst| kept.contains(worst) || worst.function != ladder.function || worst.family != family);
+                all.push(Worst { function: ladder.function.clone(), family, inputs: rung.inputs.clone(), excess });
+            }
+        }
+        all
+    }
+}
