@@ -177,7 +177,7 @@ pub(crate) fn finished(svg: &str, title: &str, description: &str) -> String {
     finished
 }
 
-/// The size of the sheet in points; corners of lines are round.
+/// The size of the sheet in points; corners of lines are round, and blanks beside an index are kept.
 fn in_points(head: &str) -> String {
     let attribute = |head: &str, name: &str| -> Option<(String, f64)> {
         let value = head.split(&format!("{name}=\"")).nth(1)?.split('"').next()?;
@@ -189,7 +189,7 @@ fn in_points(head: &str) -> String {
             head = head.replacen(&old, &format!("{name}=\"{}pt\"", units / PER_POINT), 1);
         }
     }
-    head.replacen(" xmlns=", " stroke-linejoin=\"round\" xmlns=", 1)
+    head.replacen(" xmlns=", " stroke-linejoin=\"round\" xml:space=\"preserve\" xmlns=", 1)
 }
 
 fn whole([x, y]: Spot) -> (i32, i32) {
@@ -268,7 +268,7 @@ mod tests {
         );
         assert_eq!(
             svg,
-            "<svg width=\"340pt\" height=\"255pt\" viewBox=\"0 0 3400 2550\" stroke-linejoin=\"round\" xmlns=\"x\">\n\
+            "<svg width=\"340pt\" height=\"255pt\" viewBox=\"0 0 3400 2550\" stroke-linejoin=\"round\" xml:space=\"preserve\" xmlns=\"x\">\n\
              <title>T &amp; U</title>\n<desc>E* &lt; 1</desc>\n\
              <text x=\"1\"><tspan font-style=\"italic\">a</tspan></text>\n</svg>\n"
         );
