@@ -4,8 +4,21 @@
 //! for that case, and the case itself. A check compares two routes that share no formula. What it allows is derived from
 //! the error bounds of both routes and the condition of the question (module `tolerance`), never from what was found.
 //!
+//! ```
+//! use mdr_crosscheck::{Level, Options, run};
+//! // Four cases of one check: the paraboloid against the formulas of Johnson, Kendall and Roberts.
+//! let options = Options { only: vec!["jkr".to_owned()], limit: Some(4), ..Options::at(Level::Quick) };
+//! let report = run(&options, &|_progress| ());
+//! assert!(report.passed() && report.cases() == 4);
+//! ```
+//!
 //! A run is a pure function of level, digits, seed and shard. Case k of a check is the same at every level and in every
 //! shard; [`Report::from_json_lines`] merges the lines of all shards into the report of the whole.
+//!
+//! * [`faults`] are mistakes put into the closed forms on purpose; each must be found by a check.
+//! * [`records`] generates the certified values of `mdr-reference`, each by two methods.
+//! * [`derivations`] evaluates the statements of `mdr-symbolic` in rigorous intervals.
+//! * [`contest`] has the data of error against run time.
 
 #![forbid(unsafe_code)]
 
