@@ -1,6 +1,8 @@
 //! The README and the documents promise nothing that does not work.
 
-use crate::output;
+use std::path::PathBuf;
+
+use crate::{output, root};
 
 const README: &str = include_str!("../../README.md");
 
@@ -29,13 +31,81 @@ fn transcripts_are_what_the_program_says() {
     }
 }
 
-/// Relative links lead to files.
+/// All Markdown of the repository: name from its folder, and text.
+fn documents() -> Vec<(PathBuf, String)> {
+    let root = root();
+    let folders = ["", "docs", "docs/reference"].map(|folder| root.join(folder));
+    let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap()).map(|entry| entry.unwrap().path());
+    let pages = files.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
+    let documents: Vec<_> = pages.map(|path| (path.clone(), std::fs::read_to_string(path).unwrap())).collect();
+    assert!(documents.len() >= 10);
+    documents
+}
+
+/// Relative links lead to files, and to headings of documents.
 #[test]
 fn links_lead_somewhere() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    for link in README.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()) {
-        assert!(link.starts_with("http") || root.join(link).exists(), "{link}");
+    for (path, text) in documents() {
+        for link in outside_of_code(&text).split("](").skip(1).map(|rest| rest.split(')').next().unwrap()) {
+            if link.starts_with("http") {
+                continue;
+            }
+            let (file, heading) = link.split_once('#').map_or((link, None), |(file, heading)| (file, Some(heading)));
+            let target = if file.is_empty() { path.clone() } else { path.parent().unwrap().join(file) };
+            assert!(target.exists(), "{}: {link}", path.display());
+            if let Some(heading) = heading {
+                let page = std::fs::read_to_string(&target).unwrap();
+                let headings = page.lines().filter(|line| line.starts_with('#')).map(anchor);
+                assert!(headings.into_iter().any(|found| found == heading), "{}: {link}", path.display());
+            }
+        }
     }
+}
+
+/// The anchor that GitHub gives a heading.
+fn anchor(heading: &str) -> String {
+    let kept = |letter: &char| letter.is_alphanumeric() || matches!(letter, ' ' | '-' | '_');
+    let text = heading.trim_start_matches('#').trim().to_lowercase();
+    text.chars().filter(kept).map(|letter| if letter == ' ' { '-' } else { letter }).collect()
+}
+
+/// The text without its fenced blocks.
+fn outside_of_code(text: &str) -> String {
+    text.split("```").step_by(2).collect()
+}
+
+/// Formulas are written so that GitHub takes nothing in them for markup: $`…`$ in a line, blocks of the language `math`.
+#[test]
+fn formulas_are_safe_from_markdown() {
+    let mut formulas = 0;
+    for (path, text) in documents() {
+        let place = path.display();
+        let mut check = |formula: &str| {
+            formulas += 1;
+            let count = |part: &str| formula.matches(part).count();
+            assert_eq!(count("{") - count("\\{"), count("}") - count("\\}"), "{place}: braces of {formula}");
+            assert_eq!(count("\\left"), count("\\right"), "{place}: brackets of {formula}");
+            assert!(
+                !formula.trim().is_empty() && !formula.contains('$') && !formula.contains("\n\n"),
+                "{place}: {formula}"
+            );
+        };
+        for block in text.split("```math\n").skip(1) {
+            check(block.split("```").next().unwrap());
+        }
+        for line in outside_of_code(&text).lines() {
+            let mut parts = line.split('$');
+            let mut outside = parts.next().unwrap_or_default();
+            assert!(line.matches('$').count() % 2 == 0, "{place}: a lonely $ in {line}");
+            while let (Some(formula), Some(rest)) = (parts.next(), parts.next()) {
+                let inner = formula.strip_prefix('`').and_then(|rest| rest.strip_suffix('`'));
+                check(inner.unwrap_or_else(|| panic!("{place}: ${formula}$ is not safe")));
+                assert!(!outside.ends_with(char::is_alphanumeric), "{place}: {outside}$");
+                outside = rest;
+            }
+        }
+    }
+    assert!(formulas > 300, "{formulas}");
 }
 
 const CONFORMANCE: &str = include_str!("../../docs/conformance.md");
@@ -45,7 +115,7 @@ const CONFORMANCE: &str = include_str!("../../docs/conformance.md");
 fn the_table_of_conformance_names_what_exists() {
     let csv = output("verify --quick --shard 64/64 --format csv");
     let checks: Vec<_> = csv.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let root = root();
     let rows = CONFORMANCE.lines().filter(|line| line.starts_with("| ") && line.contains('`'));
     for row in rows {
         let columns: Vec<_> = row.trim_matches('|').split('|').collect();
