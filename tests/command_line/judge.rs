@@ -1,8 +1,10 @@
 //! `mdr judge`.
 
+use std::path::{Path, PathBuf};
+
 use serde_json::Value;
 
-use crate::mdr;
+use crate::{mdr, root};
 
 /// `mdr judge` of these answers from standard input: exit status and output.
 fn judged(answers: &str, flags: &str) -> (i32, String) {
@@ -48,4 +50,125 @@ fn lines_for_a_program() {
 fn a_file_that_is_not_there() {
     let assert = mdr("judge no/such.jsonl").assert().code(2).stdout_eq("");
     assert!(assert.get_output().stderr.starts_with(b"error: no/such.jsonl: "));
+}
+
+/// A file of this test.
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+/// Draws the judgement of these answers; the text of the picture and of its data.
+fn drawn(name: &str, answers: &str) -> (String, String) {
+    let svg = file(&format!("judged-{name}.svg"));
+    let status = judged(answers, &format!("--plot {}", svg.display())).0;
+    assert!(status <= 1, "{name}: {status}");
+    let read = |path: PathBuf| std::fs::read_to_string(path).unwrap();
+    (read(svg.clone()), read(svg.with_extension("csv")))
+}
+
+/// Right digits, distance to the fold and excess loss of answers whose errors are known.
+#[test]
+fn a_picture_of_known_errors() {
+    let near = "equilibrium/jkr-unit/near=2^-12/outer/indentation/contact_radius";
+    let record = mdr_reference::record(near).unwrap();
+    let rough = record.nearest() * (1.0 + 1e-6);
+    let answers = [
+        format!("{{\"id\":\"{near}\",\"value\":{rough:e}}}"),
+        r#"{"id":"equilibrium/jkr-unit/past=2^-12/outer/indentation/contact_radius","value":"nan"}"#.to_owned(),
+        RIGHT.to_owned(),
+    ];
+    let (svg, csv) = drawn("known", &answers.join("\n"));
+    roxmltree::Document::parse(&svg).unwrap();
+    let points: Vec<(String, String, f64, f64)> = csv
+        .lines()
+        .filter(|line| line.split(',').nth(1) == Some("mark"))
+        .map(|line| {
+            let fields: Vec<_> = line.split(',').collect();
+            (fields[0].to_owned(), fields[2].to_owned(), fields[5].parse().unwrap(), fields[7].parse().unwrap())
+        })
+        .collect();
+    let found = |panel: &str, verdict: &str, x: f64, y: f64| {
+        let beside = |(p, v, a, b): &(String, String, f64, f64)| {
+            p == panel && v == verdict && (a / x - 1.0).abs() < 1e-6 && (b - y).abs() < 1e-3
+        };
+        assert!(points.iter().any(beside), "{panel} {verdict} {x} {y}: {points:?}");
+    };
+    let condition = record.total_condition();
+    let loss = -6.0 - (f64::EPSILON / 2.0 * condition).log10();
+    found("1", "inaccurate", condition, 6.0);
+    found("2", "inaccurate", 2f64.powi(-12), 6.0);
+    found("2", "wrong", 2f64.powi(-12), -1.0);
+    found("3", "inaccurate", record.decades(), loss);
+    assert_eq!(
+        points.iter().filter(|(panel, ..)| panel == "2").count(),
+        2,
+        "a critical state has no distance to a fold"
+    );
+}
+
+#[test]
+fn without_an_answer_there_is_nothing_to_draw() {
+    let result = mdr(&format!("judge - --plot {}", file("judged-none.svg").display())).stdin("\n").assert().code(2);
+    assert!(result.get_output().stderr.starts_with(b"error: --plot: there is nothing to draw"));
+}
+
+#[test]
+fn a_picture_of_answers_is_an_svg_file() {
+    let result = mdr("judge - --plot out.png").stdin(RIGHT).assert().code(2).stdout_eq("");
+    assert!(result.get_output().stderr.starts_with(b"error: --plot: must be the name of an .svg file"));
+}
+
+/// The answers that the documents show.
+const SHOWN: [&str; 5] = ["quartic", "newton", "workspace", "adhesion", "lammps"];
+
+fn answers(name: &str) -> String {
+    std::fs::read_to_string(root().join(format!("docs/judged/{name}.jsonl"))).unwrap()
+}
+
+/// The pictures of the documents are those of this program.
+#[test]
+fn the_pictures_of_the_documents_are_current() {
+    for name in SHOWN {
+        let checked_in = std::fs::read_to_string(root().join(format!("docs/judged/{name}.svg"))).unwrap_or_default();
+        assert!(
+            checked_in == drawn(name, &answers(name)).0,
+            "stale: cargo run -p mdr-cli -- judge docs/judged/{name}.jsonl --plot docs/judged/{name}.svg; rm docs/judged/{name}.csv"
+        );
+    }
+}
+
+/// The digits in the table of docs/judged.md are those of the answers beside it.
+#[test]
+fn the_table_of_the_documents_is_current() {
+    let document = std::fs::read_to_string(root().join("docs/judged.md")).unwrap();
+    let rows: Vec<Vec<&str>> = document
+        .lines()
+        .filter(|line| line.contains("| unit |") || line.contains("| tip |"))
+        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+        .collect();
+    assert_eq!(rows.len(), 14);
+    for (way, column) in [("quartic", 2), ("newton", 3), ("workspace", 4)] {
+        let (_, csv) = judged(&answers(way), "--format csv");
+        for row in &rows {
+            let place = match row[0] {
+                "−d_c" => "opposite".to_owned(),
+                far if far.starts_with("−10") => format!("opposite-1e{}", if far.contains('⁶') { 6 } else { 3 }),
+                near => format!("near=2^-{}", subscripts(near)),
+            };
+            let sphere = if row[1] == "unit" { "jkr-unit" } else { "afm-tip" };
+            let id = format!("equilibrium/{sphere}/{place}/outer/indentation/contact_radius");
+            let line = csv.lines().find(|line| line.starts_with(&format!("{id},"))).unwrap_or_else(|| panic!("{id}"));
+            let tenths = |column: usize| -> f64 { line.split(',').nth(column).unwrap().parse().unwrap() };
+            let shown = format!("{:.1} ({:.1})", tenths(5), tenths(7)).replace('-', "−");
+            assert_eq!(row[column], shown, "{way}: {id}");
+        }
+    }
+}
+
+/// The number k in d_c(1 − 2⁻ᵏ).
+fn subscripts(text: &str) -> String {
+    text.chars()
+        .filter_map(|letter| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == letter))
+        .map(|digit| digit.to_string())
+        .collect()
 }

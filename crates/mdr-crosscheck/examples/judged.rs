@@ -1,14 +1,16 @@
 //! Three ways to compute the contact radius of a JKR sphere at a given indentation, judged by the certified records.
-//! The numbers of docs/judged.md: `cargo run --release --package mdr-crosscheck --example judged`.
+//! The numbers of docs/judged.md: `cargo run --package mdr-crosscheck --example judged`; with a directory as argument, the
+//! answers go there as files for `mdr judge`.
 
 #![allow(clippy::print_stdout, reason = "an example talks")]
 
 use std::f64::consts::PI;
+use std::path::PathBuf;
 
 use mdr_analytic::PowerLaw;
 use mdr_core::contact::{Control, Error, Material, Stability};
 use mdr_numeric::equilibrium::equilibria;
-use mdr_reference::{Answer, Filter, Record, Status, judge};
+use mdr_reference::{Answer, Filter, Judged, Record, Status, judge};
 
 /// R, E*, w and d of a question about a sphere.
 struct Sphere {
@@ -68,30 +70,35 @@ impl Sphere {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let directory = std::env::args().nth(1).map(PathBuf::from);
     let questions: Filter = "formula=equilibrium control=indentation quantity=contact_radius flag=outer".parse()?;
-    let ways: [(&str, Way); 3] = [
-        ("Ferrari's solution of the quartic", |sphere| sphere.ferrari().into()),
-        ("Newton's method, absolute tolerance 1e-12 m", |sphere| sphere.newton().into()),
-        ("this workspace, f64", |sphere| match sphere.workspace() {
+    let ways: [(&str, &str, Way); 3] = [
+        ("quartic", "Ferrari's solution of the quartic", |sphere| sphere.ferrari().into()),
+        ("newton", "Newton's method, absolute tolerance 1e-12 m", |sphere| sphere.newton().into()),
+        ("workspace", "this workspace, f64", |sphere| match sphere.workspace() {
             Ok(Some(a)) => a.into(),
             Ok(None) => Status::NoEquilibrium.into(),
             Err(_) => Status::DomainError.into(),
         }),
     ];
-    for (name, way) in ways {
-        let report = judge(questions.select(), |question| Sphere::of(question).as_ref().map(way));
+    for (stem, name, way) in ways {
+        let mut lines = String::new();
+        let report = judge(questions.select(), |question| {
+            let answer = way(&Sphere::of(question)?);
+            lines += &format!("{}\n", answer.to_json(&question.id));
+            Some(answer)
+        });
         println!("{name}\n{report}");
-        for judged in &report.judged {
-            let digits = judged.mark.lre.map_or(String::new(), |lre| format!("{:.1}", lre.low));
-            let loss = judged.mark.excess_loss.map_or(String::new(), |loss| format!("{:.1}", loss.low));
-            println!(
-                "  {:<70} {:>5} digits, loss {:>5}: {}",
-                judged.record.id,
-                digits,
-                loss,
-                judged.mark.verdict.name()
-            );
+        report.judged.iter().for_each(print);
+        if let Some(directory) = &directory {
+            std::fs::write(directory.join(stem).with_extension("jsonl"), lines)?;
         }
     }
     Ok(())
+}
+
+fn print(Judged { record, mark, .. }: &Judged<'_>) {
+    let digits = mark.lre.map_or(String::new(), |lre| format!("{:.1}", lre.low));
+    let loss = mark.excess_loss.map_or(String::new(), |loss| format!("{:.1}", loss.low));
+    println!("  {:<70} {digits:>5} digits, loss {loss:>5}: {}", record.id, mark.verdict.name());
 }

@@ -29,6 +29,7 @@ mod decimal;
 mod difficulty;
 mod json;
 mod judge;
+mod measure;
 mod record;
 mod write;
 

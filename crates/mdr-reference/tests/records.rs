@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_reference::{Decimal, Difficulty, Filter, Record, Status, lines, record, records};
+use mdr_reference::{Decimal, Difficulty, Filter, Hardness, Record, Status, lines, record, records};
 
 #[test]
 fn every_line_is_a_record() {
@@ -102,4 +102,24 @@ fn filters() {
         let error = bad.parse::<Filter>().unwrap_err().to_string();
         assert!(error.contains(bad) && error.contains("difficulty"), "{error}");
     }
+}
+
+/// Condition, distance to a fold, decades and |n − 1/2|, read off the records, give the difficulty that is published.
+#[test]
+fn difficulties_are_those_of_their_measures() {
+    let mut near = 0;
+    for record in records() {
+        let half = record.input("n").map_or(f64::INFINITY, |_| (record.input_f64("n") - 0.5).abs());
+        let measured = Hardness {
+            condition: record.total_condition(),
+            fold_distance: record.fold_distance().unwrap_or(f64::INFINITY),
+            decades: record.decades(),
+            from_half: if half == 0.0 { f64::INFINITY } else { half },
+            is_number: record.value.is_some(),
+        };
+        assert_eq!(measured.difficulty(), record.difficulty, "{}: {measured:?}", record.id);
+        near += usize::from(record.fold_distance().is_some_and(|distance| distance < 1e-6));
+        assert_eq!(record.fold_distance().is_some(), record.formula.starts_with("equilibrium"), "{}", record.id);
+    }
+    assert!(near > 50, "{near}");
 }

@@ -6,6 +6,7 @@
 
 pub(crate) mod axis;
 mod canvas;
+pub(crate) mod file;
 mod frame;
 mod geometry;
 mod legend;

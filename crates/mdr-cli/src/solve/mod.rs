@@ -89,7 +89,7 @@ pub(crate) struct Solve {
 impl Solve {
     /// Answers on `out`.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
-        self.plot.as_deref().map_or(Ok(()), plot::check)?;
+        self.plot.as_deref().map_or(Ok(()), crate::picture::file::check)?;
         let scene = Scene::open(&self.scene, self.arithmetic.given()?)?;
         let tally = Arc::new(Tally::default());
         let solver = Solver::new(&scene, &tally).map_err(|error| scene.profile_place.refuse(error.to_string()))?;

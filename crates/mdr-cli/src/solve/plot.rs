@@ -6,21 +6,10 @@ use std::sync::Arc;
 use super::contact::{Contact, Tally};
 use super::states::branches;
 use super::{Solver, complaint, path};
-use crate::error::{Failure, Result};
+use crate::error::Result;
 use crate::picture::scene::SceneData;
 use crate::picture::{self, Picture};
 use crate::scene::{Scene, Want};
-
-/// Refuses a file whose name would be that of its own data.
-///
-/// # Errors
-/// Unless the name ends in `.svg`.
-pub(crate) fn check(to: &Path) -> Result<()> {
-    if to.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg")) {
-        return Ok(());
-    }
-    Err(Failure::flag("--plot", "must be the name of an .svg file", &to.display().to_string()))
-}
 
 /// How many octaves from the folds a picture can show equilibria.
 const REACH: i64 = 40;
@@ -31,16 +20,7 @@ const REACH: i64 = 40;
 /// # Errors
 /// When the contact cannot be computed in f64 or a file cannot be written.
 pub(crate) fn write(scene: &Scene, solver: &Solver<'_>, from: &Path, to: &Path) -> Result<()> {
-    let picture = drawing(scene, solver, from)?;
-    let failed = |file: &Path| {
-        let name = format!("--plot {}", file.display());
-        move |error: std::io::Error| Failure::file(name, error)
-    };
-    std::fs::write(to, picture::svg(&picture)?).map_err(failed(to))?;
-    let csv = to.with_extension("csv");
-    let mut data = Vec::new();
-    picture::write_csv(&picture, &csv.display().to_string(), &mut data)?;
-    std::fs::write(&csv, data).map_err(failed(&csv))
+    picture::file::write(&drawing(scene, solver, from)?, to)
 }
 
 /// What is seen of a scene.

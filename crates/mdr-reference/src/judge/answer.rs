@@ -1,7 +1,7 @@
 //! An answer of another program.
 
 use crate::decimal::{Decimal, DecimalError};
-use crate::json::{Json, read};
+use crate::json::{Json, quoted, read};
 use crate::record::Status;
 
 /// What a program says to one question.
@@ -55,6 +55,28 @@ impl Answer {
     /// The same with the absolute error that the program claims; a claim that is not finite claims nothing.
     pub fn with_error(self, error: f64) -> Self {
         Answer { error: error.is_finite().then(|| Decimal::from_double(error.abs())), ..self }
+    }
+
+    /// A line for `mdr judge`: the answer to the question of this identifier.
+    ///
+    /// ```
+    /// use mdr_reference::Answer;
+    /// let line = Answer::from(-4.71).with_error(0.01).to_json("critical/jkr-unit/force/force");
+    /// assert!(line.starts_with("{\"id\":\"critical/jkr-unit/force/force\",\"value\":\"-4.7"));
+    /// let (id, answer) = Answer::from_json(&line)?;
+    /// assert_eq!((id.as_str(), answer), ("critical/jkr-unit/force/force", Answer::from(-4.71).with_error(0.01)));
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn to_json(&self, id: &str) -> String {
+        let value = self.value.as_ref().map(|value| match value {
+            Number::Finite(value) => value.to_string(),
+            Number::NotFinite => "nan".to_owned(),
+        });
+        let error = self.error.as_ref().map(Decimal::to_string);
+        let status = self.status.map(|status| status.name().to_owned());
+        let fields = [("id", Some(id.to_owned())), ("value", value), ("error", error), ("status", status)];
+        let fields = fields.into_iter().filter_map(|(key, text)| Some(format!("\"{key}\":{}", quoted(&text?))));
+        format!("{{{}}}", fields.collect::<Vec<_>>().join(","))
     }
 
     /// The identifier and the answer on a line `{"id":…, "value":…, "error":…, "status":…}`, numbers as JSON numbers or as

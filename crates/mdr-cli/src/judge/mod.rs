@@ -1,5 +1,7 @@
 //! `mdr judge`: the answers of another program against the certified records.
 
+mod plot;
+
 use std::fs::File;
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
@@ -11,6 +13,7 @@ use mdr_reference::{Judge as Bench, Judged, Limits, Range, Refused, Report, Verd
 use crate::error::{Failure, Result};
 use crate::flags::Flag;
 use crate::output::{Format, Output};
+use crate::picture::file;
 use crate::reference::size;
 use crate::table::{Tone, cell, render, table};
 
@@ -22,6 +25,9 @@ Examples:
 
   From a pipe, every answer with its judgement, for another program:
     ./my-solver records.jsonl | mdr judge - --format json
+
+  Where they lose digits: near a fold, at the scale of SI units, or where the condition says so:
+    mdr judge answers.jsonl --plot judged.svg
 
 An answer is a line {\"id\": \"critical/jkr-unit/force/force\", \"value\": \"-4.712\", \"error\": \"0.001\"}: the value as a
 number or a text, decimal or hexadecimal; the absolute error that it claims not to exceed, if it claims one; and where
@@ -52,6 +58,10 @@ pub(crate) struct Judge {
     #[arg(long)]
     strict: bool,
 
+    /// Draw right digits and excess loss to this SVG file, and their data to a CSV file beside it
+    #[arg(long, value_name = "OUT.svg")]
+    plot: Option<PathBuf>,
+
     /// Show all answers in the table, not only the worst
     #[arg(long)]
     all: bool,
@@ -67,15 +77,23 @@ const SHOWN: usize = 20;
 impl Judge {
     /// Writes the judgement on `out`; whether no answer is wrong.
     pub(crate) fn run(&self, out: &mut Output<impl io::Write>) -> Result<bool> {
-        let mut bench = Bench::new(records(), self.limits()?);
+        self.plot.as_deref().map_or(Ok(()), file::check)?;
+        let limits = self.limits()?;
+        let mut bench = Bench::new(records(), limits);
         let name = self.answers.display().to_string();
         let read = if self.answers == Path::new("-") {
             bench.read(io::stdin().lock())
         } else {
             File::open(&self.answers).and_then(|file| bench.read(BufReader::new(file)))
         };
-        read.map_err(|error| Failure::file(name, error))?;
+        read.map_err(|error| Failure::file(&name, error))?;
         let report = bench.report();
+        if let Some(to) = &self.plot {
+            if report.answered() == 0 {
+                return Err(Failure::flag("--plot", "there is nothing to draw without an answer", &name));
+            }
+            file::write(&plot::picture(&report, &limits), to)?;
+        }
         match self.format {
             Format::Json => out.text(report.to_json_lines())?,
             Format::Csv => out.csv(&CSV_HEADER, report.judged.iter().map(csv_row))?,
