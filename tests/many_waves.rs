@@ -10,7 +10,9 @@ use mdr_core::contact::{Control, FoldKind, Material, Result, Transform};
 use mdr_core::number::{Literal, Precision, Real, Special};
 
 use mdr_numeric::curve::Curve;
+use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::folds::{Completeness, find};
+use mdr_numeric::path::{Ledger, Path, Start};
 use mdr_numeric::profiles::WavyParaboloid;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
@@ -95,6 +97,22 @@ fn as_many_folds_as_are_proved() -> Result<()> {
         let material = Material::new(1.0, 1e-4)?;
         let found = find(&Curve::new(&waves, &material, &Control::Indentation))?;
         assert_eq!((found.folds.len(), found.completeness), (proved, Completeness::Resolved));
+    }
+    Ok(())
+}
+
+/// The books of a path over hundreds of jumps are closed: all energies are integrated piece by piece between the folds.
+#[test]
+fn the_books_of_many_jumps_are_closed() -> Result<()> {
+    for (count, folds) in &waves::CASES[..3] {
+        let (waves, control) = (waves::waves::<f64>((), *count)?, Control::Indentation);
+        let material = Material::new(1.0, 1e-4)?;
+        let branches = Branches::new(Curve::new(&waves, &material, &control))?;
+        let path = Path::follow(&branches, &Start::Largest, &[0.0, -1.0])?;
+        let balance = Ledger::new(&path, &branches)?.balance(&path, &branches)?.expect("nothing unbounded");
+        assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
+        // What one rounding of g is against a wave grows with their number.
+        assert!(balance.bound <= 1e-12 * *folds as f64 * balance.work, "{balance:?}");
     }
     Ok(())
 }

@@ -73,9 +73,19 @@ impl<'a, R: Real> Energy<'a, R> {
     /// # Errors
     /// Those of the transform and of the quadrature; [`Error::OutOfRange`] when it is no number of this arithmetic.
     pub fn potential(&self, a: &R, d: &R) -> Result<R> {
+        self.potential_by(a, d, |square| self.mean(a, &Grade::Full, square))
+    }
+
+    /// The same with the mean of the square of v over the contact from elsewhere.
+    pub(crate) fn potential_by(
+        &self,
+        a: &R,
+        d: &R,
+        mean: impl FnOnce(&dyn Fn(&R) -> Result<R>) -> Result<R>,
+    ) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let unit = self.unit(&a);
-        let elastic = self.mean(&a, &Grade::Full, |x| Ok(((d.clone() - g(self.transform, x)?) / &unit).square()))?;
+        let elastic = mean(&|x| Ok(((d.clone() - g(self.transform, x)?) / &unit).square()))?;
         let reduced = elastic.times(2) - a.lit(1);
         let potential = a.clone() * self.material.work_of_adhesion() * a.pi() * &a * &reduced;
         let factors = [a.pi(), a.clone(), a, self.material.work_of_adhesion().clone(), reduced.clone()];
