@@ -3,6 +3,7 @@
 mod diagram;
 mod footer;
 mod page;
+mod speed;
 mod table;
 
 use std::path::{Path, PathBuf};
@@ -10,6 +11,7 @@ use std::time::Duration;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use mdr_crosscheck::contest::speed::{Race, races};
 use mdr_crosscheck::contest::{Clock, Diagram, Effort, Task, tasks};
 use serde::Serialize;
 
@@ -72,6 +74,10 @@ struct Findings {
     /// Timed runs of every answer, where they are not too long.
     runs: usize,
     tasks: Vec<Section>,
+    /// This workspace beside other projects.
+    races: Vec<Race>,
+    /// Who could not race, and why.
+    absent: Vec<String>,
 }
 
 /// The diagrams of one task.
@@ -108,12 +114,15 @@ impl Report {
 
     /// The tasks that are asked for.
     fn tasks(&self) -> Result<Vec<&'static Task>> {
-        let names: Vec<_> = tasks().iter().map(|task| task.name).collect();
+        let names: Vec<_> = tasks().iter().map(|task| task.name).chain([speed::NAME]).collect();
         if let Some(name) = self.only.iter().find(|name| !names.contains(&name.as_str())) {
             return Err(Failure::flag("--only", format_args!("must be one of {}", names.join(", ")), name));
         }
-        let asked = |task: &&Task| self.only.is_empty() || self.only.iter().any(|name| name == task.name);
-        Ok(tasks().iter().filter(asked).collect())
+        Ok(tasks().iter().filter(|task| self.asks_for(task.name)).collect())
+    }
+
+    fn asks_for(&self, name: &str) -> bool {
+        self.only.is_empty() || self.only.iter().any(|asked| asked == name)
     }
 
     fn findings(&self, tasks: &[&'static Task]) -> Findings {
@@ -129,9 +138,15 @@ impl Report {
             sections.push(Section { name: task.name, claim: task.claim, diagrams });
             bar.inc(1);
         }
+        let (races, absent) = if self.asks_for(speed::NAME) {
+            bar.set_message(speed::NAME);
+            races(effort, &Clock::Runs(runs))
+        } else {
+            Default::default()
+        };
         bar.finish_and_clear();
         let (schema, command, machine) = ("mdr.report/1", self.command(), Machine::here());
-        Findings { schema, command, machine, effort, runs, tasks: sections }
+        Findings { schema, command, machine, effort, runs, tasks: sections, races, absent }
     }
 
     /// How this report is asked for, wherever its files go.

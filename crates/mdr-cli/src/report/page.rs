@@ -2,7 +2,7 @@
 
 use mdr_crosscheck::contest::{Diagram, Outcome, View};
 
-use super::{Findings, Section, table};
+use super::{Findings, Section, speed, table};
 
 const HEAD: &str = "\
 # Error against run time
@@ -20,6 +20,7 @@ pub(super) fn page(findings: &Findings) -> String {
     for section in &findings.tasks {
         page.push_str(&task(section));
     }
+    page.push_str(&speed::section(&findings.races));
     page.push_str(&failures(findings));
     page.push_str(&omissions(findings));
     page.push_str(&format!(
@@ -84,7 +85,7 @@ fn failures(findings: &Findings) -> String {
 
 fn omissions(findings: &Findings) -> String {
     let mut sentences: Vec<&str> = Vec::new();
-    for sentence in findings.diagrams().flat_map(|diagram| &diagram.omissions) {
+    for sentence in findings.diagrams().flat_map(|diagram| &diagram.omissions).chain(&findings.absent) {
         if !sentences.contains(&sentence.as_str()) {
             sentences.push(sentence);
         }
@@ -121,7 +122,16 @@ mod tests {
         let diagrams = vec![contest(View::Error), contest(View::Size)];
         let section = Section { name: "test", claim: "what is tested", diagrams };
         let (command, machine) = ("mdr report --quick".to_owned(), Machine::here());
-        Findings { schema: "mdr.report/1", command, machine, effort: Effort::Quick, runs: 3, tasks: vec![section] }
+        Findings {
+            schema: "mdr.report/1",
+            command,
+            machine,
+            effort: Effort::Quick,
+            runs: 3,
+            tasks: vec![section],
+            races: Vec::new(),
+            absent: Vec::new(),
+        }
     }
 
     #[test]

@@ -5,8 +5,9 @@
 
 use std::cell::RefCell;
 
-use mdr_analytic::{PowerLaw, double};
-use mdr_core::contact::{Control, Error, Material, Ranged, Result};
+use mdr_analytic::PowerLaw;
+use mdr_analytic::double::grid::{Materials, Points, States, critical_states};
+use mdr_core::contact::{Control, Error, Material, Result, Status};
 use mdr_core::number::{Interval, Precision, Real};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
@@ -171,26 +172,28 @@ impl Hall<'_> {
             let t = i as f64 / POINTS as f64;
             (0.8 + 1.2 * t, 1.0 + t)
         };
-        let points: Vec<(f64, f64)> = (0..POINTS).map(at).collect();
+        let (exponent, coefficient): (Vec<f64>, Vec<f64>) = (0..POINTS).map(at).unzip();
+        let points = Points { exponent: &exponent, coefficient: &coefficient, material: Materials::One(&material) };
         let truths: Vec<[Interval; 4]> = PICKED.iter().filter_map(|&i| critical_truth(at(i), e, w)).collect();
         // As the other side returns them: all κ, then all a, …
         let truths: Vec<Interval> = (0..4).flat_map(|k| truths.iter().map(move |state| state[k].clone())).collect();
-        let table = RefCell::new(vec![[0.0; 4]; POINTS]);
+        let table = RefCell::new([(); 4].map(|()| vec![0.0; POINTS]));
+        let statuses = RefCell::new(vec![Status::Ok; POINTS]);
         let solver = || {
-            let mut table = table.borrow_mut();
-            for ((n, c), row) in points.iter().zip(table.iter_mut()) {
-                let state = double::critical(*n, *c, &material, &Control::Indentation)?;
-                *row = [double::kappa(*n)?, value(state.contact_radius), value(state.indentation), value(state.force)];
-            }
+            let mut columns = table.borrow_mut();
+            let [kappa, contact_radius, indentation, force] = &mut *columns;
+            let status = &mut statuses.borrow_mut();
+            let mut states = States { kappa, contact_radius, indentation, force, status };
+            critical_states(&points, &Control::Indentation, &mut states)?;
             let number = |x: f64| Found::Number(Float::with_val(53, x));
-            Ok((0..4).flat_map(|k| PICKED.map(|i| number(table[i][k]))).collect())
+            Ok(columns.iter().flat_map(|column| PICKED.map(|i| number(column[i]))).collect())
         };
         let asked = question! {
             "ask": "grid", "by": "scipy", "count": POINTS, "e": e.to_string(), "w": w.to_string(), "picked": PICKED,
         };
         let race = self.race(&Lane {
             question: format!("κ, a, d and F in f64, a point of {POINTS}"),
-            ours: "double::critical",
+            ours: "double::grid",
             solver: &solver,
             theirs: ("numpy arrays and Γ", "scipy", asked),
             arithmetic: Arithmetic::Double,
@@ -225,13 +228,6 @@ impl Hall<'_> {
             aim: 1.0,
         });
         self.keep(vec![race]);
-    }
-}
-
-fn value(x: Ranged<f64>) -> f64 {
-    match x {
-        Ranged::Value(value) => value,
-        _ => f64::NAN,
     }
 }
 
