@@ -1,6 +1,6 @@
 //! Critical states under controlled indentation and controlled force: (1.14), (1.15) corrected, (1.17).
 
-use mdr_core::contact::{Control, Error, Quantity, Regime, Result};
+use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, Stability};
 use mdr_core::number::Real;
 
 use crate::contact::Contact;
@@ -15,6 +15,14 @@ pub struct Critical<T> {
     pub indentation: T,
     /// F, in N; positive when compressive.
     pub force: T,
+}
+
+impl<R> Critical<R> {
+    /// The contact at rest at the fold: the double root.
+    pub(crate) fn at_rest(self) -> Equilibrium<R> {
+        let Critical { contact_radius, indentation, force } = self;
+        Equilibrium { contact_radius, indentation, force, stability: Stability::Neutral }
+    }
 }
 
 impl<R: Real> Contact<R> {

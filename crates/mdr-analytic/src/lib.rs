@@ -26,6 +26,7 @@
 //! | folds on a machine of finite stiffness | [`Contact::machine_folds`] |
 //! | (1.18), (1.19) n = 1/2 | [`threshold()`], [`Contact::ratio`], [`Contact::fate`] |
 //! | all power laws in one family | [`universal_indentation`], [`universal_force`] |
+//! | equilibria at a given d or F | [`Contact::equilibria`], [`Contact::equilibria_at_distance`] |
 //! | energy lost in a jump | [`Contact::energy_lost_at_pull_off`], [`Contact::energy_lost_at_jump_in`] |
 //! | paraboloid, cone, flat punch | [`PowerLaw::paraboloid`], [`PowerLaw::cone`], [`flat_punch_pull_off`] |
 //!
@@ -53,6 +54,7 @@ pub mod certified;
 mod contact;
 mod critical;
 pub mod double;
+mod inverse;
 mod jump;
 mod kappa;
 mod machine;
@@ -66,6 +68,7 @@ mod universal;
 
 pub use contact::{Contact, detachment_elongation};
 pub use critical::Critical;
+pub use inverse::Equilibria;
 #[cfg(feature = "mp")]
 pub use kappa::kappa_enclosure;
 pub use kappa::{Kappa, kappa};

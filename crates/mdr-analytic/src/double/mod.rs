@@ -32,6 +32,7 @@
 mod critical;
 mod equilibrium;
 pub mod grid;
+mod inverse;
 mod kappa;
 mod kappa_table;
 mod ziv;
@@ -40,6 +41,7 @@ use mdr_core::contact::{Control, Error, Material, Quantity, Result};
 
 pub use self::critical::*;
 pub use self::equilibrium::*;
+pub use self::inverse::*;
 use crate::contact::Contact;
 use crate::kappa::Kappa;
 use crate::power_law::PowerLaw;

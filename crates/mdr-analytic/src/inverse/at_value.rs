@@ -1,0 +1,118 @@
+//! Equilibria at a given value by the residual of (1.13) or (1.16) itself.
+//!
+//! Near n = 1/2 the fold is ill conditioned where an equilibrium far from it is not. So the family only tells where to
+//! begin, from logarithms that cannot leave the range, and Newton's method for d(a) = d or F(a) = F does the rest.
+
+use mdr_core::contact::{Material, Quantity, Regime, Result};
+use mdr_core::number::Real;
+
+use super::family::{Family, Place};
+use super::start::Seed;
+use super::{Branch, Count, Equilibria, Held, undecided};
+use crate::contact::Contact;
+use crate::power_law::PowerLaw;
+use crate::range::representable;
+
+impl<R: Real> Contact<R> {
+    /// The equilibria at x for n ≠ 1/2.
+    pub(super) fn equilibria_by_residual(&self, held: Held, regime: Regime, value: &R) -> Result<Equilibria<R>> {
+        let ln_state = self.ln_critical(&held.control())?;
+        let family = Family::new(self, held, regime);
+        let (place, seed) = self.place(held, &family, held.pick(&ln_state.indentation, &ln_state.force), value);
+        let state = |branch: Branch| {
+            let v = family.first(&place.distance, seed, branch);
+            let ln_radius = ln_state.contact_radius.steer() + family.ln_growth(held, v).steer();
+            let first = representable(Quantity::ContactRadius, ln_radius.exp(), || ln_radius.clone())?.steer();
+            let radius = self.refined_radius(held, value, first)?;
+            self.held_state(held, value, radius, branch.stability(regime))
+        };
+        Ok(match Count::of(&place.distance, &place.value)? {
+            Count::None => Equilibria::None,
+            Count::Fold => Equilibria::One(self.critical(&held.control())?.at_rest()),
+            Count::Larger => Equilibria::One(state(Branch::Larger)?),
+            Count::Two => Equilibria::Two([state(Branch::Smaller)?, state(Branch::Larger)?]),
+        })
+    }
+
+    /// Where x lies, also where x_fold is out of range; z only with the right sign.
+    fn place(&self, held: Held, family: &Family<R>, ln_fold: &R, value: &R) -> (Place<R>, Seed) {
+        let zero = value.lit(0);
+        // x_fold < 0 for n > 1/2.
+        let signed = if family.regime() == Regime::PullOff { -value.clone() } else { value.clone() };
+        let ln_z = value.abs().ln() - ln_fold;
+        let distance = if signed > zero {
+            match self.critical(&held.control()) {
+                Ok(fold) => self.distance(held, &held.pick(fold.indentation, fold.force), value),
+                Err(_) => -ln_z.exp_m1(),
+            }
+        } else {
+            value.lit(1)
+        };
+        let ln_z = if *value == zero { f64::NEG_INFINITY } else { ln_z.approx() };
+        let magnitude = ln_z.exp();
+        let (z, tau) = if signed > zero { (magnitude, distance.approx()) } else { (-magnitude, 1.0 + magnitude) };
+        (Place { distance, value: signed }, Seed { mu: family.mu(), tau, z, ln_z })
+    }
+
+    /// The radius near `first` that is in equilibrium at x.
+    fn refined_radius(&self, held: Held, value: &R, first: R) -> Result<R> {
+        let guess = self.steered()?.approximate_radius(held, &value.steer(), first)?;
+        let step = self.newton(held, value, &guess, &guess)? - &guess;
+        let mut radius = step.abs().steer().times(4) + tolerance(&guess).times(4);
+        // What the terms are uncertain by where they cancel, no step tells: the neighbourhood grows as long as it is
+        // known to a quarter of the digits.
+        for _ in 0..guess.precision().div_ceil(4) {
+            let neighbourhood = guess.clone().inflate_with_slope(&radius);
+            let Ok(image) = self.newton(held, value, &guess, &neighbourhood) else { break };
+            if (image.clone() - &guess).abs() <= radius {
+                // Once more, for the derivatives of a dual number.
+                return self.newton(held, value, &image, &image);
+            }
+            radius = radius.times(8);
+        }
+        Err(undecided(&guess, "where exactly the equilibrium lies"))
+    }
+
+    /// a − (x(a) − x)/x'(neighbourhood).
+    fn newton(&self, held: Held, value: &R, a: &R, neighbourhood: &R) -> Result<R> {
+        let (residual, slope) = match held {
+            Held::Indentation => (self.indentation(a)? - value, self.indentation_slope(neighbourhood)?),
+            Held::Force => (self.force(a)? - value, self.force_slope(neighbourhood)?),
+        };
+        Ok(a.clone() - residual / &slope)
+    }
+
+    /// Newton's method from a first approximation until its steps no longer shrink.
+    fn approximate_radius(&self, held: Held, value: &R, first: R) -> Result<R> {
+        let (mut a, mut last) = (first.clone(), first);
+        for _ in 0..64 + a.precision() {
+            let next = self.newton(held, value, &a, &a)?.steer();
+            let step = (next.clone() - &a).abs().steer();
+            if !(step < last) {
+                break;
+            }
+            // The first approximation is not off by more.
+            let least = a.clone().over(8);
+            a = if next > least { next } else { least.steer() };
+            if step <= tolerance(&a) {
+                break;
+            }
+            last = step;
+        }
+        Ok(a)
+    }
+
+    /// The same contact with parameters for steering.
+    fn steered(&self) -> Result<Self> {
+        let (profile, material) = (self.profile(), self.material());
+        let kappa = profile.kappa().steer();
+        let profile = PowerLaw::with_kappa(profile.exponent().steer(), profile.coefficient().steer(), kappa)?;
+        let material = Material::new(material.effective_modulus().steer(), material.work_of_adhesion().steer())?;
+        Ok(Contact::new(profile, material))
+    }
+}
+
+/// Two units in the last place of a.
+fn tolerance<R: Real>(a: &R) -> R {
+    a.clone() * a.unit_roundoff().times(2)
+}

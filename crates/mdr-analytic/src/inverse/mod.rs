@@ -1,0 +1,280 @@
+//! Equilibria at a given indentation depth or force: the inverse of (1.13) and (1.16).
+//!
+//! With the radius a_λ of the fold (λ = 1 under fixed grips, 3 under a dead load), a = a_λ e^{2u}, both read
+//!
+//! e^{pu}/p − e^{qu}/q = x/s,  p = 2n, q = 1, s = 2√(Ba_λ) or p = 2(n+1), q = 3, s = 12E*a_λ√(Ba_λ).
+//!
+//! In v = qu the left side is that of one family with the parameter m = p/q, which is 1 at n = 1/2 under either control.
+//! Divided by its value at the fold, v = 0, it leaves
+//!
+//! Φ(v) = (e^{mv} − 1 − m(e^v − 1))/(m − 1) = τ,  τ = 1 − x/x_fold,
+//!
+//! and Φ_m(v) = Φ_{1/m}(mv), so that m > 1 is enough. There Φ falls from 1 to 0 for v < 0 and rises from 0 to ∞ for
+//! v > 0: **no equilibrium** for τ < 0, the **double root** at τ = 0, **two** for 0 < τ < 1, and the larger of them **alone**
+//! for τ ≥ 1, where x is zero or has the other sign. The larger is stable for n > 1/2 and the smaller for n < 1/2.
+//!
+//! A root begins as a double, by Halley's iteration from a formula that is right to second order at the fold and to first
+//! order far from it ([`start`]). Newton's method takes it to the precision of the arithmetic; its last step, over a
+//! neighbourhood that contains its own image, encloses the root in a rigorous one.
+
+mod at_value;
+mod family;
+mod fold;
+mod start;
+
+use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, Stability};
+use mdr_core::number::Real;
+
+pub(crate) use self::fold::Fold;
+use crate::contact::Contact;
+use crate::range::representable;
+
+/// The equilibria at one value of the controlled quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Equilibria<R> {
+    /// There is none.
+    None,
+    /// One; [`Neutral`](Stability::Neutral) at the fold itself, the double root.
+    One(Equilibrium<R>),
+    /// Two, by increasing radius. One of them is stable.
+    Two([Equilibrium<R>; 2]),
+}
+
+impl<R> Equilibria<R> {
+    /// All of them, by increasing radius.
+    pub fn as_slice(&self) -> &[Equilibrium<R>] {
+        match self {
+            Equilibria::None => &[],
+            Equilibria::One(state) => std::slice::from_ref(state),
+            Equilibria::Two(states) => states,
+        }
+    }
+
+    /// The stable one, if there is one.
+    pub fn stable(&self) -> Option<&Equilibrium<R>> {
+        self.as_slice().iter().find(|state| state.stability == Stability::Stable)
+    }
+
+    /// The same with another kind of state, or `None` if one of them cannot be had.
+    pub(crate) fn transform<S>(&self, f: impl Fn(&Equilibrium<R>) -> Option<Equilibrium<S>>) -> Option<Equilibria<S>> {
+        Some(match self {
+            Equilibria::None => Equilibria::None,
+            Equilibria::One(state) => Equilibria::One(f(state)?),
+            Equilibria::Two([smaller, larger]) => Equilibria::Two([f(smaller)?, f(larger)?]),
+        })
+    }
+}
+
+/// A control whose equilibria are those of the family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Held {
+    Indentation,
+    Force,
+}
+
+impl Held {
+    pub(crate) fn of<R: Real>(control: &Control<R>) -> Result<Self> {
+        match control {
+            Control::Indentation => Ok(Held::Indentation),
+            Control::Force => Ok(Held::Force),
+            Control::Machine { stiffness } => {
+                let requirement =
+                    "absent: equilibria at a value are those of controlled indentation or controlled force";
+                Err(Error::domain(Quantity::Stiffness, stiffness, requirement))
+            }
+        }
+    }
+
+    fn quantity(self) -> Quantity {
+        match self {
+            Held::Indentation => Quantity::Indentation,
+            Held::Force => Quantity::Force,
+        }
+    }
+
+    /// q, which is λ, too.
+    fn tension(self) -> i64 {
+        match self {
+            Held::Indentation => 1,
+            Held::Force => 3,
+        }
+    }
+
+    /// The controlled one of d and F.
+    fn pick<T>(self, indentation: T, force: T) -> T {
+        match self {
+            Held::Indentation => indentation,
+            Held::Force => force,
+        }
+    }
+}
+
+/// Which of two equilibria.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Branch {
+    Smaller,
+    Larger,
+}
+
+impl Branch {
+    fn stability(self, regime: Regime) -> Stability {
+        let larger_is_stable = regime == Regime::PullOff;
+        if (self == Branch::Larger) == larger_is_stable { Stability::Stable } else { Stability::Unstable }
+    }
+}
+
+/// How many equilibria a value has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Count {
+    None,
+    Fold,
+    Two,
+    Larger,
+}
+
+fn undecided<R: Real>(at: &R, what: &'static str) -> Error {
+    Error::Undecided { quantity: Quantity::ContactRadius, bits: at.precision(), what }
+}
+
+impl<R: Real> Contact<R> {
+    /// The equilibria at a given indentation depth or force, each with its stability under that control.
+    ///
+    /// | n | x against x_fold | equilibria |
+    /// |---|---|---|
+    /// | ≠ 1/2 | beyond the fold | none |
+    /// | | at the fold | the double root, neutral |
+    /// | | between the fold and 0 | two |
+    /// | | 0 or of the other sign | the larger one |
+    /// | 1/2 | of the sign of ρ − 1 (of ρ − 3 under force) | one |
+    /// | | 0 or of the other sign | none |
+    ///
+    /// Accuracy: the residual of (1.13) or (1.16) is at the rounding level of its terms, and the radius errs by that times
+    /// its condition, which grows as 1/√τ towards the fold ([`Contact::equilibria_at_distance`] does not lose that). Over
+    /// intervals existence, number and values are proved. The uncontrolled quantity follows from
+    /// F = 2E*a(nd − Δl)/(n+1).
+    ///
+    /// ```
+    /// use mdr_analytic::{Contact, PowerLaw};
+    /// use mdr_core::contact::{Control, Material, Stability};
+    /// let ball = Contact::new(PowerLaw::paraboloid(1.0)?, Material::new(1.0, 1e-3)?);
+    /// let pulled = ball.equilibria(&Control::Indentation, &-0.01)?;
+    /// let [smaller, larger] = pulled.as_slice() else { panic!("two equilibria") };
+    /// assert!(smaller.contact_radius < larger.contact_radius && larger.stability == Stability::Stable);
+    /// assert!((ball.indentation(&larger.contact_radius)? + 0.01).abs() < 1e-16);
+    /// assert!(ball.equilibria(&Control::Indentation, &-1.0)?.as_slice().is_empty());
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless the value is finite and the control indentation or force; [`Error::Undecided`] when the
+    /// arithmetic cannot tell the value from that of the fold, or at n = 1/2 whether C is above its threshold (at the
+    /// threshold itself every radius is in equilibrium at 0); [`Error::OutOfRange`].
+    pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Equilibria<R>> {
+        let held = Held::of(control)?;
+        if !value.is_finite() {
+            return Err(Error::domain(held.quantity(), value, "finite"));
+        }
+        match self.regime()? {
+            Regime::ScaleFree => self.scale_free_equilibria(held, value),
+            regime => self.equilibria_by_residual(held, regime, value),
+        }
+    }
+
+    /// The equilibria at x = x_fold(1 − τ) of the indentation depth or force: near the fold the question without the
+    /// rounding of x. The radius is known to rounding at any τ ≥ 0 as far as that of the fold is.
+    ///
+    /// ```
+    /// use mdr_analytic::{Contact, PowerLaw};
+    /// use mdr_core::contact::{Control, Material};
+    /// let cone = Contact::new(PowerLaw::cone(1.0)?, Material::new(1.0, 1.0)?);
+    /// let near = cone.equilibria_at_distance(&Control::Indentation, &1e-30)?;
+    /// // For a cone a = a_c(1 ± √τ)².
+    /// let [smaller, larger] = near.as_slice() else { panic!("two equilibria") };
+    /// let ratio = larger.contact_radius / smaller.contact_radius;
+    /// assert!((ratio - 1.0 - 4e-15).abs() < 4e-16);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Contact::equilibria`]; [`Error::Domain`] at n = 1/2, where there is no fold.
+    pub fn equilibria_at_distance(&self, control: &Control<R>, distance: &R) -> Result<Equilibria<R>> {
+        let held = Held::of(control)?;
+        if !distance.is_finite() {
+            return Err(Error::domain(Quantity::Parameter("the distance from the fold"), distance, "finite"));
+        }
+        self.require_length_scale()?;
+        Fold::new(self, held)?.at_distance(self, distance)
+    }
+
+    /// n = 1/2: d = (ρ−1)·2√(Ba) and F = 4E*a√(Ba)(ρ/3−1), each of one sign.
+    fn scale_free_equilibria(&self, held: Held, value: &R) -> Result<Equilibria<R>> {
+        let ratio = self.ratio()?;
+        let excess = held.pick(ratio.clone() - ratio.lit(1), ratio.clone().over(3) - ratio.lit(1));
+        let zero = ratio.lit(0);
+        let stable = match excess.partial_cmp(&zero) {
+            Some(order) if order.is_ne() => order.is_gt(),
+            _ => {
+                return Err(undecided(
+                    &ratio,
+                    "whether C is above the threshold, where every radius is in equilibrium",
+                ));
+            }
+        };
+        match value.partial_cmp(&zero) {
+            Some(order) if order.is_ne() && order.is_gt() == stable => {}
+            Some(_) => return Ok(Equilibria::None),
+            None => return Err(undecided(value, "its sign")),
+        }
+        let quotient = value.clone() / &excess;
+        let radius = match held {
+            Held::Indentation => quotient.square() / self.edge_length().clone().times(4),
+            Held::Force => {
+                let unit = self.material().effective_modulus().clone().times(4) * self.edge_length().sqrt();
+                (quotient / unit).pow(&value.ratio(2, 3))
+            }
+        };
+        let radius = representable(Quantity::ContactRadius, radius, || {
+            let ln_quotient = value.abs().ln() - excess.abs().ln();
+            let (ln_edge, ln_4) = (self.edge_length().ln(), value.lit(4).ln());
+            match held {
+                Held::Indentation => ln_quotient.times(2) - ln_4 - ln_edge,
+                Held::Force => {
+                    let ln_unit = self.material().effective_modulus().ln() + ln_4 + ln_edge.over(2);
+                    (ln_quotient - ln_unit).times(2).over(3)
+                }
+            }
+        })?;
+        let stability = if stable { Stability::Stable } else { Stability::Unstable };
+        Ok(Equilibria::One(self.held_state(held, value, radius, stability)?))
+    }
+
+    /// The state of radius a with the given d or F: F = 2E*a(nd − Δl)/(n+1), d = ((n+1)F/(2E*a) + Δl)/n.
+    #[inline(always)]
+    pub(crate) fn held_state(&self, held: Held, value: &R, a: R, stability: Stability) -> Result<Equilibrium<R>> {
+        let n = self.profile().exponent();
+        let next = n.lit(1) + n;
+        let stiffness = self.material().effective_modulus().clone().times(2) * &a;
+        let elongation = (self.edge_length().clone() * &a).sqrt().times(2);
+        let (indentation, force) = match held {
+            Held::Indentation => {
+                let pressed = (value.clone() * n - elongation) / next;
+                let force = scaled(Quantity::Force, pressed, &stiffness)?;
+                (value.clone(), force)
+            }
+            Held::Force => {
+                let pressed = scaled(Quantity::Indentation, value.clone() * next, &stiffness.inv())?;
+                ((pressed + &elongation) / n, value.clone())
+            }
+        };
+        Ok(Equilibrium { contact_radius: a, indentation, force, stability })
+    }
+}
+
+/// term · scale, where only an exact zero may give 0.
+#[inline(always)]
+fn scaled<R: Real>(quantity: Quantity, term: R, scale: &R) -> Result<R> {
+    if term == term.lit(0) {
+        return Ok(term);
+    }
+    representable(quantity, term.clone() * scale, || term.abs().ln() + scale.ln())
+}

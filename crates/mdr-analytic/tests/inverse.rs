@@ -1,0 +1,404 @@
+//! Equilibria at a value against bisection of (1.13) and (1.16), which are written down here a second time over MPFR with its
+//! own Γ; against the closed forms that the family has for m = 2; and what physics demands.
+#![cfg(feature = "mp")]
+#![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
+
+use mdr_analytic::{Contact, Equilibria, PowerLaw, double};
+use mdr_core::contact::{Control, Equilibrium, Error, Material, Ranged, Stability};
+use mdr_core::number::{Dual, Interval, Precision, Real};
+use proptest::prelude::*;
+use rug::Float;
+use rug::float::Constant;
+use rug::ops::Pow;
+
+const BITS: u32 = 400;
+
+fn float(value: f64) -> Float {
+    Float::with_val(BITS, value)
+}
+
+/// A contact as doubles.
+#[derive(Clone, Copy, Debug)]
+struct Scene {
+    n: f64,
+    c: f64,
+    e: f64,
+    w: f64,
+    /// Whether the force is held and not the indentation depth.
+    by_force: bool,
+}
+
+impl Scene {
+    /// The contact whose fold is near the radius a.
+    fn with_fold(n: f64, a: f64, e: f64, w: f64, by_force: bool) -> Self {
+        let tension = if by_force { 3.0 } else { 1.0 };
+        let edge = (std::f64::consts::PI * w / (2.0 * e)).sqrt();
+        let c = tension * edge * a.powf(0.5 - n) / (n * double::kappa(n).unwrap());
+        Scene { n, c, e, w, by_force }
+    }
+
+    fn control<R>(&self) -> Control<R> {
+        if self.by_force { Control::Force } else { Control::Indentation }
+    }
+
+    fn material(&self) -> Material<f64> {
+        Material::new(self.e, self.w).unwrap()
+    }
+
+    fn contact<R: mdr_analytic::Kappa>(&self, ctx: R::Ctx) -> Contact<R> {
+        let number = |x| R::from_f64(ctx, x);
+        let profile = PowerLaw::new(number(self.n), number(self.c)).unwrap();
+        Contact::new(profile, Material::new(number(self.e), number(self.w)).unwrap())
+    }
+
+    fn ln_transform_factor(&self) -> Float {
+        let half = float(self.n) / 2u32;
+        let ln_root_pi = Float::with_val(BITS, Constant::Pi).ln() / 2u32;
+        ln_root_pi + (half.clone() + 1u32).ln_gamma() - (half + 0.5f64).ln_gamma() + float(self.c).ln()
+    }
+
+    fn truth(self) -> Truth {
+        let ln_factor = self.ln_transform_factor();
+        let tension = float(if self.by_force { 3.0 } else { 1.0 });
+        let ln_edge = (Float::with_val(BITS, Constant::Pi) / 2u32 * self.w / self.e).ln();
+        let ln_slope = ln_factor.clone() + float(self.n).ln();
+        let ln_fold = (ln_edge + (tension.ln() - ln_slope) * 2u32) / (float(self.n) * 2u32 - 1u32);
+        Truth { scene: self, ln_factor, ln_fold }
+    }
+}
+
+/// A contact over MPFR.
+struct Truth {
+    scene: Scene,
+    /// ln κC.
+    ln_factor: Float,
+    /// ln of the radius of the fold.
+    ln_fold: Float,
+}
+
+impl Truth {
+    /// g, Δl and a at e^ln_a.
+    fn terms(&self, ln_a: &Float) -> [Float; 3] {
+        let Scene { n, e, w, .. } = self.scene;
+        let g = (self.ln_factor.clone() + ln_a.clone() * n).exp();
+        let a = ln_a.clone().exp();
+        let elongation = (Float::with_val(BITS, Constant::Pi) * 2u32 * w / e * &a).sqrt();
+        [g, elongation, a]
+    }
+
+    /// d and F at e^ln_a.
+    fn state(&self, ln_a: &Float) -> [Float; 2] {
+        let [g, elongation, a] = self.terms(ln_a);
+        let pressed = g.clone() * self.scene.n / (float(self.scene.n) + 1u32);
+        [g - &elongation, (pressed - elongation) * 2u32 * self.scene.e * a]
+    }
+
+    fn held(&self, ln_a: &Float) -> Float {
+        let [d, f] = self.state(ln_a);
+        if self.scene.by_force { f } else { d }
+    }
+
+    /// dx/d ln a.
+    fn slope(&self, ln_a: &Float) -> Float {
+        let [g, elongation, a] = self.terms(ln_a);
+        let pressed = g * self.scene.n;
+        if self.scene.by_force {
+            (pressed - elongation * 1.5f64) * 2u32 * self.scene.e * a
+        } else {
+            pressed - elongation / 2u32
+        }
+    }
+
+    fn at_fold(&self) -> f64 {
+        self.held(&self.ln_fold).to_f64()
+    }
+
+    /// ln a of the equilibria, by increasing radius: a bracket on either side of the fold, halved, and Newton's method.
+    fn equilibria(&self, value: f64) -> Vec<Float> {
+        let below = self.held(&self.ln_fold) < value;
+        let side = |outwards: i32| {
+            let (mut near, mut far) = (self.ln_fold.clone(), self.ln_fold.clone() + outwards);
+            let mut step = outwards;
+            while (self.held(&far) < value) == below {
+                step *= 2;
+                far += step;
+                if step.abs() > 1 << 20 {
+                    return None;
+                }
+            }
+            for _ in 0..60 {
+                let middle = Float::with_val(BITS, &near + &far) / 2u32;
+                if (self.held(&middle) < value) == below {
+                    near = middle;
+                } else {
+                    far = middle;
+                }
+            }
+            for _ in 0..8 {
+                let step = (self.held(&far) - value) / self.slope(&far);
+                far -= step;
+            }
+            Some(far)
+        };
+        [-1, 1].into_iter().filter_map(side).collect()
+    }
+}
+
+fn ulps(found: f64, truth: &Float) -> f64 {
+    let exponent = truth.get_exp().unwrap_or(0).max(-1021);
+    ((float(found) - truth) / (float(1.0) << (exponent - 53))).abs().to_f64()
+}
+
+/// The functions for f64 against bisection: every quantity within an ulp, or beyond the range with its logarithm.
+#[track_caller]
+fn check_double(scene: Scene, value: f64) {
+    let found = double::equilibria(scene.n, scene.c, &scene.material(), &scene.control(), value).unwrap();
+    let truth = scene.truth();
+    let radii = truth.equilibria(value);
+    assert_eq!(found.as_slice().len(), radii.len(), "{scene:?} at {value:e}");
+    for (state, ln_a) in found.as_slice().iter().zip(&radii) {
+        let [d, f] = truth.state(ln_a);
+        let (held, other) = if scene.by_force { (state.force, d) } else { (state.indentation, f) };
+        assert_eq!(held, Ranged::Value(value));
+        let found = if scene.by_force { state.indentation } else { state.force };
+        for (what, found, exact) in [("a", state.contact_radius, ln_a.clone().exp()), ("d or F", found, other)] {
+            match found {
+                Ranged::Value(found) => {
+                    let ulps = ulps(found, &exact);
+                    assert!(ulps <= 1.0, "{what} = {found:e} is {ulps} ulp off: {scene:?} at {value:e}");
+                }
+                Ranged::Overflow { log10 } | Ranged::Underflow { log10 } => {
+                    let exact = exact.abs().log10().to_f64();
+                    assert!((log10 / exact - 1.0).abs() < 1e-12 && exact.abs() > 307.0, "{what}: {log10}, {exact}");
+                }
+            }
+        }
+        let larger = *ln_a > truth.ln_fold;
+        let expected = if larger == (scene.n > 0.5) { Stability::Stable } else { Stability::Unstable };
+        assert_eq!(state.stability, expected, "{scene:?} at {value:e}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    #[test]
+    fn doubles_between_the_fold_and_zero(
+        n in 0.05..6.0f64, a in -9.0..0.0f64, e in 3.0..11.0f64, w in -3.0..0.0f64, k in 0..52i32, f in 0.5..1.0f64,
+        by_force in any::<bool>(),
+    ) {
+        prop_assume!((n - 0.5).abs() > 1e-3);
+        let scene = Scene::with_fold(n, 10f64.powf(a), 10f64.powf(e), 10f64.powf(w), by_force);
+        let at_fold = scene.truth().at_fold();
+        check_double(scene, at_fold * (1.0 - f * 2f64.powi(-k)));
+        check_double(scene, at_fold * f * 2f64.powi(-k));
+    }
+
+    #[test]
+    fn doubles_of_the_other_sign(
+        n in 0.05..6.0f64, a in -9.0..0.0f64, e in 3.0..11.0f64, w in -3.0..0.0f64, far in -12.0..12.0f64,
+        by_force in any::<bool>(),
+    ) {
+        prop_assume!((n - 0.5).abs() > 1e-3);
+        let scene = Scene::with_fold(n, 10f64.powf(a), 10f64.powf(e), 10f64.powf(w), by_force);
+        let at_fold = scene.truth().at_fold();
+        check_double(scene, -at_fold * 10f64.powf(far));
+        check_double(scene, 0.0);
+    }
+
+    /// 1/2 ± 2⁻ᵏ, and exponents and scales far out.
+    #[test]
+    fn doubles_near_one_half_and_far(
+        k in 2..40i32, above in any::<bool>(), n in -4.0..4.0f64, f in 0.01..0.99f64, scale in -40.0..40.0f64,
+        by_force in any::<bool>(),
+    ) {
+        let near = if above { 0.5 + 2f64.powi(-k) } else { 0.5 - 2f64.powi(-k) };
+        for n in [near, 10f64.powf(n)] {
+            let scene = Scene::with_fold(n, 10f64.powf(scale / (n + 1.0)), 1e6, 0.05, by_force);
+            prop_assume!(scene.c.is_normal());
+            let at_fold = scene.truth().at_fold();
+            prop_assume!(at_fold.is_normal());
+            for factor in [f, 1.0 - 1e-9 * f, -f, -1e30] {
+                check_double(scene, at_fold * factor);
+            }
+        }
+    }
+
+    /// Every arithmetic: intervals contain the truth and are narrow, 200 bits and f64 have a residual at rounding level.
+    #[test]
+    fn every_arithmetic_agrees(n in 0.05..6.0f64, f in 0.01..0.999f64, other in any::<bool>(), by_force in any::<bool>()) {
+        prop_assume!((n - 0.5).abs() > 1e-2);
+        let scene = Scene::with_fold(n, 1e-6, 1e7, 0.05, by_force);
+        let value = scene.truth().at_fold() * if other { -1.0 / f } else { f };
+        let truth = scene.truth();
+        let radii = truth.equilibria(value);
+        let precision = Precision::new(200);
+        let intervals = scene.contact::<Interval>(precision);
+        let enclosed = intervals.equilibria(&scene.control(), &Interval::from_f64(precision, value)).unwrap();
+        let floats = scene.contact::<Float>(precision);
+        let floats = floats.equilibria(&scene.control(), &Float::with_val(200, value)).unwrap();
+        let doubles = scene.contact::<f64>(()).equilibria(&scene.control(), &value).unwrap();
+        prop_assert_eq!(enclosed.as_slice().len(), radii.len());
+        prop_assert_eq!(floats.as_slice().len(), radii.len());
+        prop_assert_eq!(doubles.as_slice().len(), radii.len());
+        for (i, ln_a) in radii.iter().enumerate() {
+            let (a, [d, force]) = (ln_a.clone().exp(), truth.state(ln_a));
+            let state = &enclosed.as_slice()[i];
+            prop_assert!(state.contact_radius.contains(&a) && state.force.contains(&Float::with_val(200, &force)) | by_force);
+            prop_assert!(state.contact_radius.accuracy_bits() > 160, "{}", state.contact_radius.accuracy_bits());
+            // Terms over slope: what a relative rounding of a term does to ln a.
+            let [g, elongation, _] = truth.terms(ln_a);
+            let terms = (g + elongation) * if by_force { a.clone() * 2u32 * scene.e } else { float(1.0) };
+            let condition = (terms / truth.slope(ln_a)).abs().to_f64() + 1.0;
+            let error = |found: &Float| (Float::with_val(BITS, found - &a) / &a).abs().to_f64();
+            // κ and powers err by up to 40 roundings and |n ln a| ones.
+            let allowed = (60.0 + 2.0 * (n + 1.0) * ln_a.to_f64().abs()) * condition;
+            let mp = error(&floats.as_slice()[i].contact_radius);
+            prop_assert!(mp <= allowed * 2f64.powi(-200), "{} of {}", mp * 2f64.powi(200), allowed);
+            let double = error(&float(doubles.as_slice()[i].contact_radius));
+            prop_assert!(double <= allowed * 2f64.powi(-53), "{} of {}", double * 2f64.powi(53), allowed);
+        }
+    }
+
+    /// The stable equilibrium is the lower in energy, d'(a) or F'(a) has the sign of stability, and da/dx = 1/x'(a).
+    #[test]
+    fn stability_energy_and_slope(n in 0.05..6.0f64, f in 0.05..0.95f64, by_force in any::<bool>()) {
+        prop_assume!((n - 0.5).abs() > 1e-2);
+        let scene = Scene::with_fold(n, 1e-6, 1e7, 0.05, by_force);
+        let value = scene.truth().at_fold() * f;
+        let contact = scene.contact::<f64>(());
+        let found = contact.equilibria(&scene.control(), &value).unwrap();
+        let Equilibria::Two(states) = &found else { panic!("two equilibria") };
+        let slope = |state: &Equilibrium<f64>| {
+            let a = &state.contact_radius;
+            if by_force { contact.force_slope(a).unwrap() } else { contact.indentation_slope(a).unwrap() }
+        };
+        for state in states {
+            prop_assert_eq!(slope(state) > 0.0, state.stability == Stability::Stable);
+        }
+        // Under a dead load the energy of the load counts, too.
+        let energy = |state: &Equilibrium<f64>| {
+            let elastic = contact.energy(&state.contact_radius, &state.indentation).unwrap();
+            if by_force { elastic - value * state.indentation } else { elastic }
+        };
+        let stable = found.stable().unwrap();
+        let unstable = states.iter().find(|state| state.stability == Stability::Unstable).unwrap();
+        prop_assert!(energy(stable) < energy(unstable));
+
+        let constant = Dual::constant;
+        let profile = PowerLaw::new(constant(scene.n), constant(scene.c)).unwrap();
+        let dual = Contact::new(profile, Material::new(constant(scene.e), constant(scene.w)).unwrap());
+        let control = if by_force { Control::Force } else { Control::Indentation };
+        let moved = dual.equilibria(&control, &Dual::variable(value)).unwrap();
+        for (state, moved) in states.iter().zip(moved.as_slice()) {
+            prop_assert!((moved.contact_radius.slope * slope(state) - 1.0).abs() < 1e-6);
+        }
+    }
+
+    /// m = 2: a = a_c(1 ± √τ)² for the cone and a_c(1 ± √τ)⁴ for n = 1/4, at any distance from the fold.
+    #[test]
+    fn the_family_of_the_cone(ln_distance in -600.0..-1e-3f64, c in 0.1..10.0f64, quarter in any::<bool>()) {
+        let distance = ln_distance.exp();
+        let (n, power) = if quarter { (0.25, 4) } else { (1.0, 2) };
+        let material = Material::new(1e6, 0.05).unwrap();
+        let control = Control::Indentation;
+        let found = double::equilibria_at_distance(n, c, &material, &control, distance).unwrap();
+        let wide = Scene { n, c, e: 1e6, w: 0.05, by_force: false };
+        let fold = wide.truth().ln_fold.exp();
+        prop_assert_eq!(found.as_slice().len(), 2);
+        for (state, sign) in found.as_slice().iter().zip([-1, 1]) {
+            let truth = Float::with_val(BITS, float(distance).sqrt() * sign + 1u32).pow(power) * &fold;
+            let Ranged::Value(a) = state.contact_radius else { panic!("in range") };
+            prop_assert!(ulps(a, &truth) <= 1.0);
+        }
+        // In plain f64 the radius is as good as that of the fold: κ, powers and |ln a| of roundings.
+        let plain = wide.contact::<f64>(()).equilibria_at_distance(&control, &distance).unwrap();
+        for (state, sign) in plain.as_slice().iter().zip([-1, 1]) {
+            let truth = Float::with_val(BITS, float(distance).sqrt() * sign + 1u32).pow(power) * &fold;
+            let allowed = 200.0 / (1.0 - distance.sqrt());
+            prop_assert!(ulps(state.contact_radius, &truth) <= allowed, "{}", ulps(state.contact_radius, &truth));
+        }
+    }
+
+    /// n = 1/2: one equilibrium or none.
+    #[test]
+    fn scale_free(factor in 0.2..5.0f64, value in -1e-3..1e-3f64, by_force in any::<bool>()) {
+        prop_assume!((factor - 1.0).abs() > 1e-6 && value != 0.0);
+        let material = Material::new(1e6, 0.05).unwrap();
+        let control = if by_force { Control::Force } else { Control::Indentation };
+        let c = factor * mdr_analytic::threshold(&material, &control);
+        let contact = Contact::new(PowerLaw::new(0.5, c).unwrap(), material.clone());
+        let found = contact.equilibria(&control, &value).unwrap();
+        prop_assert_eq!(found.as_slice().len(), usize::from((factor > 1.0) == (value > 0.0)));
+        let doubles = double::equilibria(0.5, c, &material, &control, value).unwrap();
+        prop_assert_eq!(doubles.as_slice().len(), found.as_slice().len());
+        for (state, double) in found.as_slice().iter().zip(doubles.as_slice()) {
+            prop_assert_eq!(state.stability, if factor > 1.0 { Stability::Stable } else { Stability::Unstable });
+            let a = &state.contact_radius;
+            let (d, f) = (contact.indentation(a).unwrap(), contact.force(a).unwrap());
+            // The difference ρ − 1 or ρ/3 − 1 has lost a part of its digits.
+            let allowed = 200.0 * f64::EPSILON / (factor - 1.0).abs();
+            prop_assert!((d / state.indentation - 1.0).abs() < allowed * (1.0 + factor * 3.0));
+            prop_assert!((f / state.force - 1.0).abs() < allowed * (1.0 + factor * 3.0));
+            let Ranged::Value(double) = double.contact_radius else { panic!("in range") };
+            prop_assert!((double / a - 1.0).abs() < allowed * (1.0 + factor));
+        }
+    }
+}
+
+#[test]
+fn the_fold_itself_and_beyond() {
+    // A cone with w = E* = C = 1 has d_c = −1 exactly, and the double root there is a_c = 2/π.
+    let unit = Material::new(1.0, 1.0).unwrap();
+    let ask = |d: f64| double::equilibria(1.0, 1.0, &unit, &Control::Indentation, d).unwrap();
+    let Equilibria::One(fold) = ask(-1.0) else { panic!("the double root") };
+    assert_eq!(fold.stability, Stability::Neutral);
+    assert_eq!(fold.contact_radius, Ranged::Value(std::f64::consts::FRAC_2_PI));
+    assert_eq!(ask(-1.0 - f64::EPSILON), Equilibria::None);
+    assert_eq!(ask(-1.0 + f64::EPSILON / 2.0).as_slice().len(), 2);
+    let ball = Contact::new(PowerLaw::new(2.0, 0.5).unwrap(), unit.clone());
+    for control in [Control::Indentation, Control::Force] {
+        let fold = ball.equilibria_at_distance(&control, &0.0).unwrap();
+        assert_eq!(fold.as_slice()[0].contact_radius, ball.critical(&control).unwrap().contact_radius);
+        assert_eq!(fold.as_slice()[0].stability, Stability::Neutral);
+        assert_eq!(ball.equilibria_at_distance(&control, &-1e-300).unwrap(), Equilibria::None);
+        assert_eq!(ball.equilibria_at_distance(&control, &1.0).unwrap().as_slice().len(), 1);
+    }
+}
+
+#[test]
+fn what_is_refused() {
+    let unit = Material::new(1.0, 1.0).unwrap();
+    let machine = Control::Machine { stiffness: 1.0 };
+    for (n, control, value) in [
+        (2.0, Control::Indentation, f64::NAN),
+        (2.0, Control::Force, f64::INFINITY),
+        (2.0, machine.clone(), 0.0),
+        (-1.0, Control::Indentation, 0.0),
+    ] {
+        let refused = double::equilibria(n, 1.0, &unit, &control, value);
+        assert!(matches!(refused, Err(Error::Domain { .. })), "{n}, {control:?}, {value}");
+        let refused = double::equilibria_at_distance(n, 1.0, &unit, &control, value);
+        assert!(matches!(refused, Err(Error::Domain { .. })), "{n}, {control:?}, {value}");
+    }
+    let scale_free = double::equilibria_at_distance(0.5, 1.0, &unit, &Control::Indentation, 0.5);
+    assert!(matches!(scale_free, Err(Error::Domain { .. })));
+}
+
+/// A ready contact answers as a fresh one, and radii beyond the range of f64 come with their logarithm.
+#[test]
+fn out_of_range() {
+    let unit = Material::new(1.0, 1.0).unwrap();
+    let ready = double::Inverse::new(2.0, 0.5, &unit, &Control::Indentation).unwrap();
+    for d in [-1e-200, -1e-3, -1.0, 0.0, 1.0, 1e300] {
+        let fresh = double::equilibria(2.0, 0.5, &unit, &Control::Indentation, d).unwrap();
+        assert_eq!(ready.equilibria(d).unwrap(), fresh);
+    }
+    // a = d²/(2π) at d = −10⁻²⁰⁰.
+    let Equilibria::Two([tiny, _]) = ready.equilibria(-1e-200).unwrap() else { panic!("two equilibria") };
+    let expected = -400.0 - (2.0 * std::f64::consts::PI).log10();
+    assert!(matches!(tiny.contact_radius, Ranged::Underflow { log10 } if (log10 - expected).abs() < 1e-10));
+    let plain = Contact::new(PowerLaw::new(2.0, 0.5).unwrap(), unit);
+    let refused = plain.equilibria(&Control::Indentation, &-1e-200);
+    assert!(matches!(refused, Err(Error::OutOfRange { .. })), "{refused:?}");
+}
