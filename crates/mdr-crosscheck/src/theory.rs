@@ -10,6 +10,8 @@ use rug::{Float, Rational};
 use crate::faults::Fault;
 use crate::library::Shape;
 
+mod inverse;
+
 /// The closed forms of mdr-analytic, as they are or with one deliberate fault.
 ///
 /// Every method is the closed form of the same name; its result passes through the fault, if it is the one meant.
@@ -44,6 +46,12 @@ pub enum Form {
     MachineFoldForce,
     UniversalIndentation,
     UniversalForce,
+    EquilibriumRadius,
+    EquilibriumIndentation,
+    EquilibriumForce,
+    DistanceRadius,
+    DistanceIndentation,
+    DistanceForce,
     ZeroIndentationRadius,
     PullOffLoss,
     JumpInLoss,
@@ -72,7 +80,7 @@ pub enum Form {
 }
 
 /// The functions of `mdr_analytic::double` that give numbers.
-pub(crate) const DOUBLE: [&str; 22] = [
+pub(crate) const DOUBLE: [&str; 25] = [
     "double::critical",
     "double::kappa",
     "double::g",
@@ -92,6 +100,9 @@ pub(crate) const DOUBLE: [&str; 22] = [
     "double::barrier_to_complete_contact",
     "double::flat_punch_pull_off",
     "double::machine_folds",
+    "double::equilibria",
+    "double::equilibria_at_distance",
+    "double::Inverse::equilibria",
     "double::scale_free_state",
     "double::ratio",
     "double::threshold",

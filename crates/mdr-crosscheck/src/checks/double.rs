@@ -148,6 +148,7 @@ fn case(trial: &mut Trial<'_>) -> Result<()> {
         double::flat_punch_pull_off(a, &material),
         mdr_analytic::flat_punch_pull_off(&x, exact.material()),
     ));
+    pairs.extend(equilibria(trial, &scene, held, &exact)?);
     let stiffness = 2.0 * scene.e_star * a;
     if (n - 0.5).abs() > 0.03 {
         let folds = double::machine_folds(n, c, &material, stiffness)?;
@@ -160,6 +161,44 @@ fn case(trial: &mut Trial<'_>) -> Result<()> {
         }
     }
     enter(trial, pairs)
+}
+
+/// Both sides of the fold, from close to it to far: at a value, fresh and ready, and at a distance.
+fn equilibria(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &Contact<Float>) -> Result<Vec<Pair>> {
+    let (n, c, material, control) = (scene.n, scene.c, scene.material()?, held.control::<f64>());
+    let fold = double::critical(n, c, &material, &control)?;
+    let held_at_fold = match held {
+        Held::Indentation => fold.indentation,
+        Held::Force => fold.force,
+    };
+    let Ranged::Value(at_fold) = held_at_fold else { return Ok(Vec::new()) };
+    let distance = 2_f64.powf(trial.uniform(-50.0, 3.0));
+    let value = at_fold - distance * at_fold;
+    if !(value.is_normal() && at_fold.is_normal()) {
+        return Ok(Vec::new());
+    }
+    trial.describe_also(format_args!("{held}, τ = {distance:e}"));
+    let fresh = double::equilibria(n, c, &material, &control, value)?;
+    let ready = double::Inverse::new(n, c, &material, &control)?.equilibria(value)?;
+    let expected = exact.equilibria(&held.control(), &float(value))?;
+    let beside = double::equilibria_at_distance(n, c, &material, &control, distance)?;
+    let expected_beside = exact.equilibria_at_distance(&held.control(), &float(distance))?;
+    let mut pairs = Vec::new();
+    for (name, found, expected) in [
+        ("double::equilibria", fresh, &expected),
+        ("double::Inverse::equilibria", ready, &expected),
+        ("double::equilibria_at_distance", beside, &expected_beside),
+    ] {
+        let (found, expected) = (found.as_slice(), expected.as_slice());
+        let same = found.iter().map(|x| x.stability).eq(expected.iter().map(|x| x.stability));
+        trial.demand(format!("number and stability of {name}"), same);
+        for (found, expected) in found.iter().zip(expected) {
+            pairs.push(pair(name, Ok(found.contact_radius), Ok(expected.contact_radius.clone())));
+            pairs.push(pair(name, Ok(found.indentation), Ok(expected.indentation.clone())));
+            pairs.push(pair(name, Ok(found.force), Ok(expected.force.clone())));
+        }
+    }
+    Ok(pairs)
 }
 
 fn scale_free(trial: &mut Trial<'_>, held: Held) -> Result<()> {

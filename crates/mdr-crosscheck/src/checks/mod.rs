@@ -9,6 +9,7 @@ mod folds;
 mod gamma;
 mod griffith;
 mod identities;
+mod inverse;
 mod kappa;
 mod known;
 mod machine;
@@ -97,6 +98,7 @@ pub(crate) fn registry() -> &'static [Check] {
         proof::CLOSED,
         proof::EQUILIBRIA,
         equilibria::BESIDE,
+        inverse::EQUILIBRIA,
         energy::POTENTIAL,
         energy::ROUTES,
         springs::SPRINGS,
