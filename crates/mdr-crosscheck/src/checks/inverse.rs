@@ -155,11 +155,14 @@ impl<R: Arithmetic> Asked<'_, R> {
             let (g, elongation) = (self.contact.profile().g(a)?, self.contact.detachment_elongation(a)?);
             let terms = g.clone() + &elongation;
             let stiffness = a.clone() * self.scene.e_star.clone().times(2);
-            let share = (g / &terms).approx();
+            // Close to the fold the slope is a small difference.
+            let half = elongation.over(2);
+            let pressed = g * &self.scene.n;
             let (scale, slope) = match self.held {
-                Held::Indentation => (terms.clone(), n * share - 0.5 * (1.0 - share)),
-                Held::Force => (terms.clone() * &stiffness, n * share - 1.5 * (1.0 - share)),
+                Held::Indentation => (terms.clone(), pressed - half),
+                Held::Force => (terms.clone() * &stiffness, pressed - half.times(3)),
             };
+            let slope = (slope / &terms).approx();
             // The residual of either route, and x itself.
             let rounded_exponent = (n + 1.0) * a.ln().approx().abs();
             let closed_terms = TRANSFORM + 2.0 * ELONGATION + rounded_exponent + 16.0;
