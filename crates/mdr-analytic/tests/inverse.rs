@@ -242,7 +242,7 @@ proptest! {
         prop_assert_eq!(floats.as_slice().len(), radii.len());
         prop_assert_eq!(doubles.as_slice().len(), radii.len());
         for (i, ln_a) in radii.iter().enumerate() {
-            let (a, [d, force]) = (ln_a.clone().exp(), truth.state(ln_a));
+            let (a, [_, force]) = (ln_a.clone().exp(), truth.state(ln_a));
             let state = &enclosed.as_slice()[i];
             prop_assert!(state.contact_radius.contains(&a) && state.force.contains(&Float::with_val(200, &force)) | by_force);
             prop_assert!(state.contact_radius.accuracy_bits() > 160, "{}", state.contact_radius.accuracy_bits());

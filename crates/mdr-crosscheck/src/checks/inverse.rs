@@ -100,7 +100,7 @@ fn scale_free<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
     let scales = trial.scales::<R>(round, half);
     // ρ over its threshold, on either side.
     let off = 2_f64.powf(trial.uniform(0.25, 3.0));
-    let rho = held.lambda() * if round % 2 == 0 { off } else { 1.0 / off };
+    let rho = held.lambda() * if round.is_multiple_of(2) { off } else { 1.0 / off };
     let scene: Scene<R> = trial.planted(half, rho, scales, ctx);
     let contact = scene.contact()?;
     let state = contact.scale_free_state(&R::from_f64(ctx, scales.radius))?;
