@@ -77,3 +77,22 @@ fn a_directory_that_cannot_be_made_is_named() {
     let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
     assert!(error.starts_with(&format!("error: --out {file}: ")), "{error}");
 }
+
+/// The baseline of the documents is read, and a change for the worse is told.
+#[test]
+fn a_baseline_that_asks_for_more_is_not_met() {
+    let checked_in = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/report/baseline.jsonl");
+    let text = std::fs::read_to_string(checked_in).unwrap();
+    let better = Path::new(env!("CARGO_TARGET_TMPDIR")).join("better.jsonl");
+    let line = text.lines().find(|line| line.contains("Brouncker") && line.contains("kappa-0.25")).unwrap();
+    let (before, _) = line.split_once(",\"digits\":").unwrap();
+    std::fs::write(&better, text.replace(line, &format!("{before},\"digits\":99.9,\"evaluations\":1}}"))).unwrap();
+    let run = mdr(&format!("report --check {}", better.display())).assert().code(1).stderr_eq("");
+    let told = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+    let lines: Vec<_> = told.lines().collect();
+    assert!(
+        lines.len() == 3 && lines[0].contains("digits, were 99.9") && lines[1].contains("evaluations, were 1"),
+        "{told}"
+    );
+    assert!(lines[2].ends_with(" settings compared, 2 worse or unknown"), "{told}");
+}

@@ -69,7 +69,7 @@ impl Command {
             Command::Verify(verify) => verify.run(out),
             Command::Critical(critical) => critical.run(out).map(|()| true),
             Command::Solve(solve) => solve.run(out).map(|()| true),
-            Command::Report(report) => report.run(out).map(|()| true),
+            Command::Report(report) => report.run(out),
             Command::Figures(figures) => figures.run(out).map(|()| true),
             Command::Reference(reference) => reference.run(out),
             Command::Judge(judge) => judge.run(out),

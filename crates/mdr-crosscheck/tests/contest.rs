@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::sync::LazyLock;
 
 use mdr_core::number::{Interval, Precision, Real};
-use mdr_crosscheck::contest::{Clock, Diagram, Effort, Outcome, tasks};
+use mdr_crosscheck::contest::{Baseline, Clock, Diagram, Effort, Outcome, tasks};
 use rug::Float;
 
 /// All diagrams of the quick contest.
@@ -30,7 +30,8 @@ fn names_are_stable_and_unique() {
         let legible =
             diagram.id.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || b".-".contains(&byte));
         assert!(legible && diagram.id.starts_with(&diagram.task) && seen.insert(&diagram.id), "{}", diagram.id);
-        let contestants: HashSet<_> = diagram.curves.iter().map(|curve| &curve.contestant).collect();
+        let contestants: HashSet<_> =
+            diagram.curves.iter().map(|curve| (&curve.contestant, curve.arithmetic)).collect();
         assert_eq!(contestants.len(), diagram.curves.len(), "{}", diagram.id);
         for curve in &diagram.curves {
             let settings: HashSet<_> = curve.points.iter().map(|point| &point.setting).collect();
@@ -88,4 +89,60 @@ fn kappa() {
     // Brouncker's fraction converges slowly where n is small.
     assert!(reached("kappa-20", "Brouncker's fraction").unwrap() > 15.0);
     assert!(reached("kappa-0.25", "Brouncker's fraction").unwrap() < 6.0);
+}
+
+/// The tangency gives the radius to the last digits, its interpolation with less than half of the evaluations of halving; the
+/// extremum of d gives half of the digits of the radius and all of the indentation; springs converge as 1/N and 1/N².
+#[test]
+fn fold() {
+    for name in ["2", "1", "0.25", "3.7", "wavy"] {
+        let [radius, indentation] = ["radius", "indentation"].map(|quantity| format!("fold-{quantity}-{name}"));
+        let ceiling = diagram(&radius).ceiling.unwrap();
+        for contestant in ["search for all folds", "tangency, Newton", "tangency, interpolation", "tangency, bisection"]
+        {
+            let digits = reached(&radius, contestant).unwrap();
+            assert!(digits > ceiling - 1.0, "{name}, {contestant}: {digits} of {ceiling}");
+        }
+        assert!(2 * spent(&radius, "tangency, interpolation") < spent(&radius, "tangency, bisection"), "{name}");
+        let golden = "extremum of d, golden section";
+        assert!((5.5..10.5).contains(&reached(&radius, golden).unwrap()), "{name}: {:?}", reached(&radius, golden));
+        assert!(reached(&indentation, golden).unwrap() > 14.0, "{name}");
+        for (id, order) in [(radius, 1.0), (indentation, 2.0)] {
+            let points = &diagram(&id).curves.last().unwrap().points;
+            let springs = |setting: &str| setting.split(' ').next().unwrap().parse::<f64>().unwrap();
+            // The least error that the order allows on the last three steps: luck beats it, not the other way round.
+            for pair in points[points.len() - 4..].windows(2) {
+                let digits = pair[1].outcome.digits().unwrap();
+                assert!(
+                    digits > order * (springs(&pair[1].setting).log10() - 1.2),
+                    "{id}: {digits} at {}",
+                    pair[1].setting
+                );
+            }
+        }
+    }
+    for name in ["2", "1", "0.25", "3.7"] {
+        for quantity in ["radius", "indentation"] {
+            assert!(reached(&format!("fold-{quantity}-{name}"), "closed form, shipped").unwrap() > 15.6, "{name}");
+        }
+    }
+}
+
+/// The evaluations of the last point of a contestant.
+fn spent(id: &str, contestant: &str) -> u64 {
+    let curve = diagram(id).curves.iter().find(|curve| curve.contestant == contestant).unwrap();
+    curve.points.last().unwrap().evaluations.unwrap()
+}
+
+/// Digits and evaluations are those of the baseline, or better.
+#[test]
+fn nothing_is_worse_than_the_baseline() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/report/baseline.jsonl");
+    let old = Baseline::from_json_lines(&std::fs::read_to_string(path).unwrap()).unwrap();
+    let worse: String =
+        old.regressions(&Baseline::of(&QUICK)).iter().map(|regression| format!("{regression}\n")).collect();
+    assert!(
+        worse.is_empty(),
+        "{worse}if that is meant: cargo run -p mdr-cli -- report --renew docs/report/baseline.jsonl"
+    );
 }

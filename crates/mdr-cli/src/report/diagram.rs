@@ -1,6 +1,6 @@
 //! From a question and its contestants to the picture.
 
-use mdr_crosscheck::contest::{Curve, Diagram, Outcome, Point, View};
+use mdr_crosscheck::contest::{Arithmetic, Curve, Diagram, Outcome, Point, View};
 
 use super::table;
 use crate::picture::{self, Axis, Key, Layer, Mark, Panel, Picture, Side, Stroke, Unit};
@@ -26,8 +26,27 @@ const ROOM: f64 = 0.1;
 /// An error beyond 10 to this power is a failure.
 const WORST: f64 = 6.0;
 
-/// The diagram of a question.
+/// The diagram of a question. Errors of double precision and of more digits have a panel each.
 pub(super) fn picture(diagram: &Diagram) -> Picture {
+    let (double, more): (Vec<_>, Vec<_>) =
+        diagram.curves.iter().cloned().partition(|curve| curve.arithmetic == Arithmetic::Double);
+    let panels = if diagram.view == View::Error && !double.is_empty() && !more.is_empty() {
+        vec![
+            panel(&Diagram { curves: double, ..diagram.clone() }, format!("{}: double precision", diagram.title)),
+            panel(
+                &Diagram { curves: more, ceiling: None, ..diagram.clone() },
+                format!("{}: arbitrary precision", diagram.title),
+            ),
+        ]
+    } else {
+        vec![panel(diagram, diagram.title.clone())]
+    };
+    let description = format!("{}. Truth: {}. Bars: fastest to slowest run.", diagram.title, diagram.truth);
+    Picture { title: diagram.title.clone(), description, panels }
+}
+
+/// All contestants in one frame.
+fn panel(diagram: &Diagram, heading: String) -> Panel {
     let plot = Plot::new(diagram);
     let mut layers = plot.ceiling();
     let mut legend = Vec::new();
@@ -40,9 +59,7 @@ pub(super) fn picture(diagram: &Diagram) -> Picture {
     if layers.iter().any(|layer| matches!(layer, Layer::Marks { mark: Mark::Cross, .. })) {
         legend.push((Key::Mark(Mark::Cross), "failed".to_owned()));
     }
-    let panel = Panel { heading: diagram.title.clone(), x: plot.x, y: plot.y, layers, legend, aspect: 0.62 };
-    let description = format!("{}. Truth: {}. Bars: fastest to slowest run.", diagram.title, diagram.truth);
-    Picture { title: diagram.title.clone(), description, panels: vec![panel] }
+    Panel { heading, x: plot.x, y: plot.y, layers, legend, aspect: 0.62 }
 }
 
 /// A, B, …, Z, A2, B2, …
@@ -97,7 +114,7 @@ impl<'a> Plot<'a> {
     fn ceiling(&self) -> Vec<Layer> {
         let (View::Error, Some(digits)) = (self.diagram.view, self.diagram.ceiling) else { return Vec::new() };
         let at = |fraction: f64| [self.x.at(fraction), -digits];
-        let line = Layer::Curve { name: String::new(), points: vec![at(0.0), at(1.0)], stroke: Stroke::Guide };
+        let line = Layer::Curve { name: String::new(), points: vec![at(0.0), at(1.0)], stroke: Stroke::Thin };
         let anchors = (1..20).map(|step| at(f64::from(20 - step) / 20.0)).collect();
         vec![line, Layer::Label { text: "*u* max(1, cond)".to_owned(), anchors, side: Side::Above }]
     }
@@ -178,7 +195,7 @@ fn spread(view: View, point: &Point) -> Option<[picture::Point; 2]> {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use mdr_crosscheck::contest::{Arithmetic, Time};
+    use mdr_crosscheck::contest::Time;
 
     use super::*;
 
@@ -270,6 +287,16 @@ pub(super) mod tests {
             point.time = None;
         }
         assert!(texts(&drawn(&diagram)).iter().any(|text| text == "A  doubling"));
+    }
+
+    #[test]
+    fn more_digits_have_a_panel_of_their_own() {
+        let mut diagram = contest(View::Error);
+        diagram.curves[0].arithmetic = Arithmetic::Mp;
+        let texts = texts(&drawn(&diagram));
+        for text in ["x at y < 1: double precision", "x at y < 1: arbitrary precision", "A  broken", "A  doubling"] {
+            assert!(texts.iter().any(|found| found == text), "{text} in {texts:?}");
+        }
     }
 
     #[test]

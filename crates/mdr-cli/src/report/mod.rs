@@ -1,5 +1,6 @@
 //! `mdr report`: error against run time.
 
+mod baseline;
 mod diagram;
 mod footer;
 mod page;
@@ -32,12 +33,18 @@ Examples:
   Two tasks alone:
     mdr report --only kappa,fold
 
+  Whether digits or evaluations got worse since the last time; nothing is timed and nothing is written:
+    mdr report --check docs/report/baseline.jsonl
+
+  The baseline of that, anew, after a change that is meant:
+    mdr report --renew docs/report/baseline.jsonl
+
 Each diagram is an SVG file of black lines on white and a CSV file of its points; README.md shows them all, with a table of
 the time to so many digits, what failed, and what was left out; report.json has everything in one file. Errors are those of
 the answers against an enclosure of the truth in which no contestant had a part. Times are medians of repeated runs and
 belong to the machine that the page names: compare them within one report.
 JSON: schema mdr.report/1, one line a diagram.
-Exit status: 0 all files are written, 2 bad input or a file that cannot be written.";
+Exit status: 0 all files are written and nothing got worse, 1 something got worse, 2 bad input or a file that cannot be written.";
 
 /// Report error against run time: every method on the same questions, as diagrams, tables and data.
 ///
@@ -54,9 +61,17 @@ pub(crate) struct Report {
     #[arg(long)]
     quick: bool,
 
-    /// Only the tasks of these names, separated by commas
+    /// Only the tasks of these names, separated by commas; the races against other projects are the task speed
     #[arg(long, value_name = "TASK", value_delimiter = ',', allow_hyphen_values = true)]
     only: Vec<String>,
+
+    /// Compare right digits and numbers of evaluations of the quick contest with those in this file
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "quick", "only", "format", "renew"])]
+    check: Option<PathBuf>,
+
+    /// Write right digits and numbers of evaluations of the quick contest into this file
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "quick", "only", "format"])]
+    renew: Option<PathBuf>,
 
     /// Shape of the result on standard output
     #[arg(long, value_enum, default_value_t = Format::Table)]
@@ -95,8 +110,16 @@ impl Findings {
 }
 
 impl Report {
-    /// Writes the files, and what is in them on `out`.
-    pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
+    /// Writes the files, and what is in them on `out`; whether nothing got worse.
+    pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
+        match (&self.check, &self.renew) {
+            (Some(path), _) => baseline::check(path, out),
+            (None, Some(path)) => baseline::renew(path, out).map(|()| true),
+            (None, None) => self.report(out).map(|()| true),
+        }
+    }
+
+    fn report(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
         let tasks = self.tasks()?;
         let directory = || self.out.display().to_string();
         std::fs::create_dir_all(&self.out).map_err(|error| Failure::file(format!("--out {}", directory()), error))?;
@@ -129,7 +152,7 @@ impl Report {
         let (effort, runs) = if self.quick { (Effort::Quick, 3) } else { (Effort::Full, 9) };
         let style = ProgressStyle::with_template("{bar:40.green} {pos} of {len}  {msg}  {elapsed}");
         let bar =
-            ProgressBar::new(tasks.len() as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+            ProgressBar::new(tasks.len() as u64 + 1).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         bar.enable_steady_tick(Duration::from_millis(500));
         let mut sections = Vec::with_capacity(tasks.len());
         for task in tasks {

@@ -9,7 +9,7 @@ const HEAD: &str = "\
 
 Several methods answer the same question with growing effort. Every answer is compared with an enclosure of the truth in
 which no contestant had a part; a time is the median of repeated runs, with a bar from the fastest to the slowest. The two
-axes are logarithmic. What fails is drawn at the upper edge, and the dotted line is what the question leaves to any method in
+axes are logarithmic. What fails is drawn at the upper edge, and the thin line is what the question leaves to any method in
 double precision: u·max(1, condition), u = 2⁻⁵³. Contestants of other projects are dashed. Times belong to the machine named
 at the end; compare them within this page.
 ";
@@ -35,9 +35,15 @@ pub(super) fn page(findings: &Findings) -> String {
 
 fn task(section: &Section) -> String {
     let mut text = format!("\n## {}\n\n{}.\n", section.name, capitalised(section.claim));
-    for diagram in &section.diagrams {
-        let Diagram { id, title, truth, .. } = diagram;
-        text.push_str(&format!("\n### {title}\n\n![{title}]({id}.svg)\n\nTruth: {truth}. [Data]({id}.csv)\n"));
+    let mut truths: Vec<&str> = section.diagrams.iter().map(|diagram| diagram.truth.as_str()).collect();
+    truths.dedup();
+    // What all diagrams share is told once.
+    if let [truth] = truths[..] {
+        text.push_str(&format!("Truth: {truth}.\n"));
+    }
+    for Diagram { id, title, truth, .. } in &section.diagrams {
+        let truth = if truths.len() > 1 { format!("Truth: {truth}. ") } else { String::new() };
+        text.push_str(&format!("\n### {title}\n\n![{title}]({id}.svg)\n\n{truth}[Data]({id}.csv)\n"));
     }
     let times = table::times(&section.diagrams);
     if !times.is_empty() {

@@ -5,7 +5,10 @@
 //! numbers of evaluations are a pure function of the source and are gated by a stored baseline; times are measured only
 //! when the [`Clock`] runs, and are never gated.
 
+mod baseline;
 mod clock;
+mod fold;
+mod grid;
 mod judge;
 mod kappa;
 mod outside;
@@ -13,6 +16,7 @@ mod precision;
 pub mod speed;
 mod transform;
 
+pub use baseline::{Baseline, Regression};
 pub use clock::{Clock, Time};
 pub use judge::{Answer, ceiling};
 
@@ -133,5 +137,5 @@ pub struct Task {
 
 /// All tasks, in the order of the report.
 pub fn tasks() -> &'static [Task] {
-    &[kappa::KAPPA, transform::TRANSFORM, precision::PRECISION]
+    &[kappa::KAPPA, transform::TRANSFORM, fold::FOLD, precision::PRECISION, grid::GRID]
 }
