@@ -4,15 +4,12 @@
 //! are judged, since a fast wrong one does not count. Enclosures race enclosures.
 
 use std::cell::RefCell;
+use std::hint::black_box;
 
-use mdr_analytic::PowerLaw;
+use mdr_analytic::double::Inverse;
 use mdr_analytic::double::grid::{Materials, Points, States, critical_states};
-use mdr_core::contact::{Control, Error, Material, Result, Status};
+use mdr_core::contact::{Control, Equilibrium, Error, Material, Ranged, Result, Status};
 use mdr_core::number::{Interval, Precision, Real};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
-use rug::Float;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
@@ -185,8 +182,7 @@ impl Hall<'_> {
             let status = &mut statuses.borrow_mut();
             let mut states = States { kappa, contact_radius, indentation, force, status };
             critical_states(&points, &Control::Indentation, &mut states)?;
-            let number = |x: f64| Found::Number(Float::with_val(53, x));
-            Ok(columns.iter().flat_map(|column| PICKED.map(|i| number(column[i]))).collect())
+            Ok(columns.iter().flat_map(|column| PICKED.map(|i| Found::Double(column[i]))).collect())
         };
         let asked = question! {
             "ask": "grid", "by": "scipy", "count": POINTS, "e": e.to_string(), "w": w.to_string(), "picked": PICKED,
@@ -207,19 +203,23 @@ impl Hall<'_> {
     /// Both equilibria of a paraboloid under tension, the critical radius being known to both sides.
     fn equilibria(&mut self) {
         let truths = jkr_radii();
-        let parts = PowerLaw::new(2.0, 0.5).and_then(|profile| Ok((profile, Material::new(1.0, 1.0)?)));
-        let Ok((profile, material)) = parts else { return };
-        let Ok(branches) = Branches::new(Curve::new(&profile, &material, &Control::Indentation)) else { return };
+        let ball = Material::new(1.0, 1.0).and_then(|glue| Inverse::new(2.0, 0.5, &glue, &Control::Indentation));
+        let Ok(ball) = ball else { return };
+        let value = |x: &Ranged<f64>| match x {
+            Ranged::Value(value) => *value,
+            _ => f64::NAN,
+        };
         let solver = || {
-            let found = branches.equilibria(&-0.5)?;
-            Ok(found.iter().map(|state| Found::Number(Float::with_val(53, state.contact_radius))).collect())
+            let found = ball.equilibria(black_box(-0.5))?;
+            let radius = |state: &Equilibrium<Ranged<f64>>| Found::Double(value(&state.contact_radius));
+            Ok(found.as_slice().iter().map(radius).collect())
         };
         let asked = question! {
             "ask": "equilibria", "by": "brentq", "n": "2", "c": "1/2", "e": "1", "w": "1", "d": "-1/2",
         };
         let race = self.race(&Lane {
             question: "both equilibria at a given d in f64, n = 2".to_owned(),
-            ours: "numeric::equilibrium",
+            ours: "double::Inverse",
             solver: &solver,
             theirs: ("brentq", "scipy", asked),
             arithmetic: Arithmetic::Double,
@@ -267,6 +267,8 @@ fn jkr_radii() -> Vec<Interval> {
 
 #[cfg(test)]
 mod tests {
+    use rug::Float;
+
     use super::*;
 
     #[test]

@@ -8,6 +8,8 @@ use super::super::Outcome;
 
 /// A number in the form in which it was found.
 pub(in super::super) enum Found {
+    /// As a double.
+    Double(f64),
     /// As a number.
     Number(Float),
     /// Between two.
@@ -20,6 +22,7 @@ impl Found {
     /// An enclosure is worth what its worse end is.
     fn judged(&self, truth: &Interval) -> Outcome {
         match self {
+            Found::Double(value) => Outcome::of(value, truth),
             Found::Number(value) => Outcome::of(value, truth),
             Found::Enclosure(interval) => {
                 Outcome::worst([interval.lower(), interval.upper()].map(|end| Outcome::of(end, truth)))
