@@ -90,7 +90,11 @@ const EXEMPT: &[(&str, &str)] = &[
     ("double::Path::baseline", "which instructions the processor has"),
     ("double::Path::fastest", "which instructions the processor has"),
     ("double::critical_states", "the tests of mdr-analytic compare it with 128 bits over its whole domain"),
-    ("double::critical_states_on", "likewise"),
+    ("double::critical_states_on", "as double::critical_states"),
+    ("double::equilibria", "a row of the cross-check compares it with the branches of the numerical route"),
+    ("double::equilibria_at_distance", "as double::equilibria"),
+    ("double::Inverse::new", "a validating constructor"),
+    ("double::Inverse::equilibria", "as double::equilibria"),
 ];
 
 #[test]
