@@ -194,7 +194,7 @@ fn errors_stay_within_the_bounds() {
 #[test]
 #[ignore = "minutes"]
 fn errors_of_many_points() {
-    measure(1_500_000);
+    measure(300_000);
 }
 
 #[test]
