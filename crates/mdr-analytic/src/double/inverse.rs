@@ -3,6 +3,7 @@
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Ranged, Regime, Result};
 use mdr_core::number::Wide;
 
+use super::ready::Ready;
 use super::ziv::{Round, decide, settle, undecided};
 use super::{contact, lifted_control};
 use crate::contact::Contact;
@@ -60,7 +61,8 @@ pub struct Inverse {
     material: Material<f64>,
     held: Held,
     /// What one word knows, unless n = 1/2 or it knows too little.
-    ready: Option<(Contact<Wide<1>>, Fold<Wide<1>>)>,
+    word: Option<(Contact<Wide<1>>, Fold<Wide<1>>)>,
+    ready: Option<Ready>,
 }
 
 impl Inverse {
@@ -72,8 +74,9 @@ impl Inverse {
     pub fn new(n: f64, c: f64, material: &Material<f64>, control: &Control<f64>) -> Result<Self> {
         let held = Held::of(control)?;
         let contact = contact::<Wide<1>>(n, c, material)?;
-        let ready = if n == 0.5 { None } else { Fold::new(&contact, held).ok().map(|fold| (contact, fold)) };
-        Ok(Inverse { n, c, material: material.clone(), held, ready })
+        let word = if n == 0.5 { None } else { Fold::new(&contact, held).ok().map(|fold| (contact, fold)) };
+        let ready = word.as_ref().and_then(|(contact, fold)| Ready::new(contact, fold));
+        Ok(Inverse { n, c, material: material.clone(), held, word, ready })
     }
 
     /// The equilibria at a value of the controlled quantity.
@@ -83,7 +86,10 @@ impl Inverse {
     #[inline]
     pub fn equilibria(&self, value: f64) -> Result<Equilibria<Ranged<f64>>> {
         finite(value)?;
-        if let Some((contact, fold)) = &self.ready
+        if let Some(found) = self.ready.as_ref().and_then(|ready| ready.equilibria(value)) {
+            return Ok(found);
+        }
+        if let Some((contact, fold)) = &self.word
             && let Some(settled) = settle(|| fold.at_value(contact, &value.into()))
         {
             return settled;

@@ -35,6 +35,8 @@ pub mod grid;
 mod inverse;
 mod kappa;
 mod kappa_table;
+mod pair;
+mod ready;
 mod ziv;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result};

@@ -63,7 +63,12 @@ impl<R: Real> Family<R> {
         Family { regime, excess: -excess / &parameter, parameter: parameter.inv() }
     }
 
-    pub(super) fn regime(&self) -> Regime {
+    /// m and μ.
+    pub(crate) fn parameters(&self) -> (&R, &R) {
+        (&self.parameter, &self.excess)
+    }
+
+    pub(crate) fn regime(&self) -> Regime {
         self.regime
     }
 

@@ -27,6 +27,18 @@ impl<R: Real> Fold<R> {
         Ok(Fold { held, state, family })
     }
 
+    pub(crate) fn held(&self) -> Held {
+        self.held
+    }
+
+    pub(crate) fn family(&self) -> &Family<R> {
+        &self.family
+    }
+
+    pub(crate) fn state(&self) -> &Critical<R> {
+        &self.state
+    }
+
     /// x_fold.
     fn value(&self) -> &R {
         self.held.pick(&self.state.indentation, &self.state.force)

@@ -26,6 +26,7 @@ use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, S
 use mdr_core::number::Real;
 
 pub(crate) use self::fold::Fold;
+pub(crate) use self::start::Seed;
 use crate::contact::Contact;
 use crate::range::representable;
 
@@ -101,7 +102,7 @@ impl Held {
     }
 
     /// The controlled one of d and F.
-    fn pick<T>(self, indentation: T, force: T) -> T {
+    pub(crate) fn pick<T>(self, indentation: T, force: T) -> T {
         match self {
             Held::Indentation => indentation,
             Held::Force => force,
@@ -117,7 +118,7 @@ pub(crate) enum Branch {
 }
 
 impl Branch {
-    fn stability(self, regime: Regime) -> Stability {
+    pub(crate) fn stability(self, regime: Regime) -> Stability {
         let larger_is_stable = regime == Regime::PullOff;
         if (self == Branch::Larger) == larger_is_stable { Stability::Stable } else { Stability::Unstable }
     }
