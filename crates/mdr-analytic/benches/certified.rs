@@ -1,14 +1,15 @@
 //! Certified digits beside bare MPFR at the same precision: κ_n, and the four numbers of a critical state (κ, a, d, F).
 //!
 //! `bare` runs the same closed forms over `rug::Float`; `gamma` takes κ from MPFR's Γ, as a textbook program would. Both
-//! know nothing about their errors and print no decimals; `certified` includes the proof and the decimal digits.
+//! know nothing about their errors and print no decimals; `enclosure` includes the proof, `certified` the decimal digits, too.
+//! Arb is measured beside `enclosure` by `scripts/beside_arb.py`.
 #![allow(missing_docs, clippy::unwrap_used, reason = "macros of criterion; a benchmark fails by panicking")]
 
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use mdr_analytic::certified::{Elasticity, Question, kappa};
-use mdr_analytic::{Contact, Kappa, PowerLaw};
+use mdr_analytic::{Contact, Kappa, PowerLaw, kappa_enclosure};
 use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Literal, Precision, Real};
 use rug::Float;
@@ -36,6 +37,10 @@ fn kappas(criterion: &mut Criterion) {
     for digits in DIGITS {
         let (exact, n) = (literal(EXPONENT), float(digits, EXPONENT));
         group.bench_function(BenchmarkId::new("certified", digits), |b| b.iter(|| kappa(black_box(&exact), digits)));
+        let (precision, fraction) = (Precision::from_digits(digits), exact.to_rational());
+        group.bench_function(BenchmarkId::new("enclosure", digits), |b| {
+            b.iter(|| kappa_enclosure(precision, black_box(&fraction)));
+        });
         group.bench_function(BenchmarkId::new("bare", digits), |b| b.iter(|| Float::kappa(black_box(&n))));
         group.bench_function(BenchmarkId::new("gamma", digits), |b| b.iter(|| kappa_by_gamma(black_box(&n))));
     }
@@ -48,6 +53,10 @@ fn criticals(criterion: &mut Criterion) {
         let (n, c, w) = (literal(EXPONENT), literal("1.5"), literal("0.05"));
         let ask = || Question::new(&n, &c, &elasticity, &w, &Control::Indentation).unwrap().answer(digits);
         group.bench_function(BenchmarkId::new("certified", digits), |b| b.iter(|| black_box(ask())));
+        let question = Question::new(&n, &c, &elasticity, &w, &Control::Indentation).unwrap();
+        group.bench_function(BenchmarkId::new("enclosure", digits), |b| {
+            b.iter(|| black_box(&question).enclosures(Precision::from_digits(digits)));
+        });
         let [n, c, e, w] = [EXPONENT, "1.5", "1e6", "0.05"].map(|text| float(digits, text));
         let state = |profile: PowerLaw<Float>| {
             Contact::new(profile, Material::new(e.clone(), w.clone()).unwrap()).critical(&Control::Indentation)

@@ -1,9 +1,11 @@
 //! Closed forms over intervals, to decimals.
 
+use std::cmp::Ordering;
+
 use mdr_core::contact::{Control, Error, FoldKind, Instability, Quantity, Regime, Result};
 use mdr_core::number::certify::{Decimal, Enclosure, certify};
 use mdr_core::number::{Interval, Literal, Precision, Real};
-use rug::{Float, Rational};
+use rug::{Integer, Rational};
 
 use super::{Answer, Question, exact};
 use crate::contact::Contact;
@@ -48,7 +50,7 @@ impl Question {
     /// or for two folds so close to merging that no precision up to the limit tells them apart.
     pub fn answer(&self, digits: u32) -> Result<Answer> {
         let start = self.starting_precision(digits)?;
-        let regime = self.contact(start)?.regime()?;
+        let regime = self.regime();
         if let Control::Machine { .. } = self.control {
             return self.machine_answer(regime, digits, start);
         }
@@ -59,6 +61,14 @@ impl Question {
         let [kappa, a, d, f] = certify(quantities, digits, start, |precision| self.critical(precision))?;
         let critical = Some(Critical { contact_radius: a, indentation: d, force: f });
         Ok(Answer { regime, kappa, critical, folds: Vec::new(), threshold: None, ratio: None })
+    }
+
+    fn regime(&self) -> Regime {
+        match self.exponent.partial_cmp(&0.5) {
+            Some(Ordering::Greater) => Regime::PullOff,
+            Some(Ordering::Less) => Regime::CompleteContact,
+            _ => Regime::ScaleFree,
+        }
     }
 
     fn scale_free_answer(&self, digits: u32, start: Precision) -> Result<Answer> {
@@ -125,8 +135,45 @@ impl Question {
         Ok(kinds.iter().zip(decimals.chunks(3)).map(fold).collect())
     }
 
-    /// κ_n, a, d and F.
+    /// κ_n, a, d and F of the critical state, enclosed at the given precision and not rounded to decimals: the ends of
+    /// their intervals have so many bits and are a few units apart, times the condition of the question.
+    ///
+    /// ```
+    /// use mdr_analytic::certified::{Elasticity, Question};
+    /// use mdr_core::contact::Control;
+    /// use mdr_core::number::{Precision, certify::Enclosure};
+    /// let [n, c, e_star, work] = ["0.3", "1", "1e6", "0.05"].map(|text| text.parse());
+    /// let question = Question::new(&n?, &c?, &Elasticity::Effective(e_star?), &work?, &Control::Indentation)?;
+    /// let [_, a, _, _] = question.enclosures(Precision::new(200))?;
+    /// assert!(matches!(a, Enclosure::Value(a) if a.accuracy_bits() > 190));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Domain`] on a machine, where there may be several such states, and at n = 1/2, where there is none;
+    /// [`Error::Undecided`] where the precision does not tell n from 1/2.
+    pub fn enclosures(&self, precision: Precision) -> Result<[Enclosure; 4]> {
+        if let Control::Machine { stiffness } = &self.control {
+            let requirement = "absent: on a machine there may be several critical states";
+            return Err(Error::Domain { quantity: Quantity::Stiffness, value: stiffness.to_string(), requirement });
+        }
+        self.critical(precision)
+    }
+
+    /// The same, by counted roundings where that is possible and else by intervals.
     fn critical(&self, precision: Precision) -> Result<[Enclosure; 4]> {
+        match self.counted(precision) {
+            Some([kappa, a, d, f]) => {
+                let kappa = exact::kappa(&self.exponent).map_or(kappa.into(), Enclosure::Exact);
+                let d = exact::indentation(self).map_or(d.into(), Enclosure::Exact);
+                Ok([kappa, a.into(), d, f.into()])
+            }
+            None => self.general_critical(precision),
+        }
+    }
+
+    /// The closed forms over intervals.
+    pub(super) fn general_critical(&self, precision: Precision) -> Result<[Enclosure; 4]> {
         let contact = self.contact(precision)?;
         let control = self.control(precision);
         let tension = contact.profile().exponent().lit(if control == Control::Force { 3 } else { 1 });
@@ -151,7 +198,8 @@ impl Question {
 
     /// Enough bits for the digits in all but rare cases, from the sensitivity of exp(ln(B/N²)/(2n−1)) to its argument.
     fn starting_precision(&self, digits: u32) -> Result<Precision> {
-        let log2 = |value: &Rational| Float::with_val(64, value).abs().log2().to_f64();
+        let bits = |integer: &Integer| f64::from(integer.significant_bits());
+        let log2 = |value: &Rational| bits(value.numer()) - bits(value.denom());
         let ln_quotient = log2(&self.work_of_adhesion)
             - log2(&self.effective_modulus)
             - 2.0 * (log2(&self.coefficient) + log2(&self.exponent));

@@ -38,6 +38,7 @@
 mod answer;
 mod evaluate;
 mod exact;
+mod monomial;
 mod question;
 
 pub use answer::Answer;

@@ -5,6 +5,7 @@ use mdr_core::number::{Interval, Literal, Precision};
 use rug::Rational;
 
 use super::exact;
+use super::monomial::Monomials;
 use crate::contact::Contact;
 use crate::power_law::PowerLaw;
 
@@ -32,6 +33,8 @@ pub struct Question {
     pub(super) effective_modulus: Rational,
     pub(super) work_of_adhesion: Rational,
     pub(super) control: Control<Rational>,
+    /// The critical state as products of powers, where it is.
+    pub(super) monomials: Option<Monomials>,
 }
 
 impl Question {
@@ -47,22 +50,20 @@ impl Question {
         work_of_adhesion: &Literal,
         control: &Control<Literal>,
     ) -> Result<Self> {
-        Ok(Question {
-            exponent: positive(Quantity::Exponent, exponent)?,
-            coefficient: positive(Quantity::Coefficient, coefficient)?,
-            effective_modulus: match elasticity {
-                Elasticity::Effective(modulus) => positive(Quantity::EffectiveModulus, modulus)?,
-                Elasticity::Bodies(bodies) => (compliance(&bodies[0])? + compliance(&bodies[1])?).recip(),
-            },
-            work_of_adhesion: positive(Quantity::WorkOfAdhesion, work_of_adhesion)?,
-            control: match control {
-                Control::Indentation => Control::Indentation,
-                Control::Force => Control::Force,
-                Control::Machine { stiffness } => {
-                    Control::Machine { stiffness: positive(Quantity::Stiffness, stiffness)? }
-                }
-            },
-        })
+        let exponent = positive(Quantity::Exponent, exponent)?;
+        let coefficient = positive(Quantity::Coefficient, coefficient)?;
+        let effective_modulus = match elasticity {
+            Elasticity::Effective(modulus) => positive(Quantity::EffectiveModulus, modulus)?,
+            Elasticity::Bodies(bodies) => (compliance(&bodies[0])? + compliance(&bodies[1])?).recip(),
+        };
+        let work_of_adhesion = positive(Quantity::WorkOfAdhesion, work_of_adhesion)?;
+        let control = match control {
+            Control::Indentation => Control::Indentation,
+            Control::Force => Control::Force,
+            Control::Machine { stiffness } => Control::Machine { stiffness: positive(Quantity::Stiffness, stiffness)? },
+        };
+        let monomials = Monomials::new(&exponent, &coefficient, &effective_modulus, &work_of_adhesion, &control);
+        Ok(Question { exponent, coefficient, effective_modulus, work_of_adhesion, control, monomials })
     }
 
     /// E*, in Pa: as given, or derived from the two bodies by (1.3), exactly.

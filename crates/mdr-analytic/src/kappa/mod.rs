@@ -6,16 +6,30 @@
 //! * [`series`]: three bits a term, for n up to about a quarter of the precision in bits;
 //! * [`brouncker`]: a continued fraction that improves as n grows.
 //!
+//! They are written for any arithmetic. Arbitrary precision and intervals have versions of their own, several times faster,
+//! with roundings counted: `horner` sums the series for rational n in exact `blocks` of terms, and `shifted` takes any n
+//! to where the continued fraction is short, by the recurrence κ_n = κ_{n+2} (n+1)/(n+2) in runs of `rising` factors.
+//!
 //! Derivatives with respect to n come from an alternating series ([`alternating`]).
 
 mod alternating;
+#[cfg(feature = "mp")]
+mod blocks;
 mod brouncker;
 #[cfg(feature = "mp")]
+mod horner;
+#[cfg(feature = "mp")]
 mod rational;
+#[cfg(feature = "mp")]
+mod rising;
 mod series;
+#[cfg(feature = "mp")]
+mod shifted;
 
 #[cfg(feature = "mp")]
 pub use rational::kappa_enclosure;
+#[cfg(feature = "mp")]
+pub(crate) use rational::rational_kappa;
 
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Dual, Real};
@@ -91,8 +105,7 @@ impl<R: Kappa> Kappa for Dual<R> {
 impl Kappa for rug::Float {
     fn kappa(n: &Self) -> Self {
         const GUARD: u32 = 32;
-        let wide = rug::Float::with_val(n.prec() + GUARD, n);
-        rug::Float::with_val(n.prec(), expansion(&wide))
+        rug::Float::with_val(n.prec(), shifted::kappa(n, n.prec() + GUARD).value())
     }
 }
 

@@ -135,6 +135,81 @@ mod mp {
         }
     }
 
+    /// An enclosure by Γ of MPFR at twice the precision and more.
+    fn enclosure_by_gamma(n: &rug::Rational, bits: u32) -> Interval {
+        let value = Interval::point(kappa_by_gamma(&Float::with_val(2 * bits + 200, n)));
+        // A unit of the 256 guard bits, magnified by ln Γ where n is large.
+        let bound = value.unit_roundoff() * value.lit(2).powi(64) * &value;
+        value.inflate(&bound)
+    }
+
+    fn assert_encloses(kappa: &Interval, exact: &Interval, bits: u32, what: &dyn std::fmt::Display) {
+        let inside = kappa.lower() <= exact.lower() && exact.upper() <= kappa.upper();
+        assert!(inside, "{what}, {bits} bits: {kappa} does not contain {exact}");
+        assert!(kappa.accuracy_bits() >= i64::from(bits) - 2, "{what}, {bits} bits: {kappa}");
+    }
+
+    /// n short and long, tiny and huge, even (the series ends), and where one expansion hands over to another.
+    #[test]
+    fn enclosures_contain_kappa_at_any_precision() {
+        use rand::{RngExt, SeedableRng};
+        let mut random = rand::rngs::Xoshiro256PlusPlus::seed_from_u64(1);
+        let mut exponents: Vec<rug::Rational> =
+            [(1, 3), (3, 10), (8, 1), (41, 2), (61, 60), (142, 1), (1000, 7), (123_456, 1)]
+                .map(rug::Rational::from)
+                .into();
+        for length in [4, 8, 20, 40, 62] {
+            let mut part = || rug::Integer::from(random.random_range(1..1_i64 << length));
+            exponents.extend((0..3).map(|_| rug::Rational::from((part(), part()))));
+        }
+        exponents.push(rug::Rational::from((3, 7)) >> 900u32);
+        exponents.extend([0.3, 1.7, 55.5].into_iter().filter_map(rug::Rational::from_f64));
+        for bits in (2..40).step_by(3).chain([53, 60, 64, 113, 200, 333, 700]) {
+            for n in &exponents {
+                let exact = enclosure_by_gamma(n, bits);
+                assert_encloses(&kappa_enclosure(Precision::new(bits), n), &exact, bits, n);
+                let point = Interval::from_rational(Precision::new(bits + 32), n);
+                assert_encloses(&Interval::kappa(&point), &exact, bits + 30, n);
+            }
+        }
+    }
+
+    /// s < 4κ_n²/π < s + 1/2s with s = 2n + 1, which here is as good as 1000 bits.
+    #[test]
+    fn huge_exponents_are_enclosed() {
+        for bits in [2, 53, 400] {
+            for shift in [500_u32, 900, 5000] {
+                let n = rug::Rational::from((3, 7)) << shift;
+                let s = Interval::from_rational(Precision::new(2 * bits + 300), &(n.clone() * 2u32 + 1u32));
+                let square = s.clone() + (s.lit(1) / s.clone().times(2)).hull(&s.lit(0));
+                let exact = (square * s.pi()).sqrt().over(2);
+                assert_encloses(&kappa_enclosure(Precision::new(bits), &n), &exact, bits, &n);
+            }
+        }
+    }
+
+    /// Beyond what Γ of MPFR can do in a test: runs of long integers against the continued fraction at twice the precision.
+    #[test]
+    fn many_digits_of_two_expansions_agree() {
+        for n in [(1, 3), (7, 5), (4, 1), (41, 2)].map(rug::Rational::from) {
+            for bits in [3000, 5990, 6010, 13_000] {
+                let sharp =
+                    shifted::kappa(&Float::with_val(2 * bits, &n), 2 * bits).enclosure(Precision::new(2 * bits));
+                assert_encloses(&kappa_enclosure(Precision::new(bits), &n), &sharp, bits, &n);
+            }
+        }
+    }
+
+    /// A factor taken for another must not go unnoticed: the fraction for a neighbouring n is outside.
+    #[test]
+    fn the_next_number_is_not_enclosed() {
+        for n in [0.3, 1.7, 30.0] {
+            let kappa = Interval::kappa(&Interval::point(Float::with_val(60, n)));
+            let next = Float::with_val(200, n) + (Float::with_val(200, n) >> 50);
+            assert!(!kappa.contains(&Float::kappa(&next)), "n = {n}");
+        }
+    }
+
     #[test]
     fn a_wide_interval_gives_the_hull() {
         let n = Interval::new(Float::with_val(100, 0.4), Float::with_val(100, 0.6));
@@ -171,7 +246,6 @@ mod mp {
                     assert!(enclosure.radius() < error.abs() * 40u32, "n = {n}, {terms} terms: {enclosure}");
                 };
                 check(series::kappa(&point, terms), &sharp);
-                check(rational::split_series(&n, terms, 400), &sharp);
                 check(brouncker::kappa(&point, terms), &sharp);
                 let sequence = |j: i64| point.lit(1) / (point.lit(j + 1) + &point);
                 let sum = alternating::alternating_sum(&point, i64::from(terms), sequence);

@@ -2,6 +2,8 @@
 
 #[cfg(feature = "mp")]
 pub mod certify;
+#[cfg(feature = "mp")]
+mod counted;
 mod dual;
 mod float;
 #[cfg(feature = "mp")]
@@ -12,6 +14,8 @@ mod mp;
 mod real;
 mod wide;
 
+#[cfg(feature = "mp")]
+pub use counted::Counted;
 pub use dual::Dual;
 #[cfg(feature = "mp")]
 pub use interval::Interval;

@@ -128,10 +128,76 @@ fn working_bits(value: &Interval, digits: u32) -> u32 {
     value.precision().max(Precision::from_digits(digits).bits()).saturating_add(GUARD)
 }
 
+/// Powers of ten up to this are multiplied out in full.
+const LARGEST_POWER: f64 = 20_000.0;
+
 fn round_interval(value: &Interval, digits: u32) -> Option<Decimal> {
     if value.contains_zero() || !value.is_finite() {
         return (value.is_point() && value.contains_zero()).then(Decimal::default);
     }
+    let negative = value.upper().is_sign_negative();
+    let [near, far] = if negative { [value.upper(), value.lower()] } else { [value.lower(), value.upper()] };
+    let (significand, binary) = near.to_f64_exp();
+    let logarithm = f64::from(binary) * std::f64::consts::LOG10_2 + significand.abs().log10();
+    if logarithm.abs() > LARGEST_POWER {
+        return round_far(value, digits);
+    }
+    // Never too large, and one too small only close to a power of ten.
+    let exponent = (logarithm - 1e-9).floor() as i64;
+    let limit = Integer::from(Integer::u_pow_u(10, digits));
+    for exponent in [exponent, exponent + 1] {
+        let scale = i64::from(digits) - 1 - exponent;
+        let power = Integer::from(Integer::u_pow_u(10, u32::try_from(scale.unsigned_abs()).ok()?));
+        let significand = scaled(near, scale < 0, &power)?;
+        // In the decade of the smaller end, or rounded to its end, it decides.
+        if significand <= limit {
+            let agreed = significand == scaled(far, scale < 0, &power)?;
+            let (significand, exponent) = carry(significand, exponent.into(), limit / 10u32);
+            return agreed.then(|| Decimal::new(negative, significand, exponent, digits));
+        }
+    }
+    None
+}
+
+/// |value| times or divided by an integer, rounded to the nearest integer, ties to even.
+fn scaled(value: &Float, divide: bool, factor: &Integer) -> Option<Integer> {
+    let (significand, binary) = value.to_integer_exp()?;
+    let places = binary.unsigned_abs();
+    let mut numerator = significand.abs();
+    if divide {
+        let mut divisor = factor.clone();
+        if binary < 0 {
+            divisor <<= places
+        } else {
+            numerator <<= places
+        }
+        return Some(round_quotient(numerator, divisor));
+    }
+    numerator *= factor;
+    if binary >= 0 {
+        return Some(numerator << places);
+    }
+    // The lowest bit set is the half.
+    let tie = numerator.find_one(0) == Some(places - 1);
+    let mut quotient = Integer::from(&numerator >> places);
+    if numerator.get_bit(places - 1) && (!tie || quotient.is_odd()) {
+        quotient += 1;
+    }
+    Some(quotient)
+}
+
+/// The nearest integer to a quotient of integers, ties to even.
+fn round_quotient(numerator: Integer, denominator: Integer) -> Integer {
+    let (mut quotient, remainder) = numerator.div_rem(denominator.clone());
+    let half = (remainder * 2u32).cmp(&denominator);
+    if half.is_gt() || (half.is_eq() && quotient.is_odd()) {
+        quotient += 1;
+    }
+    quotient
+}
+
+/// Rounds an interval of extreme magnitude, where a power of ten cannot be multiplied out.
+fn round_far(value: &Interval, digits: u32) -> Option<Decimal> {
     let magnitude = widen(&value.abs(), working_bits(value, digits));
     // |value| < 2^e, so the decimal exponent is at most ⌊e · log₁₀2⌋, and at least one less: 2^(e−1) ≤ upper end.
     let binary = magnitude.upper().get_exp()?;
@@ -216,16 +282,61 @@ fn round_rational(value: &Rational, digits: u32) -> Decimal {
         } else {
             (Integer::from(&numerator * &power), denominator.clone())
         };
-        let (mut significand, remainder) = dividend.div_rem(divisor.clone());
-        if significand < unit {
+        if dividend < Integer::from(&divisor * &unit) {
             exponent -= 1;
             continue;
         }
-        let half = (remainder * 2u32).cmp(&divisor);
-        if half.is_gt() || (half.is_eq() && significand.is_odd()) {
-            significand += 1;
-        }
+        let significand = round_quotient(dividend, divisor);
         let (significand, exponent) = carry(significand, exponent.into(), unit);
         return Decimal::new(*value < 0, significand, exponent, digits);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The two roundings of an interval against that of a rational, also at ties and at both ends of a decade.
+    #[test]
+    fn an_interval_rounds_as_its_rational_does() {
+        let texts = [
+            (1, 8),
+            (5, 4),
+            (15, 4),
+            (-25, 2),
+            (999_999, 1),
+            (9_999_995, 10),
+            (1, 1 << 20),
+            (7, 1),
+            (1 << 30, 1),
+            (-3, 64),
+        ];
+        for value in texts.map(Rational::from) {
+            for shift in [-3000, -40, 0, 40, 3000] {
+                let value = value.clone() << shift;
+                for digits in 1..8 {
+                    let point = Interval::from_rational(Precision::new(40), &value);
+                    assert!(point.is_point());
+                    let exact = Some(round_rational(&value, digits));
+                    assert_eq!(round_interval(&point, digits), exact, "{value}, {digits} digits");
+                    // A power of ten below 1 is no binary number, and a tie may then be left open.
+                    let far = round_far(&point, digits);
+                    assert!(far.is_none() || far == exact, "{value}, {digits} digits: {far:?}");
+                }
+            }
+        }
+    }
+
+    /// Every number of a wide interval rounds to the same decimal, or there is none.
+    #[test]
+    fn a_decimal_is_that_of_both_ends() {
+        let interval = |lower: f64, upper: f64| Interval::new(Float::with_val(60, lower), Float::with_val(60, upper));
+        let round = |lower, upper, digits| round_interval(&interval(lower, upper), digits).map(|d| d.to_string());
+        assert_eq!(round(9.96, 9.99, 2).as_deref(), Some("10"));
+        assert_eq!(round(9.96, 10.04, 2).as_deref(), Some("10"));
+        assert_eq!(round(9.94, 9.96, 2), None);
+        assert_eq!(round(0.996, 1.004, 3), None);
+        assert_eq!(round(-2.4375, -2.4296875, 2).as_deref(), Some("-2.4"));
+        assert_eq!(round(-1.0, 1.0, 2), None);
     }
 }

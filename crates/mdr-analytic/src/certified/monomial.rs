@@ -1,0 +1,161 @@
+//! Critical states as products of powers, with counted roundings.
+//!
+//! With B = πw/2E* and the tension λ (1 under fixed grips, 3 under a dead load)
+//!
+//! √a = (λ√B/(nκ_nC))^{1/(2n−1)},  |d| = |(λ−2n)/n| √B √a,  |F| = |2(λ−2(n+1))/(n+1)| E* √B √a a.
+//!
+//! For n = p/q the exponent is q/(2p−q): an integer power and a root. Where both are of a reasonable degree, that is several
+//! times faster than the logarithm and exponential of the general formula, [`Contact::critical`](crate::Contact::critical).
+
+use mdr_core::contact::Control;
+use mdr_core::number::{Counted, Interval, Precision};
+use rug::{Float, Rational};
+
+use super::{Question, exact};
+use crate::kappa::rational_kappa;
+
+/// The largest degree of a power or a root.
+const LARGEST: i64 = 500;
+
+/// What a critical state is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Monomials {
+    /// w/2E*
+    edge: Rational,
+    /// λ/(nC)
+    softness: Rational,
+    /// 1/(2n−1), numerator and denominator.
+    exponent: (i32, u32),
+    /// |(λ−2n)/n|
+    indentation: Rational,
+    /// |2(λ−2(n+1))/(n+1)| E*
+    force: Rational,
+    /// Whether d and F are negative.
+    negative: [bool; 2],
+}
+
+impl Monomials {
+    /// None on a machine, at n = 1/2, for an exponent with long numbers, and where d = 0.
+    pub(super) fn new(
+        n: &Rational,
+        c: &Rational,
+        e_star: &Rational,
+        work: &Rational,
+        control: &Control<Rational>,
+    ) -> Option<Self> {
+        let tension = match control {
+            Control::Indentation => 1,
+            Control::Force => 3,
+            Control::Machine { .. } => return None,
+        };
+        let excess = Rational::from(n * 2u32) - 1u32;
+        if excess.is_zero() {
+            return None;
+        }
+        let inverse = excess.recip();
+        let [up, down] = [inverse.numer().to_i64()?, inverse.denom().to_i64()?];
+        if up.abs() > LARGEST || down > LARGEST {
+            return None;
+        }
+        let indentation: Rational = (tension - Rational::from(n * 2u32)) / n;
+        let next = Rational::from(n + 1u32);
+        let force: Rational = (tension - Rational::from(&next * 2u32)) * 2u32 / next * e_star;
+        if indentation.is_zero() || force.is_zero() {
+            return None;
+        }
+        Some(Monomials {
+            edge: Rational::from(work / e_star) / 2u32,
+            softness: tension / Rational::from(n * c),
+            exponent: (i32::try_from(up).ok()?, u32::try_from(down).ok()?),
+            negative: [indentation < 0, force < 0],
+            indentation: indentation.abs(),
+            force: force.abs(),
+        })
+    }
+
+    /// κ_n, a, d and F. None where a value leaves the range of the exponents.
+    fn state(&self, kappa: Counted, working: Precision, precision: Precision) -> Option<[Interval; 4]> {
+        let root_edge = Counted::pi(working).scaled(&self.edge).sqrt();
+        let (up, down) = self.exponent;
+        let root = root_edge.clone().scaled(&self.softness).over(&kappa).power(up, down);
+        let product = root_edge.times(&root);
+        let radius = root.clone().times(&root);
+        let force = product.clone().times(&radius).scaled(&self.force);
+        let indentation = product.scaled(&self.indentation);
+        let enclose = |number: &Counted, negative| {
+            let magnitude = number.enclosure(precision);
+            let known = !magnitude.is_entire() && !magnitude.contains_zero();
+            known.then_some(if negative { -magnitude } else { magnitude })
+        };
+        let [d_negative, f_negative] = self.negative;
+        Some([
+            enclose(&kappa, false)?,
+            enclose(&radius, false)?,
+            enclose(&indentation, d_negative)?,
+            enclose(&force, f_negative)?,
+        ])
+    }
+}
+
+impl Question {
+    /// κ_n, a, d and F by counted roundings; none where only the general formula serves.
+    pub(super) fn counted(&self, precision: Precision) -> Option<[Interval; 4]> {
+        let monomials = self.monomials.as_ref()?;
+        let (up, down) = monomials.exponent;
+        // Roundings of κ: fewer than there are bits; twice for a, and magnified by the exponent.
+        let magnified = up.unsigned_abs().div_ceil(down);
+        let guard = 2 * u32::BITS - precision.bits().leading_zeros() - magnified.leading_zeros() + 4;
+        let working = Precision::new(precision.bits() + guard);
+        let kappa = match exact::kappa(&self.exponent) {
+            Some(kappa) => Counted::new(Float::with_val(working.bits(), kappa), 1),
+            None => rational_kappa(working, &self.exponent),
+        };
+        monomials.state(kappa, working, precision)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use mdr_core::number::certify::Enclosure;
+
+    use super::*;
+    use crate::certified::Elasticity;
+
+    fn question(n: &str, force: bool) -> Question {
+        let control = if force { Control::Force } else { Control::Indentation };
+        let [n, c, e_star, work] = [n, "1.5e-3", "1e6", "0.05"].map(|text| text.parse().unwrap());
+        Question::new(&n, &c, &Elasticity::Effective(e_star), &work, &control).unwrap()
+    }
+
+    /// Two routes with no code in common but κ_n.
+    #[test]
+    fn counted_roundings_and_intervals_agree() {
+        for n in ["1/3", "3/10", "7/5", "1/4", "2", "1", "3/2", "5", "37/100", "0.49", "0.51", "20/3"] {
+            for (bits, force) in [(40, false), (167, true), (167, false), (900, true)] {
+                let question = question(n, force);
+                let Some(counted) = question.counted(Precision::new(bits)) else {
+                    assert!(n == "3/2" && force, "n = {n}: no monomials");
+                    continue;
+                };
+                let sharp = question.general_critical(Precision::new(2 * bits + 100)).unwrap();
+                for (name, (counted, sharp)) in ["κ", "a", "d", "F"].iter().zip(counted.iter().zip(&sharp)) {
+                    let sharp = match sharp {
+                        Enclosure::Value(value) => value.clone(),
+                        Enclosure::Exact(value) => Interval::from_rational(Precision::new(2 * bits + 100), value),
+                        Enclosure::Log { .. } => panic!("{name} out of range"),
+                    };
+                    let inside = counted.lower() <= sharp.lower() && sharp.upper() <= counted.upper();
+                    assert!(inside, "n = {n}, {bits} bits, {name}: {counted} {sharp}");
+                    assert!(counted.accuracy_bits() >= i64::from(bits) - 3, "n = {n}, {bits} bits, {name}: {counted}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn long_exponents_are_left_to_the_general_formula() {
+        for n in ["1/2", "0.123456", "0.5000001"] {
+            assert!(question(n, false).counted(Precision::new(100)).is_none(), "n = {n}");
+        }
+    }
+}
