@@ -135,6 +135,39 @@ fn folds_on_a_machine_fulfil_the_symbolic_condition() {
     }
 }
 
+/// The series with three bits a turn, with the weight, the ratio and the remainder of the entry `kappa-series`, is κ_n as the
+/// library encloses it; with one sign changed it is not.
+#[test]
+fn the_series_of_the_derivation_is_the_kappa_of_the_library() {
+    const TURNS: i64 = 40;
+    let entry = mdr_symbolic::derivations::entry("kappa-series").unwrap();
+    let side = |text: &str| text.parse::<Formula>().unwrap();
+    let weight = "(3*n/2 + 1 + 3*m)/(n/2 + 1 + 2*m)";
+    let ratio = "(n + m)*(1 - n/2 + m)/(2*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m))";
+    for stated in [weight, ratio] {
+        let ends_with = |statement: &str| statement.ends_with(&format!("= {stated}"));
+        assert!(entry.steps.iter().any(|step| step.statement.is_some_and(ends_with)), "{stated} is not in the entry");
+    }
+    for point in Points::new("series", Domain::Positive, &[]).take(12) {
+        let one = enclosure(&Rational::from(1));
+        let sum = |sign: i64| {
+            let (mut sum, mut product) = (one.lit(0), one.clone());
+            for m in 0..TURNS {
+                let there = point.with("m", &one.lit(m));
+                let value = |formula: &str| evaluate(&side(formula), Domain::Positive, &there).unwrap();
+                sum += &(value(weight) * &product);
+                product *= &value(ratio).times(sign);
+            }
+            // n is below 6, so that 40 turns are enough for the bound 2 of what is left.
+            sum.inflate(&product.times(2))
+        };
+        let kappa = mdr_analytic::kappa_enclosure(one.ctx(), point.exponent());
+        let series = sum(-1);
+        assert!(series.overlaps(&kappa) && series.accuracy_bits() > 70, "{series} and {kappa}");
+        assert!(!sum(1).overlaps(&kappa) || point.exponent().is_integer(), "{kappa} with the wrong sign");
+    }
+}
+
 /// A formula that is wrong by one factor is found out.
 #[test]
 fn a_wrong_formula_is_found_out() {

@@ -70,6 +70,29 @@ pub(super) const SERIES: Entry = Entry {
              = (n + m)*(1 - n/2 + m)/(2*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m))",
             "times the product of these with alternating sign, which tends to 1/8: three bits a turn. For even n the series ends.",
         ),
+        Step::proved(
+            POSITIVE,
+            "1/8 - (n + m)*(1 - n/2 + m)/(2*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m)) \
+             = ((3*n/2 - 5/6)^2 + 47/36 + 2*m)/(8*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m))",
+            "From the turn m ≥ n/2 − 1 on, where the ratio is not negative, it is below 1/8;",
+        ),
+        Step::proved(
+            POSITIVE,
+            "1 + (n + m)*(1 - n/2 + m)/(2*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m)) \
+             = (4 + 4*n + 13*m + 9*n*m/2 + 9*m^2)/(2*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m))",
+            "before it is negative and above −1: the products decrease, and have one sign.",
+        ),
+        Step::proved(
+            POSITIVE,
+            "1/2 - q = (c - b)/(2*(c + j))",
+            "Where b ≤ c no term of f(b, c) exceeds half of the one before, so that 0 < f ≤ 2.",
+        ),
+        Step::proved(
+            POSITIVE,
+            "at(at(c - b, b, n + m), c, 1 + n/2 + 2*m) = 1 - n/2 + m",
+            "What m turns leave over is f for these b and c times the product of m factors: for m ≥ n/2 − 1 at most twice that \
+             product, and at most 2·8⁻ᵏ when k of the turns came after the first that is ≥ n/2 − 1.",
+        ),
     ],
     erratum: None,
     references: &["NIST Digital Library of Mathematical Functions, §15.4 and §15.5"],
