@@ -3,6 +3,7 @@
 use mdr_analytic::certified::{self, Elasticity};
 use mdr_analytic::{Contact, PowerLaw, kappa, kappa_enclosure};
 use mdr_core::contact::{Control, Error, Material, Quantity, Result};
+use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use rug::{Float, Rational};
 use serde_json::{Map, Value};
@@ -179,6 +180,22 @@ fn state<R: Real>(n: R, kappa: R, [c, e, w]: [R; 3]) -> Result<[R; 4]> {
     Ok([kappa, critical.contact_radius, critical.indentation, critical.force])
 }
 
+/// The critical state that is asked for.
+fn asked() -> Result<certified::Question> {
+    let [c, e, w] = SCALES.map(literal);
+    let (n, elasticity) = (literal("3/10")?, Elasticity::Effective(e?));
+    certified::Question::new(&n, &c?, &elasticity, &w?, &Control::Indentation)
+}
+
+/// Numbers of this size have a value or are exact; nothing is known of a logarithm.
+fn interval(number: Enclosure, precision: Precision) -> Interval {
+    match number {
+        Enclosure::Value(value) => value,
+        Enclosure::Exact(value) => Interval::from_rational(precision, &value),
+        Enclosure::Log { .. } => Interval::entire(precision),
+    }
+}
+
 fn critical_states() -> Vec<Entry> {
     let with = |kappa: fn(&Float) -> Result<Float>| {
         move |digits| -> Result<Solver> {
@@ -191,20 +208,15 @@ fn critical_states() -> Vec<Entry> {
     };
     vec![
         Entry::new("certified, as enclosures", Arithmetic::Certified, |digits| {
-            let n = Rational::from(EXPONENT);
-            let [c, e, w] = SCALES.map(rational);
-            let scales = [c?, e?, w?];
+            let question = asked()?;
             Ok(Box::new(move || {
                 let precision = working(digits);
-                let enclose = |value: &Rational| Interval::from_rational(precision, value);
-                let found = state(enclose(&n), kappa_enclosure(precision, &n), scales.each_ref().map(enclose))?;
-                Ok(found.map(Found::Enclosure).into())
+                let found = question.enclosures(precision)?;
+                Ok(found.map(|number| Found::Enclosure(interval(number, precision))).into())
             }))
         }),
         Entry::new("certified, in decimals", Arithmetic::Certified, |digits| {
-            let [c, e, w] = SCALES.map(literal);
-            let (n, elasticity) = (literal("3/10")?, Elasticity::Effective(e?));
-            let question = certified::Question::new(&n, &c?, &elasticity, &w?, &Control::Indentation)?;
+            let question = asked()?;
             Ok(Box::new(move || {
                 let answer = question.answer(digits + 1)?;
                 let state = answer.critical.into_iter();
