@@ -6,9 +6,10 @@ use std::collections::BTreeSet;
 
 use mdr_crosscheck::{Level, Options, Report, Theory, Verdict, checks_of, faults, forms, run, run_against};
 
-/// The rows that claim to watch over a form, over a few cases.
-fn watched(theory: &Theory, only: Vec<String>) -> Report {
-    run_against(theory, &Options { only, limit: Some(16), ..Options::at(Level::Quick) }, &|_| ())
+/// A row that claims to watch over a form, over a few cases.
+fn watched(theory: &Theory, row: &str, cases: usize) -> Report {
+    let only = vec![row.to_owned()];
+    run_against(theory, &Options { only, limit: Some(cases), ..Options::at(Level::Quick) }, &|_| ())
 }
 
 #[test]
@@ -18,7 +19,9 @@ fn every_fault_is_caught() {
     for fault in faults() {
         count += 1;
         let names = checks_of(fault.form);
-        let caught = names.iter().any(|name| !watched(&Theory::with(fault), vec![(*name).to_owned()]).passed());
+        let theory = Theory::with(fault);
+        // Most faults show at once; some only in few of the cases.
+        let caught = [2, 16].iter().any(|&cases| names.iter().any(|name| !watched(&theory, name, cases).passed()));
         if !caught {
             missed.push(fault.to_string());
         }
