@@ -63,6 +63,20 @@ kappa | kappa-1e-6 | Γ quotient, statrs | f64 | false | f64 | digits | 15.34 | 
     assert_eq!(points, rows.len(), "every point is on standard output");
 }
 
+/// The ladders alone: a picture and data of each family, and one table.
+#[test]
+fn a_report_on_the_ladders() {
+    let path = directory("report-ladders");
+    mdr(&format!("report --quick --only ladders --out {}", path.display())).assert().success();
+    let page = std::fs::read_to_string(path.join("README.md")).unwrap();
+    let links: Vec<_> = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()).collect();
+    assert_eq!(links.len(), 23, "{page}");
+    for link in &links {
+        assert!(path.join(link).is_file(), "{link}");
+    }
+    assert!(page.contains("\n## ladders\n") && page.contains(" | open: "), "{page}");
+}
+
 #[test]
 fn a_task_that_is_none_is_refused() {
     let run = mdr("report --only kapa").assert().code(2).stdout_eq("");

@@ -1,8 +1,10 @@
-//! `mdr report`: error against run time.
+//! `mdr report`: error against run time, and stability.
 
 mod baseline;
 mod diagram;
 mod footer;
+mod ladder_panels;
+mod ladders;
 mod page;
 mod speed;
 mod table;
@@ -14,6 +16,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use mdr_crosscheck::contest::speed::{Race, races};
 use mdr_crosscheck::contest::{Clock, Diagram, Effort, Task, tasks};
+use mdr_crosscheck::ladders::Ladder;
 use serde::Serialize;
 
 use self::footer::Machine;
@@ -40,8 +43,9 @@ Examples:
     mdr report --renew docs/report/baseline.jsonl
 
 Each diagram is an SVG file of black lines on white and a CSV file of its points; README.md shows them all, with a table of
-the time to so many digits, what failed, and what was left out; report.json has everything in one file. Errors are those of
-the answers against an enclosure of the truth in which no contestant had a part. Times are medians of repeated runs and
+the time to so many digits, what failed, and what was left out; report.json has all diagrams in one file. The stability
+ladders, one SVG and one CSV file a family of directions and a table in README.md, tell how errors grow while questions become
+hard; they are not timed and not in report.json. Errors are those of the answers against an enclosure of the truth in which no contestant had a part. Times are medians of repeated runs and
 belong to the machine that the page names: compare them within one report.
 JSON: schema mdr.report/1, one line a diagram.
 Exit status: 0 all files are written and nothing got worse, 1 something got worse, 2 bad input or a file that cannot be written.";
@@ -61,7 +65,8 @@ pub(crate) struct Report {
     #[arg(long)]
     quick: bool,
 
-    /// Only the tasks of these names, separated by commas; the races against other projects are the task speed
+    /// Only the tasks of these names, separated by commas; the races against other projects are the task speed, the stability
+    /// ladders the task ladders
     #[arg(long, value_name = "TASK", value_delimiter = ',', allow_hyphen_values = true)]
     only: Vec<String>,
 
@@ -93,6 +98,9 @@ struct Findings {
     races: Vec<Race>,
     /// Who could not race, and why.
     absent: Vec<String>,
+    /// How errors grow towards where functions are in danger: in files of their own.
+    #[serde(skip)]
+    ladders: Vec<Ladder>,
 }
 
 /// The diagrams of one task.
@@ -128,6 +136,9 @@ impl Report {
             write(&self.out, &format!("{}.svg", diagram.id), picture::svg(&diagram::picture(diagram))?)?;
             write(&self.out, &format!("{}.csv", diagram.id), table::csv([diagram])?)?;
         }
+        for (name, bytes) in ladders::files(&findings.ladders)? {
+            write(&self.out, &name, bytes)?;
+        }
         write(&self.out, "README.md", page::page(&findings))?;
         let json = serde_json::to_string(&findings)
             .map_err(|error| Failure::file("report.json", std::io::Error::other(error)))?;
@@ -137,7 +148,7 @@ impl Report {
 
     /// The tasks that are asked for.
     fn tasks(&self) -> Result<Vec<&'static Task>> {
-        let names: Vec<_> = tasks().iter().map(|task| task.name).chain([speed::NAME]).collect();
+        let names: Vec<_> = tasks().iter().map(|task| task.name).chain([speed::NAME, ladders::NAME]).collect();
         if let Some(name) = self.only.iter().find(|name| !names.contains(&name.as_str())) {
             return Err(Failure::flag("--only", format_args!("must be one of {}", names.join(", ")), name));
         }
@@ -152,7 +163,7 @@ impl Report {
         let (effort, runs) = if self.quick { (Effort::Quick, 3) } else { (Effort::Full, 9) };
         let style = ProgressStyle::with_template("{bar:40.green} {pos} of {len}  {msg}  {elapsed}");
         let bar =
-            ProgressBar::new(tasks.len() as u64 + 1).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+            ProgressBar::new(tasks.len() as u64 + 2).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         bar.enable_steady_tick(Duration::from_millis(500));
         let mut sections = Vec::with_capacity(tasks.len());
         for task in tasks {
@@ -167,9 +178,16 @@ impl Report {
         } else {
             Default::default()
         };
+        bar.inc(1);
+        let ladders = if self.asks_for(ladders::NAME) {
+            bar.set_message(ladders::NAME);
+            mdr_crosscheck::ladders::ladders(effort)
+        } else {
+            Vec::new()
+        };
         bar.finish_and_clear();
         let (schema, command, machine) = ("mdr.report/1", self.command(), Machine::here());
-        Findings { schema, command, machine, effort, runs, tasks: sections, races, absent }
+        Findings { schema, command, machine, effort, runs, tasks: sections, races, absent, ladders }
     }
 
     /// How this report is asked for, wherever its files go.
@@ -201,6 +219,16 @@ impl Report {
                         cell(digits.map_or(String::new(), |digits| format!("{digits:.1}")), Tone::Plain),
                         cell(failures, Tone::Plain),
                         cell(&diagram.title, Tone::Plain),
+                    ]);
+                }
+                for (family, of_family) in ladders::families(&findings.ladders) {
+                    let open = of_family.iter().filter(|ladder| !ladder.accepted()).count();
+                    files.add_row([
+                        cell(self.out.join(format!("{}.svg", ladders::id(family))).display(), Tone::Good),
+                        cell(of_family.len(), Tone::Plain),
+                        cell("", Tone::Plain),
+                        cell(open, Tone::Plain),
+                        cell(format_args!("Errors as {}", family.title()), Tone::Plain),
                     ]);
                 }
                 let page = self.out.join("README.md");

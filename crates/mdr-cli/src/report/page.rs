@@ -2,7 +2,7 @@
 
 use mdr_crosscheck::contest::{Diagram, Outcome, View};
 
-use super::{Findings, Section, speed, table};
+use super::{Findings, Section, ladders, speed, table};
 
 const HEAD: &str = "\
 # Error against run time
@@ -21,11 +21,12 @@ pub(super) fn page(findings: &Findings) -> String {
         page.push_str(&task(section));
     }
     page.push_str(&speed::section(&findings.races));
+    page.push_str(&ladders::section(&findings.ladders, findings.effort));
     page.push_str(&failures(findings));
     page.push_str(&omissions(findings));
     page.push_str(&format!(
         "\n## How this was made\n\n    {}\n\n{} Each answer was timed {} times, fewer where it is slow; an answer \
-         shorter than 2 ms is repeated within a run. All points are in report.json.\n",
+         shorter than 2 ms is repeated within a run. All points of the diagrams are in report.json.\n",
         findings.command,
         findings.machine.told(),
         findings.runs
@@ -112,7 +113,7 @@ fn capitalised(text: &str) -> String {
 }
 
 /// A text within a cell of a table.
-fn in_cell(text: &str) -> String {
+pub(super) fn in_cell(text: &str) -> String {
     text.replace('|', "\\|").replace('\n', " ")
 }
 
@@ -137,6 +138,7 @@ mod tests {
             tasks: vec![section],
             races: Vec::new(),
             absent: Vec::new(),
+            ladders: Vec::new(),
         }
     }
 
