@@ -80,7 +80,7 @@ pub enum Form {
 }
 
 /// The functions of `mdr_analytic::double` that give numbers.
-pub(crate) const DOUBLE: [&str; 25] = [
+pub(crate) const DOUBLE: [&str; 26] = [
     "double::critical",
     "double::kappa",
     "double::g",
@@ -106,6 +106,7 @@ pub(crate) const DOUBLE: [&str; 25] = [
     "double::scale_free_state",
     "double::ratio",
     "double::threshold",
+    "double::critical_states",
 ];
 
 /// One of the three closed forms of a profile.

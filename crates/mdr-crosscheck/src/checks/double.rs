@@ -1,7 +1,8 @@
 //! The f64 functions that promise two ulp, against the same closed forms at 400 bits.
 
+use mdr_analytic::double::grid::{Materials, Path, Points, States, critical_states_on};
 use mdr_analytic::{Contact, Critical, PowerLaw, double};
-use mdr_core::contact::{Error, Material, Ranged, Result, Transform};
+use mdr_core::contact::{Error, Material, Ranged, Result, Status, Transform};
 use mdr_core::number::{Precision, Real};
 use rug::Float;
 
@@ -148,6 +149,7 @@ fn case(trial: &mut Trial<'_>) -> Result<()> {
         double::flat_punch_pull_off(a, &material),
         mdr_analytic::flat_punch_pull_off(&x, exact.material()),
     ));
+    pairs.extend(batch(&scene, held, &exact)?);
     pairs.extend(equilibria(trial, &scene, held, &exact)?);
     let stiffness = 2.0 * scene.e_star * a;
     if (n - 0.5).abs() > 0.03 {
@@ -161,6 +163,40 @@ fn case(trial: &mut Trial<'_>) -> Result<()> {
         }
     }
     enter(trial, pairs)
+}
+
+/// The critical state as a batch of one point, by all instructions that the processor has.
+fn batch(scene: &Scene<f64>, held: Held, exact: &Contact<Float>) -> Result<Vec<Pair>> {
+    let material = scene.material()?;
+    let points = Points { exponent: &[scene.n], coefficient: &[scene.c], material: Materials::One(&material) };
+    let expected = exact.critical(&held.control())?;
+    let mut pairs = Vec::new();
+    for path in Path::available() {
+        let [mut kappa, mut contact_radius, mut indentation, mut force] = [[0.0]; 4];
+        let mut status = [Status::Ok];
+        let mut states = States {
+            kappa: &mut kappa,
+            contact_radius: &mut contact_radius,
+            indentation: &mut indentation,
+            force: &mut force,
+            status: &mut status,
+        };
+        critical_states_on(path, &points, &held.control(), &mut states)?;
+        // Out of range the log10 is that of double::critical.
+        if status == [Status::Ok] {
+            let numbers = [
+                (kappa, exact.profile().kappa()),
+                (contact_radius, &expected.contact_radius),
+                (indentation, &expected.indentation),
+                (force, &expected.force),
+            ];
+            let named = |([found], expected): ([f64; 1], &Float)| {
+                pair("double::critical_states", Ok(Ranged::Value(found)), Ok(expected.clone()))
+            };
+            pairs.extend(numbers.map(named));
+        }
+    }
+    Ok(pairs)
 }
 
 /// Both sides of the fold, from close to it to far: at a value, fresh and ready, and at a distance.
