@@ -196,3 +196,20 @@ fn far_away_a_capped_cone_is_a_cone() {
     let x = 1e3;
     assert!((capped.g(&x).unwrap() / cone.g(&x).unwrap() - 1.0).abs() < 1e-6);
 }
+
+/// A flank so flat that the joint is close to the axis: what is left of a product of differences has no cancellation.
+#[test]
+fn the_integral_of_a_flat_cone_with_a_spherical_cap() {
+    for slope in ["0.5", "1e-3", "7.5e-8", "1e-30", "1e-100"] {
+        for x in ["0.6", "1", "1.7", "30"] {
+            let at = |bits| {
+                let number = |text: &str| Float::from_literal(Precision::new(bits), &text.parse().expect("a decimal"));
+                SphericalCapCone::new(number(slope), number("1")).unwrap().integral(&number(x)).unwrap()
+            };
+            // In the wide one cancellation takes fewer than 800 of 1200 bits.
+            let (found, expected) = (at(53), at(1200));
+            let error = Float::with_val(100, &found - &expected).abs() / Float::with_val(100, expected.abs_ref());
+            assert!(error < 64.0 * f64::EPSILON, "slope {slope}, x {x}: {found} off by {error}");
+        }
+    }
+}

@@ -144,7 +144,10 @@ impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
             moment(x, radius) - moment(&edge.leg, s)
         } else {
             let area = (x.clone() - radius) * (x.clone() + radius);
-            self.logarithm(x, &edge) * area + (radius.clone() * x - s.clone() * &edge.leg)
+            // Rx − sq without cancellation.
+            let sum = radius.clone() * x + s.clone() * &edge.leg;
+            let difference = (s.square() + x.square()) / &sum * &self.cap * &self.cap;
+            self.logarithm(x, &edge) * area + difference
         };
         sphere.over(2) + edge.cone_moment(&self.cap) * &self.slope
     }
