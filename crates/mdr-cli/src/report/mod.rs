@@ -27,7 +27,7 @@ use crate::table::{Tone, cell};
 
 const EXAMPLES: &str = "\
 Examples:
-  All tasks, into the directory report, in less than ten minutes on two cores:
+  All tasks, into the directory report: ten minutes on two cores, and more where other projects take part:
     mdr report
 
   In less than a minute, into another directory, which is made when it is not there:
