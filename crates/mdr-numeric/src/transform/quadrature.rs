@@ -350,7 +350,7 @@ impl<R: Special, P: Profile<R>> Transform<R> for Quadrature<R, P> {
         Ok(self.mean_estimate(x)?.value)
     }
 
-    /// I[Df]: no difference of two integrals.
+    /// I(Df): no difference of two integrals.
     fn above_mean(&self, x: &R) -> Result<R> {
         Ok(self.estimate(x, Integrand::Rise)?.value)
     }
