@@ -9,7 +9,7 @@ use mdr_analytic::{
     universal_indentation,
 };
 use mdr_core::contact::{Control, Error, FoldKind, Material, Regime, Transform};
-use mdr_core::number::{Dual, Interval, Precision, Real};
+use mdr_core::number::Dual;
 use proptest::prelude::*;
 
 fn contact(n: f64, c: f64, e_star: f64, work: f64) -> Contact<f64> {
@@ -115,8 +115,11 @@ fn three_folds() {
 }
 
 /// C at the threshold grows as √(w/E*): enclosures of its derivative are sharp, as ϖ is a constant.
+#[cfg(feature = "mp")]
 #[test]
 fn the_threshold_is_differentiated_over_enclosures() {
+    use mdr_core::number::{Interval, Precision, Real};
+
     let precision = Precision::new(120);
     let [two, three] = [2, 3].map(|value| Interval::from_int(precision, value));
     let material = Material::new(Dual::constant(three), Dual::variable(two)).unwrap();

@@ -3,18 +3,16 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::PI;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Error, Material, Profile, Stability, Transform};
-use mdr_core::number::{Lift, Real};
+use mdr_core::number::Lift;
 use mdr_numeric::branch::{Branched, Onset};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{Event, EventKind, Path, Start, State};
 use mdr_numeric::profiles::{FlatPunch, Paraboloid, Power, Sphere, WavyParaboloid};
 use mdr_numeric::transform::Quadrature;
-use rug::Float;
 
 use EventKind::{CompleteContact, Detached, End, Jump, JumpIn, NotAdmissible, Touch, WayPoint};
 
@@ -43,54 +41,6 @@ fn radius(state: &State<f64>) -> f64 {
 /// R = 1, A = 5e-4, λ = 0.1, w/E* = 1e-4.
 fn figure_4() -> (Quadrature<f64, WavyParaboloid<f64>>, Material<f64>) {
     (Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1).unwrap()), Material::new(1.0, 1e-4).unwrap())
-}
-
-/// A paraboloid that remembers the largest |ln x| it was asked for.
-struct Asked {
-    profile: Quadrature<Float, Paraboloid<Float>>,
-    farthest: AtomicU64,
-}
-
-impl Asked {
-    fn ask(&self, x: &Float) -> &Quadrature<Float, Paraboloid<Float>> {
-        self.farthest.fetch_max(x.ln().abs().approx() as u64, Ordering::Relaxed);
-        &self.profile
-    }
-}
-
-impl Transform<Float> for Asked {
-    fn g(&self, x: &Float) -> Result<Float, Error> {
-        self.ask(x).g(x)
-    }
-
-    fn slope(&self, x: &Float) -> Result<Float, Error> {
-        self.ask(x).slope(x)
-    }
-
-    fn integral(&self, x: &Float) -> Result<Float, Error> {
-        self.ask(x).integral(x)
-    }
-
-    fn outer_radius(&self) -> Option<Float> {
-        None
-    }
-
-    fn kinks(&self) -> Vec<Float> {
-        Vec::new()
-    }
-}
-
-/// Where there is no equilibrium a walk ends with the search for folds, far before the exponents of MPFR do.
-#[test]
-fn walks_end_where_folds_are_searched() {
-    let one = Float::with_val(64, 1);
-    let profile = Quadrature::new(Paraboloid::new(one.clone()).unwrap());
-    let asked = Asked { profile, farthest: AtomicU64::new(0) };
-    let material = Material::new(one.clone(), one.clone() / 1000).unwrap();
-    let branches = Branches::new(Curve::new(&asked, &material, &Control::Indentation)).unwrap();
-    assert_eq!(branches.equilibria(&-one).unwrap(), []);
-    let farthest = asked.farthest.into_inner();
-    assert!(1_000_000 < farthest && farthest < 1_050_000, "{farthest}");
 }
 
 #[test]
@@ -300,5 +250,63 @@ fn units_do_not_matter() {
             assert_relative_eq!(other.contact_radius / length, one.contact_radius, max_relative = 256.0 * U);
             assert_relative_eq!(other.force / force, one.force, max_relative = 1024.0 * U);
         }
+    }
+}
+
+#[cfg(feature = "mp")]
+mod arbitrary_precision {
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    use mdr_core::number::Real;
+    use rug::Float;
+
+    use super::*;
+
+    /// A paraboloid that remembers the largest |ln x| it was asked for.
+    struct Asked {
+        profile: Quadrature<Float, Paraboloid<Float>>,
+        farthest: AtomicU64,
+    }
+
+    impl Asked {
+        fn ask(&self, x: &Float) -> &Quadrature<Float, Paraboloid<Float>> {
+            self.farthest.fetch_max(x.ln().abs().approx() as u64, Ordering::Relaxed);
+            &self.profile
+        }
+    }
+
+    impl Transform<Float> for Asked {
+        fn g(&self, x: &Float) -> Result<Float, Error> {
+            self.ask(x).g(x)
+        }
+
+        fn slope(&self, x: &Float) -> Result<Float, Error> {
+            self.ask(x).slope(x)
+        }
+
+        fn integral(&self, x: &Float) -> Result<Float, Error> {
+            self.ask(x).integral(x)
+        }
+
+        fn outer_radius(&self) -> Option<Float> {
+            None
+        }
+
+        fn kinks(&self) -> Vec<Float> {
+            Vec::new()
+        }
+    }
+
+    /// Where there is no equilibrium a walk ends with the search for folds, far before the exponents of MPFR do.
+    #[test]
+    fn walks_end_where_folds_are_searched() {
+        let one = Float::with_val(64, 1);
+        let profile = Quadrature::new(Paraboloid::new(one.clone()).unwrap());
+        let asked = Asked { profile, farthest: AtomicU64::new(0) };
+        let material = Material::new(one.clone(), one.clone() / 1000).unwrap();
+        let branches = Branches::new(Curve::new(&asked, &material, &Control::Indentation)).unwrap();
+        assert_eq!(branches.equilibria(&-one).unwrap(), []);
+        let farthest = asked.farthest.into_inner();
+        assert!(1_000_000 < farthest && farthest < 1_050_000, "{farthest}");
     }
 }
