@@ -7,7 +7,7 @@ use mdr_numeric::equilibrium::Branches;
 use rug::Float;
 
 use super::Check;
-use super::folds::{Quadratures, transform};
+use super::folds::{ClosedFold, Quadratures};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Held, Scene};
 use crate::report::Unit;
@@ -43,50 +43,36 @@ fn beside<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let held = trial.held();
     let scene: Scene<R> = trial.scene(round, exponent, held.lambda(), ctx);
     let (contact, material, control) = (scene.contact()?, scene.material()?, held.control());
-    let state = trial.theory.critical(&contact, &control)?;
-    let tangent = scene.tangent(held.lambda(), &state.contact_radius);
-    let transform = transform(&scene)?;
-    let errors = Quadratures::at(&transform, tangent.n, &state.contact_radius)?;
-    let (closed, found) = (tangent.radius(), tangent.found_radius(errors.slope));
-    // The error of v_c relative to itself, and twice what counts as the fold itself.
-    let (critical, error) = match held {
-        Held::Indentation => {
-            let error = tangent.fold_indentation(closed, found, errors.g) + 32.0;
-            (&state.indentation, error / (tangent.transform() - 1.0).abs())
-        }
-        Held::Force => {
-            let error = tangent.fold_force(closed, found, errors.g, errors.mean) + 32.0;
-            (&state.force, error / (tangent.pressed() - 1.0).abs())
-        }
-    };
-    let bits = f64::from(critical.precision()) - 2.0 - error.log2();
+    let fold = ClosedFold::of(trial, &scene, held)?;
+    // Twice what counts as the fold itself.
+    let bits = fold.bits(2.0);
     if bits < 1.0 {
         return Ok(());
     }
     let k = trial.uniform(1.0, bits + 1.0).floor() as i64;
     trial.describe_also(format_args!("{held}, k = {k}"));
-    let distance = critical.lit(2).powi(-k);
-    let branches = Branches::new(Curve::new(&transform, &material, &control))?;
+    let distance = fold.value.lit(2).powi(-k);
+    let branches = Branches::new(Curve::new(&fold.transform, &material, &control))?;
 
-    let before = critical.clone() * &(distance.lit(1) - &distance);
+    let before = fold.value.clone() * &(distance.lit(1) - &distance);
     let equilibria = branches.equilibria(&before)?;
     let pull_off = scene.n > scene.n.ratio(1, 2);
     let stable: Vec<bool> = equilibria.iter().map(|state| state.stability == Stability::Stable).collect();
     trial.demand("two equilibria before the fold, and which is stable", stable == [!pull_off, pull_off]);
     for equilibrium in &equilibria {
         let a = &equilibrium.contact_radius;
-        let at = Quadratures::at(&transform, tangent.n, a)?;
-        let rounded_exponent = (tangent.n + 1.0) * a.ln().approx().abs();
+        let at = Quadratures::at(&fold.transform, fold.tangent.n, a)?;
+        let rounded_exponent = (fold.tangent.n + 1.0) * a.ln().approx().abs();
         let terms = trial.theory.g(contact.profile(), a)? + trial.theory.detachment_elongation(&material, a)?;
         let (found, scale) = match held {
             Held::Indentation => (trial.theory.indentation(&contact, a)?, terms),
             Held::Force => (trial.theory.force(&contact, a)?, terms * a * scene.e_star.clone().times(2)),
         };
         // The direction of change vanishes to the rounding of its terms; the last bracket moves g by n and Δl by ½.
-        let allowed = at.g + at.mean + TRANSFORM + 2.0 * ELONGATION + 4.0 * tangent.n + rounded_exponent + 16.0;
+        let allowed = at.g + at.mean + TRANSFORM + 2.0 * ELONGATION + 4.0 * fold.tangent.n + rounded_exponent + 16.0;
         trial.compare_on("v", &found, &before, &scale, allowed);
     }
-    let beyond = critical.clone() * &(distance.lit(1) + &distance);
+    let beyond = fold.value.clone() * &(distance.lit(1) + &distance);
     trial.demand("no equilibrium beyond the fold", branches.equilibria(&beyond)?.is_empty());
     let outcome = if pull_off { Outcome::Detached } else { Outcome::CompleteContact };
     trial.demand("what becomes of the contact", branches.outcome(0)? == outcome);

@@ -85,6 +85,45 @@ impl Quadratures {
     }
 }
 
+/// The fold of a power law by its closed form, for checks of what is beside it.
+pub(super) struct ClosedFold<R> {
+    /// The law for the numerical route.
+    pub(super) transform: Quadrature<R, Power<R>>,
+    pub(super) tangent: Tangent,
+    /// The controlled quantity at the fold.
+    pub(super) value: R,
+    /// What the closed form may err in ln a_λ, in roundoffs.
+    pub(super) radius_error: f64,
+    /// What both routes may err in the value, relative to itself, in roundoffs.
+    pub(super) value_error: f64,
+}
+
+impl<R: Arithmetic> ClosedFold<R> {
+    pub(super) fn of(trial: &mut Trial<'_>, scene: &Scene<R>, held: Held) -> Result<Self> {
+        let state = trial.theory.critical(&scene.contact()?, &held.control())?;
+        let tangent = scene.tangent(held.lambda(), &state.contact_radius);
+        let transform = transform(scene)?;
+        let errors = Quadratures::at(&transform, tangent.n, &state.contact_radius)?;
+        let (closed, found) = (tangent.radius(), tangent.found_radius(errors.slope));
+        // The value is a difference: its error is on the scale of one of the terms.
+        let (value, error, difference) = match held {
+            Held::Indentation => {
+                (state.indentation, tangent.fold_indentation(closed, found, errors.g), tangent.transform() - 1.0)
+            }
+            Held::Force => {
+                (state.force, tangent.fold_force(closed, found, errors.g, errors.mean), tangent.pressed() - 1.0)
+            }
+        };
+        let value_error = (error + 32.0) / difference.abs();
+        Ok(ClosedFold { transform, tangent, value, radius_error: closed, value_error })
+    }
+
+    /// −log₂ of the least distance from the fold, relative to its value, that is `spare` bits above that error.
+    pub(super) fn bits(&self, spare: f64) -> f64 {
+        f64::from(self.value.precision()) - spare - self.value_error.log2()
+    }
+}
+
 /// The folds. In f64, and in every eighth case of arbitrary precision, by the search over all radii; in the others by
 /// refinement of the tangency around the planted radius, which costs a hundredth.
 pub(super) fn search<R: Arithmetic>(

@@ -8,7 +8,7 @@ use mdr_numeric::equilibrium::Branches;
 use rug::Float;
 
 use super::Check;
-use super::folds::{Quadratures, transform};
+use super::folds::{ClosedFold, Quadratures, transform};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::report::Unit;
@@ -55,42 +55,27 @@ fn folded<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let held = trial.held();
     let scene: Scene<R> = trial.scene(round, exponent, held.lambda(), ctx);
     let (contact, control) = (scene.contact()?, held.control());
-    let state = trial.theory.critical(&contact, &control)?;
-    let tangent = scene.tangent(held.lambda(), &state.contact_radius);
-    let transform = transform(&scene)?;
-    let errors = Quadratures::at(&transform, tangent.n, &state.contact_radius)?;
-    let (closed, found) = (tangent.radius(), tangent.found_radius(errors.slope));
-    // The error of x_fold relative to itself.
-    let (at_fold, error) = match held {
-        Held::Indentation => {
-            let error = tangent.fold_indentation(closed, found, errors.g) + 32.0;
-            (&state.indentation, error / (tangent.transform() - 1.0).abs())
-        }
-        Held::Force => {
-            let error = tangent.fold_force(closed, found, errors.g, errors.mean) + 32.0;
-            (&state.force, error / (tangent.pressed() - 1.0).abs())
-        }
-    };
-    let bits = f64::from(at_fold.precision()) - 4.0 - error.log2();
+    let fold = ClosedFold::of(trial, &scene, held)?;
+    let bits = fold.bits(4.0);
     if bits < 1.0 {
         return Ok(());
     }
     let distance = if trial.uniform(0.0, 1.0) < 0.5 {
         let k = trial.uniform(1.0, bits + 1.0).floor() as i64;
-        at_fold.lit(2).powi(-k)
+        fold.value.lit(2).powi(-k)
     } else {
-        at_fold.lit(1) + R::from_f64(ctx, 10_f64.powf(trial.uniform(-2.0, 2.0)))
+        fold.value.lit(1) + R::from_f64(ctx, 10_f64.powf(trial.uniform(-2.0, 2.0)))
     };
     trial.describe_also(format_args!("{held}, τ = {:e}", distance.approx()));
-    let value = (distance.lit(1) - &distance) * at_fold;
+    let value = (distance.lit(1) - &distance) * &fold.value;
     let asked = Asked { scene: &scene, contact: &contact, held, value: &value };
 
     let numeric = asked.numeric(trial)?;
     let by_value = trial.theory.equilibria(&contact, &control, &value)?;
     asked.compare(trial, "at x", &by_value, &numeric, [0.0; 2])?;
     let by_distance = trial.theory.equilibria_at_distance(&contact, &control, &distance)?;
-    let off = error * (at_fold.abs().approx() / value.abs().approx() + 1.0);
-    asked.compare(trial, "at τ", &by_distance, &numeric, [off, closed])
+    let off = fold.value_error * (fold.value.abs().approx() / value.abs().approx() + 1.0);
+    asked.compare(trial, "at τ", &by_distance, &numeric, [off, fold.radius_error])
 }
 
 /// n = 1/2: the value of a planted state, and its negative.
