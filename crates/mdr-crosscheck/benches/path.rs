@@ -5,70 +5,21 @@
 mod waves;
 
 use std::hint::black_box;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
-use mdr_analytic::profiles::WavyParaboloid;
-use mdr_core::contact::{Control, Kink, Material, Result, Transform};
+use mdr_core::contact::{Control, CountedTransform, Material};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::folds::{self, Folds};
 use mdr_numeric::path::{EventKind, Ledger, Path, Start};
 use waves::{CASES, waves};
 
-/// A profile that counts how often it is asked for g, g' or an integral of g.
-struct Counted {
-    profile: WavyParaboloid<f64>,
-    asked: AtomicUsize,
-}
-
-impl Counted {
-    fn ask(&self) -> &WavyParaboloid<f64> {
-        self.asked.fetch_add(1, Ordering::Relaxed);
-        &self.profile
-    }
-
-    /// What a task gives, and how many evaluations it took.
-    fn during<T>(&self, task: impl FnOnce() -> T) -> (T, usize) {
-        let before = self.asked.load(Ordering::Relaxed);
-        let result = task();
-        (result, self.asked.load(Ordering::Relaxed) - before)
-    }
-}
-
-impl Transform<f64> for Counted {
-    fn g(&self, x: &f64) -> Result<f64> {
-        self.ask().g(x)
-    }
-
-    fn slope(&self, x: &f64) -> Result<f64> {
-        self.ask().slope(x)
-    }
-
-    fn integral(&self, x: &f64) -> Result<f64> {
-        self.ask().integral(x)
-    }
-
-    fn mean(&self, x: &f64) -> Result<f64> {
-        self.ask().mean(x)
-    }
-
-    fn outer_radius(&self) -> Option<f64> {
-        self.profile.outer_radius()
-    }
-
-    fn wall(&self) -> bool {
-        self.profile.wall()
-    }
-
-    fn kinks(&self) -> Vec<f64> {
-        self.profile.kinks()
-    }
-
-    fn kink(&self, index: usize, margin: &f64) -> Result<Option<Kink<f64>>> {
-        self.profile.kink(index, margin)
-    }
+/// What a task gives, and how many evaluations it took.
+fn during<T>(counted: &CountedTransform<f64>, task: impl FnOnce() -> T) -> (T, u64) {
+    let before = counted.evaluations();
+    let result = task();
+    (result, (counted.evaluations() - before).total())
 }
 
 /// From d = 0 down until the surfaces are apart.
@@ -82,15 +33,16 @@ fn paths(criterion: &mut Criterion) {
     group.warm_up_time(Duration::from_millis(100)).measurement_time(Duration::from_secs(2));
     let (material, control) = (Material::new(1.0, 1e-4).expect("a material"), Control::Indentation);
     for (count, proved) in CASES {
-        let counted = Counted { profile: waves((), count).expect("a profile"), asked: AtomicUsize::new(0) };
+        let profile = Box::new(waves((), count).expect("a profile"));
+        let counted = CountedTransform::new(profile, &Default::default());
         let curve = Curve::new(&counted, &material, &control);
         let search = || -> Folds<f64> { folds::find(&curve).expect("folds") };
-        let (found, searching) = counted.during(search);
+        let (found, searching) = during(&counted, search);
         let folds = found.folds.len();
         println!("{folds} folds found of {proved} that were proved, {:?}", found.completeness);
         let branches = Branches::cut_at(curve, found);
-        let (path, following) = counted.during(|| pull(&branches));
-        let (ledger, accounting) = counted.during(|| Ledger::new(&path, &branches));
+        let (path, following) = during(&counted, || pull(&branches));
+        let (ledger, accounting) = during(&counted, || Ledger::new(&path, &branches));
         let jumps = path.events.iter().filter(|event| event.kind == EventKind::Jump).count();
         assert!(path.events.iter().any(|event| event.kind == EventKind::Detached) && ledger.is_ok());
         for (task, evaluations) in [("folds", searching), ("path", following), ("ledger", accounting)] {

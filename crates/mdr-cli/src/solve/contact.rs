@@ -1,11 +1,10 @@
 //! The contact of a scene in one arithmetic, with its evaluations counted.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Control, Kink, Material, Result, Transform};
+use mdr_core::contact::{self, Control, CountedTransform, Evaluations, Material, Result, Transform};
 use mdr_core::number::{Dual, Interval, Literal};
 use mdr_numeric::curve::Curve;
 use rug::Float;
@@ -35,85 +34,20 @@ impl Arithmetic for Dual<Interval> {
     const INDEX: usize = 3;
 }
 
-/// Evaluations of g, g' and of its integral or mean.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Evaluations {
-    pub(crate) g: usize,
-    pub(crate) slope: usize,
-    pub(crate) integral: usize,
-}
-
-impl std::ops::Sub for Evaluations {
-    type Output = Self;
-    fn sub(self, before: Self) -> Self {
-        Evaluations {
-            g: self.g - before.g,
-            slope: self.slope - before.slope,
-            integral: self.integral - before.integral,
-        }
-    }
-}
-
 /// The evaluations so far, by arithmetic.
 #[derive(Debug, Default)]
-pub(crate) struct Tally([[AtomicUsize; 3]; NAMES.len()]);
+pub(crate) struct Tally([Arc<contact::Tally>; NAMES.len()]);
 
 impl Tally {
     pub(crate) fn read(&self) -> [Evaluations; NAMES.len()] {
-        self.0.each_ref().map(|counts| {
-            let [g, slope, integral] = counts.each_ref().map(|count| count.load(Ordering::Relaxed));
-            Evaluations { g, slope, integral }
-        })
-    }
-}
-
-/// A transform that counts.
-struct Counted<R> {
-    inner: Box<dyn Transform<R>>,
-    tally: Arc<Tally>,
-}
-
-impl<R: Arithmetic> Counted<R> {
-    fn count(&self, part: usize) -> &dyn Transform<R> {
-        self.tally.0[R::INDEX][part].fetch_add(1, Ordering::Relaxed);
-        self.inner.as_ref()
-    }
-}
-
-impl<R: Arithmetic> Transform<R> for Counted<R> {
-    fn g(&self, x: &R) -> Result<R> {
-        self.count(0).g(x)
-    }
-    fn slope(&self, x: &R) -> Result<R> {
-        self.count(1).slope(x)
-    }
-    fn integral(&self, x: &R) -> Result<R> {
-        self.count(2).integral(x)
-    }
-    fn mean(&self, x: &R) -> Result<R> {
-        self.count(2).mean(x)
-    }
-    fn above_mean(&self, x: &R) -> Result<R> {
-        self.count(2).above_mean(x)
-    }
-    fn outer_radius(&self) -> Option<R> {
-        self.inner.outer_radius()
-    }
-    fn wall(&self) -> bool {
-        self.inner.wall()
-    }
-    fn kinks(&self) -> Vec<R> {
-        self.inner.kinks()
-    }
-    fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
-        self.inner.kink(index, margin)
+        self.0.each_ref().map(|tally| tally.read())
     }
 }
 
 /// Profile, material and control in one arithmetic.
 pub(crate) struct Contact<R: Arithmetic> {
     ctx: R::Ctx,
-    transform: Counted<R>,
+    transform: CountedTransform<R>,
     material: Material<R>,
     control: Control<R>,
 }
@@ -139,8 +73,8 @@ impl<R: Arithmetic> Contact<R> {
         control: Control<R>,
         tally: &Arc<Tally>,
     ) -> Result<Self> {
-        let inner = library::transform(&scene.profile, ctx)?;
-        Ok(Contact { ctx, transform: Counted { inner, tally: Arc::clone(tally) }, material, control })
+        let transform = CountedTransform::new(library::transform(&scene.profile, ctx)?, &tally.0[R::INDEX]);
+        Ok(Contact { ctx, transform, material, control })
     }
 
     pub(crate) fn number(&self, literal: &Literal) -> R {

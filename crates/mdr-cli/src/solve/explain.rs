@@ -3,7 +3,9 @@
 use std::io::Write;
 use std::time::Duration;
 
-use super::contact::{Evaluations, NAMES};
+use mdr_core::contact::Evaluations;
+
+use super::contact::NAMES;
 use crate::error::{Failure, Result};
 use crate::scene::Want;
 use crate::table::{Tone, cell, render, table};

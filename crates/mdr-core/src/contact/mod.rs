@@ -1,6 +1,7 @@
 //! The vocabulary of the field: what is pressed, how it is held, what comes out.
 
 mod control;
+mod counted;
 mod error;
 mod expression;
 mod kink;
@@ -10,6 +11,7 @@ mod state;
 mod transform;
 
 pub use control::Control;
+pub use counted::{CountedTransform, Evaluations, Tally};
 pub use error::{Error, Quantity, Result};
 pub use expression::{Expression, ExpressionError, ExpressionProfile};
 pub use kink::{Kink, Slopes};

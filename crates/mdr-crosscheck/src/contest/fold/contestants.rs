@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 use std::hint::black_box;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
 
 use mdr_analytic::double;
 use mdr_core::calculus::roots::{self, Bracket, Root};
-use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Result, Transform};
-use mdr_core::number::{Dual, Real};
+use mdr_core::contact::{Control, CountedTransform, Error, Material, Quantity, Ranged, Result};
+use mdr_core::number::{Dual, Special};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::folds::folds;
 use mdr_numeric::springs::Foundation;
@@ -47,14 +47,7 @@ pub(super) fn contestants(
     clock: &Clock,
     truth: &State,
 ) -> Vec<(&'static str, Points)> {
-    let answer = |setting: String, work: &dyn Fn() -> Result<Found>| -> [Point; 2] {
-        let radius = Point::measure(setting, clock, truth_of(truth, 0), || work().map(|([a, _], count)| (a, count)));
-        let outcome = match work() {
-            Ok(([_, d], _)) => Outcome::of(&d, truth_of(truth, 1)),
-            Err(error) => Outcome::Failed(error.to_string()),
-        };
-        [radius.clone(), Point { outcome, ..radius }]
-    };
+    let answer = |setting: String, work: &dyn Fn() -> Result<Found>| both(setting, clock, truth, work);
     let mut all = Vec::new();
     if let Shape::Power { n, c } = question.shape {
         all.push(("closed form, shipped", vec![answer("f64".to_owned(), &|| shipped(question, n, c))]));
@@ -75,47 +68,22 @@ pub(super) fn contestants(
     all
 }
 
-fn truth_of(truth: &State, index: usize) -> &mdr_core::number::Interval {
-    &truth[index]
+/// One answer is timed once and judged for both of its numbers.
+fn both(setting: String, clock: &Clock, truth: &State, work: &dyn Fn() -> Result<Found>) -> [Point; 2] {
+    let answer = work();
+    let time = clock.time(work);
+    [0, 1].map(|index| {
+        let (outcome, evaluations) = match &answer {
+            Ok((found, count)) => (Outcome::of(&found[index], &truth[index]), Some(*count)),
+            Err(error) => (Outcome::Failed(error.to_string()), None),
+        };
+        Point { setting: setting.clone(), outcome, evaluations, time }
+    })
 }
 
-/// A transform that counts how often it is asked.
-struct Counted<R> {
-    inner: Box<dyn Transform<R>>,
-    count: AtomicU64,
-}
-
-impl<R: Real> Counted<R> {
-    fn new(inner: Box<dyn Transform<R>>) -> Self {
-        Counted { inner, count: AtomicU64::new(0) }
-    }
-
-    fn count(&self) -> u64 {
-        self.count.load(Ordering::Relaxed)
-    }
-
-    fn one_more(&self) -> &dyn Transform<R> {
-        self.count.fetch_add(1, Ordering::Relaxed);
-        &*self.inner
-    }
-}
-
-impl<R: Real> Transform<R> for Counted<R> {
-    fn g(&self, x: &R) -> Result<R> {
-        self.one_more().g(x)
-    }
-
-    fn slope(&self, x: &R) -> Result<R> {
-        self.one_more().slope(x)
-    }
-
-    fn integral(&self, x: &R) -> Result<R> {
-        self.one_more().integral(x)
-    }
-
-    fn mean(&self, x: &R) -> Result<R> {
-        self.one_more().mean(x)
-    }
+/// The transform of the question, with its evaluations counted.
+fn counted<R: Special>(question: &Question, ctx: R::Ctx) -> Result<CountedTransform<R>> {
+    Ok(CountedTransform::new(question.shape.transform(ctx)?, &Arc::default()))
 }
 
 /// What `mdr_analytic::double` says.
@@ -140,13 +108,13 @@ fn by_hand(question: &Question, n: f64, c: f64) -> Found {
 
 /// The search of `mdr_numeric`, which knows no bracket and finds all.
 fn search(question: &Question) -> Result<Found> {
-    let transform = Counted::new(question.shape.transform::<f64>(())?);
+    let transform = counted::<f64>(question, ())?;
     let material = question.material()?;
     let found = folds(&transform, &material, &CONTROL)?;
     let [lower, upper] = question.bracket;
     let inside = found.iter().find(|fold| fold.contact_radius > lower && fold.contact_radius < upper);
     let fold = inside.ok_or_else(|| nothing(lower))?;
-    Ok(([fold.contact_radius, fold.indentation], transform.count()))
+    Ok(([fold.contact_radius, fold.indentation], transform.evaluations().total()))
 }
 
 /// The answer of a method that finds nothing where there is something.
@@ -159,14 +127,14 @@ fn tangency(
     question: &Question,
     find: impl FnOnce(Bracket<f64>, &dyn Fn(&f64) -> Result<f64>) -> Result<Root<f64>>,
 ) -> Result<Found> {
-    let transform = Counted::new(question.shape.transform::<f64>(())?);
+    let transform = counted::<f64>(question, ())?;
     let material = question.material()?;
     let curve = Curve::new(&transform, &material, &CONTROL);
     let excess = |a: &f64| Ok(curve.tangency(a)? - 1.0);
     let [lower, upper] = question.bracket;
     let bracket = Bracket::new(&lower, &upper, excess)?.ok_or_else(|| nothing(lower))?;
     let radius = find(bracket, &excess)?.value;
-    Ok(([radius, curve.indentation(&radius)?], transform.count()))
+    Ok(([radius, curve.indentation(&radius)?], transform.evaluations().total()))
 }
 
 fn bisection(question: &Question, tolerance: f64) -> Result<Found> {
@@ -180,7 +148,7 @@ fn interpolation(question: &Question, tolerance: f64) -> Result<Found> {
 /// Newton's method within the bracket; the slope of the ratio comes from the quadrature over dual numbers, which counts as
 /// one more value.
 fn newton(question: &Question, tolerance: f64) -> Result<Found> {
-    let moving = Counted::new(question.shape.transform::<Dual<f64>>(())?);
+    let moving = counted::<Dual<f64>>(question, ())?;
     let [e_star, work] = question.material.map(Dual::constant);
     let (material, control) = (Material::new(e_star, work)?, Control::Indentation);
     let curve = Curve::new(&moving, &material, &control);
@@ -190,13 +158,13 @@ fn newton(question: &Question, tolerance: f64) -> Result<Found> {
     };
     let ([radius, indentation], count) =
         tangency(question, |bracket, _| roots::refine_with_slope(bracket, &tolerance, with_slope))?;
-    Ok(([radius, indentation], count + 2 * moving.count()))
+    Ok(([radius, indentation], count + 2 * moving.evaluations().total()))
 }
 
 /// The extremum of d(a) by golden section. Beside an extremum d changes by the square of the distance: half of the digits
 /// of the radius are out of reach.
 fn golden_section(question: &Question, tolerance: f64) -> Result<Found> {
-    let transform = Counted::new(question.shape.transform::<f64>(())?);
+    let transform = counted::<f64>(question, ())?;
     let material = question.material()?;
     let curve = Curve::new(&transform, &material, &CONTROL);
     let sign = if question.breaks() { 1.0 } else { -1.0 };
@@ -221,12 +189,12 @@ fn golden_section(question: &Question, tolerance: f64) -> Result<Found> {
         }
     }
     let radius = f64::midpoint(lower, upper);
-    Ok(([radius, curve.indentation(&radius)?], transform.count()))
+    Ok(([radius, curve.indentation(&radius)?], transform.evaluations().total()))
 }
 
 /// The procedure of the paper: so many springs on a side.
 fn foundation(question: &Question, springs: usize) -> Result<Found> {
-    let transform = Counted::new(question.shape.transform::<f64>(())?);
+    let transform = counted::<f64>(question, ())?;
     let spacing = question.reach / springs as f64;
     let foundation = Foundation::new(&transform, &question.material()?, spacing, springs)?;
     let breaks = question.breaks();
@@ -234,5 +202,5 @@ fn foundation(question: &Question, springs: usize) -> Result<Found> {
     let found = &cascades.first().ok_or_else(|| nothing(spacing))?.instability;
     // Under pressure the spring that is named is the last one at rest; its outer neighbour is critical.
     let radius = if breaks { found.contact_radius } else { found.contact_radius + spacing };
-    Ok(([radius, found.indentation], transform.count()))
+    Ok(([radius, found.indentation], transform.evaluations().total()))
 }
