@@ -5,10 +5,11 @@
     echo '{"id": 1, "ask": "kappa", "by": "arb", "n": "3/10", "digits": 50, "runs": 5}' | python3 contestants.py
 
 One question a line on standard input, one answer a line on standard output, in the same order; the first line tells the
-versions. A question has `id`, `ask` (kappa, critical, transform, grid, equilibria), `by` and `runs` (0: no time is taken). An
-answer has `id` and either `values` (decimal strings), `evaluations` where they are counted, and `median`, `least`, `most`
-(seconds of one answer) and `runs`; or `failed`, a reason; or `absent`, a package. Numbers are decimals or fractions and
-mean the same here as there: exactly that rational, or the nearest double. Nothing is shared with the Rust code; errors
+versions. A question has `id`, `ask` (kappa, gamma, critical, transform, grid, equilibria), `by` and `runs` (0: no time is
+taken); `limit`, seconds of which timing takes half at most; and `fresh`, to have every run without the constants that Arb
+keeps. An answer has `id` and either `values` (decimal strings), `evaluations` where they are counted, and `median`, `least`,
+`most` (seconds of one answer) and `runs`; or `failed`, a reason; or `absent`, a package. Numbers are decimals or fractions
+and mean the same here as there: exactly that rational, or the nearest double. Nothing is shared with the Rust code; errors
 are judged there.
 """
 
@@ -35,7 +36,7 @@ except ImportError:
     numpy = scipy = None
 
 GUARD_BITS = 16
-SHORTEST, LONGEST = 2e-3, 10.0
+SHORTEST, LIMIT = 2e-3, 20.0
 
 
 class Absent(Exception):
@@ -114,6 +115,14 @@ def ask_kappa(question):
     return (lambda: [kappa_scipy(n)]), double, None
 
 
+def ask_gamma(question):
+    """One Γ(1 + n/2): the least that a κ_n by Γ costs."""
+    need(flint, "python-flint")
+    flint.ctx.prec = bits(question["digits"])
+    above = 1 + fmpq(question["n"]) / 2
+    return (lambda: [flint.arb.gamma_fmpq(above)]), arb_decimals(question["digits"]), None
+
+
 def double(value):
     return repr(float(value))
 
@@ -129,10 +138,19 @@ def mp_decimals(digits):
 # The critical state under fixed grips: κ, a, d, F
 
 
-def critical(kappa, n, c, e, w, pi, sqrt):
+def rational_power(x, q):
+    """x^q by the fastest of Arb's functions."""
+    numerator, denominator = int(q.p), int(q.q)
+    if denominator > 64:
+        return x ** flint.arb(q)
+    x = x**numerator
+    return x if denominator == 1 else x.sqrt() if denominator == 2 else x.root(denominator)
+
+
+def critical(kappa, n, c, e, w, pi, sqrt, power=lambda x, y: x**y):
     length = pi * w / (2 * e)
     slope = n * kappa * c
-    a = (length / (slope * slope)) ** (1 / (2 * n - 1))
+    a = power(length / (slope * slope), 1 / (2 * n - 1))
     root = sqrt(length * a)
     return [kappa, a, (1 - 2 * n) / n * root, -2 * (2 * n + 1) / (n + 1) * e * a * root]
 
@@ -148,8 +166,10 @@ def ask_critical(question):
         exponent = flint.arb(n)
 
         def answer():
-            kappa = kappa_arb(exponent) if by == "arb" else kappa_arb_rational(n)
-            return critical(kappa, exponent, *numbers, flint.arb.pi(), lambda x: x.sqrt())
+            root = lambda x: x.sqrt()
+            if by == "arb":
+                return critical(kappa_arb(exponent), exponent, *numbers, flint.arb.pi(), root)
+            return critical(kappa_arb_rational(n), n, c, e, w, flint.arb.pi(), root, rational_power)
 
         return answer, arb_decimals(digits), None
     if by == "mpmath":
@@ -355,9 +375,9 @@ def transform_arb(question, digits):
 
 
 def ask_grid(question):
-    """κ, a, d, F of the points n = 0.8 + 1.2 t, C = 1 + t for t = 0, 1/N, …; the values of the points picked."""
+    """κ, a, d, F of the points n = 0.8 + 1.2 t, C = 1 + t for t = 0, 1/N, …, in batches; the values of the points picked."""
     need(scipy, "scipy")
-    count = question["count"]
+    count, batch = question["count"], question["batch"]
     t = numpy.arange(count) / count
     n, c = 0.8 + 1.2 * t, 1.0 + t
     e, w = float(question["e"]), float(question["w"])
@@ -366,10 +386,14 @@ def ask_grid(question):
         return math.sqrt(math.pi) * special.gamma(1 + n / 2) / special.gamma((n + 1) / 2)
 
     def answer():
-        return critical(kappa(n), n, c, e, w, math.pi, numpy.sqrt)
+        picked = []
+        for begin in range(0, count, batch):
+            end = min(begin + batch, count)
+            columns = critical(kappa(n[begin:end]), n[begin:end], c[begin:end], e, w, math.pi, numpy.sqrt)
+            picked += [[column[i - begin] for column in columns] for i in question["picked"] if begin <= i < end]
+        return picked
 
-    pick = lambda column: [double(column[i]) for i in question["picked"]]
-    return answer, pick, None
+    return answer, lambda state: [double(value) for value in state], None
 
 
 def ask_equilibria(question):
@@ -392,6 +416,7 @@ def ask_equilibria(question):
 
 ASKED = {
     "kappa": ask_kappa,
+    "gamma": ask_gamma,
     "critical": ask_critical,
     "transform": ask_transform,
     "grid": ask_grid,
@@ -399,33 +424,41 @@ ASKED = {
 }
 
 
-def clock(answer, runs):
-    """Seconds of one answer: runs of at least 2 ms, the median of so many of them, ended early beyond 10 s."""
-    begin, repeats = time.perf_counter(), 1
+def clock(answer, first, question):
+    """Seconds of one answer: the median of runs of at least 2 ms. The first answer stands for all where it was too slow."""
+    begin, longest = time.perf_counter(), question.get("limit", LIMIT) / 2
+    fresh, repeats = question.get("fresh", False), 1
 
     def run():
+        if fresh:
+            flint.ctx.cleanup()
         start = time.perf_counter()
         for _ in range(repeats):
             answer()
         return time.perf_counter() - start
 
-    while run() < SHORTEST:
-        repeats *= 2
     seconds = []
-    while len(seconds) < runs and (not seconds or time.perf_counter() - begin < LONGEST):
-        seconds.append(run() / repeats)
-    seconds.sort()
+    if first < longest:
+        seconds.append(run())
+        while seconds[0] < SHORTEST and not fresh:
+            repeats *= 2
+            seconds[0] = run()
+    while seconds and len(seconds) < question["runs"] and time.perf_counter() - begin < longest:
+        seconds.append(run())
+    seconds = sorted(value / repeats for value in seconds) or [first]
     return {"median": seconds[len(seconds) // 2], "least": seconds[0], "most": seconds[-1], "runs": len(seconds)}
 
 
 def reply(question):
     answer, decimals, counter = ASKED[question["ask"]](question)
+    begin = time.perf_counter()
     found = answer()
+    first = time.perf_counter() - begin
     said = {"values": [text for value in found for text in as_list(decimals(value))]}
     if counter is not None:
         said["evaluations"] = counter.count
     if question["runs"]:
-        said.update(clock(answer, question["runs"]))
+        said.update(clock(answer, first, question))
     return said
 
 

@@ -6,12 +6,13 @@ use std::collections::HashSet;
 use std::sync::LazyLock;
 
 use mdr_core::number::{Interval, Precision, Real};
-use mdr_crosscheck::contest::{Baseline, Clock, Diagram, Effort, Outcome, tasks};
+use mdr_crosscheck::contest::{Baseline, Clock, Diagram, Effort, Outcome, Setup, tasks};
 use rug::Float;
 
 /// All diagrams of the quick contest.
-static QUICK: LazyLock<Vec<Diagram>> =
-    LazyLock::new(|| tasks().iter().flat_map(|task| (task.diagrams)(Effort::Quick, &Clock::Off)).collect());
+static QUICK: LazyLock<Vec<Diagram>> = LazyLock::new(|| {
+    tasks().iter().flat_map(|task| task.diagrams(&mut Setup::new(Effort::Quick, Clock::Off))).collect()
+});
 
 fn diagram(id: &str) -> &'static Diagram {
     QUICK.iter().find(|diagram| diagram.id == id).unwrap()
@@ -45,7 +46,7 @@ fn without_a_clock_nothing_is_timed_and_every_run_is_the_same() {
     let points = QUICK.iter().flat_map(|diagram| &diagram.curves).flat_map(|curve| &curve.points);
     assert!(points.into_iter().all(|point| point.time.is_none()));
     for task in tasks().iter().filter(|task| task.name == "kappa") {
-        let again = (task.diagrams)(Effort::Quick, &Clock::Off);
+        let again = task.diagrams(&mut Setup::new(Effort::Quick, Clock::Off));
         assert!(again.iter().all(|again| diagram(&again.id) == again));
     }
 }

@@ -17,7 +17,7 @@ use rug::Float;
 use super::rising::Rising;
 
 /// n is shifted to this many times the precision in bits: shifting costs less than the fraction. Measured with
-/// `cargo run --release -p mdr-analytic --example stopwatch`.
+/// `mdr report --only speed`.
 const SHIFT: f64 = 0.29;
 
 /// No less than this, so that the bounds above hold.

@@ -165,7 +165,7 @@ fn points(diagram: &Diagram) -> impl Iterator<Item = &Point> {
 /// Whether there is no answer, or one that is worse than none.
 fn failed(view: View, point: &Point) -> bool {
     match point.outcome {
-        Outcome::Failed(_) => true,
+        Outcome::Failed(_) | Outcome::Stopped(_) => true,
         Outcome::Digits(digits) | Outcome::AtLeast(digits) => digits < -WORST || (view == View::Digits && digits < 0.5),
         Outcome::Passed => false,
     }

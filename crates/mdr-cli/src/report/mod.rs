@@ -15,7 +15,7 @@ use std::time::Duration;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use mdr_crosscheck::contest::speed::{Race, races};
-use mdr_crosscheck::contest::{Clock, Diagram, Effort, Task, tasks};
+use mdr_crosscheck::contest::{Clock, Diagram, Effort, Setup, Task, tasks};
 use mdr_crosscheck::ladders::Ladder;
 use serde::Serialize;
 
@@ -165,16 +165,17 @@ impl Report {
         let bar =
             ProgressBar::new(tasks.len() as u64 + 2).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         bar.enable_steady_tick(Duration::from_millis(500));
+        let mut setup = Setup::new(effort, Clock::Runs(runs));
         let mut sections = Vec::with_capacity(tasks.len());
         for task in tasks {
             bar.set_message(task.name);
-            let diagrams = (task.diagrams)(effort, &Clock::Runs(runs));
+            let diagrams = task.diagrams(&mut setup);
             sections.push(Section { name: task.name, claim: task.claim, diagrams });
             bar.inc(1);
         }
         let (races, absent) = if self.asks_for(speed::NAME) {
             bar.set_message(speed::NAME);
-            races(effort, &Clock::Runs(runs))
+            races(&mut setup)
         } else {
             Default::default()
         };

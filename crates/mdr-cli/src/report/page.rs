@@ -65,7 +65,7 @@ fn failures(findings: &Findings) -> String {
     for diagram in findings.diagrams() {
         for curve in &diagram.curves {
             let reasons = curve.points.iter().filter_map(|point| match &point.outcome {
-                Outcome::Failed(reason) => Some((point.setting.as_str(), reason.as_str())),
+                Outcome::Failed(reason) | Outcome::Stopped(reason) => Some((point.setting.as_str(), reason.as_str())),
                 _ => None,
             });
             // One row for all settings that fail alike.

@@ -1,7 +1,7 @@
 //! The section that sets this workspace beside other projects.
 
-use mdr_crosscheck::contest::Time;
 use mdr_crosscheck::contest::speed::{Race, Side};
+use mdr_crosscheck::contest::{Outcome, Time};
 
 /// The name by which `--only` asks for it.
 pub(super) const NAME: &str = "speed";
@@ -23,9 +23,10 @@ pub(super) fn section(races: &[Race]) -> String {
         return String::new();
     }
     let row = |race: &Race| {
-        let Race { question, ours, theirs, aim } = race;
+        let Race { question, setting, ours, theirs, aim } = race;
+        let aim = aim.map_or(String::new(), |aim| aim.to_string());
         format!(
-            "| {question} | {} | {} | {:.1} ({:.1}) | {aim} |\n",
+            "| {question}, {setting} | {} | {} | {:.1} ({:.1}) | {aim} |\n",
             side(ours),
             side(theirs),
             race.ratio(),
@@ -36,7 +37,11 @@ pub(super) fn section(races: &[Race]) -> String {
 }
 
 fn side(side: &Side) -> String {
-    let digits = side.outcome.digits().map_or_else(|| "failed".to_owned(), |digits| format!("{digits:.1}"));
+    let digits = match (&side.outcome, side.outcome.digits()) {
+        (_, Some(digits)) => format!("{digits:.1}"),
+        (Outcome::Passed, _) => "—".to_owned(),
+        _ => "failed".to_owned(),
+    };
     format!("{} | {} | {digits}", side.name, seconds(&side.time))
 }
 
@@ -51,8 +56,6 @@ fn seconds(time: &Time) -> String {
 
 #[cfg(test)]
 mod tests {
-    use mdr_crosscheck::contest::Outcome;
-
     use super::*;
 
     fn took(median: f64) -> Time {
@@ -63,10 +66,15 @@ mod tests {
     fn ratios_are_told_with_both_times() {
         let side = |name: &str, time| Side { name: name.to_owned(), outcome: Outcome::Digits(50.25), time };
         let theirs = Time { least: 3e-6, ..took(9e-6) };
-        let race =
-            Race { question: "κ".to_owned(), ours: side("ours", took(2e-6)), theirs: side("Arb", theirs), aim: 3.0 };
+        let race = Race {
+            question: "κ".to_owned(),
+            setting: "50 digits".to_owned(),
+            ours: side("ours", took(2e-6)),
+            theirs: side("Arb", theirs),
+            aim: Some(3.0),
+        };
         let text = section(&[race]);
-        let row = "| κ | ours | 2.00 µs | 50.2 | Arb | 9.00 µs | 50.2 | 4.5 (3.0) | 3 |\n";
+        let row = "| κ, 50 digits | ours | 2.00 µs | 50.2 | Arb | 9.00 µs | 50.2 | 4.5 (3.0) | 3 |\n";
         assert!(text.ends_with(row), "{text}");
         assert_eq!(section(&[]), "");
     }

@@ -35,6 +35,7 @@ fn row(diagram: &Diagram, curve: &Curve, point: &Point) -> [String; 14] {
         Outcome::Digits(_) => ("digits", ""),
         Outcome::AtLeast(_) => ("at-least", ""),
         Outcome::Failed(reason) => ("failed", reason.as_str()),
+        Outcome::Stopped(reason) => ("stopped", reason.as_str()),
         Outcome::Passed => ("passed", ""),
     };
     let seconds = point.time.map(|time| [time.median, time.least, time.most].map(|seconds| format!("{seconds:.3e}")));

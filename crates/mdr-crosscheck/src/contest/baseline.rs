@@ -6,7 +6,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Clock, Diagram, Effort, Outcome, tasks};
+use super::{Clock, Diagram, Effort, Outcome, Setup, tasks};
 
 /// Digits that may be lost: elementary functions differ between systems in the last bit, and the luck of roundings with them.
 const SLACK: f64 = 0.5;
@@ -63,7 +63,8 @@ impl Baseline {
 
     /// Of the quick contest, now.
     pub fn now() -> Self {
-        let diagrams: Vec<_> = tasks().iter().flat_map(|task| (task.diagrams)(Effort::Quick, &Clock::Off)).collect();
+        let mut setup = Setup::new(Effort::Quick, Clock::Off);
+        let diagrams: Vec<_> = tasks().iter().flat_map(|task| task.diagrams(&mut setup)).collect();
         Self::of(&diagrams)
     }
 

@@ -31,7 +31,7 @@ pub enum Clock {
 const SHORTEST: Duration = Duration::from_millis(2);
 
 /// Runs beyond this total end early: a slow answer is not timed as often as a fast one.
-const LONGEST: Duration = Duration::from_secs(10);
+const LONGEST: Duration = Duration::from_secs(2);
 
 impl Clock {
     /// The time of one call of `work`; none when the clock is off.
@@ -55,13 +55,28 @@ impl Clock {
         while seconds.len() < runs && begin.elapsed() < LONGEST {
             seconds.push(run(repeats, &mut work).as_secs_f64() / f64::from(repeats));
         }
+        Time::of(seconds)
+    }
+
+    /// The time of one call of `work`, each after `before`, which is not in it.
+    pub(super) fn time_after<T>(&self, before: impl Fn(), mut work: impl FnMut() -> T) -> Option<Time> {
+        let Clock::Runs(runs) = *self else { return None };
+        let begin = Instant::now();
+        let mut seconds = Vec::with_capacity(runs);
+        while seconds.len() < runs && (seconds.is_empty() || begin.elapsed() < LONGEST) {
+            before();
+            seconds.push(run(1, &mut work).as_secs_f64());
+        }
+        Time::of(seconds)
+    }
+}
+
+impl Time {
+    /// Of several runs; none of none.
+    fn of(mut seconds: Vec<f64>) -> Option<Time> {
         seconds.sort_by(f64::total_cmp);
-        Some(Time {
-            median: seconds[seconds.len() / 2],
-            least: seconds[0],
-            most: seconds[seconds.len() - 1],
-            runs: seconds.len(),
-        })
+        let [least, median, most] = [0, seconds.len() / 2, seconds.len().wrapping_sub(1)].map(|i| seconds.get(i));
+        Some(Time { median: *median?, least: *least?, most: *most?, runs: seconds.len() })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use rayon::ThreadPoolBuilder;
 
-use super::{Arithmetic, Clock, Curve, Diagram, Effort, Outcome, Point, Task, View};
+use super::{Arithmetic, Clock, Curve, Diagram, Effort, Outcome, Point, Setup, Task, View};
 use crate::{Level, Options, run};
 
 /// The task.
@@ -13,8 +13,9 @@ pub(super) const GRID: Task = Task {
 };
 
 /// Nothing but time is to be found here: without a clock there is nothing.
-fn diagrams(effort: Effort, clock: &Clock) -> Vec<Diagram> {
-    if *clock == Clock::Off {
+fn diagrams(setup: &mut Setup) -> Vec<Diagram> {
+    let Setup { effort, clock, .. } = *setup;
+    if clock == Clock::Off {
         return Vec::new();
     }
     // Once is enough for runs of seconds.

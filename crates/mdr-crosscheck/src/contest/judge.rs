@@ -102,7 +102,7 @@ impl Outcome {
     pub fn digits(&self) -> Option<f64> {
         match self {
             Outcome::Digits(digits) | Outcome::AtLeast(digits) => Some(*digits),
-            Outcome::Failed(_) | Outcome::Passed => None,
+            Outcome::Failed(_) | Outcome::Stopped(_) | Outcome::Passed => None,
         }
     }
 }

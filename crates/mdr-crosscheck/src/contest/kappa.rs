@@ -7,7 +7,7 @@ use std::hint::black_box;
 use mdr_analytic::Kappa;
 use mdr_core::number::{Gamma, Interval, Precision, Real, Wide};
 
-use super::{Arithmetic, Clock, Curve, Diagram, Effort, Point, Task, View, ceiling};
+use super::{Arithmetic, Clock, Curve, Diagram, Effort, Point, Setup, Task, View, ceiling};
 
 /// The task.
 pub(super) const KAPPA: Task = Task {
@@ -20,8 +20,9 @@ pub(super) const KAPPA: Task = Task {
 const EXPONENTS: [(f64, &str); 7] =
     [(1e-6, "1e-6"), (0.05, "0.05"), (0.25, "0.25"), (0.5, "0.5"), (3.7, "3.7"), (20.0, "20"), (1000.0, "1000")];
 
-fn diagrams(effort: Effort, clock: &Clock) -> Vec<Diagram> {
-    EXPONENTS.iter().map(|&(n, name)| diagram(n, name, effort, clock)).collect()
+fn diagrams(setup: &mut Setup) -> Vec<Diagram> {
+    let Setup { effort, clock, .. } = *setup;
+    EXPONENTS.iter().map(|&(n, name)| diagram(n, name, effort, &clock)).collect()
 }
 
 fn diagram(n: f64, name: &str, effort: Effort, clock: &Clock) -> Diagram {

@@ -20,7 +20,11 @@ pub use baseline::{Baseline, Regression};
 pub use clock::{Clock, Time};
 pub use judge::{Answer, ceiling};
 
+use std::rc::Rc;
+
 use serde::{Deserialize, Serialize};
+
+use self::outside::Outsiders;
 
 /// How far a set of diagrams goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -42,6 +46,8 @@ pub enum Outcome {
     AtLeast(f64),
     /// No answer, and why. It is drawn at the edge of the diagram.
     Failed(String),
+    /// No answer as long as somebody waited, and how long that was. It is drawn as a failure is.
+    Stopped(String),
     /// Done, and all that was checked holds: only time and size are told.
     Passed,
 }
@@ -131,8 +137,30 @@ pub struct Task {
     pub name: &'static str,
     /// What it is about, in one line.
     pub claim: &'static str,
+    diagrams: fn(&mut Setup) -> Vec<Diagram>,
+}
+
+impl Task {
     /// Answers its questions.
-    pub diagrams: fn(Effort, &Clock) -> Vec<Diagram>,
+    pub fn diagrams(&self, setup: &mut Setup) -> Vec<Diagram> {
+        setup.outsiders.begin();
+        (self.diagrams)(setup)
+    }
+}
+
+/// How a contest is held: the effort, the clock, and who takes part of other projects.
+pub struct Setup {
+    effort: Effort,
+    clock: Clock,
+    outsiders: Outsiders,
+    questions: Option<Rc<[precision::Question]>>,
+}
+
+impl Setup {
+    /// Contestants of other projects are looked for when the first is asked, and only where the clock runs.
+    pub fn new(effort: Effort, clock: Clock) -> Self {
+        Setup { effort, clock, outsiders: Outsiders::new(effort, clock), questions: None }
+    }
 }
 
 /// All tasks, in the order of the report.

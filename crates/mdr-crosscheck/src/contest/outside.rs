@@ -2,19 +2,23 @@
 //!
 //! The interpreter is the one that the environment variable `MDR_PYTHON` names, or else `target/python/bin/python`, which
 //! `make contestants` sets up. Where there is none, or a package is missing, their curves are absent and that is said.
-//! Times are taken inside Python, so its start and the conversation are not in them; errors are judged here.
+//! Times are taken inside Python, so its start and the conversation are not in them; errors are judged here. One process
+//! answers all questions of a report. An answer that takes too long is given up and its process ended; the next question
+//! starts another.
 
 use std::env;
-use std::io::{BufRead, BufReader, Lines, Write};
+use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
 
 use mdr_core::number::Interval;
 use rug::Float;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
-use super::{Arithmetic, Clock, Curve, Outcome, Point, Time};
+use super::{Arithmetic, Clock, Curve, Effort, Outcome, Point, Time};
 
 /// The script, so that a program finds it wherever it runs.
 const SCRIPT: &str = include_str!("../../python/contestants.py");
@@ -22,11 +26,15 @@ const SCRIPT: &str = include_str!("../../python/contestants.py");
 /// Where `make contestants` puts the packages.
 const DEFAULT: &str = "target/python/bin/python";
 
+/// Packages are found and loaded in this time, or not at all.
+const START: Duration = Duration::from_secs(60);
+
 /// A running script. It ends with its owner.
-pub(super) struct Python {
+struct Python {
     child: Child,
     questions: ChildStdin,
-    answers: Lines<BufReader<ChildStdout>>,
+    /// Its lines, read by a thread so that waiting for them can end.
+    answers: Receiver<std::io::Result<String>>,
     /// The packages that are there, with their versions.
     versions: Map<String, Value>,
     asked: u64,
@@ -46,6 +54,8 @@ pub(super) enum Reply {
     },
     /// No number, and why.
     Failed(String),
+    /// It was not waited for any longer, or not asked at all.
+    Stopped(String),
     /// No contestant: the package that is missing.
     Absent(String),
 }
@@ -65,7 +75,7 @@ struct Line {
 
 impl Python {
     /// Starts the script; why not, otherwise.
-    pub(super) fn start() -> Result<Python, String> {
+    fn start() -> Result<Python, String> {
         let named = env::var_os("MDR_PYTHON");
         let default = Path::new(DEFAULT).exists().then(|| DEFAULT.into());
         let Some(program) = named.or(default) else {
@@ -86,33 +96,37 @@ impl Python {
         let (Some(questions), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
             return Err("there are no pipes to it".to_owned());
         };
-        let mut python =
-            Python { child, questions, answers: BufReader::new(output).lines(), versions: Map::new(), asked: 0 };
-        let mut first: Map<String, Value> = serde_json::from_str(&python.line()?).map_err(|error| error.to_string())?;
+        let (sender, answers) = channel();
+        // Ends with the pipe, or with whoever listens.
+        std::thread::spawn(move || BufReader::new(output).lines().try_for_each(|line| sender.send(line)));
+        let mut python = Python { child, questions, answers, versions: Map::new(), asked: 0 };
+        let line = python.line(START).ok_or("it did not begin in time")??;
+        let mut first: Map<String, Value> = serde_json::from_str(&line).map_err(|error| error.to_string())?;
         if let Some(Value::Object(versions)) = first.remove("versions") {
             python.versions = versions;
         }
         Ok(python)
     }
 
-    fn line(&mut self) -> Result<String, String> {
-        match self.answers.next() {
-            Some(Ok(line)) => Ok(line),
-            Some(Err(error)) => Err(error.to_string()),
-            None => Err("it ended without an answer".to_owned()),
+    /// The next line; none where it does not come in time.
+    fn line(&self, limit: Duration) -> Option<Result<String, String>> {
+        match self.answers.recv_timeout(limit) {
+            Ok(line) => Some(line.map_err(|error| error.to_string())),
+            Err(RecvTimeoutError::Disconnected) => Some(Err("it ended without an answer".to_owned())),
+            Err(RecvTimeoutError::Timeout) => None,
         }
     }
 
     /// "name version" of a package.
-    pub(super) fn package(&self, name: &str) -> String {
+    fn package(&self, name: &str) -> String {
         match self.versions.get(name).and_then(Value::as_str) {
             Some(version) => format!("{name} {version}"),
             None => name.to_owned(),
         }
     }
 
-    /// Puts one question and waits for its answer.
-    pub(super) fn ask(&mut self, mut question: Map<String, Value>, clock: &Clock) -> Reply {
+    /// Puts one question and waits for its answer; none where it does not come in time.
+    fn ask(&mut self, mut question: Map<String, Value>, clock: &Clock, limit: Duration) -> Option<Reply> {
         self.asked += 1;
         let runs = match clock {
             Clock::Off => 0,
@@ -120,18 +134,20 @@ impl Python {
         };
         question.insert("id".to_owned(), json!(self.asked));
         question.insert("runs".to_owned(), json!(runs));
-        let answer = writeln!(self.questions, "{}", Value::Object(question))
-            .and_then(|()| self.questions.flush())
-            .map_err(|error| error.to_string())
-            .and_then(|()| self.line())
-            .and_then(|line| serde_json::from_str::<Line>(&line).map_err(|error| error.to_string()));
-        match answer {
+        question.insert("limit".to_owned(), json!(limit.as_secs_f64()));
+        let sent = writeln!(self.questions, "{}", Value::Object(question)).and_then(|()| self.questions.flush());
+        let line = match sent {
+            Ok(()) => self.line(limit)?,
+            Err(error) => Err(error.to_string()),
+        };
+        let line = line.and_then(|line| serde_json::from_str::<Line>(&line).map_err(|error| error.to_string()));
+        Some(match line {
             Err(error) => Reply::Failed(error),
             Ok(Line { id, .. }) if id != self.asked => Reply::Failed("the answer to another question".to_owned()),
             Ok(Line { absent: Some(package), .. }) => Reply::Absent(package),
             Ok(Line { failed: Some(reason), .. }) => Reply::Failed(reason),
             Ok(Line { values, evaluations, time, .. }) => Reply::Found { values, evaluations, time },
-        }
+        })
     }
 }
 
@@ -157,56 +173,108 @@ pub(super) struct Outsider {
 
 /// The contestants of other projects as far as they are there. They take part only where times are taken: their errors
 /// are theirs, and no baseline depends on what is installed.
-pub(super) struct Outsiders<'a> {
+pub(super) struct Outsiders {
+    clock: Clock,
+    /// The running script, or why there is none. Nothing before the first question and after one that was given up.
     python: Option<Result<Python, String>>,
-    clock: &'a Clock,
+    /// How long one answer is waited for.
+    patience: Duration,
+    /// How long all answers of one task may take.
+    allowance: Duration,
+    /// What is left of it.
+    left: Duration,
 }
 
-impl<'a> Outsiders<'a> {
-    /// Starts the script where the clock runs.
-    pub(super) fn new(clock: &'a Clock) -> Self {
-        Outsiders { python: (*clock != Clock::Off).then(Python::start), clock }
+impl Outsiders {
+    pub(super) fn new(effort: Effort, clock: Clock) -> Self {
+        let [patience, allowance] = match effort {
+            Effort::Quick => [2, 15],
+            Effort::Full => [4, 40],
+        };
+        let [patience, allowance] = [patience, allowance].map(Duration::from_secs);
+        Outsiders { clock, python: None, patience, allowance, left: allowance }
     }
 
-    /// The running script; why there is none, if that is worth a word.
-    pub(super) fn python(&mut self) -> Result<&mut Python, Option<String>> {
-        match &mut self.python {
-            None => Err(None),
-            Some(Err(reason)) => Err(Some(reason.clone())),
-            Some(Ok(python)) => Ok(python),
+    /// All of the time is there again: a new task.
+    pub(super) fn begin(&mut self) {
+        self.left = self.allowance;
+    }
+
+    /// Whether there is somebody to ask; why not, if that is worth a word.
+    pub(super) fn present(&mut self) -> Result<(), Option<String>> {
+        if self.clock == Clock::Off {
+            return Err(None);
+        }
+        match self.python.get_or_insert_with(Python::start) {
+            Ok(_) => Ok(()),
+            Err(reason) => Err(Some(reason.clone())),
+        }
+    }
+
+    /// Puts one question and waits for its answer, but not too long.
+    pub(super) fn ask(&mut self, question: Map<String, Value>, clock: &Clock) -> Reply {
+        if self.left.is_zero() {
+            let seconds = self.allowance.as_secs();
+            return Reply::Stopped(format!("not asked: the {seconds} s of other projects in this task were over"));
+        }
+        let python = match self.python.get_or_insert_with(Python::start) {
+            Ok(python) => python,
+            Err(reason) => return Reply::Failed(reason.clone()),
+        };
+        let begin = Instant::now();
+        let reply = python.ask(question, clock, self.patience);
+        self.left = self.left.saturating_sub(begin.elapsed());
+        reply.unwrap_or_else(|| {
+            // It still computes.
+            self.python = None;
+            Reply::Stopped(format!("stopped after {} s", self.patience.as_secs()))
+        })
+    }
+
+    /// "name version" of a package.
+    pub(super) fn package(&mut self, name: &str) -> String {
+        match self.python.get_or_insert_with(Python::start) {
+            Ok(python) => python.package(name),
+            Err(_) => name.to_owned(),
         }
     }
 
     /// The curves of those who are there, and a sentence for each who is not. The worst of several numbers counts.
     pub(super) fn curves(&mut self, outsiders: Vec<Outsider>, truths: &[Interval]) -> (Vec<Curve>, Vec<String>) {
-        let clock = self.clock;
-        let python = match self.python() {
-            Ok(python) => python,
-            Err(reason) => return (Vec::new(), reason.into_iter().collect()),
-        };
+        if let Err(reason) = self.present() {
+            return (Vec::new(), reason.into_iter().collect());
+        }
         let (mut curves, mut omissions) = (Vec::new(), Vec::new());
         for outsider in outsiders {
-            match curve(python, outsider, truths, clock) {
+            match self.curve(outsider, truths) {
                 Ok(curve) => curves.push(curve),
                 Err(reason) => omissions.push(reason),
             }
         }
         (curves, omissions)
     }
-}
 
-fn curve(python: &mut Python, outsider: Outsider, truths: &[Interval], clock: &Clock) -> Result<Curve, String> {
-    let Outsider { name, package, arithmetic, questions } = outsider;
-    let mut points: Vec<Point> = Vec::new();
-    for (setting, question) in questions {
-        let (outcome, evaluations, time) = match python.ask(question, clock) {
-            Reply::Absent(package) => return Err(format!("{name}: the package {package} is not installed.")),
-            Reply::Failed(reason) => (Outcome::Failed(reason), None, None),
-            Reply::Found { values, evaluations, time } => (judged(&values, truths, arithmetic), evaluations, time),
-        };
-        points.push(Point { setting, outcome, evaluations, time });
+    /// By growing effort, up to the first answer that was not waited for.
+    fn curve(&mut self, outsider: Outsider, truths: &[Interval]) -> Result<Curve, String> {
+        let Outsider { name, package, arithmetic, questions } = outsider;
+        let contestant = format!("{name} ({})", self.package(package));
+        let clock = self.clock;
+        let mut points: Vec<Point> = Vec::new();
+        for (setting, question) in questions {
+            let (outcome, evaluations, time) = match self.ask(question, &clock) {
+                Reply::Absent(package) => return Err(format!("{name}: the package {package} is not installed.")),
+                Reply::Failed(reason) => (Outcome::Failed(reason), None, None),
+                Reply::Stopped(reason) => (Outcome::Stopped(reason), None, None),
+                Reply::Found { values, evaluations, time } => (judged(&values, truths, arithmetic), evaluations, time),
+            };
+            let stopped = matches!(outcome, Outcome::Stopped(_));
+            points.push(Point { setting, outcome, evaluations, time });
+            if stopped {
+                break;
+            }
+        }
+        Ok(Curve { contestant, arithmetic, outside: true, points })
     }
-    Ok(Curve { contestant: format!("{name} ({})", python.package(package)), arithmetic, outside: true, points })
 }
 
 /// The worst of several numbers in decimals.
@@ -238,28 +306,50 @@ mod tests {
     use mdr_core::number::{Precision, Real};
 
     /// The interpreter without packages is enough to talk; where there is none there is nothing to test.
-    fn plain() -> Option<Python> {
+    fn plain() -> Option<Outsiders> {
         let mut program = Command::new("python3");
         program.arg("-S");
-        Python::run(program).ok()
+        let python = Python::run(program).ok()?;
+        Some(Outsiders { python: Some(Ok(python)), ..Outsiders::new(Effort::Quick, Clock::Runs(1)) })
     }
 
     #[test]
     fn missing_packages_are_told_and_nonsense_is_answered() {
-        let Some(mut python) = plain() else { return };
-        assert!(python.package("python").starts_with("python 3"));
+        let Some(mut others) = plain() else { return };
+        assert!(others.package("python").starts_with("python 3"));
         let kappa = |by: &str| question! { "ask": "kappa", "by": by, "n": "3/10", "digits": 50 };
-        assert_eq!(python.ask(kappa("arb"), &Clock::Off), Reply::Absent("python-flint".to_owned()));
-        assert!(matches!(python.ask(question! { "ask": "weather" }, &Clock::Off), Reply::Failed(_)));
-        assert_eq!(python.ask(kappa("mpmath"), &Clock::Off), Reply::Absent("mpmath".to_owned()));
+        assert_eq!(others.ask(kappa("arb"), &Clock::Off), Reply::Absent("python-flint".to_owned()));
+        assert!(matches!(others.ask(question! { "ask": "weather" }, &Clock::Off), Reply::Failed(_)));
+        assert_eq!(others.ask(kappa("mpmath"), &Clock::Off), Reply::Absent("mpmath".to_owned()));
         let arb = Outsider {
             name: "Arb",
             package: "python-flint",
             arithmetic: Arithmetic::Certified,
             questions: vec![(String::new(), kappa("arb"))],
         };
-        let curve = curve(&mut python, arb, &[], &Clock::Off);
-        assert_eq!(curve, Err("Arb: the package python-flint is not installed.".to_owned()));
+        assert_eq!(others.curve(arb, &[]), Err("Arb: the package python-flint is not installed.".to_owned()));
+    }
+
+    /// Nobody waits for an answer for ever: the process is ended, and the series with it.
+    #[test]
+    fn what_takes_too_long_is_stopped() {
+        let Some(mut others) = plain() else { return };
+        others.patience = Duration::ZERO;
+        let asked = || question! { "ask": "kappa", "by": "arb", "n": "3/10", "digits": 50 };
+        let slow = Outsider {
+            name: "slow",
+            package: "python",
+            arithmetic: Arithmetic::Mp,
+            questions: vec![("one".to_owned(), asked()), ("two".to_owned(), asked())],
+        };
+        let curve = others.curve(slow, &[]).unwrap();
+        assert_eq!(curve.points.len(), 1);
+        assert_eq!(curve.points[0].outcome, Outcome::Stopped("stopped after 0 s".to_owned()));
+        assert!(others.python.is_none());
+        others.left = Duration::ZERO;
+        assert!(matches!(others.ask(asked(), &Clock::Off), Reply::Stopped(reason) if reason.contains("15 s")));
+        others.begin();
+        assert!(!others.left.is_zero());
     }
 
     #[test]

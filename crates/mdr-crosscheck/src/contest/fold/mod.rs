@@ -6,7 +6,7 @@ mod question;
 
 use self::contestants::{Ladder, contestants};
 use self::question::{QUESTIONS, Question};
-use super::{Clock, Curve, Diagram, Effort, Task, View, ceiling};
+use super::{Clock, Curve, Diagram, Setup, Task, View, ceiling};
 
 /// The task.
 pub(super) const FOLD: Task = Task {
@@ -15,9 +15,9 @@ pub(super) const FOLD: Task = Task {
     diagrams,
 };
 
-fn diagrams(effort: Effort, clock: &Clock) -> Vec<Diagram> {
-    let ladder = Ladder::new(effort);
-    QUESTIONS.iter().flat_map(|question| of(question, &ladder, clock)).collect()
+fn diagrams(setup: &mut Setup) -> Vec<Diagram> {
+    let ladder = Ladder::new(setup.effort);
+    QUESTIONS.iter().flat_map(|question| of(question, &ladder, &setup.clock)).collect()
 }
 
 /// The two diagrams of a question: every method gives both numbers.

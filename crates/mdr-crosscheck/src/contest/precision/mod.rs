@@ -9,6 +9,8 @@ mod question;
 mod tests;
 pub(super) mod truth;
 
+use std::rc::Rc;
+
 use mdr_core::calculus::gauss_jacobi;
 use mdr_core::contact::Error;
 use mdr_core::number::{Interval, Precision, Real};
@@ -16,10 +18,11 @@ use rug::Float;
 use serde_json::json;
 
 pub(super) use self::found::{Found, judged};
-pub(super) use self::question::{Entry, Other, Question, questions};
-use super::outside::{Outsider, Outsiders};
+use self::question::Entry;
+pub(super) use self::question::{EXPONENT, Other, Question, questions};
+use super::outside::Outsider;
 use super::transform::{Contest, Method, Question as Transformed};
-use super::{Arithmetic, Clock, Curve, Diagram, Effort, Outcome, Point, Task, View};
+use super::{Arithmetic, Clock, Curve, Diagram, Effort, Outcome, Point, Setup, Task, View};
 
 /// The task.
 pub(super) const PRECISION: Task = Task {
@@ -36,6 +39,19 @@ fn ladder(effort: Effort) -> &'static [u32] {
     }
 }
 
+/// The most digits that are asked for.
+fn most(effort: Effort) -> u32 {
+    ladder(effort).last().copied().unwrap_or_default()
+}
+
+impl Setup {
+    /// The questions, whose truths take seconds, made once.
+    pub(super) fn questions(&mut self) -> Rc<[Question]> {
+        let made = || questions(enough(most(self.effort))).into();
+        Rc::clone(self.questions.get_or_insert_with(made))
+    }
+}
+
 /// Quadratures end here.
 const MOST_OF_QUADRATURE: u32 = 1000;
 
@@ -49,24 +65,23 @@ pub(super) fn enough(digits: u32) -> Precision {
     Precision::new(working(digits).bits() + 64)
 }
 
-fn diagrams(effort: Effort, clock: &Clock) -> Vec<Diagram> {
-    let most = ladder(effort).last().copied().unwrap_or_default();
-    let mut outsiders = Outsiders::new(clock);
-    let mut diagrams: Vec<Diagram> =
-        questions(enough(most)).iter().map(|question| diagram(question, effort, clock, &mut outsiders)).collect();
-    diagrams.push(transform(effort, clock));
+fn diagrams(setup: &mut Setup) -> Vec<Diagram> {
+    let questions = setup.questions();
+    let mut diagrams: Vec<Diagram> = questions.iter().map(|question| diagram(question, setup)).collect();
+    diagrams.push(transform(setup.effort, &setup.clock));
     diagrams
 }
 
-fn diagram(question: &Question, effort: Effort, clock: &Clock, outsiders: &mut Outsiders<'_>) -> Diagram {
+fn diagram(question: &Question, setup: &mut Setup) -> Diagram {
+    let Setup { effort, clock, ref mut outsiders, .. } = *setup;
     let mut curves: Vec<Curve> =
-        question.entries.iter().map(|entry| entry.curve(&question.truths, effort, clock)).collect();
+        question.entries.iter().map(|entry| entry.curve(&question.truths, effort, &clock)).collect();
     let (others, absent) = outsiders.curves(others(question, effort), &question.truths);
     curves.extend(others);
     Diagram {
         id: format!("precision-{}", question.id),
         task: PRECISION.name.to_owned(),
-        title: question.title.to_owned(),
+        title: question.title.clone(),
         truth: question.source.to_owned(),
         view: View::Digits,
         ceiling: None,

@@ -17,7 +17,7 @@ pub(in super::super) struct Question {
     /// The end of the name of its diagram.
     pub(in super::super) id: &'static str,
     /// What is asked.
-    pub(in super::super) title: &'static str,
+    pub(in super::super) title: String,
     /// Where the truth comes from.
     pub(in super::super) source: &'static str,
     /// Enclosures of the numbers that are asked for.
@@ -51,51 +51,68 @@ pub(in super::super) struct Entry {
 /// MPFR's Γ takes 45 s for its first value of 10 000 digits.
 const MOST_OF_GAMMA: u32 = 2000;
 
+/// p/q.
+pub(in super::super) type Fraction = (i64, i64);
+
 /// The exponent of the rational questions, 3/10.
-const EXPONENT: (i64, i64) = (3, 10);
+pub(in super::super) const EXPONENT: Fraction = (3, 10);
 
 /// C, E* and w of the critical state.
 const SCALES: [&str; 3] = ["1.5", "1e6", "0.05"];
 
 /// All questions, with their truths in so many bits.
 pub(in super::super) fn questions(precision: Precision) -> Vec<Question> {
-    const SERIES: &str =
-        "the hypergeometric series of positive terms over intervals; contestants have another series or Γ";
-    let (p, q) = EXPONENT;
-    let [c, e, w] = SCALES;
-    vec![
-        Question {
-            id: "kappa-rational",
-            title: "κ_n for n = 3/10",
-            source: SERIES,
-            truths: vec![truth::kappa_of_fraction(precision, p, q)],
-            entries: rational_kappa(),
-            fields: question! { "ask": "kappa", "n": "3/10" },
-            arb: &[("Γ of a rational", "arb, rational argument"), ("Γ of a ball", "arb")],
-        },
-        Question {
-            id: "kappa-irrational",
-            title: "κ_n for n = √2/5",
-            source: SERIES,
-            truths: vec![truth::kappa_of(&irrational(Precision::new(precision.bits() + 64)))],
-            entries: irrational_kappa(),
-            fields: question! { "ask": "kappa", "n": "sqrt(2)/5" },
-            arb: &[("Γ of a ball", "arb")],
-        },
-        Question {
-            id: "critical",
-            title: "κ, a, d and F under fixed grips for n = 3/10, C = 1.5, E* = 1 MPa, w = 0.05 J/m²; the worst of the four counts",
-            source: "the tangency in logarithms, then (1.13) and (1.16), over intervals; contestants have (1.15) and (1.17)",
-            truths: critical(precision).unwrap_or_default(),
-            entries: critical_states(),
-            fields: question! { "ask": "critical", "n": "3/10", "c": c, "e": e, "w": w },
-            arb: &[("with Γ of a rational", "arb, rational argument"), ("with Γ of a ball", "arb")],
-        },
-    ]
+    let irrational = Question {
+        id: "kappa-irrational",
+        title: "κ_n for n = √2/5".to_owned(),
+        source: SERIES,
+        truths: vec![truth::kappa_of(&irrational(Precision::new(precision.bits() + 64)))],
+        entries: irrational_kappa(),
+        fields: question! { "ask": "kappa", "n": "sqrt(2)/5" },
+        arb: &[("Γ of a ball", "arb")],
+    };
+    vec![Question::kappa(EXPONENT, precision), irrational, Question::critical(EXPONENT, precision)]
 }
 
-fn critical(precision: Precision) -> Result<Vec<Interval>> {
-    let (p, q) = EXPONENT;
+const SERIES: &str = "the hypergeometric series of positive terms over intervals; contestants have another series or Γ";
+
+impl Question {
+    /// What is asked, without the values of what does not matter for the time.
+    pub(in super::super) fn short(&self) -> String {
+        self.title.split_once(", C = ").map_or(&*self.title, |(short, _)| short).to_owned()
+    }
+
+    /// κ_{p/q}, for 0 < p ≤ 2q.
+    pub(in super::super) fn kappa((p, q): Fraction, precision: Precision) -> Self {
+        Question {
+            id: "kappa-rational",
+            title: format!("κ_n for n = {p}/{q}"),
+            source: SERIES,
+            truths: vec![truth::kappa_of_fraction(precision, p, q)],
+            entries: rational_kappa((p, q)),
+            fields: question! { "ask": "kappa", "n": format!("{p}/{q}") },
+            arb: &[("Γ of a rational", "arb, rational argument"), ("Γ of a ball", "arb")],
+        }
+    }
+
+    /// The critical state for n = p/q, 0 < p ≤ 2q.
+    pub(in super::super) fn critical((p, q): Fraction, precision: Precision) -> Self {
+        let [c, e, w] = SCALES;
+        Question {
+            id: "critical",
+            title: format!(
+                "κ, a, d and F under fixed grips for n = {p}/{q}, C = 1.5, E* = 1 MPa, w = 0.05 J/m²; the worst of the four counts"
+            ),
+            source: "the tangency in logarithms, then (1.13) and (1.16), over intervals; contestants have (1.15) and (1.17)",
+            truths: critical((p, q), precision).unwrap_or_default(),
+            entries: critical_states((p, q)),
+            fields: question! { "ask": "critical", "n": format!("{p}/{q}"), "c": c, "e": e, "w": w },
+            arb: &[("with Γ of a rational", "arb, rational argument"), ("with Γ of a ball", "arb")],
+        }
+    }
+}
+
+fn critical((p, q): Fraction, precision: Precision) -> Result<Vec<Interval>> {
     let kappa = truth::kappa_of_fraction(precision, p, q);
     let [c, e, w] = SCALES.map(literal);
     let scales = [c?, e?, w?].map(|value| Interval::from_literal(kappa.ctx(), &value));
@@ -132,15 +149,15 @@ impl Entry {
     }
 }
 
-fn rational_kappa() -> Vec<Entry> {
-    let float = |digits| Float::with_val(working(digits).bits(), Rational::from(EXPONENT));
+fn rational_kappa((p, q): Fraction) -> Vec<Entry> {
+    let float = move |digits| Float::with_val(working(digits).bits(), Rational::from((p, q)));
     vec![
-        Entry::new("certified, as an enclosure", Arithmetic::Certified, |digits| {
-            let n = Rational::from(EXPONENT);
+        Entry::new("certified, as an enclosure", Arithmetic::Certified, move |digits| {
+            let n = Rational::from((p, q));
             Ok(Box::new(move || Ok(vec![Found::Enclosure(kappa_enclosure(working(digits), &n))])))
         }),
-        Entry::new("certified, in decimals", Arithmetic::Certified, |digits| {
-            let n = literal("3/10")?;
+        Entry::new("certified, in decimals", Arithmetic::Certified, move |digits| {
+            let n = literal(&format!("{p}/{q}"))?;
             Ok(Box::new(move || Ok(vec![Found::Decimal(certified::kappa(&n, digits + 1)?)])))
         }),
         Entry::new("mp", Arithmetic::Mp, move |digits| {
@@ -181,9 +198,9 @@ fn state<R: Real>(n: R, kappa: R, [c, e, w]: [R; 3]) -> Result<[R; 4]> {
 }
 
 /// The critical state that is asked for.
-fn asked() -> Result<certified::Question> {
+fn asked((p, q): Fraction) -> Result<certified::Question> {
     let [c, e, w] = SCALES.map(literal);
-    let (n, elasticity) = (literal("3/10")?, Elasticity::Effective(e?));
+    let (n, elasticity) = (literal(&format!("{p}/{q}"))?, Elasticity::Effective(e?));
     certified::Question::new(&n, &c?, &elasticity, &w?, &Control::Indentation)
 }
 
@@ -196,27 +213,27 @@ fn interval(number: Enclosure, precision: Precision) -> Interval {
     }
 }
 
-fn critical_states() -> Vec<Entry> {
-    let with = |kappa: fn(&Float) -> Result<Float>| {
+fn critical_states(n: Fraction) -> Vec<Entry> {
+    let with = move |kappa: fn(&Float) -> Result<Float>| {
         move |digits| -> Result<Solver> {
             let float = |value: Rational| Float::with_val(working(digits).bits(), value);
-            let n = float(Rational::from(EXPONENT));
+            let n = float(Rational::from(n));
             let [c, e, w] = SCALES.map(rational);
             let scales = [float(c?), float(e?), float(w?)];
             Ok(Box::new(move || Ok(state(n.clone(), kappa(&n)?, scales.clone())?.map(Found::Number).into())))
         }
     };
     vec![
-        Entry::new("certified, as enclosures", Arithmetic::Certified, |digits| {
-            let question = asked()?;
+        Entry::new("certified, as enclosures", Arithmetic::Certified, move |digits| {
+            let question = asked(n)?;
             Ok(Box::new(move || {
                 let precision = working(digits);
                 let found = question.enclosures(precision)?;
                 Ok(found.map(|number| Found::Enclosure(interval(number, precision))).into())
             }))
         }),
-        Entry::new("certified, in decimals", Arithmetic::Certified, |digits| {
-            let question = asked()?;
+        Entry::new("certified, in decimals", Arithmetic::Certified, move |digits| {
+            let question = asked(n)?;
             Ok(Box::new(move || {
                 let answer = question.answer(digits + 1)?;
                 let state = answer.critical.into_iter();

@@ -10,7 +10,7 @@ fn digits(point: &Point) -> f64 {
 
 #[test]
 fn whoever_is_asked_for_digits_gives_them() {
-    let found = diagrams(Effort::Quick, &Clock::Off);
+    let found = diagrams(&mut Setup::new(Effort::Quick, Clock::Off));
     assert_eq!(found.len(), 4);
     for diagram in &found {
         for curve in &diagram.curves {

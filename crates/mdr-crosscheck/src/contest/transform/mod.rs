@@ -17,8 +17,7 @@ use rug::Float;
 pub(super) use self::method::Method;
 use self::subject::Counted;
 pub(super) use self::subject::Question;
-use super::outside::Outsiders;
-use super::{Arithmetic, Clock, Curve, Diagram, Effort, Outcome, Point, Task, View, ceiling};
+use super::{Arithmetic, Clock, Curve, Diagram, Effort, Outcome, Point, Setup, Task, View, ceiling};
 use crate::arithmetic::Arithmetic as Number;
 
 /// The task.
@@ -34,15 +33,15 @@ const BITS: u32 = 400;
 /// Bits of the enclosures of the truth.
 const TRUTH: u32 = 512;
 
-fn diagrams(effort: Effort, clock: &Clock) -> Vec<Diagram> {
-    let mut outsiders = Outsiders::new(clock);
-    subject::questions().iter().map(|question| diagram(question, effort, clock, &mut outsiders)).collect()
+fn diagrams(setup: &mut Setup) -> Vec<Diagram> {
+    subject::questions().iter().map(|question| diagram(question, setup)).collect()
 }
 
-fn diagram(question: &Question, effort: Effort, clock: &Clock, outsiders: &mut Outsiders<'_>) -> Diagram {
+fn diagram(question: &Question, setup: &mut Setup) -> Diagram {
+    let Setup { effort, clock, ref mut outsiders, .. } = *setup;
     let truth = question.truth(Precision::new(TRUTH));
     let kinked = question.heights::<f64>(()).is_ok_and(|heights| !heights.kinks().is_empty());
-    let contest = Contest { question, truth: truth.as_ref().ok(), effort, clock };
+    let contest = Contest { question, truth: truth.as_ref().ok(), effort, clock: &clock };
     let in_double = Method::ALL.into_iter().filter(|method| kinked || *method != Method::LegendrePieces);
     let in_mp = [Method::Jacobi, Method::RegularisedTanhSinh, Method::Automatic];
     let mut curves: Vec<Curve> = in_double

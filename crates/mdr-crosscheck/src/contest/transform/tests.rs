@@ -19,7 +19,7 @@ fn the_truth_is_that_of_the_definition_by_gamma() {
 }
 
 fn one(index: usize) -> Diagram {
-    diagram(&subject::questions()[index], Effort::Quick, &Clock::Off, &mut Outsiders::new(&Clock::Off))
+    diagram(&subject::questions()[index], &mut Setup::new(Effort::Quick, Clock::Off))
 }
 
 fn find(diagram: &Diagram, method: Method, arithmetic: Arithmetic) -> &Curve {
@@ -39,7 +39,7 @@ fn rounding(ceiling: f64, evaluations: u64) -> f64 {
 
 #[test]
 fn quick_diagrams_reach_their_ceilings_with_the_same_counts_every_time() {
-    let found = diagrams(Effort::Quick, &Clock::Off);
+    let found = diagrams(&mut Setup::new(Effort::Quick, Clock::Off));
     assert_eq!(found.len(), 11);
     for diagram in &found {
         let ceiling = diagram.ceiling.unwrap();
