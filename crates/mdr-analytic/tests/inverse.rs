@@ -404,3 +404,29 @@ fn out_of_range() {
     let refused = plain.equilibria(&Control::Indentation, &-1e-200);
     assert!(matches!(refused, Err(Error::OutOfRange { .. })), "{refused:?}");
 }
+
+/// Near n = 1/2 the fold of an ordinary contact is beyond all range, and the equilibria at ordinary values are not: at a(1 ± 2u)
+/// the residual has its two signs.
+#[test]
+fn ordinary_equilibria_far_from_a_fold_out_of_range() {
+    let mut answered = 0;
+    for (k, above) in (6..=52).flat_map(|k| [(k, true), (k, false)]) {
+        let n = 0.5 + if above { 2f64.powi(-k) } else { -2f64.powi(-k) };
+        for (c, value, by_force) in [(2.0, 0.5, false), (0.1, -0.5, false), (5.0, 0.5, true), (0.1, -0.5, true)] {
+            let scene = Scene { n, c, e: 2.0, w: 1.0, by_force };
+            let truth = scene.truth();
+            let found = double::equilibria(n, c, &scene.material(), &scene.control(), value).unwrap();
+            for state in found.as_slice() {
+                let Ranged::Value(a) = state.contact_radius else { continue };
+                let residual = |factor: f64| {
+                    let [d, f] = truth.state(&(float(a) * factor).ln());
+                    if by_force { f - value } else { d - value }
+                };
+                let [below, above] = [1.0 - f64::EPSILON, 1.0 + f64::EPSILON].map(residual);
+                assert!(below * above < 0, "{scene:?} at {value}: {a:e}");
+                answered += 1;
+            }
+        }
+    }
+    assert!(answered >= 4 * 2 * 47, "{answered}");
+}

@@ -102,9 +102,14 @@ impl Inverse {
         decide!(Quantity::ContactRadius, W => {
             let contact = contact::<W>(self.n, self.c, &self.material)?;
             let value = value.into();
-            match contact.regime()? {
-                Regime::ScaleFree => contact.equilibria(&self.held.control(), &value),
-                _ => Fold::new(&contact, self.held)?.at_value(&contact, &value),
+            let by_fold = match contact.regime()? {
+                Regime::ScaleFree => None,
+                _ => Fold::new(&contact, self.held).and_then(|fold| fold.at_value(&contact, &value)).ok(),
+            };
+            // At n = 1/2 there is no fold, and next to it it is beyond all range.
+            match by_fold {
+                Some(found) => Ok(found),
+                None => contact.equilibria(&self.held.control(), &value),
             }
         })
     }

@@ -45,8 +45,10 @@ enum Terms<R> {
 /// Below this τ the series at the fold is right to all digits of a double.
 const TINY: f64 = 1e-20;
 
-/// A little off, so that with few words the last step is a number and not noise.
+/// A little off, so that with few words the last step is a number and not noise; beyond the limit it would be too much for the
+/// radius, which goes as e^v.
 const OFFSET: f64 = 1.0 + 1.0 / (1_u64 << 36) as f64;
+const OFFSET_LIMIT: f64 = 4096.0;
 
 impl<R: Real> Family<R> {
     #[inline(always)]
@@ -98,14 +100,15 @@ impl<R: Real> Family<R> {
             Branch::Larger => seed.larger(),
             Branch::Smaller => seed.smaller(),
         };
-        R::from_f64(self.excess.ctx(), v * OFFSET)
+        R::from_f64(self.excess.ctx(), if v.abs() < OFFSET_LIMIT { v * OFFSET } else { v })
     }
 
-    /// The seed of a place whose z is in the range of `f64`.
+    /// The seed of a place. z itself may be out of the range of `f64`, as it is near n = 1/2.
     #[inline(always)]
     pub(super) fn seed(&self, place: &Place<R>) -> Seed {
         let z = place.value.approx();
-        Seed { mu: self.mu(), tau: place.distance.approx(), z, ln_z: pxfm::f_log(z.abs()) }
+        let ln_z = if z.is_normal() { pxfm::f_log(z.abs()) } else { place.value.abs().ln().approx() };
+        Seed { mu: self.mu(), tau: place.distance.approx(), z, ln_z }
     }
 
     /// The root v on a branch, given a first approximation; over a rigorous arithmetic an enclosure of it.
