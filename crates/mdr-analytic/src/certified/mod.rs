@@ -28,7 +28,8 @@
 //!   rational a, which for integer n contradicts the transcendence of π again.
 //! * **n = 1/2, and half-integers in general**: κ is rational times ϖ, or rational times π/ϖ, and ϖ² is algebraic times
 //!   Γ(1/4)⁴/π. π and Γ(1/4) are algebraically independent (Chudnovsky 1976), so thresholds, ratios and folds are
-//!   transcendental. The same holds for Γ(1/3).
+//!   transcendental. The same holds for Γ(1/3), and for κ_{1/4}, which is algebraic times a period of a curve with complex
+//!   multiplication.
 //!
 //! For other n no theorem excludes a tie. Nobody expects one; it would end as [`Error::Undecided`] at a stated precision,
 //! not in a loop.

@@ -8,7 +8,8 @@
 //!
 //! They are written for any arithmetic. Arbitrary precision and intervals have versions of their own, several times faster,
 //! with roundings counted: `horner` sums the series for rational n in exact `blocks` of terms, and `shifted` takes any n
-//! to where the continued fraction is short, by the recurrence κ_n = κ_{n+2} (n+1)/(n+2) in runs of `rising` factors.
+//! to where the continued fraction is short, by the recurrence κ_n = κ_{n+2} (n+1)/(n+2) in runs of `rising` factors. For
+//! rational n with a denominator up to 4 one arithmetic-geometric mean is enough (`elliptic`).
 //!
 //! Derivatives with respect to n come from an alternating series ([`alternating`]).
 
@@ -16,6 +17,8 @@ mod alternating;
 #[cfg(feature = "mp")]
 mod blocks;
 mod brouncker;
+#[cfg(feature = "mp")]
+mod elliptic;
 #[cfg(feature = "mp")]
 mod horner;
 #[cfg(feature = "mp")]

@@ -5,12 +5,12 @@ use rug::float::Round;
 use rug::{Float, Rational};
 
 use super::blocks::Series;
-use super::{horner, shifted};
+use super::{elliptic, horner, shifted};
 
 /// An enclosure of κ_n for a rational n > 0, a few units in the last place wide at the given precision.
 ///
-/// Binary splitting where n has few digits, so that ten thousand digits of κ_{1/3} take milliseconds; the expansions for
-/// a general n elsewhere.
+/// An arithmetic-geometric mean for denominators up to 4, kept in the thread for later calls; binary splitting where n has
+/// few digits, so that ten thousand digits of κ_{3/10} take milliseconds; the expansions for a general n elsewhere.
 ///
 /// ```
 /// use mdr_analytic::kappa_enclosure;
@@ -34,8 +34,12 @@ const LONG: u32 = 6000;
 /// κ_n for a rational n > 0, computed with the given number of bits.
 pub(crate) fn rational_kappa(precision: Precision, n: &Rational) -> Counted {
     let bits = precision.bits();
-    let approximate = n.to_f64();
-    let series = if approximate < f64::from(bits) / 16.0 { Series::new(n, bits) } else { None };
+    elliptic::kappa(n, bits).unwrap_or_else(|| expansion(n, bits))
+}
+
+/// The same, for any denominator.
+pub(super) fn expansion(n: &Rational, bits: u32) -> Counted {
+    let series = if n.to_f64() < f64::from(bits) / 16.0 { Series::new(n, bits) } else { None };
     match series {
         Some(series) if bits <= LONG => horner::sum(&series, bits, |from, to| series.double_word(from, to)),
         Some(series) => {

@@ -193,9 +193,47 @@ mod mp {
     fn many_digits_of_two_expansions_agree() {
         for n in [(1, 3), (7, 5), (4, 1), (41, 2)].map(rug::Rational::from) {
             for bits in [3000, 5990, 6010, 13_000] {
-                let sharp =
-                    shifted::kappa(&Float::with_val(2 * bits, &n), 2 * bits).enclosure(Precision::new(2 * bits));
+                let sharp = by_continued_fraction(&n, bits);
                 assert_encloses(&kappa_enclosure(Precision::new(bits), &n), &sharp, bits, &n);
+                let series = rational::expansion(&n, bits + 20).enclosure(Precision::new(bits));
+                assert_encloses(&series, &sharp, bits, &n);
+            }
+        }
+    }
+
+    /// Twice the precision.
+    fn by_continued_fraction(n: &rug::Rational, bits: u32) -> Interval {
+        shifted::kappa(&Float::with_val(2 * bits, n), 2 * bits).enclosure(Precision::new(2 * bits))
+    }
+
+    /// Every residue and parity of every denominator, up to the largest n that a mean serves and beyond.
+    #[test]
+    fn means_agree_with_the_continued_fraction() {
+        for bits in [8, 53, 64, 200, 1000, 1100, 3400] {
+            for q in 1..=5 {
+                let largest = bits * q;
+                for p in (1..=2 * q + 2).chain([7 * q + 1, largest - 1, largest, largest + 1]) {
+                    let n = rug::Rational::from((p, q));
+                    let reached = *n.denom() < 5 && n <= bits;
+                    let found = elliptic::kappa(&n, bits);
+                    assert_eq!(found.is_some(), reached, "n = {n}, {bits} bits");
+                    let Some(found) = found else { continue };
+                    assert!(found.roundings() < 8, "n = {n}, {bits} bits: {found:?}");
+                    let found = found.enclosure(Precision::new(bits - 4));
+                    assert_encloses(&found, &by_continued_fraction(&n, bits), bits - 4, &n);
+                }
+            }
+        }
+    }
+
+    /// What is kept from earlier calls, of whatever precision, does not show.
+    #[test]
+    fn a_mean_that_was_kept_is_that_of_a_first_call() {
+        for n in [(1, 2), (3, 2), (1, 3), (2, 3), (7, 4), (13, 3)].map(rug::Rational::from) {
+            for bits in [2000, 2056, 2072, 53, 1000, 1999, 3000, 2000] {
+                let kappa = || elliptic::kappa(&n, bits).map(|kappa| kappa.value().clone());
+                let first = std::thread::scope(|scope| scope.spawn(kappa).join().unwrap());
+                assert_eq!(kappa(), first, "n = {n}, {bits} bits");
             }
         }
     }

@@ -84,6 +84,49 @@ impl Counted {
         self
     }
 
+    /// The sum.
+    pub fn plus(mut self, other: &Self) -> Self {
+        self.value += &other.value;
+        self.roundings = self.roundings.max(other.roundings).saturating_add(1);
+        self
+    }
+
+    /// The arithmetic-geometric mean.
+    ///
+    /// It is homogeneous and grows with both numbers, so a relative error of theirs becomes no larger in it. With
+    /// m = (a+b)/2 and e = (a−b)/(a+b) it is m π/2K(e) = m (1 − e²/4 − θe⁴), 0 ≤ θ < 1/4 for |e| ≤ 1/2: as soon as e⁴ < u this
+    /// takes the place of the last two steps.
+    pub fn agm(self, other: &Self) -> Self {
+        // Squared in each step, the ratio of any two floats is soon below 2, and then the difference squared.
+        const STEPS: u32 = 128;
+        let bits = self.value.prec();
+        let Counted { value: mut a, mut roundings } = self;
+        let mut b = Float::with_val(bits, &other.value);
+        roundings = roundings.max(other.roundings.saturating_add(1));
+        for _ in 0..STEPS {
+            if !a.is_normal() || !b.is_normal() {
+                break;
+            }
+            let (sum, difference) = (Float::with_val(bits, &a + &b), Float::with_val(bits, &a - &b));
+            let apart =
+                difference.get_exp().zip(sum.get_exp()).map_or(i64::MIN / 8, |(d, s)| i64::from(d) - i64::from(s));
+            let mean = sum >> 1u32;
+            // |e| < 2^(apart + 1)
+            if 4 * (apart + 1) <= -i64::from(bits) {
+                let short = bits / 2 + 16;
+                let correction = Float::with_val(short, difference.square_ref()) / Float::with_val(short, &mean);
+                // One for the sum, one for the difference, one for θe⁴ and what the correction is wrong by.
+                return Counted { value: mean - (correction >> 4u32), roundings: roundings.saturating_add(3) };
+            }
+            b *= &a;
+            b.sqrt_mut();
+            a = mean;
+            // b: half the count of a product, and one for the root.
+            roundings = roundings.saturating_add(2);
+        }
+        Counted { value: a, roundings: u64::MAX }
+    }
+
     /// The number to the power p/q.
     pub fn power(self, p: i32, q: u32) -> Self {
         match q {
@@ -190,6 +233,24 @@ mod tests {
     }
 
     #[test]
+    fn means_are_enclosed_and_tight() {
+        for bits in (2..300).step_by(7).chain([700, 4000]) {
+            for (x, y) in [(1, 2), (1, 1), (3, 1), (1_000_000_007, 1_000_000_009), (1, i64::MAX), (355, 113)] {
+                for shift in [0, 7, -100_000_000] {
+                    let number = |value, bits| Float::with_val(bits, value);
+                    let [a, b] = [x, y].map(|value| Counted::new(number(value, bits + 24), 1));
+                    let b = Counted::new(b.value << shift, 1);
+                    let found = a.agm(&b).enclosure(Precision::new(bits));
+                    // MPFR's mean at more than twice the precision.
+                    let exact = number(x, 2 * bits + 100).agm(&(number(y, 2 * bits + 100) << shift));
+                    assert!(found.contains(&exact), "agm({x}, {y}·2^{shift}), {bits} bits: {found} {exact}");
+                    assert!(found.accuracy_bits() >= i64::from(bits) - 2, "agm({x}, {y}·2^{shift}): {found}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn the_count_is_in_the_enclosure() {
         let precision = Precision::new(100);
         let number = |roundings| Counted::new(Float::with_val(100, 3), roundings);
@@ -205,6 +266,9 @@ mod tests {
     #[test]
     fn beyond_the_exponents_nothing_is_known() {
         let huge = Counted::new(Float::with_val(60, 1) << (i32::MAX / 2), 0);
+        let tiny = Counted::new(Float::with_val(60, 1) >> (i32::MAX / 2), 0);
+        assert!(tiny.clone().plus(&tiny).agm(&tiny).enclosure(Precision::new(50)).is_entire());
+        assert!(huge.clone().agm(&Counted::new(Float::with_val(60, 0), 0)).enclosure(Precision::new(50)).is_entire());
         assert!(huge.clone().power(100, 1).enclosure(Precision::new(50)).is_entire());
         assert!(huge.power(-100, 3).enclosure(Precision::new(50)).is_entire());
     }

@@ -1,0 +1,158 @@
+//! κ_n for n = p/q with q ≤ 4: one arithmetic-geometric mean for each q.
+//!
+//! κ_n = (n/2) B(n/2, 1/2) = ∫₀¹ dx/√(1 − x^{2/n}). For n = 1/2, 1/3 and 1/4 this is, up to square roots, the complete
+//! elliptic integral K(k) = π/(2 agm(1, √(1−k²))) at the singular values k_1, k_3 and k_2 (Selberg and Chowla 1967):
+//!
+//! κ_{1/2} = π/(2 agm(1, √2)),  κ_{1/3} = π/(3^{1/4} agm(2, √(2+√3))),  κ_{1/4} = π (1+√2)/(4 agm(1, 1+√2)).
+//!
+//! Other n of the same denominator follow by the reflection of Γ, by κ_n κ_{n+1} = π(n+1)/2, and by that twice:
+//!
+//! κ_{1−n} = κ_n tan(πn/2) (1−n)/n,  κ_{n+1} = π(n+1)/(2κ_n),  κ_{n+2} = κ_n (n+2)/(n+1).
+//!
+//! Integers start from κ_0 = 1 and κ_1 = π/2. What a mean gives for 0 < n < 2 is kept in the thread, as MPFR keeps π:
+//! from the second call on κ_n costs a few products with short numbers.
+
+use std::cell::RefCell;
+
+use mdr_core::number::{Counted, Precision};
+use rug::{Float, Integer, Rational};
+
+/// Up to this many times the precision in bits for n, the factors (n+2)/(n+1) cost less than other expansions do. Measured
+/// as a shift is, with `mdr report --only speed`.
+const REACH: f64 = 1.0;
+
+/// More bits are kept than asked for, so that a result does not depend on the calls before, but for a chance of 2⁻⁶⁰.
+const GUARD: u32 = 64;
+
+/// At least so many bits are kept: they cost little more than fewer.
+const LEAST: u32 = 1024;
+
+/// κ_n with the given number of bits. None for other denominators, and where n is so large that there is a faster expansion.
+pub(super) fn kappa(n: &Rational, bits: u32) -> Option<Counted> {
+    let (p, q) = (n.numer().to_u32()?, n.denom().to_u32()?);
+    if q > 4 || f64::from(p) > REACH * f64::from(q) * f64::from(bits) {
+        return None;
+    }
+    let (steps, tip) = (p / (2 * q), p % (2 * q));
+    let value = match (tip, Denominator::new(q)) {
+        (0, _) => Counted::new(Float::with_val(bits, 1), 0),
+        (_, None) => half_pi(bits),
+        (_, Some(denominator)) => kept(tip, denominator, bits),
+    };
+    if steps == 0 {
+        return Some(value);
+    }
+    // Π (n+2i)/(n+2i−1) for n at the tip, i from 1 on.
+    let [tip, q, steps] = [tip, q, steps].map(u64::from);
+    let above = product(tip + 2 * q, 2 * q, steps);
+    let below = product(tip + q, 2 * q, steps);
+    Some(Counted::new(Float::with_val(bits, value.value() * &above) / &below, value.roundings() + 2))
+}
+
+fn half_pi(bits: u32) -> Counted {
+    Counted::pi(Precision::new(bits)).scaled(&(1, 2).into())
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Denominator {
+    Two,
+    Three,
+    Four,
+}
+
+impl Denominator {
+    fn new(q: u32) -> Option<Self> {
+        [Self::Two, Self::Three, Self::Four].into_iter().find(|denominator| denominator.q() == q)
+    }
+
+    fn q(self) -> u32 {
+        match self {
+            Self::Two => 2,
+            Self::Three => 3,
+            Self::Four => 4,
+        }
+    }
+
+    /// κ_{p/q} for 0 < p < 2q without common factors.
+    fn kappa(self, p: u32, bits: u32) -> Counted {
+        let q = self.q();
+        if p > q {
+            half_pi(bits).scaled(&(p, q).into()).over(&self.kappa(p - q, bits))
+        } else if p > 1 {
+            self.first(bits).scaled(&p.into()).over(&self.cotangent(bits))
+        } else {
+            self.first(bits)
+        }
+    }
+
+    /// κ_{1/q}.
+    fn first(self, bits: u32) -> Counted {
+        let pi = Counted::pi(Precision::new(bits));
+        match self {
+            Self::Two => pi.over(&whole(1, bits).agm(&whole(2, bits).sqrt()).scaled(&2.into())),
+            Self::Three => {
+                let root = whole(3, bits).sqrt();
+                let mean = whole(2, bits).agm(&root.clone().plus(&whole(2, bits)).sqrt());
+                pi.over(&root.sqrt()).over(&mean)
+            }
+            Self::Four => {
+                let side = self.cotangent(bits);
+                let mean = whole(1, bits).agm(&side);
+                pi.times(&side).over(&mean).scaled(&(1, 4).into())
+            }
+        }
+    }
+
+    /// cot(π/2q).
+    fn cotangent(self, bits: u32) -> Counted {
+        match self {
+            Self::Two => whole(1, bits),
+            Self::Three => whole(3, bits).sqrt(),
+            Self::Four => whole(2, bits).sqrt().plus(&whole(1, bits)),
+        }
+    }
+}
+
+fn whole(number: u32, bits: u32) -> Counted {
+    Counted::new(Float::with_val(bits, number), 0)
+}
+
+thread_local! {
+    /// κ_{p/q} for 0 < p < 2q, with p: ten numbers at most.
+    static KEPT: RefCell<Vec<(u32, Denominator, Counted)>> = const { RefCell::new(Vec::new()) };
+}
+
+/// κ_{p/q} for 0 < p < 2q, computed where no value of so many bits is kept.
+fn kept(p: u32, denominator: Denominator, bits: u32) -> Counted {
+    KEPT.with_borrow_mut(|kept| {
+        let needed = bits.saturating_add(GUARD).max(LEAST);
+        let known = kept.iter().position(|(of, other, _)| (*of, *other) == (p, denominator));
+        let index = known.unwrap_or(kept.len());
+        if known.is_none() {
+            kept.push((p, denominator, denominator.kappa(p, needed)));
+        } else if kept[index].2.value().prec() < needed {
+            kept[index].2 = denominator.kappa(p, needed);
+        }
+        // All that is wrong in the kept number is less than a unit in the last place here.
+        Counted::new(Float::with_val(bits, kept[index].2.value()), 2)
+    })
+}
+
+/// Π (first + step·i), i from 0 to count − 1.
+fn product(first: u64, step: u64, count: u64) -> Integer {
+    const FEW: u64 = 32;
+    if count > FEW {
+        let half = count / 2;
+        return product(first, step, half) * product(first + step * half, step, count - half);
+    }
+    let mut long = Integer::from(1);
+    let mut word = 1_u64;
+    for i in 0..count {
+        let factor = first + step * i;
+        word = word.checked_mul(factor).unwrap_or_else(|| {
+            long *= word;
+            factor
+        });
+    }
+    long * word
+}
