@@ -1,6 +1,6 @@
-//! The factor κ: recurrences, and series without the Gamma function.
+//! The factor κ: recurrences, series without the Gamma function, and means.
 
-use super::{Claim, Entry, POSITIVE, Step};
+use super::{BELOW, Claim, Entry, HALF, POSITIVE, Step};
 
 pub(super) const RECURRENCES: Entry = Entry {
     id: "kappa-recurrences",
@@ -96,4 +96,56 @@ pub(super) const SERIES: Entry = Entry {
     ],
     erratum: None,
     references: &["NIST Digital Library of Mathematical Functions, §15.4 and §15.5"],
+};
+
+pub(super) const ELLIPTIC: Entry = Entry {
+    id: "kappa-elliptic",
+    title: "κ by an arithmetic-geometric mean",
+    verdict: Claim::Enclosed,
+    assumptions: &["n = p/q with q ≤ 4"],
+    steps: &[
+        Step::cited(
+            "With x = sin^nθ, (1.12) is κ_n = ∫₀¹ dx/√(1 − x^(2/n)). For n = 1/2, 1/3 and 1/4 it is a complete elliptic \
+             integral up to square roots: that of the first, third and second singular modulus.",
+        ),
+        Step::enclosed(
+            POSITIVE,
+            "turn(1/sqrt(cosθ^2 + n^2*sinθ^2)) = π/(2*agm(1, n))",
+            "A complete elliptic integral is a mean, by Gauss. Here n is any positive number.",
+        ),
+        Step::enclosed(
+            HALF,
+            "kappa(1/2) = π/(2*agm(1, sqrt(2)))",
+            "The first modulus, 1/√2: half the lemniscate constant.",
+        ),
+        Step::enclosed(HALF, "kappa(1/3) = π/(3^(1/4)*agm(2, sqrt(2 + sqrt(3))))", "The third, (√6 − √2)/4."),
+        Step::enclosed(
+            HALF,
+            "kappa(1/4) = π*(1 + sqrt(2))/(4*agm(1, 1 + sqrt(2)))",
+            "The second, √2 − 1, after one step of the mean.",
+        ),
+        Step::enclosed(
+            BELOW,
+            "kappa(1 - n) = kappa(n)*(1 - n)/n*sin(π*n)/(2 - 2*sin(π*n/2)^2)",
+            "The reflection Γ(z) Γ(1 − z) = π/sin πz at z = n/2 and z = (1 − n)/2, divided: what stands at the end is tan(πn/2).",
+        ),
+        Step::enclosed(HALF, "kappa(2/3) = 2*kappa(1/3)/sqrt(3)", "In thirds, tan(π/6) = 1/√3."),
+        Step::enclosed(HALF, "kappa(3/4) = 3*kappa(1/4)/(1 + sqrt(2))", "In quarters, tan(π/8) = 1/(1 + √2)."),
+        Step::proved(
+            POSITIVE,
+            "kappa(n + 1) = π*(n + 1)/(2*kappa(n))",
+            "This, and κ_{n+2} = κ_n (n+2)/(n+1), carry them to all n of the same denominators; integers start from 1 and π/2.",
+        ),
+        Step::enclosed(
+            BELOW,
+            "agm(1 + n, 1 - n) < 1 - n^2/4",
+            "How a mean is cut short: its two numbers are m(1 ± e), and for e < 1/2, here in the place of n, it is below this,",
+        ),
+        Step::enclosed(BELOW, "agm(1 + n, 1 - n) > 1 - n^2/4 - n^4/4", "and above that."),
+    ],
+    erratum: None,
+    references: &[
+        "A. Selberg, S. Chowla, On Epstein's zeta-function, J. reine angew. Math. 227 (1967) 86–110",
+        "J. M. Borwein, P. B. Borwein, Pi and the AGM, Wiley 1987",
+    ],
 };

@@ -202,6 +202,7 @@ pub fn entries() -> &'static [Entry] {
         transform::POWER,
         kappa::RECURRENCES,
         kappa::SERIES,
+        kappa::ELLIPTIC,
         power_law::INDENTATION,
         power_law::TANGENCY,
         power_law::RADIUS,
