@@ -69,9 +69,9 @@ mod universal;
 pub use contact::{Contact, detachment_elongation};
 pub use critical::Critical;
 pub use inverse::Equilibria;
-#[cfg(feature = "mp")]
-pub use kappa::kappa_enclosure;
 pub use kappa::{Kappa, kappa};
+#[cfg(feature = "mp")]
+pub use kappa::{free_cache, kappa_enclosure};
 pub use power_law::PowerLaw;
 pub use special::flat_punch_pull_off;
 pub use threshold::{Fate, lemniscate_constant, threshold};

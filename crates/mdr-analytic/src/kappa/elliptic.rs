@@ -122,6 +122,21 @@ thread_local! {
     static KEPT: RefCell<Vec<(u32, Denominator, Counted)>> = const { RefCell::new(Vec::new()) };
 }
 
+/// Frees the numbers that κ_n keeps in this thread: ten at most, as long as the longest that was asked for. The next call
+/// computes what it needs anew, with the same result. π is kept by MPFR, see `rug::float::free_cache`.
+///
+/// ```
+/// use mdr_analytic::{free_cache, kappa_enclosure};
+/// use mdr_core::number::Precision;
+/// let kappa = || kappa_enclosure(Precision::new(2000), &(1, 3).into()).mid();
+/// let first = kappa();
+/// free_cache();
+/// assert_eq!(kappa(), first);
+/// ```
+pub fn free_cache() {
+    KEPT.with_borrow_mut(|kept| *kept = Vec::new());
+}
+
 /// κ_{p/q} for 0 < p < 2q, computed where no value of so many bits is kept.
 fn kept(p: u32, denominator: Denominator, bits: u32) -> Counted {
     KEPT.with_borrow_mut(|kept| {

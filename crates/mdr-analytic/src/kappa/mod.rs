@@ -30,6 +30,8 @@ mod series;
 mod shifted;
 
 #[cfg(feature = "mp")]
+pub use elliptic::free_cache;
+#[cfg(feature = "mp")]
 pub use rational::kappa_enclosure;
 #[cfg(feature = "mp")]
 pub(crate) use rational::rational_kappa;

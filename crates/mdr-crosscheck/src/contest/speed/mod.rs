@@ -140,8 +140,9 @@ impl Hall<'_> {
     }
 }
 
-/// The constants that MPFR keeps are computed anew when they are next wanted.
+/// The constants that κ_n and MPFR keep are computed anew when they are next wanted.
 fn forget() {
+    mdr_analytic::free_cache();
     rug::float::free_cache(rug::float::FreeCache::All);
 }
 
