@@ -77,9 +77,16 @@ impl Monomials {
     fn state(&self, kappa: Counted, working: Precision, precision: Precision) -> Option<[Interval; 4]> {
         let root_edge = Counted::pi(working).scaled(&self.edge).sqrt();
         let (up, down) = self.exponent;
-        let root = root_edge.clone().scaled(&self.softness).over(&kappa).power(up, down);
+        let ratio = root_edge.clone().scaled(&self.softness);
+        // A power needs one more quotient where it has the wrong sign: a positive one is for square roots, a negative one
+        // for others.
+        let root = if (up > 0) == matches!(down, 1 | 2 | 4) {
+            ratio.over(&kappa).power(up, down)
+        } else {
+            kappa.clone().over(&ratio).power(-up, down)
+        };
         let product = root_edge.times(&root);
-        let radius = root.clone().times(&root);
+        let radius = root.power(2, 1);
         let force = product.clone().times(&radius).scaled(&self.force);
         let indentation = product.scaled(&self.indentation);
         let enclose = |number: &Counted, negative| {
