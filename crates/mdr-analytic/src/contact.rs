@@ -1,25 +1,48 @@
 //! A power law in adhesive contact: equilibria (1.4), (1.5), (1.13), (1.16), their slopes and the energy.
 
-use mdr_core::contact::{Error, Material, Quantity, Regime, Result, Transform};
+use mdr_core::contact::{Error, Material, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::power_law::PowerLaw;
+use crate::range::{difference, ordinary, product, representable};
 
 /// Δl(a) = √(2πaw/E*), the elongation at which the springs at the edge let go (1.4), for a > 0, in m.
 ///
 /// # Errors
-/// [`Error::Domain`] unless a is positive and finite.
+/// [`Error::Domain`] unless a is positive and finite; [`Error::OutOfRange`].
 pub fn detachment_elongation<R: Real>(material: &Material<R>, a: &R) -> Result<R> {
     let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
-    Ok((edge_length(material) * &a).sqrt().times(2))
+    let elongation = edge_root(material, &edge_length(material)) * a.sqrt();
+    representable(Quantity::Indentation, elongation.times(2), || {
+        (ln_edge_length(material) + a.ln()).over(2) + a.lit(2).ln()
+    })
 }
 
-/// B = πw/(2E*), the length in Δl(a) = 2√(Ba), in m.
+/// B = πw/(2E*), the length in Δl(a) = 2√(Ba), in m. It may leave the range where Δl does not.
 #[inline(always)]
 pub(crate) fn edge_length<R: Real>(material: &Material<R>) -> R {
     let pi = material.work_of_adhesion().pi();
     pi * material.work_of_adhesion() / material.effective_modulus().clone().times(2)
 }
+
+/// √B, also where B leaves the range: that of √w/√E* is half as far away.
+#[inline(always)]
+pub(crate) fn edge_root<R: Real>(material: &Material<R>, edge_length: &R) -> R {
+    if ordinary(edge_length) {
+        return edge_length.sqrt();
+    }
+    let (e, w) = (material.effective_modulus(), material.work_of_adhesion());
+    w.sqrt() / e.sqrt() * w.pi().over(2).sqrt()
+}
+
+/// ln B.
+pub(crate) fn ln_edge_length<R: Real>(material: &Material<R>) -> R {
+    let (e, w) = (material.effective_modulus(), material.work_of_adhesion());
+    w.pi().over(2).ln() + w.ln() - e.ln()
+}
+
+const INDENTATION_SLOPE: Quantity = Quantity::Parameter("the slope d' of the indentation depth");
+const FORCE_SLOPE: Quantity = Quantity::Parameter("the slope F' of the normal force");
 
 /// A power-law profile pressed against an elastic half-space, with adhesion.
 ///
@@ -42,6 +65,8 @@ pub struct Contact<R> {
     material: Material<R>,
     /// B = πw/(2E*), in m.
     edge_length: R,
+    /// √B, in √m.
+    edge_root: R,
 }
 
 impl<R: Real> Contact<R> {
@@ -49,7 +74,8 @@ impl<R: Real> Contact<R> {
     #[inline(always)]
     pub fn new(profile: PowerLaw<R>, material: Material<R>) -> Self {
         let edge_length = edge_length(&material);
-        Contact { profile, material, edge_length }
+        let edge_root = edge_root(&material, &edge_length);
+        Contact { profile, material, edge_length, edge_root }
     }
 
     /// The profile.
@@ -74,9 +100,10 @@ impl<R: Real> Contact<R> {
     /// Δl(a) = √(2πaw/E*) (1.4), in m.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless a is positive and finite.
+    /// [`Error::Domain`] unless a is positive and finite; [`Error::OutOfRange`].
     pub fn detachment_elongation(&self, a: &R) -> Result<R> {
-        detachment_elongation(&self.material, a)
+        let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
+        representable(Quantity::Indentation, self.elongation(&a), || self.ln_elongation(&a))
     }
 
     /// d(a) = κ_n C aⁿ − Δl(a) (1.5), (1.13), in m. Near its zero, as any difference, it is as accurate as a is.
@@ -84,7 +111,12 @@ impl<R: Real> Contact<R> {
     /// # Errors
     /// [`Error::Domain`] unless a is positive and finite; [`Error::OutOfRange`].
     pub fn indentation(&self, a: &R) -> Result<R> {
-        Ok(self.profile.g(a)? - self.detachment_elongation(a)?)
+        let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
+        let (n, one) = (self.profile.exponent(), a.lit(1));
+        let g = self.profile.monomial(&a, n, &one, &one);
+        difference(Quantity::Indentation, g, self.elongation(&a), || {
+            [self.profile.ln_monomial(&a, n, &one), self.ln_elongation(&a)]
+        })
     }
 
     /// F(a) = 2E* a (n/(n+1) κ_n C aⁿ − Δl(a)) (1.6), (1.16), in N.
@@ -92,10 +124,32 @@ impl<R: Real> Contact<R> {
     /// # Errors
     /// As [`Contact::indentation`].
     pub fn force(&self, a: &R) -> Result<R> {
+        let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let n = self.profile.exponent();
-        let pressed = self.profile.g(a)? * n / (n.lit(1) + n);
-        let line_stiffness = self.line_stiffness(a);
-        Ok((pressed - self.detachment_elongation(a)?) * &line_stiffness)
+        let share = n.clone() / (n.lit(1) + n);
+        let (pressed, elongation) = (self.profile.monomial(&a, n, &share, &a.lit(1)), self.elongation(&a));
+        let modulus = self.material.effective_modulus().clone();
+        if ordinary(&pressed) && ordinary(&elongation) {
+            let depth = pressed - &elongation;
+            let force = product([&modulus, &a, &depth]).times(2);
+            if depth == a.lit(0) {
+                return Ok(depth);
+            }
+            return representable(Quantity::Force, force, || {
+                (modulus.ln() + a.ln() + depth.abs().ln()) + a.lit(2).ln()
+            });
+        }
+        // Each term by itself: one that is out of range may become a number with the stiffness, or be negligible.
+        let two = a.lit(2);
+        let root = a.sqrt();
+        let tension = product([&modulus, &a, &self.edge_root, &root, &a.lit(4)]);
+        let next = n.clone() + a.lit(1);
+        let pressed = self.profile.monomial(&a, &next, &share.times(2), &modulus);
+        let share = n.clone() / &next;
+        difference(Quantity::Force, pressed, tension, || {
+            let ln_stiffness = modulus.ln() + a.ln() + two.ln();
+            [self.profile.ln_monomial(&a, n, &share) + &ln_stiffness, self.ln_elongation(&a) + ln_stiffness]
+        })
     }
 
     /// d'(a) = N aⁿ⁻¹ − √(B/a) along the equilibria; its zero is the condition (1.10), (1.14).
@@ -103,7 +157,13 @@ impl<R: Real> Contact<R> {
     /// # Errors
     /// As [`Contact::indentation`].
     pub fn indentation_slope(&self, a: &R) -> Result<R> {
-        Ok(self.profile.slope(a)? - (self.edge_length.clone() / a).sqrt())
+        let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
+        let (n, one) = (self.profile.exponent(), a.lit(1));
+        let power = n.clone() - &one;
+        let slope = self.profile.monomial(&a, &power, n, &one);
+        difference(INDENTATION_SLOPE, slope, self.edge_root.clone() / a.sqrt(), || {
+            [self.profile.ln_monomial(&a, &power, n), (ln_edge_length(&self.material) - a.ln()).over(2)]
+        })
     }
 
     /// F'(a) = 2E*(a d'(a) − Δl(a)) = 2E* a (N aⁿ⁻¹ − 3√(B/a)) along the equilibria, in N/m.
@@ -111,9 +171,15 @@ impl<R: Real> Contact<R> {
     /// # Errors
     /// As [`Contact::indentation`].
     pub fn force_slope(&self, a: &R) -> Result<R> {
-        let tension = (self.edge_length.clone() / a).sqrt().times(3);
-        let line_stiffness = self.line_stiffness(a);
-        Ok((self.profile.slope(a)? - tension) * &line_stiffness)
+        let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
+        let n = self.profile.exponent();
+        let modulus = self.material.effective_modulus().clone().times(2);
+        let pressed = self.profile.monomial(&a, n, n, &modulus);
+        let tension = product([&modulus, &self.edge_root, &a.sqrt()]).times(3);
+        difference(FORCE_SLOPE, pressed, tension, || {
+            let ln_tension = (ln_edge_length(&self.material) + a.ln()).over(2) + a.lit(3).ln();
+            [self.profile.ln_monomial(&a, n, n), ln_tension].map(|ln| ln + modulus.ln())
+        })
     }
 
     /// The potential energy Π(a, d) = E*∫₀ᵃ(d−g)² dx − πa²w of any state, in equilibrium or not, in J.
@@ -121,30 +187,60 @@ impl<R: Real> Contact<R> {
     /// The integral is a[(d − g/(n+1))² + n²g²/((2n+1)(n+1)²)] with g = g(a): a sum of squares.
     ///
     /// # Errors
-    /// As [`Contact::indentation`].
+    /// [`Error::Domain`] unless a is positive and d finite; [`Error::OutOfRange`].
     pub fn energy(&self, a: &R, d: &R) -> Result<R> {
-        let n = self.profile.exponent();
-        let g = self.profile.g(a)?;
-        let mean = g / (n.lit(1) + n);
-        let spread = (mean.clone() * n).square() / (n.clone().times(2) + n.lit(1));
-        let elastic = ((d.clone() - &mean).square() + &spread) * self.material.effective_modulus();
-        let adhesion = a.pi() * a * self.material.work_of_adhesion();
-        Ok((elastic - &adhesion) * a)
+        let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
+        if !d.is_finite() {
+            return Err(Error::domain(Quantity::Indentation, d, "finite"));
+        }
+        let (n, one) = (self.profile.exponent(), a.lit(1));
+        let next = n.clone() + &one;
+        let mean = self.profile.monomial(&a, n, &next.clone().inv(), &one);
+        let below = d.clone() - &mean;
+        let spread = mean.clone() * n / (n.clone().times(2) + &one).sqrt();
+        // The roots of the three terms leave the range where the terms do, and not before.
+        let (e, w) = (self.material.effective_modulus(), self.material.work_of_adhesion());
+        let stiffness = e.sqrt() * a.sqrt();
+        let elastic = (stiffness.clone() * &below).square() + (stiffness * &spread).square();
+        let adhesion = (w.sqrt() * &a).square() * a.pi();
+        difference(Quantity::Energy, elastic, adhesion, || {
+            let ln_mean = self.profile.ln_monomial(&a, n, &next.inv());
+            let ln_spread = ln_mean.clone() + n.ln() - (n.clone().times(2) + &one).ln().over(2);
+            let zero = a.lit(0);
+            let ln_below = if below.is_finite() && below != zero { below.abs().ln() } else { ln_mean };
+            let ln_square = if below == zero && mean != zero {
+                ln_spread.times(2)
+            } else {
+                let gap = ln_below.lesser(&ln_spread) - ln_below.greater(&ln_spread);
+                ln_below.greater(&ln_spread).times(2) + gap.times(2).exp().ln_1p()
+            };
+            [ln_square + e.ln() + a.ln(), a.pi().ln() + w.ln() + a.ln().times(2)]
+        })
     }
 
-    /// B = πw/(2E*), in m.
+    /// Δl(a), which may leave the range.
+    #[inline(always)]
+    pub(crate) fn elongation(&self, a: &R) -> R {
+        (self.edge_root.clone() * a.sqrt()).times(2)
+    }
+
+    fn ln_elongation(&self, a: &R) -> R {
+        (ln_edge_length(&self.material) + a.ln()).over(2) + a.lit(2).ln()
+    }
+
+    /// B = πw/(2E*), in m. It may leave the range where its root does not.
     pub(crate) fn edge_length(&self) -> &R {
         &self.edge_length
+    }
+
+    /// √B, in √m.
+    pub(crate) fn edge_root(&self) -> &R {
+        &self.edge_root
     }
 
     /// N = nκ_nC.
     #[inline(always)]
     pub(crate) fn slope_coefficient(&self) -> R {
         self.profile.strength() * self.profile.exponent()
-    }
-
-    /// 2E*a, the stiffness of a contact of fixed radius a, in N/m.
-    fn line_stiffness(&self, a: &R) -> R {
-        self.material.effective_modulus().clone().times(2) * a
     }
 }

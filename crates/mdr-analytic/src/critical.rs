@@ -3,8 +3,8 @@
 use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, Stability};
 use mdr_core::number::Real;
 
-use crate::contact::Contact;
-use crate::range::representable;
+use crate::contact::{Contact, ln_edge_length};
+use crate::range::{ordinary, product, representable};
 
 /// A critical state, or one quantity of it in whatever form: numbers, certified decimals, logarithms.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +62,7 @@ impl<R: Real> Contact<R> {
         let (ln_radius, tension) = match control {
             Control::Machine { stiffness } => {
                 let fold = self.first_machine_tangency(stiffness)?;
-                (self.machine_length(stiffness).ln() + &fold.ln_s, fold.tension)
+                (self.ln_machine_length(stiffness) + &fold.ln_s, fold.tension)
             }
             Control::Indentation | Control::Force => {
                 let tension = self.profile().exponent().lit(if matches!(control, Control::Force) { 3 } else { 1 });
@@ -78,7 +78,7 @@ impl<R: Real> Contact<R> {
         self.require_length_scale()?;
         let tension = self.profile().exponent().lit(tension);
         let radius = self.length_scale(&tension)?;
-        self.tangent_state(radius, &tension)
+        self.tangent_state(radius, &tension, || self.ln_length_scale(&tension))
     }
 
     /// (λ²B/N²)^{1/(2n−1)}, the radius at which N a^{n−1/2} = λ√B, in m.
@@ -86,43 +86,69 @@ impl<R: Real> Contact<R> {
     pub(crate) fn length_scale(&self, tension: &R) -> Result<R> {
         let slope = self.slope_coefficient();
         // One power of one quotient: near n = 1/2 its rounding is all that 1/(2n−1) magnifies.
-        let quotient = tension.square() * self.edge_length() / slope.square();
-        let radius = if quotient.is_finite() && quotient > quotient.lit(0) {
-            quotient.pow(&self.profile().excess().inv())
+        let (square, excess) = (slope.square(), self.profile().excess());
+        let quotient = tension.square() * self.edge_length() / &square;
+        let radius = if ordinary(&quotient) && ordinary(&square) && ordinary(self.edge_length()) {
+            quotient.pow(&excess.inv())
         } else {
-            self.ln_length_scale(tension).exp()
+            self.distant_length_scale(tension, &slope, &excess)
         };
         representable(Quantity::ContactRadius, radius, || self.ln_length_scale(tension))
     }
 
-    /// ln of [`Contact::length_scale`], without intermediate results that could leave the range.
-    fn ln_length_scale(&self, tension: &R) -> R {
-        let ln_slope = self.profile().kappa().ln() + self.profile().coefficient().ln() + self.profile().exponent().ln();
-        (self.ln_edge_length() + (tension.ln() - &ln_slope).times(2)) / self.profile().excess()
+    /// The same where a square leaves the range: a power of the root of the quotient, or of its two parts, or else from the
+    /// logarithm.
+    #[cold]
+    fn distant_length_scale(&self, tension: &R, slope: &R, excess: &R) -> R {
+        let (edge, power) = (self.edge_root().clone() * tension, excess.lit(2) / excess);
+        let root = edge.clone() / slope;
+        if ordinary(&edge) && ordinary(slope) {
+            if ordinary(&root) {
+                return root.pow(&power);
+            }
+            let (edge, slope) = (edge.pow(&power), slope.pow(&power));
+            if ordinary(&edge) && ordinary(&slope) {
+                return edge / slope;
+            }
+        }
+        self.ln_length_scale(tension).exp()
     }
 
-    /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a).
+    /// ln of [`Contact::length_scale`], without intermediate results that could leave the range.
+    pub(crate) fn ln_length_scale(&self, tension: &R) -> R {
+        let ln_slope = self.profile().kappa().ln() + self.profile().coefficient().ln() + self.profile().exponent().ln();
+        (ln_edge_length(self.material()) + (tension.ln() - &ln_slope).times(2)) / self.profile().excess()
+    }
+
+    /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a). The logarithm of a is asked
+    /// for where a does not tell it.
     #[inline(always)]
-    pub(crate) fn tangent_state(&self, a: R, tension: &R) -> Result<Critical<R>> {
+    pub(crate) fn tangent_state(&self, a: R, tension: &R, ln_radius: impl Fn() -> R) -> Result<Critical<R>> {
         let (d_factor, f_factor) = self.tangent_factors(tension);
-        let root = self.edge_length().sqrt() * a.sqrt();
-        let indentation = d_factor.clone() * &root;
-        let force = f_factor * self.material().effective_modulus() * &root * &a;
-        let ln_state = || self.ln_state(&a.ln(), tension);
-        // d = 0 is an answer where its factor is 0, and a flushed result elsewhere.
-        let indentation = if d_factor == d_factor.lit(0) {
-            indentation
-        } else {
-            representable(Quantity::Indentation, indentation, || ln_state().indentation)?
+        let ln_state = || self.ln_state(&ln_radius(), tension);
+        // 0 is an answer where the factor is 0, and a flushed result elsewhere.
+        let checked = |quantity, factor: &R, value: R, ln: &dyn Fn() -> R| {
+            if *factor == factor.lit(0) { Ok(value) } else { representable(quantity, value, ln) }
         };
-        let force = representable(Quantity::Force, force, || ln_state().force)?;
+        let (indentation, force) = if ordinary(&a) {
+            let (edge, root) = (self.edge_root(), a.sqrt());
+            let force = product([&f_factor, self.material().effective_modulus(), edge, &root, &a]);
+            (product([&d_factor, edge, &root]), force)
+        } else {
+            // The digits that a has lost, d and F may have.
+            let (ln, zero) = (ln_state(), a.lit(0));
+            let with_sign = |factor: &R, size: R| if *factor < zero { -size } else { size };
+            (with_sign(&d_factor, ln.indentation.exp()), with_sign(&f_factor, ln.force.exp()))
+        };
+        let indentation = checked(Quantity::Indentation, &d_factor, indentation, &|| ln_state().indentation)?;
+        let force = checked(Quantity::Force, &f_factor, force, &|| ln_state().force)?;
         Ok(Critical { contact_radius: a, indentation, force })
     }
 
     /// Logarithms of a, |d| and |F| of a tangent state.
     pub(crate) fn ln_state(&self, ln_radius: &R, tension: &R) -> Critical<R> {
         let (d_factor, f_factor) = self.tangent_factors(tension);
-        let ln_root = (self.ln_edge_length() + ln_radius).over(2);
+        let ln_root = (ln_edge_length(self.material()) + ln_radius).over(2);
         let ln_modulus = self.material().effective_modulus().ln();
         Critical {
             contact_radius: ln_radius.clone(),
@@ -139,11 +165,6 @@ impl<R: Real> Contact<R> {
         let indentation = (tension.clone() - n.clone().times(2)) / n;
         let force = (tension.clone() - next.clone().times(2)).times(2) / &next;
         (indentation, force)
-    }
-
-    fn ln_edge_length(&self) -> R {
-        let (e, w) = (self.material().effective_modulus(), self.material().work_of_adhesion());
-        w.pi().over(2).ln() + w.ln() - e.ln()
     }
 
     #[inline(always)]

@@ -1,9 +1,10 @@
 //! Energy lost in jumps under controlled indentation, in J.
 
-use mdr_core::contact::{Control, Error, Quantity, Regime, Result};
+use mdr_core::contact::{Error, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::contact::Contact;
+use crate::range::{product, representable};
 
 impl<R: Real> Contact<R> {
     /// a₀, the radius in equilibrium at d = 0: (2πw/(E*κ²C²))^{1/(2n−1)}. Stable for n > 1/2, unstable for n < 1/2.
@@ -23,10 +24,9 @@ impl<R: Real> Contact<R> {
     /// [`Error::OutOfRange`].
     pub fn energy_lost_at_pull_off(&self) -> Result<R> {
         self.require_pull_off("above 1/2 for a contact that breaks")?;
-        let a = self.critical(&Control::Indentation)?.contact_radius;
         let n = self.profile().exponent();
         let next = n.lit(1) + n;
-        Ok(self.released_work(&a) * n / next)
+        self.released_work(&n.lit(1), &(n.clone() / next))
     }
 
     /// The energy lost when the surfaces, approaching, jump into contact at d = 0: (2n−1)/(2n+1) · πa₀²w. Paraboloid:
@@ -36,7 +36,8 @@ impl<R: Real> Contact<R> {
     /// [`Error::Domain`] for n ≤ 1/2: a point contact does not grow by itself; [`Error::OutOfRange`].
     pub fn energy_lost_at_jump_in(&self) -> Result<R> {
         self.require_pull_off("above 1/2 for a contact that jumps in")?;
-        Ok(self.released_work(&self.radius_at_zero_indentation()?))
+        let n = self.profile().exponent();
+        self.released_work(&n.clone().times(2), &n.lit(1))
     }
 
     /// The energy barrier between no contact and complete contact at d = 0 for n < 1/2: (1−2n)/(1+2n) · πa₀²w, the
@@ -46,16 +47,25 @@ impl<R: Real> Contact<R> {
     /// [`Error::Domain`] for n ≥ 1/2: there is none; [`Error::OutOfRange`].
     pub fn barrier_to_complete_contact(&self) -> Result<R> {
         match self.regime()? {
-            Regime::CompleteContact => Ok(-self.released_work(&self.radius_at_zero_indentation()?)),
+            Regime::CompleteContact => {
+                let n = self.profile().exponent();
+                self.released_work(&n.clone().times(2), &n.lit(-1))
+            }
             _ => Err(self.exponent_error("below 1/2 for a barrier before complete contact")),
         }
     }
 
-    /// (2n−1)/(2n+1) · πa²w.
-    fn released_work(&self, a: &R) -> R {
+    /// (2n−1)/(2n+1) · πa²w · factor at the radius where N a^{n−1/2} = λ√B.
+    fn released_work(&self, tension: &R, factor: &R) -> Result<R> {
         let excess = self.profile().excess();
-        let share = excess.clone() / (excess.clone() + excess.lit(2));
-        share * a.pi() * a.square() * self.material().work_of_adhesion()
+        let work = self.material().work_of_adhesion();
+        let share = excess.clone() / (excess.clone() + excess.lit(2)) * excess.pi() * factor;
+        let ln = || share.abs().ln() + self.ln_length_scale(tension).times(2) + work.ln();
+        match self.length_scale(tension) {
+            Ok(a) => representable(Quantity::Energy, product([&share, &a, &a, work]), ln),
+            Err(Error::OutOfRange { .. }) => representable(Quantity::Energy, ln().exp(), ln),
+            Err(error) => Err(error),
+        }
     }
 
     fn require_pull_off(&self, requirement: &'static str) -> Result<()> {

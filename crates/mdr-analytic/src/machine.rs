@@ -21,9 +21,9 @@
 use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
-use crate::contact::Contact;
+use crate::contact::{Contact, ln_edge_length};
 use crate::critical::Critical;
-use crate::range::representable;
+use crate::range::{ordinary, representable};
 
 impl<R: Real> Contact<R> {
     /// All folds on a machine of stiffness k (N/m), by increasing radius: one, or three for some machines when
@@ -54,14 +54,24 @@ impl<R: Real> Contact<R> {
     /// a, d and F at a fold.
     pub(crate) fn machine_state(&self, stiffness: &R, tangency: &Tangency<R>) -> Result<Critical<R>> {
         let scale = self.machine_length(stiffness);
-        let ln_radius = || scale.ln() + &tangency.ln_s;
-        let a = representable(Quantity::ContactRadius, scale.clone() * &tangency.s, ln_radius)?;
-        self.tangent_state(a, &tangency.tension)
+        let ln_radius = || self.ln_machine_length(stiffness) + &tangency.ln_s;
+        let radius = if ordinary(&scale) && ordinary(&tangency.s) { scale * &tangency.s } else { ln_radius().exp() };
+        let a = representable(Quantity::ContactRadius, radius, ln_radius)?;
+        self.tangent_state(a, &tangency.tension, ln_radius)
     }
 
     /// k/(2E*): a = s k/(2E*).
     pub(crate) fn machine_length(&self, stiffness: &R) -> R {
         stiffness.clone() / self.material().effective_modulus().clone().times(2)
+    }
+
+    /// ln of [`Contact::machine_length`], which itself may leave the range.
+    pub(crate) fn ln_machine_length(&self, stiffness: &R) -> R {
+        let scale = self.machine_length(stiffness);
+        if ordinary(&scale) {
+            return scale.ln();
+        }
+        stiffness.ln() - self.material().effective_modulus().ln() - scale.lit(2).ln()
     }
 
     /// The points of tangency that are the folds, by increasing radius.
@@ -79,7 +89,7 @@ impl<R: Real> Contact<R> {
 
     /// n = 1/2, 1 < ρ < 3: s = (ρ−1)/(3−ρ), a maximum of D.
     fn scale_free_tangency(&self) -> Result<Option<Tangency<R>>> {
-        let tension = self.ratio()?;
+        let tension = self.unchecked_ratio();
         let (above, below) = (tension.clone() - tension.lit(1), tension.lit(3) - &tension);
         let zero = tension.lit(0);
         if above <= zero || below <= zero {
@@ -128,8 +138,15 @@ struct Piece<R> {
 impl<R: Real> Balance<R> {
     fn new(contact: &Contact<R>, stiffness: &R) -> Self {
         let slope = contact.profile().excess().over(2);
-        let ratio = contact.slope_coefficient() / contact.edge_length().sqrt();
-        let offset = contact.machine_length(stiffness).ln() * &slope + ratio.ln();
+        let ratio = contact.slope_coefficient() / contact.edge_root();
+        let ln_ratio = if ordinary(&ratio) {
+            ratio.ln()
+        } else {
+            let (profile, material) = (contact.profile(), contact.material());
+            let ln_strength = profile.kappa().ln() + profile.coefficient().ln() + profile.exponent().ln();
+            ln_strength - ln_edge_length(material).over(2)
+        };
+        let offset = contact.ln_machine_length(stiffness) * &slope + ln_ratio;
         Balance { slope, offset }
     }
 

@@ -4,7 +4,7 @@ use mdr_core::contact::{Error, Quantity, Regime, Result, Transform};
 use mdr_core::number::Real;
 
 use crate::kappa::Kappa;
-use crate::range::representable;
+use crate::range::{ordinary, product, representable};
 
 /// The profile f(r) = C rⁿ with its factor κ_n, computed once.
 ///
@@ -98,34 +98,55 @@ impl<R: Real> PowerLaw<R> {
         self.kappa.clone() * &self.coefficient
     }
 
-    /// C x^power · factor, checked for range.
-    fn monomial(&self, x: &R, power: R, factor: R) -> Result<R> {
+    /// κ_n C x^power · factor · scale, which may leave the range.
+    #[inline(always)]
+    pub(crate) fn monomial(&self, x: &R, power: &R, factor: &R, scale: &R) -> R {
+        let grown = x.pow(power);
+        let factor = factor.clone() * &self.kappa;
+        if ordinary(&grown) {
+            return product([&grown, &self.coefficient, &factor, scale]);
+        }
+        let half = x.pow(&power.clone().over(2));
+        product([&half, &half, &self.coefficient, &factor, scale])
+    }
+
+    /// ln of κ_n C x^power · factor.
+    pub(crate) fn ln_monomial(&self, x: &R, power: &R, factor: &R) -> R {
+        x.ln() * power + self.coefficient.ln() + (factor.clone() * &self.kappa).ln()
+    }
+
+    /// κ_n C x^power · factor, checked for range.
+    fn checked(&self, x: &R, power: R, factor: R) -> Result<R> {
         let x = Error::require_positive(Quantity::Radius, x.clone())?;
-        let factor = factor * &self.kappa;
-        representable(Quantity::TransformedProfile, x.pow(&power) * &self.coefficient * &factor, || {
-            x.ln() * &power + self.coefficient.ln() + factor.ln()
-        })
+        let value = self.monomial(&x, &power, &factor, &x.lit(1));
+        representable(Quantity::TransformedProfile, value, || self.ln_monomial(&x, &power, &factor))
     }
 }
 
 /// g(x) = κ_n C xⁿ (1.12), g' = n κ_n C xⁿ⁻¹ and G = κ_n C xⁿ⁺¹/(n+1), for x > 0.
 impl<R: Real> Transform<R> for PowerLaw<R> {
     fn g(&self, x: &R) -> Result<R> {
-        self.monomial(x, self.exponent.clone(), x.lit(1))
+        self.checked(x, self.exponent.clone(), x.lit(1))
     }
 
     fn slope(&self, x: &R) -> Result<R> {
-        self.monomial(x, self.exponent.clone() - x.lit(1), self.exponent.clone())
+        self.checked(x, self.exponent.clone() - x.lit(1), self.exponent.clone())
     }
 
     fn integral(&self, x: &R) -> Result<R> {
         let next = self.exponent.clone() + x.lit(1);
-        self.monomial(x, next.clone(), next.inv())
+        self.checked(x, next.clone(), next.inv())
+    }
+
+    /// κ_n C xⁿ/(n+1).
+    fn mean(&self, x: &R) -> Result<R> {
+        let next = self.exponent.clone() + x.lit(1);
+        self.checked(x, self.exponent.clone(), next.inv())
     }
 
     /// κ_n C xⁿ n/(n+1).
     fn above_mean(&self, x: &R) -> Result<R> {
         let next = self.exponent.clone() + x.lit(1);
-        self.monomial(x, self.exponent.clone(), self.exponent.clone() / next)
+        self.checked(x, self.exponent.clone(), self.exponent.clone() / next)
     }
 }

@@ -1,4 +1,5 @@
-//! Results that leave the range of their arithmetic become errors, never 0 or ∞ in silence.
+//! Results that leave the range of their arithmetic become errors, never 0 or ∞ in silence; and intermediate results do
+//! not leave it where the result does not.
 
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::Real;
@@ -7,13 +8,100 @@ use mdr_core::number::Real;
 /// from the natural logarithm computed only in that case. An interval that knows nothing is undecided.
 #[inline(always)]
 pub(crate) fn representable<R: Real>(quantity: Quantity, value: R, ln_magnitude: impl FnOnce() -> R) -> Result<R> {
-    if value.is_finite() && value != value.lit(0) {
-        Ok(value)
-    } else {
-        let ln_magnitude = ln_magnitude();
-        if ln_magnitude.is_finite() {
-            return Err(Error::OutOfRange { quantity, log10: ln_magnitude.approx() / std::f64::consts::LN_10 });
+    if value.is_finite() && value != value.lit(0) { Ok(value) } else { Err(beyond(quantity, &ln_magnitude())) }
+}
+
+/// The error of a result with this logarithm of its magnitude.
+#[cold]
+fn beyond<R: Real>(quantity: Quantity, ln_magnitude: &R) -> Error {
+    if ln_magnitude.is_finite() {
+        return Error::OutOfRange { quantity, log10: ln_magnitude.approx() / std::f64::consts::LN_10 };
+    }
+    Error::Undecided { quantity, bits: ln_magnitude.precision(), what: "its magnitude" }
+}
+
+/// `plus` − `minus`, neither of them negative, where one that is 0 was rounded to it and is negligible beside the other.
+/// Their logarithms are needed where both are 0 or one is beyond the range.
+#[inline(always)]
+pub(crate) fn difference<R: Real>(quantity: Quantity, plus: R, minus: R, ln: impl FnOnce() -> [R; 2]) -> Result<R> {
+    let zero = plus.lit(0);
+    let flushed = plus == zero && minus == zero;
+    let value = plus - &minus;
+    if value.is_finite() && !flushed {
+        return Ok(value);
+    }
+    let [plus, minus] = ln();
+    Err(beyond(quantity, &ln_difference(&plus, &minus)))
+}
+
+/// ln|eᵖ − e^q|.
+pub(crate) fn ln_difference<R: Real>(p: &R, q: &R) -> R {
+    let gap = p.clone() - q;
+    let gap = if gap > gap.lit(0) { -gap } else { gap };
+    p.greater(q) + (-gap.exp_m1()).ln()
+}
+
+/// Whether a number is rounded relatively to its size, which those below the range are not.
+#[inline(always)]
+pub(crate) fn ordinary<R: Real>(x: &R) -> bool {
+    x.approx().is_normal() || beyond_doubles(x)
+}
+
+#[cold]
+fn beyond_doubles<R: Real>(x: &R) -> bool {
+    x.is_finite() && x.abs() * x.unit_roundoff() > x.lit(0)
+}
+
+/// The product of some factors. No intermediate result leaves the range where the product itself does not.
+#[inline(always)]
+pub(crate) fn product<const N: usize, R: Real>(factors: [&R; N]) -> R {
+    let mut plain = factors[0].clone();
+    for factor in &factors[1..] {
+        plain *= *factor;
+        if !ordinary(&plain) {
+            return balanced(factors.to_vec());
         }
-        Err(Error::Undecided { quantity, bits: value.precision(), what: "its magnitude" })
+    }
+    plain
+}
+
+/// The same, always with the factor that leads back towards one.
+#[cold]
+pub(crate) fn balanced<R: Real>(mut factors: Vec<&R>) -> R {
+    factors.sort_by(|x, y| x.approx().abs().total_cmp(&y.approx().abs()));
+    let one = factors[0].lit(1);
+    let mut product = one.clone();
+    while !factors.is_empty() {
+        let next = if product.abs() > one { factors.remove(0) } else { factors.remove(factors.len() - 1) };
+        product *= next;
+    }
+    product
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_stay_in_range() {
+        assert_eq!(product([&1e200, &1e200, &1e-200, &1e-200, &3.0]), 3.0);
+        assert_eq!(product([&1e-200, &1e-200, &1e200, &1e200]), 1.0);
+        assert_eq!(product([&1e-200, &1e-120, &1e200]), 1e-120);
+        assert_eq!(product([&1e200, &1e200, &0.0]), 0.0);
+        assert_eq!(product([&-1e200, &1e200]), f64::NEG_INFINITY);
+    }
+
+    #[test]
+    fn differences_of_flushed_terms_are_out_of_range() {
+        let ln = |log10: f64| log10 * std::f64::consts::LN_10;
+        assert_eq!(difference(Quantity::Force, 2.0, 2.0, || unreachable!()), Ok(0.0));
+        assert_eq!(difference(Quantity::Force, 0.0, 2.0, || unreachable!()), Ok(-2.0));
+        for (plus, minus, expected) in [(-400.0, -410.0, -400.0), (-410.0, -400.0, -400.0)] {
+            let Err(Error::OutOfRange { log10, .. }) = difference(Quantity::Force, 0.0, 0.0, || [ln(plus), ln(minus)])
+            else {
+                panic!("{plus}")
+            };
+            assert!((log10 - expected).abs() < 1e-9, "{log10}");
+        }
     }
 }

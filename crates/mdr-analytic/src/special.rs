@@ -3,11 +3,11 @@
 use mdr_core::contact::{Error, Material, Quantity, Result};
 use mdr_core::number::{Real, Special};
 
-use crate::contact::{Contact, detachment_elongation, edge_length};
+use crate::contact::{Contact, detachment_elongation, ln_edge_length};
 use crate::critical::Critical;
 use crate::kappa::Kappa;
 use crate::power_law::PowerLaw;
-use crate::range::representable;
+use crate::range::{product, representable};
 
 impl<R: Kappa> PowerLaw<R> {
     /// The paraboloid r²/(2R) of Johnson, Kendall and Roberts (1971), R in m: n = 2, κ = 2, g = x²/R.
@@ -23,10 +23,12 @@ impl<R: Kappa> PowerLaw<R> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Domain`] unless R is positive and finite.
+    /// [`Error::Domain`] unless R is positive and finite; [`Error::OutOfRange`] when 1/2R is not.
     pub fn paraboloid(radius: R) -> Result<Self> {
         let radius = Error::require_positive(Quantity::Radius, radius)?;
-        Self::new(radius.lit(2), radius.times(2).inv())
+        let coefficient =
+            representable(Quantity::Coefficient, radius.clone().inv().over(2), || -(radius.ln() + radius.lit(2).ln()))?;
+        Self::new(radius.lit(2), coefficient)
     }
 
     /// The cone r tanθ, θ its inclination to the surface: n = 1, κ = π/2.
@@ -70,10 +72,11 @@ impl<R: Kappa> PowerLaw<R> {
 /// [`Error::Domain`] unless b is positive and finite; [`Error::OutOfRange`].
 pub fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> Result<Critical<R>> {
     let b = Error::require_positive(Quantity::Radius, radius.clone())?;
-    let ln_indentation = || (edge_length(material).ln() + b.ln()).over(2) + b.lit(2).ln();
-    let indentation = representable(Quantity::Indentation, -detachment_elongation(material, &b)?, ln_indentation)?;
-    let stiffness = material.effective_modulus().clone().times(2) * &b;
-    let force = representable(Quantity::Force, indentation.clone() * &stiffness, || stiffness.ln() + ln_indentation())?;
+    let ln_indentation = || (ln_edge_length(material) + b.ln()).over(2) + b.lit(2).ln();
+    let indentation = -detachment_elongation(material, &b)?;
+    let modulus = material.effective_modulus();
+    let ln_force = || modulus.ln() + b.ln() + b.lit(2).ln() + ln_indentation();
+    let force = representable(Quantity::Force, product([&indentation, modulus, &b]).times(2), ln_force)?;
     Ok(Critical { contact_radius: b, indentation, force })
 }
 
@@ -81,10 +84,11 @@ impl<R: Real> Contact<R> {
     /// Kendall's punch of the radius that this profile tends to for n → ∞: C⁻^{1/n}.
     ///
     /// # Errors
-    /// As [`flat_punch_pull_off`].
+    /// As [`flat_punch_pull_off`], whose radius may be out of range too.
     pub fn flat_punch_limit(&self) -> Result<Critical<R>> {
         let profile = self.profile();
-        let radius = (-(profile.coefficient().ln() / profile.exponent())).exp();
+        let ln_radius = -(profile.coefficient().ln() / profile.exponent());
+        let radius = representable(Quantity::Radius, ln_radius.exp(), || ln_radius.clone())?;
         flat_punch_pull_off(&radius, self.material())
     }
 }

@@ -3,8 +3,9 @@
 use mdr_core::contact::{Control, Error, Material, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
-use crate::contact::{Contact, edge_length};
+use crate::contact::{Contact, edge_length, edge_root, ln_edge_length};
 use crate::critical::Critical;
+use crate::range::representable;
 
 /// The lemniscate constant ϖ = π/agm(1, √2) = 2.62205755…, in the precision of `like`; κ_{1/2} = ϖ/2.
 pub fn lemniscate_constant<R: Real>(like: &R) -> R {
@@ -36,19 +37,27 @@ fn arithmetic_geometric_mean<R: Real>(x: &R, y: &R) -> R {
 /// use mdr_analytic::threshold;
 /// use mdr_core::contact::{Control, Material};
 /// let unit = Material::new(2.0 * std::f64::consts::PI, 1.0)?;
-/// assert!((threshold(&unit, &Control::Indentation) - 0.762759763501813).abs() < 1e-15);
-/// assert!((threshold(&unit, &Control::Force) - 2.28827929050544).abs() < 1e-14);
+/// assert!((threshold(&unit, &Control::Indentation)? - 0.762759763501813).abs() < 1e-15);
+/// assert!((threshold(&unit, &Control::Force)? - 2.28827929050544).abs() < 1e-14);
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-pub fn threshold<R: Real>(material: &Material<R>, control: &Control<R>) -> R {
+///
+/// # Errors
+/// [`Error::OutOfRange`].
+pub fn threshold<R: Real>(material: &Material<R>, control: &Control<R>) -> Result<R> {
     // √(2πw/E*) = 2√B.
-    let root = edge_length(material).sqrt().times(4);
-    let indentation = root.clone() / lemniscate_constant(&root);
-    match control {
-        Control::Indentation | Control::Machine { .. } => indentation,
-        Control::Force => indentation.times(3),
-    }
+    let root = edge_root(material, &edge_length(material));
+    let constant = lemniscate_constant(&root);
+    let factor = match control {
+        Control::Indentation | Control::Machine { .. } => 4,
+        Control::Force => 12,
+    };
+    let threshold = root.times(factor) / &constant;
+    let ln = || ln_edge_length(material).over(2) + (constant.lit(factor) / &constant).ln();
+    representable(Quantity::Coefficient, threshold, ln)
 }
+
+const RATIO: Quantity = Quantity::Parameter("the ratio of C to its threshold");
 
 /// What becomes of a contact with n = 1/2 (1.19).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -67,10 +76,19 @@ impl<R: Real> Contact<R> {
     /// threshold under controlled force.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless n = 1/2.
+    /// [`Error::Domain`] unless n = 1/2; [`Error::OutOfRange`].
     pub fn ratio(&self) -> Result<R> {
         self.require_scale_free()?;
-        Ok(self.profile().strength() / self.edge_length().sqrt().times(2))
+        representable(RATIO, self.unchecked_ratio(), || {
+            let profile = self.profile();
+            let ln_root = ln_edge_length(self.material()).over(2);
+            (profile.kappa().clone().over(2)).ln() + profile.coefficient().ln() - ln_root
+        })
+    }
+
+    /// ρ, or 0 or ∞ where it leaves the range.
+    pub(crate) fn unchecked_ratio(&self) -> R {
+        self.profile().strength() / self.edge_root().clone().times(2)
     }
 
     /// The equilibrium of radius a at n = 1/2: d = (ρ−1)√(2πwa/E*) and F = 2E*a√(2πwa/E*)(ρ/3−1), tensile for ρ < 3.
@@ -81,7 +99,7 @@ impl<R: Real> Contact<R> {
         let ratio = self.ratio()?;
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         // Here N a^{n−1/2} = ρ√B at every radius.
-        self.tangent_state(a, &ratio)
+        self.tangent_state(a.clone(), &ratio, || a.ln())
     }
 
     /// What becomes of the contact at n = 1/2 under the given control (1.19). On a machine the answer for small radii is
@@ -91,7 +109,8 @@ impl<R: Real> Contact<R> {
     /// [`Error::Domain`] unless n = 1/2; [`Error::Undecided`] when an interval contains the threshold.
     pub fn fate(&self, control: &Control<R>) -> Result<Fate> {
         use std::cmp::Ordering::*;
-        let ratio = self.ratio()?;
+        self.require_scale_free()?;
+        let ratio = self.unchecked_ratio();
         let critical = match control {
             Control::Indentation | Control::Machine { .. } => ratio.lit(1),
             Control::Force => ratio.lit(3),

@@ -326,7 +326,7 @@ proptest! {
         prop_assume!((factor - 1.0).abs() > 1e-6 && value != 0.0);
         let material = Material::new(1e6, 0.05).unwrap();
         let control = if by_force { Control::Force } else { Control::Indentation };
-        let c = factor * mdr_analytic::threshold(&material, &control);
+        let c = factor * mdr_analytic::threshold(&material, &control).unwrap();
         let contact = Contact::new(PowerLaw::new(0.5, c).unwrap(), material.clone());
         let found = contact.equilibria(&control, &value).unwrap();
         prop_assert_eq!(found.as_slice().len(), usize::from((factor > 1.0) == (value > 0.0)));

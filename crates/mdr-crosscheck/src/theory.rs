@@ -249,9 +249,9 @@ impl Theory {
         self.bend(Form::LemniscateConstant, mdr_analytic::lemniscate_constant(like), &[])
     }
 
-    pub(crate) fn threshold<R: Real>(&self, material: &Material<R>, control: &Control<R>) -> R {
+    pub(crate) fn threshold<R: Real>(&self, material: &Material<R>, control: &Control<R>) -> Result<R> {
         let inputs = [material.effective_modulus(), material.work_of_adhesion()];
-        self.bend(Form::Threshold, mdr_analytic::threshold(material, control), &inputs)
+        Ok(self.bend(Form::Threshold, mdr_analytic::threshold(material, control)?, &inputs))
     }
 
     pub(crate) fn ratio<R: Real>(&self, contact: &Contact<R>) -> Result<R> {

@@ -76,7 +76,7 @@ impl Question {
             [Quantity::Kappa, Quantity::Coefficient, Quantity::Parameter("the ratio of C to its threshold")];
         let [kappa, threshold, ratio] = certify(quantities, digits, start, |precision| {
             let contact = self.contact(precision)?;
-            let threshold = threshold(contact.material(), &self.control(precision));
+            let threshold = threshold(contact.material(), &self.control(precision))?;
             let ratio = contact.profile().coefficient().clone() / &threshold;
             Ok([kappa_result(precision, &self.exponent), threshold.into(), ratio.into()])
         })?;

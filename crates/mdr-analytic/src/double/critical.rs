@@ -67,7 +67,7 @@ pub fn barrier_to_complete_contact(n: f64, c: f64, material: &Material<f64>) -> 
 /// # Errors
 /// See the [module](super).
 pub fn threshold(material: &Material<f64>, control: &Control<f64>) -> Result<Ranged<f64>> {
-    decide!(Quantity::Coefficient, W => Ok(crate::threshold::<W>(&lifted(material)?, &lifted_control(control)?)))
+    decide!(Quantity::Coefficient, W => crate::threshold::<W>(&lifted(material)?, &lifted_control(control)?))
 }
 
 /// ρ = κ_{1/2}C/√(2πw/E*) at n = 1/2.

@@ -128,7 +128,7 @@ fn rounding(trial: &mut Trial<'_>) -> Result<()> {
         compare("F", &state.force, &expected.force);
     }
     if let (Some(threshold), Some(ratio)) = (&answer.threshold, &answer.ratio) {
-        let expected = mdr_analytic::threshold(contact.material(), &exact.control.control());
+        let expected = mdr_analytic::threshold(contact.material(), &exact.control.control())?;
         compare("threshold", threshold, &expected);
         compare("ratio", ratio, &(contact.profile().coefficient().clone() / &expected));
     }

@@ -68,7 +68,7 @@ fn bisection<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) ->
         }
     }
     let found = (low + high).over(2);
-    let threshold = trial.theory.threshold(&material, &control);
+    let threshold = trial.theory.threshold(&material, &control)?;
     let transform = Quadrature::new(Power::new(found.ratio(1, 2), found.clone())?);
     // g against Δl, or (force) g − Δl against the mean of g, which at the threshold is two thirds of g.
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);

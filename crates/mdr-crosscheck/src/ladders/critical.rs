@@ -124,13 +124,13 @@ fn scale_free() -> [Subject; 3] {
             "double::threshold, fixed grips",
             MATERIAL,
             |x| double::threshold(&material(x)?, &Control::Indentation),
-            |y| Ok(threshold(&material(y)?, &Control::Indentation))
+            |y| threshold(&material(y)?, &Control::Indentation)
         ),
         subject!(
             "double::threshold, dead load",
             MATERIAL,
             |x| double::threshold(&material(x)?, &Control::Force),
-            |y| Ok(threshold(&material(y)?, &Control::Force))
+            |y| threshold(&material(y)?, &Control::Force)
         ),
     ]
 }

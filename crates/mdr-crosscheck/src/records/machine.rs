@@ -118,7 +118,7 @@ fn threshold_conditions(law: &Power, held: Held) -> Result<[Named; 2]> {
     let mut conditions: [Named; 2] = Default::default();
     for (index, name) in NAMES.into_iter().enumerate().skip(1) {
         let contact = law.moving::<Float>(Precision::new(BITS), index)?;
-        let value = threshold(contact.material(), &held.control());
+        let value = threshold(contact.material(), &held.control())?;
         let ratio = contact.profile().coefficient().clone() / &value;
         let [value, ratio] = [value, ratio].map(|moved| (moved.slope / moved.value).approx().abs());
         // The threshold is one of C, and does not depend on it.
