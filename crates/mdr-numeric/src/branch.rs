@@ -23,7 +23,8 @@ pub trait Branched<R: Real> {
     fn folds(&self) -> &[Instability<R>];
 
     /// The equilibrium at `value` of the controlled quantity on a branch, its ends excluded. On the last branch of a
-    /// profile with a [wall](mdr_core::contact::Transform::wall) the contact may rest at the wall.
+    /// profile with a [wall](mdr_core::contact::Transform::wall) the contact may rest at the wall. A branch that does not
+    /// exist holds none.
     ///
     /// # Errors
     /// Those of the transform; [`Error::Undecided`].
@@ -35,11 +36,7 @@ pub trait Branched<R: Real> {
     /// Those of the transform; [`Error::Undecided`].
     fn compare(&self, value: &R, fold: &Instability<R>) -> Result<Ordering> {
         let at_fold = self.control().controlled(&fold.indentation, &fold.force);
-        value.partial_cmp(&at_fold).ok_or(Error::Undecided {
-            quantity: self.control().quantity(),
-            bits: value.precision(),
-            what: "whether it is below or above its value at a fold",
-        })
+        value.partial_cmp(&at_fold).ok_or_else(|| unordered(self.control(), value))
     }
 
     /// How contact begins at the tip; [`onset`] finds out.
@@ -52,8 +49,9 @@ pub trait Branched<R: Real> {
     /// [`Neutral`](mdr_core::contact::Stability::Neutral).
     ///
     /// # Errors
-    /// As [`Branched::on_branch`].
+    /// As [`Branched::on_branch`]; [`Error::Domain`] unless the value is finite.
     fn equilibria(&self, value: &R) -> Result<Vec<Equilibrium<R>>> {
+        self.control().check_value(value)?;
         let mut found = Vec::new();
         for branch in 0..=self.folds().len() {
             found.extend(self.on_branch(branch, value)?);
@@ -140,6 +138,12 @@ pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> R
         },
     };
     Ok(if stable { Onset::Smooth } else { Onset::Abrupt })
+}
+
+/// A value that is neither below that of a fold nor above it.
+pub(crate) fn unordered<R: Real>(control: &Control<R>, value: &R) -> Error {
+    let what = "whether it is below or above its value at a fold";
+    Error::Undecided { quantity: control.quantity(), bits: value.precision(), what }
 }
 
 /// Which way the radius goes.

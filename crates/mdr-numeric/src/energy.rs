@@ -195,9 +195,10 @@ impl<'a, R: Real> Energy<'a, R> {
     /// some ten milliseconds in f64, and seconds at 50 digits where g is itself a quadrature.
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature; [`Error::Undecided`] where Π is stationary, up to rounding, over a whole
+    /// Those of the transform and of the quadrature; as [`Control::check_value`]; [`Error::Undecided`] where Π is stationary, up to rounding, over a whole
     /// range of radii, as at d = 0 at the threshold of n = 1/2.
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
+        control.check_value(value)?;
         let tension = |a: &R, search| self.tension(control, value, a, search);
         let kinks = self.transform.kinks();
         let range = Range { scale: self.length.clone(), kinks, outer: self.transform.outer_radius() };

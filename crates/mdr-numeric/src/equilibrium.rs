@@ -9,7 +9,7 @@ use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Material, Result, Stability, Transform};
 use mdr_core::number::Real;
 
-use crate::branch::{Branched, Onset, onset};
+use crate::branch::{Branched, Onset, onset, unordered};
 use crate::curve::Curve;
 use crate::folds::{self, Completeness, Folds};
 use crate::survey;
@@ -233,6 +233,10 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
     }
 
     fn on_branch(&self, branch: usize, value: &R) -> Result<Option<Equilibrium<R>>> {
+        self.control().check_value(value)?;
+        if branch > self.folds.len() {
+            return Ok(None);
+        }
         if branch == self.folds.len()
             && let Some(rest) = self.at_wall(value)?
         {
@@ -255,8 +259,8 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
     fn compare(&self, value: &R, fold: &Instability<R>) -> Result<Ordering> {
         let at_fold = self.control().controlled(&fold.indentation, &fold.force);
         match value.partial_cmp(&at_fold) {
-            Some(order) if !self.is_at(fold, value) => Ok(order),
-            _ => Ok(Ordering::Equal),
+            Some(_) if self.is_at(fold, value) => Ok(Ordering::Equal),
+            order => order.ok_or_else(|| unordered(self.control(), value)),
         }
     }
 }

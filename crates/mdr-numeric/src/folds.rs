@@ -92,9 +92,11 @@ pub fn folds<R: Real>(transform: &dyn Transform<R>, material: &Material<R>, cont
 /// As [`folds`], and with those whose force is out of range.
 ///
 /// # Errors
-/// Those of the transform at a fold; [`Error::Undecided`] where the condition holds, up to rounding, over a whole range of
+/// Those of the transform at a fold; [`Error::Domain`] unless the stiffness of a machine is positive and finite;
+/// [`Error::Undecided`] where the condition holds, up to rounding, over a whole range of
 /// radii, so that each of them or none is a fold: n = 1/2 with C at a threshold (1.19).
 pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
+    curve.control().check()?;
     let range = Range {
         scale: curve.material_length(),
         kinks: curve.transform().kinks(),

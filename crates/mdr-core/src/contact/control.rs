@@ -26,6 +26,35 @@ impl<R: Real> Control<R> {
         Ok(Control::Machine { stiffness: Error::require_positive(Quantity::Stiffness, stiffness)? })
     }
 
+    /// Checks the stiffness of a machine that was not made by [`Control::machine`].
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless it is positive and finite.
+    pub fn check(&self) -> Result<()> {
+        match self {
+            Control::Indentation | Control::Force => Ok(()),
+            Control::Machine { stiffness } => {
+                Error::require_positive(Quantity::Stiffness, stiffness.clone()).map(|_| ())
+            }
+        }
+    }
+
+    /// Checks that a state can be asked for at `value` of the controlled quantity.
+    ///
+    /// ```
+    /// use mdr_core::contact::Control;
+    /// assert!(Control::Force.check_value(&-0.1).is_ok());
+    /// assert!(Control::Force.check_value(&f64::NAN).is_err());
+    /// assert!(Control::Machine { stiffness: -1.0 }.check_value(&0.0).is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless it is finite; as [`Control::check`].
+    pub fn check_value(&self, value: &R) -> Result<()> {
+        self.check()?;
+        Error::require_finite(self.quantity(), value)
+    }
+
     /// What the controlled quantity is.
     pub fn quantity(&self) -> Quantity {
         match self {

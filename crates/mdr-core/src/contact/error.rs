@@ -187,4 +187,12 @@ impl Error {
             Err(Error::domain(quantity, &value, "positive and finite"))
         }
     }
+
+    /// Checks that `value` is finite.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] otherwise.
+    pub fn require_finite<R: Real>(quantity: Quantity, value: &R) -> Result<()> {
+        if value.is_finite() { Ok(()) } else { Err(Error::domain(quantity, value, "finite")) }
+    }
 }

@@ -36,6 +36,7 @@ pub(super) fn follow<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, wa
             requirement: "at least 1",
         });
     };
+    way.iter().try_for_each(|value| branches.control().check_value(value))?;
     let (place, state) = begin(branches, start, first)?;
     let mut follower = Follower { branches, place, value: first.clone(), events: Vec::new() };
     follower.stay(EventKind::Start, first, state);
@@ -204,6 +205,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
 
 /// Where a path begins at its first way point, and in which state.
 pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, value: &R) -> Result<(Place, State<R>)> {
+    branches.control().check_value(value)?;
     let count = branches.folds().len();
     let found = match start {
         Start::Detached if certain(value, &value.lit(0), branches)? != Ordering::Greater => {

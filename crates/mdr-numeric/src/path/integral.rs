@@ -90,7 +90,10 @@ impl<R: Real> Breaks<R> {
         if *lower > zero {
             let result = gauss_jacobi::integrate(&zero, &zero, tolerance.clone(), |s| {
                 let (a, weight) = if beside_kink {
-                    (s.square() * &width + lower, s.clone().times(2))
+                    let a = s.square() * &width + lower;
+                    // s of the radius as it was rounded, at which the root is taken.
+                    let s = ((a.clone() - lower) / &width).sqrt();
+                    (a, s.times(2))
                 } else {
                     (s.clone() * &width + lower, s.lit(1))
                 };

@@ -114,7 +114,7 @@ impl<R: Real> Path<R> {
     /// # Errors
     /// [`NoEquilibrium`](mdr_core::contact::Error::NoEquilibrium) when there is no stable equilibrium at the first way
     /// point, or for a detached start where the surfaces would overlap; [`Domain`](mdr_core::contact::Error::Domain)
-    /// without way points; [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures; those of the transform.
+    /// without way points, or unless they are finite; [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures; those of the transform.
     pub fn follow(branches: &impl Branched<R>, start: &Start<R>, way: &[R]) -> Result<Self> {
         follow::follow(branches, start, way).map(|events| Path { events })
     }

@@ -70,8 +70,10 @@ impl<'a> EnclosedCurve<'a> {
     /// where the profile does, at its wall or a relative distance of 2⁻⁴⁰ before its outer radius.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless 0 < lower < upper; as [`Curve::tangency`].
+    /// [`Error::Domain`] unless 0 < lower < upper; as [`Control::check`](mdr_core::contact::Control::check) and
+    /// [`Curve::tangency`].
     pub fn folds(&self, lower: &Float, upper: &Float, budget: usize) -> Result<ProvedFolds> {
+        self.plain.control().check()?;
         let range = (lower.clone(), upper.clone());
         if !(*lower > 0 && lower < upper && upper.is_finite()) {
             return Err(Error::domain(Quantity::Radius, upper, "finite and above the lower end of the range, above 0"));

@@ -1,0 +1,66 @@
+//! Questions that have no answer are refused, and none is answered in part without a word.
+
+use mdr_core::contact::{Control, Error, Material, Quantity, Result};
+use mdr_numeric::branch::Branched;
+use mdr_numeric::curve::Curve;
+use mdr_numeric::energy::Energy;
+use mdr_numeric::equilibrium::{Branches, equilibria};
+use mdr_numeric::folds::folds;
+use mdr_numeric::path::{Path, Start};
+use mdr_numeric::profiles::Paraboloid;
+use mdr_numeric::transform::Quadrature;
+
+fn ball() -> Result<Quadrature<f64, Paraboloid<f64>>> {
+    Ok(Quadrature::new(Paraboloid::new(1.0)?))
+}
+
+fn refused<T>(result: Result<T>) -> Option<Quantity> {
+    match result {
+        Err(Error::Domain { quantity, .. }) => Some(quantity),
+        _ => None,
+    }
+}
+
+#[test]
+fn no_state_is_found_at_a_value_that_is_no_number() -> Result<()> {
+    let (ball, material) = (ball()?, Material::new(1.0, 1.0)?);
+    let energy = Energy::new(&ball, &material)?;
+    for control in [Control::Indentation, Control::Force, Control::machine(1.0)?] {
+        let branches = Branches::new(Curve::new(&ball, &material, &control))?;
+        let quantity = Some(control.quantity());
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(refused(equilibria(&ball, &material, &control, &value)), quantity);
+            assert_eq!(refused(branches.on_branch(0, &value)), quantity);
+            assert_eq!(refused(energy.equilibria(&control, &value)), quantity);
+            for start in [Start::Largest, Start::Smallest, Start::Nearest(1.0), Start::Detached] {
+                assert_eq!(refused(Path::first(&branches, &start, &value)), quantity);
+                assert_eq!(refused(Path::follow(&branches, &start, &[0.0, value])), quantity);
+            }
+        }
+        assert!(matches!(branches.compare(&f64::NAN, &branches.folds()[0]), Err(Error::Undecided { .. })));
+    }
+    Ok(())
+}
+
+#[test]
+fn impossible_machines_are_refused() -> Result<()> {
+    let (ball, material) = (ball()?, Material::new(1.0, 1.0)?);
+    let energy = Energy::new(&ball, &material)?;
+    for stiffness in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
+        let machine = Control::Machine { stiffness };
+        assert_eq!(refused(folds(&ball, &material, &machine)), Some(Quantity::Stiffness));
+        assert_eq!(refused(equilibria(&ball, &material, &machine, &0.0)), Some(Quantity::Stiffness));
+        assert_eq!(refused(energy.equilibria(&machine, &0.0)), Some(Quantity::Stiffness));
+    }
+    Ok(())
+}
+
+#[test]
+fn a_branch_that_does_not_exist_is_empty() -> Result<()> {
+    let (ball, material) = (ball()?, Material::new(1.0, 1.0)?);
+    let branches = Branches::new(Curve::new(&ball, &material, &Control::Indentation))?;
+    assert!(branches.on_branch(1, &0.0)?.is_some());
+    assert_eq!(branches.on_branch(2, &0.0)?, None);
+    assert_eq!(branches.on_branch(99, &0.0)?, None);
+    Ok(())
+}
