@@ -19,7 +19,8 @@ pub trait Branched<R: Real> {
     /// What is controlled.
     fn control(&self) -> &Control<R>;
 
-    /// The folds, by increasing radius.
+    /// The folds, by increasing radius. A pole, where g is infinite, is one among them whose indentation and force are
+    /// infinite; no value is beyond it.
     fn folds(&self) -> &[Instability<R>];
 
     /// The equilibrium at `value` of the controlled quantity on a branch, its ends excluded. On the last branch of a

@@ -3,7 +3,10 @@
 //! Between two folds the controlled quantity is monotone along the curve of equilibria, so each branch holds at most one
 //! equilibrium. Its stability is read from the direction of change, (1.8) and (1.9), on both sides.
 
+mod ends;
+
 use std::cmp::Ordering;
+use std::ops::Deref;
 
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Material, Result, Stability, Transform};
@@ -13,10 +16,12 @@ use crate::branch::{Branched, Onset, onset, unordered};
 use crate::curve::Curve;
 use crate::folds::{self, Completeness, Folds};
 use crate::survey;
+use ends::is_pole;
 
 /// The branches of a contact under one control: the curve of equilibria cut at its folds.
 pub struct Branches<'a, R: Real> {
     curve: Curve<'a, R>,
+    /// Poles among them.
     folds: Vec<Instability<R>>,
     completeness: Completeness,
     /// The radii that are looked at, where not all of them are.
@@ -47,8 +52,27 @@ pub fn equilibria<R: Real>(
     material: &Material<R>,
     control: &Control<R>,
     value: &R,
-) -> Result<Vec<Equilibrium<R>>> {
-    Branches::new(Curve::new(transform, material, control))?.equilibria(value)
+) -> Result<Equilibria<R>> {
+    Branches::new(Curve::new(transform, material, control))?.search(value)
+}
+
+/// The equilibria at one value, and how far the search can be trusted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibria<R> {
+    /// By increasing radius.
+    pub equilibria: Vec<Equilibrium<R>>,
+    /// [`Doubtful`](Completeness::Doubtful) where there may be more: on branches between folds that were not found, or at
+    /// radii out of the range that is looked at.
+    pub completeness: Completeness,
+}
+
+/// The equilibria that were found.
+impl<R> Deref for Equilibria<R> {
+    type Target = [Equilibrium<R>];
+
+    fn deref(&self) -> &[Equilibrium<R>] {
+        &self.equilibria
+    }
 }
 
 impl<'a, R: Real> Branches<'a, R> {
@@ -66,7 +90,9 @@ impl<'a, R: Real> Branches<'a, R> {
 
     /// The curve cut at folds that are known already: those of the same contact under the same control, all with a state.
     pub fn cut_at(curve: Curve<'a, R>, folds: Folds<R>) -> Self {
-        let Folds { folds, completeness, .. } = folds;
+        let Folds { mut folds, poles, completeness, .. } = folds;
+        folds.extend(poles);
+        folds.sort_by(|one, other| one.contact_radius.partial_cmp(&other.contact_radius).unwrap_or(Ordering::Equal));
         Branches { curve, folds, completeness, reach: None }
     }
 
@@ -85,8 +111,28 @@ impl<'a, R: Real> Branches<'a, R> {
         self.completeness
     }
 
+    /// All equilibria at `value`, as [`Branched::equilibria`], and whether there may be more.
+    ///
+    /// # Errors
+    /// As [`equilibria`].
+    pub fn search(&self, value: &R) -> Result<Equilibria<R>> {
+        let equilibria = self.equilibria(value)?;
+        let found = |outwards: &dyn Fn(&Equilibrium<R>) -> bool| equilibria.iter().any(outwards);
+        let first = self.folds.first().is_some_and(|fold| found(&|rest| rest.contact_radius < fold.contact_radius));
+        let last = self.folds.last().is_some_and(|fold| found(&|rest| rest.contact_radius > fold.contact_radius));
+        let hidden = match self.folds.as_slice() {
+            [] => equilibria.is_empty() && (self.is_open_inwards(value)? || self.is_open_outwards(value)?),
+            _ => !first && self.is_open_inwards(value)? || !last && self.is_open_outwards(value)?,
+        };
+        let completeness = if hidden { Completeness::Doubtful } else { self.completeness };
+        Ok(Equilibria { equilibria, completeness })
+    }
+
     /// Whether `value` is that of the fold, up to the rounding of g, Δl and the mean of g.
     fn is_at(&self, fold: &Instability<R>, value: &R) -> bool {
+        if is_pole(fold) {
+            return false;
+        }
         let control = self.curve.control();
         let a = &fold.contact_radius;
         let scale = {
@@ -117,11 +163,22 @@ impl<'a, R: Real> Branches<'a, R> {
         Ok(Some(Equilibrium { contact_radius: wall, indentation, force, stability: Stability::Stable }))
     }
 
-    /// Where the direction of change turns on a branch.
+    /// Where the direction of change turns on a branch, away from poles.
     fn change(&self, branch: usize, value: &R) -> Result<Option<Change<R>>> {
         let below = branch.checked_sub(1).and_then(|index| self.folds.get(index));
         let above = self.folds.get(branch);
-        match (below, above) {
+        let Some(mut change) = self.change_between([below, above], value)? else { return Ok(None) };
+        if let Some(pole) = below.filter(|end| is_pole(end) && change.lower == end.contact_radius) {
+            change.lower = self.beside_pole(pole, &change.upper, change.below, value)?;
+        }
+        if let Some(pole) = above.filter(|end| is_pole(end) && change.upper == end.contact_radius) {
+            change.upper = self.beside_pole(pole, &change.lower, change.below.reverse(), value)?;
+        }
+        Ok(Some(change))
+    }
+
+    fn change_between(&self, ends: [Option<&Instability<R>>; 2], value: &R) -> Result<Option<Change<R>>> {
+        match ends.into() {
             (Some(below), Some(above)) => {
                 let signs = (self.beside(below, value)?, self.beside(above, value)?);
                 let (lower, upper) = (below.contact_radius.clone(), above.contact_radius.clone());
@@ -140,6 +197,12 @@ impl<'a, R: Real> Branches<'a, R> {
 
     /// The direction of change on the branch beside a fold. At the value of the fold itself it is that of both sides.
     fn beside(&self, fold: &Instability<R>, value: &R) -> Result<Ordering> {
+        if is_pole(fold) {
+            return Ok(match fold.kind {
+                FoldKind::Minimum => Ordering::Less,
+                FoldKind::Maximum => Ordering::Greater,
+            });
+        }
         if self.is_at(fold, value) {
             return Ok(match fold.kind {
                 FoldKind::Minimum => Ordering::Greater,

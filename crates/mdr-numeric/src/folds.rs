@@ -23,6 +23,9 @@ pub enum Completeness {
 pub struct Folds<R> {
     /// By increasing radius.
     pub folds: Vec<Instability<R>>,
+    /// Where g is infinite, and with it the controlled quantity: the curve of equilibria is cut there as by a fold. By
+    /// increasing radius; indentation and force are infinite.
+    pub poles: Vec<Instability<R>>,
     /// Those of which only the radius is a number of this arithmetic, by increasing radius.
     pub beyond: Vec<Beyond<R>>,
     /// Whether there may be more.
@@ -109,17 +112,22 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
         survey.crossings.extend(before_wall(wall, ratio)?);
     }
     let completeness = if survey.resolved { Completeness::Resolved } else { Completeness::Doubtful };
-    let mut found = Folds { folds: Vec::with_capacity(survey.crossings.len()), beyond: Vec::new(), completeness };
+    let (folds, poles) = (Vec::with_capacity(survey.crossings.len()), Vec::new());
+    let mut found = Folds { folds, poles, beyond: Vec::new(), completeness };
     for crossing in &survey.crossings {
         // The derivative of the controlled quantity has the sign of ratio − 1.
         let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
+        if let Some(radius) = edge_within(crossing, curve, &range.kinks) {
+            found.poles.push(pole(radius, kind));
+            continue;
+        }
         let added = match radius_at(crossing, ratio) {
             Ok(Some(radius)) => found.add(curve, radius, kind),
             Ok(None) => Ok(()),
             Err(error) => Err(error),
         };
         match added {
-            // A pole of g, which no fold lies on.
+            // Neither a fold nor a pole of which the profile knows.
             Err(Error::Domain { .. }) => found.completeness = Completeness::Doubtful,
             added => added?,
         }
@@ -130,6 +138,20 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
         found.add(curve, wall, FoldKind::Minimum)?;
     }
     Ok(found)
+}
+
+/// An extremum without bound, where g is infinite.
+pub fn pole<R: Real>(contact_radius: R, kind: FoldKind) -> Instability<R> {
+    let sign = if kind == FoldKind::Minimum { -1 } else { 1 };
+    let infinite = contact_radius.lit(sign).over(0);
+    Instability { contact_radius, indentation: infinite.clone(), force: infinite, kind }
+}
+
+/// The kink at a crossing, if g has no value there.
+fn edge_within<R: Real>(crossing: &Crossing<R>, curve: &Curve<'_, R>, kinks: &[R]) -> Option<R> {
+    let singular = |kink: &R| matches!(curve.transform().g(kink), Err(Error::Domain { .. }));
+    let mut within = kinks.iter().filter(|kink| **kink > crossing.lower && **kink < crossing.upper);
+    within.find(|kink| singular(kink)).cloned()
 }
 
 /// The radius of the fold at a crossing.

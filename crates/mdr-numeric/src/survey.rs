@@ -71,7 +71,9 @@ const CEILING: f64 = 600.0;
 pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Survey<R>> {
     let roundoff = range.scale.unit_roundoff().approx();
     let crossings = Vec::new();
-    let mut search = Search { scale: &range.scale, ratio, roundoff, crossings, resolved: true, flat: false, panels: 0 };
+    let kinks = range.kinks.iter().map(|kink| position(kink, &range.scale)).collect();
+    let scale = &range.scale;
+    let mut search = Search { scale, kinks, ratio, roundoff, crossings, resolved: true, flat: false, panels: 0 };
     let mut edge: Option<Sample> = None;
     for (lower, upper) in panels(range) {
         let (first, last) = search.panel(lower, upper, 0);
@@ -96,7 +98,7 @@ pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>)
 
 /// ± [0, 2], [2, 4], [4, 8], …, cut at kinks and ends.
 fn panels<R: Real>(range: &Range<R>) -> Vec<(f64, f64)> {
-    let position = |a: &R| (a.clone() / &range.scale).ln().approx();
+    let position = |a: &R| position(a, &range.scale);
     let lowest = reach(&range.scale, -1.0);
     let highest = match &range.outer {
         Some(outer) => position(outer) - OUTER_MARGIN,
@@ -111,12 +113,12 @@ fn panels<R: Real>(range: &Range<R>) -> Vec<(f64, f64)> {
     cuts.windows(2).map(|pair| (pair[0].0 + pair[0].1, pair[1].0 - pair[1].1)).filter(|(a, b)| a < b).collect()
 }
 
-/// The largest t in the given direction at which ℓeᵗ keeps u² (u the unit roundoff) away from the ends of the arithmetic.
+/// The largest t in the given direction at which ℓeᵗ keeps away from the end of the arithmetic: by ten octaves from the
+/// largest numbers, by u² (u the unit roundoff) from the smallest, which do not have all their digits.
 fn reach<R: Real>(scale: &R, direction: f64) -> f64 {
     let normal = |t: f64| {
         let a = radius(scale, direction * t);
-        let headroom = a.unit_roundoff().square();
-        (a.clone() / &headroom).is_finite() && a.clone() * headroom > a.lit(0)
+        a.clone().times(1024).is_finite() && a.unit_roundoff().square() * &a > a.lit(0)
     };
     let (mut inside, mut outside) = (0.0, REACH);
     if normal(outside) {
@@ -127,6 +129,10 @@ fn reach<R: Real>(scale: &R, direction: f64) -> f64 {
         if normal(middle) { inside = middle } else { outside = middle }
     }
     direction * inside
+}
+
+fn position<R: Real>(a: &R, scale: &R) -> f64 {
+    (a.clone() / scale).ln().approx()
 }
 
 fn radius<R: Real>(scale: &R, t: f64) -> R {
@@ -147,6 +153,8 @@ struct Sample {
 
 struct Search<'a, R, F> {
     scale: &'a R,
+    /// In t, ascending.
+    kinks: Vec<f64>,
     ratio: F,
     /// u.
     roundoff: f64,
@@ -164,7 +172,7 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
         self.panels += 1;
         let (first, last) = (samples[0], samples[DEGREE]);
         let known: Vec<Sample> = samples.into_iter().flatten().collect();
-        let narrow = upper - lower < FINEST || self.panels > BUDGET + PER_CROSSING * self.crossings.len();
+        let narrow = self.is_finest(lower, upper) || self.panels > BUDGET + PER_CROSSING * self.crossings.len();
         let by_level = (known.len() == DEGREE + 1).then(|| Fit::new(&known, |sample| sample.level));
         let quiet = if by_level.as_ref().is_some_and(|fit| is_quiet(&known, fit)) { quiet + 1 } else { 0 };
         let verdict = match by_level {
@@ -188,6 +196,14 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
             }
         }
         (first, last)
+    }
+
+    /// Whether a panel is no more halved. Beside a kink, where g' may have an inverse root, those are that are no wider than
+    /// what is left out there.
+    fn is_finest(&self, lower: f64, upper: f64) -> bool {
+        let width = upper - lower;
+        let beside = |kink: &f64| (lower - kink).abs().min((upper - kink).abs()) <= 2.0 * KINK_MARGIN;
+        width < KINK_MARGIN || width < FINEST && !self.kinks.iter().any(beside)
     }
 
     /// The samples of a panel, and whether one of them could not be computed although it is in range.

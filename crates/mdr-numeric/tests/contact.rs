@@ -107,7 +107,7 @@ fn at_a_threshold_of_one_half_nothing_is_decided() {
         let profile = scale_free(1.0 + off);
         assert!(folds(&profile, &material, &Control::Indentation).unwrap().is_empty());
         let at = |d: f64| equilibria(&profile, &material, &Control::Indentation, &d).unwrap();
-        let [state] = at(off).try_into().unwrap();
+        let [state] = at(off).equilibria.try_into().unwrap();
         // ρ − 1 is known to 32 roundings of ρ.
         assert_relative_eq!(state.contact_radius, 0.5 / PI, max_relative = 64.0 * f64::EPSILON / off.abs());
         assert_eq!(state.stability, if off > 0.0 { Stability::Stable } else { Stability::Unstable });
@@ -326,7 +326,7 @@ proptest! {
         };
         prop_assert_eq!(pattern, expected);
         prop_assert!(found[0].contact_radius < fold.contact_radius && fold.contact_radius < found[1].contact_radius);
-        for state in &found {
+        for state in found.iter() {
             assert_residual(&curve, state, share * extremum, n);
         }
         prop_assert!(branches.equilibria(&(extremum / share)).unwrap().is_empty());
@@ -397,7 +397,7 @@ fn jkr_to_fifty_digits() {
     let found = equilibria(&ball, &material, &Control::Indentation, &d).unwrap();
     let curve = Curve::new(&ball, &material, &Control::Indentation);
     assert_eq!(found.len(), 2);
-    for state in &found {
+    for state in found.iter() {
         let residual = curve.direction(&state.contact_radius, &d).unwrap();
         assert!(residual.abs() <= bound.clone() * d.clone().abs());
     }

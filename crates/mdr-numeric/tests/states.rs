@@ -5,9 +5,9 @@ use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{Branches, equilibria};
-use mdr_numeric::folds::folds;
+use mdr_numeric::folds::{Completeness, folds};
 use mdr_numeric::path::{Path, Start};
-use mdr_numeric::profiles::Paraboloid;
+use mdr_numeric::profiles::{Paraboloid, Power};
 use mdr_numeric::transform::Quadrature;
 
 fn ball() -> Result<Quadrature<f64, Paraboloid<f64>>> {
@@ -62,5 +62,34 @@ fn a_branch_that_does_not_exist_is_empty() -> Result<()> {
     assert!(branches.on_branch(1, &0.0)?.is_some());
     assert_eq!(branches.on_branch(2, &0.0)?, None);
     assert_eq!(branches.on_branch(99, &0.0)?, None);
+    Ok(())
+}
+
+/// n = 0.48, κC = 5·10⁵, E* = w = 10⁻²⁰⁰: the fold is at 10²⁸⁰, where a dead load would leave the range.
+#[test]
+fn radii_near_the_largest_numbers_are_looked_at() -> Result<()> {
+    let (blade, glue) = (Quadrature::new(Power::new(0.48, 8e5)?), Material::new(1e-200, 1e-200)?);
+    let found = folds(&blade, &glue, &Control::Indentation)?;
+    assert!(found.len() == 1 && found[0].contact_radius > 1e280, "{found:?}");
+    let states = equilibria(&blade, &glue, &Control::Indentation, &1e130)?;
+    assert_eq!((states.len(), states.completeness), (2, Completeness::Resolved));
+    Ok(())
+}
+
+/// On a ball at d < 0 there are two states; where |d| < √(2πaw/E*) for all numbers a, the one near the tip is none of them.
+#[test]
+fn what_is_out_of_range_is_not_left_out_without_a_word() -> Result<()> {
+    let (ball, glue) = (ball()?, Material::new(1.0, 1.0)?);
+    for (value, count, completeness) in [
+        (-1e-100, 2, Completeness::Resolved),
+        (-1e-200, 1, Completeness::Doubtful),
+        (0.0, 1, Completeness::Resolved),
+        (1e-200, 1, Completeness::Resolved),
+        (-2.0, 0, Completeness::Resolved),
+        (1e100, 1, Completeness::Resolved),
+    ] {
+        let found = equilibria(&ball, &glue, &Control::Indentation, &value)?;
+        assert_eq!((found.len(), found.completeness), (count, completeness), "{value}");
+    }
     Ok(())
 }

@@ -88,7 +88,7 @@ fn a_stable_contact_goes_on_along_the_wall() {
         assert_eq!((found.len(), on_wall), (1, edge < a_c), "{edge}");
         let curve = Curve::new(&rod, &material, &control);
         let corner = curve.indentation(&edge).unwrap();
-        let rest = |d: f64| equilibria(&rod, &material, &control, &d).unwrap().pop().unwrap();
+        let rest = |d: f64| equilibria(&rod, &material, &control, &d).unwrap().equilibria.pop().unwrap();
         let beyond = rest(corner + 0.01);
         assert_eq!((beyond.contact_radius, beyond.stability), (edge, Stability::Stable));
         let mean = edge * edge / 3.0;
@@ -124,7 +124,7 @@ fn the_pressure_under_a_flat_punch() {
     let (punch, material) = (Quadrature::new(FlatPunch::new(b).unwrap()), Material::new(e, w).unwrap());
     let curve = Curve::new(&punch, &material, &Control::Force);
     for force in [500.0, -50.0] {
-        let rest = equilibria(&punch, &material, &Control::Force, &force).unwrap().pop().unwrap();
+        let rest = equilibria(&punch, &material, &Control::Force, &force).unwrap().equilibria.pop().unwrap();
         let fields = Fields::of(curve, &rest).unwrap();
         for r in [0.0_f64, 0.1, 0.29] {
             let expected = force / (2.0 * PI * b * (b * b - r * r).sqrt());

@@ -8,7 +8,7 @@ use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::fields::Fields;
-use mdr_numeric::folds::Folds;
+use mdr_numeric::folds::{Folds, pole};
 use mdr_numeric::path::{Ledger, Path, State};
 
 use super::contact::{Arithmetic, Contact};
@@ -212,7 +212,10 @@ pub(crate) fn branches<R: Arithmetic>(contact: &Contact<R>, folds: Folds<R>, oct
 pub(crate) fn polished<R: Arithmetic>(contact: &Contact<R>, rough: &Folds<f64>) -> Result<Folds<R>> {
     let curve = contact.curve();
     let folds = rough.folds.iter().map(|fold| polish(contact, &curve, fold)).collect::<Result<_>>()?;
-    Ok(Folds { folds, beyond: Vec::new(), completeness: rough.completeness })
+    let kinks = contact.transform().kinks();
+    let at = |radius: f64| kinks.iter().find(|kink| kink.approx() == radius).cloned();
+    let poles = rough.poles.iter().filter_map(|rough| Some(pole(at(rough.contact_radius)?, rough.kind))).collect();
+    Ok(Folds { folds, poles, beyond: Vec::new(), completeness: rough.completeness })
 }
 
 fn polish<R: Arithmetic>(

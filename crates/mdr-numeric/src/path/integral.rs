@@ -26,7 +26,17 @@ impl<R: Real> Breaks<R> {
     pub(super) fn new(kinks: Vec<R>, folds: impl Iterator<Item = R>) -> Self {
         let mut ends: Vec<R> = kinks.iter().cloned().chain(folds).collect();
         ends.sort_by(order);
+        // A kink may be a fold.
+        ends.dedup();
         Breaks { kinks, ends }
+    }
+
+    /// The distance of a radius from the nearest kink over the radius, and at most one.
+    pub(super) fn clearance(&self, a: &R) -> R {
+        let next = self.kinks.partition_point(|kink| kink <= a);
+        let distance = |kink: &R| (a.clone() - kink).abs() / a;
+        let nearest = self.kinks[next.saturating_sub(1)..].iter().take(2).map(distance);
+        nearest.fold(a.lit(1), |least, distance| if distance < least { distance } else { least })
     }
 
     /// ∫ f(a) da from one radius to another. Only what lies between them is looked at.

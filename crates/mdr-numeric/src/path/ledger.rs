@@ -181,7 +181,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         })?;
         let size = self.breaks.roughly(from, to, |a| {
             let (rise, fall) = slopes(a)?;
-            Ok(self.terms(a)? * a * (rise.abs() + fall))
+            Ok(self.terms_near_kinks(a)? * a * (rise.abs() + fall))
         })?;
         work.error += &self.rounding(size.times(2));
         Ok(work)
@@ -222,7 +222,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         })?;
         let size = self.breaks.roughly(&from, &to, |a| {
             let change = self.curve.direction(a, value)?.abs() + self.curve.detachment_elongation(a);
-            Ok(change * (self.terms(a)? + self.curve.held_indentation(a, value)?.abs()))
+            Ok(change * (self.terms_near_kinks(a)? + self.curve.held_indentation(a, value)?.abs()))
         })?;
         let error = lost.error * modulus + self.rounding(size.times(2));
         Ok(Estimate { value: lost.value * modulus, error, evaluations: lost.evaluations })
@@ -230,8 +230,18 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
 
     /// The size of the lengths that d and the force at radius `a` are made of, the rounding of a itself among them.
     fn terms(&self, a: &R) -> Result<R> {
+        self.terms_with(a, &a.lit(1))
+    }
+
+    /// The same where g' may have an inverse root or a pole at a kink: there g varies over the distance from it and not over
+    /// the radius, and what its rounding adds up to has a bound.
+    fn terms_near_kinks(&self, a: &R) -> Result<R> {
+        self.terms_with(a, &self.breaks.clearance(a).sqrt())
+    }
+
+    fn terms_with(&self, a: &R, share_of_rise: &R) -> Result<R> {
         let transform = self.curve.transform();
-        let rise = transform.slope(a)? * a;
+        let rise = transform.slope(a)? * a * share_of_rise;
         Ok(transform.g(a)?.abs() + transform.mean(a)?.abs() + rise.abs() + self.curve.detachment_elongation(a))
     }
 

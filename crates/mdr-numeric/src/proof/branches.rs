@@ -76,7 +76,8 @@ impl<'a> EnclosedBranches<'a> {
             let zero = excess.lit(0);
             let agrees = if fold.kind == FoldKind::Minimum { excess < zero } else { excess > zero };
             let near = || self.undecided("where exactly the equilibrium lies beside an edge where g is infinite");
-            return if agrees { Ok(End { enclosure, radius, excess }) } else { Err(near()) };
+            // Between the edge and this radius the direction has one sign.
+            return if agrees { Ok(End { enclosure: radius.clone(), radius, excess }) } else { Err(near()) };
         }
         let excess = match self.compare(value, fold)? {
             Ordering::Equal if fold.kind == FoldKind::Minimum => value.lit(1),

@@ -112,7 +112,7 @@ impl SceneData {
             control: curve.control().clone(),
             branches: cut(branches, &nodes, &all),
             wall: wall(curve, upper)?,
-            folds: folds.into_iter().map(fold_spot).collect(),
+            folds: folds.into_iter().filter(|fold| fold.indentation.is_finite()).map(fold_spot).collect(),
             held,
             path,
             completeness: branches.completeness(),
@@ -134,7 +134,7 @@ fn shown_values(branches: &Branches<'_, f64>, path: &[Happening], asked: &[f64])
     }
     if values.is_empty() {
         let value = |fold: &Instability<f64>| branches.control().controlled(&fold.indentation, &fold.force);
-        values = branches.folds().iter().map(value).collect();
+        values = branches.folds().iter().map(value).filter(|value| value.is_finite()).collect();
     }
     let mut shown: Vec<f64> = Vec::new();
     for value in values {

@@ -1,0 +1,66 @@
+//! The ends of branches that are no folds: poles, the tip, and radii out of the range that is looked at.
+
+use std::cmp::Ordering;
+
+use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Result};
+use mdr_core::number::Real;
+
+use super::{Branches, sign};
+
+impl<R: Real> Branches<'_, R> {
+    /// Whether the direction of change at the tip, where d, F and D are zero, is not that at the end of the first branch.
+    pub(super) fn is_open_inwards(&self, value: &R) -> Result<bool> {
+        let zero = value.lit(0);
+        let at_end = match self.folds.first() {
+            Some(fold) => self.beside(fold, value)?,
+            None => sign(&self.curve.direction(&self.start(), value)?),
+        };
+        Ok(if at_end == Ordering::Less { *value < zero } else { *value > zero })
+    }
+
+    /// Whether the controlled quantity tends to `value` from the beginning of the last branch on, as far as it is looked at,
+    /// and may reach it further out.
+    pub(super) fn is_open_outwards(&self, value: &R) -> Result<bool> {
+        if self.curve.wall().is_some() {
+            return Ok(false);
+        }
+        let (at_beginning, rising) = match self.folds.last() {
+            Some(fold) => (self.beside(fold, value)?, fold.kind == FoldKind::Minimum),
+            None => {
+                let start = self.start();
+                let rising = self.curve.tangency(&start)? > self.curve.threshold(&start);
+                (sign(&self.curve.direction(&start, value)?), rising)
+            }
+        };
+        let tends = rising == (at_beginning == Ordering::Less);
+        // Where g is known at the outer radius itself, the end is not beyond it.
+        let outer = self.curve.transform().outer_radius();
+        let at_outer = outer.and_then(|outer| self.curve.direction(&outer, value).ok());
+        Ok(tends && at_outer.is_none_or(|direction| sign(&direction) != at_beginning))
+    }
+
+    /// A radius between a pole and another one from which on the direction of change is that at the pole.
+    pub(super) fn beside_pole(&self, pole: &Instability<R>, other: &R, direction: Ordering, value: &R) -> Result<R> {
+        let edge = &pole.contact_radius;
+        let mut step = (other.clone() - edge).over(2);
+        loop {
+            let a = edge.clone() + &step;
+            if a == *edge {
+                return Err(Error::Undecided {
+                    quantity: Quantity::ContactRadius,
+                    bits: value.precision(),
+                    what: "where exactly the equilibrium lies beside an edge where g is infinite",
+                });
+            }
+            if sign(&self.curve.direction(&a, value)?) == direction {
+                return Ok(a);
+            }
+            step = step.over(2);
+        }
+    }
+}
+
+/// Whether the controlled quantity has no bound there.
+pub(super) fn is_pole<R: Real>(fold: &Instability<R>) -> bool {
+    !fold.indentation.is_finite()
+}

@@ -1,0 +1,125 @@
+//! Contacts whose edge meets an edge of the profile, in f64: g' has an inverse root there, or g is −∞.
+
+use mdr_analytic::profiles::{EllipticalDimple, Paraboloid, Sum, TruncatedCone, TruncatedParaboloid};
+use mdr_core::contact::{Control, Error, Material, Result, Stability, Transform};
+use mdr_numeric::branch::Branched;
+use mdr_numeric::curve::Curve;
+use mdr_numeric::equilibrium::{Branches, equilibria};
+use mdr_numeric::folds::{Completeness, find};
+use mdr_numeric::path::{EventKind, Ledger, Loss, Path, Start};
+
+/// The radius b of the edge, and w/E*.
+const EDGE: f64 = 0.1;
+const LENGTH: f64 = 1e-4;
+
+fn glue() -> Result<Material<f64>> {
+    Material::new(1.0, LENGTH)
+}
+
+/// A paraboloid of radius 1 with an elliptical dimple of this depth.
+fn dimple(depth: f64) -> Result<Sum<f64>> {
+    Ok(Sum::new(vec![Box::new(Paraboloid::new(1.0)?), Box::new(EllipticalDimple::new(depth, EDGE)?)]))
+}
+
+/// The radii in (10⁻⁷, 1) where the contact changes its direction at a held value, and whether it grows below: a scan in
+/// steps of 10⁻⁴ of the radius, finer towards the edge, by formulas of its own.
+fn scanned(depth: f64, control: &Control<f64>, value: f64) -> Vec<(f64, bool)> {
+    let moment = |a: f64| {
+        let t = (a / EDGE).min(EDGE / a);
+        // ∫₀ᵃ x artanh(x/b) dx, and the same with artanh(b/x) beyond b.
+        let inner = 0.5 * ((a * a - EDGE * EDGE) * t.atanh() + a * EDGE);
+        a.powi(3) / 3.0 - depth / EDGE * inner
+    };
+    let shrinks = |a: f64| {
+        let t = (a / EDGE).min(EDGE / a);
+        let g = a * a - depth * a / EDGE * t.atanh();
+        let d = if *control == Control::Force { (0.5 * value + moment(a)) / a } else { value };
+        g - d > (2.0 * std::f64::consts::PI * a * LENGTH).sqrt()
+    };
+    let far = (0..160_000).map(|i| 1e-7 * (1e-4 * f64::from(i)).exp());
+    let near = (0..3000).map(|i| EDGE * (-0.01 * f64::from(i)).exp());
+    let mut radii: Vec<f64> = far.chain(near.flat_map(|step| [EDGE - step, EDGE + step])).collect();
+    radii.retain(|a| *a > 1e-7 && *a < 1.0 && (a - EDGE).abs() > 1e-14);
+    radii.sort_by(f64::total_cmp);
+    let turns = radii.windows(2).filter(|pair| shrinks(pair[0]) != shrinks(pair[1]));
+    turns.map(|pair| (pair[0], !shrinks(pair[0]))).collect()
+}
+
+/// All states on both sides of the pole of g, close to it or not.
+#[test]
+fn a_pole_ends_branches() -> Result<()> {
+    let glue = glue()?;
+    let indented = [(0.001, -0.001), (0.003, 0.0), (0.003, -0.003), (0.003, -0.01), (0.001, -0.012), (0.01, 1e-3)];
+    let loaded = [(0.003, -0.001), (0.001, 0.0), (0.001, -0.0005), (0.003, -0.003)];
+    let questions = indented.map(|question| (Control::Indentation, question)).into_iter();
+    for (control, (depth, value)) in questions.chain(loaded.map(|question| (Control::Force, question))) {
+        let found = equilibria(&dimple(depth)?, &glue, &control, &value)?;
+        let expected = scanned(depth, &control, value);
+        assert_eq!(found.len(), expected.len(), "{control:?} {depth} {value}: {found:?} {expected:?}");
+        assert_eq!(found.completeness, Completeness::Resolved);
+        for (found, (radius, grows)) in found.iter().zip(expected) {
+            assert!((found.contact_radius / radius - 1.0).abs() < 1.1e-4, "{found:?} {radius}");
+            assert_eq!(found.stability == Stability::Stable, grows, "{found:?}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn the_pole_is_told_apart_from_folds() -> Result<()> {
+    let (dimple, glue) = (dimple(0.003)?, glue()?);
+    let curve = Curve::new(&dimple, &glue, &Control::Indentation);
+    let found = find(&curve)?;
+    assert_eq!((found.folds.len(), found.completeness), (2, Completeness::Resolved));
+    let [pole] = found.poles.as_slice() else { panic!("{:?}", found.poles) };
+    assert_eq!((pole.contact_radius, pole.indentation), (EDGE, f64::NEG_INFINITY));
+    // Closer to the edge than f64 can tell.
+    let beside = Branches::cut_at(curve, found).equilibria(&-0.5);
+    assert!(matches!(beside, Err(Error::Undecided { .. })), "{beside:?}");
+    Ok(())
+}
+
+/// Pressed out of the dimple and pulled back, the contact stays outside the edge.
+#[test]
+fn a_path_starts_beside_a_pole() -> Result<()> {
+    let (dimple, glue) = (dimple(0.003)?, glue()?);
+    let branches = Branches::new(Curve::new(&dimple, &glue, &Control::Indentation))?;
+    let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.01, 0.0])?;
+    let kinds: Vec<EventKind> = path.events.iter().map(|event| event.kind).collect();
+    assert_eq!(kinds, [EventKind::Start, EventKind::WayPoint, EventKind::End]);
+    let radius = path.events[0].after.contact().expect("in contact").contact_radius;
+    assert!((radius - 0.114496).abs() < 1e-6, "{radius}");
+    let balance = Ledger::new(&path, &branches)?.balance(&path, &branches)?.expect("nothing unbounded");
+    assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
+
+    // From inside it jumps over the edge.
+    let path = Path::follow(&branches, &Start::Nearest(0.05), &[-0.0035, 0.0])?;
+    assert_eq!(path.events[1].kind, EventKind::Jump);
+    let landed = path.events[1].after.contact().expect("in contact").contact_radius;
+    assert!(landed > EDGE, "{landed}");
+    let balance = Ledger::new(&path, &branches)?.balance(&path, &branches)?.expect("nothing unbounded");
+    assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
+    Ok(())
+}
+
+/// A truncated tip breaks off its edge as the flat punch does, which loses πb²w.
+#[test]
+fn the_ledger_of_a_truncated_tip_closes() -> Result<()> {
+    let glue = glue()?;
+    let (cone, paraboloid) = (TruncatedCone::new(0.2, EDGE)?, TruncatedParaboloid::new(1.0, EDGE)?);
+    for tip in [&cone as &dyn Transform<f64>, &paraboloid] {
+        let branches = Branches::new(Curve::new(tip, &glue, &Control::Indentation))?;
+        assert_eq!(branches.completeness(), Completeness::Resolved);
+        let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.5])?;
+        assert_eq!(path.events[1].kind, EventKind::Detached);
+        let ledger = Ledger::new(&path, &branches)?;
+        let Loss::Finite(lost) = &ledger.entries[1].lost else { panic!("finite at fixed grips") };
+        let expected = std::f64::consts::PI * EDGE * EDGE * LENGTH;
+        assert!((lost.value - expected).abs() <= lost.error.max(8.0 * f64::EPSILON * expected), "{lost:?}");
+        let balance = ledger.balance(&path, &branches)?.expect("nothing unbounded");
+        // The bound is that of roundings, not of a quadrature that stops at the edge.
+        assert!(balance.bound < 1e-10 * balance.work, "{balance:?}");
+        assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
+    }
+    Ok(())
+}
