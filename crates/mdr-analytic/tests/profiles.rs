@@ -2,9 +2,10 @@
 //! continuity across the edge, and the limits in which one profile becomes another.
 #![cfg(feature = "mp")]
 
+use mdr_analytic::PowerLaw;
 use mdr_analytic::profiles::*;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Result, Transform};
+use mdr_core::contact::{Error, Result, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use rug::Float;
 use rug::float::Round;
@@ -212,4 +213,33 @@ fn the_integral_of_a_flat_cone_with_a_spherical_cap() {
             assert!(error < 64.0 * f64::EPSILON, "slope {slope}, x {x}: {found} off by {error}");
         }
     }
+}
+
+/// Where terms leave the range of doubles, the log₁₀ of their sum is that of 200 bits to a few roundings, and a term that
+/// is outweighed does not matter.
+#[test]
+fn sums_beyond_the_range_tell_their_logarithm() {
+    fn sum<R: Struve>(x: R) -> Result<(Sum<R>, R)> {
+        let terms: Vec<Box<dyn Transform<R>>> = vec![
+            Box::new(Paraboloid::new(x.clone().times(2))?),
+            Box::new(DisplacedParaboloid::new(x.clone(), x.lit(1))?),
+        ];
+        Ok((Sum::new(terms), x))
+    }
+    for scale in ["1e180", "1e300"] {
+        let exact = Float::with_val(BITS, Float::parse(scale).unwrap());
+        let (wide, x) = sum(exact.clone()).unwrap();
+        let expected = wide.integral(&x).unwrap().abs().log10().to_f64();
+        let (narrow, x) = sum(exact.to_f64()).unwrap();
+        let Err(Error::OutOfRange { log10, .. }) = narrow.integral(&x) else { panic!("{scale}") };
+        assert!((log10 - expected).abs() <= 4.0 * f64::EPSILON * expected, "{scale}: {log10}, {expected}");
+    }
+    let power = |c: f64| Box::new(PowerLaw::new(2.0, c).unwrap()) as Box<dyn Transform<f64>>;
+    assert_eq!(Sum::new(vec![power(1e-300), power(1.0)]).g(&1e-50), Ok(2e-100));
+    let Err(Error::OutOfRange { log10, .. }) = Sum::new(vec![power(1.0), power(1e3)]).g(&1e170) else { panic!() };
+    assert_eq!(log10, f64::INFINITY);
+    let Err(Error::OutOfRange { log10, .. }) = Sum::new(vec![power(1.0), power(1e30)]).g(&1e170) else { panic!() };
+    assert!((log10 - 370.0 - 2_f64.log10()).abs() < 1e-13, "{log10}");
+    let twice = Sum::new(vec![power(1.0), power(1.0)]);
+    assert!(matches!(twice.g(&7e153), Err(Error::OutOfRange { log10, .. }) if log10 > 308.0));
 }

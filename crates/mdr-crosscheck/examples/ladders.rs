@@ -1,16 +1,18 @@
 //! All stability ladders, worst first: `cargo run --release -p mdr-crosscheck --example ladders`. With `--quick` few rungs,
-//! with `--worst` the list of worst inputs is brought up to date.
+//! with a word after it, such as `-- Sphere`, those of functions with that word, and with `--worst` the list of worst inputs
+//! is brought up to date.
 
 #![allow(clippy::print_stdout, reason = "an example talks")]
 
 use std::fs;
 
 use mdr_crosscheck::contest::Effort;
-use mdr_crosscheck::ladders::{Ladder, Worst, ladders, worst_inputs};
+use mdr_crosscheck::ladders::{Ladder, Worst, ladders_of, worst_inputs};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let asked = |flag: &str| std::env::args().any(|argument| argument == flag);
-    let mut all = ladders(if asked("--quick") { Effort::Quick } else { Effort::Full });
+    let word = std::env::args().skip(1).find(|argument| !argument.starts_with("--")).unwrap_or_default();
+    let mut all = ladders_of(if asked("--quick") { Effort::Quick } else { Effort::Full }, &word);
     if asked("--worst") {
         let worst = Worst::found(&all, &worst_inputs()?);
         let lines: Result<Vec<_>, _> = worst.iter().map(serde_json::to_string).collect();

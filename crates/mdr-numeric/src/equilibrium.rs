@@ -129,24 +129,30 @@ impl<'a, R: Real> Branches<'a, R> {
     }
 
     /// Whether `value` is that of the fold, up to the rounding of g, Δl and the mean of g.
+    ///
+    /// Beyond the fold by some roundings it is given the benefit of the doubt. On the side of the two equilibria they are told
+    /// apart as soon as the roundings of d and Δl can: to take both for the fold costs them their distance from it, which
+    /// grows as the root of that of the value.
     fn is_at(&self, fold: &Instability<R>, value: &R) -> bool {
         if is_pole(fold) {
             return false;
         }
         let control = self.curve.control();
         let a = &fold.contact_radius;
-        let scale = {
-            let (d, l) = (fold.indentation.abs(), self.curve.detachment_elongation(a));
-            let displacement = d + l.times(2);
-            // The force is 2E*a times a difference of lengths of this size.
-            let force = match self.curve.force_at(a, &displacement) {
-                Ok(force) => force.abs() + fold.force.abs(),
-                Err(_) => fold.force.abs(),
-            };
-            control.controlled(&displacement, &force)
+        let beyond = value.clone() - control.controlled(&fold.indentation, &fold.force);
+        let beyond = match fold.kind {
+            FoldKind::Minimum => -beyond,
+            FoldKind::Maximum => beyond,
         };
-        let distance = (control.controlled(&fold.indentation, &fold.force) - value).abs();
-        distance <= scale * value.unit_roundoff().times(8)
+        let (lengths, roundings) = if beyond > value.lit(0) { (2, 8) } else { (1, 2) };
+        let displacement = fold.indentation.abs() + self.curve.detachment_elongation(a).times(lengths);
+        // The force is 2E*a times a difference of lengths of this size.
+        let force = match self.curve.force_at(a, &displacement) {
+            Ok(force) => force.abs() + fold.force.abs(),
+            Err(_) => fold.force.abs(),
+        };
+        let scale = control.controlled(&displacement, &force);
+        beyond.abs() <= scale * value.unit_roundoff().times(roundings)
     }
 
     /// The state at a wall, if the contact rests there at `value`.

@@ -101,6 +101,9 @@ macro_rules! transform {
             fn integral(&self, x: &R) -> mdr_core::contact::Result<R> {
                 $crate::profiles::ranged::evaluate(self, self.checked(x)?, 2, Self::integral_at)
             }
+            fn mean(&self, x: &R) -> mdr_core::contact::Result<R> {
+                $crate::profiles::ranged::evaluate(self, self.checked(x)?, 1, |profile, x| profile.integral_at(x) / x)
+            }
             fn outer_radius(&self) -> Option<R> {
                 self.end().cloned()
             }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Error, Kink, Result, Slopes, Transform};
+use mdr_core::contact::{Error, Kink, Quantity, Result, Slopes, Transform};
 use mdr_core::number::Special;
 
 /// The profile f₁ + f₂ + …, whose g, g' and G are the sums of theirs. It ends where its first term ends.
@@ -17,7 +17,39 @@ impl<R: Special> Sum<R> {
     }
 
     fn total(&self, x: &R, part: impl Fn(&dyn Transform<R>) -> Result<R>) -> Result<R> {
-        self.terms.iter().try_fold(x.lit(0), |sum, term| Ok(sum + part(term.as_ref())?))
+        let sum = self.terms.iter().try_fold(x.lit(0), |sum, term| Ok(sum + part(term.as_ref())?));
+        match sum {
+            Ok(sum) if sum.is_finite() => Ok(sum),
+            Ok(_) => self.beyond(x, Quantity::TransformedProfile, part),
+            Err(Error::OutOfRange { quantity, .. }) => self.beyond(x, quantity, part),
+            error => error,
+        }
+    }
+
+    /// The sum where a term is out of range: that of the others if they outweigh it, else [`Error::OutOfRange`]. Its log₁₀
+    /// is known where one term outweighs all others, and else infinite: a term out of range does not tell its sign.
+    #[cold]
+    fn beyond(&self, x: &R, quantity: Quantity, part: impl Fn(&dyn Transform<R>) -> Result<R>) -> Result<R> {
+        /// Decimal exponents that a term must be ahead to be all of a sum in double precision.
+        const AHEAD: f64 = 17.0;
+        let mut sum = x.lit(0);
+        let (mut most, mut next) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        for term in &self.terms {
+            match part(term.as_ref()) {
+                Ok(value) if value.is_finite() => sum += &value,
+                Ok(unbounded) => return Ok(unbounded),
+                Err(Error::OutOfRange { log10, .. }) => (most, next) = (most.max(log10), next.max(most.min(log10))),
+                Err(error) => return Err(error),
+            }
+        }
+        let log10 = sum.abs().ln().approx() / std::f64::consts::LN_10;
+        let ahead = f64::from(x.precision()) * std::f64::consts::LOG10_2;
+        if sum.is_finite() && log10 > most + ahead {
+            return Ok(sum);
+        }
+        (most, next) = (most.max(log10), next.max(most.min(log10)));
+        let log10 = if most > next + AHEAD { most } else { f64::INFINITY.copysign(most) };
+        Err(Error::OutOfRange { quantity, log10 })
     }
 }
 
@@ -29,7 +61,20 @@ impl<R: Special> Transform<R> for Sum<R> {
         self.total(x, |term| term.slope(x))
     }
     fn integral(&self, x: &R) -> Result<R> {
-        self.total(x, |term| term.integral(x))
+        match self.total(x, |term| term.integral(x)) {
+            // The mean may still be a number, with its sign.
+            Err(Error::OutOfRange { quantity, log10 }) if log10 == f64::INFINITY => {
+                let log10 = match self.mean(x) {
+                    Ok(mean) => (mean.abs().ln().approx() + x.ln().approx()) / std::f64::consts::LN_10,
+                    _ => log10,
+                };
+                Err(Error::OutOfRange { quantity, log10 })
+            }
+            integral => integral,
+        }
+    }
+    fn mean(&self, x: &R) -> Result<R> {
+        self.total(x, |term| term.mean(x))
     }
     fn above_mean(&self, x: &R) -> Result<R> {
         self.total(x, |term| term.above_mean(x))

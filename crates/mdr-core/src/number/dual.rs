@@ -207,10 +207,11 @@ impl<R: Real> Real for Dual<R> {
         self.chain(self.value.ln_1p(), (self.value.lit(1) + &self.value).inv())
     }
     fn pow(&self, exponent: &Self) -> Self {
-        // d(x^y) = x^y (y dx/x + ln x dy): one power, and no x^(y−1) that could leave the range. Where x = 0 only x^(y−1) is
-        // in the domain; the second term only where y varies.
+        // d(x^y) = x^y (y dx/x + ln x dy): one power, and no x^(y−1) that could leave the range, unless x^y is below it. The
+        // second term only where y varies.
         let value = self.value.pow(&exponent.value);
-        let mut slope = if self.value == self.value.lit(0) {
+        let vanishes = (value.unit_roundoff() * &value).steer() == value.lit(0);
+        let mut slope = if vanishes {
             self.value.pow(&(exponent.value.clone() - exponent.value.lit(1))) * &exponent.value * &self.slope
         } else {
             self.slope.clone() / &self.value * &exponent.value * &value

@@ -228,7 +228,12 @@ impl Ladder {
 
 /// All ladders, in the order of the functions.
 pub fn ladders(effort: Effort) -> Vec<Ladder> {
-    let climbs: Vec<_> = questions::all(effort);
+    ladders_of(effort, "")
+}
+
+/// Those of the functions whose names contain a word.
+pub fn ladders_of(effort: Effort, word: &str) -> Vec<Ladder> {
+    let climbs: Vec<_> = questions::all(effort).into_iter().filter(|climb| climb.subject.name.contains(word)).collect();
     climbs.par_iter().map(questions::Climb::ladder).collect()
 }
 

@@ -59,10 +59,17 @@ impl<R: Real> Ladder<R> {
         self.rungs[index].get_or_init(|| nodes(&self.p, RUNGS[index] * unit).ok()).as_deref()
     }
 
-    /// Climbs until the estimated error is below `tolerance` relative to I[|φ|], the samples themselves being known to
-    /// the relative `noise`. None when it gives up: then φ is not of the form this rule is made for. A value at the ends of
-    /// the range of the arithmetic is returned with an error as large as itself.
-    pub(super) fn integrate(&self, tolerance: &R, noise: &R, mut sample: impl FnMut(&R) -> R) -> Option<Estimate<R>> {
+    /// Climbs until the estimated error is below `tolerance` relative to I[|φ|], or, the samples themselves being known to
+    /// the relative `noise`, until it no longer falls and is below the `attainable`. None when it gives up: then φ is not of
+    /// the form this rule is made for. A value at the ends of the range of the arithmetic is returned with an error as large
+    /// as itself.
+    pub(super) fn integrate(
+        &self,
+        tolerance: &R,
+        attainable: &R,
+        noise: &R,
+        mut sample: impl FnMut(&R) -> R,
+    ) -> Option<Estimate<R>> {
         let zero = self.p.lit(0);
         let (mut last, _, mut evaluations) = sum(self.rung(0)?, zero.clone(), &mut sample);
         let mut change: Option<R> = None;
@@ -74,9 +81,13 @@ impl<R: Real> Ladder<R> {
             if !value.is_finite() || underflows(&magnitude) {
                 return Some(Estimate { value, error: magnitude, evaluations });
             }
-            let remainder = change.and_then(|before| remainder(&before, &step, &rounding));
-            if let Some(remainder) = remainder.filter(|error| *error <= tolerance.clone() * &magnitude) {
-                return Some(Estimate { value, error: remainder + rounding, evaluations });
+            if let Some(before) = change {
+                let settled = step.clone().times(4) >= before;
+                let goal = if settled { attainable } else { tolerance };
+                let remainder = remainder(&before, &step, &rounding);
+                if let Some(remainder) = remainder.filter(|error| *error <= goal.clone() * &magnitude) {
+                    return Some(Estimate { value, error: remainder + rounding, evaluations });
+                }
             }
             change = Some(step);
             last = value;
@@ -85,10 +96,10 @@ impl<R: Real> Ladder<R> {
     }
 }
 
-/// Whether a magnitude is not zero, but so small that its terms no longer have all their digits.
+/// Whether a magnitude is not zero, but so small that its terms may have lost digits: below some 10⁻³⁰⁶ in `f64`.
 pub(super) fn underflows<R: Real>(magnitude: &R) -> bool {
     let zero = magnitude.lit(0);
-    *magnitude != zero && magnitude.unit_roundoff().square() * magnitude == zero
+    *magnitude != zero && (magnitude.unit_roundoff() * magnitude).over(64) == zero
 }
 
 /// Singularities in conjugate pairs make the changes oscillate, and a small one may be luck: what is left was seen to be

@@ -12,24 +12,26 @@ pub(super) enum Integrand {
     Rise,
     /// (1 + D)f = f + r f', for g.
     Transform,
-    /// D(1 + D)f = 2r f' + r² f'', for x g'.
+    /// D(1 + D)f/x = s(2f' + r f''), s = r/x, for g'.
     Slope,
 }
 
 impl Integrand {
-    /// φ(r), with the derivatives from dual numbers. The variable has the slope r, not 1, so that the derivative is D and
-    /// every term is a length of the size of f.
-    pub(super) fn at<R: Special>(self, profile: &impl Profile<R>, r: &R) -> R {
+    /// φ at r = sx, with the derivatives from dual numbers. The variable has the slope r, not 1, so that the derivative is D
+    /// and every term is a length of the size of f. For g' the derivative is that in x, so that no height is divided by x:
+    /// near the tip heights leave the range of the arithmetic where slopes do not.
+    pub(super) fn at<R: Special>(self, profile: &impl Profile<R>, s: &R, x: &R) -> R {
+        let r = logarithmic(s.clone() * x);
         match self {
-            Integrand::Height => profile.height(r),
-            Integrand::Rise => profile.height(&logarithmic(r.clone())).slope,
+            Integrand::Height => profile.height(&r.value),
+            Integrand::Rise => profile.height(&r).slope,
             Integrand::Transform => {
-                let f = profile.height(&logarithmic(r.clone()));
+                let f = profile.height(&r);
                 f.value + f.slope
             }
             Integrand::Slope => {
-                let first = second_order(profile, r).slope;
-                first.value + first.slope
+                let f = profile.height(&Dual { value: r, slope: Dual { value: s.clone(), slope: s.clone() } }).slope;
+                f.value + f.slope
             }
         }
     }
