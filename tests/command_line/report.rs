@@ -39,9 +39,16 @@ kappa | kappa-1e-6 | Γ quotient, statrs | f64 | false | f64 | digits | 15.34 | 
 "#]]
     );
     assert!(rows.iter().all(|row| row[10..13].iter().all(|time| time.parse::<f64>().is_ok_and(|time| time > 0.0))));
-    let page = std::fs::read_to_string(path.join("README.md")).unwrap();
-    let links: Vec<_> = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()).collect();
-    assert!(links.len() >= 14, "{page}");
+    let overview = std::fs::read_to_string(path.join("README.md")).unwrap();
+    for part in
+        ["## kappa\n", "](kappa-summary.svg)", "| question | 6 | 12 | 15 |", "    mdr report --quick --only kappa\n"]
+    {
+        assert!(overview.contains(part), "{part} in\n{overview}");
+    }
+    assert!(!overview.contains("interrupted") && overview.contains("`mdr report --only fold`"), "{overview}");
+    let page = std::fs::read_to_string(path.join("kappa.md")).unwrap();
+    let links: Vec<_> = [&overview, &page].into_iter().flat_map(|page| links(page)).collect();
+    assert!(links.len() >= 18, "{page}");
     for link in &links {
         assert!(path.join(link).is_file(), "{link}");
     }
@@ -50,12 +57,17 @@ kappa | kappa-1e-6 | Γ quotient, statrs | f64 | false | f64 | digits | 15.34 | 
         assert!(text.len() < 100_000, "{svg}: {} bytes", text.len());
         roxmltree::Document::parse(&text).unwrap();
     }
-    for part in ["## kappa\n", "## Failures\n", "## What was left out\n", "    mdr report --quick --only kappa\n"] {
+    for part in [
+        "# kappa\n",
+        "## What failed or was stopped\n",
+        "## What was left out\n",
+        "    mdr report --quick --only kappa\n",
+    ] {
         assert!(page.contains(part), "{part}");
     }
     let json: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(path.join("report.json")).unwrap()).unwrap();
-    assert_eq!((&json["schema"], &json["effort"]), (&"mdr.report/1".into(), &"quick".into()));
+    assert_eq!((&json["schema"], &json["tasks"][0]["made"]["effort"]), (&"mdr.report/2".into(), &"quick".into()));
     let diagrams = json["tasks"][0]["diagrams"].as_array().unwrap();
     assert!(diagrams.iter().all(|diagram| path.join(format!("{}.csv", diagram["id"].as_str().unwrap())).is_file()));
     let points = diagrams.iter().flat_map(|diagram| diagram["curves"].as_array().unwrap());
@@ -63,18 +75,41 @@ kappa | kappa-1e-6 | Γ quotient, statrs | f64 | false | f64 | digits | 15.34 | 
     assert_eq!(points, rows.len(), "every point is on standard output");
 }
 
-/// The ladders alone: a picture and data of each family, and one table.
+/// The files that a page links to.
+fn links(page: &str) -> Vec<&str> {
+    let links = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap());
+    links.filter(|link| !link.starts_with('#')).collect()
+}
+
+/// The ladders alone: a picture and data of each family, and one table. What is known of another task stays.
 #[test]
-fn a_report_on_the_ladders() {
+fn a_report_on_the_ladders_beside_another() {
     let path = directory("report-ladders");
-    mdr(&format!("report --quick --only ladders --out {}", path.display())).assert().success();
-    let page = std::fs::read_to_string(path.join("README.md")).unwrap();
-    let links: Vec<_> = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()).collect();
-    assert_eq!(links.len(), 23, "{page}");
-    for link in &links {
+    for task in ["kappa", "ladders"] {
+        mdr(&format!("report --quick --only {task} --out {}", path.display())).assert().success();
+    }
+    let page = std::fs::read_to_string(path.join("ladders.md")).unwrap();
+    assert_eq!(links(&page).len(), 25, "{page}");
+    let overview = std::fs::read_to_string(path.join("README.md")).unwrap();
+    for link in links(&page).into_iter().chain(links(&overview)) {
         assert!(path.join(link).is_file(), "{link}");
     }
-    assert!(page.contains("\n## ladders\n") && page.contains(" | open: "), "{page}");
+    assert!(page.starts_with("# ladders\n") && page.contains(" | open: "), "{page}");
+    for part in ["\n## kappa\n", "\n## ladders\n", "](kappa-summary.svg)", "](ladders-summary.svg)"] {
+        assert!(overview.contains(part), "{part} in\n{overview}");
+    }
+}
+
+/// A directory with a report of another version is left as it is.
+#[test]
+fn a_report_that_is_not_understood_is_not_overwritten() {
+    let path = directory("report-other");
+    std::fs::create_dir_all(&path).unwrap();
+    std::fs::write(path.join("report.json"), "{}").unwrap();
+    let run = mdr(&format!("report --quick --only kappa --out {}", path.display())).assert().code(2).stdout_eq("");
+    let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    assert!(error.contains("report.json") && error.contains("choose another --out"), "{error}");
+    assert!(!path.join("README.md").exists());
 }
 
 #[test]

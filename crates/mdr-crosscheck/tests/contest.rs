@@ -34,6 +34,7 @@ fn names_are_stable_and_unique() {
         let contestants: HashSet<_> =
             diagram.curves.iter().map(|curve| (&curve.contestant, curve.arithmetic)).collect();
         assert_eq!(contestants.len(), diagram.curves.len(), "{}", diagram.id);
+        assert!(diagram.curves.iter().any(|curve| curve.contestant == diagram.shipped), "{}", diagram.id);
         for curve in &diagram.curves {
             let settings: HashSet<_> = curve.points.iter().map(|point| &point.setting).collect();
             assert_eq!(settings.len(), curve.points.len(), "{}: {}", diagram.id, curve.contestant);

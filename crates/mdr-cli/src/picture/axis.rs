@@ -29,6 +29,8 @@ pub(crate) struct Axis {
     scale: Scale,
     lower: f64,
     upper: f64,
+    /// Names of rows instead of numbers, from top to bottom.
+    rows: Vec<String>,
 }
 
 /// A tick: where, and the number beside it.
@@ -50,18 +52,37 @@ impl Axis {
         } else {
             lower.abs() / 10.0
         };
-        Axis { quantity: quantity.into(), unit, scale: Scale::Linear, lower: lower - half, upper: upper + half }
+        Axis {
+            quantity: quantity.into(),
+            unit,
+            scale: Scale::Linear,
+            lower: lower - half,
+            upper: upper + half,
+            rows: Vec::new(),
+        }
     }
 
     /// An axis from `lower` > 0 to `upper` with equal ratios.
     pub(crate) fn log(quantity: impl Into<String>, unit: Unit, lower: f64, upper: f64) -> Self {
         let factor = if upper > lower { 1.0 } else { 10.0 };
-        Axis { quantity: quantity.into(), unit, scale: Scale::Log, lower: lower / factor, upper: upper * factor }
+        Axis {
+            quantity: quantity.into(),
+            unit,
+            scale: Scale::Log,
+            lower: lower / factor,
+            upper: upper * factor,
+            rows: Vec::new(),
+        }
     }
 
     /// An axis with equal ratios whose values are powers of ten, from 10^`lower` to 10^`upper`.
     pub(crate) fn powers(quantity: impl Into<String>, lower: f64, upper: f64) -> Self {
         Axis { scale: Scale::Powers, ..Self::linear(quantity, Unit::One, lower, upper) }
+    }
+
+    /// An axis of rows of height 1 with a name each, the last at 0.
+    pub(crate) fn rows(names: Vec<String>) -> Self {
+        Axis { rows: names.clone(), ..Self::linear("", Unit::One, 0.0, names.len() as f64) }
     }
 
     /// A linear axis that shows all of `values`, with a margin, and zero where `zero` asks for it.
@@ -80,6 +101,11 @@ impl Axis {
         } else {
             Self::linear(quantity, unit, lower - margin, upper + margin)
         }
+    }
+
+    /// The names of its rows, if it has some.
+    pub(crate) fn names(&self) -> &[String] {
+        &self.rows
     }
 
     /// The lower and the upper end.
@@ -149,6 +175,14 @@ impl Axis {
 
     /// At most `most` ticks at round numbers.
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
+        if !self.rows.is_empty() {
+            let count = self.rows.len() as f64;
+            let tick = |(row, name): (usize, &String)| Tick {
+                fraction: (count - 0.5 - row as f64) / count,
+                text: name.clone(),
+            };
+            return self.rows.iter().enumerate().map(tick).collect();
+        }
         match self.scale {
             Scale::Linear => self.linear_ticks(most),
             Scale::Log => self.decades((self.lower.log10(), self.upper.log10()), most),
@@ -251,6 +285,13 @@ mod tests {
         let axis = Axis::powers("e", -10_000.0, 0.0);
         assert_eq!(texts(&axis, 3), ["10^{−10000}", "10^{−5000}", "10^{0}"]);
         assert_eq!((axis.fraction(-2500.0), axis.at(0.75), axis.title()), (0.75, -2500.0, "e".to_owned()));
+    }
+
+    #[test]
+    fn rows_have_names_from_top_to_bottom() {
+        let ticks = Axis::rows(vec!["one".to_owned(), "two".to_owned()]).ticks(1);
+        let told: Vec<_> = ticks.iter().map(|tick| (&*tick.text, tick.fraction)).collect();
+        assert_eq!(told, [("one", 0.75), ("two", 0.25)]);
     }
 
     #[test]

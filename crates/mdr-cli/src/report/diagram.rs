@@ -6,7 +6,7 @@ use super::table;
 use crate::picture::{self, Axis, Key, Layer, Mark, Panel, Picture, Side, Stroke, Unit};
 
 /// One contestant after the other.
-const MARKS: [Mark; 10] = [
+pub(super) const MARKS: [Mark; 10] = [
     Mark::Filled,
     Mark::Open,
     Mark::Square,
@@ -57,7 +57,7 @@ fn panel(diagram: &Diagram, heading: String) -> Panel {
         legend.push((Key::Series(stroke, mark), format!("{letter}  {}", table::name(curve))));
     }
     if layers.iter().any(|layer| matches!(layer, Layer::Marks { mark: Mark::Cross, .. })) {
-        legend.push((Key::Mark(Mark::Cross), "failed".to_owned()));
+        legend.push((Key::Mark(Mark::Cross), "failed or stopped".to_owned()));
     }
     Panel { heading, x: plot.x, y: plot.y, layers, legend, aspect: 0.62 }
 }
@@ -219,6 +219,7 @@ pub(super) mod tests {
             truth: "an enclosure".to_owned(),
             view,
             ceiling: Some(15.95),
+            shipped: "doubling".to_owned(),
             curves: vec![
                 Curve::new("doubling", Arithmetic::Double, doubling.collect()),
                 Curve::new("broken", Arithmetic::Double, broken),
@@ -249,7 +250,8 @@ pub(super) mod tests {
         for view in [View::Error, View::Digits, View::Size] {
             let svg = drawn(&contest(view));
             let texts = texts(&svg);
-            for text in ["A  doubling", "B  broken", "C  another (outside)", "failed", "A", "B", "time (s)"] {
+            for text in ["A  doubling", "B  broken", "C  another (outside)", "failed or stopped", "A", "B", "time (s)"]
+            {
                 assert!(texts.iter().any(|found| found == text), "{text} in {texts:?}");
             }
         }

@@ -1,9 +1,9 @@
 //! Where and with what a report was made.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A machine and the program on it.
-#[derive(Serialize)]
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Machine {
     /// The model of the processor, where the system tells.
     processor: Option<String>,
@@ -12,7 +12,7 @@ pub(super) struct Machine {
     /// Operating system and instruction set.
     system: String,
     /// The version of this program.
-    version: &'static str,
+    version: String,
     /// Whether it was compiled for speed.
     optimised: bool,
     /// The FNV-1a hash of Cargo.lock, where the command was given in a folder that has one.
@@ -26,7 +26,7 @@ impl Machine {
             processor: std::fs::read_to_string("/proc/cpuinfo").ok().as_deref().and_then(model),
             threads: std::thread::available_parallelism().map_or(1, usize::from),
             system: format!("{}, {}", std::env::consts::OS, std::env::consts::ARCH),
-            version: env!("CARGO_PKG_VERSION"),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
             optimised: !cfg!(debug_assertions),
             lock: std::fs::read("Cargo.lock").ok().map(|bytes| format!("{:016x}", fnv(&bytes))),
         }
@@ -41,7 +41,7 @@ impl Machine {
             Some(hash) => format!("Cargo.lock has the FNV-1a hash {hash}"),
             None => "there was no Cargo.lock in the folder of the command".to_owned(),
         };
-        let (system, version, rust) = (&self.system, self.version, env!("CARGO_PKG_RUST_VERSION"));
+        let (system, version, rust) = (&self.system, &self.version, env!("CARGO_PKG_RUST_VERSION"));
         format!(
             "Machine: {processor}; {threads}; {system}. Program: mdr {version}, {build}; built with some rustc of at least \
              {rust}, which the program does not know; {lock}."

@@ -1,15 +1,53 @@
-//! The section of the stability ladders: a picture and the data of each family of directions, and one table.
+//! The stability ladders: a picture and the data of each family of directions, and one table.
+
+use std::collections::BTreeSet;
 
 use mdr_crosscheck::contest::Effort;
 use mdr_crosscheck::ladders::{Family, Found, Ladder, OPEN, Rung};
 
+use serde::{Deserialize, Serialize};
+
 use super::ladder_panels;
-use super::page::in_cell;
+use super::page::{capitalised, details, in_cell, made, pictures};
+use super::store::Section;
 use crate::error::{Failure, Result};
 use crate::picture;
 
-/// The name by which `--only` asks for it.
+/// The name by which `--only` asks for them, and what they are about.
 pub(super) const NAME: &str = "ladders";
+pub(super) const CLAIM: &str = "how errors of double precision grow while questions become hard";
+
+/// What is kept of all ladders, for the overview.
+#[derive(Serialize, Deserialize)]
+pub(super) struct Summary {
+    ladders: usize,
+    functions: usize,
+    /// Ladders that are not accepted.
+    open: usize,
+    /// The names of the families.
+    pub(super) families: Vec<String>,
+}
+
+impl Summary {
+    pub(super) fn of(all: &[Ladder]) -> Self {
+        let functions: BTreeSet<&str> = all.iter().map(|ladder| ladder.function.as_str()).collect();
+        Summary {
+            ladders: all.len(),
+            functions: functions.len(),
+            open: all.iter().filter(|ladder| !ladder.accepted()).count(),
+            families: families(all).map(|(family, _)| family.name().to_owned()).collect(),
+        }
+    }
+
+    /// For the overview.
+    pub(super) fn told(&self) -> String {
+        let Summary { ladders, functions, open, .. } = self;
+        format!(
+            "\n{ladders} ladders of {functions} functions; on {open} of them more than one digit is lost beyond what the \
+             question costs, or something is not said.\n"
+        )
+    }
+}
 
 /// The families that have ladders, with those.
 pub(super) fn families(ladders: &[Ladder]) -> impl Iterator<Item = (Family, Vec<&Ladder>)> {
@@ -135,8 +173,6 @@ pub(super) fn loss(ladder: &Ladder) -> f64 {
 }
 
 const HEAD: &str = "
-## ladders
-
 Every function of double precision is led, step by step, towards where it is in danger. The error of its answer, in units in
 the last place, stands beside what the question costs, and beside the error of the formula as textbooks write it, in the same
 arithmetic. The truth is an enclosure of the exact result for the doubles given; the condition is Σ|xᵢ ∂f/∂xᵢ|/|f| over the
@@ -152,27 +188,30 @@ the worst and what is not accepted, and so have pictures of long ladders.
 
 const FEW: &str = "\nThis report has few rungs of each ladder; one without `--quick` has all, and may find worse.\n";
 
-/// The section of the page; nothing without ladders.
-pub(super) fn section(ladders: &[Ladder], effort: Effort) -> String {
-    if ladders.is_empty() {
-        return String::new();
-    }
-    let mut text = HEAD.to_owned();
+/// The page.
+pub(super) fn page(section: &Section, ladders: &[Ladder], effort: Effort) -> String {
+    let mut text = format!("# {NAME}\n\n{}. [All tasks](README.md)\n", capitalised(CLAIM));
+    text.push_str(&pictures(section));
+    text.push_str(HEAD);
     if effort == Effort::Quick {
         text.push_str(FEW);
     }
     for (family, of_family) in families(ladders) {
         let (id, title, count) = (id(family), family.title(), of_family.len());
-        text.push_str(&format!("\n### As {title}\n\n![As {title}]({id}.svg)\n\n{count} ladders. [Data]({id}.csv)\n"));
+        text.push_str(&format!("\n## As {title}\n\n![As {title}]({id}.svg)\n\n{count} ladders. [Data]({id}.csv)\n"));
     }
-    text + &table(ladders)
+    text.push_str(WORST);
+    text.push_str(&details("All functions", &table(ladders)));
+    text + &made(section)
 }
 
-const TABLE: &str = "
-### The worst of each function
+const WORST: &str = "
+## The worst of each function
 
 The ladder of the largest excess loss, and every other that is not accepted. Worst: where the excess loss is largest.
+";
 
+const TABLE: &str = "\
 | function | direction | worst, ulp | condition there | excess loss | textbooks, worst, ulp | |
 |---|---|---|---|---|---|---|
 ";
@@ -236,6 +275,7 @@ mod tests {
 
     use mdr_crosscheck::ladders;
 
+    use super::super::store;
     use super::*;
 
     static CLIMBED: LazyLock<Vec<Ladder>> = LazyLock::new(|| ladders::ladders(Effort::Quick));
@@ -289,13 +329,14 @@ mod tests {
 
     #[test]
     fn what_is_open_is_called_open() {
-        let section = section(&CLIMBED, Effort::Quick);
-        let rows: Vec<_> = section.lines().filter(|line| line.starts_with("| `")).collect();
+        let section = Section { ladders: Some(Summary::of(&CLIMBED)), ..store::tests::section(NAME) };
+        let page = page(&section, &CLIMBED, Effort::Quick);
+        let rows: Vec<_> = page.lines().filter(|line| line.starts_with("| `")).collect();
         for open in OPEN {
             let named = |row: &&&str| {
                 row.starts_with(&format!("| `{}", open.function)) && row.ends_with(&format!("| open: {} |", open.why))
             };
-            assert!(rows.iter().any(|row| named(&row)), "{open:?} in\n{section}");
+            assert!(rows.iter().any(|row| named(&row)), "{open:?} in\n{page}");
         }
         let open = rows.iter().filter(|row| row.contains("| open")).count();
         assert_eq!(open, CLIMBED.iter().filter(|ladder| !ladder.accepted()).count());
@@ -348,7 +389,6 @@ mod tests {
         let table = table(&[right.clone(), wrong.clone(), wrong, right]);
         let order: Vec<_> = table.lines().filter_map(|line| line.strip_prefix("| `")?.chars().next()).collect();
         assert_eq!(order, ['h', 'h', 'f'], "{table}");
-        assert_eq!(section(&[], Effort::Full), "");
         assert!(files(&[]).unwrap().is_empty());
     }
 }

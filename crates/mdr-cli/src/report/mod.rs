@@ -5,8 +5,11 @@ mod diagram;
 mod footer;
 mod ladder_panels;
 mod ladders;
+mod overview;
 mod page;
 mod speed;
+mod store;
+mod summary;
 mod table;
 
 use std::path::{Path, PathBuf};
@@ -14,12 +17,12 @@ use std::time::Duration;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use mdr_crosscheck::contest::speed::{Race, races};
-use mdr_crosscheck::contest::{Clock, Diagram, Effort, Setup, Task, tasks};
-use mdr_crosscheck::ladders::Ladder;
+use mdr_crosscheck::contest::speed::races;
+use mdr_crosscheck::contest::{Clock, Diagram, Effort, Setup, tasks};
 use serde::Serialize;
 
 use self::footer::Machine;
+use self::store::{Findings, Made, Section};
 use crate::error::{Failure, Result};
 use crate::output::{Format, Output};
 use crate::picture;
@@ -27,7 +30,7 @@ use crate::table::{Tone, cell};
 
 const EXAMPLES: &str = "\
 Examples:
-  All tasks, into the directory report: ten minutes on two cores, and more where other projects take part:
+  All tasks, into the directory report: less than five minutes on two cores, other projects included:
     mdr report
 
   In less than a minute, into another directory, which is made when it is not there:
@@ -42,12 +45,13 @@ Examples:
   The baseline of that, anew, after a change that is meant:
     mdr report --renew docs/report/baseline.jsonl
 
-Each diagram is an SVG file of black lines on white and a CSV file of its points; README.md shows them all, with a table of
-the time to so many digits, what failed, and what was left out; report.json has all diagrams in one file. The stability
-ladders, one SVG and one CSV file a family of directions and a table in README.md, tell how errors grow while questions become
-hard; they are not timed and not in report.json. Errors are those of the answers against an enclosure of the truth in which no contestant had a part. Times are medians of repeated runs and
-belong to the machine that the page names: compare them within one report.
-JSON: schema mdr.report/1, one line a diagram.
+README.md shows every task with a picture and the time to so many digits; each task has a page of its own with all diagrams,
+tables, failures and what was left out. A diagram is an SVG file of black lines on white and a CSV file of its points;
+report.json has all of them, but for the stability ladders, which have CSV files. Files are written task by task: a report that
+is interrupted leaves what is done and says so, and --only leaves other tasks as they are. Other projects' methods are stopped
+where one answer takes longer than 4 s, or all answers of a task 30 s. Errors are those of the answers against an enclosure of the
+truth in which no contestant had a part. Times are medians of repeated runs and belong to the machine that the page names.
+JSON: schema mdr.report/2, one line a diagram.
 Exit status: 0 all files are written and nothing got worse, 1 something got worse, 2 bad input or a file that cannot be written.";
 
 /// Report error against run time: every method on the same questions, as diagrams, tables and data.
@@ -83,40 +87,6 @@ pub(crate) struct Report {
     format: Format,
 }
 
-/// What a report is about.
-#[derive(Serialize)]
-struct Findings {
-    schema: &'static str,
-    /// How it was asked for.
-    command: String,
-    machine: Machine,
-    effort: Effort,
-    /// Timed runs of every answer, where they are not too long.
-    runs: usize,
-    tasks: Vec<Section>,
-    /// This workspace beside other projects.
-    races: Vec<Race>,
-    /// Who could not race, and why.
-    absent: Vec<String>,
-    /// How errors grow towards where functions are in danger: in files of their own.
-    #[serde(skip)]
-    ladders: Vec<Ladder>,
-}
-
-/// The diagrams of one task.
-#[derive(Serialize)]
-struct Section {
-    name: &'static str,
-    claim: &'static str,
-    diagrams: Vec<Diagram>,
-}
-
-impl Findings {
-    fn diagrams(&self) -> impl Iterator<Item = &Diagram> {
-        self.tasks.iter().flat_map(|section| &section.diagrams)
-    }
-}
-
 impl Report {
     /// Writes the files, and what is in them on `out`; whether nothing got worse.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
@@ -128,67 +98,82 @@ impl Report {
     }
 
     fn report(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
-        let tasks = self.tasks()?;
+        let names = self.tasks()?;
         let directory = || self.out.display().to_string();
         std::fs::create_dir_all(&self.out).map_err(|error| Failure::file(format!("--out {}", directory()), error))?;
-        let findings = self.findings(&tasks);
-        for diagram in findings.diagrams() {
-            write(&self.out, &format!("{}.svg", diagram.id), picture::svg(&diagram::picture(diagram))?)?;
-            write(&self.out, &format!("{}.csv", diagram.id), table::csv([diagram])?)?;
+        let mut findings = Findings::load(&self.out)?;
+        findings.unfinished = names.iter().map(|name| (*name).to_owned()).collect();
+        self.save(&findings)?;
+        let style = ProgressStyle::with_template("{bar:40.green} {pos} of {len}  {msg}  {elapsed}");
+        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+        let bar = ProgressBar::new(names.len() as u64).with_style(style);
+        bar.enable_steady_tick(Duration::from_millis(500));
+        let (effort, runs) = self.effort();
+        let mut setup = Setup::new(effort, Clock::Runs(runs));
+        for name in &names {
+            bar.set_message(*name);
+            findings.put(self.section(name, &mut setup)?, &all());
+            self.save(&findings)?;
+            bar.inc(1);
         }
-        for (name, bytes) in ladders::files(&findings.ladders)? {
-            write(&self.out, &name, bytes)?;
-        }
-        write(&self.out, "README.md", page::page(&findings))?;
-        let json = serde_json::to_string(&findings)
-            .map_err(|error| Failure::file("report.json", std::io::Error::other(error)))?;
-        write(&self.out, "report.json", json + "\n")?;
+        bar.finish_and_clear();
+        findings.tasks.retain(|section| names.contains(&&*section.name));
         self.list(&findings, out)
     }
 
+    /// The overview, and everything in one file.
+    fn save(&self, findings: &Findings) -> Result<()> {
+        write(&self.out, "README.md", overview::page(findings, &all()))?;
+        findings.save(&self.out)
+    }
+
     /// The tasks that are asked for.
-    fn tasks(&self) -> Result<Vec<&'static Task>> {
-        let names: Vec<_> = tasks().iter().map(|task| task.name).chain([speed::NAME, ladders::NAME]).collect();
+    fn tasks(&self) -> Result<Vec<&'static str>> {
+        let mut names = all();
         if let Some(name) = self.only.iter().find(|name| !names.contains(&name.as_str())) {
             return Err(Failure::flag("--only", format_args!("must be one of {}", names.join(", ")), name));
         }
-        Ok(tasks().iter().filter(|task| self.asks_for(task.name)).collect())
+        names.retain(|name| self.only.is_empty() || self.only.iter().any(|asked| asked == name));
+        Ok(names)
     }
 
-    fn asks_for(&self, name: &str) -> bool {
-        self.only.is_empty() || self.only.iter().any(|asked| asked == name)
+    /// How far a task goes, and how often it is timed.
+    fn effort(&self) -> (Effort, usize) {
+        if self.quick { (Effort::Quick, 3) } else { (Effort::Full, 9) }
     }
 
-    fn findings(&self, tasks: &[&'static Task]) -> Findings {
-        let (effort, runs) = if self.quick { (Effort::Quick, 3) } else { (Effort::Full, 9) };
-        let style = ProgressStyle::with_template("{bar:40.green} {pos} of {len}  {msg}  {elapsed}");
-        let bar =
-            ProgressBar::new(tasks.len() as u64 + 2).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        bar.enable_steady_tick(Duration::from_millis(500));
-        let mut setup = Setup::new(effort, Clock::Runs(runs));
-        let mut sections = Vec::with_capacity(tasks.len());
-        for task in tasks {
-            bar.set_message(task.name);
-            let diagrams = task.diagrams(&mut setup);
-            sections.push(Section { name: task.name, claim: task.claim, diagrams });
-            bar.inc(1);
+    /// Does one task and writes its page and the files that are shown there.
+    fn section(&self, name: &str, setup: &mut Setup) -> Result<Section> {
+        let (effort, runs) = self.effort();
+        let made = Made { command: self.command(), effort, runs, machine: Machine::here() };
+        let mut section = Section::new(name, made);
+        if name == ladders::NAME {
+            let found = mdr_crosscheck::ladders::ladders(effort);
+            section.ladders = Some(ladders::Summary::of(&found));
+            for (name, bytes) in ladders::files(&found)? {
+                write(&self.out, &name, bytes)?;
+            }
+            self.draw(&summary::id(&section), &summary::of_ladders(&found))?;
+            write(&self.out, "ladders.md", ladders::page(&section, &found, effort))?;
+            return Ok(section);
         }
-        let (races, absent) = if self.asks_for(speed::NAME) {
-            bar.set_message(speed::NAME);
-            races(&mut setup)
-        } else {
-            Default::default()
-        };
-        bar.inc(1);
-        let ladders = if self.asks_for(ladders::NAME) {
-            bar.set_message(ladders::NAME);
-            mdr_crosscheck::ladders::ladders(effort)
-        } else {
-            Vec::new()
-        };
-        bar.finish_and_clear();
-        let (schema, command, machine) = ("mdr.report/1", self.command(), Machine::here());
-        Findings { schema, command, machine, effort, runs, tasks: sections, races, absent, ladders }
+        match tasks().iter().find(|task| task.name == name) {
+            Some(task) => section.diagrams = task.diagrams(setup),
+            None => (section.races, section.absent) = races(setup),
+        }
+        for diagram in &section.diagrams {
+            self.draw(&diagram.id, &diagram::picture(diagram))?;
+            write(&self.out, &format!("{}.csv", diagram.id), table::csv([diagram])?)?;
+        }
+        if let Some(picture) = summary::picture(&section) {
+            self.draw(&summary::id(&section), &picture)?;
+        }
+        write(&self.out, &format!("{name}.md"), page::page(&section))?;
+        Ok(section)
+    }
+
+    fn draw(&self, name: &str, picture: &picture::Picture) -> Result<()> {
+        write(&self.out, &format!("{name}.svg"), picture::svg(picture)?)
     }
 
     /// How this report is asked for, wherever its files go.
@@ -199,20 +184,21 @@ impl Report {
     }
 
     fn list(&self, findings: &Findings, out: &mut Output<impl std::io::Write>) -> Result<()> {
+        let mut diagrams = findings.tasks.iter().flat_map(|section| &section.diagrams);
         match self.format {
-            Format::Json => findings.diagrams().try_for_each(|diagram| {
+            Format::Json => diagrams.try_for_each(|diagram| {
                 #[derive(Serialize)]
                 struct Line<'a> {
                     schema: &'static str,
                     diagram: &'a Diagram,
                 }
-                out.json(&Line { schema: findings.schema, diagram })
+                out.json(&Line { schema: store::SCHEMA, diagram })
             }),
-            Format::Csv => out.csv(&table::HEADER, findings.diagrams().flat_map(table::rows)),
+            Format::Csv => out.csv(&table::HEADER, diagrams.flat_map(table::rows)),
             Format::Table => {
                 let mut files =
                     crate::table::table(&["file", "contestants", "best digits", "failures", "what is asked"]);
-                for diagram in findings.diagrams() {
+                for diagram in diagrams {
                     let (digits, failures) = table::summary(diagram);
                     files.add_row([
                         cell(self.out.join(format!("{}.svg", diagram.id)).display(), Tone::Good),
@@ -222,14 +208,15 @@ impl Report {
                         cell(&diagram.title, Tone::Plain),
                     ]);
                 }
-                for (family, of_family) in ladders::families(&findings.ladders) {
-                    let open = of_family.iter().filter(|ladder| !ladder.accepted()).count();
+                for section in &findings.tasks {
+                    let page = cell(self.out.join(format!("{}.md", section.name)).display(), Tone::Good);
+                    let claim = page::capitalised(&section.claim);
                     files.add_row([
-                        cell(self.out.join(format!("{}.svg", ladders::id(family))).display(), Tone::Good),
-                        cell(of_family.len(), Tone::Plain),
+                        page,
                         cell("", Tone::Plain),
-                        cell(open, Tone::Plain),
-                        cell(format_args!("Errors as {}", family.title()), Tone::Plain),
+                        cell("", Tone::Plain),
+                        cell("", Tone::Plain),
+                        cell(claim, Tone::Plain),
                     ]);
                 }
                 let page = self.out.join("README.md");
@@ -237,6 +224,11 @@ impl Report {
             }
         }
     }
+}
+
+/// The names of all tasks, in the order of the page.
+fn all() -> Vec<&'static str> {
+    tasks().iter().map(|task| task.name).chain([speed::NAME, ladders::NAME]).collect()
 }
 
 /// Writes one file of a directory.

@@ -1,68 +1,83 @@
-//! The page: all diagrams with their tables, what failed, what was left out, and how it was made.
+//! The page of a task: all of its diagrams with their tables, what failed, what was left out, and how it was made.
 
 use mdr_crosscheck::contest::{Diagram, Outcome, View};
 
-use super::{Findings, Section, ladders, speed, table};
+use super::store::Section;
+use super::{speed, summary, table};
 
-const HEAD: &str = "\
-# Error against run time
-
-Several methods answer the same question with growing effort. Every answer is compared with an enclosure of the truth in
-which no contestant had a part; a time is the median of repeated runs, with a bar from the fastest to the slowest. The two
-axes are logarithmic. What fails is drawn at the upper edge, and the thin line is what the question leaves to any method in
-double precision: u·max(1, condition), u = 2⁻⁵³. Contestants of other projects are dashed. Times belong to the machine named
-at the end; compare them within this page.
+/// What all pages say about their diagrams.
+const LEGEND: &str = "\
+Both axes are logarithmic. A time is the median of repeated runs, with a bar from the fastest to the slowest. Contestants of
+other projects are dashed. The thin line is what the question leaves to any method in double precision: u·max(1, condition),
+u = 2⁻⁵³. What fails, or is stopped because it takes too long, is drawn as a cross at the upper edge.
 ";
 
 /// The text of the page.
-pub(super) fn page(findings: &Findings) -> String {
-    let mut page = HEAD.to_owned();
-    for section in &findings.tasks {
-        page.push_str(&task(section));
-    }
-    page.push_str(&speed::section(&findings.races));
-    page.push_str(&ladders::section(&findings.ladders, findings.effort));
-    page.push_str(&failures(findings));
-    page.push_str(&omissions(findings));
-    page.push_str(&format!(
-        "\n## How this was made\n\n    {}\n\n{} Each answer was timed {} times, fewer where it is slow; an answer \
-         shorter than 2 ms is repeated within a run. All points of the diagrams are in report.json.\n",
-        findings.command,
-        findings.machine.told(),
-        findings.runs
-    ));
+pub(super) fn page(section: &Section) -> String {
+    let mut page = format!("# {}\n\n{}. [All tasks](README.md)\n", section.name, capitalised(&section.claim));
+    page.push_str(&diagrams(section));
+    page.push_str(&speed::section(&section.races));
+    page.push_str(&failures(section));
+    page.push_str(&omissions(section));
+    page.push_str(&made(section));
     page
 }
 
-fn task(section: &Section) -> String {
-    let mut text = format!("\n## {}\n\n{}.\n", section.name, capitalised(section.claim));
+fn diagrams(section: &Section) -> String {
+    if section.diagrams.is_empty() {
+        return String::new();
+    }
+    let mut text = String::new();
     let mut truths: Vec<&str> = section.diagrams.iter().map(|diagram| diagram.truth.as_str()).collect();
     truths.dedup();
     // What all diagrams share is told once.
     if let [truth] = truths[..] {
-        text.push_str(&format!("Truth: {truth}.\n"));
+        text.push_str(&format!("\nTruth: {truth}.\n"));
     }
-    for Diagram { id, title, truth, .. } in &section.diagrams {
+    if section.diagrams.len() > 2 {
+        text.push_str(&pictures(section));
+    }
+    let fastest = table::fastest(&section.diagrams);
+    if !fastest.is_empty() {
+        text.push_str(&format!("\n## Time to so many digits\n\n{}\n{fastest}", capitalised(FASTEST)));
+    }
+    text.push_str(&format!("\n## Diagrams\n\n{LEGEND}"));
+    for diagram in &section.diagrams {
+        let Diagram { id, title, truth, .. } = diagram;
         let truth = if truths.len() > 1 { format!("Truth: {truth}. ") } else { String::new() };
         text.push_str(&format!("\n### {title}\n\n![{title}]({id}.svg)\n\n{truth}[Data]({id}.csv)\n"));
-    }
-    let times = table::times(&section.diagrams);
-    if !times.is_empty() {
-        text.push_str(&format!(
-            "\n### Time to so many digits\n\nThe cheapest answer measured; nothing is interpolated, and — where nobody \
-             arrives.\n\n{times}"
-        ));
-    }
-    for diagram in section.diagrams.iter().filter(|diagram| diagram.view == View::Size) {
-        text.push_str(&format!("\n### Time by size\n\n{}", table::sizes(diagram)));
+        if diagram.view == View::Size {
+            text.push_str(&format!("\n{}", table::sizes(diagram)));
+        }
+        let times = table::times(diagram);
+        if !times.is_empty() {
+            let what = format!("All contestants; in brackets, times that of {}", diagram.shipped);
+            text.push_str(&details(&what, &times));
+        }
     }
     text
 }
 
-fn failures(findings: &Findings) -> String {
-    let mut text = "\n## Failures\n\n".to_owned();
+/// What the tables of the fastest mean.
+pub(super) const FASTEST: &str = "\
+the cheapest answer measured that has so many digits; nothing is interpolated, and — where nobody arrives. Bold: this
+workspace and the crates that it uses; below: other projects.
+";
+
+/// The pictures that stand for the task.
+pub(super) fn pictures(section: &Section) -> String {
+    let picture = |(id, title): (String, String)| format!("\n![{}: {title}]({id}.svg)\n", section.name);
+    summary::files(section).into_iter().map(picture).collect()
+}
+
+/// What is unfolded by those who want it.
+pub(super) fn details(summary: &str, text: &str) -> String {
+    format!("\n<details><summary>{summary}</summary>\n\n{text}\n</details>\n")
+}
+
+fn failures(section: &Section) -> String {
     let mut rows = String::new();
-    for diagram in findings.diagrams() {
+    for diagram in &section.diagrams {
         for curve in &diagram.curves {
             let reasons = curve.points.iter().filter_map(|point| match &point.outcome {
                 Outcome::Failed(reason) | Outcome::Stopped(reason) => Some((point.setting.as_str(), reason.as_str())),
@@ -83,16 +98,16 @@ fn failures(findings: &Findings) -> String {
         }
     }
     if rows.is_empty() {
-        text.push_str("None.\n");
-    } else {
-        text.push_str(&format!("| question | contestant | setting | what it says |\n|---|---|---|---|\n{rows}"));
+        return String::new();
     }
-    text
+    let count = rows.lines().count();
+    let table = format!("| question | contestant | setting | what happened |\n|---|---|---|---|\n{rows}");
+    format!("\n## What failed or was stopped\n{}", details(&format!("{count} of the contestants"), &table))
 }
 
-fn omissions(findings: &Findings) -> String {
+fn omissions(section: &Section) -> String {
     let mut sentences: Vec<&str> = Vec::new();
-    for sentence in findings.diagrams().flat_map(|diagram| &diagram.omissions).chain(&findings.absent) {
+    for sentence in section.diagrams.iter().flat_map(|diagram| &diagram.omissions).chain(&section.absent) {
         if !sentences.contains(&sentence.as_str()) {
             sentences.push(sentence);
         }
@@ -102,12 +117,26 @@ fn omissions(findings: &Findings) -> String {
 }
 
 const OMITTED: &str = "\
-* Memory, and the time to the first answer: tables and nodes that are computed once and kept are warm.
+* Memory, and the time to the first answer where nothing else is said: what is computed once and kept is warm.
 * Other processors and compilers.
 ";
 
+/// The last lines of a page.
+pub(super) fn made(section: &Section) -> String {
+    let made = &section.made;
+    let timed = if section.ladders.is_some() {
+        String::new()
+    } else {
+        format!(
+            " Each answer was timed {} times, fewer where it is slow; an answer shorter than 2 ms is repeated within a run.",
+            made.runs
+        )
+    };
+    format!("\n## How this was made\n\n    {}\n\n{}{timed}\n", made.command, made.machine.told())
+}
+
 /// With a capital letter at the beginning.
-fn capitalised(text: &str) -> String {
+pub(super) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
@@ -119,37 +148,17 @@ pub(super) fn in_cell(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use mdr_crosscheck::contest::Effort;
-
-    use super::super::diagram::tests::contest;
-    use super::super::footer::Machine;
+    use super::super::store::tests::section;
     use super::*;
-
-    fn findings() -> Findings {
-        let diagrams = vec![contest(View::Error), contest(View::Size)];
-        let section = Section { name: "test", claim: "what is tested", diagrams };
-        let (command, machine) = ("mdr report --quick".to_owned(), Machine::here());
-        Findings {
-            schema: "mdr.report/1",
-            command,
-            machine,
-            effort: Effort::Quick,
-            runs: 3,
-            tasks: vec![section],
-            races: Vec::new(),
-            absent: Vec::new(),
-            ladders: Vec::new(),
-        }
-    }
 
     #[test]
     fn the_page_tells_everything() {
-        let page = page(&findings());
+        let page = page(&section("test"));
         for part in [
-            "## test\n\nWhat is tested.\n",
+            "# test\n\nWhat is tested.",
             "![x at y < 1](test-contest.svg)",
             "[Data](test-contest.csv)",
-            "| question | contestant | arithmetic | 6 | 12 | 15 |",
+            "| contestant | arithmetic | 6 | 12 | 15 |",
             "| test-contest | broken | 7 nodes | no convergence |",
             "* nobody else came\n",
             "    mdr report --quick\n",
@@ -157,5 +166,8 @@ mod tests {
             assert!(page.contains(part), "{part} in\n{page}");
         }
         assert_eq!(page.matches("nobody else came").count(), 1);
+        // GitHub renders a table within an element only after an empty line.
+        assert_eq!(page.matches("<details>").count(), page.matches("</summary>\n\n|").count());
+        assert_eq!(page.matches("<details>").count(), page.matches("|\n\n</details>\n").count());
     }
 }

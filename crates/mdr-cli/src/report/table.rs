@@ -86,31 +86,93 @@ pub(super) fn summary(diagram: &Diagram) -> (Option<f64>, usize) {
 }
 
 /// The median time of the cheapest point that reaches so many digits, in s.
-fn cheapest(curve: &Curve, digits: u32) -> Option<f64> {
+pub(super) fn cheapest(curve: &Curve, digits: u32) -> Option<f64> {
     let reaches = |point: &&Point| point.outcome.digits().is_some_and(|reached| reached >= f64::from(digits));
     curve.points.iter().filter(reaches).filter_map(|point| Some(point.time?.median)).min_by(f64::total_cmp)
 }
 
-/// "Time to so many digits" in Markdown: a row a contestant, a column a number of digits that someone reaches. Where time is
-/// shown by size, a column a size.
-pub(super) fn times(diagrams: &[Diagram]) -> String {
-    let by_digits: Vec<_> = diagrams.iter().filter(|diagram| diagram.view != View::Size).collect();
-    let reached = |digits: &u32| curves(&by_digits).any(|(_, curve)| cheapest(curve, *digits).is_some());
-    let columns: Vec<u32> = DIGITS.into_iter().filter(reached).collect();
-    let mut text = String::new();
-    if !columns.is_empty() {
-        let heads: String = columns.iter().map(|digits| format!(" {digits} |")).collect();
-        text.push_str(&format!(
-            "| question | contestant | arithmetic |{heads}\n|---|---|---|{}\n",
-            "---|".repeat(columns.len())
-        ));
+/// What the question is called where its task is known.
+pub(super) fn short(diagram: &Diagram) -> &str {
+    diagram.id.strip_prefix(&*diagram.task).and_then(|rest| rest.strip_prefix('-')).unwrap_or(&diagram.id)
+}
+
+/// The numbers of digits that somebody reaches.
+fn columns<'a>(curves: impl Iterator<Item = &'a Curve> + Clone) -> Vec<u32> {
+    DIGITS.into_iter().filter(|digits| curves.clone().any(|curve| cheapest(curve, *digits).is_some())).collect()
+}
+
+fn heads(columns: &[u32]) -> (String, String) {
+    (columns.iter().map(|digits| format!(" {digits} |")).collect(), "---|".repeat(columns.len()))
+}
+
+/// The fastest way to so many digits in Markdown: a row a question, a column a number of digits; this workspace, and below it
+/// other projects. Nothing of diagrams by size.
+pub(super) fn fastest(diagrams: &[Diagram]) -> String {
+    let by_digits = diagrams.iter().filter(|diagram| diagram.view != View::Size);
+    let columns = columns(by_digits.clone().flat_map(|diagram| &diagram.curves));
+    if columns.is_empty() {
+        return String::new();
     }
-    for (diagram, curve) in curves(&by_digits).filter(|_| !columns.is_empty()) {
-        let cell = |digits: &u32| cheapest(curve, *digits).map_or("—".to_owned(), seconds);
-        let cells: String = columns.iter().map(|digits| format!(" {} |", cell(digits))).collect();
-        text.push_str(&format!("| {} | {} | {} |{cells}\n", diagram.id, name(curve), arithmetic(curve.arithmetic)));
+    let (heads, rule) = heads(&columns);
+    let mut text = format!("| question |{heads}\n|---|{rule}\n");
+    for diagram in by_digits {
+        let best = |outside: bool, digits: u32| {
+            let curves = diagram.curves.iter().filter(|curve| curve.outside == outside);
+            let times = curves.filter_map(|curve| Some((cheapest(curve, digits)?, curve)));
+            times.min_by(|(one, _), (other, _)| one.total_cmp(other))
+        };
+        let told = |(time, curve): (f64, &Curve), bold: &str| {
+            let arithmetic = match curve.arithmetic {
+                Arithmetic::Mp if !curve.contestant.starts_with("mp") => " (mp)",
+                _ => "",
+            };
+            format!("{bold}{}{bold} {}{arithmetic}", seconds(time), curve.contestant)
+        };
+        let cell = |digits: &u32| {
+            let ours = best(false, *digits).map(|found| told(found, "**"));
+            let theirs = best(true, *digits).map(|found| told(found, ""));
+            let lines: Vec<_> = ours.into_iter().chain(theirs).collect();
+            if lines.is_empty() { " — |".to_owned() } else { format!(" {} |", lines.join("<br>")) }
+        };
+        let cells: String = columns.iter().map(cell).collect();
+        text.push_str(&format!("| `{}`: {} |{cells}\n", short(diagram), diagram.title));
     }
     text
+}
+
+/// "Time to so many digits" of all contestants in Markdown: a row a contestant, a column a number of digits that someone
+/// reaches, with the ratio to what is shipped. Nothing of a diagram by size.
+pub(super) fn times(diagram: &Diagram) -> String {
+    let columns = columns(diagram.curves.iter());
+    if columns.is_empty() || diagram.view == View::Size {
+        return String::new();
+    }
+    let (heads, rule) = heads(&columns);
+    let mut text = format!("| contestant | arithmetic |{heads}\n|---|---|{rule}\n");
+    let shipped = |digits: u32| {
+        let curves = diagram.curves.iter().filter(|curve| curve.contestant == diagram.shipped);
+        curves.filter_map(|curve| cheapest(curve, digits)).min_by(f64::total_cmp)
+    };
+    for curve in &diagram.curves {
+        let cell = |digits: &u32| match (cheapest(curve, *digits), shipped(*digits)) {
+            (None, _) => " — |".to_owned(),
+            (Some(time), None) => format!(" {} |", seconds(time)),
+            (Some(time), Some(unit)) => format!(" {} ({}) |", seconds(time), times_that(time / unit)),
+        };
+        let cells: String = columns.iter().map(cell).collect();
+        text.push_str(&format!("| {} | {} |{cells}\n", name(curve), arithmetic(curve.arithmetic)));
+    }
+    text
+}
+
+/// A ratio to two digits.
+fn times_that(ratio: f64) -> String {
+    match ratio {
+        ratio if ratio < 0.095 => format!("{ratio:.3}×"),
+        ratio if ratio < 0.95 => format!("{ratio:.2}×"),
+        ratio if ratio < 9.5 => format!("{ratio:.1}×"),
+        ratio => format!("{ratio:.0}×"),
+    }
 }
 
 /// Time by size in Markdown: a row a contestant, a column a setting.
@@ -126,14 +188,6 @@ pub(super) fn sizes(diagram: &Diagram) -> String {
         text.push_str(&format!("| {} |{cells}\n", name(curve)));
     }
     text
-}
-
-fn curves<'a>(diagrams: &[&'a Diagram]) -> impl Iterator<Item = (&'a Diagram, &'a Curve)> {
-    diagrams
-        .iter()
-        .flat_map(|diagram| diagram.curves.iter().map(|curve| (*diagram, curve)))
-        .collect::<Vec<_>>()
-        .into_iter()
 }
 
 /// A contestant, and whether it is another project's.
@@ -181,11 +235,27 @@ mod tests {
     /// Nothing is interpolated: 12 digits cost what the first point with 12 or more costs.
     #[test]
     fn time_to_digits_is_that_of_a_point() {
-        let text = times(&[contest(View::Error)]);
-        assert!(text.starts_with("| question | contestant | arithmetic | 6 | 12 | 15 |\n"), "{text}");
-        assert!(text.contains("| test-contest | doubling | f64 | 8.00 µs | 16.0 µs | 16.0 µs |"), "{text}");
-        assert!(text.contains("| test-contest | another (outside) | f64 | — | — | — |"), "{text}");
-        assert_eq!(times(&[contest(View::Size)]), "");
+        let text = times(&contest(View::Error));
+        assert!(text.starts_with("| contestant | arithmetic | 6 | 12 | 15 |\n"), "{text}");
+        assert!(text.contains("| doubling | f64 | 8.00 µs (1.0×) | 16.0 µs (1.0×) | 16.0 µs (1.0×) |"), "{text}");
+        assert!(text.contains("| another (outside) | f64 | — | — | — |"), "{text}");
+        assert_eq!(times(&contest(View::Size)), "");
+    }
+
+    #[test]
+    fn the_fastest_of_this_workspace_and_of_others() {
+        let mut diagram = contest(View::Error);
+        let slower = Curve { outside: true, contestant: "slower".to_owned(), ..diagram.curves[0].clone() };
+        diagram.curves.push(slower);
+        let text = fastest(&[contest(View::Size), diagram]);
+        assert!(
+            text.starts_with(
+                "| question | 6 | 12 | 15 |\n|---|---|---|---|\n| `contest`: x at y < 1 | **8.00 µs** doubling<br>8.00 µs slower |"
+            ),
+            "{text}"
+        );
+        assert_eq!(fastest(&[contest(View::Size)]), "");
+        assert_eq!([0.0123, 0.5, 3.12, 9.7, 123.4].map(times_that), ["0.012×", "0.50×", "3.1×", "10×", "123×"]);
     }
 
     #[test]

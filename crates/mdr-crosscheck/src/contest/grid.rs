@@ -37,6 +37,7 @@ fn diagrams(setup: &mut Setup) -> Vec<Diagram> {
         truth: "none is needed: every case must hold its allowed error".to_owned(),
         view: View::Size,
         ceiling: None,
+        shipped: "one thread".to_owned(),
         curves: vec![curve(1), curve(2)],
         omissions,
     }]

@@ -16,6 +16,8 @@ pub(super) const KAPPA: Task = Task {
     diagrams,
 };
 
+const SHIPPED: &str = "shipped, f64";
+
 /// Exponents, and their names in files.
 const EXPONENTS: [(f64, &str); 7] =
     [(1e-6, "1e-6"), (0.05, "0.05"), (0.25, "0.25"), (0.5, "0.5"), (3.7, "3.7"), (20.0, "20"), (1000.0, "1000")];
@@ -59,8 +61,9 @@ fn diagram(n: f64, name: &str, effort: Effort, clock: &Clock) -> Diagram {
         view: View::Error,
         // |n κ'/κ| < 1/2.
         ceiling: Some(ceiling(0.5)),
+        shipped: SHIPPED.to_owned(),
         curves: vec![
-            one("shipped, f64", "f64", shipped),
+            one(SHIPPED, "f64", shipped),
             Curve::new("extended precision", Arithmetic::Double, wide.into()),
             one("Γ quotient, pxfm", "f64", |n| quotient(n, pxfm::f_tgamma)),
             one("Γ quotient, statrs", "f64", |n| quotient(n, statrs::function::gamma::gamma)),

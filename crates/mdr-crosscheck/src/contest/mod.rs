@@ -124,6 +124,8 @@ pub struct Diagram {
     pub view: View,
     /// Digits that the question leaves in double precision whatever the method, −log₁₀(u·max(1, condition)).
     pub ceiling: Option<f64>,
+    /// The contestant that a user of this workspace gets.
+    pub shipped: String,
     /// The contestants.
     pub curves: Vec<Curve>,
     /// Who or what is missing, and why, a sentence each.

@@ -189,7 +189,7 @@ impl Outsiders {
     pub(super) fn new(effort: Effort, clock: Clock) -> Self {
         let [patience, allowance] = match effort {
             Effort::Quick => [2, 15],
-            Effort::Full => [4, 40],
+            Effort::Full => [4, 30],
         };
         let [patience, allowance] = [patience, allowance].map(Duration::from_secs);
         Outsiders { clock, python: None, patience, allowance, left: allowance }

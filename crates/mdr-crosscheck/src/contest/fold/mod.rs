@@ -37,6 +37,8 @@ fn of(question: &Question, ladder: &Ladder, clock: &Clock) -> [Diagram; 2] {
         ),
         view: View::Error,
         ceiling: Some(ceiling(conditions[index])),
+        // The closed form where there is one, else the search.
+        shipped: contestants.first().map_or(String::new(), |(name, _)| (*name).to_owned()),
         curves: contestants
             .iter()
             .map(|(contestant, points)| {

@@ -85,6 +85,7 @@ fn diagram(question: &Question, setup: &mut Setup) -> Diagram {
         truth: question.source.to_owned(),
         view: View::Digits,
         ceiling: None,
+        shipped: question.entries.first().map_or(String::new(), |entry| entry.name.to_owned()),
         curves,
         omissions: stopped(&question.entries, effort).into_iter().chain(absent).collect(),
     }
@@ -185,6 +186,7 @@ fn transform(effort: Effort, clock: &Clock) -> Diagram {
         truth: "κ_{1/4} x^(1/4), from the hypergeometric series of positive terms over intervals; every contestant integrates heights".to_owned(),
         view: View::Digits,
         ceiling: None,
+        shipped: Method::Automatic.name().to_owned(),
         omissions: vec![format!("Quadratures beyond {MOST_OF_QUADRATURE} digits were not tried.")],
         curves: vec![
             jacobi,

@@ -60,6 +60,7 @@ fn diagram(question: &Question, setup: &mut Setup) -> Diagram {
         truth: question.source().to_owned(),
         view: View::Error,
         ceiling: question.condition().ok().map(ceiling),
+        shipped: Method::Automatic.name().to_owned(),
         curves,
         omissions,
     }
