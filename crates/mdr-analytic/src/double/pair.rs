@@ -1,78 +1,161 @@
-//! Unevaluated sums of two doubles, with the operations that [`ready`](super::ready) needs.
+//! Unevaluated sums of two doubles, in arithmetic with and without a fused multiply-add.
 //!
-//! The error-free transformations are those of Knuth and of Dekker (Numer. Math. 18 (1971) 224); they hold while nothing
-//! overflows and no product is subnormal. A sum or product of pairs is right to 2⁻¹⁰⁰ of its terms.
+//! The error-free transformations are those of Knuth, Dekker and Veltkamp (T. J. Dekker, Numer. Math. 18 (1971) 224); they
+//! hold while nothing overflows and no product is subnormal.
 
 use mdr_core::number::Wide;
 
+/// How products round. The error of a product is one instruction with FMA; without, Dekker's splitting gives the same
+/// exact value, since `f64::mul_add` would be a slow call there.
+pub(super) trait Arithmetic: Copy {
+    /// ab + c, rounded once or twice.
+    fn multiply_add(a: f64, b: f64, c: f64) -> f64;
+
+    /// ab exactly, unless it leaves the range.
+    fn product(a: f64, b: f64) -> Pair;
+
+    /// c − ab within one rounding of the result where c and ab nearly cancel.
+    fn residual(c: f64, a: f64, b: f64) -> f64;
+}
+
+/// One rounding for ab + c.
+#[derive(Clone, Copy)]
+pub(super) struct Fused;
+
+/// Two roundings for ab + c.
+#[derive(Clone, Copy)]
+pub(super) struct Separate;
+
+/// The arithmetic of the baseline: fused where the target has it.
+#[cfg(any(target_feature = "fma", target_arch = "aarch64"))]
+pub(super) use self::Fused as Native;
+#[cfg(not(any(target_feature = "fma", target_arch = "aarch64")))]
+pub(super) use self::Separate as Native;
+
+impl Arithmetic for Fused {
+    #[inline(always)]
+    fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
+        a.mul_add(b, c)
+    }
+
+    #[inline(always)]
+    fn product(a: f64, b: f64) -> Pair {
+        let hi = a * b;
+        Pair { hi, lo: a.mul_add(b, -hi) }
+    }
+
+    #[inline(always)]
+    fn residual(c: f64, a: f64, b: f64) -> f64 {
+        (-a).mul_add(b, c)
+    }
+}
+
+impl Arithmetic for Separate {
+    #[inline(always)]
+    fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
+        a * b + c
+    }
+
+    #[inline(always)]
+    fn product(a: f64, b: f64) -> Pair {
+        let hi = a * b;
+        let ((a, a_rest), (b, b_rest)) = (halves(a), halves(b));
+        Pair { hi, lo: a_rest * b_rest - (((hi - a * b) - a_rest * b) - a * b_rest) }
+    }
+
+    #[inline(always)]
+    fn residual(c: f64, a: f64, b: f64) -> f64 {
+        let product = Self::product(a, b);
+        (c - product.hi) - product.lo
+    }
+}
+
+/// Veltkamp's splitting into two parts of 26 bits.
+#[inline(always)]
+fn halves(a: f64) -> (f64, f64) {
+    let shifted = 134_217_729.0 * a; // 2²⁷ + 1
+    let high = shifted - (shifted - a);
+    (high, a - high)
+}
+
+/// hi + lo with |lo| of the order of 2⁻⁵³|hi|. Products and quotients are right to a few units of 2⁻¹⁰⁵, sums to that of
+/// their terms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair {
-    pub(super) high: f64,
-    pub(super) low: f64,
+    pub(super) hi: f64,
+    pub(super) lo: f64,
 }
 
 impl Pair {
     /// a + b, exactly.
     #[inline(always)]
-    pub(super) fn sum(a: f64, b: f64) -> Self {
-        let high = a + b;
-        let part = high - a;
-        Pair { high, low: (a - (high - part)) + (b - part) }
+    pub(super) fn sum(a: f64, b: f64) -> Pair {
+        let hi = a + b;
+        let part = hi - a;
+        Pair { hi, lo: (a - (hi - part)) + (b - part) }
     }
 
-    /// ab, exactly.
+    /// a + b exactly if |a| ≥ |b|, or if a is a multiple of the last place of b and of the sum.
     #[inline(always)]
-    pub(super) fn product(a: f64, b: f64) -> Self {
-        let split = |x: f64| {
-            let shifted = x * ((1_u64 << 27) + 1) as f64;
-            let high = shifted - (shifted - x);
-            (high, x - high)
-        };
-        let (high, (ah, al), (bh, bl)) = (a * b, split(a), split(b));
-        Pair { high, low: ((ah * bh - high) + ah * bl + al * bh) + al * bl }
+    pub(super) fn quick_sum(a: f64, b: f64) -> Pair {
+        let hi = a + b;
+        Pair { hi, lo: b - (hi - a) }
     }
 
     #[inline(always)]
-    pub(super) fn times(self, other: Pair) -> Self {
-        let Pair { high, low } = Self::product(self.high, other.high);
-        Pair { high, low: low + (self.high * other.low + self.low * other.high) }
+    pub(super) fn plus(self, other: Pair) -> Pair {
+        let Pair { hi, lo } = Self::sum(self.hi, other.hi);
+        Pair { hi, lo: lo + (self.lo + other.lo) }
     }
 
     #[inline(always)]
-    pub(super) fn plus(self, other: Pair) -> Self {
-        let Pair { high, low } = Self::sum(self.high, other.high);
-        Pair { high, low: low + (self.low + other.low) }
+    pub(super) fn minus(self, other: Pair) -> Pair {
+        self.plus(Pair { hi: -other.hi, lo: -other.lo })
     }
 
     #[inline(always)]
-    pub(super) fn minus(self, other: Pair) -> Self {
-        self.plus(Pair { high: -other.high, low: -other.low })
+    pub(super) fn scaled<A: Arithmetic>(self, _: A, factor: f64) -> Pair {
+        let product = A::product(self.hi, factor);
+        Pair { hi: product.hi, lo: A::multiply_add(self.lo, factor, product.lo) }
     }
 
     #[inline(always)]
-    pub(super) fn over(self, other: Pair) -> Self {
-        let quotient = self.high / other.high;
-        let rest = self.minus(Self::product(quotient, other.high));
-        Pair { high: quotient, low: (rest.high + rest.low - quotient * other.low) / other.high }
+    pub(super) fn times<A: Arithmetic>(self, _: A, other: Pair) -> Pair {
+        let Pair { hi, lo } = A::product(self.hi, other.hi);
+        Pair { hi, lo: A::multiply_add(self.lo, other.hi, A::multiply_add(self.hi, other.lo, lo)) }
+    }
+
+    #[inline(always)]
+    pub(super) fn square<A: Arithmetic>(self, _: A) -> Pair {
+        let Pair { hi, lo } = A::product(self.hi, self.hi);
+        Pair { hi, lo: A::multiply_add(self.hi + self.hi, self.lo, lo) }
+    }
+
+    /// The quotient by `divisor`, given its reciprocal to a few units in the last place.
+    #[inline(always)]
+    pub(super) fn over<A: Arithmetic>(self, _: A, divisor: Pair, reciprocal: f64) -> Pair {
+        let hi = self.hi * reciprocal;
+        let residual = A::residual(self.hi, hi, divisor.hi) + A::residual(self.lo, hi, divisor.lo);
+        Pair { hi, lo: residual * reciprocal }
     }
 
     /// self · (1 + small).
     #[inline(always)]
-    pub(super) fn moved(self, small: f64) -> Self {
-        Pair { high: self.high, low: self.low + self.high * small }
+    pub(super) fn moved(self, small: f64) -> Pair {
+        Pair { hi: self.hi, lo: self.lo + self.hi * small }
     }
 
     /// The nearest double, but for 2⁻⁵⁰ of an ulp.
     #[inline(always)]
     pub(super) fn rounded(self) -> f64 {
-        self.high + self.low
+        self.hi + self.lo
     }
 }
 
 impl From<f64> for Pair {
     #[inline(always)]
-    fn from(high: f64) -> Self {
-        Pair { high, low: 0.0 }
+    fn from(hi: f64) -> Self {
+        Pair { hi, lo: 0.0 }
     }
 }
 
@@ -82,7 +165,7 @@ impl From<&Wide<1>> for Pair {
     fn from(value: &Wide<1>) -> Self {
         let limb = value.limbs()[0];
         let unit = f64::from_bits(((value.exponent() + (1023 - 64)) as u64) << 52);
-        Pair { high: (limb & !0x7ff) as f64 * unit, low: (limb & 0x7ff) as f64 * unit }
+        Pair { hi: (limb & !0x7ff) as f64 * unit, lo: (limb & 0x7ff) as f64 * unit }
     }
 }
 
@@ -90,4 +173,22 @@ impl From<&Wide<1>> for Pair {
 #[inline(always)]
 pub(super) fn is_ordinary(value: &Wide<1>, limit: u64) -> bool {
     value.error() < 1e6 && value.exponent().unsigned_abs() < limit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both are exact, so they agree to the last bit.
+    #[test]
+    fn the_splitting_gives_the_error_of_a_product() {
+        let mut a = 1.0f64;
+        for k in 0..2000 {
+            a = (a * 1.618_033_988_749_895 + 0.1) % 3.0;
+            let b = a.sqrt() * 2f64.powi(k % 400 - 200);
+            let (fused, split) = (Fused::product(a, b), Separate::product(a, b));
+            assert_eq!((fused.hi, fused.lo), (split.hi, split.lo), "{a:e} · {b:e}");
+            assert_eq!(Fused::residual(fused.hi, a, b), Separate::residual(fused.hi, a, b));
+        }
+    }
 }

@@ -14,7 +14,7 @@
 use mdr_core::contact::{Equilibrium, Ranged, Regime};
 use mdr_core::number::{Real, Wide};
 
-use super::pair::{Pair, is_ordinary};
+use super::pair::{Arithmetic, Native, Pair, is_ordinary};
 use crate::contact::Contact;
 use crate::inverse::{Branch, Equilibria, Fold, Held, Seed};
 
@@ -98,8 +98,8 @@ impl Ready {
     /// The equilibria at x, where the error bounds are good enough.
     #[inline]
     pub(super) fn equilibria(&self, x: f64) -> Option<Equilibria<Ranged<f64>>> {
-        let z = x / self.value.high;
-        let tau = ((self.value.high - x) + self.value.low) / self.value.high;
+        let z = x / self.value.hi;
+        let tau = ((self.value.hi - x) + self.value.lo) / self.value.hi;
         // z is right to three roundings, and τ away from zero for certain.
         let ordinary = |x: f64| x == 0.0 || (1e-200..1e200).contains(&x.abs());
         if !(tau.abs() > 1e-6 && ordinary(z) && ordinary(x)) {
@@ -126,25 +126,25 @@ impl Ready {
         }
         let (power, other) = (Pair::from(&e), Pair::from(&p));
         let m = self.parameter.pair;
-        let scaled = m.times(power);
-        let shifted = Pair::from(x).times(self.share.pair);
+        let scaled = m.times(Native, power);
+        let shifted = self.share.pair.scaled(Native, x);
         let numerator = scaled.minus(other).minus(shifted);
-        let difference = other.high - power.high;
-        let slope = m.high * difference;
-        let step = (numerator.high + numerator.low) / slope;
-        let uncertain = scaled.high * (e.error() * UNIT + self.parameter.error)
-            + other.high * (p.error() * UNIT)
-            + shifted.high.abs() * self.share.error;
+        let difference = other.hi - power.hi;
+        let slope = m.hi * difference;
+        let step = (numerator.hi + numerator.lo) / slope;
+        let uncertain = scaled.hi * (e.error() * UNIT + self.parameter.error)
+            + other.hi * (p.error() * UNIT)
+            + shifted.hi.abs() * self.share.error;
         // Newton's second order, and the digits that the slope has lost where P and E are close.
         let step_error = uncertain / slope.abs() * (1.0 + step.abs())
-            + 2.0 * (1.0 + m.high + 1.0 / v.abs()) * step * step
-            + step.abs() * f64::EPSILON * 8.0 * (power.high + other.high) / difference.abs();
+            + 2.0 * (1.0 + m.hi + 1.0 / v.abs()) * step * step
+            + step.abs() * f64::EPSILON * 8.0 * (power.hi + other.hi) / difference.abs();
         let above = self.regime == Regime::PullOff;
         let (stretch, length) = match (self.held, above) {
             (Held::Indentation, true) => (1.0, e),
-            (Held::Indentation, false) => (m.high, p),
+            (Held::Indentation, false) => (m.hi, p),
             (Held::Force, true) => (1.0 / 3.0, first.over(3).exp()),
-            (Held::Force, false) => (m.high / 3.0, (first * self.word).over(3).exp()),
+            (Held::Force, false) => (m.hi / 3.0, (first * self.word).over(3).exp()),
         };
         let (small, small_error) = (step * stretch, step_error * stretch);
         let error = length.error() * UNIT + small_error + small.abs().powi(3);
@@ -155,21 +155,21 @@ impl Ready {
     #[inline]
     fn state(&self, x: f64, v: f64, branch: Branch) -> Option<Equilibrium<Ranged<f64>>> {
         let (grown, grown_error) = self.length(x, v)?;
-        let a = self.radius.pair.times(grown.times(grown));
+        let a = self.radius.pair.times(Native, grown.square(Native));
         let a_error = self.radius.error + 2.0 * grown_error;
-        let elongation = self.elongation.pair.times(grown);
-        let elongation_error = elongation.high * (self.elongation.error + grown_error);
+        let elongation = self.elongation.pair.times(Native, grown);
+        let elongation_error = elongation.hi * (self.elongation.error + grown_error);
         let (uncontrolled, error) = match self.held {
             Held::Indentation => {
-                let pressed = Pair::product(self.n, x).minus(elongation);
-                let error = elongation_error / pressed.high.abs() + self.stiffness.error + a_error;
-                (pressed.times(self.stiffness.pair).times(a), error)
+                let pressed = Native::product(self.n, x).minus(elongation);
+                let error = elongation_error / pressed.hi.abs() + self.stiffness.error + a_error;
+                (pressed.times(Native, self.stiffness.pair).times(Native, a), error)
             }
             Held::Force => {
-                let pressed = Pair::from(x).times(self.stiffness.pair).over(a);
+                let pressed = self.stiffness.pair.scaled(Native, x).over(Native, a, a.hi.recip());
                 let sum = pressed.plus(elongation);
-                let error = elongation_error + pressed.high.abs() * (self.stiffness.error + a_error);
-                (sum.over(Pair::from(self.n)), error / sum.high.abs())
+                let error = elongation_error + pressed.hi.abs() * (self.stiffness.error + a_error);
+                (sum.over(Native, Pair::from(self.n), self.n.recip()), error / sum.hi.abs())
             }
         };
         if !(a_error < ENOUGH && error < ENOUGH) {

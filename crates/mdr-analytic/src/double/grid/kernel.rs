@@ -28,7 +28,7 @@
 use std::f64::consts::{FRAC_1_PI, LOG2_E};
 use std::ops::RangeInclusive;
 
-use super::pair::{Arithmetic, Pair};
+use crate::double::pair::{Arithmetic, Pair};
 use super::table::{ARTANH, EXPONENTIAL, HALF_LN_2, HALF_PI, LN_2, OFFSET, REST_LOWER, REST_UPPER, THIRD};
 
 /// Points in a row: what five loops keep in the first cache.

@@ -42,22 +42,15 @@
 //! ```
 
 mod kernel;
-mod pair;
 mod path;
 mod table;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Result, Status};
 
 use self::kernel::{Edge, EdgeRows, Kernel, LEN, Pairs, Results, Row};
-use self::pair::{Arithmetic, Fused};
 use self::path::Instructions;
 pub use self::path::Path;
-
-/// The arithmetic of the baseline: fused where the target has it.
-#[cfg(any(target_feature = "fma", target_arch = "aarch64"))]
-use self::pair::Fused as Native;
-#[cfg(not(any(target_feature = "fma", target_arch = "aarch64")))]
-use self::pair::Separate as Native;
+use crate::double::pair::{Arithmetic, Fused, Native};
 
 /// Power laws on materials, all slices of one length.
 #[derive(Clone, Copy, Debug)]
