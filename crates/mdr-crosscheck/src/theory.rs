@@ -80,7 +80,7 @@ pub enum Form {
 }
 
 /// The functions of `mdr_analytic::double` that give numbers.
-pub(crate) const DOUBLE: [&str; 26] = [
+pub(crate) const DOUBLE: [&str; 27] = [
     "double::critical",
     "double::kappa",
     "double::g",
@@ -103,6 +103,7 @@ pub(crate) const DOUBLE: [&str; 26] = [
     "double::equilibria",
     "double::equilibria_at_distance",
     "double::Inverse::equilibria",
+    "double::Inverse::branches",
     "double::scale_free_state",
     "double::ratio",
     "double::threshold",

@@ -95,6 +95,8 @@ const EXEMPT: &[(&str, &str)] = &[
     ("double::equilibria_at_distance", "as double::equilibria"),
     ("double::Inverse::new", "a validating constructor"),
     ("double::Inverse::equilibria", "as double::equilibria"),
+    ("double::Inverse::branches", "as double::equilibria"),
+    ("double::Inverse::with_instructions", "a choice, not a number"),
 ];
 
 #[test]

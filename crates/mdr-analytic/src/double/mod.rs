@@ -22,7 +22,7 @@
 //! # Ok::<(), mdr_core::contact::Error>(())
 //! ```
 //!
-//! Many points at once are cheaper with [`grid`], at 2 ulp.
+//! Many points at once are cheaper with [`grid`], at 2 ulp, and equilibria at many values with [`Inverse::branches`].
 //!
 //! # Errors
 //! All functions: [`Error::Domain`] for arguments outside the domain of the generic function of the same name, NaN and ∞
@@ -31,12 +31,13 @@
 
 mod critical;
 mod equilibrium;
+mod exponential;
 pub mod grid;
 mod inverse;
 mod kappa;
 mod kappa_table;
 mod pair;
-mod ready;
+mod powers;
 mod ziv;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result};

@@ -87,6 +87,19 @@ pub(super) struct Pair {
 }
 
 impl Pair {
+    /// The magnitude of a number within 2^±limit that is known to 2⁻⁴⁴, cut off at 2⁻¹⁰⁵.
+    pub(super) fn of_magnitude<const N: usize>(value: &Wide<N>, limit: u64) -> Option<Pair> {
+        let known = value.error() < 2f64.powi(64 * N as i32 - 44);
+        if !known || value.is_zero() || value.exponent().unsigned_abs() >= limit {
+            return None;
+        }
+        let limb = |i: usize| if i < N { u128::from(value.limbs()[N - 1 - i]) } else { 0 };
+        let leading = limb(0) << 64 | limb(1);
+        let unit = |exponent: i64| f64::from_bits(((value.exponent() + exponent + 1023) as u64) << 52);
+        let part = |shift: u32| ((leading >> shift) as u64 & ((1 << 53) - 1)) as f64;
+        Some(Pair { hi: part(75) * unit(-53), lo: part(22) * unit(-106) })
+    }
+
     /// a + b, exactly.
     #[inline(always)]
     pub(super) fn sum(a: f64, b: f64) -> Pair {
@@ -139,12 +152,6 @@ impl Pair {
         Pair { hi, lo: residual * reciprocal }
     }
 
-    /// self · (1 + small).
-    #[inline(always)]
-    pub(super) fn moved(self, small: f64) -> Pair {
-        Pair { hi: self.hi, lo: self.lo + self.hi * small }
-    }
-
     /// The nearest double, but for 2⁻⁵⁰ of an ulp.
     #[inline(always)]
     pub(super) fn rounded(self) -> f64 {
@@ -157,22 +164,6 @@ impl From<f64> for Pair {
     fn from(hi: f64) -> Self {
         Pair { hi, lo: 0.0 }
     }
-}
-
-/// A positive word, exactly. Its exponent must be that of a normal double with 64 bits to spare.
-impl From<&Wide<1>> for Pair {
-    #[inline(always)]
-    fn from(value: &Wide<1>) -> Self {
-        let limb = value.limbs()[0];
-        let unit = f64::from_bits(((value.exponent() + (1023 - 64)) as u64) << 52);
-        Pair { hi: (limb & !0x7ff) as f64 * unit, lo: (limb & 0x7ff) as f64 * unit }
-    }
-}
-
-/// Whether a word is a number within 2^±limit.
-#[inline(always)]
-pub(super) fn is_ordinary(value: &Wide<1>, limit: u64) -> bool {
-    value.error() < 1e6 && value.exponent().unsigned_abs() < limit
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, S
 use mdr_core::number::Real;
 
 pub(crate) use self::fold::Fold;
-pub(crate) use self::start::Seed;
+pub(crate) use self::start::Outset;
 use crate::contact::Contact;
 use crate::range::representable;
 

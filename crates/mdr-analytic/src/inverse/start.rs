@@ -4,6 +4,55 @@
 //! Near the fold Halley's iteration is for Φ = τ; far from it for v + ln|1 − D| = ln|z|, where nothing overflows. Two
 //! evaluations a root suffice as a rule, five at scales of 10^±50.
 
+/// Where to begin, from τ alone: right to second order at the fold and to first order far from it. With t = √(2τ/m):
+///
+/// * v > 0, from P = e^{mv} = 1 + μτ + m(E − 1): E − 1 = e^v − 1 = t + (2−m)t²/6 + (2m−1)(m−2)t³/72 + … near the fold, with a
+///   denominator that keeps it in bounds, as what counts far from it is μτ.
+/// * v < 0: ze^{−v} = 1 + t + (2−m)t²/3 + … near the fold, and m/μ far from it.
+///
+/// The error of v, over 2/(m + 1/|v|), is below a tenth for m from 1.5 to 16, and below one from 1.02 to 40.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Outset {
+    m: f64,
+    mu: f64,
+    /// t/√τ.
+    width: f64,
+    /// (e^v − 1)/t ≈ (1 + upper·t)/(1 + lower·t).
+    upper: f64,
+    lower: f64,
+    /// The coefficients of τ and of τ√τ.
+    second: f64,
+    third: f64,
+}
+
+impl Outset {
+    #[inline]
+    pub(crate) fn new(mu: f64) -> Self {
+        let m = 1.0 + mu;
+        let width = (2.0 / m).sqrt();
+        // For m < 2, a quarter of what the third order demands serves all t better.
+        let lower = if m < 2.0 { (2.0 * m - 1.0) / 48.0 } else { (m - 2.0) / 6.0 };
+        let upper = lower + (2.0 - m) / 6.0;
+        let second = (2.0 - m) / 3.0 * (2.0 / m);
+        let third = (m / mu - 1.0 - width - second).min(3.0);
+        Outset { m, mu, width, upper, lower, second, third }
+    }
+
+    /// e^{mv} − 1 on the larger branch.
+    #[inline(always)]
+    pub(crate) fn growth(&self, tau: f64) -> f64 {
+        let t = self.width * tau.sqrt();
+        self.mu * tau + self.m * t * (1.0 + self.upper * t) / (1.0 + self.lower * t)
+    }
+
+    /// ze^{−v} on the smaller branch.
+    #[inline(always)]
+    pub(crate) fn quotient(&self, tau: f64) -> f64 {
+        let root = tau.sqrt();
+        1.0 + root * (self.width + root * (self.second + root * self.third))
+    }
+}
+
 /// A point of the family, in `f64`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seed {
@@ -32,13 +81,11 @@ impl Seed {
     pub(crate) fn larger(&self) -> f64 {
         let m = 1.0 + self.mu;
         let t = (2.0 * self.tau / m).sqrt();
-        // e^{mv} = 1 + mt + m(2m−1)t²/6 + … near the fold, and of this order far from it.
-        let power = m * t * (1.0 + t * (2.0 * m - 1.0) / 6.0);
-        let mut v =
-            if power.is_finite() { pxfm::f_log1p(power) / m } else { (self.ln_z + ((2.0 * m - 1.0) / 3.0).ln()) / m };
         if m * t < CLOSE {
-            return v;
+            return t - (m + 1.0) * t * t / 6.0;
         }
+        let growth = Outset::new(self.mu).growth(self.tau);
+        let mut v = if growth.is_finite() { pxfm::f_log1p(growth) / m } else { (self.ln_z + self.mu.ln()) / m };
         for _ in 0..MOST_STEPS {
             let step = if self.z > -1.0 { self.step(v) } else { self.log_step(v) };
             v = if step < v { v - step } else { v / 2.0 };
@@ -53,16 +100,11 @@ impl Seed {
     #[inline]
     pub(crate) fn smaller(&self) -> f64 {
         let m = 1.0 + self.mu;
-        let root = self.tau.sqrt();
-        let t = (2.0 / m).sqrt() * root;
-        // z e^{−v} = 1 + t + (2−m)t²/3 + … near the fold, and m/μ far from it.
-        let second = (2.0 - m) / 3.0;
-        let last = (m / self.mu - 1.0 - t / root - second * 2.0 / m).min(3.0);
-        let denominator = 1.0 + t + second * t * t + last * self.tau * root;
-        let mut v = self.ln_z - pxfm::f_log(denominator);
+        let t = (2.0 * self.tau / m).sqrt();
         if m * t < CLOSE {
             return -t - (m + 1.0) * t * t / 6.0;
         }
+        let mut v = self.ln_z - pxfm::f_log(Outset::new(self.mu).quotient(self.tau));
         v = v.min(-t / 2.0);
         for _ in 0..MOST_STEPS {
             let step = if v > -0.5 { self.step(v) } else { self.log_step(v) };

@@ -1,7 +1,8 @@
 //! The f64 functions that promise two ulp, against the same closed forms at 400 bits.
 
 use mdr_analytic::double::grid::{Materials, Path, Points, States, critical_states_on};
-use mdr_analytic::{Contact, Critical, PowerLaw, double};
+use mdr_analytic::double::{Branches, Side};
+use mdr_analytic::{Contact, Critical, Equilibria, PowerLaw, double};
 use mdr_core::contact::{Error, Material, Ranged, Result, Status, Transform};
 use mdr_core::number::{Precision, Real};
 use rug::Float;
@@ -232,6 +233,37 @@ fn equilibria(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &Con
             pairs.push(pair(name, Ok(found.contact_radius), Ok(expected.contact_radius.clone())));
             pairs.push(pair(name, Ok(found.indentation), Ok(expected.indentation.clone())));
             pairs.push(pair(name, Ok(found.force), Ok(expected.force.clone())));
+        }
+    }
+    pairs.extend(branches(&double::Inverse::new(n, c, &material, &control)?, value, held, &expected)?);
+    Ok(pairs)
+}
+
+/// The equilibria as a batch of one value, by all instructions that the processor has.
+fn branches(inverse: &double::Inverse, value: f64, held: Held, expected: &Equilibria<Float>) -> Result<Vec<Pair>> {
+    let mut pairs = Vec::new();
+    for path in Path::available() {
+        let ([mut a0, mut x0, mut a1, mut x1], mut status) = ([[0.0]; 4], [Status::Ok]);
+        let mut found = Branches {
+            smaller: Side { contact_radius: &mut a0, uncontrolled: &mut x0 },
+            larger: Side { contact_radius: &mut a1, uncontrolled: &mut x1 },
+            status: &mut status,
+        };
+        inverse.clone().with_instructions(path).branches(&[value], &mut found)?;
+        // Out of range the log10 is that of double::equilibria.
+        let sides = match expected.as_slice() {
+            [only] if status == [Status::Ok] => vec![(only, a1, x1)],
+            [smaller, larger] if status == [Status::Ok] => vec![(smaller, a0, x0), (larger, a1, x1)],
+            _ => continue,
+        };
+        for (expected, [a], [x]) in sides {
+            let other = match held {
+                Held::Indentation => &expected.force,
+                Held::Force => &expected.indentation,
+            };
+            for (found, expected) in [(a, &expected.contact_radius), (x, other)] {
+                pairs.push(pair("double::Inverse::branches", Ok(Ranged::Value(found)), Ok(expected.clone())));
+            }
         }
     }
     Ok(pairs)

@@ -28,8 +28,8 @@
 use std::f64::consts::{FRAC_1_PI, LOG2_E};
 use std::ops::RangeInclusive;
 
-use crate::double::pair::{Arithmetic, Pair};
 use super::table::{ARTANH, EXPONENTIAL, HALF_LN_2, HALF_PI, LN_2, OFFSET, REST_LOWER, REST_UPPER, THIRD};
+use crate::double::pair::{Arithmetic, Pair};
 
 /// Points in a row: what five loops keep in the first cache.
 pub(super) const LEN: usize = 64;

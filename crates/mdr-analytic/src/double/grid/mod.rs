@@ -48,9 +48,9 @@ mod table;
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Result, Status};
 
 use self::kernel::{Edge, EdgeRows, Kernel, LEN, Pairs, Results, Row};
-use self::path::Instructions;
 pub use self::path::Path;
-use crate::double::pair::{Arithmetic, Fused, Native};
+pub(super) use self::path::Work;
+use crate::double::pair::Arithmetic;
 
 /// Power laws on materials, all slices of one length.
 #[derive(Clone, Copy, Debug)]
@@ -132,23 +132,8 @@ pub fn critical_states_on(
         }
     };
     let mut grid = Grid { points, control, tension, states, tally: Tally::default() };
-    match path.0 {
-        Instructions::Baseline => grid.fill(Native),
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Instructions::Avx2(token) => vectorized(token, &mut grid),
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Instructions::Avx512(token) => vectorized(token, &mut grid),
-    }
+    path.run(&mut grid);
     Ok(grid.tally)
-}
-
-/// The loops compiled for the instructions that the token stands for; all of them have FMA.
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-fn vectorized<S: fearless_simd::Simd>(token: S, grid: &mut Grid<'_, '_>) {
-    token.vectorize(
-        #[inline(always)]
-        || grid.fill(Fused),
-    );
 }
 
 fn require_one_length(points: &Points<'_>, states: &States<'_>) -> Result<()> {
@@ -183,9 +168,11 @@ struct Grid<'g, 's> {
     tally: Tally,
 }
 
-impl Grid<'_, '_> {
+impl Work for &mut Grid<'_, '_> {
+    type Output = ();
+
     #[inline(always)]
-    fn fill<A: Arithmetic>(&mut self, arithmetic: A) {
+    fn run<A: Arithmetic>(self, arithmetic: A) {
         self.states.status.fill(Status::Ok);
         match self.points.material {
             Materials::One(material) => {
@@ -214,7 +201,9 @@ impl Grid<'_, '_> {
             }
         }
     }
+}
 
+impl Grid<'_, '_> {
     /// Row by row. The last one, if it is short, is filled up with ones and its results are copied.
     #[inline(always)]
     fn rows<A: Arithmetic>(

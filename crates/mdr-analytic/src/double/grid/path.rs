@@ -6,14 +6,18 @@ use fearless_simd::Level;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use fearless_simd::x86::{Avx2, Avx512};
 
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use crate::double::pair::Fused;
+use crate::double::pair::{Arithmetic, Native};
+
 /// A choice of instructions that this processor has.
 ///
 /// All give results within the same bound; [`Path::baseline`] may differ from the others in the last place.
 #[derive(Clone, Copy, Debug)]
-pub struct Path(pub(super) Instructions);
+pub struct Path(Instructions);
 
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Instructions {
+enum Instructions {
     Baseline,
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     Avx2(Avx2),
@@ -21,7 +25,36 @@ pub(super) enum Instructions {
     Avx512(Avx512),
 }
 
+/// Loops to be compiled for each choice of instructions. `run` must be inlined, with all that it calls.
+pub(in crate::double) trait Work {
+    type Output;
+
+    fn run<A: Arithmetic>(self, arithmetic: A) -> Self::Output;
+}
+
+/// The work compiled for the instructions that the token stands for; all of them have FMA.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[inline(always)]
+fn vectorized<S: fearless_simd::Simd, W: Work>(token: S, work: W) -> W::Output {
+    token.vectorize(
+        #[inline(always)]
+        || work.run(Fused),
+    )
+}
+
 impl Path {
+    /// The work with these instructions.
+    #[inline]
+    pub(in crate::double) fn run<W: Work>(self, work: W) -> W::Output {
+        match self.0 {
+            Instructions::Baseline => work.run(Native),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Instructions::Avx2(token) => vectorized(token, work),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Instructions::Avx512(token) => vectorized(token, work),
+        }
+    }
+
     /// What the program was compiled for: on x86-64 two points at once, without fused multiply-add.
     pub fn baseline() -> Path {
         Path(Instructions::Baseline)

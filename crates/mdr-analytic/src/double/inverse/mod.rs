@@ -1,13 +1,21 @@
-//! Equilibria at a given indentation depth or force.
+//! Equilibria at a given indentation depth or force, or at many.
+
+mod kernel;
+mod many;
+
+use std::sync::OnceLock;
 
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Ranged, Regime, Result};
 use mdr_core::number::Wide;
 
-use super::ready::Ready;
+use self::kernel::{Constants, Place};
+pub use self::many::{Branches, Side};
+use super::grid::{Path, Work};
+use super::pair::Arithmetic;
 use super::ziv::{Round, decide, settle, undecided};
 use super::{contact, lifted_control};
 use crate::contact::Contact;
-use crate::inverse::{Equilibria, Fold, Held};
+use crate::inverse::{Branch, Equilibria, Fold, Held};
 
 /// The equilibria at a given indentation depth or force, with their stability; see
 /// [`Contact::equilibria`](crate::Contact::equilibria).
@@ -21,7 +29,7 @@ pub fn equilibria(
     control: &Control<f64>,
     value: f64,
 ) -> Result<Equilibria<Ranged<f64>>> {
-    Inverse::new(n, c, material, control)?.equilibria(value)
+    Inverse::new(n, c, material, control)?.once(value)
 }
 
 /// The equilibria at x_fold(1 − τ); see
@@ -60,9 +68,12 @@ pub struct Inverse {
     c: f64,
     material: Material<f64>,
     held: Held,
+    path: Path,
     /// What one word knows, unless n = 1/2 or it knows too little.
     word: Option<(Contact<Wide<1>>, Fold<Wide<1>>)>,
-    ready: Option<Ready>,
+    /// The constants of the fast way as well as one word knows them; as well as two do, once they have been needed.
+    constants: Option<Constants>,
+    better: OnceLock<Option<Constants>>,
 }
 
 impl Inverse {
@@ -75,8 +86,15 @@ impl Inverse {
         let held = Held::of(control)?;
         let contact = contact::<Wide<1>>(n, c, material)?;
         let word = if n == 0.5 { None } else { Fold::new(&contact, held).ok().map(|fold| (contact, fold)) };
-        let ready = word.as_ref().and_then(|(contact, fold)| Ready::new(contact, fold));
-        Ok(Inverse { n, c, material: material.clone(), held, word, ready })
+        let constants = word.as_ref().and_then(|(contact, fold)| Constants::new(contact, fold));
+        let (material, path, better) = (material.clone(), Path::fastest(), OnceLock::new());
+        Ok(Inverse { n, c, material, held, path, word, constants, better })
+    }
+
+    /// The same contact, asked with the instructions of `path`.
+    #[must_use]
+    pub fn with_instructions(self, path: Path) -> Self {
+        Inverse { path, ..self }
     }
 
     /// The equilibria at a value of the controlled quantity.
@@ -86,9 +104,61 @@ impl Inverse {
     #[inline]
     pub fn equilibria(&self, value: f64) -> Result<Equilibria<Ranged<f64>>> {
         finite(value)?;
-        if let Some(found) = self.ready.as_ref().and_then(|ready| ready.equilibria(value)) {
+        let constants = self.better.get().unwrap_or(&self.constants);
+        if let Some(found) = self.fast(constants, value) {
             return Ok(found);
         }
+        // Two words take some microseconds, once.
+        let first_time = self.better.get().is_none();
+        match first_time.then(|| self.fast(self.better(), value)).flatten() {
+            Some(found) => Ok(found),
+            None => self.with_words(value),
+        }
+    }
+
+    /// The same for one value only.
+    #[inline]
+    fn once(&self, value: f64) -> Result<Equilibria<Ranged<f64>>> {
+        finite(value)?;
+        self.fast(&self.constants, value).map_or_else(|| self.with_words(value), Ok)
+    }
+
+    /// The constants as well as two words know them.
+    #[inline]
+    fn better(&self) -> &Option<Constants> {
+        self.better.get_or_init(|| {
+            let contact = contact::<Wide<2>>(self.n, self.c, &self.material).ok()?;
+            let fold = if self.n == 0.5 { None } else { Fold::new(&contact, self.held).ok() };
+            Constants::new(&contact, &fold?)
+        })
+    }
+
+    /// In pairs of doubles, where that is enough.
+    #[inline]
+    fn fast(&self, constants: &Option<Constants>, x: f64) -> Option<Equilibria<Ranged<f64>>> {
+        let constants = constants.as_ref()?;
+        let place = constants.place(x);
+        match place {
+            Place::Unclear => return None,
+            Place::Beyond => return Some(Equilibria::None),
+            Place::Between | Place::OtherSide => {}
+        }
+        let [smaller, larger] = self.path.run(Both { constants, x, place });
+        let state = |branch: Branch, (a, other): (f64, f64)| Equilibrium {
+            contact_radius: Ranged::Value(a),
+            indentation: Ranged::Value(self.held.pick(x, other)),
+            force: Ranged::Value(self.held.pick(other, x)),
+            stability: branch.stability(constants.regime),
+        };
+        let larger = state(Branch::Larger, larger?);
+        Some(match place {
+            Place::Between => Equilibria::Two([state(Branch::Smaller, smaller?), larger]),
+            _ => Equilibria::One(larger),
+        })
+    }
+
+    #[cold]
+    fn with_words(&self, value: f64) -> Result<Equilibria<Ranged<f64>>> {
         if let Some((contact, fold)) = &self.word
             && let Some(settled) = settle(|| fold.at_value(contact, &value.into()))
         {
@@ -97,7 +167,6 @@ impl Inverse {
         self.with_more_words(value)
     }
 
-    #[cold]
     fn with_more_words(&self, value: f64) -> Result<Equilibria<Ranged<f64>>> {
         decide!(Quantity::ContactRadius, W => {
             let contact = contact::<W>(self.n, self.c, &self.material)?;
@@ -112,6 +181,29 @@ impl Inverse {
                 None => contact.equilibria(&self.held.control(), &value),
             }
         })
+    }
+}
+
+/// Both branches at one value side by side; where there is only the larger one, that twice.
+struct Both<'a> {
+    constants: &'a Constants,
+    x: f64,
+    place: Place,
+}
+
+impl Work for Both<'_> {
+    type Output = [Option<(f64, f64)>; 2];
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self, arithmetic: A) -> Self::Output {
+        let Both { constants, x, place } = self;
+        let larger = constants.first::<A>(x, Branch::Larger);
+        let smaller = if place == Place::Between { constants.first::<A>(x, Branch::Smaller) } else { larger };
+        let lanes = match constants.held {
+            Held::Indentation => constants.solve::<A, false, 2>(arithmetic, &[x; 2], [smaller, larger]),
+            Held::Force => constants.solve::<A, true, 2>(arithmetic, &[x; 2], [smaller, larger]),
+        };
+        [0, 1].map(|i| lanes.trusted[i].then_some((lanes.radius[i], lanes.other[i])))
     }
 }
 

@@ -1,0 +1,295 @@
+//! The fast way to equilibria at a value: pairs of doubles without branches, for one value or for rows of them.
+//!
+//! In the variables of [`inverse`](crate::inverse), f(v) = mE − P − μz with E = e^v and P = e^{mv}, so that f' = m(E − P):
+//!
+//! 1. v from [`Outset`], and steps in doubles until one of them is short: with s = −f/f', α = f''/2f' and β = f'''/6f',
+//!    δ = s − αs² + (2α² − β)s³.
+//! 2. One more such step from v as it is, an exact double, with E, P and f in pairs. The root is v + δ.
+//! 3. With H = e^u, which is E, P or, under force, one more exponential,
+//!    a = a_λH²e^{2δᵤ}, Δl = sHe^{δᵤ}, s = 2√(Ba_λ), and d or F from these, each rounded once from a pair.
+//!
+//! **Error.** Constants and exponentials bring bounds of their errors. What they do to f, over |f'|, is the first part of the
+//! error of δ. The second is truncation. For k ≥ 2, f⁽ᵏ⁾/f' = 1 + (mᵏ⁻¹ − 1)P/(P − E), where P/(P − E) ≤ 1 + 1/(μv) for v > 0
+//! and P/(E − P) ≤ 1/(μ|v|) for v < 0; hence |f⁽ᵏ⁾/f'| ≤ (m + 1/|v|)ᵏ⁻¹ and |f⁽ᵏ⁾/(k!f')| ≤ Kᵏ⁻¹ with K = (m + 1/|v|)/2. So the
+//! series of the root in s is dominated by the inverse of δ − Kδ² − K²δ³ − …: s + Ks² + 3K²s³ + 11K³s⁴ + … with quotients
+//! below 6 (the little Schröder numbers). For K|s| ≤ 1/128 all beyond the third term is below 12K³s⁴, and the root has the
+//! sign of v, which names its branch. The third part are the roundings of δ in doubles. All together make the errors of a,
+//! and of d or F; an answer counts when they are below half an ulp: with the last rounding it is within one, wherever v came
+//! from. Else, very close to the fold or to n = 1/2 or to a zero of d or F, or far out of range, it is left to more words.
+
+use mdr_core::contact::Regime;
+use mdr_core::number::{Real, Wide};
+
+use super::super::exponential::{self, exponential, rough_exponential, rough_logarithm};
+use super::super::pair::{Arithmetic, Native, Pair};
+use crate::contact::Contact;
+use crate::inverse::{Branch, Fold, Held, Outset};
+
+/// Half an ulp of any number, less a little for roundings of the bounds themselves.
+const ENOUGH: f64 = 0.4999 * f64::EPSILON / 2.0;
+
+/// Products, quotients and sums of pairs, generously.
+const PAIR: f64 = 1.0 / (1_u128 << 98) as f64;
+
+/// Binary exponents of constants, of E and P, and of H, within which no product here is subnormal or overflows before a
+/// result is out of the range that is trusted.
+const CONSTANTS: u64 = 300;
+const LOGARITHM: f64 = 600.0;
+const LENGTHS: f64 = 1e45;
+
+/// K|s| of a step in doubles after which v is good enough for the last one, and of that one.
+const CLOSE: f64 = 1.0 / 16.0;
+const LAST: f64 = 1.0 / 128.0;
+
+/// As many steps in doubles as m near 1.02 takes.
+const MOST_STEPS: usize = 5;
+
+/// A constant and the bound of its relative error.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    pair: Pair,
+    error: f64,
+}
+
+impl Known {
+    fn new<const N: usize>(value: &Wide<N>) -> Option<Self> {
+        let magnitude = Pair::of_magnitude(value, CONSTANTS)?;
+        let pair = if *value < value.lit(0) { Pair { hi: -magnitude.hi, lo: -magnitude.lo } } else { magnitude };
+        Some(Known { pair, error: value.error() * 2f64.powi(-64 * N as i32) + PAIR })
+    }
+}
+
+/// What does not depend on the value.
+#[derive(Clone, Debug)]
+pub(super) struct Constants {
+    pub(super) held: Held,
+    pub(super) regime: Regime,
+    n: f64,
+    m: Pair,
+    inverse_m: f64,
+    outset: Outset,
+    /// x_fold, and the τ from which its uncertainty and the rounding of τ do not matter.
+    pub(super) fold: f64,
+    fold_rest: f64,
+    nearest: f64,
+    /// μ/x_fold.
+    share: Known,
+    /// a_λ.
+    radius: Known,
+    /// s.
+    elongation: Known,
+    /// 2E*/(n+1), or (n+1)/2E* under force.
+    stiffness: Known,
+    /// u/v.
+    stretch: Pair,
+}
+
+/// How many equilibria a value has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    Beyond,
+    Between,
+    OtherSide,
+    /// Too close to the fold or too far from it to be told here.
+    Unclear,
+}
+
+/// Equilibria of one branch for each lane.
+pub(super) struct Lanes<const N: usize> {
+    pub(super) radius: [f64; N],
+    /// F, or d under force.
+    pub(super) other: [f64; N],
+    /// Whether both count.
+    pub(super) trusted: [bool; N],
+}
+
+impl Constants {
+    /// `None` where a constant is out of range.
+    pub(super) fn new<const N: usize>(contact: &Contact<Wide<N>>, fold: &Fold<Wide<N>>) -> Option<Self> {
+        let (state, (_, excess), regime) = (fold.state(), fold.family().parameters(), fold.family().regime());
+        let held = fold.held();
+        let n = *contact.profile().exponent();
+        let next = n + n.lit(1);
+        let modulus = contact.material().effective_modulus().times(2);
+        let at_fold = held.pick(&state.indentation, &state.force);
+        let value = Known::new(at_fold)?;
+        let above = regime == Regime::PullOff;
+        let m = parameter(held, above, n.approx());
+        let u = if above { Pair::from(1.0) } else { m };
+        Some(Constants {
+            held,
+            regime,
+            n: n.approx(),
+            m,
+            inverse_m: m.hi.recip(),
+            outset: Outset::new(excess.approx()),
+            fold: value.pair.hi,
+            fold_rest: value.pair.lo,
+            nearest: 1e-12 + 4.0 * value.error,
+            share: Known::new(&(*excess / at_fold))?,
+            radius: Known::new(&state.contact_radius)?,
+            elongation: Known::new(&(*contact.edge_length() * state.contact_radius).sqrt().times(2))?,
+            stiffness: Known::new(&held.pick(modulus / next, next / modulus))?,
+            stretch: held.pick(u, u.over(Native, Pair::from(3.0), 1.0 / 3.0)),
+        })
+    }
+
+    /// τ, right to two roundings where it is not refused.
+    #[inline(always)]
+    fn tau(&self, x: f64) -> f64 {
+        ((self.fold - x) + self.fold_rest) / self.fold
+    }
+
+    #[inline(always)]
+    pub(super) fn place(&self, x: f64) -> Place {
+        let (z, tau) = (x / self.fold, self.tau(x));
+        let ordinary = |x: f64| (x == 0.0) | ((x.abs() > 1e-200) & (x.abs() < 1e200));
+        if !((tau.abs() > self.nearest) & ordinary(x) & ordinary(z) & ((z == 0.0) == (x == 0.0))) {
+            Place::Unclear
+        } else if tau < 0.0 {
+            Place::Beyond
+        } else if z > 0.0 {
+            Place::Between
+        } else {
+            Place::OtherSide
+        }
+    }
+
+    /// Where v begins on a branch.
+    #[inline(always)]
+    pub(super) fn first<A: Arithmetic>(&self, x: f64, branch: Branch) -> f64 {
+        let tau = self.tau(x);
+        match branch {
+            Branch::Larger => rough_logarithm::<A>(1.0 + self.outset.growth(tau)) * self.inverse_m,
+            Branch::Smaller => rough_logarithm::<A>(x / (self.fold * self.outset.quotient(tau))),
+        }
+    }
+
+    /// The equilibria at x whose v are near `v`, as long as the steps do not lead to the other branch.
+    #[inline(always)]
+    pub(super) fn solve<A: Arithmetic, const FORCE: bool, const N: usize>(
+        &self,
+        arithmetic: A,
+        x: &[f64; N],
+        mut v: [f64; N],
+    ) -> Lanes<N> {
+        let (first, mut far) = (v, [1_u64; N]);
+        for _ in 0..MOST_STEPS {
+            // A lane that has arrived stays, so that its answer does not depend on the others.
+            for i in 0..N {
+                let (step, is_close) = self.step::<A>(x[i], v[i]);
+                v[i] += if far[i] == 1 { step } else { 0.0 };
+                far[i] &= u64::from(!is_close);
+            }
+            if far.iter().fold(0, |any, far| any | far) == 0 {
+                break;
+            }
+        }
+        let mut lanes = Lanes { radius: [0.0; N], other: [0.0; N], trusted: [false; N] };
+        for i in 0..N {
+            (lanes.radius[i], lanes.other[i], lanes.trusted[i]) = self.state::<A, FORCE>(arithmetic, x[i], v[i]);
+            lanes.trusted[i] &= first[i] * v[i] > 0.0;
+        }
+        lanes
+    }
+
+    /// A step in doubles, and whether the next need not be one.
+    #[inline(always)]
+    fn step<A: Arithmetic>(&self, x: f64, v: f64) -> (f64, bool) {
+        let m = self.m.hi;
+        let (e, p) = (rough_exponential::<A>(v), rough_exponential::<A>(m * v));
+        let numerator = A::multiply_add(m, e, -p) - self.share.pair.hi * x;
+        let inverse_slope = 1.0 / (m * (p - e));
+        let newton = numerator * inverse_slope;
+        let size = 0.5 * newton.abs() * (m + 1.0 / v.abs());
+        (third_order::<A>(m, e, p, newton, inverse_slope), size < CLOSE)
+    }
+
+    /// H at the root near v, and the bound of its relative error: ∞ where nothing is known.
+    #[inline(always)]
+    fn length<A: Arithmetic, const FORCE: bool>(&self, arithmetic: A, x: f64, v: f64) -> (Pair, f64) {
+        let m = self.m;
+        let mv = m.scaled(arithmetic, v);
+        let (e, p) = (exponential(arithmetic, Pair::from(v)), exponential(arithmetic, mv));
+        let (scaled, shifted) = (m.times(arithmetic, e), self.share.pair.scaled(arithmetic, x));
+        let numerator = scaled.minus(p).minus(shifted).rounded();
+        let inverse_slope = 1.0 / (m.hi * p.minus(e).rounded());
+        let newton = numerator * inverse_slope;
+        let step = third_order::<A>(m.hi, e.hi, p.hi, newton, inverse_slope);
+
+        let (s, steep) = (newton.abs(), inverse_slope.abs());
+        let curvature = 0.5 * (m.hi + 1.0 / v.abs());
+        let powers = scaled.hi + p.hi;
+        let uncertain = powers * (exponential::ERROR + mv.hi.abs() * PAIR) + shifted.hi.abs() * self.share.error;
+        let truncated = 12.0 * curvature * (curvature * s) * (curvature * s) * s * s;
+        // f, f' and s are right to a few roundings, and αs², which the others are below, to those of its terms.
+        let rounded = s * f64::EPSILON * (4.0 + 2.0 * s * m.hi * m.hi * powers * steep);
+        let step_error = uncertain * steep * (1.0 + 4.0 * curvature * s) + truncated + rounded;
+
+        let length = if FORCE {
+            exponential(arithmetic, self.stretch.scaled(arithmetic, v))
+        } else if self.regime == Regime::PullOff {
+            e
+        } else {
+            p
+        };
+        let small = self.stretch.hi * step;
+        let growth = small * (1.0 + small * (0.5 + small * (1.0 / 6.0 + small * (1.0 / 24.0))));
+        let grown = Pair::quick_sum(length.hi, length.hi * growth);
+        let grown = Pair { hi: grown.hi, lo: grown.lo + (length.lo + length.lo * growth) };
+        let fifth = small * small * small * small * small;
+        let error = exponential::ERROR
+            + mv.hi.abs() * PAIR
+            + self.stretch.hi * step_error
+            + 2.0 * f64::EPSILON * growth.abs()
+            + fifth.abs();
+        let known = (curvature * s < LAST)
+            & (small.abs() < LAST)
+            & (mv.hi.abs() < LOGARITHM)
+            & (length.hi > 1.0 / LENGTHS)
+            & (length.hi < LENGTHS);
+        (grown, if known { error } else { f64::INFINITY })
+    }
+
+    /// a and F (or d, under force) of the root near v, and whether they count.
+    #[inline(always)]
+    fn state<A: Arithmetic, const FORCE: bool>(&self, arithmetic: A, x: f64, v: f64) -> (f64, f64, bool) {
+        let (grown, grown_error) = self.length::<A, FORCE>(arithmetic, x, v);
+        let a = self.radius.pair.times(arithmetic, grown.square(arithmetic));
+        let a_error = self.radius.error + 2.0 * grown_error + PAIR;
+        let elongation = self.elongation.pair.times(arithmetic, grown);
+        let elongation_error = elongation.hi * (self.elongation.error + grown_error + PAIR);
+        let (other, error) = if FORCE {
+            let scaled = self.stiffness.pair.scaled(arithmetic, x);
+            let pressed = scaled.over(arithmetic, a, 1.0 / a.hi);
+            let sum = pressed.plus(elongation);
+            let error = elongation_error + pressed.hi.abs() * (self.stiffness.error + a_error + PAIR);
+            (sum.over(arithmetic, Pair::from(self.n), 1.0 / self.n), error / sum.hi.abs() + PAIR)
+        } else {
+            let pressed = A::product(self.n, x).minus(elongation);
+            let error = elongation_error / pressed.hi.abs() + self.stiffness.error + a_error + PAIR;
+            (pressed.times(arithmetic, self.stiffness.pair).times(arithmetic, a), error)
+        };
+        let (a, other) = (a.rounded(), other.rounded());
+        let inside = |value: f64| (value.abs() > 1e-250) & (value.abs() < 1e250);
+        (a, other, (a_error < ENOUGH) & (error < ENOUGH) & inside(a) & inside(other))
+    }
+}
+
+/// δ = s − αs² + (2α² − β)s³.
+#[inline(always)]
+fn third_order<A: Arithmetic>(m: f64, e: f64, p: f64, newton: f64, inverse_slope: f64) -> f64 {
+    let (scaled, half) = (m * p, 0.5 * m * inverse_slope);
+    // f' = −1/inverse_slope.
+    let alpha = (scaled - e) * half;
+    let beta = A::multiply_add(scaled, m, -e) * half * (1.0 / 3.0);
+    let third = A::multiply_add(2.0 * alpha, alpha, -beta);
+    newton * A::multiply_add(newton, A::multiply_add(newton, third, -alpha), 1.0)
+}
+
+/// m > 1, p/q or its reciprocal.
+fn parameter(held: Held, above: bool, n: f64) -> Pair {
+    let (p, q) = held.pick((Pair::from(2.0 * n), 1.0), (Pair::sum(2.0 * n, 2.0), 3.0));
+    let (upper, lower) = if above { (p, Pair::from(q)) } else { (Pair::from(q), p) };
+    upper.over(Native, lower, lower.hi.recip())
+}

@@ -1,0 +1,199 @@
+//! The equilibria at many values: rows of them, several to an instruction.
+
+use mdr_core::contact::{Error, Quantity, Ranged, Result, Stability, Status};
+
+use super::Inverse;
+use super::kernel::{Constants, Lanes, Place};
+use crate::double::grid::{Tally, Work};
+use crate::double::pair::Arithmetic;
+use crate::inverse::{Branch, Held};
+
+/// Values in a row.
+const LEN: usize = 64;
+type Row = [f64; LEN];
+
+/// The equilibria with the smaller radius, or those with the larger. NaN where there is none or no value.
+#[derive(Debug)]
+pub struct Side<'a> {
+    /// a, in m.
+    pub contact_radius: &'a mut [f64],
+    /// What is not controlled: F, in N, or d, in m.
+    pub uncontrolled: &'a mut [f64],
+}
+
+/// Where the equilibria at many values go, all slices as long as the values.
+///
+/// | status | meaning |
+/// |---|---|
+/// | `Ok` | two equilibria, or the larger one alone |
+/// | `NoEquilibrium` | none: beyond the fold |
+/// | `Fold` | the double root, on both sides |
+/// | `Overflow`, `Underflow` | a quantity leaves the range of `f64` (the first that does) and is NaN; [`Inverse::equilibria`] gives its log₁₀ |
+/// | `DomainError` | the value is not finite |
+/// | `Undecided` | 256 bits do not decide, see [the module](super::super#errors) |
+#[derive(Debug)]
+pub struct Branches<'a> {
+    /// Stable for n < 1/2.
+    pub smaller: Side<'a>,
+    /// Stable for n > 1/2. The only equilibrium at n = 1/2, stable or not, is here, too.
+    pub larger: Side<'a>,
+    /// What is known.
+    pub status: &'a mut [Status],
+}
+
+impl Inverse {
+    /// The equilibria at many values of the controlled quantity, each quantity within one ulp as in
+    /// [`Inverse::equilibria`], several values to an instruction.
+    ///
+    /// ```
+    /// use mdr_analytic::double::{Branches, Inverse, Side};
+    /// use mdr_core::contact::{Control, Material, Status};
+    /// let ball = Inverse::new(2.0, 0.5, &Material::new(1.0, 1.0)?, &Control::Indentation)?;
+    /// let ([mut a0, mut f0, mut a1, mut f1], mut status) = ([[0.0; 3]; 4], [Status::Ok; 3]);
+    /// let tally = ball.branches(&[-2.0, -1.0, 0.0], &mut Branches {
+    ///     smaller: Side { contact_radius: &mut a0, uncontrolled: &mut f0 },
+    ///     larger: Side { contact_radius: &mut a1, uncontrolled: &mut f1 },
+    ///     status: &mut status,
+    /// })?;
+    /// assert_eq!(status, [Status::NoEquilibrium, Status::Ok, Status::Ok]);
+    /// assert!(a1[0].is_nan() && a0[1] < a1[1] && a0[2].is_nan());
+    /// assert_eq!(a1[2], 1.8452701486440284); // (2π)^(1/3)
+    /// assert_eq!((tally.passed_on, tally.without_value), (0, 1));
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Length`] when slices differ in length. What happens at a value is told by its status.
+    pub fn branches(&self, values: &[f64], branches: &mut Branches<'_>) -> Result<Tally> {
+        let Branches { smaller, larger, status } = branches;
+        let expected = values.len();
+        for (quantity, len) in [
+            (Quantity::ContactRadius, smaller.contact_radius.len()),
+            (self.held.pick(Quantity::Force, Quantity::Indentation), smaller.uncontrolled.len()),
+            (Quantity::ContactRadius, larger.contact_radius.len()),
+            (self.held.pick(Quantity::Force, Quantity::Indentation), larger.uncontrolled.len()),
+            (Quantity::Parameter("the status"), status.len()),
+        ] {
+            if len != expected {
+                return Err(Error::Length { quantity, len, expected });
+            }
+        }
+        let mut tally = Tally::default();
+        match self.better() {
+            Some(constants) => self.path.run(Rows { inverse: self, constants, values, branches, tally: &mut tally }),
+            None => (0..expected).for_each(|i| self.pass_on(values[i], i, branches, &mut tally)),
+        }
+        Ok(tally)
+    }
+
+    /// One value in extended precision.
+    #[cold]
+    #[inline(never)]
+    fn pass_on(&self, value: f64, i: usize, branches: &mut Branches<'_>, tally: &mut Tally) {
+        let mut status = Status::Ok;
+        let mut number = |x: &Ranged<f64>| {
+            if status == Status::Ok {
+                status = x.status();
+            }
+            x.value(Quantity::ContactRadius).unwrap_or(f64::NAN)
+        };
+        let nothing = [f64::NAN; 2];
+        let (sides, status) = match super::finite(value).map(|value| self.with_words(value)) {
+            Err(_) => ([nothing; 2], Status::DomainError),
+            Ok(Err(_)) => ([nothing; 2], Status::Undecided),
+            Ok(Ok(found)) => {
+                let states = found.as_slice();
+                let mut pair = |i: usize| {
+                    let state = &states[i];
+                    [number(&state.contact_radius), number(self.held.pick(&state.force, &state.indentation))]
+                };
+                match states {
+                    [] => ([nothing; 2], Status::NoEquilibrium),
+                    [only] if only.stability == Stability::Neutral => {
+                        let both = pair(0);
+                        ([both; 2], if status == Status::Ok { Status::Fold } else { status })
+                    }
+                    [_] => ([nothing, pair(0)], status),
+                    _ => ([pair(0), pair(1)], status),
+                }
+            }
+        };
+        for (side, [a, other]) in [&mut branches.smaller, &mut branches.larger].into_iter().zip(sides) {
+            (side.contact_radius[i], side.uncontrolled[i]) = (a, other);
+        }
+        branches.status[i] = status;
+        tally.passed_on += 1;
+        tally.without_value += usize::from(!matches!(status, Status::Ok | Status::Fold));
+    }
+}
+
+/// One call.
+struct Rows<'a, 's> {
+    inverse: &'a Inverse,
+    constants: &'a Constants,
+    values: &'a [f64],
+    branches: &'a mut Branches<'s>,
+    tally: &'a mut Tally,
+}
+
+impl Work for Rows<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(mut self, arithmetic: A) {
+        match self.constants.held {
+            Held::Indentation => self.rows::<A, false>(arithmetic),
+            Held::Force => self.rows::<A, true>(arithmetic),
+        }
+    }
+}
+
+impl Rows<'_, '_> {
+    #[inline(always)]
+    fn rows<A: Arithmetic, const FORCE: bool>(&mut self, arithmetic: A) {
+        for (row, values) in self.values.chunks(LEN).enumerate() {
+            let mut places = [Place::Between; LEN];
+            // Lanes without an answer compute another one.
+            let mut x: Row = [0.5 * self.constants.fold; LEN];
+            for (i, &value) in values.iter().enumerate() {
+                places[i] = self.constants.place(value);
+                x[i] = if matches!(places[i], Place::Between | Place::OtherSide) { value } else { x[i] };
+            }
+            let larger = self.branch::<A, FORCE>(arithmetic, &x, Branch::Larger);
+            for (x, place) in x.iter_mut().zip(&places) {
+                *x = if *place == Place::Between { *x } else { 0.5 * self.constants.fold };
+            }
+            let smaller = self.branch::<A, FORCE>(arithmetic, &x, Branch::Smaller);
+            for (i, &value) in values.iter().enumerate() {
+                self.set(row * LEN + i, i, value, places[i], [&smaller, &larger]);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn branch<A: Arithmetic, const FORCE: bool>(&self, arithmetic: A, x: &Row, branch: Branch) -> Lanes<LEN> {
+        let mut v = [0.0; LEN];
+        for (v, x) in v.iter_mut().zip(x) {
+            *v = self.constants.first::<A>(*x, branch);
+        }
+        self.constants.solve::<A, FORCE, LEN>(arithmetic, x, v)
+    }
+
+    /// The answer of lane `lane` for the value `i`.
+    #[inline(always)]
+    fn set(&mut self, i: usize, lane: usize, value: f64, place: Place, [smaller, larger]: [&Lanes<LEN>; 2]) {
+        let (has_smaller, has_larger) = (place == Place::Between, matches!(place, Place::Between | Place::OtherSide));
+        let known = (smaller.trusted[lane] | !has_smaller) & (larger.trusted[lane] | !has_larger);
+        if !known | (place == Place::Unclear) {
+            self.inverse.pass_on(value, i, self.branches, self.tally);
+            return;
+        }
+        let Branches { smaller: left, larger: right, status } = &mut *self.branches;
+        for (side, lanes, exists) in [(left, smaller, has_smaller), (right, larger, has_larger)] {
+            side.contact_radius[i] = if exists { lanes.radius[lane] } else { f64::NAN };
+            side.uncontrolled[i] = if exists { lanes.other[lane] } else { f64::NAN };
+        }
+        status[i] = if has_larger { Status::Ok } else { Status::NoEquilibrium };
+        self.tally.without_value += usize::from(!has_larger);
+    }
+}
