@@ -40,13 +40,15 @@ pub fn record(id: &str) -> Option<&'static Record> {
 /// A choice of records: terms separated by blanks or commas, all of which must hold.
 ///
 /// A term is `key=value`, `key!=value` or `key~part` (contains). Keys: `id`, `profile`, `formula`, `quantity`, `unit`,
-/// `control` (`none` where there is none), `status`, `difficulty`, `flag`.
+/// `control` (`none` where there is none), `status`, `difficulty`, `flag`. A value or a part that no record has is refused:
+/// a choice that is empty by a slip of the pen would pass every test.
 ///
 /// ```
 /// use mdr_reference::{Filter, records};
 /// let filter: Filter = "profile=power control=force difficulty!=higher".parse()?;
 /// assert!(records().iter().any(|record| filter.accepts(record)));
 /// assert!("colour=red".parse::<Filter>().is_err());
+/// assert!("profile=sfere".parse::<Filter>().is_err());
 /// # Ok::<(), mdr_reference::FilterError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -91,16 +93,32 @@ enum Relation {
     Contains,
 }
 
-/// A term that is none.
+/// A term that is none, or that no record can meet.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FilterError {
     term: String,
+    /// Of a known key.
+    key: Option<(&'static str, Key)>,
 }
 
 impl fmt::Display for FilterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let keys = KEYS.map(|(name, _)| name).join(", ");
-        write!(f, "{:?} is no condition: expected key=value, key!=value or key~part with one of {keys}", self.term)
+        let Some((name, key)) = self.key else {
+            let keys = KEYS.map(|(name, _)| name).join(", ");
+            return write!(
+                f,
+                "{:?} is no condition: expected key=value, key!=value or key~part with one of {keys}",
+                self.term
+            );
+        };
+        write!(f, "{:?} fits no record", self.term)?;
+        if key == Key::Id {
+            return write!(f, ": there is no such id");
+        }
+        let mut values: Vec<&str> = records().iter().flat_map(|record| key.values(record)).collect();
+        values.sort_unstable();
+        values.dedup();
+        write!(f, ": {name} is one of {}", values.join(", "))
     }
 }
 
@@ -116,15 +134,23 @@ impl FromStr for Filter {
 }
 
 fn term(text: &str) -> Result<Term, FilterError> {
-    let error = || FilterError { term: text.to_owned() };
+    let error = || FilterError { term: text.to_owned(), key: None };
     let at = text.find(['=', '!', '~']).ok_or_else(error)?;
     let (name, rest) = text.split_at(at);
     let (relation, value) = [("!=", Relation::IsNot), ("=", Relation::Is), ("~", Relation::Contains)]
         .into_iter()
         .find_map(|(sign, relation)| rest.strip_prefix(sign).map(|value| (relation, value)))
         .ok_or_else(error)?;
-    let (_, key) = KEYS.into_iter().find(|(key, _)| *key == name).ok_or_else(error)?;
-    if value.is_empty() { Err(error()) } else { Ok(Term { key, relation, value: value.to_owned() }) }
+    let known = KEYS.into_iter().find(|(key, _)| *key == name).ok_or_else(error)?;
+    if value.is_empty() {
+        return Err(error());
+    }
+    let term = Term { key: known.1, relation, value: value.to_owned() };
+    if records().iter().any(|record| term.fits(record)) {
+        Ok(term)
+    } else {
+        Err(FilterError { term: text.to_owned(), key: Some(known) })
+    }
 }
 
 impl Filter {
@@ -139,23 +165,35 @@ impl Filter {
     }
 }
 
+impl Key {
+    /// What a record has under this key: one value, or any number of flags.
+    fn values(self, record: &Record) -> impl Iterator<Item = &str> {
+        let one = match self {
+            Key::Id => Some(record.id.as_str()),
+            Key::Profile => Some(record.profile.as_str()),
+            Key::Formula => Some(record.formula.as_str()),
+            Key::Quantity => Some(record.quantity.as_str()),
+            Key::Unit => Some(record.unit.as_str()),
+            Key::Control => Some(record.control.as_deref().unwrap_or("none")),
+            Key::Status => Some(record.status.name()),
+            Key::Difficulty => Some(record.difficulty.name()),
+            Key::Flag => None,
+        };
+        let flags = if self == Key::Flag { record.flags.as_slice() } else { &[] };
+        one.into_iter().chain(flags.iter().map(String::as_str))
+    }
+}
+
 impl Term {
-    fn holds(&self, record: &Record) -> bool {
-        let fits = |text: &str| match self.relation {
+    /// Whether the record has the value or the part, denied or not.
+    fn fits(&self, record: &Record) -> bool {
+        self.key.values(record).any(|text| match self.relation {
             Relation::Contains => text.contains(&self.value),
             Relation::Is | Relation::IsNot => text == self.value,
-        };
-        let found = match self.key {
-            Key::Id => fits(&record.id),
-            Key::Profile => fits(&record.profile),
-            Key::Formula => fits(&record.formula),
-            Key::Quantity => fits(&record.quantity),
-            Key::Unit => fits(&record.unit),
-            Key::Control => fits(record.control.as_deref().unwrap_or("none")),
-            Key::Status => fits(record.status.name()),
-            Key::Difficulty => fits(record.difficulty.name()),
-            Key::Flag => record.flags.iter().any(|flag| fits(flag)),
-        };
-        found != (self.relation == Relation::IsNot)
+        })
+    }
+
+    fn holds(&self, record: &Record) -> bool {
+        self.fits(record) != (self.relation == Relation::IsNot)
     }
 }

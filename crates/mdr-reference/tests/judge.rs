@@ -87,8 +87,14 @@ fn claims() {
     let small = claimed("-4.712", "\"1e-4\"");
     assert_eq!((small.claim, small.verdict), (Claim::TooSmall, Verdict::Wrong));
     let large = claimed("-4.71238898038469", "0.1");
-    assert_eq!((large.claim, large.verdict), (Claim::Overstated, Verdict::Right));
-    assert_eq!(claimed("-4.712", "NaN").claim, Claim::None);
+    assert_eq!((large.claim, large.verdict), (Claim::Overstated, Verdict::Inaccurate));
+    // It would hold for any answer.
+    let idle = claimed("7", "100");
+    assert_eq!((idle.claim, idle.verdict), (Claim::Overstated, Verdict::Inaccurate));
+    for error in ["NaN", "\"inf\""] {
+        let line = format!(r#"{{"id":"{PULL_OFF}","value":1,"error":{error}}}"#);
+        assert!(Answer::from_json(&line).unwrap_err().contains("finite"), "{error}");
+    }
 }
 
 #[test]
@@ -113,8 +119,15 @@ fn statuses() {
     assert_eq!(answer(r#""value":"inf","status":"overflow""#), Verdict::Right);
     assert_eq!(answer(r#""value":"inf""#), Verdict::Wrong);
     assert_eq!(answer(r#""value":0,"status":"underflow""#), Verdict::Wrong);
+    assert_eq!(answer(r#""value":1.7976931348623157e308,"status":"overflow""#), Verdict::Wrong);
     let mid = &record(OVERFLOW).unwrap().value.as_ref().unwrap().mid;
     assert_eq!(answer(&format!(r#""value":"{mid}""#)), Verdict::Right);
+    for below in records().iter().filter(|record| record.status == Status::Underflow) {
+        let answer = |value: f64| marked(&below.id, &Answer::from(value).with_status(Status::Underflow));
+        assert_eq!(answer(below.nearest()).verdict, Verdict::Right, "{}", below.id);
+        assert_eq!(answer(0.0).verdict, Verdict::Right, "{}", below.id);
+        assert_eq!(answer(42.0).verdict, Verdict::Wrong, "{}", below.id);
+    }
     // There is a number: not to give it is wrong.
     for rest in [r#""status":"no-equilibrium""#, r#""value":NaN"#, r#""value":"nan""#, r#""value":null,"status":"ok""#]
     {
@@ -224,7 +237,7 @@ fn a_solver_in_one_call() {
     assert!(!wrong.passed() && wrong.count(Verdict::Wrong) == wrong.answered(), "{wrong}");
     assert!(wrong.to_string().contains("w = 2γ"));
     let none = judge(records(), |_| None);
-    assert_eq!((none.answered(), none.passed()), (0, true));
+    assert_eq!((none.answered(), none.passed()), (0, false));
 }
 
 /// Infinite ends of ranges become null: every line is JSON.

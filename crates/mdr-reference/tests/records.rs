@@ -102,6 +102,16 @@ fn filters() {
         let error = bad.parse::<Filter>().unwrap_err().to_string();
         assert!(error.contains(bad) && error.contains("difficulty"), "{error}");
     }
+    for (bad, hint) in [
+        ("profile=sfere", "sphere"),
+        ("control==force", "indentation"),
+        ("status!=okay", "no-equilibrium"),
+        ("flag~proven", "all-folds-proved"),
+        ("id=critical/jkr-unit", "no such id"),
+    ] {
+        let error = bad.parse::<Filter>().unwrap_err().to_string();
+        assert!(error.contains(bad) && error.contains(hint), "{error}");
+    }
 }
 
 /// Condition, distance to a fold, decades and |n − 1/2|, read off the records, give the difficulty that is published.

@@ -34,7 +34,7 @@ number or a text, decimal or hexadecimal; the absolute error that it claims not 
 there is no number, \"status\": no-equilibrium, overflow, underflow, domain-error or not-admissible.
 
 right        within the claimed error; without a claim, as good as the question allows in double precision
-inaccurate   without a claim, more digits lost than the question costs (see --excess)
+inaccurate   without a claim, more digits lost than the question costs (see --excess); or an overstated claim
 wrong        further off than it claims, no digit right, or not the kind of answer there is
 digits       log relative error -log10(|value - certified|/|certified|), an interval
 excess loss  log10(relative error/(u max(1, condition))), u = 2^-53: about 0 or below, the question is to blame for the
@@ -100,7 +100,7 @@ impl Judge {
             Format::Table => out.text(self.for_reader(&report))?,
         }
         let strict = !self.strict || report.count(Verdict::Inaccurate) == 0;
-        Ok(report.passed() && strict && report.answered() > 0)
+        Ok(report.passed() && strict)
     }
 
     fn limits(&self) -> Result<Limits> {

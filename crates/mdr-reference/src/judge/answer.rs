@@ -57,6 +57,11 @@ impl Answer {
         Answer { error: error.is_finite().then(|| Decimal::from_double(error.abs())), ..self }
     }
 
+    /// The same, marked: such as the 0 that is left of a number below the range of doubles.
+    pub fn with_status(self, status: Status) -> Self {
+        Answer { status: Some(status), ..self }
+    }
+
     /// A line for `mdr judge`: the answer to the question of this identifier.
     ///
     /// ```
@@ -101,7 +106,10 @@ impl Answer {
             Some(Err(error)) => return Err(format!("value: {error}")),
         };
         let error = match text("error")?.map(str::parse::<Decimal>) {
-            None | Some(Err(DecimalError::NotFinite)) => None,
+            None => None,
+            Some(Err(DecimalError::NotFinite)) => {
+                return Err("error: must be finite; leave it out to claim nothing".to_owned());
+            }
             Some(Ok(error)) if error >= Decimal::default() => Some(error),
             Some(Ok(_)) => return Err("error: must not be negative".to_owned()),
             Some(Err(error)) => return Err(format!("error: {error}")),

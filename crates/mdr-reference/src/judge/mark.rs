@@ -10,7 +10,7 @@ pub enum Verdict {
     /// Within what it claims; or it claims nothing, and is as good as the question allows in double precision, but for
     /// the digits of [`Limits::excess_loss`].
     Right,
-    /// Claims nothing, and has lost more digits than the question costs.
+    /// Claims nothing, and has lost more digits than the question costs; or its claim holds because it is overstated.
     Inaccurate,
     /// Further off than it claims, without a single right digit that the question would have left, or not the kind of
     /// answer that there is.
@@ -37,8 +37,8 @@ pub enum Claim {
     Holds,
     /// The true error is certainly larger.
     TooSmall,
-    /// It holds, but is larger than the true error and than what double precision costs by more than
-    /// [`Limits::overstatement`].
+    /// It holds, but is larger than the true error and than what double precision costs, by more than
+    /// [`Limits::overstatement`]; or as large as the value, where the question leaves a digit.
     Overstated,
 }
 
@@ -131,10 +131,7 @@ pub fn mark(record: &Record, answer: &Answer, limits: &Limits) -> Mark {
         claim: Claim::None,
     };
     match (&answer.value, record.decimal()) {
-        // The 0 or the infinity that is left of a number out of range, marked for what it is.
-        (Some(_), Some(_)) if matches && matches!(status, Status::Overflow | Status::Underflow) => {
-            verdict(Verdict::Right, String::new())
-        }
+        (Some(left), Some(mid)) if matches && is_left_of(left, &mid, status) => verdict(Verdict::Right, String::new()),
         (Some(Number::Finite(value)), Some(mid)) => {
             let mark = number(record, value, &mid, answer.error.as_ref(), limits);
             let mark = Mark { status_matches: matches, ..mark };
@@ -157,6 +154,18 @@ pub fn mark(record: &Record, answer: &Answer, limits: &Limits) -> Mark {
     }
 }
 
+/// Whether this is what double precision leaves of a number out of its range: an infinity; 0, or the nearest subnormal
+/// double.
+fn is_left_of(value: &Number, mid: &Decimal, status: Status) -> bool {
+    match (status, value) {
+        (Status::Overflow, Number::NotFinite) => true,
+        (Status::Underflow, Number::Finite(value)) => {
+            value.is_zero() || (value - mid).abs() <= Decimal::from_double(f64::from_bits(1))
+        }
+        _ => false,
+    }
+}
+
 /// A finite number against a certified one.
 fn number(record: &Record, value: &Decimal, mid: &Decimal, claim: Option<&Decimal>, limits: &Limits) -> Mark {
     let rad = record.value.as_ref().and_then(|value| value.rad.parse().ok()).unwrap_or_default();
@@ -172,9 +181,10 @@ fn number(record: &Record, value: &Decimal, mid: &Decimal, claim: Option<&Decima
     let excess_loss = outward(-lre.high - cost, -lre.low - cost);
     let claim = claim.map_or(Claim::None, |claim| {
         let slack = limits.overstatement + most.log10().max(scale.log10() + cost);
+        let says_nothing = cost < 0.0 && *claim >= scale.abs();
         if least > *claim {
             Claim::TooSmall
-        } else if claim.log10() > slack {
+        } else if says_nothing || claim.log10() > slack {
             Claim::Overstated
         } else {
             Claim::Holds
@@ -183,7 +193,8 @@ fn number(record: &Record, value: &Decimal, mid: &Decimal, claim: Option<&Decima
     let lost = excess_loss.low > limits.excess_loss;
     let (verdict, reason) = match claim {
         Claim::TooSmall => (Verdict::Wrong, "further off than it claims".to_owned()),
-        Claim::Holds | Claim::Overstated => (Verdict::Right, String::new()),
+        Claim::Holds => (Verdict::Right, String::new()),
+        Claim::Overstated => (Verdict::Inaccurate, "the claimed error is overstated".to_owned()),
         Claim::None if lost && lre.high < 1.0 => (Verdict::Wrong, no_digit(value, mid)),
         Claim::None if lost => (Verdict::Inaccurate, "more digits lost than the question costs".to_owned()),
         Claim::None => (Verdict::Right, String::new()),

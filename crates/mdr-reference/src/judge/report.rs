@@ -56,9 +56,9 @@ impl<'a> Report<'a> {
         Report { questions, judged, malformed: none(), unknown: none(), repeated: none() }
     }
 
-    /// Whether no answer is wrong.
+    /// Whether there are answers, and none is wrong.
     pub fn passed(&self) -> bool {
-        self.count(Verdict::Wrong) == 0
+        self.answered() > 0 && self.count(Verdict::Wrong) == 0
     }
 
     /// The number of answers that were judged.
