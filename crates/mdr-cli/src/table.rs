@@ -37,9 +37,11 @@ pub(crate) fn table(header: &[&str]) -> Table {
         return table;
     }
     table.load_style(UTF8_BORDERS_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    // Terminals without a window have no width to tell; some say 0.
+    let width = table.width().filter(|width| *width > 0).unwrap_or(120);
+    table.set_width(width);
     if std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty()) {
-        let width = table.width().unwrap_or(100);
-        table.set_width(width).force_no_tty();
+        table.force_no_tty();
     }
     table
 }

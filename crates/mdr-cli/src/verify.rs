@@ -42,7 +42,7 @@ Exit status: 0 all checks hold, 1 a check failed, 2 bad input.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Verify {
-    /// Fewer cases: less than 20 seconds
+    /// Fewer cases: under a minute
     #[arg(long, conflicts_with = "full")]
     quick: bool,
 

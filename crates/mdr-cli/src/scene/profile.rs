@@ -172,16 +172,26 @@ fn expression(section: &Section<'_>) -> Result<Shape> {
     Ok(Shape::Expression { formula, values })
 }
 
-/// Refuses a formula with f(0) ≠ 0, decided exactly. One that is not defined at 0 is left to its transform.
+/// Refuses a formula with f(0) ≠ 0, decided exactly. Where it is not defined at 0 itself, such as r ln(1 + 1/r), it must fall
+/// on the way there.
 fn zero_at_the_tip(text: &Value<'_>, formula: &Expression, values: &BTreeMap<String, Literal>) -> Result<()> {
     let precision = Precision::new(128);
     let profile = formula.bind::<Interval>(precision, values).map_err(|error| text.refuse(error.to_string()))?;
     let tip = profile.height(&Interval::from_int(precision, 0));
-    if tip.contains_zero() {
+    if tip.is_finite() {
+        if tip.contains_zero() {
+            return Ok(());
+        }
+        let height = tip.approx();
+        return Err(
+            text.refuse(format!("the profile is not zero at the tip, f(0) = {height}; subtract {height} from it"))
+        );
+    }
+    let [near, nearer] = [-1000, -10_000].map(|k| profile.height(&Interval::from_int(precision, 10).powi(k)).abs());
+    if nearer.times(2) < near {
         return Ok(());
     }
-    let height = tip.approx();
-    Err(text.refuse(format!("the profile is not zero at the tip, f(0) = {height}; subtract {height} from it")))
+    Err(text.refuse("the profile does not tend to 0 at the tip, r → 0; heights are measured from there"))
 }
 
 fn unused_parameter(section: &Section<'_>, name: &str, known: &[String]) -> crate::error::Failure {

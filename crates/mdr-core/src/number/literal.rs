@@ -131,7 +131,17 @@ impl Literal {
         self.negative && !self.is_zero()
     }
 
-    /// The nearest double; ±∞ or ±0 where the range of `f64` ends. A fraction of integers beyond 2⁵³ may be one ulp off
+    /// The value of a decimal that is exactly an integer of at most six digits.
+    pub fn small_integer(&self) -> Option<i64> {
+        let places = usize::try_from(self.exponent).ok()?;
+        if self.denominator != "1" || self.digits.len() + places > 6 {
+            return None;
+        }
+        let magnitude: i64 = format!("0{}{}", self.digits, "0".repeat(places)).parse().ok()?;
+        Some(if self.negative { -magnitude } else { magnitude })
+    }
+
+    /// The nearest double; ±∞ or ±0 where the range of `f64` ends. A fraction of integers beyond 2⁵³ may be two ulp off
     /// without the feature `mp`.
     pub fn nearest_f64(&self) -> f64 {
         #[cfg(feature = "mp")]
@@ -142,7 +152,14 @@ impl Literal {
             // `digits` is not empty here or stands for zero; the grammar was checked on the way in.
             format!("0{digits}e{exponent}").parse().unwrap_or(f64::NAN)
         };
-        let magnitude = part(&self.digits, self.exponent) / part(&self.denominator, 0);
+        let magnitude = if self.denominator == "1" {
+            part(&self.digits, self.exponent)
+        } else {
+            // As 0.digits, which cannot leave the range; the shift of the decimal point comes last.
+            let quotient = part(&format!(".{}", self.digits), 0) / part(&format!(".{}", self.denominator), 0);
+            let shift = self.digits.len() as i64 - self.denominator.len() as i64;
+            if shift == 0 { quotient } else { format!("{quotient:?}e{shift}").parse().unwrap_or(f64::NAN) }
+        };
         if self.negative { -magnitude } else { magnitude }
     }
 
@@ -187,7 +204,7 @@ impl fmt::Display for Literal {
     }
 }
 
-/// The exact value of a finite double, as the shortest decimal that reads back as that double.
+/// The shortest decimal that reads back as a finite double: 0.1 is 1/10 here, and not the double next to it.
 impl TryFrom<f64> for Literal {
     type Error = LiteralError;
 
@@ -229,6 +246,32 @@ mod tests {
             ("1/0", ZeroDenominator),
         ] {
             assert_eq!(text.parse::<Literal>(), Err(why), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn fractions() {
+        let value = |text: &str| text.parse::<Literal>().unwrap().nearest_f64();
+        let close = |x: f64, y: f64| (x - y).abs() <= 2.0 * f64::EPSILON * y.abs();
+        let zeros = "0".repeat(400);
+        assert!(close(value("1/3"), 1.0 / 3.0) && close(value("-22/7"), -22.0 / 7.0));
+        assert!(close(value(&format!("1{zeros}/1{zeros}")), 1.0), "neither part is a double");
+        assert!(close(value(&format!("3{zeros}/2{}", "0".repeat(100))), 1.5e300));
+        assert_eq!(
+            (value("0/7"), value(&format!("1{zeros}/7")), value(&format!("7/1{zeros}"))),
+            (0.0, f64::INFINITY, 0.0)
+        );
+    }
+
+    #[test]
+    fn small_integers() {
+        let integer = |text: &str| text.parse::<Literal>().unwrap().small_integer();
+        assert_eq!(
+            [integer("2"), integer("-2.0"), integer("12e3"), integer("0")],
+            [Some(2), Some(-2), Some(12_000), Some(0)]
+        );
+        for text in ["2.5", "2.00000000000000000000001", "4/2", "1e7", "1e-1"] {
+            assert_eq!(integer(text), None, "{text}");
         }
     }
 

@@ -224,10 +224,7 @@ impl Parser {
 fn integer(node: &Node<Constant>) -> Option<i64> {
     match node {
         Node::Negative(x) => integer(x).map(|n| -n),
-        Node::Constant(Constant::Literal(literal)) => {
-            let value = literal.nearest_f64();
-            (value.fract() == 0.0 && value.abs() < 1e6).then_some(value as i64)
-        }
+        Node::Constant(Constant::Literal(literal)) => literal.small_integer(),
         _ => None,
     }
 }
@@ -257,6 +254,9 @@ mod tests {
         assert_eq!(at("sqrt(cos(0*pi))", 1.0), 1.0);
         assert_eq!(at("- -r", 1.0), 1.0);
         assert_eq!(at("(0-2)^3", 1.0), -8.0, "an integer power has any base");
+        assert_eq!(at("(0-2)^3.0e0", 1.0), -8.0);
+        let near = "r^2.00000000000000000000001".parse::<Expression>().unwrap();
+        assert!(matches!(near.root, Node::Operation(Operator::Power, ..)), "no integer, however near to one");
     }
 
     #[test]
