@@ -78,7 +78,7 @@ impl Question {
             let contact = self.contact(precision)?;
             let threshold = threshold(contact.material(), &self.control(precision))?;
             let ratio = contact.profile().coefficient().clone() / &threshold;
-            Ok([kappa_result(precision, &self.exponent), threshold.into(), ratio.into()])
+            Ok([self.kappa_of(&contact), threshold.into(), ratio.into()])
         })?;
         let (threshold, ratio) = (Some(threshold), Some(ratio));
         Ok(Answer { regime: Regime::ScaleFree, kappa, critical: None, folds: Vec::new(), threshold, ratio })
@@ -180,7 +180,13 @@ impl Question {
         let state = contact.critical(&control);
         let [a, d, f] = enclose(&contact, state, &tension, || contact.ln_critical(&control))?;
         let d = exact::indentation(self).map_or(d, Enclosure::Exact);
-        Ok([kappa_result(precision, &self.exponent), a, d, f])
+        Ok([self.kappa_of(&contact), a, d, f])
+    }
+
+    /// κ_n of the contact, exact where it is rational.
+    fn kappa_of(&self, contact: &Contact<Interval>) -> Enclosure {
+        let enclosed = || contact.profile().kappa().clone().into();
+        exact::kappa(&self.exponent).map_or_else(enclosed, Enclosure::Exact)
     }
 
     /// a, d and F at each fold on a machine.
