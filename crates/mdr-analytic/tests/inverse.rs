@@ -596,7 +596,7 @@ fn what_many_values_may_be() {
     assert!(many.at(5)[0].is_nan() && many.at(5)[2] > 0.1 && many.at(5)[3] < 0.0);
     assert_eq!(many.tally, Tally { passed_on: 5, without_value: 5 });
     // n = 1/2 has at most one equilibrium, which is called the larger.
-    let threshold = mdr_analytic::threshold(&unit, &Control::Indentation);
+    let threshold = mdr_analytic::threshold(&unit, &Control::Indentation).unwrap();
     let above = double::Inverse::new(0.5, 2.0 * threshold, &unit, &Control::Indentation).unwrap();
     let many = Many::of(&above, &[-1.0, 1.0]);
     assert_eq!(many.status, [Status::NoEquilibrium, Status::Ok]);
