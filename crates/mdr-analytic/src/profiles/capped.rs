@@ -54,14 +54,14 @@ impl<R: Special> ClosedForm<R> for ParabolicCapCone<R> {
             Some(edge) => self.outer_slope(x, &edge),
         }
     }
-    /// t[(x³ − q³)/3b + ½(x²θ − bq)], with x³ − q³ = (x − q)(x² + xq + q²).
-    fn integral_at(&self, x: &R) -> R {
+    /// t[(x³ − q³)/3b + ½(x²θ − bq)]/x, with x³ − q³ = (x − q)(x² + xq + q²).
+    fn mean_at(&self, x: &R) -> R {
         match Edge::at(x, &self.cap) {
-            None => self.tip.integral_at(x),
+            None => self.tip.mean_at(x),
             Some(edge) => {
-                let squares = x.square() + edge.leg.square() + edge.leg.clone() * x;
-                let cap = self.cap_share(x, &edge) * squares.over(3);
-                (cap + edge.cone_moment(&self.cap)) * &self.slope
+                let lengths = edge.leg.clone() / x * &edge.leg + &edge.leg + x;
+                let cap = self.cap_share(x, &edge) * lengths.over(3);
+                (cap + edge.cone_mean(x, &self.cap)) * &self.slope
             }
         }
     }
@@ -132,24 +132,24 @@ impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
             Some(edge) => self.outer_slope(x, &edge),
         }
     }
-    /// ½(x² − R²) ln[…] + ½(Rx − sq) + ½t(x²θ − bq); well inside R the first two are the difference of two integrals
+    /// [½(x² − R²) ln[…] + ½(Rx − sq) + ½t(x²θ − bq)]/x; well inside R the first two are the difference of two integrals
     /// of a sphere, ½x²m(x/R) − ½q²m(q/s) with m(t) = [t − (1 − t²) artanh t]/t².
-    fn integral_at(&self, x: &R) -> R {
+    fn mean_at(&self, x: &R) -> R {
         let Some(edge) = Edge::at(x, &self.cap) else {
-            return self.tip.integral_at(x);
+            return self.tip.mean_at(x);
         };
         let (radius, s) = (&self.radius, &self.level);
         let sphere = if x.clone().times(2) < *radius {
-            let moment = |leg: &R, radius: &R| leg.square() * atanh_moment(&(leg.clone() / radius));
+            let moment = |leg: &R, radius: &R| leg.clone() / x * leg * atanh_moment(&(leg.clone() / radius));
             moment(x, radius) - moment(&edge.leg, s)
         } else {
-            let area = (x.clone() - radius) * (x.clone() + radius);
+            let area = (x.clone() - radius) * (radius.clone() / x + x.lit(1));
             // Rx − sq without cancellation.
             let sum = radius.clone() * x + s.clone() * &edge.leg;
-            let difference = (s.square() + x.square()) / &sum * &self.cap * &self.cap;
+            let difference = (s.square() + x.square()) / &sum * (self.cap.clone() / x) * &self.cap;
             self.logarithm(x, &edge) * area + difference
         };
-        sphere.over(2) + edge.cone_moment(&self.cap) * &self.slope
+        sphere.over(2) + edge.cone_mean(x, &self.cap) * &self.slope
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         Some(SphericalCapCone {
@@ -181,7 +181,7 @@ fn sine_and_cosine<R: Special>(t: &R) -> [R; 2] {
 fn joint<R: Special>(tip: &impl ClosedForm<R>, b: &R, margin: &R, outer_slope: impl Fn(&R, &Edge<R>) -> R) -> Kink<R> {
     let x = around(b, margin);
     Kink {
-        value: Some((tip.g_at(b), tip.integral_at(b) / b)),
+        value: Some((tip.g_at(b), tip.mean_at(b))),
         inside: Slopes::within(tip.slope_at(&x)),
         outside: Slopes::within(outer_slope(&x, &Edge::beside(b, margin))),
     }

@@ -41,9 +41,9 @@ impl<R: Special> ClosedForm<R> for DisplacedParaboloid<R> {
     fn slope_at(&self, x: &R) -> R {
         (x.clone().times(2) - self.zero()) / &self.radius
     }
-    /// x²(x/3 − πb/4)/R.
-    fn integral_at(&self, x: &R) -> R {
-        (x.clone().over(3) - self.zero().over(2)) / &self.radius * x.square()
+    /// x(x/3 − πb/4)/R.
+    fn mean_at(&self, x: &R) -> R {
+        (x.clone().over(3) - self.zero().over(2)) / &self.radius * x
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         Some(DisplacedParaboloid { radius: length(&self.radius, k)?, offset: length(&self.offset, k)? })
@@ -95,17 +95,17 @@ impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
             Some(edge) => self.outer_slope(x, &edge.leg),
         }
     }
-    /// Beyond b: −(2h/3b²)(x³ − q³) = −(2h/3)(x² + xq + q²)/(x + q).
-    fn integral_at(&self, x: &R) -> R {
+    /// Beyond b: −(2h/3b²)(x³ − q³)/x = −(2h/3)(x² + xq + q²)/x(x + q).
+    fn mean_at(&self, x: &R) -> R {
         match Edge::at(x, &self.radius) {
             None => {
                 let t = x.clone() / &self.radius;
-                -(t.clone() * x).times(2).over(3) * (t * &self.depth)
+                -(t.clone() * &self.depth * t).times(2).over(3)
             }
-            // (x² + xq + q²)/(x + q) = x + q²/(x + q).
+            // (x² + xq + q²)/x(x + q) = 1 + q²/x(x + q).
             Some(edge) => {
                 let share = edge.leg.clone() / &(edge.leg.clone() + x);
-                -(share * edge.leg + x).times(2).over(3) * &self.depth
+                -(share * (edge.leg / x) + x.lit(1)).times(2).over(3) * &self.depth
             }
         }
     }
@@ -173,14 +173,14 @@ impl<R: Special> ClosedForm<R> for EllipticalDimple<R> {
         // t/(1 − t²) − artanh t = t³/(1 − t²) − (artanh t − t): of the order of t³, where the terms are of that of t.
         (steep / &t - atanh_excess(&t)) * &t * (self.depth.clone() / x) * &t
     }
-    /// Beyond b, with t = b/x: −(hx/2)[(1 − t²)(artanh t)/t + 1].
-    fn integral_at(&self, x: &R) -> R {
+    /// Beyond b, with t = b/x: −(h/2)[(1 − t²)(artanh t)/t + 1].
+    fn mean_at(&self, x: &R) -> R {
         if x < &self.radius {
-            return -self.inside.integral_at(x);
+            return -self.inside.mean_at(x);
         }
         let t = self.radius.clone() / x;
         let mean = if t < t.ratio(1, 2) { atanh_excess(&t) * t.square() + t.lit(1) } else { t.atanh() / &t };
-        -((mean * self.rest(x) + t.lit(1)) * &self.depth) * x.clone().over(2)
+        -((mean * self.rest(x) + t.lit(1)) * &self.depth).over(2)
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         let [depth, radius] = [&self.depth, &self.radius].map(|x| length(x, k));

@@ -34,19 +34,22 @@ impl<R: Special> Edge<R> {
         ((margin.lit(2) + margin) * margin).sqrt() * b
     }
 
-    /// ½(x²θ − bq) = ½[q²θ − b²(tan θ − θ)]: the integral of x arccos(b/x).
-    pub(super) fn cone_moment(&self, b: &R) -> R {
+    /// ½(x²θ − bq)/x = ½[q²θ − b²(tan θ − θ)]/x: the mean of x arccos(b/x).
+    pub(super) fn cone_mean(&self, x: &R, b: &R) -> R {
         let excess = tangent_excess(&(self.leg.clone() / b), &self.angle);
-        (self.leg.square() * &self.angle - b.clone() * excess * b).over(2)
+        (self.leg.clone() / x * &self.leg * &self.angle - b.clone() / x * excess * b).over(2)
     }
 
-    /// [q³/3 − ½b(x²θ − bq)]/R: the integral of x(q − bθ)/R, which starts with q⁵/15b²R.
-    pub(super) fn rounded_moment(&self, b: &R, radius: &R) -> R {
+    /// [q³/3 − ½b(x²θ − bq)]/Rx: the mean of x(q − bθ)/R, which starts with q⁵/15b²Rx.
+    pub(super) fn rounded_mean(&self, x: &R, b: &R, radius: &R) -> R {
         let t = self.leg.clone() / b;
         // b³[t³/3 − ½((1 + t²) arctan t − t)] = bq² Σ_{k≥1} (−1)^{k+1} t^{2k+1}/((2k+1)(2k+3))
         match odd_series(&t, -1, |k| (1, (2 * k + 1) * (2 * k + 3))) {
-            Some(series) => series * t.square() * t * self.leg.square() * (b.clone() / radius),
-            None => self.leg.clone() / radius * self.leg.square().over(3) - self.cone_moment(b) * (b.clone() / radius),
+            Some(series) => series * t.square() * t * (self.leg.clone() / x) * &self.leg * (b.clone() / radius),
+            None => {
+                let punch = self.leg.clone() / radius * (self.leg.clone() / x) * self.leg.clone().over(3);
+                punch - self.cone_mean(x, b) * (b.clone() / radius)
+            }
         }
     }
 }
@@ -90,11 +93,11 @@ pub(super) fn atanh_excess<R: Special>(t: &R) -> R {
     odd_series(t, 1, |k| (1, 2 * k + 1)).unwrap_or_else(|| (t.atanh() - t) / (t.square() * t))
 }
 
-/// Σ_{k≥1} s^{k+1} c_k t^{2k−2} for t < 1/8, where the closed forms above lose six bits and more to cancellation; None
-/// for other t. The coefficients c_k = p/q fall with k, so what is left after a term is below 1/63 of that term;
-/// and 2k c_{k+1} < 3/2 (2k−2) c_k, so that what is left of the derivatives is below 1/40 of the last one.
+/// Σ_{k≥1} s^{k+1} c_k t^{2k−2} for t < 1/2, where the closed forms above lose two bits and more to cancellation; None
+/// for other t. The coefficients c_k = p/q fall with k, so what is left after a term is below 1/3 of that term;
+/// and 2k c_{k+1} < 3/2 (2k−2) c_k, so that what is left of the derivatives is below 3/5 of the last one.
 fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i64)) -> Option<R> {
-    if !(*t < t.ratio(1, 8)) {
+    if !(*t < t.ratio(1, 2)) {
         return None;
     }
     let square = t.square().times(sign);
@@ -112,7 +115,7 @@ fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i
         let last = term(&power, k);
         sum += &last;
         if !(last.abs().steer() > negligible) {
-            return Some(sum.inflate_with_slope(&last.over(40)));
+            return Some(sum.inflate_with_slope(&last));
         }
     }
 }

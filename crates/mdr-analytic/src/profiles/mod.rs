@@ -1,4 +1,4 @@
-//! The MDR-transformed profiles g, g' and G = ∫₀ˣ g that are known in closed form.
+//! The MDR-transformed profiles g, g', the mean of g and G = ∫₀ˣ g that are known in closed form.
 //!
 //! Every profile is a small struct with a validating constructor and implements
 //! [`Transform`](mdr_core::contact::Transform). Lengths are in metres, slopes are tan θ. All formulas are generic, so the
@@ -48,8 +48,8 @@ trait ClosedForm<R: Special> {
     fn g_at(&self, x: &R) -> R;
     /// g'(x).
     fn slope_at(&self, x: &R) -> R;
-    /// ∫₀ˣ g.
-    fn integral_at(&self, x: &R) -> R;
+    /// (1/x) ∫₀ˣ g.
+    fn mean_at(&self, x: &R) -> R;
     /// The same profile with all lengths times 2ᵏ; none where one of them leaves the range of the arithmetic.
     fn scaled(&self, k: i64) -> Option<Self>
     where
@@ -99,7 +99,11 @@ macro_rules! transform {
                 $crate::profiles::ranged::evaluate(self, self.checked(x)?, 0, Self::slope_at)
             }
             fn integral(&self, x: &R) -> mdr_core::contact::Result<R> {
-                $crate::profiles::ranged::evaluate(self, self.checked(x)?, 2, Self::integral_at)
+                let integral = |profile: &Self, x: &R| profile.mean_at(x) * x;
+                $crate::profiles::ranged::evaluate(self, self.checked(x)?, 2, integral)
+            }
+            fn mean(&self, x: &R) -> mdr_core::contact::Result<R> {
+                $crate::profiles::ranged::evaluate(self, self.checked(x)?, 1, Self::mean_at)
             }
             fn mean(&self, x: &R) -> mdr_core::contact::Result<R> {
                 $crate::profiles::ranged::evaluate(self, self.checked(x)?, 1, |profile, x| profile.integral_at(x) / x)

@@ -42,7 +42,7 @@ impl<R: Special> ClosedForm<R> for FlatPunch<R> {
     fn slope_at(&self, x: &R) -> R {
         x.lit(0)
     }
-    fn integral_at(&self, x: &R) -> R {
+    fn mean_at(&self, x: &R) -> R {
         x.lit(0)
     }
     fn scaled(&self, k: i64) -> Option<Self> {
@@ -89,11 +89,11 @@ impl<R: Special> ClosedForm<R> for TruncatedCone<R> {
             Some(edge) => (self.flat.clone() / &edge.leg + &edge.angle) * &self.slope,
         }
     }
-    /// ½ tan θ [x²θ − bq] = ½ tan θ [q²θ − b²(tan θ − θ)], with x² = q² + b².
-    fn integral_at(&self, x: &R) -> R {
+    /// ½ tan θ [x²θ − bq]/x = ½ tan θ [q²θ − b²(tan θ − θ)]/x, with x² = q² + b².
+    fn mean_at(&self, x: &R) -> R {
         match Edge::at(x, &self.flat) {
             None => x.lit(0),
-            Some(edge) => edge.cone_moment(&self.flat) * &self.slope,
+            Some(edge) => edge.cone_mean(x, &self.flat) * &self.slope,
         }
     }
     fn scaled(&self, k: i64) -> Option<Self> {
@@ -139,10 +139,10 @@ impl<R: Special> ClosedForm<R> for TruncatedParaboloid<R> {
             Some(edge) => (x.clone() / &edge.leg * x + &edge.leg) / &self.radius,
         }
     }
-    fn integral_at(&self, x: &R) -> R {
+    fn mean_at(&self, x: &R) -> R {
         match Edge::at(x, &self.flat) {
             None => x.lit(0),
-            Some(edge) => edge.leg.clone() / &self.radius * edge.leg.square().over(3),
+            Some(edge) => edge.leg.clone() / &self.radius * (edge.leg.clone() / x) * edge.leg.over(3),
         }
     }
     fn scaled(&self, k: i64) -> Option<Self> {
@@ -199,11 +199,11 @@ impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
             Some(edge) => self.outer_slope(&edge),
         }
     }
-    /// [q³/3 − ½b(x²θ − bq)]/R = ½b³[t³·2/3 − (1 + t²)θ + t]/R with t = tan θ.
-    fn integral_at(&self, x: &R) -> R {
+    /// [q³/3 − ½b(x²θ − bq)]/Rx = ½b³[t³·2/3 − (1 + t²)θ + t]/Rx with t = tan θ.
+    fn mean_at(&self, x: &R) -> R {
         match Edge::at(x, &self.flat) {
             None => x.lit(0),
-            Some(edge) => edge.rounded_moment(&self.flat, &self.radius),
+            Some(edge) => edge.rounded_mean(x, &self.flat, &self.radius),
         }
     }
     fn scaled(&self, k: i64) -> Option<Self> {

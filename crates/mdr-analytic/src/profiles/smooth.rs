@@ -31,8 +31,8 @@ impl<R: Special> ClosedForm<R> for Cone<R> {
     fn slope_at(&self, x: &R) -> R {
         x.pi().over(2) * &self.slope
     }
-    fn integral_at(&self, x: &R) -> R {
-        self.g_at(x).over(2) * x
+    fn mean_at(&self, x: &R) -> R {
+        self.g_at(x).over(2)
     }
     fn scaled(&self, _k: i64) -> Option<Self> {
         Some(self.clone())
@@ -62,8 +62,8 @@ impl<R: Special> ClosedForm<R> for Paraboloid<R> {
     fn slope_at(&self, x: &R) -> R {
         x.clone().times(2) / &self.radius
     }
-    fn integral_at(&self, x: &R) -> R {
-        self.g_at(x) * x.clone().over(3)
+    fn mean_at(&self, x: &R) -> R {
+        self.g_at(x).over(3)
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         Some(Paraboloid { radius: length(&self.radius, k)? })
@@ -92,8 +92,8 @@ impl<R: Special> ClosedForm<R> for Sphere<R> {
     fn slope_at(&self, x: &R) -> R {
         self.0.slope_at(x)
     }
-    fn integral_at(&self, x: &R) -> R {
-        self.0.integral_at(x)
+    fn mean_at(&self, x: &R) -> R {
+        self.0.mean_at(x)
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         Some(Sphere(self.0.scaled(k)?))
@@ -139,11 +139,11 @@ impl<R: Special> ClosedForm<R> for Ellipsoid<R> {
         let t = x.clone() / &self.lateral;
         (t.atanh() + t / self.rest(x)) * self.aspect()
     }
-    /// ½Ac[t − (1 − t²) artanh t] with t = x/A, of which the bracket starts with (2/3)t³: ½cx·t·m(t).
-    fn integral_at(&self, x: &R) -> R {
+    /// ½Ac[t − (1 − t²) artanh t]/x with t = x/A, of which the bracket starts with (2/3)t³: ½c·t·m(t).
+    fn mean_at(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
         let moment = super::edge::atanh_moment(&t);
-        t * &self.height * (moment * x.clone().over(2))
+        t * &self.height * moment.over(2)
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         Some(Ellipsoid { lateral: length(&self.lateral, k)?, height: length(&self.height, k)? })
@@ -181,10 +181,10 @@ impl<R: Special> ClosedForm<R> for Hyperboloid<R> {
             if t > t.lit(1) { (t.clone() + t.clone().inv()).inv() } else { t.clone() / (t.lit(1) + t.square()) };
         (t.atan() + rational) * &self.slope
     }
-    /// ½A²[(1 + t²) arctan t − t] with t = x/A, of which the bracket starts with (2/3)t³: ½x²m(t).
-    fn integral_at(&self, x: &R) -> R {
+    /// ½A²[(1 + t²) arctan t − t]/x with t = x/A, of which the bracket starts with (2/3)t³: ½x·m(t).
+    fn mean_at(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
-        super::edge::atan_moment(&t) * &self.slope * x * x.clone().over(2)
+        super::edge::atan_moment(&t) * &self.slope * x.clone().over(2)
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         Some(Hyperboloid { slope: self.slope.clone(), lateral: length(&self.lateral, k)? })

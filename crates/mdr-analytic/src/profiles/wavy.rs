@@ -51,15 +51,15 @@ impl<R: Struve> ClosedForm<R> for WavyParaboloid<R> {
         let wave = z.struve_h0() + (z.lit(2) / z.pi() - z.struve_h1()) * &z;
         self.paraboloid.slope_at(x) + self.scale() * &self.wavenumber * wave
     }
-    /// x³/3R + (π/2)Ax H₁(kx).
-    fn integral_at(&self, x: &R) -> R {
+    /// x²/3R + (π/2)A H₁(kx).
+    fn mean_at(&self, x: &R) -> R {
         let z = self.wavenumber.clone() * x;
         let wave = match small_h1(&z) {
             // H₁ may be below the range where A H₁ is not.
-            Some(quotient) => self.scale() * &z * x * quotient,
-            None => self.scale() * x * z.struve_h1(),
+            Some(quotient) => self.scale() * &z * quotient,
+            None => self.scale() * z.struve_h1(),
         };
-        self.paraboloid.integral_at(x) + wave
+        self.paraboloid.mean_at(x) + wave
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         let wavelength = length(&self.wavelength, k)?;
