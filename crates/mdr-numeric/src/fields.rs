@@ -65,25 +65,39 @@ impl<'a, R: Special> Fields<'a, R> {
     }
 
     /// The pressure p(r) = (E*/π)[∫ᵣᵃ g'(x)/√(x² − r²) dx − (g(a) − d)/√(a² − r²)] for 0 ≤ r < a, in Pa (Popov & Heß 2014),
-    /// with g(a) − d = Δl away from a wall; negative is tension. With x² = r² + t² the integral is ∫ g'(x)/x dt over
-    /// 0 < t < √(a² − r²).
+    /// with g(a) − d = Δl away from a wall; negative is tension. With q² = a² − r² and x² = r² + q²t² the integral is
+    /// ∫ g'(x) q/x dt over 0 < t < 1, in which no length has to be small or large.
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 ≤ r < a; where the pressure is infinite (the tip of a cone, r = 0) the quadrature does
-    /// not converge and says so.
+    /// not converge and says so. [`Error::OutOfRange`] when it is no number of this arithmetic.
     pub fn pressure(&self, r: &R) -> Result<R> {
         let a = &self.contact_radius;
         if !(*r >= r.lit(0) && r < a) {
             return Err(Error::domain(Quantity::Radius, r, "within the contact, 0 <= r < a"));
         }
         let reach = leg(a, r);
-        let breaks = self.breaks(r, a, |kink| leg(kink, r));
-        let bulk = integrate(&reach, &breaks, |t| {
-            let x = (r.square() + t.square()).sqrt();
-            Ok(self.curve.transform().slope(&x)? / &x)
-        })?;
-        let edge = self.edge.clone() / &reach;
-        Ok((bulk - edge) * self.curve.effective_modulus() / r.pi())
+        let aside = r.clone() / &reach;
+        let mut ends = vec![r.clone()];
+        ends.extend(self.kinks(r, a));
+        ends.push(a.clone());
+        let mut bulk = r.lit(0);
+        for ends in ends.windows(2) {
+            let [lower, upper] = [0, 1].map(|end| leg(&ends[end], r) / &reach);
+            bulk += &integrate(&lower, &upper, &[], |t| {
+                let share = hypotenuse(&aside, t);
+                // Rounding must not lead beyond a kink: a piece in which g' is 0 would have nothing else in it.
+                let x = (share.clone() * &reach).greater(&ends[0]).lesser(&ends[1]);
+                Ok(self.curve.transform().slope(&self.off_axis(x))? / share)
+            })?;
+        }
+        let strain = (bulk - self.edge.clone() / &reach) / r.pi();
+        let pressure = strain.clone() * self.curve.effective_modulus();
+        if pressure.is_finite() && (pressure != r.lit(0) || strain == r.lit(0)) {
+            return Ok(pressure);
+        }
+        let log10 = (strain.abs().ln() + self.curve.effective_modulus().ln()).approx() / std::f64::consts::LN_10;
+        Err(Error::OutOfRange { quantity: Quantity::Parameter("the pressure p"), log10 })
     }
 
     /// The gap between the surfaces at r > a, in m: (2/π) ∫ (g(r cos φ) − d) dφ over 0 < φ < arccos(a/r).
@@ -95,9 +109,9 @@ impl<'a, R: Special> Fields<'a, R> {
     pub fn gap(&self, r: &R) -> Result<R> {
         let a = self.outside(r)?;
         let angle = |x: &R| (leg(r, x) / x).atan();
-        let breaks = self.breaks(a, r, angle);
+        let breaks: Vec<R> = self.kinks(a, r).iter().map(angle).collect();
         let excess = |phi: &R| Ok(self.curve.transform().g(&(phi.cos() * r))? - &self.indentation);
-        Ok(integrate(&angle(a), &breaks, excess)?.times(2) / r.pi())
+        Ok(integrate(&r.lit(0), &angle(a), &breaks, excess)?.times(2) / r.pi())
     }
 
     /// The displacement of the surface at r > a, in m, positive into the half-space:
@@ -108,9 +122,12 @@ impl<'a, R: Special> Fields<'a, R> {
     pub fn displacement(&self, r: &R) -> Result<R> {
         let a = self.outside(r)?;
         let angle = |x: &R| (x.clone() / &leg(r, x)).atan();
-        let breaks = self.breaks(&r.lit(0), a, angle);
-        let depth = |theta: &R| Ok(self.indentation.clone() - self.curve.transform().g(&(theta.sin() * r))?);
-        Ok(integrate(&angle(a), &breaks, depth)?.times(2) / r.pi())
+        let breaks: Vec<R> = self.kinks(&r.lit(0), a).iter().map(angle).collect();
+        let depth = |theta: &R| {
+            let x = self.off_axis(theta.sin() * r);
+            Ok(self.indentation.clone() - self.curve.transform().g(&x)?)
+        };
+        Ok(integrate(&r.lit(0), &angle(a), &breaks, depth)?.times(2) / r.pi())
     }
 
     /// The smallest sampled radius in (a, `until`) where the gap turns negative: there the surfaces would interpenetrate,
@@ -159,24 +176,43 @@ impl<'a, R: Special> Fields<'a, R> {
     /// The contact radius, for a radius outside it.
     fn outside(&self, r: &R) -> Result<&R> {
         let a = &self.contact_radius;
-        if r > a { Ok(a) } else { Err(Error::domain(Quantity::Radius, r, "outside the contact, r > a")) }
+        if r > a && r.is_finite() {
+            Ok(a)
+        } else {
+            Err(Error::domain(Quantity::Radius, r, "finite and outside the contact, r > a"))
+        }
     }
 
-    /// The kinks of g strictly between two radii, as values of the variable of integration.
-    fn breaks(&self, from: &R, to: &R, variable: impl Fn(&R) -> R) -> Vec<R> {
-        let kinks = self.curve.transform().kinks();
-        kinks.iter().filter(|kink| *kink > from && *kink < to).map(variable).collect()
+    /// A radius in the contact, but none so near the axis that it weighs nothing in an integral and may be 0 by rounding.
+    fn off_axis(&self, x: R) -> R {
+        x.greater(&(self.contact_radius.unit_roundoff().square() * &self.contact_radius))
+    }
+
+    /// The kinks of g strictly between two radii.
+    fn kinks(&self, from: &R, to: &R) -> Vec<R> {
+        let mut kinks = self.curve.transform().kinks();
+        kinks.retain(|kink| kink > from && kink < to);
+        kinks
     }
 }
 
 /// √(x² − r²) for x ≥ r.
 fn leg<R: Special>(x: &R, r: &R) -> R {
-    ((x.clone() - r) * (x.clone() + r)).sqrt()
+    (x.clone() - r).sqrt() * (x.clone() + r).sqrt()
 }
 
-/// ∫ f from 0 to `upper`. Where the integrand cancels, rounding may leave less of it than is asked for.
-fn integrate<R: Special>(upper: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<R> {
+/// √(x² + y²) for x, y ≥ 0, without a square that leaves the range.
+fn hypotenuse<R: Special>(x: &R, y: &R) -> R {
+    let (short, long) = if x < y { (x, y) } else { (y, x) };
+    if *long == long.lit(0) {
+        return long.clone();
+    }
+    ((short.clone() / long).square() + long.lit(1)).sqrt() * long
+}
+
+/// ∫ f from `lower` to `upper`. Where the integrand cancels, rounding may leave less of it than is asked for.
+fn integrate<R: Special>(lower: &R, upper: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<R> {
     let goal = roundoff_tolerance(upper);
     let tolerance = Tolerance::new(&goal).or_noise_below(goal.times(4096));
-    Ok(tanh_sinh_pieces(&upper.lit(0), upper, breaks, tolerance, f)?.value)
+    Ok(tanh_sinh_pieces(lower, upper, breaks, tolerance, f)?.value)
 }

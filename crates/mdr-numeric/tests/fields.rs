@@ -1,7 +1,7 @@
 //! Pressure, displacement and gap: against each other, against (1.6), and against Johnson, Kendall and Roberts (1971).
 
 use mdr_core::calculus::quadrature::tanh_sinh;
-use mdr_core::contact::{Control, Material, Profile, Result};
+use mdr_core::contact::{Control, Error, Material, Profile, Result, Transform};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::profiles::{Paraboloid, RoundedPunch, WavyParaboloid};
@@ -104,5 +104,57 @@ fn stiffness_is_the_slope_of_force_against_indentation() -> Result<()> {
     // A central difference is off by (h/a)² of its value, and by rounding u a/h of it.
     assert!((Fields::new(curve, a)?.stiffness()? / difference - 1.0).abs() < 1e-7);
     assert!(Fields::new(curve, a)?.pressure(&0.3).is_err() && Fields::new(curve, a)?.gap(&0.1).is_err());
+    Ok(())
+}
+
+/// The paraboloid of curvature radius R, g = x²/R, without squares.
+struct Ball(f64);
+
+impl Transform<f64> for Ball {
+    fn g(&self, x: &f64) -> Result<f64> {
+        Ok(x / self.0 * x)
+    }
+    fn slope(&self, x: &f64) -> Result<f64> {
+        Ok(x / self.0 * 2.0)
+    }
+    fn integral(&self, x: &f64) -> Result<f64> {
+        Ok(self.mean(x)? * x)
+    }
+    fn mean(&self, x: &f64) -> Result<f64> {
+        Ok(self.g(x)? / 3.0)
+    }
+}
+
+/// Another unit of length changes nothing: when it is a power of two, not even a rounding.
+#[test]
+fn fields_do_not_depend_on_the_unit_of_length() -> Result<()> {
+    let ask = |unit: f64| -> Result<[f64; 6]> {
+        let (ball, material) = (Ball(unit), Material::new(1.0, 1e-4 * unit)?);
+        let fields = Fields::new(Curve::new(&ball, &material, &Control::Indentation), 0.1 * unit)?;
+        let pressure = |r: f64| fields.pressure(&(r * unit));
+        let length = |value: Result<f64>| Ok(value? / unit);
+        let (near, far) = (0.2 * unit, 30.0 * unit);
+        assert!(fields.gap(&f64::INFINITY).is_err() && fields.displacement(&f64::INFINITY).is_err());
+        Ok([
+            pressure(0.0)?,
+            pressure(0.05)?,
+            length(fields.gap(&near))?,
+            length(fields.gap(&far))?,
+            length(fields.displacement(&near))?,
+            length(fields.displacement(&far))?,
+        ])
+    };
+    let expected = ask(1.0)?;
+    for (value, known) in expected.iter().zip([0.038431, f64::NAN, 0.0174644, f64::NAN, -0.00046226, f64::NAN]) {
+        assert!(known.is_nan() || (value / known - 1.0).abs() < 2e-5, "{value} {known}");
+    }
+    for exponent in [-1000, -666, -530, -300, 300, 530, 666, 1000] {
+        assert_eq!(ask(2f64.powi(exponent))?, expected, "2^{exponent}");
+    }
+    let (ball, material) = (Ball(1.0), Material::new(1e308, 1e300)?);
+    let fields = Fields::new(Curve::new(&ball, &material, &Control::Indentation), 100.0)?;
+    let Err(Error::OutOfRange { log10, .. }) = fields.pressure(&0.0) else { panic!("an infinite pressure") };
+    // (2/π)E*a/R, from which adhesion takes nothing.
+    assert!((log10 - 310.0 - (2.0 / std::f64::consts::PI).log10()).abs() < 1e-4, "{log10}");
     Ok(())
 }
