@@ -243,3 +243,88 @@ fn sums_beyond_the_range_tell_their_logarithm() {
     let twice = Sum::new(vec![power(1.0), power(1.0)]);
     assert!(matches!(twice.g(&7e153), Err(Error::OutOfRange { log10, .. }) if log10 > 308.0));
 }
+
+/// The library in f64 with every length times `unit`, and radii on both sides of its edges.
+fn in_units(unit: f64) -> Result<Vec<Named<f64>>> {
+    let [five, one, b] = [5.0, 1.0, 3.0 / 7.0].map(|length| length * unit);
+    Ok(vec![
+        ("cone", Box::new(Cone::new(0.4)?)),
+        ("paraboloid", Box::new(Paraboloid::new(five)?)),
+        ("sphere", Box::new(Sphere::new(five)?)),
+        ("ellipsoid", Box::new(Ellipsoid::new(five, one)?)),
+        ("hyperboloid", Box::new(Hyperboloid::new(0.4, b)?)),
+        ("truncated cone", Box::new(TruncatedCone::new(0.4, b)?)),
+        ("truncated paraboloid", Box::new(TruncatedParaboloid::new(five, b)?)),
+        ("rounded punch", Box::new(RoundedPunch::new(five, b)?)),
+        ("parabolic cap", Box::new(ParabolicCapCone::new(0.4, b)?)),
+        ("spherical cap", Box::new(SphericalCapCone::new(0.4, one)?)),
+        ("displaced paraboloid", Box::new(DisplacedParaboloid::new(five, b)?)),
+        ("parabolic dimple", Box::new(ParabolicDimple::new(one, b)?)),
+        ("elliptical dimple", Box::new(EllipticalDimple::new(one, b)?)),
+        ("wavy paraboloid", Box::new(WavyParaboloid::new(five, 0.02 * unit, unit / 3.0)?)),
+    ])
+}
+
+/// g, its mean and what it is above that are lengths, in range where the square of a length is not.
+#[test]
+fn means_are_in_range_where_g_is() {
+    for unit in [-1000, -550, 530, 1000].map(|k| 2f64.powi(k)) {
+        for ((name, one), (_, other)) in in_units(1.0).unwrap().iter().zip(&in_units(unit).unwrap()) {
+            for x in [0.011, 0.3, 0.43, 0.61, 1.7, 4.0] {
+                let lengths = |profile: &dyn Transform<f64>, x: f64| {
+                    [profile.g(&x), profile.mean(&x), profile.above_mean(&x)].map(Result::unwrap)
+                };
+                let (expected, found) = (lengths(one.as_ref(), x), lengths(other.as_ref(), x * unit));
+                let scale = expected[0].abs();
+                for (part, (expected, found)) in ["g", "mean", "above mean"].iter().zip(expected.iter().zip(found)) {
+                    // The same formula, but for √2 in a root: a dozen roundings, 40 more in a series.
+                    let error = (found / unit - expected).abs();
+                    assert!(error <= 50.0 * f64::EPSILON * scale, "{name}: {part} at {x} · {unit:e}: {error:e}");
+                }
+            }
+        }
+    }
+}
+
+/// Every shape with all its lengths and slopes one.
+fn shapes<R: Struve>(one: &R) -> Result<Vec<Named<R>>> {
+    let one = || one.clone();
+    Ok(vec![
+        ("sphere", Box::new(Sphere::new(one())?)),
+        ("hyperboloid", Box::new(Hyperboloid::new(one(), one())?)),
+        ("truncated cone", Box::new(TruncatedCone::new(one(), one())?)),
+        ("truncated paraboloid", Box::new(TruncatedParaboloid::new(one(), one())?)),
+        ("rounded punch", Box::new(RoundedPunch::new(one(), one())?)),
+        ("parabolic cap", Box::new(ParabolicCapCone::new(one(), one())?)),
+        ("spherical cap", Box::new(SphericalCapCone::new(one(), one())?)),
+        ("parabolic dimple", Box::new(ParabolicDimple::new(one(), one())?)),
+        ("elliptical dimple", Box::new(EllipticalDimple::new(one(), one())?)),
+    ])
+}
+
+/// No integral loses more than a digit beyond what its condition x g/G costs, and 2⁻²⁰ < t < 2²⁰ with x = t and x² = 1 + t².
+#[test]
+fn integrals_lose_at_most_a_digit_more_than_they_must() {
+    let wide = shapes(&number("1")).unwrap();
+    for ((name, narrow), (_, wide)) in shapes(&1.0).unwrap().iter().zip(&wide) {
+        let mut worst = (0.0, 0.0);
+        for step in 0..2000 {
+            let t = 2f64.powf(f64::from(step) / 50.0 - 20.0);
+            for x in [t, (1.0 + t * t).sqrt()] {
+                let exact = Float::with_val(BITS, x);
+                let (Ok(found), Ok(truth)) = (narrow.integral(&x), wide.integral(&exact)) else { continue };
+                if truth == 0 {
+                    assert_eq!(found, 0.0);
+                    continue;
+                }
+                let condition = Float::with_val(BITS, wide.g(&exact).unwrap() * x / &truth).to_f64().abs().max(1.0);
+                let error = Float::with_val(BITS, (found - truth.clone()) / truth).to_f64().abs();
+                let loss = (error / (f64::EPSILON / 2.0 * condition)).log10();
+                if loss > worst.1 {
+                    worst = (x, loss);
+                }
+            }
+        }
+        assert!(worst.1 < 1.0, "{name}: {} digits at {}", worst.1, worst.0);
+    }
+}

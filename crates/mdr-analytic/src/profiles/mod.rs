@@ -105,9 +105,6 @@ macro_rules! transform {
             fn mean(&self, x: &R) -> mdr_core::contact::Result<R> {
                 $crate::profiles::ranged::evaluate(self, self.checked(x)?, 1, Self::mean_at)
             }
-            fn mean(&self, x: &R) -> mdr_core::contact::Result<R> {
-                $crate::profiles::ranged::evaluate(self, self.checked(x)?, 1, |profile, x| profile.integral_at(x) / x)
-            }
             fn outer_radius(&self) -> Option<R> {
                 self.end().cloned()
             }
