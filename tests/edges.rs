@@ -1,9 +1,10 @@
 //! Contacts whose edge meets an edge of the profile, in f64: g' has an inverse root there, or g is −∞.
 
-use mdr_analytic::profiles::{EllipticalDimple, Paraboloid, Sum, TruncatedCone, TruncatedParaboloid};
+use mdr_analytic::profiles::{EllipticalDimple, ParabolicDimple, Paraboloid, Sum, TruncatedCone, TruncatedParaboloid};
 use mdr_core::contact::{Control, Error, Material, Result, Stability, Transform};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
+use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{Branches, equilibria};
 use mdr_numeric::folds::{Completeness, find};
 use mdr_numeric::path::{EventKind, Ledger, Loss, Path, Start};
@@ -120,6 +121,48 @@ fn the_ledger_of_a_truncated_tip_closes() -> Result<()> {
         // The bound is that of roundings, not of a quadrature that stops at the edge.
         assert!(balance.bound < 1e-10 * balance.work, "{balance:?}");
         assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
+    }
+    Ok(())
+}
+
+/// Energy and force find the same states of contacts with an edge.
+#[test]
+fn the_energy_is_stationary_at_the_same_states() -> Result<()> {
+    let glue = glue()?;
+    let cone = TruncatedCone::new(0.2, EDGE)?;
+    let paraboloid = TruncatedParaboloid::new(1.0, EDGE)?;
+    let ridge: Sum<f64> = Sum::new(vec![Box::new(Paraboloid::new(1.0)?), Box::new(ParabolicDimple::new(0.003, EDGE)?)]);
+    let (shallow, deep) = (dimple(0.001)?, dimple(0.003)?);
+    let tips: [(&dyn Transform<f64>, &[f64]); 5] = [
+        (&cone, &[0.01, -0.0079]),
+        (&paraboloid, &[0.0]),
+        (&ridge, &[-0.005]),
+        (&shallow, &[0.0, -0.001]),
+        (&deep, &[-0.003]),
+    ];
+    for (tip, values) in tips {
+        for value in values {
+            for (control, value) in [(Control::Indentation, *value), (Control::Force, 0.1 * value)] {
+                let by_energy = Energy::new(tip, &glue)?.equilibria(&control, &value)?;
+                let by_force = equilibria(tip, &glue, &control, &value)?;
+                let curve = Curve::new(tip, &glue, &control);
+                assert_eq!(by_energy.len(), by_force.len(), "{control:?} {value}: {by_energy:?} {by_force:?}");
+                for (one, other) in by_energy.iter().zip(by_force.iter()) {
+                    let a = other.contact_radius;
+                    // 128 roundings of g, Δl and d over the slope of the direction of change, by a difference.
+                    let shift = 1e-4 * (a - EDGE).abs().min(a);
+                    let slope = (curve.direction(&(a + shift), &value)? - curve.direction(&(a - shift), &value)?)
+                        / (2.0 * shift);
+                    let size = tip.g(&a)?.abs() + curve.detachment_elongation(&a) + other.indentation.abs();
+                    let allowed = 128.0 * f64::EPSILON * (size / slope.abs() + a);
+                    assert!(
+                        (one.contact_radius - a).abs() <= allowed,
+                        "{control:?} {value}: {one:?} {other:?} {allowed}"
+                    );
+                    assert_eq!(one.stability, other.stability);
+                }
+            }
+        }
     }
     Ok(())
 }

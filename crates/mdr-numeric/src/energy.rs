@@ -6,13 +6,16 @@
 //!
 //! In units of 2πa²w: Π/(2πa²w) = ∫₀¹ v² dt − 1/2 with v = (d − g(at))/√(2πaw/E*), which is in range at any scale.
 
+mod mean;
+
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, quadrature::tanh_sinh_pieces, roundoff_tolerance};
+use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh_pieces, roundoff_tolerance};
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
 use crate::curve::relative_elongation;
 use crate::survey::{self, Crossing, Range};
+use mean::Grade;
 
 /// The potential energy of a profile in contact.
 ///
@@ -34,14 +37,6 @@ pub struct Energy<'a, R: Real> {
     tip: Option<R>,
 }
 
-/// How well an integral is needed.
-enum Grade<R> {
-    /// To a sixteenth of itself or of this scale, for finding the crossings.
-    Coarse(R),
-    /// To rounding.
-    Full,
-}
-
 /// How far a search has come.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Search {
@@ -50,9 +45,6 @@ enum Search {
     /// To know them.
     Full,
 }
-
-/// Nodes of a coarse integral, and of the one that it is compared with.
-const COARSE: [usize; 2] = [12, 8];
 
 impl<'a, R: Real> Energy<'a, R> {
     /// The energy of a transformed profile against a material.
@@ -141,10 +133,14 @@ impl<'a, R: Real> Energy<'a, R> {
     /// [`Energy::equilibria`]. It is known to a few roundings of the energy.
     fn varied(&self, a: &R, d: &R, grade: &Grade<R>) -> Result<R> {
         // a d/da of a ∫ v(at)² dt, with the unit of v held: the dual's slope is a d/da.
+        // Only the piece from the last kink b on moves with a, so there it is (a − b) d/da, x − b and the mean over it: g' may
+        // have an inverse root or a pole at b, and (x − b)g' has not.
         let unit = self.unit(a);
-        self.mean(a, grade, |x| {
+        let edge = self.transform.kinks().into_iter().rfind(|kink| kink < a);
+        let from = edge.clone().unwrap_or_else(|| a.lit(0));
+        self.mean_beyond(edge.as_ref(), a, grade, |x| {
             let radius = Dual { value: a.lit(1), slope: a.lit(1) };
-            let x = Dual { value: x.clone(), slope: x.clone() };
+            let x = Dual { value: x.clone(), slope: x.clone() - &from };
             let g = if vanishes(&x.value) {
                 x.lit(0)
             } else {
@@ -222,65 +218,6 @@ impl<'a, R: Real> Energy<'a, R> {
         }
         Ok(found)
     }
-
-    /// (1/a) ∫₀ᵃ h(x) dx.
-    ///
-    /// g may itself be noisy, up to √u.
-    fn mean(&self, a: &R, grade: &Grade<R>, mut h: impl FnMut(&R) -> Result<R>) -> Result<R> {
-        if let Grade::Coarse(scale) = grade
-            && let Some(value) = self.coarse(a, scale, &mut h)?
-        {
-            return Ok(value);
-        }
-        let tolerance = Tolerance::new(&roundoff_tolerance(a).times(4)).or_noise_below(a.unit_roundoff().sqrt());
-        Ok(self.full(a, tolerance, &mut h)?.value)
-    }
-
-    /// None where the terms of the integral cancel so far that its error might matter.
-    fn coarse(&self, a: &R, scale: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Option<R>> {
-        let (value, error) = match &self.tip {
-            Some(p) => {
-                let inverse = p.clone().inv();
-                let beta = inverse.clone() - a.lit(1);
-                let mut by = |nodes| -> Result<R> {
-                    let rule = gauss_jacobi::rule(nodes, &a.lit(0), &beta)?;
-                    Ok(rule.integrate(|tau| h(&(tau.pow(&inverse) * a)))? * &inverse)
-                };
-                let (fine, rough) = (by(COARSE[0])?, by(COARSE[1])?);
-                (fine.clone(), (fine - rough).abs())
-            }
-            None => {
-                let Estimate { value, error, .. } = self.double_exponential(a, &a.ratio(1, 10_000), h)?;
-                (value, error)
-            }
-        };
-        // Infinite terms are as large as need be, and their error is no number.
-        let uncertain = error.times(16) > value.abs() + scale;
-        Ok((!uncertain).then_some(value))
-    }
-
-    /// In τ = tᵖ, t = x/a, whole powers of g are analytic: Gauss–Jacobi with the weight τ^(1/p−1). Where that does not
-    /// converge and beside kinks, tanh-sinh.
-    fn full(&self, a: &R, tolerance: Tolerance<R>, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
-        let Some(p) = &self.tip else { return self.double_exponential(a, tolerance, h) };
-        let inverse = p.clone().inv();
-        let beta = inverse.clone() - a.lit(1);
-        match gauss_jacobi::integrate(&a.lit(0), &beta, tolerance.clone(), |tau| h(&(tau.pow(&inverse) * a))) {
-            Ok(estimate) => Ok(scaled(estimate, &inverse)),
-            Err(Error::NoConvergence { .. }) => self.double_exponential(a, tolerance, h),
-            Err(error) => Err(error),
-        }
-    }
-
-    fn double_exponential(
-        &self,
-        a: &R,
-        tolerance: impl Into<Tolerance<R>>,
-        h: &mut impl FnMut(&R) -> Result<R>,
-    ) -> Result<Estimate<R>> {
-        let integral = tanh_sinh_pieces(&a.lit(0), a, &self.transform.kinks(), tolerance, h)?;
-        Ok(scaled(integral, &a.clone().inv()))
-    }
 }
 
 /// An energy, unless it is no number of this arithmetic: then the log₁₀ of the product of these factors.
@@ -291,10 +228,6 @@ fn in_range<R: Real, const N: usize>(energy: R, reduced: &R, factors: [R; N]) ->
         return Err(Error::OutOfRange { quantity: Quantity::Energy, log10 });
     }
     Ok(energy)
-}
-
-fn scaled<R: Real>(estimate: Estimate<R>, factor: &R) -> Estimate<R> {
-    Estimate { value: estimate.value * factor, error: estimate.error * factor, ..estimate }
 }
 
 /// g(x), zero where x is.
