@@ -24,7 +24,7 @@ use crate::curve::relative_elongation;
 /// use mdr_numeric::{profiles::Paraboloid, springs::Foundation, transform::Quadrature};
 /// let (ball, glue) = (Quadrature::new(Paraboloid::new(1.0)?), Material::new(1.0, 1.0)?);
 /// let foundation = Foundation::new(&ball, &glue, 1e-3, 2000)?;
-/// let breaks = foundation.pull(2000, &Control::Indentation);
+/// let breaks = foundation.pull(2000, &Control::Indentation)?;
 /// assert_eq!(breaks.len(), 1);
 /// assert_eq!(breaks[0].outcome, Outcome::Detached);
 /// let jkr = (std::f64::consts::PI / 8.0).cbrt(); // a³ = πwR²/(8E*)
@@ -83,19 +83,44 @@ impl<R: Real> Foundation<R> {
     }
 
     /// The sum of the spring forces with the springs −i…i in contact at indentation `d`, in N.
-    pub fn force(&self, i: usize, d: &R) -> R {
+    ///
+    /// # Errors
+    /// [`Error::Domain`] when there is no spring i, or d is not finite.
+    pub fn force(&self, i: usize, d: &R) -> Result<R> {
+        self.check(i, d)?;
+        Ok(self.force_on(i, d))
+    }
+
+    fn force_on(&self, i: usize, d: &R) -> R {
         let count = i64::try_from(2 * i + 1).unwrap_or(i64::MAX);
         (d.clone().times(count) - &self.heights[i]) * &self.stiffness
     }
 
     /// Elongation of spring i at indentation `d`, in m; negative when it is compressed.
-    pub fn elongation(&self, i: usize, d: &R) -> R {
-        self.profile[i].clone() - d
+    ///
+    /// # Errors
+    /// As [`Foundation::force`].
+    pub fn elongation(&self, i: usize, d: &R) -> Result<R> {
+        self.check(i, d)?;
+        Ok(self.profile[i].clone() - d)
+    }
+
+    fn check(&self, i: usize, d: &R) -> Result<()> {
+        if i >= self.profile.len() {
+            let quantity = Quantity::Parameter("the number of a spring");
+            let requirement = "at most that of the outermost spring";
+            return Err(Error::Domain { quantity, value: i.to_string(), requirement });
+        }
+        Error::require_finite(Quantity::Indentation, d)
     }
 
     /// Pulls with the springs up to `start` in contact until the contact breaks. Springs detach one by one; where the
     /// loss of one lets others follow by themselves, that is an instability. All of them, in the order they happen.
-    pub fn pull(&self, start: usize, control: &Control<R>) -> Vec<Cascade<R>> {
+    ///
+    /// # Errors
+    /// As [`Control::check`].
+    pub fn pull(&self, start: usize, control: &Control<R>) -> Result<Vec<Cascade<R>>> {
+        control.check()?;
         let mut cascades = Vec::new();
         let mut i = start.min(self.profile.len() - 1);
         while i > 0 {
@@ -110,13 +135,17 @@ impl<R: Real> Foundation<R> {
             }
             i = rest;
         }
-        cascades
+        Ok(cascades)
     }
 
     /// Presses with the springs up to `start` in contact until all are. Springs attach one by one; where one brings others
     /// with it, that is an instability. All of them, in the order they happen; one that reaches the last spring has come to
     /// complete contact.
-    pub fn press(&self, start: usize, control: &Control<R>) -> Vec<Cascade<R>> {
+    ///
+    /// # Errors
+    /// As [`Control::check`].
+    pub fn press(&self, start: usize, control: &Control<R>) -> Result<Vec<Cascade<R>>> {
+        control.check()?;
         let last = self.profile.len() - 1;
         let mut cascades = Vec::new();
         let mut i = start;
@@ -133,31 +162,35 @@ impl<R: Real> Foundation<R> {
             }
             i = rest;
         }
-        cascades
+        Ok(cascades)
     }
 
     /// The number of the outermost spring of the largest contact that is at rest at `value` of the controlled quantity; none
     /// where every contact shrinks to nothing or grows to the last spring.
-    pub fn largest_at_rest(&self, control: &Control<R>, value: &R) -> Option<usize> {
+    ///
+    /// # Errors
+    /// As [`Control::check_value`].
+    pub fn largest_at_rest(&self, control: &Control<R>, value: &R) -> Result<Option<usize>> {
+        control.check_value(value)?;
         let at_rest = |i: &usize| self.detaching(*i, control) <= *value && self.attaching(*i, control) > *value;
-        (1..self.profile.len() - 1).rev().find(at_rest)
+        Ok((1..self.profile.len() - 1).rev().find(at_rest))
     }
 
     /// The controlled quantity at which the outermost spring i detaches.
     fn detaching(&self, i: usize, control: &Control<R>) -> R {
         let d = &self.critical[i];
-        control.controlled(d, &self.force(i, d))
+        control.controlled(d, &self.force_on(i, d))
     }
 
     /// The controlled quantity at which the spring outside the outermost spring i attaches.
     fn attaching(&self, i: usize, control: &Control<R>) -> R {
         let d = &self.critical[i + 1];
-        control.controlled(d, &self.force(i, d))
+        control.controlled(d, &self.force_on(i, d))
     }
 
     fn cascade(&self, i: usize, d: &R, kind: FoldKind, outcome: Outcome<R>) -> Cascade<R> {
         let instability =
-            Instability { contact_radius: self.position(i), indentation: d.clone(), force: self.force(i, d), kind };
+            Instability { contact_radius: self.position(i), indentation: d.clone(), force: self.force_on(i, d), kind };
         Cascade { instability, outcome }
     }
 }

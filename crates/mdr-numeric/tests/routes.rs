@@ -131,8 +131,8 @@ fn spring_errors(
         let reach = (2.0 * fold.contact_radius / spacing) as usize;
         let foundation = Foundation::new(transform, material, spacing, reach).unwrap();
         let cascades = match fold.kind {
-            FoldKind::Minimum => foundation.pull(reach, control),
-            FoldKind::Maximum => foundation.press(1, control),
+            FoldKind::Minimum => foundation.pull(reach, control).unwrap(),
+            FoldKind::Maximum => foundation.press(1, control).unwrap(),
         };
         let [cascade] = cascades.as_slice() else { panic!("one instability, not {cascades:?}") };
         let expected = if fold.kind == FoldKind::Minimum { Outcome::Detached } else { Outcome::CompleteContact };
@@ -210,10 +210,10 @@ fn springs_follow_the_jumps_of_a_wavy_profile() {
         (Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1).unwrap()), Material::new(1.0, 1e-4).unwrap());
     let spacing = 2e-5;
     let foundation = Foundation::new(&profile, &material, spacing, 7500).unwrap();
-    let start = foundation.largest_at_rest(&Control::Indentation, &0.0).unwrap();
+    let start = foundation.largest_at_rest(&Control::Indentation, &0.0).unwrap().unwrap();
     assert_relative_eq!(foundation.position(start), 0.0926, epsilon = 1e-4);
     let found = folds(&profile, &material, &Control::Indentation).unwrap();
-    let cascades = foundation.pull(start, &Control::Indentation);
+    let cascades = foundation.pull(start, &Control::Indentation).unwrap();
     assert_eq!(cascades.len(), 2);
     assert_relative_eq!(cascades[0].instability.contact_radius, found[2].contact_radius, epsilon = spacing);
     assert_relative_eq!(cascades[1].instability.contact_radius, found[0].contact_radius, epsilon = spacing);
@@ -230,4 +230,12 @@ fn bad_foundations_are_refused() {
     assert!(Foundation::new(&ball, &material, 0.1, 0).is_err());
     let sphere = Quadrature::new(Sphere::new(1.0).unwrap());
     assert!(Foundation::new(&sphere, &material, 0.1, 10).is_err());
+
+    let foundation = Foundation::new(&ball, &material, 0.1, 10).unwrap();
+    assert!(foundation.force(10, &0.0).is_ok() && foundation.elongation(10, &0.0).is_ok());
+    assert!(foundation.force(11, &0.0).is_err() && foundation.elongation(11, &0.0).is_err());
+    assert!(foundation.force(1, &f64::NAN).is_err());
+    let machine = Control::Machine { stiffness: -1.0 };
+    assert!(foundation.pull(10, &machine).is_err() && foundation.press(1, &machine).is_err());
+    assert!(foundation.largest_at_rest(&Control::Force, &f64::NAN).is_err());
 }

@@ -156,3 +156,16 @@ fn fifty_digits() {
     assert!(error(g.value, like.pi().over(6)) < bound);
     assert!(error(sphere.g(&x).unwrap(), x.clone() * x.atanh()) < bound);
 }
+
+#[test]
+fn one_node_claims_nothing() {
+    let ball = Quadrature::new(Paraboloid::new(1.0).unwrap()).with_rule(Rule::Gauss { nodes: 1 });
+    // g(1) = 1.
+    let estimate = ball.g_estimate(&1.0).unwrap();
+    assert!((estimate.value - 1.0).abs() > 1e-4 && (estimate.value - 1.0).abs() <= estimate.error, "{estimate:?}");
+    // With a kink it goes piece by piece.
+    let punch = Quadrature::new(RoundedPunch::new(1.0, 0.1).unwrap());
+    let exact = punch.g_estimate(&1.0).unwrap().value;
+    let estimate = punch.with_rule(Rule::Gauss { nodes: 1 }).g_estimate(&1.0).unwrap();
+    assert!((estimate.value - exact).abs() <= estimate.error, "{estimate:?} {exact}");
+}

@@ -204,7 +204,9 @@ impl<R: Real> Rule<R> {
     pub fn integrate_with_estimate(&self, mut f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
         let smaller = rule(self.nodes.len().div_ceil(2), &self.alpha, &self.beta)?;
         let (value, magnitude) = self.sums(&mut f)?;
-        let error = ((smaller.integrate(&mut f)? - &value).abs() + rounding(&magnitude, ROUNDINGS)).steer();
+        let distance =
+            if self.nodes.len() == 1 { magnitude.clone() } else { (smaller.integrate(&mut f)? - &value).abs() };
+        let error = (distance + rounding(&magnitude, ROUNDINGS)).steer();
         Ok(Estimate { value, error, evaluations: self.nodes.len() + smaller.nodes.len() })
     }
 

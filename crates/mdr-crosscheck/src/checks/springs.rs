@@ -42,9 +42,9 @@ fn case(trial: &mut Trial<'_>) -> Result<()> {
     let foundation = Foundation::new(&transform, &material, spacing, reach)?;
     let pull_off = n > 0.5;
     let (cascades, end) = if pull_off {
-        (foundation.pull(reach, &Control::Indentation), Outcome::Detached)
+        (foundation.pull(reach, &Control::Indentation)?, Outcome::Detached)
     } else {
-        (foundation.press(1, &Control::Indentation), Outcome::CompleteContact)
+        (foundation.press(1, &Control::Indentation)?, Outcome::CompleteContact)
     };
     trial.demand("one instability, and what it ends in", cascades.len() == 1 && cascades[0].outcome == end);
     let Some(cascade) = cascades.first() else { return Ok(()) };

@@ -80,8 +80,8 @@ impl Table {
 ///
 /// With u the unit roundoff, L = 16 + 2 log₂(rows) and M(x) = Σᵢ |Δfᵢ/Δrᵢ| Δθᵢ (θ = arcsin(r/x); x M is g itself for a
 /// profile that rises straight from row to row), rounding errors are below L u x M for g and L u x² M for G, however
-/// close x is to a row. That of g' is below L u Σᵢ (1 + rᵢ₊₁/Δrᵢ) |Δfᵢ/Δrᵢ| Δθᵢ, since f'' is a second difference of the
-/// data. An evaluation costs O(log rows) in f64. Beyond 64 bits it costs O(rows), and rounding at worst (rows) u more.
+/// close x is to a row. That of g' is below 4L u Σᵢ (1 + rᵢ₊₁/Δrᵢ) |Δfᵢ/Δrᵢ| Δθᵢ: f'' is a second difference of the data,
+/// and between the slopes that are allowed |f'| is up to three times, |Δrᵢ f''| up to twelve times |Δfᵢ/Δrᵢ|. An evaluation costs O(log rows) in f64. Beyond 64 bits it costs O(rows), and rounding at worst (rows) u more.
 /// Over intervals every piece is summed too, and the result is an enclosure for every table whose decimals the rows may
 /// be; radii that straddle a row are refused, and [`Transform::kink`](mdr_core::contact::Transform::kink) tells what is
 /// known there.

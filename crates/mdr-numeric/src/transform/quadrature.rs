@@ -223,12 +223,14 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         }
     }
 
-    /// The rule of the caller's size; its error is the distance from the rule of half that size, hence far too large.
+    /// The rule of the caller's size; its error is the distance from the rule of half that size, hence far too large. One node
+    /// has none to compare with, and an error as large as the integral.
     fn fixed(&self, x: &R, count: usize, integrand: Integrand) -> Result<Estimate<R>> {
         let rules = self.fixed_rules(x, count)?;
         let (value, magnitude, fine) = self.sum(&rules.fine, x, integrand);
         let (coarse, _, fewer) = self.sum(&rules.coarse, x, integrand);
-        let error = (value.clone() - coarse).abs() + magnitude.unit_roundoff().times(4) * &magnitude;
+        let distance = if count == 1 { magnitude.clone() } else { (value.clone() - coarse).abs() };
+        let error = distance + magnitude.unit_roundoff().times(4) * &magnitude;
         Ok(Estimate { value, error, evaluations: fine + fewer })
     }
 

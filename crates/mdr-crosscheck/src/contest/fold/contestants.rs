@@ -198,7 +198,7 @@ fn foundation(question: &Question, springs: usize) -> Result<Found> {
     let spacing = question.reach / springs as f64;
     let foundation = Foundation::new(&transform, &question.material()?, spacing, springs)?;
     let breaks = question.breaks();
-    let cascades = if breaks { foundation.pull(springs, &CONTROL) } else { foundation.press(1, &CONTROL) };
+    let cascades = if breaks { foundation.pull(springs, &CONTROL)? } else { foundation.press(1, &CONTROL)? };
     let found = &cascades.first().ok_or_else(|| nothing(spacing))?.instability;
     // Under pressure the spring that is named is the last one at rest; its outer neighbour is critical.
     let radius = if breaks { found.contact_radius } else { found.contact_radius + spacing };
