@@ -153,7 +153,7 @@ fn the_energy_is_stationary_at_the_same_states() -> Result<()> {
                     let shift = 1e-4 * (a - EDGE).abs().min(a);
                     let slope = (curve.direction(&(a + shift), &value)? - curve.direction(&(a - shift), &value)?)
                         / (2.0 * shift);
-                    let size = tip.g(&a)?.abs() + curve.detachment_elongation(&a) + other.indentation.abs();
+                    let size = tip.g(&a)?.abs() + curve.detachment_elongation(&a)? + other.indentation.abs();
                     let allowed = 128.0 * f64::EPSILON * (size / slope.abs() + a);
                     assert!(
                         (one.contact_radius - a).abs() <= allowed,

@@ -133,7 +133,7 @@ pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> R
     }
     let stable = match first {
         Some(fold) => fold.kind == FoldKind::Maximum,
-        None => match curve.tangency(&close)?.partial_cmp(&curve.threshold(&close)) {
+        None => match curve.tangency(&close)?.partial_cmp(&curve.threshold_at(&close)) {
             Some(order) => order == Ordering::Greater,
             None => return Err(undecided("whether contact grows smoothly from a point")),
         },

@@ -52,8 +52,14 @@ impl<'a, R: Real> Curve<'a, R> {
 
     /// Δl(a) = √(2πaw/E*), the rule of Heß (1.4), in m.
     ///
-    /// Written as a√(2πℓ/a), which stays in range where the product aw does not.
-    pub fn detachment_elongation(&self, a: &R) -> R {
+    /// # Errors
+    /// [`Error::Domain`] unless a is positive and finite.
+    pub fn detachment_elongation(&self, a: &R) -> Result<R> {
+        Ok(self.elongation(&Error::require_positive(Quantity::ContactRadius, a.clone())?))
+    }
+
+    /// The same for a > 0, written as a√(2πℓ/a), which stays in range where the product aw does not.
+    pub(crate) fn elongation(&self, a: &R) -> R {
         a.clone() * self.root(a)
     }
 
@@ -67,7 +73,7 @@ impl<'a, R: Real> Curve<'a, R> {
     /// # Errors
     /// As [`Transform::g`].
     pub fn indentation(&self, a: &R) -> Result<R> {
-        Ok(self.transform.g(a)? - self.detachment_elongation(a))
+        Ok(self.transform.g(a)? - self.elongation(a))
     }
 
     /// F(a) = 2E* ∫₀ᵃ (d − g) dx (1.6) = 2E*a (g − Δl − mean of g), in N.
@@ -80,7 +86,7 @@ impl<'a, R: Real> Curve<'a, R> {
 
     /// d less the mean of g, in equilibrium.
     fn depth_below_mean(&self, a: &R) -> Result<R> {
-        Ok(self.transform.above_mean(a)? - self.detachment_elongation(a))
+        Ok(self.transform.above_mean(a)? - self.elongation(a))
     }
 
     /// The force of (1.6) at a contact radius and an indentation that need not be in equilibrium.
@@ -141,8 +147,14 @@ impl<'a, R: Real> Curve<'a, R> {
     /// it is positive (1.8), grows where it is negative (1.9) and is in equilibrium where it vanishes.
     ///
     /// # Errors
-    /// As [`Transform::mean`].
+    /// As [`Control::check_value`] and [`Transform::mean`].
     pub fn direction(&self, a: &R, value: &R) -> Result<R> {
+        self.control.check_value(value)?;
+        self.direction_at(a, value)
+    }
+
+    /// The same at a value that is known to be one.
+    pub(crate) fn direction_at(&self, a: &R, value: &R) -> Result<R> {
         Ok(self.indentation(a)? - self.held_indentation(a, value)?)
     }
 
@@ -164,7 +176,16 @@ impl<'a, R: Real> Curve<'a, R> {
     /// With d' = g' − Δl' and, from (1.6) along the curve, F' = 2E*(a d' − Δl), the condition d' + F'/k = 0 reads
     /// g'/Δl' = (k + 6E*a)/(k + 2E*a): 1 for fixed grips (k → ∞), 3 for a dead load (k → 0). Equilibria are stable where
     /// the ratio exceeds it.
-    pub fn threshold(&self, a: &R) -> R {
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless a and the stiffness of a machine are positive and finite.
+    pub fn threshold(&self, a: &R) -> Result<R> {
+        self.control.check()?;
+        Ok(self.threshold_at(&Error::require_positive(Quantity::ContactRadius, a.clone())?))
+    }
+
+    /// The same for a > 0.
+    pub(crate) fn threshold_at(&self, a: &R) -> R {
         match self.control {
             Control::Indentation => a.lit(1),
             Control::Force => a.lit(3),

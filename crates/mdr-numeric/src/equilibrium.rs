@@ -145,7 +145,7 @@ impl<'a, R: Real> Branches<'a, R> {
             FoldKind::Maximum => beyond,
         };
         let (lengths, roundings) = if beyond > value.lit(0) { (2, 8) } else { (1, 2) };
-        let displacement = fold.indentation.abs() + self.curve.detachment_elongation(a).times(lengths);
+        let displacement = fold.indentation.abs() + self.curve.elongation(a).times(lengths);
         // The force is 2E*a times a difference of lengths of this size.
         let force = match self.curve.force_at(a, &displacement) {
             Ok(force) => force.abs() + fold.force.abs(),
@@ -159,8 +159,8 @@ impl<'a, R: Real> Branches<'a, R> {
     fn at_wall(&self, value: &R) -> Result<Option<Equilibrium<R>>> {
         let Some(wall) = self.curve.wall() else { return Ok(None) };
         let grows = match self.folds.last().filter(|fold| fold.contact_radius == wall) {
-            Some(fold) => !self.is_at(fold, value) && self.curve.direction(&wall, value)? < value.lit(0),
-            None => self.curve.direction(&wall, value)? < value.lit(0),
+            Some(fold) => !self.is_at(fold, value) && self.curve.direction_at(&wall, value)? < value.lit(0),
+            None => self.curve.direction_at(&wall, value)? < value.lit(0),
         };
         if !grows {
             return Ok(None);
@@ -194,7 +194,7 @@ impl<'a, R: Real> Branches<'a, R> {
             (None, Some(fold)) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Way::Down, value),
             (None, None) => {
                 let start = self.start();
-                let from = sign(&self.curve.direction(&start, value)?);
+                let from = sign(&self.curve.direction_at(&start, value)?);
                 let down = self.walk(&start, from, Way::Down, value)?;
                 if down.is_some() { Ok(down) } else { self.walk(&start, from, Way::Up, value) }
             }
@@ -215,7 +215,7 @@ impl<'a, R: Real> Branches<'a, R> {
                 FoldKind::Maximum => Ordering::Less,
             });
         }
-        Ok(sign(&self.curve.direction(&fold.contact_radius, value)?))
+        Ok(sign(&self.curve.direction_at(&fold.contact_radius, value)?))
     }
 
     /// A radius to start from where there is no fold: the length w/E*, or half the outer radius if that is smaller.
@@ -284,7 +284,7 @@ impl<'a, R: Real> Branches<'a, R> {
         if !(normal && within) || (a.ln() - self.curve.material_length().ln()).abs().approx() > survey::REACH {
             return Ok(None);
         }
-        match self.curve.direction(&a, value) {
+        match self.curve.direction_at(&a, value) {
             Ok(change) => Ok(change.partial_cmp(&change.lit(0)).map(|_| (a, sign(&change)))),
             Err(Error::OutOfRange { .. } | Error::Domain { .. } | Error::NoConvergence { .. }) => Ok(None),
             Err(error) => Err(error),
@@ -312,7 +312,7 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
             return Ok(Some(rest));
         }
         let Some(Change { lower, upper, below }) = self.change(branch, value)? else { return Ok(None) };
-        let direction = |a: &R| self.curve.direction(a, value);
+        let direction = |a: &R| self.curve.direction_at(a, value);
         let Some(bracket) = Bracket::new(&lower, &upper, direction)? else { return Ok(None) };
         let contact_radius = roots::refine(bracket, &lower.unit_roundoff(), direction)?.value;
         let (indentation, force) = self.curve.state(&contact_radius)?;

@@ -42,7 +42,7 @@ impl<'a, R: Special> Fields<'a, R> {
     pub fn new(curve: Curve<'a, R>, contact_radius: R) -> Result<Self> {
         let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
         let indentation = curve.indentation(&contact_radius)?;
-        let edge = curve.detachment_elongation(&contact_radius);
+        let edge = curve.elongation(&contact_radius);
         Ok(Fields { curve, contact_radius, indentation, edge })
     }
 

@@ -105,7 +105,7 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
         kinks: curve.transform().kinks(),
         outer: curve.transform().outer_radius(),
     };
-    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a));
+    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold_at(a));
     let mut survey = survey::survey(&range, ratio)?;
     let wall = curve.wall();
     if let Some(wall) = &wall {

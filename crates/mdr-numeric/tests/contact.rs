@@ -295,7 +295,7 @@ fn assert_residual(curve: &Curve<'_, f64>, state: &Equilibrium<f64>, value: f64,
     let a = &state.contact_radius;
     let terms = curve.transform().g(a).unwrap().abs()
         + curve.transform().mean(a).unwrap().abs()
-        + curve.detachment_elongation(a)
+        + curve.detachment_elongation(a).unwrap()
         + state.indentation.abs();
     let residual = curve.direction(a, &value).unwrap();
     assert!(residual.abs() <= 32.0 * U * (1.0 + n) * terms, "residual {residual:e} of terms {terms:e}");

@@ -93,3 +93,20 @@ fn what_is_out_of_range_is_not_left_out_without_a_word() -> Result<()> {
     }
     Ok(())
 }
+
+#[test]
+fn a_curve_is_asked_at_radii_and_values_alone() -> Result<()> {
+    let (ball, glue) = (ball()?, Material::new(1.0, 1.0)?);
+    for control in [Control::Indentation, Control::Force, Control::machine(1.0)?] {
+        let curve = Curve::new(&ball, &glue, &control);
+        for a in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(refused(curve.detachment_elongation(&a)), Some(Quantity::ContactRadius));
+            assert_eq!(refused(curve.threshold(&a)), Some(Quantity::ContactRadius));
+            assert!(curve.direction(&a, &0.0).is_err() && curve.state(&a).is_err() && curve.tangency(&a).is_err());
+        }
+        assert_eq!(refused(curve.direction(&0.1, &f64::NAN)), Some(control.quantity()));
+    }
+    let machine = Control::Machine { stiffness: -1.0 };
+    assert_eq!(refused(Curve::new(&ball, &glue, &machine).threshold(&0.1)), Some(Quantity::Stiffness));
+    Ok(())
+}

@@ -59,7 +59,8 @@ impl<'a> Study<'a> {
 
     /// (a, Δl(a)) in the units of the axes.
     pub(super) fn on_elongation(&self, a: f64) -> Point {
-        [a / self.radius, self.branches.curve().detachment_elongation(&a) / self.length]
+        let elongation = (2.0 * std::f64::consts::PI * self.branches.curve().material_length() * a).sqrt();
+        [a / self.radius, elongation / self.length]
     }
 
     /// The curve Δl(a).

@@ -21,7 +21,7 @@ pub(crate) struct Sample {
 impl Sample {
     fn at(curve: &Curve<'_, f64>, a: f64) -> Result<Self> {
         let (indentation, force) = curve.state(&a)?;
-        let (transformed, elongation) = (curve.transform().g(&a)?, curve.detachment_elongation(&a));
+        let (transformed, elongation) = (curve.transform().g(&a)?, curve.detachment_elongation(&a)?);
         Ok(Sample { contact_radius: a, indentation, force, transformed, elongation })
     }
 

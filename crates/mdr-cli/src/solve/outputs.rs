@@ -37,7 +37,7 @@ pub(crate) fn curve<R: Arithmetic>(contact: &Contact<R>, radii: &[Literal]) -> R
             Ok((indentation, force)) => (Ok(indentation), Ok(force)),
             Err(error) => (curve.indentation(&a), Err(error)),
         };
-        let stability = curve.tangency(&a).map(|ratio| ratio.partial_cmp(&curve.threshold(&a)));
+        let stability = curve.tangency(&a).and_then(|ratio| Ok(ratio.partial_cmp(&curve.threshold(&a)?)));
         let fold = matches!(stability, Ok(Some(Ordering::Equal)));
         let stable = match stability {
             Ok(Some(order)) => Field::Flag(order.is_gt()),

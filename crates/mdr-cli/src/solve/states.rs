@@ -228,7 +228,7 @@ fn polish<R: Arithmetic>(
         let (indentation, force) = curve.state(&wall)?;
         return Ok(Instability { contact_radius: wall, indentation, force, kind: rough.kind });
     }
-    let excess = |a: &R| Ok(curve.tangency(a)? - curve.threshold(a));
+    let excess = |a: &R| Ok(curve.tangency(a)? - curve.threshold(a)?);
     for halvings in [44, 36, 28, 20, 12] {
         let margin = centre.lit(2).powi(-halvings) * &centre;
         let (lower, upper) = (centre.clone() - &margin, centre.clone() + &margin);

@@ -139,7 +139,7 @@ pub(super) fn search<R: Arithmetic>(
     }
     let curve = Curve::new(transform, &material, control);
     let near = R::from_f64(scene.n.ctx(), planted);
-    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a) - a.lit(1));
+    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a)? - a.lit(1));
     let mut folds = Vec::new();
     // Of two folds in one bracket nothing is seen: closer then.
     for k in [3, 6, 9, 12] {

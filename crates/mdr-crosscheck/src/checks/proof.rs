@@ -174,7 +174,7 @@ impl Library {
         }
         let (curve, a) = (self.steered.curve(), Dual::variable(a));
         let condition = |f: Dual<f64>| (f.slope * a.value / f.value).abs();
-        let steepness = condition(curve.tangency(&a)? / curve.threshold(&a));
+        let steepness = condition(curve.tangency(&a)? / curve.threshold(&a)?);
         Ok(ROUNDINGS * (2.0 + condition(self.steered.transform.slope(&a)?)) / steepness + 4.0)
     }
 
@@ -182,7 +182,7 @@ impl Library {
     fn equilibrium_error(&self, a: f64, value: f64) -> Result<f64> {
         let (curve, x) = (self.steered.curve(), Dual::variable(a));
         let g = self.steered.transform.g(&x)?;
-        let terms = g.value.abs() + curve.detachment_elongation(&x).value + self.rough.transform.mean(&a)?.abs();
+        let terms = g.value.abs() + curve.detachment_elongation(&x)?.value + self.rough.transform.mean(&a)?.abs();
         let direction = curve.direction(&x, &Dual::constant(value))?;
         Ok(100.0 * (terms + (g.slope * a).abs()) / (direction.slope * a).abs() + 4.0)
     }

@@ -103,7 +103,7 @@ fn states<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let material = scene.material()?;
     let curve = Curve::new(&transform, &material, &Control::Indentation);
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
-    let elongation = curve.detachment_elongation(&a);
+    let elongation = curve.detachment_elongation(&a)?;
     let numeric = quadrature(&g, 0.5);
     let ratio = trial.theory.ratio(&contact)?;
     trial.compare("ρ", &ratio, &(g.value.clone() / &elongation), numeric + TRANSFORM + 2.0 * ELONGATION + 2.0);

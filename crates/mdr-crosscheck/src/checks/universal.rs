@@ -47,7 +47,7 @@ fn curves<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let material = scene.material()?;
     let curve = Curve::new(&transform, &material, &Control::Indentation);
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
-    let elongation = curve.detachment_elongation(&a);
+    let elongation = curve.detachment_elongation(&a)?;
     let tangent = scene.tangent(1.0, &critical.contact_radius);
     let shifted = 0.5 * tangent.excess() * tangent.radius();
 

@@ -88,14 +88,14 @@ pub(super) fn fold(
 
 /// Whether the curve has a fold at a with these d and F.
 pub(super) fn state_at_fold(curve: &Curve<'_, Float>, [a, d, f]: &[Float; 3]) -> Result<bool> {
-    let tangent = changes_sign(a, |a| Ok(curve.tangency(a)? - curve.threshold(a)))?;
+    let tangent = changes_sign(a, |a| Ok(curve.tangency(a)? - curve.threshold(a)?))?;
     Ok(tangent && on_curve(curve, [a, d, f])?)
 }
 
 /// Whether d and F belong to a; they are compared to the terms of which they are the difference.
 pub(super) fn on_curve(curve: &Curve<'_, Float>, [a, d, f]: [&Float; 3]) -> Result<bool> {
     let (indentation, force) = curve.state(a)?;
-    let length = curve.detachment_elongation(a) + d.clone().abs();
+    let length = curve.detachment_elongation(a)? + d.clone().abs();
     let load = length.clone() * a * curve.effective_modulus();
     Ok(agree(&indentation, d, &length) && agree(&force, f, &load.times(2)))
 }

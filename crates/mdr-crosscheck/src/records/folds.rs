@@ -138,7 +138,7 @@ impl Scene {
         let control: Control<Dual<Interval>> = held.control();
         let curve = Curve::new(transform.as_ref(), &material, &control);
         let (d, f) = curve.state(a)?;
-        Ok((curve.tangency(a)? - curve.threshold(a), [d, f]))
+        Ok((curve.tangency(a)? - curve.threshold(a)?, [d, f]))
     }
 
     fn confirmed(&self, values: &[Decimal; 3], held: Held, condition: f64) -> Result<bool> {

@@ -109,7 +109,7 @@ fn tangent_everywhere(law: &Power, held: Held, threshold: &Decimal) -> Result<bo
         let (transform, material) = confirm::power(&law, ctx)?;
         let curve = Curve::new(&transform, &material, &control);
         let one = c.lit(1);
-        Ok(curve.tangency(&one)? - curve.threshold(&one))
+        Ok(curve.tangency(&one)? - curve.threshold(&one)?)
     })
 }
 

@@ -13,7 +13,7 @@ impl<R: Real> Branches<'_, R> {
         let zero = value.lit(0);
         let at_end = match self.folds.first() {
             Some(fold) => self.beside(fold, value)?,
-            None => sign(&self.curve.direction(&self.start(), value)?),
+            None => sign(&self.curve.direction_at(&self.start(), value)?),
         };
         Ok(if at_end == Ordering::Less { *value < zero } else { *value > zero })
     }
@@ -28,14 +28,14 @@ impl<R: Real> Branches<'_, R> {
             Some(fold) => (self.beside(fold, value)?, fold.kind == FoldKind::Minimum),
             None => {
                 let start = self.start();
-                let rising = self.curve.tangency(&start)? > self.curve.threshold(&start);
-                (sign(&self.curve.direction(&start, value)?), rising)
+                let rising = self.curve.tangency(&start)? > self.curve.threshold_at(&start);
+                (sign(&self.curve.direction_at(&start, value)?), rising)
             }
         };
         let tends = rising == (at_beginning == Ordering::Less);
         // Where g is known at the outer radius itself, the end is not beyond it.
         let outer = self.curve.transform().outer_radius();
-        let at_outer = outer.and_then(|outer| self.curve.direction(&outer, value).ok());
+        let at_outer = outer.and_then(|outer| self.curve.direction_at(&outer, value).ok());
         Ok(tends && at_outer.is_none_or(|direction| sign(&direction) != at_beginning))
     }
 
@@ -52,7 +52,7 @@ impl<R: Real> Branches<'_, R> {
                     what: "where exactly the equilibrium lies beside an edge where g is infinite",
                 });
             }
-            if sign(&self.curve.direction(&a, value)?) == direction {
+            if sign(&self.curve.direction_at(&a, value)?) == direction {
                 return Ok(a);
             }
             step = step.over(2);

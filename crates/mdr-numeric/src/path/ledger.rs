@@ -173,7 +173,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
             return Ok(self.none());
         }
         let slopes = |a: &R| -> Result<(R, R)> {
-            Ok((self.curve.transform().slope(a)?, self.curve.detachment_elongation(a) / a.clone().times(2)))
+            Ok((self.curve.transform().slope(a)?, self.curve.elongation(a) / a.clone().times(2)))
         };
         let mut work = self.breaks.integrate(from, to, |a| {
             let (rise, fall) = slopes(a)?;
@@ -217,11 +217,11 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         }
         let modulus = self.curve.effective_modulus();
         let lost = self.breaks.integrate(&from, &to, |a| {
-            let change = self.curve.direction(a, value)?;
-            Ok((self.curve.detachment_elongation(a).times(2) + &change) * change)
+            let change = self.curve.direction_at(a, value)?;
+            Ok((self.curve.elongation(a).times(2) + &change) * change)
         })?;
         let size = self.breaks.roughly(&from, &to, |a| {
-            let change = self.curve.direction(a, value)?.abs() + self.curve.detachment_elongation(a);
+            let change = self.curve.direction_at(a, value)?.abs() + self.curve.elongation(a);
             Ok(change * (self.terms_near_kinks(a)? + self.curve.held_indentation(a, value)?.abs()))
         })?;
         let error = lost.error * modulus + self.rounding(size.times(2));
@@ -242,7 +242,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
     fn terms_with(&self, a: &R, share_of_rise: &R) -> Result<R> {
         let transform = self.curve.transform();
         let rise = transform.slope(a)? * a * share_of_rise;
-        Ok(transform.g(a)?.abs() + transform.mean(a)?.abs() + rise.abs() + self.curve.detachment_elongation(a))
+        Ok(transform.g(a)?.abs() + transform.mean(a)?.abs() + rise.abs() + self.curve.elongation(a))
     }
 
     /// The rounding of an energy E*·`size`.
@@ -301,7 +301,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
             Ok(integral.value / a)
         })?;
         // In units of Δl(a)² = 2πaw/E*.
-        error *= &(self.curve.detachment_elongation(a).square() * self.curve.effective_modulus());
+        error *= &(self.curve.elongation(a).square() * self.curve.effective_modulus());
         let lengths = self.terms(a)? + rest.indentation.abs();
         error += &self.rounding(lengths.square() * a);
         if let Control::Machine { stiffness } = self.curve.control() {

@@ -96,7 +96,7 @@ impl<'a> EnclosedBranches<'a> {
     /// As [`Curve::direction`](crate::curve::Curve::direction); where a point is not certainly on one side of a kink, more
     /// bits are needed.
     fn direction(&self, a: &Interval, value: &Interval) -> Result<Interval> {
-        match self.curve.plain.direction(a, value) {
+        match self.curve.plain.direction_at(a, value) {
             Err(Error::Domain { .. }) => Err(self.undecided("on which side of a kink a radius lies")),
             direction => direction,
         }
@@ -180,7 +180,7 @@ impl<'a> EnclosedBranches<'a> {
         let middle = radius.steer();
         let at_middle = self.direction(&middle, value)?;
         let held = Dual::constant(value.clone());
-        let slope = match self.curve.moving.direction(&Dual::variable(radius.clone()), &held) {
+        let slope = match self.curve.moving.direction_at(&Dual::variable(radius.clone()), &held) {
             Err(Error::Domain { .. }) => return Ok(radius),
             direction => direction?.slope,
         };

@@ -93,7 +93,7 @@ impl EnclosedCurve<'_> {
 
     /// The sign of the condition at all radii of a cell, from bounds of g'.
     fn sign(&self, cell: &Interval, slopes: &Slopes<Interval>) -> Option<Ordering> {
-        let threshold = self.plain.threshold(cell);
+        let threshold = self.plain.threshold_at(cell);
         let ratio = |slope: &Interval| self.plain.tangency_of(slope.clone(), cell);
         if slopes.greatest.as_ref().is_some_and(|greatest| ratio(greatest) < threshold) {
             Some(Ordering::Less)
@@ -142,7 +142,7 @@ impl EnclosedCurve<'_> {
         mean: &Interval,
         kind: FoldKind,
     ) -> Instability<Interval> {
-        let indentation = g.clone() - self.plain.detachment_elongation(a);
+        let indentation = g.clone() - self.plain.elongation(a);
         let force = self.plain.edge_stiffness(a) * (indentation.clone() - mean);
         Instability { contact_radius: a.clone(), indentation, force, kind }
     }

@@ -152,7 +152,7 @@ impl<'a> EnclosedCurve<'a> {
     fn condition(&self, a: &Interval) -> Result<Interval> {
         match self.plain.tangency(a) {
             Err(Error::Domain { .. }) => Ok(Interval::entire(a.ctx())),
-            ratio => Ok(ratio? - self.plain.threshold(a)),
+            ratio => Ok(ratio? - self.plain.threshold_at(a)),
         }
     }
 
@@ -167,7 +167,7 @@ impl<'a> EnclosedCurve<'a> {
                 let unknown = Interval::entire(a.ctx());
                 Ok(Dual { value: unknown.clone(), slope: unknown })
             }
-            ratio => Ok(ratio? - self.moving.threshold(&a)),
+            ratio => Ok(ratio? - self.moving.threshold_at(&a)),
         }
     }
 

@@ -199,14 +199,14 @@ fn cut(branches: &Branches<'_, f64>, nodes: &[f64], all: &[Sample]) -> Vec<Branc
 /// Whether a curve without folds is stable.
 fn rising(curve: &Curve<'_, f64>, samples: &[Sample]) -> bool {
     let middle = samples[samples.len() / 2].contact_radius;
-    curve.tangency(&middle).is_ok_and(|ratio| ratio > curve.threshold(&middle))
+    matches!((curve.tangency(&middle), curve.threshold(&middle)), (Ok(ratio), Ok(threshold)) if ratio > threshold)
 }
 
 /// The states at a wall: the radius stays and the force is 2E*b times the indentation that is added.
 fn wall(curve: &Curve<'_, f64>, upper: f64) -> Result<Option<[Spot; 2]>> {
     let Some(radius) = curve.wall().filter(|radius| *radius <= upper) else { return Ok(None) };
     let (indentation, force) = curve.state(&radius)?;
-    let added = 2.0 * curve.detachment_elongation(&radius) + indentation.abs();
+    let added = 2.0 * curve.detachment_elongation(&radius)? + indentation.abs();
     let first = Spot { contact_radius: radius, indentation, force };
     let force = force + 2.0 * curve.effective_modulus() * radius * added;
     Ok(Some([first, Spot { contact_radius: radius, indentation: indentation + added, force }]))
