@@ -5,13 +5,11 @@ use std::f64::consts::PI;
 use mdr_analytic::{Contact, Critical, Kappa, double, flat_punch_pull_off, threshold};
 use mdr_core::contact::{Control, Error, Instability, Quantity, Result};
 
-use super::functions::{contact, exponents, law, material, planted, scales};
+use super::functions::{LAW, MACHINE, contact, exponents, law, material, planted, scales};
 use super::questions::{Climb, Direction, Subject, cross, decades, halvings, subject};
 use super::{Family, naive};
 use crate::contest::Effort;
 
-const LAW: &[&str] = &["n", "C", "E*", "w"];
-const MACHINE: &[&str] = &["n", "C", "E*", "w", "k"];
 const HALF: &[&str] = &["C", "E*", "w"];
 const HALF_STATE: &[&str] = &["C", "E*", "w", "a"];
 const MATERIAL: &[&str] = &["E*", "w"];

@@ -5,12 +5,9 @@ use mdr_core::contact::{Control, Error, Instability, Quantity, Ranged, Result};
 use mdr_numeric::folds::folds;
 
 use super::Family;
-use super::functions::{contact, material, planted, scales};
+use super::functions::{LAW, MACHINE, contact, material, planted, scales};
 use super::questions::{Climb, Direction, Subject, cross, decades, halvings, subject};
 use crate::contest::Effort;
-
-const LAW: &[&str] = &["n", "C", "E*", "w"];
-const MACHINE: &[&str] = &["n", "C", "E*", "w", "k"];
 
 /// The only fold of a contact with n > 5/2 − √3 or n < 1/2, from the closed form of g and the numerical search.
 fn only(x: &[f64], control: &Control<f64>) -> Result<Instability<f64>> {

@@ -20,6 +20,10 @@ pub(super) fn material<R: Real>(x: &[R]) -> Result<Material<R>> {
     Material::new(x[0].clone(), x[1].clone())
 }
 
+/// The inputs of questions about a power law, and about one on a machine.
+pub(super) const LAW: &[&str] = &["n", "C", "E*", "w"];
+pub(super) const MACHINE: &[&str] = &["n", "C", "E*", "w", "k"];
+
 /// [n, C, E*, w].
 pub(super) fn law(x: &[f64]) -> [f64; 4] {
     [x[0], x[1], x[2], x[3]]

@@ -1,9 +1,13 @@
 //! The worst inputs that were ever found, one a function and family: they are asked again on every run.
 
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
 use serde::{Deserialize, Serialize};
 use thiserror::Error as ThisError;
 
-use super::{Found, Ladder, Rung, questions};
+use super::questions::{self, Subject};
+use super::{Found, Ladder, Rung};
 use crate::contest::Effort;
 
 /// The list. It only grows: `cargo run --release -p mdr-crosscheck --example ladders -- --worst` writes it anew, with what
@@ -47,9 +51,10 @@ pub fn worst_inputs() -> Result<Vec<Worst>, WorstError> {
 impl Worst {
     /// Asks again; none where there is no such function any more.
     pub fn ask(&self) -> Option<Rung> {
-        let climbs = questions::all(Effort::Quick);
-        let climb = climbs.iter().find(|climb| climb.subject.name == self.function)?;
-        Some(climb.subject.rung(f64::NAN, &self.inputs))
+        static SUBJECTS: LazyLock<BTreeMap<&'static str, Subject>> = LazyLock::new(|| {
+            questions::all(Effort::Quick).into_iter().map(|climb| (climb.subject.name, climb.subject)).collect()
+        });
+        Some(SUBJECTS.get(self.function.as_str())?.rung(f64::NAN, &self.inputs))
     }
 
     /// The worst rung of each function and family that is an error at all, where it is worse than what is kept.
