@@ -4,7 +4,7 @@
 
 use mdr_crosscheck::records::generate;
 
-/// As `mdr reference --generate` does it: the whole set costs some fifteen seconds of one processor.
+/// As `mdr reference --generate` does it: the whole set costs some thirty seconds of one processor.
 #[test]
 fn the_records_are_regenerated_bit_for_bit() {
     let files = generate().unwrap();

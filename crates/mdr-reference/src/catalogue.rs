@@ -7,11 +7,12 @@ use std::sync::OnceLock;
 use crate::record::Record;
 
 /// The files of the release, in their order.
-const FILES: [&str; 4] = [
+const FILES: [&str; 5] = [
     include_str!("../data/critical.jsonl"),
     include_str!("../data/equilibria.jsonl"),
     include_str!("../data/profiles.jsonl"),
     include_str!("../data/edges.jsonl"),
+    include_str!("../data/worst.jsonl"),
 ];
 
 /// All records of this release, read once.

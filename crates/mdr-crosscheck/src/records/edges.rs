@@ -34,7 +34,7 @@ pub(super) fn no_question(law: &Power) -> std::result::Result<Vec<Record>, Recor
 }
 
 /// A transformed profile where it is not defined.
-pub(super) fn beyond(profile: &Profile, x: &str) -> std::result::Result<Vec<Record>, RecordError> {
+pub(super) fn beyond(profile: &Profile<'_>, x: &str) -> std::result::Result<Vec<Record>, RecordError> {
     let ctx = Precision::new(128);
     let at = Interval::from_literal(ctx, &literal(x));
     let found = profile.closed(&profile.numbers::<Interval>(ctx)).and_then(|transform| transform.g(&at));
@@ -87,7 +87,7 @@ fn material<R: Real>(ctx: R::Ctx) -> Result<Material<R>> {
 }
 
 /// Whether the gap at the ridge is certainly negative.
-fn enclosed_gap(profile: &Profile, a: &str) -> Result<bool> {
+fn enclosed_gap(profile: &Profile<'_>, a: &str) -> Result<bool> {
     let ctx = Precision::new(128);
     let numbers = profile.numbers::<Interval>(ctx);
     let [radius, ridge] = [&numbers[0], &numbers[1]];
@@ -105,7 +105,7 @@ fn enclosed_gap(profile: &Profile, a: &str) -> Result<bool> {
 }
 
 /// The same by quadrature of the transform by quadrature.
-fn integrated_gap(profile: &Profile, a: &str) -> Result<bool> {
+fn integrated_gap(profile: &Profile<'_>, a: &str) -> Result<bool> {
     let parameters = profile.numbers::<f64>(());
     let ridge = parameters[1];
     let transform = Quadrature::new(Height { shape: profile.shape, parameters });

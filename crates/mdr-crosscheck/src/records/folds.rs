@@ -21,7 +21,7 @@ use crate::library::Height;
 #[derive(Clone, Debug)]
 pub(super) struct Scene {
     pub(super) name: &'static str,
-    pub(super) profile: Profile,
+    pub(super) profile: Profile<'static>,
     pub(super) e_star: &'static str,
     pub(super) work: &'static str,
     pub(super) range: (f64, f64),

@@ -19,15 +19,15 @@ const BITS: u32 = 192;
 
 /// A profile of the library with exact parameters.
 #[derive(Clone, Debug)]
-pub(super) struct Profile {
+pub(super) struct Profile<'a> {
     pub(super) shape: Shape,
-    pub(super) parameters: &'static [(&'static str, &'static str)],
+    pub(super) parameters: &'a [(&'static str, &'a str)],
 }
 
 /// The quantities of a transform at a point.
 const QUANTITIES: [(&str, &str); 3] = [("g", "m"), ("slope", "1"), ("integral", "m^2")];
 
-impl Profile {
+impl Profile<'_> {
     /// The parameters in an arithmetic; input number `moving` with a slope of its own size.
     pub(super) fn numbers<R: Real>(&self, ctx: R::Ctx) -> Vec<R> {
         self.parameters.iter().map(|(_, text)| R::from_literal(ctx, &literal(text))).collect()

@@ -142,7 +142,7 @@ pub(super) enum Jump {
 }
 
 impl Jump {
-    fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Jump::PullOff => "work-lost-at-pull-off",
             Jump::Approach => "work-lost-at-jump-in",

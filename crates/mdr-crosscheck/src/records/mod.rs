@@ -13,6 +13,7 @@ mod list;
 mod machine;
 mod power;
 mod shapes;
+mod worst;
 
 use mdr_core::contact::Error;
 use mdr_reference::Record;
@@ -125,6 +126,9 @@ pub fn record_cases() -> Vec<RecordCase> {
     }
     for a in shapes::INSIDE {
         cases.push(RecordCase::new("edges.jsonl", move || edges::interpenetrating(a)));
+    }
+    for question in worst::questions() {
+        cases.push(RecordCase::new("worst.jsonl", move || question.records()));
     }
     cases
 }

@@ -5,7 +5,7 @@ use super::library::Profile;
 use crate::library::Shape;
 
 /// The profiles of the library, and the radii at which they are transformed.
-pub(super) const LIBRARY: [(Profile, &[&str]); 16] = [
+pub(super) const LIBRARY: [(Profile<'static>, &[&str]); 16] = [
     (Profile { shape: Shape::Cone, parameters: &[("slope", "0.2")] }, &["0.3", "1e-9"]),
     (Profile { shape: Shape::Paraboloid, parameters: &[("radius", "0.01")] }, &["0.0001", "2e-12"]),
     (Profile { shape: Shape::Sphere, parameters: &[("radius", "1")] }, &["1e-8", "0.3", "0.9", "0.999999"]),
@@ -84,7 +84,7 @@ const fn scene(
 }
 
 /// Radii beyond the end of a profile, or on its singular edge.
-pub(super) const BEYOND: [(Profile, &str); 4] = [
+pub(super) const BEYOND: [(Profile<'static>, &str); 4] = [
     (Profile { shape: Shape::Sphere, parameters: &[("radius", "1")] }, "1.5"),
     (Profile { shape: Shape::Sphere, parameters: &[("radius", "1")] }, "-0.1"),
     (Profile { shape: Shape::Ellipsoid, parameters: &[("lateral", "2"), ("height", "0.5")] }, "2"),
@@ -100,3 +100,9 @@ pub(super) const RIDGE_MATERIAL: [(&str, &str); 2] = [("E*", "1"), ("w", "1e-6")
 
 /// Contact radii inside of the crest.
 pub(super) const INSIDE: [&str; 3] = ["0.001", "0.05", "0.2"];
+
+/// The names of the parameters of a shape of the library.
+pub(super) fn parameters(shape: Shape) -> impl Iterator<Item = &'static str> {
+    let known = LIBRARY.into_iter().find(|(profile, _)| profile.shape == shape);
+    known.into_iter().flat_map(|(profile, _)| profile.parameters.iter().map(|(name, _)| *name))
+}
