@@ -124,9 +124,7 @@ pub enum Error {
         value: String,
     },
     /// An iteration ended before its tolerance was met.
-    #[error(
-        "{quantity}: no convergence after {evaluations} evaluations, relative error about {error:.1e}; raise the precision or the budget"
-    )]
+    #[error("{quantity}: no convergence after {evaluations} evaluations, relative error about {error:.1e}")]
     NoConvergence {
         /// What was being computed.
         quantity: Quantity,
