@@ -6,7 +6,7 @@
 use mdr_core::calculus::isolate::isolate;
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::roots::bisect;
-use mdr_core::calculus::{Tolerance, roundoff_tolerance};
+use mdr_core::calculus::{Tolerance, gauss_jacobi, roundoff_tolerance};
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Special;
 
@@ -66,11 +66,12 @@ impl<'a, R: Special> Fields<'a, R> {
 
     /// The pressure p(r) = (E*/π)[∫ᵣᵃ g'(x)/√(x² − r²) dx − (g(a) − d)/√(a² − r²)] for 0 ≤ r < a, in Pa (Popov & Heß 2014),
     /// with g(a) − d = Δl away from a wall; negative is tension. With q² = a² − r² and x² = r² + q²t² the integral is
-    /// ∫ g'(x) q/x dt over 0 < t < 1, in which no length has to be small or large.
+    /// ∫ g'(x) q/x dt up to the first kink b > r, or to a, in which no length has to be small or large. Beyond a kink, where g'
+    /// may begin with 1/√(x − b), the variable is s in x = b + s².
     ///
     /// # Errors
-    /// [`Error::Domain`] unless 0 ≤ r < a; where the pressure is infinite (the tip of a cone, r = 0) the quadrature does
-    /// not converge and says so. [`Error::OutOfRange`] when it is no number of this arithmetic.
+    /// [`Error::Domain`] unless 0 ≤ r < a, and where the pressure is infinite: at the tip of a cone, and at some kinks;
+    /// [`Error::NoConvergence`] where the quadrature does not. [`Error::OutOfRange`] when it is no number of this arithmetic.
     pub fn pressure(&self, r: &R) -> Result<R> {
         let a = &self.contact_radius;
         if !(*r >= r.lit(0) && r < a) {
@@ -78,18 +79,18 @@ impl<'a, R: Special> Fields<'a, R> {
         }
         let reach = leg(a, r);
         let aside = r.clone() / &reach;
-        let mut ends = vec![r.clone()];
-        ends.extend(self.kinks(r, a));
-        ends.push(a.clone());
-        let mut bulk = r.lit(0);
-        for ends in ends.windows(2) {
-            let [lower, upper] = [0, 1].map(|end| leg(&ends[end], r) / &reach);
-            bulk += &integrate(&lower, &upper, &[], |t| {
-                let share = hypotenuse(&aside, t);
-                // Rounding must not lead beyond a kink: a piece in which g' is 0 would have nothing else in it.
-                let x = (share.clone() * &reach).greater(&ends[0]).lesser(&ends[1]);
-                Ok(self.curve.transform().slope(&self.off_axis(x))? / share)
-            })?;
+        let kinks = self.kinks(r, a);
+        let first = kinks.first().unwrap_or(a);
+        let mut bulk = integrate(&r.lit(0), &(leg(first, r) / &reach), &[], |t| {
+            let share = hypotenuse(&aside, t);
+            // Rounding must not lead beyond a kink: a piece in which g' is 0 would have nothing else in it.
+            let x = (share.clone() * &reach).greater(r).lesser(first);
+            Ok(self.curve.transform().slope(&self.off_axis(x))? / share)
+        })
+        .map_err(|error| if self.is_infinite_at(r) { infinite_at(r) } else { error })?;
+        for (i, kink) in kinks.iter().enumerate() {
+            let next = kinks.get(i + 1).unwrap_or(a);
+            bulk += &integrate_from_kink(kink, next, |x| Ok(self.curve.transform().slope(x)? / leg(x, r)))?;
         }
         let strain = (bulk - self.edge.clone() / &reach) / r.pi();
         let pressure = strain.clone() * self.curve.effective_modulus();
@@ -98,6 +99,13 @@ impl<'a, R: Special> Fields<'a, R> {
         }
         let log10 = (strain.abs().ln() + self.curve.effective_modulus().ln()).approx() / std::f64::consts::LN_10;
         Err(Error::OutOfRange { quantity: Quantity::Parameter("the pressure p"), log10 })
+    }
+
+    /// Whether a quadrature that fails must: at the tip where g' does not vanish there, and at a kink.
+    fn is_infinite_at(&self, r: &R) -> bool {
+        let near = |bits: i64| self.curve.transform().slope(&(r.lit(2).powi(-bits) * &self.contact_radius));
+        let sharp = || matches!((near(20), near(40)), (Ok(far), Ok(near)) if near.abs() > far.abs().over(2));
+        self.curve.transform().kinks().contains(r) || *r == r.lit(0) && sharp()
     }
 
     /// The gap between the surfaces at r > a, in m: (2/π) ∫ (g(r cos φ) − d) dφ over 0 < φ < arccos(a/r).
@@ -196,6 +204,10 @@ impl<'a, R: Special> Fields<'a, R> {
     }
 }
 
+fn infinite_at<R: Special>(r: &R) -> Error {
+    Error::domain(Quantity::Radius, r, "off a tip or an edge where the pressure is infinite")
+}
+
 /// √(x² − r²) for x ≥ r.
 fn leg<R: Special>(x: &R, r: &R) -> R {
     (x.clone() - r).sqrt() * (x.clone() + r).sqrt()
@@ -210,9 +222,28 @@ fn hypotenuse<R: Special>(x: &R, y: &R) -> R {
     ((short.clone() / long).square() + long.lit(1)).sqrt() * long
 }
 
-/// ∫ f from `lower` to `upper`. Where the integrand cancels, rounding may leave less of it than is asked for.
+/// ∫ f from `lower` to `upper`.
 fn integrate<R: Special>(lower: &R, upper: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<R> {
-    let goal = roundoff_tolerance(upper);
-    let tolerance = Tolerance::new(&goal).or_noise_below(goal.times(4096));
-    Ok(tanh_sinh_pieces(lower, upper, breaks, tolerance, f)?.value)
+    Ok(tanh_sinh_pieces(lower, upper, breaks, tolerance(upper), f)?.value)
+}
+
+/// ∫ f(x) dx from a kink, where f may have an inverse root: 2∫ f(kink + s²) s ds.
+///
+/// By Gauss–Legendre, whose nodes keep away from the kink: next to it the rounding of x would be all that is left of x − kink.
+/// Tanh-sinh where something singular is close.
+fn integrate_from_kink<R: Special>(kink: &R, upper: &R, f: impl Fn(&R) -> Result<R>) -> Result<R> {
+    let (zero, one) = (upper.lit(0), upper.lit(1));
+    let width = upper.clone() - kink;
+    let weighted = |s: &R| Ok(f(&(s.square() * &width + kink).lesser(upper))? * s);
+    let integral = match gauss_jacobi::integrate(&zero, &zero, tolerance(upper), weighted) {
+        Err(Error::NoConvergence { .. }) => tanh_sinh_pieces(&zero, &one, &[], tolerance(upper), weighted)?,
+        integral => integral?,
+    };
+    Ok(integral.value.times(2) * width)
+}
+
+/// Where an integrand cancels, rounding may leave less of it than is asked for.
+fn tolerance<R: Special>(like: &R) -> Tolerance<R> {
+    let goal = roundoff_tolerance(like);
+    Tolerance::new(&goal).or_noise_below(goal.times(4096))
 }

@@ -37,11 +37,15 @@ impl<N> Field<N> {
                 let status = if log10 > 0.0 { Status::Overflow } else { Status::Underflow };
                 Field::Marked { status, log10: Some(log10), why: None }
             }
-            Err(error @ (Error::Domain { .. } | Error::NoConvergence { .. })) => {
-                Field::Marked { status: Status::DomainError, log10: None, why: Some(error.to_string()) }
-            }
+            Err(error @ Error::Domain { .. }) => Field::unknown(Status::DomainError, &error),
+            Err(error @ Error::NoConvergence { .. }) => Field::unknown(Status::Undecided, &error),
             Err(error) => return Err(error),
         })
+    }
+
+    /// No number, for the reason that the error gives.
+    pub(crate) fn unknown(status: Status, error: &Error) -> Self {
+        Field::Marked { status, log10: None, why: Some(error.to_string()) }
     }
 
     pub(crate) fn status(&self) -> Status {
