@@ -130,14 +130,41 @@ impl<'a, R: Real> Curve<'a, R> {
         })
     }
 
+    /// Indentation and force in equilibrium at radius `a`, which was found at this `value` of the controlled quantity.
+    ///
+    /// On a machine softer than the contact the force is that of its spring, k(D − d): as 2E*a times a difference of lengths
+    /// it would lose log₁₀(2E*a/k) digits.
+    ///
+    /// # Errors
+    /// As [`Curve::state`].
+    pub(crate) fn state_held(&self, a: &R, value: &R) -> Result<(R, R)> {
+        match self.soft_spring(a) {
+            Some(k) => {
+                let d = self.indentation(a)?;
+                let force = spring_force(k, value.clone() - &d)?;
+                Ok((d, force))
+            }
+            None => self.state(a),
+        }
+    }
+
+    /// The stiffness of a machine, where it is less than that of the contact.
+    fn soft_spring(&self, a: &R) -> Option<&'a R> {
+        match self.control {
+            Control::Machine { stiffness } if *stiffness < self.edge_stiffness(a) => Some(stiffness),
+            _ => None,
+        }
+    }
+
     /// Indentation and force at radius `a` while the controlled quantity is held at `value`, equilibrium or not.
     ///
     /// # Errors
     /// As [`Curve::state`].
     pub(crate) fn held_state(&self, a: &R, value: &R) -> Result<(R, R)> {
         let d = self.held_indentation(a, value)?;
-        let force = match self.control {
-            Control::Force => value.clone(),
+        let force = match (self.control, self.soft_spring(a)) {
+            (Control::Force, _) => value.clone(),
+            (_, Some(k)) => spring_force(k, value.clone() - &d)?,
             _ => self.in_range(a, d.clone() - self.transform.mean(a)?)?,
         };
         Ok((d, force))
@@ -210,14 +237,24 @@ impl<'a, R: Real> Curve<'a, R> {
     /// 2E*a times the indentation less the mean of g, or [`Error::OutOfRange`].
     fn in_range(&self, a: &R, excess: R) -> Result<R> {
         let force = self.edge_stiffness(a) * &excess;
-        let vanished = force == force.lit(0) && excess != excess.lit(0);
-        if vanished || !force.is_finite() {
-            let factors = [a.lit(2), a.clone(), self.material.effective_modulus().clone(), excess.abs()];
-            let log10 = factors.iter().map(|x| x.ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
-            return Err(Error::OutOfRange { quantity: Quantity::Force, log10 });
-        }
-        Ok(force)
+        let factors = || [a.lit(2), a.clone(), self.material.effective_modulus().clone(), excess.abs()];
+        force_in_range(force, &excess, factors)
     }
+}
+
+/// The force of the spring of a machine, or [`Error::OutOfRange`].
+fn spring_force<R: Real>(stiffness: &R, stretch: R) -> Result<R> {
+    force_in_range(stretch.clone() * stiffness, &stretch, || [stiffness.clone(), stretch.abs()])
+}
+
+/// A force, unless it is no number of its arithmetic; it vanishes with a length, and is the product of the factors.
+fn force_in_range<R: Real, const N: usize>(force: R, length: &R, factors: impl Fn() -> [R; N]) -> Result<R> {
+    let vanished = force == force.lit(0) && *length != length.lit(0);
+    if vanished || !force.is_finite() {
+        let log10 = factors().iter().map(|x| x.ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
+        return Err(Error::OutOfRange { quantity: Quantity::Force, log10 });
+    }
+    Ok(force)
 }
 
 /// Δl/a = √(2πℓ/a), also where the quotient itself is out of range.
