@@ -17,6 +17,7 @@ mod records;
 mod reference;
 mod report;
 mod solve;
+mod solve_paths;
 mod verify;
 
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Outcome, Quantity, Result};
+use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Outcome, Quantity, Result, Stability};
 use mdr_core::number::Real;
 
 use crate::curve::Curve;
@@ -45,6 +45,14 @@ pub trait Branched<R: Real> {
     /// # Errors
     /// Those of the transform; [`Error::Undecided`].
     fn onset(&self) -> Result<Onset>;
+
+    /// The state in which the contact has come to the end of the profile: on the last branch, where that ends at a finite
+    /// radius and indentation. None where the contact can grow for ever: without an outer radius, or where g is infinite there.
+    ///
+    /// # Errors
+    /// Those of the transform; [`Error::Undecided`] over enclosures where there is none, as more bits may find the equilibrium
+    /// that was not found before it.
+    fn end(&self) -> Result<Option<Equilibrium<R>>>;
 
     /// All equilibria at `value`, by increasing radius; none is an empty list. At a fold itself the double root is one,
     /// [`Neutral`](mdr_core::contact::Stability::Neutral).
@@ -98,6 +106,23 @@ pub trait Branched<R: Real> {
             (None, Some(FoldKind::Maximum)) => Outcome::CompleteContact,
             (None, _) => Outcome::Detached,
         })
+    }
+}
+
+/// The state at the outer radius of a profile without a wall, where it is one.
+///
+/// # Errors
+/// Those of the transform.
+pub(crate) fn end<R: Real>(curve: &Curve<'_, R>) -> Result<Option<Equilibrium<R>>> {
+    let Some(contact_radius) = curve.transform().outer_radius().filter(|_| curve.wall().is_none()) else {
+        return Ok(None);
+    };
+    match curve.state(&contact_radius) {
+        Ok((indentation, force)) if indentation.is_finite() && force.is_finite() => {
+            Ok(Some(Equilibrium { contact_radius, indentation, force, stability: Stability::Stable }))
+        }
+        Ok(_) | Err(Error::Domain { .. } | Error::OutOfRange { .. } | Error::NoConvergence { .. }) => Ok(None),
+        Err(error) => Err(error),
     }
 }
 

@@ -12,7 +12,7 @@ use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Material, Result, Stability, Transform};
 use mdr_core::number::Real;
 
-use crate::branch::{Branched, Onset, onset, unordered};
+use crate::branch::{Branched, Onset, end, onset, unordered};
 use crate::curve::Curve;
 use crate::folds::{self, Completeness, Folds};
 use crate::survey;
@@ -315,7 +315,7 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
         let direction = |a: &R| self.curve.direction_at(a, value);
         let Some(bracket) = Bracket::new(&lower, &upper, direction)? else { return Ok(None) };
         let contact_radius = roots::refine(bracket, &lower.unit_roundoff(), direction)?.value;
-        let (indentation, force) = self.curve.state(&contact_radius)?;
+        let (indentation, force) = self.curve.state_held(&contact_radius, value)?;
         // It grows below and shrinks above: back to the equilibrium.
         let stability = if below == Ordering::Less { Stability::Stable } else { Stability::Unstable };
         Ok(Some(Equilibrium { contact_radius, indentation, force, stability }))
@@ -323,6 +323,10 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
 
     fn onset(&self) -> Result<Onset> {
         onset(&self.curve, self.folds.first())
+    }
+
+    fn end(&self) -> Result<Option<Equilibrium<R>>> {
+        end(&self.curve)
     }
 
     fn compare(&self, value: &R, fold: &Instability<R>) -> Result<Ordering> {

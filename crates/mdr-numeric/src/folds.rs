@@ -127,8 +127,8 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
             Err(error) => Err(error),
         };
         match added {
-            // Neither a fold nor a pole of which the profile knows.
-            Err(Error::Domain { .. }) => found.completeness = Completeness::Doubtful,
+            // Neither a fold nor a pole of which the profile knows; or g' is not known well enough to say where the fold is.
+            Err(Error::Domain { .. } | Error::NoConvergence { .. }) => found.completeness = Completeness::Doubtful,
             added => added?,
         }
     }

@@ -230,7 +230,24 @@ fn a_path_that_cannot_begin_says_so() {
 fn the_end_of_a_profile_ends_the_path() {
     let (ball, material) = (Quadrature::new(Sphere::new(1.0).unwrap()), Material::new(1.0, 1e-3).unwrap());
     let events = follow(&ball, &material, &Control::Indentation, Start::Largest, &[0.0, 1.0, 1e3, 0.0]).unwrap();
-    assert_eq!(kinds(&events), [EventKind::Start, WayPoint, EventKind::EndOfProfile]);
+    // g is infinite at the edge: there is an equilibrium at every depth, but its radius is no double below 1.
+    assert_eq!(kinds(&events), [EventKind::Start, WayPoint, EventKind::Undecided]);
+    // A table of the paraboloid r²/2 ends at r = 4, with g = 16 and the mean 16/3.
+    let rows = (0..=4).map(|i| (f64::from(i), f64::from(i * i) / 2.0));
+    let table = mdr_numeric::table::MeasuredProfile::new(rows.collect()).unwrap();
+    let unit = Material::new(1.0, 1.0).unwrap();
+    for control in [Control::Indentation, Control::Force, Control::Machine { stiffness: 2.0 }] {
+        let events = follow(&table, &unit, &control, Start::Largest, &[0.0, 1e3, -5.0]).unwrap();
+        assert_eq!(kinds(&events), [EventKind::Start, EventKind::EndOfProfile]);
+        let end = events.last().unwrap();
+        let rest = end.after.contact().unwrap();
+        let elongation = (8.0 * std::f64::consts::PI).sqrt();
+        let (d, force) = (16.0 - elongation, 8.0 * (16.0 - 16.0 / 3.0 - elongation));
+        assert_eq!(rest.contact_radius, 4.0);
+        assert!((rest.indentation / d - 1.0).abs() < 1e-14 && (rest.force / force - 1.0).abs() < 1e-13, "{rest:?}");
+        assert_eq!(end.value, control.controlled(&rest.indentation, &rest.force));
+        assert_eq!(end.before, end.after);
+    }
 }
 
 #[test]

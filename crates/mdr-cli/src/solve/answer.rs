@@ -1,5 +1,6 @@
 //! What `mdr solve` answers, and its JSON.
 
+use mdr_core::contact::Status;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -85,6 +86,16 @@ impl Output {
         let energies = [Some("path.dissipated"), other.balance.as_ref().map(|_| "balance")];
         let exceptions = energies.into_iter().flatten().map(|field| (field, other.promise)).collect();
         Output { records, exceptions, balance: other.balance, ..self }
+    }
+
+    /// The same path where its energies are not known.
+    pub(crate) fn without_energy(self, why: &str) -> Self {
+        let open = || Field::Marked { status: Status::Undecided, log10: None, why: Some(why.to_owned()) };
+        let changes = |record: &Record<Number>| !matches!(record.get("to_force"), Some(Field::Absent) | None);
+        let mark = |record: Record<Number>| {
+            if changes(&record) { record.replacing("dissipated", open()) } else { record }
+        };
+        Output { records: self.records.into_iter().map(mark).collect(), ..self }
     }
 
     pub(crate) fn complete(self, complete: Complete) -> Self {

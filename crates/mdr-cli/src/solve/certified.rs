@@ -13,7 +13,7 @@ use super::contact::{Arithmetic, Contact, Tally};
 use super::digits::{estimated, proved};
 use super::double::{Double, not_proved};
 use super::enclosed::{self, Isolated};
-use super::record::Record;
+use super::record::{Field, Record};
 use super::states::{States, polished};
 use super::{outputs, power_law};
 use crate::number::Number;
@@ -104,27 +104,55 @@ impl<'s> Certified<'s> {
 
     /// All equilibria: proved where the folds are.
     fn equilibria(&self) -> Result<Output> {
-        if let Some(isolated) = self.isolated()?
-            && let Some(output) = enclosed::equilibria(self, isolated)?
-        {
-            return Ok(output);
+        if let Some(isolated) = self.isolated()? {
+            if let Some(output) = enclosed::equilibria(self, isolated)? {
+                return Ok(output);
+            }
+            if isolated.is_complete() && self.scene.output.values.len() > 1 {
+                return self.equilibria_one_by_one(isolated);
+            }
         }
         let records = self.estimated(|states| states.equilibria(&self.scene.output.values))?;
         Ok(Output::new(Want::Equilibria, Promise::Estimated, records).complete(self.searched()?))
     }
 
+    /// Each value for itself: proved where that can be, and whether it is.
+    fn equilibria_one_by_one(&self, isolated: &Isolated) -> Result<Output> {
+        let at = |value: &Literal| {
+            let values = std::slice::from_ref(value);
+            let proved = enclosed::equilibria_at(self, isolated, values)?;
+            let flag = Field::Flag(proved.is_some());
+            let records = proved.map_or_else(|| self.estimated(|states| states.equilibria(values)), Ok)?;
+            Ok(records.into_iter().map(|record| record.with("proved", flag.clone())).collect::<Vec<_>>())
+        };
+        let records = self.scene.output.values.iter().map(at).collect::<Result<Vec<_>>>()?.concat();
+        let mut searched = self.searched()?;
+        searched.why = format!("at the values that are not marked as proved {}", searched.why);
+        Ok(Output::new(Want::Equilibria, Promise::Estimated, records).complete(searched))
+    }
+
     /// The path: proved where the folds are, except for the energy.
     fn path(&self) -> Result<Output> {
-        let events = match self.isolated()? {
-            Some(isolated) => enclosed::path(self, isolated)?,
-            None => None,
-        };
-        let records = self.estimated(|states| states.path(&self.scene.held))?;
-        let estimated = Output::path(Promise::Estimated, records).complete(self.searched()?);
-        Ok(match events {
-            Some(events) if events.has_the_events_of(&estimated) => events.with_energy_of(estimated),
-            _ => estimated,
-        })
+        let isolated = self.isolated()?;
+        let proved = isolated.map_or(Ok(None), |isolated| enclosed::path(self, isolated))?;
+        let records = self.estimated(|states| states.path(&self.scene.held));
+        let estimated = records.map(|records| Output::path(Promise::Estimated, records));
+        match (proved, estimated) {
+            (Some(proved), Ok(estimated)) if proved.has_the_events_of(&estimated) => {
+                Ok(proved.with_energy_of(estimated))
+            }
+            (Some(proved), Ok(_)) => Ok(proved.without_energy("two precisions do not agree on the states")),
+            (Some(proved), Err(error)) => Ok(proved.without_energy(&error.to_string())),
+            (None, estimated) => {
+                let mut searched = self.searched()?;
+                if let Some(Complete { proved: true, from, to, .. }) = isolated.map(Isolated::complete) {
+                    let [from, to] = [from, to].map(|end| end.as_deref().unwrap_or("infinity").to_owned());
+                    searched.why +=
+                        &format!("; not every state of the path is proved within radii from {from} to {to} m");
+                }
+                Ok(estimated?.complete(searched))
+            }
+        }
     }
 
     /// The folds on which proofs rest: of closed forms, and of tables that are short and leave nothing undecided. A longer or

@@ -80,6 +80,13 @@ impl<'s> Double<'s> {
         Ok(States::new(&self.contact, &self.contact, self.folds()?.clone()))
     }
 
+    /// The contact radii to which the path of the scene leads, and those of the equilibria at its values, as far as they are
+    /// found.
+    pub(crate) fn visited(&self) -> Vec<f64> {
+        let Ok(states) = self.states() else { return Vec::new() };
+        states.visited(&self.scene.held, &self.scene.output.values)
+    }
+
     /// The contact radii of `curve`.
     pub(crate) fn radii(&self) -> Result<Vec<Literal>> {
         let given = &self.scene.output.curve;

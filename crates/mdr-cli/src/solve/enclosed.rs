@@ -4,7 +4,7 @@ use mdr_core::contact::{Error, Instability, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::branch::Branched;
-use mdr_numeric::path::EventKind;
+use mdr_numeric::path::{Event, EventKind};
 use mdr_numeric::proof::{EnclosedBranches, EnclosedCurve, ProvedFolds};
 use rug::Float;
 use rug::float::Round;
@@ -14,7 +14,7 @@ use super::certified::Certified;
 use super::contact::Contact;
 use super::digits::proved;
 use super::record::{Field, Record};
-use super::{outputs, path, sample};
+use super::{outputs, path, power_law, sample};
 use crate::number::Number;
 use crate::scene::{HeldBy, Want};
 
@@ -45,6 +45,8 @@ impl Enclosed {
 pub(super) struct Isolated {
     proved: ProvedFolds,
     complete: Complete,
+    /// The folds of a closed form, which are all there are on all radii.
+    closed: Option<Vec<Record<Number>>>,
 }
 
 impl Isolated {
@@ -53,11 +55,13 @@ impl Isolated {
     /// # Errors
     /// As [`EnclosedCurve::folds`].
     pub(super) fn new(certified: &Certified<'_>) -> Result<Self> {
+        let closed = power_law::roughly(certified.scene);
         let range = match &certified.scene.output.range {
             Some(range) => range.clone(),
             None => {
                 let rough = certified.rough()?;
-                sample::range(rough.contact(), rough.folds()?)?
+                let visited = if closed.is_some() { Vec::new() } else { rough.visited() };
+                sample::range(rough.contact(), rough.folds()?, &visited)?
             }
         };
         let precision = Precision::new(ISOLATION);
@@ -71,18 +75,24 @@ impl Isolated {
             _ if proved.range.1 < *upper.lower() => proved.range.1.to_string_radix_round(10, Some(10), Round::Down),
             _ => to.to_string(),
         };
-        let complete = Complete {
-            proved: proved.is_complete(),
-            from: Some(from.to_string()),
-            to: Some(to),
-            why: reason(&proved.undecided),
+        let closed = closed.filter(|folds| proved.is_complete() && folds.len() == proved.folds.len());
+        let complete = if closed.is_some() {
+            power_law::complete()
+        } else {
+            let (from, to) = (Some(from.to_string()), Some(to));
+            Complete { proved: proved.is_complete(), from, to, why: reason(&proved.undecided) }
         };
-        Ok(Isolated { proved, complete })
+        Ok(Isolated { proved, complete, closed })
     }
 
     /// Whether the folds are proved to be all in the range.
     pub(super) fn is_complete(&self) -> bool {
         self.complete.proved
+    }
+
+    /// What is known about the folds.
+    pub(super) fn complete(&self) -> &Complete {
+        &self.complete
     }
 }
 
@@ -109,11 +119,27 @@ pub(super) fn folds(certified: &Certified<'_>, isolated: &Isolated) -> Result<Ou
     Ok(Output::new(Want::Folds, Promise::Certified, records).complete(isolated.complete.clone()))
 }
 
-/// All equilibria in the range, and those met beyond it; none where that cannot be proved.
+/// What is proved of all equilibria at the values of a scene.
 ///
 /// # Errors
 /// As [`Branched::equilibria`].
 pub(super) fn equilibria(certified: &Certified<'_>, isolated: &Isolated) -> Result<Option<Output>> {
+    let values = &certified.scene.output.values;
+    let why = "one equilibrium at most between two folds, and the folds are proved to be all";
+    let complete = Complete { why: why.to_owned(), ..isolated.complete.clone() };
+    let output = |records| Output::new(Want::Equilibria, Promise::Certified, records).complete(complete);
+    Ok(equilibria_at(certified, isolated, values)?.map(output))
+}
+
+/// All equilibria in the range at each value, and those met beyond it; none where that cannot be proved.
+///
+/// # Errors
+/// As [`Branched::equilibria`].
+pub(super) fn equilibria_at(
+    certified: &Certified<'_>,
+    isolated: &Isolated,
+    values: &[Literal],
+) -> Result<Option<Vec<Record<Number>>>> {
     let records = proved(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
@@ -122,11 +148,9 @@ pub(super) fn equilibria(certified: &Certified<'_>, isolated: &Isolated) -> Resu
             let exact = |state| held(enclose(outputs::equilibrium(state)), &certified.scene.held.by, literal);
             Ok(outputs::at_value(literal, "equilibria", states.into_iter().map(exact).collect()))
         };
-        certified.scene.output.values.iter().map(at).collect()
+        values.iter().map(at).collect()
     });
-    let why = "one equilibrium at most between two folds, and the folds are proved to be all";
-    let complete = Complete { why: why.to_owned(), ..isolated.complete.clone() };
-    Ok(decided(records)?.map(|records| Output::new(Want::Equilibria, Promise::Certified, records).complete(complete)))
+    decided(records)
 }
 
 /// The events of the path without their energy; none where a decision cannot be proved.
@@ -138,18 +162,34 @@ pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Opt
     let records = proved(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
-        let path = path::follow(&enclosed.plain, &branches, &scene.held)?;
+        let path = match path::follow(&enclosed.plain, &branches, &scene.held) {
+            // There is none in the range of the proof.
+            Err(Error::NoEquilibrium { .. }) if isolated.closed.is_none() => {
+                return Err(Error::Undecided {
+                    quantity: enclosed.plain.control().quantity(),
+                    bits: precision.bits(),
+                    what: "whether there is an equilibrium outside the radii of the proof",
+                });
+            }
+            path => path?,
+        };
+        if isolated.closed.is_none() {
+            branches.check(&path)?;
+        }
         let nothing = path.events.iter().map(|_| Field::Absent).collect();
         let records = path::records(enclosed.plain.control(), &path, nothing).into_iter().map(enclose);
         let mut way = scene.held.path.iter();
-        let exact = |(record, kind)| match kind {
+        let exact = |(record, event): (Record<Enclosure>, &Event<Interval>)| match event.kind {
             EventKind::Start | EventKind::WayPoint | EventKind::End => match way.next() {
                 Some(literal) => held(record, &scene.held.by, literal),
                 None => record,
             },
-            _ => record,
+            _ => match event.fold.and_then(|fold| isolated.closed.as_ref()?.get(fold)) {
+                Some(fold) => power_law::with_zeros(record, fold),
+                None => record,
+            },
         };
-        Ok(records.zip(path.events.iter().map(|event| event.kind)).map(exact).collect())
+        Ok(records.zip(&path.events).map(exact).collect())
     });
     let why = "every decision on the path is certain, and its folds are proved to be all";
     let complete = Complete { why: why.to_owned(), ..isolated.complete.clone() };

@@ -34,7 +34,10 @@ pub(crate) fn records<R: Arithmetic>(control: &Control<R>, path: &Path<R>, lost:
 }
 
 fn record<R: Arithmetic>(control: &Control<R>, event: &Event<R>) -> Record<R> {
-    let [radius, indentation, force] = quantities(control, &event.before, &event.value);
+    let [radius, indentation, force] = match event.kind {
+        EventKind::Undecided => not_found(control, &event.value),
+        _ => quantities(control, &event.before, &event.value),
+    };
     let [to_radius, to_indentation, to_force] = if changes(event.kind) {
         quantities(control, &event.after, &event.value)
     } else {
@@ -76,6 +79,18 @@ fn quantities<R: Arithmetic>(control: &Control<R>, state: &State<R>, value: &R) 
     }
 }
 
+/// What is known of a state that was not found.
+fn not_found<R: Arithmetic>(control: &Control<R>, value: &R) -> [Field<R>; 3] {
+    let why = "no equilibrium was found up to here, and the profile does not end";
+    let open = || Field::Marked { status: Status::Undecided, log10: None, why: Some(why.to_owned()) };
+    let held = || Field::Number(value.clone());
+    match control {
+        Control::Indentation => [open(), held(), open()],
+        Control::Force => [open(), open(), held()],
+        Control::Machine { .. } => [open(), open(), open()],
+    }
+}
+
 /// The energy lost in each event, as its ledger has it.
 pub(crate) fn losses<R: Arithmetic>(path: &Path<R>, ledger: &Ledger<R>) -> Vec<Field<R>> {
     let of = |(event, entry): (&Event<R>, &Entry<R>)| match &entry.lost {
@@ -93,8 +108,12 @@ pub(crate) fn unknown_losses<R: Arithmetic>(path: &Path<R>, error: &Error) -> Ve
 }
 
 /// The books of a path: the work of the control, the energy lost, and what is stored more than at the start.
+///
+/// The work is the sum of the other two, which have one sign or are of one size. Its own integral would cancel on a way to
+/// and fro.
 pub(crate) fn balance<R: Arithmetic>(balance: Balance<R>) -> Record<R> {
-    let numbers = [("work", balance.work), ("dissipated", balance.lost), ("stored", balance.stored)];
+    let work = balance.stored.clone() + &balance.lost;
+    let numbers = [("work", work), ("dissipated", balance.lost), ("stored", balance.stored)];
     numbers.into_iter().fold(Record::new(), |record, (key, value)| record.with(key, Field::Number(value)))
 }
 
@@ -114,6 +133,7 @@ pub(crate) fn name(kind: EventKind) -> &'static str {
         EventKind::Detached => "detached",
         EventKind::CompleteContact => "complete-contact",
         EventKind::EndOfProfile => "end-of-profile",
+        EventKind::Undecided => "undecided",
         EventKind::NotAdmissible => "not-admissible",
         EventKind::WayPoint => "way-point",
         EventKind::End => "end",

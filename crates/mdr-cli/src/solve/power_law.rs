@@ -3,13 +3,17 @@
 use mdr_analytic::certified::{Elasticity, Question};
 use mdr_core::contact::{Control, FoldKind, Instability, Regime, Result};
 use mdr_core::number::Literal;
-use mdr_core::number::certify::Decimal;
+use mdr_core::number::certify::{Decimal, Enclosure};
 use rug::Rational;
 
 use super::answer::{Complete, Output, Promise};
 use super::outputs;
+use super::record::{Field, Record};
 use crate::number::Number;
 use crate::scene::{HeldBy, Scene, Shape, Slope, Want, exactly};
+
+/// Enough to count folds, and to see an exact zero.
+const DIGITS: u32 = 10;
 
 /// Correctly rounded folds, where the profile is a power law with rational constants.
 ///
@@ -30,11 +34,26 @@ pub(super) fn folds(scene: &Scene, digits: u32) -> Result<Option<Output>> {
             .into_iter()
             .collect(),
     };
-    let complete =
-        Complete { proved: true, from: Some("0".to_owned()), to: None, why: "closed form of a power law".to_owned() };
     let written = |decimal: Decimal| Number::Decimal(decimal.to_string());
     let records = folds.into_iter().map(|fold| outputs::fold(fold).convert(written)).collect();
-    Ok(Some(Output::new(Want::Folds, Promise::Certified, records).complete(complete)))
+    Ok(Some(Output::new(Want::Folds, Promise::Certified, records).complete(complete())))
+}
+
+/// The same to a few digits.
+pub(super) fn roughly(scene: &Scene) -> Option<Vec<Record<Number>>> {
+    Some(folds(scene, DIGITS).ok().flatten()?.records)
+}
+
+/// An event at a fold of which the closed form knows that a quantity is exactly zero.
+pub(super) fn with_zeros(event: Record<Enclosure>, fold: &Record<Number>) -> Record<Enclosure> {
+    let is_zero = |key: &&str| matches!(fold.get(key), Some(Field::Number(number)) if number.to_string() == "0");
+    let exact = || Field::Number(Enclosure::Exact(Rational::new()));
+    ["indentation", "force"].iter().filter(|key| is_zero(key)).fold(event, |event, key| event.replacing(key, exact()))
+}
+
+/// All folds, on all radii.
+pub(super) fn complete() -> Complete {
+    Complete { proved: true, from: Some("0".to_owned()), to: None, why: "closed form of a power law".to_owned() }
 }
 
 /// n and C of f = C rⁿ where the profile is one with rational constants.

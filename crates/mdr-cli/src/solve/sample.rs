@@ -37,15 +37,18 @@ pub(crate) fn radii(contact: &Contact<f64>, folds: &Folds<f64>) -> Result<Vec<Li
     (0..POINTS).map(|i| decimal(lower * (step * i as f64).exp(), 4)).collect()
 }
 
-/// The range of contact radii on which all folds are to be proved.
+/// The range of contact radii on which all folds are to be proved: far around the folds that are known and the kinks, and with
+/// the radii to which the scene leads.
 ///
 /// # Errors
 /// As [`radii`].
-pub(crate) fn range(contact: &Contact<f64>, folds: &Folds<f64>) -> Result<[Literal; 2]> {
+pub(crate) fn range(contact: &Contact<f64>, folds: &Folds<f64>, visited: &[f64]) -> Result<[Literal; 2]> {
     let (lower, upper) = span(contact, folds, REACH);
     let kinks = contact.transform().kinks();
     let lower = kinks.first().map_or(lower, |kink| lower.min(kink / REACH));
     let upper = kinks.last().map_or(upper, |kink| upper.max(kink * REACH));
+    let lower = visited.iter().fold(lower, |lower, a| lower.min(a / MARGIN));
+    let upper = visited.iter().fold(upper, |upper, a| upper.max(a * MARGIN));
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);
     Ok([power(lower)?, power(upper)?])
 }

@@ -3,13 +3,12 @@
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Result, Stability, Status};
 use mdr_core::number::Literal;
-use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
-use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::equilibrium::{Branches, Equilibria};
 use mdr_numeric::fields::Fields;
-use mdr_numeric::folds::{Folds, pole};
-use mdr_numeric::path::{Ledger, Path, State};
+use mdr_numeric::folds::{Completeness, Folds, pole};
+use mdr_numeric::path::{EventKind, Ledger, Path, State};
 
 use super::contact::{Arithmetic, Contact};
 use super::outputs::{at_value, equilibrium};
@@ -40,11 +39,11 @@ impl<'a, R: Arithmetic> States<'a, R> {
         States { contact, rough, branches: branches(contact, folds, REACH) }
     }
 
-    /// All equilibria at a value of the controlled quantity, which they have exactly.
-    fn at(&self, literal: &Literal) -> Result<Vec<Equilibrium<R>>> {
+    /// All equilibria at a value of the controlled quantity, which they have exactly, and how they were searched.
+    fn at(&self, literal: &Literal) -> Result<(Vec<Equilibrium<R>>, Completeness)> {
         let value = self.contact.number(literal);
-        let states = self.branches.equilibria(&value)?;
-        Ok(states.into_iter().map(|state| self.held_at(state, &value)).collect())
+        let Equilibria { equilibria, completeness } = self.branches.search(&value)?;
+        Ok((equilibria.into_iter().map(|state| self.held_at(state, &value)).collect(), completeness))
     }
 
     /// A state with the exact value of what is controlled, which at a fold is that of the fold.
@@ -64,10 +63,23 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// As [`Branched::equilibria`].
     pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<Record<R>>> {
         let at = |literal: &Literal| {
-            let states = self.at(literal)?;
-            Ok(at_value(literal, "equilibria", states.into_iter().map(equilibrium).collect()))
+            let (states, completeness) = self.at(literal)?;
+            let records = states.into_iter().map(equilibrium).collect();
+            Ok(searched(at_value(literal, "equilibria", records), completeness))
         };
         values.iter().map(at).collect()
+    }
+
+    /// The contact radii of the path and of the equilibria at the values, as far as they are found.
+    pub(crate) fn visited(&self, held: &Held, values: &[Literal]) -> Vec<f64> {
+        let path = path::follow(self.contact, &self.branches, held);
+        let events = path.into_iter().flat_map(|path| path.events);
+        let on_path = events
+            .flat_map(|event| [event.before, event.after])
+            .filter_map(|state| Some(state.contact()?.contact_radius.approx()).filter(|radius| *radius > 0.0));
+        let at_values =
+            values.iter().flat_map(|value| self.at(value).map_or_else(|_| Vec::new(), |(states, _)| states));
+        on_path.chain(at_values.map(|state| state.contact_radius.approx())).filter(|a| a.is_finite()).collect()
     }
 
     /// One record with the `events` of the path and the `balance` of its energy.
@@ -83,7 +95,8 @@ impl<'a, R: Arithmetic> States<'a, R> {
             Err(error) => return Err(error),
         };
         let events = path::records(self.contact.control(), &path, losses);
-        let balance = balance.map(path::balance).into_iter().collect();
+        let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
+        let balance = balance.filter(|_| !lost_track).map(path::balance).into_iter().collect();
         Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
     }
 
@@ -92,14 +105,14 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// # Errors
     /// As [`Branched::equilibria`].
     pub(crate) fn fields(&self, scene: &Scene, want: Want) -> Result<Vec<Record<R>>> {
-        let describe = |literal: &Literal, states: Vec<Equilibrium<R>>| {
+        let describe = |literal: &Literal, (states, completeness): (Vec<Equilibrium<R>>, Completeness)| {
             let records = states.into_iter().map(|state| self.describe(scene, want, state)).collect::<Result<_>>()?;
-            Ok(at_value(literal, "states", records))
+            Ok(searched(at_value(literal, "states", records), completeness))
         };
         match (scene.output.values.as_slice(), scene.held.path.first()) {
             ([], Some(first)) => {
                 let state = self.started(&scene.held, first)?;
-                Ok(vec![describe(first, state.into_iter().collect())?])
+                Ok(vec![describe(first, (state.into_iter().collect(), Completeness::Resolved))?])
             }
             (values, _) => values.iter().map(|literal| describe(literal, self.at(literal)?)).collect(),
         }
@@ -182,6 +195,12 @@ impl<'a, R: Arithmetic> States<'a, R> {
         };
         radii.iter().map(at).collect()
     }
+}
+
+/// A record without states is undecided where the search was doubtful.
+fn searched<R>(record: Record<R>, completeness: Completeness) -> Record<R> {
+    let doubtful = completeness == Completeness::Doubtful;
+    if doubtful && record.status() == Status::NoEquilibrium { record.marked(Status::Undecided) } else { record }
 }
 
 /// The radius at which the gap of a state is closed although the contact ends before: none where it is admissible.

@@ -64,8 +64,22 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         }
         match state(self.branches, self.place, target)? {
             Some(state) => self.stay(arrival, target, state),
-            None => self.leave(EventKind::EndOfProfile, target),
+            None => self.run_out(target)?,
         }
+        Ok(())
+    }
+
+    /// No equilibrium was found on the last branch: the profile ends before `target`, or it is not known why.
+    fn run_out(&mut self, target: &R) -> Result<()> {
+        self.place = Place::Ended;
+        if let Some(end) = self.branches.end()? {
+            let value = self.branches.control().controlled(&end.indentation, &end.force);
+            if certain(target, &value, self.branches)? == Ordering::Greater {
+                self.stay(EventKind::EndOfProfile, &value, State::Contact(end));
+                return Ok(());
+            }
+        }
+        self.leave(EventKind::Undecided, target);
         Ok(())
     }
 

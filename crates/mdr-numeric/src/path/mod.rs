@@ -55,8 +55,12 @@ pub enum EventKind {
     Detached,
     /// Past a fold there is no equilibrium up to the largest radius. The path ends: the theory knows nothing beyond.
     CompleteContact,
-    /// The next equilibrium would be outside the profile, or out of the range of the arithmetic. The path ends.
+    /// The contact has come to the outer radius of the profile, and with it the path to its end: the states are those there.
     EndOfProfile,
+    /// Up to this value no equilibrium was found, and the profile does not end: it lies out of the range of the arithmetic,
+    /// or closer to an outer radius where g is infinite than the arithmetic can tell. The path ends; the states are the last
+    /// that are known, at the value of the event before.
+    Undecided,
     /// The surfaces come closer, but the profile has a dimple at its tip: they will first touch on a ring, which is no
     /// contact of this theory. The path ends.
     NotAdmissible,

@@ -18,15 +18,15 @@ use crate::branch::{self, Branched, Onset};
 /// answer holds for every number in it. Beyond the range, equilibria are looked for by walking outwards; one that is found
 /// exists for certain, but there may be more.
 pub struct EnclosedBranches<'a> {
-    curve: EnclosedCurve<'a>,
+    pub(super) curve: EnclosedCurve<'a>,
     /// Poles among them.
     folds: Vec<Instability<Interval>>,
     range: (Float, Float),
-    wall: Option<Wall>,
+    pub(super) wall: Option<Wall>,
 }
 
 /// The wall, with the mean of g and the controlled quantity of the state in which the contact just reaches it.
-struct Wall {
+pub(super) struct Wall {
     radius: Interval,
     mean: Interval,
     controlled: Interval,
@@ -102,7 +102,7 @@ impl<'a> EnclosedBranches<'a> {
         }
     }
 
-    fn undecided(&self, what: &'static str) -> Error {
+    pub(super) fn undecided(&self, what: &'static str) -> Error {
         Error::Undecided { quantity: Quantity::ContactRadius, bits: self.curve.precision().bits(), what }
     }
 
@@ -227,9 +227,9 @@ impl<'a> EnclosedBranches<'a> {
     }
 }
 
-/// 1, 2, 4, … to the exponent range of double precision.
+/// 1, 2, 4, … to 2²⁰, far beyond the exponent range of double precision.
 fn octaves() -> impl Iterator<Item = i64> {
-    (0..=10).map(|power| 1 << power)
+    (0..=20).map(|power| 1 << power)
 }
 
 impl Branched<Interval> for EnclosedBranches<'_> {
@@ -243,6 +243,13 @@ impl Branched<Interval> for EnclosedBranches<'_> {
 
     fn onset(&self) -> Result<Onset> {
         branch::onset(&self.curve.plain, self.folds.first())
+    }
+
+    fn end(&self) -> Result<Option<Equilibrium<Interval>>> {
+        match branch::end(&self.curve.plain)? {
+            Some(end) => Ok(Some(end)),
+            None => Err(self.undecided("where beyond the radii that were looked at the equilibrium lies")),
+        }
     }
 
     fn on_branch(&self, branch: usize, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {

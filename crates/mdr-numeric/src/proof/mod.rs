@@ -10,6 +10,7 @@
 //! beside it.
 
 mod branches;
+mod ends;
 mod kinks;
 mod range;
 

@@ -1,0 +1,98 @@
+//! Beyond the range of a proof: whether a fold is left out between the range and the tip, or outwards.
+
+use std::cmp::Ordering;
+
+use mdr_core::contact::Result;
+use mdr_core::number::{Interval, Real};
+use rug::Float;
+
+use super::{EnclosedBranches, kinks};
+use crate::path::{Path, State};
+
+/// How far the condition is enclosed at both ends, in octaves: contact radii of 2^±1048576 m.
+const FAR: f64 = 1_048_576.0;
+/// Enclosures of the condition that each end may cost.
+const CELLS: usize = 512;
+
+impl EnclosedBranches<'_> {
+    /// Checks that a path rests on proofs alone. Where it comes to radii outside the range, or to none at all, it must be certain
+    /// that no fold lies out there. Which state is the largest, say, is a question about the range only.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] otherwise.
+    pub fn check(&self, path: &Path<Interval>) -> Result<()> {
+        let states = || path.events.iter().flat_map(|event| [&event.before, &event.after]);
+        let (lower, upper) = self.range();
+        let inwards = states().any(|state| match state {
+            State::Contact(rest) => rest.contact_radius.lower() < lower,
+            State::Detached => true,
+            State::Complete => false,
+        });
+        let outwards = states().any(|state| match state {
+            State::Contact(rest) => rest.contact_radius.upper() > upper,
+            State::Detached => false,
+            State::Complete => true,
+        });
+        let free = (!inwards || self.is_free_inwards()?) && (!outwards || self.is_free_outwards()?);
+        if free { Ok(()) } else { Err(self.undecided("whether folds lie outside the radii of the proof")) }
+    }
+
+    /// Whether the condition certainly has one sign from the tip to the range.
+    fn is_free_inwards(&self) -> Result<bool> {
+        let (lower, _) = self.range();
+        let last = octave(lower);
+        let end = |octave: f64| if octave < last { self.power(octave) } else { lower.clone() };
+        self.has_one_sign([-FAR, last], end)
+    }
+
+    /// Whether it has one from the range outwards, to 2⁻ᵖ before an outer radius at a precision of p bits.
+    fn is_free_outwards(&self) -> Result<bool> {
+        let (_, upper) = self.range();
+        if self.wall.is_some() {
+            return Ok(true);
+        }
+        let Some(outer) = self.curve.plain.transform().outer_radius() else {
+            let first = octave(upper);
+            return self
+                .has_one_sign([first, FAR], |octave| if octave > first { self.power(octave) } else { upper.clone() });
+        };
+        let outer = outer.lower();
+        let [first, last] = [
+            -octave(&(Float::with_val(outer.prec(), outer - upper) / outer)),
+            f64::from(self.curve.precision().bits() - 2),
+        ];
+        let before =
+            |octave: f64| if octave > first { kinks::shifted(outer, -1, octave as u32) } else { upper.clone() };
+        if first < last { self.has_one_sign([first, last], |octave| before(octave.floor())) } else { Ok(true) }
+    }
+
+    fn power(&self, octave: f64) -> Float {
+        Float::with_val(self.curve.precision().bits(), octave).exp2()
+    }
+
+    /// Whether the condition has one sign, and no zero, on all radii between two octaves, halved until it is certain.
+    fn has_one_sign(&self, [first, last]: [f64; 2], end: impl Fn(f64) -> Float) -> Result<bool> {
+        let mut open = vec![(first, last)];
+        let mut sign = None;
+        for _ in 0..CELLS {
+            let Some((from, to)) = open.pop() else { return Ok(true) };
+            let condition = self.curve.condition(&Interval::new(end(from), end(to)))?;
+            match condition.partial_cmp(&condition.lit(0)) {
+                Some(order) if order != Ordering::Equal && sign.is_none_or(|sign| sign == order) => sign = Some(order),
+                Some(_) => return Ok(false),
+                None if to - from < 1e-3 => return Ok(false),
+                None => {
+                    let middle = 0.5 * (from + to);
+                    open.extend([(from, middle), (middle, to)]);
+                }
+            }
+        }
+        Ok(false)
+    }
+}
+
+/// log₂ of a radius.
+fn octave(radius: &Float) -> f64 {
+    let (mantissa, exponent) = radius.to_f64_exp();
+    mantissa.log2() + f64::from(exponent)
+}

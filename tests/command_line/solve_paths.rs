@@ -1,0 +1,223 @@
+//! `mdr solve`: paths beyond what is proved, to the end of a profile, and on soft machines.
+
+use serde_json::Value;
+
+use crate::{mdr, root};
+
+/// The answer to a scene from standard input.
+fn solve(scene: &str, flags: &str) -> Value {
+    let assert = mdr(&format!("solve - {flags} --format json")).stdin(scene).assert().success().stderr_eq("");
+    serde_json::from_slice(&assert.get_output().stdout).unwrap()
+}
+
+/// A scene with E* = 1 at fixed grips.
+fn scene(work: &str, profile: &str, rest: &str) -> String {
+    format!(
+        "material = {{ e_star = 1, work_of_adhesion = \"{work}\" }}\nprofile = {{ {profile} }}\n\
+         control = {{ kind = \"indentation\", path = [{rest}] }}\noutput = {{ want = [\"path\"] }}\n"
+    )
+}
+
+/// A number, written as text or not.
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| value.as_str().unwrap_or_else(|| panic!("{value}")).parse().unwrap())
+}
+
+fn near(value: &Value, expected: f64, error: f64) {
+    assert!((number(value) / expected - 1.0).abs() < error, "{value}, {expected}");
+}
+
+fn events(answer: &Value) -> Vec<&str> {
+    answer["path"].as_array().unwrap().iter().map(|event| event["event"].as_str().unwrap()).collect()
+}
+
+/// Folds that are proved on a part of the radii do not prove a path that leaves them.
+#[test]
+fn a_path_that_leaves_the_proved_range_is_not_proved() {
+    let figure = std::fs::read_to_string(root().join("examples/scenes/figure-4.toml")).unwrap();
+    let on = |range: &str| solve(&format!("{figure}\n[output.folds]\nrange = [{range}]\n"), "--digits 6");
+    for range in ["\"0.05\", \"1\"", "\"0.06\", \"1\"", "\"0.03\", \"0.05\"", "\"0.01\", \"0.03\""] {
+        let answer = on(range);
+        assert_eq!((&answer["promise"]["path"], &answer["complete"]["path"]["proved"]), (&"mp".into(), &false.into()));
+        assert!(answer["complete"]["path"]["why"].as_str().unwrap().contains("not every state"), "{answer}");
+        assert_eq!(events(&answer), ["start", "jump", "detached", "end"], "{answer}");
+        near(&answer["path"][2]["contact_radius"], 0.0189447, 1e-5);
+        near(&answer["path"][2]["indentation"], -0.00248816, 1e-5);
+    }
+    let answer = on("\"0.001\", \"1\"");
+    assert_eq!(
+        (&answer["promise"]["path"], &answer["complete"]["path"]["proved"]),
+        (&"certified".into(), &true.into())
+    );
+}
+
+/// The range of the proof holds the radii of the path.
+#[test]
+fn the_proved_range_is_that_of_the_path() {
+    let answer = solve(&scene("1", "kind = \"paraboloid\", radius = 1", "0, \"1e15\", -10"), "--digits 6");
+    let complete = &answer["complete"]["path"];
+    assert_eq!((&complete["from"], &complete["to"]), (&"0".into(), &Value::Null), "{answer}");
+    let sum = "kind = \"sum\", term = [{ kind = \"paraboloid\", radius = 1 }, { kind = \"cone\", slope = 1 }]";
+    let answer = solve(&scene("1", sum, "0, \"1e9\", -10"), "--digits 6");
+    let complete = &answer["complete"]["path"];
+    let largest = number(&answer["path"][1]["contact_radius"]);
+    assert!(complete["proved"] == true && number(&complete["to"]) > largest && largest > 3e4, "{answer}");
+}
+
+/// The table ends, and the contact with it, in the state in which it comes there.
+#[test]
+fn the_end_of_a_table() {
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("ends.csv");
+    std::fs::write(&file, "r,f\nm,m\n0,0\n1,0.5\n2,2\n3,4.5\n4,8\n").unwrap();
+    let table = format!("kind = \"table\", file = \"{}\"", file.display());
+    let elongation = (8.0 * std::f64::consts::PI).sqrt();
+    for flags in ["--digits 12", "--f64"] {
+        let answer = solve(&scene("1", &table, "0, 100, -5"), flags);
+        assert_eq!(events(&answer), ["start", "end-of-profile"]);
+        let end = &answer["path"][1];
+        assert_eq!(number(&end["contact_radius"]), 4.0);
+        near(&end["indentation"], 16.0 - elongation, 1e-11);
+        near(&end["force"], 8.0 * (32.0 / 3.0 - elongation), 1e-11);
+    }
+}
+
+/// Neither a sphere nor a paraboloid ends at a finite depth.
+#[test]
+fn what_is_no_end_of_a_profile() {
+    let sphere = scene("1", "kind = \"sphere\", radius = 1", "0, 100, -5");
+    let answer = solve(&sphere, "--digits 10");
+    assert_eq!(
+        (&answer["promise"]["path"], events(&answer)),
+        (&"certified".into(), vec!["start", "way-point", "detached", "end"])
+    );
+    // a → 1, ∫₀¹ x artanh x = 1/2.
+    near(&answer["path"][1]["contact_radius"], 1.0, 1e-9);
+    near(&answer["path"][1]["force"], 2.0 * 99.5, 1e-9);
+    let answer = solve(&sphere, "--f64");
+    assert_eq!(events(&answer), ["start", "undecided"]);
+    assert!(answer["balance"].is_null());
+    assert_eq!((&answer["path"][1]["status"], &answer["path"][1]["force"]), (&"undecided".into(), &Value::Null));
+    let answer = solve(&scene("1", "kind = \"paraboloid\", radius = 1", "0, \"1e700\""), "--digits 10");
+    assert_eq!((&answer["promise"]["path"], events(&answer)), (&"certified".into(), vec!["start", "end"]));
+    assert_eq!(answer["path"][1]["contact_radius"], "1.000000000e+350");
+}
+
+/// The work of the control on a way to and fro is what is lost and what is stored, whatever went in and came back between.
+#[test]
+fn the_work_of_a_long_way() {
+    for (depth, flags) in [("1e8", "--f64"), ("1e20", "--f64"), ("1e100", "--digits 6")] {
+        let way = format!("0, \"{depth}\", -10");
+        let answer = solve(&scene("1", "kind = \"paraboloid\", radius = 1", &way), flags);
+        near(&answer["balance"]["work"], 7.0922, 1e-5);
+    }
+}
+
+/// On a machine softer than the contact the force is that of its spring.
+#[test]
+fn a_soft_machine_keeps_the_digits_of_the_force() {
+    let machine = |modulus: &str, work: &str, profile: &str, stiffness: &str| {
+        format!(
+            "material = {{ e_star = \"{modulus}\", work_of_adhesion = \"{work}\" }}\nprofile = {{ {profile} }}\n\
+             control = {{ kind = \"machine\", stiffness = \"{stiffness}\", path = [0, 0] }}\n\
+             output = {{ want = [\"path\", \"equilibria\"], equilibria = {{ at = [0] }} }}\n"
+        )
+    };
+    let soft = machine("1e11", "0.05", "kind = \"paraboloid\", radius = \"0.01\"", "0.01");
+    let softer = machine("1", "1.933", "kind = \"power\", n = 0.6, c = 0.1214", "1.233");
+    for (scene, expected, error) in [(soft, -2.645_048_67e-11, 1e-8), (softer, -3.95e9, 1e-2)] {
+        let answer = solve(&scene, "--f64");
+        near(&answer["path"][0]["force"], expected, error);
+        let states = answer["equilibria"][0]["equilibria"].as_array().unwrap();
+        let stable = states.iter().rfind(|state| state["stable"] == true).unwrap();
+        near(&stable["force"], expected, error);
+    }
+}
+
+/// Inside a flat face the pressure is finite, though g' is not at its edge.
+#[test]
+fn the_pressure_inside_a_flat_face() {
+    let scene = "material = { e_star = 1, work_of_adhesion = 0.05 }
+        profile = { kind = \"truncated-cone\", slope = 1, flat = 0.2 }
+        control = { kind = \"indentation\" }
+        [output]\nwant = [\"pressure\"]\nequilibria.at = [0.1]\npressure.at = [0, 0.1, 0.2]\n";
+    for (flags, error) in [("--f64", 1e-11), ("--digits 12", 1e-11)] {
+        let answer = solve(scene, flags);
+        let points = &answer["pressure"][0]["states"].as_array().unwrap().last().unwrap()["pressure"];
+        near(&points[0]["pressure"], 0.260195574898, error);
+        near(&points[1]["pressure"], 0.299026347, 1e-8);
+        assert_eq!(points[2]["status"], "domain-error", "infinite at the edge: {answer}");
+    }
+}
+
+/// An indentation that is exactly zero at the fold, as for n = 3/2 under a dead load, is known from the closed form.
+#[test]
+fn an_exact_zero_on_a_path() {
+    let scene = "material = { e_star = 1, work_of_adhesion = 1 }
+        profile = { kind = \"power\", n = \"1.5\", c = 1 }
+        control = { kind = \"force\", path = [0, -50] }
+        [output]\nwant = [\"folds\", \"path\"]\n";
+    let answer = solve(scene, "--digits 9");
+    let fold = &answer["path"][1];
+    assert_eq!(
+        (&fold["event"], &fold["indentation"], &fold["status"]),
+        (&"detached".into(), &"0".into(), &"ok".into())
+    );
+    assert_eq!(fold["force"], answer["folds"][0]["force"]);
+}
+
+/// In CSV a column of numbers has numbers only.
+#[test]
+fn a_column_of_numbers_has_numbers_only() {
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("parabola.csv");
+    std::fs::write(&file, "r,f\nm,m\n0,0\n1,0.5\n2,2\n3,4.5\n4,8\n").unwrap();
+    let scene = format!(
+        "material = {{ e_star = 1, work_of_adhesion = 1 }}\nprofile = {{ kind = \"table\", file = \"{}\" }}\n\
+         control = {{ kind = \"indentation\" }}\noutput = {{ want = [\"transform\"], transform = {{ at = [\"1e-300\"] }} }}\n",
+        file.display()
+    );
+    let assert = mdr("solve - --f64 --format csv").stdin(&scene).assert().success();
+    let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+    let [header, row] = &text.lines().map(|line| line.split(',').collect::<Vec<_>>()).collect::<Vec<_>>()[..] else {
+        panic!("{text}")
+    };
+    let at = |key: &str| row[header.iter().position(|name| *name == key).unwrap_or_else(|| panic!("{key} in {text}"))];
+    assert_eq!((at("g"), at("integral"), at("status")), ("", "", "underflow"));
+    assert!((at("log10_g").parse::<f64>().unwrap() + 600.0).abs() < 1e-6, "{text}");
+    assert!((at("slope").parse::<f64>().unwrap() / 2e-300 - 1.0).abs() < 1e-12, "{text}");
+}
+
+/// A picture that cannot be drawn says which flag and why.
+#[test]
+fn a_picture_out_of_hardware_names_its_flag() {
+    let scene = scene("1", "kind = \"paraboloid\", radius = \"1e400\"", "0, -1").replace("\"path\"", "\"folds\"");
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("huge.svg");
+    let assert = mdr(&format!("solve - --digits 6 --plot {}", file.display())).stdin(scene).assert().code(2);
+    let text = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+    assert!(text.starts_with("error: --plot: ") && text.contains("f64"), "{text}");
+}
+
+/// A formula that ends at a radius is searched up to it: that of a sphere has the equilibria of the sphere.
+#[test]
+fn a_formula_with_an_end() {
+    let scene = |profile: &str| {
+        format!(
+            "material = {{ e_star = 1, work_of_adhesion = \"0.01\" }}\nprofile = {{ {profile} }}\n\
+             control = {{ kind = \"indentation\" }}\n[output]\nwant = [\"equilibria\", \"transform\"]\n\
+             equilibria.at = [0, 1]\ntransform.at = [\"0.5\", \"1.5\"]\n"
+        )
+    };
+    let read = |profile: &str| solve(&scene(profile), "--f64");
+    let (formula, sphere) =
+        (read("kind = \"expression\", formula = \"1-sqrt(1-r^2)\""), read("kind = \"sphere\", radius = 1"));
+    for value in [0, 1] {
+        let radii = |answer: &Value| -> Vec<f64> {
+            let states = answer["equilibria"][value]["equilibria"].as_array().unwrap();
+            states.iter().map(|state| number(&state["contact_radius"])).collect()
+        };
+        let (found, expected) = (radii(&formula), radii(&sphere));
+        assert_eq!(found.len(), expected.len(), "{formula}");
+        assert!(found.iter().zip(&expected).all(|(a, b)| (a / b - 1.0).abs() < 1e-12), "{found:?} {expected:?}");
+        assert!(!found.is_empty());
+    }
+    assert_eq!(formula["transform"][1]["status"], "domain-error");
+}
