@@ -24,6 +24,10 @@ pub(super) fn lost_numbers(output: &Output) -> bool {
         let all = numbers(std::slice::from_ref(record));
         let small = all.iter().filter(small).count();
         small > 0 && small < all.len()
+            || record
+                .fields()
+                .iter()
+                .any(|(_, field)| matches!(field, Field::Marked { log10: Some(x), .. } if !x.is_finite()))
     };
     output.want == Want::Transform && output.records.iter().any(lost)
 }

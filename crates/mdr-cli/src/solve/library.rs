@@ -10,6 +10,7 @@ use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::{Literal, Special};
 use mdr_numeric::transform::Quadrature;
 
+use super::bounded::Bounded;
 use crate::scene::{Shape, Slope};
 
 /// The transformed profile: a closed form where there is one, quadrature for a formula, exact pieces for a table.
@@ -47,7 +48,7 @@ pub(crate) fn transform<R: Struve + Kappa>(shape: &Shape, ctx: R::Ctx) -> Result
                 value: error.to_string(),
                 requirement: "one whose names all have values",
             })?;
-            Box::new(Quadrature::new(profile))
+            Box::new(Quadrature::new(Bounded::new(profile, ctx)))
         }
         Shape::Table(table) => Box::new(table.profile::<R>(ctx)?),
     })

@@ -2,6 +2,7 @@
 
 mod answer;
 mod beyond;
+mod bounded;
 mod certified;
 mod contact;
 mod digits;
@@ -96,9 +97,20 @@ impl Solve {
         let (answer, costs) = solve(&scene, &solver, &tally)?;
         render::write(&answer, self.format, out)?;
         if let Some(file) = &self.plot {
-            plot::write(&scene, &solver, &self.scene, file)?;
+            plot::write(&scene, &solver, &self.scene, file).map_err(not_drawn)?;
         }
         if self.explain { explain::write(&costs) } else { Ok(()) }
+    }
+}
+
+/// A picture that cannot be drawn names its flag.
+fn not_drawn(failure: Failure) -> Failure {
+    match failure {
+        failure @ (Failure::Scene { .. } | Failure::File { .. }) => failure,
+        failure => {
+            let why = format!("the picture is drawn in f64: {failure}");
+            Failure::Flag { flag: "--plot", why, got: None }
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! The answer for a reader and for a spreadsheet.
 
+use std::borrow::Cow;
+
 use mdr_core::contact::Status;
 
 use super::answer::{Answer, Output as Solved};
@@ -53,7 +55,7 @@ fn for_reader(answer: &Answer) -> String {
 }
 
 fn output(output: &Solved) -> String {
-    let rows = flat(&output.records);
+    let rows = flat(&output.records, |key, field| vec![(key.into(), text(field))]);
     let mut text = format!("{} ({})\n\n", output.want.name(), output.promise.name());
     let columns = columns(&rows);
     if rows.is_empty() {
@@ -100,10 +102,10 @@ fn books(balance: &Record<Number>) -> String {
 }
 
 /// A row: its columns with their texts.
-type Row = Vec<(&'static str, (String, Tone))>;
+type Row = Vec<(Cow<'static, str>, (String, Tone))>;
 
 /// One row for each innermost record, with the fields of the records around it.
-fn flat(records: &[Record<Number>]) -> Vec<Row> {
+fn flat(records: &[Record<Number>], write: fn(&'static str, &Field<Number>) -> Row) -> Vec<Row> {
     let mut rows = Vec::new();
     for record in records {
         let mut own: Row = Vec::new();
@@ -113,15 +115,15 @@ fn flat(records: &[Record<Number>]) -> Vec<Row> {
             match field {
                 Field::Records(records) => {
                     nested = true;
-                    inner.extend(flat(records));
+                    inner.extend(flat(records, write));
                 }
-                field => own.push((key, text(field))),
+                field => own.extend(write(key, field)),
             }
         }
         let status = record.status();
         let tone = if status == Status::Ok { Tone::Faint } else { Tone::Bad };
         if inner.is_empty() {
-            own.push(("status", (status.to_string(), tone)));
+            own.push(("status".into(), (status.to_string(), tone)));
             rows.push(own);
             continue;
         }
@@ -145,7 +147,7 @@ fn text(field: &Field<Number>) -> (String, Tone) {
     match field {
         Field::Number(number) => (number.to_string(), Tone::Good),
         Field::Given(literal) => (literal.to_string(), Tone::Plain),
-        Field::Marked { log10: Some(log10), .. } => (format!("about 10^{log10:.6}"), Tone::Bad),
+        Field::Marked { log10: Some(log10), .. } if log10.is_finite() => (format!("about 10^{log10:.6}"), Tone::Bad),
         Field::Marked { .. } | Field::Absent | Field::Records(_) => (String::new(), Tone::Faint),
         Field::Word(word) => ((*word).to_owned(), Tone::Plain),
         Field::Flag(true) => ("yes".to_owned(), Tone::Plain),
@@ -153,27 +155,38 @@ fn text(field: &Field<Number>) -> (String, Tone) {
     }
 }
 
+/// A field in a spreadsheet: a column of numbers has numbers only, and log10 of what is none has a column of its own.
+fn columns_of(key: &'static str, field: &Field<Number>) -> Row {
+    match field {
+        Field::Marked { log10: Some(log10), .. } if log10.is_finite() => vec![
+            (key.into(), (String::new(), Tone::Bad)),
+            (format!("log10_{key}").into(), (log10.to_string(), Tone::Bad)),
+        ],
+        field => vec![(key.into(), text(field))],
+    }
+}
+
 /// The keys of all rows, in the order in which they first appear; the status last.
-fn columns(rows: &[Row]) -> Vec<&'static str> {
+fn columns(rows: &[Row]) -> Vec<Cow<'static, str>> {
     let mut columns = Vec::new();
     for (key, _) in rows.iter().flatten() {
         if *key != "status" && !columns.contains(key) {
-            columns.push(*key);
+            columns.push(key.clone());
         }
     }
-    columns.push("status");
+    columns.push("status".into());
     columns
 }
 
 /// One table for all outputs: the first columns say which output, and its promise.
 fn for_spreadsheet(answer: &Answer, out: &mut Output<impl std::io::Write>) -> Result<()> {
-    let tables: Vec<_> = answer.outputs.iter().map(|output| (output, flat(&output.records))).collect();
+    let tables: Vec<_> = answer.outputs.iter().map(|output| (output, flat(&output.records, columns_of))).collect();
     let all: Vec<Row> = tables.iter().flat_map(|(_, rows)| rows.iter().cloned()).collect();
     let keys = columns(&all);
-    let header: Vec<&str> = ["output", "promise"].into_iter().chain(keys.iter().copied()).collect();
+    let header: Vec<&str> = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref)).collect();
     let rows = tables.iter().flat_map(|(output, rows)| {
         rows.iter().map(|row| {
-            let value = |key: &&str| {
+            let value = |key: &Cow<'static, str>| {
                 row.iter().find(|(name, _)| name == key).map(|(_, (text, _))| text.clone()).unwrap_or_default()
             };
             let first = [output.want.name().to_owned(), output.promise.name().to_owned()];
