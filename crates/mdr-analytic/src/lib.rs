@@ -45,7 +45,7 @@
 //! # Ok::<(), mdr_core::contact::Error>(())
 //! ```
 //!
-//! With the feature `mp` (default) the module [`certified`] answers with any number of proved digits.
+//! With the feature `mp` (default) the module `certified` answers with any number of proved digits.
 
 #![forbid(unsafe_code)]
 

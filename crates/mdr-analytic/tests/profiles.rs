@@ -328,3 +328,28 @@ fn integrals_lose_at_most_a_digit_more_than_they_must() {
         assert!(worst.1 < 1.0, "{name}: {} digits at {}", worst.1, worst.0);
     }
 }
+
+/// A refusal names what the user gave, in few digits.
+#[test]
+fn refusals_name_what_was_given() {
+    let refused = |profile: Result<Box<dyn Transform<f64>>>, named: &str| {
+        let message = profile.err().expect(named).to_string();
+        assert!(message.starts_with(named) && message.len() < 200, "{message}");
+    };
+    refused(EllipticalDimple::new(-1.0, 1.0).map(|p| Box::new(p) as _), "depth must be positive");
+    refused(EllipticalDimple::new(1.0, -1.0).map(|p| Box::new(p) as _), "radius must be positive");
+    refused(
+        ParabolicCapCone::new(1e-300, 1e300).map(|p| Box::new(p) as _),
+        "the radius of curvature of the cap is out",
+    );
+    refused(
+        WavyParaboloid::new(1.0, 1.0, 1e-320).map(|p| Box::new(p) as _),
+        "the wave number 2π/λ is out of the range",
+    );
+    refused(Sphere::new(-1e300).map(|p| Box::new(p) as _), "radius must be positive and finite, got -1e300");
+    let waves = WavyParaboloid::new(1.0, 1.0, 1e-300).unwrap();
+    let message = waves.g(&1e100).unwrap_err().to_string();
+    assert!(message.contains("small enough") && message.ends_with("got 1e100"), "{message}");
+    let none = Sum::<f64>::new(Vec::new());
+    assert!(none.g(&f64::NAN).is_err() && none.g(&-1.0).is_err() && none.g(&1.0) == Ok(0.0));
+}

@@ -38,7 +38,7 @@
 //! * [`springs`]: the elastic foundation of discrete springs, the paper's procedure taken literally.
 //! * [`fields`]: pressure, displacement, gap.
 //! * [`table`]: measured profiles from a CSV file, transformed exactly.
-//! * [`proof`]: folds with a proof that none is missed.
+//! * `proof`, with the feature `mp`: folds with a proof that none is missed.
 
 #![forbid(unsafe_code)]
 

@@ -211,11 +211,15 @@ impl<R: Real> WavyParaboloid<R> {
     /// From the radius R of the paraboloid, the amplitude A of the waves and their length λ (m).
     ///
     /// # Errors
-    /// [`Error::Domain`] unless all are positive and finite.
+    /// [`Error::Domain`] unless R and λ are positive and finite and A is finite. With A > 0 the body has the crest of a wave
+    /// on its axis, with A < 0 a trough.
     pub fn new(radius: R, amplitude: R, wavelength: R) -> Result<Self> {
+        if !amplitude.is_finite() {
+            return Err(Error::domain(Quantity::Parameter("the amplitude of the waves"), &amplitude, "finite"));
+        }
         Ok(WavyParaboloid {
             radius: radius_of_curvature(radius)?,
-            amplitude: Error::require_positive(Quantity::Parameter("the amplitude of the waves"), amplitude)?,
+            amplitude,
             wavelength: Error::require_positive(Quantity::Parameter("the wavelength"), wavelength)?,
         })
     }

@@ -169,3 +169,16 @@ fn one_node_claims_nothing() {
     let estimate = punch.with_rule(Rule::Gauss { nodes: 1 }).g_estimate(&1.0).unwrap();
     assert!((estimate.value - exact).abs() <= estimate.error, "{estimate:?} {exact}");
 }
+
+/// Waves of the opposite phase, a trough on the axis, take away what the others add.
+#[test]
+fn a_negative_amplitude_is_the_opposite_phase() {
+    let g = |amplitude, x| Quadrature::new(WavyParaboloid::new(1.0, amplitude, 0.2).unwrap()).g(&x).unwrap();
+    for x in [0.03, 0.1, 0.45] {
+        let smooth: f64 = x * x;
+        // Each to 32 roundoffs of |g| < x² + π²x A/λ · 2.
+        let tolerance = 64.0 * f64::EPSILON * (smooth + x);
+        assert!((g(1e-2, x) + g(-1e-2, x) - 2.0 * smooth).abs() < tolerance && g(-1e-2, x) != g(1e-2, x), "x = {x}");
+    }
+    assert!(WavyParaboloid::new(1.0, f64::NAN, 0.2).is_err());
+}

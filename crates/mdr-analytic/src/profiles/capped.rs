@@ -1,12 +1,13 @@
 //! Cones whose tip is rounded: by a paraboloid or by a sphere that the flank continues without a kink in slope.
 
-use mdr_core::contact::{Kink, Result, Slopes};
+use mdr_core::contact::{Kink, Quantity, Result, Slopes};
 use mdr_core::number::Special;
 
 use super::edge::{Edge, around, atanh_moment};
 use super::ranged::length;
 use super::smooth::{Paraboloid, Sphere};
 use super::{ClosedForm, positive, transform};
+use crate::range::representable;
 
 transform!(ParabolicCapCone, SphericalCapCone);
 
@@ -23,11 +24,12 @@ impl<R: Special> ParabolicCapCone<R> {
     /// A cone of flank `slope` t = tan θ, capped up to the radius `cap` b by a paraboloid of curvature radius b/t.
     ///
     /// # Errors
-    /// Unless both are positive and finite.
+    /// Unless both are positive and finite; [`OutOfRange`](mdr_core::contact::Error::OutOfRange) when b/t is not.
     pub fn new(slope: R, cap: R) -> Result<Self> {
         let slope = positive("slope", slope)?;
         let cap = positive("cap", cap)?;
-        let tip = Paraboloid::new(cap.clone() / &slope)?;
+        let curvature = Quantity::Parameter("the radius of curvature of the cap");
+        let tip = Paraboloid::new(representable(curvature, cap.clone() / &slope, || cap.ln() - slope.ln())?)?;
         Ok(ParabolicCapCone { slope, cap, tip })
     }
 

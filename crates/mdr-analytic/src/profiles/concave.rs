@@ -139,8 +139,9 @@ impl<R: Special> EllipticalDimple<R> {
     /// # Errors
     /// Unless both are positive and finite.
     pub fn new(depth: R, radius: R) -> Result<Self> {
+        let (depth, radius) = (positive("depth", depth)?, positive("radius", radius)?);
         let inside = Ellipsoid::new(radius.clone(), depth.clone())?;
-        Ok(EllipticalDimple { depth: positive("depth", depth)?, radius: positive("radius", radius)?, inside })
+        Ok(EllipticalDimple { depth, radius, inside })
     }
 
     /// h/b.

@@ -30,9 +30,13 @@ pub(super) fn evaluate<R: Special, P: ClosedForm<R>>(
 #[cold]
 fn rescaled<R: Special, P: ClosedForm<R>>(profile: &P, x: &R, degree: i64, formula: impl Fn(&P, &R) -> R) -> Result<R> {
     let singular = || {
-        let edge = profile.edge().map_or_else(String::new, |edge| format!(" for the edge {}", edge.approx()));
+        let Some(edge) = profile.edge() else {
+            let requirement = "small enough, against the shortest length of the profile, for this arithmetic";
+            return Error::domain(Quantity::Radius, x, requirement);
+        };
         let requirement = "away from the edge where the transformed profile is singular";
-        Error::Domain { quantity: Quantity::Radius, value: format!("{}{edge}", x.approx()), requirement }
+        let value = format!("{:?} for the edge {:?}", x.approx(), edge.approx());
+        Error::Domain { quantity: Quantity::Radius, value, requirement }
     };
     let k = (x.ln().approx() / std::f64::consts::LN_2).floor() as i64;
     let (value, k) = match (profile.scaled(-k), times_power_of_two(x, -k)) {

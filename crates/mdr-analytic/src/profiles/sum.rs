@@ -17,6 +17,9 @@ impl<R: Special> Sum<R> {
     }
 
     fn total(&self, x: &R, part: impl Fn(&dyn Transform<R>) -> Result<R>) -> Result<R> {
+        if self.terms.is_empty() {
+            Error::require_positive(Quantity::Radius, x.clone())?;
+        }
         let sum = self.terms.iter().try_fold(x.lit(0), |sum, term| Ok(sum + part(term.as_ref())?));
         match sum {
             Ok(sum) if sum.is_finite() => Ok(sum),

@@ -4,13 +4,14 @@ use mdr_core::contact::{Error, Quantity, Result};
 
 use super::ranged::length;
 use super::{ClosedForm, Paraboloid, positive, transform};
+use crate::range::representable;
 use crate::struve::{Struve, small_h1};
 
 transform!(Struve: WavyParaboloid);
 
 /// f = r²/2R + A(1 − cos kr), k = 2π/λ: g = x²/R + (π/2)Akx H₀(kx), with the Struve function H₀ (Guduru 2007).
 ///
-/// A negative amplitude puts a crest instead of a trough on the axis.
+/// With A > 0 the body has the crest of a wave on its axis, and touches there first; with A < 0 a trough.
 #[derive(Clone, Debug)]
 pub struct WavyParaboloid<R> {
     paraboloid: Paraboloid<R>,
@@ -24,13 +25,17 @@ impl<R: Struve> WavyParaboloid<R> {
     /// A paraboloid of curvature radius `radius` R with waves of the given `amplitude` A and `wavelength` λ.
     ///
     /// # Errors
-    /// Unless R and λ are positive and finite and A is finite.
+    /// Unless R and λ are positive and finite and A is finite; [`Error::OutOfRange`] when 2π/λ is not a number.
     pub fn new(radius: R, amplitude: R, wavelength: R) -> Result<Self> {
         if !amplitude.is_finite() {
             return Err(Error::domain(Quantity::Parameter("amplitude"), &amplitude, "finite"));
         }
         let wavelength = positive("wavelength", wavelength)?;
-        let wavenumber = wavelength.pi().times(2) / &wavelength;
+        let two_pi = wavelength.pi().times(2);
+        let wavenumber =
+            representable(Quantity::Parameter("the wave number 2π/λ"), two_pi.clone() / &wavelength, || {
+                two_pi.ln() - wavelength.ln()
+            })?;
         Ok(WavyParaboloid { paraboloid: Paraboloid::new(radius)?, amplitude, wavelength, wavenumber })
     }
 

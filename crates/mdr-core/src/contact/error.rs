@@ -91,6 +91,8 @@ impl fmt::Display for Quantity {
 /// use mdr_core::contact::{Error, Quantity};
 /// let error = Error::domain(Quantity::Exponent, &-1.0, "positive and finite");
 /// assert_eq!(error.to_string(), "the exponent n must be positive and finite, got -1");
+/// let error = Error::no_equilibrium(Quantity::Indentation, &-1e-300);
+/// assert_eq!(error.to_string(), "there is no equilibrium at the indentation depth d = -1e-300");
 /// ```
 #[derive(Clone, Debug, PartialEq, ThisError)]
 #[non_exhaustive]
@@ -170,7 +172,12 @@ pub enum Error {
 impl Error {
     /// An input outside its domain.
     pub fn domain<R: Real>(quantity: Quantity, value: &R, requirement: &'static str) -> Error {
-        Error::Domain { quantity, value: value.approx().to_string(), requirement }
+        Error::Domain { quantity, value: printed(value), requirement }
+    }
+
+    /// No state at this value of the controlled quantity.
+    pub fn no_equilibrium<R: Real>(quantity: Quantity, value: &R) -> Error {
+        Error::NoEquilibrium { quantity, value: printed(value) }
     }
 
     /// Passes `value` on when it is certainly positive and finite.
@@ -193,4 +200,10 @@ impl Error {
     pub fn require_finite<R: Real>(quantity: Quantity, value: &R) -> Result<()> {
         if value.is_finite() { Ok(()) } else { Err(Error::domain(quantity, value, "finite")) }
     }
+}
+
+/// The nearest double, with an exponent where it would have more than a few zeros.
+fn printed<R: Real>(value: &R) -> String {
+    let digits = format!("{:?}", value.approx());
+    digits.strip_suffix(".0").map_or(digits.clone(), str::to_owned)
 }
