@@ -221,3 +221,20 @@ fn a_formula_with_an_end() {
     }
     assert_eq!(formula["transform"][1]["status"], "domain-error");
 }
+
+/// A value that cannot be proved leaves the others as they are: each says whether it is.
+#[test]
+fn values_are_proved_one_by_one() {
+    let scene = "material = { e_star = 1, work_of_adhesion = 1 }
+        profile = { kind = \"elliptical-dimple\", depth = 1, radius = 1 }
+        control = { kind = \"indentation\" }
+        [output]\nwant = [\"equilibria\"]\nequilibria.at = [-5, -2]\n";
+    let (answer, rough) = (solve(scene, "--digits 9"), solve(scene, "--f64"));
+    let values = answer["equilibria"].as_array().unwrap();
+    assert_eq!((&values[0]["proved"], &values[1]["proved"]), (&false.into(), &true.into()), "{answer}");
+    assert_eq!(answer["complete"]["equilibria"]["proved"], false, "{answer}");
+    for (value, known) in values.iter().zip(rough["equilibria"].as_array().unwrap()) {
+        let (value, known) = (&value["equilibria"][0], &known["equilibria"][0]);
+        near(&value["contact_radius"], number(&known["contact_radius"]), 1e-8);
+    }
+}

@@ -19,7 +19,7 @@ impl EnclosedBranches<'_> {
     /// that no fold lies out there. Which state is the largest, say, is a question about the range only.
     ///
     /// # Errors
-    /// [`Error::Undecided`] otherwise.
+    /// [`Error::Undecided`](mdr_core::contact::Error::Undecided) otherwise.
     pub fn check(&self, path: &Path<Interval>) -> Result<()> {
         let states = || path.events.iter().flat_map(|event| [&event.before, &event.after]);
         let (lower, upper) = self.range();
