@@ -81,10 +81,13 @@ impl<'s> Double<'s> {
     }
 
     /// The contact radii to which the path of the scene leads, and those of the equilibria at its values, as far as they are
-    /// found.
+    /// found, and where the scene wants any.
     pub(crate) fn visited(&self) -> Vec<f64> {
-        let Ok(states) = self.states() else { return Vec::new() };
-        states.visited(&self.scene.held, &self.scene.output.values)
+        let moves = self.scene.output.want.iter().any(|want| matches!(want, Want::Path | Want::Equilibria));
+        match self.states() {
+            Ok(states) if moves => states.visited(&self.scene.held, &self.scene.output.values),
+            _ => Vec::new(),
+        }
     }
 
     /// The contact radii of `curve`.
