@@ -42,6 +42,8 @@ fn exports_and_refuses() {
     let refused = mdr(&format!("reference --export {}", file("all.xls"))).assert().code(2).stdout_eq("");
     assert!(refused.get_output().stderr.starts_with(b"error: --export: must end in .jsonl or .csv"));
     mdr("reference --filter colour=red").assert().code(2).stdout_eq("");
-    mdr("reference --filter id=none --format json").assert().code(1).stdout_eq("").stderr_eq("");
+    mdr("reference --filter id=none").assert().code(2).stdout_eq("");
+    let nothing = ["--filter", "control=force control=indentation", "--format", "json"];
+    mdr("reference").args(nothing).assert().code(1).stdout_eq("").stderr_eq("");
     std::fs::remove_dir_all(folder).unwrap();
 }
