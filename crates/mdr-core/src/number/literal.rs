@@ -152,7 +152,9 @@ impl Literal {
             // `digits` is not empty here or stands for zero; the grammar was checked on the way in.
             format!("0{digits}e{exponent}").parse().unwrap_or(f64::NAN)
         };
-        let magnitude = if self.denominator == "1" {
+        let magnitude = if self.digits.len().max(self.denominator.len()) <= 300 {
+            part(&self.digits, self.exponent) / part(&self.denominator, 0)
+        } else if self.denominator == "1" {
             part(&self.digits, self.exponent)
         } else {
             // As 0.digits, which cannot leave the range; the shift of the decimal point comes last.
