@@ -60,7 +60,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// All equilibria at the values that the scene asks for.
     ///
     /// # Errors
-    /// As [`Branched::equilibria`].
+    /// As [`Branches::search`].
     pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<Record<R>>> {
         let at = |literal: &Literal| {
             let (states, completeness) = self.at(literal)?;
@@ -103,7 +103,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// Pressure, gap or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
     ///
     /// # Errors
-    /// As [`Branched::equilibria`].
+    /// As [`Branches::search`].
     pub(crate) fn fields(&self, scene: &Scene, want: Want) -> Result<Vec<Record<R>>> {
         let describe = |literal: &Literal, (states, completeness): (Vec<Equilibrium<R>>, Completeness)| {
             let records = states.into_iter().map(|state| self.describe(scene, want, state)).collect::<Result<_>>()?;
