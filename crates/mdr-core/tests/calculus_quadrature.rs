@@ -186,6 +186,19 @@ fn noise_of_the_integrand_ends_the_refinement() {
     }
 }
 
+/// With √t a Gauss rule of twice the nodes leaves an eighth of the error: the changes are no noise, and at the finest rule the
+/// goal is far away. It counts if the limit allows.
+#[test]
+fn the_finest_rule_counts_below_the_limit() {
+    let with = |limit: f64| {
+        let tolerance = Tolerance::new(&0.0).or_noise_below(limit);
+        gauss_jacobi::integrate(&0.0, &0.0, tolerance, |t: &f64| Ok(t.sqrt()))
+    };
+    let Estimate { value, error, .. } = with(1e-5).unwrap();
+    assert!((value - 2.0 / 3.0).abs() <= error && error <= 1e-5 * value, "{value} ± {error:e}");
+    assert!(matches!(with(error / 2.0), Err(Error::NoConvergence { .. })), "{error:e}");
+}
+
 #[test]
 fn errors_of_the_integrand_come_through() {
     let refused = Error::NoEquilibrium { quantity: Quantity::Force, value: "1".into() };

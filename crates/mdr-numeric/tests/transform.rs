@@ -62,6 +62,20 @@ fn cone_paraboloid_and_sphere() {
     }
 }
 
+/// Toward the equator g' knows x no better than x g''/g' ≈ 2ᵏ roundings, and loses no more than they cost.
+#[test]
+fn slope_of_a_sphere_up_to_its_last_radius() {
+    let sphere = Quadrature::new(Sphere::new(1.0).unwrap());
+    for k in 1..=53 {
+        let to_equator = 0.5_f64.powi(k);
+        let x = 1.0 - to_equator;
+        let beyond = 2.0 - to_equator;
+        let truth = 0.5 * (beyond / to_equator).ln() + x / (to_equator * beyond);
+        let tolerance = ROUNDING + f64::EPSILON / to_equator;
+        assert_relative_eq!(sphere.slope(&x).unwrap(), truth, max_relative = tolerance);
+    }
+}
+
 #[test]
 fn kinks_split_the_integral() {
     // Popov & Heß 2015, chapter 3: g = x tanθ arccos(b/x) beyond the flat, and for the rounded edge

@@ -17,6 +17,12 @@ pub struct Estimate<R> {
     pub evaluations: usize,
 }
 
+impl<R: Real> Estimate<R> {
+    fn is_within(&self, tolerance: &R, magnitude: &R) -> bool {
+        self.error <= tolerance.clone() * magnitude.steer()
+    }
+}
+
 /// The tightest relative tolerance that a quadrature in the precision of `like` can be asked for: 32 unit roundoffs.
 pub fn roundoff_tolerance<R: Real>(like: &R) -> R {
     like.unit_roundoff().times(32)
@@ -26,7 +32,8 @@ pub fn roundoff_tolerance<R: Real>(like: &R) -> R {
 ///
 /// A plain number is a goal that has to be met. But an integrand that cancels, or is itself a quadrature, is known only to a
 /// noise that may be above the goal. Then refinements cease to help: the changes from one to the next no longer shrink to a
-/// quarter. Where that happens with an error below the `limit`, the value is taken, with its error.
+/// quarter. Where that happens with an error below the `limit`, the value is taken, with its error. So is that of the finest
+/// rule, whatever the last change: one that is small by chance is no reason for throwing the value away.
 ///
 /// ```
 /// use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh, roundoff_tolerance};
@@ -81,9 +88,18 @@ impl<R: Real> Refinement<R> {
         let remainder = self.remainder(magnitude);
         let enough = remainder.is_some();
         let error = (remainder.unwrap_or_else(|| magnitude.steer()) + known).steer();
-        let within = |tolerance: &R| enough && error <= tolerance.clone() * magnitude.steer();
+        let estimate = Estimate { value, error, evaluations };
+        let within = |tolerance: &R| enough && estimate.is_within(tolerance, magnitude);
         let done = within(&self.tolerance.goal) || (within(&self.tolerance.limit) && self.is_noise());
-        (Estimate { value, error, evaluations }, done)
+        (estimate, done)
+    }
+
+    /// What comes of the estimate of the finest rule, which did not reach the goal.
+    ///
+    /// # Errors
+    /// [`NoConvergence`](Error::NoConvergence) unless its error is below the limit.
+    pub(super) fn exhausted(&self, last: Estimate<R>, magnitude: &R) -> Result<Estimate<R>> {
+        if last.is_within(&self.tolerance.limit, magnitude) { Ok(last) } else { Err(no_convergence(&last, magnitude)) }
     }
 
     /// Whether the last change is not much smaller than the one before.
@@ -128,7 +144,7 @@ pub(super) fn rounding<R: Real>(magnitude: &R, count: i64) -> R {
 }
 
 /// The error for an integral that did not converge.
-pub(super) fn no_convergence<R: Real>(last: &Estimate<R>, magnitude: &R) -> Error {
+fn no_convergence<R: Real>(last: &Estimate<R>, magnitude: &R) -> Error {
     let error = (last.error.clone() / magnitude).approx();
     Error::NoConvergence { quantity: Quantity::Integral, evaluations: last.evaluations, error }
 }

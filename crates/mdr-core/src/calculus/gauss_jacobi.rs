@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::cache::{self, Key, Stored};
-use super::estimate::{Estimate, Refinement, Tolerance, finite, no_convergence, rounding, sum};
+use super::estimate::{Estimate, Refinement, Tolerance, finite, rounding, sum};
 use super::jacobi::Jacobi;
 use crate::contact::{Error, Quantity, Result};
 use crate::number::Real;
@@ -129,7 +129,7 @@ impl<R: Real> Ladder<R> {
             if converged {
                 return Ok(estimate);
             } else if rung == RUNGS {
-                return Err(no_convergence(&estimate, &magnitude));
+                return refinement.exhausted(estimate, &magnitude);
             }
         }
     }

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use std::sync::OnceLock;
 
 use super::cache::{self, Key, Stored};
-use super::estimate::{Estimate, Refinement, Tolerance, finite, no_convergence, rounding, sum};
+use super::estimate::{Estimate, Refinement, Tolerance, finite, rounding, sum};
 use crate::contact::{Error, Quantity, Result};
 use crate::number::Real;
 
@@ -246,7 +246,7 @@ fn integrate<R: Real>(
         if converged {
             return Ok(estimate);
         } else if level == table.levels.len() {
-            return Err(no_convergence(&estimate, &whole));
+            return refinement.exhausted(estimate, &whole);
         }
     }
 }
