@@ -3,13 +3,17 @@
 //! Near n = 1/2 the fold is ill conditioned where an equilibrium far from it is not. So the family only tells where to
 //! begin, from logarithms that cannot leave the range, and Newton's method for d(a) = d or F(a) = F does the rest.
 
+use std::cell::LazyCell;
+use std::ops::Deref;
+
 use mdr_core::contact::{Material, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use super::family::{Family, Place};
 use super::start::Seed;
-use super::{Branch, Count, Equilibria, Held, undecided};
+use super::{Branch, Equilibria, Held, undecided};
 use crate::contact::Contact;
+use crate::critical::Critical;
 use crate::power_law::PowerLaw;
 use crate::range::representable;
 
@@ -18,7 +22,9 @@ impl<R: Real> Contact<R> {
     pub(super) fn equilibria_by_residual(&self, held: Held, regime: Regime, value: &R) -> Result<Equilibria<R>> {
         let ln_state = self.ln_critical(&held.control())?;
         let family = Family::new(self, held, regime);
-        let (place, seed) = self.place(held, &family, held.pick(&ln_state.indentation, &ln_state.force), value);
+        let fold = LazyCell::new(|| self.critical(&held.control()));
+        let ln_fold = held.pick(&ln_state.indentation, &ln_state.force);
+        let (place, seed) = self.place(held, &family, (ln_fold, &fold), value);
         let state = |branch: Branch| {
             let v = family.first(&place.distance, seed, branch);
             let ln_radius = ln_state.contact_radius.steer() + family.ln_growth(held, v).steer();
@@ -26,23 +32,24 @@ impl<R: Real> Contact<R> {
             let radius = self.refined_radius(held, value, first)?;
             self.held_state(held, value, radius, branch.stability(regime))
         };
-        Ok(match Count::of(&place.distance, &place.value)? {
-            Count::None => Equilibria::None,
-            Count::Fold => Equilibria::One(self.critical(&held.control())?.at_rest()),
-            Count::Larger => Equilibria::One(state(Branch::Larger)?),
-            Count::Two => Equilibria::Two([state(Branch::Smaller)?, state(Branch::Larger)?]),
-        })
+        Equilibria::at(&place, || (*fold).clone(), state)
     }
 
     /// Where x lies, also where x_fold is out of range; z only with the right sign.
-    fn place(&self, held: Held, family: &Family<R>, ln_fold: &R, value: &R) -> (Place<R>, Seed) {
+    fn place(
+        &self,
+        held: Held,
+        family: &Family<R>,
+        (ln_fold, fold): (&R, &impl Deref<Target = Result<Critical<R>>>),
+        value: &R,
+    ) -> (Place<R>, Seed) {
         let zero = value.lit(0);
         // x_fold < 0 for n > 1/2.
         let signed = if family.regime() == Regime::PullOff { -value.clone() } else { value.clone() };
         let ln_z = value.abs().ln() - ln_fold;
         let distance = if signed > zero {
-            match self.critical(&held.control()) {
-                Ok(fold) => self.distance(held, &held.pick(fold.indentation, fold.force), value),
+            match &**fold {
+                Ok(fold) => self.distance(held, held.pick(&fold.indentation, &fold.force), value),
                 Err(_) => -ln_z.exp_m1(),
             }
         } else {

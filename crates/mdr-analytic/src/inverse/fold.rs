@@ -1,13 +1,13 @@
 //! Equilibria in the variables of the fold: a = a_λ e^{2u}, x = x_fold(1 − τ).
 
-use mdr_core::contact::{Control, Error, Quantity, Result};
+use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Real;
 
 use super::family::{Family, Place};
 use super::{Branch, Count, Equilibria, Held, undecided};
 use crate::contact::Contact;
 use crate::critical::Critical;
-use crate::range::representable;
+use crate::range::{product, representable};
 
 /// The fold of a contact under one control, ready for many values.
 #[derive(Clone, Debug)]
@@ -81,9 +81,21 @@ impl<R: Real> Fold<R> {
                 representable(Quantity::ContactRadius, radius, || self.state.contact_radius.ln() + &ln_growth)?;
             contact.held_state(self.held, value, radius, branch.stability(self.family.regime()))
         };
+        Equilibria::at(place, || Ok(self.state.clone()), state)
+    }
+}
+
+impl<R: Real> Equilibria<R> {
+    /// Those at a place, given the state of the fold and those of the roots.
+    #[inline(always)]
+    pub(super) fn at(
+        place: &Place<R>,
+        fold: impl FnOnce() -> Result<Critical<R>>,
+        state: impl Fn(Branch) -> Result<Equilibrium<R>>,
+    ) -> Result<Self> {
         Ok(match Count::of(&place.distance, &place.value)? {
             Count::None => Equilibria::None,
-            Count::Fold => Equilibria::One(self.state.clone().at_rest()),
+            Count::Fold => Equilibria::One(fold()?.at_rest()),
             Count::Larger => Equilibria::One(state(Branch::Larger)?),
             Count::Two => Equilibria::Two([state(Branch::Smaller)?, state(Branch::Larger)?]),
         })
@@ -96,7 +108,7 @@ impl<R: Real> Contact<R> {
     pub(super) fn distance(&self, held: Held, at_fold: &R, value: &R) -> R {
         if held == Held::Indentation && *self.profile().exponent() == value.lit(1) {
             let (e_star, work) = (self.material().effective_modulus(), self.material().work_of_adhesion());
-            return (value.clone() * e_star * self.profile().coefficient() + work) / work;
+            return (product([value, e_star, self.profile().coefficient()]) + work) / work;
         }
         (at_fold.clone() - value) / at_fold
     }
@@ -105,7 +117,7 @@ impl<R: Real> Contact<R> {
 impl Count {
     /// From τ and from the sign of z = 1 − τ.
     #[inline(always)]
-    pub(super) fn of<R: Real>(distance: &R, value: &R) -> Result<Self> {
+    fn of<R: Real>(distance: &R, value: &R) -> Result<Self> {
         use std::cmp::Ordering::*;
         let zero = distance.lit(0);
         let sign = value.partial_cmp(&zero);
