@@ -4,7 +4,7 @@ use mdr_core::contact::{Error, Material, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::power_law::PowerLaw;
-use crate::range::{difference, ordinary, product, representable};
+use crate::range::{difference, ln_difference, ln_sum, ordinary, product, representable, sum};
 
 /// Δl(a) = √(2πaw/E*), the elongation at which the springs at the edge let go (1.4), for a > 0, in m.
 ///
@@ -130,14 +130,7 @@ impl<R: Real> Contact<R> {
         let (pressed, elongation) = (self.profile.monomial(&a, n, &share, &a.lit(1)), self.elongation(&a));
         let modulus = self.material.effective_modulus().clone();
         if ordinary(&pressed) && ordinary(&elongation) {
-            let depth = pressed - &elongation;
-            let force = product([&modulus, &a, &depth]).times(2);
-            if depth == a.lit(0) {
-                return Ok(depth);
-            }
-            return representable(Quantity::Force, force, || {
-                (modulus.ln() + a.ln() + depth.abs().ln()) + a.lit(2).ln()
-            });
+            return self.force_of_depth(&a, pressed - &elongation);
         }
         // Each term by itself: one that is out of range may become a number with the stiffness, or be negligible.
         let two = a.lit(2);
@@ -149,6 +142,59 @@ impl<R: Real> Contact<R> {
         difference(Quantity::Force, pressed, tension, || {
             let ln_stiffness = modulus.ln() + a.ln() + two.ln();
             [self.profile.ln_monomial(&a, n, &share) + &ln_stiffness, self.ln_elongation(&a) + ln_stiffness]
+        })
+    }
+
+    /// 2E*a·depth, where only an exact zero may give 0.
+    #[inline(always)]
+    fn force_of_depth(&self, a: &R, depth: R) -> Result<R> {
+        let modulus = self.material.effective_modulus();
+        if depth == a.lit(0) {
+            return Ok(depth);
+        }
+        representable(Quantity::Force, product([modulus, a, &depth]).times(2), || {
+            (modulus.ln() + a.ln() + depth.abs().ln()) + a.lit(2).ln()
+        })
+    }
+
+    /// F = 2E*a(nd − Δl)/(n+1) of the equilibrium with a and d.
+    #[inline(always)]
+    pub(crate) fn force_at_indentation(&self, a: &R, d: &R) -> Result<R> {
+        let n = self.profile.exponent();
+        let next = n.lit(1) + n;
+        let (pressed, elongation) = (d.clone() * n, self.elongation(a));
+        if ordinary(&pressed) && ordinary(&elongation) {
+            return self.force_of_depth(a, (pressed - elongation) / next);
+        }
+        let modulus = self.material.effective_modulus().clone().times(2) / next;
+        let pressed = product([&modulus, a, d, n]);
+        let tension = product([&modulus, a, &self.edge_root, &a.sqrt(), &a.lit(2)]);
+        sum(Quantity::Force, pressed, -tension, || {
+            let ln_total = if *d > a.lit(0) { ln_difference } else { ln_sum };
+            ln_total(&(d.abs().ln() + n.ln()), &self.ln_elongation(a)) + modulus.ln() + a.ln()
+        })
+    }
+
+    /// d = ((n+1)F/(2E*a) + Δl)/n of the equilibrium with a and F.
+    #[inline(always)]
+    pub(crate) fn indentation_at_force(&self, a: &R, force: &R) -> Result<R> {
+        let n = self.profile.exponent();
+        let next = n.lit(1) + n;
+        let modulus = self.material.effective_modulus().clone().times(2);
+        let stiffness = modulus.clone() * a;
+        let (pressed, elongation) = (force.clone() * &next / &stiffness, self.elongation(a));
+        if ordinary(&stiffness) && ordinary(&pressed) && ordinary(&elongation) {
+            return Ok((pressed + elongation) / n);
+        }
+        let (share, root) = (n.clone().inv(), a.sqrt());
+        // The root of the stiffness does not leave the range, nor does its reciprocal.
+        let softness = (modulus.sqrt() * &root).inv();
+        let pressed = product([&softness, &softness, force, &next, &share]);
+        let elongation = product([&self.edge_root, &root, &share, &a.lit(2)]);
+        sum(Quantity::Indentation, pressed, elongation, || {
+            let ln_total = if *force < a.lit(0) { ln_difference } else { ln_sum };
+            let ln_pressed = force.abs().ln() + next.ln() - modulus.ln() - a.ln();
+            ln_total(&ln_pressed, &self.ln_elongation(a)) - n.ln()
         })
     }
 

@@ -106,8 +106,9 @@ impl<R: Real> PowerLaw<R> {
         if ordinary(&grown) {
             return product([&grown, &self.coefficient, &factor, scale]);
         }
-        let half = x.pow(&power.clone().over(2));
-        product([&half, &half, &self.coefficient, &factor, scale])
+        // Each of the three others leads back by no more than the range.
+        let quarter = x.pow(&power.clone().over(4));
+        product([&quarter, &quarter, &quarter, &quarter, &self.coefficient, &factor, scale])
     }
 
     /// ln of κ_n C x^power · factor.

@@ -24,14 +24,26 @@ fn beyond<R: Real>(quantity: Quantity, ln_magnitude: &R) -> Error {
 /// Their logarithms are needed where both are 0 or one is beyond the range.
 #[inline(always)]
 pub(crate) fn difference<R: Real>(quantity: Quantity, plus: R, minus: R, ln: impl FnOnce() -> [R; 2]) -> Result<R> {
-    let zero = plus.lit(0);
-    let flushed = plus == zero && minus == zero;
-    let value = plus - &minus;
-    if value.is_finite() && !flushed {
-        return Ok(value);
-    }
-    let [plus, minus] = ln();
-    Err(beyond(quantity, &ln_difference(&plus, &minus)))
+    sum(quantity, plus, -minus, || {
+        let [plus, minus] = ln();
+        ln_difference(&plus, &minus)
+    })
+}
+
+/// x + y of any signs, where one that is 0 is or was rounded to it and is negligible beside the other. The logarithm of
+/// the magnitude of the sum is needed where both are 0 or one is beyond the range.
+#[inline(always)]
+pub(crate) fn sum<R: Real>(quantity: Quantity, x: R, y: R, ln_magnitude: impl FnOnce() -> R) -> Result<R> {
+    let zero = x.lit(0);
+    let flushed = x == zero && y == zero;
+    let value = x + &y;
+    if value.is_finite() && !flushed { Ok(value) } else { Err(beyond(quantity, &ln_magnitude())) }
+}
+
+/// ln(eᵖ + e^q).
+pub(crate) fn ln_sum<R: Real>(p: &R, q: &R) -> R {
+    let greater = p.greater(q);
+    (p.lesser(q) - &greater).exp().ln_1p() + greater
 }
 
 /// ln|eᵖ − e^q|.

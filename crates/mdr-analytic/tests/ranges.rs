@@ -4,7 +4,7 @@
 use mdr_analytic::{
     Contact, Fate, PowerLaw, detachment_elongation, double, threshold, universal_force, universal_indentation,
 };
-use mdr_core::contact::{Control, Error, Material, Ranged, Result, Transform};
+use mdr_core::contact::{Control, Equilibrium, Error, Material, Ranged, Result, Transform};
 
 fn contact(n: f64, c: f64, e_star: f64, work: f64) -> Contact<f64> {
     Contact::new(PowerLaw::new(n, c).unwrap(), Material::new(e_star, work).unwrap())
@@ -120,4 +120,76 @@ fn what_is_no_number_is_refused() {
     assert!(matches!(PowerLaw::paraboloid(1e-310), Err(Error::OutOfRange { log10, .. }) if log10 > 308.0));
     // d = 0 of a scale-free state at its threshold, F = 0 at three times that, are results.
     assert_eq!(contact.critical(&Control::Force).unwrap().force.signum(), -1.0);
+}
+
+/// The equilibria at half of the held quantity at the fold, at 10^-60 of it, and at as much on the other side of zero.
+#[test]
+fn every_equilibrium_is_a_number_or_said() {
+    for e in SCALES {
+        for w in SCALES {
+            let material = Material::new(e, w).unwrap();
+            for (n, c) in [0.3, 0.5, 1.0, 2.0, 7.0].into_iter().flat_map(|n| SCALES.map(|c| (n, c))) {
+                for control in [Control::Indentation, Control::Force] {
+                    let values = held_values(n, c, &material, &control);
+                    values.into_iter().for_each(|value| check_equilibria(&contact(n, c, e, w), &control, value));
+                }
+            }
+        }
+    }
+}
+
+/// Normal numbers. Of numbers below the range d(a) and F(a) in f64 do not tell the radius.
+fn held_values(n: f64, c: f64, material: &Material<f64>, control: &Control<f64>) -> Vec<f64> {
+    if n == 0.5 {
+        return SCALES.into_iter().flat_map(|x| [x, -x]).collect();
+    }
+    let fold = double::critical(n, c, material, control).unwrap();
+    let at_fold = if matches!(control, Control::Force) { fold.force } else { fold.indentation };
+    match at_fold {
+        Ranged::Value(at_fold) if at_fold.is_normal() => {
+            let shares = [0.5, 0.0, -1.0, 1e-60, -1e-60, -1e60];
+            shares.into_iter().map(|share| share * at_fold).filter(|x| x.is_normal() || *x == 0.0).collect()
+        }
+        _ => vec![],
+    }
+}
+
+fn check_equilibria(contact: &Contact<f64>, control: &Control<f64>, value: f64) {
+    let (profile, material) = (contact.profile(), contact.material());
+    let what = format!("{contact:?}, {control:?} of {value:e}");
+    let expected = double::equilibria(*profile.exponent(), *profile.coefficient(), material, control, value).unwrap();
+    let numbers = |state: &Equilibrium<Ranged<f64>>| [state.contact_radius, state.indentation, state.force];
+    match contact.equilibria(control, &value) {
+        Ok(found) => {
+            assert_eq!(found.as_slice().len(), expected.as_slice().len(), "{what}");
+            for (found, expected) in found.as_slice().iter().zip(expected.as_slice()) {
+                assert_eq!(found.stability, expected.stability, "{what}");
+                // What follows from a radius below the range has no more digits than that.
+                let known = if found.contact_radius.is_normal() { 3 } else { 1 };
+                let found = [found.contact_radius, found.indentation, found.force];
+                for (found, expected) in found.into_iter().zip(numbers(expected)).take(known) {
+                    assert_same(&what, Ok(found), expected);
+                }
+            }
+        }
+        // The step of Newton's method needs d'(a) or F'(a), and at F = 0 the terms of F.
+        Err(Error::OutOfRange { log10, .. }) => {
+            let beyond = |a: &f64| {
+                let elongation = contact.detachment_elongation(a).unwrap_or(0.0);
+                let terms = match control {
+                    Control::Force => {
+                        [material.effective_modulus() * a * elongation, contact.force_slope(a).unwrap_or(0.0)]
+                    }
+                    _ => [elongation, contact.indentation_slope(a).unwrap_or(0.0)],
+                };
+                !terms.into_iter().all(f64::is_normal)
+            };
+            let excused = expected.as_slice().iter().any(|state| match numbers(state) {
+                [Ranged::Value(a), Ranged::Value(_), Ranged::Value(_)] => beyond(&a),
+                _ => true,
+            });
+            assert!(excused && log10.abs() > 307.0, "{what}: 10^{log10}, expected {expected:?}");
+        }
+        Err(error) => panic!("{what}: {error}, expected {expected:?}"),
+    }
 }

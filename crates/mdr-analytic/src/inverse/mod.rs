@@ -28,7 +28,7 @@ use mdr_core::number::Real;
 pub(crate) use self::fold::Fold;
 pub(crate) use self::start::Outset;
 use crate::contact::Contact;
-use crate::range::representable;
+use crate::range::{ordinary, product, representable};
 
 /// The equilibria at one value of the controlled quantity.
 #[derive(Clone, Debug, PartialEq)]
@@ -152,7 +152,7 @@ impl<R: Real> Contact<R> {
     /// Accuracy: the residual of (1.13) or (1.16) is at the rounding level of its terms, and the radius errs by that times
     /// its condition, which grows as 1/√τ towards the fold ([`Contact::equilibria_at_distance`] does not lose that). Over
     /// intervals existence, number and values are proved. The uncontrolled quantity follows from
-    /// F = 2E*a(nd − Δl)/(n+1).
+    /// the radius as F = 2E*a(nd − Δl)/(n+1).
     ///
     /// ```
     /// use mdr_analytic::{Contact, PowerLaw};
@@ -207,16 +207,16 @@ impl<R: Real> Contact<R> {
         Fold::new(self, held)?.at_distance(self, distance)
     }
 
-    /// n = 1/2: d = (ρ−1)·2√(Ba) and F = 4E*a√(Ba)(ρ/3−1), each of one sign.
+    /// n = 1/2: d = 2h√a or F = 4E*ha√a with h = κC/(2λ) − √B, each of one sign.
     fn scale_free_equilibria(&self, held: Held, value: &R) -> Result<Equilibria<R>> {
-        let ratio = self.ratio()?;
-        let excess = held.pick(ratio.clone() - ratio.lit(1), ratio.clone().over(3) - ratio.lit(1));
-        let zero = ratio.lit(0);
+        let profile = self.profile();
+        let excess = profile.kappa().clone().over(2 * held.tension()) * profile.coefficient() - self.edge_root();
+        let zero = value.lit(0);
         let stable = match excess.partial_cmp(&zero) {
             Some(order) if order.is_ne() => order.is_gt(),
             _ => {
                 return Err(undecided(
-                    &ratio,
+                    &excess,
                     "whether C is above the threshold, where every radius is in equilibrium",
                 ));
             }
@@ -226,56 +226,39 @@ impl<R: Real> Contact<R> {
             Some(_) => return Ok(Equilibria::None),
             None => return Err(undecided(value, "its sign")),
         }
-        let quotient = value.clone() / &excess;
+        let modulus = self.material().effective_modulus();
         let radius = match held {
-            Held::Indentation => quotient.square() / self.edge_length().clone().times(4),
+            Held::Indentation => (value.clone() / &excess).over(2).square(),
             Held::Force => {
-                let unit = self.material().effective_modulus().clone().times(4) * self.edge_length().sqrt();
-                (quotient / unit).pow(&value.ratio(2, 3))
+                let (unit, power) = (modulus.clone().times(4) * &excess, value.ratio(2, 3));
+                let quotient = value.clone() / &unit;
+                if ordinary(&unit) && ordinary(&quotient) {
+                    quotient.pow(&power)
+                } else {
+                    let [value, modulus, excess] =
+                        [value.abs(), modulus.clone().times(4).inv(), excess.abs().inv()].map(|x| x.pow(&power));
+                    product([&value, &modulus, &excess])
+                }
             }
         };
         let radius = representable(Quantity::ContactRadius, radius, || {
-            let ln_quotient = value.abs().ln() - excess.abs().ln();
-            let (ln_edge, ln_4) = (self.edge_length().ln(), value.lit(4).ln());
+            let ln_quotient = value.abs().ln() - excess.abs().ln() - value.lit(2).ln();
             match held {
-                Held::Indentation => ln_quotient.times(2) - ln_4 - ln_edge,
-                Held::Force => {
-                    let ln_unit = self.material().effective_modulus().ln() + ln_4 + ln_edge.over(2);
-                    (ln_quotient - ln_unit).times(2).over(3)
-                }
+                Held::Indentation => ln_quotient.times(2),
+                Held::Force => (ln_quotient - modulus.clone().times(2).ln()).times(2).over(3),
             }
         })?;
         let stability = if stable { Stability::Stable } else { Stability::Unstable };
         Ok(Equilibria::One(self.held_state(held, value, radius, stability)?))
     }
 
-    /// The state of radius a with the given d or F: F = 2E*a(nd − Δl)/(n+1), d = ((n+1)F/(2E*a) + Δl)/n.
+    /// The state of radius a with the given d or F.
     #[inline(always)]
     pub(crate) fn held_state(&self, held: Held, value: &R, a: R, stability: Stability) -> Result<Equilibrium<R>> {
-        let n = self.profile().exponent();
-        let next = n.lit(1) + n;
-        let stiffness = self.material().effective_modulus().clone().times(2) * &a;
-        let elongation = (self.edge_length().clone() * &a).sqrt().times(2);
         let (indentation, force) = match held {
-            Held::Indentation => {
-                let pressed = (value.clone() * n - elongation) / next;
-                let force = scaled(Quantity::Force, pressed, &stiffness)?;
-                (value.clone(), force)
-            }
-            Held::Force => {
-                let pressed = scaled(Quantity::Indentation, value.clone() * next, &stiffness.inv())?;
-                ((pressed + &elongation) / n, value.clone())
-            }
+            Held::Indentation => (value.clone(), self.force_at_indentation(&a, value)?),
+            Held::Force => (self.indentation_at_force(&a, value)?, value.clone()),
         };
         Ok(Equilibrium { contact_radius: a, indentation, force, stability })
     }
-}
-
-/// term · scale, where only an exact zero may give 0.
-#[inline(always)]
-fn scaled<R: Real>(quantity: Quantity, term: R, scale: &R) -> Result<R> {
-    if term == term.lit(0) {
-        return Ok(term);
-    }
-    representable(quantity, term.clone() * scale, || term.abs().ln() + scale.ln())
 }

@@ -128,7 +128,7 @@ impl Constants {
             nearest: 1e-12 + 4.0 * value.error,
             share: Known::new(&(*excess / at_fold))?,
             radius: Known::new(&state.contact_radius)?,
-            elongation: Known::new(&(*contact.edge_length() * state.contact_radius).sqrt().times(2))?,
+            elongation: Known::new(&contact.elongation(&state.contact_radius))?,
             stiffness: Known::new(&held.pick(modulus / next, next / modulus))?,
             stretch: held.pick(u, u.over(Native, Pair::from(3.0), 1.0 / 3.0)),
         })
