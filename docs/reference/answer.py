@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Answers the questions about critical states of power laws in double precision, by the textbook formula.
 
-    mdr reference --export records.jsonl
+    mdr reference --filter 'flag!=worst' --export records.jsonl
     python3 answer.py records.jsonl > answers.jsonl
     mdr judge answers.jsonl
 """

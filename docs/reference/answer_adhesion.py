@@ -2,7 +2,7 @@
 """Answers the questions about the stable JKR sphere with the package Adhesion from PyPI.
 
     pip install Adhesion
-    mdr reference --export records.jsonl
+    mdr reference --filter 'flag!=worst' --export records.jsonl
     python3 answer_adhesion.py records.jsonl > answers.jsonl
     mdr judge answers.jsonl
 """

@@ -2,7 +2,7 @@
 """Answers the questions about kappa_n = sqrt(pi) Gamma(1+n/2)/Gamma((n+1)/2) with Python packages.
 
     pip install mpmath python-flint scipy
-    mdr reference --export records.jsonl
+    mdr reference --filter 'flag!=worst' --export records.jsonl
     python3 answer_kappa.py scipy-gamma records.jsonl > answers.jsonl
     mdr judge answers.jsonl
 

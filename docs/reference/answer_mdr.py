@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Answers the questions about kappa_n and critical states of power laws with `mdr critical --f64`.
 
-    mdr reference --export records.jsonl
+    mdr reference --filter 'flag!=worst' --export records.jsonl
     python3 answer_mdr.py mdr records.jsonl > answers.jsonl
     mdr judge answers.jsonl
 """

@@ -135,6 +135,11 @@ impl Decimal {
         self.digits.is_empty()
     }
 
+    /// Whether this is a whole number.
+    pub fn is_whole(&self) -> bool {
+        self.exponent >= 0
+    }
+
     /// The magnitude.
     pub fn abs(&self) -> Self {
         Decimal { negative: false, ..self.clone() }

@@ -167,9 +167,18 @@ impl Record {
 
     /// The total condition Σ|d ln value/d ln input|: what relative errors of one unit in the inputs cost; 0 where there
     /// is no number.
+    ///
+    /// An exponent n that is a whole number has no part in it: no program rounds the 2 of a sphere, and the derivative
+    /// with respect to n would depend on the unit of length.
     pub fn total_condition(&self) -> f64 {
+        let counts = |name: &str| name != "n" || !self.has_whole(name);
         // Not `sum`, which gives −0 for an empty list.
-        self.condition.iter().fold(0.0, |total, (_, condition)| total + condition)
+        self.condition.iter().filter(|(name, _)| counts(name)).fold(0.0, |total, (_, condition)| total + condition)
+    }
+
+    /// Whether an input is a whole number.
+    fn has_whole(&self, name: &str) -> bool {
+        self.input(name).and_then(|text| text.parse::<Decimal>().ok()).is_some_and(|value| value.is_whole())
     }
 
     /// A relative error that a good double-precision program can keep: four roundings, 4u·max(1, condition).

@@ -15,12 +15,17 @@ const HALF_STATE: &[&str] = &["C", "E*", "w", "a"];
 const MATERIAL: &[&str] = &["E*", "w"];
 const PUNCH: &[&str] = &["b", "E*", "w"];
 
-/// A number of the critical state; beyond the exponents of MPFR its log₁₀.
+/// A number of the critical state; its log₁₀ where one of the numbers is beyond the exponents of MPFR.
 fn state_of<R: Kappa>(contact: &Contact<R>, control: &Control<R>, part: fn(Critical<R>) -> R) -> Result<R> {
     /// Half of the decades that MPFR has.
     const DECADES: f64 = 1.5e8;
-    let log10 = part(contact.ln_critical(control)?).approx() / std::f64::consts::LN_10;
-    if log10.is_finite() && log10.abs() > DECADES {
+    let logarithms = contact.ln_critical(control)?;
+    let log10 = |x: &R| x.approx() / std::f64::consts::LN_10;
+    let Critical { contact_radius, indentation, force } = &logarithms;
+    // A number with the logarithm of 0 is 0, and not beyond anything.
+    let far = |x: &R| log10(x).is_finite() && log10(x).abs() > DECADES;
+    if [contact_radius, indentation, force].into_iter().any(far) {
+        let log10 = log10(&part(logarithms));
         return Err(Error::OutOfRange { quantity: Quantity::ContactRadius, log10 });
     }
     Ok(part(contact.critical(control)?))

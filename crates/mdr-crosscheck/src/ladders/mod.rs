@@ -136,7 +136,7 @@ pub struct Rung {
     pub parameter: f64,
     /// What the function was asked, to the last bit.
     pub inputs: Vec<f64>,
-    /// Σ|xᵢ ∂f/∂xᵢ|/|f| over the inputs; none where the result is 0.
+    /// Σ|xᵢ ∂f/∂xᵢ|/|f| over the inputs, without an n that is a whole number; none where the result is 0.
     pub condition: Option<f64>,
     /// What our function did.
     pub found: Found,

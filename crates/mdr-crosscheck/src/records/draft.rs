@@ -46,28 +46,27 @@ impl Draft {
         let Answered { quantity, unit, value, condition, scale } = answered;
         let condition: Vec<_> = condition.into_iter().map(|(name, x)| (name, three_digits(x))).collect();
         let log10 = (!value.is_zero()).then(|| (value.log10_f64() * 1e9).round() / 1e9);
-        let decades = self.input_decades().chain(log10).map(f64::abs).fold(0.0, f64::max);
-        let hardness = Hardness {
-            condition: condition.iter().map(|(_, x)| x).sum(),
-            fold_distance: self.fold_distance.unwrap_or(f64::INFINITY),
-            decades,
-            from_half: self.half_distance(),
-            is_number: true,
-        };
         let mut flags = self.flags.clone();
         flags.extend(value.is_zero().then_some("exact-zero"));
-        Record {
+        let record = Record {
             id: self.identifier(quantity),
             status: status(&value),
             value: Some(certified(&value)),
             log10,
             scale: scale.filter(|_| value.is_zero()).map(|scale| scale.to_string_radix(10, Some(17))),
             condition,
-            difficulty: hardness.difficulty(),
             methods: self.method_list(),
             flags: owned(&flags),
             ..self.bare(quantity, unit)
-        }
+        };
+        let hardness = Hardness {
+            condition: record.total_condition(),
+            fold_distance: self.fold_distance.unwrap_or(f64::INFINITY),
+            decades: self.input_decades().chain(log10).map(f64::abs).fold(0.0, f64::max),
+            from_half: self.half_distance(),
+            is_number: true,
+        };
+        Record { difficulty: hardness.difficulty(), ..record }
     }
 
     /// The record of a question without a number.

@@ -120,17 +120,20 @@ impl Question {
 
     /// Whether the second method can follow: exponents as those of the other records, and an answer that arbitrary precision
     /// holds, where a critical radius near n = 1/2 has up to 10¹⁵ digits before its point; of a transform no ratios of
-    /// lengths beyond 10³⁰, and heights at all radii; of an equilibrium a critical state that is a record.
+    /// lengths beyond 10³⁰, heights at all radii, and not too many waves; of an equilibrium a critical state that is a record.
     fn is_within_reach(&self, family: &str) -> bool {
         /// |ln a| of what it holds with its powers.
         const REACH: f64 = 1e8;
         const FAR: f64 = 1e30;
+        /// What a quadrature takes upon itself.
+        const MOST_WAVES: f64 = 500.0;
         const EXPONENTS: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
         let input = |index: usize| self.inputs.get(index).and_then(|text| text.parse().ok()).unwrap_or(f64::NAN);
         let last = input(self.inputs.len() - 1);
         match self.ask {
             // Its height is known inside of its edge.
             Ask::Transform(Shape::EllipticalDimple) if last > input(1) => return false,
+            Ask::Transform(Shape::WavyParaboloid) if last > MOST_WAVES * input(2) => return false,
             Ask::Transform(_) => return !(family == "far" && last > FAR),
             // The distance to the fold is read off the record of the critical state.
             Ask::Equilibrium(..) => return list::all().iter().any(|law| law.texts() == self.law().texts()),
