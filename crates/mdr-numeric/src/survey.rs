@@ -9,11 +9,12 @@
 //! Why not `mdr_core::calculus::isolate`: that is for a function that is a number everywhere on a bounded range. This one
 //! goes to the ends of the exponent range, over kinks, and past radii where the ratio is out of range or cannot be had.
 
-use std::f64::consts::PI;
-use std::sync::LazyLock;
+mod chebyshev;
 
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::Real;
+
+use chebyshev::{DEGREE, Drawn, Fit, share};
 
 /// A sign change of ln(ratio) between two radii.
 #[derive(Clone, Debug)]
@@ -44,8 +45,6 @@ pub(crate) struct Range<R> {
     pub(crate) outer: Option<R>,
 }
 
-/// Intervals of a panel.
-const DEGREE: usize = 8;
 /// The largest |t| that is looked at: 10^±455000, far beyond which only n = 1/2 ± 10⁻⁶ and closer has anything.
 pub(crate) const REACH: f64 = 1_048_576.0;
 /// Panels are not halved below this width in ln a.
@@ -173,7 +172,7 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
         let (first, last) = (samples[0], samples[DEGREE]);
         let known: Vec<Sample> = samples.into_iter().flatten().collect();
         let narrow = self.is_finest(lower, upper) || self.panels > BUDGET + PER_CROSSING * self.crossings.len();
-        let by_level = (known.len() == DEGREE + 1).then(|| Fit::new(&known, |sample| sample.level));
+        let by_level = (known.len() == DEGREE + 1).then(|| fit(&known, |sample| sample.level));
         let quiet = if by_level.as_ref().is_some_and(|fit| is_quiet(&known, fit)) { quiet + 1 } else { 0 };
         let verdict = match by_level {
             _ if quiet == QUIET => Verdict::Empty,
@@ -210,12 +209,7 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
     fn samples(&mut self, lower: f64, upper: f64) -> ([Option<Sample>; DEGREE + 1], bool) {
         let mut blind = false;
         let samples = std::array::from_fn(|i| {
-            let share = match i {
-                0 => 0.0,
-                DEGREE => 1.0,
-                _ => 0.5 - 0.5 * (PI * i as f64 / DEGREE as f64).cos(),
-            };
-            let t = lower * (1.0 - share) + upper * share;
+            let t = lower * (1.0 - share(i)) + upper * share(i);
             match (self.ratio)(&radius(self.scale, t)) {
                 Ok(ratio) => sample(t, &ratio),
                 Err(Error::OutOfRange { .. } | Error::Domain { .. }) => None,
@@ -282,6 +276,11 @@ fn outside(known: &[Sample], width: f64, blind: bool) -> Verdict {
     }
 }
 
+/// The polynomial through all samples of a panel.
+fn fit(samples: &[Sample], value: impl Fn(&Sample) -> f64) -> Fit {
+    Fit::new(std::array::from_fn(|i| value(&samples[i])))
+}
+
 fn one_sided(samples: &[Sample]) -> bool {
     samples.windows(2).all(|pair| pair[0].above == pair[1].above)
 }
@@ -307,7 +306,7 @@ fn settle(samples: &[Sample], by_level: &Fit, roundoff: f64) -> Verdict {
     let width = samples[DEGREE].t - samples[0].t;
     match resolved(by_level, one_sided, width, roundoff) {
         Verdict::Open if samples.iter().all(|sample| sample.excess.is_finite()) => {
-            resolved(&Fit::new(samples, |sample| sample.excess), one_sided, width, roundoff)
+            resolved(&fit(samples, |sample| sample.excess), one_sided, width, roundoff)
         }
         verdict => verdict,
     }
@@ -316,12 +315,12 @@ fn settle(samples: &[Sample], by_level: &Fit, roundoff: f64) -> Verdict {
 /// What the polynomial through the samples of a panel says about its zeros.
 fn resolved(fit: &Fit, one_sided: bool, width: f64, roundoff: f64) -> Verdict {
     let (spread, tail) = (fit.spread(), fit.tail());
-    let noise = NOISE * roundoff + 8.0 * f64::EPSILON * fit.largest.abs().max(fit.smallest.abs());
+    let noise = NOISE * roundoff + 8.0 * f64::EPSILON * fit.largest();
     let allowed = if width <= 2.0 { 1e-2 * spread } else { 1e-6 * spread };
     if tail > allowed.max(noise) {
         return Verdict::Open;
     }
-    let curve = Drawn::new(&fit.coefficients);
+    let curve = Drawn::new(fit);
     let clear = one_sided && curve.keeps_away(4.0 * tail + noise);
     // The slope of what the polynomial leaves out, by Markov's inequality: two turning points of half a percent of the
     // spread are two folds all the same.
@@ -333,80 +332,5 @@ fn resolved(fit: &Fit, one_sided: bool, width: f64, roundoff: f64) -> Verdict {
         Verdict::Monotone
     } else {
         Verdict::Open
-    }
-}
-
-/// The polynomial Σ cₖ Tₖ through the values at the samples of a panel, at −cos(iπ/DEGREE).
-struct Fit {
-    smallest: f64,
-    largest: f64,
-    coefficients: [f64; DEGREE + 1],
-}
-
-impl Fit {
-    fn new(samples: &[Sample], value: impl Fn(&Sample) -> f64) -> Self {
-        let values: [f64; DEGREE + 1] = std::array::from_fn(|i| value(&samples[i]));
-        let (smallest, largest) = values.iter().fold((f64::MAX, f64::MIN), |(s, l), &x| (s.min(x), l.max(x)));
-        let half = |i: usize| if i == 0 || i == DEGREE { 0.5 } else { 1.0 };
-        let coefficients = std::array::from_fn(|k| {
-            let term = |i: usize| half(i) * values[DEGREE - i] * COSINES[i * k % (2 * DEGREE)];
-            2.0 / DEGREE as f64 * half(k) * (0..=DEGREE).map(term).sum::<f64>()
-        });
-        Fit { smallest, largest, coefficients }
-    }
-
-    fn spread(&self) -> f64 {
-        self.largest - self.smallest
-    }
-
-    /// The size of what the polynomial leaves out: that of its last terms.
-    fn tail(&self) -> f64 {
-        self.coefficients[DEGREE - 2..].iter().map(|c| c.abs()).sum()
-    }
-}
-
-/// cos(iπ/DEGREE) over a whole turn.
-static COSINES: LazyLock<[f64; 2 * DEGREE]> =
-    LazyLock::new(|| std::array::from_fn(|i| (PI * i as f64 / DEGREE as f64).cos()));
-
-fn clenshaw(coefficients: &[f64], x: f64) -> f64 {
-    let (b1, b2) = coefficients.iter().skip(1).rev().fold((0.0, 0.0), |(b1, b2), c| (c + 2.0 * x * b1 - b2, b1));
-    coefficients[0] + x * b1 - b2
-}
-
-/// A polynomial of a panel at the angles iπ/DRAWN, x = cos of them.
-struct Drawn {
-    points: [(f64, f64); DRAWN + 1],
-}
-
-const DRAWN: usize = 4 * DEGREE;
-
-impl Drawn {
-    fn new(coefficients: &[f64]) -> Self {
-        let point = |i: usize| {
-            let x = (PI * i as f64 / DRAWN as f64).cos();
-            (x, clenshaw(coefficients, x))
-        };
-        Drawn { points: std::array::from_fn(point) }
-    }
-
-    /// Whether all values have one sign and are no closer to zero than `margin`, between the points neither: there a value
-    /// is less than the neighbours by an eighth of their second difference in the angle, of which twice as much is allowed
-    /// for.
-    fn keeps_away(&self, margin: f64) -> bool {
-        let value = |i: usize| self.points[i].1;
-        let bend = |i: usize| {
-            let (before, after) = (i.abs_diff(1), if i == DRAWN { i - 1 } else { i + 1 });
-            (value(before) - 2.0 * value(i) + value(after)).abs()
-        };
-        (0..=DRAWN).all(|i| {
-            let bends = (i.saturating_sub(1)..=DRAWN.min(i + 1)).map(bend);
-            value(i) * value(0).signum() > margin + bends.fold(0.0, f64::max) / 4.0
-        })
-    }
-
-    /// Whether every step goes the way of `sign`, by more than `slope` and less the rounding `noise`.
-    fn is_directed(&self, sign: f64, slope: f64, noise: f64) -> bool {
-        self.points.windows(2).all(|pair| sign * (pair[1].1 - pair[0].1) > slope * (pair[0].0 - pair[1].0) - noise)
     }
 }

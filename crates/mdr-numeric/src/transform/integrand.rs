@@ -35,6 +35,24 @@ impl Integrand {
             }
         }
     }
+
+    /// What the rounding of r does to the integrand, relative: u |Dφ|/|φ|. The terms of φ are taken in magnitude, so that a
+    /// zero of φ means nothing, and summed over the radii.
+    pub(super) fn noise<R: Special>(self, profile: &impl Profile<R>, radii: &[R]) -> R {
+        let zero = radii[0].lit(0);
+        let total = |size: &dyn Fn(&R) -> R| radii.iter().fold(zero.clone(), |sum, r| sum + size(r).abs());
+        let at = |integrand: Integrand, r: &R| integrand.at(profile, &r.lit(1), r);
+        let height = total(&|r| at(Integrand::Height, r));
+        let condition = match self {
+            Integrand::Height => {
+                total(&|r| at(Integrand::Transform, r))
+                    / (total(&|r| at(Integrand::Height, &r.clone().over(2))) + height)
+            }
+            // D(1 + D)f = r d/dr (1 + D)f.
+            _ => total(&|r| at(Integrand::Slope, r) * r) / (total(&|r| at(Integrand::Transform, r)) + height),
+        };
+        if condition.is_finite() { condition * zero.unit_roundoff() } else { zero }
+    }
 }
 
 /// The dual number whose derivative part is r d/dr.

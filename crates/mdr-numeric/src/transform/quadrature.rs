@@ -175,27 +175,9 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         self.tolerance.clone().filter(|tolerance| *tolerance > floor).unwrap_or(floor)
     }
 
-    /// What the rounding of r = x sinθ does to the integrand, relative: u |Dφ|/|φ| at r = x, where it is largest. The terms
-    /// of φ are taken in magnitude, so that a zero of φ there means nothing.
+    /// What the rounding of r = x sinθ does to the integrand, relative, at r = x, where it is largest.
     fn noise(&self, x: &R, integrand: Integrand) -> R {
-        self.noise_over(std::slice::from_ref(x), integrand)
-    }
-
-    /// The same where the terms are the sums over several radii.
-    fn noise_over(&self, radii: &[R], integrand: Integrand) -> R {
-        let zero = radii[0].lit(0);
-        let total = |size: &dyn Fn(&R) -> R| radii.iter().fold(zero.clone(), |sum, r| sum + size(r).abs());
-        let at = |integrand: Integrand, r: &R| integrand.at(&self.profile, &r.lit(1), r);
-        let height = total(&|r| at(Integrand::Height, r));
-        let condition = match integrand {
-            Integrand::Height => {
-                total(&|r| at(Integrand::Transform, r))
-                    / (total(&|r| at(Integrand::Height, &r.clone().over(2))) + height)
-            }
-            // D(1 + D)f = r d/dr (1 + D)f.
-            _ => total(&|r| at(Integrand::Slope, r) * r) / (total(&|r| at(Integrand::Transform, r)) + height),
-        };
-        if condition.is_finite() { condition * zero.unit_roundoff() } else { zero }
+        integrand.noise(&self.profile, std::slice::from_ref(x))
     }
 
     /// φ(x sinθ); 0 below sinθ = u, where no more than u² of the integral can be and where powers of r might leave the range.
@@ -301,7 +283,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     fn many(&self, x: &R, lower: &R, upper: &R, integrand: Integrand) -> Result<Estimate<R>> {
         // Over many waves the integrand at one radius may happen to be small.
         let radii: [R; 8] = std::array::from_fn(|i| x.clone() - x.clone().times(i as i64).over(19));
-        let noise = self.noise_over(&radii, integrand);
+        let noise = integrand.noise(&self.profile, &radii);
         let tolerance = self.attainable(x, &noise);
         let estimate = strides(lower, upper, self.strides, |from, to| match self.weight(from) {
             Some(beta) => self.gauss(x, from, to, &beta, &tolerance, integrand),
