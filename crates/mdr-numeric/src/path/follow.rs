@@ -234,10 +234,7 @@ pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, val
         }
         Start::Nearest(radius) => nearest(branches, radius, value)?,
     };
-    found.ok_or_else(|| Error::NoEquilibrium {
-        quantity: branches.control().quantity(),
-        value: value.approx().to_string(),
-    })
+    found.ok_or_else(|| Error::no_equilibrium(branches.control().quantity(), value))
 }
 
 /// The first of the places where a contact is at rest at `value`.

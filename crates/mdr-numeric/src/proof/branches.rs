@@ -6,6 +6,7 @@ use mdr_core::calculus::roots::{self, Bracket, Sample};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Quantity, Result, Stability};
 use mdr_core::number::{Dual, Interval, Real};
 use rug::Float;
+use rug::float::Round;
 
 use super::{EnclosedCurve, ProvedFolds, kinks};
 use crate::branch::{self, Branched, Onset};
@@ -47,7 +48,8 @@ impl<'a> EnclosedBranches<'a> {
     /// [`Error::Unproved`] with the first part of the range that was not decided; as [`EnclosedCurve::sharpen`].
     pub fn new(curve: EnclosedCurve<'a>, proved: &ProvedFolds) -> Result<Self> {
         if let Some((from, to)) = proved.undecided.first() {
-            let [from, to] = [from, to].map(|end| end.to_f64().to_string());
+            let [from, to] = [(from, Round::Down), (to, Round::Up)]
+                .map(|(end, outwards)| end.to_string_radix_round(10, Some(4), outwards));
             let remedy = "raise the precision or the budget, or narrow the range of radii";
             return Err(Error::Unproved { quantity: Quantity::ContactRadius, from, to, remedy });
         }

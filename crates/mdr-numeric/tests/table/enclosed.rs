@@ -1,10 +1,10 @@
 //! Measured profiles over enclosures: they contain what many bits give, and the folds of a table are proved.
 
-use mdr_core::contact::{Control, FoldKind, Material, Result, Transform};
+use mdr_core::contact::{Control, Error, FoldKind, Material, Result, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::folds::folds;
-use mdr_numeric::proof::EnclosedCurve;
+use mdr_numeric::proof::{EnclosedBranches, EnclosedCurve};
 use mdr_numeric::table::{MeasuredProfile, Table};
 use rug::Float;
 
@@ -118,6 +118,28 @@ fn the_folds_of_a_table_are_proved() -> Result<()> {
             assert!((found.contact_radius / a - 1.0).abs() < 1e-10 && found.kind == proved.kind, "{found:?}");
         }
         assert!(proved.folds.iter().any(|fold| fold.kind == FoldKind::Minimum));
+    }
+    Ok(())
+}
+
+/// What a small budget leaves over is told in few digits, rounded outwards.
+#[test]
+fn a_refusal_names_the_undecided_part() -> Result<()> {
+    let (plain, moving) = (enclosed::<Interval>(), enclosed::<Dual<Interval>>());
+    let material = Material::new(plain.kinks()[0].lit(1), plain.kinks()[0].lit(1))?;
+    let moving_material = Material::new(moving.kinks()[0].lit(1), moving.kinks()[0].lit(1))?;
+    let (held, moving_held) = (Control::Indentation, Control::Indentation);
+    let curve = || {
+        let moving = Curve::new(&moving, &moving_material, &moving_held);
+        EnclosedCurve::new(Curve::new(&plain, &material, &held), moving)
+    };
+    let [lower, upper] = [1e-3, 1.1].map(|end| Float::with_val(BITS, end));
+    let proved = curve().folds(&lower, &upper, 2)?;
+    let (first, last) = &proved.undecided[0];
+    let Err(Error::Unproved { from, to, .. }) = EnclosedBranches::new(curve(), &proved) else { panic!("proved") };
+    for (told, end, direction) in [(from, first, -1.0), (to, last, 1.0)] {
+        let outwards = direction * (told.parse::<f64>().unwrap() / end.to_f64() - 1.0);
+        assert!((0.0..1e-3).contains(&outwards) && told.len() <= 9, "{told} for {end}");
     }
     Ok(())
 }
