@@ -28,7 +28,7 @@ fn diagrams(setup: &mut Setup) -> Vec<Diagram> {
 }
 
 fn diagram(n: f64, name: &str, effort: Effort, clock: &Clock) -> Diagram {
-    let truth = truth(n);
+    let truth = exact(&Interval::from_f64(Precision::new(256), n));
     let one = |contestant: &str, setting: &str, method: fn(f64) -> f64| {
         let point = Point::measure(setting, clock, &truth, || Ok::<_, Infallible>(method(black_box(n))));
         Curve::new(contestant, Arithmetic::Double, vec![point])
@@ -75,9 +75,9 @@ fn diagram(n: f64, name: &str, effort: Effort, clock: &Clock) -> Diagram {
     }
 }
 
-/// The exact value.
-fn truth(n: f64) -> Interval {
-    let half = Interval::from_f64(Precision::new(256), n).over(2);
+/// κ_n with the Γ of MPFR, which no contestant uses.
+pub(super) fn exact(n: &Interval) -> Interval {
+    let half = n.clone().over(2);
     let quotient = (half.clone() + half.lit(1)).gamma() / (half.clone() + half.ratio(1, 2)).gamma();
     quotient * half.pi().sqrt()
 }

@@ -2,9 +2,11 @@
 
 use mdr_analytic::profiles as closed;
 use mdr_core::contact::{Material, Result, Transform};
-use mdr_core::number::{Gamma, Interval, Precision, Real, Special};
+use mdr_core::number::{Interval, Precision, Real, Special};
 use mdr_numeric::profiles::{Power, WavyParaboloid};
 use mdr_numeric::transform::Quadrature;
+
+use crate::contest::kappa;
 
 /// Bits in which the truth is computed.
 pub(super) const BITS: u32 = 128;
@@ -113,9 +115,8 @@ impl Shape {
         let number = |value: f64| Interval::from_f64(x.ctx(), value);
         match self {
             Shape::Power { n, c } => {
-                let (n, half) = (number(n), number(n).over(2));
-                let quotient = (half.clone() + half.lit(1)).gamma() / (half.clone() + half.ratio(1, 2)).gamma();
-                let g = quotient * half.pi().sqrt() * number(c) * x.pow(&n);
+                let n = number(n);
+                let g = kappa::exact(&n) * number(c) * x.pow(&n);
                 Ok([g.clone(), g * n / x])
             }
             Shape::Wavy { radius, amplitude, wavelength } => {
