@@ -39,8 +39,13 @@ impl Expression {
     /// ∫₀^X of the expression over `variable`, as an expression in `variable` standing for X.
     ///
     /// # Errors
-    /// [`Error::Integral`] when a power of the variable is not known to be above −1 on the domain.
+    /// [`Error::Integral`] when a power of the variable is not known to be above −1 on the domain;
+    /// [`Error::Transcendental`] when another symbol here is a function of the variable.
     pub fn integral_from_zero(&self, variable: Symbol, domain: Domain) -> Result<Self> {
+        if let Some(function) = self.function_of(variable) {
+            let integral = format!("the integral of {} over {}", function.text(), variable.text());
+            return Err(Error::Transcendental(integral));
+        }
         self.each_power(variable, |exponent| {
             let next = exponent + &RationalFunction::constant(1);
             if next.sign_on(domain).is_some_and(|sign| sign.is_gt()) {
@@ -68,19 +73,24 @@ impl Expression {
         Ok(sum)
     }
 
-    /// The expression with `value` in the place of a symbol.
+    /// A symbol here that is a function of another one.
+    fn function_of(&self, variable: Symbol) -> Option<Symbol> {
+        let occurs = |symbol: &Symbol| self.terms().any(|(_, monomial)| !monomial.exponent(*symbol).is_zero());
+        Symbol::all().filter(|symbol| symbol.slope_along(variable).is_some()).find(occurs)
+    }
+
+    /// The expression, as the sum of powers that it is now, with `value` in the place of a symbol. Whether the value may be
+    /// of any sign in a formula from which the expression was simplified is decided by [`crate::Formula::normalise`].
     ///
     /// # Errors
     /// As [`Expression::power`], of `value`; [`Error::Transcendental`] when another symbol here is a function of the
     /// replaced one.
     pub fn substitute(&self, symbol: Symbol, value: &Expression, domain: Domain) -> Result<Self> {
+        if let Some(function) = self.function_of(symbol) {
+            return Err(Error::Transcendental(format!("{} elsewhere", function.text())));
+        }
         let mut sum = Expression::zero();
         for (coefficient, monomial) in self.terms() {
-            if let Some(function) =
-                Symbol::all().find(|other| other.slope_along(symbol).is_some() && !monomial.exponent(*other).is_zero())
-            {
-                return Err(Error::Transcendental(format!("{} elsewhere", function.text())));
-            }
             let rest = Expression::from_term((coefficient.clone(), monomial.without(symbol)));
             let exponent = monomial.exponent(symbol);
             let factor = if exponent.is_zero() { Expression::integer(1) } else { value.power(&exponent, domain)? };

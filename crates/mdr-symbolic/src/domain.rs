@@ -26,6 +26,19 @@ impl Domain {
         }
     }
 
+    /// Whether a value of n lies in the domain.
+    ///
+    /// ```
+    /// use mdr_symbolic::Domain;
+    /// assert!(Domain::Below.contains(&(1, 4).into()) && !Domain::Below.contains(&(1, 2).into()));
+    /// ```
+    pub fn contains(self, n: &Rational) -> bool {
+        match self.bounds() {
+            (lower, Some(upper)) if self.is_point() => lower <= *n && *n <= upper,
+            (lower, upper) => lower < *n && upper.is_none_or(|upper| *n < upper),
+        }
+    }
+
     /// Whether n is a single number.
     pub(crate) fn is_point(self) -> bool {
         self == Domain::Half

@@ -32,7 +32,7 @@ pub enum Error {
     /// A number or polynomial beyond the reach of the factorisation used here.
     #[error("{0} could not be split into irreducible factors")]
     Unfactored(String),
-    /// An integral of a sum of powers that is no such sum, or that diverges at 0.
+    /// An integral of a power that is no power, or that diverges at 0.
     #[error("the integral from 0 of {symbol} to the power {exponent} is no finite sum of powers")]
     Integral {
         /// The variable of integration.
@@ -40,6 +40,30 @@ pub enum Error {
         /// Its power.
         exponent: String,
     },
+    /// A value that is not known to be positive, in the place of a symbol on which more than integer powers act: what was
+    /// simplified there took the symbol for positive.
+    #[error(
+        "{value} in the place of {symbol}: it is not known to be positive for {domain}, and {symbol} stands under a real power"
+    )]
+    Substitution {
+        /// The replaced symbol.
+        symbol: &'static str,
+        /// What was to stand in its place.
+        value: String,
+        /// Where.
+        domain: &'static str,
+    },
+    /// A value of n that does not lie in the domain on which the rest was simplified.
+    #[error("n = {n} lies outside of the domain {domain}")]
+    OutsideDomain {
+        /// The value.
+        n: String,
+        /// Where.
+        domain: &'static str,
+    },
+    /// A power, product or Gamma function too large to be written out.
+    #[error("{0} is too large to be written out; take a smaller exponent")]
+    TooLarge(String),
     /// A function that the algebra does not know; only intervals can speak about it.
     #[error("{0} is outside the algebra")]
     Transcendental(String),

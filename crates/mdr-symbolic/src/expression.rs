@@ -12,6 +12,11 @@ use crate::monomial::{Base, Monomial, Term};
 use crate::rational_function::RationalFunction;
 use crate::symbol::Symbol;
 
+/// Terms times terms beyond which a product is not written out.
+const LARGEST_PRODUCT: usize = 1 << 14;
+/// Exponent beyond which a power of a sum is not written out.
+const LARGEST_EXPONENT: u32 = 64;
+
 /// A finite sum Σ c(n) Π base^e(n) in normal form: each monomial once, no coefficient 0. Equal functions are equal values.
 ///
 /// ```
@@ -94,11 +99,14 @@ impl Expression {
         }
     }
 
-    /// The product. Fails only where an exponent is absurdly large.
+    /// The product.
     ///
     /// # Errors
-    /// [`Error::Unfactored`].
+    /// [`Error::TooLarge`] for absurdly many terms, or an absurdly large exponent.
     pub fn times(&self, other: &Self) -> Result<Self> {
+        if self.len().saturating_mul(other.len()) > LARGEST_PRODUCT {
+            return Err(Error::TooLarge(format!("a product of {} and {} terms", self.len(), other.len())));
+        }
         let mut product = Self::zero();
         for (left, above) in &self.0 {
             for (right, below) in &other.0 {
@@ -120,11 +128,17 @@ impl Expression {
     /// coefficient that is positive on the domain.
     ///
     /// # Errors
-    /// [`Error::PowerOfSum`], [`Error::NotPositive`], [`Error::DivisionByZero`], [`Error::Unfactored`].
+    /// [`Error::PowerOfSum`], [`Error::NotPositive`], [`Error::DivisionByZero`], [`Error::Unfactored`],
+    /// [`Error::TooLarge`].
     pub fn power(&self, exponent: &RationalFunction, domain: Domain) -> Result<Self> {
         let whole = exponent.as_integer().and_then(|integer| integer.to_i32());
         if let (Some(natural), true) = (whole.and_then(|whole| u32::try_from(whole).ok()), self.len() != 1) {
-            return (0..natural).try_fold(Self::integer(1), |product, _| product.times(self));
+            return match natural {
+                0 => Ok(Self::integer(1)),
+                _ if self.is_zero() => Ok(Self::zero()),
+                1..=LARGEST_EXPONENT => (1..natural).try_fold(self.clone(), |product, _| product.times(self)),
+                _ => Err(Error::TooLarge(format!("a power {natural} of {} terms", self.len()))),
+            };
         }
         let Some((coefficient, monomial)) = self.as_term() else {
             if self.is_zero() {
@@ -141,11 +155,16 @@ impl Expression {
         Ok(Self::from_term((&(&factor * &split) * &more, product)))
     }
 
-    /// The expression at a fixed n. κ_n and the Gamma functions are known at positive integers.
+    /// The expression at an n of the domain on which it was formed. κ_n and the Gamma functions are known at positive
+    /// integers.
     ///
     /// # Errors
-    /// [`Error::DivisionByZero`] at a pole, [`Error::Transcendental`].
-    pub fn at_n(&self, n: &Rational) -> Result<Self> {
+    /// [`Error::OutsideDomain`], [`Error::DivisionByZero`] at a pole, [`Error::NotPositive`] where the expression was not
+    /// formed on the domain, [`Error::Transcendental`].
+    pub fn at_n(&self, n: &Rational, domain: Domain) -> Result<Self> {
+        if !domain.contains(n) {
+            return Err(Error::OutsideDomain { n: n.to_string(), domain: domain.text() });
+        }
         let mut sum = Self::zero();
         for (coefficient, monomial) in self.terms() {
             let value = RationalFunction::constant(coefficient.evaluate(n)?);

@@ -29,10 +29,19 @@
 //! symbols. At n = 1/2 the number is put in the place of n before anything else, and what distinguishes the cases is the
 //! ratio ρ of C to its threshold, a symbol like the others.
 //!
-//! **Equal normal forms prove equality.** Every rule that leads to a normal form is an identity of real functions on the
-//! domain: the field operations of Q(n), b^e b^f = b^(e+f), (b^e)^f = b^(ef) and (bc)^e = b^e c^e for positive b, c. A
-//! real power of something whose sign is not known is refused ([`Error::NotPositive`]); signs of polynomials on a domain
-//! are decided by Sturm's theorem.
+//! What is proved holds at every point of the domain at which both sides, as they are written, have a value: (2n − 1)/(2n − 1)
+//! is 1 for n > 0, with n = 1/2 excluded by the left side itself.
+//!
+//! **Equal normal forms prove equality.** Every rule that leads to a normal form is an identity of real functions where both
+//! of its sides have a value: the field operations of Q(n), b^e b^f = b^(e+f), (b^e)^f = b^(ef) and (bc)^e = b^e c^e for
+//! positive b, c. A real power of something whose sign is not known is refused ([`Error::NotPositive`]); signs of
+//! polynomials on a domain are decided by Sturm's theorem. In the same way cos²θ = 1 − sin²θ is used where two normal forms
+//! differ.
+//!
+//! **A value in the place of a symbol** has to be positive on the domain, as the symbol was taken to be when √(a²) became a.
+//! A value of unknown sign, or 0, is put in only where the four operations and integer powers are all that acts on the symbol
+//! in the formula as it is written; elsewhere it is refused ([`Error::Substitution`]). A value in the place of n has to lie in
+//! the domain, which at n = 1/2 leaves 1/2 itself ([`Error::OutsideDomain`]).
 //!
 //! **Different normal forms prove inequality**, as functions of n and of the symbols.
 //!
@@ -46,10 +55,14 @@
 //!    (Kummer), powers of π over the algebraic numbers (Lindemann), different fractional powers of primes over Q
 //!    (Besicovitch). Hence all c(n) are 0, which the normal form excludes.
 //!
-//! This says nothing about a symbol that is *not* independent. κ_n and Γ(n/2) are functions of n: an equality proved with
-//! them as symbols holds for them; a difference says that the two sides are not equal for every κ. A statement that is
-//! refuted in this sense is refuted for κ_n itself by its value at one point, which rigorous arithmetic provides
-//! ([`formula::Arithmetic`]).
+//! This says nothing about symbols that are *not* independent. sinθ, cosθ and θ belong to one angle 0 < θ < π/2; κ_n, Γ(n/2)
+//! and Γ((n+1)/2) to one n, and at n = 1/2 κ_n to Γ(3/4). Where terms differ in two members of such a family, the answer is
+//! [`Undecided::HiddenRelation`], and intervals have to speak. An equality proved with κ as a symbol holds for κ_n; where κ is
+//! the only member, a difference says that the two sides are not equal for every κ. For κ_n itself that is shown by its value
+//! at one point, which rigorous arithmetic provides ([`formula::Arithmetic`]). g, g', ∫g and ∫g² stand for their values at a
+//! radius, which are independent as the profile is any; a difference says that the two sides are not equal for every profile.
+//! All other symbols are free numbers, also those to which the text of a derivation gives a value: t, s, ρ, μ, y, Λ. The value
+//! is put in with `at` where it is used.
 //!
 //! A sign ([`Expression::sign_on`]) is proved when the coefficients of all terms have it on the whole domain. Otherwise
 //! nothing is said.
@@ -70,6 +83,7 @@ mod polynomial;
 mod print;
 mod quotient;
 mod rational_function;
+mod relations;
 mod statement;
 mod symbol;
 

@@ -79,6 +79,9 @@ impl Monomial {
     /// # Errors
     /// [`Error::NotPositive`] when it is not known to be positive on the domain, [`Error::Unfactored`].
     pub(crate) fn power_of(value: &RationalFunction, exponent: &RationalFunction, domain: Domain) -> Result<Term> {
+        if value.is_zero() {
+            return Err(not_positive(value, domain));
+        }
         let mut powers = BTreeMap::new();
         let mut positive = true;
         for (polynomial, sense) in [(value.numerator(), 1), (value.denominator(), -1)] {
@@ -146,7 +149,7 @@ fn split_off_integers(powers: BTreeMap<Base, RationalFunction>) -> Result<Term> 
         let exponent = match value {
             Some(value) => {
                 let whole = exponent.constant_part().floor();
-                let power = whole.numer().to_i32().ok_or_else(|| Error::Unfactored(format!("a power {whole}")))?;
+                let power = whole.numer().to_i32().ok_or_else(|| Error::TooLarge(format!("a power {whole}")))?;
                 coefficient = &coefficient * &value.power(power)?;
                 &exponent - &RationalFunction::constant(whole)
             }

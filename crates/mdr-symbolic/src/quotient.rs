@@ -131,12 +131,12 @@ impl Quotient {
         above.over(&self.denominator.substitute_quotient(symbol, value, domain)?)
     }
 
-    /// This at a fixed n.
+    /// This at an n of the domain on which it was formed.
     ///
     /// # Errors
     /// As [`Expression::at_n`].
-    pub fn at_n(&self, n: &Rational) -> Result<Self> {
-        Quotient::new(self.numerator.at_n(n)?, self.denominator.at_n(n)?)
+    pub fn at_n(&self, n: &Rational, domain: Domain) -> Result<Self> {
+        Quotient::new(self.numerator.at_n(n, domain)?, self.denominator.at_n(n, domain)?)
     }
 
     /// Whether the two are the same function. Decided.

@@ -25,6 +25,9 @@ pub struct RationalFunction {
     denominator: Polynomial,
 }
 
+/// Bits of a numerator or denominator beyond which no power is written out, 64 for each coefficient included.
+pub(crate) const LARGEST_POWER: u64 = 1 << 16;
+
 impl RationalFunction {
     /// The quotient of two polynomials.
     ///
@@ -115,10 +118,15 @@ impl RationalFunction {
     /// The integer power.
     ///
     /// # Errors
-    /// [`Error::DivisionByZero`].
+    /// [`Error::DivisionByZero`]; [`Error::TooLarge`] when it would take more than [`LARGEST_POWER`] bits.
     pub fn power(&self, exponent: i32) -> Result<Self> {
         let base = if exponent < 0 { self.inverse()? } else { self.clone() };
-        Ok((0..exponent.unsigned_abs()).fold(Self::constant(1), |product, _| &product * &base))
+        let natural = exponent.unsigned_abs();
+        if [&base.numerator, &base.denominator].into_iter().any(|part| part.bits_of_power(natural) > LARGEST_POWER) {
+            return Err(Error::TooLarge(format!("({})^{exponent}", crate::print::function_text(self))));
+        }
+        // Powers of polynomials without a common factor have none.
+        Ok(RationalFunction { numerator: base.numerator.power(natural), denominator: base.denominator.power(natural) })
     }
 
     /// The value at n.

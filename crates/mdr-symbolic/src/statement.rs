@@ -8,6 +8,7 @@ use crate::domain::Domain;
 use crate::error::{Error, Result};
 use crate::formula::Formula;
 use crate::quotient::Quotient;
+use crate::symbol::Symbol;
 
 /// What a statement says about its two sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,6 +102,10 @@ impl Decision {
             Decision::Refuted { because } => format!("refuted: {}", plain(because)),
             Decision::Undecided(Undecided::NoNormalForm(error)) => format!("undecided: {error}"),
             Decision::Undecided(Undecided::MixedSigns) => "undecided: the terms have different signs".to_owned(),
+            Decision::Undecided(Undecided::HiddenRelation(symbols)) => {
+                let symbols: Vec<_> = symbols.iter().map(|symbol| symbol.text()).collect();
+                format!("undecided: the terms differ in {}, which are not independent", symbols.join(" and "))
+            }
         }
     }
 }
@@ -112,6 +117,9 @@ pub enum Undecided {
     NoNormalForm(Error),
     /// The terms of the difference have different signs.
     MixedSigns,
+    /// The terms of the difference have different powers of symbols between which there is a relation that the algebra does
+    /// not know.
+    HiddenRelation(Vec<Symbol>),
 }
 
 impl FromStr for Statement {
@@ -143,11 +151,7 @@ impl Statement {
         }
         let difference = left.minus(&right)?;
         if self.relation == Relation::Equal {
-            return Ok(if left.equals(&right)? {
-                Decision::Proved { because: Witness::Both(left) }
-            } else {
-                Decision::Refuted { because: Witness::Difference(difference) }
-            });
+            return equality(left, &right, difference, domain);
         }
         let wanted = if self.relation == Relation::Less { Ordering::Less } else { Ordering::Greater };
         let sign = difference.sign_on(domain);
@@ -195,6 +199,20 @@ impl Statement {
             Relation::SameDimension => format!(r"\left[{left}\right]_{{\dim}} = \left[{right}\right]_{{\dim}}"),
         }
     }
+}
+
+fn equality(left: Quotient, right: &Quotient, difference: Quotient, domain: Domain) -> Result<Decision> {
+    if left.equals(right)? {
+        return Ok(Decision::Proved { because: Witness::Both(left) });
+    }
+    let rest = difference.numerator().with_one_cosine()?;
+    if rest.is_zero() {
+        return Ok(Decision::Proved { because: Witness::Both(left) });
+    }
+    Ok(match rest.related_symbols(domain) {
+        Some(symbols) => Decision::Undecided(Undecided::HiddenRelation(symbols)),
+        None => Decision::Refuted { because: Witness::Difference(difference) },
+    })
 }
 
 fn same_dimension(left: &Quotient, right: &Quotient) -> Decision {

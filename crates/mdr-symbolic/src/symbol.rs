@@ -4,7 +4,8 @@ use crate::dimension::Dimension;
 
 /// A symbol: a positive real number, independent of all others.
 ///
-/// Some are functions of another one, and are then differentiated by a rule: g, G and Q of a, sinθ and cosθ of θ.
+/// Some are functions of another one, and are then differentiated by a rule: g, G and Q of a, sinθ and cosθ of θ. Which are
+/// not independent is told in the [documentation of the crate](crate#what-is-proved-and-where).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Symbol(usize);
 
@@ -59,7 +60,7 @@ const ENTRIES: &[Entry] = &[
     pure("s", "s", "contact stiffness 2E*a over machine stiffness k"),
     pure("ρ", r"\rho", "C over its threshold at n = 1/2"),
     pure("μ", r"\mu", "n − 1/2"),
-    pure("θ", r"\theta", "angle, x sinθ = r"),
+    pure("θ", r"\theta", "angle between 0 and π/2, x sinθ = r"),
     pure("sinθ", r"\sin\theta", "sine of θ"),
     pure("cosθ", r"\cos\theta", "cosine of θ"),
     pure("b", "b", "second parameter of ₂F₁(1, b; c; 1/2)"),

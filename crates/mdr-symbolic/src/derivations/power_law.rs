@@ -61,7 +61,7 @@ pub(super) const RADIUS: Entry = Entry {
             "As printed it does not fulfil (1.14).",
         ),
         Step::refuted(
-            BOTH,
+            ABOVE,
             "at(at((π*w/(2*E*n^2*κ^2*C^2))^(1/(1 - 2*n)), n, 2), C, 1/(2*R))^3 = π*w*R^2/(8*E)",
             "As printed it contradicts Johnson, Kendall and Roberts for the paraboloid.",
         ),

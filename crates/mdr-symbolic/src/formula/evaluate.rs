@@ -62,7 +62,7 @@ pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A
         Formula::Sum(terms) => combine(terms, 0, A::add)?,
         Formula::Product(factors) => combine(factors, 1, A::multiply)?,
         Formula::Quotient(above, below) => arithmetic.divide(&of(above)?, &of(below)?),
-        Formula::Power(base, exponent) => match integer(exponent, domain) {
+        Formula::Power(base, exponent) => match exponent.integer(domain) {
             Some(exponent) => arithmetic.integer_power(&of(base)?, exponent),
             None => arithmetic.power(&of(base)?, &of(exponent)?),
         },
@@ -78,9 +78,11 @@ pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A
     })
 }
 
-/// The integer that an exponent is.
-fn integer(exponent: &Formula, domain: Domain) -> Option<i32> {
-    exponent.normalise(domain).ok()?.as_function()?.as_integer()?.to_i32()
+impl Formula {
+    /// The integer that an exponent is.
+    pub(super) fn integer(&self, domain: Domain) -> Option<i32> {
+        self.normalise(domain).ok()?.as_function()?.as_integer()?.to_i32()
+    }
 }
 
 /// The value of a normal form.

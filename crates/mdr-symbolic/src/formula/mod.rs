@@ -6,6 +6,7 @@ mod from_normal_form;
 mod mutate;
 mod normalise;
 mod parse;
+mod substitution;
 
 use rug::Rational;
 

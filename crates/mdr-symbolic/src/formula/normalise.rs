@@ -13,8 +13,11 @@ use crate::symbol::Symbol;
 impl Formula {
     /// The normal form on a domain.
     ///
+    /// A value that is put in the place of a symbol has to be positive on the domain, as the symbol was taken to be, unless
+    /// nothing but the four operations and integer powers acts on the symbol. A value of n has to lie in the domain.
+    ///
     /// # Errors
-    /// What the algebra refuses; [`Error::Transcendental`] for what lies outside it.
+    /// What the algebra refuses: [`Error::Substitution`] and [`Error::OutsideDomain`] for such values, [`Error::Transcendental`] for what lies outside it.
     pub fn normalise(&self, domain: Domain) -> Result<Quotient> {
         let of = |formula: &Formula| formula.normalise(domain);
         match self {
@@ -41,12 +44,18 @@ impl Formula {
                 let integrand = of(inner)?;
                 let integrand = integrand.as_expression().ok_or_else(|| Error::Transcendental(self.text()))?;
                 let integral = Quotient::from(integrand.integral_from_zero(*variable, domain)?);
-                integral.substitute(*variable, &of(upper)?, domain)
+                integral.substitute(*variable, &inner.admitted(*variable, upper, domain)?, domain)
             }
-            Formula::At(inner, Variable::Symbol(symbol), value) => of(inner)?.substitute(*symbol, &of(value)?, domain),
+            Formula::At(inner, Variable::Symbol(symbol), value) => {
+                of(inner)?.substitute(*symbol, &inner.admitted(*symbol, value, domain)?, domain)
+            }
             Formula::At(inner, Variable::N, value) => {
                 let value = of(value)?.as_function().and_then(|function| function.as_constant());
-                of(inner)?.at_n(&value.ok_or_else(|| Error::Exponent(self.text()))?)
+                match value.ok_or_else(|| Error::Exponent(self.text()))? {
+                    // It has been put in already.
+                    n if domain.is_point() && domain.contains(&n) => of(inner),
+                    n => of(inner)?.at_n(&n, domain),
+                }
             }
             Formula::Function(Function::Gamma, arguments) => gamma(&of(&arguments[0])?, domain),
             Formula::Function(Function::Kappa, arguments) => kappa(&of(&arguments[0])?, domain),
@@ -54,6 +63,9 @@ impl Formula {
         }
     }
 }
+
+/// Steps of Γ(z+1) = zΓ(z) beyond which the factors are not written out.
+const LARGEST_SHIFT: u32 = 200;
 
 fn constant(value: Rational) -> Quotient {
     Expression::from(RationalFunction::constant(value)).into()
@@ -79,6 +91,9 @@ fn gamma(argument: &Quotient, domain: Domain) -> Result<Quotient> {
         }
     };
     let steps = (&argument - &start).as_integer().and_then(|steps| steps.to_i32()).ok_or_else(outside)?;
+    if steps.unsigned_abs() > LARGEST_SHIFT {
+        return Err(Error::TooLarge(format!("Γ shifted by {steps}")));
+    }
     let mut product = RationalFunction::constant(1);
     for step in steps.min(0)..steps.max(0) {
         let factor = &start + &RationalFunction::constant(step);

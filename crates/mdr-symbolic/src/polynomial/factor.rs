@@ -16,7 +16,13 @@ pub(crate) struct Factors {
 const LARGEST_PRIME: u32 = 10_000;
 
 /// The primes of a positive integer, with their multiplicities.
+///
+/// # Errors
+/// [`Error::Unfactored`] for 0 and where a factor beyond the trial division is left.
 pub(crate) fn prime_factors(number: &Integer) -> Result<Vec<(u32, u32)>> {
+    if number.is_zero() {
+        return Err(Error::Unfactored("0".to_owned()));
+    }
     let mut rest = number.clone();
     let mut primes = Vec::new();
     for candidate in 2..=LARGEST_PRIME {

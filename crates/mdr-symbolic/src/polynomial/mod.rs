@@ -85,9 +85,22 @@ impl Polynomial {
         Self::new(self.0.iter().map(|c| Rational::from(c * factor)).collect())
     }
 
-    /// The natural power.
+    /// The natural power, by squaring.
     pub fn power(&self, exponent: u32) -> Self {
-        (0..exponent).fold(Self::constant(1), |product, _| &product * self)
+        let bits = (0..u32::BITS - exponent.leading_zeros()).rev();
+        bits.fold(Self::constant(1), |power, bit| {
+            let square = &power * &power;
+            if (exponent >> bit) & 1 == 1 { &square * self } else { square }
+        })
+    }
+
+    /// A bound on the bits that a natural power takes, 64 for each coefficient included.
+    pub(crate) fn bits_of_power(&self, exponent: u32) -> u64 {
+        let bits = |integer: &rug::Integer| u64::from(integer.significant_bits().saturating_sub(1));
+        let largest = self.0.iter().map(|c| bits(c.numer()) + bits(c.denom())).max().unwrap_or(0);
+        let carry = u64::from(usize::BITS - self.degree().leading_zeros());
+        let coefficients = (self.degree() as u64).saturating_mul(exponent.into()).saturating_add(1);
+        coefficients.saturating_mul((largest + carry).saturating_mul(exponent.into()).saturating_add(64))
     }
 
     /// This polynomial of another one.

@@ -1,0 +1,69 @@
+//! What may stand in the place of a symbol.
+//!
+//! Normal forms take every symbol for positive: √(a²) is a. That is an identity for the values of a that are positive. A
+//! value of any sign may be put in only where no such rule was used, which is certain where the four operations and integer
+//! powers are all that acts on the symbol.
+
+use super::{Formula, Variable};
+use crate::domain::Domain;
+use crate::error::{Error, Result};
+use crate::quotient::Quotient;
+use crate::symbol::Symbol;
+
+impl Formula {
+    /// The normal form of a value that may stand in the place of a symbol of this formula.
+    ///
+    /// # Errors
+    /// [`Error::Substitution`]; as [`Formula::normalise`].
+    pub(super) fn admitted(&self, symbol: Symbol, value: &Formula, domain: Domain) -> Result<Quotient> {
+        let normal = value.normalise(domain)?;
+        let positive = || normal.sign_on(domain).is_some_and(|sign| sign.is_gt());
+        if self.is_rational_in(symbol, domain) || positive() {
+            return Ok(normal);
+        }
+        Err(Error::Substitution { symbol: symbol.text(), value: value.text(), domain: domain.text() })
+    }
+
+    /// Whether nothing but the four operations and integer powers acts on a symbol.
+    fn is_rational_in(&self, symbol: Symbol, domain: Domain) -> bool {
+        let rational = |formula: &Formula| formula.is_rational_in(symbol, domain);
+        // A value put in for a variable of the inner formula.
+        let composed = |inner: &Formula, variable: Symbol, value: &Formula| {
+            (variable == symbol || rational(inner))
+                && (!value.contains(symbol) || rational(value) && inner.is_rational_in(variable, domain))
+        };
+        match self {
+            Formula::Name(definition) => definition.formula().is_ok_and(|formula| rational(&formula)),
+            Formula::Negative(inner) | Formula::Derivative(inner, _) => rational(inner),
+            Formula::Sum(parts) | Formula::Product(parts) => parts.iter().all(rational),
+            Formula::Quotient(above, below) => rational(above) && rational(below),
+            Formula::Power(base, exponent) => {
+                !self.contains(symbol) || rational(base) && exponent.integer(domain).is_some()
+            }
+            Formula::Integral(inner, variable, upper) => composed(inner, *variable, upper),
+            Formula::At(inner, Variable::Symbol(variable), value) => composed(inner, *variable, value),
+            Formula::At(inner, Variable::N, _) => rational(inner),
+            _ => *self == Formula::Symbol(symbol) || !self.contains(symbol),
+        }
+    }
+
+    /// Whether the value of this formula may depend on a symbol by name.
+    fn contains(&self, symbol: Symbol) -> bool {
+        let contains = |formula: &Formula| formula.contains(symbol);
+        match self {
+            Formula::Number(_) | Formula::N | Formula::Pi => false,
+            Formula::Symbol(other) => *other == symbol,
+            Formula::Name(definition) => definition.formula().is_ok_and(|formula| contains(&formula)),
+            Formula::Negative(inner)
+            | Formula::Root(inner)
+            | Formula::QuarterTurn(inner)
+            | Formula::Derivative(inner, _)
+            | Formula::At(inner, Variable::N, _) => contains(inner),
+            Formula::Sum(parts) | Formula::Product(parts) | Formula::Function(_, parts) => parts.iter().any(contains),
+            Formula::Quotient(left, right) | Formula::Power(left, right) => contains(left) || contains(right),
+            Formula::Integral(inner, variable, value) | Formula::At(inner, Variable::Symbol(variable), value) => {
+                *variable != symbol && contains(inner) || contains(value)
+            }
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! What must not be proved, refuted or answered: values outside of what a simplification assumed, functions taken for
+//! constants, relations the algebra does not know, and numbers too large to be written out.
+
+#![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
+
+use mdr_symbolic::{Decision, Domain, Error, Expression, Polynomial, RationalFunction, Statement, Symbol, Undecided};
+use rug::Rational;
+
+fn decide(text: &str, domain: Domain) -> Decision {
+    text.parse::<Statement>().unwrap().decide(domain)
+}
+
+fn proved(text: &str, domain: Domain) {
+    assert!(matches!(decide(text, domain), Decision::Proved { .. }), "{text}: {}", decide(text, domain).text());
+}
+
+fn refuted(text: &str, domain: Domain) {
+    assert!(matches!(decide(text, domain), Decision::Refuted { .. }), "{text}: {}", decide(text, domain).text());
+}
+
+fn refusal(text: &str, domain: Domain) -> Error {
+    match decide(text, domain) {
+        Decision::Undecided(Undecided::NoNormalForm(error)) => error,
+        other => panic!("{text}: {}", other.text()),
+    }
+}
+
+/// √(a²) = a was simplified with a > 0: what is put in for a later has to be positive, too.
+#[test]
+fn values_of_unknown_sign_under_real_powers() {
+    let cases = [
+        ("at(sqrt(a^2), a, -x) = -x", Domain::Positive),
+        ("at(sqrt(a^2), a, d - x) = d - x", Domain::Positive),
+        ("at(sqrt(d^2), d, d_c) = d_c", Domain::Above),
+        ("at((a^n)^(1/n), a, -1) = -1", Domain::Positive),
+        ("at(diff(sqrt(a^2), a), a, -x) = 1", Domain::Positive),
+        ("at(at(sqrt(a^2), a, x), x, -d) = -d", Domain::Positive),
+        ("at(at(sqrt(x^2)*a, a, x), x, -d) = d^2", Domain::Positive),
+        ("int(sqrt(x^2), x, -a) = a^2/2", Domain::Positive),
+        ("at(int(sqrt(x^2), x, a), a, -d) = d^2/2", Domain::Positive),
+        ("at(at(sqrt(a^2*n^2)/n, n, 2), a, -x) = -x", Domain::Positive),
+    ];
+    for (text, domain) in cases {
+        let error = refusal(text, domain);
+        assert!(matches!(error, Error::Substitution { .. }), "{text}: {error}");
+    }
+    // Positive values, and values of any sign where there are integer powers only.
+    proved("at(sqrt(d^2), d, d_c) = d_c", Domain::Below);
+    proved("at(sqrt(a^2), a, x + 2*d) = x + 2*d", Domain::Positive);
+    proved("at(a^2 - 1/a, a, -x) = x^2 + 1/x", Domain::Positive);
+    proved("at(diff(a^3, a)*sqrt(w), a, -x) = 3*x^2*sqrt(w)", Domain::Positive);
+    proved("at(int(x^2*sqrt(a^2), x, a), a, d) = d^4/3", Domain::Positive);
+    proved("int(x^2, x, -a) = -a^3/3", Domain::Positive);
+    refuted("at(a^2, a, -x) = -x^2", Domain::Positive);
+}
+
+#[test]
+fn exponents_outside_of_the_domain() {
+    let cases = [
+        ("at((n^2)^(1/2), n, -1) = -1", Domain::Positive),
+        ("at(sqrt((2*n - 1)^2), n, 1/4) = -1/2", Domain::Above),
+        ("at(n, n, 3) = 1/2", Domain::Half),
+        ("at(kappa(n), n, 3) = 3*π/4", Domain::Half),
+        ("at(n, n, 0) = 0", Domain::Positive),
+        ("at(sqrt(1 - 2*n), n, 1/2) = 0", Domain::Below),
+    ];
+    for (text, domain) in cases {
+        let error = refusal(text, domain);
+        assert!(matches!(error, Error::OutsideDomain { .. }), "{text}: {error}");
+    }
+    proved("at(n*κ, n, 1/2) = κ/2", Domain::Half);
+    proved("at(kappa(n), n, 3) = 3*π/4", Domain::Above);
+    proved("at(sqrt(1 - 2*n), n, 3/8) = 1/2", Domain::Below);
+}
+
+/// A root that was formed on one domain, at an n of another one.
+#[test]
+fn roots_at_their_zero() {
+    let below = Expression::from(RationalFunction::from(Polynomial::linear(-2, 1)));
+    let root = below.power(&RationalFunction::ratio(1, 2), Domain::Below).unwrap();
+    for n in [Rational::from((1, 2)), Rational::from(1)] {
+        assert!(matches!(root.at_n(&n, Domain::Below), Err(Error::OutsideDomain { .. })), "{n}");
+        assert!(matches!(root.at_n(&n, Domain::Positive), Err(Error::NotPositive { .. })), "{n}");
+    }
+}
+
+#[test]
+fn integrals_of_functions_of_their_variable() {
+    let symbol = |name| Symbol::named(name).unwrap();
+    for (function, variable) in [("g", "a"), ("G", "a"), ("sinθ", "θ")] {
+        let integral = Expression::symbol(symbol(function)).integral_from_zero(symbol(variable), Domain::Positive);
+        assert!(matches!(integral, Err(Error::Transcendental(_))), "{function}: {integral:?}");
+    }
+    assert!(matches!(refusal("int(a*g, a, a) = a^2*g/2", Domain::Positive), Error::Transcendental(_)));
+    proved("int(a*g, x, x) = a*x*g", Domain::Positive);
+}
+
+/// Sine and cosine are functions of one angle, κ and the Gamma functions of n: what their relation might undo is not refuted.
+#[test]
+fn hidden_relations() {
+    proved("sinθ^2 + cosθ^2 = 1", Domain::Positive);
+    proved("cosθ^4 = 1 - 2*sinθ^2 + sinθ^4", Domain::Positive);
+    proved("(1 - sinθ^n)*cosθ^3 = cosθ*(1 - sinθ^n)*(1 - sinθ^2)", Domain::Positive);
+    refuted("sinθ^2 - cosθ^2 = 1", Domain::Positive);
+    refuted("sinθ = cosθ", Domain::Positive);
+    refuted("sinθ^n = n", Domain::Positive);
+    refuted("1/cosθ^2 - 1 = sinθ", Domain::Positive);
+    proved("1/cosθ^2 - 1 = sinθ^2/cosθ^2", Domain::Positive);
+    for text in ["sqrt(1 - cosθ^2) = sinθ", "cosθ^n = (1 - sinθ)^2", "sinθ = θ", "κ = kappa(n)"] {
+        let decision = decide(text, Domain::Positive);
+        assert!(matches!(decision, Decision::Undecided(_)), "{text}: {}", decision.text());
+    }
+    let half = decide("κ = kappa(1/2)", Domain::Half);
+    assert!(matches!(half, Decision::Undecided(Undecided::HiddenRelation(..))), "{}", half.text());
+    refuted("κ = 4/3", Domain::Half);
+}
+
+/// Written out, these would take hours.
+#[test]
+fn absurd_exponents() {
+    let cases = [
+        "2^200000 = 1",
+        "2^2000000000 = 1",
+        "sqrt(2)^2000001 = 1",
+        "(n + 1)^5000 = 1",
+        "1/(n + 1)^5000 = 1",
+        "(a + w)^100000 = 1",
+        "(a + w + d + k + R + x)^60 = 1",
+        "Γ(n/2 + 1000000) = 1",
+    ];
+    for text in cases {
+        let error = refusal(text, Domain::Below);
+        assert!(matches!(error, Error::TooLarge(_)), "{text}: {error}");
+    }
+    refuted("2^1000 = 2^999", Domain::Below);
+    proved("a^200000 = (a^2)^100000", Domain::Below);
+    proved("(n/(n + 1))^60 = (n^2/(n^2 + 2*n + 1))^30", Domain::Below);
+}
