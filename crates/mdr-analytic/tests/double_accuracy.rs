@@ -4,23 +4,21 @@
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
+mod common;
+
 use mdr_analytic::{Critical, double};
 use mdr_core::contact::{Control, Material, Ranged};
 use proptest::prelude::*;
 use rug::Float;
 use rug::float::Constant;
 
+use self::common::coefficient_for;
+use self::common::mpfr::{ln_kappa, ulps};
+
 const BITS: u32 = 700;
 
 fn float(value: f64) -> Float {
     Float::with_val(BITS, value)
-}
-
-/// ln κ_n from two logarithms of Γ; for n = 10¹⁶ they cancel 60 bits of 700.
-fn ln_kappa(n: &Float) -> Float {
-    let half = Float::with_val(BITS, n / 2u32);
-    let ln_root_pi = Float::with_val(BITS, Constant::Pi).ln() / 2u32;
-    ln_root_pi + (half.clone() + 1u32).ln_gamma() - (half + 0.5f64).ln_gamma()
 }
 
 /// A sign and the logarithm of a magnitude, which may be far beyond the range of any arithmetic.
@@ -38,10 +36,7 @@ impl Truth {
 
     /// The error in units in the last place of the truth.
     fn ulps(&self, value: f64) -> f64 {
-        let truth = self.ln.clone().exp() * self.sign;
-        let exponent = truth.get_exp().unwrap_or(-5000).max(-1021);
-        let ulp = float(1.0) << (exponent - 53);
-        ((float(value) - truth) / ulp).abs().to_f64()
+        ulps(value, &(self.ln.clone().exp() * self.sign))
     }
 
     #[track_caller]
@@ -94,11 +89,6 @@ fn check(n: f64, c: f64, e: f64, w: f64, allowed: f64) {
     }
 }
 
-/// C for which the critical radius under fixed grips is about `a`.
-fn coefficient_for(a: f64, n: f64, e: f64, w: f64) -> f64 {
-    (std::f64::consts::PI * w / (2.0 * e)).sqrt() * a.powf(0.5 - n) / (n * double::kappa(n).unwrap())
-}
-
 #[test]
 fn kappa_over_all_magnitudes() {
     let mut worst: f64 = 0.0;
@@ -127,7 +117,7 @@ proptest! {
         let (e, w) = (10f64.powf(e), 10f64.powf(w));
         // One word has a bound of 256 units here: |ln a| < 19 and 1/|2n−1| < 3.
         let allowed = if (n - 0.5).abs() > 0.17 { 0.625 } else { 1.0 };
-        check(n, coefficient_for(10f64.powf(a), n, e, w), e, w, allowed);
+        check(n, coefficient_for(10f64.powf(a), n, e, w, 1.0), e, w, allowed);
     }
 
     #[test]
@@ -140,7 +130,7 @@ proptest! {
         // C scales as a^(1/2−n) and must stay a double itself.
         let a = (scale / (n - 0.5).abs()).clamp(-320.0, 300.0);
         let (e, w) = (10f64.powf(e), 10f64.powf(w));
-        check(n, coefficient_for(10f64.powf(a), n, e, w), e, w, 1.0);
+        check(n, coefficient_for(10f64.powf(a), n, e, w, 1.0), e, w, 1.0);
     }
 
     #[test]
@@ -182,7 +172,7 @@ fn ladder_towards_one_half() {
     for k in 2..=53 {
         for n in [0.5 + 2f64.powi(-k), 0.5 - 2f64.powi(-k)] {
             for (e, w, a) in [(1e6, 0.05, 1e-3), (1e200, 1e-100, 1e-40), (3e-180, 7e90, 1e50), (1.0, 1.0, 1.0)] {
-                let c = coefficient_for(a, n, e, w);
+                let c = coefficient_for(a, n, e, w, 1.0);
                 check(n, c, e, w, 1.0);
                 let answer = double::critical(n, c, &Material::new(e, w).unwrap(), &Control::Indentation).unwrap();
                 representable += u32::from(matches!(answer.contact_radius, Ranged::Value(_)));

@@ -1,0 +1,18 @@
+//! What several tests share.
+#![allow(dead_code, reason = "no test needs all of it")]
+
+#[cfg(feature = "mp")]
+pub(crate) mod mpfr;
+
+use mdr_analytic::{Contact, PowerLaw, double};
+use mdr_core::contact::Material;
+
+pub(crate) fn contact(n: f64, c: f64, e_star: f64, work: f64) -> Contact<f64> {
+    Contact::new(PowerLaw::new(n, c).unwrap(), Material::new(e_star, work).unwrap())
+}
+
+/// C for which the radius of the fold is about `a`: `tension` is 1 under fixed grips and 3 under a dead load.
+pub(crate) fn coefficient_for(a: f64, n: f64, e: f64, w: f64, tension: f64) -> f64 {
+    let ln_edge = (std::f64::consts::PI * w / (2.0 * e)).ln() / 2.0;
+    (ln_edge + (0.5 - n) * a.ln() + (tension / (n * double::kappa(n).unwrap())).ln()).exp()
+}
