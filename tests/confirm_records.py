@@ -6,7 +6,8 @@
 
 Closed forms are evaluated in ball arithmetic; zeros are confirmed by a certain change of sign between mid - rad and
 mid + rad, and refined; integrals are rigorous quadratures. A record is confirmed when the ball of the recomputed number
-lies within rad of mid. Nothing is shared with the Rust code: not a formula, not a library.
+lies within rad of mid, and its conditions are the differences that small changes of the inputs make. Nothing is shared
+with the Rust code: not a formula, not a library.
 
 Exit status: 0 all confirmed, 1 a record differs, 77 python-flint is not there.
 """
@@ -25,6 +26,9 @@ except ImportError:
 
 # The second where the first does not decide: extreme scales in one sum, short waves in a power series.
 BITS = (512, 4096)
+
+# The relative change of an input for a condition: zeros stay between mid - rad and mid + rad.
+STEP = fmpq(1, 10**60)
 
 
 def exact(text):
@@ -81,6 +85,13 @@ def indentation(profile, a):
 
 def force(profile, a):
     return 2 * profile.e * (a * indentation(profile, a) - profile.integral(a))
+
+
+def held(profile, a, control, k=None):
+    """What is controlled, at the equilibrium with this radius."""
+    if control == "machine":
+        return indentation(profile, a) + force(profile, a) / k
+    return indentation(profile, a) if control == "indentation" else force(profile, a)
 
 
 def tangency(profile, a, control, k=None):
@@ -238,9 +249,11 @@ class Records:
         mid, rad = ball(state["mid"]), ball(state["rad"])
         return refine(f, mid - rad, mid + rad)
 
-    def answer(self, record):
-        """The number, recomputed; None where there is nothing to compute."""
+    def answer(self, record, moved=None):
+        """The number, recomputed, with one of the inputs a little larger."""
         given = {name: ball(text) for name, text in record["inputs"].items()}
+        if moved is not None:
+            given[moved] *= 1 + arb(STEP)
         formula, control, quantity = record["formula"], record["control"], record["quantity"]
         parts = {"indentation": indentation, "force": force}
         if formula == "kappa":
@@ -252,9 +265,12 @@ class Records:
             factor = 3 if control == "force" else 1
             limit = factor * (2 * arb.pi() * given["w"] / given["E*"]).sqrt() / kappa(arb(0.5))
             return limit if quantity == "threshold_c" else given["C"] / limit
-        if formula == "folds":
+        if formula == "flat-punch-pull-off":
+            d = -(2 * arb.pi() * given["radius"] * given["w"] / given["E*"]).sqrt()
+            return d if quantity == "indentation" else 2 * given["E*"] * given["radius"] * d
+        if formula in ("folds", "equilibria", "landing", "state"):
             profile = Profile(record["profile"], given)
-            a = self.root(record, lambda a: tangency(profile, a, control))
+            a = given["a"] if formula == "state" else self.contact(record, profile, given)
             return a if quantity == "contact_radius" else parts[quantity](profile, a)
         law = Law(given)
         if formula == "critical":
@@ -266,14 +282,26 @@ class Records:
             return self.equilibrium(record, law, given)
         return energy(law, formula)
 
+    def contact(self, record, profile, given):
+        """The contact radius at a fold, at a value of what is held, or where the contact lands that jumps at a fold."""
+        control, k = record["control"], given.get("k")
+        fold = record if record["formula"] == "folds" else self.by_id.get(record["id"].replace("landing/", "fold/", 1))
+        if fold and fold["formula"] == "folds":
+            start = self.root(fold, lambda a: tangency(profile, a, control, k))
+            if fold is record:
+                return start
+            target = held(profile, start, control, k)
+        else:
+            target = given[{"indentation": "d", "force": "F", "machine": "D"}[control]]
+        return self.root(record, lambda a: held(profile, a, control, k) - target)
+
     def equilibrium(self, record, law, given):
         control = record["control"]
         fold = critical(law, control, control)
         if record["inputs"].get("tau") == "0":
             return critical(law, control, record["quantity"])
         target = fold * (1 - given["tau"]) if "tau" in given else given["d" if control == "indentation" else "F"]
-        held = indentation if control == "indentation" else force
-        a = self.root(record, lambda a: held(law, a) - target)
+        a = self.root(record, lambda a: held(law, a, control) - target)
         side = critical(law, control, "contact_radius")
         if not (a > side if "outer" in record["flags"] else a < side):
             raise ValueError("on the other side of the fold")
@@ -323,9 +351,19 @@ def confirmed(record, records):
         return None
     mid, rad = ball(record["mid"]), ball(record["rad"])
     value = records.answer(record)
+    require_conditions(record, records, value)
     if rad == 0:
         return bool((value - mid).contains(0))
     return bool(abs(value - mid) <= rad * (1 + arb(2) ** -100))
+
+
+def require_conditions(record, records, value):
+    """An error unless the conditions are right, to the three digits that they have."""
+    size = ball(record["scale"]) if record["scale"] else abs(value)
+    for name, told in record["condition"].items():
+        found = abs(records.answer(record, name) - value) / (size * arb(STEP))
+        if not abs(found - told) <= max(0.006 * told, 1e-9):
+            raise ValueError(f"the condition with respect to {name} is {found.mid().str(4, radius=False)}, not {told}")
 
 
 def main():

@@ -12,12 +12,11 @@ use rug::Float;
 use super::RecordError;
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
+use super::folds::STATE;
 use super::power::{Held, NAMES, Named, Power};
 
 /// Bits for conditions.
 const BITS: u32 = 192;
-
-const STATE: [(&str, &str); 3] = [("contact_radius", "m"), ("indentation", "m"), ("force", "N")];
 
 /// All folds of a power law on a machine of stiffness k.
 pub(super) fn folds(law: &Power, stiffness: &str) -> std::result::Result<Vec<Record>, RecordError> {

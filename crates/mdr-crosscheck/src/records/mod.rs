@@ -4,15 +4,18 @@
 //! the first. [`generate`] gives the files of the release, bit for bit the same on every machine.
 
 mod confirm;
+mod contacts;
 mod draft;
 mod edges;
 mod equilibria;
 mod folds;
 mod library;
 mod list;
+mod load;
 mod machine;
 mod power;
 mod shapes;
+mod states;
 mod worst;
 
 use mdr_core::contact::Error;
@@ -20,6 +23,7 @@ use mdr_reference::Record;
 use rayon::prelude::*;
 use thiserror::Error as ThisError;
 
+use load::Load;
 use power::Power;
 
 /// Why a record cannot be certified.
@@ -113,10 +117,27 @@ pub fn record_cases() -> Vec<RecordCase> {
         }
     }
     for scene in shapes::SCENES {
-        for held in power::Held::ALL {
+        for load in [Load::Indentation, Load::Force] {
             let scene = scene.clone();
-            cases.push(RecordCase::new("profiles.jsonl", move || scene.records(held)));
+            cases.push(RecordCase::new("profiles.jsonl", move || scene.records(load)));
         }
+    }
+    for (scene, stiffness) in shapes::machines() {
+        cases.push(RecordCase::new("profiles.jsonl", move || {
+            scene.records(Load::Machine(stiffness)).map(of_second_release)
+        }));
+    }
+    for contacts in shapes::contacts() {
+        cases.push(RecordCase::new("profiles.jsonl", move || contacts.records().map(of_second_release)));
+    }
+    for (scene, radii) in shapes::states() {
+        for a in radii {
+            let scene = scene.clone();
+            cases.push(RecordCase::new("profiles.jsonl", move || scene.state(a).map(of_second_release)));
+        }
+    }
+    for punch in shapes::PUNCHES {
+        cases.push(RecordCase::new("profiles.jsonl", move || punch.pull_off().map(of_second_release)));
     }
     for law in list::outside() {
         cases.push(RecordCase::new("edges.jsonl", move || edges::no_question(&law)));
@@ -131,6 +152,12 @@ pub fn record_cases() -> Vec<RecordCase> {
         cases.push(RecordCase::new("worst.jsonl", move || question.records()));
     }
     cases
+}
+
+/// These records belong to the second release.
+fn of_second_release(mut records: Vec<Record>) -> Vec<Record> {
+    records.iter_mut().for_each(|record| record.release = 2);
+    records
 }
 
 fn critical(law: &Power) -> Result<Vec<Record>, RecordError> {

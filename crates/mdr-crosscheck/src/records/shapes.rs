@@ -1,7 +1,10 @@
 //! The profiles of the library in the records.
 
+use super::contacts::{At, Contacts};
 use super::folds::Scene;
 use super::library::Profile;
+use super::load::Load;
+use super::states::Punch;
 use crate::library::Shape;
 
 /// The profiles of the library, and the radii at which they are transformed.
@@ -71,6 +74,83 @@ pub(super) const SCENES: [Scene; 9] = [
         ("1", "0.0001"),
         (1e-6, 1e3),
     ),
+];
+
+/// Contacts whose folds on machines are records, and stiffnesses in N/m.
+const MACHINES: [(&str, &str); 6] = [
+    ("ball", "0.1"),
+    ("hyperboloid", "0.05"),
+    ("rounded-punch", "1"),
+    ("bearing-and-spike", "0.1"),
+    ("figure-4", "0.01"),
+    ("figure-4", "1"),
+];
+
+pub(super) fn machines() -> impl Iterator<Item = (Scene, &'static str)> {
+    MACHINES.into_iter().map(|(name, stiffness)| (named(name), stiffness))
+}
+
+/// Contacts whose equilibria are records, and the values of what is held.
+const EQUILIBRIA: [(&str, Load, &str); 19] = [
+    ("ball", Load::Indentation, "-0.01"),
+    ("ball", Load::Indentation, "0.25"),
+    ("ball", Load::Force, "-0.004"),
+    ("ball", Load::Machine("0.1"), "-0.02"),
+    ("large-ball-contact", Load::Indentation, "-0.5"),
+    ("oblate", Load::Force, "-0.3"),
+    ("hyperboloid", Load::Indentation, "-0.03"),
+    ("hyperboloid", Load::Force, "1"),
+    ("hyperboloid", Load::Machine("0.05"), "-0.1"),
+    ("rounded-punch", Load::Indentation, "-0.25"),
+    ("rounded-punch", Load::Force, "-0.5"),
+    ("capped-cone", Load::Indentation, "-0.1"),
+    ("ridge", Load::Indentation, "-0.2"),
+    ("ridge", Load::Force, "0.5"),
+    ("bearing-and-spike", Load::Force, "-0.002"),
+    ("figure-4", Load::Indentation, "-0.00183"),
+    ("figure-4", Load::Indentation, "0.01"),
+    ("figure-4", Load::Force, "-0.0005"),
+    ("figure-4", Load::Machine("1"), "-0.002"),
+];
+
+/// Jumps that end in another contact, by the number of their fold.
+const JUMPS: [(&str, Load, usize); 4] = [
+    ("figure-4", Load::Indentation, 2),
+    ("figure-4", Load::Indentation, 3),
+    ("figure-4", Load::Machine("1"), 2),
+    ("figure-4", Load::Machine("1"), 3),
+];
+
+pub(super) fn contacts() -> impl Iterator<Item = Contacts> {
+    let values = EQUILIBRIA.into_iter().map(|(name, load, value)| (name, load, At::Value(value)));
+    let jumps = JUMPS.into_iter().map(|(name, load, fold)| (name, load, At::Fold(fold)));
+    values.chain(jumps).map(|(name, load, at)| Contacts { scene: named(name), load, at })
+}
+
+/// Contacts of which states are records, and their contact radii.
+const STATES: [(&str, &[&str]); 6] = [
+    ("ball", &["0.001", "0.2", "0.9"]),
+    ("hyperboloid", &["0.01", "5"]),
+    ("rounded-punch", &["0.11", "0.8"]),
+    ("capped-cone", &["0.005", "0.3"]),
+    ("ridge", &["0.15", "1"]),
+    ("bearing-and-spike", &["0.02", "1"]),
+];
+
+pub(super) fn states() -> impl Iterator<Item = (Scene, &'static [&'static str])> {
+    STATES.into_iter().map(|(name, radii)| (named(name), radii))
+}
+
+/// The scene of a name of the lists above.
+fn named(name: &str) -> Scene {
+    SCENES.into_iter().find(|scene| scene.name == name).unwrap_or_else(|| unreachable!("{name}"))
+}
+
+/// Flat punches: of unit size, a flattened tip of an atomic force microscope, and a pillar of silicone.
+pub(super) const PUNCHES: [Punch; 3] = [
+    Punch { name: "unit", radius: "1", e_star: "1", work: "1" },
+    Punch { name: "afm-tip", radius: "1e-8", e_star: "7e10", work: "0.1" },
+    Punch { name: "pdms-pillar", radius: "5e-4", e_star: "2e6", work: "0.05" },
 ];
 
 const fn scene(

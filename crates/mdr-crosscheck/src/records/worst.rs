@@ -18,9 +18,6 @@ use super::shapes;
 use crate::ladders::{Worst, worst_inputs};
 use crate::library::Shape;
 
-/// The release in which they were added.
-const RELEASE: u32 = 2;
-
 /// A question with its place in the identifiers.
 #[derive(Clone, Debug)]
 pub(super) struct Question {
@@ -176,9 +173,8 @@ impl Question {
         let mut records: Vec<_> = records.into_iter().filter(|record| record.quantity == self.quantity).collect();
         for record in &mut records {
             record.id.clone_from(&self.id);
-            record.release = RELEASE;
             record.flags.push("worst".to_owned());
         }
-        if records.is_empty() { Err(missing()) } else { Ok(records) }
+        if records.is_empty() { Err(missing()) } else { Ok(super::of_second_release(records)) }
     }
 }
