@@ -23,10 +23,10 @@ impl<R: Real> Contact<R> {
         let ln_state = self.ln_critical(&held.control())?;
         let family = Family::new(self, held, regime);
         let fold = LazyCell::new(|| self.critical(&held.control()));
-        let ln_fold = held.pick(&ln_state.indentation, &ln_state.force);
-        let (place, seed) = self.place(held, &family, (ln_fold, &fold), value);
+        let ln_z = value.abs().ln() - held.pick(&ln_state.indentation, &ln_state.force);
+        let (place, seed) = self.place(held, &family, (&ln_z, &fold), value);
         let state = |branch: Branch| {
-            let v = family.first(&place.distance, seed, branch);
+            let v = family.first_of_far(&ln_z, family.first(&place.distance, seed, branch));
             let ln_radius = ln_state.contact_radius.steer() + family.ln_growth(held, v).steer();
             let first = representable(Quantity::ContactRadius, ln_radius.exp(), || ln_radius.clone())?.steer();
             let radius = self.refined_radius(held, value, first)?;
@@ -40,17 +40,16 @@ impl<R: Real> Contact<R> {
         &self,
         held: Held,
         family: &Family<R>,
-        (ln_fold, fold): (&R, &impl Deref<Target = Result<Critical<R>>>),
+        (ln_z, fold): (&R, &impl Deref<Target = Result<Critical<R>>>),
         value: &R,
     ) -> (Place<R>, Seed) {
         let zero = value.lit(0);
         // x_fold < 0 for n > 1/2.
         let signed = if family.regime() == Regime::PullOff { -value.clone() } else { value.clone() };
-        let ln_z = value.abs().ln() - ln_fold;
         let distance = if signed > zero {
             match &**fold {
                 Ok(fold) => self.distance(held, held.pick(&fold.indentation, &fold.force), value),
-                Err(_) => -ln_z.exp_m1(),
+                Err(_) => -ln_z.clone().exp_m1(),
             }
         } else {
             value.lit(1)

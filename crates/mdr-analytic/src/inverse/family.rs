@@ -50,6 +50,9 @@ const TINY: f64 = 1e-20;
 const OFFSET: f64 = 1.0 + 1.0 / (1_u64 << 36) as f64;
 const OFFSET_LIMIT: f64 = 4096.0;
 
+/// From here on e^v is off by 2⁻²⁰ and more if v is a double.
+const FAR: f64 = (1_u64 << 33) as f64;
+
 impl<R: Real> Family<R> {
     #[inline(always)]
     pub(super) fn new(contact: &Contact<R>, held: Held, regime: Regime) -> Self {
@@ -101,6 +104,17 @@ impl<R: Real> Family<R> {
             Branch::Smaller => seed.smaller(),
         };
         R::from_f64(self.excess.ctx(), if v.abs() < OFFSET_LIMIT { v * OFFSET } else { v })
+    }
+
+    /// A first approximation of a root so far out that a double does not tell e^v: v = ln|z| − ln|1 − D|, where D changes by
+    /// little.
+    pub(super) fn first_of_far(&self, ln_z: &R, v: R) -> R {
+        if v.approx().abs() < FAR {
+            return v;
+        }
+        let growth = (v.clone() * &self.excess).exp_m1() / &self.excess;
+        let closer = (ln_z.clone() - (v.lit(1) - growth).abs().ln()).steer();
+        if closer.is_finite() { closer } else { v }
     }
 
     /// The seed of a place. z itself may be out of the range of `f64`, as it is near n = 1/2.
