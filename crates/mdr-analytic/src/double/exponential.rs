@@ -17,7 +17,10 @@ pub(super) const ERROR: f64 = 1.0 / (1_u128 << 74) as f64;
 const STEPS: f64 = 64.0 * std::f64::consts::LOG2_E;
 
 /// Adding it to an integer below 2⁵¹ moves that into the last bits.
-const TO_INTEGER: f64 = 6_755_399_441_055_744.0; // 1.5·2⁵²
+pub(super) const TO_INTEGER: f64 = 6_755_399_441_055_744.0; // 1.5·2⁵²
+
+/// 2⁵²: its bits or-ed with an integer below make a double.
+pub(super) const FROM_INTEGER: f64 = 4_503_599_627_370_496.0;
 
 /// Σ rʲ/(j + 3)!.
 const CUBIC: [f64; 6] = [1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0, 1.0 / 720.0, 1.0 / 5040.0, 1.0 / 40320.0];
@@ -72,8 +75,6 @@ fn cubic<A: Arithmetic>(r: f64, square: f64) -> f64 {
 #[inline(always)]
 pub(super) fn rough_logarithm<A: Arithmetic>(x: f64) -> f64 {
     const BIAS: u64 = 1023 << 52;
-    /// 2⁵²: its bits or-ed with an integer below make a double.
-    const FROM_INTEGER: f64 = 4_503_599_627_370_496.0;
     let biased = x.to_bits().wrapping_sub(std::f64::consts::FRAC_1_SQRT_2.to_bits()).wrapping_add(BIAS) >> 52;
     let e = f64::from_bits(biased | FROM_INTEGER.to_bits()) - (FROM_INTEGER + 1023.0);
     let m = f64::from_bits(x.to_bits().wrapping_sub(biased << 52).wrapping_add(BIAS));
@@ -133,6 +134,21 @@ mod tests {
             assert!(precise < ERROR && precise > ERROR / 8.0, "2^{}", precise.log2());
             assert!(rough < f64::EPSILON / 2.0, "{rough:e}");
             assert!(logarithm < 1e-7, "{logarithm:e}");
+        }
+    }
+
+    /// Within 6 roundings to the end of a step, where the last term is as large as that.
+    #[test]
+    fn no_term_of_the_cubic_is_missing() {
+        let end = std::f64::consts::LN_2 / 128.0;
+        for i in 0..2000 {
+            let r = end * (1.0 - f64::from(i) / 20_000.0) * f64::from(1 - i % 2 * 2);
+            let square = r * r;
+            let wide_r = Wide::<4>::from(r);
+            let truth = wide_r.exp_m1() - wide_r - wide_r.square().over(2);
+            for found in [cubic::<Fused>(r, square), cubic::<Separate>(r, square)] {
+                assert!(relative(Wide::from(found), truth) < 3.0 * f64::EPSILON, "{r}");
+            }
         }
     }
 }

@@ -94,8 +94,8 @@ proptest! {
 #[test]
 fn ordinary_equilibria_far_from_a_fold_out_of_range() {
     let mut answered = 0;
-    for (k, above) in (6..=52).flat_map(|k| [(k, true), (k, false)]) {
-        let n = 0.5 + if above { 2f64.powi(-k) } else { -2f64.powi(-k) };
+    for (k, sign) in (6..=54).flat_map(|k| [(k, 1.0), (k, -1.0)]) {
+        let n = 0.5 + sign * 2f64.powi(-k);
         for (c, value, by_force) in [(2.0, 0.5, false), (0.1, -0.5, false), (5.0, 0.5, true), (0.1, -0.5, true)] {
             let scene = Scene { n, c, e: 2.0, w: 1.0, by_force };
             let truth = scene.truth();
@@ -112,5 +112,37 @@ fn ordinary_equilibria_far_from_a_fold_out_of_range() {
             }
         }
     }
-    assert!(answered >= 4 * 2 * 47, "{answered}");
+    assert!(answered >= 4 * 2 * 49, "{answered}");
+}
+
+/// Around the depth at which F vanishes, where a^{n−1/2} is 2(n + 1) times that of the fold: F is a difference there.
+#[test]
+fn where_the_force_vanishes() {
+    for n in [0.3, 0.75, 1.0, 2.0, 4.0] {
+        let scene = Scene::with_fold(n, 1e-6, 1e6, 0.05, false);
+        let truth = scene.truth();
+        let ln_growth = (float(n) + 1u32).ln() + float(2.0).ln();
+        let zero = truth.held(&(truth.ln_fold.clone() + ln_growth * 2u32 / (2.0 * n - 1.0))).to_f64();
+        for k in [4, 10, 20, 30, 36, 40, 44, 48, 52] {
+            check_double(scene, zero * (1.0 - 2f64.powi(-k)));
+            check_double(scene, zero * (1.0 + 2f64.powi(-k)));
+        }
+    }
+}
+
+/// Where squares or products of ordinary lengths leave the range, or become subnormal.
+#[test]
+fn at_the_ends_of_the_range() {
+    for (n, a, e, w, by_force, share) in [
+        // The root of a/a_fold is 10⁻¹⁵⁵.
+        (0.75, 1e85, 1e85, 1e165, false, 1e-155),
+        // F = 10³³², and F = 10⁻³⁴⁴.
+        (4.0, 1.0, 1e85, 1e85, false, -1e198),
+        (2.0, 1e-85, 1e-85, 1e-85, false, 1e-44),
+        // F/E* = 10⁻³¹⁰.
+        (1.0, 1e-89, 1e89, 1.0, true, 1e-132),
+    ] {
+        let scene = Scene::with_fold(n, a, e, w, by_force);
+        check_double(scene, scene.truth().at_fold() * share);
+    }
 }

@@ -29,6 +29,7 @@ use std::f64::consts::{FRAC_1_PI, LOG2_E};
 use std::ops::RangeInclusive;
 
 use super::table::{ARTANH, EXPONENTIAL, HALF_LN_2, HALF_PI, LN_2, OFFSET, REST_LOWER, REST_UPPER, THIRD};
+use crate::double::exponential::{FROM_INTEGER, TO_INTEGER};
 use crate::double::pair::{Arithmetic, Pair};
 
 /// Points in a row: what five loops keep in the first cache.
@@ -54,12 +55,6 @@ const HALF_LN_RADIUS: f64 = 100.0;
 fn within(range: &RangeInclusive<f64>, x: f64) -> bool {
     (x >= *range.start()) & (x <= *range.end())
 }
-
-/// Adding it to an integer below 2⁵¹ moves that into the last bits.
-const TO_INTEGER: f64 = 6_755_399_441_055_744.0; // 1.5·2⁵²
-/// 2⁵², and its bits: or-ed with an integer below 2⁵² they make a double.
-const FROM_INTEGER: f64 = 4_503_599_627_370_496.0;
-const FROM_INTEGER_BITS: u64 = FROM_INTEGER.to_bits();
 
 /// Of one pair of bodies. B is NaN if E* or w is out of [`MATERIAL`]: then so is ln a, and the point is hard.
 #[derive(Clone, Copy)]
@@ -217,7 +212,7 @@ impl<A: Arithmetic> Kernel<A> {
             // The bits of a double are a piecewise linear logarithm: e is rounded from their difference, |log₂ m| < 0.59.
             let difference = edge.hi.to_bits().wrapping_sub(slope.hi.to_bits());
             let biased = difference.wrapping_add((1024 << 52) + (1 << 51)) >> 52;
-            self.binary_exponent[i] = f64::from_bits(biased | FROM_INTEGER_BITS) - (FROM_INTEGER + 1024.0);
+            self.binary_exponent[i] = f64::from_bits(biased | FROM_INTEGER.to_bits()) - (FROM_INTEGER + 1024.0);
             let down = f64::from_bits(2047_u64.wrapping_sub(biased) << 52);
             let edge = Pair { hi: edge.hi * down, lo: edge.lo * down };
             // Exact, as the ratio is between 1/2 and 2.
@@ -258,6 +253,7 @@ impl<A: Arithmetic> Kernel<A> {
             let cubic = square.hi * (r.hi * polynomial::<A, 10>(&EXPONENTIAL, r.hi));
             let linear = Pair::quick_sum(1.0, r.hi);
             let quadratic = Pair::quick_sum(linear.hi, 0.5 * square.hi);
+            // The products are at most 0.12 u and 0.04 u of y: no test sees that, but F, of y³, would miss its 2 ulp without.
             let r_lo = A::multiply_add(r.lo, r.hi, A::multiply_add(0.5, square.lo, r.lo));
             let tail = cubic + ((linear.lo + quadratic.lo) + r_lo);
             self.mantissa.set(i, Pair::quick_sum(quadratic.hi, tail));

@@ -14,9 +14,10 @@
 //! series of the root in s is dominated by the inverse of δ − Kδ² − K²δ³ − …: s + Ks² + 3K²s³ + 11K³s⁴ + … with quotients
 //! below 6 (the little Schröder numbers). For K|s| ≤ 1/128 all beyond the third term is below 11.6K³s⁴, and the root has the
 //! sign of v, which names its branch; δᵤ⁴/24, which e^{δᵤ} begins to omit, is below 0.4K³s⁴ of δᵤ/δ, as δᵤ ≤ mδ and m ≤ 2K.
-//! The third part are the roundings of δ in doubles. All together make the errors of a,
-//! and of d or F; an answer counts when they are below half an ulp: with the last rounding it is within one, wherever v came
-//! from. Else, very close to the fold or to n = 1/2 or to a zero of d or F, or far out of range, it is left to more words.
+//! The third part are the roundings of δ in doubles, small beside the others as a last step is short. All together make the
+//! errors of a, and of d or F; an answer counts when they are below half an ulp: with the last rounding it is within one,
+//! wherever v came from. Else, very close to the fold or to n = 1/2 or to a zero of d or F, or far out of range, it is left
+//! to more words.
 
 use mdr_core::contact::Regime;
 use mdr_core::number::{Real, Wide};
