@@ -29,7 +29,10 @@ fn check_double(scene: Scene, value: f64) {
             match found {
                 Ranged::Value(found) => {
                     let ulps = ulps(found, &exact);
-                    assert!(ulps <= 1.0, "{what} = {found:e} is {ulps} ulp off: {scene:?} at {value:e}");
+                    assert!(
+                        ulps <= 1.0 && (found != 0.0 || exact.is_zero()),
+                        "{what} = {found:e} is {ulps} ulp off: {scene:?} at {value:e}"
+                    );
                 }
                 Ranged::Overflow { log10 } | Ranged::Underflow { log10 } => {
                     let exact = exact.abs().log10().to_f64();
@@ -135,7 +138,7 @@ fn where_the_force_vanishes() {
 fn at_the_ends_of_the_range() {
     for (n, a, e, w, by_force, share) in [
         // The root of a/a_fold is 10⁻¹⁵⁵.
-        (0.75, 1e85, 1e85, 1e165, false, 1e-155),
+        (0.75, 1e85, 1e80, 1e160, false, 1e-155),
         // F = 10³³², and F = 10⁻³⁴⁴.
         (4.0, 1.0, 1e85, 1e85, false, -1e198),
         (2.0, 1e-85, 1e-85, 1e-85, false, 1e-44),
