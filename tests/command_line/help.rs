@@ -23,7 +23,7 @@ fn each_command_has_flags_examples_and_exit_statuses() {
         ("figures", &["--out", "--format"]),
         ("verify", &["--quick", "--full", "--digits", "--shard", "--seed", "--only", "--merge", "--format"]),
         ("reference", &["--filter", "--export", "--generate", "--format"]),
-        ("judge", &["--excess", "--strict", "--all", "--format"]),
+        ("judge", &["--filter", "--complete", "--lenient", "--accept-inaccurate", "--excess", "--all", "--format"]),
         (
             "critical",
             &[

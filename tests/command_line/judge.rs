@@ -21,15 +21,68 @@ const CLAIM: &str = r#"{"id":"critical/jkr-unit/indentation/force","value":"-2.6
 #[test]
 fn right_and_wrong_answers() {
     assert_eq!(judged(RIGHT, "").0, 0);
-    let (code, table) = judged(&format!("{RIGHT}\n{ROUGH}"), "");
-    assert_eq!(code, 0);
-    assert!(table.contains("1 right, 1 inaccurate, 0 wrong"), "{table}");
-    assert_eq!(judged(ROUGH, "--strict").0, 1);
-    assert_eq!(judged(ROUGH, "--strict --excess 14").0, 0);
-    let (code, table) = judged(&format!("{RIGHT}\n{CLAIM}"), "");
+    let both = format!("{RIGHT}\n{ROUGH}");
+    let (code, table) = judged(&both, "");
+    assert_eq!(code, 1);
+    assert!(
+        table.contains("1 right, 1 inaccurate, 0 wrong") && table.ends_with("not passed: 1 inaccurate\n"),
+        "{table}"
+    );
+    assert_eq!(judged(&both, "--accept-inaccurate").0, 0);
+    assert_eq!(judged(ROUGH, "--excess 14").0, 0);
+    let (code, table) = judged(&format!("{RIGHT}\n{CLAIM}"), "--accept-inaccurate --lenient");
     assert_eq!(code, 1);
     assert!(table.contains("further off than it claims"), "{table}");
-    assert_eq!(judged("", "").0, 1, "nothing to judge");
+    let (code, table) = judged("", "");
+    assert_eq!(code, 1);
+    assert!(table.contains("not passed: no question was answered"), "{table}");
+}
+
+/// What is not judged fails, and is named by its lines, in every format.
+#[test]
+fn lines_that_are_no_answers() {
+    let answers = format!("{RIGHT}\n{}{{\"id\":\"no/such\",\"value\":1}}", "nonsense\n".repeat(999));
+    let (code, table) = judged(&answers, "");
+    assert_eq!(code, 1);
+    let why = "not passed: malformed lines 2, 3, 4, 5, 6, …: 999 in all; unknown line 1001\n";
+    assert!(table.ends_with(why) && table.contains("989 more lines malformed"), "{table}");
+    assert_eq!(judged(&answers, "--lenient").0, 0);
+    let (code, csv) = judged(&answers, "--format csv");
+    assert_eq!((code, csv.lines().count()), (1, 13));
+    assert!(csv.contains("\n,2,malformed,") && csv.contains("\n,1001,unknown,"), "{csv}");
+}
+
+/// The questions of a choice; a program that dies after one answer.
+#[test]
+fn a_choice_of_questions() {
+    let filter = "--filter id~critical/jkr-unit/,control=force";
+    let (code, table) = judged(&format!("{RIGHT}\n{CLAIM}"), filter);
+    assert_eq!(code, 0);
+    let counts =
+        "1 of 3 questions answered: 1 right, 0 inaccurate, 0 wrong; 2 not answered; 1 answers to other records";
+    assert!(table.contains(counts), "{table}");
+    let (code, table) = judged(RIGHT, &format!("{filter} --complete"));
+    assert_eq!(code, 1);
+    assert!(table.ends_with("not passed: 2 not answered\n"), "{table}");
+    let summary = judged(RIGHT, &format!("{filter} --complete --format json")).1;
+    let summary: Value = serde_json::from_str(summary.lines().last().unwrap()).unwrap();
+    assert_eq!(summary["summary"]["unanswered"], 2);
+    assert_eq!(
+        (&summary["summary"]["passed"], &summary["summary"]["failures"][0]),
+        (&false.into(), &"2 not answered".into())
+    );
+    let refused = mdr("judge - --filter profile=sphere,control=machine").stdin(RIGHT).assert().code(2).stdout_eq("");
+    assert!(refused.get_output().stderr.starts_with(b"error: --filter: no record meets all terms"));
+}
+
+#[test]
+fn a_limit_is_a_number_of_digits() {
+    for limit in ["1e400", "-1", "17"] {
+        let refused = mdr(&format!("judge - --excess {limit}")).stdin(RIGHT).assert().code(2).stdout_eq("");
+        assert!(refused.get_output().stderr.starts_with(b"error: --excess: must be from 0 to 16"), "{limit}");
+    }
+    let nonsense = r#"{"id":"critical/jkr-unit/force/force","value":77}"#;
+    assert_eq!(judged(nonsense, "--excess 16 --accept-inaccurate").0, 1);
 }
 
 #[test]
@@ -110,6 +163,22 @@ fn a_picture_of_known_errors() {
 fn without_an_answer_there_is_nothing_to_draw() {
     let result = mdr(&format!("judge - --plot {}", file("judged-none.svg").display())).stdin("\n").assert().code(2);
     assert!(result.get_output().stderr.starts_with(b"error: --plot: there is nothing to draw"));
+}
+
+/// The data of a picture do not replace a file of the user; those of the same picture they do.
+#[test]
+fn a_file_beside_the_picture_is_left_alone() {
+    let (svg, csv) = (file("judged-beside.svg"), file("judged-beside.csv"));
+    std::fs::write(&csv, "id,profile\nmine,mine\n").unwrap();
+    let plot = format!("judge - --plot {}", svg.display());
+    let refused = mdr(&plot).stdin(RIGHT).assert().code(2).stdout_eq("");
+    let error = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+    assert!(error.contains("would replace") && error.contains("judged-beside.csv"), "{error}");
+    assert_eq!(std::fs::read_to_string(&csv).unwrap(), "id,profile\nmine,mine\n");
+    std::fs::remove_file(&csv).unwrap();
+    for _ in 0..2 {
+        mdr(&plot).stdin(RIGHT).assert().code(0);
+    }
 }
 
 #[test]

@@ -44,6 +44,6 @@ fn exports_and_refuses() {
     mdr("reference --filter colour=red").assert().code(2).stdout_eq("");
     mdr("reference --filter id=none").assert().code(2).stdout_eq("");
     let nothing = ["--filter", "control=force control=indentation", "--format", "json"];
-    mdr("reference").args(nothing).assert().code(1).stdout_eq("").stderr_eq("");
+    mdr("reference").args(nothing).assert().code(2).stdout_eq("");
     std::fs::remove_dir_all(folder).unwrap();
 }

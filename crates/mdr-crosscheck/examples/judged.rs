@@ -25,8 +25,9 @@ type Way = fn(&Sphere) -> Answer;
 
 impl Sphere {
     fn of(question: &Record) -> Option<Self> {
-        let [n, c, e_star, work, d] = ["n", "C", "E*", "w", "d"].map(|name| question.input_f64(name));
-        (n == 2.0).then(|| Sphere { radius: 0.5 / c, e_star, work, d })
+        let input = |name| question.input_f64(name);
+        let sphere = Sphere { radius: 0.5 / input("C")?, e_star: input("E*")?, work: input("w")?, d: input("d")? };
+        (input("n")? == 2.0).then_some(sphere)
     }
 
     /// (a²/R − d)² = 2πwa/E* is a quartic for a. Ferrari's solution, as discrete element codes use it (Parteli et al.,

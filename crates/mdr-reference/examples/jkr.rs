@@ -34,10 +34,11 @@ fn contact_radius(c: f64, e_star: f64, work: f64, d: f64) -> Option<f64> {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let questions: Filter = "formula=equilibrium control=indentation quantity=contact_radius flag=outer".parse()?;
     let report = judge(questions.select(), |question| {
-        let [n, c, e_star, work, d] = ["n", "C", "E*", "w", "d"].map(|name| question.input_f64(name));
+        let input = |name| question.input_f64(name);
+        let radius = contact_radius(input("C")?, input("E*")?, input("w")?, input("d")?);
         // Only spheres: a question that is not answered does not count.
-        (n == 2.0).then(|| contact_radius(c, e_star, work, d).map_or(Status::NoEquilibrium.into(), Answer::from))
+        (input("n")? == 2.0).then(|| radius.map_or(Status::NoEquilibrium.into(), Answer::from))
     });
     println!("{report}");
-    if report.passed() { Ok(()) } else { Err("a wrong answer".into()) }
+    if report.passed() { Ok(()) } else { Err(report.failures().join("; ").into()) }
 }

@@ -5,6 +5,7 @@ use std::str::FromStr;
 use std::sync::OnceLock;
 
 use crate::record::Record;
+use crate::text::excerpt;
 
 /// The files of the release, in their order.
 const FILES: [&str; 5] = [
@@ -17,6 +18,9 @@ const FILES: [&str; 5] = [
 
 /// All records of this release, read once.
 ///
+/// # Panics
+/// If a line of the release is no record, which no user can cause, and a test of every line excludes.
+///
 /// ```
 /// use mdr_reference::{Difficulty, records};
 /// let hard = records().iter().filter(|record| record.difficulty == Difficulty::Higher);
@@ -24,8 +28,8 @@ const FILES: [&str; 5] = [
 /// ```
 pub fn records() -> &'static [Record] {
     static RECORDS: OnceLock<Vec<Record>> = OnceLock::new();
-    // A test reads every line; what it accepts is read here.
-    RECORDS.get_or_init(|| lines().filter_map(|line| Record::from_json(line).ok()).collect())
+    let read = |line| Record::from_json(line).unwrap_or_else(|error| panic!("{error}: {line}"));
+    RECORDS.get_or_init(|| lines().map(read).collect())
 }
 
 /// The records as they are published, one JSON object a line.
@@ -41,8 +45,8 @@ pub fn record(id: &str) -> Option<&'static Record> {
 /// A choice of records: terms separated by blanks or commas, all of which must hold.
 ///
 /// A term is `key=value`, `key!=value` or `key~part` (contains). Keys: `id`, `profile`, `formula`, `quantity`, `unit`,
-/// `control` (`none` where there is none), `status`, `difficulty`, `flag`. A value or a part that no record has is refused:
-/// a choice that is empty by a slip of the pen would pass every test.
+/// `control` (`none` where there is none), `status`, `difficulty`, `flag`. Refused are a value or a part that no record has,
+/// and terms that no record meets together: a choice that is empty by a slip of the pen would pass every test.
 ///
 /// ```
 /// use mdr_reference::{Filter, records};
@@ -50,6 +54,7 @@ pub fn record(id: &str) -> Option<&'static Record> {
 /// assert!(records().iter().any(|record| filter.accepts(record)));
 /// assert!("colour=red".parse::<Filter>().is_err());
 /// assert!("profile=sfere".parse::<Filter>().is_err());
+/// assert!("profile=sphere control=machine".parse::<Filter>().is_err());
 /// # Ok::<(), mdr_reference::FilterError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -94,32 +99,42 @@ enum Relation {
     Contains,
 }
 
-/// A term that is none, or that no record can meet.
+/// A choice that is none, or chooses nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FilterError {
-    term: String,
-    /// Of a known key.
-    key: Option<(&'static str, Key)>,
+    /// The term, or all of them.
+    text: String,
+    wrong: Wrong,
+}
+
+/// What is wrong with a choice.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Wrong {
+    /// A term of another form.
+    Form,
+    /// A value under this key that no record has.
+    Value(&'static str, Key),
+    /// Terms that no record meets together.
+    Empty,
 }
 
 impl fmt::Display for FilterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Some((name, key)) = self.key else {
-            let keys = KEYS.map(|(name, _)| name).join(", ");
-            return write!(
-                f,
-                "{:?} is no condition: expected key=value, key!=value or key~part with one of {keys}",
-                self.term
-            );
-        };
-        write!(f, "{:?} fits no record", self.term)?;
-        if key == Key::Id {
-            return write!(f, ": there is no such id");
+        let text = excerpt(&self.text);
+        match self.wrong {
+            Wrong::Form => {
+                let keys = KEYS.map(|(name, _)| name).join(", ");
+                write!(f, "{text} is no condition: expected key=value, key!=value or key~part with one of {keys}")
+            }
+            Wrong::Empty => write!(f, "no record meets all terms of {text}: leave one out"),
+            Wrong::Value(_, Key::Id) => write!(f, "{text} fits no record: there is no such id"),
+            Wrong::Value(name, key) => {
+                let mut values: Vec<&str> = records().iter().flat_map(|record| key.values(record)).collect();
+                values.sort_unstable();
+                values.dedup();
+                write!(f, "{text} fits no record: {name} is one of {}", values.join(", "))
+            }
         }
-        let mut values: Vec<&str> = records().iter().flat_map(|record| key.values(record)).collect();
-        values.sort_unstable();
-        values.dedup();
-        write!(f, ": {name} is one of {}", values.join(", "))
     }
 }
 
@@ -130,12 +145,14 @@ impl FromStr for Filter {
 
     fn from_str(text: &str) -> Result<Self, FilterError> {
         let terms = text.split([' ', ',', '\t', '\n']).filter(|term| !term.is_empty());
-        terms.map(term).collect::<Result<_, _>>().map(Filter)
+        let filter = Filter(terms.map(term).collect::<Result<_, _>>()?);
+        let chosen = filter.select().next().is_some();
+        if chosen { Ok(filter) } else { Err(FilterError { text: text.to_owned(), wrong: Wrong::Empty }) }
     }
 }
 
 fn term(text: &str) -> Result<Term, FilterError> {
-    let error = || FilterError { term: text.to_owned(), key: None };
+    let error = || FilterError { text: text.to_owned(), wrong: Wrong::Form };
     let at = text.find(['=', '!', '~']).ok_or_else(error)?;
     let (name, rest) = text.split_at(at);
     let (relation, value) = [("!=", Relation::IsNot), ("=", Relation::Is), ("~", Relation::Contains)]
@@ -150,7 +167,7 @@ fn term(text: &str) -> Result<Term, FilterError> {
     if records().iter().any(|record| term.fits(record)) {
         Ok(term)
     } else {
-        Err(FilterError { term: text.to_owned(), key: Some(known) })
+        Err(FilterError { text: text.to_owned(), wrong: Wrong::Value(known.0, known.1) })
     }
 }
 
@@ -160,7 +177,7 @@ impl Filter {
         self.0.iter().all(|term| term.holds(record))
     }
 
-    /// The records that are chosen.
+    /// The records that are chosen, at least one.
     pub fn select(&self) -> impl Iterator<Item = &'static Record> {
         records().iter().filter(|record| self.accepts(record))
     }

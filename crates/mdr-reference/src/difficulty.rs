@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::text::excerpt;
+
 /// The three levels of NIST's Statistical Reference Datasets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Difficulty {
@@ -39,7 +41,7 @@ impl FromStr for Difficulty {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let found = Difficulty::ALL.into_iter().find(|level| level.name() == text);
-        found.ok_or_else(|| format!("difficulty must be lower, average or higher, got {text:?}"))
+        found.ok_or_else(|| format!("difficulty must be lower, average or higher, got {}", excerpt(text)))
     }
 }
 

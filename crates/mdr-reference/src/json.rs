@@ -1,5 +1,5 @@
-//! JSON as it comes from other programs: numbers stay the text that was written, and the words with which many writers
-//! put down what is not a number (`NaN`, `Infinity`, `-Infinity`) are read as such a text.
+//! JSON: numbers stay the text that was written. From other programs it may come with values that are no JSON, such as what
+//! C prints for a number: `-nan`, `inf`, `0x1.8p-3`, `5.`.
 //!
 //! A number must not pass through `f64` on its way to the judge: the digits beyond the seventeenth are what is judged.
 
@@ -42,18 +42,30 @@ const DEPTH: usize = 32;
 /// # Errors
 /// What was expected, and at which byte, counted from 1.
 pub(crate) fn read(text: &str) -> Result<Json<'_>, String> {
-    let mut reader = Reader { text, at: 0 };
-    let value = reader.value(0)?;
-    reader.blanks();
-    if reader.at == text.len() { Ok(value) } else { Err(reader.expected("the end of the line")) }
+    Reader { text, at: 0, strict: true }.whole()
+}
+
+/// The same; any word without quotation marks is read as a number of that text.
+///
+/// # Errors
+/// What was expected, and at which byte, counted from 1.
+pub(crate) fn read_tolerant(text: &str) -> Result<Json<'_>, String> {
+    Reader { text, at: 0, strict: false }.whole()
 }
 
 struct Reader<'a> {
     text: &'a str,
     at: usize,
+    strict: bool,
 }
 
 impl<'a> Reader<'a> {
+    fn whole(mut self) -> Result<Json<'a>, String> {
+        let value = self.value(0)?;
+        self.blanks();
+        if self.at == self.text.len() { Ok(value) } else { Err(self.expected("the end of the line")) }
+    }
+
     fn expected(&self, what: &str) -> String {
         format!("byte {}: expected {what}", self.at + 1)
     }
@@ -80,24 +92,31 @@ impl<'a> Reader<'a> {
 
     fn value(&mut self, depth: usize) -> Result<Json<'a>, String> {
         self.blanks();
-        for (word, value) in [("null", Json::Null), ("true", Json::Bool(true)), ("false", Json::Bool(false))] {
-            if self.takes(word) {
-                return Ok(value);
-            }
-        }
-        for word in ["NaN", "Infinity", "-Infinity"] {
-            if self.takes(word) {
-                return Ok(Json::Number(word));
-            }
-        }
         match self.next() {
             Some(b'"') => self.text().map(Json::Text),
             Some(b'[' | b'{') if depth == DEPTH => Err(self.expected("less nesting")),
             Some(b'[') => self.list(depth),
             Some(b'{') => self.object(depth),
-            Some(b'-' | b'0'..=b'9') => self.number(),
-            _ => Err(self.expected("a value")),
+            Some(b'-' | b'0'..=b'9') if self.strict => self.number(),
+            _ => self.word(),
         }
+    }
+
+    /// `null`, `true`, `false`; or, unless strict, a number as others write it.
+    fn word(&mut self) -> Result<Json<'a>, String> {
+        let rest = self.rest();
+        let end = rest.find(|letter: char| letter.is_ascii_whitespace() || ",:[]{}\"".contains(letter));
+        let word = &rest[..end.unwrap_or(rest.len())];
+        let value = match word {
+            "null" => Json::Null,
+            "true" => Json::Bool(true),
+            "false" => Json::Bool(false),
+            "" => return Err(self.expected("a value")),
+            _ if self.strict => return Err(self.expected("a value")),
+            number => Json::Number(number),
+        };
+        self.at += word.len();
+        Ok(value)
     }
 
     fn list(&mut self, depth: usize) -> Result<Json<'a>, String> {
@@ -305,10 +324,20 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_a_number_is_a_text() {
-        for word in ["NaN", "Infinity", "-Infinity"] {
-            assert_eq!(read(word), Ok(Json::Number(word)));
+    fn words_without_quotation_marks() {
+        for word in ["NaN", "-nan(ind)", "1.#QNAN", "-inf", "0x1.8p-3", "5.", ".5", "+1", "1e5"] {
+            assert_eq!(read_tolerant(word), Ok(Json::Number(word)));
+            assert_eq!(read(word).is_ok(), word == "1e5", "{word}");
         }
+        let line = read_tolerant("{\"value\":-nan,\"error\": null ,\"list\":[inf,true]}").unwrap();
+        assert_eq!(line.get("value"), Some(&Json::Number("-nan")));
+        assert_eq!(line.get("error"), Some(&Json::Null));
+        assert_eq!(line.get("list"), Some(&Json::List(vec![Json::Number("inf"), Json::Bool(true)])));
+        assert!(read_tolerant("{\"value\":}").is_err() && read_tolerant("{\"value\":nan inf}").is_err());
+    }
+
+    #[test]
+    fn surrogates_and_depth() {
         assert_eq!(read(r#""\ud83d\ude00""#), Ok(Json::Text("😀".into())));
         assert!(read(r#""\ud83d""#).is_err() && read(&"[".repeat(10_000)).is_err());
     }

@@ -12,8 +12,8 @@
 //! // Pull-off force of a power law f = C rⁿ under a dead load; here only the paraboloid, by the formula of JKR.
 //! let questions: Filter = "formula=critical control=force quantity=force status=ok".parse()?;
 //! let report = judge(questions.select(), |question| {
-//!     let [n, c, w] = ["n", "C", "w"].map(|name| question.input_f64(name));
-//!     (n == 2.0).then(|| Answer::from(-0.75 * std::f64::consts::PI * w / c))
+//!     let (c, w) = (question.input_f64("C")?, question.input_f64("w")?);
+//!     (question.input("n") == Some("2")).then(|| Answer::from(-0.75 * std::f64::consts::PI * w / c))
 //! });
 //! assert!(report.passed(), "{report}");
 //! # Ok::<(), mdr_reference::FilterError>(())
@@ -27,14 +27,19 @@
 mod catalogue;
 mod decimal;
 mod difficulty;
+mod hexadecimal;
 mod json;
 mod judge;
 mod measure;
+mod number;
 mod record;
+mod text;
 mod write;
 
 pub use catalogue::{Filter, FilterError, lines, record, records};
 pub use decimal::{Decimal, DecimalError};
 pub use difficulty::{Difficulty, Hardness};
-pub use judge::{Answer, Claim, Class, Judge, Judged, Limits, Mark, Range, Refused, Report, Verdict, judge, mark};
+pub use judge::{
+    Answer, Claim, ClaimError, Class, Judge, Judged, Limits, Mark, Range, Refused, Report, Rules, Verdict, judge, mark,
+};
 pub use record::{Certified, Method, Record, Status, UNIT_ROUNDOFF};

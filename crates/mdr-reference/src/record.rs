@@ -3,8 +3,10 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::decimal::{self, Decimal};
+use crate::decimal::Decimal;
 use crate::difficulty::Difficulty;
+use crate::hexadecimal;
+use crate::text::excerpt;
 
 /// The unit roundoff of a double, 2⁻⁵³.
 pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
@@ -66,7 +68,8 @@ impl FromStr for Status {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let found = Status::ALL.into_iter().find(|status| status.name() == text);
-        found.ok_or_else(|| format!("status must be one of {}, got {text:?}", Status::ALL.map(Status::name).join(", ")))
+        let names = || Status::ALL.map(Status::name).join(", ");
+        found.ok_or_else(|| format!("status must be one of {}, got {}", names(), excerpt(text)))
     }
 }
 
@@ -84,7 +87,7 @@ pub struct Method {
 pub struct Certified {
     /// The number correctly rounded to `digits` significant decimal digits, or exactly zero.
     pub mid: String,
-    /// Half a unit of the last digit; 0 where `mid` is exact.
+    /// Half a unit of the last digit, also where the number has no more digits; 0 for an exact zero.
     pub rad: String,
     /// Significant decimal digits.
     pub digits: u32,
@@ -137,9 +140,9 @@ impl Record {
         self.inputs.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
     }
 
-    /// The double nearest to an input; NaN where there is none of that name.
-    pub fn input_f64(&self, name: &str) -> f64 {
-        self.input(name).and_then(|text| text.parse().ok()).unwrap_or(f64::NAN)
+    /// The double nearest to an input; none where there is none of that name.
+    pub fn input_f64(&self, name: &str) -> Option<f64> {
+        self.input(name)?.parse().ok()
     }
 
     /// The value as a decimal.
@@ -152,7 +155,9 @@ impl Record {
         self.decimal().map_or(f64::NAN, |value| value.nearest())
     }
 
-    /// The value as the unevaluated sum of two doubles, to 32 digits: the nearest one and the one nearest to the rest.
+    /// The value as the unevaluated sum of two doubles, the nearest one and the one nearest to the rest: to 31 digits where
+    /// the magnitude is above 10⁻²⁹⁰. Below, the rest is a subnormal double or 0, and the nearest double is all there is at
+    /// 10⁻³⁰⁸. (±∞, 0) beyond the largest double, (NaN, 0) where there is no number.
     pub fn pair(&self) -> (f64, f64) {
         let Some(value) = self.decimal() else { return (f64::NAN, 0.0) };
         let high = value.nearest();
@@ -162,7 +167,8 @@ impl Record {
 
     /// The nearest double in hexadecimal, as C writes it with `%a`; none where the number is no normal double.
     pub fn hexadecimal(&self) -> Option<String> {
-        (self.value.is_some() && matches!(self.status, Status::Ok | Status::Fold)).then(|| hexadecimal(self.nearest()))
+        (self.value.is_some() && matches!(self.status, Status::Ok | Status::Fold))
+            .then(|| hexadecimal::write(self.nearest()))
     }
 
     /// The total condition Σ|d ln value/d ln input|: what relative errors of one unit in the inputs cost; 0 where there
@@ -191,49 +197,5 @@ impl Record {
     /// ```
     pub fn tolerance(&self) -> f64 {
         4.0 * UNIT_ROUNDOFF * self.total_condition().max(1.0)
-    }
-}
-
-/// ±0x1.hhhp±d without trailing zeros.
-fn hexadecimal(value: f64) -> String {
-    let bits = value.to_bits();
-    let sign = if value.is_sign_negative() { "-" } else { "" };
-    let (fraction, biased) = (bits & ((1 << 52) - 1), (bits >> 52) & 0x7ff);
-    if value == 0.0 {
-        return format!("{sign}0x0p+0");
-    }
-    let (first, exponent) = if biased == 0 { (0, -1022) } else { (1, biased as i64 - 1023) };
-    let digits = format!("{fraction:013x}");
-    let digits = digits.trim_end_matches('0');
-    let point = if digits.is_empty() { "" } else { "." };
-    format!("{sign}0x{first}{point}{digits}p{exponent:+}")
-}
-
-/// The double that such a text stands for.
-pub(crate) fn from_hexadecimal(text: &str) -> Option<f64> {
-    let (negative, unsigned) = text.strip_prefix('-').map_or((false, text), |rest| (true, rest));
-    let value = decimal::double(unsigned.strip_prefix("0x")?).ok()?;
-    Some(if negative { -value } else { value })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    proptest! {
-        #[test]
-        fn hexadecimal_comes_back(bits in any::<u64>()) {
-            let value = f64::from_bits(bits);
-            prop_assume!(value.is_finite());
-            prop_assert_eq!(from_hexadecimal(&hexadecimal(value)), Some(value));
-        }
-    }
-
-    #[test]
-    fn as_c_writes_it() {
-        for (value, text) in [(1.0, "0x1p+0"), (-0.1, "-0x1.999999999999ap-4"), (5e-324, "0x0.0000000000001p-1022")] {
-            assert_eq!(hexadecimal(value), text);
-        }
     }
 }

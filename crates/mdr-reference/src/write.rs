@@ -1,7 +1,7 @@
 //! Records to JSON Lines and CSV, and back from JSON Lines.
 
 use crate::json::{Json, quoted, read};
-use crate::record::{Certified, Method, Record, from_hexadecimal};
+use crate::record::{Certified, Method, Record};
 
 impl Record {
     /// The record on one line, without the line's end. It ends with a hash of all that stands before: FNV-1a of 64 bits,
@@ -87,8 +87,7 @@ impl Record {
             flags: fields.texts("flags")?,
             refs: fields.texts("refs")?,
         };
-        let nearest = fields.optional("f64")?;
-        if nearest.as_deref().and_then(from_hexadecimal) != record.hexadecimal().as_deref().and_then(from_hexadecimal) {
+        if fields.optional("f64")? != record.hexadecimal() {
             return Err("f64 is not the double nearest to mid".to_owned());
         }
         let hash = format!("{:016x}", fnv(record.body().as_bytes()));

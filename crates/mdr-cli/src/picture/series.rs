@@ -3,7 +3,8 @@
 use super::{Layer, Mark, Panel, Picture, Point, Stroke, typeset};
 use crate::error::{Failure, Result};
 
-const HEADER: [&str; 9] = ["panel", "element", "series", "style", "x_quantity", "x", "y_quantity", "y", "units"];
+pub(super) const HEADER: [&str; 9] =
+    ["panel", "element", "series", "style", "x_quantity", "x", "y_quantity", "y", "units"];
 
 /// The points of all curves, areas, marks and arrows, one a row.
 ///

@@ -1,16 +1,33 @@
 //! An answer of another program.
 
+use std::fmt;
+
 use crate::decimal::{Decimal, DecimalError};
-use crate::json::{Json, quoted, read};
+use crate::json::{Json, quoted, read_tolerant};
+use crate::number::Number;
 use crate::record::Status;
+use crate::text::excerpt;
+
+/// A claimed error that no number can keep or break.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClaimError(f64);
+
+impl fmt::Display for ClaimError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the claimed error must be finite and not negative, got {}; leave it out to claim nothing", self.0)
+    }
+}
+
+impl std::error::Error for ClaimError {}
 
 /// What a program says to one question.
 ///
 /// ```
 /// use mdr_reference::Answer;
-/// let measured = Answer::from(-4.71).with_error(0.01);
+/// let measured = Answer::from(-4.71).with_error(0.01)?;
 /// let none: Answer = mdr_reference::Status::NoEquilibrium.into();
 /// assert_ne!(measured, none);
+/// # Ok::<(), mdr_reference::ClaimError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Answer {
@@ -22,25 +39,16 @@ pub struct Answer {
     pub(crate) status: Option<Status>,
 }
 
-/// A number as other programs have them.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Number {
-    Finite(Decimal),
-    /// NaN or an infinity.
-    NotFinite,
-}
-
 impl From<Decimal> for Answer {
     fn from(value: Decimal) -> Self {
         Answer { value: Some(Number::Finite(value)), error: None, status: None }
     }
 }
 
-/// The exact value of a double.
+/// The exact value of a double, an infinity, or NaN.
 impl From<f64> for Answer {
     fn from(value: f64) -> Self {
-        let number = if value.is_finite() { Number::Finite(Decimal::from_double(value)) } else { Number::NotFinite };
-        Answer { value: Some(number), error: None, status: None }
+        Answer { value: Some(value.into()), error: None, status: None }
     }
 }
 
@@ -52,9 +60,16 @@ impl From<Status> for Answer {
 }
 
 impl Answer {
-    /// The same with the absolute error that the program claims; a claim that is not finite claims nothing.
-    pub fn with_error(self, error: f64) -> Self {
-        Answer { error: error.is_finite().then(|| Decimal::from_double(error.abs())), ..self }
+    /// The same with the absolute error that the program claims.
+    ///
+    /// # Errors
+    /// [`ClaimError`] for what is negative or not finite.
+    pub fn with_error(self, error: f64) -> Result<Self, ClaimError> {
+        if error >= 0.0 && error.is_finite() {
+            Ok(Answer { error: Some(Decimal::from_double(error)), ..self })
+        } else {
+            Err(ClaimError(error))
+        }
     }
 
     /// The same, marked: such as the 0 that is left of a number below the range of doubles.
@@ -66,17 +81,14 @@ impl Answer {
     ///
     /// ```
     /// use mdr_reference::Answer;
-    /// let line = Answer::from(-4.71).with_error(0.01).to_json("critical/jkr-unit/force/force");
+    /// let line = Answer::from(-4.71).with_error(0.01)?.to_json("critical/jkr-unit/force/force");
     /// assert!(line.starts_with("{\"id\":\"critical/jkr-unit/force/force\",\"value\":\"-4.7"));
     /// let (id, answer) = Answer::from_json(&line)?;
-    /// assert_eq!((id.as_str(), answer), ("critical/jkr-unit/force/force", Answer::from(-4.71).with_error(0.01)));
-    /// # Ok::<(), String>(())
+    /// assert_eq!((id.as_str(), answer), ("critical/jkr-unit/force/force", Answer::from(-4.71).with_error(0.01)?));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn to_json(&self, id: &str) -> String {
-        let value = self.value.as_ref().map(|value| match value {
-            Number::Finite(value) => value.to_string(),
-            Number::NotFinite => "nan".to_owned(),
-        });
+        let value = self.value.as_ref().map(Number::to_string);
         let error = self.error.as_ref().map(Decimal::to_string);
         let status = self.status.map(|status| status.name().to_owned());
         let fields = [("id", Some(id.to_owned())), ("value", value), ("error", error), ("status", status)];
@@ -85,12 +97,12 @@ impl Answer {
     }
 
     /// The identifier and the answer on a line `{"id":…, "value":…, "error":…, "status":…}`, numbers as JSON numbers or as
-    /// texts, decimal or hexadecimal.
+    /// texts, decimal or hexadecimal; also as C prints them, `-nan` or `0x1.8p-3` without quotation marks.
     ///
     /// # Errors
     /// What is wrong with the line.
     pub fn from_json(line: &str) -> Result<(String, Answer), String> {
-        let json = read(line)?;
+        let json = read_tolerant(line)?;
         if !matches!(json, Json::Object(_)) {
             return Err("expected an object {\"id\":…, \"value\":…}".to_owned());
         }
@@ -98,25 +110,26 @@ impl Answer {
             None | Some(Json::Null) => Ok(None),
             Some(value) => value.as_text().map(Some).ok_or_else(|| format!("{key} must be a number or a text")),
         };
+        let refused =
+            |key: &str, error: &dyn fmt::Display, text: &str| format!("{key}: {error}, got {}", excerpt(text));
         let id = text("id")?.ok_or("there is no id")?.to_owned();
-        let value = match text("value")?.map(str::parse) {
-            None => None,
-            Some(Ok(value)) => Some(Number::Finite(value)),
-            Some(Err(DecimalError::NotFinite)) => Some(Number::NotFinite),
-            Some(Err(error)) => return Err(format!("value: {error}")),
-        };
-        let error = match text("error")?.map(str::parse::<Decimal>) {
-            None => None,
-            Some(Err(DecimalError::NotFinite)) => {
-                return Err("error: must be finite; leave it out to claim nothing".to_owned());
+        let value =
+            text("value")?.map(|text| text.parse().map_err(|error: DecimalError| refused("value", &error, text)));
+        let error = text("error")?.map(|text| match text.parse::<Decimal>() {
+            Ok(error) if error.is_negative() => Err(refused("error", &"must not be negative", text)),
+            Ok(error) => Ok(error),
+            Err(DecimalError::NotFinite) => {
+                Err(refused("error", &"must be finite; leave it out to claim nothing", text))
             }
-            Some(Ok(error)) if error >= Decimal::default() => Some(error),
-            Some(Ok(_)) => return Err("error: must not be negative".to_owned()),
-            Some(Err(error)) => return Err(format!("error: {error}")),
-        };
+            Err(error) => Err(refused("error", &error, text)),
+        });
+        let (value, error) = (value.transpose()?, error.transpose()?);
         let status = text("status")?.map(str::parse).transpose()?;
         if value.is_none() && status.is_none() {
-            return Err("there is neither a value nor a status".to_owned());
+            return Err(match json.get("value") {
+                Some(_) => "the value is null, as some programs write NaN, and there is no status".to_owned(),
+                None => "there is neither a value nor a status".to_owned(),
+            });
         }
         Ok((id, Answer { value, error, status }))
     }

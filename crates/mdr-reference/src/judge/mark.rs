@@ -1,8 +1,10 @@
 //! One answer against one record.
 
 use crate::decimal::Decimal;
-use crate::judge::answer::{Answer, Number};
-use crate::record::{Record, Status, UNIT_ROUNDOFF};
+use crate::judge::answer::Answer;
+use crate::judge::digits::compared;
+use crate::number::Number;
+use crate::record::{Record, Status};
 
 /// What is thought of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -10,10 +12,11 @@ pub enum Verdict {
     /// Within what it claims; or it claims nothing, and is as good as the question allows in double precision, but for
     /// the digits of [`Limits::excess_loss`].
     Right,
-    /// Claims nothing, and has lost more digits than the question costs; or its claim holds because it is overstated.
+    /// Claims nothing, and has lost more digits than the question costs; its claim holds because it is overstated; or it
+    /// finds a double root and does not give its number.
     Inaccurate,
     /// Further off than it claims, without a single right digit that the question would have left, or not the kind of
-    /// answer that there is.
+    /// answer that there is: [`mark`] has the table.
     Wrong,
 }
 
@@ -57,7 +60,8 @@ impl Claim {
 /// Where the judge draws its lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The decimal digits that an answer without a claim may lose beyond what the question costs in double precision.
+    /// The decimal digits that an answer without a claim may lose beyond what the question costs in double precision. An
+    /// answer without a right digit is wrong at three of them at the latest.
     pub excess_loss: f64,
     /// The decades by which a claim may exceed the true error.
     pub overstatement: f64,
@@ -99,13 +103,30 @@ pub struct Mark {
 }
 
 impl Mark {
+    /// Without numbers to compare.
+    pub(crate) fn of(verdict: Verdict, reason: impl Into<String>) -> Self {
+        let (reason, claim) = (reason.into(), Claim::None);
+        Mark { verdict, reason, status_matches: false, lre: None, excess_loss: None, claim }
+    }
+
     /// For the order of a report: worst first.
     pub(crate) fn badness(&self) -> (Verdict, f64) {
         (self.verdict, self.excess_loss.map_or(f64::INFINITY, |loss| loss.low.max(-1e9)))
     }
 }
 
-/// Judges an answer to the question of a record.
+/// Judges an answer to the question of a record, by the kind of both:
+///
+/// | answer | a number, `ok` or `fold` | `overflow` | `underflow` | no number |
+/// |---|---|---|---|---|
+/// | a number | by its digits | by its digits | by its digits, 0 wrong; if marked, right where it is 0 or next to the nearest double | wrong |
+/// | ±∞ | wrong | right if the sign is | wrong | wrong |
+/// | NaN | wrong | wrong | wrong | wrong |
+/// | none, the status of the record | wrong; a `fold` is inaccurate | right | right | right |
+/// | none, the status `ok` | wrong | wrong | wrong | wrong |
+///
+/// An answer without a status, or marked `ok`, is judged by its value alone. Any other status that is not that of the record
+/// is wrong.
 ///
 /// ```
 /// use mdr_reference::{Answer, Limits, Verdict, mark, record};
@@ -113,124 +134,124 @@ impl Mark {
 /// // −(3/2)πwR, once in full and once to four digits with an honest error.
 /// let exact: Answer = (-1.5 * std::f64::consts::PI).into();
 /// assert_eq!(mark(question, &exact, &Limits::default()).verdict, Verdict::Right);
-/// let rough = Answer::from(-4.712).with_error(0.001);
+/// let rough = Answer::from(-4.712).with_error(0.001)?;
 /// assert_eq!(mark(question, &rough, &Limits::default()).verdict, Verdict::Right);
 /// // −2πwR is Bradley's answer, not that of Johnson, Kendall and Roberts.
 /// let other: Answer = (-2.0 * std::f64::consts::PI).into();
 /// assert_eq!(mark(question, &other, &Limits::default()).verdict, Verdict::Wrong);
+/// # Ok::<(), mdr_reference::ClaimError>(())
 /// ```
 pub fn mark(record: &Record, answer: &Answer, limits: &Limits) -> Mark {
     let status = answer.status.unwrap_or(Status::Ok);
-    let matches = status == record.status;
-    let verdict = |verdict, reason: String| Mark {
-        verdict,
-        reason,
-        status_matches: matches,
-        lre: None,
-        excess_loss: None,
-        claim: Claim::None,
+    let marked = status == record.status;
+    let compared = |value: &Decimal, mid: &Decimal| compared(record, value, mid, answer.error.as_ref(), limits);
+    let judgement = match (Given::of(answer), Asked::of(record)) {
+        (Given::Nothing, _) => without_value(marked, record.status),
+        (Given::Number(value), Asked::Number(mid) | Asked::Overflow(mid)) => compared(value, &mid),
+        (Given::Number(value), Asked::Underflow(mid)) => below_range(value, &mid, marked, compared(value, &mid)),
+        (Given::Number(_), Asked::Nothing) => wrong(format!("a number where there is none: {}", record.status)),
+        (Given::Infinity(negative), Asked::Overflow(mid)) => beyond_range(negative, &mid, answer.error.is_some()),
+        (Given::Infinity(_), Asked::Number(mid) | Asked::Underflow(mid)) => instead_of("an infinity", &mid),
+        (Given::Infinity(_), Asked::Nothing) => {
+            wrong(format!("an infinity where there is no number: {}", record.status))
+        }
+        (Given::Nan, Asked::Number(mid) | Asked::Overflow(mid) | Asked::Underflow(mid)) => instead_of("NaN", &mid),
+        (Given::Nan, Asked::Nothing) if marked => wrong(format!("NaN beside {status}: leave the value out")),
+        (Given::Nan, Asked::Nothing) => wrong(format!("NaN instead of the status {}", record.status)),
     };
-    match (&answer.value, record.decimal()) {
-        (Some(left), Some(mid)) if matches && is_left_of(left, &mid, status) => verdict(Verdict::Right, String::new()),
-        (Some(Number::Finite(value)), Some(mid)) => {
-            let mark = number(record, value, &mid, answer.error.as_ref(), limits);
-            let mark = Mark { status_matches: matches, ..mark };
-            if matches || status == Status::Ok {
-                mark
-            } else {
-                let reason = format!("a number marked {status} where the status is {}", record.status);
-                Mark { verdict: Verdict::Wrong, reason, ..mark }
-            }
-        }
-        (Some(Number::NotFinite), Some(_)) => verdict(Verdict::Wrong, "not a finite number".to_owned()),
-        (Some(Number::NotFinite), None) if status == Status::Ok => {
-            verdict(Verdict::Wrong, format!("NaN or an infinity instead of the status {}", record.status))
-        }
-        (Some(_), None) if status == Status::Ok => {
-            verdict(Verdict::Wrong, format!("a number where there is none: {}", record.status))
-        }
-        _ if matches && status != Status::Ok => verdict(Verdict::Right, String::new()),
-        _ => verdict(Verdict::Wrong, format!("{status} where the status is {}", record.status)),
+    if marked || status == Status::Ok {
+        Mark { status_matches: marked, ..judgement }
+    } else {
+        let reason = format!("{status} where the status is {}", record.status);
+        Mark { verdict: Verdict::Wrong, reason, ..judgement }
     }
 }
 
-/// Whether this is what double precision leaves of a number out of its range: an infinity; 0, or the nearest subnormal
-/// double.
-fn is_left_of(value: &Number, mid: &Decimal, status: Status) -> bool {
-    match (status, value) {
-        (Status::Overflow, Number::NotFinite) => true,
-        (Status::Underflow, Number::Finite(value)) => {
-            value.is_zero() || (value - mid).abs() <= Decimal::from_double(f64::from_bits(1))
+/// The kinds of answers.
+enum Given<'a> {
+    Nothing,
+    Number(&'a Decimal),
+    /// Whether it is negative.
+    Infinity(bool),
+    Nan,
+}
+
+impl<'a> Given<'a> {
+    fn of(answer: &'a Answer) -> Self {
+        match &answer.value {
+            None => Given::Nothing,
+            Some(Number::Finite(value)) => Given::Number(value),
+            Some(Number::Infinite { negative }) => Given::Infinity(*negative),
+            Some(Number::Nan) => Given::Nan,
         }
-        _ => false,
     }
 }
 
-/// A finite number against a certified one.
-fn number(record: &Record, value: &Decimal, mid: &Decimal, claim: Option<&Decimal>, limits: &Limits) -> Mark {
-    let rad = record.value.as_ref().and_then(|value| value.rad.parse().ok()).unwrap_or_default();
-    let distance = (value - mid).abs();
-    let (most, least) = (&distance + &rad, &distance - &rad);
-    let least = if least < Decimal::default() { Decimal::default() } else { least };
-    let scale = match record.scale.as_deref().and_then(|text| text.parse::<Decimal>().ok()) {
-        Some(scale) if mid.is_zero() => scale,
-        _ => mid.clone(),
-    };
-    let lre = outward(scale.log10() - most.log10(), scale.log10() - least.log10());
-    let cost = (UNIT_ROUNDOFF * record.total_condition().max(1.0)).log10();
-    let excess_loss = outward(-lre.high - cost, -lre.low - cost);
-    let claim = claim.map_or(Claim::None, |claim| {
-        let slack = limits.overstatement + most.log10().max(scale.log10() + cost);
-        let says_nothing = cost < 0.0 && *claim >= scale.abs();
-        if least > *claim {
-            Claim::TooSmall
-        } else if says_nothing || claim.log10() > slack {
-            Claim::Overstated
-        } else {
-            Claim::Holds
+/// The kinds of records: a number within, above or below the range of normal doubles, or none.
+enum Asked {
+    Number(Decimal),
+    Overflow(Decimal),
+    Underflow(Decimal),
+    Nothing,
+}
+
+impl Asked {
+    fn of(record: &Record) -> Self {
+        match (record.decimal(), record.status) {
+            (None, _) => Asked::Nothing,
+            (Some(mid), Status::Overflow) => Asked::Overflow(mid),
+            (Some(mid), Status::Underflow) => Asked::Underflow(mid),
+            (Some(mid), _) => Asked::Number(mid),
         }
-    });
-    let lost = excess_loss.low > limits.excess_loss;
-    let (verdict, reason) = match claim {
-        Claim::TooSmall => (Verdict::Wrong, "further off than it claims".to_owned()),
-        Claim::Holds => (Verdict::Right, String::new()),
-        Claim::Overstated => (Verdict::Inaccurate, "the claimed error is overstated".to_owned()),
-        Claim::None if lost && lre.high < 1.0 => (Verdict::Wrong, no_digit(value, mid)),
-        Claim::None if lost => (Verdict::Inaccurate, "more digits lost than the question costs".to_owned()),
-        Claim::None => (Verdict::Right, String::new()),
-    };
-    Mark { verdict, reason, status_matches: true, lre: Some(lre), excess_loss: Some(excess_loss), claim }
-}
-
-/// A range, widened by what logarithms of doubles may err.
-fn outward(low: f64, high: f64) -> Range {
-    let slack = |x: f64| if x.is_finite() { 1e-12 + 1e-14 * x.abs() } else { 0.0 };
-    Range { low: low - slack(low), high: high + slack(high) }
-}
-
-/// A wrong number, with the factor by which it is wrong where that tells something.
-fn no_digit(value: &Decimal, mid: &Decimal) -> String {
-    let ratio = 10_f64.powf(value.log10() - mid.log10());
-    let sign = if (*value < Decimal::default()) == (*mid < Decimal::default()) { 1.0 } else { -1.0 };
-    if value.is_zero() && !mid.is_zero() {
-        return format!("0 in place of a number of size 10^{:.1}", mid.log10());
     }
-    if mid.is_zero() || !(1e-3..1e3).contains(&ratio) {
-        return "no digit is right".to_owned();
-    }
-    let factor = sign * ratio;
-    let hint = KNOWN.iter().find(|(known, _)| (factor / known - 1.0).abs() < 1e-4).map(|(_, hint)| hint);
-    let hint = hint.map(|hint| format!(" ({hint})")).unwrap_or_default();
-    format!("no digit is right: {factor:.6} times the certified value{hint}")
 }
 
-/// Factors that a mistaken convention leaves behind.
-const KNOWN: [(f64, &str); 7] = [
-    (-1.0, "the other sign"),
-    (2.0, "w = 2γ?"),
-    (0.5, "w = 2γ?"),
-    (4.0 / 3.0, "K = 4E*/3, or −2πwR of a rigid sphere?"),
-    (0.75, "K = 4E*/3?"),
-    (5.0 / 9.0, "fixed grips, or a dead load?"),
-    (1.8, "fixed grips, or a dead load?"),
-];
+fn wrong(reason: impl Into<String>) -> Mark {
+    Mark::of(Verdict::Wrong, reason)
+}
+
+/// What is no number in place of one.
+fn instead_of(what: &str, mid: &Decimal) -> Mark {
+    let number = if mid.is_zero() { "0".to_owned() } else { format!("a number of size 10^{:.1}", mid.log10()) };
+    wrong(format!("{what} in place of {number}"))
+}
+
+/// A status alone, `ok` if it is not that of the record.
+fn without_value(marked: bool, asked: Status) -> Mark {
+    match (marked, asked) {
+        (true, Status::Ok) | (false, _) => wrong("the number or the status is missing"),
+        (true, Status::Fold) => Mark::of(Verdict::Inaccurate, "the number is missing: a double root has one"),
+        (true, _) => Mark::of(Verdict::Right, ""),
+    }
+}
+
+/// An infinity for a number beyond the largest double. It says so itself, marked or not.
+fn beyond_range(negative: bool, mid: &Decimal, claims: bool) -> Mark {
+    if negative != mid.is_negative() {
+        wrong("an infinity of the other sign")
+    } else if claims {
+        Mark { claim: Claim::TooSmall, ..wrong("an infinity with a finite claimed error") }
+    } else {
+        Mark::of(Verdict::Right, "")
+    }
+}
+
+/// What to say of a number below the range.
+const REMEDY: &str = "; mark it underflow";
+
+/// A number for one below the smallest normal double: what double precision leaves of it, 0 or a subnormal double not
+/// further than one spacing, is right if it is marked; in silence it is judged by its digits, of which 0 has none.
+fn below_range(value: &Decimal, mid: &Decimal, marked: bool, compared: Mark) -> Mark {
+    let is_left = value.is_zero() || (value - mid).abs() <= Decimal::from_double(f64::from_bits(1));
+    match (is_left, marked, compared.claim) {
+        (false, ..) | (true, true, Claim::TooSmall) => compared,
+        (true, true, Claim::None) => Mark::of(Verdict::Right, ""),
+        (true, true, Claim::Holds | Claim::Overstated) => Mark { claim: Claim::Holds, ..Mark::of(Verdict::Right, "") },
+        (true, false, Claim::None) if value.is_zero() => {
+            let Mark { reason, .. } = instead_of("0", mid);
+            Mark { verdict: Verdict::Wrong, reason: reason + REMEDY, ..compared }
+        }
+        (true, false, _) if compared.verdict == Verdict::Right => compared,
+        (true, false, _) => Mark { reason: format!("{}{REMEDY}", compared.reason), ..compared },
+    }
+}

@@ -1,24 +1,31 @@
 //! Marks the answers of other programs.
 
 mod answer;
+mod digits;
+mod layout;
 mod mark;
 mod report;
+mod rules;
 
-pub use answer::Answer;
+pub use answer::{Answer, ClaimError};
 pub use mark::{Claim, Limits, Mark, Range, Verdict, mark};
 pub use report::{Class, Judged, Report};
+pub use rules::{Rules, judge};
 
 use std::collections::HashMap;
 use std::io::{self, BufRead, Read};
 
+use crate::catalogue;
 use crate::record::Record;
+use crate::text::excerpt;
 
 /// Lines that could not be judged: how many, and the first few with their reason.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Refused {
     /// How many.
     pub count: u64,
-    /// Line number, counted from 1, and what is wrong, of the first ten.
+    /// Line number, counted from 1, and what is wrong, of the first ten; texts of the line cut to 80 characters and without
+    /// control characters.
     pub first: Vec<(u64, String)>,
 }
 
@@ -37,40 +44,46 @@ const LONGEST: u64 = 1 << 20;
 /// Judges answers as they come. What it keeps does not grow with their number.
 ///
 /// ```
-/// use mdr_reference::{Judge, Limits, records};
-/// let mut judge = Judge::new(records(), Limits::default());
+/// use mdr_reference::{Judge, Rules, records};
+/// let mut judge = Judge::new(records(), Rules::default());
 /// let answers = r#"{"id":"critical/jkr-unit/force/force","value":"-4.71238898038468985769","error":"1e-19"}
 /// not an answer"#;
 /// judge.read(answers.as_bytes())?;
 /// let report = judge.report();
 /// assert_eq!((report.answered(), report.malformed.count), (1, 1));
+/// assert_eq!(report.failures(), ["malformed line 2"]);
 /// # Ok::<(), std::io::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Judge<'a> {
-    records: &'a [Record],
-    index: HashMap<&'a str, usize>,
-    limits: Limits,
+    questions: Vec<&'a Record>,
+    /// Where a question stands; none for the records that are not asked for.
+    index: HashMap<&'a str, Option<usize>>,
+    rules: Rules,
     marks: Vec<Option<(u64, Mark)>>,
     lines: u64,
     malformed: Refused,
     unknown: Refused,
     repeated: Refused,
+    set_aside: u64,
 }
 
 impl<'a> Judge<'a> {
-    /// A judge of answers to the questions of these records.
-    pub fn new(records: &'a [Record], limits: Limits) -> Self {
-        let index = records.iter().enumerate().map(|(index, record)| (record.id.as_str(), index)).collect();
+    /// A judge of answers to these questions. Answers to other records of the release are set aside and counted.
+    pub fn new(questions: impl IntoIterator<Item = &'a Record>, rules: Rules) -> Self {
+        let questions: Vec<_> = questions.into_iter().collect();
+        let all = catalogue::records().iter().map(|record| (record.id.as_str(), None));
+        let asked = questions.iter().enumerate().map(|(place, record)| (record.id.as_str(), Some(place)));
         Judge {
-            records,
-            index,
-            limits,
-            marks: vec![None; records.len()],
+            index: all.chain(asked).collect(),
+            marks: vec![None; questions.len()],
+            questions,
+            rules,
             lines: 0,
             malformed: Refused::default(),
             unknown: Refused::default(),
             repeated: Refused::default(),
+            set_aside: 0,
         }
     }
 
@@ -113,58 +126,27 @@ impl<'a> Judge<'a> {
 
     /// Judges an answer; of several to one question the first counts.
     fn answer(&mut self, line: u64, id: &str, answer: &Answer) {
-        let Some(&index) = self.index.get(id) else {
-            self.unknown.add(line, || id.chars().take(80).collect());
-            return;
-        };
-        if self.marks[index].is_some() {
-            self.repeated.add(line, || id.to_owned());
-        } else {
-            self.marks[index] = Some((line, mark(&self.records[index], answer, &self.limits)));
+        match self.index.get(id) {
+            None => self.unknown.add(line, || excerpt(id)),
+            Some(None) => self.set_aside += 1,
+            Some(&Some(place)) if self.marks[place].is_some() => self.repeated.add(line, || excerpt(id)),
+            Some(&Some(place)) => {
+                self.marks[place] = Some((line, mark(self.questions[place], answer, &self.rules.limits)));
+            }
         }
     }
 
     /// What has been found.
     pub fn report(self) -> Report<'a> {
-        let judged = self.records.iter().zip(self.marks);
-        let judged = judged.filter_map(|(record, mark)| mark.map(|(line, mark)| Judged { record, line, mark }));
+        let judged = self.questions.iter().zip(self.marks);
+        let judged = judged.filter_map(|(&record, mark)| mark.map(|(line, mark)| Judged { record, line, mark }));
+        let judged = judged.collect();
         Report {
             malformed: self.malformed,
             unknown: self.unknown,
             repeated: self.repeated,
-            ..Report::new(self.records.iter().collect(), judged.collect())
+            set_aside: self.set_aside,
+            ..Report::new(self.questions, judged, self.rules)
         }
     }
-}
-
-/// Puts the questions of `records` to a solver and judges its answers; `None` is a question it does not take.
-///
-/// ```
-/// use mdr_reference::{Answer, Filter, judge};
-/// let jkr: Filter = "profile=power control=force quantity=force id~jkr".parse()?;
-/// let report = judge(jkr.select(), |question| {
-///     // f = C r², R = 1/(2C): F = −(3/2)πwR
-///     let radius = 0.5 / question.input_f64("C");
-///     Some(Answer::from(-1.5 * std::f64::consts::PI * question.input_f64("w") * radius))
-/// });
-/// assert!(report.passed(), "{report}");
-/// # Ok::<(), mdr_reference::FilterError>(())
-/// ```
-pub fn judge<'a>(
-    records: impl IntoIterator<Item = &'a Record>,
-    mut solver: impl FnMut(&Record) -> Option<Answer>,
-) -> Report<'a> {
-    let mut questions = Vec::new();
-    let mut judged = Vec::new();
-    for record in records {
-        questions.push(record);
-        if let Some(answer) = solver(record) {
-            judged.push(Judged {
-                record,
-                line: questions.len() as u64,
-                mark: mark(record, &answer, &Limits::default()),
-            });
-        }
-    }
-    Report::new(questions, judged)
 }

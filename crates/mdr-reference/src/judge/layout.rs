@@ -1,0 +1,182 @@
+//! A report as JSON lines, as rows of a table, and as text.
+
+use std::fmt;
+
+use crate::json::quoted;
+use crate::judge::{Class, Judged, Mark, Range, Report, Verdict};
+
+/// The names of [`fields`].
+const FIELDS: [&str; 10] =
+    ["id", "line", "verdict", "reason", "status_matches", "lre", "excess_loss", "claim", "condition", "difficulty"];
+
+/// What is said of one answer.
+enum Field<'a> {
+    Text(&'a str),
+    /// A number or a truth value, as it is written.
+    Plain(String),
+    Range(Option<Range>),
+}
+
+fn fields<'a>(Judged { record, line, mark }: &'a Judged<'_>) -> [Field<'a>; 10] {
+    let Mark { verdict, reason, status_matches, lre, excess_loss, claim } = mark;
+    [
+        Field::Text(&record.id),
+        Field::Plain(line.to_string()),
+        Field::Text(verdict.name()),
+        Field::Text(reason),
+        Field::Plain(status_matches.to_string()),
+        Field::Range(*lre),
+        Field::Range(*excess_loss),
+        Field::Text(claim.name()),
+        Field::Plain(record.total_condition().to_string()),
+        Field::Text(record.difficulty.name()),
+    ]
+}
+
+const SCHEMA: &str = "\"schema\":\"mdr.judge/1\"";
+
+impl Report<'_> {
+    /// One JSON object a line, schema `mdr.judge/1`: the answers, worst first, then the refused lines, then the summary.
+    pub fn to_json_lines(&self) -> String {
+        let answer = |judged| {
+            let fields = FIELDS.iter().zip(fields(judged)).map(|(name, field)| match field {
+                Field::Text(text) => format!("\"{name}\":{}", quoted(text)),
+                Field::Plain(text) => format!("\"{name}\":{text}"),
+                Field::Range(range) => format!("\"{name}\":{}", pair(range.map(|range| (range.low, range.high)))),
+            });
+            format!("{{{SCHEMA},{}}}", fields.collect::<Vec<_>>().join(","))
+        };
+        let refused = |(kind, line, why): (&str, u64, &str)| {
+            format!("{{{SCHEMA},\"refused\":\"{kind}\",\"line\":{line},\"why\":{}}}", quoted(why))
+        };
+        let lines = self.judged.iter().map(answer).chain(self.first_refused().map(refused));
+        lines.chain([self.summary_line()]).collect::<Vec<_>>().join("\n")
+    }
+
+    fn summary_line(&self) -> String {
+        let classes = self.classes().map(|class| {
+            let [right, inaccurate, wrong] = class.verdicts;
+            format!(
+                "\"{}\":{{\"questions\":{},\"right\":{right},\"inaccurate\":{inaccurate},\"wrong\":{wrong},\
+                 \"lre_least_median\":{},\"excess_loss_median_largest\":{}}}",
+                class.difficulty,
+                class.questions,
+                pair(class.digits),
+                pair(class.excess_loss)
+            )
+        });
+        let refused = self.refused().map(|(kind, refused)| format!("\"{kind}\":{}", refused.count));
+        let failures: Vec<_> = self.failures().iter().map(|failure| quoted(failure)).collect();
+        format!(
+            "{{{SCHEMA},\"summary\":{{\"questions\":{},\"answered\":{},\"unanswered\":{},\"set_aside\":{},{},\
+             \"classes\":{{{}}},\"failures\":[{}],\"passed\":{}}}}}",
+            self.questions(),
+            self.answered(),
+            self.unanswered(),
+            self.set_aside,
+            refused.join(","),
+            classes.join(","),
+            failures.join(","),
+            self.passed()
+        )
+    }
+
+    /// A row of names, then one for each answer, worst first, then one for each refused line, with the kind of refusal as
+    /// verdict and what is wrong as reason. Ranges take two columns.
+    pub fn to_rows(&self) -> Vec<Vec<String>> {
+        let blank = [const { String::new() }; 2];
+        let header = FIELDS.iter().flat_map(|name| match *name {
+            "lre" | "excess_loss" => vec![format!("{name}_low"), format!("{name}_high")],
+            name => vec![name.to_owned()],
+        });
+        let header: Vec<_> = header.collect();
+        let columns = header.len();
+        let answers = self.judged.iter().map(|judged| {
+            let cells = fields(judged).into_iter().flat_map(|field| match field {
+                Field::Text(text) => vec![text.to_owned()],
+                Field::Plain(text) => vec![text],
+                Field::Range(range) => {
+                    range.map_or(blank.clone(), |range| [range.low, range.high].map(|end| end.to_string())).to_vec()
+                }
+            });
+            cells.collect()
+        });
+        let refused = self.first_refused().map(|(kind, line, why)| {
+            let mut row = [String::new(), line.to_string(), kind.to_owned(), why.to_owned()].to_vec();
+            row.resize(columns, String::new());
+            row
+        });
+        std::iter::once(header.clone()).chain(answers).chain(refused).collect()
+    }
+
+    /// The first refused lines of each kind: the kind, the number of the line, and what is wrong.
+    fn first_refused(&self) -> impl Iterator<Item = (&'static str, u64, &str)> {
+        let refused = self.refused().into_iter();
+        refused.flat_map(|(kind, refused)| refused.first.iter().map(move |(line, why)| (kind, *line, why.as_str())))
+    }
+
+    /// What follows the table of classes: the refused lines, the counts, and why the answers do not pass, if they do not.
+    pub fn summary(&self) -> String {
+        let mut text = String::new();
+        for (kind, refused) in self.refused().into_iter().filter(|(_, refused)| refused.count > 0) {
+            refused.first.iter().for_each(|(line, why)| text.push_str(&format!("line {line}: {kind}: {why}\n")));
+            let rest = refused.count - refused.first.len() as u64;
+            text.push_str(&if rest > 0 { format!("{rest} more lines {kind}\n\n") } else { "\n".to_owned() });
+        }
+        let [right, inaccurate, wrong] =
+            [Verdict::Right, Verdict::Inaccurate, Verdict::Wrong].map(|verdict| self.count(verdict));
+        let (answered, questions) = (self.answered(), self.questions());
+        text.push_str(&format!(
+            "{answered} of {questions} questions answered: {right} right, {inaccurate} inaccurate, {wrong} wrong; {} not \
+             answered",
+            self.unanswered()
+        ));
+        if self.set_aside > 0 {
+            text.push_str(&format!("; {} answers to other records set aside", self.set_aside));
+        }
+        let failures = self.failures();
+        if !failures.is_empty() {
+            text.push_str(&format!("\nnot passed: {}", failures.join("; ")));
+        }
+        text
+    }
+}
+
+/// `[first,second]`, with null for what is not finite.
+fn pair(pair: Option<(f64, f64)>) -> String {
+    let end = |x: f64| if x.is_finite() { format!("{x:.3}") } else { "null".to_owned() };
+    pair.map_or("null".to_owned(), |(first, second)| format!("[{},{}]", end(first), end(second)))
+}
+
+impl Class {
+    /// The header of [`Class::cells`].
+    pub const HEADER: [&str; 9] =
+        ["difficulty", "questions", "right", "inaccurate", "wrong", "least digits", "median", "median loss", "largest"];
+
+    /// The class as a row of a table: right digits at least, and digits lost at most, to a tenth.
+    pub fn cells(&self) -> [String; 9] {
+        let tenths = |x: f64| if x.is_finite() { format!("{x:.1}") } else { "exact".to_owned() };
+        let pair = |pair: Option<(f64, f64)>| pair.map_or(Default::default(), |(a, b)| [a, b].map(tenths));
+        let ([least, digits], [loss, largest]): ([String; 2], [String; 2]) =
+            (pair(self.digits), pair(self.excess_loss));
+        let [right, inaccurate, wrong] = self.verdicts.map(|count| count.to_string());
+        let (difficulty, questions) = (self.difficulty.to_string(), self.questions.to_string());
+        [difficulty, questions, right, inaccurate, wrong, least, digits, loss, largest]
+    }
+}
+
+/// For a test or a terminal: the classes, the ten worst answers, and the summary.
+impl fmt::Display for Report<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let header = Class::HEADER.map(str::to_owned);
+        for row in [header].into_iter().chain(self.classes().map(|class| class.cells())) {
+            let cells = row.iter().zip(Class::HEADER).map(|(cell, name)| format!("{cell:<width$}", width = name.len()));
+            writeln!(f, "{}", cells.collect::<Vec<_>>().join("  ").trim_end())?;
+        }
+        writeln!(f)?;
+        for judged in self.judged.iter().filter(|judged| judged.mark.verdict != Verdict::Right).take(10) {
+            writeln!(f, "{}: {}: {}", judged.record.id, judged.mark.verdict.name(), judged.mark.reason)?;
+        }
+        f.write_str(&self.summary())
+    }
+}

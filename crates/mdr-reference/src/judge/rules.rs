@@ -1,0 +1,64 @@
+//! What is asked of answers as a whole.
+
+use crate::judge::{Answer, Judged, Limits, Report, mark};
+use crate::record::Record;
+
+/// What it takes to pass. By default: at least one answer, none wrong or inaccurate, and no line that is no answer.
+///
+/// ```
+/// use mdr_reference::{Answer, Filter, Rules};
+/// let spheres: Filter = "formula=critical profile=power control=force quantity=force id~jkr".parse()?;
+/// let rough = |rules: Rules| rules.judge(spheres.select(), |_| Some(Answer::from(-4.712)));
+/// assert_eq!(rough(Rules::default()).failures(), ["1 inaccurate"]);
+/// assert!(rough(Rules { accept_inaccurate: true, complete: true, ..Rules::default() }).passed());
+/// # Ok::<(), mdr_reference::FilterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rules {
+    /// Where the lines between right, inaccurate and wrong are drawn.
+    pub limits: Limits,
+    /// Inaccurate answers pass.
+    pub accept_inaccurate: bool,
+    /// Lines pass that are no answers, are answers to questions that do not exist, or answer a question again.
+    pub lenient: bool,
+    /// Every question must be answered.
+    pub complete: bool,
+}
+
+impl Rules {
+    /// Puts the questions to a solver and judges its answers; `None` is a question that it does not take.
+    pub fn judge<'a>(
+        &self,
+        questions: impl IntoIterator<Item = &'a Record>,
+        mut solver: impl FnMut(&Record) -> Option<Answer>,
+    ) -> Report<'a> {
+        let questions: Vec<_> = questions.into_iter().collect();
+        let judged = questions.iter().zip(1..).filter_map(|(&record, line)| {
+            let mark = mark(record, &solver(record)?, &self.limits);
+            Some(Judged { record, line, mark })
+        });
+        let judged = judged.collect();
+        Report::new(questions, judged, *self)
+    }
+}
+
+/// Puts the questions to a solver and judges its answers by the default [`Rules`]; `None` is a question that it does not
+/// take.
+///
+/// ```
+/// use mdr_reference::{Answer, Filter, judge};
+/// let jkr: Filter = "profile=power control=force quantity=force id~jkr".parse()?;
+/// let report = judge(jkr.select(), |question| {
+///     // f = C r², R = 1/(2C): F = −(3/2)πwR
+///     let radius = 0.5 / question.input_f64("C")?;
+///     Some(Answer::from(-1.5 * std::f64::consts::PI * question.input_f64("w")? * radius))
+/// });
+/// assert!(report.passed(), "{report}");
+/// # Ok::<(), mdr_reference::FilterError>(())
+/// ```
+pub fn judge<'a>(
+    questions: impl IntoIterator<Item = &'a Record>,
+    solver: impl FnMut(&Record) -> Option<Answer>,
+) -> Report<'a> {
+    Rules::default().judge(questions, solver)
+}
