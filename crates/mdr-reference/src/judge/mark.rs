@@ -219,7 +219,8 @@ fn instead_of(what: &str, mid: &Decimal) -> Mark {
 /// A status alone, `ok` if it is not that of the record.
 fn without_value(marked: bool, asked: Status) -> Mark {
     match (marked, asked) {
-        (true, Status::Ok) | (false, _) => wrong("the number or the status is missing"),
+        (_, Status::Ok) | (false, Status::Fold) => wrong("the number is missing"),
+        (false, _) => wrong(format!("neither a number nor the status {asked}")),
         (true, Status::Fold) => Mark::of(Verdict::Inaccurate, "the number is missing: a double root has one"),
         (true, _) => Mark::of(Verdict::Right, ""),
     }
