@@ -54,7 +54,7 @@ pub fn record(id: &str) -> Option<&'static Record> {
 /// assert!(records().iter().any(|record| filter.accepts(record)));
 /// assert!("colour=red".parse::<Filter>().is_err());
 /// assert!("profile=sfere".parse::<Filter>().is_err());
-/// assert!("profile=sphere control=machine".parse::<Filter>().is_err());
+/// assert!("control=force control=machine".parse::<Filter>().is_err());
 /// # Ok::<(), mdr_reference::FilterError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -109,7 +109,7 @@ fn filters() {
         ("status!=okay", "no-equilibrium"),
         ("flag~proven", "all-folds-proved"),
         ("id=critical/jkr-unit", "no such id"),
-        ("profile=sphere control=machine", "no record meets all terms"),
+        ("control=force control=machine", "no record meets all terms"),
     ] {
         let error = bad.parse::<Filter>().unwrap_err().to_string();
         assert!(error.contains(bad) && error.contains(hint), "{error}");
