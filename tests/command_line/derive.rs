@@ -24,10 +24,37 @@ fn the_page_of_errata_is_up_to_date() {
 fn one_entry_shows_its_steps() {
     let text = output("derive 1.15");
     assert!(text.starts_with("(1.15) The critical contact radius: refuted\n"), "{text}");
-    for part in ["1. refuted for", "proved for n > 1/2", "the dimensions are", "Erratum", "all refuted."] {
+    for part in ["1. refuted for", "proved for n > 1/2", "the dimensions are", "Erratum", "refuted by normal forms"] {
         assert!(text.contains(part), "{part} in {text}");
     }
     assert_eq!(output("derive (1.15)"), text);
+}
+
+/// Every mutant has its fate told, and what is undecided is named.
+#[test]
+fn mutants_are_counted_as_what_they_are() {
+    let line = DERIVATIONS.lines().find(|line| line.contains(" distinct mutants: ")).unwrap();
+    let (_, mutants) = line.split_once("cited. ").unwrap();
+    let numbers: Vec<usize> =
+        mutants.split(|c: char| !c.is_ascii_digit()).filter_map(|part| part.parse().ok()).collect();
+    assert_eq!(numbers[0], numbers[1..].iter().sum::<usize>(), "{mutants}");
+    assert!(mutants.ends_with(" undecided."), "{mutants}");
+    let named = DERIVATIONS.lines().filter(|line| line.starts_with("Undecided mutants: "));
+    assert_eq!(named.map(|line| line.matches("$`").count()).sum::<usize>(), numbers[numbers.len() - 1]);
+    assert!(output("derive kappa-elliptic").contains("\n  undecided: "));
+}
+
+/// Figures 1 to 4 stand where they belong.
+#[test]
+fn the_page_of_derivations_shows_the_figures() {
+    for (heading, file) in
+        [("(1.9)", "1a"), ("(1.10)", "1b"), ("(1.10)", "2"), ("(1.11)", "3"), ("A paraboloid with", "4")]
+    {
+        let section = DERIVATIONS.split("\n## ").find(|section| section.starts_with(heading)).unwrap();
+        let path = format!("figures/figure-{file}.svg");
+        assert!(section.contains(&format!("]({path})")), "{heading}: {path}");
+        assert!(crate::root().join("docs").join(&path).is_file(), "{path}");
+    }
 }
 
 #[test]

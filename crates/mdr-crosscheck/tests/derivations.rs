@@ -1,14 +1,22 @@
 //! The derivations hold, and the judge can say no.
 
-use mdr_crosscheck::derivations::{judge, judge_all};
+use mdr_crosscheck::derivations::{Fate, Judgement, Mutants, Points, judge, judge_all};
 use mdr_symbolic::Domain;
 use mdr_symbolic::derivations::{Claim, Entry, Step};
 
 #[test]
 fn every_entry_holds() {
-    for judgement in judge_all() {
+    let judgements = judge_all();
+    let mutants: Mutants = judgements.iter().map(Judgement::mutants).sum();
+    let count = |fate| mutants.count(fate);
+    assert_eq!(Fate::ALL.map(count).iter().sum::<usize>(), mutants.len());
+    assert!(count(Fate::NormalForm) > 1800 && count(Fate::Enclosure) > 100, "{:?}", Fate::ALL.map(count));
+    assert!(count(Fate::Meaningless) + count(Fate::Undecided) < 20, "{:?}", Fate::ALL.map(count));
+    for judgement in judgements {
         for step in &judgement.steps {
-            let survivors: Vec<_> = step.survivors.iter().map(|mutant| mutant.text()).collect();
+            let survivors: Vec<_> = step.mutants.with(Fate::Survives).map(|mutant| mutant.text()).collect();
+            let judged = matches!(step.step.claim, Claim::Proved | Claim::Enclosed);
+            assert_eq!(step.mutants.is_empty(), !judged, "{}: {:?}", judgement.entry.id, step.step.statement);
             assert!(
                 step.holds(),
                 "{}: {:?}: {:?} {survivors:?}",
@@ -38,19 +46,60 @@ static FALSE: [Step; 8] = [
 
 #[test]
 fn false_claims_fail() {
-    static ENTRY: Entry = Entry {
-        id: "false",
-        title: "",
-        verdict: Claim::Proved,
-        assumptions: &[],
-        steps: &FALSE,
-        erratum: None,
-        references: &[],
-    };
+    static ENTRY: Entry = entry(&FALSE);
     let judgement = judge(&ENTRY);
     let first = judgement.steps[0].failure.as_deref().unwrap_or_default();
     assert!(first.starts_with("for n > 1/2 normal forms say refuted: left minus right is "), "{first}");
     for step in judgement.steps {
         assert!(step.failure.is_some(), "{:?}", step.step.statement);
     }
+}
+
+const fn entry(steps: &'static [Step]) -> Entry {
+    Entry { id: "probe", title: "", verdict: Claim::Proved, assumptions: &[], steps, erratum: None, references: &[] }
+}
+
+/// Each fate of a mutant, from steps that hold as such.
+#[test]
+fn mutants_have_their_fates() {
+    static STEPS: [Step; 6] = [
+        step(Claim::Proved, "0*a = 0"),
+        step(Claim::Proved, "at(3 - 2*n, n, 3/2) = 0"),
+        step(Claim::Proved, "at(6/(3 - n), n, 2) = 6"),
+        step(Claim::Proved, "κ_Γ = kappa(n)"),
+        step(Claim::Enclosed, "turn(sinθ^n) > 0"),
+        step(Claim::Enclosed, "turn(1/sqrt(1 + cosθ^2)) = turn(1/sqrt(1 + sinθ^2))"),
+    ];
+    static ENTRY: Entry = entry(&STEPS);
+    let judgement = judge(&ENTRY);
+    let fates = |i: usize| Fate::ALL.map(|fate| judgement.steps[i].mutants.count(fate));
+    let [_, _, _, _, surviving] = fates(0);
+    assert!(surviving > 0, "0 times anything is 0: {:?}", fates(0));
+    assert!(!judgement.steps[0].holds());
+    assert!(fates(1)[0] > 0 && fates(1)[4] == 0, "{:?}", fates(1));
+    assert!(fates(2)[2] == 1, "n = 3 is a pole: {:?}", fates(2));
+    assert!(fates(3)[1] > 0, "κ and the Gamma functions are related: {:?}", fates(3));
+    assert_eq!(fates(4), [0, 1, 0, 0, 0]);
+    let [.., undecided, surviving] = fates(5);
+    assert!(undecided > 0 && surviving == 0, "{:?}", fates(5));
+    for judged in &judgement.steps[1..] {
+        assert!(judged.holds(), "{:?}: {:?}", judged.step.statement, judged.failure);
+    }
+}
+
+/// n is spread evenly in its logarithm, over both ends of what is promised.
+#[test]
+fn points_reach_small_and_large_exponents() {
+    let share = |domain, below: f64| {
+        let points = Points::new("a", domain, &[]).take(1000);
+        let exponents: Vec<_> = points.map(|point| point.exponent().clone()).collect();
+        assert!(exponents.iter().all(|n| domain.contains(n)), "{domain:?}");
+        let (lowest, highest) = (exponents.iter().min().unwrap(), exponents.iter().max().unwrap());
+        assert!(*lowest < 0.002 || domain == Domain::Above, "{domain:?}: {lowest}");
+        assert!(*highest > 600 || domain == Domain::Below, "{domain:?}: {highest}");
+        exponents.iter().filter(|n| **n < below).count()
+    };
+    assert!((400..600).contains(&share(Domain::Positive, 1.0)));
+    assert!((400..600).contains(&share(Domain::Above, 1.5)));
+    assert!((400..600).contains(&share(Domain::Below, 0.25)));
 }

@@ -163,20 +163,45 @@ impl Statement {
         })
     }
 
-    /// All statements with one small mistake in one of the sides, or with the opposite sense.
+    /// The distinct statements with one small mistake in one of the sides of an equality, with the opposite sense of an
+    /// inequality, or with a length too much in a dimension. An equality that offers no place for a mistake has its
+    /// definitions written out first.
+    ///
+    /// ```
+    /// use mdr_symbolic::Statement;
+    /// let statement: Statement = "a - x = d".parse()?;
+    /// let mutants: Vec<_> = statement.mutants().iter().map(Statement::text).collect();
+    /// assert_eq!(mutants, ["−a − x = d", "a + x = d"]);
+    /// # Ok::<(), mdr_symbolic::Error>(())
+    /// ```
     pub fn mutants(&self) -> Vec<Statement> {
         let with = |left: Formula, relation, right: Formula| Statement { left, relation, right };
         match self.relation {
             // Whether an inequality with another number still holds says nothing about this one.
             Relation::Less => vec![with(self.left.clone(), Relation::Greater, self.right.clone())],
             Relation::Greater => vec![with(self.left.clone(), Relation::Less, self.right.clone())],
-            Relation::SameDimension => Vec::new(),
+            Relation::SameDimension => {
+                let longer = Symbol::named("a").map(|a| Formula::Product(vec![self.left.clone(), Formula::Symbol(a)]));
+                longer.into_iter().map(|left| with(left, self.relation, self.right.clone())).collect()
+            }
             Relation::Equal => {
-                let left = self.left.mutants().into_iter().map(|left| with(left, self.relation, self.right.clone()));
-                let right = self.right.mutants().into_iter().map(|right| with(self.left.clone(), self.relation, right));
-                left.chain(right).collect()
+                let mutants = self.mutated_sides();
+                let written_out = || with(self.left.written_out(), self.relation, self.right.written_out());
+                if mutants.is_empty() { written_out().mutated_sides() } else { mutants }
             }
         }
+    }
+
+    fn mutated_sides(&self) -> Vec<Statement> {
+        let left = self.left.mutants().into_iter().map(|left| Statement { left, ..self.clone() });
+        let right = self.right.mutants().into_iter().map(|right| Statement { right, ..self.clone() });
+        let mut distinct: Vec<Statement> = Vec::new();
+        for mutant in left.chain(right) {
+            if mutant != *self && !distinct.contains(&mutant) {
+                distinct.push(mutant);
+            }
+        }
+        distinct
     }
 
     /// The statement as one line of text.

@@ -77,6 +77,7 @@ const ENTRIES: &[Entry] = &[
     pure("Γ(3/4)", r"\Gamma\left(\frac34\right)", "Euler's Gamma function"),
     length("r", "r", 1, "polar radius"),
     pure("Λ", r"\Lambda", "value of λ at a fold"),
+    pure("ε", r"\varepsilon", "a positive number"),
 ];
 
 impl Symbol {

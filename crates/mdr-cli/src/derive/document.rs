@@ -1,6 +1,6 @@
 //! What text, Markdown and LaTeX have in common.
 
-use mdr_crosscheck::derivations::{Judgement, POINTS, StepJudgement, is_number};
+use mdr_crosscheck::derivations::{Fate, Judgement, Mutants, StepJudgement, is_number};
 use mdr_symbolic::derivations::Claim;
 use mdr_symbolic::{Decision, Domain};
 
@@ -20,7 +20,7 @@ pub(super) fn verdict(judgement: &Judgement) -> &'static str {
 
 /// The verdict on a step: one word, and why where it failed.
 pub(super) fn step_verdict(step: &StepJudgement) -> String {
-    let survivors: Vec<_> = step.survivors.iter().map(|mutant| mutant.text()).collect();
+    let survivors: Vec<_> = step.mutants.with(Fate::Survives).map(|mutant| mutant.text()).collect();
     match &step.failure {
         Some(failure) => format!("FAILED: {failure}"),
         None if !survivors.is_empty() => format!("FAILED: this is not refuted either: {}", survivors.join("; ")),
@@ -40,7 +40,9 @@ pub(super) fn place(step: &StepJudgement) -> String {
         Claim::Enclosed if matches!(step.step.statement(), Ok(Some(statement)) if is_number(&statement)) => {
             "in numbers".to_owned()
         }
-        Claim::Enclosed => format!("for {}, at {POINTS} points", domains.join(" and ")),
+        Claim::Enclosed => {
+            format!("for {}, certain at {} of {} points", domains.join(" and "), step.certain, step.points)
+        }
         _ => format!("for {}", domains.join(" and ")),
     }
 }
@@ -66,17 +68,21 @@ pub(super) fn summary(judgements: &[Judgement]) -> String {
     let counts: Vec<_> = claims.map(|claim| format!("{} {}", count(claim), claim.word())).into();
     let failed = steps().filter(|step| !step.holds()).count();
     let failed = if failed == 0 { String::new() } else { format!(", {failed} FAILED") };
-    let mutants =
-        mutants(judgements.iter().map(Judgement::mutants).sum(), judgements.iter().map(Judgement::survivors).sum());
+    let mutants = mutants(&judgements.iter().map(Judgement::mutants).sum());
     format!("{} entries, {} steps: {}{failed}. {mutants}", judgements.len(), steps().count(), counts.join(", "))
 }
 
-/// How many mutants there were, and what became of them.
-pub(super) fn mutants(count: usize, survivors: usize) -> String {
-    match survivors {
-        0 if count == 1 => "1 mutant, refuted.".to_owned(),
-        0 => format!("{count} mutants, all refuted."),
-        survivors => format!("{count} mutants, {survivors} of them NOT refuted."),
+/// How many distinct mutants there were, and what became of them.
+pub(super) fn mutants(mutants: &Mutants) -> String {
+    let fates = Fate::ALL.into_iter().filter(|fate| mutants.count(*fate) > 0);
+    match (mutants.len(), &fates.collect::<Vec<_>>()[..]) {
+        (1, [fate]) => format!("1 mutant, {}.", fate.words()),
+        (count, [fate]) => format!("{count} distinct mutants, all {}.", fate.words()),
+        (count, fates) => {
+            let counts: Vec<_> =
+                fates.iter().map(|fate| format!("{} {}", mutants.count(*fate), fate.words())).collect();
+            format!("{count} distinct mutants: {}.", counts.join(", "))
+        }
     }
 }
 

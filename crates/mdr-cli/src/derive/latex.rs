@@ -79,6 +79,7 @@ const CHARACTERS: &[(char, &str)] = &[
     ('}', r"\}"),
     ('<', "$<$"),
     ('>', "$>$"),
+    ('ε', r"$\varepsilon$"),
     ('κ', r"$\kappa$"),
     ('λ', r"$\lambda$"),
     ('Λ', r"$\Lambda$"),

@@ -1,9 +1,10 @@
 //! Derivations as pages, with mathematics that GitHub renders.
 
-use mdr_crosscheck::derivations::{Judgement, StepJudgement};
+use mdr_crosscheck::derivations::{AGREEMENT, Fate, Judgement, OCTAVES, POINTS, StepJudgement};
 use mdr_symbolic::formula::Definition;
 use mdr_symbolic::{Formula, Statement, Symbol};
 
+use super::figures::{self, Figure};
 use super::{Extent, document, errata, prose};
 
 /// The longest witness that is shown, in characters of TeX.
@@ -17,7 +18,10 @@ pub(super) fn write(extent: Extent<'_>) -> String {
     }
 }
 
-const INTRODUCTION: &str = "\
+fn introduction() -> String {
+    let (lowest, highest) = (OCTAVES.start(), OCTAVES.end() + 1);
+    format!(
+        "\
 # Derivations
 
 This page is written by `mdr derive --format markdown`; a test fails when it is out of date. `mdr derive ID` shows one entry \
@@ -28,19 +32,27 @@ The sentence of a step is the argument, its formula is what is checked. Each ste
 * **proved**: both sides have the same normal form in an exact algebra of sums of powers whose coefficients and exponents \
 are rational functions of $`n`$ (crate `mdr-symbolic`, whose documentation tells what that proves and why); an inequality is \
 proved when all coefficients of the difference have one sign on the whole domain;
-* **enclosed**: rigorous intervals at 30 random rational points contradict the statement nowhere and confirm it; used where an \
-integral, a special function or a number occurs;
+* **enclosed**: rigorous intervals at {POINTS} random rational points contradict the statement at none and confirm it at as \
+many as are told, an equality to {AGREEMENT} bits or more; elsewhere the enclosure is too wide to tell. Nothing is claimed beyond \
+these points. Every octave of $`n`$ from $`2^{{{lowest}}}`$ to $`2^{{{highest}}}`$ has an equal chance (for $`n`$ > 1/2 every \
+octave of $`n - \\frac12`$; for $`n`$ &lt; 1/2 every octave of $`n`$ or of $`\\frac12 - n`$), and the symbols lie between 0.1 and \
+10. Used where an integral, a special function or a number occurs;
 * **refuted**: the normal forms differ, and intervals show it at a point;
 * **cited**: taken from the literature.
 
-Every equality is also mutated, one sign, exponent or factor at a time. Each mutant has to be refuted.
+What is proved or enclosed is also mutated. An equality has one sign, exponent or factor changed at a time, an inequality its \
+sense; a dimension gets one length too many. No mutant may hold: each is refuted by normal forms or by an enclosure at one of \
+the points, or is meaningless (it divides by 0, takes a root of a negative number or has a divergent integral everywhere). What \
+neither can decide is named at the end of its entry.
 
 ## Notation
 
-";
+"
+    )
+}
 
 fn page(judgements: &[Judgement]) -> String {
-    let mut page = INTRODUCTION.to_owned();
+    let mut page = introduction();
     page += &notation();
     page += "\n## Overview\n\n| id | what | steps | mutants | verdict |\n|---|---|---|---|---|\n";
     for judgement in judgements {
@@ -50,7 +62,7 @@ fn page(judgements: &[Judgement]) -> String {
             anchor(&document::heading(judgement)),
             judgement.entry.title,
             document::tally(judgement),
-            judgement.mutants(),
+            judgement.mutants().len(),
             document::verdict(judgement)
         );
     }
@@ -59,6 +71,9 @@ fn page(judgements: &[Judgement]) -> String {
         page += "\n";
         page += &entry(judgement, "##");
         page += "\n";
+        for Figure { name, file, caption, .. } in figures::of(judgement.entry.id) {
+            page += &format!("\n![{name}](figures/{file})\n\n{name}, [computed](figures.md): {caption}\n");
+        }
     }
     page.trim_end().to_owned()
 }
@@ -71,13 +86,16 @@ fn notation() -> String {
             lines += &format!("* $`{}`$: {}\n", symbol.tex(), escaped(symbol.meaning()));
         }
     }
-    for name in ["B", "N", "Δl", "λ"] {
+    for name in ["B", "N", "Δl", "d_g", "F_g", "d_n", "F_n", "λ"] {
         let definition = Definition::named(name).and_then(|known| Some((known, known.formula().ok()?)));
         if let Some((definition, formula)) = definition {
             lines += &format!("* $`{} = {}`$\n", definition.tex(), formula.tex());
         }
     }
-    lines + "\nThe force is $`F`$, positive when compressive; $`d`$ is positive when pressed in.\n"
+    lines
+        + "\nThe force is $`F`$, positive when compressive; $`d`$ is positive when pressed in. $`d(a)`$ and $`F(a)`$ belong to the \
+           equilibria of any profile, $`d_n(a)`$ and $`F_n(a)`$ to those of a power law, $`d_c`$ and $`F_c`$ to its critical state under \
+           controlled indentation, $`d_F`$ and $`F_F`$ under controlled force.\n"
 }
 
 fn errata_page(judgements: &[Judgement]) -> String {
@@ -114,6 +132,11 @@ fn entry(judgement: &Judgement, level: &str) -> String {
     }
     if let Some(erratum) = entry.erratum {
         section += &format!("\n\n**Erratum.** {}", words(erratum.text));
+    }
+    let mutants = judgement.mutants();
+    let undecided: Vec<_> = mutants.with(Fate::Undecided).map(|mutant| format!("$`{}`$", mutant.tex())).collect();
+    if !undecided.is_empty() {
+        section += &format!("\n\nUndecided mutants: {}.", undecided.join("; "));
     }
     if !entry.references.is_empty() {
         let references: Vec<_> = entry.references.iter().map(|reference| escaped(reference)).collect();

@@ -1,6 +1,6 @@
 //! Derivations for a terminal.
 
-use mdr_crosscheck::derivations::Judgement;
+use mdr_crosscheck::derivations::{Fate, Judgement};
 use mdr_symbolic::{Formula, Statement};
 
 use super::{Extent, document, errata, prose};
@@ -30,7 +30,7 @@ fn overview(judgements: &[Judgement]) -> String {
             cell(judgement.entry.id, Tone::Strong),
             cell(judgement.entry.title, Tone::Plain),
             cell(document::tally(judgement), Tone::Faint),
-            cell(judgement.mutants(), Tone::Faint),
+            cell(judgement.mutants().len(), Tone::Faint),
             cell(document::verdict(judgement), tone),
         ]);
     }
@@ -60,7 +60,9 @@ fn entry(judgement: &Judgement) -> String {
         lines.push("\nReferences".to_owned());
         lines.extend(entry.references.iter().map(|reference| wrapped(reference, "   ")));
     }
-    lines.push(format!("\n{}", document::mutants(judgement.mutants(), judgement.survivors())));
+    let mutants = judgement.mutants();
+    lines.push(format!("\n{}", document::mutants(&mutants)));
+    lines.extend(mutants.with(Fate::Undecided).map(|mutant| wrapped(&format!("undecided: {}", mutant.text()), "  ")));
     lines.join("\n")
 }
 

@@ -6,13 +6,14 @@
 //! * *proved* holds by normal forms; as an independent check of the algebra both sides, evaluated as they are written,
 //!   have to overlap at [`SPOT_CHECKS`] points;
 //! * *enclosed* is false at none of [`POINTS`] random points and certain at one of them at least. An equality is certain
-//!   where the two sides overlap and agree to [`AGREEMENT`] bits;
+//!   where the two sides overlap and agree to [`AGREEMENT`] bits. Where the points lie is told by [`Points`];
 //! * *refuted* fails by normal forms, and there is a point where its two sides certainly differ.
 //!
-//! Each equality is also mutated: every statement with one sign, exponent or factor wrong has to be refuted, by normal
-//! forms or at a point.
+//! Each statement that is proved or enclosed is also mutated ([`Mutants`]): with one sign, exponent or factor wrong, or with the
+//! opposite sense, it must not hold.
 
 mod functions;
+mod mutation;
 mod point;
 mod turn;
 
@@ -21,7 +22,8 @@ use mdr_symbolic::derivations::{Claim, Entry, Step, entries};
 use mdr_symbolic::formula::evaluate;
 use mdr_symbolic::{Domain, Error, Relation, Statement};
 
-pub use point::{Point, Points};
+pub use mutation::{Fate, Mutants};
+pub use point::{OCTAVES, Point, Points};
 
 /// Bits of the intervals.
 pub const BITS: u32 = 96;
@@ -50,10 +52,10 @@ pub struct StepJudgement {
     pub failure: Option<String>,
     /// Points at which it was evaluated.
     pub points: u32,
-    /// How many mutants there were.
-    pub mutants: usize,
-    /// Mutants that were not refuted.
-    pub survivors: Vec<Statement>,
+    /// Points at which it was certain, of those.
+    pub certain: u32,
+    /// What became of its mutants.
+    pub mutants: Mutants,
 }
 
 impl Judgement {
@@ -63,20 +65,15 @@ impl Judgement {
     }
 
     /// Mutants of all steps.
-    pub fn mutants(&self) -> usize {
-        self.steps.iter().map(|step| step.mutants).sum()
-    }
-
-    /// Mutants of all steps that were not refuted.
-    pub fn survivors(&self) -> usize {
-        self.steps.iter().map(|step| step.survivors.len()).sum()
+    pub fn mutants(&self) -> Mutants {
+        self.steps.iter().map(|step| step.mutants.clone()).sum()
     }
 }
 
 impl StepJudgement {
     /// Whether the step is what it claims to be, and no mutant survives.
     pub fn holds(&self) -> bool {
-        self.failure.is_none() && self.survivors.is_empty()
+        self.failure.is_none() && self.mutants.count(Fate::Survives) == 0
     }
 }
 
@@ -92,7 +89,7 @@ pub fn judge(entry: &'static Entry) -> Judgement {
 }
 
 fn judge_step(step: &'static Step) -> StepJudgement {
-    let mut judgement = StepJudgement { step, failure: None, points: 0, mutants: 0, survivors: Vec::new() };
+    let mut judgement = StepJudgement { step, failure: None, points: 0, certain: 0, mutants: Mutants::default() };
     if let Err(error) = judgement.decide() {
         judgement.failure = Some(error.to_string());
     }
@@ -107,6 +104,8 @@ enum Truth {
     False,
     /// A side has no finite enclosure.
     Unknown,
+    /// A side has certainly no value.
+    Undefined,
 }
 
 impl StepJudgement {
@@ -122,12 +121,7 @@ impl StepJudgement {
                 self.evaluate(&statement, *domain)?;
             }
         }
-        if step.claim == Claim::Proved {
-            (self.mutants, self.survivors) = step.surviving_mutants()?;
-        }
-        if step.claim == Claim::Enclosed && step.point.is_empty() {
-            self.mutate(&statement)?;
-        }
+        self.mutants = Mutants::of(step, &statement)?;
         Ok(())
     }
 
@@ -139,10 +133,11 @@ impl StepJudgement {
             _ => SPOT_CHECKS,
         };
         let mut truths = Vec::new();
-        for point in self.points(statement, domain).take(count as usize) {
+        for point in points(self.step, statement, domain).take(count as usize) {
             truths.push(truth(statement, domain, &point)?);
         }
         self.points += count;
+        self.certain += truths.iter().map(|truth| u32::from(*truth == Truth::Certain)).sum::<u32>();
         let (certain, false_somewhere) = (truths.contains(&Truth::Certain), truths.contains(&Truth::False));
         let failure = match self.step.claim {
             Claim::Refuted if !false_somewhere => "no counter-example was found",
@@ -153,36 +148,11 @@ impl StepJudgement {
         self.failure.get_or_insert_with(|| format!("{failure} for {}", domain.text()));
         Ok(())
     }
+}
 
-    fn points(&self, statement: &Statement, domain: Domain) -> Points {
-        Points::new(&statement.text(), domain, self.step.point)
-    }
-
-    /// Mutants of an enclosed statement: each has to be false at one of the points, or to have a meaning at none.
-    fn mutate(&mut self, statement: &Statement) -> Result<(), Error> {
-        let mutants = statement.mutants();
-        self.mutants = mutants.len();
-        for mutant in mutants {
-            if !self.is_refuted(&mutant, statement) {
-                self.survivors.push(mutant);
-            }
-        }
-        Ok(())
-    }
-
-    fn is_refuted(&self, mutant: &Statement, statement: &Statement) -> bool {
-        let mut meaningful = false;
-        for domain in self.step.domains {
-            for point in self.points(statement, *domain).take(POINTS as usize) {
-                match truth(mutant, *domain, &point) {
-                    Ok(Truth::False) => return true,
-                    Ok(Truth::Certain | Truth::Possible) => meaningful = true,
-                    Ok(Truth::Unknown) | Err(_) => {}
-                }
-            }
-        }
-        !meaningful
-    }
+/// The points of a step. They depend on its statement alone.
+fn points(step: &Step, statement: &Statement, domain: Domain) -> Points {
+    Points::new(&statement.text(), domain, step.point)
 }
 
 /// Whether a statement is about numbers, the same at every point.
@@ -194,7 +164,7 @@ pub fn is_number(statement: &Statement) -> bool {
 fn truth(statement: &Statement, domain: Domain, point: &Point) -> Result<Truth, Error> {
     let left = evaluate(&statement.left, domain, point)?;
     let right = evaluate(&statement.right, domain, point)?;
-    Ok(compare(&left, statement.relation, &right))
+    Ok(if point.is_undefined() { Truth::Undefined } else { compare(&left, statement.relation, &right) })
 }
 
 fn compare(left: &Interval, relation: Relation, right: &Interval) -> Truth {

@@ -1,5 +1,6 @@
 //! Random rational points, and formulas evaluated there in rigorous intervals.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -19,6 +20,8 @@ pub struct Point {
     values: BTreeMap<Symbol, Rational>,
     /// Symbols that are known as intervals only.
     enclosed: BTreeMap<Symbol, Interval>,
+    /// Whether a formula evaluated here has certainly no value.
+    undefined: Cell<bool>,
 }
 
 impl Point {
@@ -40,13 +43,29 @@ impl Point {
         point
     }
 
+    /// Whether a formula that was evaluated here divides by 0 or takes a root of a negative number.
+    pub fn is_undefined(&self) -> bool {
+        self.undefined.get()
+    }
+
+    /// Notes that an operation has certainly no value.
+    pub(super) fn note(&self, undefined: bool) {
+        self.undefined.set(self.undefined.get() || undefined);
+    }
+
     /// An interval of the precision used here.
     pub fn interval(value: &Rational) -> Interval {
         Interval::from_rational(Precision::new(BITS), value)
     }
 }
 
+/// The binary octaves from which n is drawn: it lies between 2^-10 and 2^10.
+pub const OCTAVES: std::ops::RangeInclusive<i32> = -10..=9;
+
 /// Random points of a domain, without end. The same words give the same points.
+///
+/// n is drawn with equal chance from each of the octaves between 2^-10 and 2^10, as are n − 1/2 for n > 1/2, and for n < 1/2,
+/// with equal chance, n itself or 1/2 − n between 2^-10 and 1/2. All symbols lie between 0.1 and 10.
 #[derive(Debug)]
 pub struct Points {
     random: Xoshiro256PlusPlus,
@@ -69,10 +88,18 @@ impl Points {
     fn exponent(&mut self) -> Rational {
         match self.domain {
             Domain::Half => Rational::from((1, 2)),
-            Domain::Positive => self.fraction(1..=499, 97),
-            Domain::Above => self.fraction(5..=499, 97) + Rational::from((1, 2)),
-            Domain::Below => self.fraction(1..=45, 97),
+            Domain::Positive => self.spread(OCTAVES),
+            Domain::Above => self.spread(OCTAVES) + Rational::from((1, 2)),
+            Domain::Below => {
+                let n = self.spread(*OCTAVES.start()..=-2);
+                if self.random.random_range(0..2) == 0 { n } else { Rational::from((1, 2)) - n }
+            }
         }
+    }
+
+    /// A number of one of the octaves.
+    fn spread(&mut self, octaves: std::ops::RangeInclusive<i32>) -> Rational {
+        self.fraction(97..=193, 97) << self.random.random_range(octaves)
     }
 }
 
@@ -89,7 +116,7 @@ impl Iterator for Points {
                 None => n = value,
             }
         }
-        Some(Point { n, values, enclosed: BTreeMap::new() })
+        Some(Point { n, values, enclosed: BTreeMap::new(), undefined: Cell::new(false) })
     }
 }
 
@@ -127,15 +154,18 @@ impl Arithmetic for Point {
         left.clone() * right
     }
     fn divide(&self, left: &Interval, right: &Interval) -> Interval {
+        self.note(right.is_point() && right.contains_zero());
         left.clone() / right
     }
     fn integer_power(&self, base: &Interval, exponent: i32) -> Interval {
         base.powi(i64::from(exponent))
     }
     fn power(&self, base: &Interval, exponent: &Interval) -> Interval {
+        self.note(*base < base.lit(0));
         base.pow(exponent)
     }
     fn function(&self, function: Function, arguments: &[Interval]) -> Interval {
+        self.note(function == Function::Agm && arguments.iter().any(|argument| *argument < argument.lit(0)));
         functions::value(function, arguments)
     }
     fn quarter_turn(&self, integrand: &Formula) -> Interval {

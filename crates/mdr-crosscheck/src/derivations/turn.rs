@@ -109,6 +109,7 @@ impl<R: FromInterval> Arithmetic for AtAngle<'_, R> {
         base.powi(i64::from(exponent))
     }
     fn power(&self, base: &R, exponent: &R) -> R {
+        self.point.note(*base < base.lit(0));
         base.pow(exponent)
     }
     /// Of the functions only the sine occurs under an integral.

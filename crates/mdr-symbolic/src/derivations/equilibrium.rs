@@ -13,7 +13,7 @@ pub(super) const INDENTATION: Entry = Entry {
         Step::proved(
             POSITIVE,
             "at(diff(U, a), d, d_g) = 0",
-            "`d_g = g - Δl` makes the energy of 1.4 stationary in the contact radius.",
+            "`d_g = g - Δl` makes the energy of (1.4) stationary in the contact radius.",
         ),
         Step::proved(
             POSITIVE,
@@ -88,9 +88,9 @@ pub(super) const GROWS: Entry = Entry {
     assumptions: ANY,
     steps: &[Step::proved(
         POSITIVE,
-        "y^2 - (y + δ)^2 < 0",
-        "Where the elongation y = g(a) − d falls short of Δl(a) = y + δ, the slope of the energy, which is E* times this by 1.4, is negative: \
-         the contact grows.",
+        "at(at(diff(U, a), d, g - y), w, E*(y + δ)^2/(2*π*a)) < 0",
+        "Where the elongation y = g(a) − d falls short of Δl(a), by δ > 0, the energy falls with the contact radius: the contact \
+         grows. Here d is g(a) − y, and Δl(a) = y + δ is put in as the work of adhesion that belongs to it.",
     )],
     erratum: None,
     references: &[],
@@ -123,18 +123,19 @@ pub(super) const REGIMES: Entry = Entry {
         Step::proved(
             POSITIVE,
             "κ*C*a^n/Δl = κ*C/sqrt(2*π*w/E)*a^(n - 1/2)",
-            "The ratio of g(a) to Δl(a) grows with a for n > 1/2 and falls for n < 1/2.",
+            "The ratio of g(a) to Δl(a) grows with a for n > 1/2 and falls for n < 1/2; g is that of (1.12).",
         ),
         Step::proved(
             BOTH,
             "at(d_n, a, a_0) = 0",
-            "At d = 0 there is one equilibrium, at `a_0 = (4*n^2*B/N^2)^(1/(2*n - 1))`, with `N = n*κ*C`.",
+            "At d = 0 there is one equilibrium, at `a_0 = (4*n^2*B/N^2)^(1/(2*n - 1))` with `N = n*κ*C`, where the ratio is 1. \
+             The indentation `d_n = κ*C*a^n - Δl` is that of (1.13).",
         ),
         Step::proved(ABOVE, "at(diff(d_n, a), a, a_0) > 0", "For n > 1/2 it is stable (figure 1a)."),
         Step::proved(
             BELOW,
             "at(diff(d_n, a), a, a_0) < 0",
-            "For n < 1/2 it is unstable (figure 3): a smaller contact shrinks to nothing, a larger one becomes complete.",
+            "For n < 1/2 it is unstable (figure 3a): a smaller contact shrinks to nothing, a larger one becomes complete.",
         ),
     ],
     erratum: None,

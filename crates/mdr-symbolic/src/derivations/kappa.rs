@@ -13,10 +13,34 @@ pub(super) const RECURRENCES: Entry = Entry {
         Step::proved(
             POSITIVE,
             "kappa(n + 2) = kappa(n)*(n + 2)/(n + 1)",
-            "The same, or the equality of integrals in 1.1: it carries κ through all exponents that differ by 2.",
+            "By the same rule, or by the equality of integrals in 1.1: it carries κ through all exponents that differ by 2.",
         ),
-        Step::proved(POSITIVE, "kappa(4) = 8/3", "As 2·4/3."),
-        Step::proved(POSITIVE, "kappa(3) = 3*π/4", "As (π/2)·3/2."),
+        Step::proved(POSITIVE, "kappa(4) = 8/3", "That is κ_2·4/3."),
+        Step::proved(POSITIVE, "kappa(3) = 3*π/4", "That is κ_1·3/2."),
+    ],
+    erratum: None,
+    references: &[],
+};
+
+pub(super) const GROWTH: Entry = Entry {
+    id: "kappa-growth",
+    title: "κ grows with n",
+    verdict: Claim::Proved,
+    assumptions: &["n > 0"],
+    steps: &[
+        Step::proved(
+            POSITIVE,
+            "diff(sinθ^n, θ) = n*sinθ^(n - 1)*cosθ",
+            "By 1.1 and 1.12, κ_n = n ∫ sin^(n−1)θ dθ over a quarter turn. With x = sin^nθ that is κ_n = ∫ dx/cosθ from 0 to 1, \
+             where cosθ = √(1 − x^(2/n)).",
+        ),
+        Step::proved(
+            POSITIVE,
+            "2/n - 2/(n + ε) > 0",
+            "The exponent 2/n falls when n grows, by any ε > 0. As 0 < x < 1, x^(2/n) grows at every x, and the integrand with it: \
+             κ_n grows with n.",
+        ),
+        Step::enclosed(POSITIVE, "kappa(n + 1) > kappa(n)", "A check in numbers."),
     ],
     erratum: None,
     references: &[],
@@ -105,7 +129,7 @@ pub(super) const ELLIPTIC: Entry = Entry {
     assumptions: &["n = p/q with q ≤ 4"],
     steps: &[
         Step::cited(
-            "With x = sin^nθ, (1.12) is κ_n = ∫₀¹ dx/√(1 − x^(2/n)). For n = 1/2, 1/3 and 1/4 it is a complete elliptic \
+            "By kappa-growth κ_n is ∫ dx/√(1 − x^(2/n)) from 0 to 1. For n = 1/2, 1/3 and 1/4 it is a complete elliptic \
              integral up to square roots: that of the first, third and second singular modulus.",
         ),
         Step::enclosed(
@@ -139,9 +163,10 @@ pub(super) const ELLIPTIC: Entry = Entry {
         Step::enclosed(
             BELOW,
             "agm(1 + n, 1 - n) < 1 - n^2/4",
-            "How a mean is cut short: its two numbers are m(1 ± e), and for e < 1/2, here in the place of n, it is below this,",
+            "How a mean is cut short: when its two numbers have become m(1 ± e) with e < 1/2, it is m times that of 1 ± e. With n \
+             in the place of e, that is below this,",
         ),
-        Step::enclosed(BELOW, "agm(1 + n, 1 - n) > 1 - n^2/4 - n^4/4", "and above that."),
+        Step::enclosed(BELOW, "agm(1 + n, 1 - n) > 1 - n^2/4 - n^4/4", "And it is above this."),
     ],
     erratum: None,
     references: &[

@@ -16,14 +16,22 @@ pub(super) const KENDALL: Entry = Entry {
             "at(a_c, C, δ*R^(-n)) = R*(B*R/(n^2*κ^2*δ^2))^(1/(2*n - 1))",
             "The critical radius is R times a power that has the exponent 1/(2n−1).",
         ),
-        Step::enclosed(POSITIVE, "kappa(n)^2 > π*n/2", "As κ_n grows with n, κ_n² lies between κ_{n−1}κ_n = πn/2"),
+        Step::enclosed(
+            POSITIVE,
+            "kappa(n)^2 > π*n/2",
+            "κ_n grows with n (see kappa-growth). So for n > 1 κ_n² lies between κ_{n−1}κ_n = πn/2 (see kappa-recurrences), as here in numbers,",
+        ),
         Step::enclosed(
             POSITIVE,
             "kappa(n)^2 < π*(n + 1)/2",
-            "and κ_nκ_{n+1} = π(n+1)/2 (see kappa-recurrences). So the bracket is of the order n⁻³, and its power tends to 1: \
-             a_c tends to R.",
+            "and κ_nκ_{n+1} = π(n+1)/2. So the bracket is of the order n⁻³. Its logarithm over 2n − 1 tends to 0, and the power \
+             to 1: a_c tends to R.",
         ),
-        Step::proved(POSITIVE, "2*(2*n + 1)/(n + 1) = 4 - 2/(n + 1)", "The factor of F_c in 1.17 tends to 4,"),
+        Step::proved(
+            POSITIVE,
+            "2*(2*n + 1)/(n + 1) = 4 - 2/(n + 1)",
+            "The factor of F_c, in the factored form of 1.17, tends to 4,",
+        ),
         Step::proved(POSITIVE, "4*E*sqrt(B)*R^(3/2) = sqrt(8*π*R^3*E*w)", "and F_c to Kendall's force, −√(8πR³E*w)."),
         Step::proved(POSITIVE, "2*sqrt(B*R) = at(Δl, a, R)", "As (1−2n)/n tends to −2, d_c tends to −Δl(R)."),
         Step::at(BLUNT, ABOVE, "at(F_c, C, δ*R^(-n)) < -0.997*sqrt(8*π*R^3*E*w)", "In numbers, at n = 10⁴."),

@@ -167,21 +167,14 @@ impl Step {
         Ok(self.contradictions()?.is_empty())
     }
 
-    /// Mutants of a proved statement: how many there are, and those that are not refuted on any domain of the step.
+    /// The mutants of a statement that is proved or enclosed ([`Statement::mutants`]), none of which may hold. What is refuted
+    /// or cited has none.
     ///
     /// # Errors
     /// As [`Step::statement`].
-    pub fn surviving_mutants(&self) -> Result<(usize, Vec<Statement>)> {
-        let Some(statement) = self.statement()?.filter(|_| self.claim == Claim::Proved) else {
-            return Ok((0, Vec::new()));
-        };
-        let mutants = statement.mutants();
-        let count = mutants.len();
-        // A mutant without a meaning on the domain, such as the root of a negative number, is dead, too.
-        let lives = |mutant: &Statement| {
-            self.domains.iter().any(|domain| matches!(mutant.decide(*domain), Decision::Proved { .. }))
-        };
-        Ok((count, mutants.into_iter().filter(lives).collect()))
+    pub fn mutants(&self) -> Result<Vec<Statement>> {
+        let holds = matches!(self.claim, Claim::Proved | Claim::Enclosed);
+        Ok(self.statement()?.filter(|_| holds).map(|statement| statement.mutants()).unwrap_or_default())
     }
 }
 
@@ -201,6 +194,7 @@ pub fn entries() -> &'static [Entry] {
         equilibrium::REGIMES,
         transform::POWER,
         kappa::RECURRENCES,
+        kappa::GROWTH,
         kappa::SERIES,
         kappa::ELLIPTIC,
         power_law::INDENTATION,

@@ -15,7 +15,7 @@ pub(super) const INDENTATION: Entry = Entry {
         Step::proved(
             POSITIVE,
             "at(d_g, g, κ*C*a^n) = κ*C*a^n - sqrt(2*π*a*w/E)",
-            "Equation (1.5) with the transform (1.12).",
+            "Equation (1.5) with the transform (1.12). From here on `d_n = κ*C*a^n - Δl`; `d_g = g - Δl` stays that of any profile.",
         ),
         Step::proved(POSITIVE, "κ*C*a^n ~ a", "C has the dimension of a length to the power 1 − n."),
     ],
@@ -32,7 +32,7 @@ pub(super) const TANGENCY: Entry = Entry {
         Step::proved(
             POSITIVE,
             "diff(d_n, a) = n*κ*C*a^(n - 1) - sqrt(π*w/(2*E*a))",
-            "The condition (1.10), d'(a) = 0, is (1.14).",
+            "The condition (1.10), that this slope be 0, is (1.14).",
         ),
         Step::proved(
             POSITIVE,
@@ -75,7 +75,7 @@ pub(super) const RADIUS: Entry = Entry {
         Step::proved(
             BOTH,
             "at(diff(d_n, a), a, (π*w/(2*E*n^2*κ^2*C^2))^(1/(2*n - 1))) = 0",
-            "With the exponent corrected it solves (1.14); by 1.14 it is the only solution. Written \
+            "With the exponent corrected it solves (1.14); as the bracket in 1.14 has one zero, it is the only one. Written \
              `a_c = (B/N^2)^(1/(2*n - 1))`.",
         ),
         Step::proved(BOTH, "a_c ~ a", "Corrected, it is a length."),
@@ -108,12 +108,12 @@ pub(super) const FORCE: Entry = Entry {
         Step::proved(
             POSITIVE,
             "at(2*E*int(d - κ*C*x^n, x, a), d, d_n) = 2*E*n/(n + 1)*κ*C*a^(n + 1) - sqrt(8*π*a^3*E*w)",
-            "The force (1.6) with the indentation (1.13).",
+            "The force (1.6) with the indentation (1.13), `d_n`.",
         ),
         Step::proved(
             POSITIVE,
             "2*E*n/(n + 1)*κ*C*a^(n + 1) - sqrt(8*π*a^3*E*w) = F_n",
-            "Written with a common factor: `F_n = 2*E*a*(n/(n + 1)*κ*C*a^n - Δl)`.",
+            "Written with a common factor: `F_n = 2*E*a*(n/(n + 1)*κ*C*a^n - Δl)`, the force of a power law from here on.",
         ),
         Step::proved(POSITIVE, "diff(F_n, a) = 2*E*a*(N*a^(n - 1) - 3*sqrt(B/a))", "Its slope along the equilibria."),
     ],

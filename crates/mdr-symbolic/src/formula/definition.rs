@@ -28,9 +28,9 @@ const ENTRIES: &[Entry] = &[
     named("F_g", "F(a)", "F(a)", "2*E*(a*d_g - G)"),
     named("λ", "λ(a)", r"\lambda(a)", "(k + 6*E*a)/(k + 2*E*a)"),
     // The power law.
-    named("d_n", "d(a)", "d(a)", "κ*C*a^n - sqrt(2*π*a*w/E)"),
-    named("F_n", "F(a)", "F(a)", "2*E*a*(n/(n + 1)*κ*C*a^n - sqrt(2*π*a*w/E))"),
-    named("U_n", "U(a,d)", "U(a,d)", "E*int((d - κ*C*x^n)^2, x, a) - π*a^2*w"),
+    named("d_n", "d_n(a)", "d_n(a)", "κ*C*a^n - sqrt(2*π*a*w/E)"),
+    named("F_n", "F_n(a)", "F_n(a)", "2*E*a*(n/(n + 1)*κ*C*a^n - sqrt(2*π*a*w/E))"),
+    named("U_n", "U_n(a,d)", "U_n(a,d)", "E*int((d - κ*C*x^n)^2, x, a) - π*a^2*w"),
     named("a_c", "a_c", "a_c", "(B/N^2)^(1/(2*n - 1))"),
     named("d_c", "d_c", "d_c", "at(d_n, a, a_c)"),
     named("F_c", "F_c", "F_c", "at(F_n, a, a_c)"),

@@ -42,6 +42,17 @@ impl Formula {
         mutants
     }
 
+    /// The formula with its definitions, and those of what is put into it, in the place of their names.
+    pub(crate) fn written_out(&self) -> Formula {
+        match self {
+            Formula::Name(definition) => definition.formula().unwrap_or_else(|_| self.clone()),
+            Formula::At(inner, variable, value) => {
+                Formula::At(Box::new(inner.written_out()), *variable, Box::new(value.written_out()))
+            }
+            other => other.clone(),
+        }
+    }
+
     /// The mistakes that can be made at the top of the tree.
     fn mutants_here(&self) -> Vec<Formula> {
         match self {

@@ -1,0 +1,107 @@
+//! What becomes of the mutants of a step.
+
+use std::iter::Sum;
+
+use mdr_symbolic::derivations::Step;
+use mdr_symbolic::{Decision, Domain, Error, Statement};
+
+use super::{POINTS, Truth, is_number, points, truth};
+
+/// What became of a mutant, over all domains of its step the least favourable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fate {
+    /// Its normal forms differ, or their difference has the other sign.
+    NormalForm,
+    /// Rigorous intervals contradict it at a random point.
+    Enclosure,
+    /// It has certainly no value at any random point: a division by 0, a root of a negative number, an integral without end.
+    Meaningless,
+    /// Neither normal forms nor intervals can tell: a side has no finite enclosure, or the two sides overlap without agreeing.
+    Undecided,
+    /// It holds, by normal forms or as far as intervals can tell: the statement says less than it seems to.
+    Survives,
+}
+
+impl Fate {
+    /// All of them, the best first.
+    pub const ALL: [Fate; 5] = [Fate::NormalForm, Fate::Enclosure, Fate::Meaningless, Fate::Undecided, Fate::Survives];
+
+    /// What became of it, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Fate::NormalForm => "refuted by normal forms",
+            Fate::Enclosure => "refuted by enclosures",
+            Fate::Meaningless => "meaningless",
+            Fate::Undecided => "undecided",
+            Fate::Survives => "NOT refuted",
+        }
+    }
+}
+
+/// The distinct mutants of a step, or of several, and what became of each.
+#[derive(Clone, Debug, Default)]
+pub struct Mutants(Vec<(Statement, Fate)>);
+
+impl Mutants {
+    pub(super) fn of(step: &Step, statement: &Statement) -> Result<Self, Error> {
+        let fate = |mutant: &Statement| {
+            let fates = step.domains.iter().map(|domain| fate(step, statement, mutant, *domain));
+            fates.max().unwrap_or(Fate::Undecided)
+        };
+        let mutants = step.mutants()?.into_iter();
+        Ok(Mutants(mutants.map(|mutant| (fate(&mutant), mutant)).map(|(fate, mutant)| (mutant, fate)).collect()))
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// How many had this fate.
+    pub fn count(&self, fate: Fate) -> usize {
+        self.with(fate).count()
+    }
+
+    /// Those of this fate.
+    pub fn with(&self, fate: Fate) -> impl Iterator<Item = &Statement> {
+        self.0.iter().filter(move |(_, other)| *other == fate).map(|(mutant, _)| mutant)
+    }
+}
+
+impl Sum for Mutants {
+    fn sum<I: Iterator<Item = Self>>(parts: I) -> Self {
+        Mutants(parts.flat_map(|part| part.0).collect())
+    }
+}
+
+/// Normal forms first, intervals at the points of the statement where they do not decide.
+fn fate(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> Fate {
+    match mutant.decide(domain) {
+        Decision::Proved { .. } => Fate::Survives,
+        Decision::Refuted { .. } => Fate::NormalForm,
+        Decision::Undecided(_) => by_intervals(step, statement, mutant, domain),
+    }
+}
+
+fn by_intervals(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> Fate {
+    let count = if !step.point.is_empty() || is_number(mutant) { 1 } else { POINTS };
+    let mut fate = Fate::Meaningless;
+    for point in points(step, statement, domain).take(count as usize) {
+        match truth(mutant, domain, &point) {
+            Ok(Truth::False) => return Fate::Enclosure,
+            Ok(Truth::Certain) => fate = Fate::Survives,
+            Ok(Truth::Possible | Truth::Unknown) => fate = fate.max(Fate::Undecided),
+            Ok(Truth::Undefined) => {}
+            // Exact algebra finds no value, at any point.
+            Err(Error::DivisionByZero | Error::Integral { .. }) => return fate,
+            // Exact algebra has to carry out a part of it, and cannot.
+            Err(_) => return fate.max(Fate::Undecided),
+        }
+    }
+    fate
+}
