@@ -74,3 +74,25 @@ fn claims_fit_their_steps() {
         }
     }
 }
+
+const CONFORMANCE: &str = include_str!("../../../docs/conformance.md");
+
+/// The table of conformance has every equation, with the verdict of its entry; of a corrected one, that of the correction.
+#[test]
+fn the_table_of_conformance_has_these_verdicts() {
+    let mut found = BTreeSet::new();
+    for row in CONFORMANCE.lines().filter(|line| line.starts_with("| (1.")) {
+        let cells: Vec<_> = row.split('|').map(str::trim).collect();
+        for id in cells[1].split('(').skip(1).filter_map(|rest| rest.split_once(')')).map(|(id, _)| id) {
+            let entry = entry(id).unwrap();
+            let corrected = cells[1].ends_with('†') && entry.verdict == Claim::Refuted;
+            let verdict = if corrected { Claim::Proved } else { entry.verdict };
+            assert!(!corrected || entry.steps.iter().any(|step| step.claim == verdict), "{row}");
+            assert_eq!(cells[3], verdict.word(), "{row}");
+            found.insert(id);
+        }
+    }
+    for number in 1..=19 {
+        assert!(found.contains(&format!("1.{number}")[..]), "(1.{number})");
+    }
+}
