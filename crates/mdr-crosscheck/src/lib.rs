@@ -19,6 +19,7 @@
 //! * [`records`] generates the certified values of `mdr-reference`, each by two methods.
 //! * [`derivations`] evaluates the statements of `mdr-symbolic` in rigorous intervals.
 //! * [`contest`] has the data of error against run time.
+//! * [`ladders`] lead each function in double precision to where its question becomes hard.
 
 #![forbid(unsafe_code)]
 

@@ -30,7 +30,7 @@ use crate::table::{Tone, cell};
 
 const EXAMPLES: &str = "\
 Examples:
-  All tasks, into the directory report: a quarter of an hour on two cores, other projects included:
+  All tasks, into the directory report: five minutes on two cores, other projects included:
     mdr report
 
   In less than a minute, into another directory, which is made when it is not there:

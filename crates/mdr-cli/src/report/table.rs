@@ -168,6 +168,7 @@ pub(super) fn times(diagram: &Diagram) -> String {
 /// A ratio to two digits.
 fn times_that(ratio: f64) -> String {
     match ratio {
+        ratio if ratio < 0.000_95 => format!("{ratio:.1e}×"),
         ratio if ratio < 0.095 => format!("{ratio:.3}×"),
         ratio if ratio < 0.95 => format!("{ratio:.2}×"),
         ratio if ratio < 9.5 => format!("{ratio:.1}×"),

@@ -86,7 +86,7 @@ impl Question {
     pub(in super::super) fn kappa((p, q): Fraction, precision: Precision) -> Self {
         Question {
             id: "kappa-rational",
-            title: format!("κ_n for n = {p}/{q}"),
+            title: format!("κ_n for n = {}", written((p, q))),
             source: SERIES,
             truths: vec![truth::kappa_of_fraction(precision, p, q)],
             entries: rational_kappa((p, q)),
@@ -101,7 +101,8 @@ impl Question {
         Question {
             id: "critical",
             title: format!(
-                "κ, a, d and F under fixed grips for n = {p}/{q}, C = 1.5, E* = 1 MPa, w = 0.05 J/m²; the worst of the four counts"
+                "κ, a, d and F under fixed grips for n = {}, C = 1.5, E* = 1 MPa, w = 0.05 J/m²; the worst of the four counts",
+                written((p, q))
             ),
             source: "the tangency in logarithms, then (1.13) and (1.16), over intervals; contestants have (1.15) and (1.17)",
             truths: critical((p, q), precision).unwrap_or_default(),
@@ -110,6 +111,11 @@ impl Question {
             arb: &[("with Γ of a rational", "arb, rational argument"), ("with Γ of a ball", "arb")],
         }
     }
+}
+
+/// p/q, or p.
+fn written((p, q): Fraction) -> String {
+    if q == 1 { p.to_string() } else { format!("{p}/{q}") }
 }
 
 fn critical((p, q): Fraction, precision: Precision) -> Result<Vec<Interval>> {

@@ -5,8 +5,8 @@ use super::super::precision::{EXPONENT, Other, Question, enough};
 use super::super::{Arithmetic, Effort};
 use super::{Hall, Lane};
 
-/// Further exponents: terms of other sizes, and two of which Arb keeps a Γ like a constant.
-const MORE: [(i64, i64); 3] = [(7, 5), (1, 4), (1, 3)];
+/// Further exponents: terms of other sizes, and four of which Arb has Γ as a constant.
+const MORE: [(i64, i64); 5] = [(7, 5), (1, 4), (1, 3), (2, 3), (1, 1)];
 
 /// Digits from which on a race takes its time.
 const LONG: u32 = 10_000;

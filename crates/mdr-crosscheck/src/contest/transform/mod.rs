@@ -23,7 +23,7 @@ use crate::arithmetic::Arithmetic as Number;
 /// The task.
 pub(super) const TRANSFORM: Task = Task {
     name: "transform",
-    claim: "g(x) of (1.1) from heights: quadratures of the raw and of the regularised form",
+    claim: "the transform g(x) of (1.1) from heights: quadratures of the raw and of the regularised form",
     diagrams,
 };
 

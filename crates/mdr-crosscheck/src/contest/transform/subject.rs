@@ -2,12 +2,11 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use mdr_analytic::kappa_enclosure;
-use mdr_core::contact::{Error, Profile, Quantity, Result};
+use mdr_core::contact::{Profile, Result};
 use mdr_core::number::{Interval, Lift, Precision, Real};
 use mdr_numeric::profiles::Power;
-use rug::Rational;
 
+use super::super::kappa;
 use crate::library::{Height, Shape, closed_form};
 
 /// What is asked: g at one radius. All numbers are the doubles that they are, in every arithmetic.
@@ -83,8 +82,8 @@ impl Question {
         let x = Interval::from_f64(precision, self.x);
         match &self.profile {
             Kind::Power(n) => {
-                let exact = Rational::from_f64(*n).ok_or_else(|| Error::domain(Quantity::Exponent, n, "finite"))?;
-                Ok(kappa_enclosure(precision, &exact) * x.pow(&Interval::from_f64(precision, *n)))
+                let n = Interval::from_f64(precision, *n);
+                Ok(kappa::exact(&n) * x.pow(&n))
             }
             Kind::Shape(shape, parameters) => closed_form::<Interval>(*shape, &lift(precision, parameters))?.g(&x),
         }
@@ -105,7 +104,7 @@ impl Question {
     pub(super) fn source(&self) -> &'static str {
         match self.profile {
             Kind::Power(_) => {
-                "κ_n xⁿ (1.12) over intervals, κ_n from its hypergeometric series; every contestant integrates heights"
+                "κ_n xⁿ (1.12) over intervals, κ_n from the Γ of MPFR; every contestant integrates heights"
             }
             Kind::Shape(..) => "the closed form of g over intervals; every contestant integrates heights",
         }
