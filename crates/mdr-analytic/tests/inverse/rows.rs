@@ -84,19 +84,8 @@ fn values(at_fold: f64, count: usize) -> Vec<f64> {
 /// Rows of values against bisection, most of them without help of extended precision: far from n = 1/2 all of them.
 #[test]
 fn many_values_of_one_contact() {
-    for (n, all_fast) in [
-        (0.1, true),
-        (0.25, true),
-        (0.3, true),
-        (0.75, true),
-        (1.0, true),
-        (1.7, true),
-        (2.0, true),
-        (4.0, true),
-        (30.0, false),
-        (0.45, false),
-        (0.52, false),
-    ] {
+    let ordinary = [0.1, 0.25, 0.3, 0.45, 0.75, 1.0, 1.7, 2.0, 4.0].map(|n| (n, 0));
+    for (n, passed_on) in ordinary.into_iter().chain([(30.0, 6), (0.49, 3), (0.51, 3), (0.52, 2)]) {
         for by_force in [false, true] {
             let scene = Scene::with_fold(n, 1e-6, 1e6, 0.05, by_force);
             let truth = scene.truth();
@@ -108,8 +97,7 @@ fn many_values_of_one_contact() {
                     check_many(&many, i, &truth, values[i], radii);
                 }
                 assert_eq!(many.tally.without_value, 3);
-                let passed_on = many.tally.passed_on;
-                assert!(passed_on <= if all_fast { 0 } else { values.len() / 2 }, "{passed_on}: {scene:?} by {path}");
+                assert!(many.tally.passed_on <= passed_on, "{:?}: {scene:?} by {path}", many.tally);
             }
         }
     }
