@@ -59,7 +59,7 @@ fn a_choice_of_questions() {
     let (code, table) = judged(&format!("{RIGHT}\n{CLAIM}"), filter);
     assert_eq!(code, 0);
     let counts =
-        "1 of 3 questions answered: 1 right, 0 inaccurate, 0 wrong; 2 not answered; 1 answers to other records";
+        "1 of 3 questions answered: 1 right, 0 inaccurate, 0 wrong; 2 not answered; 1 answer to another record";
     assert!(table.contains(counts), "{table}");
     let (code, table) = judged(RIGHT, &format!("{filter} --complete"));
     assert_eq!(code, 1);

@@ -303,6 +303,14 @@ mod tests {
             let text = value.to_string();
             let ours = read(&text).unwrap();
             prop_assert!(agrees(&ours, &value), "{text}");
+            prop_assert_eq!(read_tolerant(&text), Ok(ours));
+        }
+
+        /// Whatever it is, a line is read or refused.
+        #[test]
+        fn any_line_is_read_or_refused(text in "[\\[\\]{}\",:\\\\0-9eE+.#()ntrufals \\PC-]{0,40}") {
+            let refused = read_tolerant(&text).is_err();
+            prop_assert!(!refused || read(&text).is_err(), "{}", text);
         }
 
         #[test]

@@ -142,6 +142,9 @@ fn no_limit_makes_nonsense_right() {
     }
     assert_eq!([verdict(77.0, f64::NAN), verdict(-4.7, f64::NAN)], [Verdict::Wrong, Verdict::Inaccurate]);
     assert_eq!(verdict(-4.712_388_980_384_69, 1.0), Verdict::Right);
+    let no_limit = Limits { overstatement: f64::NAN, ..Limits::default() };
+    let claim = Answer::from(-4.712).with_error(0.001).unwrap();
+    assert_eq!(mark(record(PULL_OFF).unwrap(), &claim, &no_limit).claim, Claim::Overstated);
 }
 
 #[test]

@@ -169,7 +169,7 @@ fn a_choice_that_is_complete() {
     };
     let all = judged(&answers(0), true);
     assert!(all.passed() && all.set_aside == 1 && all.unanswered() == 0, "{all}");
-    assert!(all.to_string().contains("1 answers to other records set aside"), "{all}");
+    assert!(all.to_string().contains("1 answer to another record set aside"), "{all}");
     let some = judged(&answers(1), true);
     assert_eq!(some.failures(), ["1 not answered"]);
     assert!(some.to_string().contains("; 1 not answered"), "{some}");

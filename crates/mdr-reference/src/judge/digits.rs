@@ -4,7 +4,7 @@ use crate::decimal::Decimal;
 use crate::judge::mark::{Claim, Limits, Mark, Range, Verdict};
 use crate::record::{Record, UNIT_ROUNDOFF};
 
-/// A finite number against a certified one.
+/// A finite number against a certified one. No answer keeps within a limit that is NaN.
 pub(crate) fn compared(
     record: &Record,
     value: &Decimal,
@@ -28,13 +28,12 @@ pub(crate) fn compared(
         let says_nothing = cost < 0.0 && *claim >= scale.abs();
         if least > *claim {
             Claim::TooSmall
-        } else if says_nothing || claim.log10() > slack {
+        } else if says_nothing || !(claim.log10() <= slack) {
             Claim::Overstated
         } else {
             Claim::Holds
         }
     });
-    // Both are true of a limit that is NaN.
     let lost = !(excess_loss.low <= limits.excess_loss);
     let hopeless = !(excess_loss.low <= limits.excess_loss.min(Limits::default().excess_loss)) && lre.high < 1.0;
     let (verdict, reason) = match claim {

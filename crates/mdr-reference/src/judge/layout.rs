@@ -131,9 +131,11 @@ impl Report<'_> {
              answered",
             self.unanswered()
         ));
-        if self.set_aside > 0 {
-            text.push_str(&format!("; {} answers to other records set aside", self.set_aside));
-        }
+        text.push_str(&match self.set_aside {
+            0 => String::new(),
+            1 => "; 1 answer to another record set aside".to_owned(),
+            many => format!("; {many} answers to other records set aside"),
+        });
         let failures = self.failures();
         if !failures.is_empty() {
             text.push_str(&format!("\nnot passed: {}", failures.join("; ")));
