@@ -38,7 +38,7 @@ fn exports_and_refuses() {
     let written = std::fs::read_to_string(file("all.jsonl")).unwrap();
     assert!(written.lines().eq(mdr_reference::lines()));
     output(&format!("reference --filter difficulty=higher --export {}", file("hard.csv")));
-    assert!(std::fs::read_to_string(file("hard.csv")).unwrap().starts_with("id,profile,formula,"));
+    assert!(std::fs::read_to_string(file("hard.csv")).unwrap().starts_with("id,release,profile,formula,"));
     let refused = mdr(&format!("reference --export {}", file("all.xls"))).assert().code(2).stdout_eq("");
     assert!(refused.get_output().stderr.starts_with(b"error: --export: must end in .jsonl or .csv"));
     mdr("reference --filter colour=red").assert().code(2).stdout_eq("");

@@ -94,9 +94,10 @@ impl Record {
         if fields.text("hash")? == hash { Ok(record) } else { Err(format!("the hash of this content is {hash}")) }
     }
 
-    /// The header of [`Record::to_csv`].
-    pub const CSV_HEADER: [&str; 16] = [
+    /// The header of [`Record::to_csv`]: the fields of a line of JSON, in their order.
+    pub const CSV_HEADER: [&str; 22] = [
         "id",
+        "release",
         "profile",
         "formula",
         "inputs",
@@ -106,21 +107,29 @@ impl Record {
         "status",
         "mid",
         "rad",
+        "digits",
         "log10",
         "f64",
+        "scale",
         "condition",
         "difficulty",
+        "methods",
+        "proof",
         "flags",
         "refs",
+        "hash",
     ];
 
-    /// The record as the fields of a row, lists separated by blanks.
-    pub fn to_csv(&self) -> [String; 16] {
+    /// The record as the fields of a row, lists separated by blanks; of the methods the first is rigorous. The hash is that of
+    /// the line of JSON.
+    pub fn to_csv(&self) -> [String; 22] {
         let value = self.value.as_ref();
         let inputs: Vec<_> = self.inputs.iter().map(|(key, value)| format!("{key}={value}")).collect();
         let condition: Vec<_> = self.condition.iter().map(|(key, value)| format!("{key}={value}")).collect();
+        let methods: Vec<_> = self.methods.iter().map(|method| method.name.as_str()).collect();
         [
             self.id.clone(),
+            self.release.to_string(),
             self.profile.clone(),
             self.formula.clone(),
             inputs.join(" "),
@@ -130,12 +139,17 @@ impl Record {
             self.status.to_string(),
             value.map(|value| value.mid.clone()).unwrap_or_default(),
             value.map(|value| value.rad.clone()).unwrap_or_default(),
+            value.map(|value| value.digits.to_string()).unwrap_or_default(),
             self.log10.map(|log10| log10.to_string()).unwrap_or_default(),
             self.hexadecimal().unwrap_or_default(),
+            self.scale.clone().unwrap_or_default(),
             condition.join(" "),
             self.difficulty.to_string(),
+            methods.join(" "),
+            self.proof.join(" "),
             self.flags.join(" "),
             self.refs.join("; "),
+            format!("{:016x}", fnv(self.body().as_bytes())),
         ]
     }
 }

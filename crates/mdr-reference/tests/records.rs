@@ -146,3 +146,19 @@ fn a_whole_exponent_costs_nothing() {
     let near = of("critical/half+2^-10/force/force");
     assert!(near.condition.iter().any(|(name, condition)| name == "n" && near.total_condition() > *condition));
 }
+
+/// A row has all that a line of JSON has, in the same order.
+#[test]
+fn a_row_has_every_field() {
+    let record = mdr_reference::record("critical/n=1.5/force/indentation").unwrap();
+    let json = record.to_json();
+    let (row, mut from) = (record.to_csv(), 0);
+    for (name, field) in Record::CSV_HEADER.into_iter().zip(row) {
+        let at = json[from..].find(&format!("\"{name}\":")).unwrap_or_else(|| panic!("{name}"));
+        from += at;
+        let first = field.split(['=', ' ', ';']).next().unwrap();
+        assert!(json[from..].contains(first), "{name}: {field}");
+        // Exactly zero: what is measured against must be there.
+        assert!(name != "scale" || !field.is_empty());
+    }
+}
