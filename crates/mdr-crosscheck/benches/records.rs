@@ -1,4 +1,5 @@
-//! What certifying a value costs: a critical state and an equilibrium of a sphere, from 50 to 2000 digits.
+//! What certifying a value costs, from 50 to 2000 digits: a critical state and an equilibrium of a sphere, the transform and
+//! the folds of a paraboloid with waves.
 
 #![allow(missing_docs, reason = "criterion's macros have no place for them")]
 
@@ -9,7 +10,7 @@ fn digits(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("certified");
     group.sample_size(10);
     for digits in [50, 100, 200, 500, 1000, 2000] {
-        for specimen in [Specimen::Critical, Specimen::Equilibrium] {
+        for specimen in Specimen::ALL {
             let id = BenchmarkId::new(format!("{specimen:?}"), digits);
             group.bench_function(id, |bench| bench.iter(|| specimen.certify(digits)));
         }

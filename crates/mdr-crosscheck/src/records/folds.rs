@@ -45,7 +45,7 @@ impl Scene {
         let complete = proved.is_complete();
         let mut records = Vec::new();
         for (index, fold) in proved.folds.iter().enumerate() {
-            let values = self.certified(fold, load).map_err(wrong)?;
+            let values = self.certified(fold, load, DIGITS).map_err(wrong)?;
             let conditions = self.conditions(fold, load).map_err(wrong)?;
             let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
             RecordError::unless(self.name, "the fold", self.confirmed(&values, load, total))?;
@@ -114,9 +114,10 @@ impl Scene {
         ))
     }
 
-    fn certified(&self, fold: &Instability<Interval>, load: Load) -> Result<[Decimal; 3]> {
+    /// a, d and F, to so many digits.
+    pub(super) fn certified(&self, fold: &Instability<Interval>, load: Load, digits: u32) -> Result<[Decimal; 3]> {
         let quantities = [Quantity::ContactRadius, Quantity::Indentation, Quantity::Force];
-        certify(quantities, DIGITS, Precision::new(BITS), |precision| {
+        certify(quantities, digits, Precision::new(BITS), |precision| {
             let sharp = self.enclosed(precision.bits(), load, |curve| curve.sharpen(fold))?;
             Ok([sharp.contact_radius, sharp.indentation, sharp.force].map(Enclosure::from))
         })

@@ -2,7 +2,7 @@
 
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Quantity, Result, Transform};
-use mdr_core::number::certify::{Enclosure, certify};
+use mdr_core::number::certify::{Decimal, Enclosure, certify};
 use mdr_core::number::{Dual, Interval, Lift, Precision, Real};
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::Record;
@@ -51,12 +51,7 @@ impl Profile<'_> {
     pub(super) fn at(&self, x: &str) -> std::result::Result<Vec<Record>, RecordError> {
         let name = format!("{}/x={x}", self.shape.name());
         let wrong = |error| RecordError::of(&name, error);
-        let values = certify([Quantity::TransformedProfile; 3], DIGITS, Precision::new(BITS), |precision| {
-            let x = Interval::from_literal(precision, &literal(x));
-            let transform = self.closed(&self.numbers::<Interval>(precision))?;
-            Ok([transform.g(&x)?, transform.slope(&x)?, transform.integral(&x)?].map(Enclosure::from))
-        })
-        .map_err(wrong)?;
+        let values = self.certified(x, DIGITS).map_err(wrong)?;
         let conditions = self.conditions(x).map_err(wrong)?;
         let check = || {
             let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
@@ -88,6 +83,15 @@ impl Profile<'_> {
                 draft.record(Answered { quantity, unit, value, condition, scale: None })
             })
             .collect())
+    }
+
+    /// g, g' and G at x, to so many digits.
+    pub(super) fn certified(&self, x: &str, digits: u32) -> Result<[Decimal; 3]> {
+        certify([Quantity::TransformedProfile; 3], digits, Precision::new(BITS), |precision| {
+            let x = Interval::from_literal(precision, &literal(x));
+            let transform = self.closed(&self.numbers::<Interval>(precision))?;
+            Ok([transform.g(&x)?, transform.slope(&x)?, transform.integral(&x)?].map(Enclosure::from))
+        })
     }
 
     /// With respect to every parameter and x.

@@ -18,7 +18,8 @@ mod shapes;
 mod states;
 mod worst;
 
-use mdr_core::contact::Error;
+use mdr_analytic::certified::{Elasticity, Question};
+use mdr_core::contact::{Control, Error};
 use mdr_reference::Record;
 use rayon::prelude::*;
 use thiserror::Error as ThisError;
@@ -198,26 +199,47 @@ pub enum Specimen {
     Critical,
     /// Its stable equilibrium at 15/16 of the critical indentation.
     Equilibrium,
+    /// g, g' and ∫g of a paraboloid with waves, at a point.
+    Transform,
+    /// All folds of such a contact under fixed grips: three.
+    Folds,
 }
 
 impl Specimen {
+    /// All of them.
+    pub const ALL: [Specimen; 4] = [Specimen::Critical, Specimen::Equilibrium, Specimen::Transform, Specimen::Folds];
+
     /// Certifies it to so many digits.
     ///
     /// # Errors
     /// Where a digit cannot be decided.
     pub fn certify(self, digits: u32) -> Result<(), RecordError> {
+        self.answer(digits).map_err(|error| RecordError::of(&format!("{self:?}"), error))
+    }
+
+    fn answer(self, digits: u32) -> mdr_core::contact::Result<()> {
         let law = Power::new("sphere", ["2", "0.5", "1", "1"], &[]);
-        let name = law.name.clone();
-        let held = power::Held::Force;
-        let done = match self {
-            Specimen::Critical => law.question(&held.control())?.answer(digits).map(|_| ()),
+        let waves = shapes::named("figure-4");
+        match self {
+            Specimen::Critical => {
+                let [n, c, e_star, work] = law.texts().map(|text| draft::literal(text));
+                let elasticity = Elasticity::Effective(e_star);
+                Question::new(&n, &c, &elasticity, &work, &Control::Force)?.answer(digits)?;
+            }
             Specimen::Equilibrium => {
                 let target = equilibria::Target::Share("0.0625".to_owned());
-                let (held, side) = (power::Held::Indentation, equilibria::Side::Outer);
-                let equilibrium = equilibria::Equilibrium { law, held, target, side, label: name.clone() };
-                equilibrium.certified(digits).map(|_| ())
+                let (held, side, label) = (power::Held::Indentation, equilibria::Side::Outer, String::new());
+                equilibria::Equilibrium { law, held, target, side, label }.certified(digits)?;
             }
-        };
-        done.map_err(|error| RecordError::of(&name, error))
+            Specimen::Transform => {
+                waves.profile.certified("0.0645", digits)?;
+            }
+            Specimen::Folds => {
+                for fold in waves.proved(Load::Indentation)?.folds {
+                    waves.certified(&fold, Load::Indentation, digits)?;
+                }
+            }
+        }
+        Ok(())
     }
 }

@@ -142,7 +142,7 @@ pub(super) fn states() -> impl Iterator<Item = (Scene, &'static [&'static str])>
 }
 
 /// The scene of a name of the lists above.
-fn named(name: &str) -> Scene {
+pub(super) fn named(name: &str) -> Scene {
     SCENES.into_iter().find(|scene| scene.name == name).unwrap_or_else(|| unreachable!("{name}"))
 }
 
