@@ -168,6 +168,7 @@ fn noise_of_the_integrand_ends_the_refinement() {
     // Some fixed number in (−1, 1) for each x.
     let hash = |x: f64| (x.to_bits().wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 11) as f64 / 2f64.powi(52) - 1.0;
     let truth = 1f64.exp_m1();
+    let mut saved = 0;
     for exponent in 4..14 {
         let noise = 10f64.powi(-exponent);
         let noisy = |x: &f64| Ok(x.exp() * (1.0 + noise * hash(*x)));
@@ -180,10 +181,16 @@ fn noise_of_the_integrand_ends_the_refinement() {
             assert!((value - truth).abs() <= error && error <= 10.0 * noise * truth, "{noise:e}: {value} ± {error:e}");
             assert!(evaluations < 500, "{noise:e}: {evaluations} evaluations");
         }
+        let price = |tolerance| gauss_jacobi::integrate(&0.0, &0.0, tolerance, noisy).unwrap();
+        let goal = Tolerance::new(&(10.0 * noise));
+        let (known, unknown) = (price(goal.clone().with_noise(&noise)), price(goal));
+        assert!((known.value - truth).abs() <= known.error + noise * truth, "{noise:e}: {known:?}");
+        saved += unknown.evaluations - known.evaluations;
         if noise > 1e-12 {
             assert!(with(0.01 * noise).iter().all(Result::is_err), "{noise:e}");
         }
     }
+    assert!(saved > 100, "{saved}");
 }
 
 /// With √t a Gauss rule of twice the nodes leaves an eighth of the error: the changes are no noise, and at the finest rule the

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Error, Profile, Transform};
@@ -182,6 +183,43 @@ fn one_node_claims_nothing() {
     let exact = punch.g_estimate(&1.0).unwrap().value;
     let estimate = punch.with_rule(Rule::Gauss { nodes: 1 }).g_estimate(&1.0).unwrap();
     assert!((estimate.value - exact).abs() <= estimate.error, "{estimate:?} {exact}");
+}
+
+/// r² + A(1 − cos kr), k = 2π/λ, of which nothing is known but its heights; they are counted.
+struct Waves {
+    amplitude: f64,
+    wavelength: f64,
+    heights: AtomicUsize,
+}
+
+impl Profile<f64> for Waves {
+    fn height<S: Lift<f64>>(&self, r: &S) -> S {
+        self.heights.fetch_add(1, Ordering::Relaxed);
+        let half_phase = r.clone() / S::lift(&self.wavelength) * r.pi();
+        r.square() + (half_phase.sin().square() * S::lift(&self.amplitude)).times(2)
+    }
+}
+
+/// Up to five hundred waves have their transform, and each its price of some twenty heights, besides rules tried in vain.
+#[test]
+fn waves_cost_twenty_heights_each() {
+    for (amplitude, wavelength) in [(1e-6, 1e-3), (1e-7, 3e-4), (1e-3, 1e-2)] {
+        for waves in [70.0, 100.0, 150.0, 200.3, 300.0, 400.0, 500.0] {
+            let x = waves * wavelength;
+            let profile = Waves { amplitude, wavelength, heights: AtomicUsize::new(0) };
+            let transform = Quadrature::new(profile);
+            let estimate = transform.slope_estimate(&x).unwrap();
+            let spent = transform.profile().heights.load(Ordering::Relaxed) as f64;
+            assert!(spent <= 4000.0 + 20.0 * waves, "{waves} waves of {wavelength}: {spent} heights");
+            let smooth = Quadrature::new(WavyParaboloid::new(0.5, amplitude, wavelength).unwrap());
+            let other = smooth.with_rule(Rule::Gauss { nodes: 1000 }).slope(&x).unwrap();
+            // g' is 4x and waves that grow to Ak √(kx) or so; the phase kx has the rounding of r.
+            let phase = 2.0 * PI * waves;
+            let size = 4.0 * x + phase / x * amplitude * phase.sqrt();
+            let rounding = estimate.error + size * phase * f64::EPSILON;
+            assert!((estimate.value - other).abs() <= rounding, "{waves}: {estimate:?} {other}");
+        }
+    }
 }
 
 /// Waves of the opposite phase, a trough on the axis, take away what the others add.

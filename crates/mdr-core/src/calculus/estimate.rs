@@ -49,18 +49,26 @@ pub fn roundoff_tolerance<R: Real>(like: &R) -> R {
 pub struct Tolerance<R> {
     goal: R,
     limit: R,
+    noise: R,
 }
 
 impl<R: Real> Tolerance<R> {
     /// A goal that has to be met; one below the rounding level ([`roundoff_tolerance`]) is raised to it.
     pub fn new(goal: &R) -> Self {
         let goal = larger(goal.steer(), roundoff_tolerance(goal));
-        Tolerance { limit: goal.clone(), goal }
+        Tolerance { limit: goal.clone(), noise: goal.unit_roundoff().times(8), goal }
     }
 
     /// The same goal, or as near to it as the noise of the integrand lets, below this limit.
     pub fn or_noise_below(self, limit: R) -> Self {
         Tolerance { limit: larger(limit.steer(), self.goal.clone()), ..self }
+    }
+
+    /// The same for an integrand that is known to this relative `noise`, so that a change no larger than that is rounding.
+    /// Without it the changes of two more refinements have to be as small before they are believed. What the noise does to
+    /// the integral is not in the error.
+    pub fn with_noise(self, noise: &R) -> Self {
+        Tolerance { noise: larger(noise.steer(), self.noise), ..self }
     }
 }
 
@@ -118,11 +126,10 @@ impl<R: Real> Refinement<R> {
         let [.., v0, v1, v2, v3] = self.values.as_slice() else { return None };
         let change = |new: &R, old: &R| ((new.clone() - old).abs() / magnitude).steer();
         let (e1, e2, e3) = (change(v3, v2), change(v2, v1), change(v1, v0));
-        let noise = magnitude.unit_roundoff().times(8);
         let doubles = |new: &R, old: &R| new.square().times(64) <= old.clone() * old.square();
         let relative = if *magnitude == e1.lit(0) {
             magnitude.clone()
-        } else if e1 <= noise {
+        } else if e1 <= self.tolerance.noise {
             e1
         } else if doubles(&e1, &e2) && doubles(&e2, &e3) {
             larger(e1.clone() / &e2, e2 / &e3) * e1

@@ -43,13 +43,24 @@ impl Integrand {
         let total = |size: &dyn Fn(&R) -> R| radii.iter().fold(zero.clone(), |sum, r| sum + size(r).abs());
         let at = |integrand: Integrand, r: &R| integrand.at(profile, &r.lit(1), r);
         let height = total(&|r| at(Integrand::Height, r));
+        // D(1 + D)f = r d/dr (1 + D)f.
+        let bend = |r: &R| at(Integrand::Slope, r) * r;
         let condition = match self {
             Integrand::Height => {
                 total(&|r| at(Integrand::Transform, r))
                     / (total(&|r| at(Integrand::Height, &r.clone().over(2))) + height)
             }
-            // D(1 + D)f = r d/dr (1 + D)f.
-            _ => total(&|r| at(Integrand::Slope, r) * r) / (total(&|r| at(Integrand::Transform, r)) + height),
+            Integrand::Rise | Integrand::Transform => total(&bend) / (total(&|r| at(Integrand::Transform, r)) + height),
+            Integrand::Slope => {
+                // D of it is not at hand: half of the digits of a difference from below are enough.
+                let h = zero.unit_roundoff().sqrt();
+                let change = |r: &R| bend(r) - bend(&(r.clone() - r.clone() * &h));
+                let total_bend = total(&bend);
+                let terms = total(&|r| at(Integrand::Transform, r)) + height;
+                let smooth = total_bend.clone() / terms.clone();
+                let waves = total(&change) / h / (total_bend + terms);
+                if waves > smooth { waves } else { smooth }
+            }
         };
         if condition.is_finite() { condition * zero.unit_roundoff() } else { zero }
     }
