@@ -63,7 +63,7 @@ pub enum Decision {
 /// What shows that a statement holds, or that it does not.
 #[derive(Clone, Debug)]
 pub enum Witness {
-    /// The normal form of both sides.
+    /// The normal form of both sides; that of the left one, where cos²θ = 1 − sin²θ makes the other one equal to it.
     Both(Quotient),
     /// The difference of the two sides, which is not 0 or has a sign.
     Difference(Quotient),

@@ -36,7 +36,7 @@ proved when all coefficients of the difference have one sign on the whole domain
 many as are told, an equality to {AGREEMENT} bits or more; elsewhere the enclosure is too wide to tell. Nothing is claimed beyond \
 these points. Every octave of $`n`$ from $`2^{{{lowest}}}`$ to $`2^{{{highest}}}`$ has an equal chance (for $`n`$ > 1/2 every \
 octave of $`n - \\frac12`$; for $`n`$ &lt; 1/2 every octave of $`n`$ or of $`\\frac12 - n`$), and the symbols lie between 0.1 and \
-10. Used where an integral, a special function or a number occurs;
+10, an angle below π/2. Used where an integral, a special function or a number occurs;
 * **refuted**: the normal forms differ, and intervals show it at a point;
 * **cited**: taken from the literature.
 

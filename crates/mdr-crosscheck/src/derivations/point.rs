@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use mdr_core::number::{Interval, Precision, Real};
+use mdr_core::number::{Interval, Precision, Real, Special};
 use mdr_symbolic::formula::{Arithmetic, Function};
 use mdr_symbolic::{Domain, Formula, Symbol};
 use rand::rngs::Xoshiro256PlusPlus;
@@ -65,7 +65,8 @@ pub const OCTAVES: std::ops::RangeInclusive<i32> = -10..=9;
 /// Random points of a domain, without end. The same words give the same points.
 ///
 /// n is drawn with equal chance from each of the octaves between 2^-10 and 2^10, as are n − 1/2 for n > 1/2, and for n < 1/2,
-/// with equal chance, n itself or 1/2 − n between 2^-10 and 1/2. All symbols lie between 0.1 and 10.
+/// with equal chance, n itself or 1/2 − n between 2^-10 and 1/2. All symbols lie between 0.1 and 10, but
+/// for the angle θ < π/2, its sine and its cosine.
 #[derive(Debug)]
 pub struct Points {
     random: Xoshiro256PlusPlus,
@@ -103,6 +104,17 @@ impl Points {
     }
 }
 
+/// Makes θ an angle below π/2, and gives its sine and cosine.
+fn one_angle(values: &mut BTreeMap<Symbol, Rational>) -> BTreeMap<Symbol, Interval> {
+    let angle = Symbol::named("θ").and_then(|symbol| values.get_mut(&symbol));
+    // Symbols are below 10.
+    let angle = angle.map(|value| std::mem::take(value) * Rational::from((3, 20)));
+    let functions = angle.iter().map(Point::interval).flat_map(|angle| [("sinθ", angle.sin()), ("cosθ", angle.cos())]);
+    let enclosed = functions.filter_map(|(name, value)| Some((Symbol::named(name)?, value))).collect();
+    values.extend(Symbol::named("θ").zip(angle));
+    enclosed
+}
+
 impl Iterator for Points {
     type Item = Point;
 
@@ -116,7 +128,8 @@ impl Iterator for Points {
                 None => n = value,
             }
         }
-        Some(Point { n, values, enclosed: BTreeMap::new(), undefined: Cell::new(false) })
+        let enclosed = one_angle(&mut values);
+        Some(Point { n, values, enclosed, undefined: Cell::new(false) })
     }
 }
 

@@ -49,7 +49,7 @@ fn midpoint(integrand: &Formula, point: &Point, left: &Interval, width: &Interva
 
 /// The integrand at an angle.
 fn at<R: FromInterval>(integrand: &Formula, point: &Point, angle: R) -> Option<R> {
-    let arithmetic = AtAngle { point, sine: angle.sin(), cosine: angle.cos() };
+    let arithmetic = AtAngle { point, sine: angle.sin(), cosine: angle.cos(), angle };
     evaluate(integrand, Domain::Positive, &arithmetic).ok()
 }
 
@@ -73,6 +73,7 @@ impl<R: FromInterval> FromInterval for Dual<R> {
 /// A point and an angle.
 struct AtAngle<'a, R> {
     point: &'a Point,
+    angle: R,
     sine: R,
     cosine: R,
 }
@@ -91,6 +92,7 @@ impl<R: FromInterval> Arithmetic for AtAngle<'_, R> {
     }
     fn symbol(&self, symbol: Symbol) -> R {
         match symbol.name() {
+            "θ" => self.angle.clone(),
             "sinθ" => self.sine.clone(),
             "cosθ" => self.cosine.clone(),
             _ => R::from_interval(self.point.symbol(symbol)),

@@ -29,7 +29,7 @@ pub(super) const TRANSFORM: Entry = Entry {
         ),
         Step::proved(
             POSITIVE,
-            "n*sinθ^(n - 1)*(1 - sinθ^2) - sinθ^(n + 1) = n*sinθ^(n - 1) - (n + 1)*sinθ^(n + 1)",
+            "n*sinθ^(n - 1)*cosθ^2 - sinθ^(n + 1) = n*sinθ^(n - 1) - (n + 1)*sinθ^(n + 1)",
             "With cos²θ = 1 − sin²θ: the integrals of n sin^(n−1)θ and of (n+1) sin^(n+1)θ are equal. In general \
              g(x) = ∫ sinθ (f + r f') dθ, without a singularity at r = 0.",
         ),
