@@ -94,24 +94,39 @@ fn enclosure(value: &Rational) -> Interval {
 }
 
 /// The relative error of the closed form against the symbolic formula. Rounding the inputs to doubles and every step
-/// changes the result by a few units of 2⁻⁵³ times its condition; the powers 1/(2n−1) here are below 10.4, the condition
-/// of differences below 2⁷ at these points.
+/// changes the result by a few units of 2⁻⁵³ times its condition; the powers 1/(2n−1) of moderate exponents are at most 10,
+/// the condition of differences is below 2⁷ at these points.
 const DOUBLE_TOLERANCE: f64 = 4096.0 * f64::EPSILON;
+
+/// 1/16 ≤ n ≤ 6, and |2n − 1| ≥ 1/10 or n = 1/2.
+fn is_moderate(n: &Rational) -> bool {
+    let excess: Rational = Rational::from(n * 2_u32) - 1_u32;
+    let excess = excess.abs();
+    *n >= Rational::from((1, 16)) && *n <= 6 && (excess.is_zero() || excess >= Rational::from((1, 10)))
+}
 
 #[test]
 fn closed_forms_are_what_the_derivations_say() {
     for Tie { formula, domains, interval, double } in ties() {
         let symbolic: Formula = formula.parse().unwrap();
         for domain in domains {
-            for point in Points::new(formula, *domain, &[]).take(12) {
+            let mut moderate = 0;
+            for point in Points::new(formula, *domain, &[]).take(24) {
                 let expected = evaluate(&symbolic, *domain, &point).unwrap();
                 let found = interval(&At { point: point.clone(), number: enclosure }).unwrap();
                 assert!(found.overlaps(&expected), "{formula} for {}: {found} and {expected}", domain.text());
-                assert!(expected.accuracy_bits() > 70 && found.accuracy_bits() > 70, "{formula}: {found} {expected}");
+                let bits = expected.accuracy_bits().min(found.accuracy_bits());
+                assert!(bits > 40, "{formula}: {found} {expected}");
+                if !is_moderate(point.exponent()) {
+                    continue;
+                }
+                moderate += 1;
+                assert!(bits > 70, "{formula}: {found} {expected}");
                 let nearest = double(&At { point, number: Rational::to_f64 }).unwrap();
                 let error = (nearest / expected.approx() - 1.0).abs();
                 assert!(error < DOUBLE_TOLERANCE, "{formula} for {}: {nearest} and {expected}", domain.text());
             }
+            assert!(moderate >= 2, "{formula} for {}", domain.text());
         }
     }
 }
@@ -148,7 +163,7 @@ fn the_series_of_the_derivation_is_the_kappa_of_the_library() {
         let ends_with = |statement: &str| statement.ends_with(&format!("= {stated}"));
         assert!(entry.steps.iter().any(|step| step.statement.is_some_and(ends_with)), "{stated} is not in the entry");
     }
-    for point in Points::new("series", Domain::Positive, &[]).take(12) {
+    for point in Points::new("series", Domain::Positive, &[]).filter(|point| is_moderate(point.exponent())).take(12) {
         let one = enclosure(&Rational::from(1));
         let sum = |sign: i64| {
             let (mut sum, mut product) = (one.lit(0), one.clone());
@@ -158,7 +173,7 @@ fn the_series_of_the_derivation_is_the_kappa_of_the_library() {
                 sum += &(value(weight) * &product);
                 product *= &value(ratio).times(sign);
             }
-            // n is below 6, so that 40 turns are enough for the bound 2 of what is left.
+            // n is at most 6, so that 40 turns are enough for the bound 2 of what is left.
             sum.inflate(&product.times(2))
         };
         let kappa = mdr_analytic::kappa_enclosure(one.ctx(), point.exponent());

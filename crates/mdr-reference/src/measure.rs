@@ -17,7 +17,7 @@ impl Record {
         sizes.map(|value| value.log10().abs()).fold(0.0, f64::max)
     }
 
-    /// The relative distance |q/q* − 1| of the controlled quantity q of a question about equilibria to its critical value
+    /// The relative distance |q/q* − 1| of the controlled quantity q of a question about equilibria of a power law to its critical value
     /// q*, 0 at the fold itself; none for other questions. q* is the certified value of the critical state of the same
     /// contact, itself a record.
     ///

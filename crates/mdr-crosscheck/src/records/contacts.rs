@@ -10,11 +10,11 @@ use mdr_numeric::proof::{EnclosedBranches, ProvedFolds};
 use mdr_reference::Record;
 
 use super::RecordError;
+use super::condition::{Named, largest, push};
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
 use super::folds::{BITS, STATE, Scene};
 use super::load::Load;
-use super::power::Named;
 
 /// What is asked about the equilibria of a scene.
 #[derive(Clone, Copy, Debug)]
@@ -48,8 +48,11 @@ impl Contacts {
         let mut records = Vec::new();
         for found in self.certified(&proved).map_err(wrong)? {
             let conditions = self.conditions(&proved, &found).map_err(wrong)?;
-            let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
-            RecordError::unless(self.scene.name, "the equilibrium", self.confirmed(&proved, &found.values, total))?;
+            RecordError::unless(
+                self.scene.name,
+                "the equilibrium",
+                self.confirmed(&proved, &found.values, largest(&conditions)),
+            )?;
             let draft = self.draft(&found);
             for (((quantity, unit), value), condition) in STATE.into_iter().zip(found.values).zip(conditions) {
                 if quantity != self.load.name() {
@@ -62,19 +65,19 @@ impl Contacts {
 
     fn draft(&self, found: &Found) -> Draft {
         let (name, symbol) = (self.scene.case(self.load), self.load.symbol());
-        let (id, formula, input) = match self.at {
+        let (id, formula, inputs) = match self.at {
             At::Value(value) => {
-                let id = format!("equilibria/{name}/{symbol}={value}/state-{}", found.index + 1);
-                (id, "equilibria", (symbol, value.to_owned()))
+                let state = (found.index + 1).to_string();
+                let id = format!("equilibria/{name}/{symbol}={value}/state-{state}");
+                (id, "equilibria", vec![(symbol, value.to_owned()), ("state", state)])
             }
-            At::Fold(fold) => (format!("landing/{name}/fold-{fold}"), "landing", ("fold", fold.to_string())),
+            At::Fold(fold) => (format!("landing/{name}/fold-{fold}"), "landing", vec![("fold", fold.to_string())]),
         };
-        let inputs = self.scene.inputs(self.load).map(|(name, text)| (name, text.to_owned()));
         Draft {
             id,
             profile: self.scene.profile.shape.name(),
             formula,
-            inputs: inputs.chain([input]).collect(),
+            inputs: self.scene.given(self.load).chain(inputs).collect(),
             control: Some(self.load.name()),
             methods: ["interval-isolation", "quadrature-direction/mp"],
             proof: vec!["1.5", "1.6"],
@@ -145,9 +148,7 @@ impl Contacts {
                 let (d, f) = curve.state(&radius)?;
                 Ok([radius, d, f])
             })?;
-            for (list, moved) in conditions.iter_mut().zip(state) {
-                list.push((name.to_owned(), (moved.slope / moved.value).approx().abs()));
-            }
+            push(&mut conditions, name, state);
         }
         Ok(conditions)
     }

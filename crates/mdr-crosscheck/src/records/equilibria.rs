@@ -13,9 +13,10 @@ use mdr_reference::{Record, Status};
 use rug::Float;
 
 use super::RecordError;
+use super::condition::{Named, input, largest, push};
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
-use super::power::{Held, NAMES, Named, Power};
+use super::power::{Held, NAMES, Power};
 
 /// Bits for conditions.
 const BITS: u32 = 256;
@@ -71,8 +72,7 @@ impl Equilibrium {
         let wrong = |error| RecordError::of(&self.label, error);
         let values = self.certified(DIGITS).map_err(wrong)?;
         let conditions = self.conditions().map_err(wrong)?;
-        let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
-        RecordError::unless(&self.label, "the equilibrium", self.confirmed(&values, total))?;
+        RecordError::unless(&self.label, "the equilibrium", self.confirmed(&values, largest(&conditions)))?;
         let draft = self.draft().map_err(wrong)?;
         let quantities = [("contact_radius", "m"), self.conjugate()];
         let records = quantities.into_iter().zip(values).zip(conditions);
@@ -281,15 +281,12 @@ impl Equilibrium {
         let mut conditions: [Named; 2] = Default::default();
         for (index, name) in NAMES.into_iter().chain([last]).enumerate() {
             let contact = self.law.moving::<Interval>(ctx, index)?;
-            let value = Interval::from_literal(ctx, &literal(self.input()));
-            let moves = if index == NAMES.len() { value.clone() } else { value.lit(0) };
-            let target = self.target_with(&contact, Dual { value, slope: moves })?;
+            let value = input(ctx, &literal(self.input()), index == NAMES.len());
+            let target = self.target_with(&contact, value)?;
             let residual = self.controlled(&contact, &Dual::constant(a.clone()))? - target;
             let radius = Dual { value: a.clone(), slope: -residual.slope / &slope };
             let other = self.other(&contact, &radius)?;
-            for (list, moved) in conditions.iter_mut().zip([radius, other]) {
-                list.push((name.to_owned(), (moved.slope / moved.value).approx().abs()));
-            }
+            push(&mut conditions, name, [radius, other]);
         }
         Ok(conditions)
     }

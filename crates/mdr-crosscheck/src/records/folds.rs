@@ -11,11 +11,11 @@ use mdr_reference::Record;
 use rug::Float;
 
 use super::RecordError;
+use super::condition::{Named, input, largest, push};
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
 use super::library::Profile;
 use super::load::Load;
-use super::power::Named;
 use crate::library::Height;
 
 /// A profile of the library on a material, and the range of radii in which its folds are sought.
@@ -47,8 +47,7 @@ impl Scene {
         for (index, fold) in proved.folds.iter().enumerate() {
             let values = self.certified(fold, load, DIGITS).map_err(wrong)?;
             let conditions = self.conditions(fold, load).map_err(wrong)?;
-            let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
-            RecordError::unless(self.name, "the fold", self.confirmed(&values, load, total))?;
+            RecordError::unless(self.name, "the fold", self.confirmed(&values, load, largest(&conditions)))?;
             let draft = self.draft(index, fold, complete, load);
             for (((quantity, unit), value), condition) in STATE.into_iter().zip(values).zip(conditions) {
                 records.push(draft.record(Answered { quantity, unit, value, condition, scale: None }));
@@ -68,7 +67,7 @@ impl Scene {
             id: format!("fold/{}/fold-{}", self.case(load), index + 1),
             profile: self.profile.shape.name(),
             formula: "folds",
-            inputs: self.inputs(load).map(|(name, text)| (name, text.to_owned())).collect(),
+            inputs: self.given(load).chain([("fold", (index + 1).to_string())]).collect(),
             control: Some(load.name()),
             methods: ["interval-isolation", "quadrature-tangency/mp"],
             flags: [fold.kind.name()].into_iter().chain(complete.then_some("all-folds-proved")).collect(),
@@ -76,6 +75,11 @@ impl Scene {
             refs: vec!["Popov (1.5)", "Popov (1.6)", "Popov (1.10)"],
             ..Draft::default()
         }
+    }
+
+    /// The same as they are written into records.
+    pub(super) fn given(&self, load: Load) -> impl Iterator<Item = (&'static str, String)> {
+        self.inputs(load).map(|(name, text)| (name, text.to_owned()))
     }
 
     /// The name, with the stiffness of the machine, for identifiers.
@@ -139,9 +143,7 @@ impl Scene {
                 let (d, f) = curve.state(&radius)?;
                 Ok((radius, [d, f]))
             })?;
-            for (list, moved) in conditions.iter_mut().zip([radius, d, f]) {
-                list.push((name.to_owned(), (moved.slope / moved.value).approx().abs()));
-            }
+            push(&mut conditions, name, [radius, d, f]);
         }
         Ok(conditions)
     }
@@ -156,11 +158,7 @@ impl Scene {
     ) -> Result<T> {
         let transform = self.profile.closed(&self.profile.moving(ctx, moving))?;
         let count = self.profile.parameters.len();
-        let seeded = |text: &str, index: usize| {
-            let value = Interval::from_literal(ctx, &literal(text));
-            let slope = if index == moving { value.clone() } else { value.lit(0) };
-            Dual { value, slope }
-        };
+        let seeded = |text: &str, index: usize| input(ctx, &literal(text), index == moving);
         let material = Material::new(seeded(self.e_star, count), seeded(self.work, count + 1))?;
         let control = load.moving(ctx, moving == count + 2);
         f(&Curve::new(transform.as_ref(), &material, &control))

@@ -9,9 +9,9 @@ use mdr_reference::Record;
 use rug::Float;
 
 use super::RecordError;
+use super::condition::{Named, input, largest, push};
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
-use super::power::Named;
 use crate::library::{Height, Shape, closed_form};
 
 /// Bits for conditions.
@@ -28,18 +28,15 @@ pub(super) struct Profile<'a> {
 const QUANTITIES: [(&str, &str); 3] = [("g", "m"), ("slope", "1"), ("integral", "m^2")];
 
 impl Profile<'_> {
-    /// The parameters in an arithmetic; input number `moving` with a slope of its own size.
+    /// The parameters in an arithmetic.
     pub(super) fn numbers<R: Real>(&self, ctx: R::Ctx) -> Vec<R> {
         self.parameters.iter().map(|(_, text)| R::from_literal(ctx, &literal(text))).collect()
     }
 
     /// The parameters with a derivative with respect to the logarithm of one of them.
     pub(super) fn moving(&self, ctx: Precision, moving: usize) -> Vec<Dual<Interval>> {
-        let seed = |(index, value): (usize, Interval)| {
-            let slope = if index == moving { value.clone() } else { value.lit(0) };
-            Dual { value, slope }
-        };
-        self.numbers::<Interval>(ctx).into_iter().enumerate().map(seed).collect()
+        let texts = self.parameters.iter().enumerate();
+        texts.map(|(index, (_, text))| input(ctx, &literal(text), index == moving)).collect()
     }
 
     /// The closed form.
@@ -54,8 +51,7 @@ impl Profile<'_> {
         let values = self.certified(x, DIGITS).map_err(wrong)?;
         let conditions = self.conditions(x).map_err(wrong)?;
         let check = || {
-            let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
-            let ctx = confirm::precision(total);
+            let ctx = confirm::precision(largest(&conditions));
             let x = Float::from_literal(ctx, &literal(x));
             let transform = Quadrature::new(Height { shape: self.shape, parameters: self.numbers::<Float>(ctx) });
             let found = [transform.g(&x)?, transform.slope(&x)?, transform.integral(&x)?];
@@ -101,13 +97,9 @@ impl Profile<'_> {
         let names = self.parameters.iter().map(|(name, _)| *name).chain(["x"]);
         for (index, name) in names.enumerate() {
             let transform = self.closed(&self.moving(ctx, index))?;
-            let value = Interval::from_literal(ctx, &literal(x));
-            let slope = if index == self.parameters.len() { value.clone() } else { value.lit(0) };
-            let x = Dual { value, slope };
+            let x = input(ctx, &literal(x), index == self.parameters.len());
             let found = [transform.g(&x)?, transform.slope(&x)?, transform.integral(&x)?];
-            for (list, moved) in conditions.iter_mut().zip(found) {
-                list.push((name.to_owned(), (moved.slope / moved.value).approx().abs()));
-            }
+            push(&mut conditions, name, found);
         }
         Ok(conditions)
     }

@@ -3,6 +3,7 @@
 use mdr_core::contact::Control;
 use mdr_core::number::{Dual, Real};
 
+use super::condition::input;
 use super::draft::literal;
 
 /// Fixed grips, a dead load, or a machine of a stiffness in N/m.
@@ -49,13 +50,10 @@ impl Load {
 
     /// The same; if the stiffness `moves`, with a derivative with respect to its logarithm.
     pub(super) fn moving<R: Real>(self, ctx: R::Ctx, moves: bool) -> Control<Dual<R>> {
-        match self.control::<R>(ctx) {
-            Control::Indentation => Control::Indentation,
-            Control::Force => Control::Force,
-            Control::Machine { stiffness: value } => {
-                let slope = if moves { value.clone() } else { value.lit(0) };
-                Control::Machine { stiffness: Dual { value, slope } }
-            }
+        match self {
+            Load::Indentation => Control::Indentation,
+            Load::Force => Control::Force,
+            Load::Machine(stiffness) => Control::Machine { stiffness: input(ctx, &literal(stiffness), moves) },
         }
     }
 }

@@ -3,17 +3,18 @@
 use mdr_analytic::{Contact, Kappa, threshold};
 use mdr_core::contact::{Control, Quantity, Result};
 use mdr_core::number::certify::{Decimal, Enclosure, certify};
-use mdr_core::number::{Dual, Interval, Precision, Real};
+use mdr_core::number::{Interval, Precision, Real};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_reference::Record;
 use rug::Float;
 
 use super::RecordError;
+use super::condition::{Named, input, largest, push, relative};
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
 use super::folds::STATE;
-use super::power::{Held, NAMES, Named, Power};
+use super::power::{Held, NAMES, Power};
 
 /// Bits for conditions.
 const BITS: u32 = 192;
@@ -27,16 +28,20 @@ pub(super) fn folds(law: &Power, stiffness: &str) -> std::result::Result<Vec<Rec
     let mut records = Vec::new();
     for (index, (fold, conditions)) in answer.folds.into_iter().zip(conditions).enumerate() {
         let values = [fold.contact_radius, fold.indentation, fold.force];
-        let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
-        let ctx = confirm::precision(total);
+        let ctx = confirm::precision(largest(&conditions));
         let control = Control::Machine { stiffness: Float::from_literal(ctx, &k) };
-        confirm::fold(law, &control, &values, total)?;
+        confirm::fold(law, &control, &values, largest(&conditions))?;
         let draft = law.draft("machine");
         let draft = Draft {
             id: format!("{}/k={stiffness}/fold-{}", draft.id, index + 1),
             formula: "machine-folds",
             control: Some("machine"),
-            inputs: draft.inputs.iter().cloned().chain([("k", stiffness.to_owned())]).collect(),
+            inputs: draft
+                .inputs
+                .iter()
+                .cloned()
+                .chain([("k", stiffness.to_owned()), ("fold", (index + 1).to_string())])
+                .collect(),
             methods: ["closed-form/interval", "quadrature-tangency/mp"],
             proof: if law.n == "0.5" { vec!["machine-half"] } else { vec!["critical-machine", "machine-folds"] },
             refs: vec!["Popov (1.5)", "Popov (1.6)", "tangency g' = Delta l' (k+6E*a)/(k+2E*a)"],
@@ -55,16 +60,13 @@ fn machine_conditions(law: &Power, stiffness: &str) -> Result<Vec<[Named; 3]>> {
     let mut conditions: Vec<[Named; 3]> = Vec::new();
     for (index, name) in NAMES.into_iter().chain(["k"]).enumerate() {
         let contact = law.moving::<Float>(ctx, index)?;
-        let value = Float::from_literal(ctx, &literal(stiffness));
-        let slope = if index == NAMES.len() { value.clone() } else { value.lit(0) };
-        for (position, fold) in contact.machine_folds(&Dual { value, slope })?.into_iter().enumerate() {
+        let stiffness = input(ctx, &literal(stiffness), index == NAMES.len());
+        for (position, fold) in contact.machine_folds(&stiffness)?.into_iter().enumerate() {
             if conditions.len() == position {
                 conditions.push(Default::default());
             }
             let state = [fold.contact_radius, fold.indentation, fold.force];
-            for (list, moved) in conditions[position].iter_mut().zip(state) {
-                list.push((name.to_owned(), (moved.slope / moved.value).approx().abs()));
-            }
+            push(&mut conditions[position], name, state);
         }
     }
     Ok(conditions)
@@ -119,7 +121,7 @@ fn threshold_conditions(law: &Power, held: Held) -> Result<[Named; 2]> {
         let contact = law.moving::<Float>(Precision::new(BITS), index)?;
         let value = threshold(contact.material(), &held.control())?;
         let ratio = contact.profile().coefficient().clone() / &value;
-        let [value, ratio] = [value, ratio].map(|moved| (moved.slope / moved.value).approx().abs());
+        let [value, ratio] = [value, ratio].map(relative);
         // The threshold is one of C, and does not depend on it.
         if name != "C" {
             conditions[0].push((name.to_owned(), value));
@@ -187,7 +189,7 @@ pub(super) fn jump(law: &Power, jump: Jump) -> std::result::Result<Record, Recor
     let condition = || {
         let condition = |(index, name): (usize, &'static str)| {
             let energy = jump.energy(&law.moving::<Interval>(Precision::new(BITS), index)?)?;
-            Ok((name.to_owned(), (energy.slope / energy.value).approx().abs()))
+            Ok((name.to_owned(), relative(energy)))
         };
         NAMES.into_iter().enumerate().map(condition).collect::<Result<Named>>()
     };

@@ -3,6 +3,7 @@
 //! Every value is enclosed to fifty digits by a rigorous method and confirmed by a second one that shares no formula with
 //! the first. [`generate`] gives the files of the release, bit for bit the same on every machine.
 
+mod condition;
 mod confirm;
 mod contacts;
 mod draft;

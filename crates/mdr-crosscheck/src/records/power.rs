@@ -9,6 +9,7 @@ use mdr_reference::Record;
 use rug::Float;
 
 use super::RecordError;
+use super::condition::{Named, input, largest};
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
 
@@ -64,10 +65,8 @@ impl Power {
     pub(super) fn moving<R: Kappa>(&self, ctx: R::Ctx, moving: usize) -> Result<Contact<Dual<R>>> {
         let mut index = 0;
         assemble(self.texts().map(|text| {
-            let value = R::from_literal(ctx, &literal(text));
-            let slope = if index == moving { value.clone() } else { value.lit(0) };
             index += 1;
-            Dual { value, slope }
+            input(ctx, &literal(text), index == moving + 1)
         }))
     }
 
@@ -84,8 +83,7 @@ impl Power {
         let state = answer.critical.ok_or_else(|| RecordError::missing(&self.name, "critical state"))?;
         let values = [state.contact_radius, state.indentation, state.force];
         let (conditions, scale) = self.critical_conditions(held, &values).map_err(wrong)?;
-        let total = conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b));
-        confirm::fold(self, &held.control(), &values, total)?;
+        confirm::fold(self, &held.control(), &values, largest(&conditions))?;
         let draft = Draft {
             formula: "critical",
             control: Some(held.name()),
@@ -156,9 +154,6 @@ impl Power {
 fn assemble<R: Kappa>([n, c, e_star, work]: [R; 4]) -> Result<Contact<R>> {
     Ok(Contact::new(PowerLaw::new(n, c)?, Material::new(e_star, work)?))
 }
-
-/// Conditions by the names of the inputs.
-pub(super) type Named = Vec<(String, f64)>;
 
 /// Fixed grips or a dead load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,14 +10,12 @@ use mdr_reference::Record;
 use rug::Float;
 
 use super::RecordError;
+use super::condition::{Named, input, push};
 use super::confirm;
 use super::draft::{Answered, DIGITS, Draft, literal};
-use super::folds::{BITS, Scene};
+use super::folds::{BITS, STATE, Scene};
 use super::load::Load;
-use super::power::Named;
 use crate::library::Height;
-
-const STATE: [(&str, &str); 2] = [("indentation", "m"), ("force", "N")];
 
 impl Scene {
     /// d and F of the equilibrium with the contact radius `a`. The surfaces may not overlap outside of it: that is looked for
@@ -35,12 +33,11 @@ impl Scene {
         let conditions = self.state_conditions(a).map_err(wrong)?;
         RecordError::unless(self.name, "the state", self.is_on_curve(a, &values))?;
         RecordError::unless(self.name, "the gap", self.is_open(a))?;
-        let inputs = self.inputs(FREE).map(|(name, text)| (name, text.to_owned()));
         let draft = Draft {
             id: format!("state/{}/a={a}", self.name),
             profile: self.profile.shape.name(),
             formula: "state",
-            inputs: inputs.chain([("a", a.to_owned())]).collect(),
+            inputs: self.given(FREE).chain([("a", a.to_owned())]).collect(),
             methods: ["closed-form/interval", "quadrature/mp"],
             proof: vec!["1.5", "1.6"],
             refs: vec!["Popov (1.5)", "Popov (1.6)"],
@@ -55,9 +52,7 @@ impl Scene {
         let last = names.len() - 1;
         conditions(&names, |moving| {
             self.moving(ctx, moving, FREE, |curve| {
-                let value = Interval::from_literal(ctx, &literal(a));
-                let slope = if moving == last { value.clone() } else { value.lit(0) };
-                let (d, f) = curve.state(&Dual { value, slope })?;
+                let (d, f) = curve.state(&input(ctx, &literal(a), moving == last))?;
                 Ok([d, f])
             })
         })
@@ -126,13 +121,9 @@ impl Punch {
     }
 
     fn moving(&self, moving: usize) -> Result<[Dual<Interval>; 2]> {
-        let mut index = 0;
-        let [b, e_star, work] = self.texts().map(|text| {
-            let value = Interval::from_literal(Precision::new(BITS), &literal(text));
-            let slope = if index == moving { value.clone() } else { value.lit(0) };
-            index += 1;
-            Dual { value, slope }
-        });
+        let texts = self.texts();
+        let [b, e_star, work] =
+            [0, 1, 2].map(|index| input(Precision::new(BITS), &literal(texts[index]), index == moving));
         let state = flat_punch_pull_off(&b, &Material::new(e_star, work)?)?;
         Ok([state.indentation, state.force])
     }
@@ -155,15 +146,13 @@ impl Punch {
 fn conditions(names: &[&str], state: impl Fn(usize) -> Result<[Dual<Interval>; 2]>) -> Result<[Named; 2]> {
     let mut conditions: [Named; 2] = Default::default();
     for (index, name) in names.iter().enumerate() {
-        for (list, moved) in conditions.iter_mut().zip(state(index)?) {
-            list.push(((*name).to_owned(), (moved.slope / moved.value).approx().abs()));
-        }
+        push(&mut conditions, name, state(index)?);
     }
     Ok(conditions)
 }
 
 fn answered(draft: &Draft, values: [Decimal; 2], conditions: [Named; 2]) -> Vec<Record> {
-    let records = STATE.into_iter().zip(values).zip(conditions);
+    let records = STATE[1..].iter().zip(values).zip(conditions);
     records
         .map(|(((quantity, unit), value), condition)| {
             draft.record(Answered { quantity, unit, value, condition, scale: None })
