@@ -118,7 +118,7 @@ impl RationalFunction {
     /// The integer power.
     ///
     /// # Errors
-    /// [`Error::DivisionByZero`]; [`Error::TooLarge`] when it would take more than [`LARGEST_POWER`] bits.
+    /// [`Error::DivisionByZero`]; [`Error::TooLarge`] when it would take more than 2¹⁶ bits.
     pub fn power(&self, exponent: i32) -> Result<Self> {
         let base = if exponent < 0 { self.inverse()? } else { self.clone() };
         let natural = exponent.unsigned_abs();
