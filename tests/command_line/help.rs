@@ -54,6 +54,19 @@ fn each_command_has_flags_examples_and_exit_statuses() {
     }
 }
 
+/// No line after the examples is broken on a terminal of 98 columns, or in a pipe, for which there are 100.
+#[test]
+fn lines_of_the_help_are_not_broken() {
+    for command in ["verify", "critical", "solve", "report", "figures", "reference", "judge", "derive"] {
+        let [wide, narrow] = ["110", "98"].map(|columns| {
+            let help = mdr(&format!("{command} --help")).env("COLUMNS", columns).assert().code(0);
+            let help = String::from_utf8(help.get_output().stdout.clone()).unwrap();
+            help.split_once("Examples:").unwrap().1.to_owned()
+        });
+        assert_eq!(narrow, wide, "{command}");
+    }
+}
+
 /// Every example of the help pages runs as it stands.
 #[test]
 fn the_examples_of_critical_work() {

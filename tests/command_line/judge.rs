@@ -160,9 +160,44 @@ fn a_picture_of_known_errors() {
 }
 
 #[test]
-fn without_an_answer_there_is_nothing_to_draw() {
-    let result = mdr(&format!("judge - --plot {}", file("judged-none.svg").display())).stdin("\n").assert().code(2);
-    assert!(result.get_output().stderr.starts_with(b"error: --plot: there is nothing to draw"));
+fn without_an_answer_there_is_a_report_and_no_picture() {
+    let svg = file("judged-none.svg");
+    for (answers, filter, said) in [
+        ("bad\n", "", "line 1: malformed"),
+        (RIGHT, "--filter profile=cone", "1 answer to another record set aside"),
+        ("", "", "not passed: no question was answered"),
+    ] {
+        let result = mdr(&format!("judge - --plot {} {filter}", svg.display())).stdin(answers).assert().code(1);
+        let [report, note] =
+            [&result.get_output().stdout, &result.get_output().stderr].map(|b| String::from_utf8_lossy(b));
+        assert!(report.contains(said), "{report}");
+        assert_eq!(note, "note: --plot: no picture, since there is no answer to draw\n");
+        assert!(!svg.exists());
+    }
+}
+
+/// A zero has no sign, and a range with equal ends is one number.
+#[test]
+fn no_right_digit_is_zero_digits() {
+    let zero = r#"{"id":"critical/jkr-unit/force/force","value":0}"#;
+    let (_, table) = judged(zero, "");
+    assert!(table.contains(" 0.0 ") && !table.contains("-0.0") && !table.contains("0.0 to"), "{table}");
+    let (_, json) = judged(zero, "--format json");
+    assert!(json.contains("\"lre\":[0.000,0.000]"), "{json}");
+}
+
+/// The reason names the term, cut and escaped, and names it once.
+#[test]
+fn a_refused_filter_is_named_once() {
+    let long = format!("profile={}\u{1b}", "x".repeat(200));
+    for filter in ["profile=sfere", "sfere", &long] {
+        for command in ["judge -", "reference"] {
+            let result = mdr(command).args(["--filter", filter]).stdin("").assert().code(2);
+            let error = String::from_utf8_lossy(&result.get_output().stderr);
+            assert!(!error.contains(", got ") || error.matches("sfere").count() == 1, "{error}");
+            assert!(!error.contains('\u{1b}') && !error.contains(&"x".repeat(100)), "{error}");
+        }
+    }
 }
 
 /// The data of a picture do not replace a file of the user; those of the same picture they do.

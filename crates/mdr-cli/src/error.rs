@@ -16,7 +16,7 @@ pub(crate) enum Failure {
         flag: &'static str,
         /// What is wrong.
         why: String,
-        /// As it was typed; `None` when the flag is missing.
+        /// As it was typed; `None` when the flag is missing or the reason names the value.
         got: Option<String>,
     },
     /// The question has no certified or representable answer.
@@ -45,6 +45,11 @@ impl Failure {
     /// A flag whose value is refused.
     pub(crate) fn flag(flag: &'static str, why: impl fmt::Display, got: &str) -> Self {
         Failure::Flag { flag, why: why.to_string(), got: Some(got.to_owned()) }
+    }
+
+    /// A flag whose value is refused for a reason that names it.
+    pub(crate) fn refused(flag: &'static str, why: impl fmt::Display) -> Self {
+        Failure::Flag { flag, why: why.to_string(), got: None }
     }
 
     /// A flag that is needed and was not given.

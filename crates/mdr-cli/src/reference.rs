@@ -26,11 +26,14 @@ Examples:
     mdr reference --export records.jsonl
     mdr reference --filter status=ok --export records.csv
 
-A filter has terms key=value, key!=value or key~part, separated by blanks or commas; all must hold. Keys: id, profile,
-formula, quantity, unit, control (none where there is none), status, difficulty (lower, average, higher), flag.
-Every number is certified to 50 digits and confirmed by a second method; docs/reference/README.md describes the fields.
+A filter has terms key=value, key!=value or key~part, separated by blanks or commas; all must
+hold. Keys: id, profile, formula, quantity, unit, control (none where there is none), status,
+difficulty (lower, average, higher), flag.
+Every number is certified to 50 digits and confirmed by a second method; docs/reference/README.md
+describes the fields.
 Answers go to `mdr judge`.
-Exit status: 0 listed, 1 with --generate, a digit was not certain; 2 bad input, or a filter that chooses nothing.";
+Exit status: 0 listed, 1 with --generate, a digit was not certain; 2 bad input, or a filter that
+chooses nothing.";
 
 /// List or export certified reference values, for the tests of other programs.
 #[derive(Debug, Args)]
@@ -59,7 +62,7 @@ impl Reference {
         if let Some(folder) = &self.generate {
             return generate(folder, out);
         }
-        let filter: Filter = self.filter.parse().map_err(|error| Failure::flag("--filter", error, &self.filter))?;
+        let filter: Filter = self.filter.parse().map_err(|error| Failure::refused("--filter", error))?;
         let chosen: Vec<_> = filter.select().collect();
         match &self.export {
             Some(file) => export(file, &chosen, out)?,

@@ -31,9 +31,10 @@ Examples:
     mdr verify --full --shard 2/4 --format json > 2.jsonl    # and so on
     mdr verify --merge 1.jsonl 2.jsonl 3.jsonl 4.jsonl
 
-A run is a pure function of level, digits, seed and shard. The allowed errors are derived from error bounds and
-condition numbers, never from what was found.
-JSON: schema mdr.verify/1, one line a check and one a failing case; the lines of shards concatenate.
+A run is a pure function of level, digits, seed and shard. The allowed errors are derived from
+error bounds and condition numbers, never from what was found.
+JSON: schema mdr.verify/1, one line a check and one a failing case; the lines of shards
+concatenate.
 Exit status: 0 all checks hold, 1 a check failed, 2 bad input.";
 
 /// Verify the theory: closed forms against an independent numerical computation, over a grid of cases.

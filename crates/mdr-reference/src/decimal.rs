@@ -35,7 +35,7 @@ pub enum DecimalError {
     NotFinite,
     /// A decimal exponent beyond ±10¹⁷.
     TooLarge,
-    /// A hexadecimal number with a binary exponent beyond ±100 000.
+    /// A hexadecimal number with a binary exponent beyond ±17 000.
     BinaryTooLarge,
 }
 
@@ -45,7 +45,7 @@ impl fmt::Display for DecimalError {
             DecimalError::NotANumber => "not a number: expected a decimal such as 0.25 or 1e-9, or 0x1.8p-3",
             DecimalError::NotFinite => "not finite",
             DecimalError::TooLarge => "a decimal exponent beyond ±10^17",
-            DecimalError::BinaryTooLarge => "a binary exponent beyond ±100000: write the number with decimal digits",
+            DecimalError::BinaryTooLarge => "a binary exponent beyond ±17000: write the number with decimal digits",
         })
     }
 }

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
-use mdr_reference::{Answer, Claim, Limits, Mark, Record, Status, Verdict, judge, mark, record, records};
+use mdr_reference::{Answer, Claim, Decimal, Limits, Mark, Record, Status, Verdict, judge, mark, record, records};
 
 const NUMBER: &str = "critical/jkr-unit/force/force";
 const OVERFLOW: &str = "critical/half+2^-13/force/contact_radius";
@@ -89,6 +89,14 @@ fn underflow() {
         assert_eq!(verdict(left.with_error(f64::MIN_POSITIVE).unwrap()), Right, "{}", record.id);
         let zero = Answer::from(0.0).with_status(Status::Underflow);
         assert_eq!(verdict(zero.clone()), Right, "{}", record.id);
+        for shortest in [format!("{:e}", record.nearest()), format!("{:.15e}", record.nearest())] {
+            let shortest: Decimal = shortest.parse().unwrap();
+            assert_eq!(verdict(Answer::from(shortest).with_status(Status::Underflow)), Right, "{}", record.id);
+        }
+        for beyond in [1e-300, 1e300] {
+            let claim = mark(record, &zero.clone().with_error(beyond).unwrap(), &Limits::default());
+            assert_eq!((claim.verdict, claim.claim), (Inaccurate, Claim::Overstated), "{}", record.id);
+        }
         let exact = mark(record, &zero.with_error(0.0).unwrap(), &Limits::default());
         assert_eq!((exact.verdict, exact.claim), (Wrong, Claim::TooSmall), "{}", record.id);
         assert_eq!(verdict(Status::Underflow.into()), Right, "{}", record.id);
@@ -98,6 +106,18 @@ fn underflow() {
         let silent = mark(record, &0.0.into(), &Limits::default());
         assert_eq!(silent.verdict, Wrong, "{}", record.id);
         assert!(silent.reason.ends_with("mark it underflow"), "{}", silent.reason);
+    }
+}
+
+/// The smallest double counts as itself, in hexadecimal and in as few decimals as a program prints.
+#[test]
+fn a_subnormal_double_in_any_notation() {
+    for value in ["\"0x1p-1074\"", "5e-324", "4.940656458412466e-324", "4.9406564584124654e-324"] {
+        let mark = answered(
+            "critical/cusp-1e-100/indentation/contact_radius",
+            &format!("\"status\":\"underflow\",\"value\":{value}"),
+        );
+        assert_eq!(mark.verdict, Right, "{value}: {}", mark.reason);
     }
 }
 

@@ -34,8 +34,10 @@ proved    by equal normal forms in an exact algebra over Q(n)
 enclosed  in rigorous intervals at 30 random rational points with n from 2^-10 to 2^10
 refuted   by normal forms and at a point
 cited     from the literature
-What is proved or enclosed is also mutated, one sign, exponent or factor at a time: no mutant may hold.
-Exit status: 0 every step is what it claims to be, 1 a step is not or a mutant survives, 2 bad input.";
+
+What is proved or enclosed is also mutated, one sign, exponent or factor at a time: no mutant may
+hold.
+Exit status: 0 every step is what it claims to be, 1 one is not or a mutant survives, 2 bad input.";
 
 /// The derivation of every equation, each step with its verdict: proved, enclosed, refuted or cited.
 ///

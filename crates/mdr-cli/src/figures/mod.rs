@@ -28,8 +28,9 @@ Examples:
   The caption of each figure, with the computed numbers:
     mdr figures --format json
 
-Each figure is an SVG file of black lines on white, with its caption inside, and beside it a CSV file of the curves, states
-and arrows in it. The same files come out of every run. Arithmetic: f64.
+Each figure is an SVG file of black lines on white, with its caption inside, and beside it a CSV
+file of the curves, states and arrows in it. The same files come out of every run. Arithmetic:
+f64.
 JSON: schema mdr.figures/1, one line a figure.
 Exit status: 0 all files are written, 2 bad input or a file that cannot be written.";
 

@@ -3,12 +3,12 @@
 mod plot;
 
 use std::fs::File;
-use std::io::{self, BufReader};
+use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use comfy_table::ColumnConstraint;
-use mdr_reference::{Class, Filter, Judge as Bench, Judged, Limits, Range, Report, Rules, Verdict};
+use mdr_reference::{Class, Filter, Judge as Bench, Judged, Limits, Report, Rules, Verdict};
 
 use crate::error::{Failure, Result};
 use crate::flags::Flag;
@@ -32,21 +32,25 @@ Examples:
   Where they lose digits: near a fold, at the scale of SI units, or where the condition says so:
     mdr judge answers.jsonl --plot judged.svg
 
-An answer is a line {\"id\": \"critical/jkr-unit/force/force\", \"value\": \"-4.712\", \"error\": \"0.001\"}: the value as a
-number or a text, decimal or hexadecimal; the absolute error that it claims not to exceed, if it claims one; and where
-there is no number, \"status\": no-equilibrium, overflow, underflow, domain-error or not-admissible. NaN and infinities are
-read as C and others print them. A line that is no answer, an unknown id, and a second answer to a question are not judged.
+An answer is a line {\"id\": \"critical/jkr-unit/force/force\", \"value\": \"-4.712\", \"error\": \"0.001\"}:
+the value as a number or a text, decimal or hexadecimal; the absolute error that it claims not to
+exceed, if it claims one; and where there is no number, \"status\": no-equilibrium, overflow,
+underflow, domain-error or not-admissible. NaN and infinities are read as C and others print them.
+A line that is no answer, an unknown id, and a second answer to a question are not judged.
 
-right        within the claimed error; without a claim, as good as the question allows in double precision; or the status
-inaccurate   without a claim, more digits lost than the question costs (see --excess); an overstated claim; or the status
-             fold without its number
+right        within the claimed error; without a claim, as good as the question allows in double
+             precision; or the status
+inaccurate   without a claim, more digits lost than the question costs (see --excess); an
+             overstated claim; or the status fold without its number
 wrong        further off than it claims, no digit right, NaN, or not the kind of answer there is
 digits       log relative error -log10(|value - certified|/|certified|), an interval
-excess loss  log10(relative error/(u max(1, condition))), u = 2^-53: about 0 or below, the question is to blame for the
-             error; far above 0, the algorithm
-JSON: schema mdr.judge/1, one line an answer, worst first, then one for each refused line, then a summary.
-Exit status: 0 passed; 1 an answer is wrong, or inaccurate (but for --accept-inaccurate), a line was not judged (but for
---lenient), a question has no answer (with --complete), or there is no answer at all; 2 bad input.";
+excess loss  log10(relative error/(u max(1, condition))), u = 2^-53: about 0 or below, the
+             question is to blame for the error; far above 0, the algorithm
+JSON: schema mdr.judge/1, one line an answer, worst first, then one for each refused line, then
+a summary.
+Exit status: 0 passed; 1 an answer is wrong, or inaccurate (but for --accept-inaccurate), a line
+was not judged (but for --lenient), a question has no answer (with --complete), or there is no
+answer at all; 2 bad input.";
 
 /// Mark the answers of another program: right digits, broken claims, and what is the algorithm's fault.
 #[derive(Debug, Args)]
@@ -89,6 +93,9 @@ pub(crate) struct Judge {
     format: Format,
 }
 
+/// In place of a picture.
+const NOTHING_TO_DRAW: &str = "no picture, since there is no answer to draw";
+
 /// Answers shown in the table.
 const SHOWN: usize = 20;
 
@@ -97,7 +104,7 @@ impl Judge {
     pub(crate) fn run(&self, out: &mut Output<impl io::Write>) -> Result<bool> {
         self.plot.as_deref().map_or(Ok(()), file::check)?;
         let rules = self.rules()?;
-        let filter: Filter = self.filter.parse().map_err(|error| Failure::flag("--filter", error, &self.filter))?;
+        let filter: Filter = self.filter.parse().map_err(|error| Failure::refused("--filter", error))?;
         let mut bench = Bench::new(filter.select(), rules);
         let name = self.answers.display().to_string();
         let read = if self.answers == Path::new("-") {
@@ -107,12 +114,6 @@ impl Judge {
         };
         read.map_err(|error| Failure::file(&name, error))?;
         let report = bench.report();
-        if let Some(to) = &self.plot {
-            if report.answered() == 0 {
-                return Err(Failure::flag("--plot", "there is nothing to draw without an answer", &name));
-            }
-            file::write(&plot::picture(&report, &rules.limits), to)?;
-        }
         match self.format {
             Format::Json => out.text(report.to_json_lines())?,
             Format::Csv => {
@@ -121,6 +122,12 @@ impl Judge {
                 out.csv(&header, &rows[1..])?;
             }
             Format::Table => out.text(self.for_reader(&report))?,
+        }
+        match &self.plot {
+            // A closed standard error changes nothing.
+            Some(_) if report.answered() == 0 => drop(writeln!(io::stderr(), "note: --plot: {NOTHING_TO_DRAW}")),
+            Some(to) => file::write(&plot::picture(&report, &rules.limits), to)?,
+            None => {}
         }
         Ok(report.passed())
     }
@@ -162,8 +169,8 @@ fn answers(judged: &[Judged<'_>]) -> String {
         table.add_row([
             cell(&record.id, Tone::Plain),
             cell(line, Tone::Faint),
-            cell(mark.lre.map(shown).unwrap_or_default(), Tone::Plain),
-            cell(mark.excess_loss.map(shown).unwrap_or_default(), Tone::Plain),
+            cell(mark.lre.map(|range| range.to_string()).unwrap_or_default(), Tone::Plain),
+            cell(mark.excess_loss.map(|range| range.to_string()).unwrap_or_default(), Tone::Plain),
             cell(size(record.total_condition()), Tone::Faint),
             cell(mark.claim.name(), Tone::Plain),
             cell(record.difficulty, Tone::Faint),
@@ -181,20 +188,4 @@ fn classes(report: &Report<'_>) -> String {
         table.add_row(class.cells().map(|text| cell(text, Tone::Plain)));
     }
     render(&table)
-}
-
-/// One number where both ends are the same to a tenth; `> x` where there is no upper end.
-fn shown(range: Range) -> String {
-    let (low, high) = (tenths(range.low), tenths(range.high));
-    match (range.low.is_finite(), range.high.is_finite()) {
-        (true, true) if low == high => low,
-        (true, false) => format!("> {low}"),
-        (false, true) => format!("< {high}"),
-        (false, false) => "exact".to_owned(),
-        _ => format!("{low} to {high}"),
-    }
-}
-
-fn tenths(x: f64) -> String {
-    if x.is_finite() { format!("{x:.1}") } else { "exact".to_owned() }
 }

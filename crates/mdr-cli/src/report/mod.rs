@@ -39,20 +39,23 @@ Examples:
   Two tasks alone:
     mdr report --only kappa,fold
 
-  Whether digits or evaluations got worse since the last time; nothing is timed and nothing is written:
+  Whether digits or evaluations got worse since the last time; nothing is timed or written:
     mdr report --check docs/report/baseline.jsonl
 
   The baseline of that, anew, after a change that is meant:
     mdr report --renew docs/report/baseline.jsonl
 
-README.md shows every task with a picture and the time to so many digits; each task has a page of its own with all diagrams,
-tables, failures and what was left out. A diagram is an SVG file of black lines on white and a CSV file of its points;
-report.json has all of them, but for the stability ladders, which have CSV files. Files are written task by task: a report that
-is interrupted leaves what is done and says so, and --only leaves other tasks as they are. Other projects' methods are stopped
-where one answer takes longer than 4 s, or all answers of a task 30 s. Errors are those of the answers against an enclosure of the
-truth in which no contestant had a part. Times are medians of repeated runs and belong to the machine that the page names.
+README.md shows every task with a picture and the time to so many digits; each task has a page of
+its own with all diagrams, tables, failures and what was left out. A diagram is an SVG file of
+black lines on white and a CSV file of its points; report.json has all of them, but for the
+stability ladders, which have CSV files. Files are written task by task: a report that is
+interrupted leaves what is done and says so, and --only leaves other tasks as they are. Other
+projects' methods are stopped where one answer takes longer than 4 s, or all answers of a task
+30 s. Errors are those of the answers against an enclosure of the truth in which no contestant had
+a part. Times are medians of repeated runs and belong to the machine that the page names.
 JSON: schema mdr.report/2, one line a diagram.
-Exit status: 0 all files are written and nothing got worse, 1 something got worse, 2 bad input or a file that cannot be written.";
+Exit status: 0 all files are written and nothing got worse, 1 something got worse, 2 bad input or
+a file that cannot be written.";
 
 /// Report error against run time: every method on the same questions, as diagrams, tables and data.
 ///

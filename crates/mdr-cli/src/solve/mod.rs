@@ -55,8 +55,9 @@ Examples:
   With a picture of the branches, the path and its jumps, and the data of the picture as CSV:
     mdr solve examples/scenes/figure-4.toml --plot figure-4.svg
 
-A scene is a TOML file with the tables [material], [profile], [control] and [output]; examples/scenes has one for every
-kind of profile and control. Numbers are exact as written, as text or not: 0.3, \"1e-9\", \"1/3\".
+A scene is a TOML file with the tables [material], [profile], [control] and [output];
+examples/scenes has one for every kind of profile and control. Numbers are exact as written, as
+text or not: 0.3, \"1e-9\", \"1/3\".
 Every output names its promise: certified (each digit proved), mp (two precisions agree), or f64.
 JSON: schema mdr.solve/1, one key for each output that is wanted.
 Exit status: 0 answered, 2 bad input.";

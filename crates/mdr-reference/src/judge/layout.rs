@@ -146,8 +146,44 @@ impl Report<'_> {
 
 /// `[first,second]`, with null for what is not finite.
 fn pair(pair: Option<(f64, f64)>) -> String {
-    let end = |x: f64| if x.is_finite() { format!("{x:.3}") } else { "null".to_owned() };
+    let end = |x: f64| if x.is_finite() { fixed(x, 3) } else { "null".to_owned() };
     pair.map_or("null".to_owned(), |(first, second)| format!("[{},{}]", end(first), end(second)))
+}
+
+/// Rounded to so many decimals; a zero has no sign.
+fn fixed(x: f64, decimals: usize) -> String {
+    let text = format!("{x:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.bytes().all(|byte| byte == b'0' || byte == b'.') => zero.to_owned(),
+        _ => text,
+    }
+}
+
+/// To a tenth; without an end the answer may be exact.
+fn tenths(x: f64) -> String {
+    if x.is_finite() { fixed(x, 1) } else { "exact".to_owned() }
+}
+
+/// To a tenth: one number where both ends are the same, `> x` where there is no upper end, `< x` where there is no lower
+/// one, `exact` where there is neither.
+///
+/// ```
+/// use mdr_reference::Range;
+/// assert_eq!(Range { low: 3.52, high: 3.68 }.to_string(), "3.5 to 3.7");
+/// assert_eq!(Range { low: -1e-12, high: 1e-12 }.to_string(), "0.0");
+/// assert_eq!(Range { low: 49.7, high: f64::INFINITY }.to_string(), "> 49.7");
+/// ```
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (low, high) = (tenths(self.low), tenths(self.high));
+        match (self.low.is_finite(), self.high.is_finite()) {
+            (true, true) if low == high => f.pad(&low),
+            (true, true) => f.pad(&format!("{low} to {high}")),
+            (true, false) => f.pad(&format!("> {low}")),
+            (false, true) => f.pad(&format!("< {high}")),
+            (false, false) => f.pad("exact"),
+        }
+    }
 }
 
 impl Class {
@@ -157,7 +193,6 @@ impl Class {
 
     /// The class as a row of a table: right digits at least, and digits lost at most, to a tenth.
     pub fn cells(&self) -> [String; 9] {
-        let tenths = |x: f64| if x.is_finite() { format!("{x:.1}") } else { "exact".to_owned() };
         let pair = |pair: Option<(f64, f64)>| pair.map_or(Default::default(), |(a, b)| [a, b].map(tenths));
         let ([least, digits], [loss, largest]): ([String; 2], [String; 2]) =
             (pair(self.digits), pair(self.excess_loss));

@@ -148,7 +148,9 @@ pub fn mark(record: &Record, answer: &Answer, limits: &Limits) -> Mark {
     let judgement = match (Given::of(answer), Asked::of(record)) {
         (Given::Nothing, _) => without_value(marked, record.status),
         (Given::Number(value), Asked::Number(mid) | Asked::Overflow(mid)) => compared(value, &mid),
-        (Given::Number(value), Asked::Underflow(mid)) => below_range(value, &mid, marked, compared(value, &mid)),
+        (Given::Number(value), Asked::Underflow(mid)) => {
+            below_range(value, &mid, marked, answer.error.as_ref(), compared(value, &mid))
+        }
         (Given::Number(_), Asked::Nothing) => wrong(format!("a number where there is none: {}", record.status)),
         (Given::Infinity(negative), Asked::Overflow(mid)) => beyond_range(negative, &mid, answer.error.is_some()),
         (Given::Infinity(_), Asked::Number(mid) | Asked::Underflow(mid)) => instead_of("an infinity", &mid),
@@ -241,11 +243,15 @@ fn beyond_range(negative: bool, mid: &Decimal, claims: bool) -> Mark {
 const REMEDY: &str = "; mark it underflow";
 
 /// A number for one below the smallest normal double: what double precision leaves of it, 0 or a subnormal double not
-/// further than one spacing, is right if it is marked; in silence it is judged by its digits, of which 0 has none.
-fn below_range(value: &Decimal, mid: &Decimal, marked: bool, compared: Mark) -> Mark {
-    let is_left = value.is_zero() || (value - mid).abs() <= Decimal::from_double(f64::from_bits(1));
+/// further than one spacing, is right if it is marked, with a claim up to the smallest normal double; in silence it is
+/// judged by its digits, of which 0 has none. Of the shortest decimal of a subnormal double (`5e-324`) that double counts.
+fn below_range(value: &Decimal, mid: &Decimal, marked: bool, claim: Option<&Decimal>, compared: Mark) -> Mark {
+    let double = Decimal::from_double(value.nearest());
+    let is_left = value.is_zero() || (&double - mid).abs() <= Decimal::from_double(f64::from_bits(1));
+    let beyond_subnormal = claim.is_some_and(|claim| *claim > Decimal::from_double(f64::MIN_POSITIVE));
     match (is_left, marked, compared.claim) {
         (false, ..) | (true, true, Claim::TooSmall) => compared,
+        (true, true, Claim::Overstated) if beyond_subnormal => compared,
         (true, true, Claim::None) => Mark::of(Verdict::Right, ""),
         (true, true, Claim::Holds | Claim::Overstated) => Mark { claim: Claim::Holds, ..Mark::of(Verdict::Right, "") },
         (true, false, Claim::None) if value.is_zero() => {
