@@ -110,10 +110,10 @@ impl Decimal {
         if digits.is_empty() { Decimal::default() } else { Decimal { negative, digits, exponent } }
     }
 
-    /// The exact value of a double; zero for what is not finite.
-    pub fn from_double(value: f64) -> Self {
+    /// The exact value of a double; none for what is not finite.
+    pub fn from_double(value: f64) -> Option<Self> {
         // 767 digits are the most a double has.
-        format!("{value:.800e}").parse().unwrap_or_default()
+        format!("{value:.800e}").parse().ok()
     }
 
     /// Whether this is zero.
@@ -284,7 +284,7 @@ mod tests {
         fn doubles_come_back(bits in any::<u64>()) {
             let value = f64::from_bits(bits);
             prop_assume!(value.is_finite());
-            let exact = Decimal::from_double(value);
+            let exact = Decimal::from_double(value).unwrap();
             prop_assert_eq!(exact.nearest(), value);
             prop_assert_eq!(decimal(&exact.to_string()), exact.clone());
             prop_assert!((exact.log10() - value.abs().log10()).abs() < 1e-12 || value.abs() < f64::MIN_POSITIVE);
@@ -298,6 +298,11 @@ mod tests {
         }
         assert_eq!("-Infinity".parse::<Decimal>(), Err(DecimalError::NotFinite));
         assert_eq!("1e100000000000000001".parse::<Decimal>(), Err(DecimalError::TooLarge));
+    }
+
+    #[test]
+    fn what_is_not_finite_is_no_decimal() {
+        assert_eq!([f64::NAN, f64::INFINITY, -f64::INFINITY].map(Decimal::from_double), [None, None, None]);
     }
 
     #[test]

@@ -33,10 +33,10 @@ impl Number {
 
 impl From<f64> for Number {
     fn from(value: f64) -> Self {
-        match value {
-            value if value.is_nan() => Number::Nan,
-            value if value.is_infinite() => Number::Infinite { negative: value < 0.0 },
-            value => Number::Finite(Decimal::from_double(value)),
+        match Decimal::from_double(value) {
+            Some(decimal) => Number::Finite(decimal),
+            None if value.is_nan() => Number::Nan,
+            None => Number::Infinite { negative: value < 0.0 },
         }
     }
 }

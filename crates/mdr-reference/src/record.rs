@@ -150,6 +150,11 @@ impl Record {
         self.value.as_ref().and_then(|value| value.mid.parse().ok())
     }
 
+    /// How far the number may be from [`Record::decimal`].
+    pub(crate) fn radius(&self) -> Option<Decimal> {
+        self.value.as_ref().and_then(|value| value.rad.parse().ok())
+    }
+
     /// The nearest double; ±∞ or ±0 where the number is out of range, NaN where there is none.
     pub fn nearest(&self) -> f64 {
         self.decimal().map_or(f64::NAN, |value| value.nearest())
@@ -161,7 +166,7 @@ impl Record {
     pub fn pair(&self) -> (f64, f64) {
         let Some(value) = self.decimal() else { return (f64::NAN, 0.0) };
         let high = value.nearest();
-        let rest = if high.is_finite() { (&value - &Decimal::from_double(high)).nearest() } else { 0.0 };
+        let rest = Decimal::from_double(high).map_or(0.0, |high| (&value - &high).nearest());
         (high, rest)
     }
 

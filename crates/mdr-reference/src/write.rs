@@ -1,5 +1,8 @@
 //! Records to JSON Lines and CSV, and back from JSON Lines.
 
+use std::borrow::Cow;
+
+use crate::decimal::Decimal;
 use crate::json::{Json, quoted, read};
 use crate::record::{Certified, Method, Record};
 
@@ -14,42 +17,7 @@ impl Record {
 
     /// All fields but the hash, and no closing bracket.
     fn body(&self) -> String {
-        let or_null = |text: Option<String>| text.unwrap_or_else(|| "null".to_owned());
-        let text = |text: Option<&str>| or_null(text.map(quoted));
-        let value = self.value.as_ref();
-        let texts = |list: &[String]| list.iter().map(|text| quoted(text)).collect::<Vec<_>>().join(",");
-        let pairs = |list: Vec<(&String, String)>| {
-            list.iter().map(|(key, value)| format!("{}:{value}", quoted(key))).collect::<Vec<_>>().join(",")
-        };
-        let methods: Vec<_> = self
-            .methods
-            .iter()
-            .map(|Method { name, rigorous }| format!("{{\"name\":{},\"rigorous\":{rigorous}}}", quoted(name)))
-            .collect();
-        let fields = [
-            ("id", quoted(&self.id)),
-            ("release", self.release.to_string()),
-            ("profile", quoted(&self.profile)),
-            ("formula", quoted(&self.formula)),
-            ("inputs", format!("{{{}}}", pairs(self.inputs.iter().map(|(k, v)| (k, quoted(v))).collect()))),
-            ("quantity", quoted(&self.quantity)),
-            ("unit", quoted(&self.unit)),
-            ("control", text(self.control.as_deref())),
-            ("status", quoted(self.status.name())),
-            ("mid", text(value.map(|value| value.mid.as_str()))),
-            ("rad", text(value.map(|value| value.rad.as_str()))),
-            ("digits", or_null(value.map(|value| value.digits.to_string()))),
-            ("log10", or_null(self.log10.map(|log10| log10.to_string()))),
-            ("f64", text(self.hexadecimal().as_deref())),
-            ("scale", text(self.scale.as_deref())),
-            ("condition", format!("{{{}}}", pairs(self.condition.iter().map(|(k, v)| (k, v.to_string())).collect()))),
-            ("difficulty", quoted(self.difficulty.name())),
-            ("methods", format!("[{}]", methods.join(","))),
-            ("proof", format!("[{}]", texts(&self.proof))),
-            ("flags", format!("[{}]", texts(&self.flags))),
-            ("refs", format!("[{}]", texts(&self.refs))),
-        ];
-        let fields: Vec<_> = fields.iter().map(|(key, value)| format!("\"{key}\":{value}")).collect();
+        let fields = FIELDS.map(|(name, field)| format!("\"{name}\":{}", field(self).json()));
         format!("{{{}", fields.join(","))
     }
 
@@ -62,24 +30,30 @@ impl Record {
         let fields = Fields(&json);
         let value = match fields.optional("mid")? {
             None => None,
-            Some(mid) => Some(Certified { mid, rad: fields.text("rad")?, digits: fields.parsed("digits")? }),
+            Some(mid) => Some(Certified {
+                mid: decimal(mid, "mid")?,
+                rad: decimal(fields.text("rad")?, "rad")?,
+                digits: fields.parsed("digits")?,
+            }),
         };
         let condition = fields.entries("condition")?.into_iter();
         let condition = condition.map(|(key, value)| Ok((key, number(&value, "condition")?)));
+        let inputs = fields.entries("inputs")?.into_iter();
+        let inputs = inputs.map(|(name, text)| decimal(text, &name).map(|text| (name, text)));
         let log10 = fields.optional("log10")?;
         let record = Record {
             id: fields.text("id")?,
             release: fields.parsed("release")?,
             profile: fields.text("profile")?,
             formula: fields.text("formula")?,
-            inputs: fields.entries("inputs")?,
+            inputs: inputs.collect::<Result<_, String>>()?,
             quantity: fields.text("quantity")?,
             unit: fields.text("unit")?,
             control: fields.optional("control")?,
             status: fields.text("status")?.parse()?,
             value,
             log10: log10.map(|text| number(&text, "log10")).transpose()?,
-            scale: fields.optional("scale")?,
+            scale: fields.optional("scale")?.map(|text| decimal(text, "scale")).transpose()?,
             condition: condition.collect::<Result<_, String>>()?,
             difficulty: fields.text("difficulty")?.parse()?,
             methods: fields.methods()?,
@@ -95,62 +69,110 @@ impl Record {
     }
 
     /// The header of [`Record::to_csv`]: the fields of a line of JSON, in their order.
-    pub const CSV_HEADER: [&str; 22] = [
-        "id",
-        "release",
-        "profile",
-        "formula",
-        "inputs",
-        "quantity",
-        "unit",
-        "control",
-        "status",
-        "mid",
-        "rad",
-        "digits",
-        "log10",
-        "f64",
-        "scale",
-        "condition",
-        "difficulty",
-        "methods",
-        "proof",
-        "flags",
-        "refs",
-        "hash",
-    ];
+    pub const CSV_HEADER: [&str; 22] = {
+        let (mut names, mut i) = (["hash"; 22], 0);
+        while i < FIELDS.len() {
+            names[i] = FIELDS[i].0;
+            i += 1;
+        }
+        names
+    };
 
     /// The record as the fields of a row, lists separated by blanks; of the methods the first is rigorous. The hash is that of
     /// the line of JSON.
     pub fn to_csv(&self) -> [String; 22] {
-        let value = self.value.as_ref();
-        let inputs: Vec<_> = self.inputs.iter().map(|(key, value)| format!("{key}={value}")).collect();
-        let condition: Vec<_> = self.condition.iter().map(|(key, value)| format!("{key}={value}")).collect();
-        let methods: Vec<_> = self.methods.iter().map(|method| method.name.as_str()).collect();
-        [
-            self.id.clone(),
-            self.release.to_string(),
-            self.profile.clone(),
-            self.formula.clone(),
-            inputs.join(" "),
-            self.quantity.clone(),
-            self.unit.clone(),
-            self.control.clone().unwrap_or_default(),
-            self.status.to_string(),
-            value.map(|value| value.mid.clone()).unwrap_or_default(),
-            value.map(|value| value.rad.clone()).unwrap_or_default(),
-            value.map(|value| value.digits.to_string()).unwrap_or_default(),
-            self.log10.map(|log10| log10.to_string()).unwrap_or_default(),
-            self.hexadecimal().unwrap_or_default(),
-            self.scale.clone().unwrap_or_default(),
-            condition.join(" "),
-            self.difficulty.to_string(),
-            methods.join(" "),
-            self.proof.join(" "),
-            self.flags.join(" "),
-            self.refs.join("; "),
-            format!("{:016x}", fnv(self.body().as_bytes())),
-        ]
+        let hash = format!("{:016x}", fnv(self.body().as_bytes()));
+        let mut cells = FIELDS.iter().map(|(_, field)| field(self).cell()).chain([hash]);
+        std::array::from_fn(|_| cells.next().unwrap_or_default())
+    }
+}
+
+/// What stands in a field.
+enum Field<'a> {
+    Null,
+    Text(Cow<'a, str>),
+    /// A number, as it is written.
+    Number(String),
+    Pairs(Vec<(&'a str, Field<'a>)>),
+    /// With what separates them in a cell.
+    List(&'static str, &'a [String]),
+    Methods(&'a [Method]),
+}
+
+/// Takes a field from a record.
+type Take = for<'a> fn(&'a Record) -> Field<'a>;
+
+/// All fields but the hash, in their order.
+const FIELDS: [(&str, Take); 21] = [
+    ("id", |record| Field::text(&record.id)),
+    ("release", |record| Field::Number(record.release.to_string())),
+    ("profile", |record| Field::text(&record.profile)),
+    ("formula", |record| Field::text(&record.formula)),
+    ("inputs", |record| Field::Pairs(record.inputs.iter().map(|(name, text)| (&**name, Field::text(text))).collect())),
+    ("quantity", |record| Field::text(&record.quantity)),
+    ("unit", |record| Field::text(&record.unit)),
+    ("control", |record| Field::optional(record.control.as_deref())),
+    ("status", |record| Field::text(record.status.name())),
+    ("mid", |record| Field::optional(record.value.as_ref().map(|value| &*value.mid))),
+    ("rad", |record| Field::optional(record.value.as_ref().map(|value| &*value.rad))),
+    ("digits", |record| Field::number(record.value.as_ref().map(|value| value.digits))),
+    ("log10", |record| Field::number(record.log10)),
+    ("f64", |record| record.hexadecimal().map_or(Field::Null, |text| Field::Text(text.into()))),
+    ("scale", |record| Field::optional(record.scale.as_deref())),
+    ("condition", |record| {
+        Field::Pairs(record.condition.iter().map(|(name, size)| (&**name, Field::Number(size.to_string()))).collect())
+    }),
+    ("difficulty", |record| Field::text(record.difficulty.name())),
+    ("methods", |record| Field::Methods(&record.methods)),
+    ("proof", |record| Field::List(" ", &record.proof)),
+    ("flags", |record| Field::List(" ", &record.flags)),
+    ("refs", |record| Field::List("; ", &record.refs)),
+];
+
+impl<'a> Field<'a> {
+    fn text(text: &'a str) -> Self {
+        Field::Text(text.into())
+    }
+
+    fn optional(text: Option<&'a str>) -> Self {
+        text.map_or(Field::Null, Field::text)
+    }
+
+    fn number(number: Option<impl ToString>) -> Self {
+        number.map_or(Field::Null, |number| Field::Number(number.to_string()))
+    }
+
+    fn json(&self) -> String {
+        let list = |items: Vec<String>| format!("[{}]", items.join(","));
+        match self {
+            Field::Null => "null".to_owned(),
+            Field::Text(text) => quoted(text),
+            Field::Number(number) => number.clone(),
+            Field::Pairs(pairs) => {
+                let pairs = pairs.iter().map(|(name, value)| format!("{}:{}", quoted(name), value.json()));
+                format!("{{{}}}", pairs.collect::<Vec<_>>().join(","))
+            }
+            Field::List(_, texts) => list(texts.iter().map(|text| quoted(text)).collect()),
+            Field::Methods(methods) => {
+                let json =
+                    |Method { name, rigorous }: &_| format!("{{\"name\":{},\"rigorous\":{rigorous}}}", quoted(name));
+                list(methods.iter().map(json).collect())
+            }
+        }
+    }
+
+    fn cell(&self) -> String {
+        match self {
+            Field::Null => String::new(),
+            Field::Text(text) => text.to_string(),
+            Field::Number(number) => number.clone(),
+            Field::Pairs(pairs) => {
+                let pairs = pairs.iter().map(|(name, value)| format!("{name}={}", value.cell()));
+                pairs.collect::<Vec<_>>().join(" ")
+            }
+            Field::List(separator, texts) => texts.join(separator),
+            Field::Methods(methods) => methods.iter().map(|method| &*method.name).collect::<Vec<_>>().join(" "),
+        }
     }
 }
 
@@ -179,7 +201,7 @@ impl Fields<'_, '_> {
 
     fn entries(&self, key: &str) -> Result<Vec<(String, String)>, String> {
         let Json::Object(entries) = self.get(key)? else { return Err(format!("{key} is no object")) };
-        let entry = |(name, value): &(std::borrow::Cow<'_, str>, Json<'_>)| {
+        let entry = |(name, value): &(Cow<'_, str>, Json<'_>)| {
             value.as_text().map(|text| (name.to_string(), text.to_owned())).ok_or_else(|| format!("{key} has no texts"))
         };
         entries.iter().map(entry).collect()
@@ -207,7 +229,13 @@ impl Fields<'_, '_> {
 }
 
 fn number(text: &str, key: &str) -> Result<f64, String> {
-    text.parse().map_err(|_| format!("{key} is no number"))
+    text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| format!("{key} is no number"))
+}
+
+/// The text of a number, as it is.
+fn decimal(text: String, key: &str) -> Result<String, String> {
+    text.parse::<Decimal>().map_err(|error| format!("{key} is {error}"))?;
+    Ok(text)
 }
 
 /// FNV-1a (Fowler, Noll & Vo), 64 bits.

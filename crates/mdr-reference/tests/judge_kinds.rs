@@ -100,6 +100,8 @@ fn underflow() {
         let exact = mark(record, &zero.with_error(0.0).unwrap(), &Limits::default());
         assert_eq!((exact.verdict, exact.claim), (Wrong, Claim::TooSmall), "{}", record.id);
         assert_eq!(verdict(Status::Underflow.into()), Right, "{}", record.id);
+        let huge: Decimal = "1e400".parse().unwrap();
+        assert_eq!(verdict(Answer::from(huge).with_status(Status::Underflow)), Wrong, "{}", record.id);
         for nonsense in [42.0, f64::NAN, f64::INFINITY] {
             assert_eq!(verdict(Answer::from(nonsense).with_status(Status::Underflow)), Wrong, "{}", record.id);
         }
@@ -146,6 +148,15 @@ fn no_number() {
     ] {
         assert_eq!(answered(NOTHING, fields).reason, reason);
     }
+}
+
+/// A record of somebody's own whose radius is no number proves nothing.
+#[test]
+fn a_record_without_a_radius() {
+    let mut own = record(NUMBER).unwrap().clone();
+    own.value.as_mut().unwrap().rad = "x".to_owned();
+    let mark = mark(&own, &own.nearest().into(), &Limits::default());
+    assert_eq!((mark.verdict, mark.reason.as_str()), (Wrong, "the record has no readable radius"));
 }
 
 /// Doubles correctly rounded: infinities pass, zeros that are none do not, and are told what to say.

@@ -34,6 +34,20 @@ fn a_changed_line_is_refused() {
     assert!(Record::from_json(&changed).unwrap_err().starts_with("the hash"));
 }
 
+/// No unreadable number comes as far as the hash.
+#[test]
+fn a_number_that_is_none_is_refused() {
+    let line = lines().find(|line| line.contains("\"scale\":\"") && line.contains("\"C\":\"")).unwrap();
+    for key in ["mid", "rad", "scale", "C"] {
+        let (before, after) = line.split_once(&format!("\"{key}\":\"")).unwrap();
+        for junk in ["x", "nan"] {
+            let changed = format!("{before}\"{key}\":\"{junk}{after}");
+            let error = Record::from_json(&changed).unwrap_err();
+            assert!(error.starts_with(&format!("{key} is not a number")), "{key}: {error}");
+        }
+    }
+}
+
 #[test]
 fn values_are_certified_by_a_rigorous_and_a_second_method() {
     for record in records() {
@@ -79,7 +93,7 @@ fn known_values() {
 fn a_pair_of_doubles_has_thirty_digits() {
     for record in records().iter().filter(|record| record.status == Status::Ok && record.log10.is_some()) {
         let (high, low) = record.pair();
-        let sum = &Decimal::from_double(high) + &Decimal::from_double(low);
+        let sum = &Decimal::from_double(high).unwrap() + &Decimal::from_double(low).unwrap();
         let mid = record.decimal().unwrap();
         let digits = mid.log10() - (&sum - &mid).log10();
         // Unless the rest is itself below the normal doubles.

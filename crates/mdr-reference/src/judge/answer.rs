@@ -65,10 +65,9 @@ impl Answer {
     /// # Errors
     /// [`ClaimError`] for what is negative or not finite.
     pub fn with_error(self, error: f64) -> Result<Self, ClaimError> {
-        if error >= 0.0 && error.is_finite() {
-            Ok(Answer { error: Some(Decimal::from_double(error)), ..self })
-        } else {
-            Err(ClaimError(error))
+        match Decimal::from_double(error) {
+            Some(claim) if error >= 0.0 => Ok(Answer { error: Some(claim), ..self }),
+            _ => Err(ClaimError(error)),
         }
     }
 

@@ -12,7 +12,7 @@ pub(crate) fn compared(
     claim: Option<&Decimal>,
     limits: &Limits,
 ) -> Mark {
-    let rad = record.value.as_ref().and_then(|value| value.rad.parse().ok()).unwrap_or_default();
+    let Some(rad) = record.radius() else { return Mark::of(Verdict::Wrong, "the record has no readable radius") };
     let distance = (value - mid).abs();
     let (most, least) = (&distance + &rad, &distance - &rad);
     let least = if least < Decimal::default() { Decimal::default() } else { least };

@@ -246,9 +246,10 @@ const REMEDY: &str = "; mark it underflow";
 /// further than one spacing, is right if it is marked, with a claim up to the smallest normal double; in silence it is
 /// judged by its digits, of which 0 has none. Of the shortest decimal of a subnormal double (`5e-324`) that double counts.
 fn below_range(value: &Decimal, mid: &Decimal, marked: bool, claim: Option<&Decimal>, compared: Mark) -> Mark {
-    let double = Decimal::from_double(value.nearest());
-    let is_left = value.is_zero() || (&double - mid).abs() <= Decimal::from_double(f64::from_bits(1));
-    let beyond_subnormal = claim.is_some_and(|claim| *claim > Decimal::from_double(f64::MIN_POSITIVE));
+    let distance = Decimal::from_double(value.nearest()).map(|double| (&double - mid).abs());
+    let is_beside = distance.is_some() && distance <= Decimal::from_double(f64::from_bits(1));
+    let is_left = value.is_zero() || is_beside;
+    let beyond_subnormal = claim.cloned() > Decimal::from_double(f64::MIN_POSITIVE);
     match (is_left, marked, compared.claim) {
         (false, ..) | (true, true, Claim::TooSmall) => compared,
         (true, true, Claim::Overstated) if beyond_subnormal => compared,
