@@ -12,8 +12,8 @@ use mdr_reference::Record;
 use super::RecordError;
 use super::condition::{Named, largest, push};
 use super::confirm;
-use super::draft::{Answered, DIGITS, Draft, literal};
-use super::folds::{BITS, STATE, Scene};
+use super::draft::{DIGITS, Draft, STATE, literal};
+use super::folds::{BITS, Scene};
 use super::load::Load;
 
 /// What is asked about the equilibria of a scene.
@@ -54,11 +54,8 @@ impl Contacts {
                 self.confirmed(&proved, &found.values, largest(&conditions)),
             )?;
             let draft = self.draft(&found);
-            for (((quantity, unit), value), condition) in STATE.into_iter().zip(found.values).zip(conditions) {
-                if quantity != self.load.name() {
-                    records.push(draft.record(Answered { quantity, unit, value, condition, scale: None }));
-                }
-            }
+            let state = draft.records(STATE, found.values, conditions);
+            records.extend(state.filter(|record| record.quantity != self.load.name()));
         }
         if records.is_empty() { Err(RecordError::missing(self.scene.name, "equilibrium")) } else { Ok(records) }
     }

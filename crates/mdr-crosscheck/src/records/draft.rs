@@ -5,6 +5,8 @@ use mdr_core::number::{Literal, Real};
 use mdr_reference::{Certified, Hardness, Method, Record, Status};
 use rug::Float;
 
+use super::condition::Named;
+
 /// The number of the release in which the values were last changed.
 const RELEASE: u32 = 1;
 
@@ -35,12 +37,28 @@ pub(super) struct Answered {
     pub(super) unit: &'static str,
     pub(super) value: Decimal,
     /// By the names of the inputs.
-    pub(super) condition: Vec<(String, f64)>,
+    pub(super) condition: Named,
     /// Needed where the value is zero.
     pub(super) scale: Option<Float>,
 }
 
+/// The quantities of an equilibrium, with their units.
+pub(super) const STATE: [(&str, &str); 3] = [("contact_radius", "m"), ("indentation", "m"), ("force", "N")];
+
 impl Draft {
+    /// The records of several quantities, none of which is 0, with their units.
+    pub(super) fn records<const N: usize>(
+        &self,
+        quantities: [(&'static str, &'static str); N],
+        values: [Decimal; N],
+        conditions: [Named; N],
+    ) -> impl Iterator<Item = Record> {
+        let answers = quantities.into_iter().zip(values).zip(conditions);
+        answers.map(|(((quantity, unit), value), condition)| {
+            self.record(Answered { quantity, unit, value, condition, scale: None })
+        })
+    }
+
     /// The record of a quantity.
     pub(super) fn record(&self, answered: Answered) -> Record {
         let Answered { quantity, unit, value, condition, scale } = answered;

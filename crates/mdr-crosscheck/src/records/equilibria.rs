@@ -15,7 +15,7 @@ use rug::Float;
 use super::RecordError;
 use super::condition::{Named, input, largest, push};
 use super::confirm;
-use super::draft::{Answered, DIGITS, Draft, literal};
+use super::draft::{DIGITS, Draft, literal};
 use super::power::{Held, NAMES, Power};
 
 /// Bits for conditions.
@@ -75,12 +75,7 @@ impl Equilibrium {
         RecordError::unless(&self.label, "the equilibrium", self.confirmed(&values, largest(&conditions)))?;
         let draft = self.draft().map_err(wrong)?;
         let quantities = [("contact_radius", "m"), self.conjugate()];
-        let records = quantities.into_iter().zip(values).zip(conditions);
-        Ok(records
-            .map(|(((quantity, unit), value), condition)| {
-                draft.record(Answered { quantity, unit, value, condition, scale: None })
-            })
-            .collect())
+        Ok(draft.records(quantities, values, conditions).collect())
     }
 
     /// At the fold itself the two equilibria are one: the critical state, as the answer to a question about equilibria.

@@ -13,7 +13,7 @@ use rug::Float;
 use super::RecordError;
 use super::condition::{Named, input, largest, push};
 use super::confirm;
-use super::draft::{Answered, DIGITS, Draft, literal};
+use super::draft::{DIGITS, Draft, STATE, literal};
 use super::library::Profile;
 use super::load::Load;
 use crate::library::Height;
@@ -35,8 +35,6 @@ pub(super) const BITS: u32 = 256;
 /// Evaluations that the isolation may take.
 const BUDGET: usize = 200_000;
 
-pub(super) const STATE: [(&str, &str); 3] = [("contact_radius", "m"), ("indentation", "m"), ("force", "N")];
-
 impl Scene {
     /// a, d and F at all folds that are proved to be single ones.
     pub(super) fn records(&self, load: Load) -> std::result::Result<Vec<Record>, RecordError> {
@@ -49,9 +47,7 @@ impl Scene {
             let conditions = self.conditions(fold, load).map_err(wrong)?;
             RecordError::unless(self.name, "the fold", self.confirmed(&values, load, largest(&conditions)))?;
             let draft = self.draft(index, fold, complete, load);
-            for (((quantity, unit), value), condition) in STATE.into_iter().zip(values).zip(conditions) {
-                records.push(draft.record(Answered { quantity, unit, value, condition, scale: None }));
-            }
+            records.extend(draft.records(STATE, values, conditions));
         }
         if records.is_empty() { Err(RecordError::missing(self.name, "fold")) } else { Ok(records) }
     }

@@ -11,7 +11,7 @@ use rug::Float;
 use super::RecordError;
 use super::condition::{Named, input, largest, push};
 use super::confirm;
-use super::draft::{Answered, DIGITS, Draft, literal};
+use super::draft::{DIGITS, Draft, literal};
 use crate::library::{Height, Shape, closed_form};
 
 /// Bits for conditions.
@@ -73,12 +73,7 @@ impl Profile<'_> {
             refs: vec!["Popov (1.1)", "Popov, Hess & Willert 2019"],
             ..Draft::default()
         };
-        let records = QUANTITIES.into_iter().zip(values).zip(conditions);
-        Ok(records
-            .map(|(((quantity, unit), value), condition)| {
-                draft.record(Answered { quantity, unit, value, condition, scale: None })
-            })
-            .collect())
+        Ok(draft.records(QUANTITIES, values, conditions).collect())
     }
 
     /// g, g' and G at x, to so many digits.

@@ -12,8 +12,7 @@ use rug::Float;
 use super::RecordError;
 use super::condition::{Named, input, largest, push, relative};
 use super::confirm;
-use super::draft::{Answered, DIGITS, Draft, literal};
-use super::folds::STATE;
+use super::draft::{Answered, DIGITS, Draft, STATE, literal};
 use super::power::{Held, NAMES, Power};
 
 /// Bits for conditions.
@@ -47,9 +46,7 @@ pub(super) fn folds(law: &Power, stiffness: &str) -> std::result::Result<Vec<Rec
             refs: vec!["Popov (1.5)", "Popov (1.6)", "tangency g' = Delta l' (k+6E*a)/(k+2E*a)"],
             ..draft
         };
-        for (((quantity, unit), value), condition) in STATE.into_iter().zip(values).zip(conditions) {
-            records.push(draft.record(Answered { quantity, unit, value, condition, scale: None }));
-        }
+        records.extend(draft.records(STATE, values, conditions));
     }
     if records.is_empty() { Err(RecordError::missing(&law.name, "fold")) } else { Ok(records) }
 }

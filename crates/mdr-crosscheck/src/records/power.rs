@@ -11,7 +11,7 @@ use rug::Float;
 use super::RecordError;
 use super::condition::{Named, input, largest};
 use super::confirm;
-use super::draft::{Answered, DIGITS, Draft, literal};
+use super::draft::{Answered, DIGITS, Draft, STATE, literal};
 
 /// A power-law contact, as exact decimals.
 #[derive(Clone, Debug)]
@@ -92,8 +92,7 @@ impl Power {
             refs: held.refs(),
             ..self.draft("critical")
         };
-        let quantities = [("contact_radius", "m"), ("indentation", "m"), ("force", "N")];
-        let records = quantities.into_iter().zip(values).zip(conditions);
+        let records = STATE.into_iter().zip(values).zip(conditions);
         Ok(records
             .map(|(((quantity, unit), value), condition)| {
                 let scale = Some(scale.clone());

@@ -12,10 +12,13 @@ use rug::Float;
 use super::RecordError;
 use super::condition::{Named, input, push};
 use super::confirm;
-use super::draft::{Answered, DIGITS, Draft, literal};
-use super::folds::{BITS, STATE, Scene};
+use super::draft::{DIGITS, Draft, STATE, literal};
+use super::folds::{BITS, Scene};
 use super::load::Load;
 use crate::library::Height;
+
+/// d and F: the radius is given.
+const LOADS: [(&str, &str); 2] = [STATE[1], STATE[2]];
 
 impl Scene {
     /// d and F of the equilibrium with the contact radius `a`. The surfaces may not overlap outside of it: that is looked for
@@ -43,7 +46,7 @@ impl Scene {
             refs: vec!["Popov (1.5)", "Popov (1.6)"],
             ..Draft::default()
         };
-        Ok(answered(&draft, values, conditions))
+        Ok(draft.records(LOADS, values, conditions).collect())
     }
 
     fn state_conditions(&self, a: &str) -> Result<[Named; 2]> {
@@ -117,7 +120,7 @@ impl Punch {
             flags: if self.name == "unit" { Vec::new() } else { vec!["si"] },
             ..Draft::default()
         };
-        Ok(answered(&draft, values, conditions))
+        Ok(draft.records(LOADS, values, conditions).collect())
     }
 
     fn moving(&self, moving: usize) -> Result<[Dual<Interval>; 2]> {
@@ -149,13 +152,4 @@ fn conditions(names: &[&str], state: impl Fn(usize) -> Result<[Dual<Interval>; 2
         push(&mut conditions, name, state(index)?);
     }
     Ok(conditions)
-}
-
-fn answered(draft: &Draft, values: [Decimal; 2], conditions: [Named; 2]) -> Vec<Record> {
-    let records = STATE[1..].iter().zip(values).zip(conditions);
-    records
-        .map(|(((quantity, unit), value), condition)| {
-            draft.record(Answered { quantity, unit, value, condition, scale: None })
-        })
-        .collect()
 }
