@@ -155,6 +155,22 @@ proptest! {
     }
 }
 
+/// Where r g' is beyond the largest number and g' is not, the rounding of r is still known to be what limits a steep profile;
+/// else every rule is tried to its end, and a search that comes by takes minutes.
+#[test]
+fn steep_slopes_at_the_end_of_the_range() {
+    let (n, step) = (300.0, 1.01_f64);
+    for x in [10.2_f64, 10.25, 10.3, 10.32] {
+        let steep = Quadrature::new(Power::new(n, 1.0).unwrap());
+        assert_eq!((n * n * x.powf(n)).is_infinite(), x > 10.26, "{x}");
+        let [below, here] = [x / step, x].map(|x| steep.slope_estimate(&x).unwrap());
+        // g' is of degree n − 1; both x are rounded.
+        let rounding = 2.0 * n * f64::EPSILON + below.error / below.value + here.error / here.value;
+        assert!(((here.value / below.value).ln() - (n - 1.0) * step.ln()).abs() < rounding, "{x}");
+        assert!(here.evaluations <= 72, "{x}: {here:?}");
+    }
+}
+
 #[cfg(feature = "mp")]
 #[test]
 fn fifty_digits() {

@@ -52,14 +52,15 @@ impl Integrand {
             }
             Integrand::Rise | Integrand::Transform => total(&bend) / (total(&|r| at(Integrand::Transform, r)) + height),
             Integrand::Slope => {
-                // D of it is not at hand: half of the digits of a difference from below are enough.
+                // D of it is not at hand: half of the digits of a difference from below are enough. Slopes alone: where a
+                // profile is steep they are in the range of the arithmetic, and lengths no longer.
+                let one = zero.lit(1);
                 let h = zero.unit_roundoff().sqrt();
-                let change = |r: &R| bend(r) - bend(&(r.clone() - r.clone() * &h));
-                let total_bend = total(&bend);
-                let terms = total(&|r| at(Integrand::Transform, r)) + height;
-                let smooth = total_bend.clone() / terms.clone();
-                let waves = total(&change) / h / (total_bend + terms);
-                if waves > smooth { waves } else { smooth }
+                let below = one.clone() - &h;
+                let here = |r: &R| self.at(profile, &one, r);
+                let change = |r: &R| here(r) - self.at(profile, &below, r);
+                let slope = |r: &R| profile.height(&Dual { value: r.clone(), slope: one.clone() }).slope;
+                total(&change) / (total(&here) + total(&slope)) / h
             }
         };
         if condition.is_finite() { condition * zero.unit_roundoff() } else { zero }
