@@ -60,7 +60,9 @@ impl Integrand {
                 let here = |r: &R| self.at(profile, &one, r);
                 let change = |r: &R| here(r) - self.at(profile, &below, r);
                 let slope = |r: &R| profile.height(&Dual { value: r.clone(), slope: one.clone() }).slope;
-                total(&change) / (total(&here) + total(&slope)) / h
+                let (bent, risen) = (total(&here), total(&slope));
+                // At a singular end of the profile the difference sees no more than 1/h.
+                (total(&change) / (bent.clone() + &risen) / h).greater(&(bent / risen))
             }
         };
         if condition.is_finite() { condition * zero.unit_roundoff() } else { zero }
