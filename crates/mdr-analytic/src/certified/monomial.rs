@@ -6,6 +6,8 @@
 //!
 //! For n = p/q the exponent is q/(2p−q): an integer power and a root. Where both are of a reasonable degree, that is several
 //! times faster than the logarithm and exponential of the general formula, [`Contact::critical`](crate::Contact::critical).
+//!
+//! A cone has κ_1 = π/2, and √(Ba) is rational: a and F are rationals over π.
 
 use mdr_core::contact::Control;
 use mdr_core::number::{Counted, Interval, Precision};
@@ -32,6 +34,8 @@ pub(super) struct Monomials {
     force: Rational,
     /// Whether d and F are negative.
     negative: [bool; 2],
+    /// |d|, πa and π|F|, for n = 1.
+    cone: Option<[Rational; 3]>,
 }
 
 impl Monomials {
@@ -63,32 +67,26 @@ impl Monomials {
         if indentation.is_zero() || force.is_zero() {
             return None;
         }
-        Some(Monomials {
-            edge: Rational::from(work / e_star) / 2u32,
-            softness: tension / Rational::from(n * c),
-            exponent: (i32::try_from(up).ok()?, u32::try_from(down).ok()?),
-            negative: [indentation < 0, force < 0],
-            indentation: indentation.abs(),
-            force: force.abs(),
-        })
+        let negative = [indentation < 0, force < 0];
+        let (indentation, force) = (indentation.abs(), force.abs());
+        let (edge, softness) = (Rational::from(work / e_star) / 2u32, tension / Rational::from(n * c));
+        let cone = (*n == 1).then(|| {
+            // √(Ba) with a = B(softness/κ_1)²
+            let root = Rational::from(&edge * &softness) * 2u32;
+            let radius = Rational::from(&root * &softness) * 2u32;
+            let force = Rational::from(&force * &root) * &radius;
+            [root * &indentation, radius, force]
+        });
+        let exponent = (i32::try_from(up).ok()?, u32::try_from(down).ok()?);
+        Some(Monomials { edge, softness, exponent, negative, indentation, force, cone })
     }
 
     /// κ_n, a, d and F. None where a value leaves the range of the exponents.
     fn state(&self, kappa: Counted, working: Precision, precision: Precision) -> Option<[Interval; 4]> {
-        let root_edge = Counted::pi(working).scaled(&self.edge).sqrt();
-        let (up, down) = self.exponent;
-        let ratio = root_edge.clone().scaled(&self.softness);
-        // A power needs one more quotient where it has the wrong sign: a positive one is for square roots, a negative one
-        // for others.
-        let root = if (up > 0) == matches!(down, 1 | 2 | 4) {
-            ratio.over(&kappa).power(up, down)
-        } else {
-            kappa.clone().over(&ratio).power(-up, down)
+        let [radius, indentation, force] = match &self.cone {
+            Some(cone) => cone_state(cone, working),
+            None => self.power_state(&kappa, working),
         };
-        let product = root_edge.times(&root);
-        let radius = root.power(2, 1);
-        let force = product.clone().times(&radius).scaled(&self.force);
-        let indentation = product.scaled(&self.indentation);
         let enclose = |number: &Counted, negative| {
             let magnitude = number.enclosure(precision);
             let known = !magnitude.is_entire() && !magnitude.contains_zero();
@@ -102,6 +100,31 @@ impl Monomials {
             enclose(&force, f_negative)?,
         ])
     }
+
+    /// a, |d| and |F|.
+    fn power_state(&self, kappa: &Counted, working: Precision) -> [Counted; 3] {
+        let root_edge = Counted::pi(working).scaled(&self.edge).sqrt();
+        let (up, down) = self.exponent;
+        let ratio = root_edge.clone().scaled(&self.softness);
+        // A power needs one more quotient where it has the wrong sign: a positive one is for square roots, a negative one
+        // for others.
+        let root = if (up > 0) == matches!(down, 1 | 2 | 4) {
+            ratio.over(kappa).power(up, down)
+        } else {
+            kappa.clone().over(&ratio).power(-up, down)
+        };
+        let product = root_edge.times(&root);
+        let radius = root.power(2, 1);
+        let force = product.clone().times(&radius).scaled(&self.force);
+        [radius, product.scaled(&self.indentation), force]
+    }
+}
+
+/// a, |d| and |F| of a cone.
+fn cone_state([indentation, radius, force]: &[Rational; 3], working: Precision) -> [Counted; 3] {
+    let one = Counted::new(Float::with_val(working.bits(), 1), 0);
+    let per_pi = one.clone().over(&Counted::pi(working));
+    [per_pi.clone().scaled(radius), one.scaled(indentation), per_pi.scaled(force)]
 }
 
 impl Question {

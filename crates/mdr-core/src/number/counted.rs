@@ -4,7 +4,7 @@ use rug::float::{Constant, Round};
 use rug::ops::Pow;
 use rug::{Float, Rational};
 
-use super::{Interval, Precision};
+use super::{Interval, Precision, Real, Wide};
 
 /// A positive number x that is known as a `rug::Float` y of p bits and a count k: (1+u)^−k ≤ x/y ≤ (1+u)^k with u = 2⁻ᵖ.
 ///
@@ -127,14 +127,15 @@ impl Counted {
         Counted { value: a, roundings: u64::MAX }
     }
 
-    /// The number to the power p/q.
+    /// The number to the power p/q. For other roots than the second and fourth nothing is known if p or q is above 1000.
     pub fn power(self, p: i32, q: u32) -> Self {
         match q {
             0 => Counted { value: Float::with_val(self.value.prec(), 0), roundings: u64::MAX },
             1 => self.integer_power(p),
             2 => self.integer_power(p).sqrt(),
             4 => self.integer_power(p).sqrt().sqrt(),
-            _ => self.integer_power(-p).inverse_root(q),
+            _ if p > 0 => self.integer_power(-1).inverse_power(p.unsigned_abs(), q),
+            _ => self.inverse_power(p.unsigned_abs(), q),
         }
     }
 
@@ -146,33 +147,35 @@ impl Counted {
         self
     }
 
-    /// x^(−1/q) by an iteration of third order from a double.
+    /// x^(−p/q) by an iteration of third order for y = x^(−1/q), and y^p with the last correction.
     ///
-    /// Whatever y is, with ρ = 1 − xy^q the root is y (1 − ρ)^(−1/q), and 1 + ρ/q + (1+q)ρ²/2q² differs from the power by at
-    /// most |ρ|³ for |ρ| ≤ 1/2. So nothing is asked of the iteration but that its last ρ is small, and that is seen.
-    fn inverse_root(self, q: u32) -> Self {
+    /// Whatever y is, with ρ = 1 − xy^q and s = p/q the power is y^p (1 − ρ)^(−s), and 1 + sρ + s(1+s)ρ²/2 differs from the
+    /// latter by less than ((1+s)|ρ|)³ where that is below 1/4. So nothing is asked of the iteration but that its last ρ is
+    /// small, and that is seen.
+    fn inverse_power(self, p: u32, q: u32) -> Self {
+        const LARGEST: u32 = 1000;
         let precision = self.value.prec();
-        let unknown = Counted { value: self.value.clone(), roundings: u64::MAX };
-        if !self.value.is_normal() {
-            return unknown;
+        if !self.value.is_normal() || p.max(q) > LARGEST {
+            return Counted { roundings: u64::MAX, ..self };
         }
+        let residual = |y: &Float, bits| 1u32 - Float::with_val(bits, &short_power(y, q, bits) * &self.value);
         let mut y = first_inverse_root(&self.value, q);
         for bits in ladder(precision) {
-            let rest = 1u32 - Float::with_val(bits, (&y).pow(q)) * &self.value;
-            // |ρ| < 2^small
-            let small = rest.get_exp().map_or(i64::MIN / 4, i64::from);
-            let linear = Float::with_val(bits / 3 * 2 + 16, &rest);
-            let square = Float::with_val(bits / 3 + 16, linear.square_ref()) * (q + 1) / (2 * q);
-            let correction = Float::with_val(bits, (linear + square) / q) + 1u32;
-            y = correction * &y;
-            if bits == precision && 3 * small < -i64::from(precision) {
-                // ρ is wrong by up to 3u, for the power, its product with x, and the difference; u each for the third order,
-                // the shorter operands, and the last two operations.
-                let roundings = self.roundings.div_ceil(q.into()).saturating_add(8);
-                return Counted { value: y, roundings };
-            }
+            y = correction(&residual(&y, bits), 1, q, bits) * &y;
         }
-        unknown
+        for _ in 0..2 {
+            let rest = residual(&y, precision);
+            let small = rest.get_exp().map_or(i64::MIN / 8, i64::from);
+            if 3 * (small + magnification(p, q)) < -i64::from(precision).max(2) {
+                // ρ is wrong by up to 3u, for the power, its product with x, and the difference; u each for y^p, what is left
+                // out, the shorter operands, and the last two operations.
+                let magnified = self.roundings.saturating_add(3).saturating_mul(p.into()).div_ceil(q.into());
+                let value = correction(&rest, p, q, precision) * &short_power(&y, p, precision);
+                return Counted { value, roundings: magnified.saturating_add(5) };
+            }
+            y = correction(&rest, 1, q, precision) * &y;
+        }
+        Counted { roundings: u64::MAX, ..self }
     }
 
     /// An interval that contains the number, rounded to a precision; the entire line where nothing is known.
@@ -190,23 +193,65 @@ impl Counted {
     }
 }
 
-/// Precisions for an iteration of third order that starts from a double; the last twice, should once not be enough.
-fn ladder(precision: u32) -> impl Iterator<Item = u32> {
-    let mut rungs = vec![precision, precision];
-    let mut bits = precision;
-    while bits > 120 {
-        bits = bits / 3 + 12;
-        rungs.push(bits);
+/// 1 + sρ + s(1+s)ρ²/2 with s = p/q, for |ρ| below 2^(−bits/3), and without the square where it does not count.
+fn correction(rest: &Float, p: u32, q: u32, bits: u32) -> Float {
+    let small = rest.get_exp().map_or(i64::MIN / 8, i64::from);
+    let mut sum = Float::with_val(bits / 3 * 2 + 16, rest);
+    // ρ²(1+s)² > 2^−bits, perhaps
+    if 2 * (small + magnification(p, q)) > -i64::from(bits) {
+        let square = Float::with_val(bits / 3 + 16, sum.square_ref());
+        sum += square * (p + q) / (2 * q);
     }
-    rungs.into_iter().rev()
+    if p != 1 {
+        sum *= p;
+    }
+    Float::with_val(bits, sum / q) + 1u32
 }
 
-/// x^(−1/q) to the accuracy of a double, for 0 < q < 1000.
+/// An exponent e with 2^e ≥ 1 + p/q.
+fn magnification(p: u32, q: u32) -> i64 {
+    i64::from(u32::BITS - (p / q + 1).leading_zeros())
+}
+
+/// y^k, wrong by no more than half a unit of the given bits; short numbers stay exact as long as they are short.
+fn short_power(y: &Float, k: u32, bits: u32) -> Float {
+    // Fewer than 2k roundings.
+    chain(y, k, bits + 2 + u32::BITS - k.leading_zeros())
+}
+
+fn chain(y: &Float, k: u32, bits: u32) -> Float {
+    if k <= 1 {
+        return if k == 1 { y.clone() } else { Float::with_val(bits, 1) };
+    }
+    let root = chain(y, k / 2, bits);
+    let square = Float::with_val(bits.min(2 * root.prec()), root.square_ref());
+    if k.is_multiple_of(2) { square } else { Float::with_val(bits.min(square.prec() + y.prec()), &square * y) }
+}
+
+/// Precisions for an iteration of third order that starts from some hundred bits, before the last.
+fn ladder(precision: u32) -> impl Iterator<Item = u32> {
+    let third = |bits: u32| (bits > 300).then_some(bits / 3 + 12);
+    let mut rungs: Vec<u32> = std::iter::successors(third(precision), |bits| third(*bits)).collect();
+    rungs.reverse();
+    rungs.into_iter()
+}
+
+/// x^(−1/q) to some hundred bits: one step of the same iteration in two words, from a double.
 fn first_inverse_root(x: &Float, q: u32) -> Float {
-    let (significand, exponent) = x.to_f64_exp();
-    let q_signed = q.min(1000) as i32;
-    let root = (significand * f64::from(exponent.rem_euclid(q_signed)).exp2()).powf(-1.0 / f64::from(q));
-    Float::with_val(53, root) >> exponent.div_euclid(q_signed)
+    let (_, exponent) = x.to_f64_exp();
+    let q_signed = q as i32;
+    // x = 2^(wq) times a number of moderate size.
+    let (whole, near) = (exponent.div_euclid(q_signed), x.clone() >> (exponent - exponent.rem_euclid(q_signed)));
+    let upper = near.to_f64();
+    let lower = Float::with_val(53, near - upper).to_f64();
+    let [near, first] = [upper, upper.powf(-1.0 / f64::from(q))].map(|value| Wide::<2>::from_f64((), value));
+    let near = near + Wide::from_f64((), lower);
+    let (one, q) = (Wide::<2>::from_int((), 1), i64::from(q));
+    let rest = one - near * first.powi(q_signed.into());
+    let root = first * (one + (rest + rest.square().times(q + 1).over(2 * q)).over(q));
+    let [low, high] = *root.limbs();
+    let significand = Float::with_val(128, u128::from(high) << 64 | u128::from(low));
+    significand << (root.exponent() as i32 - 128 - whole)
 }
 
 #[cfg(test)]
@@ -217,9 +262,21 @@ mod tests {
     fn powers_and_roots_are_enclosed_and_tight() {
         for bits in [2, 10, 53, 54, 100, 121, 192, 700, 4000] {
             for x in [(1, 3), (2, 1), (123_456_789, 1), (1, 1_000_000_007)].map(Rational::from) {
-                for (p, q) in
-                    [(1, 3), (-1, 3), (2, 5), (-5, 7), (5, 2), (3, 4), (-7, 1), (100, 87), (11, 499), (-499, 500)]
-                {
+                for (p, q) in [
+                    (1, 3),
+                    (-1, 3),
+                    (2, 5),
+                    (-5, 7),
+                    (5, 2),
+                    (3, 4),
+                    (-7, 1),
+                    (100, 87),
+                    (11, 499),
+                    (-499, 500),
+                    (-997, 3),
+                    (1000, 999),
+                    (0, 3),
+                ] {
                     let power = |bits| Counted::new(Float::with_val(bits, &x), 1).power(p, q);
                     let found = power(bits + 24).enclosure(Precision::new(bits));
                     // MPFR's power at more than twice the precision.
@@ -271,5 +328,9 @@ mod tests {
         assert!(huge.clone().agm(&Counted::new(Float::with_val(60, 0), 0)).enclosure(Precision::new(50)).is_entire());
         assert!(huge.clone().power(100, 1).enclosure(Precision::new(50)).is_entire());
         assert!(huge.power(-100, 3).enclosure(Precision::new(50)).is_entire());
+        let one = || Counted::new(Float::with_val(60, 1), 1);
+        for (p, q) in [(1, u32::MAX), (i32::MIN, 3), (-1, 1001), (1001, 3)] {
+            assert!(one().power(p, q).enclosure(Precision::new(50)).is_entire());
+        }
     }
 }

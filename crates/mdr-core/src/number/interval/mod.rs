@@ -45,10 +45,13 @@ impl Interval {
     /// numbers: an end is NaN, the ends are in the wrong order, or both are the same infinity.
     pub fn new(mut lo: Float, mut hi: Float) -> Self {
         let precision = lo.prec().max(hi.prec());
-        lo.set_prec(precision);
-        hi.set_prec(precision);
-        let reachable = lo < f64::INFINITY && hi > f64::NEG_INFINITY;
-        if lo <= hi && reachable { Interval { lo, hi } } else { Self::entire(Precision::new(precision)) }
+        for end in [&mut lo, &mut hi] {
+            if end.prec() != precision {
+                end.set_prec(precision);
+            }
+        }
+        let same_infinity = lo.is_infinite() && lo == hi;
+        if lo <= hi && !same_infinity { Interval { lo, hi } } else { Self::entire(Precision::new(precision)) }
     }
 
     /// The degenerate interval [value, value]; the entire line when `value` is not finite.
