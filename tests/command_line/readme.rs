@@ -110,6 +110,46 @@ fn formulas_are_safe_from_markdown() {
 
 const CONFORMANCE: &str = include_str!("../../docs/conformance.md");
 
+/// Seconds, and half a unit of the last digit, of a cell such as "1.5 ms"; none where no method arrives.
+fn time(cell: &str) -> Option<(f64, f64)> {
+    let mut words = cell.split_whitespace();
+    let number = words.next()?;
+    let unit = match words.next()? {
+        "ns" => 1e-9,
+        "µs" => 1e-6,
+        "ms" => 1e-3,
+        "s" => 1.0,
+        other => panic!("{other} in {cell}"),
+    };
+    let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    Some((unit * number.parse::<f64>().unwrap(), 0.5 * unit * 10f64.powi(-(decimals as i32))))
+}
+
+/// The table that follows `heading`: the digits of each column, and the times that stand in it.
+fn times(text: &str, heading: &str) -> Vec<(String, Vec<(f64, f64)>)> {
+    let (_, text) = text.split_once(heading).unwrap_or_else(|| panic!("no {heading}"));
+    let table = text.lines().skip_while(|line| !line.starts_with('|')).take_while(|line| line.starts_with('|'));
+    let rows: Vec<Vec<&str>> = table.map(|row| row.trim_matches('|').split('|').map(str::trim).collect()).collect();
+    let column = |at: usize| rows[2..].iter().filter_map(|row| time(row[at])).collect();
+    let is_digits = |at: &usize| rows[0][*at].bytes().all(|byte| byte.is_ascii_digit());
+    (0..rows[0].len()).filter(is_digits).map(|at| (rows[0][at].to_owned(), column(at))).collect()
+}
+
+/// Every time in the table of the README stands in the report, for so many digits.
+#[test]
+fn times_are_those_of_the_report() {
+    let report = times(include_str!("../../docs/report/transform.md"), "### g(x) of f = r^0.25");
+    let shown = times(README, "MDR transform of r^(1/4)");
+    assert_eq!(shown.iter().map(|(_, times)| times.len()).collect::<Vec<_>>(), [5, 5, 5, 3, 3]);
+    for ((digits, shown), (of, measured)) in shown.iter().zip(&report) {
+        assert_eq!(digits, of);
+        for (time, rounding) in shown {
+            let stands = measured.iter().any(|(measured, _)| (time - measured).abs() <= *rounding);
+            assert!(stands, "{time} s for {digits} digits is not in the report");
+        }
+    }
+}
+
 /// Every check and every test file that the table of conformance names is there.
 #[test]
 fn the_table_of_conformance_names_what_exists() {
