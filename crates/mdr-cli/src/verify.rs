@@ -17,8 +17,9 @@ Examples:
   The whole grid, with a table of the results:
     mdr verify
 
-  In seconds:
+  In under a minute, or in half an hour with many more cases:
     mdr verify --quick
+    mdr verify --full
 
   Two checks alone, by the names in the table:
     mdr verify --only kappa-gamma,jkr
@@ -47,7 +48,7 @@ pub(crate) struct Verify {
     #[arg(long, conflicts_with = "full")]
     quick: bool,
 
-    /// More cases: as long as it is worth
+    /// More cases: half an hour
     #[arg(long)]
     full: bool,
 
