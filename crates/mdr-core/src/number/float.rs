@@ -1,4 +1,4 @@
-//! `f64`. Elementary functions from the standard library, the Gamma family from `pxfm` (worst error below one ulp).
+//! `f64`. Elementary functions and the Gamma family from `pxfm` (worst error below one ulp); √x and |x| of the standard library.
 
 use super::{Gamma, Literal, Real, Special};
 
