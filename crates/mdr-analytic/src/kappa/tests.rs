@@ -14,7 +14,7 @@ fn exponents() -> impl Iterator<Item = f64> {
 #[test]
 fn known_values() {
     use std::f64::consts::PI;
-    // 4 ulp: about 60 roundings, each weighted by a term that decays by 1/8.
+    // 0.51 ulp of κ_n, two roundings in the longest of the values, and one of their ratio.
     for (n, value) in [
         (0.5, 1.3110287771460599),
         (1.0, PI / 2.0),
@@ -26,7 +26,7 @@ fn known_values() {
         (1e300, (PI * 1e300 / 2.0).sqrt()),
     ] {
         let relative = (f64::kappa(&n) / value - 1.0).abs();
-        assert!(relative <= 4.0 * f64::EPSILON, "n = {n}: {relative:e}");
+        assert!(relative <= 2.1 * f64::EPSILON, "n = {n}: {relative:e}");
     }
 }
 
@@ -88,16 +88,6 @@ mod mp {
                 assert!(relative <= 0.501 * 2f64.powi(1 - bits as i32), "n = {n}, {bits} bits: {relative:e}");
             }
         }
-    }
-
-    #[test]
-    fn double_precision_error_is_a_few_ulp() {
-        let mut worst = 0.0f64;
-        for n in exponents() {
-            let reference = Float::kappa(&Float::with_val(160, n));
-            worst = worst.max(relative_difference(&Float::with_val(160, f64::kappa(&n)), &reference));
-        }
-        assert!(worst < 4.0 * f64::EPSILON, "{:.2} ulp", worst / f64::EPSILON);
     }
 
     #[test]
