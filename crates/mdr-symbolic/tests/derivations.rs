@@ -77,22 +77,61 @@ fn claims_fit_their_steps() {
 
 const CONFORMANCE: &str = include_str!("../../../docs/conformance.md");
 
-/// The table of conformance has every equation, with the verdict of its entry; of a corrected one, that of the correction.
+/// The tables of conformance have every equation, with the verdict of its entry (of a corrected one, that of the correction),
+/// and every other entry, too.
 #[test]
-fn the_table_of_conformance_has_these_verdicts() {
+fn the_tables_of_conformance_have_these_verdicts() {
+    let (paper, beyond) = CONFORMANCE.split_once("\n## Beyond the paper\n").unwrap();
+    let mut found = equations_with_their_verdict(paper);
+    let (beyond, _) = beyond.split_once("\n## ").unwrap();
+    let rows: Vec<Vec<_>> = beyond.lines().filter(|line| line.starts_with('|')).map(cells).collect();
+    assert_eq!(rows[0], ["what", "verdict", "function", "checks", "tests"]);
+    for row in &rows[2..] {
+        found.extend(entries_with_their_verdict(row));
+    }
+    for entry in entries() {
+        assert!(found.contains(entry.id), "{}", entry.id);
+    }
+}
+
+fn cells(row: &str) -> Vec<&str> {
+    row.trim_matches('|').split('|').map(str::trim).collect()
+}
+
+/// Rows that begin with the numbers of equations. The ids that were found.
+fn equations_with_their_verdict(table: &str) -> BTreeSet<&str> {
     let mut found = BTreeSet::new();
-    for row in CONFORMANCE.lines().filter(|line| line.starts_with("| (1.")) {
-        let cells: Vec<_> = row.split('|').map(str::trim).collect();
-        for id in cells[1].split('(').skip(1).filter_map(|rest| rest.split_once(')')).map(|(id, _)| id) {
+    for row in table.lines().filter(|line| line.starts_with("| (1.")) {
+        let cells = cells(row);
+        for id in cells[0].split('(').skip(1).filter_map(|rest| rest.split_once(')')).map(|(id, _)| id) {
             let entry = entry(id).unwrap();
-            let corrected = cells[1].ends_with('†') && entry.verdict == Claim::Refuted;
+            let corrected = cells[0].ends_with('†') && entry.verdict == Claim::Refuted;
             let verdict = if corrected { Claim::Proved } else { entry.verdict };
             assert!(!corrected || entry.steps.iter().any(|step| step.claim == verdict), "{row}");
-            assert_eq!(cells[3], verdict.word(), "{row}");
+            assert_eq!(cells[2], verdict.word(), "{row}");
             found.insert(id);
         }
     }
-    for number in 1..=19 {
-        assert!(found.contains(&format!("1.{number}")[..]), "(1.{number})");
+    found
+}
+
+/// A row that gives verdicts with their entries, or tells that it is tested and by what. The ids that were found.
+fn entries_with_their_verdict<'a>(row: &[&'a str]) -> Vec<&'a str> {
+    let &[_, verdicts, _, checks, tests] = row else { panic!("{row:?}") };
+    if verdicts == "tested" {
+        assert!(tests.contains(".rs`"), "{row:?}: {checks}");
+        return Vec::new();
     }
+    let mut found = Vec::new();
+    for part in verdicts.split(';') {
+        let (word, ids) = part.trim().split_once(' ').unwrap_or_else(|| panic!("{row:?}: no entry"));
+        for id in ids.split(' ') {
+            let id =
+                id.strip_prefix('`').and_then(|id| id.strip_suffix('`')).unwrap_or_else(|| panic!("{row:?}: {id}"));
+            let entry = entry(id).unwrap_or_else(|| panic!("{row:?}: no entry {id}"));
+            assert_eq!(word, entry.verdict.word(), "{row:?}: {id}");
+            found.push(id);
+        }
+    }
+    found
 }
