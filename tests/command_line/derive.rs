@@ -30,7 +30,7 @@ fn one_entry_shows_its_steps() {
     assert_eq!(output("derive (1.15)"), text);
 }
 
-/// Every mutant has its fate told, and what is undecided is named.
+/// Every mutant has its fate told, what is meaningless is named, and none is undecided.
 #[test]
 fn mutants_are_counted_as_what_they_are() {
     let line = DERIVATIONS.lines().find(|line| line.contains(" distinct mutants: ")).unwrap();
@@ -38,10 +38,12 @@ fn mutants_are_counted_as_what_they_are() {
     let numbers: Vec<usize> =
         mutants.split(|c: char| !c.is_ascii_digit()).filter_map(|part| part.parse().ok()).collect();
     assert_eq!(numbers[0], numbers[1..].iter().sum::<usize>(), "{mutants}");
-    assert!(mutants.ends_with(" undecided."), "{mutants}");
-    let named = DERIVATIONS.lines().filter(|line| line.starts_with("Undecided mutants: "));
-    assert_eq!(named.map(|line| line.matches("$`").count()).sum::<usize>(), numbers[numbers.len() - 1]);
-    assert!(output("derive kappa-elliptic").contains("\n  undecided: "));
+    assert!(mutants.ends_with(" meaningless, 0 undecided."), "{mutants}");
+    let named = DERIVATIONS.lines().filter(|line| line.starts_with("Meaningless mutants: "));
+    assert_eq!(named.map(|line| line.matches("$`").count()).sum::<usize>(), numbers[numbers.len() - 2]);
+    assert!(!DERIVATIONS.contains("Undecided mutants: "));
+    let text = output("derive kappa-elliptic");
+    assert_eq!(text.matches("\n  meaningless: ").count(), 2, "{text}");
 }
 
 /// Figures 1 to 4 stand where they belong.

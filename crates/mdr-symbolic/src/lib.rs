@@ -34,7 +34,7 @@
 //!
 //! **Equal normal forms prove equality.** Every rule that leads to a normal form is an identity of real functions where both
 //! of its sides have a value: the field operations of Q(n), b^e b^f = b^(e+f), (b^e)^f = b^(ef) and (bc)^e = b^e c^e for
-//! positive b, c. A real power of something whose sign is not known is refused ([`Error::NotPositive`]); signs of
+//! positive b, c. The sine has its values at the multiples of π/6 and π/4. A real power of something whose sign is not known is refused ([`Error::NotPositive`]); signs of
 //! polynomials on a domain are decided by Sturm's theorem. In the same way cos²θ = 1 − sin²θ is used where two normal forms
 //! differ.
 //!
@@ -63,6 +63,9 @@
 //! radius, which are independent as the profile is any; a difference says that the two sides are not equal for every profile.
 //! All other symbols are free numbers, also those to which the text of a derivation gives a value: t, s, ρ, μ, y, Λ. The value
 //! is put in with `at` where it is used.
+//!
+//! **A divisor whose normal form is 0** is 0 on the whole domain: a formula that divides by it has a value nowhere, whatever
+//! the rest of it is ([`Statement::divides_by_zero`]). Then there is nothing to be proved or refuted.
 //!
 //! A sign ([`Expression::sign_on`]) is proved when the coefficients of all terms have it on the whole domain. Otherwise
 //! nothing is said.

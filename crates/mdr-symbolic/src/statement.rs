@@ -3,6 +3,8 @@
 use std::cmp::Ordering;
 use std::str::FromStr;
 
+use rug::Rational;
+
 use crate::dimension::Dimension;
 use crate::domain::Domain;
 use crate::error::{Error, Result};
@@ -161,6 +163,34 @@ impl Statement {
             Some(_) => Decision::Refuted { because },
             None => Decision::Undecided(Undecided::MixedSigns),
         })
+    }
+
+    /// Whether a divisor in one of the sides, as they are written, is 0 everywhere on the domain: then that side has no value,
+    /// and there is nothing that could hold. Decided by normal forms also where the rest of the side has none.
+    ///
+    /// ```
+    /// use mdr_symbolic::{Domain, Statement};
+    /// let statement: Statement = "H0(a)/(2 - 2*sin(π/2)^2) = 1".parse()?;
+    /// assert!(statement.divides_by_zero(Domain::Positive));
+    /// # Ok::<(), mdr_symbolic::Error>(())
+    /// ```
+    pub fn divides_by_zero(&self, domain: Domain) -> bool {
+        [&self.left, &self.right].into_iter().any(|side| side.divides_by_zero(domain))
+    }
+
+    /// The statement with a positive number in the place of n, for an arithmetic whose n is that number. An integral may exist
+    /// there that does not exist on a whole domain.
+    ///
+    /// ```
+    /// use mdr_symbolic::{Decision, Domain, Statement};
+    /// let statement: Statement = "int(x^(-n), x, a) = a^(1 - n)/(1 - n)".parse()?;
+    /// assert!(matches!(statement.decide(Domain::Positive), Decision::Undecided(_)));
+    /// let there = statement.at_exponent(&(1, 3).into());
+    /// assert!(matches!(there.decide(Domain::Positive), Decision::Proved { .. }));
+    /// # Ok::<(), mdr_symbolic::Error>(())
+    /// ```
+    pub fn at_exponent(&self, n: &Rational) -> Statement {
+        Statement { left: self.left.at_exponent(n), relation: self.relation, right: self.right.at_exponent(n) }
     }
 
     /// The distinct statements with one small mistake in one of the sides of an equality, with the opposite sense of an

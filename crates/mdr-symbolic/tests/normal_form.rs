@@ -48,6 +48,40 @@ fn signs_depend_on_the_domain() {
     assert!(matches!(decide("a > w", Domain::Above), Decision::Undecided(Undecided::MixedSigns)));
 }
 
+/// In every quarter of a turn and beyond a whole one; no other angle is guessed.
+#[test]
+fn sines_of_parts_of_a_turn() {
+    for (angle, sine) in [
+        ("0*π", "0"),
+        ("π/6", "1/2"),
+        ("π/4", "1/sqrt(2)"),
+        ("π/3", "sqrt(3)/2"),
+        ("π/2", "1"),
+        ("2*π/3", "sqrt(3)/2"),
+        ("3*π/4", "1/sqrt(2)"),
+        ("5*π/6", "1/2"),
+        ("π", "0"),
+        ("7*π/6", "-1/2"),
+        ("3*π/2", "-1"),
+        ("7*π/4", "-1/sqrt(2)"),
+        ("2*π", "0"),
+        ("π*7/3", "sqrt(3)/2"),
+        ("-π/3", "-sqrt(3)/2"),
+        ("-5*π/2", "-1"),
+        ("(n*π - π)/(2*n - 2)", "1"),
+    ] {
+        holds(&format!("sin({angle}) = {sine}"), Domain::Positive);
+    }
+    holds("sin(π*n) + sin(π*n/2)^2 = 3/2", Domain::Half);
+    fails("sin(π/3) = 1/2", Domain::Positive);
+    for text in ["sin(π/5) = 1/2", "sin(π/12) = 1/4", "sin(π*n) = 0", "sin(1) = 1", "sin(θ) = sinθ", "sin(a*π) = 0"]
+    {
+        let decision = decide(text, Domain::Positive);
+        let refused = matches!(decision, Decision::Undecided(Undecided::NoNormalForm(Error::Transcendental(_))));
+        assert!(refused, "{text}: {}", decision.text());
+    }
+}
+
 #[test]
 fn derivatives_and_integrals() {
     holds("diff(a^(n + 1/2), a) = (n + 1/2)*a^(n - 1/2)", Domain::Positive);

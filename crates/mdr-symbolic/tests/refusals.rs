@@ -115,6 +115,36 @@ fn hidden_relations() {
     refuted("κ = 4/3", Domain::Half);
 }
 
+/// A divisor that is 0 everywhere leaves no value, also beside what has no normal form; one that is 0 somewhere does.
+#[test]
+fn divisors_that_are_zero() {
+    let divides = |text: &str, domain| text.parse::<Statement>().unwrap().divides_by_zero(domain);
+    let cases = [
+        "H0(a)/(2 - 2*sin(π/2)^2) = 1",
+        "1 = agm(1, n)*H0(1/(a - a))",
+        "a = sqrt(-H0(a)*(2*n - n - n)^(-2))",
+        "turn(sinθ/(n - n)) = 1",
+        "turn(sinθ) + at(1/(a - x), a, x) = 1",
+        "H0(a) = diff(a/(4^n - 2^(2*n)), a)",
+    ];
+    for text in cases {
+        assert!(divides(text, Domain::Positive), "{text}");
+    }
+    let cases = [
+        "H0(a)/(2 - 2*sin(π/3)^2) = 1",
+        "1/(a - x) = 1",
+        "1/sin(π*n) = 1",
+        "(n - n)^2/a = 0",
+        "(n - n)/H0(a) = 0",
+        "H0(a)/(2*n - 1) = 1",
+        "at(1/(3 - n), n, 2) = 1",
+    ];
+    for text in cases {
+        assert!(!divides(text, Domain::Positive), "{text}");
+    }
+    assert!(divides("H0(a)/(2*n - 1) = 1", Domain::Half) && !divides("d_c = 1", Domain::Positive));
+}
+
 /// Written out, these would take hours.
 #[test]
 fn absurd_exponents() {

@@ -68,21 +68,30 @@ pub(super) fn summary(judgements: &[Judgement]) -> String {
     let counts: Vec<_> = claims.map(|claim| format!("{} {}", count(claim), claim.word())).into();
     let failed = steps().filter(|step| !step.holds()).count();
     let failed = if failed == 0 { String::new() } else { format!(", {failed} FAILED") };
-    let mutants = mutants(&judgements.iter().map(Judgement::mutants).sum());
-    format!("{} entries, {} steps: {}{failed}. {mutants}", judgements.len(), steps().count(), counts.join(", "))
+    let mutants: Mutants = judgements.iter().map(Judgement::mutants).sum();
+    let fates = fates(&mutants, |fate| mutants.count(fate) > 0 || fate == Fate::Undecided);
+    format!(
+        "{} entries, {} steps: {}{failed}. {} distinct mutants: {fates}.",
+        judgements.len(),
+        steps().count(),
+        counts.join(", "),
+        mutants.len()
+    )
+}
+
+/// How many mutants had each of some fates.
+fn fates(mutants: &Mutants, told: impl Fn(Fate) -> bool) -> String {
+    let fates = Fate::ALL.into_iter().filter(|fate| told(*fate));
+    fates.map(|fate| format!("{} {}", mutants.count(fate), fate.words())).collect::<Vec<_>>().join(", ")
 }
 
 /// How many distinct mutants there were, and what became of them.
 pub(super) fn mutants(mutants: &Mutants) -> String {
-    let fates = Fate::ALL.into_iter().filter(|fate| mutants.count(*fate) > 0);
-    match (mutants.len(), &fates.collect::<Vec<_>>()[..]) {
+    let occurs = |fate| mutants.count(fate) > 0;
+    match (mutants.len(), &Fate::ALL.into_iter().filter(|fate| occurs(*fate)).collect::<Vec<_>>()[..]) {
         (1, [fate]) => format!("1 mutant, {}.", fate.words()),
         (count, [fate]) => format!("{count} distinct mutants, all {}.", fate.words()),
-        (count, fates) => {
-            let counts: Vec<_> =
-                fates.iter().map(|fate| format!("{} {}", mutants.count(*fate), fate.words())).collect();
-            format!("{count} distinct mutants: {}.", counts.join(", "))
-        }
+        (count, _) => format!("{count} distinct mutants: {}.", fates(mutants, occurs)),
     }
 }
 

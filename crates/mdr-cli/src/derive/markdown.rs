@@ -36,14 +36,17 @@ proved when all coefficients of the difference have one sign on the whole domain
 many as are told, an equality to {AGREEMENT} bits or more; elsewhere the enclosure is too wide to tell. Nothing is claimed beyond \
 these points. Every octave of $`n`$ from $`2^{{{lowest}}}`$ to $`2^{{{highest}}}`$ has an equal chance (for $`n`$ > 1/2 every \
 octave of $`n - \\frac12`$; for $`n`$ &lt; 1/2 every octave of $`n`$ or of $`\\frac12 - n`$), and the symbols lie between 0.1 and \
-10, an angle below π/2. Used where an integral, a special function or a number occurs;
+10, an angle below π/2. An integral is summed by the midpoint rule with its error; beside an end it is that of the power of the \
+distance with which the integrand goes there, times an enclosed factor. Used where an integral, a special function or a number \
+occurs;
 * **refuted**: the normal forms differ, and intervals show it at a point;
 * **cited**: taken from the literature.
 
 What is proved or enclosed is also mutated. An equality has one sign, exponent or factor changed at a time, an inequality its \
-sense; a dimension gets one length too many. No mutant may hold: each is refuted by normal forms or by an enclosure at one of \
-the points, or is meaningless (it divides by 0, takes a root of a negative number or has a divergent integral everywhere). What \
-neither can decide is named at the end of its entry.
+sense; a dimension gets one length too many. No mutant may hold. Each is refuted by normal forms or by an enclosure at one of \
+the points, or it is meaningless: it divides by 0, takes a root of a negative number or has a divergent integral, by exact algebra \
+on the whole domain or at all of the points. An integral diverges where the integrand goes to infinity like the power −1 of the \
+distance from an end or faster, with one sign. What is meaningless, and what neither can decide, is named at the end of its entry.
 
 ## Notation
 
@@ -134,9 +137,11 @@ fn entry(judgement: &Judgement, level: &str) -> String {
         section += &format!("\n\n**Erratum.** {}", words(erratum.text));
     }
     let mutants = judgement.mutants();
-    let undecided: Vec<_> = mutants.with(Fate::Undecided).map(|mutant| format!("$`{}`$", mutant.tex())).collect();
-    if !undecided.is_empty() {
-        section += &format!("\n\nUndecided mutants: {}.", undecided.join("; "));
+    for (fate, name) in [(Fate::Meaningless, "Meaningless"), (Fate::Undecided, "Undecided")] {
+        let named: Vec<_> = mutants.with(fate).map(|mutant| format!("$`{}`$", mutant.tex())).collect();
+        if !named.is_empty() {
+            section += &format!("\n\n{name} mutants: {}.", named.join("; "));
+        }
     }
     if !entry.references.is_empty() {
         let references: Vec<_> = entry.references.iter().map(|reference| escaped(reference)).collect();

@@ -62,7 +62,10 @@ fn entry(judgement: &Judgement) -> String {
     }
     let mutants = judgement.mutants();
     lines.push(format!("\n{}", document::mutants(&mutants)));
-    lines.extend(mutants.with(Fate::Undecided).map(|mutant| wrapped(&format!("undecided: {}", mutant.text()), "  ")));
+    for fate in [Fate::Meaningless, Fate::Undecided] {
+        let named = mutants.with(fate).map(|mutant| format!("{}: {}", fate.words(), mutant.text()));
+        lines.extend(named.map(|mutant| wrapped(&mutant, "  ")));
+    }
     lines.join("\n")
 }
 

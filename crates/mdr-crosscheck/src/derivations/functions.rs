@@ -19,12 +19,24 @@ pub(super) fn value(function: Function, arguments: &[Interval]) -> Interval {
     }
 }
 
-/// Γ(z) for z > 0.
+/// Steps of Γ(z + 1) = zΓ(z) that are taken to the left of 0.
+const LARGEST_SHIFT: u32 = 2000;
+
+/// Γ(z), to the left of 0 by Γ(z) = Γ(z + 1)/z; the entire line beside a pole, or too far left.
 pub(super) fn gamma(z: &Interval) -> Interval {
-    if *z > z.lit(0) { z.gamma() } else { Interval::entire(z.ctx()) }
+    let (mut right, mut product) = (z.clone(), z.lit(1));
+    let steps = if z.is_finite() { LARGEST_SHIFT } else { 0 };
+    for _ in 0..=steps {
+        if right > right.lit(0) {
+            return right.gamma() / product;
+        }
+        product *= &right;
+        right += &z.lit(1);
+    }
+    Interval::entire(z.ctx())
 }
 
-/// κ_n = (√π/2) n Γ(n/2)/Γ((n+1)/2), as printed in (1.12).
+/// κ_n = (√π/2) n Γ(n/2)/Γ((n+1)/2), as printed in (1.12), also where n is negative.
 pub(super) fn kappa(n: &Interval) -> Interval {
     let upper = (n.clone() + n.lit(1)).over(2);
     n.pi().sqrt().over(2) * n * gamma(&n.clone().over(2)) / gamma(&upper)

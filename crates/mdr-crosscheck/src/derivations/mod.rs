@@ -12,6 +12,7 @@
 //! Each statement that is proved or enclosed is also mutated ([`Mutants`]): with one sign, exponent or factor wrong, or with the
 //! opposite sense, it must not hold.
 
+mod ends;
 mod functions;
 mod mutation;
 mod point;
@@ -162,9 +163,19 @@ pub fn is_number(statement: &Statement) -> bool {
 
 /// What intervals say about a statement at a point.
 fn truth(statement: &Statement, domain: Domain, point: &Point) -> Result<Truth, Error> {
-    let left = evaluate(&statement.left, domain, point)?;
-    let right = evaluate(&statement.right, domain, point)?;
-    Ok(if point.is_undefined() { Truth::Undefined } else { compare(&left, statement.relation, &right) })
+    let sides = |statement: &Statement| -> Result<_, Error> {
+        Ok((evaluate(&statement.left, domain, point)?, evaluate(&statement.right, domain, point)?))
+    };
+    // What diverges for some n of the domain may exist for this one; an integral that does not is one without a value.
+    let sides = match sides(statement) {
+        Err(Error::Integral { .. }) => sides(&statement.at_exponent(point.exponent())),
+        sides => sides,
+    };
+    match sides {
+        Err(Error::Integral { .. }) => Ok(Truth::Undefined),
+        _ if point.is_undefined() => Ok(Truth::Undefined),
+        sides => sides.map(|(left, right)| compare(&left, statement.relation, &right)),
+    }
 }
 
 fn compare(left: &Interval, relation: Relation, right: &Interval) -> Truth {

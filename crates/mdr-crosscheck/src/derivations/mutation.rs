@@ -14,7 +14,8 @@ pub enum Fate {
     NormalForm,
     /// Rigorous intervals contradict it at a random point.
     Enclosure,
-    /// It has certainly no value at any random point: a division by 0, a root of a negative number, an integral without end.
+    /// A side has certainly no value at any random point: a division by 0, a root of a negative number, an integral that
+    /// diverges.
     Meaningless,
     /// Neither normal forms nor intervals can tell: a side has no finite enclosure, or the two sides overlap without agreeing.
     Undecided,
@@ -84,6 +85,7 @@ fn fate(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) 
     match mutant.decide(domain) {
         Decision::Proved { .. } => Fate::Survives,
         Decision::Refuted { .. } => Fate::NormalForm,
+        Decision::Undecided(_) if mutant.divides_by_zero(domain) => Fate::Meaningless,
         Decision::Undecided(_) => by_intervals(step, statement, mutant, domain),
     }
 }
@@ -98,7 +100,7 @@ fn by_intervals(step: &Step, statement: &Statement, mutant: &Statement, domain: 
             Ok(Truth::Possible | Truth::Unknown) => fate = fate.max(Fate::Undecided),
             Ok(Truth::Undefined) => {}
             // Exact algebra finds no value, at any point.
-            Err(Error::DivisionByZero | Error::Integral { .. }) => return fate,
+            Err(Error::DivisionByZero) => return fate,
             // Exact algebra has to carry out a part of it, and cannot.
             Err(_) => return fate.max(Fate::Undecided),
         }

@@ -1,55 +1,76 @@
 //! ∫₀^{π/2} of a formula in sinθ and cosθ, enclosed.
 //!
 //! The midpoint rule on a panel of width h errs by h³/24 times a value of the second derivative on the panel, which dual
-//! numbers over dual numbers over intervals enclose. Panels shrink geometrically towards θ = 0, where a power of the sine
-//! may have no second derivative; the last panel is the range of the integrand times its width.
+//! numbers over dual numbers over intervals enclose. At either end a power of the sine or the cosine may have no second
+//! derivative, or be infinite: panels shrink geometrically towards both, and what is left beside an end is the integral of
+//! the power with which the integrand goes there ([`tail`]). An integral that diverges there, or an integrand without a real
+//! value, makes the formula one without meaning.
 
 use mdr_core::number::{Dual, Interval, Real, Special};
 use mdr_symbolic::formula::{Arithmetic, Function, evaluate};
 use mdr_symbolic::{Domain, Formula, Symbol};
 use rug::Rational;
 
+use super::ends::{End, Tail, tail};
 use super::point::Point;
 
-/// Halvings towards θ = 0.
-const OCTAVES: i64 = 12;
+/// Halvings from the middle, θ = π/4, towards an end.
+const OCTAVES: i64 = 11;
 /// Panels in each.
 const PANELS: i64 = 24;
 
-/// The integral of `integrand` over θ from 0 to π/2, at a point; the entire line when that cannot be enclosed.
+/// The integral of `integrand` over θ from 0 to π/2, at a point; the entire line when that cannot be enclosed. Where it
+/// certainly has no value, the point takes note of that.
 pub(super) fn quarter_turn(integrand: &Formula, point: &Point) -> Interval {
-    let right = point.pi().over(2);
-    enclosed(integrand, point, &right).unwrap_or_else(|| Interval::entire(right.ctx()))
+    let width = point.pi().over(4 << OCTAVES);
+    enclosed(integrand, point, &width).unwrap_or_else(|| Interval::entire(width.ctx()))
 }
 
-fn enclosed(integrand: &Formula, point: &Point, right: &Interval) -> Option<Interval> {
-    let mut upper = right.clone().over(1 << OCTAVES);
-    let mut sum = at(integrand, point, right.lit(0).hull(&upper))? * &upper;
+fn enclosed(integrand: &Formula, point: &Point, width: &Interval) -> Option<Interval> {
+    // Both ends come first: either may say that there is no value.
+    let tails = [End::Left, End::Right].map(|end| tail(integrand, point, end, width));
+    point.note(tails.iter().any(|tail| matches!(tail, Tail::Divergent)));
+    match tails {
+        [Tail::Enclosed(left), Tail::Enclosed(right)] if !point.is_undefined() => {
+            let left = half(integrand, point, End::Left, width, left)?;
+            Some(left + half(integrand, point, End::Right, width, right)?)
+        }
+        _ => None,
+    }
+}
+
+/// The integral between an end and the middle, from that up to a first `distance` from the end.
+fn half(integrand: &Formula, point: &Point, end: End, distance: &Interval, tail: Interval) -> Option<Interval> {
+    let (mut sum, mut left) = (tail, distance.clone());
     for _ in 0..OCTAVES {
+        let width = left.clone().over(PANELS);
+        for panel in 0..PANELS {
+            sum += &midpoint(integrand, point, end, &(left.clone() + width.clone().times(panel)), &width)?;
+        }
         if !sum.is_finite() {
             return None;
         }
-        let width = upper.clone().over(PANELS);
-        for panel in 0..PANELS {
-            sum += &midpoint(integrand, point, &(upper.clone() + width.clone().times(panel)), &width)?;
-        }
-        upper = upper.times(2);
+        left = left.times(2);
     }
     Some(sum)
 }
 
-/// The midpoint rule on [left, left + width], with its error.
-fn midpoint(integrand: &Formula, point: &Point, left: &Interval, width: &Interval) -> Option<Interval> {
+/// The midpoint rule between the distances left and left + width from an end, with its error.
+fn midpoint(integrand: &Formula, point: &Point, end: End, left: &Interval, width: &Interval) -> Option<Interval> {
     let middle = left.clone() + width.clone().over(2);
     let panel = left.hull(&(left.clone() + width));
-    let curvature = at(integrand, point, Dual::variable(Dual::variable(panel)))?.slope.slope;
+    let curvature = at(integrand, point, end, Dual::variable(Dual::variable(panel)))?.slope.slope;
     let error = curvature * &width.powi(2).over(24);
-    Some((at(integrand, point, middle)? + error) * width)
+    Some((at(integrand, point, end, middle)? + error) * width)
 }
 
-/// The integrand at an angle.
-fn at<R: FromInterval>(integrand: &Formula, point: &Point, angle: R) -> Option<R> {
-    let arithmetic = AtAngle { point, sine: angle.sin(), cosine: angle.cos(), angle };
+/// The integrand at a distance from an end.
+fn at<R: FromInterval>(integrand: &Formula, point: &Point, end: End, distance: R) -> Option<R> {
+    let (sine, cosine) = (distance.sin(), distance.cos());
+    let arithmetic = match end {
+        End::Left => AtAngle { point, sine, cosine, angle: distance },
+        End::Right => AtAngle { point, sine: cosine, cosine: sine, angle: distance.pi().over(2) - &distance },
+    };
     evaluate(integrand, Domain::Positive, &arithmetic).ok()
 }
 

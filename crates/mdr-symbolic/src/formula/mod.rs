@@ -1,7 +1,9 @@
 //! Formulas as they are written: what is printed, brought to normal form, evaluated and mutated is one and the same tree.
 
 mod definition;
+mod divisor;
 mod evaluate;
+mod exponent;
 mod from_normal_form;
 mod mutate;
 mod normalise;
@@ -48,7 +50,7 @@ pub enum Formula {
     At(Box<Formula>, Variable, Box<Formula>),
     /// A function outside the algebra, of which it knows a few values.
     Function(Function, Vec<Formula>),
-    /// ∫₀^{π/2} of a formula in sinθ and cosθ over θ: for enclosures only.
+    /// ∫₀^{π/2} of a formula in sinθ and cosθ over θ, improper where the formula is infinite at an end: for enclosures only.
     QuarterTurn(Box<Formula>),
 }
 
@@ -86,7 +88,7 @@ pub enum Function {
     Kappa,
     /// The arithmetic-geometric mean of two numbers.
     Agm,
-    /// The sine.
+    /// The sine: in normal form for multiples of π/6 and π/4.
     Sine,
     /// The Struve function of order 0.
     StruveH0,

@@ -59,6 +59,7 @@ impl Formula {
             }
             Formula::Function(Function::Gamma, arguments) => gamma(&of(&arguments[0])?, domain),
             Formula::Function(Function::Kappa, arguments) => kappa(&of(&arguments[0])?, domain),
+            Formula::Function(Function::Sine, arguments) => sine(&of(&arguments[0])?, domain),
             Formula::Function(..) | Formula::QuarterTurn(_) => Err(Error::Transcendental(self.text())),
         }
     }
@@ -130,4 +131,28 @@ fn kappa(n: &Quotient, domain: Domain) -> Result<Quotient> {
     let lower = gamma(&n.times(&half)?, domain)?;
     let root = Quotient::from(Expression::pi()).power(&RationalFunction::ratio(1, 2), domain)?;
     half.times(&root)?.times(n)?.times(&lower)?.over(&upper)
+}
+
+/// sin z for multiples z of π/6 and π/4.
+fn sine(argument: &Quotient, domain: Domain) -> Result<Quotient> {
+    let outside = || Error::Transcendental("this sine".to_owned());
+    let turns = argument.over(&Expression::pi().into())?.as_function().and_then(|function| function.as_constant());
+    let turns = turns.ok_or_else(outside)? / 2u32;
+    let turns = &turns - turns.clone().floor();
+    // The second half of a turn repeats the first one with the other sign, the second quarter the first one backwards.
+    let half = Rational::from((1, 2));
+    let (negative, turns) = if turns < half { (false, turns) } else { (true, turns - &half) };
+    let turns = turns.clone().min(half - turns);
+    // In twelfths of a quarter, of which 4, 6 and 8 are π/6, π/4 and π/3.
+    let (twelfths, unit) = (turns * 48u32).into_numer_denom();
+    let square = match twelfths.to_u32().filter(|_| unit == 1) {
+        Some(0) => return Ok(constant(Rational::new())),
+        Some(4) => (1, 4),
+        Some(6) => (1, 2),
+        Some(8) => (3, 4),
+        Some(12) => (1, 1),
+        _ => return Err(outside()),
+    };
+    let value = constant(Rational::from(square)).power(&RationalFunction::ratio(1, 2), domain)?;
+    Ok(if negative { value.negated() } else { value })
 }
