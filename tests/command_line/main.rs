@@ -5,6 +5,7 @@
 mod bad_input;
 mod critical;
 mod decimal;
+mod dependencies;
 mod derive;
 mod doubles;
 mod figures;
