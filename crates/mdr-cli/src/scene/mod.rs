@@ -1,6 +1,7 @@
 //! Scenes: what is pressed, how it is held, and what is wanted, as a TOML file.
 
 mod output;
+mod places;
 mod profile;
 mod reader;
 
@@ -10,6 +11,8 @@ use mdr_core::number::Literal;
 use rug::Rational;
 
 pub(crate) use output::{Want, Wanted};
+use places::Places;
+pub(crate) use places::double;
 pub(crate) use profile::{Shape, Slope};
 pub(crate) use reader::Place;
 use reader::{Document, Section, Value};
@@ -24,10 +27,10 @@ pub(crate) struct Scene {
     pub(crate) effective_modulus: Literal,
     pub(crate) work_of_adhesion: Literal,
     pub(crate) profile: Shape,
-    /// For complaints about the profile.
-    pub(crate) profile_place: Place,
     pub(crate) held: Held,
     pub(crate) output: Wanted,
+    /// For complaints about the contact.
+    pub(crate) places: Places,
 }
 
 /// How the contact is held, and moved.
@@ -93,18 +96,29 @@ impl Scene {
     fn read(document: &Document, asked: Option<Arithmetic>) -> Result<Scene> {
         let table = document.parse()?;
         let top = Section::top(document, &table);
-        let (effective_modulus, work_of_adhesion) = material(&top.section("material")?)?;
-        let profile = top.section("profile")?;
-        let profile_place = profile.place();
-        let profile = Shape::read(&profile)?;
-        let held = held(&top.section("control")?)?;
+        let moduli = top.section("material")?;
+        let (effective_modulus, work_of_adhesion) = material(&moduli)?;
+        let shape = top.section("profile")?;
+        let before = document.numbers_read();
+        let profile = Shape::read(&shape)?;
+        let parameters = before..document.numbers_read();
+        let control = top.section("control")?;
+        let held = held(&control)?;
         let mut output = Wanted::read(&top.section("output")?, &held)?;
         top.finish()?;
         output.arithmetic = asked.unwrap_or(output.arithmetic);
+        let places = Places {
+            modulus: moduli.place_of(&["e_star", "body"]),
+            work: moduli.place_of(&["work_of_adhesion"]),
+            stiffness: control.place_of(&["stiffness"]),
+            profile: shape.place(),
+            numbers: document.take_numbers(),
+            parameters,
+        };
         if output.arithmetic == Arithmetic::Double {
-            document.require_doubles()?;
+            places.require_doubles("ask for certified digits")?;
         }
-        Ok(Scene { effective_modulus, work_of_adhesion, profile, profile_place, held, output })
+        Ok(Scene { effective_modulus, work_of_adhesion, profile, held, output, places })
     }
 }
 

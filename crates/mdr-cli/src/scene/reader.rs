@@ -62,19 +62,14 @@ impl Document {
         })
     }
 
-    /// Refuses the first number of the scene that is not zero and that no double can hold.
-    pub(super) fn require_doubles(&self) -> Result<()> {
-        let numbers = self.numbers.borrow();
-        let beyond = |number: &Literal| {
-            let nearest = number.nearest_f64();
-            !nearest.is_finite() || (nearest == 0.0) != number.is_zero()
-        };
-        match numbers.iter().find(|(number, _)| beyond(number)) {
-            None => Ok(()),
-            Some((number, place)) => {
-                Err(place.refuse(format!("out of the range of f64 (ask for certified digits), got {number}")))
-            }
-        }
+    /// How many numbers have been read.
+    pub(super) fn numbers_read(&self) -> usize {
+        self.numbers.borrow().len()
+    }
+
+    /// The numbers that have been read, each with its place.
+    pub(super) fn take_numbers(&self) -> Vec<(Literal, Place)> {
+        self.numbers.take()
     }
 
     fn place(&self, span: Range<usize>, key: &str) -> Place {
@@ -132,6 +127,12 @@ impl<'a> Section<'a> {
     /// Where the table begins.
     pub(super) fn place(&self) -> Place {
         self.document.place(self.span.clone(), &self.name)
+    }
+
+    /// The place of the first of these keys that is there, else of the table.
+    pub(super) fn place_of(&self, keys: &[&'static str]) -> Place {
+        let given = keys.iter().find_map(|key| self.optional(key));
+        given.map_or_else(|| self.place(), |value| value.place())
     }
 
     /// Every entry of the table, for tables whose keys are the user's own names.

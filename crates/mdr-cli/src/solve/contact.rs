@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{self, Control, CountedTransform, Evaluations, Material, Result, Transform};
+use mdr_core::contact::{self, Control, CountedTransform, Error, Evaluations, Material, Quantity, Result, Transform};
 use mdr_core::number::{Dual, Interval, Literal};
 use mdr_numeric::curve::Curve;
 use rug::Float;
 
 use super::library;
-use crate::scene::{HeldBy, Scene, exactly};
+use crate::scene::{HeldBy, Scene, double, exactly};
 
 /// An arithmetic in which a scene can be computed.
 pub(crate) trait Arithmetic: Struve + Kappa {
@@ -108,18 +108,31 @@ impl Contact<f64> {
     /// the range of f64.
     ///
     /// # Errors
-    /// As [`Contact::new`].
+    /// [`Error::Domain`] with the input as it was written, where no double holds a number of the profile, w/E* or k/E*; as
+    /// [`Contact::new`].
     pub(crate) fn in_units_of_modulus(scene: &Scene, tally: &Arc<Tally>) -> Result<Self> {
-        let over_modulus = |literal: &Literal| {
-            let ratio = exactly(&(literal.to_rational() / scene.effective_modulus.to_rational()));
-            ratio.map_or(f64::NAN, |ratio| ratio.nearest_f64())
-        };
-        let material = Material::new(1.0, over_modulus(&scene.work_of_adhesion))?;
+        if let Some(number) = scene.places.parameter_beyond_doubles() {
+            let quantity = Quantity::Parameter("a number of the profile");
+            let requirement = "within the range of f64, where the search for states begins";
+            return Err(Error::Domain { quantity, value: number.to_string(), requirement });
+        }
+        let material = Material::new(1.0, over_modulus(scene, Quantity::WorkOfAdhesion, &scene.work_of_adhesion)?)?;
         let control = match &scene.held.by {
             HeldBy::Indentation => Control::Indentation,
             HeldBy::Force => Control::Force,
-            HeldBy::Machine { stiffness } => Control::machine(over_modulus(stiffness))?,
+            HeldBy::Machine { stiffness } => Control::machine(over_modulus(scene, Quantity::Stiffness, stiffness)?)?,
         };
         Self::with(scene, (), material, control, tally)
     }
+}
+
+/// An input over E*, in f64.
+fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f64> {
+    let modulus = &scene.effective_modulus;
+    let ratio = exactly(&(input.to_rational() / modulus.to_rational())).as_ref().and_then(double);
+    ratio.ok_or_else(|| Error::Domain {
+        quantity,
+        value: format!("{input} at E* = {modulus}"),
+        requirement: "of a ratio to E* within the range of f64, where the search for states begins",
+    })
 }

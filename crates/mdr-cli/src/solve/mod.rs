@@ -94,7 +94,7 @@ impl Solve {
         self.plot.as_deref().map_or(Ok(()), crate::picture::file::check)?;
         let scene = Scene::open(&self.scene, self.arithmetic.given()?)?;
         let tally = Arc::new(Tally::default());
-        let solver = Solver::new(&scene, &tally).map_err(|error| scene.profile_place.refuse(error.to_string()))?;
+        let solver = Solver::new(&scene, &tally).map_err(|error| scene.places.complaint_about_profile(error))?;
         let (answer, costs) = solve(&scene, &solver, &tally)?;
         render::write(&answer, self.format, out)?;
         if let Some(file) = &self.plot {
@@ -143,7 +143,7 @@ fn complaint(scene: &Scene, want: Want, error: Error) -> Failure {
             scene.held.by.quantity(),
             scene.held.path[0]
         )),
-        error => Failure::Contact(error),
+        error => scene.places.complaint(error),
     }
 }
 

@@ -25,6 +25,7 @@ pub(crate) fn write(scene: &Scene, solver: &Solver<'_>, from: &Path, to: &Path) 
 
 /// What is seen of a scene.
 fn drawing(scene: &Scene, solver: &Solver<'_>, from: &Path) -> Result<Picture> {
+    scene.places.require_doubles("--plot draws in f64")?;
     let contact: Contact<f64> = Contact::new(scene, (), &Arc::new(Tally::default()))?;
     let branches = branches(&contact, solver.folds(&contact)?, REACH);
     let events = if scene.held.path.is_empty() {
