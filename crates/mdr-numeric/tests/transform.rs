@@ -238,6 +238,20 @@ fn waves_cost_twenty_heights_each() {
     }
 }
 
+/// Rules of few nodes may agree by luck over a few waves. Eighty nodes resolve them, and err by rounding alone.
+#[test]
+fn luck_is_not_convergence() {
+    let waves = || Quadrature::new(WavyParaboloid::new(1.0, 0.1, 1.0).unwrap());
+    let (automatic, fine) = (waves(), waves().with_rule(Rule::Gauss { nodes: 80 }));
+    for i in 1..8000 {
+        let x = f64::from(i) / 2000.0;
+        for ask in [Quadrature::g_estimate, Quadrature::slope_estimate, Quadrature::mean_estimate] {
+            let (found, truth) = (ask(&automatic, &x).unwrap(), ask(&fine, &x).unwrap());
+            assert!((found.value - truth.value).abs() <= found.error + truth.error, "{x}: {found:?} {truth:?}");
+        }
+    }
+}
+
 /// Waves of the opposite phase, a trough on the axis, take away what the others add.
 #[test]
 fn a_negative_amplitude_is_the_opposite_phase() {

@@ -84,7 +84,7 @@ impl<R: Real> Ladder<R> {
             if let Some(before) = change {
                 let settled = step.clone().times(4) >= before;
                 let goal = if settled { attainable } else { tolerance };
-                let remainder = remainder(&before, &step, &rounding);
+                let remainder = remainder(&before, &step, &magnitude, &rounding);
                 if let Some(remainder) = remainder.filter(|error| *error <= goal.clone() * &magnitude) {
                     return Some(Estimate { value, error: remainder + rounding, evaluations });
                 }
@@ -107,12 +107,15 @@ pub(super) fn underflows<R: Real>(magnitude: &R) -> bool {
 const OSCILLATION: i64 = 64;
 
 /// What is left after the last of two changes. Over equal steps a geometric convergence leaves step²/before; a longer last
-/// step leaves less. Nothing is believed where the changes do not at least halve, unless they are rounding.
-fn remainder<R: Real>(before: &R, step: &R, rounding: &R) -> Option<R> {
+/// step leaves less. A step may be small by luck while few nodes see little of a wave, so it is not believed to be faster
+/// than a convergence that began at the magnitude and had come to the change before. Nothing is believed where the changes
+/// do not at least halve, unless they are rounding.
+fn remainder<R: Real>(before: &R, step: &R, magnitude: &R, rounding: &R) -> Option<R> {
     if step <= rounding {
         Some(step.clone())
     } else if step.clone().times(2) <= *before {
-        Some((step.clone() / before * step).times(OSCILLATION))
+        let rate = (step.clone() / before).greater(&(before.clone() / magnitude));
+        Some((rate * step).times(OSCILLATION))
     } else {
         None
     }
