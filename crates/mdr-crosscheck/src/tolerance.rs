@@ -20,9 +20,8 @@
 use mdr_core::calculus::Estimate;
 use mdr_core::number::Real;
 
-/// Roundings of κ_n as f64: at most seven a term in a series whose mean index is below 3, then its sum; the continued
-/// fraction for large n halves what its few steps bring in, by the square root.
-pub(crate) const KAPPA: f64 = 32.0;
+/// Roundings of κ_n: both arithmetics compute it with digits to spare and round once, f64 to 0.51 ulp.
+pub(crate) const KAPPA: f64 = 1.1;
 
 /// Roundings of a reference computed with guard digits and rounded once.
 pub(crate) const ROUNDED: f64 = 1.0;

@@ -17,9 +17,9 @@ use crate::trial::Trial;
 
 /// Π, the energy release rate and the work lost in jumps.
 ///
-/// The numerical energy meets 128 u of its integrand, or where the inner quadrature is noisier 64 times that. With
-/// V = (|d|+g)/Δl the integrands v² and v² + 2v x g'/Δl are below V²(1+2n), on the scale where πa²w is ½ and the release
-/// rate of an equilibrium is 1.
+/// With V = (|d|+g)/Δl the integrands v² and v² + 2v x g'/Δl are below V²(1+2n), on the scale where πa²w is ½ and the
+/// release rate of an equilibrium is 1. The rate is the derivative of the integral, not the integrand at its end, which
+/// would be (1.5) once more.
 pub(super) const POTENTIAL: Check = Check {
     name: "energy-quadrature",
     claim: "Π, release rate 1 at d(a), work lost at pull-off against quadrature of the energy",
@@ -51,8 +51,9 @@ pub(super) const ROUTES: Check = Check {
     case: routes,
 };
 
-/// What the numerical energy meets, in u of its integrand.
-const ENERGY: f64 = 64.0 * 128.0;
+/// What the numerical energy meets, in u of its integrand: 128 is its goal. g and g' are known to 32, the square to twice
+/// that, and where this noise ends the refinement, its last changes may be four times as large.
+const ENERGY: f64 = 128.0 + 4.0 * 2.0 * 32.0;
 
 fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, Family { least: 0.05, most: 1e3, nearest: 20 });
@@ -75,7 +76,7 @@ fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) ->
     let allowed = ENERGY * size(&a, &d)?;
     let closed = trial.theory.energy(&contact, &a, &d)?;
     trial.compare_on("Π", &closed, &energy.potential(&a, &d)?, &unit(&a), 2.0 * allowed);
-    trial.compare("release rate", &energy.release(&a, &d)?, &a.lit(1), 2.0 * allowed);
+    trial.compare("release rate", &energy.release_by_variation(&a, &d)?, &a.lit(1), 2.0 * allowed);
 
     let excess = (2.0 * n - 1.0).abs();
     let tangent = scene.tangent(1.0, &critical.contact_radius);

@@ -1,7 +1,7 @@
 //! Critical states: the folds that the numerical route finds by tangency, against the closed forms.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, FoldKind, Instability, Material, Result};
+use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Result};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::folds::folds;
 use mdr_numeric::profiles::Power;
@@ -217,7 +217,10 @@ fn machine<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> R
     let Machine { scene, stiffness, .. } = &machine;
     let material = scene.material()?;
     let control = Control::machine(stiffness.clone())?;
-    let closed = trial.theory.machine_folds(&scene.contact()?, stiffness)?;
+    let closed = match trial.theory.machine_folds(&scene.contact()?, stiffness) {
+        Err(Error::OutOfRange { quantity, log10 }) => return machine.is_beyond(trial, quantity, log10),
+        closed => closed?,
+    };
     let transform = transform(scene)?;
     let found = search(&transform, scene, &control, round, machine.radius)?;
     trial.demand(

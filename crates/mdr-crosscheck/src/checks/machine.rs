@@ -1,6 +1,8 @@
 //! Folds on a machine of finite stiffness: up to three.
 
-use mdr_core::contact::{FoldKind, Result};
+use mdr_core::contact::{Error, FoldKind, Quantity, Result};
+use mdr_core::number::Real;
+use rug::Float;
 
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
@@ -72,7 +74,10 @@ fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Res
     let machine = trial.machine::<R>(round, Family::up_to(nearest), ctx);
     let Machine { scene, stiffness, .. } = &machine;
     let contact = scene.contact()?;
-    let found = trial.theory.machine_folds(&contact, stiffness)?;
+    let found = match trial.theory.machine_folds(&contact, stiffness) {
+        Err(Error::OutOfRange { quantity, log10 }) => return machine.is_beyond(trial, quantity, log10),
+        found => found?,
+    };
     trial.demand("the number of folds", machine.expects(found.len()));
     let ends = if scene.n < scene.n.ratio(1, 2) { FoldKind::Maximum } else { FoldKind::Minimum };
     let alternate = found.iter().enumerate().all(|(i, fold)| (fold.kind == ends) == (i % 2 == 0));
@@ -113,6 +118,37 @@ impl<R: Arithmetic> Machine<R> {
     pub(super) fn expects(&self, folds: usize) -> bool {
         let multistable = (0.5..2.5 - 3_f64.sqrt()).contains(&self.scene.n.approx());
         if self.middle { folds == 3 } else { folds == 1 || multistable && folds == 3 }
+    }
+
+    /// Checks the log₁₀ of a quantity of some fold that is out of the range of this arithmetic, by the same in an arithmetic
+    /// that holds it.
+    pub(super) fn is_beyond(&self, trial: &mut Trial<'_>, quantity: Quantity, log10: f64) -> Result<()> {
+        const BITS: u32 = 200;
+        let precise = |value: &R| Float::with_val(BITS, value.widen());
+        let Scene { n, c, e_star, work } = &self.scene;
+        let [n, c, e_star, work] = [n, c, e_star, work].map(precise);
+        let scene = Scene { n, c, e_star, work };
+        let folds = trial.theory.machine_folds(&scene.contact()?, &precise(&self.stiffness))?;
+        let logs = folds.iter().filter_map(|fold| {
+            let value = match quantity {
+                Quantity::ContactRadius => &fold.contact_radius,
+                Quantity::Indentation => &fold.indentation,
+                Quantity::Force => &fold.force,
+                _ => return None,
+            };
+            Some(value.clone().abs().ln().approx() / std::f64::consts::LN_10)
+        });
+        let error = logs.map(|exact| (exact - log10).abs()).fold(f64::INFINITY, f64::min);
+        // A logarithm of each input, each with its rounding, over |2n − 1|, and one of the sum.
+        let largest = [&scene.c, &scene.e_star, &scene.work, &precise(&self.stiffness)]
+            .map(|value| value.clone().ln().approx().abs())
+            .into_iter()
+            .fold(1.0, f64::max);
+        let inputs = 16.0 * largest / (2.0 * scene.n.approx() - 1.0).abs();
+        let roundoff = self.scene.n.unit_roundoff().approx();
+        trial.enter(format!("log₁₀ of {quantity}"), error / roundoff, inputs + 4.0 * log10.abs());
+        trial.demand(format!("{quantity} is out of range"), log10.abs() > 307.0);
+        Ok(())
     }
 
     /// How far the balance of forces may be off at a computed fold of share s = 2E*a/k.
