@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use mdr_core::contact::{Control, Error, FoldKind, Instability, Quantity, Regime, Result};
-use mdr_core::number::certify::{Decimal, Enclosure, certify};
+use mdr_core::number::certify::{Decimal, Enclosure, certify, require_digits};
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use rug::{Integer, Rational};
 
@@ -14,9 +14,6 @@ use crate::threshold::threshold;
 
 /// Bits beyond those of the digits: rounding errors, and the small chance that the digits end close to a tie.
 const GUARD: u32 = 40;
-
-/// The most digits that are given.
-const MOST_DIGITS: u32 = 1_000_000;
 
 /// The most bits that an exponent close to 1/2 may cost: |2n−1| down to about 10⁻²⁰⁰⁰⁰.
 const MOST_MAGNIFICATION: f64 = 65_536.0;
@@ -225,11 +222,7 @@ impl Question {
 
 /// The bits of so many digits, and the guard.
 fn bits_for(digits: u32) -> Result<Precision> {
-    if !(1..=MOST_DIGITS).contains(&digits) {
-        let value = digits.to_string();
-        return Err(Error::Domain { quantity: Quantity::Digits, value, requirement: "from 1 to 1000000" });
-    }
-    Ok(Precision::new(Precision::from_digits(digits).bits() + GUARD))
+    Ok(Precision::new(Precision::from_digits(require_digits(digits)?).bits() + GUARD))
 }
 
 fn kappa_result(precision: Precision, n: &Rational) -> Enclosure {

@@ -11,8 +11,16 @@ use rug::{Float, Integer, Rational};
 use super::{Interval, Precision, Real};
 use crate::contact::{Error, Quantity, Result};
 
-/// The most digits that are given.
-const MOST_DIGITS: u32 = 1_000_000;
+/// Passes `digits` on when so many can be given.
+///
+/// # Errors
+/// [`Error::Domain`] unless they are from 1 to 1 000 000.
+pub fn require_digits(digits: u32) -> Result<u32> {
+    if (1..=1_000_000).contains(&digits) {
+        return Ok(digits);
+    }
+    Err(Error::Domain { quantity: Quantity::Digits, value: digits.to_string(), requirement: "from 1 to 1000000" })
+}
 
 /// What is known about a real number.
 #[derive(Clone, Debug)]
@@ -92,10 +100,7 @@ pub fn certify<const K: usize>(
     start: Precision,
     mut f: impl FnMut(Precision) -> Result<[Enclosure; K]>,
 ) -> Result<[Decimal; K]> {
-    if !(1..=MOST_DIGITS).contains(&digits) {
-        let value = digits.to_string();
-        return Err(Error::Domain { quantity: Quantity::Digits, value, requirement: "from 1 to 1000000" });
-    }
+    require_digits(digits)?;
     let most = start.bits().saturating_mul(64).saturating_add(20_000);
     let mut bits = start.bits();
     let mut decided: [Option<Decimal>; K] = [const { None }; K];
