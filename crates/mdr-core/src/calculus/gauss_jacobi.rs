@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::cache::{self, Key, Stored};
+use super::cache::{Key, RULES, Stored};
 use super::estimate::{Estimate, Refinement, Tolerance, finite, rounding, sum};
 use super::jacobi::Jacobi;
 use crate::contact::{Error, Quantity, Result};
@@ -49,7 +49,7 @@ const ROUNDINGS: i64 = 12;
 /// [`NoConvergence`](Error::NoConvergence) when the zeros cannot be told apart.
 pub fn rule<R: Real>(n: usize, alpha: &R, beta: &R) -> Result<Arc<Rule<R>>> {
     let key = Key::GaussJacobi { n, alpha: format!("{alpha:?}"), beta: format!("{beta:?}") };
-    let kept = cache::rule(alpha.precision(), key, || Rule::new(n, alpha, beta))?;
+    let kept = RULES.rule(alpha.precision(), key, || Rule::new(n, alpha, beta))?;
     // The text of an exponent may be shorter than its precision, and then it stands for a neighbour too.
     let same = kept.alpha == *alpha && kept.beta == *beta;
     if same { Ok(kept) } else { Rule::new(n, alpha, beta).map(Arc::new) }

@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 use std::sync::OnceLock;
 
-use super::cache::{self, Key, Stored};
+use super::cache::{Cache, Key, RULES, Stored};
 use super::estimate::{Estimate, Refinement, Tolerance, finite, rounding, sum};
 use crate::contact::{Error, Quantity, Result};
 use crate::number::Real;
@@ -161,9 +161,12 @@ struct Abscissa<R> {
 /// The abscissae by level, outwards: t = 1, 2, 3, … at level 0, the odd multiples of 2^−level later.
 struct Table<R> {
     levels: Vec<OnceLock<Vec<Abscissa<R>>>>,
+    /// What counts the levels as they are filled.
+    cache: &'static Cache,
 }
 
 impl<R: Real> Stored for Table<R> {
+    /// No level is filled yet.
     fn bits(&self) -> usize {
         0
     }
@@ -171,13 +174,17 @@ impl<R: Real> Stored for Table<R> {
 
 impl<R: Real> Table<R> {
     /// An empty table. Level ⌈log₂ bits⌉ suffices for entire integrands; the next two are for singularities nearby.
-    fn new(like: &R) -> Self {
+    fn new(like: &R, cache: &'static Cache) -> Self {
         let levels = u32::BITS - like.precision().leading_zeros() + 3;
-        Table { levels: (0..levels).map(|_| OnceLock::new()).collect() }
+        Table { levels: (0..levels).map(|_| OnceLock::new()).collect(), cache }
     }
 
     fn level(&self, like: &R, level: usize) -> &[Abscissa<R>] {
-        self.levels[level].get_or_init(|| abscissae(like, level as i64))
+        self.levels[level].get_or_init(|| {
+            let filled = abscissae(like, level as i64);
+            self.cache.grown(filled.len() * 2 * like.precision() as usize);
+            filled
+        })
     }
 }
 
@@ -223,7 +230,7 @@ fn integrate<R: Real>(
         return Ok(Estimate { value: zero.clone(), error: zero, evaluations: 0 });
     }
     let panel = Panel { lower, upper, width };
-    let table = cache::rule(panel.width.precision(), Key::TanhSinh, || Ok(Table::new(&panel.width)))?;
+    let table = RULES.rule(panel.width.precision(), Key::TanhSinh, || Ok(Table::new(&panel.width, &RULES)))?;
     let mut refinement = Refinement::new(tolerance);
     let mut total = panel.centre(&mut f)?;
     let (mut magnitude, mut evaluations) = (total.abs(), 1);
@@ -312,4 +319,23 @@ fn tail<R: Real>(terms: &[R]) -> Option<R> {
     let ratio = last.clone() / before;
     let room = ratio.lit(1) - &ratio;
     if room > room.lit(0) { Some(last * ratio / room) } else { None }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::LazyLock;
+
+    use super::*;
+
+    /// Each level once, when it is filled.
+    #[test]
+    fn levels_are_counted_when_they_are_filled() {
+        static CACHE: LazyLock<Cache> = LazyLock::new(Cache::default);
+        let table = Table::new(&1.0, &CACHE);
+        assert_eq!(CACHE.bits(), 0);
+        let [coarse, finer] = [0, 1].map(|level| table.level(&1.0, level).len());
+        assert!(coarse > 0 && finer > 0);
+        table.level(&1.0, 0);
+        assert_eq!(CACHE.bits(), 2 * 53 * (coarse + finer));
+    }
 }
