@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use mdr_core::contact::{Error, Kink, Quantity, Result, Slopes, Transform};
-use mdr_core::number::Special;
+use mdr_core::number::{Special, order};
 
 /// The profile f₁ + f₂ + …, whose g, g' and G are the sums of theirs. It ends where its first term ends.
 pub struct Sum<R> {
@@ -128,7 +128,7 @@ impl<R: Special> Sum<R> {
             let kinks = profile.kinks().into_iter().enumerate();
             edges.extend(kinks.map(|(index, radius)| EdgeOf { radius, term, index }));
         }
-        edges.sort_by(|a, b| a.radius.partial_cmp(&b.radius).unwrap_or(Ordering::Equal));
+        edges.sort_by(|a, b| order(&a.radius, &b.radius));
         edges
     }
 

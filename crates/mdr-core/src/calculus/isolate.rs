@@ -3,11 +3,9 @@
 //! The range is halved in log x until each cell holds no zero or one. Who says so decides what the result is worth: an
 //! enclosure test proves it; samples only make it likely, and then the result says that it is not proved.
 
-use std::cmp::Ordering;
-
 use super::roots::{Bracket, Sample, geometric_mean};
 use crate::contact::{Error, Quantity, Result};
-use crate::number::Real;
+use crate::number::{Real, order};
 
 /// What an enclosure test knows about a function on a whole interval. It must be certain: from interval arithmetic, or from
 /// a theorem about the function.
@@ -241,11 +239,6 @@ fn merge<R: Real>(mut intervals: Vec<(R, R)>) -> Vec<(R, R)> {
         }
     }
     merged
-}
-
-/// The order of two abscissae, which are points.
-fn order<R: Real>(x: &R, y: &R) -> Ordering {
-    x.partial_cmp(y).unwrap_or(Ordering::Equal)
 }
 
 /// By how much the quadratic through the ends and the middle misses the other three of six values, which lie at the

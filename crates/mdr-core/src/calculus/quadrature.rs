@@ -3,13 +3,12 @@
 //! With x = a + (b−a)δ(t), δ = 1/(1 + e^(−π sinh t)), the integrand in t decays so fast that the trapezoidal rule doubles
 //! its digits with each halving of the step, whatever algebraic or logarithmic singularity sits at the ends.
 
-use std::cmp::Ordering;
 use std::sync::OnceLock;
 
 use super::cache::{Cache, Key, RULES, Stored};
 use super::estimate::{Estimate, Refinement, Tolerance, finite, rounding, sum};
 use crate::contact::{Error, Quantity, Result};
-use crate::number::Real;
+use crate::number::{Real, order};
 
 /// A point of the interval, with its distances from the ends, each to full relative accuracy.
 #[derive(Clone, Debug)]
@@ -106,7 +105,7 @@ pub fn pieces<R: Real>(
     let backwards = from > to;
     let (least, most) = if backwards { (to, from) } else { (from, to) };
     let mut ends: Vec<&R> = breaks.iter().filter(|end| least < end.steer() && end.steer() < most).collect();
-    ends.sort_by(|one, other| one.steer().partial_cmp(&other.steer()).unwrap_or(Ordering::Equal));
+    ends.sort_by(|one, other| order(*one, *other));
     if backwards {
         ends.reverse();
     }

@@ -22,5 +22,5 @@ pub use interval::Interval;
 pub use literal::{Literal, LiteralError};
 #[cfg(feature = "mp")]
 pub use mp::Precision;
-pub use real::{Gamma, Lift, Real, Special};
+pub use real::{Gamma, Lift, Real, Special, order};
 pub use wide::Wide;

@@ -168,6 +168,17 @@ pub trait Real:
     }
 }
 
+/// The order in which numbers are sorted, by where they [steer](Real::steer): enclosures that overlap have one, too.
+///
+/// ```
+/// let mut radii = [3.0, 1.0, 2.0];
+/// radii.sort_by(mdr_core::number::order);
+/// assert_eq!(radii, [1.0, 2.0, 3.0]);
+/// ```
+pub fn order<R: Real>(x: &R, y: &R) -> Ordering {
+    x.steer().partial_cmp(&y.steer()).unwrap_or(Ordering::Equal)
+}
+
 /// The functions beyond algebra, exponential and logarithm: circular and inverse hyperbolic.
 pub trait Special: Real {
     /// sin self.
