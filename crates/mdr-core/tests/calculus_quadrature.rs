@@ -206,6 +206,23 @@ fn the_finest_rule_counts_below_the_limit() {
     assert!(matches!(with(error / 2.0), Err(Error::NoConvergence { .. })), "{error:e}");
 }
 
+/// Where noise is no excuse before the finest rule, that is reached, and its value taken below the limit alone.
+#[test]
+fn the_finest_rule_alone_may_miss_the_goal() {
+    // eˣ to a noise of about 1e-9.
+    let noisy = |x: &f64| Ok(x.exp() + 1e-9 * (1e12 * x).sin());
+    let goal = Tolerance::new(&0.0);
+    let by = |tolerance| tanh_sinh(&0.0, &1.0, tolerance, noisy);
+    let early = by(goal.clone().or_noise_below(1e-8)).unwrap();
+    let late = by(goal.clone().or_finest_below(1e-8)).unwrap();
+    assert!((late.value - 1f64.exp_m1()).abs() <= late.error && late.error < 2e-8, "{late:?}");
+    let Err(Error::NoConvergence { evaluations, .. }) = by(goal.clone().or_finest_below(1e-12)) else {
+        panic!("converged")
+    };
+    assert_eq!(late.evaluations, evaluations);
+    assert!(early.evaluations * 2 < evaluations, "{early:?}");
+}
+
 #[test]
 fn errors_of_the_integrand_come_through() {
     let refused = Error::NoEquilibrium { quantity: Quantity::Force, value: "1".into() };

@@ -54,7 +54,7 @@ fn cone_paraboloid_and_sphere() {
         let condition = 1.0 / (1.0 - s * s);
         let g = sphere.g_estimate(&x).unwrap();
         assert_relative_eq!(g.value, x * f64::atanh(s), max_relative = ROUNDING * (1.0 + condition));
-        assert!((g.value - x * f64::atanh(s)).abs() <= 4.0 * g.error, "s = {s}: the error {} is too small", g.error);
+        assert!((g.value - x * f64::atanh(s)).abs() <= g.error, "s = {s}: the error {} is too small", g.error);
         let slope = f64::atanh(s) + s * condition;
         assert_relative_eq!(sphere.slope(&x).unwrap(), slope, max_relative = ROUNDING * (1.0 + 2.0 * condition));
         let integral = 0.5 * (x * x - 4.0) * f64::atanh(s) + x;
@@ -104,7 +104,7 @@ fn twelve_nodes_are_enough_for_powers() {
     for n in [0.001, 0.25, 0.5, 1.0, 2.5, 7.0, 50.0, 1000.0] {
         let profile = Power::new(n, 1.0).unwrap();
         let automatic = Quadrature::new(profile.clone()).g_estimate(&1.0).unwrap();
-        assert_eq!(automatic.evaluations, 24, "n = {n}"); // 4 + 8 + 12
+        assert_eq!(automatic.evaluations, 27, "n = {n}"); // 4 + 8 + 12, and three for noise
         let fixed = Quadrature::new(profile).with_rule(Rule::Gauss { nodes: 12 });
         assert_relative_eq!(fixed.g(&1.0).unwrap(), automatic.value, max_relative = ROUNDING);
     }
@@ -183,7 +183,7 @@ fn fifty_digits() {
     let error = |value: Float, truth: Float| ((value - &truth) / truth).abs();
     let bound = like.unit_roundoff().times(32);
     let g = cone.g_estimate(&x).unwrap();
-    assert_eq!(g.evaluations, 72); // 12 + 24 + 36
+    assert_eq!(g.evaluations, 75); // 12 + 24 + 36, and three for noise
     assert!(error(g.value, like.pi().over(6)) < bound);
     assert!(error(sphere.g(&x).unwrap(), x.clone() * x.atanh()) < bound);
 }

@@ -49,6 +49,8 @@ pub fn roundoff_tolerance<R: Real>(like: &R) -> R {
 pub struct Tolerance<R> {
     goal: R,
     limit: R,
+    /// The limit for the finest rule.
+    last: R,
     noise: R,
 }
 
@@ -56,12 +58,19 @@ impl<R: Real> Tolerance<R> {
     /// A goal that has to be met; one below the rounding level ([`roundoff_tolerance`]) is raised to it.
     pub fn new(goal: &R) -> Self {
         let goal = larger(goal.steer(), roundoff_tolerance(goal));
-        Tolerance { limit: goal.clone(), noise: goal.unit_roundoff().times(8), goal }
+        Tolerance { limit: goal.clone(), last: goal.clone(), noise: goal.unit_roundoff().times(8), goal }
     }
 
     /// The same goal, or as near to it as the noise of the integrand lets, below this limit.
     pub fn or_noise_below(self, limit: R) -> Self {
-        Tolerance { limit: larger(limit.steer(), self.goal.clone()), ..self }
+        let limit = larger(limit.steer(), self.goal.clone());
+        Tolerance { last: limit.clone(), limit, ..self }
+    }
+
+    /// The same goal; but when the finest rule has missed it, its value is taken, with its error, below this limit. For an
+    /// integrand of which it is not certain that it has noise: a slow convergence is not taken for it.
+    pub fn or_finest_below(self, limit: R) -> Self {
+        Tolerance { last: larger(limit.steer(), self.limit.clone()), ..self }
     }
 
     /// The same for an integrand that is known to this relative `noise`, so that a change no larger than that is rounding.
@@ -107,7 +116,7 @@ impl<R: Real> Refinement<R> {
     /// # Errors
     /// [`NoConvergence`](Error::NoConvergence) unless its error is below the limit.
     pub(super) fn exhausted(&self, last: Estimate<R>, magnitude: &R) -> Result<Estimate<R>> {
-        if last.is_within(&self.tolerance.limit, magnitude) { Ok(last) } else { Err(no_convergence(&last, magnitude)) }
+        if last.is_within(&self.tolerance.last, magnitude) { Ok(last) } else { Err(no_convergence(&last, magnitude)) }
     }
 
     /// Whether the last change is not much smaller than the one before.

@@ -17,11 +17,11 @@ pub(super) enum Integrand {
 }
 
 impl Integrand {
-    /// φ at r = sx, with the derivatives from dual numbers. The variable has the slope r, not 1, so that the derivative is D
+    /// φ at r = sx, s being needed for g' alone, with the derivatives from dual numbers. The variable has the slope r, not 1, so that the derivative is D
     /// and every term is a length of the size of f. For g' the derivative is that in x, so that no height is divided by x:
     /// near the tip heights leave the range of the arithmetic where slopes do not.
-    pub(super) fn at<R: Special>(self, profile: &impl Profile<R>, s: &R, x: &R) -> R {
-        let r = logarithmic(s.clone() * x);
+    pub(super) fn at<R: Special>(self, profile: &impl Profile<R>, s: &R, r: &R) -> R {
+        let r = logarithmic(r.clone());
         match self {
             Integrand::Height => profile.height(&r.value),
             Integrand::Rise => profile.height(&r).slope,
@@ -58,7 +58,7 @@ impl Integrand {
                 let h = zero.unit_roundoff().sqrt();
                 let below = one.clone() - &h;
                 let here = |r: &R| self.at(profile, &one, r);
-                let change = |r: &R| here(r) - self.at(profile, &below, r);
+                let change = |r: &R| here(r) - self.at(profile, &below, &(below.clone() * r));
                 let slope = |r: &R| profile.height(&Dual { value: r.clone(), slope: one.clone() }).slope;
                 let (bent, risen) = (total(&here), total(&slope));
                 // At a singular end of the profile the difference sees no more than 1/h.
@@ -80,9 +80,15 @@ fn second_order<R: Special>(profile: &impl Profile<R>, r: &R) -> Dual<Dual<R>> {
     profile.height(&Dual { value: inner.clone(), slope: inner })
 }
 
-/// The jump of Df at a kink b, from both sides: Df and D²f at b(1 ± h), extrapolated to b. None where it is nothing but
+/// A jump, known to an absolute `error`.
+pub(super) struct Jump<R> {
+    pub(super) value: R,
+    pub(super) error: R,
+}
+
+/// The jump of Df at a kink b, from both sides: Df and D²f at b(1 ± h), extrapolated to b. Zero where it is nothing but
 /// rounding, as at a kink of the second derivative.
-pub(super) fn kink_jump<R: Special>(profile: &impl Profile<R>, kink: &R) -> Option<R> {
+pub(super) fn kink_jump<R: Special>(profile: &impl Profile<R>, kink: &R) -> Jump<R> {
     let h = kink.unit_roundoff().times(4);
     let side = |h: R| {
         let f = second_order(profile, &(kink.clone() * (h.lit(1) + &h))).slope;
@@ -90,7 +96,8 @@ pub(super) fn kink_jump<R: Special>(profile: &impl Profile<R>, kink: &R) -> Opti
     };
     let (outer, outer_bend) = side(h.clone());
     let (inner, inner_bend) = side(-h.clone());
-    let rounding = (outer.abs() + inner.abs() + outer_bend + inner_bend) * h.times(4);
+    let error = (outer.abs() + inner.abs() + outer_bend + inner_bend) * h.times(4);
     let jump = outer - inner;
-    (jump.abs() > rounding).then_some(jump)
+    let value = if jump.abs() > error { jump } else { jump.lit(0) };
+    Jump { value, error }
 }

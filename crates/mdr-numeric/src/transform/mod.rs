@@ -9,7 +9,10 @@
 //! The last needs no nested quadrature: g(s) = d/ds ∫₀ˢ r f(r)/√(s²−r²) dr (Abel), so the outer integral is done. All
 //! three are one functional, `I[φ]` = ∫₀^{π/2} sinθ φ(x sinθ) dθ, which this module computes.
 
+mod angles;
+mod counted;
 mod gauss;
+mod integral;
 mod integrand;
 mod quadrature;
 mod strides;

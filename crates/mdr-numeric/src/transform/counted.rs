@@ -1,0 +1,46 @@
+//! A profile whose heights are counted.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use mdr_core::contact::Profile;
+use mdr_core::number::{Lift, Real};
+
+/// A profile, and how many heights of it were evaluated. It counts for one thread.
+pub(super) struct Counted<'a, P> {
+    profile: &'a P,
+    heights: AtomicUsize,
+}
+
+impl<'a, P> Counted<'a, P> {
+    pub(super) fn new(profile: &'a P) -> Self {
+        Counted { profile, heights: AtomicUsize::new(0) }
+    }
+
+    pub(super) fn heights(&self) -> usize {
+        self.heights.load(Ordering::Relaxed)
+    }
+}
+
+impl<R: Real, P: Profile<R>> Profile<R> for Counted<'_, P> {
+    fn height<S: Lift<R>>(&self, r: &S) -> S {
+        // As nobody else counts, there is no need to lock.
+        self.heights.store(self.heights() + 1, Ordering::Relaxed);
+        self.profile.height(r)
+    }
+
+    fn kinks(&self) -> Vec<R> {
+        self.profile.kinks()
+    }
+
+    fn outer_radius(&self) -> Option<R> {
+        self.profile.outer_radius()
+    }
+
+    fn wall(&self) -> bool {
+        self.profile.wall()
+    }
+
+    fn tip_exponent(&self) -> Option<R> {
+        self.profile.tip_exponent()
+    }
+}
