@@ -165,7 +165,7 @@ impl<'a, R: Real> Curve<'a, R> {
         let force = match (self.control, self.soft_spring(a)) {
             (Control::Force, _) => value.clone(),
             (_, Some(k)) => spring_force(k, value.clone() - &d)?,
-            _ => self.in_range(a, d.clone() - self.transform.mean(a)?)?,
+            _ => self.force_of(a, &(d.clone() - self.transform.mean(a)?))?,
         };
         Ok((d, force))
     }
@@ -230,15 +230,15 @@ impl<'a, R: Real> Curve<'a, R> {
     /// As [`Transform::mean`]; [`Error::OutOfRange`] when the force is no number of this arithmetic.
     pub fn state(&self, a: &R) -> Result<(R, R)> {
         let d = self.indentation(a)?;
-        let force = self.in_range(a, self.depth_below_mean(a)?)?;
+        let force = self.force_of(a, &self.depth_below_mean(a)?)?;
         Ok((d, force))
     }
 
     /// 2E*a times the indentation less the mean of g, or [`Error::OutOfRange`].
-    fn in_range(&self, a: &R, excess: R) -> Result<R> {
-        let force = self.edge_stiffness(a) * &excess;
+    pub(crate) fn force_of(&self, a: &R, excess: &R) -> Result<R> {
+        let force = self.edge_stiffness(a) * excess;
         let factors = || [a.lit(2), a.clone(), self.material.effective_modulus().clone(), excess.abs()];
-        force_in_range(force, &excess, factors)
+        force_in_range(force, excess, factors)
     }
 }
 

@@ -14,7 +14,7 @@ use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh_pieces, roundoff_toler
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
-use crate::curve::relative_elongation;
+use crate::curve::{Curve, relative_elongation};
 use crate::survey::{self, Crossing, Range};
 use mean::Grade;
 
@@ -170,23 +170,14 @@ impl<'a, R: Real> Energy<'a, R> {
         })
     }
 
-    /// The indentation that makes the energy stationary in d at radius `a`: ∂Π/∂d = 2E* ∫₀ᵃ (d − g) dx is F, or k(D − d).
-    fn indentation(&self, control: &Control<R>, value: &R, a: &R, grade: &Grade<R>) -> Result<R> {
-        let stiffness = self.stiffness(a);
-        let mean = || self.mean(a, grade, |x| g(self.transform, x));
-        Ok(match control {
-            Control::Indentation => value.clone(),
-            Control::Force => value.clone() / stiffness + mean()?,
-            Control::Machine { stiffness: k } => {
-                let whole = k.clone() + &stiffness;
-                k.clone() / &whole * value + stiffness / whole * mean()?
-            }
-        })
+    /// The force balance of the contact; of the curve nothing is used that knows the rule of Heß.
+    fn balance<'b>(&'b self, control: &'b Control<R>) -> Curve<'b, R> {
+        Curve::new(self.transform, self.material, control)
     }
 
-    /// ∂²Π/∂d² = 2E*a.
-    fn stiffness(&self, a: &R) -> R {
-        (a.clone() * self.material.effective_modulus()).times(2)
+    /// The indentation that makes the energy stationary in d at radius `a`: ∂Π/∂d = 2E* ∫₀ᵃ (d − g) dx is F, or k(D − d).
+    fn indentation(&self, control: &Control<R>, value: &R, a: &R, grade: &Grade<R>) -> Result<R> {
+        self.balance(control).held_against(a, value, || self.mean(a, grade, |x| g(self.transform, x)))
     }
 
     /// √(2πaw/E*), the unit of displacement at radius `a`.
@@ -217,8 +208,9 @@ impl<'a, R: Real> Energy<'a, R> {
     /// some ten milliseconds in f64, and seconds at 50 digits where g is itself a quadrature.
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature; as [`Control::check_value`]; [`Error::Undecided`] where Π is stationary, up to rounding, over a whole
-    /// range of radii, as at d = 0 at the threshold of n = 1/2.
+    /// Those of the transform and of the quadrature; as [`Control::check_value`]; [`Error::OutOfRange`] when a force is no
+    /// number of this arithmetic; [`Error::Undecided`] where Π is stationary, up to rounding, over a whole range of radii,
+    /// as at d = 0 at the threshold of n = 1/2.
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
         control.check_value(value)?;
         let tension = |a: &R, search| self.tension(control, value, a, search);
@@ -231,7 +223,8 @@ impl<'a, R: Real> Energy<'a, R> {
             let Some(bracket) = bracket(crossing, excess)? else { continue };
             let a = roots::refine(bracket, &roundoff_tolerance(&crossing.lower).over(8), excess)?.value;
             let d = self.indentation(control, value, &a, &Grade::Full)?;
-            let force = self.stiffness(&a) * (d.clone() - self.mean(&a, &Grade::Full, |x| g(self.transform, x))?);
+            let excess = d.clone() - self.mean(&a, &Grade::Full, |x| g(self.transform, x))?;
+            let force = self.balance(control).force_of(&a, &excess)?;
             let stability = if crossing.rising { Stability::Stable } else { Stability::Unstable };
             found.push(Equilibrium { contact_radius: a, indentation: d, force, stability });
         }

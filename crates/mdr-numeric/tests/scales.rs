@@ -8,6 +8,7 @@ use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Error, Material, Profile};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
+use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{Branches, equilibria};
 use mdr_numeric::folds::{find, folds};
 use mdr_numeric::profiles::{Paraboloid, Power, WavyParaboloid};
@@ -48,6 +49,24 @@ fn a_fold_whose_force_is_out_of_range_keeps_its_radius() {
     assert_relative_eq!(fold.contact_radius, f64::cbrt(PI / 8.0) * 1e200, max_relative = ROUNDING);
     assert!(matches!(fold.error, Error::OutOfRange { log10, .. } if (350.0..351.0).contains(&log10)), "{fold:?}");
     assert!(folds(&ball, &material, &Control::Indentation).is_err());
+}
+
+/// JKR at d = 0 with R = 10¹⁰⁰: a³ = 2πwR²/E*, and the force is −(2/3)E*a³/R = −(4/3)πwR, of the order of −10³⁴⁵. The other
+/// route has met such a force at the fold, −(5/6)πwR.
+#[test]
+fn an_equilibrium_whose_force_is_out_of_range_is_refused() {
+    let (ball, material) = (Quadrature::new(Paraboloid::new(1e100).unwrap()), Material::new(1e250, 1e245).unwrap());
+    let (control, d) = (Control::Indentation, 0.0);
+    let by_forces = equilibria(&ball, &material, &control, &d).map(|found| found.equilibria);
+    let by_energy = Energy::new(&ball, &material).unwrap().equilibria(&control, &d);
+    for (found, factor) in [(by_forces, 5.0 / 6.0), (by_energy, 4.0 / 3.0)] {
+        match found {
+            Err(Error::OutOfRange { log10, .. }) => {
+                assert_relative_eq!(log10, 345.0 + f64::log10(factor * PI), max_relative = 1e-12);
+            }
+            other => panic!("{other:?}"),
+        }
+    }
 }
 
 #[test]
