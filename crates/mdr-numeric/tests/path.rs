@@ -204,6 +204,14 @@ fn a_dimple_is_not_touched_at_its_tip() {
     // Once it is in contact it can be followed until it breaks, and then not back.
     let events = follow(&ring, &material, &control, Start::Largest, &[0.1, -0.1, 0.1]).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, Detached, WayPoint, NotAdmissible]);
+    // Apart they may be moved further apart, and end the path where they turn; at zero they would overlap.
+    let events = follow(&ring, &material, &control, Start::Detached, &[-0.1, -0.2]).unwrap();
+    assert_eq!(kinds(&events), [EventKind::Start, End]);
+    let events = follow(&ring, &material, &control, Start::Detached, &[-0.1, -0.2, -0.15]).unwrap();
+    assert_eq!(kinds(&events), [EventKind::Start, WayPoint, NotAdmissible]);
+    assert_eq!(events[2].value, -0.2);
+    let events = follow(&ring, &material, &control, Start::Detached, &[0.0]).unwrap();
+    assert_eq!(kinds(&events), [EventKind::Start, NotAdmissible]);
 }
 
 #[test]

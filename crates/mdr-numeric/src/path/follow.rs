@@ -147,7 +147,8 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         Ok(true)
     }
 
-    /// Detached surfaces, and the controlled quantity comes up to `target`: they touch at zero. Whether they do.
+    /// Detached surfaces, and the controlled quantity comes up to `target`, or is there at the start: they touch at zero.
+    /// Whether they do. With a dimple that much is not known, and the path ends where they begin to come closer.
     fn approach(&mut self, target: &R) -> Result<bool> {
         if self.place != Place::Detached {
             return Ok(false);
@@ -155,7 +156,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         let zero = target.lit(0);
         let side = certain(target, &zero, self.branches)?;
         match self.branches.onset()? {
-            Onset::Dimple => {
+            Onset::Dimple if side != Ordering::Less || *target > self.value => {
                 let value = self.value.clone();
                 self.leave(EventKind::NotAdmissible, &value);
                 Ok(false)
@@ -169,7 +170,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
                 self.jump_in(&zero)?;
                 Ok(true)
             }
-            Onset::Smooth | Onset::Abrupt => Ok(false),
+            Onset::Smooth | Onset::Abrupt | Onset::Dimple => Ok(false),
         }
     }
 

@@ -61,8 +61,8 @@ pub enum EventKind {
     /// or closer to an outer radius where g is infinite than the arithmetic can tell. The path ends; the states are the last
     /// that are known, at the value of the event before.
     Undecided,
-    /// The surfaces come closer, but the profile has a dimple at its tip: they will first touch on a ring, which is no
-    /// contact of this theory. The path ends.
+    /// Detached surfaces come closer, or start at the value 0, but the profile has a dimple at its tip: they first touch on a
+    /// ring, which is no contact of this theory. The path ends. Moved further apart they stay detached.
     NotAdmissible,
     /// A way point is reached.
     WayPoint,
