@@ -62,7 +62,9 @@ struct Shape {
 
 fn shapes() -> Vec<Shape> {
     let mut shapes = smooth();
-    shapes.extend(edged());
+    shapes.extend(flat_ended());
+    shapes.extend(changing());
+    shapes.extend(walled());
     shapes.extend(concave());
     shapes
 }
@@ -116,15 +118,14 @@ fn smooth() -> Vec<Shape> {
     ]
 }
 
-fn edged() -> Vec<Shape> {
-    let edged = |subjects, base, lengths, inside| Shape {
-        subjects,
-        base,
-        lengths,
-        edge: Some((|x: &[f64]| x[1], inside)),
-        ends: false,
-    };
-    let mut shapes = vec![
+/// A profile whose second input is the radius where its formula changes; `inside` tells whether it is more than 0 within.
+fn edged(subjects: [Subject; 3], base: &'static [f64], lengths: &'static [usize], inside: bool) -> Shape {
+    Shape { subjects, base, lengths, edge: Some((|x| x[1], inside)), ends: false }
+}
+
+/// Flat up to a radius.
+fn flat_ended() -> Vec<Shape> {
+    vec![
         edged(
             profile!("TruncatedCone", &["slope", "b", "x"], |p| closed::TruncatedCone::new(own(p, 0), own(p, 1)),
             G "x t arccos(b/x)" => |x| x[2] * x[0] * (x[1] / x[2]).acos(),
@@ -157,6 +158,12 @@ fn edged() -> Vec<Shape> {
             &[0, 1, 2],
             false,
         ),
+    ]
+}
+
+/// Of one formula within a radius and another beyond: rounded tips and hollows.
+fn changing() -> Vec<Shape> {
+    vec![
         edged(
             profile!("ParabolicCapCone", &["slope", "b", "x"], |p| closed::ParabolicCapCone::new(own(p, 0), own(p, 1)),
             G "tx[(x − √(x²−b²))/b + arccos(b/x)]" => |x| {
@@ -189,35 +196,38 @@ fn edged() -> Vec<Shape> {
             },
             Integral "−(h/b)½[(x²−b²)artanh(b/x) + bx]" => |x| {
                 let (h, b, x) = (x[0], x[1], x[2]);
-                let (sign, t) = if x > b { (1.0, b / x) } else { (1.0, x / b) };
-                -h / b * 0.5 * (sign * (x * x - b * b) * naive::artanh(t) + b * x)
+                let t = if x > b { b / x } else { x / b };
+                -h / b * 0.5 * ((x * x - b * b) * naive::artanh(t) + b * x)
             }),
             &[0.1, 1.0, 1.7],
             &[0, 1, 2],
             true,
         ),
-    ];
-    shapes.push(Shape {
-        subjects: profile!("SphericalCapCone", &["slope", "R", "x"], |p| closed::SphericalCapCone::new(own(p, 0), own(p, 1)),
+        Shape {
+            subjects: profile!("SphericalCapCone", &["slope", "R", "x"], |p| closed::SphericalCapCone::new(own(p, 0), own(p, 1)),
             G "x ln[(R+x)/(√(R²−b²) + √(x²−b²))] + xt arccos(b/x)" => |x| {
                 let (t, r, x) = (x[0], x[1], x[2]);
                 let b = r * t / (1.0 + t * t).sqrt();
                 if x <= b { return x * naive::artanh(x / r) }
                 x * ((r + x) / (naive::leg(r, b) + naive::leg(x, b))).ln() + x * t * (b / x).acos()
             }),
-        base: &[0.75, 1.0, 1.7],
-        lengths: &[1, 2],
-        edge: Some((|x| x[1] * x[0] / (1.0 + x[0] * x[0]).sqrt(), true)),
-        ends: false,
-    });
-    shapes.push(Shape {
+            base: &[0.75, 1.0, 1.7],
+            lengths: &[1, 2],
+            edge: Some((|x| x[1] * x[0] / (1.0 + x[0] * x[0]).sqrt(), true)),
+            ends: false,
+        },
+    ]
+}
+
+/// Flat, and nothing beyond.
+fn walled() -> Vec<Shape> {
+    vec![Shape {
         subjects: profile!("FlatPunch", &["b", "x"], |p| closed::FlatPunch::new(own(p, 0))),
         base: &[1.0, 0.5],
         lengths: &[0, 1],
         edge: Some((|x| x[0], true)),
         ends: true,
-    });
-    shapes
+    }]
 }
 
 fn concave() -> Vec<Shape> {

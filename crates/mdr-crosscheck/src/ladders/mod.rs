@@ -211,15 +211,6 @@ impl Ladder {
         self.rungs.iter().max_by(|a, b| key(a).total_cmp(&key(b)))
     }
 
-    /// The largest error in ulp among the numbers.
-    pub fn worst_ulp(&self) -> Option<f64> {
-        let ulps = self.rungs.iter().filter_map(|rung| match rung.found {
-            Found::Number { ulp, .. } => Some(ulp),
-            _ => None,
-        });
-        ulps.max_by(f64::total_cmp)
-    }
-
     /// The largest error of the naive formula in ulp.
     pub fn worst_naive(&self) -> Option<f64> {
         self.rungs.iter().filter_map(|rung| rung.naive_ulp).max_by(f64::total_cmp)
