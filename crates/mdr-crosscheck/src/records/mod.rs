@@ -90,69 +90,75 @@ impl RecordCase {
 
 /// All cases in the order of their records.
 pub fn record_cases() -> Vec<RecordCase> {
+    let mut cases = critical_cases();
+    cases.extend(equilibria_cases());
+    cases.extend(profile_cases());
+    cases.extend(edge_cases());
+    cases.extend(each("worst.jsonl", worst::questions(), |question| question.records()));
+    cases
+}
+
+/// A case for each of several things.
+fn each<T: Send + Sync + 'static>(
+    file: &'static str,
+    things: impl IntoIterator<Item = T>,
+    build: impl Fn(&T) -> Result<Vec<Record>, RecordError> + Clone + Send + Sync + 'static,
+) -> impl Iterator<Item = RecordCase> {
+    things.into_iter().map(move |thing| {
+        let build = build.clone();
+        RecordCase::new(file, move || build(&thing))
+    })
+}
+
+/// Power laws: where they lose their equilibrium.
+fn critical_cases() -> Vec<RecordCase> {
+    const FILE: &str = "critical.jsonl";
     let mut cases = Vec::new();
-    for law in list::all() {
-        cases.push(RecordCase::new("critical.jsonl", move || critical(&law)));
-    }
-    for law in list::scale_free() {
-        cases.push(RecordCase::new("critical.jsonl", move || machine::thresholds(&law)));
-    }
-    for (law, jump) in list::jumps() {
-        cases.push(RecordCase::new("critical.jsonl", move || Ok(vec![machine::jump(&law, jump)?])));
-    }
-    for (law, stiffness) in list::machines() {
-        cases.push(RecordCase::new("critical.jsonl", move || machine::folds(&law, stiffness)));
-    }
-    for equilibrium in list::equilibria() {
-        cases.push(RecordCase::new("equilibria.jsonl", move || equilibrium.records()));
-    }
-    for fold in list::double_roots() {
-        cases.push(RecordCase::new("equilibria.jsonl", move || fold.double_root()));
-    }
-    for equilibrium in list::past_folds() {
-        cases.push(RecordCase::new("equilibria.jsonl", move || equilibrium.none()));
-    }
+    cases.extend(each(FILE, list::all(), critical));
+    cases.extend(each(FILE, list::scale_free(), machine::thresholds));
+    cases.extend(each(FILE, list::jumps(), |(law, jump)| Ok(vec![machine::jump(law, *jump)?])));
+    cases.extend(each(FILE, list::machines(), |(law, stiffness)| machine::folds(law, stiffness)));
+    cases
+}
+
+/// Power laws: the states at a given load, of which there are two, one or none.
+fn equilibria_cases() -> Vec<RecordCase> {
+    const FILE: &str = "equilibria.jsonl";
+    let mut cases = Vec::new();
+    cases.extend(each(FILE, list::equilibria(), |equilibrium| equilibrium.records()));
+    cases.extend(each(FILE, list::double_roots(), |fold| fold.double_root()));
+    cases.extend(each(FILE, list::past_folds(), |equilibrium| equilibrium.none()));
+    cases
+}
+
+/// All other profiles.
+fn profile_cases() -> Vec<RecordCase> {
+    const FILE: &str = "profiles.jsonl";
+    let mut cases = Vec::new();
     for (profile, radii) in shapes::LIBRARY {
-        for x in radii {
-            let profile = profile.clone();
-            cases.push(RecordCase::new("profiles.jsonl", move || profile.at(x)));
-        }
+        cases.extend(each(FILE, radii, move |x| profile.at(x)));
     }
     for scene in shapes::SCENES {
-        for load in [Load::Indentation, Load::Force] {
-            let scene = scene.clone();
-            cases.push(RecordCase::new("profiles.jsonl", move || scene.records(load)));
-        }
+        cases.extend(each(FILE, [Load::Indentation, Load::Force], move |load| scene.records(*load)));
     }
-    for (scene, stiffness) in shapes::machines() {
-        cases.push(RecordCase::new("profiles.jsonl", move || {
-            scene.records(Load::Machine(stiffness)).map(of_second_release)
-        }));
-    }
-    for contacts in shapes::contacts() {
-        cases.push(RecordCase::new("profiles.jsonl", move || contacts.records().map(of_second_release)));
-    }
+    cases.extend(each(FILE, shapes::machines(), |(scene, stiffness)| {
+        scene.records(Load::Machine(stiffness)).map(of_second_release)
+    }));
+    cases.extend(each(FILE, shapes::contacts(), |contacts| contacts.records().map(of_second_release)));
     for (scene, radii) in shapes::states() {
-        for a in radii {
-            let scene = scene.clone();
-            cases.push(RecordCase::new("profiles.jsonl", move || scene.state(a).map(of_second_release)));
-        }
+        cases.extend(each(FILE, radii, move |a| scene.state(a).map(of_second_release)));
     }
-    for punch in shapes::PUNCHES {
-        cases.push(RecordCase::new("profiles.jsonl", move || punch.pull_off().map(of_second_release)));
-    }
-    for law in list::outside() {
-        cases.push(RecordCase::new("edges.jsonl", move || edges::no_question(&law)));
-    }
-    for (profile, x) in shapes::BEYOND {
-        cases.push(RecordCase::new("edges.jsonl", move || edges::beyond(&profile, x)));
-    }
-    for a in shapes::INSIDE {
-        cases.push(RecordCase::new("edges.jsonl", move || edges::interpenetrating(a)));
-    }
-    for question in worst::questions() {
-        cases.push(RecordCase::new("worst.jsonl", move || question.records()));
-    }
+    cases.extend(each(FILE, shapes::PUNCHES, |punch| punch.pull_off().map(of_second_release)));
+    cases
+}
+
+/// Questions without a number for an answer.
+fn edge_cases() -> Vec<RecordCase> {
+    const FILE: &str = "edges.jsonl";
+    let mut cases = Vec::new();
+    cases.extend(each(FILE, list::outside(), edges::no_question));
+    cases.extend(each(FILE, shapes::BEYOND, |(profile, x)| edges::beyond(profile, x)));
+    cases.extend(each(FILE, shapes::INSIDE, |a| edges::interpenetrating(a)));
     cases
 }
 
