@@ -183,6 +183,31 @@ fn paths_are_proved() -> Result<()> {
     })
 }
 
+/// Inside an elliptical dimple, between the tip and the edge where g is −∞: digits grow with the precision. The radii are
+/// the zeros of −ha artanh(a/b)/b − Δl(a) − d, found by a secant to 50 digits in another program.
+#[test]
+fn digits_grow_beside_a_pole() -> Result<()> {
+    let dimple = |bits| Ok(contact!(bits, EllipticalDimple("0.01", "1"), "1e-3", Held::Indentation));
+    let proved = dimple(64)?.folds(1e-4, 1e3)?;
+    assert!(proved.is_complete(), "{:?}", proved.undecided);
+    for bits in [99, 150, 300] {
+        for (value, radius) in [
+            ("-0.02", "0.063405950180268132082486716199659067629121005851604"),
+            ("-0.07", "0.66541748279651129054808165973051715343423469759183"),
+            ("-0.09", "0.91435190045263399303993761184492075432871639862361"),
+        ] {
+            let found = dimple(bits)?
+                .branches(&proved, |branches| branches.equilibria(&crate::number(Precision::new(bits), value)))?;
+            let [rest] = &found[..] else { panic!("{value}: {found:?}") };
+            let expected: Interval = crate::number(Precision::new(150), radius);
+            assert!((rest.contact_radius.clone() - expected).abs() < interval("1e-24"), "{rest:?}");
+            assert!(rest.contact_radius.accuracy_bits() > i64::from(bits) - 12, "{bits}, {value}: {rest:?}");
+            assert_eq!(rest.stability, Stability::Unstable);
+        }
+    }
+    Ok(())
+}
+
 /// A budget too small for the proof: the parts left over are named, and no equilibrium is claimed.
 #[test]
 fn an_unfinished_proof_is_refused() -> Result<()> {

@@ -2,7 +2,7 @@
 
 use mdr_analytic::PowerLaw;
 use mdr_analytic::profiles::*;
-use mdr_core::contact::{Error, FoldKind, Result};
+use mdr_core::contact::{Error, FoldKind, Result, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use mdr_numeric::proof::ProvedFolds;
 use rug::Float;
@@ -145,6 +145,39 @@ fn a_kink_is_not_passed_over_in_silence() -> Result<()> {
     assert!(!proved.is_complete() && proved.undecided.iter().all(gap), "{:?}", proved.undecided);
     let refused = contact.branches(&proved, |_| Ok(()));
     assert!(matches!(refused, Err(Error::Unproved { .. })), "{refused:?}");
+    Ok(())
+}
+
+/// A sum ends where its first term does. A kink of another term beyond that end, or at it, is none of the sum; what is
+/// flat up to there adds nothing. The radii are the zeros of g' − Δl', found in another program.
+#[test]
+fn kinks_beyond_the_end_of_a_sum() -> Result<()> {
+    fn terms<R: mdr_analytic::struve::Struve>(ctx: R::Ctx, case: usize) -> Result<Sum<R>> {
+        let number = |text: &str| crate::number::<R>(ctx, text);
+        let ball = || -> Result<Box<dyn Transform<R>>> { Ok(Box::new(Sphere::new(number("1"))?)) };
+        let first = if case == 4 { Box::new(Ellipsoid::new(number("1"), number("0.5"))?) } else { ball()? };
+        let second: Box<dyn Transform<R>> = match case {
+            0 => Box::new(TruncatedCone::new(number("0.1"), number("2"))?),
+            1 | 4 => Box::new(RoundedPunch::new(number("3"), number("1.5"))?),
+            2 => Box::new(TruncatedParaboloid::new(number("3"), number("1"))?),
+            _ => Box::new(EllipticalDimple::new(number("0.01"), number("2"))?),
+        };
+        Ok(Sum::new(vec![first, second]))
+    }
+    let ball = ("0.07305556974304634604542152766292115033387", "-0.01607814957501439331874559562456209960173");
+    let dimpled = ("0.07317667560944287090337260166298568057983", "-0.01609152044016941290948385134845003832416");
+    let ellipsoid = ("0.1155517071642064907204393851584350767026", "-0.02023894323412937005836218408484247109995");
+    let ctx = Precision::new(64);
+    for (case, (radius, indentation)) in [ball, ball, ball, dimpled, ellipsoid].into_iter().enumerate() {
+        let (plain, moving) = (Box::new(terms(ctx, case)?), Box::new(terms(ctx, case)?));
+        let contact = Contact { bits: 64, plain, moving, work: "1e-3", held: Held::Indentation };
+        let proved = contact.folds(1e-4, 1e3)?;
+        let [fold] = &proved.folds[..] else { panic!("{case}: {proved:?}") };
+        assert!(proved.is_complete() && proved.poles.is_empty(), "{case}: {proved:?}");
+        for (found, expected) in [(&fold.contact_radius, radius), (&fold.indentation, indentation)] {
+            assert!(found.overlaps(&crate::number(ctx, expected)) && found.accuracy_bits() > 50, "{case}: {found:?}");
+        }
+    }
     Ok(())
 }
 

@@ -121,13 +121,15 @@ struct EdgeOf<R> {
 }
 
 impl<R: Special> Sum<R> {
-    /// The kinks of all terms, ascending.
+    /// The kinks of all terms, ascending, up to where the first term ends.
     fn edges(&self) -> Vec<EdgeOf<R>> {
+        let end = self.outer_radius();
         let mut edges = Vec::new();
         for (term, profile) in self.terms.iter().enumerate() {
             let kinks = profile.kinks().into_iter().enumerate();
             edges.extend(kinks.map(|(index, radius)| EdgeOf { radius, term, index }));
         }
+        edges.retain(|edge: &EdgeOf<R>| end.as_ref().is_none_or(|end| edge.radius < *end));
         edges.sort_by(|a, b| order(&a.radius, &b.radius));
         edges
     }

@@ -72,7 +72,7 @@ impl<'a> EnclosedBranches<'a> {
     /// The end of a branch at a fold. At the value of the fold itself the sign is that of both sides.
     fn at_fold(&self, fold: &Instability<Interval>, radius: &Float, value: &Interval) -> Result<End> {
         let enclosure = fold.contact_radius.clone();
-        let radius = Interval::point(radius.clone());
+        let radius = self.curve.promoted(&Interval::point(radius.clone()));
         if !fold.indentation.is_finite() {
             let End { excess, .. } = self.at_radius(radius.clone(), value)?;
             let zero = excess.lit(0);
@@ -119,7 +119,7 @@ impl<'a> EnclosedBranches<'a> {
         let upper = match (self.folds.get(branch), &self.wall) {
             (Some(fold), _) => self.at_fold(fold, fold.contact_radius.lower(), value)?,
             (None, Some(wall)) => {
-                let radius = Interval::point(wall.radius.lower().clone());
+                let radius = promoted(wall.radius.lower());
                 End { enclosure: wall.radius.clone(), radius, excess: wall.controlled.clone() - value }
             }
             (None, None) => self.at_radius(promoted(&self.range.1), value)?,
