@@ -19,6 +19,7 @@ mod reference;
 mod report;
 mod solve;
 mod solve_paths;
+mod solve_statuses;
 mod verify;
 
 use std::path::{Path, PathBuf};

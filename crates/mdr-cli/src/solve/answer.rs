@@ -177,7 +177,7 @@ impl Serialize for Record<Number> {
         }
         map.serialize_entry("status", &self.status().to_string())?;
         if let Some(why) = self.why() {
-            map.serialize_entry("why", why)?;
+            map.serialize_entry("why", &why)?;
         }
         map.end()
     }

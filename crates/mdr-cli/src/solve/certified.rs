@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use mdr_core::contact::Result;
+use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal};
 use rug::Float;
@@ -112,8 +112,22 @@ impl<'s> Certified<'s> {
                 return self.equilibria_one_by_one(isolated);
             }
         }
-        let records = self.estimated(|states| states.equilibria(&self.scene.output.values))?;
+        let records = self.estimated_equilibria(&self.scene.output.values)?;
         Ok(Output::new(Want::Equilibria, Promise::Estimated, records).complete(self.searched()?))
+    }
+
+    /// Equilibria at two precisions; where these do not agree, each value for itself.
+    fn estimated_equilibria(&self, values: &[Literal]) -> Result<Vec<Record<Number>>> {
+        match (self.estimated(|states| states.equilibria(values)), values) {
+            (Err(error @ Error::Undecided { .. }), [value]) => {
+                Ok(vec![outputs::at_value(value, "equilibria", Vec::new()).open(&error)])
+            }
+            (Err(Error::Undecided { .. }), [_, _, ..]) => {
+                let each = values.iter().map(|value| self.estimated_equilibria(std::slice::from_ref(value)));
+                Ok(each.collect::<Result<Vec<_>>>()?.concat())
+            }
+            (records, _) => records,
+        }
     }
 
     /// Each value for itself: proved where that can be, and whether it is.
@@ -122,7 +136,7 @@ impl<'s> Certified<'s> {
             let values = std::slice::from_ref(value);
             let proved = enclosed::equilibria_at(self, isolated, values)?;
             let flag = Field::Flag(proved.is_some());
-            let records = proved.map_or_else(|| self.estimated(|states| states.equilibria(values)), Ok)?;
+            let records = proved.map_or_else(|| self.estimated_equilibria(values), Ok)?;
             Ok(records.into_iter().map(|record| record.with("proved", flag.clone())).collect::<Vec<_>>())
         };
         let records = self.scene.output.values.iter().map(at).collect::<Result<Vec<_>>>()?.concat();

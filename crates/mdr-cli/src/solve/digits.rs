@@ -80,7 +80,7 @@ pub(crate) fn estimated(
             continue;
         };
         let mut decided = Vec::new();
-        let open = round(&records, digits, &mut decided);
+        let open = round(&records, digits, &mut decided) || records.iter().any(Record::is_open);
         if !open || attempt == ESTIMATES {
             for (decimal, enclosure) in decided.iter_mut().zip(numbers(&records)) {
                 *decimal = decimal.take().or_else(|| (1..digits).rev().find_map(|fewer| enclosure.round(fewer)));

@@ -1,9 +1,13 @@
 //! The output `path`: one record for each event.
 
+use std::cmp::Ordering;
+
 use mdr_core::contact::{Control, Equilibrium, Error, Result, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::branch::Branched;
-use mdr_numeric::path::{Balance, Entry, Event, EventKind, Ledger, Loss, Path, Start as Begin, State};
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::path::{Event, EventKind, Loss, Path, Start as Begin, State, stored};
+use rug::Rational;
 
 use super::contact::{Arithmetic, Contact};
 use super::record::{Field, Record};
@@ -15,7 +19,9 @@ use crate::scene::{Held, Start};
 /// As [`Path::follow`].
 pub(crate) fn follow<R: Arithmetic>(contact: &Contact<R>, branches: &impl Branched<R>, held: &Held) -> Result<Path<R>> {
     let way: Vec<R> = held.path.iter().map(|point: &Literal| contact.number(point)).collect();
-    Path::follow(branches, &start(contact, held), &way)
+    let exact: Vec<Rational> = held.path.iter().map(Literal::to_rational).collect();
+    let order: Vec<Ordering> = exact.windows(2).map(|pair| pair[1].cmp(&pair[0])).collect();
+    Path::follow_ordered(branches, &start(contact, held), &way, &order)
 }
 
 /// Where the path of a scene starts.
@@ -91,30 +97,76 @@ fn not_found<R: Arithmetic>(control: &Control<R>, value: &R) -> [Field<R>; 3] {
     }
 }
 
-/// The energy lost in each event, as its ledger has it.
-pub(crate) fn losses<R: Arithmetic>(path: &Path<R>, ledger: &Ledger<R>) -> Vec<Field<R>> {
-    let of = |(event, entry): (&Event<R>, &Entry<R>)| match &entry.lost {
-        _ if !changes(event.kind) => Field::Absent,
-        Loss::Finite(lost) => Field::Number(lost.value.clone()),
-        Loss::Unbounded => Field::Word("unbounded"),
-    };
-    path.events.iter().zip(&ledger.entries).map(of).collect()
+/// The energy lost in an event. Where its integral does not converge the field says so.
+///
+/// # Errors
+/// Those of the transform; [`Error::OutOfRange`].
+pub(crate) fn lost<R: Arithmetic>(event: &Event<R>, branches: &Branches<'_, R>) -> Result<Field<R>> {
+    if !changes(event.kind) {
+        return Ok(Field::Absent);
+    }
+    match Loss::of(event, branches) {
+        Ok(Loss::Unbounded) => Ok(Field::Word("unbounded")),
+        Ok(Loss::Finite(lost)) => Ok(Field::Number(lost.value)),
+        Err(error) => unknown(error),
+    }
 }
 
-/// The energy lost in each event, where its integral does not converge.
-pub(crate) fn unknown_losses<R: Arithmetic>(path: &Path<R>, error: &Error) -> Vec<Field<R>> {
-    let unknown = || Field::Marked { status: Status::Undecided, log10: None, why: Some(error.to_string()) };
-    path.events.iter().map(|event| if changes(event.kind) { unknown() } else { Field::Absent }).collect()
+/// An energy that cannot be had.
+fn unknown<R>(error: Error) -> Result<Field<R>> {
+    match error {
+        Error::OutOfRange { .. } => Err(error),
+        error => Field::from_result(Err(error)),
+    }
 }
 
-/// The books of a path: the work of the control, the energy lost, and what is stored more than at the start.
+/// The books of a path: the work of the control, the energy lost, and what is stored more than at the start. None where one of
+/// them has no bound, or the path is lost.
 ///
 /// The work is the sum of the other two, which have one sign or are of one size. Its own integral would cancel on a way to
 /// and fro.
-pub(crate) fn balance<R: Arithmetic>(balance: Balance<R>) -> Record<R> {
-    let work = balance.stored.clone() + &balance.lost;
-    let numbers = [("work", work), ("dissipated", balance.lost), ("stored", balance.stored)];
-    numbers.into_iter().fold(Record::new(), |record, (key, value)| record.with(key, Field::Number(value)))
+///
+/// # Errors
+/// As [`lost`].
+pub(crate) fn balance<R: Arithmetic>(
+    path: &Path<R>,
+    branches: &Branches<'_, R>,
+    losses: &[Field<R>],
+) -> Result<Option<Record<R>>> {
+    let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
+    let unbounded = losses.iter().any(|lost| matches!(lost, Field::Word(_)));
+    let Some(first) = path.events.first().filter(|_| !lost_track && !unbounded) else { return Ok(None) };
+    let stored = match stored(path, branches) {
+        Ok(Some(stored)) => Field::Number(stored.value),
+        Ok(None) => return Ok(None),
+        Err(error) => unknown(error)?,
+    };
+    let lost = losses.iter().fold(Field::Number(first.value.lit(0)), |sum, lost| plus(&sum, lost));
+    let work = work(&lost, &stored);
+    Ok(Some(Record::new().with("work", work).with("dissipated", lost).with("stored", stored)))
+}
+
+/// The sum of two energies, of which one may be absent or unknown.
+fn plus<R: Arithmetic>(one: &Field<R>, other: &Field<R>) -> Field<R> {
+    match (one, other) {
+        (Field::Number(one), Field::Number(other)) => Field::Number(one.clone() + other),
+        (Field::Number(_), Field::Marked { .. }) => other.clone(),
+        _ => one.clone(),
+    }
+}
+
+/// The work of the control, unless it is nothing but the rounding of what it is the sum of.
+fn work<R: Arithmetic>(lost: &Field<R>, stored: &Field<R>) -> Field<R> {
+    /// Unit roundoffs of an energy.
+    const ROUNDINGS: i64 = 1024;
+    let work = plus(lost, stored);
+    let (Field::Number(sum), Field::Number(lost), Field::Number(stored)) = (&work, lost, stored) else { return work };
+    let noise = (lost.abs() + stored.abs()) * sum.unit_roundoff().times(ROUNDINGS);
+    if sum.abs() > noise || noise == noise.lit(0) {
+        return work;
+    }
+    let why = "zero up to the rounding of the energies that it is the sum of";
+    Field::Marked { status: Status::Undecided, log10: None, why: Some(why.to_owned()) }
 }
 
 /// Whether the state is another one after the event.

@@ -73,11 +73,13 @@ impl<N> Field<N> {
 pub(crate) struct Record<N> {
     fields: Vec<(&'static str, Field<N>)>,
     status: Option<Status>,
+    /// The reason of that status, in words.
+    why: Option<String>,
 }
 
 impl<N> Default for Record<N> {
     fn default() -> Self {
-        Record { fields: Vec::new(), status: None }
+        Record { fields: Vec::new(), status: None, why: None }
     }
 }
 
@@ -119,6 +121,16 @@ impl<N> Record<N> {
         Record { status: Some(status), ..self }
     }
 
+    /// The same where what belongs to it could not be found, for the reason that the error gives.
+    pub(crate) fn open(self, error: &Error) -> Self {
+        Record { status: Some(Status::Undecided), why: Some(error.to_string()), ..self }
+    }
+
+    /// Whether it is [open](Record::open).
+    pub(crate) fn is_open(&self) -> bool {
+        self.why.is_some()
+    }
+
     /// The records under a key.
     pub(crate) fn into_records(self, key: &str) -> Vec<Record<N>> {
         let found = self.fields.into_iter().find(|(name, _)| *name == key);
@@ -136,16 +148,17 @@ impl<N> Record<N> {
     }
 
     /// What is wrong, in words.
-    pub(crate) fn why(&self) -> Option<&str> {
-        self.fields.iter().find_map(|(_, field)| match field {
-            Field::Marked { why: Some(why), .. } => Some(why.as_str()),
+    pub(crate) fn why(&self) -> Option<String> {
+        let of_field = |(_, field): &'_ (&str, Field<N>)| match field {
+            Field::Marked { why: Some(why), .. } => Some(why.clone()),
             _ => None,
-        })
+        };
+        self.why.clone().or_else(|| self.fields.iter().find_map(of_field))
     }
 
     pub(crate) fn map<M>(self, f: &mut impl FnMut(N) -> Field<M>) -> Record<M> {
         let fields = self.fields.into_iter().map(|(key, field)| (key, field.map(f))).collect();
-        Record { fields, status: self.status }
+        Record { fields, status: self.status, why: self.why }
     }
 
     /// The same with all numbers in another type.

@@ -93,10 +93,18 @@ fn output(output: &Solved) -> String {
 
 /// The energy of a path in a sentence.
 fn books(balance: &Record<Number>) -> String {
-    let part = |(key, field): &(&'static str, Field<Number>)| match *key {
-        "work" => format!("work of the control {} J", text(field).0),
-        "dissipated" => format!("dissipated {} J", text(field).0),
-        key => format!("{key} {} J more than at the start", text(field).0),
+    let part = |(key, field): &(&'static str, Field<Number>)| {
+        let energy = match field {
+            Field::Marked { log10: None, status, why } => {
+                why.as_ref().map_or_else(|| status.to_string(), |why| format!("{status} ({why})"))
+            }
+            field => format!("{} J", text(field).0),
+        };
+        match *key {
+            "work" => format!("work of the control {energy}"),
+            "dissipated" => format!("dissipated {energy}"),
+            key => format!("{key} {energy} more than at the start"),
+        }
     };
     format!("Energy: {}.", balance.fields().iter().map(part).collect::<Vec<_>>().join(", "))
 }

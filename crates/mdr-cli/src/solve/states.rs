@@ -8,7 +8,7 @@ use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{Branches, Equilibria};
 use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::{Completeness, Folds, pole};
-use mdr_numeric::path::{EventKind, Ledger, Path, State};
+use mdr_numeric::path::{Path, State};
 
 use super::contact::{Arithmetic, Contact};
 use super::outputs::{at_value, equilibrium};
@@ -57,17 +57,32 @@ impl<'a, R: Arithmetic> States<'a, R> {
         state
     }
 
+    /// A record for a value, with what is told of each state at it. Where the states cannot be had it says so, and the other
+    /// values have theirs all the same.
+    fn record_at(
+        &self,
+        literal: &Literal,
+        key: &'static str,
+        tell: impl Fn(Equilibrium<R>) -> Result<Record<R>>,
+    ) -> Result<Record<R>> {
+        match self.at(literal) {
+            Ok((states, completeness)) => {
+                let records = states.into_iter().map(tell).collect::<Result<_>>()?;
+                Ok(searched(at_value(literal, key, records), completeness))
+            }
+            Err(error @ (Error::Undecided { .. } | Error::NoConvergence { .. })) => {
+                Ok(at_value(literal, key, Vec::new()).open(&error))
+            }
+            Err(error) => Err(error),
+        }
+    }
+
     /// All equilibria at the values that the scene asks for.
     ///
     /// # Errors
-    /// As [`Branches::search`].
+    /// As [`Branches::search`], of what concerns more than one value.
     pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<Record<R>>> {
-        let at = |literal: &Literal| {
-            let (states, completeness) = self.at(literal)?;
-            let records = states.into_iter().map(equilibrium).collect();
-            Ok(searched(at_value(literal, "equilibria", records), completeness))
-        };
-        values.iter().map(at).collect()
+        values.iter().map(|literal| self.record_at(literal, "equilibria", |state| Ok(equilibrium(state)))).collect()
     }
 
     /// The contact radii of the path and of the equilibria at the values, as far as they are found.
@@ -85,36 +100,27 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// One record with the `events` of the path and the `balance` of its energy.
     ///
     /// # Errors
-    /// As [`path::follow`] and [`Ledger::new`].
+    /// As [`path::follow`] and [`path::lost`].
     pub(crate) fn path(&self, held: &Held) -> Result<Vec<Record<R>>> {
         let path = path::follow(self.contact, &self.branches, held)?;
-        let (losses, balance) = match Ledger::new(&path, &self.branches) {
-            Ok(ledger) => (path::losses(&path, &ledger), ledger.balance(&path, &self.branches)?),
-            // The events stand without their energy.
-            Err(error @ Error::NoConvergence { .. }) => (path::unknown_losses(&path, &error), None),
-            Err(error) => return Err(error),
-        };
+        let losses = path.events.iter().map(|event| path::lost(event, &self.branches)).collect::<Result<Vec<_>>>()?;
+        let balance = path::balance(&path, &self.branches, &losses)?.into_iter().collect();
         let events = path::records(self.contact.control(), &path, losses);
-        let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
-        let balance = balance.filter(|_| !lost_track).map(path::balance).into_iter().collect();
         Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
     }
 
     /// Pressure, gap or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
     ///
     /// # Errors
-    /// As [`Branches::search`].
+    /// As [`States::equilibria`].
     pub(crate) fn fields(&self, scene: &Scene, want: Want) -> Result<Vec<Record<R>>> {
-        let describe = |literal: &Literal, (states, completeness): (Vec<Equilibrium<R>>, Completeness)| {
-            let records = states.into_iter().map(|state| self.describe(scene, want, state)).collect::<Result<_>>()?;
-            Ok(searched(at_value(literal, "states", records), completeness))
-        };
+        let describe = |state| self.describe(scene, want, state);
         match (scene.output.values.as_slice(), scene.held.path.first()) {
             ([], Some(first)) => {
                 let state = self.started(&scene.held, first)?;
-                Ok(vec![describe(first, (state.into_iter().collect(), Completeness::Resolved))?])
+                Ok(vec![at_value(first, "states", state.into_iter().map(describe).collect::<Result<_>>()?)])
             }
-            (values, _) => values.iter().map(|literal| describe(literal, self.at(literal)?)).collect(),
+            (values, _) => values.iter().map(|literal| self.record_at(literal, "states", describe)).collect(),
         }
     }
 

@@ -27,8 +27,14 @@ struct Follower<'a, R, B> {
     events: Vec<Event<R>>,
 }
 
-/// The events of [`Path::follow`](super::Path::follow).
-pub(super) fn follow<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, way: &[R]) -> Result<Vec<Event<R>>> {
+/// The events of [`Path::follow`](super::Path::follow). The order of a way point against the one before it, where it is known,
+/// else from the numbers themselves.
+pub(super) fn follow<R: Real, B: Branched<R>>(
+    branches: &B,
+    start: &Start<R>,
+    way: &[R],
+    order: Option<&[Ordering]>,
+) -> Result<Vec<Event<R>>> {
     let Some((first, rest)) = way.split_first() else {
         return Err(Error::Domain {
             quantity: Quantity::Parameter("the number of way points"),
@@ -43,18 +49,23 @@ pub(super) fn follow<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, wa
     follower.approach(first)?;
     for (i, target) in rest.iter().enumerate() {
         let last = i + 1 == rest.len();
-        follower.go(target, if last { EventKind::End } else { EventKind::WayPoint })?;
+        let order = match order.and_then(|order| order.get(i)) {
+            Some(order) => *order,
+            None => certain(target, &way[i], branches)?,
+        };
+        follower.go(target, order, if last { EventKind::End } else { EventKind::WayPoint })?;
     }
     if rest.is_empty() {
-        follower.go(first, EventKind::End)?;
+        follower.go(first, Ordering::Equal, EventKind::End)?;
     }
     Ok(follower.events)
 }
 
 impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
-    /// Moves the controlled quantity to `target`, and enters what happens on the way.
-    fn go(&mut self, target: &R, arrival: EventKind) -> Result<()> {
-        match certain(target, &self.value, self.branches)? {
+    /// Moves the controlled quantity to `target`, of that order against the way point before it, and enters what happens on
+    /// the way.
+    fn go(&mut self, target: &R, order: Ordering, arrival: EventKind) -> Result<()> {
+        match order {
             Ordering::Less => while self.pull(target)? {},
             Ordering::Greater => while self.press(target)? {},
             Ordering::Equal => {}

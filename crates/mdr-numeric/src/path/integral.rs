@@ -86,8 +86,8 @@ impl<R: Real> Breaks<R> {
         }
     }
 
-    /// Gauss–Legendre, in s with a = lower + s²·width beside a kink, where g' may have an inverse root. At the tip, and
-    /// where that does not converge at a kink or over decades, tanh-sinh.
+    /// Gauss–Legendre; beside a kink b, where g' may have an inverse root, in s with a = b + s²(upper − b). At the tip, and
+    /// where that does not converge beside a kink or over decades, tanh-sinh.
     fn rule(
         &self,
         lower: &R,
@@ -95,33 +95,69 @@ impl<R: Real> Breaks<R> {
         tolerance: &Tolerance<R>,
         f: &mut impl FnMut(&R) -> Result<R>,
     ) -> Result<Estimate<R>> {
-        let zero = lower.lit(0);
-        let (width, beside_kink) = (upper.clone() - lower, self.is_kink(lower));
+        let (zero, width) = (lower.lit(0), upper.clone() - lower);
+        let tolerance = resolved(tolerance, upper, &width);
+        let kink = self.kink_beside(lower, &width).filter(|kink| *kink <= lower);
         if *lower > zero {
-            let result = gauss_jacobi::integrate(&zero, &zero, tolerance.clone(), |s| {
-                let (a, weight) = if beside_kink {
-                    let a = s.square() * &width + lower;
-                    // s of the radius as it was rounded, at which the root is taken.
-                    let s = ((a.clone() - lower) / &width).sqrt();
-                    (a, s.times(2))
-                } else {
-                    (s.clone() * &width + lower, s.lit(1))
-                };
-                Ok(f(&a)? * weight)
-            });
+            let result = match kink {
+                Some(kink) => from_kink(kink, [lower, upper], &tolerance, f),
+                None => gauss_jacobi::integrate(&zero, &zero, tolerance.clone(), |s| f(&(s.clone() * &width + lower)))
+                    .map(|Estimate { value, error, evaluations }| Estimate {
+                        value: value * &width,
+                        error: error * &width,
+                        evaluations,
+                    }),
+            };
+            let hard = || kink.is_some() || self.kink_beside(upper, &width).is_some() || wide(lower, upper);
             match result {
-                Ok(Estimate { value, error, evaluations }) => {
-                    return Ok(Estimate { value: value * &width, error: error * &width, evaluations });
-                }
-                Err(Error::NoConvergence { .. }) if beside_kink || self.is_kink(upper) || wide(lower, upper) => {}
-                Err(error) => return Err(error),
+                Err(Error::NoConvergence { .. }) if hard() => {}
+                result => return result,
             }
         }
-        tanh_sinh(lower, upper, tolerance.clone(), |a| f(&off_tip(a, upper)))
+        tanh_sinh(lower, upper, tolerance, |a| f(&off_tip(a, upper)))
     }
 
-    fn is_kink(&self, radius: &R) -> bool {
-        self.kinks.contains(radius)
+    /// The kink nearest to an end of a piece, if it is no farther away than the piece is long.
+    fn kink_beside(&self, end: &R, width: &R) -> Option<&R> {
+        let next = self.kinks.partition_point(|kink| kink <= end);
+        let distance = |kink: &&R| ((*kink).clone() - end).abs();
+        let near = self.kinks[next.saturating_sub(1)..].iter().take(2).filter(|kink| distance(kink) <= *width);
+        near.min_by(|one, other| order(&distance(one), &distance(other)))
+    }
+}
+
+/// The integral in s with a = b + s²(upper − b), from a kink b on or from a little beyond it.
+fn from_kink<R: Real>(
+    kink: &R,
+    [lower, upper]: [&R; 2],
+    tolerance: &Tolerance<R>,
+    f: &mut impl FnMut(&R) -> Result<R>,
+) -> Result<Estimate<R>> {
+    let zero = lower.lit(0);
+    let reach = upper.clone() - kink;
+    let first = ((lower.clone() - kink) / &reach).sqrt();
+    let length = first.lit(1) - &first;
+    let Estimate { value, error, evaluations } = gauss_jacobi::integrate(&zero, &zero, tolerance.clone(), |t| {
+        let a = (t.clone() * &length + &first).square() * &reach + kink;
+        // s of the radius as it was rounded, at which the root is taken.
+        let s = ((a.clone() - kink) / &reach).sqrt();
+        Ok(f(&a)? * s.times(2))
+    })?;
+    let scale = length * &reach;
+    Ok(Estimate { value: value * &scale, error: error * &scale, evaluations })
+}
+
+/// The tolerance for a piece that is short against its radii: these are rounded, and with them what is integrated, by so much
+/// of its length.
+fn resolved<R: Real>(tolerance: &Tolerance<R>, upper: &R, width: &R) -> Tolerance<R> {
+    /// Roundings of a radius that a rule may add up.
+    const ROUNDINGS: i64 = 64;
+    let noise = upper.unit_roundoff() * upper / width;
+    let limit = noise.clone().times(ROUNDINGS);
+    if limit > upper.unit_roundoff().sqrt() {
+        tolerance.clone().with_noise(&noise).or_noise_below(limit)
+    } else {
+        tolerance.clone().with_noise(&noise)
     }
 }
 

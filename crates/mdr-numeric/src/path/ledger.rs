@@ -120,6 +120,15 @@ impl<R: Real> Ledger<R> {
     }
 }
 
+/// What is stored in the contact and in the spring of a machine at the end of a path, less that at its beginning, in J; none
+/// for complete contact.
+///
+/// # Errors
+/// As [`Ledger::new`].
+pub fn stored<R: Real>(path: &Path<R>, branches: &Branches<'_, R>) -> Result<Option<Estimate<R>>> {
+    Books::new(branches).more_stored(path)
+}
+
 impl<R: Real> Loss<R> {
     /// The energy lost in one event of a path.
     ///
@@ -215,17 +224,31 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         if from == to {
             return Ok(self.none());
         }
-        let modulus = self.curve.effective_modulus();
+        // In units of Δl at the larger end: the product of two small lengths may be out of range where the energy is not.
+        let unit = self.curve.elongation(if from > to { &from } else { &to });
         let lost = self.breaks.integrate(&from, &to, |a| {
             let change = self.curve.direction_at(a, value)?;
-            Ok((self.curve.elongation(a).times(2) + &change) * change)
+            Ok((self.curve.elongation(a).times(2) + &change) / &unit * (change / &unit))
         })?;
         let size = self.breaks.roughly(&from, &to, |a| {
             let change = self.curve.direction_at(a, value)?.abs() + self.curve.elongation(a);
-            Ok(change * (self.terms_near_kinks(a)? + self.curve.held_indentation(a, value)?.abs()))
+            let lengths = self.terms_near_kinks(a)? + self.curve.held_indentation(a, value)?.abs();
+            Ok(change / &unit * (lengths / &unit))
         })?;
-        let error = lost.error * modulus + self.rounding(size.times(2));
-        Ok(Estimate { value: lost.value * modulus, error, evaluations: lost.evaluations })
+        let energy = |length: &R| self.energy(length, &unit);
+        let error = energy(&lost.error) + energy(&size.abs()) * size.unit_roundoff().times(2 * ROUNDINGS);
+        let value = energy(&lost.value);
+        if lost.value != value.lit(0) && value.unit_roundoff() * &value == value.lit(0) {
+            let factors = [self.curve.effective_modulus(), &lost.value, &unit, &unit];
+            let log10 = factors.iter().map(|x| x.abs().ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
+            return Err(Error::OutOfRange { quantity: Quantity::Energy, log10 });
+        }
+        Ok(Estimate { value, error, evaluations: lost.evaluations })
+    }
+
+    /// E* times a length and the square of `unit`, in an order in which small lengths do not leave the range.
+    fn energy(&self, length: &R, unit: &R) -> R {
+        self.curve.effective_modulus().clone() * unit * length * unit
     }
 
     /// The size of the lengths that d and the force at radius `a` are made of, the rounding of a itself among them.
@@ -251,19 +274,15 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
     }
 
     fn balance(&self, path: &Path<R>, entries: &[Entry<R>]) -> Result<Option<Balance<R>>> {
-        let (Some(first), Some(last)) = (path.events.first(), path.events.last()) else { return Ok(None) };
-        let (Some(start), Some(end)) = (self.stored(&first.after)?, self.stored(&last.after)?) else {
-            return Ok(None);
-        };
-        let zero = first.value.lit(0);
-        let (mut work, mut lost, mut bound) = (zero.clone(), zero.clone(), start.error + &end.error);
+        let Some(stored) = self.more_stored(path)? else { return Ok(None) };
+        let (mut work, mut lost, mut bound) = (stored.value.lit(0), stored.value.lit(0), stored.error);
         for (entry, event) in entries.iter().zip(&path.events) {
             let Loss::Finite(loss) = &entry.lost else { return Ok(None) };
             work += &(entry.work.value.clone() + &entry.work_in_event);
             lost += &loss.value;
             bound += &(entry.work.error.clone() + &loss.error + self.landing(event)?);
         }
-        let stored = end.value - &start.value;
+        let stored = stored.value;
         let residual = work.clone() - &lost - &stored;
         if !residual.is_finite() {
             return Err(Error::OutOfRange { quantity: Quantity::Energy, log10: work.approx().abs().log10() });
@@ -282,6 +301,16 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
             }
         }
         Ok(total)
+    }
+
+    /// What is stored at the end of a path less that at its beginning; none for complete contact.
+    fn more_stored(&self, path: &Path<R>) -> Result<Option<Estimate<R>>> {
+        let (Some(first), Some(last)) = (path.events.first(), path.events.last()) else { return Ok(None) };
+        let (Some(start), Some(end)) = (self.stored(&first.after)?, self.stored(&last.after)?) else {
+            return Ok(None);
+        };
+        let evaluations = start.evaluations + end.evaluations;
+        Ok(Some(Estimate { value: end.value - &start.value, error: start.error + &end.error, evaluations }))
     }
 
     /// Π, and F²/2k of a machine; none for complete contact.

@@ -9,12 +9,14 @@ mod follow;
 mod integral;
 mod ledger;
 
+use std::cmp::Ordering;
+
 use mdr_core::contact::{Equilibrium, Result};
 use mdr_core::number::Real;
 
 use crate::branch::Branched;
 
-pub use ledger::{Balance, Entry, Ledger, Loss};
+pub use ledger::{Balance, Entry, Ledger, Loss, stored};
 
 /// Which of the equilibria at the first way point a path begins with.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,7 +122,21 @@ impl<R: Real> Path<R> {
     /// point, or for a detached start where the surfaces would overlap; [`Domain`](mdr_core::contact::Error::Domain)
     /// without way points, or unless they are finite; [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures; those of the transform.
     pub fn follow(branches: &impl Branched<R>, start: &Start<R>, way: &[R]) -> Result<Self> {
-        follow::follow(branches, start, way).map(|events| Path { events })
+        follow::follow(branches, start, way, None).map(|events| Path { events })
+    }
+
+    /// The same where the order of the way points is known: that of each against the one before it. Enclosures of two equal
+    /// numbers do not tell that they are equal.
+    ///
+    /// # Errors
+    /// As [`Path::follow`].
+    pub fn follow_ordered(
+        branches: &impl Branched<R>,
+        start: &Start<R>,
+        way: &[R],
+        order: &[Ordering],
+    ) -> Result<Self> {
+        follow::follow(branches, start, way, Some(order)).map(|events| Path { events })
     }
 
     /// The state in which a path begins: what [`follow`](Path::follow) has in its first event.
