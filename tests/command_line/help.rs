@@ -67,6 +67,14 @@ fn lines_of_the_help_are_not_broken() {
     }
 }
 
+/// Two units in the last place are promised of closed forms, and not of the states of a scene.
+#[test]
+fn hardware_arithmetic_promises_what_it_keeps() {
+    let promises = |command: &str| output(&format!("{command} --help")).contains("2 units in the last place");
+    assert!(promises("critical") && !promises("solve"));
+    assert!(output("solve --help").contains("the condition of what is asked"));
+}
+
 /// Every example of the help pages runs as it stands.
 #[test]
 fn the_examples_of_critical_work() {

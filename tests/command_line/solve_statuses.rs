@@ -31,11 +31,11 @@ fn one_value_does_not_take_the_others_along() {
         let answer = solve(scene, flags);
         let at = |key: &str, i: usize| answer[key][i].clone();
         let [known, open, none] = [0, 1, 2].map(|i| at("equilibria", i));
-        near(&known["equilibria"][0]["contact_radius"], 0.063405950180268132, error);
+        near(&known["equilibria"][0]["contact_radius"], 0.063_405_950_180_268_13, error);
         assert_eq!(open["status"], "undecided", "{answer}");
         assert!(open["why"].as_str().unwrap().contains("where g is infinite"), "{answer}");
         assert_eq!(none["status"], "no-equilibrium", "{answer}");
-        near(&at("energy", 0)["states"][0]["contact_radius"], 0.063405950180268132, error);
+        near(&at("energy", 0)["states"][0]["contact_radius"], 0.063_405_950_180_268_13, error);
         assert_eq!(at("energy", 1)["status"], "undecided", "{answer}");
     }
 }
@@ -52,7 +52,7 @@ fn energies_beside_a_kink() {
             output = {{ want = [\"path\"] }}\n"
         )
     };
-    let (lost, stored) = (0.587187062365681838, 3.239249186513938672);
+    let (lost, stored) = (0.587_187_062_365_681_8, 3.239_249_186_513_938_7);
     for (flags, error) in [("--digits 17", 1e-15), ("--f64", 1e-12)] {
         let answer = solve(&scene("\"-1e-4\", \"1e-4\""), flags);
         near(&answer["path"][1]["dissipated"], lost, error);
@@ -108,4 +108,98 @@ fn a_work_of_nothing() {
         let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
         assert!(text.contains("work of the control undecided (zero up to the rounding"), "{text}");
     }
+}
+
+/// A contact of 10⁻³⁰⁰ m has forces of 10⁻⁶⁰⁴ N, which the search for its states in f64 does not need: its lengths are those of
+/// figure 4 times 10⁻³⁰⁰.
+#[test]
+fn forces_that_no_double_holds() {
+    let scene = |scale: &str, work: &str| {
+        format!(
+            "material = {{ e_star = 1, work_of_adhesion = \"{work}\" }}
+            profile = {{ kind = \"wavy-paraboloid\", radius = \"1e{scale}\", amplitude = \"5e-4e{scale}\", wavelength = \"0.1e{scale}\" }}
+            control = {{ kind = \"indentation\", path = [0, \"-0.01e{scale}\"] }}
+            output = {{ want = [\"folds\", \"path\"] }}\n"
+        )
+        .replace("5e-4e-300", "5e-304")
+        .replace("5e-4e0", "5e-4")
+    };
+    let plain = solve(&scene("0", "1e-4"), "--digits 12");
+    let small = solve(&scene("-300", "1e-304"), "--digits 12");
+    assert_eq!((plain["folds"].as_array().unwrap().len(), &small["promise"]), (3, &plain["promise"]));
+    for list in ["folds", "path"] {
+        let pairs = small[list].as_array().unwrap().iter().zip(plain[list].as_array().unwrap());
+        for (small, plain) in pairs {
+            assert_eq!(
+                (&small["status"], &small["event"], &small["kind"]),
+                (&plain["status"], &plain["event"], &plain["kind"])
+            );
+            for key in ["contact_radius", "to_contact_radius"] {
+                if !plain[key].is_null() {
+                    near(&small[key], number(&plain[key]) * 1e-300, 2e-12);
+                }
+            }
+            assert_eq!(small["dissipated"].is_null(), plain["dissipated"].is_null());
+        }
+    }
+}
+
+/// With a range the list is that of the range, and says so. Without it there are two equilibria at −0.01: the zeros of
+/// a² − √(2πaw) + 0.01, of which one is below 0.1.
+#[test]
+fn equilibria_of_a_range() {
+    let scene = |range: &str| {
+        format!(
+            "material = {{ e_star = 1, work_of_adhesion = 1e-3 }}
+            profile = {{ kind = \"sum\", term = [{{ kind = \"paraboloid\", radius = 1 }}] }}
+            control = {{ kind = \"indentation\" }}
+            [output]\nwant = [\"equilibria\"]\nequilibria.at = [\"-0.01\"]\n{range}\n"
+        )
+    };
+    let radii = |answer: &Value| -> Vec<f64> {
+        let states = answer["equilibria"][0]["equilibria"].as_array().unwrap();
+        states.iter().map(|state| number(&state["contact_radius"])).collect()
+    };
+    let is_zero = |a: &f64| (a * a - (2e-3 * std::f64::consts::PI * a).sqrt() + 0.01).abs() < 1e-15;
+    let all = radii(&solve(&scene(""), ""));
+    assert!(all.len() == 2 && all.iter().all(is_zero), "{all:?}");
+    let part = solve(&scene("folds.range = [\"1e-3\", \"0.1\"]"), "");
+    assert_eq!(radii(&part), all[..1]);
+    assert!(part["complete"]["equilibria"]["why"].as_str().unwrap().ends_with("other radii are not listed"), "{part}");
+    for range in ["folds.range = [\"10\", \"100\"]", "folds.range = [\"1e-9\", \"1e-5\"]"] {
+        let none = solve(&scene(range), "");
+        let record = &none["equilibria"][0];
+        assert_eq!(
+            (&record["status"], &none["complete"]["equilibria"]["proved"]),
+            (&"no-equilibrium".into(), &true.into())
+        );
+        assert!(record["why"].as_str().unwrap().contains("within the range from"), "{none}");
+        let assert = mdr("solve -").stdin(scene(range)).assert().success();
+        let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+        assert!(text.contains("no-equilibrium within the range"), "{text}");
+    }
+}
+
+/// A table in nanometres is converted, and the answer says so; one in metres has no note.
+#[test]
+fn a_table_in_other_units_has_a_note() {
+    let solve_table = |name: &str, text: &str| {
+        let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        std::fs::write(&file, text).unwrap();
+        let scene = format!(
+            "material = {{ e_star = 1, work_of_adhesion = 1e-10 }}
+            profile = {{ kind = \"table\", file = \"{}\" }}
+            control = {{ kind = \"indentation\" }}
+            [output]\nwant = [\"transform\"]\ntransform.at = [\"2e-9\"]\n",
+            file.display()
+        );
+        let text = mdr("solve - --f64").stdin(scene.as_str()).assert().success();
+        (solve(&scene, "--f64"), String::from_utf8(text.get_output().stdout.clone()).unwrap())
+    };
+    let (nano, text) = solve_table("nano.csv", "r,f\nnm,um\n1,1e-3\n2,2e-3\n3,3e-3\n4,4e-3\n");
+    let (metres, plain) = solve_table("metres.csv", "r,f\nm,m\n1e-9,1e-9\n2e-9,2e-9\n3e-9,3e-9\n4e-9,4e-9\n");
+    assert_eq!(nano["transform"], metres["transform"]);
+    let note = nano["notes"][0].as_str().unwrap();
+    assert!(note.contains("r in nm and f in um") && text.contains(&format!("Note: {note}.")), "{note}, {text}");
+    assert!(metres.get("notes").is_none() && !plain.contains("Note"), "{metres}");
 }

@@ -118,6 +118,17 @@ impl Shape {
         if let Shape::Table(table) = self { Some(table.rows().len()) } else { None }
     }
 
+    /// What a reader of the answer has to know of how the profile was read.
+    pub(crate) fn note(&self) -> Option<String> {
+        match self {
+            Shape::Sum(terms) => terms.iter().find_map(Shape::note),
+            Shape::Table(table) => table.units().map(|[r, f]| {
+                format!("the table has r in {r} and f in {f}, which were converted to metres; all other numbers are taken as SI")
+            }),
+            _ => None,
+        }
+    }
+
     pub(super) fn read(section: &Section<'_>) -> Result<Shape> {
         let read = section.required("kind")?.choice("profile", &KINDS)?;
         let shape = read(section)?;
@@ -212,5 +223,24 @@ fn table(section: &Section<'_>) -> Result<Table> {
     let path = section.document().beside(file.text()?);
     let refuse = |why: &dyn std::fmt::Display| file.refuse(format!("{}: {why}", path.display()));
     let opened = File::open(&path).map_err(|error| refuse(&error))?;
-    Table::from_csv(opened).map_err(|error| refuse(&error))
+    let table = Table::from_csv(opened).map_err(|error| refuse(&error))?;
+    match too_steep(&table) {
+        Some(line) => Err(refuse(&format!("line {line}: the slope from the row before is out of the range of f64"))),
+        None => Ok(table),
+    }
+}
+
+/// The line of the first row to which the slope from the row before, or from the tip, is no double.
+fn too_steep(table: &Table) -> Option<usize> {
+    let mut last = [0.0, 0.0];
+    for row in table.rows() {
+        let next = [&row.radius, &row.height].map(Literal::nearest_f64);
+        let slope = (next[1] - last[1]) / (next[0] - last[0]);
+        // A row at the tip is not after another one.
+        if !slope.is_finite() && next[0] != 0.0 {
+            return Some(row.line);
+        }
+        last = next;
+    }
+    None
 }

@@ -110,6 +110,8 @@ pub(crate) struct Answer {
     pub(crate) digits: Option<u32>,
     pub(crate) profile: &'static str,
     pub(crate) control: &'static str,
+    /// How the scene was read, where that may surprise.
+    pub(crate) notes: Vec<String>,
     /// In the order of the scene.
     pub(crate) outputs: Vec<Output>,
 }
@@ -129,6 +131,9 @@ impl Serialize for Answer {
         map.serialize_entry("digits", &self.digits)?;
         map.serialize_entry("profile", self.profile)?;
         map.serialize_entry("control", self.control)?;
+        if !self.notes.is_empty() {
+            map.serialize_entry("notes", &self.notes)?;
+        }
         map.serialize_entry("promise", &Promises(&self.outputs))?;
         map.serialize_entry("complete", &Completes(&self.outputs))?;
         for output in &self.outputs {

@@ -3,9 +3,9 @@
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use mdr_core::contact::{Result, Status};
+use mdr_core::contact::{Instability, Result, Status};
 use mdr_core::number::Literal;
-use mdr_numeric::folds::{self, Completeness, Folds};
+use mdr_numeric::folds::{self, Beyond, Completeness, Folds};
 
 use super::answer::{Complete, Output, Promise};
 use super::contact::{Contact, Tally};
@@ -20,21 +20,24 @@ pub(crate) struct Double<'s> {
     scene: &'s Scene,
     contact: Contact<f64>,
     folds: OnceCell<Folds<f64>>,
+    /// Whether a fold is of use without its force, which is out of range.
+    radii_do: bool,
 }
 
 impl<'s> Double<'s> {
     /// # Errors
     /// As [`Contact::new`].
     pub(crate) fn new(scene: &'s Scene, tally: &Arc<Tally>) -> Result<Self> {
-        Ok(Double { scene, contact: Contact::new(scene, (), tally)?, folds: OnceCell::new() })
+        Ok(Double { scene, contact: Contact::new(scene, (), tally)?, folds: OnceCell::new(), radii_do: false })
     }
 
-    /// The lengths of the contact alone, for other arithmetics to start from.
+    /// The lengths of the contact alone, for other arithmetics to start from. Folds whose force is out of range are among them.
     ///
     /// # Errors
     /// As [`Contact::in_units_of_modulus`].
     pub(crate) fn rough(scene: &'s Scene, tally: &Arc<Tally>) -> Result<Self> {
-        Ok(Double { scene, contact: Contact::in_units_of_modulus(scene, tally)?, folds: OnceCell::new() })
+        let contact = Contact::in_units_of_modulus(scene, tally)?;
+        Ok(Double { scene, contact, folds: OnceCell::new(), radii_do: true })
     }
 
     pub(crate) fn contact(&self) -> &Contact<f64> {
@@ -47,10 +50,16 @@ impl<'s> Double<'s> {
         if let Some(folds) = self.folds.get() {
             return Ok(folds);
         }
-        let found = folds::find(&self.contact.curve())?;
-        if let Some(fold) = found.beyond.first() {
-            return Err(fold.error.clone());
+        let curve = self.contact.curve();
+        let mut found = folds::find(&curve)?;
+        for Beyond { contact_radius, kind, error } in std::mem::take(&mut found.beyond) {
+            if !self.radii_do {
+                return Err(error);
+            }
+            let indentation = curve.indentation(&contact_radius)?;
+            found.folds.push(Instability { contact_radius, indentation, force: f64::NAN, kind });
         }
+        found.folds.sort_by(|one, other| one.contact_radius.total_cmp(&other.contact_radius));
         Ok(self.folds.get_or_init(|| found))
     }
 

@@ -1,6 +1,6 @@
 //! Folds, equilibria and paths over enclosures: each digit and each decision proved, and nothing missed on a range of radii.
 
-use mdr_core::contact::{Error, Instability, Result};
+use mdr_core::contact::{Equilibrium, Error, Instability, Quantity, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::branch::Branched;
@@ -90,6 +90,11 @@ impl Isolated {
         self.complete.proved
     }
 
+    /// The range that the scene names, where what is proved holds for it alone.
+    fn limits<'s>(&self, certified: &Certified<'s>) -> Option<&'s [Literal; 2]> {
+        certified.scene.output.range.as_ref().filter(|_| self.closed.is_none())
+    }
+
     /// What is known about the folds.
     pub(super) fn complete(&self) -> &Complete {
         &self.complete
@@ -125,13 +130,17 @@ pub(super) fn folds(certified: &Certified<'_>, isolated: &Isolated) -> Result<Ou
 /// As [`Branched::equilibria`].
 pub(super) fn equilibria(certified: &Certified<'_>, isolated: &Isolated) -> Result<Option<Output>> {
     let values = &certified.scene.output.values;
-    let why = "one equilibrium at most between two folds, and the folds are proved to be all";
-    let complete = Complete { why: why.to_owned(), ..isolated.complete.clone() };
+    let mut why = "one equilibrium at most between two folds, and the folds are proved to be all".to_owned();
+    if isolated.limits(certified).is_some() {
+        why += "; equilibria with other radii are not listed";
+    }
+    let complete = Complete { why, ..isolated.complete.clone() };
     let output = |records| Output::new(Want::Equilibria, Promise::Certified, records).complete(complete);
     Ok(equilibria_at(certified, isolated, values)?.map(output))
 }
 
-/// All equilibria in the range at each value, and those met beyond it; none where that cannot be proved.
+/// All equilibria in the range at each value, and those met beyond it unless the scene names the range; none where that cannot
+/// be proved.
 ///
 /// # Errors
 /// As [`Branched::equilibria`].
@@ -140,17 +149,43 @@ pub(super) fn equilibria_at(
     isolated: &Isolated,
     values: &[Literal],
 ) -> Result<Option<Vec<Record<Number>>>> {
+    let limits = isolated.limits(certified);
     let records = proved(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
         let at = |literal: &Literal| {
-            let states = branches.equilibria(&enclosed.plain.number(literal))?;
-            let exact = |state| held(enclose(outputs::equilibrium(state)), &certified.scene.held.by, literal);
-            Ok(outputs::at_value(literal, "equilibria", states.into_iter().map(exact).collect()))
+            let mut states = Vec::new();
+            for state in branches.equilibria(&enclosed.plain.number(literal))? {
+                if limits.map_or(Ok(true), |limits| is_within(&state, limits))? {
+                    states.push(held(enclose(outputs::equilibrium(state)), &certified.scene.held.by, literal));
+                }
+            }
+            let none = states.is_empty();
+            let record = outputs::at_value(literal, "equilibria", states);
+            Ok(match limits {
+                Some([lower, upper]) if none => record.because(format!(
+                    "no equilibrium with a contact radius within the range from {lower} to {upper} m"
+                )),
+                _ => record,
+            })
         };
         values.iter().map(at).collect()
     });
     decided(records)
+}
+
+/// Whether a state lies within a range of contact radii.
+fn is_within(state: &Equilibrium<Interval>, [lower, upper]: &[Literal; 2]) -> Result<bool> {
+    let radius = &state.contact_radius;
+    let [lower, upper] = [lower, upper].map(|end| Interval::from_literal(radius.ctx(), end));
+    if *radius < lower || *radius > upper {
+        Ok(false)
+    } else if *radius >= lower && *radius <= upper {
+        Ok(true)
+    } else {
+        let what = "whether an equilibrium lies within the range of the scene";
+        Err(Error::Undecided { quantity: Quantity::ContactRadius, bits: radius.precision(), what })
+    }
 }
 
 /// The events of the path without their energy; none where a decision cannot be proved.

@@ -38,7 +38,7 @@ use self::explain::Cost;
 use crate::error::{Failure, Result};
 use crate::flags::{Arithmetic, ArithmeticFlags};
 use crate::output::{Format, Output};
-use crate::scene::{Scene, Want};
+use crate::scene::{Held, Scene, Start, Want};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -62,11 +62,15 @@ Every output names its promise: certified (each digit proved), mp (two precision
 JSON: schema mdr.solve/1, one key for each output that is wanted.
 Exit status: 0 answered, 2 bad input.";
 
+/// What hardware arithmetic is good for here: less than for single closed forms.
+const IN_F64: &str =
+    "Hardware arithmetic instead: fast, to some roundings times the condition of what is asked; nothing is proved";
+
 /// Solve a scene: transform, equilibria, folds, loading path, curve, pressure, gap and energy of a contact.
 ///
 /// What is wanted, for which profile, material and control, is written in a TOML file. Nothing else is computed.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, mut_arg("f64", |flag| flag.help(IN_F64)))]
 pub(crate) struct Solve {
     /// The scene, a TOML file; - is standard input
     #[arg(value_name = "SCENE.toml")]
@@ -132,18 +136,36 @@ fn solve(scene: &Scene, solver: &Solver<'_>, tally: &Arc<Tally>) -> Result<(Answ
         Arithmetic::Certified { digits } => Some(digits),
         Arithmetic::Double => None,
     };
-    Ok((Answer { digits, profile: scene.profile.name(), control: scene.held.by.name(), outputs }, costs))
+    let (profile, control) = (scene.profile.name(), scene.held.by.name());
+    Ok((Answer { digits, profile, control, notes: scene.profile.note().into_iter().collect(), outputs }, costs))
 }
 
 /// What is wrong with the scene when it has no answer.
 fn complaint(scene: &Scene, want: Want, error: Error) -> Failure {
     match error {
-        Error::NoEquilibrium { .. } if want == Want::Path => scene.held.start_place.refuse(format!(
-            "the path cannot start there: no stable equilibrium, and no gap, at {} = {}",
-            scene.held.by.quantity(),
-            scene.held.path[0]
-        )),
+        Error::NoEquilibrium { .. } if want == Want::Path => scene.held.start_place.refuse(no_start(&scene.held)),
+        // All that is left to do in certified digits was done.
+        Error::OutOfRange { quantity, log10 } => scene.places.complaint_about_profile(Error::Domain {
+            quantity,
+            value: format!("10^{log10:.6}"),
+            requirement: "within the range of f64, where the search for states begins: take units of length in which the \
+                          contact is nearer to 1",
+        }),
         error => scene.places.complaint(error),
+    }
+}
+
+/// Why a path cannot start at its first way point.
+fn no_start(held: &Held) -> String {
+    let (quantity, first) = (held.by.quantity(), &held.path[0]);
+    let apart = first.is_negative() || first.is_zero();
+    match held.start {
+        Start::Detached => format!("the path cannot start there: the surfaces are not apart at {quantity} = {first}"),
+        _ if apart => format!(
+            "the path cannot start there: no stable equilibrium at {quantity} = {first}; where the surfaces are apart, \
+             start = \"detached\""
+        ),
+        _ => format!("the path cannot start there: no stable equilibrium at {quantity} = {first}"),
     }
 }
 

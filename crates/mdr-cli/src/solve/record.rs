@@ -128,7 +128,12 @@ impl<N> Record<N> {
 
     /// Whether it is [open](Record::open).
     pub(crate) fn is_open(&self) -> bool {
-        self.why.is_some()
+        self.why.is_some() && self.status == Some(Status::Undecided)
+    }
+
+    /// The same with the reason of its status.
+    pub(crate) fn because(self, why: String) -> Self {
+        Record { why: Some(why), ..self }
     }
 
     /// The records under a key.

@@ -51,19 +51,25 @@ fn for_reader(answer: &Answer) -> String {
     };
     let heading = format!("Profile: {}; controlled: {}; {digits}", answer.profile, answer.control);
     let parts = answer.outputs.iter().map(output);
-    std::iter::once(heading).chain(parts).collect::<Vec<_>>().join("\n\n")
+    let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
+    std::iter::once(heading).chain(notes).chain(parts).collect::<Vec<_>>().join("\n\n")
 }
 
 fn output(output: &Solved) -> String {
     let rows = flat(&output.records, |key, field| vec![(key.into(), text(field))]);
     let mut text = format!("{} ({})\n\n", output.want.name(), output.promise.name());
     let columns = columns(&rows);
+    // Where the list is that of a range, its end is no end of the equilibria.
+    let none = Status::NoEquilibrium.to_string();
+    let limited =
+        output.records.iter().any(|record| record.status() == Status::NoEquilibrium && record.why().is_some());
     if rows.is_empty() {
         text.push_str(" none\n");
     } else {
         let mut table = table(&columns.iter().map(|key| title(key)).collect::<Vec<_>>());
         for row in &rows {
             table.add_row(columns.iter().map(|key| match row.iter().find(|(name, _)| name == key) {
+                Some((_, (text, tone))) if limited && *text == none => cell(format!("{text} within the range"), *tone),
                 Some((_, (text, tone))) => cell(text, *tone),
                 None => cell("", Tone::Plain),
             }));

@@ -58,12 +58,18 @@ pub struct Row {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     rows: Vec<Row>,
+    units: Option<[String; 2]>,
 }
 
 impl Table {
     /// The rows, by increasing radius.
     pub fn rows(&self) -> &[Row] {
         &self.rows
+    }
+
+    /// The units of r and f, as written, where they are named and are not both metres.
+    pub fn units(&self) -> Option<&[String; 2]> {
+        self.units.as_ref()
     }
 
     /// The profile through the rows, in the arithmetic of `ctx`: every decimal is rounded once.

@@ -40,6 +40,8 @@ struct Layout {
     width: usize,
     place: [usize; 2],
     power: [i64; 2],
+    /// The units, where they are not both metres.
+    units: Option<[String; 2]>,
 }
 
 const COLUMNS: [Column; 2] = [Column::Radius, Column::Height];
@@ -47,7 +49,7 @@ const COLUMNS: [Column; 2] = [Column::Radius, Column::Height];
 impl Layout {
     /// The two columns of a table without header.
     fn plain() -> Self {
-        Layout { width: 2, place: [0, 1], power: [0, 0] }
+        Layout { width: 2, place: [0, 1], power: [0, 0], units: None }
     }
 
     fn from_header(header: &Line) -> Result<Self, TableError> {
@@ -72,6 +74,9 @@ impl Layout {
                 column,
                 unit: unit.to_owned(),
             })?;
+        }
+        if self.power != [0, 0] {
+            self.units = Some(self.place.map(|place| units.fields[place].to_owned()));
         }
         Ok(())
     }
@@ -154,8 +159,12 @@ impl Rows {
     }
 
     fn finish(self) -> Result<Table, TableError> {
-        let rows = self.rows;
-        if rows.len() < MINIMUM_ROWS { Err(TableError::TooFewRows { rows: rows.len() }) } else { Ok(Table { rows }) }
+        let (rows, units) = (self.rows, self.layout.units);
+        if rows.len() < MINIMUM_ROWS {
+            Err(TableError::TooFewRows { rows: rows.len() })
+        } else {
+            Ok(Table { rows, units })
+        }
     }
 }
 
