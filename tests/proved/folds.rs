@@ -206,3 +206,17 @@ fn three_folds_of_a_machine() -> Result<()> {
     }
     Ok(())
 }
+
+/// Where there is no profile there is nothing to prove.
+#[test]
+fn a_range_beyond_the_profile_is_refused() -> Result<()> {
+    let sphere = contact!(64, Sphere("1"), "1e-4", Held::Indentation);
+    for lower in [1.0 - 2f64.powi(-45), 1.0, 2.0] {
+        assert!(matches!(sphere.folds(lower, 3.0), Err(Error::Domain { .. })), "{lower}");
+    }
+    let within = sphere.folds(0.5, 3.0)?;
+    assert!(within.is_complete() && within.range.1 > 0.5 && within.range.1 < 1, "{within:?}");
+    let punch = contact!(64, FlatPunch("0.01"), "1e-4", Held::Indentation);
+    assert!(matches!(punch.folds(0.01, 1.0), Err(Error::Domain { .. })));
+    Ok(())
+}

@@ -3,7 +3,7 @@
 use mdr_core::number::Literal;
 
 use super::Held;
-use super::reader::{Section, Value};
+use super::reader::{Place, Section, Value};
 use crate::error::Result;
 use crate::flags::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS};
 
@@ -38,6 +38,14 @@ impl Want {
     }
 }
 
+/// Contact radii between which all folds are to be proved.
+#[derive(Debug)]
+pub(crate) struct Range {
+    pub(crate) ends: [Literal; 2],
+    /// For complaints about it.
+    pub(crate) place: Place,
+}
+
 /// What is wanted, in which arithmetic.
 #[derive(Debug)]
 pub(crate) struct Wanted {
@@ -54,8 +62,8 @@ pub(crate) struct Wanted {
     pub(crate) pressure: Vec<Literal>,
     /// Radii r for `gap`; empty when the program shall choose.
     pub(crate) gap: Vec<Literal>,
-    /// The contact radii between which all folds are to be proved; none when the program shall choose.
-    pub(crate) range: Option<[Literal; 2]>,
+    /// Where all folds are to be proved; none when the program shall choose.
+    pub(crate) range: Option<Range>,
 }
 
 impl Wanted {
@@ -135,7 +143,7 @@ fn at<'a>(section: &Section<'a>, key: &'static str, read: fn(&Value<'a>) -> Resu
 }
 
 /// The key `range` of [output.folds].
-fn range(section: &Section<'_>) -> Result<Option<[Literal; 2]>> {
+fn range(section: &Section<'_>) -> Result<Option<Range>> {
     let Some(value) = section.optional("folds") else {
         return Ok(None);
     };
@@ -148,5 +156,5 @@ fn range(section: &Section<'_>) -> Result<Option<[Literal; 2]>> {
     if lower.to_rational() >= upper.to_rational() {
         return Err(list.refuse(format!("the range must ascend, got {lower} to {upper}")));
     }
-    Ok(Some([lower, upper]))
+    Ok(Some(Range { ends: [lower, upper], place: list.place() }))
 }

@@ -57,7 +57,7 @@ impl Isolated {
     pub(super) fn new(certified: &Certified<'_>) -> Result<Self> {
         let closed = power_law::roughly(certified.scene);
         let range = match &certified.scene.output.range {
-            Some(range) => range.clone(),
+            Some(range) => range.ends.clone(),
             None => {
                 let rough = certified.rough()?;
                 let visited = if closed.is_some() { Vec::new() } else { rough.visited() };
@@ -92,7 +92,7 @@ impl Isolated {
 
     /// The range that the scene names, where what is proved holds for it alone.
     fn limits<'s>(&self, certified: &Certified<'s>) -> Option<&'s [Literal; 2]> {
-        certified.scene.output.range.as_ref().filter(|_| self.closed.is_none())
+        certified.scene.output.range.as_ref().filter(|_| self.closed.is_none()).map(|range| &range.ends)
     }
 
     /// What is known about the folds.

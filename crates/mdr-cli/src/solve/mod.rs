@@ -99,6 +99,7 @@ impl Solve {
         let scene = Scene::open(&self.scene, self.arithmetic.given()?)?;
         let tally = Arc::new(Tally::default());
         let solver = Solver::new(&scene, &tally).map_err(|error| scene.places.complaint_about_profile(error))?;
+        solver.check_range(&scene)?;
         let (answer, costs) = solve(&scene, &solver, &tally)?;
         render::write(&answer, self.format, out)?;
         if let Some(file) = &self.plot {
@@ -191,6 +192,24 @@ impl<'s> Solver<'s> {
                 output => output,
             },
             Solver::Certified(certified) => certified.output(want),
+        }
+    }
+
+    /// Refuses a range of contact radii for the proof of folds that begins where the profile has ended.
+    fn check_range(&self, scene: &Scene) -> Result<()> {
+        let Some(range) = &scene.output.range else { return Ok(()) };
+        let rough = match self {
+            Solver::Double(double) => double,
+            Solver::Certified(certified) => certified.rough().map_err(|error| scene.places.complaint(error))?,
+        };
+        let lower = &range.ends[0];
+        match rough.contact().transform().outer_radius() {
+            Some(outer) if lower.to_rational() >= outer => {
+                let why =
+                    format!("the range must begin within the profile, whose outer radius is {outer}, got {lower}");
+                Err(range.place.refuse(why))
+            }
+            _ => Ok(()),
         }
     }
 

@@ -3,6 +3,7 @@
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::Literal;
 use mdr_numeric::folds::Folds;
+use mdr_numeric::proof;
 
 use super::contact::Contact;
 
@@ -30,7 +31,7 @@ pub(crate) fn decimal(value: f64, digits: usize) -> Result<Literal> {
 /// # Errors
 /// When w/E* or a fold is out of the range of f64.
 pub(crate) fn radii(contact: &Contact<f64>, folds: &Folds<f64>) -> Result<Vec<Literal>> {
-    let (lower, upper) = span(contact, folds, MARGIN);
+    let (lower, upper) = span(contact, folds);
     let rim = contact.transform().outer_radius().map_or(f64::MAX, |outer| outer * (1.0 - RIM));
     let upper = upper.min(rim);
     let step = (upper / lower).ln() / (POINTS - 1) as f64;
@@ -38,26 +39,21 @@ pub(crate) fn radii(contact: &Contact<f64>, folds: &Folds<f64>) -> Result<Vec<Li
 }
 
 /// The range of contact radii on which all folds are to be proved: far around the folds that are known and the kinks, and with
-/// the radii to which the scene leads.
+/// the radii to which the scene leads, to powers of ten.
 ///
 /// # Errors
 /// As [`radii`].
 pub(crate) fn range(contact: &Contact<f64>, folds: &Folds<f64>, visited: &[f64]) -> Result<[Literal; 2]> {
-    let (lower, upper) = span(contact, folds, REACH);
-    let kinks = contact.transform().kinks();
-    let lower = kinks.first().map_or(lower, |kink| lower.min(kink / REACH));
-    let upper = kinks.last().map_or(upper, |kink| upper.max(kink * REACH));
-    let lower = visited.iter().fold(lower, |lower, a| lower.min(a / MARGIN));
-    let upper = visited.iter().fold(upper, |upper, a| upper.max(a * MARGIN));
+    let (lower, upper) = proof::range(&contact.curve(), folds, REACH, visited);
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);
     Ok([power(lower)?, power(upper)?])
 }
 
-/// From below all folds to above them by a factor; around w/E* where there is no fold.
-fn span(contact: &Contact<f64>, folds: &Folds<f64>, factor: f64) -> (f64, f64) {
+/// From below all folds to above them; around w/E* where there is no fold.
+fn span(contact: &Contact<f64>, folds: &Folds<f64>) -> (f64, f64) {
     let length = contact.curve().material_length();
     let middle = contact.transform().outer_radius().map_or(length, |outer| length.min(outer / 2.0));
     let first = folds.folds.first().map_or(middle, |fold| fold.contact_radius);
     let last = folds.folds.last().map_or(middle, |fold| fold.contact_radius);
-    (first / factor, last * factor)
+    (first / MARGIN, last * MARGIN)
 }

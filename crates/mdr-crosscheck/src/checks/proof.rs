@@ -23,6 +23,8 @@ use crate::trial::Trial;
 const BITS: u32 = 80;
 /// Evaluations that a proof may spend.
 const BUDGET: usize = 1_000_000;
+/// How far beyond what f64 finds: 2²⁰.
+const REACH: f64 = 1_048_576.0;
 
 /// All folds proved, as many as the search in f64 finds, and each where it finds it.
 ///
@@ -160,9 +162,10 @@ impl Library {
         EnclosedCurve::new(self.plain.curve(), self.moving.curve())
     }
 
-    /// All folds around what f64 finds, or around the drawn radius where it refuses (g is infinite at an edge).
+    /// All folds far around what f64 finds, and around the drawn radius.
     fn prove(&self) -> Result<ProvedFolds> {
-        let (lower, upper) = proof::range(&self.rough.curve()).unwrap_or((self.radius / 1e6, self.radius * 1e6));
+        let curve = self.rough.curve();
+        let (lower, upper) = proof::range(&curve, &folds::find(&curve)?, REACH, &[self.radius]);
         let [lower, upper] = [lower, upper].map(|end| Float::with_val(BITS, end));
         self.enclosed().folds(&lower, &upper, BUDGET)
     }

@@ -71,13 +71,17 @@ impl<'a> EnclosedCurve<'a> {
     /// where the profile does, at its wall or a relative distance of 2⁻⁴⁰ before its outer radius.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless 0 < lower < upper; as [`Control::check`](mdr_core::contact::Control::check) and
-    /// [`Curve::tangency`].
+    /// [`Error::Domain`] unless 0 < lower < upper, and unless the range begins before that end of the profile; as
+    /// [`Control::check`](mdr_core::contact::Control::check) and [`Curve::tangency`].
     pub fn folds(&self, lower: &Float, upper: &Float, budget: usize) -> Result<ProvedFolds> {
         self.plain.control().check()?;
         let range = (lower.clone(), upper.clone());
         if !(*lower > 0 && lower < upper && upper.is_finite()) {
             return Err(Error::domain(Quantity::Radius, upper, "finite and above the lower end of the range, above 0"));
+        }
+        let end = self.plain.transform().outer_radius().map(|outer| kinks::shifted(outer.lower(), -1, kinks::FINEST));
+        if end.as_ref().is_some_and(|end| lower >= end) {
+            return Err(Error::domain(Quantity::Radius, lower, "below the outer radius of the profile"));
         }
         let mut found =
             ProvedFolds { range, folds: Vec::new(), poles: Vec::new(), undecided: Vec::new(), evaluations: 0 };
@@ -87,9 +91,8 @@ impl<'a> EnclosedCurve<'a> {
             from = gap.after.clone();
             self.gap(gap, &mut found)?;
         }
-        match self.plain.transform().outer_radius() {
-            Some(outer) if from < *outer.lower() => {
-                let end = kinks::shifted(outer.lower(), -1, kinks::FINEST);
+        match end {
+            Some(end) if from < end => {
                 found.range.1 = if end < *upper { end } else { upper.clone() };
                 self.smooth_part(&from, &found.range.1.clone(), budget, &mut found)?;
             }
