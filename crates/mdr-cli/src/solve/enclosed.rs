@@ -12,7 +12,7 @@ use rug::float::Round;
 use super::answer::{Complete, Output, Promise};
 use super::certified::Certified;
 use super::contact::Contact;
-use super::digits::proved;
+use super::digits::{proved, start};
 use super::record::{Field, Record};
 use super::{outputs, path, power_law, sample};
 use crate::number::Number;
@@ -24,6 +24,9 @@ const ISOLATION: u32 = 64;
 const BUDGET: usize = 4_000_000;
 /// The same between two rows of a table, where an evaluation is a sum over all rows and one fold the rule.
 const BUDGET_OF_ROWS: usize = 10_000;
+
+/// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
+const ENOUGH: u32 = 16;
 
 /// The contact over enclosures, and over enclosures with derivatives.
 struct Enclosed {
@@ -209,7 +212,15 @@ pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Opt
             path => path?,
         };
         if isolated.closed.is_none() {
-            branches.check(&path)?;
+            let asked_for = start(certified.digits).bits();
+            branches.check(&path).map_err(|error| match error {
+                // The rest of the radii is long, and not a matter of bits.
+                Error::Undecided { quantity, bits, .. } if bits >= ENOUGH * asked_for => {
+                    let (from, to) = ("0".to_owned(), "infinity".to_owned());
+                    Error::Unproved { quantity, from, to, remedy: "name a wider range of radii" }
+                }
+                error => error,
+            })?;
         }
         let nothing = path.events.iter().map(|_| Field::Absent).collect();
         let records = path::records(enclosed.plain.control(), &path, nothing).into_iter().map(enclose);
