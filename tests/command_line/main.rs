@@ -17,6 +17,7 @@ mod readme;
 mod records;
 mod reference;
 mod report;
+mod rim;
 mod solve;
 mod solve_paths;
 mod solve_statuses;

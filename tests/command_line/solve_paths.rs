@@ -94,6 +94,11 @@ fn what_is_no_end_of_a_profile() {
     near(&answer["path"][1]["contact_radius"], 1.0, 1e-9);
     near(&answer["path"][1]["force"], 2.0 * 99.5, 1e-9);
     let answer = solve(&sphere, "--f64");
+    assert_eq!(events(&answer), ["start", "way-point", "detached", "end"]);
+    near(&answer["path"][1]["force"], 2.0 * 99.5, 1e-14);
+    // Of a formula nothing is known at the radius where it ends.
+    let formula = "kind = \"expression\", formula = \"1 - sqrt(1 - r^2)\"";
+    let answer = solve(&scene("1", formula, "0, 100, -5"), "--f64");
     assert_eq!(events(&answer), ["start", "undecided"]);
     assert!(answer["balance"].is_null());
     assert_eq!((&answer["path"][1]["status"], &answer["path"][1]["force"]), (&"undecided".into(), &Value::Null));

@@ -353,3 +353,30 @@ fn refusals_name_what_was_given() {
     let none = Sum::<f64>::new(Vec::new());
     assert!(none.g(&f64::NAN).is_err() && none.g(&-1.0).is_err() && none.g(&1.0) == Ok(0.0));
 }
+
+/// Close to the radius R where g is infinite, g = x·½ ln((R + x)/(R − x)) keeps its digits, for any R, and the least slope
+/// beyond a margin is that at the margin.
+#[test]
+fn a_sphere_close_to_its_equator() {
+    for radius in [0.3, 1.0, 1.9, 1e-7] {
+        let ball = Sphere::new(radius).unwrap();
+        let exact = Sphere::new(Float::with_val(BITS, radius)).unwrap();
+        for octaves in [3, 5, 10, 20, 40, 51] {
+            let x = radius - 2f64.powi(-octaves) * radius;
+            let truth =
+                |value: Float, found: f64| Float::with_val(BITS, (found - value.clone()) / value).to_f64().abs();
+            let wide = Float::with_val(BITS, x);
+            let error = truth(exact.g(&wide).unwrap(), ball.g(&x).unwrap());
+            // A sum, a difference, a quotient, a logarithm above ln 16 and two products.
+            assert!(error < 5.0 * f64::EPSILON, "g({x}) of {radius}: {error:e}");
+            let margin = Float::with_val(BITS, 1) >> octaves.unsigned_abs();
+            let least = exact.kink(0, &margin).unwrap().unwrap().inside.least.unwrap();
+            let at_margin = exact.slope(&Float::with_val(BITS, (1 - margin) * Float::with_val(BITS, radius))).unwrap();
+            let difference = Float::with_val(BITS, (least - &at_margin) / at_margin).abs();
+            assert!(
+                difference < Float::with_val(BITS, 1) >> (BITS - LOSS - octaves.unsigned_abs()),
+                "{radius}, {octaves}"
+            );
+        }
+    }
+}

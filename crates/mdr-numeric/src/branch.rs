@@ -46,13 +46,12 @@ pub trait Branched<R: Real> {
     /// Those of the transform; [`Error::Undecided`].
     fn onset(&self) -> Result<Onset>;
 
-    /// The state in which the contact has come to the end of the profile: on the last branch, where that ends at a finite
-    /// radius and indentation. None where the contact can grow for ever: without an outer radius, or where g is infinite there.
+    /// Where the last branch ends.
     ///
     /// # Errors
-    /// Those of the transform; [`Error::Undecided`] over enclosures where there is none, as more bits may find the equilibrium
-    /// that was not found before it.
-    fn end(&self) -> Result<Option<Equilibrium<R>>>;
+    /// Those of the transform; [`Error::Undecided`] over enclosures in place of [`End::Unknown`], as more bits may find the
+    /// equilibrium that was not found before it.
+    fn end(&self) -> Result<End<R>>;
 
     /// All equilibria at `value`, by increasing radius; none is an empty list. At a fold itself the double root is one,
     /// [`Neutral`](mdr_core::contact::Stability::Neutral).
@@ -98,30 +97,45 @@ pub trait Branched<R: Real> {
     /// past a maximum.
     ///
     /// # Errors
-    /// As [`Branched::on_branch`]. An index that does not exist has [`Outcome::Detached`].
+    /// As [`Branched::on_branch`]; [`Error::Undecided`] past a maximum where the profile ends. An index that does not exist has [`Outcome::Detached`].
     fn outcome(&self, fold: usize) -> Result<Outcome<R>> {
         let kind = self.folds().get(fold).map(|fold| fold.kind);
         Ok(match (self.landing(fold)?, kind) {
             (Some((_, rest)), _) => Outcome::Jump { to: rest.contact_radius },
-            (None, Some(FoldKind::Maximum)) => Outcome::CompleteContact,
+            (None, Some(FoldKind::Maximum)) if self.end()? == End::Open => Outcome::CompleteContact,
+            (None, Some(FoldKind::Maximum)) => {
+                return Err(beyond_reach(self.control(), &self.folds()[fold].contact_radius));
+            }
             (None, _) => Outcome::Detached,
         })
     }
 }
 
-/// The state at the outer radius of a profile without a wall, where it is one.
+/// Where the last branch ends.
+#[derive(Clone, Debug, PartialEq)]
+pub enum End<R> {
+    /// At no radius: the contact can grow for ever.
+    Open,
+    /// At the outer radius, in this state.
+    Profile(Equilibrium<R>),
+    /// At an outer radius of which no state is known: at a wall, where g is infinite, or where it cannot be had.
+    Unknown,
+}
+
+/// The end of the last branch of a curve.
 ///
 /// # Errors
 /// Those of the transform.
-pub(crate) fn end<R: Real>(curve: &Curve<'_, R>) -> Result<Option<Equilibrium<R>>> {
-    let Some(contact_radius) = curve.transform().outer_radius().filter(|_| curve.wall().is_none()) else {
-        return Ok(None);
-    };
+pub(crate) fn end<R: Real>(curve: &Curve<'_, R>) -> Result<End<R>> {
+    let Some(contact_radius) = curve.transform().outer_radius() else { return Ok(End::Open) };
+    if curve.wall().is_some() {
+        return Ok(End::Unknown);
+    }
     match curve.state(&contact_radius) {
         Ok((indentation, force)) if indentation.is_finite() && force.is_finite() => {
-            Ok(Some(Equilibrium { contact_radius, indentation, force, stability: Stability::Stable }))
+            Ok(End::Profile(Equilibrium { contact_radius, indentation, force, stability: Stability::Stable }))
         }
-        Ok(_) | Err(Error::Domain { .. } | Error::OutOfRange { .. } | Error::NoConvergence { .. }) => Ok(None),
+        Ok(_) | Err(Error::Domain { .. } | Error::OutOfRange { .. } | Error::NoConvergence { .. }) => Ok(End::Unknown),
         Err(error) => Err(error),
     }
 }
@@ -164,6 +178,12 @@ pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> R
         },
     };
     Ok(if stable { Onset::Smooth } else { Onset::Abrupt })
+}
+
+/// An equilibrium that is not found, although the contact grows as far as can be seen and its profile ends further out.
+pub(crate) fn beyond_reach<R: Real>(control: &Control<R>, like: &R) -> Error {
+    let what = "where beyond the radii that were looked at the equilibrium lies";
+    Error::Undecided { quantity: control.quantity(), bits: like.precision(), what }
 }
 
 /// A value that is neither below that of a fold nor above it.

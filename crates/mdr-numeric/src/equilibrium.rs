@@ -12,10 +12,10 @@ use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Material, Result, Stability, Transform};
 use mdr_core::number::Real;
 
-use crate::branch::{Branched, Onset, end, onset, unordered};
+use crate::branch::{Branched, End, Onset, end, onset, unordered};
 use crate::curve::Curve;
 use crate::folds::{self, Completeness, Folds};
-use crate::survey;
+use crate::{rim, survey};
 use ends::is_pole;
 
 /// The branches of a contact under one control: the curve of equilibria cut at its folds.
@@ -26,6 +26,8 @@ pub struct Branches<'a, R: Real> {
     completeness: Completeness,
     /// The radii that are looked at, where not all of them are.
     reach: Option<[R; 2]>,
+    /// The outer radius, where g is infinite: before it a contact that grows comes to rest.
+    rim: Option<R>,
 }
 
 /// All equilibria at `value` of the controlled quantity (d, F, or D = d + F/k), by increasing radius. None is an empty list.
@@ -93,7 +95,8 @@ impl<'a, R: Real> Branches<'a, R> {
         let Folds { mut folds, poles, completeness, .. } = folds;
         folds.extend(poles);
         folds.sort_by(|one, other| one.contact_radius.partial_cmp(&other.contact_radius).unwrap_or(Ordering::Equal));
-        Branches { curve, folds, completeness, reach: None }
+        let rim = curve.rim().unwrap_or_default();
+        Branches { curve, folds, completeness, reach: None, rim }
     }
 
     /// Looks for equilibria between these radii only; else where folds are searched, at most 10^±455000 times w/E*.
@@ -256,22 +259,20 @@ impl<'a, R: Real> Branches<'a, R> {
         }
     }
 
-    /// The rest of a walk, towards the outer radius b: to b(1 − 2⁻¹), b(1 − 2⁻²), b(1 − 2⁻⁴), …, and to a wall itself.
+    /// The rest of a walk, towards the outer radius: ever closer, and to a wall or a rim itself.
     fn approach(&self, mut last: R, outer: &R, from: Ordering, value: &R) -> Result<Option<Change<R>>> {
-        let halvings =
-            std::iter::successors(Some(1), |k| Some(2 * k)).take_while(|k| *k < i64::from(outer.precision()));
-        let steps = halvings.map(|k| outer.clone() - outer.lit(2).powi(-k) * outer).chain(self.curve.wall());
-        for step in steps {
+        for step in rim::approaches(outer).chain(self.curve.wall()) {
             if !(step > last) {
                 continue;
             }
             match self.turn(step, value)? {
                 Some((upper, turn)) if turn != from => return Ok(Some(Change { lower: last, upper, below: from })),
                 Some((step, _)) => last = step,
-                None => break,
+                None => return Ok(None),
             }
         }
-        Ok(None)
+        let at_rim = self.rim.clone().filter(|_| from == Ordering::Less);
+        Ok(at_rim.map(|upper| Change { lower: last, upper, below: from }))
     }
 
     /// The direction of change at a radius; none out of the range of radii or of the arithmetic, or where g cannot be had:
@@ -312,10 +313,20 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
             return Ok(Some(rest));
         }
         let Some(Change { lower, upper, below }) = self.change(branch, value)? else { return Ok(None) };
+        let rim = self.rim.as_ref();
+        if rim == Some(&upper) {
+            let (indentation, force) = self.curve.state_before_rim(&lower, &upper, value)?;
+            let stability = Stability::Stable;
+            return Ok(Some(Equilibrium { contact_radius: lower, indentation, force, stability }));
+        }
         let direction = |a: &R| self.curve.direction_at(a, value);
         let Some(bracket) = Bracket::new(&lower, &upper, direction)? else { return Ok(None) };
         let contact_radius = roots::refine(bracket, &lower.unit_roundoff(), direction)?.value;
-        let (indentation, force) = self.curve.state_held(&contact_radius, value)?;
+        let (indentation, force) = if rim.is_some_and(|rim| rim::is_near(&contact_radius, rim)) {
+            self.curve.held_state(&contact_radius, value)?
+        } else {
+            self.curve.state_held(&contact_radius, value)?
+        };
         // It grows below and shrinks above: back to the equilibrium.
         let stability = if below == Ordering::Less { Stability::Stable } else { Stability::Unstable };
         Ok(Some(Equilibrium { contact_radius, indentation, force, stability }))
@@ -325,7 +336,7 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
         onset(&self.curve, self.folds.first())
     }
 
-    fn end(&self) -> Result<Option<Equilibrium<R>>> {
+    fn end(&self) -> Result<End<R>> {
         end(&self.curve)
     }
 

@@ -7,6 +7,7 @@ use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Result,
 use mdr_core::number::Real;
 
 use crate::curve::Curve;
+use crate::rim;
 use crate::survey::{self, Crossing, Range};
 
 /// How far a search can be trusted. Neither is a proof: that needs enclosures of g over intervals of radii.
@@ -111,6 +112,7 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
     if let Some(wall) = &wall {
         survey.crossings.extend(before_wall(wall, ratio)?);
     }
+    survey.resolved &= extend_to_end(curve, ratio, &mut survey.crossings)?;
     let completeness = if survey.resolved { Completeness::Resolved } else { Completeness::Doubtful };
     let (folds, poles) = (Vec::with_capacity(survey.crossings.len()), Vec::new());
     let mut found = Folds { folds, poles, beyond: Vec::new(), completeness };
@@ -159,6 +161,31 @@ fn radius_at<R: Real>(crossing: &Crossing<R>, ratio: impl Fn(&R) -> Result<R>) -
     let excess = |a: &R| Ok(ratio(a)? - a.lit(1));
     let Some(bracket) = Bracket::new(&crossing.lower, &crossing.upper, excess)? else { return Ok(None) };
     Ok(Some(roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value))
+}
+
+/// Adds the crossing between where the survey ends and the end of a profile without a wall. Whether it is known that there is
+/// no other: where g grows without bound the ratio ends above one.
+fn extend_to_end<R: Real>(
+    curve: &Curve<'_, R>,
+    ratio: impl Fn(&R) -> Result<R>,
+    crossings: &mut Vec<Crossing<R>>,
+) -> Result<bool> {
+    let Some(outer) = curve.transform().outer_radius().filter(|_| curve.wall().is_none()) else { return Ok(true) };
+    let lower = outer.clone() - R::from_f64(outer.ctx(), survey::OUTER_MARGIN) * &outer;
+    let rim = curve.rim()?.is_some();
+    let upper = if rim { rim::last_before(&outer) } else { outer };
+    match [ratio(&lower), ratio(&upper)] {
+        [Ok(before), Ok(after)] => {
+            let [before, after] = [before, after].map(|ratio| ratio >= ratio.lit(1));
+            if before != after {
+                crossings.push(Crossing { lower, upper, rising: after });
+            }
+            Ok(after || !rim)
+        }
+        // The survey has said where it could not go itself.
+        [Ok(before), Err(_)] => Ok(before > before.lit(1)),
+        [Err(_), _] => Ok(true),
+    }
 }
 
 /// The crossing between a wall and where the survey ends, if there is one.

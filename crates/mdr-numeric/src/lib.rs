@@ -52,6 +52,7 @@ pub mod path;
 pub mod profiles;
 #[cfg(feature = "mp")]
 pub mod proof;
+mod rim;
 pub mod springs;
 mod survey;
 pub mod table;

@@ -1,6 +1,6 @@
 //! Profiles that are one formula from the tip on: cone, paraboloid, sphere, ellipsoid, hyperboloid.
 
-use mdr_core::contact::Result;
+use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
 use super::ranged::length;
@@ -101,6 +101,9 @@ impl<R: Special> ClosedForm<R> for Sphere<R> {
     fn end(&self) -> Option<&R> {
         self.0.end()
     }
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        self.0.at_edge(margin)
+    }
 }
 
 /// The half-ellipsoid f = c(1 − √(1 − r²/A²)), r < A: g = (c x/A) artanh(x/A).
@@ -124,6 +127,16 @@ impl<R: Special> Ellipsoid<R> {
         self.height.clone() / &self.lateral
     }
 
+    /// artanh(x/A); close to A as ½ ln((A + x)/(A − x)), as x/A would be rounded.
+    fn artanh(&self, x: &R) -> R {
+        let t = x.clone() / &self.lateral;
+        if t > t.ratio(15, 16) {
+            ((self.lateral.clone() + x) / (self.lateral.clone() - x)).ln().over(2)
+        } else {
+            t.atanh()
+        }
+    }
+
     /// (A − x)/A · (1 + x/A), which keeps its digits as x → A and stays in range at any A.
     fn rest(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
@@ -133,11 +146,11 @@ impl<R: Special> Ellipsoid<R> {
 
 impl<R: Special> ClosedForm<R> for Ellipsoid<R> {
     fn g_at(&self, x: &R) -> R {
-        (x.clone() / &self.lateral).atanh() * x * self.aspect()
+        self.artanh(x) * x * self.aspect()
     }
     fn slope_at(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
-        (t.atanh() + t / self.rest(x)) * self.aspect()
+        (self.artanh(x) + t / self.rest(x)) * self.aspect()
     }
     /// ½Ac[t − (1 − t²) artanh t]/x with t = x/A, of which the bracket starts with (2/3)t³: ½c·t·m(t).
     fn mean_at(&self, x: &R) -> R {
@@ -150,6 +163,13 @@ impl<R: Special> ClosedForm<R> for Ellipsoid<R> {
     }
     fn end(&self) -> Option<&R> {
         Some(&self.lateral)
+    }
+    /// g and g' grow without bound: beyond t = 1 − margin g' is not less than there.
+    fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
+        let (t, sum) = (margin.lit(1) - margin, margin.lit(2) - margin);
+        let artanh = (sum.clone() / margin).ln().over(2);
+        let least = (artanh + t / (sum * margin)) * self.aspect();
+        Some(Kink { value: None, inside: Slopes::at_least(least), outside: Slopes::unknown() })
     }
 }
 

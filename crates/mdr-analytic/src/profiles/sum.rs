@@ -146,7 +146,8 @@ impl<R: Special> Sum<R> {
 /// What a term contributes at the kink of another one: a kink of its own that is certainly the same, or smooth values.
 fn share<R: Special>(term: &dyn Transform<R>, radius: &R, margin: &R) -> Result<Option<Kink<R>>> {
     let near = radius.clone().inflate(&(margin.clone() * radius));
-    for (index, kink) in term.kinks().iter().enumerate() {
+    let ends = term.outer_radius().filter(|_| !term.wall());
+    for (index, kink) in term.kinks().iter().chain(&ends).enumerate() {
         if kink == radius {
             return term.kink(index, margin);
         }

@@ -67,7 +67,9 @@ impl Isolated {
                 sample::range(rough.contact(), rough.folds()?, &visited)?
             }
         };
-        let precision = Precision::new(ISOLATION);
+        // Cells as close to a rim as folds may be.
+        let octaves = Enclosed::new(certified, Precision::new(ISOLATION))?.curve().octaves_to_rim()?;
+        let precision = Precision::new(ISOLATION.max(3 * octaves - ISOLATION));
         let [lower, upper] = range.each_ref().map(|end| Interval::from_literal(precision, end));
         let enclosed = Enclosed::new(certified, precision)?;
         let budget = if certified.scene.profile.is_closed() { BUDGET } else { BUDGET_OF_ROWS };

@@ -87,7 +87,7 @@ fn quantities<R: Arithmetic>(control: &Control<R>, state: &State<R>, value: &R) 
 
 /// What is known of a state that was not found.
 fn not_found<R: Arithmetic>(control: &Control<R>, value: &R) -> [Field<R>; 3] {
-    let why = "no equilibrium was found up to here, and the profile does not end";
+    let why = "no equilibrium was found up to here, and none is known at an end of the profile";
     let open = || Field::Marked { status: Status::Undecided, log10: None, why: Some(why.to_owned()) };
     let held = || Field::Number(value.clone());
     match control {

@@ -256,7 +256,10 @@ fn polish<R: Arithmetic>(
     let excess = |a: &R| Ok(curve.tangency(a)? - curve.threshold(a)?);
     for halvings in [44, 36, 28, 20, 12] {
         let margin = centre.lit(2).powi(-halvings) * &centre;
-        let (lower, upper) = (centre.clone() - &margin, centre.clone() + &margin);
+        let (lower, mut upper) = (centre.clone() - &margin, centre.clone() + &margin);
+        if let Some(outer) = curve.transform().outer_radius().filter(|outer| upper >= *outer) {
+            upper = (centre.clone() + outer).over(2);
+        }
         let Some(bracket) = Bracket::new(&lower, &upper, excess)? else { continue };
         let contact_radius = roots::refine(bracket, &centre.unit_roundoff(), excess)?.value;
         let (indentation, force) = curve.state(&contact_radius)?;

@@ -59,7 +59,8 @@ pub trait Transform<R: Real>: Send + Sync {
         Vec::new()
     }
     /// What is known of g at the kink of this index and up to the relative distance `margin` < 1/4 on both sides of it; the
-    /// [wall](Transform::wall) comes after the last kink, with nothing outside. None where nothing is known.
+    /// [wall](Transform::wall) comes after the last kink, with nothing outside. So does an outer radius towards which g grows
+    /// without bound: there it has no value, and the least slope inside holds from the margin on. None where nothing is known.
     ///
     /// Bounds hold over enclosures; other arithmetics promise nothing about them.
     ///

@@ -6,7 +6,7 @@ use mdr_core::contact::{Equilibrium, Error, FoldKind, Instability, Quantity, Res
 use mdr_core::number::Real;
 
 use super::{Event, EventKind, Start, State};
-use crate::branch::{Branched, Onset, Way, seek};
+use crate::branch::{Branched, End, Onset, Way, beyond_reach, seek};
 
 /// Where the contact is, up to the value of the controlled quantity.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -83,7 +83,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
     /// No equilibrium was found on the last branch: the profile ends before `target`, or it is not known why.
     fn run_out(&mut self, target: &R) -> Result<()> {
         self.place = Place::Ended;
-        if let Some(end) = self.branches.end()? {
+        if let End::Profile(end) = self.branches.end()? {
             let value = self.branches.control().controlled(&end.indentation, &end.force);
             if certain(target, &value, self.branches)? == Ordering::Greater {
                 self.stay(EventKind::EndOfProfile, &value, State::Contact(end));
@@ -150,12 +150,29 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
                 self.place = Place::Detached;
                 self.enter(EventKind::Detached, &value, at_fold(here), State::Detached, Some(fold));
             }
-            None => {
-                self.place = Place::Ended;
-                self.enter(EventKind::CompleteContact, &value, at_fold(here), State::Complete, Some(fold));
-            }
+            None => self.outgrow(&value, at_fold(here), Some(fold))?,
         }
         Ok(true)
+    }
+
+    /// The contact grows from a state, and there is no equilibrium in which it comes to rest: it covers the whole surface, or
+    /// comes to the end of the profile.
+    fn outgrow(&mut self, value: &R, before: State<R>, fold: Option<usize>) -> Result<()> {
+        self.place = Place::Ended;
+        let kind = match self.branches.end()? {
+            End::Open => {
+                self.enter(EventKind::CompleteContact, value, before, State::Complete, fold);
+                return Ok(());
+            }
+            End::Profile(end) => {
+                let at_end = self.branches.control().controlled(&end.indentation, &end.force);
+                let grows = certain(value, &at_end, self.branches)? == Ordering::Greater;
+                if grows { EventKind::EndOfProfile } else { EventKind::Undecided }
+            }
+            End::Unknown => EventKind::Undecided,
+        };
+        self.enter(kind, value, before.clone(), before, fold);
+        Ok(())
     }
 
     /// Detached surfaces, and the controlled quantity comes up to `target`, or is there at the start: they touch at zero.
@@ -192,10 +209,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
                 self.place = Place::Branch(branch);
                 self.enter(EventKind::JumpIn, zero, State::Detached, State::Contact(rest), None);
             }
-            None => {
-                self.place = Place::Ended;
-                self.enter(EventKind::CompleteContact, zero, State::Detached, State::Complete, None);
-            }
+            None => self.outgrow(zero, State::Detached, None)?,
         }
         Ok(())
     }
@@ -300,7 +314,14 @@ fn at_rest<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Re
         Place::Fold(fold) => side(Some(fold))? == Some(Ordering::Equal),
         Place::Detached | Place::Ended => false,
     };
-    if holds { state(branches, place, value) } else { Ok(None) }
+    let found = if holds { state(branches, place, value)? } else { None };
+    // The last stable branch rises from its beginning to the end of the profile: it holds the value unless that ends below.
+    let rises_to_it = |branch: usize| branch == branches.folds().len() && (branch > 0 || *value > value.lit(0));
+    let missed = holds && found.is_none() && matches!(place, Place::Branch(branch) if rises_to_it(branch));
+    if missed && branches.end()? == End::Unknown {
+        return Err(beyond_reach(branches.control(), value));
+    }
+    Ok(found)
 }
 
 /// The state at `value`, with the contact at a place; none when it would be beyond the end of the last branch.

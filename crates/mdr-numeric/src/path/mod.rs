@@ -55,13 +55,14 @@ pub enum EventKind {
     Jump,
     /// The contact breaks at a fold; or it has shrunk smoothly to a point (n < 1/2).
     Detached,
-    /// Past a fold there is no equilibrium up to the largest radius. The path ends: the theory knows nothing beyond.
+    /// Past a fold there is no equilibrium up to the largest radius, of a profile without an outer one. The path ends: the
+    /// theory knows nothing beyond.
     CompleteContact,
-    /// The contact has come to the outer radius of the profile, and with it the path to its end: the states are those there.
+    /// The contact has come to the outer radius of the profile, and with it the path to its end. The states are those there;
+    /// where it grows that far by itself, at the value of a fold or after a touch, those from which it does.
     EndOfProfile,
-    /// Up to this value no equilibrium was found, and the profile does not end: it lies out of the range of the arithmetic,
-    /// or closer to an outer radius where g is infinite than the arithmetic can tell. The path ends; the states are the last
-    /// that are known, at the value of the event before.
+    /// Up to this value no equilibrium was found: it lies out of the range of the arithmetic, or the profile has an outer
+    /// radius at which g is not known. The path ends; the states are the last that are known, at the value of the event before.
     Undecided,
     /// Detached surfaces come closer, or start at the value 0, but the profile has a dimple at its tip: they first touch on a
     /// ring, which is no contact of this theory. The path ends. Moved further apart they stay detached.

@@ -24,6 +24,8 @@ pub struct EnclosedBranches<'a> {
     folds: Vec<Instability<Interval>>,
     range: (Float, Float),
     pub(super) wall: Option<Wall>,
+    /// The rim, if no fold lies between the range and it.
+    pub(super) rim: Option<Interval>,
 }
 
 /// The wall, with the mean of g and the controlled quantity of the state in which the contact just reaches it.
@@ -57,7 +59,8 @@ impl<'a> EnclosedBranches<'a> {
         folds.extend(proved.poles.iter().cloned());
         folds.sort_by(|one, other| one.contact_radius.lower().total_cmp(other.contact_radius.lower()));
         let wall = curve.wall()?.filter(|wall| proved.range.1 >= *wall.radius.lower());
-        Ok(EnclosedBranches { curve, folds, range: proved.range.clone(), wall })
+        let rim = curve.stable_rim(&proved.range.1)?;
+        Ok(EnclosedBranches { curve, folds, range: proved.range.clone(), wall, rim })
     }
 
     /// The range of radii on which [all equilibria](Branched::equilibria) are found; those met beyond it are told, too.
@@ -143,7 +146,7 @@ impl<'a> EnclosedBranches<'a> {
     }
 
     /// The controlled one of d and F is known better from its prescribed value.
-    fn equilibrium(
+    pub(super) fn equilibrium(
         &self,
         contact_radius: Interval,
         indentation: Interval,
@@ -189,21 +192,34 @@ impl<'a> EnclosedBranches<'a> {
         Ok((middle - at_middle / slope).intersect(&radius).unwrap_or(radius))
     }
 
-    /// An end further out in which the contact moves the other way, with the last end before it.
-    fn walk(&self, mut last: End, steps: impl Iterator<Item = Interval>, value: &Interval) -> Option<[End; 2]> {
+    /// The last end that was seen on the way from one, and the next if the contact moves the other way in it.
+    fn walk(&self, mut last: End, steps: impl Iterator<Item = Interval>, value: &Interval) -> (End, Option<End>) {
         let zero = value.lit(0);
         let growing = last.excess < zero;
         for radius in steps {
-            let Ok(next) = self.at_radius(radius, value) else { return None };
+            let Ok(next) = self.at_radius(radius, value) else { break };
             if next.excess.partial_cmp(&zero).is_none_or(Ordering::is_eq) {
                 continue;
             }
             if (next.excess < zero) != growing {
-                return Some([last, next]);
+                return (last, Some(next));
             }
             last = next;
         }
-        None
+        (last, None)
+    }
+
+    /// The equilibrium beyond the range, on the last branch.
+    fn outwards(&self, upper: End, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
+        let grows = upper.excess < value.lit(0);
+        match (self.walk(upper, self.above(), value), &self.rim) {
+            ((last, Some(next)), _) => self.between([last, next], value).map(Some),
+            ((last, None), Some(rim)) if grows => self.before_rim(&last.radius, rim, value).map(Some),
+            ((last, None), None) if grows && branch::end(&self.curve.plain)? == branch::End::Unknown => {
+                Err(branch::beyond_reach(self.control(), &last.radius))
+            }
+            _ => Ok(None),
+        }
     }
 
     /// Radii below the range: 2^−1, 2^−2, 2^−4, … of its lower end.
@@ -247,10 +263,10 @@ impl Branched<Interval> for EnclosedBranches<'_> {
         branch::onset(&self.curve.plain, self.folds.first())
     }
 
-    fn end(&self) -> Result<Option<Equilibrium<Interval>>> {
+    fn end(&self) -> Result<branch::End<Interval>> {
         match branch::end(&self.curve.plain)? {
-            Some(end) => Ok(Some(end)),
-            None => Err(self.undecided("where beyond the radii that were looked at the equilibrium lies")),
+            branch::End::Unknown => Err(branch::beyond_reach(self.control(), self.curve.plain.effective_modulus())),
+            end => Ok(end),
         }
     }
 
@@ -272,11 +288,12 @@ impl Branched<Interval> for EnclosedBranches<'_> {
             return self.between(ends, value).map(Some);
         }
         let [lower, upper] = ends;
-        let beyond = if branch == 0 { self.walk(lower, self.below(), value) } else { None };
-        let open = last && self.wall.is_none();
-        let beyond =
-            beyond.map(|[near, far]| [far, near]).or_else(|| open.then(|| self.walk(upper, self.above(), value))?);
-        beyond.map(|ends| self.between(ends, value)).transpose()
+        if branch == 0
+            && let (near, Some(far)) = self.walk(lower, self.below(), value)
+        {
+            return self.between([far, near], value).map(Some);
+        }
+        if last && self.wall.is_none() { self.outwards(upper, value) } else { Ok(None) }
     }
 }
 

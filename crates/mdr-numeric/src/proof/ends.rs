@@ -7,7 +7,7 @@ use mdr_core::number::{Interval, Real};
 use rug::Float;
 
 use super::{EnclosedBranches, kinks};
-use crate::path::{Path, State};
+use crate::path::{EventKind, Path, State};
 
 /// How far the condition is enclosed at both ends, in octaves: contact radii of 2^±1048576 m.
 const FAR: f64 = 1_048_576.0;
@@ -32,7 +32,7 @@ impl EnclosedBranches<'_> {
             State::Contact(rest) => rest.contact_radius.upper() > upper,
             State::Detached => false,
             State::Complete => true,
-        });
+        }) || path.events.iter().any(|event| event.kind == EventKind::EndOfProfile);
         let free = (!inwards || self.is_free_inwards()?) && (!outwards || self.is_free_outwards()?);
         if free { Ok(()) } else { Err(self.undecided("whether folds lie outside the radii of the proof")) }
     }
@@ -48,7 +48,7 @@ impl EnclosedBranches<'_> {
     /// Whether it has one from the range outwards, to 2⁻ᵖ before an outer radius at a precision of p bits.
     fn is_free_outwards(&self) -> Result<bool> {
         let (_, upper) = self.range();
-        if self.wall.is_some() {
+        if self.wall.is_some() || self.rim.is_some() {
             return Ok(true);
         }
         let Some(outer) = self.curve.plain.transform().outer_radius() else {

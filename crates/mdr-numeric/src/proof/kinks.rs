@@ -92,7 +92,7 @@ impl EnclosedCurve<'_> {
     }
 
     /// The sign of the condition at all radii of a cell, from bounds of g'.
-    fn sign(&self, cell: &Interval, slopes: &Slopes<Interval>) -> Option<Ordering> {
+    pub(super) fn sign(&self, cell: &Interval, slopes: &Slopes<Interval>) -> Option<Ordering> {
         let threshold = self.plain.threshold_at(cell);
         let ratio = |slope: &Interval| self.plain.tangency_of(slope.clone(), cell);
         if slopes.greatest.as_ref().is_some_and(|greatest| ratio(greatest) < threshold) {
@@ -173,5 +173,5 @@ fn pole(radius: Interval, kind: FoldKind) -> Instability<Interval> {
 /// radius·(1 ± 2^−margin).
 pub(super) fn shifted(radius: &Float, direction: i32, margin: u32) -> Float {
     let step = Float::with_val(radius.prec(), radius >> margin) * direction;
-    Float::with_val(radius.prec().max(2 * FINEST), radius + step)
+    Float::with_val(radius.prec().max(margin + FINEST), radius + step)
 }

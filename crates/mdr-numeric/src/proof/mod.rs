@@ -13,6 +13,7 @@ mod branches;
 mod ends;
 mod kinks;
 mod range;
+mod rim;
 
 pub use branches::EnclosedBranches;
 pub use range::range;
@@ -68,7 +69,7 @@ impl<'a> EnclosedCurve<'a> {
     }
 
     /// All folds with radii in (lower, upper), with at most about `budget` evaluations between two kinks. The range ends
-    /// where the profile does, at its wall or a relative distance of 2⁻⁴⁰ before its outer radius.
+    /// where the profile does, at its wall or [a little](EnclosedCurve::octaves_to_rim) before its outer radius.
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 < lower < upper, and unless the range begins before that end of the profile; as
@@ -79,7 +80,8 @@ impl<'a> EnclosedCurve<'a> {
         if !(*lower > 0 && lower < upper && upper.is_finite()) {
             return Err(Error::domain(Quantity::Radius, upper, "finite and above the lower end of the range, above 0"));
         }
-        let end = self.plain.transform().outer_radius().map(|outer| kinks::shifted(outer.lower(), -1, kinks::FINEST));
+        let octaves = self.octaves_to_rim()?;
+        let end = self.plain.transform().outer_radius().map(|outer| kinks::shifted(outer.lower(), -1, octaves));
         if end.as_ref().is_some_and(|end| lower >= end) {
             return Err(Error::domain(Quantity::Radius, lower, "below the outer radius of the profile"));
         }
@@ -93,8 +95,13 @@ impl<'a> EnclosedCurve<'a> {
         }
         match end {
             Some(end) if from < end => {
-                found.range.1 = if end < *upper { end } else { upper.clone() };
+                found.range.1 = if end < *upper { end.clone() } else { upper.clone() };
                 self.smooth_part(&from, &found.range.1.clone(), budget, &mut found)?;
+                if let Some(rim) = self.plain.rim()?.filter(|_| end < *upper)
+                    && self.stable_rim(&end)?.is_none()
+                {
+                    found.undecided.push((end, rim.upper().clone()));
+                }
             }
             Some(_) => found.range.1 = from,
             None => self.smooth_part(&from, upper, budget, &mut found)?,
@@ -196,7 +203,7 @@ impl<'a> EnclosedCurve<'a> {
     fn zero(&self, cell: &Interval) -> Result<Option<Interval>> {
         let mut cell = self.promoted(cell);
         // Newton converges from nearly any cell that isolates a simple zero; halving gets it there.
-        for _ in 0..64 {
+        for _ in 0..cell.precision() {
             if let Some(zero) = verify(&cell.mid(), |a| self.condition(a), |a| self.slope(a))?
                 && let Some(common) = zero.intersect(&cell)
                 && (cell.contains(zero.lower()) && cell.contains(zero.upper())

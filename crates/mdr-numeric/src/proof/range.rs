@@ -10,7 +10,8 @@ const MARGIN: f64 = 4.0;
 
 /// A range for [`EnclosedCurve::folds`](super::EnclosedCurve::folds): the kinks of g and all that the search in `f64` found,
 /// folds, poles and folds whose force is out of range, and a factor `reach` beyond on both sides. Around w/E* where it found
-/// nothing, or half the outer radius if that is smaller. The radii `visited` are within it, by a factor of four.
+/// nothing, or half the outer radius if that is smaller. The radii `visited` are within it, by a factor of four, and the
+/// outer radius.
 pub fn range(curve: &Curve<'_, f64>, found: &Folds<f64>, reach: f64, visited: &[f64]) -> (f64, f64) {
     let transform = curve.transform();
     let radius = |fold: &Instability<f64>| fold.contact_radius;
@@ -22,7 +23,9 @@ pub fn range(curve: &Curve<'_, f64>, found: &Folds<f64>, reach: f64, visited: &[
     }
     radii.extend(transform.kinks());
     let lower = radii.iter().map(|a| a / reach).chain(visited.iter().map(|a| a / MARGIN));
-    let upper = radii.iter().map(|a| a * reach).chain(visited.iter().map(|a| a * MARGIN));
+    // A profile that ends is looked at to its end.
+    let far = visited.iter().copied().chain(transform.outer_radius()).map(|a| a * MARGIN);
+    let upper = radii.iter().map(|a| a * reach).chain(far);
     (lower.fold(f64::MAX, f64::min).max(f64::MIN_POSITIVE), upper.fold(0.0, f64::max).min(f64::MAX))
 }
 

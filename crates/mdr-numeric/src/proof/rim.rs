@@ -1,0 +1,74 @@
+//! Close to a rim, where g is infinite: what is certain of the condition up to it, and the equilibrium before it.
+
+use std::cmp::Ordering;
+
+use mdr_core::contact::{Equilibrium, Result, Stability};
+use mdr_core::number::{Interval, Real};
+use rug::Float;
+
+use super::{EnclosedBranches, EnclosedCurve, kinks};
+
+/// The relative distance 2^−k from a rim within which folds are no more looked for.
+const CLOSEST: u32 = 2560;
+
+impl EnclosedCurve<'_> {
+    /// The k for which a search for folds ends a relative distance 2^−k before the outer radius: 40, or before a rim the first
+    /// of 40, 80, 160, … for which there is certainly no fold closer to it.
+    ///
+    /// # Errors
+    /// As [`Transform::kink`](mdr_core::contact::Transform::kink).
+    pub fn octaves_to_rim(&self) -> Result<u32> {
+        let Some(outer) = self.plain.rim()? else { return Ok(kinks::FINEST) };
+        let mut octaves = kinks::FINEST;
+        while octaves < CLOSEST && !self.is_stable_from(&outer.lit(2).powi(-i64::from(octaves)), &outer)? {
+            octaves *= 2;
+        }
+        Ok(octaves)
+    }
+
+    /// The rim, where the condition is certainly positive from a radius on up to it.
+    pub(super) fn stable_rim(&self, from: &Float) -> Result<Option<Interval>> {
+        let Some(outer) = self.plain.rim()? else { return Ok(None) };
+        let margin = (outer.clone() - Interval::point(from.clone())) / &outer;
+        let certain = margin > margin.lit(0) && margin < margin.ratio(1, 4) && self.is_stable_from(&margin, &outer)?;
+        Ok(certain.then_some(outer))
+    }
+
+    /// Whether the condition is certainly positive from a relative distance before the rim on.
+    fn is_stable_from(&self, margin: &Interval, rim: &Interval) -> Result<bool> {
+        let transform = self.plain.transform();
+        let around = rim.clone().inflate(&(margin.clone() * rim));
+        let end = transform.kink(transform.kinks().len(), margin)?;
+        Ok(end.is_some_and(|end| self.sign(&around, &end.inside) == Some(Ordering::Greater)))
+    }
+}
+
+impl EnclosedBranches<'_> {
+    /// The equilibrium between a radius at which the contact grows and the rim; no number of this precision need be between
+    /// the two.
+    ///
+    /// Up to the equilibrium g rises, to d + Δl. So there its integral is that up to the last radius and no more than the
+    /// distance times the larger of both heights. As d depends on the mean of g by a factor of at most one, a
+    /// distance below half the radius makes d + Δl less than twice of what it is with the mean from the last radius alone.
+    pub(super) fn before_rim(
+        &self,
+        last: &Interval,
+        rim: &Interval,
+        value: &Interval,
+    ) -> Result<Equilibrium<Interval>> {
+        let curve = &self.curve.plain;
+        let radius = last.hull(rim);
+        let distance = (rim.clone() - last) / &radius;
+        if !(distance < distance.ratio(1, 2)) {
+            return Err(self.undecided("how far from the outer radius the equilibrium lies"));
+        }
+        let mean = curve.transform().mean(last)? * last / &radius;
+        let below = curve.transform().g(last)?.abs();
+        let at_state = (curve.held_against(&radius, value, || Ok(mean.clone()))? + curve.elongation(&radius)).abs();
+        let highest = (below + at_state.times(2)) * distance.abs();
+        let mean = mean.inflate(&highest);
+        let d = curve.held_against(&radius, value, || Ok(mean.clone()))?;
+        let force = curve.edge_stiffness(&radius) * (d.clone() - &mean);
+        Ok(self.equilibrium(radius, d, force, value, Stability::Stable))
+    }
+}

@@ -1,0 +1,69 @@
+//! The rim of a profile: an outer radius towards which g grows without bound, as that of a sphere.
+//!
+//! Before it there is an equilibrium at every value at which the contact still grows, however close that is to the rim: at
+//! 1 − a/R ≈ 2 exp(−2(1 + Δl/R)) on a sphere of radius R at d = R, where no number of the arithmetic may be left.
+
+use mdr_core::contact::{Control, Result};
+use mdr_core::number::Real;
+
+use crate::curve::Curve;
+
+/// The relative distance 2^−k from the rim at which the profile is asked what it is.
+const MARGIN: i64 = 40;
+/// The relative distance 2^−k from the rim from which on a state is better known from what is held than from its radius.
+const NEAR: i64 = 8;
+
+impl<R: Real> Curve<'_, R> {
+    /// The outer radius, where g is known to grow without bound towards it.
+    ///
+    /// # Errors
+    /// As [`Transform::kink`](mdr_core::contact::Transform::kink).
+    pub(crate) fn rim(&self) -> Result<Option<R>> {
+        let transform = self.transform();
+        let Some(outer) = transform.outer_radius().filter(|_| !transform.wall()) else { return Ok(None) };
+        let end = transform.kink(transform.kinks().len(), &outer.lit(2).powi(-MARGIN))?;
+        Ok(end.filter(|end| end.value.is_none() && end.inside.least.is_some()).map(|_| outer))
+    }
+}
+
+impl<R: Real> Curve<'_, R> {
+    /// Indentation and force of the equilibrium between the last radius and the rim.
+    ///
+    /// The mean of g is that up to the last radius, where g is close to its mean over what is left: it grows as the logarithm
+    /// of the distance, or else d would not be finite.
+    pub(crate) fn state_before_rim(&self, last: &R, rim: &R, value: &R) -> Result<(R, R)> {
+        let share = (rim.clone() - last) / rim;
+        let mean = self.transform().mean(last)?;
+        let mean = (self.transform().g(last)? - &mean) * share + mean;
+        let d = self.held_against(rim, value, || Ok(mean.clone()))?;
+        let force = match self.control() {
+            Control::Force => value.clone(),
+            _ => self.edge_stiffness(rim) * (d.clone() - mean),
+        };
+        Ok((d, force))
+    }
+}
+
+/// The relative distances 2^−k from an outer radius, ever closer, at which it is approached: 2⁻¹, 2⁻², 2⁻⁴, …, and the last
+/// that the arithmetic tells from it for certain.
+pub(crate) fn approaches<R: Real>(outer: &R) -> impl Iterator<Item = R> {
+    let last = i64::from(outer.precision()) - 1;
+    let outer = outer.clone();
+    let halvings = std::iter::successors(Some(1), |k| Some(2 * k)).take_while(move |k| *k < last);
+    halvings.chain([last]).map(move |k| before(&outer, k))
+}
+
+/// The last radius before an outer one.
+pub(crate) fn last_before<R: Real>(outer: &R) -> R {
+    before(outer, i64::from(outer.precision()) - 1)
+}
+
+/// Whether a radius is so close to the rim that g is much better known than from the rounded radius.
+pub(crate) fn is_near<R: Real>(a: &R, rim: &R) -> bool {
+    *a > before(rim, NEAR)
+}
+
+/// outer·(1 − 2^−k).
+fn before<R: Real>(outer: &R, k: i64) -> R {
+    outer.clone() - outer.lit(2).powi(-k) * outer
+}
