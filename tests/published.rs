@@ -1,8 +1,9 @@
 //! Published values, each with its source.
 //!
-//! The formulas are written out here as they are printed in the source, for the E* and w of this workspace (w is the full
-//! work of separation; K = 4E*/3). Computed at 150 bits, where fifty published digits count as exact: the allowed error is that of the few operations on both sides
-//! times their condition, far below what a wrong factor or exponent would make.
+//! The formulas are written out here as they are printed in the source, for the E* and w of this workspace (w is the
+//! full work of separation; K = 4E*/3). Computed at 150 bits, where fifty published digits count as exact: the allowed
+//! error is that of the few operations on both sides times their condition, far below what a wrong factor or exponent
+//! would make.
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 

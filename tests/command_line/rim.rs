@@ -1,9 +1,9 @@
 //! `mdr solve` where a contact comes close to the radius at which its profile ends.
 //!
 //! On a sphere of radius R, or an ellipsoid of height c, g(a) = (c/R) a artanh(a/R) is infinite at R while its integral
-//! is not. An equilibrium at d has a artanh(a/R) = (R/c)(d + √(2πaw/E*)), so 1 − a/R ≈ 2 exp(−2(d + Δl)/c), and as
-//! ∫₀ᴿ g = cR/2 its force is 2E*(Rd − cR/2), with an error of the order of 1 − a/R. Numbers to more digits are from these equations, solved
-//! for ln(1 − a/R) with 80 digits.
+//! is not. An equilibrium at d has a artanh(a/R) = (R/c)(d + √(2πaw/E*)), so 1 − a/R ≈ 2 exp(−2(d + Δl)/c), and as ∫₀ᴿ
+//! g = cR/2 its force is 2E*(Rd − cR/2), with an error of the order of 1 − a/R. Numbers to more digits are from these
+//! equations, solved for ln(1 − a/R) with 80 digits.
 
 use serde_json::Value;
 

@@ -32,11 +32,11 @@
 //! What is proved holds at every point of the domain at which both sides, as they are written, have a value: (2n − 1)/(2n − 1)
 //! is 1 for n > 0, with n = 1/2 excluded by the left side itself.
 //!
-//! **Equal normal forms prove equality.** Every rule that leads to a normal form is an identity of real functions where both
-//! of its sides have a value: the field operations of Q(n), b^e b^f = b^(e+f), (b^e)^f = b^(ef) and (bc)^e = b^e c^e for
-//! positive b, c. The sine has its values at the multiples of π/6 and π/4. A real power of something whose sign is not known is refused ([`Error::NotPositive`]); signs of
-//! polynomials on a domain are decided by Sturm's theorem. In the same way cos²θ = 1 − sin²θ is used where two normal forms
-//! differ.
+//! **Equal normal forms prove equality.** Every rule that leads to a normal form is an identity of real functions where
+//! both of its sides have a value: the field operations of Q(n), b^e b^f = b^(e+f), (b^e)^f = b^(ef) and (bc)^e = b^e
+//! c^e for positive b, c. The sine has its values at the multiples of π/6 and π/4. A real power of something whose sign
+//! is not known is refused ([`Error::NotPositive`]); signs of polynomials on a domain are decided by Sturm's theorem.
+//! In the same way cos²θ = 1 − sin²θ is used where two normal forms differ.
 //!
 //! **A value in the place of a symbol** has to be positive on the domain, as the symbol was taken to be when √(a²) became a.
 //! A value of unknown sign, or 0, is put in only where the four operations and integer powers are all that acts on the symbol

@@ -43,8 +43,9 @@ impl Question {
     /// All answers, each correctly rounded to the given number of significant digits (ties to even).
     ///
     /// # Errors
-    /// [`Error::Domain`] for digits outside 1 to 10⁶. [`Error::Undecided`] for |2n−1| below about 10⁻²⁰⁰⁰⁰, for a tie that number theory does not exclude,
-    /// or for two folds so close to merging that no precision up to the limit tells them apart.
+    /// [`Error::Domain`] for digits outside 1 to 10⁶. [`Error::Undecided`] for |2n−1| below about 10⁻²⁰⁰⁰⁰, for a tie
+    /// that number theory does not exclude, or for two folds so close to merging that no precision up to the limit
+    /// tells them apart.
     pub fn answer(&self, digits: u32) -> Result<Answer> {
         let start = self.starting_precision(digits)?;
         let regime = self.regime();

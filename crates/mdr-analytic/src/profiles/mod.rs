@@ -66,7 +66,8 @@ trait ClosedForm<R: Special> {
     fn edge(&self) -> Option<&R> {
         None
     }
-    /// What is known of g at the edge, or else at a wall or where g becomes infinite, and up to the relative distance `margin` from it.
+    /// What is known of g at the edge, or else at a wall or where g becomes infinite, and up to the relative distance
+    /// `margin` from it.
     fn at_edge(&self, _margin: &R) -> Option<Kink<R>> {
         None
     }

@@ -17,9 +17,10 @@ pub(super) enum Integrand {
 }
 
 impl Integrand {
-    /// φ at r = sx, s being needed for g' alone, with the derivatives from dual numbers. The variable has the slope r, not 1, so that the derivative is D
-    /// and every term is a length of the size of f. For g' the derivative is that in x, so that no height is divided by x:
-    /// near the tip heights leave the range of the arithmetic where slopes do not.
+    /// φ at r = sx, s being needed for g' alone, with the derivatives from dual numbers. The variable has the slope r,
+    /// not 1, so that the derivative is D and every term is a length of the size of f. For g' the derivative is that in
+    /// x, so that no height is divided by x: near the tip heights leave the range of the arithmetic where slopes do
+    /// not.
     pub(super) fn at<R: Special>(self, profile: &impl Profile<R>, s: &R, r: &R) -> R {
         let r = logarithmic(r.clone());
         match self {

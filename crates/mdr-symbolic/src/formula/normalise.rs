@@ -17,7 +17,8 @@ impl Formula {
     /// nothing but the four operations and integer powers acts on the symbol. A value of n has to lie in the domain.
     ///
     /// # Errors
-    /// What the algebra refuses: [`Error::Substitution`] and [`Error::OutsideDomain`] for such values, [`Error::Transcendental`] for what lies outside it.
+    /// What the algebra refuses: [`Error::Substitution`] and [`Error::OutsideDomain`] for such values,
+    /// [`Error::Transcendental`] for what lies outside it.
     pub fn normalise(&self, domain: Domain) -> Result<Quotient> {
         let of = |formula: &Formula| formula.normalise(domain);
         match self {
