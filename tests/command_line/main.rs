@@ -55,3 +55,19 @@ fn critical(arguments: &str) -> Value {
 fn text<'a>(answer: &'a Value, key: &str) -> &'a str {
     answer[key].as_str().unwrap_or_else(|| panic!("{key} is no text in {answer}"))
 }
+
+/// The answer of `mdr solve` to a scene from standard input.
+fn solved(scene: &str, flags: &str) -> Value {
+    let assert = mdr(&format!("solve - {flags} --format json")).stdin(scene).assert().success().stderr_eq("");
+    serde_json::from_slice(&assert.get_output().stdout).unwrap()
+}
+
+/// A number, written as text or not.
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| value.as_str().unwrap_or_else(|| panic!("{value}")).parse().unwrap())
+}
+
+/// The events of a path, by name.
+fn events(answer: &Value) -> Vec<&str> {
+    answer["path"].as_array().unwrap().iter().map(|event| event["event"].as_str().unwrap()).collect()
+}

@@ -7,25 +7,11 @@
 
 use serde_json::Value;
 
-use crate::mdr;
-
-fn solve(scene: &str, flags: &str) -> Value {
-    let assert = mdr(&format!("solve - {flags} --format json")).stdin(scene).assert().success().stderr_eq("");
-    serde_json::from_slice(&assert.get_output().stdout).unwrap()
-}
-
-/// A number, written as text or not.
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| value.as_str().unwrap_or_else(|| panic!("{value}")).parse().unwrap())
-}
+use crate::{events, number, solved};
 
 fn near(value: &Value, expected: f64, error: f64) {
     let value = number(value);
     assert!((value - expected).abs() <= error * expected.abs(), "{value}, {expected}");
-}
-
-fn events(answer: &Value) -> Vec<&str> {
-    answer["path"].as_array().unwrap().iter().map(|event| event["event"].as_str().unwrap()).collect()
 }
 
 /// The stable states at all values, one each.
@@ -55,7 +41,7 @@ fn a_contact_that_ends_at_the_equator() {
     for (flags, radius, error) in
         [("--digits 20", 0.0, 1e-16), ("--f64", 4.0 * f64::EPSILON, 40.0 * f64::EPSILON), ("--digits 60", 0.0, 1e-16)]
     {
-        let answer = solve(&gel, flags);
+        let answer = solved(&gel, flags);
         let states = stable(&answer);
         assert_eq!(states.len(), 2, "{answer}");
         for (state, depth) in states.iter().zip([unloaded, loaded]) {
@@ -70,7 +56,7 @@ fn a_contact_that_ends_at_the_equator() {
         assert_eq!(answer["complete"]["path"]["proved"], certified, "{answer}");
         assert_eq!(answer["complete"]["equilibria"]["proved"], certified, "{answer}");
     }
-    let radius = &solve(&gel, "--digits 60")["equilibria"][0]["equilibria"][0]["contact_radius"];
+    let radius = &solved(&gel, "--digits 60")["equilibria"][0]["equilibria"][0]["contact_radius"];
     // 1e-7·(1 − 1.521950e-49).
     assert!(
         radius.as_str().unwrap().starts_with("9.9999999999999999999999999999999999999999999999984780499970"),
@@ -94,7 +80,7 @@ fn stable_states_before_the_equator() {
         let scene = sphere(modulus, "1e-6", control, output);
         // A radius that is rounded to a double near R is off by u, and the force, at a given d, by g(R(1 − u))/R ≈ 18 times that.
         for (flags, error) in [("--digits 20", 1e-15), ("--f64", 40.0 * f64::EPSILON)] {
-            let answer = solve(&scene, flags);
+            let answer = solved(&scene, flags);
             let states = stable(&answer);
             assert_eq!(states.len(), 4, "{answer}");
             for (state, (radius, force)) in states.iter().zip(expected) {
@@ -124,7 +110,7 @@ fn a_flat_ellipsoid_has_its_fold_at_the_rim() {
         ("1e-13", 1.261_566_261_014_758_3e-13, -0.792_665_459_519_632_5),
     ] {
         for flags in ["--digits 20", "--f64"] {
-            let answer = solve(&lens(height), flags);
+            let answer = solved(&lens(height), flags);
             let folds = answer["folds"].as_array().unwrap();
             assert_eq!(folds.len(), 1, "{answer}");
             near(&folds[0]["contact_radius"], 1.0 - fold, 2.0 * f64::EPSILON);
@@ -138,10 +124,10 @@ fn a_flat_ellipsoid_has_its_fold_at_the_rim() {
         }
     }
     // In f64 no number is left between this fold and the rim: the list is not said to be all. Enclosures take more bits.
-    let answer = solve(&lens("1e-40"), "--f64");
+    let answer = solved(&lens("1e-40"), "--f64");
     assert!(answer["folds"].as_array().unwrap().is_empty());
     assert!(answer["complete"]["folds"]["why"].as_str().unwrap().contains("not resolved"), "{answer}");
-    let answer = solve(&lens("1e-40"), "--digits 50");
+    let answer = solved(&lens("1e-40"), "--digits 50");
     assert_eq!(
         answer["folds"][0]["contact_radius"], "0.99999999999999999999999999999999999999987384337390",
         "{answer}"
@@ -164,7 +150,7 @@ fn a_contact_that_jumps_to_the_end_of_a_table() {
             file.display()
         );
         for flags in ["--digits 12", "--f64"] {
-            let answer = solve(&scene, flags);
+            let answer = solved(&scene, flags);
             assert_eq!(events(&answer), ["start", "end-of-profile"], "{answer}");
             assert_eq!(number(&answer["path"][1][control]), 0.0, "{answer}");
         }
@@ -179,5 +165,5 @@ fn a_formula_that_ends() {
         profile = { kind = \"expression\", formula = \"1 - sqrt(1 - r^2)\" }
         control = { kind = \"indentation\", path = [-1, 1], start = \"detached\" }
         output = { want = [\"path\"] }\n";
-    assert_eq!(events(&solve(scene, "--f64")), ["start", "undecided"]);
+    assert_eq!(events(&solved(scene, "--f64")), ["start", "undecided"]);
 }

@@ -2,18 +2,13 @@
 
 use serde_json::Value;
 
-use crate::{mdr, output, root};
+use crate::{mdr, number, output, root};
 
 /// The answer to a scene of the examples.
 fn solve(scene: &str, flags: &str) -> Value {
     let text = output(&format!("solve examples/scenes/{scene}.toml {flags} --format json"));
     assert_eq!(text.lines().count(), 1, "one object, one line");
     serde_json::from_str(&text).unwrap()
-}
-
-/// A number, written as text or not.
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| value.as_str().unwrap().parse().unwrap())
 }
 
 /// The jumps of figure 4: 0.0645 → 0.0474 at d ≈ −0.00185, and the end at 0.0189, d ≈ −0.00249.

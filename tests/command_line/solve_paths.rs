@@ -2,13 +2,7 @@
 
 use serde_json::Value;
 
-use crate::{mdr, root};
-
-/// The answer to a scene from standard input.
-fn solve(scene: &str, flags: &str) -> Value {
-    let assert = mdr(&format!("solve - {flags} --format json")).stdin(scene).assert().success().stderr_eq("");
-    serde_json::from_slice(&assert.get_output().stdout).unwrap()
-}
+use crate::{events, mdr, number, root, solved};
 
 /// A scene with E* = 1 at fixed grips.
 fn scene(work: &str, profile: &str, rest: &str) -> String {
@@ -18,24 +12,15 @@ fn scene(work: &str, profile: &str, rest: &str) -> String {
     )
 }
 
-/// A number, written as text or not.
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| value.as_str().unwrap_or_else(|| panic!("{value}")).parse().unwrap())
-}
-
 fn near(value: &Value, expected: f64, error: f64) {
     assert!((number(value) / expected - 1.0).abs() < error, "{value}, {expected}");
-}
-
-fn events(answer: &Value) -> Vec<&str> {
-    answer["path"].as_array().unwrap().iter().map(|event| event["event"].as_str().unwrap()).collect()
 }
 
 /// Folds that are proved on a part of the radii do not prove a path that leaves them.
 #[test]
 fn a_path_that_leaves_the_proved_range_is_not_proved() {
     let figure = std::fs::read_to_string(root().join("examples/scenes/figure-4.toml")).unwrap();
-    let on = |range: &str| solve(&format!("{figure}\n[output.folds]\nrange = [{range}]\n"), "--digits 6");
+    let on = |range: &str| solved(&format!("{figure}\n[output.folds]\nrange = [{range}]\n"), "--digits 6");
     for range in ["\"0.05\", \"1\"", "\"0.06\", \"1\"", "\"0.03\", \"0.05\"", "\"0.01\", \"0.03\""] {
         let answer = on(range);
         assert_eq!((&answer["promise"]["path"], &answer["complete"]["path"]["proved"]), (&"mp".into(), &false.into()));
@@ -54,11 +39,11 @@ fn a_path_that_leaves_the_proved_range_is_not_proved() {
 /// The range of the proof holds the radii of the path.
 #[test]
 fn the_proved_range_is_that_of_the_path() {
-    let answer = solve(&scene("1", "kind = \"paraboloid\", radius = 1", "0, \"1e15\", -10"), "--digits 6");
+    let answer = solved(&scene("1", "kind = \"paraboloid\", radius = 1", "0, \"1e15\", -10"), "--digits 6");
     let complete = &answer["complete"]["path"];
     assert_eq!((&complete["from"], &complete["to"]), (&"0".into(), &Value::Null), "{answer}");
     let sum = "kind = \"sum\", term = [{ kind = \"paraboloid\", radius = 1 }, { kind = \"cone\", slope = 1 }]";
-    let answer = solve(&scene("1", sum, "0, \"1e9\", -10"), "--digits 6");
+    let answer = solved(&scene("1", sum, "0, \"1e9\", -10"), "--digits 6");
     let complete = &answer["complete"]["path"];
     let largest = number(&answer["path"][1]["contact_radius"]);
     assert!(complete["proved"] == true && number(&complete["to"]) > largest && largest > 3e4, "{answer}");
@@ -72,7 +57,7 @@ fn the_end_of_a_table() {
     let table = format!("kind = \"table\", file = \"{}\"", file.display());
     let elongation = (8.0 * std::f64::consts::PI).sqrt();
     for flags in ["--digits 12", "--f64"] {
-        let answer = solve(&scene("1", &table, "0, 100, -5"), flags);
+        let answer = solved(&scene("1", &table, "0, 100, -5"), flags);
         assert_eq!(events(&answer), ["start", "end-of-profile"]);
         let end = &answer["path"][1];
         assert_eq!(number(&end["contact_radius"]), 4.0);
@@ -85,7 +70,7 @@ fn the_end_of_a_table() {
 #[test]
 fn what_is_no_end_of_a_profile() {
     let sphere = scene("1", "kind = \"sphere\", radius = 1", "0, 100, -5");
-    let answer = solve(&sphere, "--digits 10");
+    let answer = solved(&sphere, "--digits 10");
     assert_eq!(
         (&answer["promise"]["path"], events(&answer)),
         (&"certified".into(), vec!["start", "way-point", "detached", "end"])
@@ -93,16 +78,16 @@ fn what_is_no_end_of_a_profile() {
     // a → 1, ∫₀¹ x artanh x = 1/2.
     near(&answer["path"][1]["contact_radius"], 1.0, 1e-9);
     near(&answer["path"][1]["force"], 2.0 * 99.5, 1e-9);
-    let answer = solve(&sphere, "--f64");
+    let answer = solved(&sphere, "--f64");
     assert_eq!(events(&answer), ["start", "way-point", "detached", "end"]);
     near(&answer["path"][1]["force"], 2.0 * 99.5, 1e-14);
     // Of a formula nothing is known at the radius where it ends.
     let formula = "kind = \"expression\", formula = \"1 - sqrt(1 - r^2)\"";
-    let answer = solve(&scene("1", formula, "0, 100, -5"), "--f64");
+    let answer = solved(&scene("1", formula, "0, 100, -5"), "--f64");
     assert_eq!(events(&answer), ["start", "undecided"]);
     assert!(answer["balance"].is_null());
     assert_eq!((&answer["path"][1]["status"], &answer["path"][1]["force"]), (&"undecided".into(), &Value::Null));
-    let answer = solve(&scene("1", "kind = \"paraboloid\", radius = 1", "0, \"1e700\""), "--digits 10");
+    let answer = solved(&scene("1", "kind = \"paraboloid\", radius = 1", "0, \"1e700\""), "--digits 10");
     assert_eq!((&answer["promise"]["path"], events(&answer)), (&"certified".into(), vec!["start", "end"]));
     assert_eq!(answer["path"][1]["contact_radius"], "1.000000000e+350");
 }
@@ -112,7 +97,7 @@ fn what_is_no_end_of_a_profile() {
 fn the_work_of_a_long_way() {
     for (depth, flags) in [("1e8", "--f64"), ("1e20", "--f64"), ("1e100", "--digits 6")] {
         let way = format!("0, \"{depth}\", -10");
-        let answer = solve(&scene("1", "kind = \"paraboloid\", radius = 1", &way), flags);
+        let answer = solved(&scene("1", "kind = \"paraboloid\", radius = 1", &way), flags);
         near(&answer["balance"]["work"], 7.0922, 1e-5);
     }
 }
@@ -130,7 +115,7 @@ fn a_soft_machine_keeps_the_digits_of_the_force() {
     let soft = machine("1e11", "0.05", "kind = \"paraboloid\", radius = \"0.01\"", "0.01");
     let softer = machine("1", "1.933", "kind = \"power\", n = 0.6, c = 0.1214", "1.233");
     for (scene, expected, error) in [(soft, -2.645_048_67e-11, 1e-8), (softer, -3.95e9, 1e-2)] {
-        let answer = solve(&scene, "--f64");
+        let answer = solved(&scene, "--f64");
         near(&answer["path"][0]["force"], expected, error);
         let states = answer["equilibria"][0]["equilibria"].as_array().unwrap();
         let stable = states.iter().rfind(|state| state["stable"] == true).unwrap();
@@ -146,7 +131,7 @@ fn the_pressure_inside_a_flat_face() {
         control = { kind = \"indentation\" }
         [output]\nwant = [\"pressure\"]\nequilibria.at = [0.1]\npressure.at = [0, 0.1, 0.2]\n";
     for (flags, error) in [("--f64", 1e-11), ("--digits 12", 1e-11)] {
-        let answer = solve(scene, flags);
+        let answer = solved(scene, flags);
         let points = &answer["pressure"][0]["states"].as_array().unwrap().last().unwrap()["pressure"];
         near(&points[0]["pressure"], 0.260195574898, error);
         near(&points[1]["pressure"], 0.299026347, 1e-8);
@@ -161,7 +146,7 @@ fn an_exact_zero_on_a_path() {
         profile = { kind = \"power\", n = \"1.5\", c = 1 }
         control = { kind = \"force\", path = [0, -50] }
         [output]\nwant = [\"folds\", \"path\"]\n";
-    let answer = solve(scene, "--digits 9");
+    let answer = solved(scene, "--digits 9");
     let fold = &answer["path"][1];
     assert_eq!(
         (&fold["event"], &fold["indentation"], &fold["status"]),
@@ -211,7 +196,7 @@ fn a_formula_with_an_end() {
              equilibria.at = [0, 1]\ntransform.at = [\"0.5\", \"1.5\"]\n"
         )
     };
-    let read = |profile: &str| solve(&scene(profile), "--f64");
+    let read = |profile: &str| solved(&scene(profile), "--f64");
     let (formula, sphere) =
         (read("kind = \"expression\", formula = \"1-sqrt(1-r^2)\""), read("kind = \"sphere\", radius = 1"));
     for value in [0, 1] {
@@ -234,7 +219,7 @@ fn values_are_proved_one_by_one() {
         profile = { kind = \"elliptical-dimple\", depth = 1, radius = 1 }
         control = { kind = \"indentation\" }
         [output]\nwant = [\"equilibria\"]\nequilibria.at = [-5, -2]\n";
-    let (answer, rough) = (solve(scene, "--digits 9"), solve(scene, "--f64"));
+    let (answer, rough) = (solved(scene, "--digits 9"), solved(scene, "--f64"));
     let values = answer["equilibria"].as_array().unwrap();
     assert_eq!((&values[0]["proved"], &values[1]["proved"]), (&false.into(), &true.into()), "{answer}");
     assert_eq!(answer["complete"]["equilibria"]["proved"], false, "{answer}");

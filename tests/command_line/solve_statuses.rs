@@ -2,18 +2,7 @@
 
 use serde_json::Value;
 
-use crate::mdr;
-
-/// The answer to a scene from standard input.
-fn solve(scene: &str, flags: &str) -> Value {
-    let assert = mdr(&format!("solve - {flags} --format json")).stdin(scene).assert().success().stderr_eq("");
-    serde_json::from_slice(&assert.get_output().stdout).unwrap()
-}
-
-/// A number, written as text or not.
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| value.as_str().unwrap_or_else(|| panic!("{value}")).parse().unwrap())
-}
+use crate::{mdr, number, solved};
 
 fn near(value: &Value, expected: f64, error: f64) {
     assert!((number(value) / expected - 1.0).abs() < error, "{value}, {expected}");
@@ -28,7 +17,7 @@ fn one_value_does_not_take_the_others_along() {
         control = { kind = \"indentation\" }
         [output]\nwant = [\"equilibria\", \"energy\"]\nequilibria.at = [\"-0.02\", \"-1e9\", \"0\"]\n";
     for (flags, error) in [("--digits 10", 1e-10), ("--f64", 1e-14)] {
-        let answer = solve(scene, flags);
+        let answer = solved(scene, flags);
         let at = |key: &str, i: usize| answer[key][i].clone();
         let [known, open, none] = [0, 1, 2].map(|i| at("equilibria", i));
         near(&known["equilibria"][0]["contact_radius"], 0.063_405_950_180_268_13, error);
@@ -54,12 +43,12 @@ fn energies_beside_a_kink() {
     };
     let (lost, stored) = (0.587_187_062_365_681_8, 3.239_249_186_513_938_7);
     for (flags, error) in [("--digits 17", 1e-15), ("--f64", 1e-12)] {
-        let answer = solve(&scene("\"-1e-4\", \"1e-4\""), flags);
+        let answer = solved(&scene("\"-1e-4\", \"1e-4\""), flags);
         near(&answer["path"][1]["dissipated"], lost, error);
         near(&answer["balance"]["stored"], stored, error);
         near(&answer["balance"]["work"], lost + stored, error);
         // A way point given twice is one, and the path is as certain.
-        let twice = solve(&scene("\"-1e-4\", \"-1e-4\", \"1e-4\", \"1e-4\""), flags);
+        let twice = solved(&scene("\"-1e-4\", \"-1e-4\", \"1e-4\", \"1e-4\""), flags);
         let events: Vec<_> = twice["path"].as_array().unwrap().iter().map(|event| event["event"].clone()).collect();
         assert_eq!(events, ["start", "way-point", "jump-in", "way-point", "end"], "{twice}");
         assert_eq!((&twice["promise"], &twice["complete"]), (&answer["promise"], &answer["complete"]));
@@ -79,11 +68,11 @@ fn energies_of_small_lengths() {
             output = {{ want = [\"path\"] }}\n"
         )
     };
-    let plain = solve(&scene("1", "1e-4", "1", "-1e-2"), "--digits 17");
+    let plain = solved(&scene("1", "1e-4", "1", "-1e-2"), "--digits 17");
     for (modulus, work, radius, end, scale) in
         [("1e300", "1e96", "1e-200", "-1e-202", 1e-300), ("1e50", "1e-64", "1e-110", "-1e-112", 1e-280)]
     {
-        let answer = solve(&scene(modulus, work, radius, end), "--f64");
+        let answer = solved(&scene(modulus, work, radius, end), "--f64");
         for (small, one) in [
             (&answer["path"][1]["dissipated"], &plain["path"][1]["dissipated"]),
             (&answer["balance"]["work"], &plain["balance"]["work"]),
@@ -102,7 +91,7 @@ fn a_work_of_nothing() {
         control = { kind = \"indentation\", path = [0, 0.2, 0], start = \"detached\" }
         output = { want = [\"path\"] }\n";
     for flags in ["", "--f64"] {
-        let answer = solve(scene, flags);
+        let answer = solved(scene, flags);
         assert!(answer["balance"]["work"].is_null() && answer["balance"]["status"] == "undecided", "{answer}");
         let assert = mdr(&format!("solve - {flags}")).stdin(scene).assert().success();
         let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
@@ -124,8 +113,8 @@ fn forces_that_no_double_holds() {
         .replace("5e-4e-300", "5e-304")
         .replace("5e-4e0", "5e-4")
     };
-    let plain = solve(&scene("0", "1e-4"), "--digits 12");
-    let small = solve(&scene("-300", "1e-304"), "--digits 12");
+    let plain = solved(&scene("0", "1e-4"), "--digits 12");
+    let small = solved(&scene("-300", "1e-304"), "--digits 12");
     assert_eq!((plain["folds"].as_array().unwrap().len(), &small["promise"]), (3, &plain["promise"]));
     for list in ["folds", "path"] {
         let pairs = small[list].as_array().unwrap().iter().zip(plain[list].as_array().unwrap());
@@ -161,13 +150,13 @@ fn equilibria_of_a_range() {
         states.iter().map(|state| number(&state["contact_radius"])).collect()
     };
     let is_zero = |a: &f64| (a * a - (2e-3 * std::f64::consts::PI * a).sqrt() + 0.01).abs() < 1e-15;
-    let all = radii(&solve(&scene(""), ""));
+    let all = radii(&solved(&scene(""), ""));
     assert!(all.len() == 2 && all.iter().all(is_zero), "{all:?}");
-    let part = solve(&scene("folds.range = [\"1e-3\", \"0.1\"]"), "");
+    let part = solved(&scene("folds.range = [\"1e-3\", \"0.1\"]"), "");
     assert_eq!(radii(&part), all[..1]);
     assert!(part["complete"]["equilibria"]["why"].as_str().unwrap().ends_with("other radii are not listed"), "{part}");
     for range in ["folds.range = [\"10\", \"100\"]", "folds.range = [\"1e-9\", \"1e-5\"]"] {
-        let none = solve(&scene(range), "");
+        let none = solved(&scene(range), "");
         let record = &none["equilibria"][0];
         assert_eq!(
             (&record["status"], &none["complete"]["equilibria"]["proved"]),
@@ -194,7 +183,7 @@ fn a_table_in_other_units_has_a_note() {
             file.display()
         );
         let text = mdr("solve - --f64").stdin(scene.as_str()).assert().success();
-        (solve(&scene, "--f64"), String::from_utf8(text.get_output().stdout.clone()).unwrap())
+        (solved(&scene, "--f64"), String::from_utf8(text.get_output().stdout.clone()).unwrap())
     };
     let (nano, text) = solve_table("nano.csv", "r,f\nnm,um\n1,1e-3\n2,2e-3\n3,3e-3\n4,4e-3\n");
     let (metres, plain) = solve_table("metres.csv", "r,f\nm,m\n1e-9,1e-9\n2e-9,2e-9\n3e-9,3e-9\n4e-9,4e-9\n");

@@ -251,10 +251,14 @@ fn spring_force<R: Real>(stiffness: &R, stretch: R) -> Result<R> {
 fn force_in_range<R: Real, const N: usize>(force: R, length: &R, factors: impl Fn() -> [R; N]) -> Result<R> {
     let vanished = force == force.lit(0) && *length != length.lit(0);
     if vanished || !force.is_finite() {
-        let log10 = factors().iter().map(|x| x.ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
-        return Err(Error::OutOfRange { quantity: Quantity::Force, log10 });
+        return Err(Error::OutOfRange { quantity: Quantity::Force, log10: log10_of_product(factors()) });
     }
     Ok(force)
+}
+
+/// log₁₀ of the size of a product that the arithmetic cannot hold.
+pub(crate) fn log10_of_product<R: Real, const N: usize>(factors: [R; N]) -> f64 {
+    factors.iter().map(|x| x.abs().ln().approx()).sum::<f64>() / std::f64::consts::LN_10
 }
 
 /// Δl/a = √(2πℓ/a), also where the quotient itself is out of range.

@@ -14,7 +14,7 @@ use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh_pieces, roundoff_toler
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
-use crate::curve::{Curve, relative_elongation};
+use crate::curve::{Curve, log10_of_product, relative_elongation};
 use crate::survey::{self, Crossing, Range};
 use mean::Grade;
 
@@ -150,6 +150,7 @@ impl<'a, R: Real> Energy<'a, R> {
         self.varied(&a, d, &Grade::Full)
     }
 
+    /// The release rate as the derivative of the integral, as well as it is needed.
     fn varied(&self, a: &R, d: &R, grade: &Grade<R>) -> Result<R> {
         // a d/da of a ∫ v(at)² dt, with the unit of v held: the dual's slope is a d/da.
         // Only the piece from the last kink b on moves with a, so there it is (a − b) d/da, x − b and the mean over it: g' may
@@ -236,8 +237,7 @@ impl<'a, R: Real> Energy<'a, R> {
 fn in_range<R: Real, const N: usize>(energy: R, reduced: &R, factors: [R; N]) -> Result<R> {
     let vanished = energy == energy.lit(0) && *reduced != reduced.lit(0);
     if vanished || !energy.is_finite() {
-        let log10 = factors.iter().map(|x| x.abs().ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
-        return Err(Error::OutOfRange { quantity: Quantity::Energy, log10 });
+        return Err(Error::OutOfRange { quantity: Quantity::Energy, log10: log10_of_product(factors) });
     }
     Ok(energy)
 }

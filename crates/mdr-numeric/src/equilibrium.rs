@@ -10,7 +10,7 @@ use std::ops::Deref;
 
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Material, Result, Stability, Transform};
-use mdr_core::number::Real;
+use mdr_core::number::{Real, order};
 
 use crate::branch::{Branched, End, Onset, end, onset, unordered};
 use crate::curve::Curve;
@@ -94,7 +94,7 @@ impl<'a, R: Real> Branches<'a, R> {
     pub fn cut_at(curve: Curve<'a, R>, folds: Folds<R>) -> Self {
         let Folds { mut folds, poles, completeness, .. } = folds;
         folds.extend(poles);
-        folds.sort_by(|one, other| one.contact_radius.partial_cmp(&other.contact_radius).unwrap_or(Ordering::Equal));
+        folds.sort_by(|one, other| order(&one.contact_radius, &other.contact_radius));
         let rim = curve.rim().unwrap_or_default();
         Branches { curve, folds, completeness, reach: None, rim }
     }

@@ -171,16 +171,14 @@ fn extend_to_end<R: Real>(
     crossings: &mut Vec<Crossing<R>>,
 ) -> Result<bool> {
     let Some(outer) = curve.transform().outer_radius().filter(|_| curve.wall().is_none()) else { return Ok(true) };
-    let lower = outer.clone() - R::from_f64(outer.ctx(), survey::OUTER_MARGIN) * &outer;
+    let lower = survey::surveyed_to(&outer);
     let rim = curve.rim()?.is_some();
     let upper = if rim { rim::last_before(&outer) } else { outer };
     match [ratio(&lower), ratio(&upper)] {
         [Ok(before), Ok(after)] => {
-            let [before, after] = [before, after].map(|ratio| ratio >= ratio.lit(1));
-            if before != after {
-                crossings.push(Crossing { lower, upper, rising: after });
-            }
-            Ok(after || !rim)
+            let ends_above = after >= after.lit(1);
+            crossings.extend(between([lower, upper], [before, after]));
+            Ok(ends_above || !rim)
         }
         // The survey has said where it could not go itself.
         [Ok(before), Err(_)] => Ok(before > before.lit(1)),
@@ -190,7 +188,13 @@ fn extend_to_end<R: Real>(
 
 /// The crossing between a wall and where the survey ends, if there is one.
 fn before_wall<R: Real>(wall: &R, ratio: impl Fn(&R) -> Result<R>) -> Result<Option<Crossing<R>>> {
-    let surveyed = wall.clone() - R::from_f64(wall.ctx(), survey::OUTER_MARGIN) * wall;
-    let [before, after] = [ratio(&surveyed)?, ratio(wall)?].map(|ratio| ratio >= ratio.lit(1));
-    Ok((before != after).then(|| Crossing { lower: surveyed, upper: wall.clone(), rising: after }))
+    let surveyed = survey::surveyed_to(wall);
+    let ratios = [ratio(&surveyed)?, ratio(wall)?];
+    Ok(between([surveyed, wall.clone()], ratios))
+}
+
+/// The crossing between two radii, if the ratios there tell of one.
+fn between<R: Real>([lower, upper]: [R; 2], ratios: [R; 2]) -> Option<Crossing<R>> {
+    let [before, after] = ratios.map(|ratio| ratio >= ratio.lit(1));
+    (before != after).then_some(Crossing { lower, upper, rising: after })
 }

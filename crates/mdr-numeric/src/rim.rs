@@ -24,9 +24,7 @@ impl<R: Real> Curve<'_, R> {
         let end = transform.kink(transform.kinks().len(), &outer.lit(2).powi(-MARGIN))?;
         Ok(end.filter(|end| end.value.is_none() && end.inside.least.is_some()).map(|_| outer))
     }
-}
 
-impl<R: Real> Curve<'_, R> {
     /// Indentation and force of the equilibrium between the last radius and the rim.
     ///
     /// The mean of g is that up to the last radius, where g is close to its mean over what is left: it grows as the logarithm

@@ -12,7 +12,7 @@
 mod chebyshev;
 
 use mdr_core::contact::{Error, Quantity, Result};
-use mdr_core::number::Real;
+use mdr_core::number::{Real, order};
 
 use chebyshev::{DEGREE, Drawn, Fit, share};
 
@@ -51,7 +51,7 @@ pub(crate) const REACH: f64 = 1_048_576.0;
 const FINEST: f64 = 1e-7;
 /// How close in ln a the search comes to a kink, and to the outer radius, where quadrature loses its digits.
 const KINK_MARGIN: f64 = 1e-12;
-pub(crate) const OUTER_MARGIN: f64 = 1e-6;
+const OUTER_MARGIN: f64 = 1e-6;
 /// Panels within each other that have to be quiet before the last is left.
 const QUIET: usize = 3;
 /// Panels, a bound on the work: these, and more with each crossing that was found, of which two in a wave take about ten.
@@ -91,8 +91,13 @@ pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>)
             what: "which radius it is: the condition holds up to rounding over a whole range of them",
         });
     }
-    search.crossings.sort_by(|a, b| a.lower.partial_cmp(&b.lower).unwrap_or(std::cmp::Ordering::Equal));
+    search.crossings.sort_by(|a, b| order(&a.lower, &b.lower));
     Ok(Survey { crossings: search.crossings, resolved: search.resolved })
+}
+
+/// The radius up to which a search goes before an outer one.
+pub(crate) fn surveyed_to<R: Real>(outer: &R) -> R {
+    outer.clone() - R::from_f64(outer.ctx(), OUTER_MARGIN) * outer
 }
 
 /// ± [0, 2], [2, 4], [4, 8], …, cut at kinks and ends.

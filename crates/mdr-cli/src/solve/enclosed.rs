@@ -67,11 +67,14 @@ impl Isolated {
                 sample::range(rough.contact(), rough.folds()?, &visited)?
             }
         };
+        let mut enclosed = Enclosed::new(certified, Precision::new(ISOLATION))?;
         // Cells as close to a rim as folds may be.
-        let octaves = Enclosed::new(certified, Precision::new(ISOLATION))?.curve().octaves_to_rim()?;
-        let precision = Precision::new(ISOLATION.max(3 * octaves - ISOLATION));
+        let bits = ISOLATION.max(3 * enclosed.curve().octaves_to_rim()? - ISOLATION);
+        let precision = Precision::new(bits);
+        if bits > ISOLATION {
+            enclosed = Enclosed::new(certified, precision)?;
+        }
         let [lower, upper] = range.each_ref().map(|end| Interval::from_literal(precision, end));
-        let enclosed = Enclosed::new(certified, precision)?;
         let budget = if certified.scene.profile.is_closed() { BUDGET } else { BUDGET_OF_ROWS };
         let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget)?;
         let [from, to] = range;

@@ -18,6 +18,12 @@ pub struct Estimate<R> {
 }
 
 impl<R: Real> Estimate<R> {
+    /// That of the integral times a positive factor, which is taken to be exact.
+    #[must_use]
+    pub fn scaled(self, factor: &R) -> Self {
+        Estimate { value: self.value * factor, error: self.error * factor, ..self }
+    }
+
     fn is_within(&self, tolerance: &R, magnitude: &R) -> bool {
         self.error <= tolerance.clone() * magnitude.steer()
     }

@@ -45,7 +45,7 @@ impl<R: Real> Energy<'_, R> {
         let beside = edge.unit_roundoff().times(2) * edge + edge;
         let mut to = |tolerance| {
             let integral = tanh_sinh_near_ends(edge, a, tolerance, |node| h(&node.x.greater(&beside)))?;
-            Ok(scaled(integral, &(a.clone() - edge).inv()))
+            Ok(integral.scaled(&(a.clone() - edge).inv()))
         };
         if let Grade::Coarse(scale) = grade
             && let Some(value) = certain_enough(to(Tolerance::new(&a.ratio(1, 10_000)))?, scale)
@@ -80,7 +80,7 @@ impl<R: Real> Energy<'_, R> {
         let inverse = p.clone().inv();
         let beta = inverse.clone() - a.lit(1);
         match gauss_jacobi::integrate(&a.lit(0), &beta, tolerance.clone(), |tau| h(&(tau.pow(&inverse) * a))) {
-            Ok(estimate) => Ok(scaled(estimate, &inverse)),
+            Ok(estimate) => Ok(estimate.scaled(&inverse)),
             Err(Error::NoConvergence { .. }) => self.double_exponential(a, tolerance, h),
             Err(error) => Err(error),
         }
@@ -93,7 +93,7 @@ impl<R: Real> Energy<'_, R> {
         h: &mut impl FnMut(&R) -> Result<R>,
     ) -> Result<Estimate<R>> {
         let integral = tanh_sinh_pieces(&a.lit(0), a, &self.transform.kinks(), tolerance, h)?;
-        Ok(scaled(integral, &a.clone().inv()))
+        Ok(integral.scaled(&a.clone().inv()))
     }
 }
 
@@ -108,8 +108,4 @@ fn certain_enough<R: Real>(estimate: Estimate<R>, scale: &R) -> Option<R> {
     // Infinite terms are as large as need be, and their error is no number.
     let uncertain = error.times(16) > value.abs() + scale;
     (!uncertain).then_some(value)
-}
-
-fn scaled<R: Real>(estimate: Estimate<R>, factor: &R) -> Estimate<R> {
-    Estimate { value: estimate.value * factor, error: estimate.error * factor, ..estimate }
 }

@@ -1,14 +1,12 @@
 //! Integrals over contact radii: smooth between folds, with anything at kinks and at the tip.
 
-use std::cmp::Ordering;
-
 use mdr_core::calculus::{
     Estimate, Tolerance, gauss_jacobi,
     quadrature::{pieces, tanh_sinh},
     roundoff_tolerance,
 };
 use mdr_core::contact::{Error, Result};
-use mdr_core::number::Real;
+use mdr_core::number::{Real, order};
 
 /// Pieces that do not settle are halved this often: waves that make no fold, thousands in one piece.
 const HALVINGS: u32 = 12;
@@ -102,11 +100,7 @@ impl<R: Real> Breaks<R> {
             let result = match kink {
                 Some(kink) => from_kink(kink, [lower, upper], &tolerance, f),
                 None => gauss_jacobi::integrate(&zero, &zero, tolerance.clone(), |s| f(&(s.clone() * &width + lower)))
-                    .map(|Estimate { value, error, evaluations }| Estimate {
-                        value: value * &width,
-                        error: error * &width,
-                        evaluations,
-                    }),
+                    .map(|estimate| estimate.scaled(&width)),
             };
             let hard = || kink.is_some() || self.kink_beside(upper, &width).is_some() || wide(lower, upper);
             match result {
@@ -137,14 +131,13 @@ fn from_kink<R: Real>(
     let reach = upper.clone() - kink;
     let first = ((lower.clone() - kink) / &reach).sqrt();
     let length = first.lit(1) - &first;
-    let Estimate { value, error, evaluations } = gauss_jacobi::integrate(&zero, &zero, tolerance.clone(), |t| {
+    let estimate = gauss_jacobi::integrate(&zero, &zero, tolerance.clone(), |t| {
         let a = (t.clone() * &length + &first).square() * &reach + kink;
         // s of the radius as it was rounded, at which the root is taken.
         let s = ((a.clone() - kink) / &reach).sqrt();
         Ok(f(&a)? * s.times(2))
     })?;
-    let scale = length * &reach;
-    Ok(Estimate { value: value * &scale, error: error * &scale, evaluations })
+    Ok(estimate.scaled(&(length * &reach)))
 }
 
 /// The tolerance for a piece that is short against its radii: these are rounded, and with them what is integrated, by so much
@@ -165,10 +158,6 @@ fn resolved<R: Real>(tolerance: &Tolerance<R>, upper: &R, width: &R) -> Toleranc
 fn off_tip<R: Real>(a: &R, upper: &R) -> R {
     let least = upper.unit_roundoff() * upper;
     if *a > least { a.clone() } else { least }
-}
-
-fn order<R: Real>(one: &R, other: &R) -> Ordering {
-    one.partial_cmp(other).unwrap_or(Ordering::Equal)
 }
 
 /// Whether a piece is so long that power laws are not smooth on it.

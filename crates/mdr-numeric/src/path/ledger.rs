@@ -17,7 +17,7 @@ use mdr_core::number::Real;
 use super::integral::Breaks;
 use super::{Event, EventKind, Path, State};
 use crate::branch::Branched;
-use crate::curve::Curve;
+use crate::curve::{Curve, log10_of_product};
 use crate::energy::Energy;
 use crate::equilibrium::Branches;
 
@@ -239,8 +239,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         let error = energy(&lost.error) + energy(&size.abs()) * size.unit_roundoff().times(2 * ROUNDINGS);
         let value = energy(&lost.value);
         if lost.value != value.lit(0) && value.unit_roundoff() * &value == value.lit(0) {
-            let factors = [self.curve.effective_modulus(), &lost.value, &unit, &unit];
-            let log10 = factors.iter().map(|x| x.abs().ln().approx()).sum::<f64>() / std::f64::consts::LN_10;
+            let log10 = log10_of_product([self.curve.effective_modulus().clone(), lost.value, unit.clone(), unit]);
             return Err(Error::OutOfRange { quantity: Quantity::Energy, log10 });
         }
         Ok(Estimate { value, error, evaluations: lost.evaluations })
