@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm contestants
+.PHONY: verify test build deps bench doc confirm proofs contestants
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -27,6 +27,10 @@ doc: deps
 # The certified values once more, by Arb: installs python-flint below target/ if it can.
 confirm:
 	@sh scripts/confirm.sh
+
+# The theorems of docs/proofs, by Coq: installs Debian's packages if it may.
+proofs:
+	@sh scripts/proofs.sh
 
 # Other projects' methods for `mdr report`, below target/: Arb, scipy and mpmath.
 contestants:

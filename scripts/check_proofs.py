@@ -1,0 +1,168 @@
+"""Check docs/proofs with Coq and print the table entry, theorem, assumptions.
+
+The files are copied to target/proofs and compiled there. Then, from docs/proofs:
+  theorems.tsv     every theorem it names exists and has been checked; every theorem of the files is named
+  assumptions.txt  no theorem rests on anything that is not listed there
+  mutants.tsv      a statement with one change in it is refused, at that statement and not elsewhere
+"""
+
+import concurrent.futures
+import hashlib
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+SOURCE = pathlib.Path("docs/proofs")
+BUILD = pathlib.Path("target/proofs")
+FLAGS = ["-w", "-ambiguous-paths,-deprecated", "-Q", ".", "MDR"]
+FORBIDDEN = r"\b(Admitted|admit|Axioms?|Parameters?|Conjectures?|give_up|bypass_check|Unset\s+Guard|Unset\s+Positivity|Unset\s+Universe)\b"
+
+
+def table(name):
+    lines = (SOURCE / name).read_text().splitlines()
+    return [line.split("\t") for line in lines if line and not line.startswith("#")]
+
+
+def stop(message):
+    sys.exit(f"error: {message}")
+
+
+def code(text):
+    """The text without its comments."""
+    out, depth, i = [], 0, 0
+    while i < len(text):
+        pair = text[i : i + 2]
+        if pair == "(*":
+            depth, i = depth + 1, i + 2
+        elif pair == "*)" and depth:
+            depth, i = depth - 1, i + 2
+        else:
+            out.append(text[i] if depth == 0 or text[i] == "\n" else "")
+            i += 1
+    return "".join(out)
+
+
+def coqc(name, folder=BUILD):
+    return subprocess.run(["coqc", *FLAGS, name], cwd=folder, capture_output=True, text=True)
+
+
+def build(files):
+    """Compile what is out of date, two files at a time, in the order of what they require."""
+    needs = {f.stem: set(re.findall(r"\bMDR\.(\w+)", code(f.read_text()))) for f in files}
+    stale, done = set(), set()
+    BUILD.mkdir(parents=True, exist_ok=True)
+    for f in files:
+        copy = BUILD / f.name
+        fresh = copy.exists() and copy.read_bytes() == f.read_bytes() and copy.with_suffix(".vo").exists()
+        if not fresh:
+            shutil.copyfile(f, copy)
+            copy.with_suffix(".vo").unlink(missing_ok=True)
+            stale.add(f.stem)
+    while more := {f for f in needs if f not in stale and needs[f] & stale}:
+        stale |= more
+    done = set(needs) - stale
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        running = {}
+        while len(done) < len(needs):
+            for f in sorted(needs):
+                if f not in done and f not in running.values() and needs[f] <= done:
+                    running[pool.submit(coqc, f"{f}.v")] = f
+            if not running:
+                stop(f"the files require each other in a circle: {sorted(set(needs) - done)}")
+            ended, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
+            for job in ended:
+                f, answer = running.pop(job), job.result()
+                if answer.returncode:
+                    (BUILD / f"{f}.vo").unlink(missing_ok=True)
+                    stop(f"Coq refuses {f}.v\n{answer.stdout}{answer.stderr}")
+                done.add(f)
+
+
+def assumptions(theorems, files):
+    """Theorem -> names of the axioms that it rests on."""
+    lines = ["Require Import " + " ".join(f"MDR.{f.stem}" for f in files) + "."]
+    for _, name, file, _ in theorems:
+        stem = pathlib.Path(file).stem
+        lines.append(f'Goal True. idtac "== {name}". Abort.\nPrint Assumptions MDR.{stem}.{name}.')
+    (BUILD / "Assumptions.v").write_text("\n".join(lines) + "\n")
+    answer = coqc("Assumptions.v")
+    if answer.returncode:
+        stop(f"a theorem of theorems.tsv is not there\n{answer.stderr}")
+    found, current = {}, None
+    for line in answer.stdout.splitlines():
+        if line.startswith("== "):
+            current = found.setdefault(line[3:], set())
+        elif match := re.match(r"([A-Za-z][\w.]*)( :|$)", line):
+            current.add(match[1])
+    return found
+
+
+def mutant(file, old, new):
+    """None when Coq refuses the mutated statement, otherwise what is wrong."""
+    text = (SOURCE / file).read_text()
+    if text.count(old) != 1:
+        return f"{file}: {old!r} occurs {text.count(old)} times"
+    stem = f"mutant_{hashlib.sha1(repr((file, old, new)).encode()).hexdigest()}"
+    path = BUILD / f"{stem}.v"
+    path.write_text(text.replace(old, new))
+    answer = coqc(path.name)
+    for left in BUILD.glob(f"*{stem}*"):
+        left.unlink()
+    if answer.returncode == 0:
+        return f"{file}: Coq accepts {new!r} in place of {old!r}"
+    begin = text.index("Proof.", text.index(old))
+    end = text.index("Qed.", begin)
+    first, last = (text[:at].count("\n") + 1 for at in (begin, end))
+    shift = old.count("\n") - new.count("\n")
+    line = int(re.search(r"line (\d+)", answer.stderr)[1]) + shift
+    if not first <= line <= last:
+        return f"{file}: {new!r} fails at line {line}, not in the proof of its statement\n{answer.stderr}"
+    return None
+
+
+def main():
+    files = sorted(SOURCE.glob("*.v"))
+    theorems = table("theorems.tsv")
+    version = subprocess.run(["coqc", "--print-version"], capture_output=True, text=True).stdout.split()[0]
+    if not version.startswith("8.16"):
+        print(f"note: Coq {version}; the proofs are written for 8.16")
+    for f in files:
+        if found := re.search(FORBIDDEN, code(f.read_text())):
+            stop(f"{f}: {found[0]}")
+    build(files)
+
+    stated = {
+        (name, f.name) for f in files for name in re.findall(r"^(?:Theorem|Corollary)\s+(\w+)", code(f.read_text()), re.M)
+    }
+    named = {(name, file) for _, name, file, _ in theorems}
+    if named - stated:
+        stop(f"theorems.tsv names what is no theorem: {sorted(named - stated)}")
+    if stated - named:
+        stop(f"theorems.tsv lacks {sorted(stated - named)}")
+
+    allowed = table("assumptions.txt")
+    found = assumptions(theorems, files)
+    width = max(len(entry) for entry, *_ in theorems), max(len(name) for _, name, *_ in theorems)
+    for entry, name, _, _ in theorems:
+        groups = {}
+        for axiom in found[name]:
+            row = next((r for r in allowed if re.fullmatch(r[0], axiom) and (r[1] == "all" or name in r[1].split())), None)
+            if row is None:
+                stop(f"{name} rests on {axiom}, which assumptions.txt does not allow it")
+            groups[row[2]] = None
+        print(f"{entry:<{width[0]}}  {name:<{width[1]}}  {', '.join(sorted(groups)) or 'nothing'}")
+
+    mutants = table("mutants.tsv")
+    if missing := {file for _, file in named} - {file for file, *_ in mutants}:
+        stop(f"mutants.tsv has none for {sorted(missing)}")
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        wrong = [answer for answer in pool.map(lambda row: mutant(*row), mutants) if answer]
+    if wrong:
+        stop("\n".join(wrong))
+    print(f"{len(named)} theorems in {len(files)} files checked by Coq {version}; {len(mutants)} mutated statements refused")
+
+
+if __name__ == "__main__":
+    main()
