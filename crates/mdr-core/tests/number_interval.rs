@@ -124,6 +124,10 @@ unary! {
     arctangent: Special::atan, Float::atan, any_real, 1, none;
     arcsine: Special::asin, Float::asin, up_to_unit, 1, none;
     arccosine: Special::acos, Float::acos, up_to_unit, 1, none;
+    hyperbolic_sine: Special::sinh, Float::sinh, ordinary, 1, none;
+    hyperbolic_cosine: Special::cosh, Float::cosh, ordinary, 1, zero;
+    hyperbolic_tangent: Special::tanh, Float::tanh, any_real, 1, none;
+    decimal_logarithm: Special::log10, Float::log10, positive, 1, none;
     area_hyperbolic_tangent: Special::atanh, Float::atanh, inside_unit, 1, none;
     // Two units where the minimum is inside: its lower bound is rounded twice.
     gamma: Gamma::gamma, Float::gamma, gamma_arguments, 2, gamma_minimum;

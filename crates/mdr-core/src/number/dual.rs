@@ -253,7 +253,11 @@ impl<R: Real> Real for Dual<R> {
         match self.value.partial_cmp(&other.value) {
             Some(Ordering::Less) => other.clone(),
             Some(Ordering::Greater) => self.clone(),
-            _ => Dual { value: self.value.greater(&other.value), slope: self.slope.either(&other.slope) },
+            // Across the kink the slope has no derivative.
+            _ => {
+                let slope = self.slope.either(&other.slope).inflate(&self.value.lit(0));
+                Dual { value: self.value.greater(&other.value), slope }
+            }
         }
     }
     fn either(&self, other: &Self) -> Self {
@@ -282,6 +286,16 @@ impl<R: Special> Special for Dual<R> {
     fn acos(&self) -> Self {
         let derivative = -(self.value.lit(1) - self.value.square()).sqrt().inv();
         self.chain(self.value.acos(), derivative)
+    }
+    fn sinh(&self) -> Self {
+        self.chain(self.value.sinh(), self.value.cosh())
+    }
+    fn cosh(&self) -> Self {
+        self.chain(self.value.cosh(), self.value.sinh())
+    }
+    fn tanh(&self) -> Self {
+        // 1 − tanh² would cancel.
+        self.chain(self.value.tanh(), self.value.cosh().inv().square())
     }
     fn atanh(&self) -> Self {
         let derivative = (self.value.lit(1) - self.value.square()).inv();
@@ -321,6 +335,10 @@ mod tests {
             ("asin", r.asin(), 1.0 / root),
             ("acos", r.acos(), -1.0 / root),
             ("atanh", r.atanh(), 1.0 / (1.0 - x * x)),
+            ("sinh", r.sinh(), x.cosh()),
+            ("cosh", r.cosh(), x.sinh()),
+            ("tanh", r.tanh(), 1.0 / (x.cosh() * x.cosh())),
+            ("log10", r.log10(), 1.0 / (x * 10_f64.ln())),
         ] {
             approx::assert_relative_eq!(f.slope, derivative, max_relative = 8.0 * f64::EPSILON);
             assert!(f.value.is_finite(), "{name}");

@@ -81,6 +81,18 @@ impl Special for f64 {
     fn acos(&self) -> f64 {
         pxfm::f_acos(*self)
     }
+    fn sinh(&self) -> f64 {
+        pxfm::f_sinh(*self)
+    }
+    fn cosh(&self) -> f64 {
+        pxfm::f_cosh(*self)
+    }
+    fn tanh(&self) -> f64 {
+        pxfm::f_tanh(*self)
+    }
+    fn log10(&self) -> f64 {
+        pxfm::f_log10(*self)
+    }
     fn atanh(&self) -> f64 {
         pxfm::f_atanh(*self)
     }

@@ -206,6 +206,15 @@ impl fmt::Display for Literal {
     }
 }
 
+impl From<i64> for Literal {
+    fn from(value: i64) -> Self {
+        let all = value.unsigned_abs().to_string();
+        let digits = all.trim_end_matches('0').to_owned();
+        let exponent = if digits.is_empty() { 0 } else { (all.len() - digits.len()) as i64 };
+        Literal { text: value.to_string(), negative: value < 0, digits, exponent, denominator: "1".to_owned() }
+    }
+}
+
 /// The shortest decimal that reads back as a finite double: 0.1 is 1/10 here, and not the double next to it.
 impl TryFrom<f64> for Literal {
     type Error = LiteralError;
@@ -225,6 +234,13 @@ mod tests {
             [("0.3", 0.3), ("-1.5e-12", -1.5e-12), (".5", 0.5), ("5.", 5.0), ("0e5", 0.0), ("1E+3", 1e3)]
         {
             assert_eq!(text.parse::<Literal>().unwrap().nearest_f64(), value, "{text}");
+        }
+    }
+
+    #[test]
+    fn integers_are_as_if_written() {
+        for value in [0, 1, -1, 10, -1200, i64::MAX, i64::MIN] {
+            assert_eq!(Literal::from(value), value.to_string().parse().unwrap());
         }
     }
 

@@ -115,6 +115,18 @@ impl Special for Float {
     fn acos(&self) -> Float {
         self.clone().acos()
     }
+    fn sinh(&self) -> Float {
+        self.clone().sinh()
+    }
+    fn cosh(&self) -> Float {
+        self.clone().cosh()
+    }
+    fn tanh(&self) -> Float {
+        self.clone().tanh()
+    }
+    fn log10(&self) -> Float {
+        self.clone().log10()
+    }
     fn atanh(&self) -> Float {
         self.clone().atanh()
     }

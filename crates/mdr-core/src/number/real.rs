@@ -179,7 +179,7 @@ pub fn order<R: Real>(x: &R, y: &R) -> Ordering {
     x.steer().partial_cmp(&y.steer()).unwrap_or(Ordering::Equal)
 }
 
-/// The functions beyond algebra, exponential and logarithm: circular and inverse hyperbolic.
+/// The functions beyond algebra, exponential and natural logarithm: circular, hyperbolic, decimal logarithm.
 pub trait Special: Real {
     /// sin self.
     fn sin(&self) -> Self;
@@ -191,8 +191,18 @@ pub trait Special: Real {
     fn asin(&self) -> Self;
     /// arccos self, for |self| ≤ 1.
     fn acos(&self) -> Self;
+    /// sinh self.
+    fn sinh(&self) -> Self;
+    /// cosh self.
+    fn cosh(&self) -> Self;
+    /// tanh self.
+    fn tanh(&self) -> Self;
     /// artanh self, for |self| < 1.
     fn atanh(&self) -> Self;
+    /// log₁₀ self, for self > 0.
+    fn log10(&self) -> Self {
+        self.ln() / self.lit(10).ln()
+    }
 }
 
 /// The Gamma family. Duals do not have it: its second derivative would need the trigamma function.

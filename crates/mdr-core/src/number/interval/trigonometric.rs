@@ -8,7 +8,7 @@ use rug::Float;
 use rug::float::Round;
 
 use super::Interval;
-use crate::number::Special;
+use crate::number::{Real, Special};
 
 /// Arguments beyond 2^LARGEST would need as many bits of π; there sin and cos are only known to lie in [−1, 1].
 const LARGEST: i32 = 1 << 17;
@@ -82,6 +82,18 @@ impl Special for Interval {
     }
     fn acos(&self) -> Interval {
         self.within(self.lo >= -1 && self.hi <= 1, |x| x.decreasing(Float::acos_round))
+    }
+    fn sinh(&self) -> Interval {
+        self.within(true, |x| x.increasing(Float::sinh_round))
+    }
+    fn cosh(&self) -> Interval {
+        self.within(true, |x| x.abs().increasing(Float::cosh_round))
+    }
+    fn tanh(&self) -> Interval {
+        self.within(true, |x| x.increasing(Float::tanh_round))
+    }
+    fn log10(&self) -> Interval {
+        self.within(self.lo > 0, |x| x.increasing(Float::log10_round))
     }
     fn atanh(&self) -> Interval {
         self.within(self.lo > -1 && self.hi < 1, |x| x.increasing(Float::atanh_round))
