@@ -13,6 +13,8 @@ mod transform;
 pub use control::Control;
 pub use counted::{CountedTransform, Evaluations, Tally};
 pub use error::{Error, Quantity, Result};
+#[cfg(feature = "mp")]
+pub use expression::Breaks;
 pub use expression::{Expression, ExpressionError, ExpressionProfile};
 pub use kink::{Kink, Slopes};
 pub use material::{Body, Material};

@@ -29,6 +29,11 @@ pub trait Profile<R: Real>: Send + Sync {
         Vec::new()
     }
 
+    /// The radius up to which all kinks are known, where that is not everywhere.
+    fn kinks_known_to(&self) -> Option<R> {
+        None
+    }
+
     /// The radius beyond which the profile is not defined (a full sphere), if there is one.
     fn outer_radius(&self) -> Option<R> {
         None

@@ -142,6 +142,10 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         if !(*x > x.lit(0) && x.is_finite()) {
             return Err(Error::domain(Quantity::Radius, x, "positive and finite"));
         }
+        if self.profile.kinks_known_to().is_some_and(|known| *x > known) {
+            let quantity = Quantity::TransformedProfile;
+            return Err(Error::NoConvergence { quantity, evaluations: 0, error: 1.0 });
+        }
         match self.profile.outer_radius() {
             Some(outer) if *x > outer || (*x == outer && !self.profile.wall()) => {
                 Err(Error::domain(Quantity::Radius, x, "below the outer radius of the profile"))

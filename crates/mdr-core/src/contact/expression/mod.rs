@@ -1,13 +1,18 @@
 //! Profiles written as formulas: `r^2/(2*R) + A*(1 - cos(2*pi*r/L))`.
 
+#[cfg(feature = "mp")]
+mod breaks;
 mod parse;
+
+#[cfg(feature = "mp")]
+pub use breaks::Breaks;
 
 use std::collections::BTreeMap;
 
 use thiserror::Error;
 
 use super::Profile;
-use crate::number::{Lift, Literal, Special};
+use crate::number::{Lift, Literal, Real, Special};
 
 /// Why a formula cannot be used, and where.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -23,7 +28,7 @@ pub struct ExpressionError {
 ///
 /// The grammar has the variable `r`, parameters by name, exact decimal literals, `pi`, the operators `+ - * / ^` (with
 /// `^` binding tighter than a sign on its left and associating to the right), parentheses, and the functions `sqrt`,
-/// `exp`, `ln`, `sin`, `cos`, `atan`, `asin`, `acos`, `atanh`.
+/// `exp`, `ln`, `log10`, `sin`, `cos`, `atan`, `asin`, `acos`, `sinh`, `cosh`, `tanh`, `atanh`, `abs`, `min`, `max`.
 ///
 /// ```
 /// use mdr_core::contact::{Expression, Profile};
@@ -71,6 +76,8 @@ enum Operator {
     Multiply,
     Divide,
     Power,
+    Minimum,
+    Maximum,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,10 +91,18 @@ enum Function {
     Asin,
     Acos,
     Atanh,
+    Sinh,
+    Cosh,
+    Tanh,
+    Log10,
+    Abs,
 }
 
+/// The names of the operators that are written as functions.
+const EXTREMES: [(&str, Operator); 2] = [("min", Operator::Minimum), ("max", Operator::Maximum)];
+
 impl Function {
-    const ALL: [(&'static str, Function); 9] = [
+    const ALL: [(&'static str, Function); 14] = [
         ("sqrt", Function::Sqrt),
         ("exp", Function::Exp),
         ("ln", Function::Ln),
@@ -97,6 +112,11 @@ impl Function {
         ("asin", Function::Asin),
         ("acos", Function::Acos),
         ("atanh", Function::Atanh),
+        ("sinh", Function::Sinh),
+        ("cosh", Function::Cosh),
+        ("tanh", Function::Tanh),
+        ("log10", Function::Log10),
+        ("abs", Function::Abs),
     ];
 
     fn apply<S: Special>(self, x: &S) -> S {
@@ -110,6 +130,11 @@ impl Function {
             Function::Asin => x.asin(),
             Function::Acos => x.acos(),
             Function::Atanh => x.atanh(),
+            Function::Sinh => x.sinh(),
+            Function::Cosh => x.cosh(),
+            Function::Tanh => x.tanh(),
+            Function::Log10 => x.log10(),
+            Function::Abs => x.abs(),
         }
     }
 }
@@ -144,6 +169,8 @@ impl<R: Special> Node<R> {
                     Operator::Multiply => a * b,
                     Operator::Divide => a / b,
                     Operator::Power => a.pow(&b),
+                    Operator::Minimum => a.lesser(&b),
+                    Operator::Maximum => a.greater(&b),
                 }
             }
         }
@@ -164,7 +191,8 @@ impl Expression {
         names.into_iter()
     }
 
-    /// The formula with the values of its parameters, in an arithmetic of the given context.
+    /// The formula with the values of its parameters, in an arithmetic of the given context; smooth unless it is said
+    /// [where it is not](ExpressionProfile::broken_at).
     ///
     /// # Errors
     /// A parameter without a value, at its column.
@@ -173,15 +201,32 @@ impl Expression {
         ctx: R::Ctx,
         values: &BTreeMap<String, Literal>,
     ) -> Result<ExpressionProfile<R>, ExpressionError> {
-        let root = self.root.map(&mut |constant| match constant {
-            Constant::Literal(literal) => Ok(R::from_literal(ctx, literal)),
-            Constant::Pi => Ok(R::from_int(ctx, 1).pi()),
+        let root = self.with_values(values)?.bound(ctx);
+        Ok(ExpressionProfile { root, kinks: Vec::new(), outer: None, known_to: None })
+    }
+
+    /// The formula without parameters.
+    fn with_values(&self, values: &BTreeMap<String, Literal>) -> Result<Node<Constant>, ExpressionError> {
+        self.root.map(&mut |constant| match constant {
             Constant::Parameter { name, column } => match values.get(name) {
-                Some(value) => Ok(R::from_literal(ctx, value)),
+                Some(value) => Ok(Constant::Literal(value.clone())),
                 None => Err(ExpressionError { column: *column, reason: unknown_name(name, values.keys()) }),
             },
-        })?;
-        Ok(ExpressionProfile { root })
+            constant => Ok(constant.clone()),
+        })
+    }
+}
+
+impl Node<Constant> {
+    /// A formula in an arithmetic; a parameter, of which it has none left, would be no number.
+    fn bound<R: Real>(&self, ctx: R::Ctx) -> Node<R> {
+        let number = |constant: &Constant| match constant {
+            Constant::Literal(literal) => R::from_literal(ctx, literal),
+            Constant::Pi => R::from_int(ctx, 1).pi(),
+            Constant::Parameter { .. } => R::from_int(ctx, 0).over(0),
+        };
+        let Ok(node) = self.map(&mut |constant| Ok::<R, std::convert::Infallible>(number(constant)));
+        node
     }
 }
 
@@ -195,10 +240,25 @@ fn unknown_name<'a>(name: &str, parameters: impl Iterator<Item = &'a String>) ->
 #[derive(Clone, Debug)]
 pub struct ExpressionProfile<R> {
     root: Node<R>,
+    kinks: Vec<R>,
+    outer: Option<R>,
+    known_to: Option<R>,
 }
 
 impl<R: Special> Profile<R> for ExpressionProfile<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
         self.root.value(r)
+    }
+
+    fn kinks(&self) -> Vec<R> {
+        self.kinks.clone()
+    }
+
+    fn outer_radius(&self) -> Option<R> {
+        self.outer.clone()
+    }
+
+    fn kinks_known_to(&self) -> Option<R> {
+        self.known_to.clone()
     }
 }

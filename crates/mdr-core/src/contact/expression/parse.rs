@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
+use super::{Constant, EXTREMES, Expression, ExpressionError, Function, Node, Operator};
 use crate::number::Literal;
 
 /// Nesting deeper than this, and longer formulas, are refused rather than risked on the stack.
@@ -13,7 +13,7 @@ const LONGEST: usize = 2000;
 enum Token {
     Number(Literal),
     Name(String),
-    /// One of `+ - * / ^ ( )`.
+    /// One of `+ - * / ^ ( ) ,`.
     Symbol(char),
     End,
 }
@@ -59,7 +59,7 @@ fn tokens(formula: &str) -> Result<Vec<(Token, usize)>, ExpressionError> {
                     at += text[at..].iter().take_while(|c| is_name(**c)).count();
                     Token::Name(text[start..at].iter().collect())
                 }
-                c if "+-*/^()".contains(c) => {
+                c if "+-*/^(),".contains(c) => {
                     at += 1;
                     Token::Symbol(c)
                 }
@@ -194,18 +194,34 @@ impl Parser {
 
     fn named(&mut self, name: String, column: usize) -> Parsed {
         let function = Function::ALL.iter().find(|(known, _)| *known == name).map(|(_, function)| *function);
-        match (function, self.peek()) {
-            (Some(function), Token::Symbol('(')) => Ok(Node::Function(function, Box::new(self.parenthesis()?))),
-            (Some(_), _) => Err(self.error(format!("expected `(` after the function `{name}`"))),
-            (None, Token::Symbol('(')) => {
-                let known = Function::ALL.map(|(known, _)| known).join(", ");
-                Err(ExpressionError { column, reason: format!("unknown function `{name}`; known: {known}") })
-            }
-            (None, _) => Ok(match name.as_str() {
+        let extreme = EXTREMES.iter().find(|(known, _)| *known == name).map(|(_, operator)| *operator);
+        match (self.peek(), function, extreme) {
+            (Token::Symbol('('), Some(function), _) => Ok(Node::Function(function, Box::new(self.parenthesis()?))),
+            (Token::Symbol('('), _, Some(operator)) => self.extreme(&name, operator),
+            (Token::Symbol('('), None, None) => Err(ExpressionError { column, reason: unknown_function(&name) }),
+            (_, None, None) => Ok(match name.as_str() {
                 "r" => Node::Variable,
                 "pi" => Node::Constant(Constant::Pi),
                 _ => Node::Constant(Constant::Parameter { name, column }),
             }),
+            _ => Err(self.error(format!("expected `(` after the function `{name}`"))),
+        }
+    }
+
+    /// ( sum , sum { , sum } ), of which the least or the greatest is taken.
+    fn extreme(&mut self, name: &str, operator: Operator) -> Parsed {
+        let opened = self.column();
+        self.next += 1;
+        let mut node = self.deeper(Self::sum)?;
+        if *self.peek() == Token::Symbol(')') {
+            return Err(self.error(format!("`{name}` needs two arguments at least, separated by commas")));
+        }
+        while self.take(",").is_some() {
+            node = Node::Operation(operator, Box::new(node), Box::new(self.deeper(Self::sum)?));
+        }
+        match self.take(")") {
+            Some(_) => Ok(node),
+            None => Err(self.error(format!("expected `,` or `)` to close the `(` of column {opened}"))),
         }
     }
 
@@ -217,6 +233,16 @@ impl Parser {
             Some(_) => Ok(inside),
             None => Err(self.error(format!("expected `)` to close the `(` of column {opened}"))),
         }
+    }
+}
+
+/// The message for a function that there is not.
+fn unknown_function(name: &str) -> String {
+    let known: Vec<&str> =
+        Function::ALL.iter().map(|(known, _)| *known).chain(EXTREMES.map(|(known, _)| known)).collect();
+    match name {
+        "log" => "unknown function `log`; the natural logarithm is `ln`, the decimal one `log10`".to_owned(),
+        _ => format!("unknown function `{name}`; known: {}", known.join(", ")),
     }
 }
 
@@ -253,6 +279,8 @@ mod tests {
         assert_eq!(at("r^2/(2*R)", 2.0), 1.0);
         assert_eq!(at("sqrt(cos(0*pi))", 1.0), 1.0);
         assert_eq!(at("- -r", 1.0), 1.0);
+        assert_eq!(at("abs(1 - r) + min(r, 2*r, 5) - max(1, r)", 3.0), 2.0);
+        assert_eq!(at("log10(100*r)", 10.0), 3.0);
         assert_eq!(at("(0-2)^3", 1.0), -8.0, "an integer power has any base");
         assert_eq!(at("(0-2)^3.0e0", 1.0), -8.0);
         let near = "r^2.00000000000000000000001".parse::<Expression>().unwrap();
@@ -267,7 +295,14 @@ mod tests {
             ("r + * 2", 5),
             ("(r", 3),
             ("r)", 2),
-            ("sinh(r)", 1),
+            ("sec(r)", 1),
+            ("log(r)", 1),
+            ("min(r)", 6),
+            ("max(r, 2", 9),
+            ("min(r, )", 8),
+            ("abs(r, 2)", 6),
+            ("r, 2", 2),
+            ("max", 4),
             ("sin r", 5),
             ("2 r", 3),
             ("r $ 2", 3),

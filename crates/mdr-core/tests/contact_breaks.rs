@@ -1,0 +1,144 @@
+//! Kinks and ends of formulas, against those that were put in.
+#![cfg(feature = "mp")]
+
+use std::collections::BTreeMap;
+
+use mdr_core::contact::{Expression, ExpressionProfile, Profile};
+use mdr_core::number::{Literal, Precision};
+use proptest::prelude::*;
+use rug::Float;
+
+fn values(given: &[(&str, &str)]) -> BTreeMap<String, Literal> {
+    given.iter().map(|(name, value)| ((*name).to_owned(), value.parse().unwrap())).collect()
+}
+
+fn profile(formula: &str, given: &[(&str, &str)]) -> ExpressionProfile<f64> {
+    let (formula, values) = (formula.parse::<Expression>().unwrap(), values(given));
+    let breaks = formula.breaks(&values).unwrap_or_else(|error| panic!("{error}"));
+    formula.bind((), &values).unwrap().broken_at((), &breaks)
+}
+
+#[test]
+fn kinks_are_where_they_were_put() {
+    let golden = (1.0 + 5f64.sqrt()) / 2.0;
+    let cases: [(&str, &[f64]); 23] = [
+        ("r^2", &[]),
+        ("abs(1 - cosh(r) + r) + sqrt(cosh(r) - 1) + sqrt(sqrt(1 + r^2) - 1)", &[1.616137513774314]),
+        ("abs(r - 1) - 1", &[1.0]),
+        ("sqrt((r - 1)^2) + r - 1", &[1.0]),
+        ("((r - 1)^2)^0.5 - 1", &[1.0]),
+        ("sqrt(r^2 - 2*r + 1) - 1", &[1.0]),
+        ("sqrt((r - 1)^2 + 1e-40) + r", &[]),
+        ("sqrt((r^2 - r - 1)^4)", &[golden]),
+        ("max(0, r - 3)", &[3.0]),
+        ("min(r^2, 2*r, 1)", &[1.0, 2.0]),
+        ("abs((r - 1)^2 - 1e-6)", &[0.999, 1.001]),
+        ("abs(abs(r - 2) - 1) - 1", &[1.0, 2.0, 3.0]),
+        ("acos(cos(min(r, 7)))", &[std::f64::consts::PI, 2.0 * std::f64::consts::PI, 7.0]),
+        ("(r - 1)^2*atan(1/(r - 1))", &[1.0]),
+        ("(abs(r - 1))^(1/2)", &[1.0]),
+        ("abs(exp(r) - 2)", &[std::f64::consts::LN_2]),
+        ("abs(log10(r + 1) - 1)", &[9.0]),
+        ("abs(sinh(r) - 1) + abs(tanh(r) - 1/2)", &[0.5493061443340549, 0.881373587019543]),
+        ("abs((r - 1)*(r - 2)*(r - 2.5))", &[1.0, 2.0, 2.5]),
+        ("r*ln(1 + 1/r)", &[]),
+        ("sqrt(r^2 + 1) - 1", &[]),
+        ("r^1.5 + r^0.25", &[]),
+        ("abs(r^4 - 5*r^2 + 4)", &[1.0, 2.0]),
+    ];
+    for (formula, expected) in cases {
+        let found = profile(formula, &[]);
+        let kinks: Vec<f64> = Profile::<f64>::kinks(&found);
+        let near = kinks.len() == expected.len()
+            && kinks.iter().zip(expected).all(|(kink, expected)| (kink / expected - 1.0).abs() < 4.0 * f64::EPSILON);
+        assert!(near, "{formula}: {kinks:?}, not {expected:?}");
+        assert_eq!(found.outer_radius(), None, "{formula}");
+        assert_eq!(found.kinks_known_to(), None, "{formula}");
+    }
+}
+
+#[test]
+fn they_have_no_scale() {
+    for scale in ["1e-200", "3e-7", "1e200"] {
+        let b: f64 = scale.parse().unwrap();
+        let found = profile("b*(abs(r/b - 1) + max(r/b, 2) - 3 + sqrt(9 - (r/b)^2) - 3)", &[("b", scale)]);
+        let kinks: Vec<f64> = Profile::<f64>::kinks(&found);
+        assert!(kinks.len() == 2 && kinks[0] == b && (kinks[1] / b - 2.0).abs() < 1e-15, "{kinks:?}");
+        assert!((found.outer_radius().unwrap() / b - 3.0).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn a_profile_ends_where_its_formula_does() {
+    for (formula, end) in [
+        ("1 - sqrt(1 - r^2)", 1.0),
+        ("asin(r/2)", 2.0),
+        ("r - ln(3 - r)", 3.0),
+        ("1/(1 - r) - 1", 1.0),
+        ("r^2 + sqrt((r - 1)*(r - 1.5)) - sqrt(1.5)", 1.0),
+        ("-ln(abs(1 - r))", 1.0),
+        ("1 - sqrt(1 - sqrt(1 - sqrt(1 - r^2)))", 1.0),
+        ("atanh(r/5)^2 + abs(r - 6) - 6", 5.0),
+    ] {
+        let found = profile(formula, &[]);
+        assert!(found.outer_radius().is_some_and(|outer| (outer / end - 1.0).abs() < 1e-15), "{formula}: {found:?}");
+        assert!(found.kinks().iter().all(|kink: &f64| *kink < end), "{formula}: {found:?}");
+    }
+}
+
+#[test]
+fn what_is_no_profile_is_refused() {
+    for (formula, why) in [
+        ("atan(1/(1 - r)) - atan(1)", "jumps at r = 1"),
+        ("abs(r - 2)/(r - 2) + 1", "jumps at r = 2"),
+        ("r^2*abs(sin(1/r))", "towards the axis"),
+        ("r/Q", "unknown name `Q`"),
+    ] {
+        let error = formula.parse::<Expression>().unwrap().breaks(&BTreeMap::new()).unwrap_err().to_string();
+        assert!(error.contains(why), "{formula}: {error}");
+    }
+}
+
+/// Of kinks without end the first are known, and how far they are.
+#[test]
+fn kinks_without_end() {
+    let found = profile("abs(sin(pi*r)) + r^2", &[]);
+    let (kinks, known): (Vec<f64>, f64) = (found.kinks(), found.kinks_known_to().unwrap());
+    assert!(kinks.len() >= 200 && known > 200.0);
+    for (i, kink) in kinks.iter().enumerate() {
+        assert!((kink - (i + 1) as f64).abs() < 1e-12, "{i}: {kink}");
+    }
+}
+
+#[test]
+fn kinks_have_the_digits_of_the_arithmetic() {
+    let formula: Expression = "abs(r^2 - 2)".parse().unwrap();
+    let breaks = formula.breaks(&BTreeMap::new()).unwrap();
+    for bits in [20, 53, 100, 1000] {
+        let precision = Precision::new(bits);
+        let profile = formula.bind::<Float>(precision, &BTreeMap::new()).unwrap().broken_at(precision, &breaks);
+        assert_eq!(profile.kinks(), [Float::with_val(bits, 2).sqrt()]);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Products of linear and quadratic factors with roots that were drawn, in every function that has kinks.
+    #[test]
+    fn random_products(roots in prop::collection::btree_set(1u32..2000, 1..6), double in 1u32..2000, shape in 0..4) {
+        prop_assume!(!roots.contains(&double));
+        let factor = |root: &u32| format!("(r - {root}/128)");
+        let product = roots.iter().map(factor).collect::<Vec<_>>().join("*");
+        let touching = format!("({} + 1e-30)", format!("{0}^2", factor(&double)));
+        let formula = match shape {
+            0 => format!("abs({product}*{touching})"),
+            1 => format!("max({product}, 0*r)"),
+            2 => format!("sqrt(({product})^2)"),
+            _ => format!("min({product}*r, r - r)*r"),
+        };
+        let kinks: Vec<f64> = profile(&formula, &[]).kinks();
+        let expected: Vec<f64> = roots.iter().map(|root| f64::from(*root) / 128.0).collect();
+        prop_assert_eq!(kinks, expected, "{}", formula);
+    }
+}
