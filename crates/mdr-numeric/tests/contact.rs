@@ -326,3 +326,19 @@ fn jkr_to_fifty_digits() {
         assert!(residual.abs() <= bound.clone() * d.clone().abs());
     }
 }
+
+/// A kink hidden in a formula, before which its terms cancel: the fold there is found, in hardware arithmetic and in more bits.
+#[test]
+fn a_fold_at_a_hidden_kink() {
+    let material = Material::new(1.0, 1e-2).unwrap();
+    for text in ["sqrt((r - 1)^2) + r - 1", "2*max(0, r - 1)", "abs(r - 1) + r - 1"] {
+        let formula: Expression = text.parse().unwrap();
+        let values = std::collections::BTreeMap::new();
+        let breaks = formula.breaks(&values).unwrap();
+        let profile = Quadrature::new(formula.bind::<f64>((), &values).unwrap().broken_at((), &breaks));
+        let found = folds(&profile, &material, &Control::Indentation).unwrap();
+        assert_eq!(found.len(), 1, "{text}: {found:?}");
+        assert!((found[0].contact_radius - 1.0).abs() < 1e-11, "{text}: {found:?}");
+        assert_eq!(found.completeness, Completeness::Resolved, "{text}");
+    }
+}

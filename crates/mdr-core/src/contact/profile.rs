@@ -29,6 +29,11 @@ pub trait Profile<R: Real>: Send + Sync {
         Vec::new()
     }
 
+    /// The size of the largest of the terms that may cancel in the height at r; none where it is written so that none do.
+    fn largest_term(&self, _r: &R) -> Option<R> {
+        None
+    }
+
     /// The radius up to which all kinks are known, where that is not everywhere.
     fn kinks_known_to(&self) -> Option<R> {
         None

@@ -233,7 +233,7 @@ fn factors(node: &Node<Constant>, found: &mut Vec<Node<Constant>>) {
 
 /// Whether two radii are one as far as doubles tell.
 fn is_near(one: f64, other: f64) -> bool {
-    (one - other).abs() <= FINEST * one.max(other)
+    (one - other).abs() <= 4.0 * f64::EPSILON * one.max(other)
 }
 
 /// The zeros of a part up to `end`, ascending, and where the search gave up, if it did.

@@ -154,6 +154,26 @@ impl<C> Node<C> {
 }
 
 impl<R: Special> Node<R> {
+    /// The size of the largest term that the value is made of: its rounding is that of the value, whatever cancels.
+    fn largest_term(&self, r: &R) -> R {
+        let through = |x: &Node<R>, value: R| {
+            let amplified = x.largest_term(r) / x.value(r).abs();
+            if amplified > amplified.lit(1) { value.abs() * amplified } else { value.abs() }
+        };
+        match self {
+            Node::Variable => r.abs(),
+            Node::Constant(constant) => constant.abs(),
+            Node::Negative(x) => x.largest_term(r),
+            Node::Power(x, _) | Node::Function(_, x) => through(x, self.value(r)),
+            Node::Operation(operator, a, b) => match operator {
+                Operator::Multiply => a.largest_term(r) * b.largest_term(r),
+                Operator::Divide => a.largest_term(r) / b.value(r).abs(),
+                Operator::Power => through(a, self.value(r)),
+                _ => a.largest_term(r).greater(&b.largest_term(r)),
+            },
+        }
+    }
+
     fn value<S: Lift<R>>(&self, r: &S) -> S {
         match self {
             Node::Variable => r.clone(),
@@ -248,6 +268,10 @@ pub struct ExpressionProfile<R> {
 impl<R: Special> Profile<R> for ExpressionProfile<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
         self.root.value(r)
+    }
+
+    fn largest_term(&self, r: &R) -> Option<R> {
+        Some(self.root.largest_term(r))
     }
 
     fn kinks(&self) -> Vec<R> {

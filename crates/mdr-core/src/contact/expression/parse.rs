@@ -196,7 +196,7 @@ impl Parser {
         let function = Function::ALL.iter().find(|(known, _)| *known == name).map(|(_, function)| *function);
         let extreme = EXTREMES.iter().find(|(known, _)| *known == name).map(|(_, operator)| *operator);
         match (self.peek(), function, extreme) {
-            (Token::Symbol('('), Some(function), _) => Ok(Node::Function(function, Box::new(self.parenthesis()?))),
+            (Token::Symbol('('), Some(function), _) => Ok(function_of(function, self.parenthesis()?)),
             (Token::Symbol('('), _, Some(operator)) => self.extreme(&name, operator),
             (Token::Symbol('('), None, None) => Err(ExpressionError { column, reason: unknown_function(&name) }),
             (_, None, None) => Ok(match name.as_str() {
@@ -233,6 +233,17 @@ impl Parser {
             Some(_) => Ok(inside),
             None => Err(self.error(format!("expected `)` to close the `(` of column {opened}"))),
         }
+    }
+}
+
+/// A function of an argument. √x² is |x|, whose derivatives are known to the last digit up to the kink.
+fn function_of(function: Function, argument: Node<Constant>) -> Node<Constant> {
+    match (function, argument) {
+        (Function::Sqrt, Node::Power(x, n)) if n % 2 == 0 => {
+            let modulus = Node::Function(Function::Abs, x);
+            if n == 2 { modulus } else { Node::Power(Box::new(modulus), n / 2) }
+        }
+        (function, argument) => Node::Function(function, Box::new(argument)),
     }
 }
 
