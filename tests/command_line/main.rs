@@ -18,6 +18,8 @@ mod records;
 mod reference;
 mod report;
 mod rim;
+mod scene_kinks;
+mod scene_needs;
 mod solve;
 mod solve_paths;
 mod solve_statuses;

@@ -23,9 +23,14 @@ use crate::flags::Arithmetic;
 /// A whole scene, checked as far as text can be checked.
 #[derive(Debug)]
 pub(crate) struct Scene {
-    /// E*, exactly: as given, or of the two bodies.
+    /// E*, exactly: as given, or of the two bodies. One where there is no material, and nothing wanted depends on it.
     pub(crate) effective_modulus: Literal,
+    /// w, likewise.
     pub(crate) work_of_adhesion: Literal,
+    /// Whether the scene has a material.
+    pub(crate) has_material: bool,
+    /// Whether it says how the contact is held.
+    pub(crate) has_control: bool,
     pub(crate) profile: Shape,
     pub(crate) held: Held,
     pub(crate) output: Wanted,
@@ -36,12 +41,13 @@ pub(crate) struct Scene {
 /// How the contact is held, and moved.
 #[derive(Debug)]
 pub(crate) struct Held {
+    /// The indentation, where the scene does not say.
     pub(crate) by: HeldBy,
     /// Way points of the controlled quantity; empty when there is no path.
     pub(crate) path: Vec<Literal>,
     pub(crate) start: Start,
-    /// For complaints about the start.
-    pub(crate) start_place: Place,
+    /// For complaints about the start; none where the scene does not name it.
+    pub(crate) start_place: Option<Place>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -96,21 +102,29 @@ impl Scene {
     fn read(document: &Document, asked: Option<Arithmetic>) -> Result<Scene> {
         let table = document.parse()?;
         let top = Section::top(document, &table);
-        let moduli = top.section("material")?;
-        let (effective_modulus, work_of_adhesion) = material(&moduli)?;
+        let moduli = top.optional_section("material")?;
+        let given = moduli.as_ref().map(material).transpose()?;
         let shape = top.section("profile")?;
         let before = document.numbers_read();
         let profile = Shape::read(&shape)?;
         let parameters = before..document.numbers_read();
-        let control = top.section("control")?;
-        let held = held(&control)?;
-        let mut output = Wanted::read(&top.section("output")?, &held)?;
+        let control = top.optional_section("control")?;
+        let held = match &control {
+            Some(control) => held(control)?,
+            None => Held { by: HeldBy::Indentation, path: Vec::new(), start: Start::Largest, start_place: None },
+        };
+        let outputs = top.section("output");
         top.finish()?;
+        let mut output = Wanted::read(&outputs?, &held, given.is_some())?;
         output.arithmetic = asked.unwrap_or(output.arithmetic);
+        let place_of = |section: &Option<Section<'_>>, keys: &[&'static str]| {
+            section.as_ref().map_or_else(|| top.place(), |section| section.place_of(keys))
+        };
         let places = Places {
-            modulus: moduli.place_of(&["e_star", "body"]),
-            work: moduli.place_of(&["work_of_adhesion"]),
-            stiffness: control.place_of(&["stiffness"]),
+            modulus: place_of(&moduli, &["e_star", "body"]),
+            work: place_of(&moduli, &["work_of_adhesion"]),
+            stiffness: place_of(&control, &["stiffness"]),
+            control: place_of(&control, &[]),
             profile: shape.place(),
             numbers: document.take_numbers(),
             parameters,
@@ -118,7 +132,9 @@ impl Scene {
         if output.arithmetic == Arithmetic::Double {
             places.require_doubles("ask for certified digits")?;
         }
-        Ok(Scene { effective_modulus, work_of_adhesion, profile, held, output, places })
+        let (has_material, has_control) = (given.is_some(), control.is_some());
+        let (effective_modulus, work_of_adhesion) = given.unwrap_or_else(|| (1.into(), 1.into()));
+        Ok(Scene { effective_modulus, work_of_adhesion, has_material, has_control, profile, held, output, places })
     }
 }
 
@@ -168,7 +184,7 @@ fn held(section: &Section<'_>) -> Result<Held> {
     };
     let path = section.optional("path").map_or(Ok(Vec::new()), |path| path.numbers(Value::number))?;
     let start = section.optional("start");
-    let start_place = start.as_ref().map_or_else(|| section.place(), Value::place);
+    let start_place = start.as_ref().map(Value::place);
     let start = start.map_or(Ok(Start::Largest), |start| start_of(&start))?;
     section.finish()?;
     Ok(Held { by, path, start, start_place })

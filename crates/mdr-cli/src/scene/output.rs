@@ -17,11 +17,12 @@ pub(crate) enum Want {
     Curve,
     Pressure,
     Gap,
+    Displacement,
     Energy,
 }
 
 impl Want {
-    const ALL: [(&'static str, Want); 8] = [
+    const ALL: [(&'static str, Want); 9] = [
         ("transform", Want::Transform),
         ("equilibria", Want::Equilibria),
         ("folds", Want::Folds),
@@ -29,12 +30,23 @@ impl Want {
         ("curve", Want::Curve),
         ("pressure", Want::Pressure),
         ("gap", Want::Gap),
+        ("displacement", Want::Displacement),
         ("energy", Want::Energy),
     ];
 
     /// The key of the output in a scene and in an answer.
     pub(crate) fn name(self) -> &'static str {
         Self::ALL[self as usize].0
+    }
+
+    /// Whether it is computed from the profile alone.
+    pub(crate) fn is_of_profile(self) -> bool {
+        self == Want::Transform
+    }
+
+    /// Whether it describes states, at the values of `equilibria` or at the start of the path.
+    pub(crate) fn is_of_states(self) -> bool {
+        matches!(self, Want::Pressure | Want::Gap | Want::Displacement | Want::Energy)
     }
 }
 
@@ -54,7 +66,7 @@ pub(crate) struct Wanted {
     pub(crate) arithmetic: Arithmetic,
     /// Radii x for `transform`.
     pub(crate) transform: Vec<Literal>,
-    /// Values of the controlled quantity for `equilibria`, `pressure`, `gap` and `energy`.
+    /// Values of the controlled quantity for `equilibria` and for what describes states.
     pub(crate) values: Vec<Literal>,
     /// Contact radii for `curve`; empty when the program shall choose.
     pub(crate) curve: Vec<Literal>,
@@ -62,12 +74,14 @@ pub(crate) struct Wanted {
     pub(crate) pressure: Vec<Literal>,
     /// Radii r for `gap`; empty when the program shall choose.
     pub(crate) gap: Vec<Literal>,
+    /// Radii r for `displacement`; empty when the program shall choose.
+    pub(crate) displacement: Vec<Literal>,
     /// Where all folds are to be proved; none when the program shall choose.
     pub(crate) range: Option<Range>,
 }
 
 impl Wanted {
-    pub(super) fn read(section: &Section<'_>, held: &Held) -> Result<Wanted> {
+    pub(super) fn read(section: &Section<'_>, held: &Held, has_material: bool) -> Result<Wanted> {
         let list = section.required("want")?;
         let want = wants(&list)?;
         let wanted = Wanted {
@@ -77,22 +91,24 @@ impl Wanted {
             curve: at(section, "curve", Value::positive)?,
             pressure: at(section, "pressure", Value::not_negative)?,
             gap: at(section, "gap", Value::positive)?,
+            displacement: at(section, "displacement", Value::positive)?,
             range: range(section)?,
             want,
         };
-        wanted.check(&list, held)?;
+        wanted.check(&list, held, has_material)?;
         section.finish()?;
         Ok(wanted)
     }
 
     /// Whether the scene says all that its outputs need.
-    fn check(&self, list: &Value<'_>, held: &Held) -> Result<()> {
+    fn check(&self, list: &Value<'_>, held: &Held, has_material: bool) -> Result<()> {
         for want in &self.want {
             let missing = match want {
+                want if !want.is_of_profile() && !has_material => "a material: [material] e_star, work_of_adhesion",
                 Want::Transform if self.transform.is_empty() => "radii: [output.transform] at = [\"…\"]",
                 Want::Equilibria if self.values.is_empty() => "values: [output.equilibria] at = [\"…\"]",
                 Want::Path if held.path.len() < 2 => "at least two way points: [control] path = [\"…\", \"…\"]",
-                Want::Pressure | Want::Gap | Want::Energy if self.values.is_empty() && held.path.is_empty() => {
+                want if want.is_of_states() && self.values.is_empty() && held.path.is_empty() => {
                     "states: [output.equilibria] at = [\"…\"], or the start of a path"
                 }
                 _ => continue,
@@ -100,6 +116,11 @@ impl Wanted {
             return Err(list.refuse(format!("`{}` needs {missing}", want.name())));
         }
         Ok(())
+    }
+
+    /// Whether one of the outputs is such.
+    pub(crate) fn wants(&self, which: impl Fn(Want) -> bool) -> bool {
+        self.want.iter().any(|want| which(*want))
     }
 }
 

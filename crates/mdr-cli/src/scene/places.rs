@@ -14,6 +14,8 @@ pub(crate) struct Places {
     pub(super) modulus: Place,
     pub(super) work: Place,
     pub(super) stiffness: Place,
+    /// The table `[control]`.
+    pub(crate) control: Place,
     pub(super) profile: Place,
     /// All numbers, in the order in which they were read.
     pub(super) numbers: Vec<(Literal, Place)>,

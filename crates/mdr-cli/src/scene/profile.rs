@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs::File;
 
-use mdr_core::contact::{Expression, Profile};
+use mdr_core::contact::{Breaks, Expression, Profile};
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::table::Table;
 
@@ -39,7 +39,7 @@ pub(crate) enum Shape {
     EllipticalDimple { depth: Literal, radius: Literal },
     WavyParaboloid { radius: Literal, amplitude: Literal, wavelength: Literal },
     Sum(Vec<Shape>),
-    Expression { formula: Expression, values: BTreeMap<String, Literal> },
+    Expression { formula: Expression, values: BTreeMap<String, Literal>, breaks: Breaks },
     Table(Table),
 }
 
@@ -180,7 +180,8 @@ fn expression(section: &Section<'_>) -> Result<Shape> {
     if let Some(unused) = values.keys().find(|name| !names.contains(name)) {
         return Err(unused_parameter(section, unused, &names));
     }
-    Ok(Shape::Expression { formula, values })
+    let breaks = formula.breaks(&values).map_err(|error| text.refuse(error.to_string()))?;
+    Ok(Shape::Expression { formula, values, breaks })
 }
 
 /// Refuses a formula with f(0) ≠ 0, decided exactly. Where it is not defined at 0 itself, such as r ln(1 + 1/r), it must fall

@@ -124,6 +124,11 @@ impl<'a> Section<'a> {
         self.required(key)?.section()
     }
 
+    /// A table that may be left out.
+    pub(super) fn optional_section(&self, key: &'static str) -> Result<Option<Section<'a>>> {
+        self.optional(key).map(|table| table.section()).transpose()
+    }
+
     /// Where the table begins.
     pub(super) fn place(&self) -> Place {
         self.document.place(self.span.clone(), &self.name)

@@ -109,7 +109,8 @@ pub(crate) struct Answer {
     /// `None` in f64.
     pub(crate) digits: Option<u32>,
     pub(crate) profile: &'static str,
-    pub(crate) control: &'static str,
+    /// None where nothing is held.
+    pub(crate) control: Option<&'static str>,
     /// How the scene was read, where that may surprise.
     pub(crate) notes: Vec<String>,
     /// In the order of the scene.
@@ -130,7 +131,7 @@ impl Serialize for Answer {
         map.serialize_entry("arithmetic", self.arithmetic())?;
         map.serialize_entry("digits", &self.digits)?;
         map.serialize_entry("profile", self.profile)?;
-        map.serialize_entry("control", self.control)?;
+        map.serialize_entry("control", &self.control)?;
         if !self.notes.is_empty() {
             map.serialize_entry("notes", &self.notes)?;
         }

@@ -45,7 +45,7 @@ impl<'s> Certified<'s> {
             Want::Folds => self.folds(),
             Want::Equilibria => self.equilibria(),
             Want::Path => self.path(),
-            Want::Pressure | Want::Gap | Want::Energy => {
+            Want::Pressure | Want::Gap | Want::Displacement | Want::Energy => {
                 let records = self.estimated(|states| states.fields(self.scene, want))?;
                 Ok(Output::new(want, Promise::Estimated, records))
             }

@@ -73,7 +73,9 @@ impl<'s> Double<'s> {
             Want::Curve => outputs::curve(&self.contact, &self.radii()?)?,
             Want::Equilibria => self.states()?.equilibria(&wanted.values)?,
             Want::Path => self.states()?.path(&self.scene.held)?,
-            Want::Pressure | Want::Gap | Want::Energy => self.states()?.fields(self.scene, want)?,
+            Want::Pressure | Want::Gap | Want::Displacement | Want::Energy => {
+                self.states()?.fields(self.scene, want)?
+            }
         };
         let records = records.into_iter().map(|record: Record<f64>| record.map(&mut double)).collect();
         Ok(match want {
@@ -92,9 +94,12 @@ impl<'s> Double<'s> {
     /// The contact radii to which the path of the scene leads, and those of the equilibria at its values, as far as they are
     /// found, and where the scene wants any.
     pub(crate) fn visited(&self) -> Vec<f64> {
-        let moves = self.scene.output.want.iter().any(|want| matches!(want, Want::Path | Want::Equilibria));
+        let (held, wanted) = (&self.scene.held, &self.scene.output);
+        let [moves, rests] = [Want::Path, Want::Equilibria].map(|want| wanted.wants(|other| other == want));
         match self.states() {
-            Ok(states) if moves => states.visited(&self.scene.held, &self.scene.output.values),
+            Ok(states) if moves || rests => {
+                states.visited(moves.then_some(held), if rests { &wanted.values } else { &[] })
+            }
             _ => Vec::new(),
         }
     }

@@ -10,7 +10,6 @@ use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::{Literal, Special};
 use mdr_numeric::transform::Quadrature;
 
-use super::bounded::Bounded;
 use crate::scene::{Shape, Slope};
 
 /// The transformed profile: a closed form where there is one, quadrature for a formula, exact pieces for a table.
@@ -42,13 +41,13 @@ pub(crate) fn transform<R: Struve + Kappa>(shape: &Shape, ctx: R::Ctx) -> Result
             Box::new(WavyParaboloid::new(n(radius), n(amplitude), n(wavelength))?)
         }
         Shape::Sum(terms) => Box::new(Sum::new(terms.iter().map(|term| transform(term, ctx)).collect::<Result<_>>()?)),
-        Shape::Expression { formula, values } => {
+        Shape::Expression { formula, values, breaks } => {
             let profile = formula.bind::<R>(ctx, values).map_err(|error| Error::Domain {
                 quantity: Quantity::Parameter("the formula"),
                 value: error.to_string(),
                 requirement: "one whose names all have values",
             })?;
-            Box::new(Quadrature::new(Bounded::new(profile, ctx)))
+            Box::new(Quadrature::new(profile.broken_at(ctx, breaks)))
         }
         Shape::Table(table) => Box::new(table.profile::<R>(ctx)?),
     })

@@ -2,7 +2,6 @@
 
 mod answer;
 mod beyond;
-mod bounded;
 mod certified;
 mod contact;
 mod digits;
@@ -18,6 +17,7 @@ mod record;
 mod render;
 mod sample;
 mod states;
+mod unused;
 
 pub(crate) use path::name as event_name;
 
@@ -55,9 +55,9 @@ Examples:
   With a picture of the branches, the path and its jumps, and the data of the picture as CSV:
     mdr solve examples/scenes/figure-4.toml --plot figure-4.svg
 
-A scene is a TOML file with the tables [material], [profile], [control] and [output];
-examples/scenes has one for every kind of profile and control. Numbers are exact as written, as
-text or not: 0.3, \"1e-9\", \"1/3\".
+A scene is a TOML file with the tables [profile] and [output], and with [material] and [control]
+where what is wanted needs them; examples/scenes has one for every kind of profile and control.
+Numbers are exact as written, as text or not: 0.3, \"1e-9\", \"1/3\".
 Every output names its promise: certified (each digit proved), mp (two precisions agree), or f64.
 JSON: schema mdr.solve/1, one key for each output that is wanted.
 Exit status: 0 answered, 2 bad input.";
@@ -66,7 +66,7 @@ Exit status: 0 answered, 2 bad input.";
 const IN_F64: &str =
     "Hardware arithmetic instead: fast, to some roundings times the condition of what is asked; nothing is proved";
 
-/// Solve a scene: transform, equilibria, folds, loading path, curve, pressure, gap and energy of a contact.
+/// Solve a scene: transform, equilibria, folds, loading path, curve, pressure, gap, displacement and energy of a contact.
 ///
 /// What is wanted, for which profile, material and control, is written in a TOML file. Nothing else is computed.
 #[derive(Debug, Args)]
@@ -97,10 +97,15 @@ impl Solve {
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
         self.plot.as_deref().map_or(Ok(()), crate::picture::file::check)?;
         let scene = Scene::open(&self.scene, self.arithmetic.given()?)?;
+        if self.plot.is_some() && !scene.has_material {
+            let why = "a picture shows equilibria, and needs [material] in the scene".to_owned();
+            return Err(Failure::Flag { flag: "--plot", why, got: None });
+        }
         let tally = Arc::new(Tally::default());
         let solver = Solver::new(&scene, &tally).map_err(|error| scene.places.complaint_about_profile(error))?;
         solver.check_range(&scene)?;
-        let (answer, costs) = solve(&scene, &solver, &tally)?;
+        let (mut answer, costs) = solve(&scene, &solver, &tally)?;
+        answer.notes.extend(unused::notes(&scene, self.plot.is_some()));
         render::write(&answer, self.format, out)?;
         if let Some(file) = &self.plot {
             plot::write(&scene, &solver, &self.scene, file).map_err(not_drawn)?;
@@ -137,14 +142,18 @@ fn solve(scene: &Scene, solver: &Solver<'_>, tally: &Arc<Tally>) -> Result<(Answ
         Arithmetic::Certified { digits } => Some(digits),
         Arithmetic::Double => None,
     };
-    let (profile, control) = (scene.profile.name(), scene.held.by.name());
+    let profile = scene.profile.name();
+    let is_held = scene.has_control || scene.output.wants(|want| !want.is_of_profile());
+    let control = is_held.then(|| scene.held.by.name());
     Ok((Answer { digits, profile, control, notes: scene.profile.note().into_iter().collect(), outputs }, costs))
 }
 
 /// What is wrong with the scene when it has no answer.
 fn complaint(scene: &Scene, want: Want, error: Error) -> Failure {
     match error {
-        Error::NoEquilibrium { .. } if want == Want::Path => scene.held.start_place.refuse(no_start(&scene.held)),
+        Error::NoEquilibrium { .. } if want == Want::Path => {
+            scene.held.start_place.as_ref().unwrap_or(&scene.places.control).refuse(no_start(&scene.held))
+        }
         // All that is left to do in certified digits was done.
         Error::OutOfRange { quantity, log10 } => scene.places.complaint_about_profile(Error::Domain {
             quantity,

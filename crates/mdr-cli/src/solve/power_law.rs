@@ -57,7 +57,7 @@ pub(super) fn complete() -> Complete {
 }
 
 /// n and C of f = C rⁿ where the profile is one with rational constants.
-fn power_law(shape: &Shape) -> Option<(Literal, Literal)> {
+pub(super) fn power_law(shape: &Shape) -> Option<(Literal, Literal)> {
     match shape {
         Shape::Power { n, c } => Some((n.clone(), c.clone())),
         Shape::Cone { slope: Slope::Tangent(slope) } => Some((exactly(&Rational::from(1))?, slope.clone())),

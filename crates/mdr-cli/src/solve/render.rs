@@ -35,6 +35,7 @@ fn title(key: &str) -> &str {
         "stiffness" => "stiffness, N/m",
         "pressure" => "pressure, Pa",
         "gap" => "gap, m",
+        "displacement" => "displacement, m",
         "g" => "g, m",
         "integral" => "integral, m²",
         "x" => "x, m",
@@ -49,7 +50,8 @@ fn for_reader(answer: &Answer) -> String {
         Some(digits) => format!("{digits} digits"),
         None => "f64".to_owned(),
     };
-    let heading = format!("Profile: {}; controlled: {}; {digits}", answer.profile, answer.control);
+    let control = answer.control.map_or_else(String::new, |control| format!("; controlled: {control}"));
+    let heading = format!("Profile: {}{control}; {digits}", answer.profile);
     let parts = answer.outputs.iter().map(output);
     let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
     std::iter::once(heading).chain(notes).chain(parts).collect::<Vec<_>>().join("\n\n")

@@ -1,4 +1,4 @@
-//! Pressure, gap and energy of states, for any arithmetic that is not an enclosure.
+//! Pressure, gap, displacement and energy of states, for any arithmetic that is not an enclosure.
 
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Result, Stability, Status};
@@ -19,7 +19,7 @@ use crate::scene::{Held, Scene, Want};
 
 /// Radii of `pressure` over the contact radius, when the scene names none.
 const INSIDE: [(i64, i64); 6] = [(0, 1), (1, 4), (1, 2), (3, 4), (9, 10), (99, 100)];
-/// Radii of `gap` over the contact radius, when the scene names none.
+/// Radii of `gap` and `displacement` over the contact radius, when the scene names none.
 const OUTSIDE: [(i64, i64); 6] = [(101, 100), (11, 10), (5, 4), (3, 2), (2, 1), (4, 1)];
 /// How far the gap is searched for interpenetration, in contact radii.
 const FAR: f64 = 8.0;
@@ -85,9 +85,9 @@ impl<'a, R: Arithmetic> States<'a, R> {
         values.iter().map(|literal| self.record_at(literal, "equilibria", |state| Ok(equilibrium(state)))).collect()
     }
 
-    /// The contact radii of the path and of the equilibria at the values, as far as they are found.
-    pub(crate) fn visited(&self, held: &Held, values: &[Literal]) -> Vec<f64> {
-        let path = path::follow(self.contact, &self.branches, held);
+    /// The contact radii of the path, if there is one, and of the equilibria at the values, as far as they are found.
+    pub(crate) fn visited(&self, held: Option<&Held>, values: &[Literal]) -> Vec<f64> {
+        let path = held.and_then(|held| path::follow(self.contact, &self.branches, held).ok());
         let events = path.into_iter().flat_map(|path| path.events);
         let on_path = events
             .flat_map(|event| [event.before, event.after])
@@ -109,7 +109,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
         Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
     }
 
-    /// Pressure, gap or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
+    /// Pressure, gap, displacement or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
     ///
     /// # Errors
     /// As [`States::equilibria`].
@@ -139,6 +139,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
         match want {
             Want::Pressure => self.pressure(&scene.output.pressure, &fields, state),
             Want::Gap => self.gap(&scene.output.gap, &fields, state),
+            Want::Displacement => self.displacement(&scene.output.displacement, &fields, state),
             _ => self.energy(&fields, state),
         }
     }
@@ -156,6 +157,12 @@ impl<'a, R: Arithmetic> States<'a, R> {
             None => record,
             Some(point) => record.with("interpenetration", Field::Records(vec![point])).marked(Status::NotAdmissible),
         })
+    }
+
+    fn displacement(&self, radii: &[Literal], fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<R>> {
+        let a = &state.contact_radius;
+        let points = self.points(radii, &OUTSIDE, a, "displacement", |r| fields.displacement(r))?;
+        Ok(equilibrium(state).with("displacement", Field::Records(points)))
     }
 
     /// A radius outside the contact at which the gap is negative: the contact is not simply connected as assumed.
