@@ -91,11 +91,19 @@ impl Output {
     /// The same path where its energies are not known.
     pub(crate) fn without_energy(self, why: &str) -> Self {
         let open = || Field::Marked { status: Status::Undecided, log10: None, why: Some(why.to_owned()) };
-        let changes = |record: &Record<Number>| !matches!(record.get("to_force"), Some(Field::Absent) | None);
-        let mark = |record: Record<Number>| {
-            if changes(&record) { record.replacing("dissipated", open()) } else { record }
+        let lacks = |record: &Record<Number>, key| matches!(record.get(key), Some(Field::Absent) | None);
+        let is_last = |record: &Record<Number>| {
+            matches!(record.get("event"), Some(Field::Word("detached" | "complete-contact" | "undecided")))
         };
-        Output { records: self.records.into_iter().map(mark).collect(), ..self }
+        // Surfaces that leave each other under a dead load, or come to touch everywhere, have no energy balance.
+        let is_finite = !self.records.iter().any(|record| is_last(record) && lacks(record, "to_indentation"));
+        let balance =
+            || ["work", "dissipated", "stored"].into_iter().fold(Record::new(), |all, key| all.with(key, open()));
+        let mark = |record: Record<Number>| {
+            if lacks(&record, "to_force") { record } else { record.replacing("dissipated", open()) }
+        };
+        let records = self.records.into_iter().map(mark).collect();
+        Output { records, balance: is_finite.then(balance), ..self }
     }
 
     pub(crate) fn complete(self, complete: Complete) -> Self {

@@ -5,7 +5,7 @@ use mdr_core::number::certify::{Decimal, Enclosure};
 use mdr_core::number::{Interval, Precision};
 use rug::Float;
 
-use super::record::{Field, Record, numbers};
+use super::record::{Field, Record, numbers, paired};
 use crate::number::Number;
 
 /// Bits beyond those of the digits asked for, to begin with.
@@ -45,7 +45,10 @@ pub(crate) fn proved(
             Ok(records) => {
                 let open = round(&records, digits, &mut decided);
                 if !open || last {
-                    return Ok(written(records, decided));
+                    let bits = precision.bits();
+                    let why =
+                        format!("{bits} bits do not decide the digits: zero, or a decimal tie, as far as they tell");
+                    return Ok(written(records, decided, &why));
                 }
             }
         }
@@ -68,7 +71,7 @@ pub(crate) fn estimated(
     for attempt in 1.. {
         precision = raised(precision);
         let fine = f(precision)?;
-        let Some(records) = compared(&coarse, fine.clone()) else {
+        let Some((records, agree)) = compared(&coarse, fine.clone()) else {
             if attempt == ESTIMATES {
                 return Err(Error::Undecided {
                     quantity: Quantity::ContactRadius,
@@ -80,35 +83,42 @@ pub(crate) fn estimated(
             continue;
         };
         let mut decided = Vec::new();
-        let open = round(&records, digits, &mut decided) || records.iter().any(Record::is_open);
+        let open = round(&records, digits, &mut decided) || !agree || records.iter().any(Record::is_open);
         if !open || attempt == ESTIMATES {
             for (decimal, enclosure) in decided.iter_mut().zip(numbers(&records)) {
                 *decimal = decimal.take().or_else(|| (1..digits).rev().find_map(|fewer| enclosure.round(fewer)));
             }
-            return Ok(written(records, decided));
+            let why = format!("two precisions do not agree on a digit, the finer of {} bits", precision.bits());
+            return Ok(written(records, decided, &why));
         }
         coarse = fine;
     }
     Ok(Vec::new())
 }
 
-/// The finer records, each number with the difference of the two on both sides; none when they differ in their form.
-fn compared(coarse: &[Record<Float>], fine: Vec<Record<Float>>) -> Option<Vec<Record<Enclosure>>> {
-    let coarse = numbers(coarse);
-    if coarse.len() != numbers(&fine).len() {
-        return None;
-    }
-    let mut coarse = coarse.into_iter();
-    let enclose = |number: Float| {
-        let error = coarse
-            .next()
-            .map_or_else(|| number.clone(), |coarse| Float::with_val(number.prec(), coarse - &number).abs());
-        let ends = [Float::with_val(number.prec(), &number - &error), Float::with_val(number.prec(), &number + &error)];
-        let [lower, upper] = ends;
-        Enclosure::Value(Interval::new(lower, upper))
-    };
-    let mut enclose = enclose;
-    Some(fine.into_iter().map(|record| record.convert(&mut enclose)).collect())
+/// The finer records, each number with the difference of the two on both sides, and whether both have them all; one that
+/// either lacks is lacking, for its reason. None where they differ in their form.
+fn compared(coarse: &[Record<Float>], fine: Vec<Record<Float>>) -> Option<(Vec<Record<Enclosure>>, bool)> {
+    let mut agree = true;
+    let records = paired(fine, coarse, &mut |fine, coarse| {
+        agree &= matches!(fine, Field::Number(_)) == matches!(coarse, Field::Number(_));
+        match (fine, coarse) {
+            (Field::Number(fine), Field::Number(coarse)) => Some(Field::Number(around(&fine, coarse))),
+            (Field::Number(_), lacking @ Field::Marked { .. }) => Some(lacking.clone().without_number()),
+            (Field::Number(_), _) | (Field::Absent | Field::Word(_) | Field::Flag(_), Field::Number(_)) => None,
+            (fine, coarse) => (fine == *coarse || matches!(fine, Field::Marked { .. })).then(|| fine.without_number()),
+        }
+    })?;
+    Some((records, agree))
+}
+
+/// A number and how far another one is from it, on both sides.
+fn around(fine: &Float, coarse: &Float) -> Enclosure {
+    let error = Float::with_val(fine.prec(), coarse - fine).abs();
+    Enclosure::Value(Interval::new(
+        Float::with_val(fine.prec(), fine - &error),
+        Float::with_val(fine.prec(), fine + &error),
+    ))
 }
 
 /// Rounds what is not decided yet; whether something is still open.
@@ -124,11 +134,11 @@ fn round(records: &[Record<Enclosure>], digits: u32, decided: &mut Vec<Option<De
     decided.iter().any(Option::is_none)
 }
 
-fn written(records: Vec<Record<Enclosure>>, decided: Vec<Option<Decimal>>) -> Vec<Record<Number>> {
+fn written(records: Vec<Record<Enclosure>>, decided: Vec<Option<Decimal>>, why: &str) -> Vec<Record<Number>> {
     let mut decided = decided.into_iter();
     let mut write = |_| match decided.next().flatten() {
         Some(decimal) => Field::Number(Number::Decimal(decimal.to_string())),
-        None => Field::Marked { status: Status::Undecided, log10: None, why: None },
+        None => Field::Marked { status: Status::Undecided, log10: None, why: Some(why.to_owned()) },
     };
     records.into_iter().map(|record| record.map(&mut write)).collect()
 }
@@ -165,6 +175,26 @@ mod tests {
         };
         let open = proved(5, zero).unwrap();
         assert_eq!(open[0].status(), Status::Undecided);
+    }
+
+    /// A number that one precision lacks takes none of the others along, and is asked for again.
+    #[test]
+    fn a_number_that_one_precision_lacks() {
+        let third = |precision| Float::from_int(precision, 1).over(3);
+        let mut calls = 0;
+        let lacking = |from: usize| {
+            move |precision| {
+                calls += 1;
+                let error = Error::NoConvergence { quantity: Quantity::Energy, evaluations: 9, error: 1e-9 };
+                let second = if calls > from { Ok(third(precision)) } else { Err(error) };
+                Ok(vec![Record::new().with("x", Field::Number(third(precision))).number("y", second)?])
+            }
+        };
+        let found = estimated(5, lacking(1)).unwrap().remove(0);
+        assert_eq!(found.status(), Status::Ok);
+        let open = estimated(5, lacking(3)).unwrap();
+        assert!(open[0].status() == Status::Undecided && open[0].why().unwrap().contains("no convergence"));
+        assert_eq!(only(open), "0.33333");
     }
 
     #[test]

@@ -55,6 +55,11 @@ impl<N> Field<N> {
         }
     }
 
+    /// The same with nothing in the place of a number.
+    pub(crate) fn without_number<M>(self) -> Field<M> {
+        self.map(&mut |_| Field::Absent)
+    }
+
     fn map<M>(self, f: &mut impl FnMut(N) -> Field<M>) -> Field<M> {
         match self {
             Field::Number(number) => f(number),
@@ -170,6 +175,30 @@ impl<N> Record<N> {
     pub(crate) fn convert<M>(self, mut f: impl FnMut(N) -> M) -> Record<M> {
         self.map(&mut |number| Field::Number(f(number)))
     }
+}
+
+/// Records in which each field is made of those of two records of one form; none where the forms differ, and where `pair` is
+/// none.
+pub(crate) fn paired<N, M>(
+    records: Vec<Record<N>>,
+    others: &[Record<N>],
+    pair: &mut impl FnMut(Field<N>, &Field<N>) -> Option<Field<M>>,
+) -> Option<Vec<Record<M>>> {
+    let mut of_record = |(record, other): (Record<N>, &Record<N>)| {
+        if record.fields.len() != other.fields.len() {
+            return None;
+        }
+        let of_field = |((key, field), (other_key, other)): ((&'static str, Field<N>), &(&'static str, Field<N>))| {
+            let field = match (field, other) {
+                (Field::Records(records), Field::Records(others)) => Field::Records(paired(records, others, pair)?),
+                (field, other) => pair(field, other)?,
+            };
+            (key == *other_key).then_some((key, field))
+        };
+        let fields = record.fields.into_iter().zip(&other.fields).map(of_field).collect::<Option<_>>()?;
+        Some(Record { fields, status: record.status, why: record.why })
+    };
+    (records.len() == others.len()).then(|| records.into_iter().zip(others).map(&mut of_record).collect())?
 }
 
 /// The numbers of records, in their order.

@@ -79,6 +79,14 @@ fn output(output: &Solved) -> String {
         text.push_str(&render(&table));
         text.push('\n');
     }
+    let mut reasons = Vec::new();
+    collect_reasons(&output.records, &mut reasons);
+    for (status, why) in reasons.iter().take(SHOWN) {
+        text.push_str(&format!("\n{status}: {why}.\n"));
+    }
+    if reasons.len() > SHOWN {
+        text.push_str(&format!("\nand {} more reasons.\n", reasons.len() - SHOWN));
+    }
     if let Some(balance) = &output.balance {
         text.push_str(&format!("\n{}\n", books(balance)));
     }
@@ -97,6 +105,26 @@ fn output(output: &Solved) -> String {
         text.push_str(&format!("{proved}{range}: {}.", complete.why));
     }
     text.trim_end().to_owned()
+}
+
+/// Reasons that are told of one output.
+const SHOWN: usize = 5;
+
+/// Why something is not ok, each reason once; that of a list without equilibria stands in its row.
+fn collect_reasons(records: &[Record<Number>], reasons: &mut Vec<(Status, String)>) {
+    for record in records {
+        let status = record.status();
+        if let Some(why) = record.why().filter(|_| status != Status::NoEquilibrium)
+            && !reasons.contains(&(status, why.clone()))
+        {
+            reasons.push((status, why));
+        }
+        for (_, field) in record.fields() {
+            if let Field::Records(records) = field {
+                collect_reasons(records, reasons);
+            }
+        }
+    }
 }
 
 /// The energy of a path in a sentence.
