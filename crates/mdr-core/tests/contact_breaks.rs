@@ -1,5 +1,6 @@
 //! Kinks and ends of formulas, against those that were put in.
 #![cfg(feature = "mp")]
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::collections::BTreeMap;
 
@@ -130,7 +131,7 @@ proptest! {
         prop_assume!(!roots.contains(&double));
         let factor = |root: &u32| format!("(r - {root}/128)");
         let product = roots.iter().map(factor).collect::<Vec<_>>().join("*");
-        let touching = format!("({} + 1e-30)", format!("{0}^2", factor(&double)));
+        let touching = format!("({}^2 + 1e-30)", factor(&double));
         let formula = match shape {
             0 => format!("abs({product}*{touching})"),
             1 => format!("max({product}, 0*r)"),

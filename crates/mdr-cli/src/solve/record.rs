@@ -188,14 +188,14 @@ pub(crate) fn paired<N, M>(
         if record.fields.len() != other.fields.len() {
             return None;
         }
-        let of_field = |((key, field), (other_key, other)): ((&'static str, Field<N>), &(&'static str, Field<N>))| {
+        let fields = record.fields.into_iter().zip(&other.fields).map(|((key, field), (other_key, other))| {
             let field = match (field, other) {
                 (Field::Records(records), Field::Records(others)) => Field::Records(paired(records, others, pair)?),
                 (field, other) => pair(field, other)?,
             };
             (key == *other_key).then_some((key, field))
-        };
-        let fields = record.fields.into_iter().zip(&other.fields).map(of_field).collect::<Option<_>>()?;
+        });
+        let fields = fields.collect::<Option<_>>()?;
         Some(Record { fields, status: record.status, why: record.why })
     };
     (records.len() == others.len()).then(|| records.into_iter().zip(others).map(&mut of_record).collect())?
