@@ -77,4 +77,48 @@ Proof.
     assert (0 < sqrt a) by pos. rewrite <- (sqrt_sqrt a) at 1 by lra. field. lra. }
   rewrite H2. field.
 Qed.
+
+Lemma dl_half_onto y : 0 < y -> exists a, 0 < a /\ dl a = y.
+Proof.
+  intros Hy. pose proof unit_pos as Hu. set (u := sqrt (2*PI*w/E)) in *. exists ((y/u)*(y/u)).
+  assert (0 < y/u) by pos. assert (0 < (y/u)*(y/u)) by pos. split; auto.
+  rewrite dl_half by auto. fold u. rewrite sqrt_square by lra. field. lra.
+Qed.
+
+Lemma dl_half_injective a b : 0 < a -> 0 < b -> dl a = dl b -> a = b.
+Proof.
+  intros Ha Hb H. rewrite !dl_half in H by auto. pose proof unit_pos as Hu.
+  apply Rmult_eq_reg_l in H; [|lra]. apply sqrt_inj in H; lra.
+Qed.
+
+(** At n = 1/2 the number of equilibria, for every indentation: above the threshold one at every d > 0 and none at d <= 0; below
+    it one at every d < 0 and none at d >= 0; at the threshold all radii at d = 0 and no other. *)
+Theorem eq_1_18_equilibria d : let P a := 0 < a /\ dn a = d in
+  (1 < rho -> (one P <-> 0 < d) /\ (none P <-> d <= 0)) /\
+  (rho < 1 -> (one P <-> d < 0) /\ (none P <-> 0 <= d)) /\
+  (rho = 1 -> forall a, P a <-> 0 < a /\ d = 0).
+Proof.
+  intros P. set (r := rho) in *.
+  assert (Hd : forall a, 0 < a -> 0 < dl a) by (intros a Ha; rewrite dl_half by auto; pose proof unit_pos; pos).
+  assert (HP : forall a, P a <-> 0 < a /\ (r - 1) * dl a = d).
+  { intros a. unfold P. split; intros [Ha H]; split; auto; rewrite eq_1_18 in * by auto; auto. }
+  assert (Hone : 0 < d / (r - 1) -> r <> 1 -> one P).
+  { intros H Hr. destruct (dl_half_onto _ H) as [a [Ha Ea]]. exists a. split.
+    - apply HP. split; auto. rewrite Ea. field. lra.
+    - intros b Hb. apply HP in Hb. destruct Hb as [Hb Eb]. apply dl_half_injective; auto. rewrite Ea, <- Eb. field. lra. }
+  assert (Hsign : forall a, P a -> 0 < d * (r - 1) \/ r = 1).
+  { intros a Ha. apply HP in Ha. destruct Ha as [Ha E1]. specialize (Hd a Ha). destruct (Req_dec r 1) as [L|L]; auto. left.
+    rewrite <- E1. replace ((r-1) * dl a * (r-1)) with (dl a * (r-1)^2) by ring. apply Rmult_lt_0_compat; auto. apply pow2_gt_0; lra. }
+  split; [|split]; intros Hr.
+  - assert (Hn : d <= 0 -> none P). { intros H a Ha. destruct (Hsign a Ha) as [K|K]; nra. }
+    assert (Ho : 0 < d -> one P). { intros H. apply Hone; [apply Rdiv_lt_0_compat|]; lra. }
+    split; split; auto; intros H; apply Rnot_le_lt || apply Rnot_lt_le; intro K.
+    destruct H as [a [Ha _]]. apply (Hn K a Ha). destruct (Ho K) as [a [Ha _]]. apply (H a Ha).
+  - assert (Hn : 0 <= d -> none P). { intros H a Ha. destruct (Hsign a Ha) as [K|K]; nra. }
+    assert (Ho : d < 0 -> one P).
+    { intros H. apply Hone; [|lra]. replace (d/(r-1)) with ((- d)/(1 - r)) by (field; lra). apply Rdiv_lt_0_compat; lra. }
+    split; split; auto; intros H; apply Rnot_le_lt || apply Rnot_lt_le; intro K.
+    destruct H as [a [Ha _]]. apply (Hn K a Ha). destruct (Ho K) as [a [Ha _]]. apply (H a Ha).
+  - intros a. rewrite HP, Hr. split; intros [Ha H]; split; auto; lra.
+Qed.
 End Half.

@@ -360,18 +360,27 @@ Proof.
     apply (is_derive_scal (fun a => Rpower a (n+1))). apply is_derive_Rpower; auto.
 Qed.
 
+Lemma Un_local a d : 0 < a -> locally a (fun a => U E w (fun x => kap * C * pw n x) a d = Un a d).
+Proof.
+  intros Ha. exists (mkposreal a Ha). intros y Hy. change (Rabs (y - a) < a) in Hy. apply Rabs_def2 in Hy.
+  unfold U, Definitions.Un. do 2 f_equal. apply RInt_ext. intros x Hx. rewrite Rmin_left in Hx by lra.
+  rewrite pw_pos by lra. auto.
+Qed.
+
+Lemma g_continuous x : continuous (fun x => kap * C * pw n x) x.
+Proof. apply (continuous_scal_r (K := R_AbsRing) (V := R_NormedModule)). apply continuous_pw; auto. Qed.
+
+Lemma Un_slope a d : 0 < a -> is_derive (fun a => Un a d) a (E * ((d - kap * C * Rpower a n)^2 - dl a ^ 2)).
+Proof.
+  intros Ha. apply (is_derive_ext_loc (fun a => U E w (fun x => kap * C * pw n x) a d)). apply Un_local; auto.
+  rewrite <- (pw_pos n a) by auto. apply (eq_1_4 E w HE Hw (fun x => kap * C * pw n x) g_continuous a d Ha).
+Qed.
+
 (** (1.13): for a power law, the rule of Heß is d = κ_n C a^n - Δl(a). *)
 Theorem eq_1_13 a d : 0 < a -> d < kap * C * Rpower a n -> (is_derive (fun a => Un a d) a 0 <-> d = dn a).
 Proof.
-  intros Ha Hd. pose proof (eq_1_5 E w HE Hw (fun x => kap * C * pw n x)) as R.
-  assert (Hg : forall x, continuous (fun x => kap * C * pw n x) x).
-  { intros x. apply (continuous_scal_r (K := R_AbsRing) (V := R_NormedModule)). apply continuous_pw; auto. }
-  specialize (R Hg a d Ha). simpl in R. rewrite (pw_pos n a) in R by auto. specialize (R Hd).
-  assert (Hloc : locally a (fun a => U E w (fun x => kap * C * pw n x) a d = Un a d)).
-  { exists (mkposreal a Ha). intros y Hy. change (Rabs (y - a) < a) in Hy. apply Rabs_def2 in Hy.
-    unfold U, Definitions.Un. do 2 f_equal. apply RInt_ext. intros x Hx. rewrite Rmin_left in Hx by lra.
-    rewrite pw_pos by lra. auto. }
-  split; intros K.
+  intros Ha Hd. pose proof (eq_1_5 E w HE Hw (fun x => kap * C * pw n x) g_continuous a d Ha) as R. simpl in R.
+  rewrite (pw_pos n a) in R by auto. specialize (R Hd). pose proof (Un_local a d Ha) as Hloc. split; intros K.
   - apply R. revert K. apply is_derive_ext_loc. revert Hloc. apply filter_imp. auto.
   - apply R in K. revert K. apply is_derive_ext_loc. auto.
 Qed.
