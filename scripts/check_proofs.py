@@ -48,6 +48,17 @@ def coqc(name, folder=BUILD):
     return subprocess.run(["coqc", *FLAGS, name], cwd=folder, capture_output=True, text=True)
 
 
+def required(file):
+    """The files that this one requires, and those that they require."""
+    found, ahead = set(), {SOURCE / file}
+    while ahead:
+        text = code(ahead.pop().read_text())
+        new = {SOURCE / f"{name}.v" for name in re.findall(r"\bMDR\.(\w+)", text)} - found
+        found |= new
+        ahead |= new
+    return sorted(found)
+
+
 def build(files):
     """Compile what is out of date, two files at a time, in the order of what they require."""
     needs = {f.stem: set(re.findall(r"\bMDR\.(\w+)", code(f.read_text()))) for f in files}
@@ -104,7 +115,11 @@ def mutant(file, old, new):
     text = (SOURCE / file).read_text()
     if text.count(old) != 1:
         return f"{file}: {old!r} occurs {text.count(old)} times"
-    stem = f"mutant_{hashlib.sha1(repr((file, old, new)).encode()).hexdigest()}"
+    # What it is refused with: the mutated text and all that the file requires. Once refused, it stays refused.
+    key = hashlib.sha1((text.replace(old, new) + "".join(code(f.read_text()) for f in required(file))).encode()).hexdigest()
+    if (BUILD / f"refused_{key}").exists():
+        return None
+    stem = f"mutant_{key}"
     path = BUILD / f"{stem}.v"
     path.write_text(text.replace(old, new))
     answer = coqc(path.name)
@@ -119,6 +134,7 @@ def mutant(file, old, new):
     line = int(re.search(r"line (\d+)", answer.stderr)[1]) + shift
     if not first <= line <= last:
         return f"{file}: {new!r} fails at line {line}, not in the proof of its statement\n{answer.stderr}"
+    (BUILD / f"refused_{key}").touch()
     return None
 
 
@@ -152,7 +168,7 @@ def main():
             if row is None:
                 stop(f"{name} rests on {axiom}, which assumptions.txt does not allow it")
             groups[row[2]] = None
-        print(f"{entry:<{width[0]}}  {name:<{width[1]}}  {', '.join(sorted(groups)) or 'nothing'}")
+        print(f"{entry:<{width[0]}}  {name:<{width[1]}}  {', '.join(sorted(groups)) or 'nothing'}", flush=True)
 
     mutants = table("mutants.tsv")
     if missing := {file for _, file in named} - {file for file, *_ in mutants}:
