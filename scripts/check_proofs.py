@@ -92,16 +92,21 @@ def build(files):
 
 
 def assumptions(theorems, files):
-    """Theorem -> names of the axioms that it rests on."""
+    """Theorem -> names of the axioms that it rests on, asked of Coq in two halves at a time."""
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        halves = pool.map(lambda half: rest_on(theorems[half::2], files, f"Assumptions{half}"), (0, 1))
+        return {name: axioms for half in halves for name, axioms in half.items()}
+
+
+def rest_on(theorems, files, stem):
     lines = ["Require Import " + " ".join(f"MDR.{f.stem}" for f in files) + "."]
     for _, name, file, _ in theorems:
-        stem = pathlib.Path(file).stem
-        lines.append(f'Goal True. idtac "== {name}". Abort.\nPrint Assumptions MDR.{stem}.{name}.')
-    (BUILD / "Assumptions.v").write_text("\n".join(lines) + "\n")
-    answer = coqc("Assumptions.v")
+        lines.append(f'Goal True. idtac "== {name}". Abort.\nPrint Assumptions MDR.{pathlib.Path(file).stem}.{name}.')
+    (BUILD / f"{stem}.v").write_text("\n".join(lines) + "\n")
+    answer = coqc(f"{stem}.v")
     if answer.returncode:
         stop(f"a theorem of theorems.tsv is not there\n{answer.stderr}")
-    found, current = {}, None
+    found, current = {}, set()
     for line in answer.stdout.splitlines():
         if line.startswith("== "):
             current = found.setdefault(line[3:], set())
