@@ -23,6 +23,7 @@ mod scene_needs;
 mod solve;
 mod solve_paths;
 mod solve_statuses;
+mod solve_tables;
 mod verify;
 
 use std::path::{Path, PathBuf};

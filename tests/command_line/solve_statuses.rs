@@ -211,7 +211,7 @@ fn an_open_question_is_not_asked_for_ever() {
         output = {{ want = [\"path\"] }}\n",
         file.display()
     );
-    let assert = mdr("solve - --explain").stdin(scene).assert().success();
+    let assert = mdr("solve - --digits 20 --explain").stdin(scene).assert().success();
     let costs = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
     let enclosures = costs.lines().find_map(|line| line.trim().strip_prefix("interval  ")).unwrap();
     let slopes: usize = enclosures.split_whitespace().nth(1).unwrap().parse().unwrap();

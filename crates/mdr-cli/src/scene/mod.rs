@@ -1,5 +1,6 @@
 //! Scenes: what is pressed, how it is held, and what is wanted, as a TOML file.
 
+mod measured;
 mod output;
 mod places;
 mod profile;
@@ -10,6 +11,7 @@ use std::path::Path;
 use mdr_core::number::Literal;
 use rug::Rational;
 
+pub(crate) use measured::Measured;
 pub(crate) use output::{Want, Wanted};
 use places::Places;
 pub(crate) use places::double;
@@ -19,6 +21,10 @@ use reader::{Document, Section, Value};
 
 use crate::error::Result;
 use crate::flags::Arithmetic;
+
+/// Why a scene with a table is answered in hardware arithmetic.
+const DOUBLES_OF_TABLES: &str = "measured rows are computed in f64 unless more is asked for: `digits` or \
+                                 `arithmetic = \"certified\"` in [output], or --digits";
 
 /// A whole scene, checked as far as text can be checked.
 #[derive(Debug)]
@@ -34,6 +40,8 @@ pub(crate) struct Scene {
     pub(crate) profile: Shape,
     pub(crate) held: Held,
     pub(crate) output: Wanted,
+    /// How it was read, where that may surprise.
+    pub(crate) notes: Vec<String>,
     /// For complaints about the contact.
     pub(crate) places: Places,
 }
@@ -108,6 +116,9 @@ impl Scene {
         let before = document.numbers_read();
         let profile = Shape::read(&shape)?;
         let parameters = before..document.numbers_read();
+        if let Shape::Table(measured) = &profile {
+            measured.require_rising(&shape.place())?;
+        }
         let control = top.optional_section("control")?;
         let held = match &control {
             Some(control) => held(control)?,
@@ -116,7 +127,7 @@ impl Scene {
         let outputs = top.section("output");
         top.finish()?;
         let mut output = Wanted::read(&outputs?, &held, given.is_some())?;
-        output.arithmetic = asked.unwrap_or(output.arithmetic);
+        let stated = asked.or(output.stated);
         let place_of = |section: &Option<Section<'_>>, keys: &[&'static str]| {
             section.as_ref().map_or_else(|| top.place(), |section| section.place_of(keys))
         };
@@ -129,12 +140,28 @@ impl Scene {
             numbers: document.take_numbers(),
             parameters,
         };
+        let mut notes: Vec<String> = profile.tables().into_iter().flat_map(Measured::notes).collect();
+        output.arithmetic = stated.unwrap_or(output.arithmetic);
+        if stated.is_none() && !profile.tables().is_empty() && places.require_doubles("").is_ok() {
+            output.arithmetic = Arithmetic::Double;
+            notes.push(DOUBLES_OF_TABLES.to_owned());
+        }
         if output.arithmetic == Arithmetic::Double {
             places.require_doubles("ask for certified digits")?;
         }
         let (has_material, has_control) = (given.is_some(), control.is_some());
         let (effective_modulus, work_of_adhesion) = given.unwrap_or_else(|| (1.into(), 1.into()));
-        Ok(Scene { effective_modulus, work_of_adhesion, has_material, has_control, profile, held, output, places })
+        Ok(Scene {
+            effective_modulus,
+            work_of_adhesion,
+            has_material,
+            has_control,
+            profile,
+            held,
+            output,
+            notes,
+            places,
+        })
     }
 }
 

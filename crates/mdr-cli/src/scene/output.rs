@@ -64,6 +64,8 @@ pub(crate) struct Wanted {
     /// Each once, in the order of the scene.
     pub(crate) want: Vec<Want>,
     pub(crate) arithmetic: Arithmetic,
+    /// The arithmetic that the scene itself names.
+    pub(super) stated: Option<Arithmetic>,
     /// Radii x for `transform`.
     pub(crate) transform: Vec<Literal>,
     /// Values of the controlled quantity for `equilibria` and for what describes states.
@@ -84,8 +86,10 @@ impl Wanted {
     pub(super) fn read(section: &Section<'_>, held: &Held, has_material: bool) -> Result<Wanted> {
         let list = section.required("want")?;
         let want = wants(&list)?;
+        let stated = arithmetic(section)?;
         let wanted = Wanted {
-            arithmetic: arithmetic(section)?,
+            arithmetic: stated.unwrap_or(Arithmetic::Certified { digits: DEFAULT_DIGITS }),
+            stated,
             transform: at(section, "transform", Value::positive)?,
             values: at(section, "equilibria", Value::number)?,
             curve: at(section, "curve", Value::positive)?,
@@ -140,15 +144,15 @@ fn wants(list: &Value<'_>) -> Result<Vec<Want>> {
     Ok(want)
 }
 
-fn arithmetic(section: &Section<'_>) -> Result<Arithmetic> {
+fn arithmetic(section: &Section<'_>) -> Result<Option<Arithmetic>> {
     match (section.optional("digits"), section.optional("arithmetic")) {
         (Some(_), Some(arithmetic)) => Err(arithmetic.refuse("cannot be given together with `digits`")),
-        (Some(digits), None) => Ok(Arithmetic::Certified { digits: digits.whole(1, MAX_DIGITS)? }),
-        (None, Some(arithmetic)) => arithmetic.choice(
-            "arithmetic",
-            &[("f64", Arithmetic::Double), ("certified", Arithmetic::Certified { digits: DEFAULT_DIGITS })],
-        ),
-        (None, None) => Ok(Arithmetic::Certified { digits: DEFAULT_DIGITS }),
+        (Some(digits), None) => Ok(Some(Arithmetic::Certified { digits: digits.whole(1, MAX_DIGITS)? })),
+        (None, Some(arithmetic)) => {
+            let certified = Arithmetic::Certified { digits: DEFAULT_DIGITS };
+            arithmetic.choice("arithmetic", &[("f64", Arithmetic::Double), ("certified", certified)]).map(Some)
+        }
+        (None, None) => Ok(None),
     }
 }
 

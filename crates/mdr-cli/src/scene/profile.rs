@@ -1,12 +1,11 @@
 //! The profiles a scene can name.
 
 use std::collections::BTreeMap;
-use std::fs::File;
 
 use mdr_core::contact::{Breaks, Expression, Profile};
 use mdr_core::number::{Interval, Literal, Precision, Real};
-use mdr_numeric::table::Table;
 
+use super::measured::Measured;
 use super::reader::{Section, Value};
 use crate::error::Result;
 
@@ -20,7 +19,7 @@ pub(crate) enum Slope {
 }
 
 /// A profile as a scene gives it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Shape {
     Power { n: Literal, c: Literal },
     Paraboloid { radius: Literal },
@@ -40,7 +39,7 @@ pub(crate) enum Shape {
     WavyParaboloid { radius: Literal, amplitude: Literal, wavelength: Literal },
     Sum(Vec<Shape>),
     Expression { formula: Expression, values: BTreeMap<String, Literal>, breaks: Breaks },
-    Table(Table),
+    Table(Measured),
 }
 
 type Reader = fn(&Section<'_>) -> Result<Shape>;
@@ -75,7 +74,7 @@ const KINDS: [(&str, Reader); 19] = [
     }),
     ("sum", sum),
     ("expression", expression),
-    ("table", |s| Ok(Shape::Table(table(s)?))),
+    ("table", |s| Ok(Shape::Table(Measured::read(s)?))),
 ];
 
 impl Shape {
@@ -115,18 +114,25 @@ impl Shape {
 
     /// The rows of a table.
     pub(crate) fn rows(&self) -> Option<usize> {
-        if let Shape::Table(table) = self { Some(table.rows().len()) } else { None }
+        if let Shape::Table(measured) = self { Some(measured.table().rows().len()) } else { None }
     }
 
-    /// What a reader of the answer has to know of how the profile was read.
-    pub(crate) fn note(&self) -> Option<String> {
+    /// The tables in it.
+    pub(crate) fn tables(&self) -> Vec<&Measured> {
         match self {
-            Shape::Sum(terms) => terms.iter().find_map(Shape::note),
-            Shape::Table(table) => table.units().map(|[r, f]| {
-                format!("the table has r in {r} and f in {f}, which were converted to metres; all other numbers are taken as SI")
-            }),
-            _ => None,
+            Shape::Sum(terms) => terms.iter().flat_map(Shape::tables).collect(),
+            Shape::Table(measured) => vec![measured],
+            _ => Vec::new(),
         }
+    }
+
+    /// The same with other tables; none where one cannot be had.
+    pub(crate) fn with_tables(&self, change: &impl Fn(&Measured) -> Option<Measured>) -> Option<Shape> {
+        Some(match self {
+            Shape::Sum(terms) => Shape::Sum(terms.iter().map(|term| term.with_tables(change)).collect::<Option<_>>()?),
+            Shape::Table(measured) => Shape::Table(change(measured)?),
+            other => other.clone(),
+        })
     }
 
     pub(super) fn read(section: &Section<'_>) -> Result<Shape> {
@@ -212,36 +218,4 @@ fn unused_parameter(section: &Section<'_>, name: &str, known: &[String]) -> crat
         known => format!("the formula has no parameter `{name}`; it has `{}`", known.join("`, `")),
     };
     section.optional("parameters").map_or_else(|| section.place(), |value: Value<'_>| value.place()).refuse(why)
-}
-
-fn table(section: &Section<'_>) -> Result<Table> {
-    let file = section.required("file")?;
-    if let Some(columns) = section.optional("columns")
-        && columns.text()? != "r,f"
-    {
-        return Err(columns.refuse("the columns of a table are \"r,f\": radius, height"));
-    }
-    let path = section.document().beside(file.text()?);
-    let refuse = |why: &dyn std::fmt::Display| file.refuse(format!("{}: {why}", path.display()));
-    let opened = File::open(&path).map_err(|error| refuse(&error))?;
-    let table = Table::from_csv(opened).map_err(|error| refuse(&error))?;
-    match too_steep(&table) {
-        Some(line) => Err(refuse(&format!("line {line}: the slope from the row before is out of the range of f64"))),
-        None => Ok(table),
-    }
-}
-
-/// The line of the first row to which the slope from the row before, or from the tip, is no double.
-fn too_steep(table: &Table) -> Option<usize> {
-    let mut last = [0.0, 0.0];
-    for row in table.rows() {
-        let next = [&row.radius, &row.height].map(Literal::nearest_f64);
-        let slope = (next[1] - last[1]) / (next[0] - last[0]);
-        // A row at the tip is not after another one.
-        if !slope.is_finite() && next[0] != 0.0 {
-            return Some(row.line);
-        }
-        last = next;
-    }
-    None
 }

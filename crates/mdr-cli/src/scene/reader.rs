@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use mdr_core::number::Literal;
+use mdr_numeric::table;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -211,6 +212,19 @@ impl<'a> Value<'a> {
         let number: Literal = text.parse().map_err(|error| self.refuse(format!("`{text}` is {error}")))?;
         self.document.numbers.borrow_mut().push((number.clone(), self.place()));
         Ok(number)
+    }
+
+    /// A length: a number, or one with its unit, `"2 nm"`, in metres.
+    pub(super) fn length(&self) -> Result<Literal> {
+        match self.value {
+            DeValue::String(text) if text.ends_with(|c: char| !c.is_ascii_digit() && c != '.') => {
+                let unit = "expected a number, alone or with a unit of length, such as \"2 nm\"";
+                let number = table::length(text).ok_or_else(|| self.refuse(format!("{unit}, got `{text}`")))?;
+                self.document.numbers.borrow_mut().push((number.clone(), self.place()));
+                Ok(number)
+            }
+            _ => self.number(),
+        }
     }
 
     /// A number above zero.

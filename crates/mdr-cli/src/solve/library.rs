@@ -49,7 +49,7 @@ pub(crate) fn transform<R: Struve + Kappa>(shape: &Shape, ctx: R::Ctx) -> Result
             })?;
             Box::new(Quadrature::new(profile.broken_at(ctx, breaks)))
         }
-        Shape::Table(table) => Box::new(table.profile::<R>(ctx)?),
+        Shape::Table(measured) => Box::new(measured.table().profile::<R>(ctx)?),
     })
 }
 

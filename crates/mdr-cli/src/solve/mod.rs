@@ -15,6 +15,7 @@ mod plot;
 mod power_law;
 mod record;
 mod render;
+mod roughness;
 mod sample;
 mod states;
 mod unused;
@@ -145,7 +146,9 @@ fn solve(scene: &Scene, solver: &Solver<'_>, tally: &Arc<Tally>) -> Result<(Answ
     let profile = scene.profile.name();
     let is_held = scene.has_control || scene.output.wants(|want| !want.is_of_profile());
     let control = is_held.then(|| scene.held.by.name());
-    Ok((Answer { digits, profile, control, notes: scene.profile.note().into_iter().collect(), outputs }, costs))
+    let mut notes = scene.notes.clone();
+    notes.extend(roughness::note(scene, solver));
+    Ok((Answer { digits, profile, control, notes, outputs }, costs))
 }
 
 /// What is wrong with the scene when it has no answer.
@@ -204,13 +207,18 @@ impl<'s> Solver<'s> {
         }
     }
 
+    /// The contact in f64.
+    fn rough(&self) -> std::result::Result<&Double<'s>, Error> {
+        match self {
+            Solver::Double(double) => Ok(double),
+            Solver::Certified(certified) => certified.rough(),
+        }
+    }
+
     /// Refuses a range of contact radii for the proof of folds that begins where the profile has ended.
     fn check_range(&self, scene: &Scene) -> Result<()> {
         let Some(range) = &scene.output.range else { return Ok(()) };
-        let rough = match self {
-            Solver::Double(double) => double,
-            Solver::Certified(certified) => certified.rough().map_err(|error| scene.places.complaint(error))?,
-        };
+        let rough = self.rough().map_err(|error| scene.places.complaint(error))?;
         let lower = &range.ends[0];
         match rough.contact().transform().outer_radius() {
             Some(outer) if lower.to_rational() >= outer => {

@@ -142,6 +142,29 @@ pub enum TableError {
         /// f(0) as written.
         height: String,
     },
+    /// Heights that do not come to f(0) = 0.
+    #[error(
+        "line {line}, column f: the rows begin with {height} at r = {radius} and do not lead to f(0) = 0, but to about \
+         {tip}; heights are measured from the tip: subtract the height of the tip from every f"
+    )]
+    TipElsewhere {
+        /// Where.
+        line: usize,
+        /// The first height.
+        height: String,
+        /// Its radius.
+        radius: String,
+        /// Where the parabola through the first two rows meets the axis.
+        tip: String,
+    },
+    /// A length that nothing can be smoothed over.
+    #[error("cannot be smoothed over {length:e}: {why}")]
+    Smoothing {
+        /// The length.
+        length: f64,
+        /// Why.
+        why: String,
+    },
     /// Not enough rows.
     #[error(
         "{rows} rows of numbers; at least {MINIMUM_ROWS} are needed, because with fewer the slopes of the interpolant \

@@ -30,10 +30,15 @@ mod error;
 mod far;
 mod hermite;
 mod read;
+mod rough;
+mod smooth;
+mod tip;
 mod transform;
 mod units;
 
 pub use error::{Column, TableError};
+pub use rough::Scatter;
+pub use units::length;
 
 use far::FarField;
 use hermite::Piece;
@@ -70,6 +75,23 @@ impl Table {
     /// The units of r and f, as written, where they are named and are not both metres.
     pub fn units(&self) -> Option<&[String; 2]> {
         self.units.as_ref()
+    }
+
+    /// A number of metres in the unit of a column, as it would be written there.
+    fn written(&self, column: Column, metres: &str) -> String {
+        let unit = self.units().and_then(|units| units::decimal_power(&units[column as usize]));
+        unit.map_or_else(|| metres.to_owned(), |power| units::scaled(metres, -power))
+    }
+
+    /// The same rows with other heights, of which there is one a row.
+    pub fn with_heights(&self, heights: impl IntoIterator<Item = Literal>) -> Table {
+        let row = |(row, height): (&Row, Literal)| Row { height, ..row.clone() };
+        Table { rows: self.rows.iter().zip(heights).map(row).collect(), units: self.units.clone() }
+    }
+
+    /// Radii and heights in hardware numbers.
+    fn points(&self) -> Vec<(f64, f64)> {
+        self.rows.iter().map(|row| (row.radius.nearest_f64(), row.height.nearest_f64())).collect()
     }
 
     /// The profile through the rows, in the arithmetic of `ctx`: every decimal is rounded once.

@@ -100,7 +100,16 @@ impl Table {
     ///
     /// # Errors
     /// [`TableError`], with the line, the column and the value: see there for all that is refused.
-    pub fn from_csv(mut source: impl Read) -> Result<Table, TableError> {
+    pub fn from_csv(source: impl Read) -> Result<Table, TableError> {
+        let table = Table::from_csv_above_any_zero(source)?;
+        if table.rows[0].radius.is_zero() { table.check_tip().map(|()| table) } else { Ok(table) }
+    }
+
+    /// The same where heights may be measured from any zero.
+    ///
+    /// # Errors
+    /// As [`Table::from_csv`], but for f(0).
+    pub fn from_csv_above_any_zero(mut source: impl Read) -> Result<Table, TableError> {
         let mut bytes = Vec::new();
         source.read_to_end(&mut bytes)?;
         let mut lines = records(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes)).peekable();
@@ -134,13 +143,10 @@ impl Rows {
     fn push(&mut self, line: &Line) -> Result<(), TableError> {
         line.width(self.layout.width)?;
         let (radius_text, radius) = self.layout.number(line, Column::Radius)?;
-        let (height_text, height) = self.layout.number(line, Column::Height)?;
+        let (_, height) = self.layout.number(line, Column::Height)?;
         let line = line.number;
         if radius.is_negative() {
             return Err(TableError::NegativeRadius { line, radius: radius_text.to_owned() });
-        }
-        if radius.is_zero() && !height.is_zero() {
-            return Err(TableError::TipNotZero { line, height: height_text.to_owned() });
         }
         if let Some(last) = self.rows.last() {
             let (radius, before) = (radius.nearest_f64(), last.radius.nearest_f64());

@@ -5,7 +5,7 @@ use mdr_core::number::Special;
 
 use super::MeasuredProfile;
 use super::arc::{Arc, Spoke};
-use super::hermite::Piece;
+use super::hermite::{Piece, Quadratic};
 
 /// The three integrals over θ, r = x sin θ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +36,9 @@ impl<R: Special> MeasuredProfile<R> {
 
     /// For x in the piece of index `whole`.
     fn sum(&self, part: Part, x: &R, whole: usize) -> R {
+        if whole == 0 {
+            return self.pieces[0].share_at_tip(part, x);
+        }
         let mut sum = x.lit(0);
         let mut next = 0;
         let mut spoke = Spoke::new(&x.lit(0), x);
@@ -67,6 +70,19 @@ impl<R: Special> Piece<R> {
         let moments = if part == Part::Integral { arc.lifted() } else { arc.weighted() };
         let terms = density.about(&arc.centre).into_iter().zip(&moments);
         terms.fold(x.lit(0), |sum, (coefficient, moment)| sum + coefficient * moment)
+    }
+
+    /// The share of the piece that begins at the tip, for x within it: a polynomial in x, by ∫ sinᵏθ dθ or ∫ sinᵏθ cos²θ dθ
+    /// from 0 to π/2. An enclosure holds for all radii down to the tip at once.
+    fn share_at_tip(&self, part: Part, x: &R) -> R {
+        let Quadratic([c0, c1, c2]) = if part == Part::Slope { &self.bend } else { &self.slope };
+        let eighth = x.pi().over(4);
+        let [m0, m1, m2] = match part {
+            Part::Integral => [eighth.clone(), x.ratio(1, 3), eighth.over(4)],
+            _ => [eighth.clone().times(2), x.lit(1), eighth],
+        };
+        let s = x.clone() / &self.width;
+        ((m2 * c2) * &s + m1 * c1) * s + m0 * c0
     }
 }
 

@@ -1,5 +1,16 @@
 //! Units of length, as powers of ten that are applied to decimals exactly.
 
+use mdr_core::number::Literal;
+
+/// A length with its unit, such as `2 nm`, in metres; none where no unit of length ends the text or no number begins it.
+pub fn length(text: &str) -> Option<Literal> {
+    let digits = text.rfind(|c: char| c.is_ascii_digit() || c == '.')? + 1;
+    let (number, unit) = text.split_at(digits);
+    let number = number.trim();
+    number.parse::<Literal>().ok()?;
+    scaled(number, decimal_power(unit.trim())?).parse().ok()
+}
+
 /// The k of a unit of 10ᵏ m: the metre with an SI prefix, plain or in brackets. µ is taken in both of its code points,
 /// and as `u`.
 pub(super) fn decimal_power(unit: &str) -> Option<i64> {
@@ -30,14 +41,16 @@ pub(super) fn scaled(text: &str, power: i64) -> String {
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
         // The exponent was read before as part of the literal; it is an integer.
         let exponent: i64 = exponent.parse().unwrap_or(0);
-        format!("{mantissa}e{}", exponent + power)
+        match exponent + power {
+            0 => mantissa.to_owned(),
+            exponent => format!("{mantissa}e{exponent}"),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mdr_core::number::Literal;
 
     #[test]
     fn scaling_is_exact() {
@@ -48,12 +61,21 @@ mod tests {
             ("1/3", -3, "1/3000"),
             ("1/3", 2, "100/3"),
             ("0.1", 0, "0.1"),
+            ("20e-9", 9, "20"),
         ] {
             assert_eq!(scaled(text, power), expected);
             // What is read back is the correctly rounded product, not a product of rounded factors.
             let value = scaled(text, power).parse::<Literal>().unwrap().nearest_f64();
             assert_eq!(value, expected.parse::<Literal>().unwrap().nearest_f64());
         }
+    }
+
+    #[test]
+    fn lengths_have_a_unit() {
+        let metres = |text: &str| length(text).map(|literal| literal.to_string());
+        assert_eq!(metres("2 nm").as_deref(), Some("2e-9"));
+        assert_eq!(metres("1.5e-1um").as_deref(), Some("1.5e-7"));
+        assert_eq!([metres("2e-9"), metres("nm"), metres("2 V"), metres("x nm")], [const { None }; 4]);
     }
 
     #[test]

@@ -9,6 +9,7 @@ mod convergence;
 mod enclosed;
 #[cfg(feature = "mp")]
 mod exactness;
+mod noise;
 mod read;
 mod sample;
 mod shape;
