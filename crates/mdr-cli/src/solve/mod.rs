@@ -60,6 +60,7 @@ A scene is a TOML file with the tables [profile] and [output], and with [materia
 where what is wanted needs them; examples/scenes has one for every kind of profile and control.
 Numbers are exact as written, as text or not: 0.3, \"1e-9\", \"1/3\".
 Every output names its promise: certified (each digit proved), mp (two precisions agree), or f64.
+Profiles with a table of measured rows are computed in f64 unless digits are asked for.
 JSON: schema mdr.solve/1, one key for each output that is wanted.
 Exit status: 0 answered, 2 bad input.";
 

@@ -70,8 +70,8 @@ fn warning(scene: &Scene, solver: &Solver<'_>, measured: &Measured) -> Option<St
         let smoothed = |table: &Measured| table.smoothed(length);
         tension(scene, length, &scene.profile.with_tables(&smoothed)?)
     };
-    let lengths = (1..).map(|k| f64::from(1 << k) * spacing).take_while(|length| *length < 2.0 * last);
-    let tensions: Vec<Tension> = std::iter::once(None).chain(lengths.take(5).map(Some)).filter_map(at).collect();
+    let lengths = [2.0, 8.0, 32.0].map(|rows| rows * spacing).into_iter().filter(|length| *length < 2.0 * last);
+    let tensions: Vec<Tension> = std::iter::once(None).chain(lengths.map(Some)).filter_map(at).collect();
     let changes = tensions.get(..2).is_some_and(|two| (two[1].force / two[0].force - 1.0).abs() > CHANGE);
     if count == 0 && !changes {
         return None;
@@ -97,13 +97,13 @@ fn warning(scene: &Scene, solver: &Solver<'_>, measured: &Measured) -> Option<St
     ))
 }
 
-/// Whether the scatter of most rows is no more than that of rounded numbers, a third of the last digit, of which rows may
-/// have lost zeros.
+/// Whether the scatter of most rows is no more than that of rounded numbers, 0.3 of the last digit, and up to 1.5 where they
+/// are a staircase. Rows may have lost zeros.
 fn is_rounding(table: &Table, scatter: &Scatter, rows: std::ops::RangeInclusive<usize>) -> bool {
     let unit = |row: usize| last_digit(&table.rows()[row].height.to_string());
     let last = table.rows().len() - 1;
     let finest = |row: usize| (row.saturating_sub(4)..=(row + 4).min(last)).map(unit).fold(f64::MAX, f64::min);
-    let rounded = rows.clone().filter(|row| scatter.of_rows()[*row] < finest(*row)).count();
+    let rounded = rows.clone().filter(|row| scatter.of_rows()[*row] < 1.5 * finest(*row)).count();
     4 * rounded >= 3 * rows.count()
 }
 

@@ -22,8 +22,8 @@ pub struct Scatter {
 
 impl Table {
     /// How much heights scatter about the cubics through two neighbours on each side, as a standard deviation of each
-    /// height: within a factor of two that of errors which do not depend on each other from row to row, 0.3 of the last
-    /// digit of rounded ones.
+    /// height: within a factor of two that of errors which do not depend on each other from row to row; of
+    /// rounded ones 0.3 of the last digit, and up to 1.5 where they are a staircase.
     ///
     /// Residuals of a profile that the rows resolve keep their sign from row to row, and count as none; those of noise
     /// change it nearly always. At a kink up to four are large and may change it: the lower quartile is that of the others.
