@@ -71,16 +71,56 @@ impl Enclosure {
     }
 }
 
+impl Enclosure {
+    /// Bits of relative accuracy; none where the number may be zero, and all there can be where it is exact.
+    pub fn accuracy_bits(&self) -> Option<i64> {
+        match self {
+            Enclosure::Exact(_) => Some(i64::MAX),
+            Enclosure::Value(value) if value.is_point() => Some(i64::MAX),
+            Enclosure::Value(value) if value.contains_zero() || !value.is_finite() => None,
+            Enclosure::Value(value) => Some(value.accuracy_bits()),
+            Enclosure::Log { ln_magnitude, .. } => ln_magnitude.radius().get_exp().map(|bits| -i64::from(bits)),
+        }
+    }
+
+    /// Whether the number is not zero, and known to fewer bits than were asked for: to so many more it takes so many more. One
+    /// that is known to as many and has no digits yet is close to a tie.
+    pub fn is_short_of(&self, asked: Precision) -> bool {
+        self.accuracy_bits().is_some_and(|bits| bits < i64::from(asked.bits()))
+    }
+}
+
+/// The precision after one that did not decide what was `asked` for with some guard: where the enclosures still open tell how
+/// many bits were lost, that many more are taken at once; where a number may be zero, or nothing is known, twice as many.
+pub fn next_precision<'a>(
+    asked: Precision,
+    tried: Precision,
+    open: impl IntoIterator<Item = Option<&'a Enclosure>>,
+) -> Precision {
+    /// What is lost beyond measure: a tie, or a rounding more.
+    const MORE: u32 = 32;
+    let needed = |enclosure: Option<&Enclosure>| match enclosure?.accuracy_bits()? {
+        i64::MAX => None,
+        bits => u32::try_from(i64::from(tried.bits()) - bits).ok().map(|lost| asked.bits().saturating_add(lost)),
+    };
+    let double = tried.bits().saturating_mul(2);
+    let bits = open.into_iter().map(|enclosure| needed(enclosure).unwrap_or(double)).max().unwrap_or(double);
+    Precision::new(bits.max(tried.bits() + tried.bits() / 4).saturating_add(MORE))
+}
+
+/// The most bits for numbers of which is known how many they lose.
+const MOST_BITS: u32 = 1 << 21;
+
 /// Evaluates `f` at growing precision until all its quantities are decided to `digits` significant digits, and gives
 /// them correctly rounded.
 ///
-/// The precision starts at `start` and grows by half at each attempt; an [`Error::Undecided`] of `f` counts as an
-/// attempt, any other error ends the search. A number that is itself a decimal tie, or zero, is decided only by an
+/// The precision starts at `start` and grows [as much as is lost](next_precision); an [`Error::Undecided`] of `f` counts as
+/// an attempt, any other error ends the search. A number that is itself a decimal tie, or zero, is decided only by an
 /// enclosure that is exact.
 ///
 /// # Errors
-/// [`Error::Undecided`], naming the quantity, beyond 64 · `start` + 20 000 bits; [`Error::Domain`] for digits outside
-/// 1 to 10⁶; whatever `f` returns.
+/// [`Error::Undecided`], naming the quantity, beyond 64 · `start` + 20 000 bits, or 2²¹ where it is known that they
+/// suffice; [`Error::Domain`] for digits outside 1 to 10⁶; whatever `f` returns.
 ///
 /// ```
 /// use mdr_core::contact::Quantity;
@@ -106,21 +146,27 @@ pub fn certify<const K: usize>(
     let mut decided: [Option<Decimal>; K] = [const { None }; K];
     loop {
         let mut failure = None;
+        let mut next = bits.saturating_mul(2).min(most);
         match f(Precision::new(bits)) {
             Ok(enclosures) => {
                 for (decimal, enclosure) in decided.iter_mut().zip(&enclosures) {
                     *decimal = decimal.take().or_else(|| enclosure.round(digits));
                 }
+                let open = enclosures.iter().zip(&decided).filter(|(_, decimal)| decimal.is_none());
+                let open: Vec<&Enclosure> = open.map(|(enclosure, _)| enclosure).collect();
+                let is_measured = open.iter().all(|enclosure| enclosure.is_short_of(start));
+                next = next_precision(start, Precision::new(bits), open.into_iter().map(Some)).bits();
+                next = next.min(if is_measured { MOST_BITS } else { most });
             }
             Err(error @ Error::Undecided { .. }) => failure = Some(error),
             Err(error) => return Err(error),
         }
         let undecided = decided.iter().zip(quantities).find(|(decimal, _)| decimal.is_none());
         let Some((_, quantity)) = undecided else { break };
-        if bits >= most {
+        if bits >= most.min(next) {
             return Err(failure.unwrap_or(Error::Undecided { quantity, bits, what: "the last digit asked for" }));
         }
-        bits = bits.saturating_add(bits / 2 + 32).min(most);
+        bits = next;
     }
     Ok(decided.map(Option::unwrap_or_default))
 }
