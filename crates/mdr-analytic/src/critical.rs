@@ -4,6 +4,7 @@ use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, S
 use mdr_core::number::Real;
 
 use crate::contact::{Contact, ln_edge_length};
+use crate::machine::Tension;
 use crate::range::{ordinary, product, representable};
 
 /// A critical state, or one quantity of it in whatever form: numbers, certified decimals, logarithms.
@@ -65,8 +66,9 @@ impl<R: Real> Contact<R> {
                 (self.ln_machine_length(stiffness) + &fold.ln_s, fold.tension)
             }
             Control::Indentation | Control::Force => {
-                let tension = self.profile().exponent().lit(if matches!(control, Control::Force) { 3 } else { 1 });
-                (self.ln_length_scale(&tension), tension)
+                let limit = if matches!(control, Control::Force) { 3 } else { 1 };
+                let tension = Tension::limit(limit, self.profile().exponent());
+                (self.ln_length_scale(&tension.value()), tension)
             }
         };
         Ok(self.ln_state(&ln_radius, &tension))
@@ -76,9 +78,9 @@ impl<R: Real> Contact<R> {
     #[inline(always)]
     fn tangency(&self, tension: i64) -> Result<Critical<R>> {
         self.require_length_scale()?;
-        let tension = self.profile().exponent().lit(tension);
-        let radius = self.length_scale(&tension)?;
-        self.tangent_state(radius, &tension, || self.ln_length_scale(&tension))
+        let tension = Tension::limit(tension, self.profile().exponent());
+        let radius = self.length_scale(&tension.value())?;
+        self.tangent_state(radius, &tension, || self.ln_length_scale(&tension.value()))
     }
 
     /// (λ²B/N²)^{1/(2n−1)}, the radius at which N a^{n−1/2} = λ√B, in m.
@@ -123,7 +125,7 @@ impl<R: Real> Contact<R> {
     /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a). The logarithm of a is asked
     /// for where a does not tell it.
     #[inline(always)]
-    pub(crate) fn tangent_state(&self, a: R, tension: &R, ln_radius: impl Fn() -> R) -> Result<Critical<R>> {
+    pub(crate) fn tangent_state(&self, a: R, tension: &Tension<R>, ln_radius: impl Fn() -> R) -> Result<Critical<R>> {
         let (d_factor, f_factor) = self.tangent_factors(tension);
         let ln_state = || self.ln_state(&ln_radius(), tension);
         // 0 is an answer where the factor is 0, and a flushed result elsewhere.
@@ -146,7 +148,7 @@ impl<R: Real> Contact<R> {
     }
 
     /// Logarithms of a, |d| and |F| of a tangent state.
-    pub(crate) fn ln_state(&self, ln_radius: &R, tension: &R) -> Critical<R> {
+    pub(crate) fn ln_state(&self, ln_radius: &R, tension: &Tension<R>) -> Critical<R> {
         let (d_factor, f_factor) = self.tangent_factors(tension);
         let ln_root = (ln_edge_length(self.material()) + ln_radius).over(2);
         let ln_modulus = self.material().effective_modulus().ln();
@@ -159,12 +161,10 @@ impl<R: Real> Contact<R> {
 
     /// (λ−2n)/n and 2(λ−2(n+1))/(n+1).
     #[inline(always)]
-    pub(crate) fn tangent_factors(&self, tension: &R) -> (R, R) {
-        let n = self.profile().exponent();
+    pub(crate) fn tangent_factors(&self, tension: &Tension<R>) -> (R, R) {
+        let (n, excess) = (self.profile().exponent(), self.profile().excess());
         let next = n.lit(1) + n;
-        let indentation = (tension.clone() - n.clone().times(2)) / n;
-        let force = (tension.clone() - next.clone().times(2)).times(2) / &next;
-        (indentation, force)
+        (tension.less(1, &excess) / n, tension.less(3, &excess).times(2) / &next)
     }
 
     #[inline(always)]

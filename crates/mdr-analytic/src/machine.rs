@@ -18,6 +18,8 @@
 //! there are three folds when φ is positive at the first and negative at the second, else one. For μ = 0, φ falls from
 //! ln ρ to ln(ρ/3), where ρ = N/√B: one fold for 1 < ρ < 3, none otherwise; λ = ρ gives a = k(ρ−1)/(2E*(3−ρ)).
 
+use std::cmp::Ordering;
+
 use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
@@ -82,7 +84,7 @@ impl<R: Real> Contact<R> {
         let balance = Balance::new(self, stiffness);
         let tangency = |piece: &Piece<R>| {
             let ln_s = balance.root(piece)?;
-            Ok(Tangency { s: ln_s.exp(), tension: Balance::tension(&ln_s), ln_s, kind: piece.kind })
+            Ok(Tangency { s: ln_s.exp(), tension: Tension::machine(&ln_s), ln_s, kind: piece.kind })
         };
         balance.pieces()?.iter().map(tangency).collect()
     }
@@ -103,7 +105,8 @@ impl<R: Real> Contact<R> {
         let ln_radius = self.ln_machine_length(stiffness) + ln_s(&share(&ratio))?;
         let tension = (excess.clone().over(2) * ln_radius).exp() * (excess + &one) * ratio;
         let s = share(&tension);
-        Ok(Some(Tangency { ln_s: ln_s(&s)?, s, tension, kind: FoldKind::Maximum }))
+        let ln_s = ln_s(&s)?;
+        Ok(Some(Tangency { tension: Tension::machine(&ln_s), ln_s, s, kind: FoldKind::Maximum }))
     }
 
     /// The fold met first when leaving the stable branch: the largest for n > 1/2, where the contact is unloaded, the
@@ -119,9 +122,50 @@ impl<R: Real> Contact<R> {
 pub(crate) struct Tangency<R> {
     pub(crate) s: R,
     pub(crate) ln_s: R,
-    /// λ.
-    pub(crate) tension: R,
+    pub(crate) tension: Tension<R>,
     pub(crate) kind: FoldKind,
+}
+
+/// λ, from the nearer of its limits, so that its difference from either is known to all digits.
+#[derive(Clone, Debug)]
+pub(crate) struct Tension<R> {
+    /// 1, 3, or 0.
+    limit: i64,
+    /// λ less that.
+    rest: R,
+}
+
+impl<R: Real> Tension<R> {
+    /// One of the limits itself, 1 under fixed grips or 3 under a dead load.
+    #[inline(always)]
+    pub(crate) fn limit(limit: i64, like: &R) -> Self {
+        Tension { limit, rest: like.lit(0) }
+    }
+
+    /// Any other.
+    pub(crate) fn of(value: R) -> Self {
+        Tension { limit: 0, rest: value }
+    }
+
+    /// 1 + 2s/(1+s) = 3 − 2/(1+s), with u = ln s.
+    pub(crate) fn machine(u: &R) -> Self {
+        if *u > u.lit(0) {
+            return Tension { limit: 3, rest: Balance::share(&-u.clone()).times(-2) };
+        }
+        Tension { limit: 1, rest: Balance::share(u).times(2) }
+    }
+
+    /// λ.
+    #[inline(always)]
+    pub(crate) fn value(&self) -> R {
+        self.rest.lit(self.limit) + &self.rest
+    }
+
+    /// λ − k − excess, so λ − 2n for k = 1 and λ − 2(n+1) for k = 3 with the excess 2n − 1.
+    #[inline(always)]
+    pub(crate) fn less(&self, k: i64, excess: &R) -> R {
+        self.rest.lit(self.limit - k) - excess + &self.rest
+    }
 }
 
 /// φ(u) and what it needs.
@@ -157,11 +201,6 @@ impl<R: Real> Balance<R> {
     /// p = s/(1+s), without overflow for any u.
     fn share(u: &R) -> R {
         ((-u.clone()).exp() + u.lit(1)).inv()
-    }
-
-    /// λ = 1 + 2p.
-    fn tension(u: &R) -> R {
-        Self::share(u).times(2) + u.lit(1)
     }
 
     fn value(&self, u: &R) -> R {
@@ -249,33 +288,39 @@ impl<R: Real> Balance<R> {
         Balance { slope: self.slope.steer(), offset: self.offset.steer() }
     }
 
-    /// Newton's method kept inside a shrinking bracket.
+    /// Newton's method in the piece. A stiff or a soft machine has its root at an end, to the last bit.
     fn approximate_root(&self, piece: &Piece<R>) -> R {
-        let rising = piece.kind == FoldKind::Minimum;
-        // A stiff or a soft machine has its root at an end, to the last bit.
-        let mut low = piece.from.steer() - tolerance(&piece.from.steer());
-        let mut high = piece.to.steer() + tolerance(&piece.to.steer());
-        let mut u = (low.clone() + &high).over(2);
-        let mut last_step = high.clone() - &low;
-        for _ in 0..64 + 2 * u.precision() {
-            if (self.value(&u) > u.lit(0)) == rising {
-                high = u.clone();
-            } else {
-                low = u.clone();
-            }
-            let newton = self.newton(&u, &u).steer();
-            let step = (newton.clone() - &u).abs();
-            let brisk = step.clone().times(2) < last_step && newton >= low && newton <= high;
-            let next = if brisk { newton } else { (low.clone() + &high).over(2).steer() };
-            last_step = (next.clone() - &u).abs();
-            u = next;
-            // Newton's method doubles the digits: the next step would be all rounding.
-            if last_step <= tolerance(&u) || (brisk && step.square() <= tolerance(&u)) {
-                break;
-            }
-        }
-        u
+        let low = piece.from.steer() - tolerance(&piece.from.steer());
+        let high = piece.to.steer() + tolerance(&piece.to.steer());
+        newton_within(low, high, piece.kind == FoldKind::Minimum, |u| (self.value(u), self.derivative(u)))
     }
+}
+
+/// Newton's method kept inside a shrinking bracket, for a function with its slope that is `rising` at the root or falling.
+pub(crate) fn newton_within<R: Real>(mut low: R, mut high: R, rising: bool, f: impl Fn(&R) -> (R, R)) -> R {
+    let mut u = (low.clone() + &high).over(2).steer();
+    let mut last_step = high.clone() - &low;
+    for _ in 0..64 + 2 * u.precision() {
+        let (value, slope) = f(&u);
+        match value.partial_cmp(&u.lit(0)) {
+            Some(Ordering::Greater) if rising => high = u.clone(),
+            Some(Ordering::Less) if !rising => high = u.clone(),
+            Some(Ordering::Greater | Ordering::Less) => low = u.clone(),
+            // Nothing is left but rounding.
+            _ => break,
+        }
+        let newton = (u.clone() - value / slope).steer();
+        let step = (newton.clone() - &u).abs();
+        let brisk = step.clone().times(2) < last_step && newton >= low && newton <= high;
+        let next = if brisk { newton } else { (low.clone() + &high).over(2).steer() };
+        last_step = (next.clone() - &u).abs();
+        u = next;
+        // Newton's method doubles the digits: the next step would be all rounding.
+        if last_step <= tolerance(&u) || (brisk && step.square() <= tolerance(&u)) {
+            break;
+        }
+    }
+    u
 }
 
 /// Two units in the last place of u, or of one.

@@ -5,6 +5,7 @@ use mdr_core::number::Real;
 
 use crate::contact::{Contact, edge_length, edge_root, ln_edge_length};
 use crate::critical::Critical;
+use crate::machine::Tension;
 use crate::range::representable;
 
 /// The lemniscate constant ϖ = π/agm(1, √2) = 2.62205755…, in the precision of `like`; κ_{1/2} = ϖ/2.
@@ -99,7 +100,7 @@ impl<R: Real> Contact<R> {
         let ratio = self.ratio()?;
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         // Here N a^{n−1/2} = ρ√B at every radius.
-        self.tangent_state(a.clone(), &ratio, || a.ln())
+        self.tangent_state(a.clone(), &Tension::of(ratio), || a.ln())
     }
 
     /// What becomes of the contact at n = 1/2 under the given control (1.19). On a machine the answer for small radii is

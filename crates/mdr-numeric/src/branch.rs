@@ -187,7 +187,7 @@ pub(crate) fn beyond_reach<R: Real>(control: &Control<R>, like: &R) -> Error {
 }
 
 /// A value that is neither below that of a fold nor above it.
-pub(crate) fn unordered<R: Real>(control: &Control<R>, value: &R) -> Error {
+pub fn unordered<R: Real>(control: &Control<R>, value: &R) -> Error {
     let what = "whether it is below or above its value at a fold";
     Error::Undecided { quantity: control.quantity(), bits: value.precision(), what }
 }

@@ -10,6 +10,7 @@ use rug::{Integer, Rational};
 use super::{Answer, Question, exact};
 use crate::contact::Contact;
 use crate::critical::Critical;
+use crate::machine::Tension;
 use crate::threshold::threshold;
 
 /// Bits beyond those of the digits: rounding errors, and the small chance that the digits end close to a tie.
@@ -163,7 +164,7 @@ impl Question {
         match self.counted(precision) {
             Some([kappa, a, d, f]) => {
                 let kappa = exact::kappa(&self.exponent).map_or(kappa.into(), Enclosure::Exact);
-                let d = exact::indentation(self).map_or(d.into(), Enclosure::Exact);
+                let d = exact::indentation(self, &self.control).map_or(d.into(), Enclosure::Exact);
                 Ok([kappa, a.into(), d, f.into()])
             }
             None => self.general_critical(precision),
@@ -174,10 +175,11 @@ impl Question {
     pub(super) fn general_critical(&self, precision: Precision) -> Result<[Enclosure; 4]> {
         let contact = self.contact(precision)?;
         let control = self.control(precision);
-        let tension = contact.profile().exponent().lit(if control == Control::Force { 3 } else { 1 });
+        let limit = if control == Control::Force { 3 } else { 1 };
+        let tension = Tension::limit(limit, contact.profile().exponent());
         let state = contact.critical(&control);
         let [a, d, f] = enclose(&contact, state, &tension, || contact.ln_critical(&control))?;
-        let d = exact::indentation(self).map_or(d, Enclosure::Exact);
+        let d = exact::indentation(self, &self.control).map_or(d, Enclosure::Exact);
         Ok([self.kappa_of(&contact), a, d, f])
     }
 
@@ -234,7 +236,7 @@ fn kappa_result(precision: Precision, n: &Rational) -> Enclosure {
 fn enclose(
     contact: &Contact<Interval>,
     state: Result<Critical<Interval>>,
-    tension: &Interval,
+    tension: &Tension<Interval>,
     ln_state: impl FnOnce() -> Result<Critical<Interval>>,
 ) -> Result<[Enclosure; 3]> {
     let (d_factor, f_factor) = contact.tangent_factors(tension);

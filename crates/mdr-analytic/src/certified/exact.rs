@@ -27,11 +27,11 @@ pub(super) fn kappa_interval(precision: Precision, n: &Rational) -> Interval {
     }
 }
 
-/// The critical d where it is rational: the cone, and n = 3/2 under a dead load.
-pub(super) fn indentation(question: &Question) -> Option<Rational> {
+/// The critical d under controlled indentation or force where it is rational: the cone, and n = 3/2 under a dead load.
+pub(super) fn indentation<S>(question: &Question, control: &Control<S>) -> Option<Rational> {
     let length = || Rational::from(&question.work_of_adhesion / &question.effective_modulus) / &question.coefficient;
     let cone = question.exponent == 1;
-    match question.control {
+    match control {
         Control::Indentation if cone => Some(-length()),
         Control::Force if cone => Some(length() * 3),
         Control::Force if question.exponent == 1.5 => Some(Rational::new()),

@@ -37,11 +37,15 @@
 //! [`Error::Undecided`]: mdr_core::contact::Error::Undecided
 
 mod answer;
+mod curve;
 mod evaluate;
 mod exact;
 mod monomial;
 mod question;
+mod scaled;
 
 pub use answer::Answer;
+pub use curve::{Curve, Point};
 pub use evaluate::kappa;
 pub use question::{Elasticity, Question};
+pub use scaled::Scaled;

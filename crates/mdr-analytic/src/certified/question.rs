@@ -71,6 +71,16 @@ impl Question {
         &self.effective_modulus
     }
 
+    /// d at the critical state, where it is rational: of a cone, and at n = 3/2 under a dead load.
+    pub fn exact_indentation(&self) -> Option<Rational> {
+        exact::indentation(self, &self.control)
+    }
+
+    /// Whether the force is stationary along the equilibria at a depth, exactly: where a dead load has its fold.
+    pub fn is_fold_of_force(&self, indentation: &Rational) -> bool {
+        exact::indentation(self, &Control::<()>::Force).as_ref() == Some(indentation)
+    }
+
     /// The contact over intervals.
     pub(super) fn contact(&self, precision: Precision) -> Result<Contact<Interval>> {
         let enclose = |value| Interval::from_rational(precision, value);

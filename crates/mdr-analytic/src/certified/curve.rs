@@ -1,0 +1,473 @@
+//! The curve of equilibria of a power law under any control, in logarithms: every state, at any scale.
+//!
+//! With u = ln a, t = Δl(a), s = 2E*a/k and the depth φ = nd − t, which is in proportion to the force,
+//!
+//! d = (φ + t)/n,  F = 2E*aφ/(n+1),  Π = E*a [2φ(φ + t)/((n+1)(2n+1)) − (2n−1)t²/(2(2n+1))],
+//!
+//! the last by (1.13) from [`Contact::energy`]. The controlled quantity is the difference P − Q of two positive, increasing
+//! functions of u:
+//!
+//! | control | P | Q |
+//! |---|---|---|
+//! | d | g | t |
+//! | F | 2E*a gn/(n+1) | 2E*a t |
+//! | D = d + F/k | g(1 + sn/(n+1)) | t(1 + s) |
+//!
+//! Their logarithms are linear in u but for ln(1 + s), so that no value and no radius is too small or too large. Between two
+//! folds P − Q is monotone. Its signs there, and at 0 and ∞, tell whether a branch holds a value; where it does, a change of
+//! sign encloses the radius.
+
+use std::cmp::Ordering;
+
+use mdr_core::contact::{Control, Error, FoldKind, Quantity, Result, Stability};
+use mdr_core::number::{Interval, Precision, Real};
+use rug::Rational;
+
+use super::scaled::Scaled;
+use super::{Question, exact};
+use crate::contact::ln_edge_length;
+use crate::machine::{Tension, newton_within};
+use crate::range::ln_sum;
+
+/// The equilibria of a [`Question`] under its control, over intervals of some precision.
+///
+/// ```
+/// use mdr_analytic::certified::{Elasticity, Question};
+/// use mdr_core::contact::Control;
+/// use mdr_core::number::Precision;
+/// // Radii of 10^−1300 m and below: two equilibria, in no double.
+/// let [n, c, e_star, work] = ["0.499", "0.1", "1", "1"].map(|text| text.parse());
+/// let question = Question::new(&n?, &c?, &Elasticity::Effective(e_star?), &work?, &Control::Indentation)?;
+/// let depth: mdr_core::number::Literal = "1e-650".parse()?;
+/// let curve = question.curve(Precision::new(128))?;
+/// assert_eq!(curve.equilibria(&depth.to_rational())?.len(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Curve {
+    control: Control<Interval>,
+    exponent: Interval,
+    /// 2n − 1.
+    excess: Interval,
+    /// ln κ_nC.
+    ln_strength: Interval,
+    /// ln 2√B, so that ln t is this and u/2.
+    ln_edge: Interval,
+    /// ln 2E*.
+    ln_modulus: Interval,
+    /// ln 2E*/k on a machine.
+    ln_softness: Option<Interval>,
+    folds: Vec<(Point, FoldKind)>,
+    /// The controlled quantity at each fold, where it is known to be a rational.
+    exact_folds: Vec<Option<Rational>>,
+}
+
+/// An equilibrium.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// ln a.
+    ln_radius: Interval,
+    /// d.
+    indentation: Scaled,
+    /// φ = nd − Δl.
+    depth: Scaled,
+    /// Under the control it was found with.
+    pub stability: Stability,
+}
+
+impl Point {
+    /// a, in m.
+    pub fn radius(&self) -> Scaled {
+        Scaled::exp(self.ln_radius.clone())
+    }
+
+    /// ln a.
+    pub fn ln_radius(&self) -> &Interval {
+        &self.ln_radius
+    }
+
+    /// d, in m.
+    pub fn indentation(&self) -> &Scaled {
+        &self.indentation
+    }
+}
+
+impl Question {
+    /// The curve of equilibria, with its folds.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] where the precision does not tell how many folds there are.
+    pub fn curve(&self, precision: Precision) -> Result<Curve> {
+        let contact = self.contact(precision)?;
+        let enclose = |value: &Rational| Interval::from_rational(precision, value);
+        let (profile, material) = (contact.profile(), contact.material());
+        let control = self.control(precision);
+        let ln_modulus = material.effective_modulus().clone().times(2).ln();
+        let mut curve = Curve {
+            exponent: enclose(&self.exponent),
+            excess: enclose(&(Rational::from(&self.exponent * 2u32) - 1u32)),
+            ln_strength: profile.kappa().ln() + profile.coefficient().ln(),
+            ln_edge: ln_edge_length(material).over(2) + ln_modulus.lit(2).ln(),
+            ln_softness: match &control {
+                Control::Machine { stiffness } => Some(ln_modulus.clone() - stiffness.ln()),
+                _ => None,
+            },
+            ln_modulus,
+            control,
+            folds: Vec::new(),
+            exact_folds: Vec::new(),
+        };
+        curve.folds = match &curve.control {
+            Control::Machine { stiffness } => {
+                let ln_length = contact.ln_machine_length(stiffness);
+                let folds = contact.machine_tangencies(stiffness)?.into_iter();
+                folds.map(|fold| (curve.tangent(fold.ln_s + &ln_length, &fold.tension), fold.kind)).collect()
+            }
+            _ => curve.fold().into_iter().collect(),
+        };
+        let exact = match self.control {
+            Control::Indentation => exact::indentation(self, &self.control),
+            _ => None,
+        };
+        curve.exact_folds = curve.folds.iter().map(|_| exact.clone()).collect();
+        Ok(curve)
+    }
+}
+
+impl Curve {
+    /// What is controlled.
+    pub fn control(&self) -> &Control<Interval> {
+        &self.control
+    }
+
+    /// The precision of its intervals.
+    pub fn precision(&self) -> Precision {
+        self.exponent.ctx()
+    }
+
+    /// All folds of the controlled quantity, by increasing radius.
+    pub fn folds(&self) -> &[(Point, FoldKind)] {
+        &self.folds
+    }
+
+    /// Whether the controlled quantity grows from the tip on, so that contact begins smoothly.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] where n or ρ cannot be told from their thresholds.
+    pub fn begins_smoothly(&self) -> Result<bool> {
+        Ok(self.sign_at_tip()?.is_gt())
+    }
+
+    /// All equilibria at a value of the controlled quantity, by increasing radius; at a fold itself the double root is one.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] where the precision does not tell how many there are, or where they lie.
+    pub fn equilibria(&self, value: &Rational) -> Result<Vec<Point>> {
+        let scaled = Scaled::from(Interval::from_rational(self.precision(), value));
+        let at_fold = |fold: Option<usize>| fold.is_some_and(|fold| self.exact_fold(fold) == Some(value));
+        let mut found = Vec::new();
+        for branch in 0..=self.folds.len() {
+            if !at_fold(branch.checked_sub(1)) && !at_fold(Some(branch)) {
+                found.extend(self.on_branch(branch, &scaled)?);
+            }
+            found.extend(self.folds.get(branch).filter(|_| at_fold(Some(branch))).map(|(fold, _)| fold.clone()));
+        }
+        Ok(found)
+    }
+
+    /// The equilibrium at a value on a branch, between fold `branch` − 1 and fold `branch`, the folds excluded.
+    ///
+    /// # Errors
+    /// As [`Curve::equilibria`].
+    pub fn on_branch(&self, branch: usize, value: &Scaled) -> Result<Option<Point>> {
+        if branch > self.folds.len() {
+            return Ok(None);
+        }
+        let [below, above] = [branch.checked_sub(1), Some(branch)].map(|end| end.and_then(|end| self.folds.get(end)));
+        let sign = value.sign().ok_or_else(|| self.undecided("the sign of a value"))?;
+        let at_fold = |(fold, _): &(Point, FoldKind)| Ok(self.compare(value, fold)?.reverse());
+        // x at the tip is 0 with a sign, and without bound far out.
+        let first =
+            below.map_or_else(|| if sign.is_eq() { self.sign_at_tip() } else { Ok(sign.reverse()) }, at_fold)?;
+        let last = above.map_or_else(|| self.sign_far_out(), at_fold)?;
+        if first == last || first.is_eq() || last.is_eq() {
+            return Ok(None);
+        }
+        let stability = if first.is_lt() { Stability::Stable } else { Stability::Unstable };
+        let ends = [below, above].map(|end| end.map(|(fold, _)| &fold.ln_radius));
+        Ok(Some(self.held_at(value, self.root(value, ends, first.is_lt())?, stability)))
+    }
+
+    /// A value against that of a fold.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] where that is not certain.
+    pub fn compare(&self, value: &Scaled, fold: &Point) -> Result<Ordering> {
+        let order = value.minus(&self.controlled(fold)).sign();
+        order.ok_or_else(|| self.undecided("whether a value is below or above that of a fold"))
+    }
+
+    /// The controlled quantity at a fold, where it is taken for a rational: d of a cone under fixed grips, exactly.
+    pub fn exact_fold(&self, fold: usize) -> Option<&Rational> {
+        self.exact_folds.get(fold)?.as_ref()
+    }
+
+    /// The same where the folds are at the values that `round` gives for theirs: for an arithmetic that does not tell the two
+    /// apart.
+    #[must_use]
+    pub fn with_folds_rounded(mut self, round: impl Fn(&Scaled) -> Option<Rational>) -> Self {
+        let rounded = |(fold, _): &(Point, FoldKind)| round(&self.controlled(fold));
+        let folds: Vec<_> = self.folds.iter().map(rounded).collect();
+        let known = std::mem::take(&mut self.exact_folds);
+        self.exact_folds = known.into_iter().zip(folds).map(|(known, rounded)| rounded.or(known)).collect();
+        self
+    }
+
+    /// F, in N.
+    pub fn force(&self, point: &Point) -> Scaled {
+        let next = self.exponent.lit(1) + &self.exponent;
+        self.stiffness_of(point).times(&point.depth).by(&(next.lit(1) / &next))
+    }
+
+    /// The controlled quantity.
+    pub fn controlled(&self, point: &Point) -> Scaled {
+        match &self.control {
+            Control::Indentation => point.indentation.clone(),
+            Control::Force => self.force(point),
+            Control::Machine { stiffness } => {
+                point.indentation.plus(&self.force(point).over(&stiffness.clone().into()))
+            }
+        }
+    }
+
+    /// Π(a, d), in J.
+    pub fn energy(&self, point: &Point) -> Scaled {
+        let (n, one) = (&self.exponent, self.exponent.lit(1));
+        let double = self.excess.clone() + self.excess.lit(2);
+        let length = self.elongation(&point.ln_radius);
+        let elastic = point.depth.times(&point.depth.plus(&length)).by(&(one.clone() / &((one + n) * &double)));
+        let adhesive = length.times(&length).by(&(self.excess.clone() / double).over(4));
+        elastic.minus(&adhesive).times(&self.stiffness_of(point))
+    }
+
+    /// What is stored in the contact and in the spring of a machine, Π + F²/2k, in J.
+    pub fn stored(&self, point: &Point) -> Scaled {
+        let energy = self.energy(point);
+        let Control::Machine { stiffness } = &self.control else { return energy };
+        let force = self.force(point);
+        energy.plus(&force.times(&force).over(&stiffness.clone().times(2).into()))
+    }
+
+    /// dF/dd along the equilibria, 2E*a (2φ/t + 2n−1)/(2φ/t + 2n+1), in N/m. At the fold of a force it is 0, at that of a
+    /// machine −k, and none at that of d.
+    pub fn stiffness(&self, point: &Point) -> Option<Scaled> {
+        match (&self.control, point.stability) {
+            (Control::Indentation, Stability::Neutral) => return None,
+            (Control::Force, Stability::Neutral) => return Some(self.excess.lit(0).into()),
+            (Control::Machine { stiffness }, Stability::Neutral) => return Some((-stiffness.clone()).into()),
+            _ => {}
+        }
+        let length = self.elongation(&point.ln_radius);
+        let depth = point.depth.multiple(2);
+        let [above, below] = [0, 2].map(|k| depth.plus(&length.by(&(self.excess.clone() + self.excess.lit(k)))));
+        Some(self.stiffness_of(point).times(&above).over(&below))
+    }
+
+    /// 2E*a.
+    fn stiffness_of(&self, point: &Point) -> Scaled {
+        Scaled::exp(self.ln_modulus.clone() + &point.ln_radius)
+    }
+
+    /// t = Δl(a).
+    fn elongation(&self, ln_radius: &Interval) -> Scaled {
+        Scaled::exp(self.ln_elongation(ln_radius))
+    }
+
+    fn ln_elongation(&self, ln_radius: &Interval) -> Interval {
+        ln_radius.clone().over(2) + &self.ln_edge
+    }
+
+    /// The fold under fixed grips or a dead load: N a^{n−1/2} = λ√B. None at n = 1/2.
+    fn fold(&self) -> Option<(Point, FoldKind)> {
+        let zero = self.excess.lit(0);
+        if self.excess == zero {
+            return None;
+        }
+        let tension = Tension::limit(if self.control == Control::Force { 3 } else { 1 }, &zero);
+        // ln λ√B/N.
+        let ln_ratio = self.ln_edge.clone() + (tension.value().over(2) / &self.exponent).ln() - &self.ln_strength;
+        let kind = if self.excess > zero { FoldKind::Minimum } else { FoldKind::Maximum };
+        Some((self.tangent(ln_ratio.times(2) / &self.excess, &tension), kind))
+    }
+
+    /// The state with 2ng = λt: 2nd = (λ − 2n)t.
+    fn tangent(&self, ln_radius: Interval, tension: &Tension<Interval>) -> Point {
+        let length = self.elongation(&ln_radius);
+        let [indentation, depth] = [1, 3].map(|k| tension.less(k, &self.excess).over(2));
+        Point {
+            indentation: length.by(&(indentation / &self.exponent)),
+            depth: length.by(&depth),
+            ln_radius,
+            stability: Stability::Neutral,
+        }
+    }
+
+    /// The state of a radius at a value.
+    fn held_at(&self, value: &Scaled, ln_radius: Interval, stability: Stability) -> Point {
+        let (n, length) = (&self.exponent, self.elongation(&ln_radius));
+        let next = n.lit(1) + n;
+        let (indentation, depth) = match &self.control {
+            Control::Indentation => (value.clone(), value.by(n).minus(&length)),
+            Control::Force => {
+                let depth = value.by(&next).over(&Scaled::exp(self.ln_modulus.clone() + &ln_radius));
+                (depth.plus(&length).by(&(n.lit(1) / n)), depth)
+            }
+            Control::Machine { .. } => {
+                // d(n+1+sn) = D(n+1) + st and φ(n+1+sn) = (n+1)(nD − t).
+                let softness = Scaled::exp(self.ln_softness.clone().unwrap_or_else(|| n.lit(0)) + &ln_radius);
+                let whole = softness.by(n).plus(&next.clone().into());
+                let indentation = value.by(&next).plus(&softness.times(&length));
+                (indentation.over(&whole), value.by(n).minus(&length).by(&next).over(&whole))
+            }
+        };
+        Point { ln_radius, indentation, depth, stability }
+    }
+
+    /// The sign of x close to the tip.
+    fn sign_at_tip(&self) -> Result<Ordering> {
+        let zero = self.excess.lit(0);
+        match self.excess.partial_cmp(&zero) {
+            Some(Ordering::Equal) => self.balance_at(if self.control == Control::Force { 3 } else { 1 }),
+            order => order.map(Ordering::reverse).ok_or_else(|| self.undecided("whether n is above 1/2")),
+        }
+    }
+
+    /// The sign of x for large radii.
+    fn sign_far_out(&self) -> Result<Ordering> {
+        let zero = self.excess.lit(0);
+        match self.excess.partial_cmp(&zero) {
+            Some(Ordering::Equal) => self.balance_at(if self.control == Control::Indentation { 1 } else { 3 }),
+            order => order.ok_or_else(|| self.undecided("whether n is above 1/2")),
+        }
+    }
+
+    /// n = 1/2: ρ against its threshold.
+    fn balance_at(&self, threshold: i64) -> Result<Ordering> {
+        let excess = self.ln_strength.clone() - &self.ln_edge - self.ln_edge.lit(threshold).ln();
+        excess.partial_cmp(&excess.lit(0)).ok_or_else(|| self.undecided("whether C is above its threshold"))
+    }
+
+    /// ln P and ln Q, with their slopes.
+    fn terms(&self, u: &Interval) -> [(Interval, Interval); 2] {
+        let (n, one) = (&self.exponent, u.lit(1));
+        let share = n.clone() / (one.clone() + n);
+        let g = (n.clone() * u + &self.ln_strength, n.clone());
+        let t = (self.ln_elongation(u), one.clone().over(2));
+        let (p, q) = match (&self.control, &self.ln_softness) {
+            (Control::Force, _) => {
+                let whole = self.ln_modulus.clone() + u;
+                ((whole.clone() + share.ln(), one.clone()), (whole, one))
+            }
+            (_, Some(ln_softness)) => {
+                let s = ln_softness.clone() + u;
+                (softplus(&(s.clone() + share.ln())), softplus(&s))
+            }
+            _ => return [g, t],
+        };
+        [(g.0 + p.0, g.1 + p.1), (t.0 + q.0, t.1 + q.1)]
+    }
+
+    /// What has the sign of P − Q − x and no large values, ln P/(Q + x) or ln (P − x)/Q, and its slope.
+    fn imbalance(&self, u: &Interval, value: &Scaled) -> (Interval, Interval) {
+        let [(p, rise), (q, fall)] = self.terms(u);
+        let sign = value.sign();
+        if sign == Some(Ordering::Equal) {
+            return (p - q, rise - fall);
+        }
+        let x = value.ln_magnitude();
+        if sign == Some(Ordering::Greater) {
+            (p - ln_sum(&q, &x), rise - fall * logistic(&(q - x)))
+        } else {
+            (ln_sum(&p, &x) - q, rise * logistic(&(p - x)) - fall)
+        }
+    }
+
+    /// ln a of the one root between two folds, where x − value changes sign, from below zero if it is `rising`.
+    fn root(&self, value: &Scaled, ends: [Option<&Interval>; 2], rising: bool) -> Result<Interval> {
+        let [lower, upper] = self.bracket(value, ends, rising)?;
+        let imbalance = |u: &Interval| self.imbalance(u, value);
+        let mut guess = newton_within(lower, upper, rising, imbalance);
+        let (mut defect, mut slope) = imbalance(&guess);
+        // Close to a fold the digits double from fewer on.
+        for _ in 0..6 {
+            let next = (guess.clone() - defect.steer() / slope.steer()).steer();
+            if defect.contains_zero() || !next.is_finite() {
+                break;
+            }
+            guess = next;
+            (defect, slope) = imbalance(&guess);
+        }
+        let ulps = (guess.abs() + guess.lit(1)) * guess.unit_roundoff().times(4);
+        let step = (defect.abs().times(4) / slope.steer()).abs().steer();
+        let mut radius = if step.is_finite() { (step + &ulps).steer() } else { ulps };
+        let zero = guess.lit(0);
+        for _ in 0..guess.precision().div_ceil(4) {
+            let [from, to] = [guess.clone() - &radius, guess.clone() + &radius].map(|u| u.steer());
+            // The root lies between the folds; what is beyond them need not be looked at.
+            let below = ends[0].filter(|fold| !(from > **fold));
+            let above = ends[1].filter(|fold| !(to < **fold));
+            let lies = |u: &Interval, right: bool| {
+                let excess = imbalance(u).0;
+                if right == rising { excess > zero } else { excess < zero }
+            };
+            if (below.is_some() || lies(&from, false)) && (above.is_some() || lies(&to, true)) {
+                let lower = below.map_or(from.lower(), |fold| fold.lower());
+                let upper = above.map_or(to.upper(), |fold| fold.upper());
+                return Ok(Interval::new(lower.clone(), upper.clone()));
+            }
+            radius = radius.times(8);
+        }
+        Err(self.undecided("where exactly the equilibrium lies"))
+    }
+
+    /// Numbers on both sides of the root: the folds, or what is found from them by ever longer steps.
+    fn bracket(&self, value: &Scaled, ends: [Option<&Interval>; 2], rising: bool) -> Result<[Interval; 2]> {
+        // Where Q is of the size of the value.
+        let start = || {
+            let guess = (value.ln_magnitude() - &self.ln_edge).times(2).steer();
+            if guess.is_finite() { guess } else { guess.lit(0) }
+        };
+        let walk = |from: &Interval, outwards: bool| {
+            let (mut step, zero) = (from.lit(if outwards { 1 } else { -1 }), from.lit(0));
+            for _ in 0..from.precision() + 64 {
+                let next = (from.clone() + &step).steer();
+                let excess = self.imbalance(&next, value).0;
+                if (outwards == rising && excess > zero) || (outwards != rising && excess < zero) {
+                    return Ok(next);
+                }
+                step = step.times(2);
+            }
+            Err(self.undecided("where the equilibrium lies"))
+        };
+        Ok(match ends.map(|end| end.map(Real::steer)) {
+            [Some(lower), Some(upper)] => [lower, upper],
+            [Some(lower), None] => [lower.clone(), walk(&lower, true)?],
+            [None, Some(upper)] => [walk(&upper, false)?, upper],
+            [None, None] => [walk(&start(), false)?, walk(&start(), true)?],
+        })
+    }
+
+    fn undecided(&self, what: &'static str) -> Error {
+        Error::Undecided { quantity: Quantity::ContactRadius, bits: self.exponent.precision(), what }
+    }
+}
+
+/// ln(1 + eˣ), and its slope.
+fn softplus(x: &Interval) -> (Interval, Interval) {
+    (ln_sum(&x.lit(0), x), logistic(x))
+}
+
+/// 1/(1 + e⁻ˣ).
+fn logistic(x: &Interval) -> Interval {
+    x.lit(1) / &((-x.clone()).exp() + x.lit(1))
+}
