@@ -1,7 +1,7 @@
 //! From enclosures and from two precisions to decimals.
 
 use mdr_core::contact::{Error, Quantity, Result, Status};
-use mdr_core::number::certify::{Decimal, Enclosure};
+use mdr_core::number::certify::{Decimal, Enclosure, next_precision};
 use mdr_core::number::{Interval, Precision};
 use rug::Float;
 
@@ -11,8 +11,11 @@ use crate::number::Number;
 /// Bits beyond those of the digits asked for, to begin with.
 const GUARD: u32 = 32;
 
-/// How often the precision is raised before a proved number is called undecided, by half each time.
-const ATTEMPTS: u32 = 12;
+/// The precision at which a proved number that may be zero, or a decision, is left undecided, over that to begin with. A number
+/// that is not zero has its digits at any precision that is [needed](next_precision).
+const MOST: u32 = 80;
+/// The most bits for any number.
+const LIMIT: u32 = 1 << 21;
 
 /// The same for estimated numbers, whose quadratures grow much faster with the precision.
 const ESTIMATES: u32 = 3;
@@ -35,26 +38,36 @@ pub(crate) fn proved(
     digits: u32,
     mut f: impl FnMut(Precision) -> Result<Vec<Record<Enclosure>>>,
 ) -> Result<Vec<Record<Number>>> {
-    let mut precision = start(digits);
+    let begin = start(digits);
+    let mut precision = begin;
     let mut decided: Vec<Option<Decimal>> = Vec::new();
-    for attempt in 1.. {
-        let last = attempt == ATTEMPTS;
-        match f(precision) {
-            Err(Error::Undecided { .. }) if !last => {}
+    loop {
+        let last = precision.bits() >= MOST.saturating_mul(begin.bits());
+        precision = match f(precision) {
+            Err(Error::Undecided { .. }) if !last => next_precision(begin, precision, [None]),
             Err(error) => return Err(error),
             Ok(records) => {
-                let open = round(&records, digits, &mut decided);
-                if !open || last {
+                round(&records, digits, &mut decided);
+                let open: Vec<&Enclosure> = still_open(&records, &decided).collect();
+                let hopeless = last && !open.iter().all(|enclosure| enclosure.is_short_of(begin));
+                if open.is_empty() || hopeless || precision.bits() >= LIMIT {
                     let bits = precision.bits();
                     let why =
                         format!("{bits} bits do not decide the digits: zero, or a decimal tie, as far as they tell");
                     return Ok(written(records, decided, &why));
                 }
+                next_precision(begin, precision, open.into_iter().map(Some))
             }
-        }
-        precision = raised(precision);
+        };
     }
-    Ok(Vec::new())
+}
+
+/// Those that are not decided yet.
+fn still_open<'a>(
+    records: &'a [Record<Enclosure>],
+    decided: &'a [Option<Decimal>],
+) -> impl Iterator<Item = &'a Enclosure> {
+    numbers(records).into_iter().zip(decided).filter(|(_, decimal)| decimal.is_none()).map(|(enclosure, _)| enclosure)
 }
 
 /// Evaluates `f` at two precisions and takes their difference for the error; raises both until all `digits` agree. What
@@ -68,8 +81,10 @@ pub(crate) fn estimated(
 ) -> Result<Vec<Record<Number>>> {
     let mut precision = start(digits);
     let mut coarse = f(precision)?;
+    let mut next = raised(precision);
     for attempt in 1.. {
-        precision = raised(precision);
+        let tried = std::mem::replace(&mut precision, next);
+        next = raised(precision);
         let fine = f(precision)?;
         let Some((records, agree)) = compared(&coarse, fine.clone()) else {
             if attempt == ESTIMATES {
@@ -83,7 +98,9 @@ pub(crate) fn estimated(
             continue;
         };
         let mut decided = Vec::new();
-        let open = round(&records, digits, &mut decided) || !agree || records.iter().any(Record::is_open);
+        round(&records, digits, &mut decided);
+        // What is marked as undecided may have a number in more bits.
+        let open = decided.iter().any(Option::is_none) || !agree || records.iter().any(Record::is_open);
         if !open || attempt == ESTIMATES {
             for (decimal, enclosure) in decided.iter_mut().zip(numbers(&records)) {
                 *decimal = decimal.take().or_else(|| (1..digits).rev().find_map(|fewer| enclosure.round(fewer)));
@@ -91,6 +108,9 @@ pub(crate) fn estimated(
             let why = format!("two precisions do not agree on a digit, the finer of {} bits", precision.bits());
             return Ok(written(records, decided, &why));
         }
+        // The fine one may have all its digits already, but the coarse one did not.
+        let lost = next_precision(start(digits), tried, still_open(&records, &decided).map(Some));
+        next = Precision::new(lost.bits().clamp(next.bits(), MOST * start(digits).bits()));
         coarse = fine;
     }
     Ok(Vec::new())
@@ -121,8 +141,8 @@ fn around(fine: &Float, coarse: &Float) -> Enclosure {
     ))
 }
 
-/// Rounds what is not decided yet; whether something is still open.
-fn round(records: &[Record<Enclosure>], digits: u32, decided: &mut Vec<Option<Decimal>>) -> bool {
+/// Rounds what is not decided yet.
+fn round(records: &[Record<Enclosure>], digits: u32, decided: &mut Vec<Option<Decimal>>) {
     let enclosures = numbers(records);
     // The number of equilibria is no function of the precision; if it were, nothing before would count.
     if decided.len() != enclosures.len() {
@@ -131,7 +151,6 @@ fn round(records: &[Record<Enclosure>], digits: u32, decided: &mut Vec<Option<De
     for (decimal, enclosure) in decided.iter_mut().zip(enclosures) {
         *decimal = decimal.take().or_else(|| enclosure.round(digits));
     }
-    decided.iter().any(Option::is_none)
 }
 
 fn written(records: Vec<Record<Enclosure>>, decided: Vec<Option<Decimal>>, why: &str) -> Vec<Record<Number>> {

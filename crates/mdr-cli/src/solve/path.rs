@@ -107,7 +107,7 @@ pub(crate) fn lost<R: Arithmetic>(event: &Event<R>, branches: &Branches<'_, R>) 
     }
     match Loss::of(event, branches) {
         Ok(Loss::Unbounded) => Ok(Field::Word("unbounded")),
-        Ok(Loss::Finite(lost)) => Ok(Field::Number(lost.value)),
+        Ok(Loss::Finite(lost)) => Ok(beyond_noise(lost.value, &lost.error)),
         Err(error) => unknown(error),
     }
 }
@@ -130,6 +130,7 @@ fn unknown<R>(error: Error) -> Result<Field<R>> {
 /// As [`lost`].
 pub(crate) fn balance<R: Arithmetic>(
     path: &Path<R>,
+    held: &Held,
     branches: &Branches<'_, R>,
     losses: &[Field<R>],
 ) -> Result<Option<Record<R>>> {
@@ -137,7 +138,8 @@ pub(crate) fn balance<R: Arithmetic>(
     let unbounded = losses.iter().any(|lost| matches!(lost, Field::Word(_)));
     let Some(first) = path.events.first().filter(|_| !lost_track && !unbounded) else { return Ok(None) };
     let stored = match stored(path, branches) {
-        Ok(Some(stored)) => Field::Number(stored.value),
+        Ok(Some(stored)) if returns(path, held) => Field::Number(stored.value.lit(0)),
+        Ok(Some(stored)) => beyond_noise(stored.value, &stored.error),
         Ok(None) => return Ok(None),
         Err(error) => unknown(error)?,
     };
@@ -155,6 +157,13 @@ fn plus<R: Arithmetic>(one: &Field<R>, other: &Field<R>) -> Field<R> {
     }
 }
 
+/// Whether the path ends in the state in which it starts, at a way point with the same number.
+fn returns<R: Arithmetic>(path: &Path<R>, held: &Held) -> bool {
+    let ends = [held.path.first(), held.path.last()].map(|point| point.map(Literal::to_rational));
+    let [first, last] = [path.events.first(), path.events.last()].map(|event| event.map(|event| &event.after));
+    path.is_finished() && ends[0] == ends[1] && first == last
+}
+
 /// The work of the control, unless it is nothing but the rounding of what it is the sum of.
 fn work<R: Arithmetic>(lost: &Field<R>, stored: &Field<R>) -> Field<R> {
     /// Unit roundoffs of an energy.
@@ -162,15 +171,20 @@ fn work<R: Arithmetic>(lost: &Field<R>, stored: &Field<R>) -> Field<R> {
     let work = plus(lost, stored);
     let (Field::Number(sum), Field::Number(lost), Field::Number(stored)) = (&work, lost, stored) else { return work };
     let noise = (lost.abs() + stored.abs()) * sum.unit_roundoff().times(ROUNDINGS);
-    if sum.abs() > noise || noise == noise.lit(0) {
-        return work;
+    beyond_noise(sum.clone(), &noise)
+}
+
+/// An energy, unless it is nothing but its error: a zero that is not exact is none, however many precisions agree on it.
+fn beyond_noise<R: Arithmetic>(energy: R, error: &R) -> Field<R> {
+    if energy.abs() > *error || *error == error.lit(0) {
+        return Field::Number(energy);
     }
-    let why = "zero up to the rounding of the energies that it is the sum of";
+    let why = "zero up to the rounding of the energies that it is made of";
     Field::Marked { status: Status::Undecided, log10: None, why: Some(why.to_owned()) }
 }
 
 /// Whether the state is another one after the event.
-fn changes(kind: EventKind) -> bool {
+pub(crate) fn changes(kind: EventKind) -> bool {
     use EventKind::{CompleteContact, Detached, Jump, JumpIn, Touch};
     matches!(kind, Touch | JumpIn | Jump | Detached | CompleteContact)
 }

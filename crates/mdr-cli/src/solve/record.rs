@@ -131,9 +131,13 @@ impl<N> Record<N> {
         Record { status: Some(Status::Undecided), why: Some(error.to_string()), ..self }
     }
 
-    /// Whether it is [open](Record::open).
+    /// Whether it is [open](Record::open), or a number in it is undecided.
     pub(crate) fn is_open(&self) -> bool {
-        self.why.is_some() && self.status == Some(Status::Undecided)
+        let open = |(_, field): &(&str, Field<N>)| match field {
+            Field::Records(records) => records.iter().any(Record::is_open),
+            field => field.status() == Status::Undecided,
+        };
+        self.why.is_some() && self.status == Some(Status::Undecided) || self.fields.iter().any(open)
     }
 
     /// The same with the reason of its status.
@@ -145,6 +149,15 @@ impl<N> Record<N> {
     pub(crate) fn into_records(self, key: &str) -> Vec<Record<N>> {
         let found = self.fields.into_iter().find(|(name, _)| *name == key);
         if let Some((_, Field::Records(records))) = found { records } else { Vec::new() }
+    }
+
+    /// The same without the records under a key.
+    pub(crate) fn emptied(mut self, key: &str) -> Self {
+        self.fields
+            .iter_mut()
+            .filter(|(name, _)| *name == key)
+            .for_each(|(_, field)| *field = Field::Records(Vec::new()));
+        self
     }
 
     pub(crate) fn fields(&self) -> &[(&'static str, Field<N>)] {

@@ -104,7 +104,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
     pub(crate) fn path(&self, held: &Held) -> Result<Vec<Record<R>>> {
         let path = path::follow(self.contact, &self.branches, held)?;
         let losses = path.events.iter().map(|event| path::lost(event, &self.branches)).collect::<Result<Vec<_>>>()?;
-        let balance = path::balance(&path, &self.branches, &losses)?.into_iter().collect();
+        let balance = path::balance(&path, held, &self.branches, &losses)?.into_iter().collect();
         let events = path::records(self.contact.control(), &path, losses);
         Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
     }
