@@ -1,15 +1,18 @@
 //! The answer in f64.
 
+use mdr_analytic::certified::{Answer as Certified, Elasticity as ExactElasticity, Question};
 use mdr_analytic::double;
-use mdr_core::contact::{Control, Instability, Material, Ranged, Regime, Status};
+use mdr_core::contact::{Control, Error, Instability, Material, Quantity, Ranged, Regime, Status};
 use mdr_core::number::Literal;
-use mdr_core::number::certify::Enclosure;
+use mdr_core::number::certify::{Decimal, Enclosure};
+use rug::Rational;
 
 use super::answer::{Answer, Entry, Fold, State, Threshold};
 use super::ask::{SCHEMA, question};
 use super::{Checked, ControlKind};
 use crate::error::{Failure, Result};
 use crate::number::Number;
+use crate::scene::exactly;
 
 /// Digits that fix the nearest double.
 const ENOUGH_DIGITS: u32 = 40;
@@ -29,10 +32,26 @@ pub(super) fn answer(checked: &Checked) -> Result<Answer> {
         _ if n > 0.5 => Regime::PullOff,
         _ => Regime::CompleteContact,
     };
+    // What takes more words than hardware arithmetic has, or exponents beyond theirs, takes digits.
+    let in_digits = || -> Result<Certified> {
+        let literal = |value: f64| {
+            let exact = Rational::from_f64(value).as_ref().and_then(exactly);
+            exact.ok_or_else(|| Error::domain(Quantity::Parameter("an input"), &value, "a number"))
+        };
+        let control = match control {
+            Control::Indentation => Control::Indentation,
+            Control::Force => Control::Force,
+            Control::Machine { stiffness } => Control::Machine { stiffness: literal(stiffness)? },
+        };
+        let elasticity = ExactElasticity::Effective(literal(e_star)?);
+        let work = literal(*material.work_of_adhesion())?;
+        Ok(Question::new(&literal(n)?, &literal(c)?, &elasticity, &work, &control)?.answer(ENOUGH_DIGITS)?)
+    };
     let folds: Option<Vec<_>> = match control {
-        Control::Machine { stiffness } => {
-            Some(double::machine_folds(n, c, &material, stiffness)?.into_iter().map(fold).collect())
-        }
+        Control::Machine { stiffness } => Some(match double::machine_folds(n, c, &material, stiffness) {
+            Err(Error::Undecided { .. }) => in_digits()?.folds.into_iter().map(rounded_fold).collect(),
+            folds => folds?.into_iter().map(fold).collect(),
+        }),
         _ => None,
     };
     let state = match &folds {
@@ -41,10 +60,15 @@ pub(super) fn answer(checked: &Checked) -> Result<Answer> {
             first.map_or_else(State::absent, |fold| fold.state.clone())
         }
         None if regime == Regime::ScaleFree => State::absent(),
-        None => {
-            let critical = double::critical(n, c, &material, &control)?;
-            State::new([critical.contact_radius, critical.indentation, critical.force].map(entry))
-        }
+        None => match double::critical(n, c, &material, &control) {
+            Err(Error::Undecided { .. }) => in_digits()?.critical.map_or_else(State::absent, |critical| {
+                State::new([critical.contact_radius, critical.indentation, critical.force].map(rounded))
+            }),
+            critical => {
+                let critical = critical?;
+                State::new([critical.contact_radius, critical.indentation, critical.force].map(entry))
+            }
+        },
     };
     let threshold = match regime {
         Regime::ScaleFree => {
@@ -104,6 +128,22 @@ fn entry(value: Ranged<f64>) -> Entry {
         Ranged::Overflow { log10 } => Entry::Beyond { status: Status::Overflow, log10 },
         Ranged::Underflow { log10 } => Entry::Beyond { status: Status::Underflow, log10 },
     }
+}
+
+/// The double nearest to a decimal.
+fn rounded(decimal: Decimal) -> Entry {
+    let (value, log10) = (decimal.to_f64(), decimal.log10_f64());
+    entry(match representable(value) {
+        None if decimal.is_zero() => Ranged::Value(0.0),
+        None if log10 > 0.0 => Ranged::Overflow { log10 },
+        None => Ranged::Underflow { log10 },
+        Some(value) => Ranged::Value(value),
+    })
+}
+
+fn rounded_fold(fold: Instability<Decimal>) -> Fold {
+    let state = State::new([fold.contact_radius, fold.indentation, fold.force].map(rounded));
+    Fold { status: state.status(), state, kind: fold.kind }
 }
 
 fn fold(fold: Instability<Ranged<f64>>) -> Fold {
