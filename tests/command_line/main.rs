@@ -12,6 +12,7 @@ mod figures;
 mod help;
 mod judge;
 mod plot;
+mod power_laws;
 mod precision;
 mod readme;
 mod records;

@@ -14,7 +14,7 @@ use crate::number::Number;
 use crate::scene::{Scene, Want};
 
 /// More than fix the nearest double.
-const DIGITS: u32 = 25;
+pub(super) const DIGITS: u32 = 25;
 
 /// Whether an output in f64 has lost numbers to the ends of the range: zeros beside numbers that are none, and what is below
 /// the smallest normal double. A record of zeros is a flat face.
@@ -37,21 +37,29 @@ pub(super) fn lost_numbers(output: &Output) -> bool {
 /// # Errors
 /// As [`Certified::output`].
 pub(super) fn output(scene: &Scene, want: Want, tally: &Arc<Tally>) -> Result<Output> {
-    let Output { complete, records, balance, .. } = Certified::new(scene, DIGITS, tally).output(want)?;
+    Ok(in_doubles(Certified::new(scene, DIGITS, tally).output(want)?))
+}
+
+/// An output in decimals, rounded to doubles.
+pub(super) fn in_doubles(output: Output) -> Output {
     let rounded = |record: Record<Number>| record.map(&mut nearest);
+    let Output { want, complete, records, balance, .. } = output;
     let records = records.into_iter().map(rounded).collect();
-    let balance = balance.map(rounded);
-    Ok(Output { complete, balance, ..Output::new(want, Promise::Double, records) })
+    Output { complete, balance: balance.map(rounded), ..Output::new(want, Promise::Double, records) }
 }
 
 /// The nearest double, or what is known of a number that has none.
 fn nearest(number: Number) -> Field<Number> {
     let Number::Decimal(text) = &number else { return Field::Number(number) };
-    let nearest = text.parse::<Literal>().map_or(f64::NAN, |literal| literal.nearest_f64());
     let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
     let log10 = match (mantissa.parse::<f64>(), exponent.parse::<f64>()) {
         (Ok(mantissa), Ok(exponent)) => mantissa.abs().log10() + exponent,
         _ => f64::NAN,
+    };
+    let nearest = match text.parse::<Literal>() {
+        Ok(literal) => literal.nearest_f64(),
+        Err(_) if log10 > 0.0 => f64::INFINITY,
+        Err(_) => 0.0,
     };
     let normal = nearest.abs() >= f64::MIN_POSITIVE && nearest.is_finite();
     if normal || log10 == f64::NEG_INFINITY {

@@ -13,9 +13,9 @@ use super::contact::{Arithmetic, Contact, Tally};
 use super::digits::{estimated, proved};
 use super::double::{Double, not_proved};
 use super::enclosed::{self, Isolated};
+use super::outputs;
 use super::record::{Field, Record};
 use super::states::{States, polished};
-use super::{outputs, power_law};
 use crate::number::Number;
 use crate::scene::{Scene, Want};
 
@@ -89,9 +89,6 @@ impl<'s> Certified<'s> {
 
     /// All folds: proved where that can be.
     fn folds(&self) -> Result<Output> {
-        if let Some(output) = power_law::folds(self.scene, self.digits)? {
-            return Ok(output);
-        }
         if let Some(isolated) = self.isolated()? {
             return enclosed::folds(self, isolated);
         }

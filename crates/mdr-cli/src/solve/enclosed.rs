@@ -14,7 +14,7 @@ use super::certified::Certified;
 use super::contact::Contact;
 use super::digits::{proved, start};
 use super::record::{Field, Record};
-use super::{outputs, path, power_law, sample};
+use super::{outputs, path, sample};
 use crate::number::Number;
 use crate::scene::{HeldBy, Want};
 
@@ -48,8 +48,6 @@ impl Enclosed {
 pub(super) struct Isolated {
     proved: ProvedFolds,
     complete: Complete,
-    /// The folds of a closed form, which are all there are on all radii.
-    closed: Option<Vec<Record<Number>>>,
 }
 
 impl Isolated {
@@ -58,13 +56,11 @@ impl Isolated {
     /// # Errors
     /// As [`EnclosedCurve::folds`].
     pub(super) fn new(certified: &Certified<'_>) -> Result<Self> {
-        let closed = power_law::roughly(certified.scene);
         let range = match &certified.scene.output.range {
             Some(range) => range.ends.clone(),
             None => {
                 let rough = certified.rough()?;
-                let visited = if closed.is_some() { Vec::new() } else { rough.visited() };
-                sample::range(rough.contact(), rough.folds()?, &visited)?
+                sample::range(rough.contact(), rough.folds()?, &rough.visited())?
             }
         };
         let mut enclosed = Enclosed::new(certified, Precision::new(ISOLATION))?;
@@ -83,24 +79,14 @@ impl Isolated {
             _ if proved.range.1 < *upper.lower() => proved.range.1.to_string_radix_round(10, Some(10), Round::Down),
             _ => to.to_string(),
         };
-        let closed = closed.filter(|folds| proved.is_complete() && folds.len() == proved.folds.len());
-        let complete = if closed.is_some() {
-            power_law::complete()
-        } else {
-            let (from, to) = (Some(from.to_string()), Some(to));
-            Complete { proved: proved.is_complete(), from, to, why: reason(&proved.undecided) }
-        };
-        Ok(Isolated { proved, complete, closed })
+        let (from, to) = (Some(from.to_string()), Some(to));
+        let complete = Complete { proved: proved.is_complete(), from, to, why: reason(&proved.undecided) };
+        Ok(Isolated { proved, complete })
     }
 
     /// Whether the folds are proved to be all in the range.
     pub(super) fn is_complete(&self) -> bool {
         self.complete.proved
-    }
-
-    /// The range that the scene names, where what is proved holds for it alone.
-    fn limits<'s>(&self, certified: &Certified<'s>) -> Option<&'s [Literal; 2]> {
-        certified.scene.output.range.as_ref().filter(|_| self.closed.is_none()).map(|range| &range.ends)
     }
 
     /// What is known about the folds.
@@ -118,6 +104,11 @@ fn reason(undecided: &[(Float, Float)]) -> String {
     let shown: Vec<_> = undecided.iter().take(3).map(gap).collect();
     let more = if undecided.len() > 3 { format!(" and {} more", undecided.len() - 3) } else { String::new() };
     format!("undecided at contact radii {}{more}", shown.join(", "))
+}
+
+/// The range that the scene names.
+fn limits<'s>(certified: &Certified<'s>) -> Option<&'s [Literal; 2]> {
+    certified.scene.output.range.as_ref().map(|range| &range.ends)
 }
 
 /// # Errors
@@ -139,7 +130,7 @@ pub(super) fn folds(certified: &Certified<'_>, isolated: &Isolated) -> Result<Ou
 pub(super) fn equilibria(certified: &Certified<'_>, isolated: &Isolated) -> Result<Option<Output>> {
     let values = &certified.scene.output.values;
     let mut why = "one equilibrium at most between two folds, and the folds are proved to be all".to_owned();
-    if isolated.limits(certified).is_some() {
+    if limits(certified).is_some() {
         why += "; equilibria with other radii are not listed";
     }
     let complete = Complete { why, ..isolated.complete.clone() };
@@ -157,7 +148,7 @@ pub(super) fn equilibria_at(
     isolated: &Isolated,
     values: &[Literal],
 ) -> Result<Option<Vec<Record<Number>>>> {
-    let limits = isolated.limits(certified);
+    let limits = limits(certified);
     let records = proved(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
@@ -207,7 +198,7 @@ pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Opt
         let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
         let path = match path::follow(&enclosed.plain, &branches, &scene.held) {
             // There is none in the range of the proof.
-            Err(Error::NoEquilibrium { .. }) if isolated.closed.is_none() => {
+            Err(Error::NoEquilibrium { .. }) => {
                 return Err(Error::Undecided {
                     quantity: enclosed.plain.control().quantity(),
                     bits: precision.bits(),
@@ -216,17 +207,15 @@ pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Opt
             }
             path => path?,
         };
-        if isolated.closed.is_none() {
-            let asked_for = start(certified.digits).bits();
-            branches.check(&path).map_err(|error| match error {
-                // The rest of the radii is long, and not a matter of bits.
-                Error::Undecided { quantity, bits, .. } if bits >= ENOUGH * asked_for => {
-                    let (from, to) = ("0".to_owned(), "infinity".to_owned());
-                    Error::Unproved { quantity, from, to, remedy: "name a wider range of radii" }
-                }
-                error => error,
-            })?;
-        }
+        let asked_for = start(certified.digits).bits();
+        branches.check(&path).map_err(|error| match error {
+            // The rest of the radii is long, and not a matter of bits.
+            Error::Undecided { quantity, bits, .. } if bits >= ENOUGH * asked_for => {
+                let (from, to) = ("0".to_owned(), "infinity".to_owned());
+                Error::Unproved { quantity, from, to, remedy: "name a wider range of radii" }
+            }
+            error => error,
+        })?;
         let nothing = path.events.iter().map(|_| Field::Absent).collect();
         let records = path::records(enclosed.plain.control(), &path, nothing).into_iter().map(enclose);
         let mut way = scene.held.path.iter();
@@ -235,10 +224,7 @@ pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Opt
                 Some(literal) => held(record, &scene.held.by, literal),
                 None => record,
             },
-            _ => match event.fold.and_then(|fold| isolated.closed.as_ref()?.get(fold)) {
-                Some(fold) => power_law::with_zeros(record, fold),
-                None => record,
-            },
+            _ => record,
         };
         Ok(records.zip(&path.events).map(exact).collect())
     });

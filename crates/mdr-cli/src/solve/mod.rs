@@ -8,6 +8,7 @@ mod digits;
 mod double;
 mod enclosed;
 mod explain;
+mod law_path;
 mod library;
 mod outputs;
 mod path;
@@ -36,6 +37,7 @@ use self::certified::Certified;
 use self::contact::{Contact, Tally};
 use self::double::Double;
 use self::explain::Cost;
+use self::power_law::PowerLaw;
 use crate::error::{Failure, Result};
 use crate::flags::{Arithmetic, ArithmeticFlags};
 use crate::output::{Format, Output};
@@ -198,13 +200,21 @@ impl<'s> Solver<'s> {
     }
 
     fn output(&self, scene: &Scene, want: Want, tally: &Arc<Tally>) -> std::result::Result<Solved, Error> {
-        match self {
+        let law = if want.is_of_profile() { None } else { PowerLaw::of(scene)? };
+        if let Some(output) = law.as_ref().map_or(Ok(None), |law| law.output(want))? {
+            return Ok(output);
+        }
+        let output = match self {
             Solver::Double(double) => match double.output(want) {
                 Err(Error::OutOfRange { .. }) => beyond::output(scene, want, tally),
                 Ok(output) if beyond::lost_numbers(&output) => beyond::output(scene, want, tally),
                 output => output,
             },
             Solver::Certified(certified) => certified.output(want),
+        }?;
+        match law {
+            Some(law) if matches!(want, Want::Pressure | Want::Gap | Want::Displacement) => law.checked(output),
+            _ => Ok(output),
         }
     }
 

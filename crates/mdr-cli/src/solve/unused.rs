@@ -37,7 +37,7 @@ fn no_range(scene: &Scene) -> Option<&'static str> {
         Some("neither folds nor equilibria nor a path are wanted")
     } else if scene.output.arithmetic == Arithmetic::Double {
         Some("nothing is proved in f64")
-    } else if !moves && power_law::power_law(&scene.profile).is_some() {
+    } else if power_law::is_power_law(&scene.profile) {
         Some("the folds of a power law are a closed form, on all radii")
     } else {
         let searched = !scene.profile.is_closed() && scene.profile.rows().is_none();
