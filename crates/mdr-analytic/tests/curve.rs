@@ -1,5 +1,7 @@
 //! The curve of equilibria in logarithms against the closed forms in their own variables.
 
+#![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
+
 use mdr_analytic::certified::{Curve, Elasticity, Question};
 use mdr_analytic::{Contact, PowerLaw};
 use mdr_core::contact::{Control, Material, Result};
