@@ -1,6 +1,6 @@
 //! Positive numbers with a count of their rounding errors.
 
-use rug::float::{Constant, Round};
+use rug::float::{Constant, Round, Special, exp_min};
 use rug::ops::Pow;
 use rug::{Float, Rational};
 
@@ -12,7 +12,9 @@ use super::{Interval, Precision, Real, Wide};
 /// one more is that of the rounding. An enclosure of a monomial so costs half of what two directed ends do, and a large
 /// integer power times the error, as it must.
 ///
-/// Beyond the range of the exponents a value is 0 or ∞, and its [enclosure](Self::enclosure) the entire line.
+/// Where the roundings cannot be counted, and at the ends of the range of exponents, where a rounding is no relative error,
+/// the number is [unknown](Self::unknown): NaN, which no operation forgets, and whose [enclosure](Self::enclosure) is the entire
+/// line.
 ///
 /// ```
 /// use mdr_core::number::{Counted, Precision};
@@ -35,6 +37,19 @@ impl Counted {
         Counted { value, roundings }
     }
 
+    /// A number of which nothing is known.
+    pub fn unknown(precision: Precision) -> Self {
+        Counted { value: Float::with_val(precision.bits(), Special::Nan), roundings: 0 }
+    }
+
+    /// What an operation leaves behind.
+    fn known(value: Float, roundings: Option<u64>) -> Self {
+        match roundings {
+            Some(roundings) if is_relative(&value) => Counted { value, roundings },
+            _ => Self::unknown(Precision::new(value.prec())),
+        }
+    }
+
     /// π.
     pub fn pi(precision: Precision) -> Self {
         Counted { value: Float::with_val(precision.bits(), Constant::Pi), roundings: 1 }
@@ -51,44 +66,38 @@ impl Counted {
     }
 
     /// The number times a positive rational.
-    pub fn scaled(mut self, factor: &Rational) -> Self {
+    pub fn scaled(self, factor: &Rational) -> Self {
+        let Counted { mut value, roundings } = self;
+        let mut added = 0;
         if *factor.numer() != 1 {
-            self.value *= factor.numer();
-            self.roundings += 1;
+            value *= factor.numer();
+            added += 1;
         }
         if *factor.denom() != 1 {
-            self.value /= factor.denom();
-            self.roundings += 1;
+            value /= factor.denom();
+            added += 1;
         }
-        self
+        Self::known(value, roundings.checked_add(added))
     }
 
     /// The product.
-    pub fn times(mut self, other: &Self) -> Self {
-        self.value *= &other.value;
-        self.roundings = self.roundings.saturating_add(other.roundings).saturating_add(1);
-        self
+    pub fn times(self, other: &Self) -> Self {
+        Self::known(self.value * &other.value, self.roundings.checked_add(other.roundings).and_then(one_more))
     }
 
     /// The quotient.
-    pub fn over(mut self, other: &Self) -> Self {
-        self.value /= &other.value;
-        self.roundings = self.roundings.saturating_add(other.roundings).saturating_add(1);
-        self
+    pub fn over(self, other: &Self) -> Self {
+        Self::known(self.value / &other.value, self.roundings.checked_add(other.roundings).and_then(one_more))
     }
 
     /// The square root.
-    pub fn sqrt(mut self) -> Self {
-        self.value.sqrt_mut();
-        self.roundings = self.roundings.div_ceil(2) + 1;
-        self
+    pub fn sqrt(self) -> Self {
+        Self::known(self.value.sqrt(), Some(self.roundings.div_ceil(2) + 1))
     }
 
     /// The sum.
-    pub fn plus(mut self, other: &Self) -> Self {
-        self.value += &other.value;
-        self.roundings = self.roundings.max(other.roundings).saturating_add(1);
-        self
+    pub fn plus(self, other: &Self) -> Self {
+        Self::known(self.value + &other.value, one_more(self.roundings.max(other.roundings)))
     }
 
     /// The arithmetic-geometric mean.
@@ -98,13 +107,12 @@ impl Counted {
     /// takes the place of the last two steps.
     pub fn agm(self, other: &Self) -> Self {
         // Squared in each step, the ratio of any two floats is soon below 2, and then the difference squared.
-        const STEPS: u32 = 128;
+        const STEPS: u64 = 128;
         let bits = self.value.prec();
-        let Counted { value: mut a, mut roundings } = self;
-        let mut b = Float::with_val(bits, &other.value);
-        roundings = roundings.max(other.roundings.saturating_add(1));
-        for _ in 0..STEPS {
-            if !a.is_normal() || !b.is_normal() {
+        let given = one_more(other.roundings).map(|roundings| roundings.max(self.roundings));
+        let (mut a, mut b) = (self.value, Float::with_val(bits, &other.value));
+        for step in 0..STEPS {
+            if !is_relative(&a) || !is_relative(&b) {
                 break;
             }
             let (sum, difference) = (Float::with_val(bits, &a + &b), Float::with_val(bits, &a - &b));
@@ -115,22 +123,24 @@ impl Counted {
             if 4 * (apart + 1) <= -i64::from(bits) {
                 let short = bits / 2 + 16;
                 let correction = Float::with_val(short, difference.square_ref()) / Float::with_val(short, &mean);
-                // One for the sum, one for the difference, one for θe⁴ and what the correction is wrong by.
-                return Counted { value: mean - (correction >> 4u32), roundings: roundings.saturating_add(3) };
+                // In each step before, for b half the count of a product and one for the root. One for the sum, one for the
+                // difference, one for θe⁴ and what the correction is wrong by.
+                return Self::known(
+                    mean - (correction >> 4u32),
+                    given.and_then(|given| given.checked_add(2 * step + 3)),
+                );
             }
             b *= &a;
             b.sqrt_mut();
             a = mean;
-            // b: half the count of a product, and one for the root.
-            roundings = roundings.saturating_add(2);
         }
-        Counted { value: a, roundings: u64::MAX }
+        Self::unknown(Precision::new(bits))
     }
 
     /// The number to the power p/q. For other roots than the second and fourth nothing is known if p or q is above 1000.
     pub fn power(self, p: i32, q: u32) -> Self {
         match q {
-            0 => Counted { value: Float::with_val(self.value.prec(), 0), roundings: u64::MAX },
+            0 => Self::unknown(Precision::new(self.value.prec())),
             1 => self.integer_power(p),
             2 => self.integer_power(p).sqrt(),
             4 => self.integer_power(p).sqrt().sqrt(),
@@ -139,12 +149,12 @@ impl Counted {
         }
     }
 
-    fn integer_power(mut self, p: i32) -> Self {
-        if p != 1 {
-            self.value = self.value.pow(p);
-            self.roundings = self.roundings.saturating_mul(p.unsigned_abs().into()).saturating_add(1);
+    fn integer_power(self, p: i32) -> Self {
+        if p == 1 {
+            return self;
         }
-        self
+        let roundings = self.roundings.checked_mul(p.unsigned_abs().into()).and_then(one_more);
+        Self::known(self.value.pow(p), roundings)
     }
 
     /// x^(−p/q) by an iteration of third order for y = x^(−1/q), and y^p with the last correction.
@@ -155,8 +165,9 @@ impl Counted {
     fn inverse_power(self, p: u32, q: u32) -> Self {
         const LARGEST: u32 = 1000;
         let precision = self.value.prec();
-        if !self.value.is_normal() || p.max(q) > LARGEST {
-            return Counted { roundings: u64::MAX, ..self };
+        let unknown = Self::unknown(Precision::new(precision));
+        if !is_relative(&self.value) || p.max(q) > LARGEST {
+            return unknown;
         }
         let residual = |y: &Float, bits| 1u32 - Float::with_val(bits, &short_power(y, q, bits) * &self.value);
         let mut y = first_inverse_root(&self.value, q);
@@ -169,20 +180,20 @@ impl Counted {
             if 3 * (small + magnification(p, q)) < -i64::from(precision).max(2) {
                 // ρ is wrong by up to 3u, for the power, its product with x, and the difference; u each for y^p, what is left
                 // out, the shorter operands, and the last two operations.
-                let magnified = self.roundings.saturating_add(3).saturating_mul(p.into()).div_ceil(q.into());
+                let magnified = self.roundings.checked_add(3).and_then(|count| count.checked_mul(p.into()));
                 let value = correction(&rest, p, q, precision) * &short_power(&y, p, precision);
-                return Counted { value, roundings: magnified.saturating_add(5) };
+                return Self::known(value, magnified.and_then(|count| count.div_ceil(q.into()).checked_add(5)));
             }
             y = correction(&rest, 1, q, precision) * &y;
         }
-        Counted { roundings: u64::MAX, ..self }
+        unknown
     }
 
     /// An interval that contains the number, rounded to a precision; the entire line where nothing is known.
     pub fn enclosure(&self, precision: Precision) -> Interval {
         let bits = self.value.prec();
         // For ku ≤ 1/2 both (1+u)^k − 1 and 1 − (1+u)^−k are at most 2ku.
-        if !self.value.is_normal() || u64::BITS - self.roundings.leading_zeros() >= bits.min(u64::BITS - 1) {
+        if !is_relative(&self.value) || u64::BITS - self.roundings.leading_zeros() >= bits.min(u64::BITS - 1) {
             return Interval::entire(precision);
         }
         let (radius, _) = Float::with_val_round(53, &self.value * (2 * self.roundings), Round::Up);
@@ -191,6 +202,17 @@ impl Counted {
         let (upper, _) = Float::with_val_round(precision.bits(), &self.value + &radius, Round::Up);
         Interval::new(lower, upper)
     }
+}
+
+fn one_more(roundings: u64) -> Option<u64> {
+    roundings.checked_add(1)
+}
+
+/// Whether a value is a number so far above the least exponent that roundings are relative, also of what is u² of it.
+fn is_relative(value: &Float) -> bool {
+    value
+        .get_exp()
+        .is_some_and(|exponent| i64::from(exponent) > i64::from(exp_min()) + 2 * i64::from(value.prec()) + 64)
 }
 
 /// 1 + sρ + s(1+s)ρ²/2 with s = p/q, for |ρ| below 2^(−bits/3), and without the square where it does not count.
@@ -331,6 +353,32 @@ mod tests {
         let one = || Counted::new(Float::with_val(60, 1), 1);
         for (p, q) in [(1, u32::MAX), (i32::MIN, 3), (-1, 1001), (1001, 3)] {
             assert!(one().power(p, q).enclosure(Precision::new(50)).is_entire());
+        }
+    }
+
+    /// Whatever follows: roots halve a count, a factor adds one to it, and a product brings a value back into range.
+    #[test]
+    fn what_is_unknown_stays_unknown() {
+        let precision = Precision::new(100);
+        let number = |value: Float, roundings| Counted::new(value, roundings);
+        let three = || Float::with_val(100, 3);
+        let least = Float::with_val(100, 1) << exp_min();
+        let unknown = [
+            number(three(), 1).power(1001, 3),
+            number(three(), u64::MAX).times(&number(three(), 1)),
+            number(three(), u64::MAX).power(2, 1),
+            // 0.7 times the least number is rounded to it.
+            number(least.clone(), 0).scaled(&(7, 10).into()),
+            number(least, 0).over(&number(Float::with_val(100, 1.4), 0)),
+        ];
+        for (case, unknown) in unknown.into_iter().enumerate() {
+            let root = unknown.clone().sqrt().sqrt().sqrt().sqrt();
+            let raised = unknown.clone().times(&number(Float::with_val(100, 1) << 1000, 0));
+            let scaled = unknown.clone().scaled(&(3, 7).into()).power(1, 3);
+            let beside = number(three(), 1).plus(&unknown).agm(&number(three(), 1)).power(-2, 1);
+            for after in [unknown, root, raised, scaled, beside] {
+                assert!(after.enclosure(precision).is_entire(), "case {case}: {after:?}");
+            }
         }
     }
 }
