@@ -40,7 +40,7 @@ impl Series {
     /// None where two factors do not fit in a word.
     pub(super) fn new(n: &Rational, bits: u32) -> Option<Self> {
         let (p, q) = (n.numer().to_i64()?, n.denom().to_i64()?);
-        let settled = u32::try_from(p / (2 * q)).ok()?;
+        let settled = u32::try_from(p / q.checked_mul(2)?).ok()?;
         let terms = settled.checked_add(bits.div_ceil(3))?;
         let largest = q.checked_mul(6 * i64::from(terms + 2))?.checked_add(p.checked_mul(3)?)?;
         let longest = i64::BITS - largest.leading_zeros();

@@ -17,12 +17,15 @@ pub(super) struct Rising {
 impl Rising {
     /// For n ≥ 0; none where there are no factors.
     pub(super) fn new(n: &Float, count: u32, places: u32) -> Option<Self> {
+        if count == 0 {
+            return None;
+        }
         let largest = u32::BITS - (2 * count + 2).leading_zeros();
         // A long product costs as much as a number of short ones that grows as the root of the length. Coefficients stay
         // below 2¹²⁷, being at most 2^d times the last.
         let degree = (places / 50).isqrt().max(4).min(126 / (largest + 1)).min(count);
         let shifted = Float::with_val(n.prec(), n << places);
-        let (first, _) = shifted.to_integer_round(rug::float::Round::Down).filter(|_| count > 0)?;
+        let (first, _) = shifted.to_integer_round(rug::float::Round::Down)?;
         let mut powers = Vec::with_capacity(degree as usize);
         powers.push(first);
         for i in 1..degree as usize {

@@ -17,7 +17,8 @@ pub(super) fn terms(n: f64, bits: u32) -> u32 {
     let mut remaining = f64::from(bits) + 1.0;
     let mut product = 1.0;
     let mut m = 0;
-    while remaining > 0.0 || f64::from(m) < x - 1.0 {
+    // One more than M ≥ x − 1 asks for: x is rounded.
+    while remaining > 0.0 || f64::from(m) < x {
         let j = f64::from(m);
         // |1−x+m| may be arbitrarily small; that luck is not counted on.
         let above = (2.0 * x + j) * (1.0 - x + j).abs().max(1.0);

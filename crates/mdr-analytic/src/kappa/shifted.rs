@@ -23,6 +23,10 @@ const SHIFT: f64 = 0.29;
 /// No less than this, so that the bounds above hold.
 const LEAST: f64 = 8.0;
 
+/// The bounds on the steps fall as n grows: for a larger n they are those of this one, which cost a few bits and steps more.
+/// Below it z² < 10³⁰³ and θ > 10⁻³⁰³, so that no double overflows, underflows or is NaN.
+const LARGEST: f64 = 1e75;
+
 /// κ_n for n ≥ 0, computed with the given number of bits.
 pub(super) fn kappa(n: &Float, bits: u32) -> Counted {
     let approximate = n.to_f64();
@@ -50,7 +54,7 @@ struct Fraction {
 impl Fraction {
     fn new(n: f64, bits: u32) -> Self {
         let odd_square = |k: f64| (2.0 * k + 1.0) * (2.0 * k + 1.0);
-        let z = (4.0 * n + 2.0).powi(2);
+        let z = (4.0 * n.min(LARGEST) + 2.0).powi(2);
         let mut fraction = Fraction { gained: Vec::with_capacity(32), proved: true };
         let mut total = z.log2() - 1.2;
         let mut k = 1.0;
@@ -88,7 +92,7 @@ impl Fraction {
         }
         let ratio = Float::with_val(bits, &x + &y) / Float::with_val(bits, &x - &y);
         if !self.proved {
-            return Counted::new(ratio, u64::MAX);
+            return Counted::unknown(Precision::new(bits));
         }
         // For θ ≤ 1/16 the five roundings of a step, those of z and of the sum among them, make 5 units of its precision.
         // One unit for the end of the fraction, three for the last line, one for the quotient below.

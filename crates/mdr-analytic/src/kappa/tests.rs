@@ -56,8 +56,8 @@ fn derivative_agrees_with_a_difference() {
 
 #[cfg(feature = "mp")]
 mod mp {
-    use mdr_core::number::{Dual, Interval, Precision};
-    use rug::Float;
+    use mdr_core::number::{Dual, Interval, Literal, Precision};
+    use rug::{Float, Integer, Rational};
 
     use super::*;
 
@@ -72,6 +72,46 @@ mod mp {
             numerator.gamma() / denominator.gamma()
         };
         ratio * wide.pi().sqrt()
+    }
+
+    /// Fractions whose numbers end where words do are left to the expansions for any n.
+    #[test]
+    fn no_fraction_is_too_long() {
+        for bits in [31_u32, 32, 57, 61, 62, 63, 64] {
+            for (above, below) in [(-1, -1), (1, -1), (-3, 1), (1, 1)] {
+                let end = Integer::from(1) << bits;
+                for n in [(end.clone() + above, end.clone() * 3 + below), (Integer::from(1), end + below)] {
+                    let n = Rational::from(n);
+                    let [one, two] = [1700, 3400].map(|bits| kappa_enclosure(Precision::new(bits), &n));
+                    assert!(one.overlaps(&two) && one.accuracy_bits() > 1690, "{n}: {one} {two}");
+                }
+            }
+        }
+    }
+
+    /// Where doubles overflow, underflow, or come close to it, an enclosure at p bits contains what one at 2p bits does, is as
+    /// tight as everywhere, and κ_n κ_{n+1} = π(n+1)/2.
+    #[test]
+    fn no_exponent_is_out_of_range() {
+        let powers = (-300..=300).step_by(25).chain([76, 77, 80, 154, 308, 309, -330, 1000, -1000, 20_000]);
+        for power in powers {
+            let power_of_ten: Rational = format!("1e{power}").parse::<Literal>().unwrap().to_rational();
+            for n in [power_of_ten.clone() * 3u32 / 7u32, power_of_ten] {
+                for bits in [70, 1000, 1600, 3400, 10_000] {
+                    let [one, two] = [bits, 2 * bits].map(|bits| kappa_enclosure(Precision::new(bits), &n));
+                    assert!(one.overlaps(&two), "10^{power}, {bits} bits: {one} {two}");
+                    assert!(one.accuracy_bits() >= i64::from(bits) - 3, "10^{power}, {bits} bits: {one}");
+                    let next = Rational::from(&n + 1u32);
+                    let product = kappa_enclosure(Precision::new(bits), &next) * &one;
+                    let expected = Interval::from_rational(Precision::new(bits), &next) * product.pi().over(2);
+                    assert!(product.overlaps(&expected), "10^{power}, {bits} bits: {product} {expected}");
+                    // n itself is rounded, by which κ_n changes half as much.
+                    let float = Float::kappa(&Float::with_val(bits, &n));
+                    let error = Float::with_val(bits, float - two.mid()).abs();
+                    assert!(error <= two.mid() >> (bits - 1), "10^{power}, {bits} bits: {error}");
+                }
+            }
+        }
     }
 
     fn relative_difference(value: &Float, reference: &Float) -> f64 {
