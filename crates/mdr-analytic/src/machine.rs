@@ -269,8 +269,15 @@ impl<R: Real> Balance<R> {
         // What φ is uncertain by at a guess where its terms cancel, no residual tells: the neighbourhood grows as long as
         // it is known to a quarter of the digits.
         for _ in 0..guess.precision().div_ceil(4) {
-            let image = self.newton(&guess, &guess.clone().inflate_with_slope(&radius));
+            let neighbourhood = guess.clone().inflate_with_slope(&radius);
+            let slope = self.derivative(&neighbourhood);
+            let image = guess.clone() - self.value(&guess) / &slope;
             if (image.clone() - &guess).abs() <= radius {
+                // Where an enclosure proves a root, the slope tells that it is that of this piece, and not of the next.
+                let encloses = neighbourhood != guess;
+                if encloses && (slope > slope.lit(0)) != (piece.kind == FoldKind::Minimum) {
+                    break;
+                }
                 return Ok(self.newton(&image, &image));
             }
             radius = radius.times(8);

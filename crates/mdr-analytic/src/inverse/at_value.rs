@@ -6,7 +6,7 @@
 use std::cell::LazyCell;
 use std::ops::Deref;
 
-use mdr_core::contact::{Material, Quantity, Regime, Result};
+use mdr_core::contact::{Material, Quantity, Regime, Result, Stability};
 use mdr_core::number::Real;
 
 use super::family::{Family, Place};
@@ -29,8 +29,9 @@ impl<R: Real> Contact<R> {
             let v = family.first_of_far(&ln_z, family.first(&place.distance, seed, branch));
             let ln_radius = ln_state.contact_radius.steer() + family.ln_growth(held, v).steer();
             let first = representable(Quantity::ContactRadius, ln_radius.exp(), || ln_radius.clone())?.steer();
-            let radius = self.refined_radius(held, value, first)?;
-            self.held_state(held, value, radius, branch.stability(regime))
+            let stability = branch.stability(regime);
+            let radius = self.refined_radius(held, value, first, stability)?;
+            self.held_state(held, value, radius, stability)
         };
         Equilibria::at(&place, || (*fold).clone(), state)
     }
@@ -60,39 +61,44 @@ impl<R: Real> Contact<R> {
         (Place { distance, value: signed }, Seed { mu: family.mu(), tau, z, ln_z })
     }
 
-    /// The radius near `first` that is in equilibrium at x.
-    fn refined_radius(&self, held: Held, value: &R, first: R) -> Result<R> {
+    /// The radius near `first` that is in equilibrium at x. Where an enclosure proves one, it proves with the slope there on
+    /// which side of the fold: `first` is but a double.
+    fn refined_radius(&self, held: Held, value: &R, first: R, stability: Stability) -> Result<R> {
         let guess = self.steered()?.approximate_radius(held, &value.steer(), first)?;
-        let step = self.newton(held, value, &guess, &guess)? - &guess;
+        let step = self.newton(held, value, &guess, &guess)?.0 - &guess;
         let mut radius = step.abs().steer().times(4) + tolerance(&guess).times(4);
         // What the terms are uncertain by where they cancel, no step tells: the neighbourhood grows as long as it is
         // known to a quarter of the digits.
         for _ in 0..guess.precision().div_ceil(4) {
             let neighbourhood = guess.clone().inflate_with_slope(&radius);
-            let Ok(image) = self.newton(held, value, &guess, &neighbourhood) else { break };
+            let Ok((image, slope)) = self.newton(held, value, &guess, &neighbourhood) else { break };
             if (image.clone() - &guess).abs() <= radius {
+                let encloses = neighbourhood != guess;
+                if encloses && (slope > slope.lit(0)) != (stability == Stability::Stable) {
+                    break;
+                }
                 // Once more, for the derivatives of a dual number.
-                return self.newton(held, value, &image, &image);
+                return Ok(self.newton(held, value, &image, &image)?.0);
             }
             radius = radius.times(8);
         }
         Err(undecided(&guess, "where exactly the equilibrium lies"))
     }
 
-    /// a − (x(a) − x)/x'(neighbourhood).
-    fn newton(&self, held: Held, value: &R, a: &R, neighbourhood: &R) -> Result<R> {
+    /// a − (x(a) − x)/x'(neighbourhood), and that slope.
+    fn newton(&self, held: Held, value: &R, a: &R, neighbourhood: &R) -> Result<(R, R)> {
         let (residual, slope) = match held {
             Held::Indentation => (self.indentation(a)? - value, self.indentation_slope(neighbourhood)?),
             Held::Force => (self.force(a)? - value, self.force_slope(neighbourhood)?),
         };
-        Ok(a.clone() - residual / &slope)
+        Ok((a.clone() - residual / &slope, slope))
     }
 
     /// Newton's method from a first approximation until its steps no longer shrink.
     fn approximate_radius(&self, held: Held, value: &R, first: R) -> Result<R> {
         let (mut a, mut last) = (first.clone(), first);
         for _ in 0..64 + a.precision() {
-            let next = self.newton(held, value, &a, &a)?.steer();
+            let next = self.newton(held, value, &a, &a)?.0.steer();
             let step = (next.clone() - &a).abs().steer();
             if !(step < last) {
                 break;

@@ -62,7 +62,11 @@ impl<R: Real> Fold<R> {
     #[inline(always)]
     fn root(&self, place: &Place<R>, branch: Branch) -> Result<R> {
         let first = self.family.first(&place.distance, self.family.seed(place), branch);
-        self.family.root(place, first)
+        let root = self.family.root(place, first)?;
+        // It began as a double: which of the two it has led to is told by the sign.
+        let zero = root.lit(0);
+        let other_branch = if branch == Branch::Larger { root < zero } else { root > zero };
+        if other_branch { Err(undecided(&root, "on which side of the fold the equilibrium lies")) } else { Ok(root) }
     }
 
     /// The states at the roots v.

@@ -48,7 +48,9 @@ impl<R: Special> Sum<R> {
         let log10 = sum.abs().ln().approx() / std::f64::consts::LN_10;
         let ahead = f64::from(x.precision()) * std::f64::consts::LOG10_2;
         if sum.is_finite() && log10 > most + ahead {
-            return Ok(sum);
+            // What is left out, an enclosure has to account for.
+            let rest = (sum.clone() * x.unit_roundoff()).times(self.terms.len() as i64);
+            return Ok(sum.inflate(&rest));
         }
         (most, next) = (most.max(log10), next.max(most.min(log10)));
         let log10 = if most > next + AHEAD { most } else { f64::INFINITY.copysign(most) };
