@@ -106,10 +106,15 @@ impl<R: Real> Arc<R> {
 /// With Iₖ = ιₖ zᵏ sin η, integration by parts gives (2k−1) ιₖ₋₁ = 1 + k z ιₖ: upward unstable, downward a Horner scheme of
 /// positive terms that forgets its start by z/2 a step. Started at ι_K = 1/(2K+1), the relative error is below (z/2)^(K−3).
 /// There ι_K lies between 1/(2K+1) and 1/(2K+1)/(1 − z/2), and its derivative between 0 and 1/(2K+1): an enclosure starts
-/// with that, and so does its slope.
+/// with that, and so does its slope, whatever K is. A wide one may reach far beyond the z that there are, and its middle too:
+/// then no step would sharpen it.
 fn versine_integrals<R: Real>(z: &R, sin: &R) -> [R; 5] {
-    let bits_a_step = 1.0 - z.approx().max(f64::MIN_POSITIVE).log2();
-    let steps = (f64::from(z.precision()) / bits_a_step).ceil() as i64;
+    let middle = z.approx();
+    let steps = if middle < 0.5 {
+        (f64::from(z.precision()) / (1.0 - middle.max(f64::MIN_POSITIVE).log2())).ceil() as i64
+    } else {
+        0
+    };
     let start = z.lit(1).over(2 * steps + 11);
     let mut iota = start.clone().inflate_with_slope(&(start * z));
     let mut next = |k: i64| {
@@ -127,4 +132,30 @@ fn versine_integrals<R: Real>(z: &R, sin: &R) -> [R; 5] {
         power *= z;
         integral
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use mdr_core::number::{Interval, Precision};
+    use rug::Float;
+
+    use super::*;
+
+    /// Enclosures of z as wide as those over a cell of radii: what steers the recurrence is no z that there is.
+    #[test]
+    fn a_wide_enclosure_holds_what_every_z_gives() {
+        let precision = Precision::new(200);
+        let number = |value: f64| Float::with_val(precision.bits(), value);
+        let one = Interval::from_int(precision, 1);
+        for middle in [0.15, 0.5, 1.9, 1.999_999, 2.0, 2.000_001, 2.1, 40.0, 1e300] {
+            let wide = versine_integrals(&Interval::new(number(0.01), number(2.0 * middle - 0.01)), &one);
+            for z in [0.01, 0.1, 0.28] {
+                let narrow = versine_integrals(&Interval::point(number(z)), &one);
+                for (power, (wide, narrow)) in wide.iter().zip(&narrow).enumerate() {
+                    let holds = wide.lower() <= narrow.lower() && narrow.upper() <= wide.upper();
+                    assert!(holds, "I{power}({z}) around {middle}: {wide} {narrow}");
+                }
+            }
+        }
+    }
 }
