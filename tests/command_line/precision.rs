@@ -55,6 +55,35 @@ fn fewer_digits_are_the_rounding_of_more() {
     agree("--n 0.7 --c 5 --e-star 3 --work 2 --control machine --stiffness 1", &[1, 2, 15, 50, 200, 1000]);
 }
 
+/// The last digits of many where n overflows the squares and fourth powers of doubles, by Arb with ln Γ at 12 000 bits.
+#[test]
+fn large_exponents_agree_with_arb() {
+    let last = [
+        ("1e80", 480, ["09451551144", "78846361802", "25915851237", "09323538289"]),
+        ("1e154", 340, ["11528549494", "", "", ""]),
+        ("1e300", 1000, ["02872445427", "93366988692", "53569665924", "24656289551"]),
+        ("3e76", 400, ["02486769489", "69547328204", "36538367775", "71221596825"]),
+    ];
+    for (n, digits, expected) in last {
+        let answer = critical(&format!("--n {n} --c 3 --e-star 1 --work 1 --digits {digits}"));
+        for (key, expected) in QUANTITIES.into_iter().zip(expected) {
+            let shown = text(&answer, key);
+            let mantissa = shown.split('e').next().unwrap();
+            assert!(mantissa.ends_with(expected), "{key}, n = {n}: {shown}");
+        }
+    }
+}
+
+/// 2698 to three digits is 2.70e+3 and not 2700: over ten decades no zero stands for a digit that is not proved.
+#[test]
+fn no_digit_is_shown_beyond_those_asked_for() {
+    for decade in -2..8 {
+        agree(&format!("--n 2 --c 3.7 --e-star 2.3 --work 1.1e{decade} --control force"), &[1, 2, 3, 4, 5, 9, 30]);
+    }
+    let answer = critical("--n 2 --c 0.5 --e-star 1 --work 572.6 --control force --digits 3");
+    assert_eq!(text(&answer, "force"), "-2.70e+3");
+}
+
 #[test]
 fn ten_thousand_digits() {
     agree("--n 1/3 --c 0.7 --e-star 3e8 --work 0.02", &[1, 2, 15, 50, 1000, 10_000]);

@@ -6,14 +6,15 @@ use rug::Integer;
 
 /// ± d.ddd… · 10^exponent with a fixed number of significant digits, the first not zero; or exactly zero (the default).
 ///
-/// Displays without an exponent where the decimal exponent lies between −6 and the number of digits, else as
-/// `d.ddde±x`; zero as `0`.
+/// Displays without an exponent where the decimal exponent lies between −6 and the number of digits less one, else as
+/// `d.ddde±x`, so that every digit shown is one of them; zero as `0`.
 ///
 /// ```
 /// use mdr_core::number::certify::Enclosure;
 /// let show = |n: i64, d: i64| Enclosure::Exact((n, d).into()).round(3).map(|decimal| decimal.to_string());
 /// assert_eq!(show(-2, 3).as_deref(), Some("-0.667"));
 /// assert_eq!(show(1, 1_000_000_000).as_deref(), Some("1.00e-9"));
+/// assert_eq!(show(2698, 1).as_deref(), Some("2.70e+3"));
 /// assert_eq!(show(0, 1).as_deref(), Some("0"));
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
@@ -76,19 +77,15 @@ impl fmt::Display for Decimal {
             f.write_str("-")?;
         }
         let digits = &self.digits;
-        let count = digits.len();
         match self.exponent.to_i64() {
             Some(exponent @ -6..0) => {
                 let zeros = exponent.unsigned_abs() as usize - 1;
                 write!(f, "0.{}{digits}", "0".repeat(zeros))
             }
-            Some(exponent) if (0..=count as i64).contains(&exponent) => {
-                let whole = exponent as usize + 1;
-                match digits.split_at_checked(whole) {
-                    Some((whole, "")) => f.write_str(whole),
-                    Some((whole, fraction)) => write!(f, "{whole}.{fraction}"),
-                    None => write!(f, "{digits}{}", "0".repeat(whole - count)),
-                }
+            Some(exponent) if (0..digits.len() as i64).contains(&exponent) => {
+                let (whole, fraction) = digits.split_at(exponent as usize + 1);
+                let point = if fraction.is_empty() { "" } else { "." };
+                write!(f, "{whole}{point}{fraction}")
             }
             _ => {
                 let (first, rest) = digits.split_at(1);
