@@ -84,12 +84,50 @@ fn claims() {
     let large = claimed("-4.71238898038469", "0.1");
     assert_eq!((large.claim, large.verdict), (Claim::Overstated, Verdict::Inaccurate));
     // It would hold for any answer.
-    let idle = claimed("7", "100");
+    let idle = claimed("-4.7", "100");
     assert_eq!((idle.claim, idle.verdict), (Claim::Overstated, Verdict::Inaccurate));
     for error in ["NaN", "\"inf\""] {
         let line = format!(r#"{{"id":"{PULL_OFF}","value":1,"error":{error}}}"#);
         assert!(Answer::from_json(&line).unwrap_err().contains("finite"), "{error}");
     }
+}
+
+/// No claim makes up for a number without a right digit, but one that is honest and says something.
+#[test]
+fn no_right_digit_is_wrong_whatever_is_claimed() {
+    let value = record(PULL_OFF).unwrap().nearest();
+    for factor in [-1.0_f64, -1e-300, 0.0, 1e-9, 0.3, 1.7, 2.0, 77.0, 1e300] {
+        // From the least that holds to far beyond.
+        let error = value.abs() * (factor - 1.0).abs();
+        for claim in [error * 1.000_001, error * 10.0, error + 10.0, error + 1e200, f64::MAX] {
+            let answer = Answer::from(value * factor).with_error(claim).unwrap();
+            let mark = marked(PULL_OFF, &answer);
+            let honest = claim < value.abs() && claim < (value * factor).abs();
+            let expected = if honest { (Verdict::Right, Claim::Holds) } else { (Verdict::Wrong, Claim::Overstated) };
+            assert_eq!((mark.verdict, mark.claim), expected, "{factor} ± {claim}: {}", mark.reason);
+        }
+    }
+    // Where the value is exactly 0, a claim is measured by the terms that cancel.
+    let zero = "critical/n=1.5/force/indentation";
+    let verdict = |value: f64, claim: f64| marked(zero, &Answer::from(value).with_error(claim).unwrap()).verdict;
+    assert_eq!(
+        [verdict(1e-16, 2e-16), verdict(0.0, 1e-16), verdict(-7.0, 1e9)],
+        [Verdict::Right, Verdict::Right, Verdict::Wrong]
+    );
+}
+
+#[test]
+fn a_key_is_given_once() {
+    for (line, key) in [
+        (r#"{"id":"x","value":1,"value":2}"#, "value"),
+        (r#"{"id":"x","value":2,"id":"x"}"#, "id"),
+        (r#"{"error":1,"id":"x","value":1,"error":1}"#, "error"),
+        (r#"{"id":"x","status":"ok","value":1,"status":null}"#, "status"),
+        (r#"{"id":"x","value":1,"note":1,"n\u006fte":2}"#, "note"),
+    ] {
+        assert_eq!(Answer::from_json(line).unwrap_err(), format!("\"{key}\" is given more than once"), "{line}");
+    }
+    assert!(Answer::from_json(r#"{"id":"x","value":1,"note":{"a":1,"b":1},"more":{"a":1}}"#).is_ok());
 }
 
 #[test]

@@ -96,14 +96,19 @@ impl Answer {
     }
 
     /// The identifier and the answer on a line `{"id":…, "value":…, "error":…, "status":…}`, numbers as JSON numbers or as
-    /// texts, decimal or hexadecimal; also as C prints them, `-nan` or `0x1.8p-3` without quotation marks.
+    /// texts, decimal or hexadecimal; also as C prints them, `-nan` or `0x1.8p-3` without quotation marks. No key may be given twice.
     ///
     /// # Errors
     /// What is wrong with the line.
     pub fn from_json(line: &str) -> Result<(String, Answer), String> {
         let json = read_tolerant(line)?;
-        if !matches!(json, Json::Object(_)) {
+        let Json::Object(entries) = &json else {
             return Err("expected an object {\"id\":…, \"value\":…}".to_owned());
+        };
+        let mut keys: Vec<&str> = entries.iter().map(|(key, _)| key.as_ref()).collect();
+        keys.sort_unstable();
+        if let Some(twice) = keys.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(format!("{} is given more than once", excerpt(twice[0])));
         }
         let text = |key: &str| match json.get(key) {
             None | Some(Json::Null) => Ok(None),

@@ -25,7 +25,8 @@ pub(crate) fn compared(
     let excess_loss = outward(-lre.high - cost, -lre.low - cost);
     let claim = claim.map_or(Claim::None, |claim| {
         let slack = limits.overstatement + most.log10().max(scale.log10() + cost);
-        let says_nothing = cost < 0.0 && *claim >= scale.abs();
+        let as_large = *claim >= scale.abs() || !mid.is_zero() && *claim >= value.abs();
+        let says_nothing = cost < 0.0 && as_large;
         if least > *claim {
             Claim::TooSmall
         } else if says_nothing || !(claim.log10() <= slack) {
@@ -39,13 +40,19 @@ pub(crate) fn compared(
     let (verdict, reason) = match claim {
         Claim::TooSmall => (Verdict::Wrong, "further off than it claims".to_owned()),
         Claim::Holds => (Verdict::Right, String::new()),
-        Claim::Overstated => (Verdict::Inaccurate, "the claimed error is overstated".to_owned()),
+        Claim::Overstated if hopeless => {
+            (Verdict::Wrong, no_digit(value, mid) + ", and the claimed error says nothing")
+        }
+        Claim::Overstated => (Verdict::Inaccurate, OVERSTATED.to_owned()),
         Claim::None if hopeless => (Verdict::Wrong, no_digit(value, mid)),
         Claim::None if lost => (Verdict::Inaccurate, "more digits lost than the question costs".to_owned()),
         Claim::None => (Verdict::Right, String::new()),
     };
     Mark { verdict, reason, status_matches: false, lre: Some(lre), excess_loss: Some(excess_loss), claim }
 }
+
+/// Why an answer whose claim is overstated is inaccurate.
+pub(crate) const OVERSTATED: &str = "the claimed error is overstated";
 
 /// A range, widened by what logarithms of doubles may err.
 fn outward(low: f64, high: f64) -> Range {

@@ -2,7 +2,7 @@
 
 use crate::decimal::Decimal;
 use crate::judge::answer::Answer;
-use crate::judge::digits::compared;
+use crate::judge::digits::{OVERSTATED, compared};
 use crate::number::Number;
 use crate::record::{Record, Status};
 
@@ -12,11 +12,11 @@ pub enum Verdict {
     /// Within what it claims; or it claims nothing, and is as good as the question allows in double precision, but for
     /// the digits of [`Limits::excess_loss`].
     Right,
-    /// Claims nothing, and has lost more digits than the question costs; its claim holds because it is overstated; or it
-    /// finds a double root and does not give its number.
+    /// Claims nothing, and has lost more digits than the question costs; its claim holds because it is overstated, though a
+    /// digit is right; or it finds a double root and does not give its number.
     Inaccurate,
-    /// Further off than it claims, without a single right digit that the question would have left, or not the kind of
-    /// answer that there is: [`mark`] has the table.
+    /// Further off than it claims; without a single right digit where the question would have left one, whatever it claims,
+    /// unless that is an honest error below its own size; or not the kind of answer that there is: [`mark`] has the table.
     Wrong,
 }
 
@@ -41,7 +41,8 @@ pub enum Claim {
     /// The true error is certainly larger.
     TooSmall,
     /// It holds, but is larger than the true error and than what double precision costs, by more than
-    /// [`Limits::overstatement`]; or as large as the value, where the question leaves a digit.
+    /// [`Limits::overstatement`]; or as large as the value, that of the answer or the certified one, where the question
+    /// leaves a digit.
     Overstated,
 }
 
@@ -252,7 +253,9 @@ fn below_range(value: &Decimal, mid: &Decimal, marked: bool, claim: Option<&Deci
     let beyond_subnormal = claim.cloned() > Decimal::from_double(f64::MIN_POSITIVE);
     match (is_left, marked, compared.claim) {
         (false, ..) | (true, true, Claim::TooSmall) => compared,
-        (true, true, Claim::Overstated) if beyond_subnormal => compared,
+        (true, true, Claim::Overstated) if beyond_subnormal => {
+            Mark { verdict: Verdict::Inaccurate, reason: OVERSTATED.to_owned(), ..compared }
+        }
         (true, true, Claim::None) => Mark::of(Verdict::Right, ""),
         (true, true, Claim::Holds | Claim::Overstated) => Mark { claim: Claim::Holds, ..Mark::of(Verdict::Right, "") },
         (true, false, Claim::None) if value.is_zero() => {
