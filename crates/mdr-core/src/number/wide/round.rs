@@ -77,9 +77,10 @@ impl<const N: usize> Wide<N> {
         if self.negative { -magnitude } else { magnitude }
     }
 
-    /// log₁₀ of the magnitude, to the precision of a double.
+    /// log₁₀ of the magnitude, as well as the number is known, rounded once; within an ulp where log₁₀ is above 1.
+    #[cold]
     pub fn log10(&self) -> f64 {
-        let fraction = Wide { exponent: 0, negative: false, ..*self }.to_double();
-        self.exponent as f64 * std::f64::consts::LOG10_2 + pxfm::f_log10(fraction)
+        let magnitude = Wide { negative: false, ..*self };
+        magnitude.logarithm().quotient(&Self::from_double(10.0).logarithm()).to_double()
     }
 }
