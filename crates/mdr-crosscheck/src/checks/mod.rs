@@ -18,6 +18,7 @@ mod printed;
 mod profiles;
 mod proof;
 mod quadrature;
+mod range;
 mod scaling;
 mod springs;
 mod threshold;
@@ -109,6 +110,8 @@ pub(crate) fn registry() -> &'static [Check] {
         certified::ROUNDING,
         certified::PREFIX,
         certified::ENCLOSURE,
+        range::DIGITS,
+        range::ENCLOSURES,
         identities::CRITICAL,
         identities::SLOPES,
         identities::LOGARITHMS,

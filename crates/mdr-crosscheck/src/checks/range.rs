@@ -1,0 +1,266 @@
+//! Certified digits over the whole range of exponents, 10⁻³⁰⁰ to 10³⁰⁰, up to thousands of digits.
+//!
+//! What steers an expansion (how many terms, how many bits for each) must hold where doubles overflow, too. So κ_n is computed
+//! again with none of its code, by the series of positive terms where n is small beside the bits, else by ln Γ of MPFR, and
+//! a, d and F from it by logarithms, all over intervals.
+
+use mdr_analytic::PowerLaw;
+use mdr_analytic::certified::{Elasticity, Question};
+use mdr_core::contact::{Error, Quantity, Result, Transform};
+use mdr_core::number::certify::{Decimal, Enclosure};
+use mdr_core::number::{Gamma, Interval, Literal, Precision, Real};
+use rug::{Float, Integer, Rational};
+
+use super::Check;
+use crate::grid::Held;
+use crate::report::Unit;
+use crate::trial::Trial;
+
+/// Digits against the second algorithm, in units of the last decimal: half of one, and what the reference is uncertain by.
+pub(super) const DIGITS: Check = Check {
+    name: "certified-range",
+    claim: "certified κ, a_c, d_c, F_c for n from 1e-300 to 1e300: within half a unit of 20 to 3000 digits",
+    equations: &["1.12", "1.15", "1.17"],
+    forms: &[],
+    unit: Unit::Ulp,
+    cases: [36, 360, 3600],
+    case: digits,
+};
+
+/// Enclosures at p bits and at 2p bits, and that of κ_n against the second algorithm.
+pub(super) const ENCLOSURES: Check = Check {
+    name: "enclosure-range",
+    claim: "for such n the enclosures of κ, g, a_c, d_c, F_c at p and at 2p bits agree and are tight",
+    equations: &["1.12", "1.15", "1.17"],
+    forms: &[],
+    unit: Unit::Mismatch,
+    cases: [36, 360, 3600],
+    case: enclosures,
+};
+
+/// A contact with exact inputs.
+struct Exact {
+    n: Rational,
+    c: Rational,
+    e_star: Rational,
+    work: Rational,
+    held: Held,
+}
+
+impl Exact {
+    /// Exponents go round six families, the ends of the range first.
+    fn draw(trial: &mut Trial<'_>) -> Result<Self> {
+        let turn = trial.index / 6;
+        let sign = ["-", ""][trial.below(2) as usize];
+        let places = 1 + trial.below([3, 20, 200][turn % 3]);
+        // As close to a fraction as 10⁻²⁰⁰: a decimal of so many places.
+        let beside = |p: u64, q: u64| {
+            let offset = rational(&format!("{sign}1e-{places}"))?;
+            Ok((Rational::from((p, q)) + offset).abs())
+        };
+        let n = match trial.index % 6 {
+            0 if turn < 2 => rational(["1e300", "1e-300"][turn])?,
+            0 => rational(&format!("1e{}", trial.between(-300, 300)))?,
+            1 => trial.decimal(-300, 299)?,
+            2 => beside(1, 2)?,
+            3 => beside(1 + trial.below(300), 1)?,
+            4 => beside(1 + trial.below(200), 1 + trial.below(12))?,
+            _ => Rational::from((1 + 2 * trial.below(100), 1 + 2 * trial.below(10))),
+        };
+        let n = if n == 0 || n == 0.5 { n + 1u32 } else { n };
+        let [c, e_star, work] = [trial.decimal(-30, 30)?, trial.decimal(-30, 30)?, trial.decimal(-30, 30)?];
+        let held = trial.held();
+        let inputs = [&n, &c, &e_star, &work].map(|input| Float::with_val(60, input).to_string_radix(10, Some(15)));
+        let [shown, c_shown, e_shown, w_shown] = inputs;
+        trial.describe(format_args!("n ≈ {shown}, C = {c_shown}, E* = {e_shown}, w = {w_shown}, {held}"));
+        Ok(Exact { n, c, e_star, work, held })
+    }
+
+    fn question(&self) -> Result<Question> {
+        let [n, c, e_star, work] =
+            [&self.n, &self.c, &self.e_star, &self.work].map(|input| literal(&input.to_string()));
+        Question::new(&n?, &c?, &Elasticity::Effective(e_star?), &work?, &self.held.control())
+    }
+
+    /// ln κ, ln a, ln|d| and ln|F| from (1.15) and (1.17); none of d where it is 0.
+    fn logarithms(&self, bits: u32) -> [Option<Interval>; 4] {
+        let enclose = |x: &Rational| Interval::from_rational(Precision::new(bits), x);
+        let ln = |x: &Rational| enclose(x).ln();
+        let tension = Rational::from(self.held.lambda() as i64);
+        let kappa = kappa(&self.n, bits).ln();
+        let [twice, next] = [Rational::from(&self.n * 2u32), Rational::from(&self.n + 1u32)];
+        let edge = enclose(&self.n).pi().ln() + ln(&(Rational::from(&self.work / &self.e_star) / 2u32));
+        let slope = kappa.clone() + ln(&Rational::from(&self.n * &self.c));
+        let radius = (edge.clone() + (ln(&tension) - slope).times(2)) / enclose(&(twice.clone() - 1u32));
+        let root = (edge + &radius).over(2);
+        let depth = (Rational::from(&tension - &twice) / &self.n).abs();
+        let force = (tension - Rational::from(&next * 2u32)) * 2u32 / next * &self.e_star;
+        let force = ln(&force.abs()) + &radius + &root;
+        let depth = (!depth.is_zero()).then(|| ln(&depth) + root);
+        [Some(kappa), Some(radius), depth, Some(force)]
+    }
+
+    /// Whether d and F are negative.
+    fn signs(&self) -> [bool; 2] {
+        let tension = self.held.lambda();
+        [Rational::from(&self.n * 2u32) > tension, Rational::from(&self.n + 1u32) * 2u32 > tension]
+    }
+
+    /// Bits that the results lose: by the size of n, and by its distance from 1/2.
+    fn magnification(&self) -> u32 {
+        let excess = (Rational::from(&self.n * 2u32) - 1u32).abs();
+        let size = |x: &Integer| x.significant_bits();
+        2 * size(excess.denom()).saturating_sub(size(excess.numer()))
+            + size(self.n.numer()).abs_diff(size(self.n.denom()))
+    }
+}
+
+impl Trial<'_> {
+    /// An integer from 0 to count − 1.
+    fn below(&mut self, count: u64) -> u64 {
+        self.uniform(0.0, count as f64) as u64
+    }
+
+    fn between(&mut self, low: i64, high: i64) -> i64 {
+        low + self.below((high - low + 1) as u64) as i64
+    }
+
+    /// A decimal of 1 to 30 digits with an exponent between two.
+    fn decimal(&mut self, low: i64, high: i64) -> Result<Rational> {
+        let digits: String = (0..self.below(30)).map(|_| char::from(b'0' + self.below(10) as u8)).collect();
+        rational(&format!("{}.{digits}e{}", 1 + self.below(9), self.between(low, high)))
+    }
+
+    /// From 20 to 3000 digits, the larger numbers seldom: they take most of the time.
+    fn many_digits(&self) -> u32 {
+        const DIGITS: [u32; 12] = [1000, 340, 20, 480, 100, 3000, 50, 700, 200, 33, 500, 340];
+        DIGITS[(self.index / 6) % DIGITS.len()]
+    }
+}
+
+fn literal(text: &str) -> Result<Literal> {
+    let quantity = Quantity::Parameter("an input of the grid");
+    text.parse().map_err(|_| Error::Domain { quantity, value: text.to_owned(), requirement: "a number" })
+}
+
+fn rational(text: &str) -> Result<Rational> {
+    literal(text).map(|literal| literal.to_rational())
+}
+
+/// κ_n to about so many bits.
+fn kappa(n: &Rational, bits: u32) -> Interval {
+    let working = |bits: u32| Interval::from_rational(Precision::new(bits), n);
+    if *n < bits {
+        return by_series(&working(bits + 64), bits);
+    }
+    // Γ(1+x)/Γ(x+1/2), x = n/2: ln Γ is of the size of n ln n.
+    let size = n.numer().significant_bits().saturating_sub(n.denom().significant_bits());
+    let half = working(bits + size + 64).over(2);
+    let quotient = (half.clone() + half.lit(1)).ln_gamma() - (half.clone() + half.ratio(1, 2)).ln_gamma();
+    (quotient + half.pi().ln().over(2)).exp()
+}
+
+/// Σ_k Π_{j<k} (n+j)/(n+2+2j), Gauss's second theorem: behind a term the ratios approach 1/2 from one side, so what is left is
+/// at most (n+k)/(k+2) or 1 times that term.
+fn by_series(n: &Interval, bits: u32) -> Interval {
+    let (mut term, mut sum) = (n.lit(1), n.lit(1));
+    for k in 0.. {
+        term = term * (n.lit(k) + n) / &(n.lit(2 * k + 2) + n);
+        sum += &term;
+        if term.upper().get_exp().is_none_or(|exponent| exponent < -(bits as i32) - 64) {
+            let share = (n.lit(k + 1) + n).over(k + 3) + n.lit(1);
+            return sum.inflate(&(term * share));
+        }
+    }
+    sum
+}
+
+fn digits(trial: &mut Trial<'_>) -> Result<()> {
+    /// What the reference may be uncertain by, in units of the last digit.
+    const SHARP: f64 = 1e-12;
+    let exact = Exact::draw(trial)?;
+    let digits = trial.many_digits();
+    trial.describe_also(format_args!("{digits} digits"));
+    let answer = exact.question()?.answer(digits)?;
+    let Some(state) = &answer.critical else { return Ok(()) };
+    let found = [&answer.kappa, &state.contact_radius, &state.indentation, &state.force];
+    trial.demand("the sign of d", found[2].is_zero() || found[2].is_negative() == exact.signs()[0]);
+    trial.demand("the sign of F", found[3].is_negative() == exact.signs()[1]);
+    let mut bits = Precision::from_digits(digits).bits() + 128 + exact.magnification();
+    let errors = loop {
+        let expected = exact.logarithms(bits);
+        let errors = [0, 1, 2, 3].map(|i| Some(units(found[i], expected[i].as_ref()?)));
+        let sharp = |error: &Option<Interval>| error.as_ref().is_none_or(|error| error.radius() < SHARP);
+        if errors.iter().all(sharp) {
+            break errors;
+        }
+        bits *= 2;
+        if bits > 1 << 20 {
+            return Err(Error::Undecided {
+                quantity: Quantity::Kappa,
+                bits,
+                what: "the digits by the second algorithm",
+            });
+        }
+    };
+    trial.demand("d is 0", errors[2].is_some() != found[2].is_zero());
+    for (name, error) in ["κ", "a", "d", "F"].iter().zip(errors) {
+        let Some(error) = error else { continue };
+        trial.enter(*name, error.abs().upper().to_f64(), 0.5 + 2.0 * SHARP);
+    }
+    Ok(())
+}
+
+/// e^ln less the magnitude of a decimal, in units of its last digit.
+fn units(decimal: &Decimal, ln: &Interval) -> Interval {
+    let digits = Interval::from_rational(ln.ctx(), &decimal.digits().parse::<Rational>().unwrap_or_default());
+    let places = Integer::from(decimal.exponent() + 1u32) - decimal.digits().len() as u32;
+    let scale = ln.lit(10).ln() * Interval::from_rational(ln.ctx(), &Rational::from(places));
+    (ln.clone() - digits.ln() - scale).exp_m1() * digits
+}
+
+/// An enclosure as an interval, that of the logarithm where it has only that, and its accuracy in bits.
+fn known(enclosure: &Enclosure) -> (Interval, i64) {
+    match enclosure {
+        Enclosure::Value(value) => (value.clone(), value.accuracy_bits()),
+        Enclosure::Exact(value) => (Interval::from_rational(Precision::new(64), value), i64::MAX),
+        Enclosure::Log { ln_magnitude, .. } => {
+            let error = ln_magnitude.radius().get_exp().map_or(i64::MIN / 2, i64::from);
+            (ln_magnitude.clone(), -error)
+        }
+    }
+}
+
+fn enclosures(trial: &mut Trial<'_>) -> Result<()> {
+    /// Bits that an enclosure may lose beside those of the condition.
+    const LOST: i64 = 24;
+    let exact = Exact::draw(trial)?;
+    let bits = Precision::from_digits(trial.many_digits()).bits();
+    trial.describe_also(format_args!("{bits} and {} bits", 2 * bits));
+    let question = exact.question()?;
+    let lost = LOST + i64::from(exact.magnification());
+    let precision = |bits| Precision::new(bits + exact.magnification());
+    let at = |bits: u32| -> Result<Vec<Enclosure>> {
+        let enclose = |x: &Rational| Interval::from_rational(precision(bits), x);
+        let profile = PowerLaw::new(enclose(&exact.n), enclose(&exact.c))?;
+        let mut found = question.enclosures(precision(bits))?.to_vec();
+        // g(1) = κC, and κ with n for an interval.
+        found.push((profile.g(&profile.kappa().lit(1))? / profile.coefficient()).into());
+        found.push(mdr_analytic::kappa_enclosure(precision(bits), &exact.n).into());
+        Ok(found)
+    };
+    let (short, long) = (at(bits)?, at(2 * bits)?);
+    let reference = kappa(&exact.n, 2 * bits + 128);
+    for (i, name) in ["κ", "a", "d", "F", "g(1)/C", "κ_n"].iter().enumerate() {
+        let ((short, sharp), (long, sharper)) = (known(&short[i]), known(&long[i]));
+        trial.demand(format!("{name} agrees"), short.overlaps(&long));
+        trial.demand(
+            format!("{name} is tight"),
+            sharp >= i64::from(bits) - lost && sharper >= i64::from(2 * bits) - lost,
+        );
+        if [0, 4, 5].contains(&i) {
+            trial.demand(format!("{name} is κ"), short.overlaps(&reference) && long.overlaps(&reference));
+        }
+    }
+    Ok(())
+}
