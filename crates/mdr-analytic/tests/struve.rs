@@ -134,6 +134,41 @@ fn doubles_are_good_to_a_few_units_of_their_scale() {
     }
 }
 
+/// Two algorithms meet at z = 0.7 p + 10, and more bits take the other one: enclosures of all precisions overlap, are tight,
+/// and are the same one by one and together.
+#[test]
+fn precisions_and_algorithms_agree() {
+    let mut state = 1u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / 2f64.powi(53)
+    };
+    for case in 0..400 {
+        let bits = [24, 53, 64, 72, 108, 300, 1000][case % 7];
+        let edge = 0.7 * f64::from(bits) + 10.0;
+        let z = match case % 4 {
+            0 => edge + random() - 0.5,
+            1 => edge * random(),
+            2 => edge * (1.0 + 3.0 * random()),
+            _ => 10f64.powf(40.0 * random() - 20.0),
+        };
+        let at = |bits: u32| Interval::point(Float::with_val(bits, Float::with_val(24, z)));
+        let (coarse, fine) = (at(bits), at(4 * bits));
+        let (pair, truth) = (coarse.struve(), fine.struve());
+        assert!(pair[0].lower() == coarse.struve_h0().lower() && pair[1].upper() == coarse.struve_h1().upper());
+        for (order, (value, truth)) in pair.iter().zip(&truth).enumerate() {
+            assert!(value.overlaps(truth), "H{order}({z}) at {bits} bits: {value} {truth}");
+            // Of the size of H itself near 0, of one elsewhere.
+            let size = z.min(1.0).powi(order as i32 + 1);
+            assert!(
+                value.radius().to_f64() <= size * 2f64.powi(2 - bits as i32),
+                "H{order}({z}) at {bits} bits: {value}"
+            );
+            assert!(truth.radius().to_f64() <= size * 2f64.powi(2 - 4 * bits as i32), "H{order}({z}): {truth}");
+        }
+    }
+}
+
 #[test]
 fn wide_arguments_enclose_every_point() {
     for (low, high) in [(0.0, 0.5), (1.0, 1.25), (3.9, 4.6), (20.0, 21.0), (100.0, 100.5), (1.0, 12.0), (2.5, 400.0)] {

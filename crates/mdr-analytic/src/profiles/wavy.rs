@@ -53,7 +53,8 @@ impl<R: Struve> ClosedForm<R> for WavyParaboloid<R> {
     /// 2x/R + (π/2)Ak[H₀ + kx(2/π − H₁)].
     fn slope_at(&self, x: &R) -> R {
         let z = self.wavenumber.clone() * x;
-        let wave = z.struve_h0() + (z.lit(2) / z.pi() - z.struve_h1()) * &z;
+        let [h0, h1] = z.struve();
+        let wave = h0 + (z.lit(2) / z.pi() - h1) * &z;
         self.paraboloid.slope_at(x) + self.scale() * &self.wavenumber * wave
     }
     /// x²/3R + (π/2)A H₁(kx).

@@ -1,45 +1,59 @@
 //! H₀ and H₁ with a proof: over intervals, and from them over `rug::Float`.
 
-use mdr_core::number::{Interval, Precision, Real};
-use rug::Float;
-use rug::float::Round;
+use std::cmp::Ordering;
 
-use super::{Struve, power_series};
+use mdr_core::number::{Interval, Real};
+use rug::float::Round;
+use rug::{Assign, Float, Integer};
+
+use super::Struve;
 
 impl Struve for Interval {
     fn struve_h0(&self) -> Self {
-        // |H₀'| = (2/π)|∫₀^{π/2} cos θ cos(z cos θ) dθ| ≤ 2/π.
-        spread(self, 0, |width| width.times(2) / self.pi())
+        let [h0] = spread(self, [0]);
+        h0
     }
 
     fn struve_h1(&self) -> Self {
-        // |H₁'| = |H₀''| = (2/π)|∫₀^{π/2} cos²θ sin(z cos θ) dθ| ≤ 1/2 and ≤ 4z/3π.
-        spread(self, 1, |width| {
-            let near_zero = self.clone().times(4) / self.pi().times(3);
-            let half = width.ratio(1, 2);
-            width * if near_zero.upper() < half.upper() { near_zero } else { half }
-        })
+        let [h1] = spread(self, [1]);
+        h1
+    }
+
+    fn struve(&self) -> [Self; 2] {
+        spread(self, [0, 1])
     }
 }
 
-/// The value at the middle, widened by the largest slope times the distance to the ends, and what the envelope leaves of
-/// it. Over a wave and more the envelope alone.
-fn spread(z: &Interval, order: i64, change: impl Fn(Interval) -> Interval) -> Interval {
+/// The values at the middle, widened by the largest slope times the distance to the ends, and what the envelope leaves of
+/// them. Over a wave and more the envelope alone.
+fn spread<const N: usize>(z: &Interval, orders: [i64; N]) -> [Interval; N] {
     if !z.is_finite() || *z.lower() < 0 {
-        return Interval::entire(z.ctx());
+        return orders.map(|_| Interval::entire(z.ctx()));
     }
     if z.is_point() {
-        return at_point(z, order);
+        return at_point(z, orders);
     }
     let radius = Interval::point(z.radius());
-    let envelope = (*z.lower() >= 1).then(|| envelope(&Interval::point(z.lower().clone()), order));
-    match envelope {
-        Some(envelope) if *radius.lower() > 4 => envelope,
-        envelope => {
-            let value = at_point(&Interval::point(z.mid()), order).inflate(&change(radius));
-            envelope.and_then(|envelope| envelope.intersect(&value)).unwrap_or(value)
+    let bounds = orders.map(|order| (*z.lower() >= 1).then(|| envelope(&Interval::point(z.lower().clone()), order)));
+    let values = if *radius.lower() > 4 { None } else { Some(at_point(&Interval::point(z.mid()), orders)) };
+    std::array::from_fn(|i| {
+        let around = values.as_ref().map(|values| values[i].clone().inflate(&(slope(z, orders[i]) * &radius)));
+        match (around, &bounds[i]) {
+            (Some(around), Some(bound)) => bound.intersect(&around).unwrap_or(around),
+            (around, bound) => around.or_else(|| bound.clone()).unwrap_or_else(|| Interval::entire(z.ctx())),
         }
+    })
+}
+
+/// A bound of |H'|: |H₀'| = (2/π)|∫₀^{π/2} cos θ cos(z cos θ) dθ| ≤ 2/π, |H₁'| = |H₀''| = (2/π)|∫₀^{π/2} cos²θ sin(z cos θ) dθ|
+/// ≤ 1/2 and ≤ 4z/3π.
+fn slope(z: &Interval, order: i64) -> Interval {
+    if order == 0 {
+        return z.lit(2) / z.pi();
     }
+    let near_zero = z.clone().times(4) / z.pi().times(3);
+    let half = z.ratio(1, 2);
+    if near_zero.upper() < half.upper() { near_zero } else { half }
 }
 
 /// What H is at all arguments from z on.
@@ -59,63 +73,139 @@ fn envelope(z: &Interval, order: i64) -> Interval {
 }
 
 /// H at an exactly known point.
-fn at_point(z: &Interval, order: i64) -> Interval {
-    let bits = z.precision();
-    let size = z.mid().to_f64();
-    if size > 0.7 * f64::from(bits) + 10.0 {
-        return far(z, order);
+fn at_point<const N: usize>(z: &Interval, orders: [i64; N]) -> [Interval; N] {
+    // Beyond the range of doubles the size is infinite, and far.
+    if z.mid().to_f64() > 0.7 * f64::from(z.precision()) + 10.0 {
+        let decaying = decaying(z);
+        orders.map(|order| bessel(z, order) + &decaying[order as usize])
+    } else {
+        let both = near(z);
+        orders.map(|order| both[order as usize].clone())
     }
-    // The terms of the series grow to e^z while the sum stays of order one.
-    let working = Precision::new(bits + (1.45 * size) as u32 + 16);
-    let wide = Interval::new(Float::with_val(working.bits(), z.lower()), Float::with_val(working.bits(), z.upper()));
-    let sum = power_series(&wide, order).times(2) / wide.pi();
-    let round = |end: &Float, round| Float::with_val_round(bits, end, round).0;
-    Interval::new(round(sum.lower(), Round::Down), round(sum.upper(), Round::Up))
 }
 
-/// Y_ν from MPFR, correctly rounded, and H_ν − Y_ν from its asymptotic series. The series of (π/2)(H₀ − Y₀) starts with
-/// 1/z and has the ratio −(2k+1)²/z²; that of (π/2)(H₁ − Y₁) starts with 1 and has the ratio (1+2k)(1−2k)/z².
-fn far(z: &Interval, order: i64) -> Interval {
+/// Guard bits of the sums in fixed point.
+const GUARD: u32 = 40;
+
+/// H₀ = (2/π) z Σ (−1)ᵏ uₖ and H₁ = (2/π) z² Σ (−1)ᵏ uₖ/(2k+3), u₀ = 1 and uₖ₊₁ = uₖ z²/(2k+3)², in fixed point of w bits.
+///
+/// The terms grow to e^z while the sums stay of order one. Each step rounds down by less than one unit, in z² and in the
+/// quotient, and what it loses grows by no more than the terms do from there: by a factor U at most, the largest of them and 1.
+/// So the error of uₖ is at most (2k+1)U units, that of K terms (K+1)²U, and a unit each for the quotients of H₁. U < 2(M+1),
+/// where M is the largest term as it was computed, as K is far below 2ʷ. From where they are below a unit the terms fall, as
+/// do those that are left out.
+fn near(z: &Interval) -> [Interval; 2] {
     let bits = z.precision();
-    let square = z.square();
-    let mut term = if order == 0 { z.lit(1) / z } else { z.lit(1) };
-    let mut sum = term.clone();
-    let mut k = 0;
-    loop {
-        let numerator = if order == 0 { -(2 * k + 1) * (2 * k + 1) } else { (1 + 2 * k) * (1 - 2 * k) };
-        term = term.times(numerator) / &square;
+    // U < 2^1.45z, as the argument is below 0.7 p + 10.
+    let unit = bits + (1.45 * z.mid().to_f64()) as u32 + GUARD;
+    let square = fixed(Float::with_val(2 * bits, z.lower().square_ref()), unit);
+    let mut term = Integer::from(1) << unit;
+    let (mut largest, mut sums) = (term.clone(), [term.clone(), Integer::from(&term / 3u32)]);
+    let mut k = 0u32;
+    while term != 0 {
+        term *= &square;
+        term >>= unit;
+        term /= 2 * k + 3;
+        term /= 2 * k + 3;
         k += 1;
-        // z > 0.7 p: the terms reach 2^−p before they grow.
-        if term.abs().mid() <= sum.abs().mid() * z.unit_roundoff().mid() {
-            break;
+        if term > largest {
+            largest.assign(&term);
         }
-        sum += &term;
+        let quotient = Integer::from(&term / (2 * k + 3));
+        add(&mut sums[0], k.is_multiple_of(2), &term);
+        add(&mut sums[1], k.is_multiple_of(2), &quotient);
     }
-    let difference = sum.inflate(&term).times(2) / z.pi();
-    let bessel = |round| {
-        let mut y = Float::with_val(bits, z.lower());
-        if order == 0 {
-            y.y0_round(round)
-        } else {
-            y.y1_round(round)
-        };
-        y
-    };
-    Interval::new(bessel(Round::Down), bessel(Round::Up)) + difference
+    let steps = Integer::from(k + 2);
+    let error = ((largest >> unit) + 2u32) * 2u32 * Integer::from(steps.square_ref()) + steps;
+    let [zero, one] = sums.map(|sum| enclosed(&sum, &error, unit, bits + GUARD));
+    let wide = promoted(z, bits + GUARD);
+    let share = wide.clone().times(2) / wide.pi();
+    [outwards(&(zero * &share), bits), outwards(&(one * share * wide), bits)]
+}
+
+/// H_ν − Y_ν by the asymptotic series, of which what is left out is below the first term left out: (2/π) Σ cₖ/z for ν = 0,
+/// with c₀ = 1 and cₖ₊₁ = −cₖ (2k+1)²/z², and (2/π)(1 − Σ cₖ/(2k−1)) from k = 1 on for ν = 1; in fixed point.
+///
+/// While 2k + 1 < z the terms fall, and no (2k+1)² cₖ is larger than one. So a step adds to the error of a term less than two
+/// units for that of 1/z² and one for its own rounding, and K terms have less than 3(K+1)² units in all.
+fn decaying(z: &Interval) -> [Interval; 2] {
+    let (bits, x) = (z.precision(), z.lower());
+    let unit = bits + GUARD;
+    let inverse = fixed(Float::with_val(unit, x).square().recip(), unit);
+    let mut term = Integer::from(1) << unit;
+    let mut sums = [term.clone(), term.clone()];
+    let mut k = 0u32;
+    // z > 0.7 p: the terms reach 2^−p before they grow.
+    while term != 0 && *x > 2 * k + 1 {
+        term *= &inverse;
+        term *= 2 * k + 1;
+        term *= 2 * k + 1;
+        term >>= unit;
+        k += 1;
+        add(&mut sums[0], k.is_multiple_of(2), &term);
+        add(&mut sums[1], !k.is_multiple_of(2), &Integer::from(&term / (2 * k - 1)));
+    }
+    // The last term that was taken is larger than the first that was not.
+    let error = Integer::from(k + 2).square() * 4u32 + term;
+    let [zero, one] = sums.map(|sum| enclosed(&sum, &error, unit, unit));
+    let wide = promoted(z, unit);
+    let share = wide.lit(2) / wide.pi();
+    [outwards(&(zero * &share / wide), bits), outwards(&(one * share), bits)]
+}
+
+/// Y_ν from MPFR, correctly rounded.
+fn bessel(z: &Interval, order: i64) -> Interval {
+    let mut y = Float::with_val(z.precision(), z.lower());
+    let rounding = if order == 0 { y.y0_round(Round::Down) } else { y.y1_round(Round::Down) };
+    let mut above = y.clone();
+    if rounding != Ordering::Equal {
+        above.next_up();
+    }
+    Interval::new(y, above)
+}
+
+fn add(sum: &mut Integer, positive: bool, term: &Integer) {
+    if positive { *sum += term } else { *sum -= term }
+}
+
+/// A positive number in units of 2^−unit, rounded down.
+fn fixed(x: Float, unit: u32) -> Integer {
+    (x << unit).to_integer_round(Round::Down).map_or_else(Integer::new, |(units, _)| units)
+}
+
+/// A sum in units of 2^−unit with an error of so many of them.
+fn enclosed(sum: &Integer, error: &Integer, unit: u32, bits: u32) -> Interval {
+    let end = |units: Integer, round| Float::with_val_round(bits, units, round).0 >> unit;
+    Interval::new(end(Integer::from(sum - error), Round::Down), end(Integer::from(sum + error), Round::Up))
+}
+
+fn promoted(z: &Interval, bits: u32) -> Interval {
+    Interval::new(Float::with_val(bits, z.lower()), Float::with_val(bits, z.upper()))
+}
+
+fn outwards(value: &Interval, bits: u32) -> Interval {
+    let round = |end: &Float, round| Float::with_val_round(bits, end, round).0;
+    Interval::new(round(value.lower(), Round::Down), round(value.upper(), Round::Up))
 }
 
 impl Struve for Float {
     fn struve_h0(&self) -> Float {
-        rounded(self, Interval::struve_h0)
+        let [h0] = rounded(self, [0]);
+        h0
     }
 
     fn struve_h1(&self) -> Float {
-        rounded(self, Interval::struve_h1)
+        let [h1] = rounded(self, [1]);
+        h1
+    }
+
+    fn struve(&self) -> [Float; 2] {
+        rounded(self, [0, 1])
     }
 }
 
-/// The middle of an enclosure that is some bits finer than the result.
-fn rounded(z: &Float, function: fn(&Interval) -> Interval) -> Float {
-    let fine = Float::with_val(z.prec() + 16, z);
-    Float::with_val(z.prec(), function(&Interval::point(fine)).mid())
+/// The middles of enclosures that are some bits finer than the result.
+fn rounded<const N: usize>(z: &Float, orders: [i64; N]) -> [Float; N] {
+    let fine = Interval::point(Float::with_val(z.prec() + 16, z));
+    spread(&fine, orders).map(|value| Float::with_val(z.prec(), value.mid()))
 }

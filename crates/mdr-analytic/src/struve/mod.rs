@@ -26,6 +26,10 @@ pub trait Struve: Special {
     fn struve_h0(&self) -> Self;
     /// H₁(self). H₁' = H₀ − H₁/z.
     fn struve_h1(&self) -> Self;
+    /// Both, for little more than one of them where they come of one series.
+    fn struve(&self) -> [Self; 2] {
+        [self.struve_h0(), self.struve_h1()]
+    }
 }
 
 /// (π/2) times the power series of H₀ (`order` 0) or H₁ (`order` 1), summed until its terms no longer count.
@@ -102,14 +106,21 @@ fn chebyshev(coefficients: &[f64], v: f64) -> f64 {
 
 impl<R: Struve> Struve for Dual<R> {
     fn struve_h0(&self) -> Self {
-        let derivative = self.value.lit(2) / self.value.pi() - self.value.struve_h1();
-        self.chain(self.value.struve_h0(), derivative)
+        let [h0, _] = self.struve();
+        h0
     }
 
     fn struve_h1(&self) -> Self {
-        let h1 = self.value.struve_h1();
+        let [_, h1] = self.struve();
+        h1
+    }
+
+    fn struve(&self) -> [Self; 2] {
+        let z = &self.value;
+        let [h0, h1] = z.struve();
         // H₁/z → 0 as z → 0.
-        let quotient = if self.value == self.value.lit(0) { h1.clone() } else { h1.clone() / &self.value };
-        self.chain(h1, self.value.struve_h0() - quotient)
+        let quotient = if *z == z.lit(0) { h1.clone() } else { h1.clone() / z };
+        let [slope0, slope1] = [z.lit(2) / z.pi() - &h1, h0.clone() - quotient];
+        [self.chain(h0, slope0), self.chain(h1, slope1)]
     }
 }
