@@ -73,7 +73,8 @@ impl<'a, R: Real> Curve<'a, R> {
     /// # Errors
     /// As [`Transform::g`].
     pub fn indentation(&self, a: &R) -> Result<R> {
-        Ok(self.transform.g(a)? - self.elongation(a))
+        let elongation = self.elongation(a);
+        Ok(self.transform.g_within(a, &negligible(&elongation))? - elongation)
     }
 
     /// F(a) = 2E* ∫₀ᵃ (d − g) dx (1.6) = 2E*a (g − Δl − mean of g), in N.
@@ -182,7 +183,13 @@ impl<'a, R: Real> Curve<'a, R> {
 
     /// The same at a value that is known to be one.
     pub(crate) fn direction_at(&self, a: &R, value: &R) -> Result<R> {
-        Ok(self.indentation(a)? - self.held_indentation(a, value)?)
+        self.direction_within(a, value, &negligible(&self.elongation(a)))
+    }
+
+    /// The same, with g and its mean as well as they are needed: to an absolute error.
+    pub(crate) fn direction_within(&self, a: &R, value: &R, needed: &R) -> Result<R> {
+        let held = self.held_against(a, value, || self.transform.mean_within(a, needed))?;
+        Ok(self.transform.g_within(a, needed)? - self.elongation(a) - held)
     }
 
     /// The tangency ratio g'(a)/Δl'(a): under controlled indentation the curves touch (1.10) where it is 1.
@@ -240,6 +247,11 @@ impl<'a, R: Real> Curve<'a, R> {
         let factors = || [a.lit(2), a.clone(), self.material.effective_modulus().clone(), excess.abs()];
         force_in_range(force, excess, factors)
     }
+}
+
+/// A rounding of Δl: what is smaller does not matter to g where it stands against that.
+pub(crate) fn negligible<R: Real>(elongation: &R) -> R {
+    elongation.unit_roundoff() * elongation
 }
 
 /// The force of the spring of a machine, or [`Error::OutOfRange`].

@@ -14,7 +14,7 @@ use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh_pieces, roundoff_toler
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
-use crate::curve::{Curve, log10_of_product, relative_elongation};
+use crate::curve::{Curve, log10_of_product, negligible, relative_elongation};
 use crate::survey::{self, Crossing, Range};
 use mean::Grade;
 
@@ -78,7 +78,8 @@ impl<'a, R: Real> Energy<'a, R> {
     ) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let unit = self.unit(&a);
-        let elastic = mean(&|x| Ok(((d.clone() - g(self.transform, x)?) / &unit).square()))?;
+        let needed = negligible(&unit);
+        let elastic = mean(&|x| Ok(((d.clone() - g(self.transform, x, &needed)?) / &unit).square()))?;
         let reduced = elastic.times(2) - a.lit(1);
         let potential = a.clone() * self.material.work_of_adhesion() * a.pi() * &a * &reduced;
         let factors = [a.pi(), a.clone(), a, self.material.work_of_adhesion().clone(), reduced.clone()];
@@ -104,8 +105,9 @@ impl<'a, R: Real> Energy<'a, R> {
         let tolerance = Tolerance::new(&roundoff_tolerance(&from).times(4)).or_noise_below(limit);
         let shrinks = to < from;
         let [lower, upper] = if shrinks { [&to, &from] } else { [&from, &to] };
+        let needed = negligible(&unit);
         let gained = tanh_sinh_pieces(lower, upper, &kinks, tolerance, |x| {
-            let (excess, length) = (d.clone() - g(self.transform, x)?, self.unit(x));
+            let (excess, length) = (d.clone() - g(self.transform, x, &needed)?, self.unit(x));
             Ok((excess.clone() - &length) / &unit * ((excess + length) / &unit))
         })?
         .value;
@@ -126,7 +128,8 @@ impl<'a, R: Real> Energy<'a, R> {
     /// Those of the transform; [`Error::OutOfRange`] when it is no number of this arithmetic.
     pub fn release(&self, a: &R, d: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
-        let excess = (d.clone() - g(self.transform, &a)?) / self.unit(&a);
+        let unit = self.unit(&a);
+        let excess = (d.clone() - g(self.transform, &a, &negligible(&unit))?) / &unit;
         in_range(excess.square(), &excess, [excess.clone(), excess.clone()])
     }
 
@@ -178,7 +181,8 @@ impl<'a, R: Real> Energy<'a, R> {
 
     /// The indentation that makes the energy stationary in d at radius `a`: ∂Π/∂d = 2E* ∫₀ᵃ (d − g) dx is F, or k(D − d).
     fn indentation(&self, control: &Control<R>, value: &R, a: &R, grade: &Grade<R>) -> Result<R> {
-        self.balance(control).held_against(a, value, || self.mean(a, grade, |x| g(self.transform, x)))
+        let needed = negligible(&self.unit(a));
+        self.balance(control).held_against(a, value, || self.mean(a, grade, |x| g(self.transform, x, &needed)))
     }
 
     /// √(2πaw/E*), the unit of displacement at radius `a`.
@@ -224,7 +228,8 @@ impl<'a, R: Real> Energy<'a, R> {
             let Some(bracket) = bracket(crossing, excess)? else { continue };
             let a = roots::refine(bracket, &roundoff_tolerance(&crossing.lower).over(8), excess)?.value;
             let d = self.indentation(control, value, &a, &Grade::Full)?;
-            let excess = d.clone() - self.mean(&a, &Grade::Full, |x| g(self.transform, x))?;
+            let needed = negligible(&self.unit(&a));
+            let excess = d.clone() - self.mean(&a, &Grade::Full, |x| g(self.transform, x, &needed))?;
             let force = self.balance(control).force_of(&a, &excess)?;
             let stability = if crossing.rising { Stability::Stable } else { Stability::Unstable };
             found.push(Equilibrium { contact_radius: a, indentation: d, force, stability });
@@ -242,9 +247,9 @@ fn in_range<R: Real, const N: usize>(energy: R, reduced: &R, factors: [R; N]) ->
     Ok(energy)
 }
 
-/// g(x), zero where x is.
-fn g<R: Real>(transform: &dyn Transform<R>, x: &R) -> Result<R> {
-    if vanishes(x) { Ok(x.lit(0)) } else { transform.g(x) }
+/// g(x) as well as it is needed, zero where x is.
+fn g<R: Real>(transform: &dyn Transform<R>, x: &R, needed: &R) -> Result<R> {
+    if vanishes(x) { Ok(x.lit(0)) } else { transform.g_within(x, needed) }
 }
 
 /// Whether x is so close to the end of the range of the arithmetic that g(0) = 0 is all there is to know.

@@ -6,11 +6,11 @@
 use mdr_core::calculus::isolate::isolate;
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::roots::bisect;
-use mdr_core::calculus::{Tolerance, gauss_jacobi, roundoff_tolerance};
+use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, roundoff_tolerance};
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Special;
 
-use crate::curve::Curve;
+use crate::curve::{Curve, negligible};
 
 /// The fields of the equilibrium with a given contact radius.
 ///
@@ -67,12 +67,23 @@ impl<'a, R: Special> Fields<'a, R> {
     /// The pressure p(r) = (E*/π)[∫ᵣᵃ g'(x)/√(x² − r²) dx − (g(a) − d)/√(a² − r²)] for 0 ≤ r < a, in Pa (Popov & Heß 2014),
     /// with g(a) − d = Δl away from a wall; negative is tension. With q² = a² − r² and x² = r² + q²t² the integral is
     /// ∫ g'(x) q/x dt up to the first kink b > r, or to a, in which no length has to be small or large. Beyond a kink, where g'
-    /// may begin with 1/√(x − b), the variable is s in x = b + s².
+    /// may begin with 1/√(x − b), the variable is τ in x = b + (b − r) sinh²τ.
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 ≤ r < a, and where the pressure is infinite: at the tip of a cone, and at some kinks;
     /// [`Error::NoConvergence`] where the quadrature does not. [`Error::OutOfRange`] when it is no number of this arithmetic.
     pub fn pressure(&self, r: &R) -> Result<R> {
+        settled(
+            self.pressure_estimate(r)?,
+            &(self.edge.abs() / leg(&self.contact_radius, r) * self.curve.effective_modulus()),
+        )
+    }
+
+    /// The pressure with its estimated error, also where that is larger than [`Fields::pressure`] lets pass.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn pressure_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = &self.contact_radius;
         if !(*r >= r.lit(0) && r < a) {
             return Err(Error::domain(Quantity::Radius, r, "within the contact, 0 <= r < a"));
@@ -90,12 +101,15 @@ impl<'a, R: Special> Fields<'a, R> {
         .map_err(|error| if self.is_infinite_at(r) { infinite_at(r) } else { error })?;
         for (i, kink) in kinks.iter().enumerate() {
             let next = kinks.get(i + 1).unwrap_or(a);
-            bulk += &integrate_from_kink(kink, next, |x| Ok(self.curve.transform().slope(x)? / leg(x, r)))?;
+            let piece = integrate_from_kink(kink, next, r, |x| self.curve.transform().slope(x))?;
+            bulk.value += &piece.value;
+            bulk.error += &piece.error;
         }
-        let strain = (bulk - self.edge.clone() / &reach) / r.pi();
+        let strain = (bulk.value - self.edge.clone() / &reach) / r.pi();
         let pressure = strain.clone() * self.curve.effective_modulus();
         if pressure.is_finite() && (pressure != r.lit(0) || strain == r.lit(0)) {
-            return Ok(pressure);
+            let error = bulk.error / r.pi() * self.curve.effective_modulus();
+            return Ok(Estimate { value: pressure, error, evaluations: bulk.evaluations });
         }
         let log10 = (strain.abs().ln() + self.curve.effective_modulus().ln()).approx() / std::f64::consts::LN_10;
         Err(Error::OutOfRange { quantity: Quantity::Parameter("the pressure p"), log10 })
@@ -115,11 +129,20 @@ impl<'a, R: Special> Fields<'a, R> {
     /// # Errors
     /// [`Error::Domain`] unless r > a; as [`Transform::g`](mdr_core::contact::Transform::g).
     pub fn gap(&self, r: &R) -> Result<R> {
+        settled(self.gap_estimate(r)?, &self.edge)
+    }
+
+    /// The gap with its estimated error, also where that is larger than [`Fields::gap`] lets pass.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn gap_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = self.outside(r)?;
         let angle = |x: &R| (leg(r, x) / x).atan();
         let breaks: Vec<R> = self.kinks(a, r).iter().map(angle).collect();
-        let excess = |phi: &R| Ok(self.curve.transform().g(&(phi.cos() * r))? - &self.indentation);
-        Ok(integrate(&r.lit(0), &angle(a), &breaks, excess)?.times(2) / r.pi())
+        let needed = negligible(&self.edge);
+        let excess = |phi: &R| Ok(self.curve.transform().g_within(&(phi.cos() * r), &needed)? - &self.indentation);
+        Ok(integrate(&r.lit(0), &angle(a), &breaks, excess)?.scaled(&(r.lit(2) / r.pi())))
     }
 
     /// The displacement of the surface at r > a, in m, positive into the half-space:
@@ -128,14 +151,22 @@ impl<'a, R: Special> Fields<'a, R> {
     /// # Errors
     /// As [`Fields::gap`].
     pub fn displacement(&self, r: &R) -> Result<R> {
+        settled(self.displacement_estimate(r)?, &self.edge)
+    }
+
+    /// The displacement with its estimated error, also where that is larger than [`Fields::displacement`] lets pass.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn displacement_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = self.outside(r)?;
         let angle = |x: &R| (x.clone() / &leg(r, x)).atan();
         let breaks: Vec<R> = self.kinks(&r.lit(0), a).iter().map(angle).collect();
         let depth = |theta: &R| {
             let x = self.off_axis(theta.sin() * r);
-            Ok(self.indentation.clone() - self.curve.transform().g(&x)?)
+            Ok(self.indentation.clone() - self.curve.transform().g_within(&x, &negligible(&self.edge))?)
         };
-        Ok(integrate(&r.lit(0), &angle(a), &breaks, depth)?.times(2) / r.pi())
+        Ok(integrate(&r.lit(0), &angle(a), &breaks, depth)?.scaled(&(r.lit(2) / r.pi())))
     }
 
     /// The smallest sampled radius in (a, `until`) where the gap turns negative: there the surfaces would interpenetrate,
@@ -223,27 +254,56 @@ fn hypotenuse<R: Special>(x: &R, y: &R) -> R {
 }
 
 /// ∫ f from `lower` to `upper`.
-fn integrate<R: Special>(lower: &R, upper: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<R> {
-    Ok(tanh_sinh_pieces(lower, upper, breaks, tolerance(upper), f)?.value)
+fn integrate<R: Special>(lower: &R, upper: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
+    tanh_sinh_pieces(lower, upper, breaks, or_half_of_the_digits(upper), f)
 }
 
-/// ∫ f(x) dx from a kink, where f may have an inverse root: 2∫ f(kink + s²) s ds.
+/// ∫ g'(x)/√(x² − r²) dx from a kink b > r, where g' may have an inverse root: in τ with x = b + (b − r) sinh²τ, which takes out
+/// that root and the one of x − r however close r is, 2∫ g'(x) √((b − r)/(x + r)) sinh τ dτ.
 ///
-/// By Gauss–Legendre, whose nodes keep away from the kink: next to it the rounding of x would be all that is left of x − kink.
+/// By Gauss–Legendre, whose nodes keep away from the kink: next to it the rounding of x would be all that is left of x − b.
 /// Tanh-sinh where something singular is close.
-fn integrate_from_kink<R: Special>(kink: &R, upper: &R, f: impl Fn(&R) -> Result<R>) -> Result<R> {
-    let (zero, one) = (upper.lit(0), upper.lit(1));
-    let width = upper.clone() - kink;
-    let weighted = |s: &R| Ok(f(&(s.square() * &width + kink).lesser(upper))? * s);
+fn integrate_from_kink<R: Special>(kink: &R, upper: &R, r: &R, slope: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
+    let (zero, one, near) = (upper.lit(0), upper.lit(1), kink.clone() - r);
+    let beside = kink.unit_roundoff().times(2) * kink + kink;
+    let end = ((upper.clone() - kink) / &near).sqrt();
+    // arsinh of the end, without cancellation.
+    let width = (end.square() / ((end.square() + &one).sqrt() + &one) + &end).ln_1p();
+    let weighted = |t: &R| {
+        let excess = (t.clone() * &width).exp_m1();
+        let sinh = (excess.clone() / (excess.clone() + &one) + excess).over(2);
+        let x = (sinh.square() * &near + kink).lesser(upper).greater(&beside);
+        // sinh of the radius as it was rounded, at which the slope is taken.
+        let sinh = ((x.clone() - kink) / &near).sqrt();
+        Ok(slope(&x)? * (near.clone() / (x + r)).sqrt() * sinh)
+    };
     let integral = match gauss_jacobi::integrate(&zero, &zero, tolerance(upper), weighted) {
-        Err(Error::NoConvergence { .. }) => tanh_sinh_pieces(&zero, &one, &[], tolerance(upper), weighted)?,
+        Err(Error::NoConvergence { .. }) => tanh_sinh_pieces(&zero, &one, &[], or_half_of_the_digits(upper), weighted)?,
         integral => integral?,
     };
-    Ok(integral.value.times(2) * width)
+    Ok(integral.scaled(&width.times(2)))
 }
 
-/// Where an integrand cancels, rounding may leave less of it than is asked for.
+/// Where an integrand cancels, rounding may leave less of it than is asked for: by this factor.
+const CANCELLED: i64 = 4096;
+
 fn tolerance<R: Special>(like: &R) -> Tolerance<R> {
     let goal = roundoff_tolerance(like);
-    Tolerance::new(&goal).or_noise_below(goal.times(4096))
+    Tolerance::new(&goal).or_noise_below(goal.times(CANCELLED))
+}
+
+/// The same, or what the finest rule gives: its error is passed on.
+fn or_half_of_the_digits<R: Special>(like: &R) -> Tolerance<R> {
+    tolerance(like).or_finest_below(like.unit_roundoff().sqrt().times(16))
+}
+
+/// The value of an estimate that is as good as the tolerance asks, relative to itself or to the part of the edge.
+fn settled<R: Special>(estimate: Estimate<R>, edge: &R) -> Result<R> {
+    let Estimate { value, error, evaluations } = estimate;
+    let size = value.abs() + edge.abs();
+    if error <= roundoff_tolerance(&value).times(CANCELLED) * &size {
+        return Ok(value);
+    }
+    let error = (error / size).approx();
+    Err(Error::NoConvergence { quantity: Quantity::Integral, evaluations, error })
 }

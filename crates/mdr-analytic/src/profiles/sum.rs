@@ -84,6 +84,12 @@ impl<R: Special> Transform<R> for Sum<R> {
     fn above_mean(&self, x: &R) -> Result<R> {
         self.total(x, |term| term.above_mean(x))
     }
+    fn g_within(&self, x: &R, needed: &R) -> Result<R> {
+        self.total(x, |term| term.g_within(x, needed))
+    }
+    fn mean_within(&self, x: &R, needed: &R) -> Result<R> {
+        self.total(x, |term| term.mean_within(x, needed))
+    }
     fn outer_radius(&self) -> Option<R> {
         let ends = self.terms.iter().filter_map(|term| term.outer_radius());
         ends.reduce(|a, b| if b < a { b } else { a })

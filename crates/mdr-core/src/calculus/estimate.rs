@@ -58,13 +58,16 @@ pub struct Tolerance<R> {
     /// The limit for the finest rule.
     last: R,
     noise: R,
+    /// An absolute error that is small enough, whatever the others are.
+    absolute: R,
 }
 
 impl<R: Real> Tolerance<R> {
     /// A goal that has to be met; one below the rounding level ([`roundoff_tolerance`]) is raised to it.
     pub fn new(goal: &R) -> Self {
         let goal = larger(goal.steer(), roundoff_tolerance(goal));
-        Tolerance { limit: goal.clone(), last: goal.clone(), noise: goal.unit_roundoff().times(8), goal }
+        let (noise, absolute) = (goal.unit_roundoff().times(8), goal.lit(0));
+        Tolerance { limit: goal.clone(), last: goal.clone(), noise, absolute, goal }
     }
 
     /// The same goal, or as near to it as the noise of the integrand lets, below this limit.
@@ -77,6 +80,11 @@ impl<R: Real> Tolerance<R> {
     /// integrand of which it is not certain that it has noise: a slow convergence is not taken for it.
     pub fn or_finest_below(self, limit: R) -> Self {
         Tolerance { last: larger(limit.steer(), self.limit.clone()), ..self }
+    }
+
+    /// The same, or an absolute error below this.
+    pub fn or_error_below(self, absolute: &R) -> Self {
+        Tolerance { absolute: absolute.steer(), ..self }
     }
 
     /// The same for an integrand that is known to this relative `noise`, so that a change no larger than that is rounding.
@@ -113,7 +121,8 @@ impl<R: Real> Refinement<R> {
         let error = (remainder.unwrap_or_else(|| magnitude.steer()) + known).steer();
         let estimate = Estimate { value, error, evaluations };
         let within = |tolerance: &R| enough && estimate.is_within(tolerance, magnitude);
-        let done = within(&self.tolerance.goal) || (within(&self.tolerance.limit) && self.is_noise());
+        let negligible = enough && estimate.error <= self.tolerance.absolute;
+        let done = negligible || within(&self.tolerance.goal) || (within(&self.tolerance.limit) && self.is_noise());
         (estimate, done)
     }
 
@@ -122,7 +131,9 @@ impl<R: Real> Refinement<R> {
     /// # Errors
     /// [`NoConvergence`](Error::NoConvergence) unless its error is below the limit.
     pub(super) fn exhausted(&self, last: Estimate<R>, magnitude: &R) -> Result<Estimate<R>> {
-        if last.is_within(&self.tolerance.last, magnitude) { Ok(last) } else { Err(no_convergence(&last, magnitude)) }
+        let negligible = last.error <= self.tolerance.absolute;
+        let good = negligible || last.is_within(&self.tolerance.last, magnitude);
+        if good { Ok(last) } else { Err(no_convergence(&last, magnitude)) }
     }
 
     /// Whether the last change is not much smaller than the one before.

@@ -111,6 +111,14 @@ impl<R: Real> Transform<R> for CountedTransform<R> {
         self.count(2).mean(x)
     }
 
+    fn g_within(&self, x: &R, needed: &R) -> Result<R> {
+        self.count(0).g_within(x, needed)
+    }
+
+    fn mean_within(&self, x: &R, needed: &R) -> Result<R> {
+        self.count(2).mean_within(x, needed)
+    }
+
     fn above_mean(&self, x: &R) -> Result<R> {
         self.count(2).above_mean(x)
     }
@@ -161,6 +169,14 @@ mod tests {
             Ok(x + 5.0)
         }
 
+        fn g_within(&self, x: &f64, needed: &f64) -> Result<f64> {
+            Ok(x + needed)
+        }
+
+        fn mean_within(&self, x: &f64, needed: &f64) -> Result<f64> {
+            Ok(x - needed)
+        }
+
         fn outer_radius(&self) -> Option<f64> {
             Some(6.0)
         }
@@ -194,11 +210,13 @@ mod tests {
         assert_eq!(spent(&|| counted.integral(&10.0)), (13.0, integral));
         assert_eq!(spent(&|| counted.mean(&10.0)), (14.0, integral));
         assert_eq!(spent(&|| counted.above_mean(&10.0)), (15.0, integral));
+        assert_eq!(spent(&|| counted.g_within(&10.0, &0.5)), (10.5, g));
+        assert_eq!(spent(&|| counted.mean_within(&10.0, &0.5)), (9.5, integral));
         assert_eq!((counted.outer_radius(), counted.wall(), counted.kinks()), (Some(6.0), true, vec![7.0]));
         let expected = Peculiar.kink(2, &0.5).unwrap_err().to_string();
         assert_eq!(counted.kink(2, &0.5).unwrap_err().to_string(), expected);
-        assert_eq!(tally.read(), Evaluations { g: 1, slope: 1, integral: 3 });
-        assert_eq!(tally.read().total(), 5);
+        assert_eq!(tally.read(), Evaluations { g: 2, slope: 1, integral: 4 });
+        assert_eq!(tally.read().total(), 7);
     }
 
     #[test]

@@ -34,6 +34,23 @@ pub trait Transform<R: Real>: Send + Sync {
         Ok(self.integral(x)? / x)
     }
 
+    /// g(x), or where it cannot be had to its own accuracy, as near a tip whose heights cancel, to an absolute error that is
+    /// estimated to be below what is `needed` of it.
+    ///
+    /// # Errors
+    /// As [`Transform::g`].
+    fn g_within(&self, x: &R, _needed: &R) -> Result<R> {
+        self.g(x)
+    }
+
+    /// The same of the [mean](Transform::mean).
+    ///
+    /// # Errors
+    /// As [`Transform::g`].
+    fn mean_within(&self, x: &R, _needed: &R) -> Result<R> {
+        self.mean(x)
+    }
+
     /// g less its mean, (1/x) ∫₀ˣ s g'(s) ds, in m: a state has F = 2E*a (this − Δl). Override it where g and its mean nearly
     /// cancel, as for a power law with n → 0.
     ///

@@ -59,7 +59,7 @@ impl<R: Real> Ladder<R> {
         self.rungs[index].get_or_init(|| nodes(&self.p, RUNGS[index] * unit).ok()).as_deref()
     }
 
-    /// Climbs until the estimated error is below `tolerance` relative to I[|φ|], or, the samples themselves being known to
+    /// Climbs until the estimated error is below `tolerance` relative to I[|φ|] or absolutely below what is `needed`, or, the samples themselves being known to
     /// the relative `noise`, until it no longer falls and is below the `attainable`. None when it gives up: then φ is not of
     /// the form this rule is made for. A value at the ends of the range of the arithmetic is returned with an error as large
     /// as itself.
@@ -67,6 +67,7 @@ impl<R: Real> Ladder<R> {
         &self,
         tolerance: &R,
         attainable: &R,
+        needed: &R,
         noise: &R,
         mut sample: impl FnMut(&R) -> R,
     ) -> Option<Estimate<R>> {
@@ -85,7 +86,10 @@ impl<R: Real> Ladder<R> {
                 let settled = step.clone().times(4) >= before;
                 let goal = if settled { attainable } else { tolerance };
                 let remainder = remainder(&before, &step, &magnitude, &rounding);
-                if let Some(remainder) = remainder.filter(|error| *error <= goal.clone() * &magnitude) {
+                // Steps of noise, each as small as need be.
+                let negligible = || Some(before.greater(&step).times(OSCILLATION)).filter(|error| error <= needed);
+                let good = |error: &R| *error <= (goal.clone() * &magnitude).greater(needed);
+                if let Some(remainder) = remainder.filter(good).or_else(negligible) {
                     return Some(Estimate { value, error: remainder + rounding, evaluations });
                 }
             }

@@ -17,11 +17,13 @@ pub(super) struct Integral<'a, R, P> {
     profile: Counted<'a, P>,
     x: &'a R,
     integrand: Integrand,
+    /// An absolute error that is small enough; 0 where the tolerance decides.
+    needed: R,
 }
 
 impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
-    pub(super) fn new(quadrature: &'a Quadrature<R, P>, x: &'a R, integrand: Integrand) -> Self {
-        Integral { quadrature, profile: Counted::new(&quadrature.profile), x, integrand }
+    pub(super) fn new(quadrature: &'a Quadrature<R, P>, x: &'a R, integrand: Integrand, needed: R) -> Self {
+        Integral { quadrature, profile: Counted::new(&quadrature.profile), x, integrand, needed }
     }
 
     /// I[φ], and with g' what the kinks add to it. All heights are counted, those of rules that failed as well.
@@ -91,9 +93,16 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         self.quadrature.tolerance(self.x)
     }
 
-    /// The tolerance, or what the rounding of r leaves attainable: a steep profile knows its own height no better.
+    /// The tolerance, or what the rounding of r leaves attainable: a steep profile knows its own height no better. Or what is
+    /// accepted.
     fn attainable(&self, noise: &R) -> R {
-        self.tolerance().greater(&noise.clone().times(16))
+        let attainable = self.tolerance().greater(&noise.clone().times(16));
+        self.quadrature.accepted.iter().fold(attainable, |attainable, accepted| attainable.greater(accepted))
+    }
+
+    /// This goal, or an error that is small enough.
+    fn to(&self, goal: &R) -> Tolerance<R> {
+        Tolerance::new(goal).or_error_below(&self.needed)
     }
 
     /// What the rounding of r = x sinθ does to the integrand, relative, at the larger end, where it is largest.
@@ -111,7 +120,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
                 // Where more than half of the digits are noise, slow convergence might pass for it.
                 let attainable = self.attainable(&noise).lesser(&self.x.unit_roundoff().sqrt());
                 ladder
-                    .integrate(&self.tolerance(), &attainable, &noise, |s| self.at(s))
+                    .integrate(&self.tolerance(), &attainable, &self.needed, &noise, |s| self.at(s))
                     .map_or_else(|| self.patient(&quarter), Ok)
             }
             _ => self.patient(&quarter),
@@ -134,7 +143,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
     fn piece(&self, angles: &Angles<R>) -> Result<Estimate<R>> {
         match (self.quadrature.rule, self.weight(angles)) {
             (Rule::TanhSinh, _) | (Rule::Automatic, None) => self.patient(angles),
-            (Rule::Automatic, Some(beta)) => match self.gauss(angles, &beta, Tolerance::new(&self.tolerance())) {
+            (Rule::Automatic, Some(beta)) => match self.gauss(angles, &beta, self.to(&self.tolerance())) {
                 Ok(estimate) => Ok(with_noise(estimate, &self.noise(angles))),
                 Err(_) => self.patient(angles),
             },
@@ -208,7 +217,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         let x = self.x;
         let radii: [R; 8] = std::array::from_fn(|i| x.clone() - x.clone().times(i as i64).over(19));
         let noise = self.integrand.noise(&self.profile, &radii);
-        let tolerance = Tolerance::new(&self.attainable(&noise)).with_noise(&noise);
+        let tolerance = self.to(&self.attainable(&noise)).with_noise(&noise);
         let estimate = strides(&angles.lower, &angles.upper, self.quadrature.strides, |from, to| {
             let stride = angles.part(from, to);
             match self.weight(&stride) {
@@ -228,7 +237,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         }
         // The noise at the end of the interval need not be that of the integral, so it is no excuse before the finest rule.
         let noise = self.noise(angles);
-        let tolerance = Tolerance::new(&self.tolerance()).or_finest_below(self.attainable(&noise));
+        let tolerance = self.to(&self.tolerance()).or_finest_below(self.attainable(&noise));
         let estimate = tanh_sinh(&angles.lower, &angles.upper, tolerance, |angle| Ok(self.sample(angles, angle)))?;
         Ok(with_noise(estimate, &noise))
     }

@@ -44,6 +44,8 @@ pub struct Quadrature<R, P> {
     pub(super) profile: P,
     pub(super) rule: Rule,
     tolerance: Option<R>,
+    /// What is accepted where the tolerance is not met.
+    pub(super) accepted: Option<R>,
     pub(super) kinks: Vec<R>,
     pub(super) ladder: Option<Ladder<R>>,
     fixed: OnceLock<Fixed<R>>,
@@ -71,6 +73,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         Quadrature {
             rule: Rule::default(),
             tolerance: None,
+            accepted: None,
             kinks: profile.kinks(),
             ladder,
             fixed: OnceLock::new(),
@@ -91,6 +94,16 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     pub fn with_tolerance(self, tolerance: R) -> Result<Self> {
         let tolerance = Some(Error::require_positive(Quantity::Parameter("the tolerance"), tolerance)?);
         Ok(Quadrature { tolerance, ..self })
+    }
+
+    /// The same, which takes a value that misses its tolerance, if its estimated error is below this relative to ∫|…|. For who
+    /// wants fewer digits than the arithmetic has.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless it is positive and finite.
+    pub fn accepting(self, error: R) -> Result<Self> {
+        let accepted = Some(Error::require_positive(Quantity::Parameter("the accepted error"), error)?);
+        Ok(Quadrature { accepted, ..self })
     }
 
     /// The same for profiles with up to about this many waves inside x, 500 unless it is said otherwise; beyond it says
@@ -134,8 +147,12 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     }
 
     fn estimate(&self, x: &R, integrand: Integrand) -> Result<Estimate<R>> {
+        self.estimate_within(x, integrand, x.lit(0))
+    }
+
+    fn estimate_within(&self, x: &R, integrand: Integrand, needed: R) -> Result<Estimate<R>> {
         self.check(x)?;
-        Integral::new(self, x, integrand).estimate()
+        Integral::new(self, x, integrand, needed).estimate()
     }
 
     fn check(&self, x: &R) -> Result<()> {
@@ -195,6 +212,14 @@ impl<R: Special, P: Profile<R>> Transform<R> for Quadrature<R, P> {
 
     fn mean(&self, x: &R) -> Result<R> {
         Ok(self.mean_estimate(x)?.value)
+    }
+
+    fn g_within(&self, x: &R, needed: &R) -> Result<R> {
+        Ok(self.estimate_within(x, Integrand::Transform, needed.clone())?.value)
+    }
+
+    fn mean_within(&self, x: &R, needed: &R) -> Result<R> {
+        Ok(self.estimate_within(x, Integrand::Height, needed.clone())?.value)
     }
 
     /// I(Df): no difference of two integrals.
