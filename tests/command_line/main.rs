@@ -22,6 +22,7 @@ mod rim;
 mod scene_kinks;
 mod scene_needs;
 mod solve;
+mod solve_costs;
 mod solve_paths;
 mod solve_statuses;
 mod solve_tables;

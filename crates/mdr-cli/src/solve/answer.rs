@@ -69,12 +69,6 @@ impl Output {
         Output { balance, ..Output::new(Want::Path, promise, whole.into_records("events")) }
     }
 
-    /// Whether two paths are the same sequence of events.
-    pub(crate) fn has_the_events_of(&self, other: &Output) -> bool {
-        let events = |path: &Output| path.records.iter().map(|record| record.get("event").cloned()).collect::<Vec<_>>();
-        events(self) == events(other)
-    }
-
     /// The same path with the energies of another computation of it.
     pub(crate) fn with_energy_of(self, other: Output) -> Self {
         let lost = other.records.iter().map(|record| record.get("dissipated").cloned());

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::sync::Arc;
 
+use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal};
@@ -10,7 +11,7 @@ use rug::Float;
 
 use super::answer::{Complete, Output, Promise};
 use super::contact::{Arithmetic, Contact, Tally};
-use super::digits::{estimated, proved};
+use super::digits::{estimated, proved, rounded};
 use super::double::{Double, not_proved};
 use super::enclosed::{self, Isolated};
 use super::outputs;
@@ -77,7 +78,8 @@ impl<'s> Certified<'s> {
     /// What is read off the curve at given radii: proved where g is closed.
     fn along(&self, want: Want, radii: &[Literal]) -> Result<Output> {
         if !self.scene.profile.is_closed() {
-            let records = estimated(self.digits, |precision| read(&self.contact::<Float>(precision)?, want, radii))?;
+            let read = |precision| Ok(rounded(read(&self.contact::<Float>(precision)?, want, radii)?));
+            let records = estimated(self.digits, read)?;
             return Ok(Output::new(want, Promise::Estimated, records));
         }
         let records = proved(self.digits, |precision| {
@@ -94,7 +96,7 @@ impl<'s> Certified<'s> {
         }
         let records = estimated(self.digits, |precision| {
             let contact = self.contact::<Float>(precision)?;
-            Ok(polished(&contact, self.rough()?.folds()?)?.folds.into_iter().map(outputs::fold).collect())
+            Ok(rounded(polished(&contact, self.rough()?.folds()?)?.folds.into_iter().map(outputs::fold).collect()))
         })?;
         Ok(Output::new(Want::Folds, Promise::Estimated, records).complete(self.searched()?))
     }
@@ -145,25 +147,22 @@ impl<'s> Certified<'s> {
     /// The path: proved where the folds are, except for the energy.
     fn path(&self) -> Result<Output> {
         let isolated = self.isolated()?;
-        let proved = isolated.map_or(Ok(None), |isolated| enclosed::path(self, isolated))?;
-        let records = self.estimated(|states| states.path(&self.scene.held));
-        let estimated = records.map(|records| Output::path(Promise::Estimated, records));
-        match (proved, estimated) {
-            (Some(proved), Ok(estimated)) if proved.has_the_events_of(&estimated) => {
-                Ok(proved.with_energy_of(estimated))
-            }
-            (Some(proved), Ok(_)) => Ok(proved.without_energy("two precisions do not agree on the states")),
-            (Some(proved), Err(error)) => Ok(proved.without_energy(&error.to_string())),
-            (None, estimated) => {
-                let mut searched = self.searched()?;
-                if let Some(Complete { proved: true, from, to, .. }) = isolated.map(Isolated::complete) {
-                    let [from, to] = [from, to].map(|end| end.as_deref().unwrap_or("infinity").to_owned());
-                    searched.why +=
-                        &format!("; not every state of the path is proved within radii from {from} to {to} m");
-                }
-                Ok(estimated?.complete(searched))
-            }
+        let output = |records| Output::path(Promise::Estimated, records);
+        if let Some(isolated) = isolated
+            && let Some((proved, followed)) = enclosed::path(self, isolated)?
+        {
+            return Ok(match followed.with_energy(self, isolated) {
+                Ok(records) => proved.with_energy_of(output(records)),
+                Err(error) => proved.without_energy(&error.to_string()),
+            });
         }
+        let estimated = output(self.estimated(|states| states.path(&self.scene.held))?);
+        let mut searched = self.searched()?;
+        if let Some(Complete { proved: true, from, to, .. }) = isolated.map(Isolated::complete) {
+            let [from, to] = [from, to].map(|end| end.as_deref().unwrap_or("infinity").to_owned());
+            searched.why += &format!("; not every state of the path is proved within radii from {from} to {to} m");
+        }
+        Ok(estimated.complete(searched))
     }
 
     /// The folds on which proofs rest: of closed forms, and of tables that are short and leave nothing undecided. A longer or
@@ -184,7 +183,7 @@ impl<'s> Certified<'s> {
     /// What is computed at states that f64 has found.
     fn estimated(
         &self,
-        compute: impl Fn(&States<'_, Float>) -> Result<Vec<Record<Float>>>,
+        compute: impl Fn(&States<'_, Float>) -> Result<Vec<Record<Estimate<Float>>>>,
     ) -> Result<Vec<Record<Number>>> {
         let rough = self.rough()?;
         let folds = rough.folds()?;

@@ -9,7 +9,9 @@ use mdr_core::number::{Dual, Interval, Literal};
 use mdr_numeric::curve::Curve;
 use rug::Float;
 
+use super::digits::{GUARD, start};
 use super::library;
+use crate::flags;
 use crate::scene::{HeldBy, Scene, double, exactly};
 
 /// An arithmetic in which a scene can be computed.
@@ -73,7 +75,14 @@ impl<R: Arithmetic> Contact<R> {
         control: Control<R>,
         tally: &Arc<Tally>,
     ) -> Result<Self> {
-        let transform = CountedTransform::new(library::transform(&scene.profile, ctx)?, &tally.0[R::INDEX]);
+        let accepted = match scene.output.arithmetic {
+            flags::Arithmetic::Certified { digits } if R::INDEX == Float::INDEX => {
+                Some(R::from_int(ctx, 2).powi(-i64::from(start(digits).bits() - GUARD / 2)))
+            }
+            _ => None,
+        };
+        let transform = library::transform(&scene.profile, ctx, accepted.as_ref())?;
+        let transform = CountedTransform::new(transform, &tally.0[R::INDEX]);
         Ok(Contact { ctx, transform, material, control })
     }
 

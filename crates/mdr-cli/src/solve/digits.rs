@@ -1,15 +1,16 @@
 //! From enclosures and from two precisions to decimals.
 
+use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Quantity, Result, Status};
 use mdr_core::number::certify::{Decimal, Enclosure, next_precision};
-use mdr_core::number::{Interval, Precision};
+use mdr_core::number::{Interval, Precision, Real};
 use rug::Float;
 
 use super::record::{Field, Record, numbers, paired};
 use crate::number::Number;
 
 /// Bits beyond those of the digits asked for, to begin with.
-const GUARD: u32 = 32;
+pub(crate) const GUARD: u32 = 32;
 
 /// The precision at which a proved number that may be zero, or a decision, is left undecided, over that to begin with. A number
 /// that is not zero has its digits at any precision that is [needed](next_precision).
@@ -25,8 +26,14 @@ pub(crate) fn start(digits: u32) -> Precision {
     Precision::new(Precision::from_digits(digits).bits().saturating_add(GUARD).max(64))
 }
 
-fn raised(precision: Precision) -> Precision {
+/// The next precision.
+pub(crate) fn raised(precision: Precision) -> Precision {
     Precision::new(precision.bits().saturating_add(precision.bits() / 2))
+}
+
+/// A precision from which a number is rounded to this one as if it were exact.
+pub(crate) fn guarded(precision: Precision) -> Precision {
+    Precision::new(precision.bits().saturating_add(GUARD))
 }
 
 /// Evaluates `f` at growing precision until the enclosures decide every number to `digits` significant digits, correctly
@@ -36,10 +43,21 @@ fn raised(precision: Precision) -> Precision {
 /// Those of `f`; [`Error::Undecided`] only when it is the last attempt that returns it.
 pub(crate) fn proved(
     digits: u32,
+    f: impl FnMut(Precision) -> Result<Vec<Record<Enclosure>>>,
+) -> Result<Vec<Record<Number>>> {
+    proved_from(start(digits), digits, f)
+}
+
+/// The same, beginning with a given precision.
+///
+/// # Errors
+/// As [`proved`].
+pub(crate) fn proved_from(
+    mut precision: Precision,
+    digits: u32,
     mut f: impl FnMut(Precision) -> Result<Vec<Record<Enclosure>>>,
 ) -> Result<Vec<Record<Number>>> {
     let begin = start(digits);
-    let mut precision = begin;
     let mut decided: Vec<Option<Decimal>> = Vec::new();
     loop {
         let last = precision.bits() >= MOST.saturating_mul(begin.bits());
@@ -70,14 +88,24 @@ fn still_open<'a>(
     numbers(records).into_iter().zip(decided).filter(|(_, decimal)| decimal.is_none()).map(|(enclosure, _)| enclosure)
 }
 
-/// Evaluates `f` at two precisions and takes their difference for the error; raises both until all `digits` agree. What
-/// does not agree then is not printed.
+/// Numbers of which no error but that of their rounding is known.
+pub(crate) fn rounded<R: Real>(records: Vec<Record<R>>) -> Vec<Record<Estimate<R>>> {
+    records.into_iter().map(|record| record.convert(exact)).collect()
+}
+
+/// A number without an error of its own.
+pub(crate) fn exact<R: Real>(value: R) -> Estimate<R> {
+    Estimate { error: value.lit(0), value, evaluations: 0 }
+}
+
+/// Evaluates `f` at two precisions and takes their difference, and what the finer one estimates, for the error; raises both
+/// until all `digits` are certain by it. What is not then is not printed.
 ///
 /// # Errors
 /// Those of `f`.
 pub(crate) fn estimated(
     digits: u32,
-    mut f: impl FnMut(Precision) -> Result<Vec<Record<Float>>>,
+    mut f: impl FnMut(Precision) -> Result<Vec<Record<Estimate<Float>>>>,
 ) -> Result<Vec<Record<Number>>> {
     let mut precision = start(digits);
     let mut coarse = f(precision)?;
@@ -116,14 +144,17 @@ pub(crate) fn estimated(
     Ok(Vec::new())
 }
 
-/// The finer records, each number with the difference of the two on both sides, and whether both have them all; one that
-/// either lacks is lacking, for its reason. None where they differ in their form.
-fn compared(coarse: &[Record<Float>], fine: Vec<Record<Float>>) -> Option<(Vec<Record<Enclosure>>, bool)> {
+/// The finer records, each number with the difference of the two and its own error on both sides, and whether both have them
+/// all; one that either lacks is lacking, for its reason. None where they differ in their form.
+fn compared(
+    coarse: &[Record<Estimate<Float>>],
+    fine: Vec<Record<Estimate<Float>>>,
+) -> Option<(Vec<Record<Enclosure>>, bool)> {
     let mut agree = true;
     let records = paired(fine, coarse, &mut |fine, coarse| {
         agree &= matches!(fine, Field::Number(_)) == matches!(coarse, Field::Number(_));
         match (fine, coarse) {
-            (Field::Number(fine), Field::Number(coarse)) => Some(Field::Number(around(&fine, coarse))),
+            (Field::Number(fine), Field::Number(coarse)) => Some(Field::Number(around(fine, coarse))),
             (Field::Number(_), lacking @ Field::Marked { .. }) => Some(lacking.clone().without_number()),
             (Field::Number(_), _) | (Field::Absent | Field::Word(_) | Field::Flag(_), Field::Number(_)) => None,
             (fine, coarse) => (fine == *coarse || matches!(fine, Field::Marked { .. })).then(|| fine.without_number()),
@@ -132,13 +163,11 @@ fn compared(coarse: &[Record<Float>], fine: Vec<Record<Float>>) -> Option<(Vec<R
     Some((records, agree))
 }
 
-/// A number and how far another one is from it, on both sides.
-fn around(fine: &Float, coarse: &Float) -> Enclosure {
-    let error = Float::with_val(fine.prec(), coarse - fine).abs();
-    Enclosure::Value(Interval::new(
-        Float::with_val(fine.prec(), fine - &error),
-        Float::with_val(fine.prec(), fine + &error),
-    ))
+/// A number, and how far another one is from it and its own error on both sides.
+fn around(fine: Estimate<Float>, coarse: &Estimate<Float>) -> Enclosure {
+    let change = Float::with_val(fine.value.prec(), &coarse.value - &fine.value);
+    let error = Interval::point(change).abs() + Interval::point(fine.error);
+    Enclosure::Value(Interval::point(fine.value).inflate(&error))
 }
 
 /// Rounds what is not decided yet.
@@ -164,8 +193,6 @@ fn written(records: Vec<Record<Enclosure>>, decided: Vec<Option<Decimal>>, why: 
 
 #[cfg(test)]
 mod tests {
-    use mdr_core::number::Real;
-
     use super::*;
 
     fn only(records: Vec<Record<Number>>) -> String {
@@ -206,7 +233,7 @@ mod tests {
                 calls += 1;
                 let error = Error::NoConvergence { quantity: Quantity::Energy, evaluations: 9, error: 1e-9 };
                 let second = if calls > from { Ok(third(precision)) } else { Err(error) };
-                Ok(vec![Record::new().with("x", Field::Number(third(precision))).number("y", second)?])
+                Ok(rounded(vec![Record::new().with("x", Field::Number(third(precision))).number("y", second)?]))
             }
         };
         let found = estimated(5, lacking(1)).unwrap().remove(0);
@@ -223,18 +250,42 @@ mod tests {
         let noisy = |precision: Precision| {
             sign = -sign;
             let third = Float::from_int(precision, 1).over(3);
-            Ok(record(third + Float::from_int(precision, sign) * Float::from_int(precision, 10).powi(-12)))
+            Ok(rounded(record(third + Float::from_int(precision, sign) * Float::from_int(precision, 10).powi(-12))))
         };
         let text = only(estimated(20, noisy).unwrap());
         assert!(text.starts_with("0.33333") && text.len() < 16, "{text}");
-        let clean = |precision| Ok(record(Float::from_int(precision, 1).over(3)));
+        let clean = |precision| Ok(rounded(record(Float::from_int(precision, 1).over(3))));
         assert_eq!(only(estimated(20, clean).unwrap()), "0.33333333333333333333");
         // Noise around zero has no digits.
         let mut sign = 1;
         let noise = |precision: Precision| {
             sign = -sign;
-            Ok(record(Float::from_int(precision, sign) >> precision.bits()))
+            Ok(rounded(record(Float::from_int(precision, sign) >> precision.bits())))
         };
         assert_eq!(estimated(20, noise).unwrap()[0].status(), Status::Undecided);
+    }
+
+    #[test]
+    fn an_error_of_its_own_costs_a_number_its_digits_and_no_other_number() {
+        // Both precisions agree on a third with an error of 10⁻⁹; beside it a number that the first does not have.
+        let mut first = true;
+        let records = |precision: Precision| {
+            let third = Float::from_int(precision, 1).over(3);
+            let known = Field::Number(exact(third.clone()));
+            let error = Float::from_int(precision, 10).powi(-9);
+            let late = if std::mem::take(&mut first) {
+                Field::Marked { status: Status::Undecided, log10: None, why: None }
+            } else {
+                known.clone()
+            };
+            let rough = Field::Number(Estimate { value: third, error, evaluations: 0 });
+            Ok(vec![Record::new().with("late", late).with("x", rough).with("y", known)])
+        };
+        let answer = estimated(12, records).unwrap();
+        let text = |key| match answer[0].get(key) {
+            Some(Field::Number(number)) => number.to_string(),
+            field => format!("{field:?}"),
+        };
+        assert_eq!((text("x"), text("y"), text("late")), ("0.33333333".into(), "0.333333333333".into(), text("y")));
     }
 }

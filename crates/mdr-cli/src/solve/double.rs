@@ -3,12 +3,14 @@
 use std::cell::OnceCell;
 use std::sync::Arc;
 
+use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Instability, Result, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::folds::{self, Beyond, Completeness, Folds};
 
 use super::answer::{Complete, Output, Promise};
 use super::contact::{Contact, Tally};
+use super::digits::rounded;
 use super::record::{Field, Record};
 use super::states::States;
 use super::{outputs, sample};
@@ -68,16 +70,19 @@ impl<'s> Double<'s> {
     pub(crate) fn output(&self, want: Want) -> Result<Output> {
         let wanted = &self.scene.output;
         let records = match want {
-            Want::Transform => outputs::transform(&self.contact, &wanted.transform)?,
-            Want::Folds => self.folds()?.folds.iter().cloned().map(outputs::fold).collect(),
-            Want::Curve => outputs::curve(&self.contact, &self.radii()?)?,
+            Want::Transform => rounded(outputs::transform(&self.contact, &wanted.transform)?),
+            Want::Folds => rounded(self.folds()?.folds.iter().cloned().map(outputs::fold).collect()),
+            Want::Curve => rounded(outputs::curve(&self.contact, &self.radii()?)?),
             Want::Equilibria => self.states()?.equilibria(&wanted.values)?,
             Want::Path => self.states()?.path(&self.scene.held)?,
             Want::Pressure | Want::Gap | Want::Displacement | Want::Energy => {
                 self.states()?.fields(self.scene, want)?
             }
         };
-        let records = records.into_iter().map(|record: Record<f64>| record.map(&mut double)).collect();
+        let records = records
+            .into_iter()
+            .map(|record: Record<Estimate<f64>>| record.map(&mut |number| double(number.value)))
+            .collect();
         Ok(match want {
             Want::Path => Output::path(Promise::Double, records).complete(self.completeness()?),
             Want::Folds | Want::Equilibria => {

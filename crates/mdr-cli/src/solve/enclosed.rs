@@ -1,10 +1,12 @@
 //! Folds, equilibria and paths over enclosures: each digit and each decision proved, and nothing missed on a range of radii.
 
-use mdr_core::contact::{Equilibrium, Error, Instability, Quantity, Result};
+use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::branch::Branched;
-use mdr_numeric::path::{Event, EventKind};
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::folds::{Completeness, Folds};
+use mdr_numeric::path::{Event, EventKind, Path};
 use mdr_numeric::proof::{EnclosedBranches, EnclosedCurve, ProvedFolds};
 use rug::Float;
 use rug::float::Round;
@@ -12,7 +14,7 @@ use rug::float::Round;
 use super::answer::{Complete, Output, Promise};
 use super::certified::Certified;
 use super::contact::Contact;
-use super::digits::{proved, start};
+use super::digits::{estimated, guarded, proved, proved_from, raised, start};
 use super::record::{Field, Record};
 use super::{outputs, path, sample};
 use crate::number::Number;
@@ -187,37 +189,77 @@ fn is_within(state: &Equilibrium<Interval>, [lower, upper]: &[Literal; 2]) -> Re
     }
 }
 
-/// The events of the path without their energy; none where a decision cannot be proved.
-///
-/// # Errors
-/// As [`Path::follow`](mdr_numeric::path::Path::follow).
-pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Option<Output>> {
-    let scene = certified.scene;
-    let records = proved(certified.digits, |precision| {
+/// A path that was followed over enclosures.
+pub(super) struct Followed {
+    path: Path<Interval>,
+    folds: Vec<Instability<Interval>>,
+    control: Control<Interval>,
+    bits: u32,
+}
+
+impl Followed {
+    /// Every decision on the path is certain.
+    ///
+    /// # Errors
+    /// As [`Path::follow`]; [`Error::Unproved`] where more bits do not help.
+    fn new(certified: &Certified<'_>, isolated: &Isolated, precision: Precision) -> Result<Self> {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
-        let path = match path::follow(&enclosed.plain, &branches, &scene.held) {
-            // There is none in the range of the proof.
-            Err(Error::NoEquilibrium { .. }) => {
-                return Err(Error::Undecided {
-                    quantity: enclosed.plain.control().quantity(),
-                    bits: precision.bits(),
-                    what: "whether there is an equilibrium outside the radii of the proof",
-                });
-            }
+        let control = enclosed.plain.control();
+        let unproved = || {
+            let (from, to) = ("0".to_owned(), "infinity".to_owned());
+            Error::Unproved { quantity: control.quantity(), from, to, remedy: "name a wider range of radii" }
+        };
+        let path = match path::follow(&enclosed.plain, &branches, &certified.scene.held) {
+            // There is none in the range of the proof, whatever the precision.
+            Err(Error::NoEquilibrium { .. }) => return Err(unproved()),
             path => path?,
         };
         let asked_for = start(certified.digits).bits();
         branches.check(&path).map_err(|error| match error {
             // The rest of the radii is long, and not a matter of bits.
-            Error::Undecided { quantity, bits, .. } if bits >= ENOUGH * asked_for => {
-                let (from, to) = ("0".to_owned(), "infinity".to_owned());
-                Error::Unproved { quantity, from, to, remedy: "name a wider range of radii" }
-            }
+            Error::Undecided { bits, .. } if bits >= ENOUGH * asked_for => unproved(),
             error => error,
         })?;
-        let nothing = path.events.iter().map(|_| Field::Absent).collect();
-        let records = path::records(enclosed.plain.control(), &path, nothing).into_iter().map(enclose);
+        let folds = branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect();
+        Ok(Followed { path, folds, control: control.clone(), bits: precision.bits() })
+    }
+
+    /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is
+    /// searched again.
+    ///
+    /// # Errors
+    /// As [`path::with_energy`].
+    pub(super) fn with_energy(mut self, certified: &Certified<'_>, isolated: &Isolated) -> Result<Vec<Record<Number>>> {
+        estimated(certified.digits, |precision| {
+            if self.bits < guarded(precision).bits() {
+                self = Followed::new(certified, isolated, guarded(precision))?;
+            }
+            let contact: Contact<Float> = certified.contact(precision)?;
+            let rounded = |number: &Interval| Float::with_val(precision.bits(), number.mid());
+            let folds = self.folds.iter().map(|fold| fold.map(rounded)).collect();
+            let (poles, beyond) = (Vec::new(), Vec::new());
+            let folds = Folds { folds, poles, beyond, completeness: Completeness::Resolved };
+            let branches = Branches::cut_at(contact.curve(), folds);
+            path::with_energy(&self.path.map(rounded), &certified.scene.held, &branches)
+        })
+    }
+}
+
+/// The events of the path without their energy; none where a decision cannot be proved.
+///
+/// # Errors
+/// As [`Path::follow`].
+pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Option<(Output, Followed)>> {
+    let scene = certified.scene;
+    // As precise as the energies will need the states.
+    let precision = guarded(raised(start(certified.digits)));
+    let mut last = None;
+    let records = proved_from(precision, certified.digits, |precision| {
+        let followed = last.insert(Followed::new(certified, isolated, precision)?);
+        let path = &followed.path;
+        let records = path::records(&followed.control, path).into_iter();
+        let records = records.map(|record| enclose(record).with("dissipated", Field::Absent));
         let mut way = scene.held.path.iter();
         let exact = |(record, event): (Record<Enclosure>, &Event<Interval>)| match event.kind {
             EventKind::Start | EventKind::WayPoint | EventKind::End => match way.next() {
@@ -230,7 +272,8 @@ pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Opt
     });
     let why = "every decision on the path is certain, and its folds are proved to be all";
     let complete = Complete { why: why.to_owned(), ..isolated.complete.clone() };
-    Ok(decided(records)?.map(|records| Output::new(Want::Path, Promise::Certified, records).complete(complete)))
+    let output = |records| Output::new(Want::Path, Promise::Certified, records).complete(complete);
+    Ok(decided(records)?.map(output).zip(last))
 }
 
 /// None where the question stays open.

@@ -14,11 +14,16 @@ use crate::scene::{Shape, Slope};
 
 /// The transformed profile: a closed form where there is one, quadrature for a formula, exact pieces for a table.
 ///
-/// Over intervals only a closed form and a table have a meaning.
+/// Over intervals only a closed form and a table have a meaning. A quadrature takes a relative error that is `accepted` where
+/// it cannot have the digits of the arithmetic.
 ///
 /// # Errors
 /// A parameter out of the domain of the profile.
-pub(crate) fn transform<R: Struve + Kappa>(shape: &Shape, ctx: R::Ctx) -> Result<Box<dyn Transform<R>>> {
+pub(crate) fn transform<R: Struve + Kappa>(
+    shape: &Shape,
+    ctx: R::Ctx,
+    accepted: Option<&R>,
+) -> Result<Box<dyn Transform<R>>> {
     let n = |literal: &Literal| R::from_literal(ctx, literal);
     let t = |slope: &Slope| tangent::<R>(slope, ctx);
     Ok(match shape {
@@ -40,14 +45,21 @@ pub(crate) fn transform<R: Struve + Kappa>(shape: &Shape, ctx: R::Ctx) -> Result
         Shape::WavyParaboloid { radius, amplitude, wavelength } => {
             Box::new(WavyParaboloid::new(n(radius), n(amplitude), n(wavelength))?)
         }
-        Shape::Sum(terms) => Box::new(Sum::new(terms.iter().map(|term| transform(term, ctx)).collect::<Result<_>>()?)),
+        Shape::Sum(terms) => {
+            let terms = terms.iter().map(|term| transform(term, ctx, accepted)).collect::<Result<_>>()?;
+            Box::new(Sum::new(terms))
+        }
         Shape::Expression { formula, values, breaks } => {
             let profile = formula.bind::<R>(ctx, values).map_err(|error| Error::Domain {
                 quantity: Quantity::Parameter("the formula"),
                 value: error.to_string(),
                 requirement: "one whose names all have values",
             })?;
-            Box::new(Quadrature::new(profile.broken_at(ctx, breaks)))
+            let quadrature = Quadrature::new(profile.broken_at(ctx, breaks));
+            match accepted {
+                Some(error) => Box::new(quadrature.accepting(error.clone())?),
+                None => Box::new(quadrature),
+            }
         }
         Shape::Table(measured) => Box::new(measured.table().profile::<R>(ctx)?),
     })

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Equilibrium, Error, Result, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::branch::Branched;
@@ -10,6 +11,7 @@ use mdr_numeric::path::{Event, EventKind, Loss, Path, Start as Begin, State, sto
 use rug::Rational;
 
 use super::contact::{Arithmetic, Contact};
+use super::digits::{exact, rounded};
 use super::record::{Field, Record};
 use crate::scene::{Held, Start};
 
@@ -34,9 +36,9 @@ pub(crate) fn start<R: Arithmetic>(contact: &Contact<R>, held: &Held) -> Begin<R
     }
 }
 
-/// The records of events, with the energy that is lost in each.
-pub(crate) fn records<R: Arithmetic>(control: &Control<R>, path: &Path<R>, lost: Vec<Field<R>>) -> Vec<Record<R>> {
-    path.events.iter().zip(lost).map(|(event, lost)| record(control, event).with("dissipated", lost)).collect()
+/// The records of events, without the energy that is lost in each.
+pub(crate) fn records<R: Arithmetic>(control: &Control<R>, path: &Path<R>) -> Vec<Record<R>> {
+    path.events.iter().map(|event| record(control, event)).collect()
 }
 
 fn record<R: Arithmetic>(control: &Control<R>, event: &Event<R>) -> Record<R> {
@@ -97,17 +99,32 @@ fn not_found<R: Arithmetic>(control: &Control<R>, value: &R) -> [Field<R>; 3] {
     }
 }
 
-/// The energy lost in an event. Where its integral does not converge the field says so.
+/// One record with the `events` of a path, the energy lost in each, and the `balance` of its energy.
 ///
 /// # Errors
 /// Those of the transform; [`Error::OutOfRange`].
-pub(crate) fn lost<R: Arithmetic>(event: &Event<R>, branches: &Branches<'_, R>) -> Result<Field<R>> {
-    if !changes(event.kind) {
-        return Ok(Field::Absent);
-    }
-    match Loss::of(event, branches) {
+pub(crate) fn with_energy<R: Arithmetic>(
+    path: &Path<R>,
+    held: &Held,
+    branches: &Branches<'_, R>,
+) -> Result<Vec<Record<Estimate<R>>>> {
+    let losses = path.events.iter().zip(Loss::of_each(path, branches));
+    let losses = losses.map(|(event, loss)| lost(event, loss)).collect::<Result<Vec<_>>>()?;
+    let balance = balance(path, held, branches, &losses)?.into_iter().collect();
+    let events = rounded(records(branches.curve().control(), path)).into_iter().zip(losses);
+    let events = events.map(|(event, lost)| event.with("dissipated", lost)).collect();
+    Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
+}
+
+/// The energy lost in an event. Where its integral does not converge the field says so.
+fn lost<R: Arithmetic>(event: &Event<R>, loss: Result<Loss<R>>) -> Result<Field<Estimate<R>>> {
+    match loss {
+        _ if !changes(event.kind) => Ok(Field::Absent),
         Ok(Loss::Unbounded) => Ok(Field::Word("unbounded")),
-        Ok(Loss::Finite(lost)) => Ok(beyond_noise(lost.value, &lost.error)),
+        Ok(Loss::Finite(lost)) => {
+            let noise = lost.error.clone();
+            Ok(beyond_noise(lost, &noise))
+        }
         Err(error) => unknown(error),
     }
 }
@@ -127,31 +144,38 @@ fn unknown<R>(error: Error) -> Result<Field<R>> {
 /// and fro.
 ///
 /// # Errors
-/// As [`lost`].
-pub(crate) fn balance<R: Arithmetic>(
+/// As [`with_energy`].
+fn balance<R: Arithmetic>(
     path: &Path<R>,
     held: &Held,
     branches: &Branches<'_, R>,
-    losses: &[Field<R>],
-) -> Result<Option<Record<R>>> {
+    losses: &[Field<Estimate<R>>],
+) -> Result<Option<Record<Estimate<R>>>> {
     let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
     let unbounded = losses.iter().any(|lost| matches!(lost, Field::Word(_)));
     let Some(first) = path.events.first().filter(|_| !lost_track && !unbounded) else { return Ok(None) };
     let stored = match stored(path, branches) {
-        Ok(Some(stored)) if returns(path, held) => Field::Number(stored.value.lit(0)),
-        Ok(Some(stored)) => beyond_noise(stored.value, &stored.error),
+        Ok(Some(stored)) if returns(path, held) => Field::Number(exact(stored.value.lit(0))),
+        Ok(Some(stored)) => {
+            let noise = stored.error.clone();
+            beyond_noise(stored, &noise)
+        }
         Ok(None) => return Ok(None),
         Err(error) => unknown(error)?,
     };
-    let lost = losses.iter().fold(Field::Number(first.value.lit(0)), |sum, lost| plus(&sum, lost));
+    let lost = losses.iter().fold(Field::Number(exact(first.value.lit(0))), |sum, lost| plus(&sum, lost));
     let work = work(&lost, &stored);
     Ok(Some(Record::new().with("work", work).with("dissipated", lost).with("stored", stored)))
 }
 
 /// The sum of two energies, of which one may be absent or unknown.
-fn plus<R: Arithmetic>(one: &Field<R>, other: &Field<R>) -> Field<R> {
+fn plus<R: Arithmetic>(one: &Field<Estimate<R>>, other: &Field<Estimate<R>>) -> Field<Estimate<R>> {
     match (one, other) {
-        (Field::Number(one), Field::Number(other)) => Field::Number(one.clone() + other),
+        (Field::Number(one), Field::Number(other)) => Field::Number(Estimate {
+            value: one.value.clone() + &other.value,
+            error: one.error.clone() + &other.error,
+            evaluations: one.evaluations + other.evaluations,
+        }),
         (Field::Number(_), Field::Marked { .. }) => other.clone(),
         _ => one.clone(),
     }
@@ -165,18 +189,18 @@ fn returns<R: Arithmetic>(path: &Path<R>, held: &Held) -> bool {
 }
 
 /// The work of the control, unless it is nothing but the rounding of what it is the sum of.
-fn work<R: Arithmetic>(lost: &Field<R>, stored: &Field<R>) -> Field<R> {
+fn work<R: Arithmetic>(lost: &Field<Estimate<R>>, stored: &Field<Estimate<R>>) -> Field<Estimate<R>> {
     /// Unit roundoffs of an energy.
     const ROUNDINGS: i64 = 1024;
     let work = plus(lost, stored);
     let (Field::Number(sum), Field::Number(lost), Field::Number(stored)) = (&work, lost, stored) else { return work };
-    let noise = (lost.abs() + stored.abs()) * sum.unit_roundoff().times(ROUNDINGS);
+    let noise = (lost.value.abs() + stored.value.abs()) * sum.value.unit_roundoff().times(ROUNDINGS);
     beyond_noise(sum.clone(), &noise)
 }
 
 /// An energy, unless it is nothing but its error: a zero that is not exact is none, however many precisions agree on it.
-fn beyond_noise<R: Arithmetic>(energy: R, error: &R) -> Field<R> {
-    if energy.abs() > *error || *error == error.lit(0) {
+fn beyond_noise<R: Arithmetic>(energy: Estimate<R>, noise: &R) -> Field<Estimate<R>> {
+    if energy.value.abs() > *noise || *noise == noise.lit(0) {
         return Field::Number(energy);
     }
     let why = "zero up to the rounding of the energies that it is made of";

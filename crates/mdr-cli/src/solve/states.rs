@@ -1,5 +1,6 @@
 //! Pressure, gap, displacement and energy of states, for any arithmetic that is not an enclosure.
 
+use mdr_core::calculus::Estimate;
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Result, Stability, Status};
 use mdr_core::number::Literal;
@@ -11,6 +12,7 @@ use mdr_numeric::folds::{Completeness, Folds, pole};
 use mdr_numeric::path::{Path, State};
 
 use super::contact::{Arithmetic, Contact};
+use super::digits::exact;
 use super::outputs::{at_value, equilibrium};
 use super::path;
 use super::record::{Field, Record};
@@ -63,8 +65,8 @@ impl<'a, R: Arithmetic> States<'a, R> {
         &self,
         literal: &Literal,
         key: &'static str,
-        tell: impl Fn(Equilibrium<R>) -> Result<Record<R>>,
-    ) -> Result<Record<R>> {
+        tell: impl Fn(Equilibrium<R>) -> Result<Record<Estimate<R>>>,
+    ) -> Result<Record<Estimate<R>>> {
         match self.at(literal) {
             Ok((states, completeness)) => {
                 let records = states.into_iter().map(tell).collect::<Result<_>>()?;
@@ -81,8 +83,9 @@ impl<'a, R: Arithmetic> States<'a, R> {
     ///
     /// # Errors
     /// As [`Branches::search`], of what concerns more than one value.
-    pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<Record<R>>> {
-        values.iter().map(|literal| self.record_at(literal, "equilibria", |state| Ok(equilibrium(state)))).collect()
+    pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<Record<Estimate<R>>>> {
+        let tell = |state| Ok(equilibrium(state).convert(exact));
+        values.iter().map(|literal| self.record_at(literal, "equilibria", tell)).collect()
     }
 
     /// The contact radii of the path, if there is one, and of the equilibria at the values, as far as they are found.
@@ -100,20 +103,16 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// One record with the `events` of the path and the `balance` of its energy.
     ///
     /// # Errors
-    /// As [`path::follow`] and [`path::lost`].
-    pub(crate) fn path(&self, held: &Held) -> Result<Vec<Record<R>>> {
-        let path = path::follow(self.contact, &self.branches, held)?;
-        let losses = path.events.iter().map(|event| path::lost(event, &self.branches)).collect::<Result<Vec<_>>>()?;
-        let balance = path::balance(&path, held, &self.branches, &losses)?.into_iter().collect();
-        let events = path::records(self.contact.control(), &path, losses);
-        Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
+    /// As [`path::follow`] and [`path::with_energy`].
+    pub(crate) fn path(&self, held: &Held) -> Result<Vec<Record<Estimate<R>>>> {
+        path::with_energy(&path::follow(self.contact, &self.branches, held)?, held, &self.branches)
     }
 
     /// Pressure, gap, displacement or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
     ///
     /// # Errors
     /// As [`States::equilibria`].
-    pub(crate) fn fields(&self, scene: &Scene, want: Want) -> Result<Vec<Record<R>>> {
+    pub(crate) fn fields(&self, scene: &Scene, want: Want) -> Result<Vec<Record<Estimate<R>>>> {
         let describe = |state| self.describe(scene, want, state);
         match (scene.output.values.as_slice(), scene.held.path.first()) {
             ([], Some(first)) => {
@@ -134,7 +133,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
         }
     }
 
-    fn describe(&self, scene: &Scene, want: Want, state: Equilibrium<R>) -> Result<Record<R>> {
+    fn describe(&self, scene: &Scene, want: Want, state: Equilibrium<R>) -> Result<Record<Estimate<R>>> {
         let fields = Fields::of(self.contact.curve(), &state)?;
         match want {
             Want::Pressure => self.pressure(&scene.output.pressure, &fields, state),
@@ -144,45 +143,57 @@ impl<'a, R: Arithmetic> States<'a, R> {
         }
     }
 
-    fn pressure(&self, radii: &[Literal], fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<R>> {
-        let points = self.points(radii, &INSIDE, &state.contact_radius, "pressure", |r| fields.pressure(r))?;
-        Ok(equilibrium(state).with("pressure", Field::Records(points)))
+    fn pressure(
+        &self,
+        radii: &[Literal],
+        fields: &Fields<'_, R>,
+        state: Equilibrium<R>,
+    ) -> Result<Record<Estimate<R>>> {
+        let pressure = |r: &R| estimate(fields.pressure_estimate(r), || fields.pressure(r));
+        let points = self.points(radii, &INSIDE, &state.contact_radius, "pressure", pressure)?;
+        Ok(equilibrium(state).convert(exact).with("pressure", Field::Records(points)))
     }
 
-    fn gap(&self, radii: &[Literal], fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<R>> {
-        let points = self.points(radii, &OUTSIDE, &state.contact_radius, "gap", |r| fields.gap(r))?;
+    fn gap(&self, radii: &[Literal], fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<Estimate<R>>> {
+        let gap = |r: &R| estimate(fields.gap_estimate(r), || fields.gap(r));
+        let points = self.points(radii, &OUTSIDE, &state.contact_radius, "gap", gap)?;
         let closed = self.interpenetration(fields, state.contact_radius.approx())?;
-        let record = equilibrium(state).with("gap", Field::Records(points));
+        let record = equilibrium(state).convert(exact).with("gap", Field::Records(points));
         Ok(match closed {
             None => record,
             Some(point) => record.with("interpenetration", Field::Records(vec![point])).marked(Status::NotAdmissible),
         })
     }
 
-    fn displacement(&self, radii: &[Literal], fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<R>> {
-        let a = &state.contact_radius;
-        let points = self.points(radii, &OUTSIDE, a, "displacement", |r| fields.displacement(r))?;
-        Ok(equilibrium(state).with("displacement", Field::Records(points)))
+    fn displacement(
+        &self,
+        radii: &[Literal],
+        fields: &Fields<'_, R>,
+        state: Equilibrium<R>,
+    ) -> Result<Record<Estimate<R>>> {
+        let displacement = |r: &R| estimate(fields.displacement_estimate(r), || fields.displacement(r));
+        let points = self.points(radii, &OUTSIDE, &state.contact_radius, "displacement", displacement)?;
+        Ok(equilibrium(state).convert(exact).with("displacement", Field::Records(points)))
     }
 
     /// A radius outside the contact at which the gap is negative: the contact is not simply connected as assumed.
-    fn interpenetration(&self, fields: &Fields<'_, R>, a: f64) -> Result<Option<Record<R>>> {
+    fn interpenetration(&self, fields: &Fields<'_, R>, a: f64) -> Result<Option<Record<Estimate<R>>>> {
         let Some(r) = interpenetration(self.rough, &a)? else { return Ok(None) };
         // As short as it may be: any radius with a negative gap is as good as another.
         for digits in 3..=17 {
             let literal = decimal(r, digits)?;
             let gap = fields.gap(&self.contact.number(&literal));
             if gap.as_ref().is_ok_and(|gap| *gap < gap.lit(0)) {
-                return Ok(Some(Record::new().with("r", Field::Given(literal)).number("gap", gap)?));
+                return Ok(Some(Record::new().with("r", Field::Given(literal)).number("gap", gap.map(exact))?));
             }
         }
         Ok(None)
     }
 
-    fn energy(&self, fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<R>> {
+    fn energy(&self, fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<Estimate<R>>> {
         let energy = Energy::new(self.contact.transform(), self.contact.material())?;
         let potential = energy.potential(&state.contact_radius, &state.indentation);
-        equilibrium(state).number("energy", potential)?.number("stiffness", fields.stiffness())
+        Ok(equilibrium(state).number("energy", potential)?.number("stiffness", fields.stiffness())?.convert(exact))
     }
 
     /// A field at the radii of the scene, else at fractions of the contact radius.
@@ -192,13 +203,13 @@ impl<'a, R: Arithmetic> States<'a, R> {
         fractions: &[(i64, i64)],
         a: &R,
         key: &'static str,
-        field: impl Fn(&R) -> Result<R>,
-    ) -> Result<Vec<Record<R>>> {
+        field: impl Fn(&R) -> Result<Estimate<R>>,
+    ) -> Result<Vec<Record<Estimate<R>>>> {
         if radii.is_empty() {
             let at = |&(numerator, denominator): &(i64, i64)| {
                 let r = a.clone().times(numerator).over(denominator);
                 let value = field(&r);
-                Record::new().with("r", Field::Number(r)).number(key, value)
+                Record::new().with("r", Field::Number(exact(r))).number(key, value)
             };
             return fractions.iter().map(at).collect();
         }
@@ -208,6 +219,11 @@ impl<'a, R: Arithmetic> States<'a, R> {
         };
         radii.iter().map(at).collect()
     }
+}
+
+/// A field with its error where digits are decided by it, which those of doubles are not.
+fn estimate<R: Arithmetic>(estimate: Result<Estimate<R>>, settled: impl FnOnce() -> Result<R>) -> Result<Estimate<R>> {
+    if R::INDEX == f64::INDEX { settled().map(exact) } else { estimate }
 }
 
 /// A record without states is undecided where the search was doubtful.

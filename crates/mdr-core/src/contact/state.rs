@@ -49,6 +49,18 @@ pub struct Equilibrium<R> {
     pub stability: Stability,
 }
 
+impl<R> Equilibrium<R> {
+    /// The same state with its numbers in another arithmetic.
+    pub fn map<S>(&self, number: impl Fn(&R) -> S) -> Equilibrium<S> {
+        Equilibrium {
+            contact_radius: number(&self.contact_radius),
+            indentation: number(&self.indentation),
+            force: number(&self.force),
+            stability: self.stability,
+        }
+    }
+}
+
 /// Whether the controlled quantity, as a function of the contact radius along the equilibria, has its minimum or its
 /// maximum at a fold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -94,6 +106,18 @@ pub struct Instability<R> {
     pub force: R,
     /// Which way the controlled quantity turns.
     pub kind: FoldKind,
+}
+
+impl<R> Instability<R> {
+    /// The same fold with its numbers in another arithmetic.
+    pub fn map<S>(&self, number: impl Fn(&R) -> S) -> Instability<S> {
+        Instability {
+            contact_radius: number(&self.contact_radius),
+            indentation: number(&self.indentation),
+            force: number(&self.force),
+            kind: self.kind,
+        }
+    }
 }
 
 /// The contact at rest at the fold: the double root.

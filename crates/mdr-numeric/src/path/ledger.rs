@@ -17,7 +17,7 @@ use mdr_core::number::Real;
 use super::integral::Breaks;
 use super::{Event, EventKind, Path, State};
 use crate::branch::Branched;
-use crate::curve::{Curve, log10_of_product};
+use crate::curve::{Curve, log10_of_product, negligible};
 use crate::energy::Energy;
 use crate::equilibrium::Branches;
 
@@ -130,12 +130,13 @@ pub fn stored<R: Real>(path: &Path<R>, branches: &Branches<'_, R>) -> Result<Opt
 }
 
 impl<R: Real> Loss<R> {
-    /// The energy lost in one event of a path.
+    /// The energy lost in each event of a path, each for itself.
     ///
     /// # Errors
     /// As [`Ledger::new`].
-    pub fn of(event: &Event<R>, branches: &Branches<'_, R>) -> Result<Self> {
-        Ok(Books::new(branches).event(event)?.1)
+    pub fn of_each(path: &Path<R>, branches: &Branches<'_, R>) -> Vec<Result<Self>> {
+        let books = Books::new(branches);
+        path.events.iter().map(|event| Ok(books.event(event)?.1)).collect()
     }
 }
 
@@ -190,7 +191,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         })?;
         let size = self.breaks.roughly(from, to, |a| {
             let (rise, fall) = slopes(a)?;
-            Ok(self.terms_near_kinks(a)? * a * (rise.abs() + fall))
+            Ok(self.terms_near_kinks(a, &a.lit(0))? * a * (rise.abs() + fall))
         })?;
         work.error += &self.rounding(size.times(2));
         Ok(work)
@@ -226,13 +227,15 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         }
         // In units of Δl at the larger end: the product of two small lengths may be out of range where the energy is not.
         let unit = self.curve.elongation(if from > to { &from } else { &to });
+        let needed = negligible(&unit);
         let lost = self.breaks.integrate(&from, &to, |a| {
-            let change = self.curve.direction_at(a, value)?;
+            let change = self.curve.direction_within(a, value, &needed)?;
             Ok((self.curve.elongation(a).times(2) + &change) / &unit * (change / &unit))
         })?;
         let size = self.breaks.roughly(&from, &to, |a| {
-            let change = self.curve.direction_at(a, value)?.abs() + self.curve.elongation(a);
-            let lengths = self.terms_near_kinks(a)? + self.curve.held_indentation(a, value)?.abs();
+            let change = self.curve.direction_within(a, value, &needed)?.abs() + self.curve.elongation(a);
+            let held = self.curve.held_against(a, value, || self.curve.transform().mean_within(a, &needed))?;
+            let lengths = self.terms_near_kinks(a, &needed)? + held.abs();
             Ok(change / &unit * (lengths / &unit))
         })?;
         let energy = |length: &R| self.energy(length, &unit);
@@ -252,19 +255,20 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
 
     /// The size of the lengths that d and the force at radius `a` are made of, the rounding of a itself among them.
     fn terms(&self, a: &R) -> Result<R> {
-        self.terms_with(a, &a.lit(1))
+        self.terms_with(a, &a.lit(1), &a.lit(0))
     }
 
     /// The same where g' may have an inverse root or a pole at a kink: there g varies over the distance from it and not over
     /// the radius, and what its rounding adds up to has a bound.
-    fn terms_near_kinks(&self, a: &R) -> Result<R> {
-        self.terms_with(a, &self.breaks.clearance(a).sqrt())
+    fn terms_near_kinks(&self, a: &R, needed: &R) -> Result<R> {
+        self.terms_with(a, &self.breaks.clearance(a).sqrt(), needed)
     }
 
-    fn terms_with(&self, a: &R, share_of_rise: &R) -> Result<R> {
+    fn terms_with(&self, a: &R, share_of_rise: &R, needed: &R) -> Result<R> {
         let transform = self.curve.transform();
         let rise = transform.slope(a)? * a * share_of_rise;
-        Ok(transform.g(a)?.abs() + transform.mean(a)?.abs() + rise.abs() + self.curve.elongation(a))
+        let lengths = transform.g_within(a, needed)?.abs() + transform.mean_within(a, needed)?.abs();
+        Ok(lengths + rise.abs() + self.curve.elongation(a))
     }
 
     /// The rounding of an energy E*·`size`.

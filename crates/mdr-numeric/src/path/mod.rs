@@ -160,6 +160,18 @@ impl<R: Real> Path<R> {
         follow::begin(branches, start, value).map(|(_, state)| state)
     }
 
+    /// The same path with its numbers in another arithmetic: states that were proved over enclosures, for the energies.
+    pub fn map<S>(&self, number: impl Fn(&R) -> S) -> Path<S> {
+        let event = |event: &Event<R>| Event {
+            kind: event.kind,
+            value: number(&event.value),
+            before: event.before.map(&number),
+            after: event.after.map(&number),
+            fold: event.fold,
+        };
+        Path { events: self.events.iter().map(event).collect() }
+    }
+
     /// Whether the path came to its last way point.
     pub fn is_finished(&self) -> bool {
         self.events.last().is_some_and(|event| event.kind == EventKind::End)
@@ -172,6 +184,14 @@ impl<R: Real> State<R> {
         match self {
             State::Contact(equilibrium) => Some(equilibrium),
             State::Detached | State::Complete => None,
+        }
+    }
+
+    fn map<S>(&self, number: impl Fn(&R) -> S) -> State<S> {
+        match self {
+            State::Contact(equilibrium) => State::Contact(equilibrium.map(number)),
+            State::Detached => State::Detached,
+            State::Complete => State::Complete,
         }
     }
 }
