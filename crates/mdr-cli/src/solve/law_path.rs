@@ -41,9 +41,10 @@ pub(super) fn events(law: &PowerLaw<'_>, curve: &Curve) -> Result<Vec<Record<Enc
     let path = Path::follow_ordered(&branches, &branches.begin(), &way, &order)?;
     let mut way_points = values.into_iter();
     let lines = path.events.iter().map(|event| branches.line(event, &mut way_points)).collect::<Result<Vec<_>>>()?;
-    let nothing = path.events.iter().map(|_| Field::Absent).collect();
-    let records = path::records(curve.control(), &path, nothing);
-    let written = |(record, line): (Record<Interval>, &Line<'_>)| branches.write(record.convert(Enclosure::from), line);
+    let records = path::records(curve.control(), &path);
+    let written = |(record, line): (Record<Interval>, &Line<'_>)| {
+        branches.write(record.with("dissipated", Field::Absent).convert(Enclosure::from), line)
+    };
     let records = records.into_iter().zip(&lines).map(written).collect();
     let balance = branches.balance(&lines).into_iter().collect();
     Ok(vec![Record::new().with("events", Field::Records(records)).with("balance", Field::Records(balance))])

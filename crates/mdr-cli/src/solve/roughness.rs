@@ -122,7 +122,7 @@ struct Tension {
 }
 
 fn tension(scene: &Scene, length: Option<f64>, shape: &Shape) -> Option<Tension> {
-    let transform = library::transform::<f64>(shape, ()).ok()?;
+    let transform = library::transform::<f64>(shape, (), None).ok()?;
     let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(|literal| literal.nearest_f64());
     let folds = folds::folds(&*transform, &Material::new(modulus, work).ok()?, &Control::Force).ok()?;
     let force = folds.iter().map(|fold| fold.force).min_by(f64::total_cmp)?;
