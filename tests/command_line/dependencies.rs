@@ -1,4 +1,5 @@
-//! docs/dependencies.md names every dependency of every package, and none that is not there.
+//! docs/dependencies.md names every dependency of every package, and none that is not there; and the packages of the
+//! workspace depend on each other only along the arrows of the design.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -22,19 +23,23 @@ fn manifests() -> Vec<(String, PathBuf)> {
     found
 }
 
+/// What a manifest lists under `key`.
+fn dependencies(manifest: &Path, key: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(manifest).unwrap();
+    let table = DeTable::parse(&text).unwrap();
+    match table.get_ref().get(key).map(|value| value.get_ref()) {
+        Some(DeValue::Table(dependencies)) => dependencies.keys().map(|name| name.get_ref().to_string()).collect(),
+        _ => Vec::new(),
+    }
+}
+
 /// What the manifests list under `key`, but for packages of the workspace.
 fn listed(key: &str) -> BTreeSet<Use> {
-    let mut uses = BTreeSet::new();
-    for (package, manifest) in manifests() {
-        let text = std::fs::read_to_string(manifest).unwrap();
-        let table = DeTable::parse(&text).unwrap();
-        let Some(DeValue::Table(dependencies)) = table.get_ref().get(key).map(|value| value.get_ref()) else {
-            continue;
-        };
-        let names = dependencies.keys().map(|name| name.get_ref().to_string()).filter(|name| !name.starts_with("mdr-"));
-        uses.extend(names.map(|name| (name, package.clone())));
-    }
-    uses
+    let uses = manifests().into_iter().flat_map(|(package, manifest)| {
+        let names = dependencies(&manifest, key).into_iter().filter(|name| !name.starts_with("mdr-"));
+        names.map(move |name| (name, package.clone())).collect::<Vec<_>>()
+    });
+    uses.collect()
 }
 
 /// What the table below a heading of the document names: dependencies in the first column, packages in the second.
@@ -58,4 +63,29 @@ fn named(heading: &str) -> BTreeSet<Use> {
 fn the_document_names_each_dependency_with_the_crates_that_have_it() {
     assert_eq!(named("## What the crates link"), listed("dependencies"));
     assert_eq!(named("## What only tests and benchmarks use"), listed("dev-dependencies"));
+}
+
+/// Closed forms and the numerical route never see each other: that separation is the verification. Published data and the
+/// algebra stand alone.
+#[test]
+fn the_packages_see_only_what_the_design_lets_them_see() {
+    let arrows: &[(&str, &[&str])] = &[
+        ("core", &[]),
+        ("analytic", &["core"]),
+        ("numeric", &["core"]),
+        ("symbolic", &[]),
+        ("reference", &[]),
+        ("crosscheck", &["analytic", "core", "numeric", "reference", "symbolic"]),
+        ("cli", &["analytic", "core", "crosscheck", "numeric", "reference", "symbolic"]),
+    ];
+    for (package, manifest) in manifests() {
+        let Some((_, seen)) = arrows.iter().find(|(name, _)| *name == package) else {
+            assert!(["example", "tests"].contains(&package.as_str()), "no arrows are known of {package}");
+            continue;
+        };
+        let found = dependencies(&manifest, "dependencies");
+        let mut found: Vec<_> = found.iter().filter_map(|name| name.strip_prefix("mdr-")).collect();
+        found.sort_unstable();
+        assert_eq!(found, *seen, "dependencies of {package}");
+    }
 }
