@@ -228,3 +228,80 @@ fn values_are_proved_one_by_one() {
         near(&value["contact_radius"], number(&known["contact_radius"]), 1e-8);
     }
 }
+
+const DEEP: &str = r#"
+material = { e_star = 1, work_of_adhesion = 1e-4 }
+profile = { kind = "wavy-paraboloid", radius = 1, amplitude = 5e-3, wavelength = 0.1 }
+control = { kind = "indentation", path = ["0.001", "0.02", "0"], start = "smallest" }
+[output]
+want = ["path", "folds"]
+"#;
+
+/// The next crest is touched before the first fold: the path ends there, in either arithmetic, and gains no energy beyond. The
+/// numbers are those of a gap summed on a fine grid in another program.
+#[test]
+fn a_path_ends_where_admissibility_is_lost() {
+    for flags in ["--f64", "--digits 12"] {
+        let answer = solved(DEEP, flags);
+        let events = answer["path"].as_array().unwrap();
+        let last = events.last().unwrap();
+        assert_eq!((events.len(), last["event"].as_str()), (2, Some("not-admissible")), "{answer}");
+        assert!((number(&last["contact_radius"]) / 0.0231857 - 1.0).abs() < 1e-5, "{last}");
+        assert!((number(&last["indentation"]) / 0.00503335 - 1.0).abs() < 1e-5, "{last}");
+        assert!((number(&last["interpenetration"][0]["r"]) - 0.0953).abs() < 2e-4, "{last}");
+        assert_eq!((&last["admissible"], &events[0]["admissible"]), (&false.into(), &true.into()));
+        assert!(last["why"].as_str().is_some_and(|why| why.contains("largest")));
+        assert!(answer["folds"].as_array().unwrap().iter().all(|fold| !fold["admissible"].is_null()));
+        assert_eq!(answer["promise"]["admissible"], "f64");
+    }
+}
+
+/// A cone with a dimple is lowest at the rim of the dimple: f(1) = −0.4.
+#[test]
+fn surfaces_first_touch_where_the_profile_is_lowest() {
+    let scene = r#"
+control = { kind = "indentation", path = ["-1", "0.01"], start = "detached" }
+material = { e_star = 1, work_of_adhesion = 1e-9 }
+output = { want = ["path"] }
+profile = { kind = "sum", term = [{ kind = "cone", slope = "0.1" }, { kind = "parabolic-dimple", depth = "0.5", radius = "1" }] }
+"#;
+    for flags in ["--f64", "--digits 8"] {
+        let answer = solved(scene, flags);
+        let touch = &answer["path"][1];
+        assert_eq!(touch["event"], "not-admissible", "{answer}");
+        assert!((number(&touch["indentation"]) + 0.4).abs() < 1e-9, "{touch}");
+        assert_eq!(number(&touch["interpenetration"][0]["r"]), 1.0, "{touch}");
+    }
+}
+
+/// The fold of a cone is at −w/(E* tan θ) exactly, and a way point may be as well.
+#[test]
+fn a_way_point_at_a_rational_fold_is_decided() {
+    for (slope, value) in [("1", "-1"), ("3", "-1/3"), ("0.7", "-10/7")] {
+        let scene = format!(
+            "material = {{ e_star = 1, work_of_adhesion = 1 }}\nprofile = {{ kind = \"cone\", slope = \"{slope}\" }}\n\
+             control = {{ kind = \"indentation\", path = [\"0\", \"{value}\", \"0\"] }}\n\
+             output = {{ want = [\"path\"], digits = 12 }}\n"
+        );
+        let answer = solved(&scene, "");
+        assert_eq!(answer["promise"]["path"], "certified", "{answer}");
+        let events: Vec<&str> = answer["path"].as_array().unwrap().iter().filter_map(|e| e["event"].as_str()).collect();
+        assert_eq!(events, ["start", "way-point", "end"]);
+    }
+}
+
+/// Where the states at one value cannot be had beside an edge where g is infinite, the others have theirs.
+#[test]
+fn a_state_beside_an_edge_does_not_end_the_scene() {
+    let scene = r#"
+material = { e_star = 1, work_of_adhesion = 1e-3 }
+control = { kind = "indentation" }
+profile = { kind = "sum", term = [{ kind = "paraboloid", radius = "1" }, { kind = "elliptical-dimple", depth = "0.05", radius = "0.5" }] }
+[output]
+want = ["energy"]
+equilibria.at = ["0.196", "-3"]
+"#;
+    let answer = solved(scene, "--digits 6");
+    assert_eq!(answer["energy"][0]["states"][0]["status"], "ok", "{answer}");
+    assert_eq!(answer["energy"][1]["status"], "undecided", "{answer}");
+}

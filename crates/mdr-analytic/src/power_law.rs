@@ -150,4 +150,8 @@ impl<R: Real> Transform<R> for PowerLaw<R> {
         let next = self.exponent.clone() + x.lit(1);
         self.checked(x, self.exponent.clone(), self.exponent.clone() / next)
     }
+
+    fn rises(&self) -> bool {
+        true
+    }
 }

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Outcome, Quantity, Result, Stability};
 use mdr_core::number::Real;
 
+use crate::admissible::{Admissibility, Ring, Touch};
 use crate::curve::Curve;
 
 /// The curve of equilibria cut at its folds. Between two folds the controlled quantity is monotone, so each branch holds
@@ -45,6 +46,28 @@ pub trait Branched<R: Real> {
     /// # Errors
     /// Those of the transform; [`Error::Undecided`].
     fn onset(&self) -> Result<Onset>;
+
+    /// Which states are admissible.
+    fn admissibility(&self) -> &Admissibility<'_>;
+
+    /// Where surfaces apart first touch, when that is not the tip.
+    ///
+    /// # Errors
+    /// As [`first_touch`](crate::admissible::first_touch); [`Error::Unproved`] over enclosures.
+    fn first_touch(&self) -> Result<Option<Touch<R>>>;
+
+    /// The last admissible state on the stable branch between two contact radii, and the ring on which the surfaces touch.
+    ///
+    /// # Errors
+    /// As [`last_admissible`](crate::admissible::last_admissible); [`Error::Unproved`] over enclosures.
+    fn last_admissible(&self, radii: [&R; 2]) -> Result<Option<(Equilibrium<R>, Ring<R>)>>;
+
+    /// Whether the edge of a contact that grows at a held value is pressed so hard at a radius, g − d < −Δl, that to grow costs
+    /// energy.
+    ///
+    /// # Errors
+    /// Those of the transform.
+    fn is_pushed_back(&self, radius: &R, value: &R) -> Result<bool>;
 
     /// Where the last branch ends.
     ///

@@ -192,6 +192,11 @@ impl<'a, R: Real> Curve<'a, R> {
         Ok(self.transform.g_within(a, needed)? - self.elongation(a) - held)
     }
 
+    /// Whether g − d < −Δl at radius `a`, so that there to grow costs energy, at a value that is known to be one.
+    pub(crate) fn is_pushed_back(&self, a: &R, value: &R) -> Result<bool> {
+        Ok(self.direction_at(a, value)? + self.elongation(a).times(2) < a.lit(0))
+    }
+
     /// The tangency ratio g'(a)/Δl'(a): under controlled indentation the curves touch (1.10) where it is 1.
     ///
     /// # Errors

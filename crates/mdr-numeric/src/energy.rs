@@ -220,7 +220,8 @@ impl<'a, R: Real> Energy<'a, R> {
         control.check_value(value)?;
         let tension = |a: &R, search| self.tension(control, value, a, search);
         let kinks = self.transform.kinks();
-        let range = Range { scale: self.length.clone(), kinks, outer: self.transform.outer_radius() };
+        let (scale, outer) = (self.length.clone(), self.transform.outer_radius());
+        let range = Range { scale, kinks, outer, reach: [survey::REACH; 2] };
         let survey = survey::survey(&range, |a| tension(a, Search::Coarse))?;
         let excess = |a: &R| Ok(tension(a, Search::Full)? - a.lit(1));
         let mut found = Vec::new();

@@ -7,11 +7,13 @@ mod ends;
 
 use std::cmp::Ordering;
 use std::ops::Deref;
+use std::sync::{Arc, OnceLock};
 
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Material, Result, Stability, Transform};
 use mdr_core::number::{Real, order};
 
+use crate::admissible::{self, Admissibility, Ring, Touch};
 use crate::branch::{Branched, End, Onset, end, onset, unordered};
 use crate::curve::Curve;
 use crate::folds::{self, Completeness, Folds};
@@ -28,6 +30,7 @@ pub struct Branches<'a, R: Real> {
     reach: Option<[R; 2]>,
     /// The outer radius, where g is infinite: before it a contact that grows comes to rest.
     rim: Option<R>,
+    admissibility: OnceLock<Arc<Admissibility<'a>>>,
 }
 
 /// All equilibria at `value` of the controlled quantity (d, F, or D = d + F/k), by increasing radius. None is an empty list.
@@ -96,7 +99,12 @@ impl<'a, R: Real> Branches<'a, R> {
         folds.extend(poles);
         folds.sort_by(|one, other| order(&one.contact_radius, &other.contact_radius));
         let rim = curve.rim().unwrap_or_default();
-        Branches { curve, folds, completeness, reach: None, rim }
+        Branches { curve, folds, completeness, reach: None, rim, admissibility: OnceLock::new() }
+    }
+
+    /// The same with what is known of admissibility already; else it is searched when it is needed.
+    pub fn with_admissibility(self, admissibility: Arc<Admissibility<'a>>) -> Self {
+        Branches { admissibility: OnceLock::from(admissibility), ..self }
     }
 
     /// Looks for equilibria between these radii only; else where folds are searched, at most 10^±455000 times w/E*.
@@ -296,6 +304,23 @@ impl<'a, R: Real> Branches<'a, R> {
 impl<R: Real> Branched<R> for Branches<'_, R> {
     fn control(&self) -> &Control<R> {
         self.curve.control()
+    }
+
+    fn is_pushed_back(&self, radius: &R, value: &R) -> Result<bool> {
+        self.curve.is_pushed_back(radius, value)
+    }
+
+    fn admissibility(&self) -> &Admissibility<'_> {
+        let search = || Arc::new(Admissibility::rounded(&self.curve, &self.folds));
+        self.admissibility.get_or_init(search)
+    }
+
+    fn first_touch(&self) -> Result<Option<Touch<R>>> {
+        admissible::first_touch(&self.curve, self.admissibility())
+    }
+
+    fn last_admissible(&self, radii: [&R; 2]) -> Result<Option<(Equilibrium<R>, Ring<R>)>> {
+        admissible::last_admissible(&self.curve, self.admissibility(), radii)
     }
 
     fn folds(&self) -> &[Instability<R>] {

@@ -3,9 +3,7 @@
 //! All three are integrals of g alone, so a profile needs no more than its transform. The substitutions below take the
 //! square-root singularities out, and every integral is split at the kinks of g.
 
-use mdr_core::calculus::isolate::isolate;
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
-use mdr_core::calculus::roots::bisect;
 use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, roundoff_tolerance};
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Special;
@@ -167,26 +165,6 @@ impl<'a, R: Special> Fields<'a, R> {
             Ok(self.indentation.clone() - self.curve.transform().g_within(&x, &negligible(&self.edge))?)
         };
         Ok(integrate(&r.lit(0), &angle(a), &breaks, depth)?.scaled(&(r.lit(2) / r.pi())))
-    }
-
-    /// The smallest sampled radius in (a, `until`) where the gap turns negative: there the surfaces would interpenetrate,
-    /// and the assumption of one simply connected contact is not admissible. None where no sample finds it.
-    ///
-    /// No gap closes while g stays above d: only radii beyond such a dip are sampled.
-    ///
-    /// # Errors
-    /// As [`Fields::gap`].
-    pub fn interpenetration(&self, until: &R) -> Result<Option<R>> {
-        /// Enough for some hundred crests between a and the outer radius.
-        const SAMPLES: usize = 1000;
-        let a = self.outside(until)?;
-        let excess = |x: &R| Ok(self.curve.transform().g(x)? - &self.indentation);
-        let Some(first) = isolate(a, until, SAMPLES, excess)?.brackets.into_iter().next() else {
-            return Ok(None);
-        };
-        let dip = bisect(first, &roundoff_tolerance(a), excess)?;
-        let closing = isolate(&dip.value, until, SAMPLES, |r| self.gap(r))?;
-        Ok(closing.brackets.into_iter().next().map(|bracket| bracket.upper.x))
     }
 
     /// The stiffness of the contact along the equilibria, dF/dd = F'(a)/d'(a), in N/m; infinite at a fold of d. At a wall

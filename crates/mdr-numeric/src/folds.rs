@@ -105,6 +105,7 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
         scale: curve.material_length(),
         kinks: curve.transform().kinks(),
         outer: curve.transform().outer_radius(),
+        reach: [survey::REACH; 2],
     };
     let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold_at(a));
     let mut survey = survey::survey(&range, ratio)?;

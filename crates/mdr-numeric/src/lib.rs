@@ -33,6 +33,7 @@
 //! * [`folds`]: the instabilities, by tangency (1.10), under every control.
 //! * [`equilibrium`]: all equilibria at a given indentation, force or machine position, and what an instability leads to.
 //! * [`branch`]: the curve cut at its folds, as a loading path needs it.
+//! * [`admissible`]: whether the surfaces are apart outside of the contact, as the theory assumes.
 //! * [`path`]: what the contact does along a loading path.
 //! * [`energy`]: the same equilibria from the potential energy (Griffith).
 //! * [`springs`]: the elastic foundation of discrete springs, the paper's procedure taken literally.
@@ -42,6 +43,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod admissible;
 pub mod branch;
 pub mod curve;
 pub mod energy;

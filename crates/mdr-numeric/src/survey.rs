@@ -33,6 +33,8 @@ pub(crate) struct Survey<R> {
     pub(crate) crossings: Vec<Crossing<R>>,
     /// Whether every panel was settled.
     pub(crate) resolved: bool,
+    /// Whether the ratio is one up to rounding over a whole panel: every radius there may be a crossing, or none.
+    pub(crate) flat: bool,
 }
 
 /// Where to look.
@@ -43,6 +45,8 @@ pub(crate) struct Range<R> {
     pub(crate) kinks: Vec<R>,
     /// The end of the range, if it is finite.
     pub(crate) outer: Option<R>,
+    /// The largest −t and t that are looked at, no more than [`REACH`].
+    pub(crate) reach: [f64; 2],
 }
 
 /// The largest |t| that is looked at: 10^±455000, far beyond which only n = 1/2 ± 10⁻⁶ and closer has anything.
@@ -63,11 +67,24 @@ const NOISE: f64 = 128.0;
 const FLOOR: f64 = -3.0;
 const CEILING: f64 = 600.0;
 
-/// Finds the crossings of `ratio` through one.
+/// Finds the crossings of `ratio` through one, which must not be one up to rounding over a whole panel.
 ///
 /// # Errors
-/// [`Error::Undecided`] where it is one up to rounding over a whole panel: every radius there may be a crossing, or none.
+/// [`Error::Undecided`] where it is.
 pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Survey<R>> {
+    let found = crossings(range, ratio);
+    if found.flat {
+        return Err(Error::Undecided {
+            quantity: Quantity::ContactRadius,
+            bits: range.scale.precision(),
+            what: "which radius it is: the condition holds up to rounding over a whole range of them",
+        });
+    }
+    Ok(found)
+}
+
+/// Finds the crossings of `ratio` through one.
+pub(crate) fn crossings<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Survey<R> {
     let roundoff = range.scale.unit_roundoff().approx();
     let crossings = Vec::new();
     let kinks = range.kinks.iter().map(|kink| position(kink, &range.scale)).collect();
@@ -84,15 +101,8 @@ pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>)
         }
         edge = last;
     }
-    if search.flat {
-        return Err(Error::Undecided {
-            quantity: Quantity::ContactRadius,
-            bits: range.scale.precision(),
-            what: "which radius it is: the condition holds up to rounding over a whole range of them",
-        });
-    }
     search.crossings.sort_by(|a, b| order(&a.lower, &b.lower));
-    Ok(Survey { crossings: search.crossings, resolved: search.resolved })
+    Survey { crossings: search.crossings, resolved: search.resolved, flat: search.flat }
 }
 
 /// The radius up to which a search goes before an outer one.
@@ -103,10 +113,10 @@ pub(crate) fn surveyed_to<R: Real>(outer: &R) -> R {
 /// ± [0, 2], [2, 4], [4, 8], …, cut at kinks and ends.
 fn panels<R: Real>(range: &Range<R>) -> Vec<(f64, f64)> {
     let position = |a: &R| position(a, &range.scale);
-    let lowest = reach(&range.scale, -1.0);
+    let lowest = reach(&range.scale, -range.reach[0]);
     let highest = match &range.outer {
         Some(outer) => position(outer) - OUTER_MARGIN,
-        None => reach(&range.scale, 1.0),
+        None => reach(&range.scale, range.reach[1]),
     };
     let doubling = std::iter::successors(Some(2.0), |t| Some(2.0 * t)).take_while(|t| *t < REACH);
     let mut cuts: Vec<(f64, f64)> = doubling.flat_map(|t| [t, -t]).chain([0.0]).map(|t| (t, 0.0)).collect();
@@ -117,14 +127,15 @@ fn panels<R: Real>(range: &Range<R>) -> Vec<(f64, f64)> {
     cuts.windows(2).map(|pair| (pair[0].0 + pair[0].1, pair[1].0 - pair[1].1)).filter(|(a, b)| a < b).collect()
 }
 
-/// The largest t in the given direction at which ℓeᵗ keeps away from the end of the arithmetic: by ten octaves from the
+/// The t of largest size on the way to `end` at which ℓeᵗ keeps away from the end of the arithmetic: by ten octaves from the
 /// largest numbers, by u² (u the unit roundoff) from the smallest, which do not have all their digits.
-fn reach<R: Real>(scale: &R, direction: f64) -> f64 {
+fn reach<R: Real>(scale: &R, end: f64) -> f64 {
+    let direction = end.signum();
     let normal = |t: f64| {
         let a = radius(scale, direction * t);
         a.clone().times(1024).is_finite() && a.unit_roundoff().square() * &a > a.lit(0)
     };
-    let (mut inside, mut outside) = (0.0, REACH);
+    let (mut inside, mut outside) = (0.0, end.abs());
     if normal(outside) {
         return direction * outside;
     }

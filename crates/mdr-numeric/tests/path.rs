@@ -199,19 +199,23 @@ impl Profile<f64> for Ring {
 fn a_dimple_is_not_touched_at_its_tip() {
     let (ring, material) = (Quadrature::new(Ring), Material::new(1.0, 1e-4).unwrap());
     let control = Control::Indentation;
+    // (r − b)²/2R − b²/2R with b = 0.1 and R = 1 is lowest at r = b.
     let events = follow(&ring, &material, &control, Start::Detached, &[-0.1, 0.1]).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, NotAdmissible]);
+    assert_relative_eq!(events[1].value, -0.005, max_relative = 1e-12);
+    assert_relative_eq!(events[1].ring.as_ref().unwrap().radius, 0.1, max_relative = 1e-7);
+    let events = follow(&ring, &material, &Control::Force, Start::Detached, &[-0.1, 0.1]).unwrap();
+    assert_eq!((kinds(&events), events[1].value), (vec![EventKind::Start, NotAdmissible], 0.0));
     // Once it is in contact it can be followed until it breaks, and then not back.
     let events = follow(&ring, &material, &control, Start::Largest, &[0.1, -0.1, 0.1]).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, Detached, WayPoint, NotAdmissible]);
-    // Apart they may be moved further apart, and end the path where they turn; at zero they would overlap.
+    // Apart they may be moved until they touch; at zero they would overlap.
     let events = follow(&ring, &material, &control, Start::Detached, &[-0.1, -0.2]).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, End]);
-    let events = follow(&ring, &material, &control, Start::Detached, &[-0.1, -0.2, -0.15]).unwrap();
-    assert_eq!(kinds(&events), [EventKind::Start, WayPoint, NotAdmissible]);
-    assert_eq!(events[2].value, -0.2);
-    let events = follow(&ring, &material, &control, Start::Detached, &[0.0]).unwrap();
-    assert_eq!(kinds(&events), [EventKind::Start, NotAdmissible]);
+    let events = follow(&ring, &material, &control, Start::Detached, &[-0.1, -0.2, -0.0051]).unwrap();
+    assert_eq!(kinds(&events), [EventKind::Start, WayPoint, End]);
+    let overlapping = follow(&ring, &material, &control, Start::Detached, &[0.0]);
+    assert!(matches!(overlapping, Err(Error::NoEquilibrium { .. })), "{overlapping:?}");
 }
 
 #[test]
@@ -331,6 +335,7 @@ mod arbitrary_precision {
         let material = Material::new(one.clone(), one.clone() / 1000).unwrap();
         let branches = Branches::new(Curve::new(&asked, &material, &Control::Indentation)).unwrap();
         assert_eq!(branches.equilibria(&-one).unwrap(), []);
+        drop(branches);
         let farthest = asked.farthest.into_inner();
         assert!(1_000_000 < farthest && farthest < 1_050_000, "{farthest}");
     }

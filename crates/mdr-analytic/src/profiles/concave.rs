@@ -34,6 +34,9 @@ impl<R: Special> DisplacedParaboloid<R> {
 }
 
 impl<R: Special> ClosedForm<R> for DisplacedParaboloid<R> {
+    fn rises(&self) -> bool {
+        false
+    }
     /// x(x − πb/2)/R.
     fn g_at(&self, x: &R) -> R {
         (x.clone() - self.zero()) / &self.radius * x
@@ -80,6 +83,9 @@ impl<R: Special> ParabolicDimple<R> {
 }
 
 impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
+    fn rises(&self) -> bool {
+        false
+    }
     fn g_at(&self, x: &R) -> R {
         match Edge::at(x, &self.radius) {
             None => {
@@ -156,6 +162,9 @@ impl<R: Special> EllipticalDimple<R> {
 }
 
 impl<R: Special> ClosedForm<R> for EllipticalDimple<R> {
+    fn rises(&self) -> bool {
+        false
+    }
     fn g_at(&self, x: &R) -> R {
         if x < &self.radius {
             return -self.inside.g_at(x);

@@ -62,6 +62,10 @@ trait ClosedForm<R: Special> {
     fn wall(&self) -> bool {
         false
     }
+    /// Whether g falls nowhere, as for every f whose r f' does not fall.
+    fn rises(&self) -> bool {
+        true
+    }
     /// The radius where its formula changes.
     fn edge(&self) -> Option<&R> {
         None
@@ -114,6 +118,9 @@ macro_rules! transform {
             }
             fn kinks(&self) -> Vec<R> {
                 self.edge().cloned().into_iter().collect()
+            }
+            fn rises(&self) -> bool {
+                ClosedForm::rises(self)
             }
             fn kink(&self, index: usize, margin: &R) -> mdr_core::contact::Result<Option<mdr_core::contact::Kink<R>>> {
                 Ok(if index == 0 { self.at_edge(margin) } else { None })

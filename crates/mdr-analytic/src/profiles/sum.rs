@@ -102,6 +102,9 @@ impl<R: Special> Transform<R> for Sum<R> {
     fn kinks(&self) -> Vec<R> {
         self.edges().into_iter().map(|edge| edge.radius).collect()
     }
+    fn rises(&self) -> bool {
+        self.terms.iter().all(|term| term.rises())
+    }
     fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
         let Some(edge) = self.edges().into_iter().nth(index).or_else(|| self.end()) else { return Ok(None) };
         let mut sum: Option<Kink<R>> = None;

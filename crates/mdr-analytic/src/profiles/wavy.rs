@@ -46,6 +46,9 @@ impl<R: Struve> WavyParaboloid<R> {
 }
 
 impl<R: Struve> ClosedForm<R> for WavyParaboloid<R> {
+    fn rises(&self) -> bool {
+        self.amplitude == self.amplitude.lit(0)
+    }
     fn g_at(&self, x: &R) -> R {
         let z = self.wavenumber.clone() * x;
         self.paraboloid.g_at(x) + self.scale() * &z * z.struve_h0()

@@ -1,6 +1,7 @@
 //! What `mdr solve` answers, and its JSON.
 
 use mdr_core::contact::Status;
+use mdr_numeric::admissible::{Basis, Verdict};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -117,6 +118,8 @@ pub(crate) struct Answer {
     pub(crate) notes: Vec<String>,
     /// In the order of the scene.
     pub(crate) outputs: Vec<Output>,
+    /// How it was decided which states are admissible, where there are states.
+    pub(crate) admissibility: Option<Basis>,
 }
 
 impl Answer {
@@ -137,7 +140,7 @@ impl Serialize for Answer {
         if !self.notes.is_empty() {
             map.serialize_entry("notes", &self.notes)?;
         }
-        map.serialize_entry("promise", &Promises(&self.outputs))?;
+        map.serialize_entry("promise", &Promises(self))?;
         map.serialize_entry("complete", &Completes(&self.outputs))?;
         for output in &self.outputs {
             map.serialize_entry(output.want.name(), &output.records)?;
@@ -145,21 +148,46 @@ impl Serialize for Answer {
                 map.serialize_entry("balance", balance)?;
             }
         }
+        if let Some(basis) = self.admissibility {
+            map.serialize_entry("admissibility", described(basis))?;
+        }
         map.end()
     }
 }
 
+/// How admissibility was decided, in words.
+pub(crate) fn described(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Bound => {
+            "every state is, by the form of the profile: its g falls nowhere, so that no gap closes outside of a contact"
+        }
+        Basis::Searched => {
+            "decided in f64 from the extrema of g, which were searched and resolved, and from the gap wherever g is below the \
+             indentation"
+        }
+        Basis::Doubtful => {
+            "decided in f64; the extrema of g were not resolved everywhere: an overlap that is found is one, and where none is \
+             found it is not known"
+        }
+    }
+}
+
 /// The promise of each output, and of the fields that have their own.
-struct Promises<'a>(&'a [Output]);
+struct Promises<'a>(&'a Answer);
 
 impl Serialize for Promises<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        for output in self.0 {
+        for output in &self.0.outputs {
             map.serialize_entry(output.want.name(), output.promise.name())?;
             for (field, promise) in &output.exceptions {
                 map.serialize_entry(field, promise.name())?;
             }
+        }
+        if let Some(basis) = self.0.admissibility {
+            let promise =
+                if basis == Basis::Bound && self.0.digits.is_some() { Promise::Certified } else { Promise::Double };
+            map.serialize_entry("admissible", promise.name())?;
         }
         map.end()
     }
@@ -186,6 +214,12 @@ impl Serialize for Record<Number> {
         map.serialize_entry("status", &self.status().to_string())?;
         if let Some(why) = self.why() {
             map.serialize_entry("why", &why)?;
+        }
+        match self.verdict() {
+            Some(Verdict::Admissible) => map.serialize_entry("admissible", &true)?,
+            Some(Verdict::Interpenetrating { .. }) => map.serialize_entry("admissible", &false)?,
+            Some(Verdict::Undecided(_)) => map.serialize_entry("admissible", &None::<bool>)?,
+            None => {}
         }
         map.end()
     }

@@ -7,11 +7,12 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal};
+use mdr_numeric::admissible::Admissibility;
 use rug::Float;
 
 use super::answer::{Complete, Output, Promise};
 use super::contact::{Arithmetic, Contact, Tally};
-use super::digits::{estimated, proved, rounded};
+use super::digits::{estimated, proved, rounded, start};
 use super::double::{Double, not_proved};
 use super::enclosed::{self, Isolated};
 use super::outputs;
@@ -30,11 +31,26 @@ pub(crate) struct Certified<'s> {
     pub(super) tally: Arc<Tally>,
     rough: OnceCell<Double<'s>>,
     isolated: OnceCell<Option<Isolated>>,
+    admissibility: OnceCell<Arc<Admissibility<'static>>>,
 }
 
 impl<'s> Certified<'s> {
     pub(crate) fn new(scene: &'s Scene, digits: u32, tally: &Arc<Tally>) -> Self {
-        Certified { scene, digits, tally: Arc::clone(tally), rough: OnceCell::new(), isolated: OnceCell::new() }
+        let (rough, isolated, admissibility) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        Certified { scene, digits, tally: Arc::clone(tally), rough, isolated, admissibility }
+    }
+
+    /// Which states are admissible: by the form of the profile, else in f64.
+    ///
+    /// # Errors
+    /// As [`Contact::new`], and as [`Certified::rough`].
+    pub(super) fn admissibility(&self) -> Result<Arc<Admissibility<'static>>> {
+        if let Some(known) = self.admissibility.get() {
+            return Ok(Arc::clone(known));
+        }
+        let rises = self.contact::<Float>(start(self.digits))?.transform().rises();
+        let found = if rises { Arc::new(Admissibility::of_rising()) } else { self.rough()?.admissibility() };
+        Ok(Arc::clone(self.admissibility.get_or_init(|| found)))
     }
 
     /// # Errors
@@ -47,7 +63,8 @@ impl<'s> Certified<'s> {
             Want::Equilibria => self.equilibria(),
             Want::Path => self.path(),
             Want::Pressure | Want::Gap | Want::Displacement | Want::Energy => {
-                let records = self.estimated(|states| states.fields(self.scene, want))?;
+                let fields = |states: &States<'_, Float>, values: &[Literal]| states.fields(self.scene, values, want);
+                let records = self.estimated_at(&self.scene.output.values, "states", &fields)?;
                 Ok(Output::new(want, Promise::Estimated, records))
             }
         }
@@ -78,12 +95,12 @@ impl<'s> Certified<'s> {
     /// What is read off the curve at given radii: proved where g is closed.
     fn along(&self, want: Want, radii: &[Literal]) -> Result<Output> {
         if !self.scene.profile.is_closed() {
-            let read = |precision| Ok(rounded(read(&self.contact::<Float>(precision)?, want, radii)?));
+            let read = |precision| Ok(rounded(self.read(&self.contact::<Float>(precision)?, want, radii)?));
             let records = estimated(self.digits, read)?;
             return Ok(Output::new(want, Promise::Estimated, records));
         }
         let records = proved(self.digits, |precision| {
-            let records = read(&self.contact::<Interval>(precision)?, want, radii)?;
+            let records = self.read(&self.contact::<Interval>(precision)?, want, radii)?;
             Ok(records.into_iter().map(|record| record.convert(Enclosure::from)).collect())
         })?;
         Ok(Output::new(want, Promise::Certified, records))
@@ -96,7 +113,9 @@ impl<'s> Certified<'s> {
         }
         let records = estimated(self.digits, |precision| {
             let contact = self.contact::<Float>(precision)?;
-            Ok(rounded(polished(&contact, self.rough()?.folds()?)?.folds.into_iter().map(outputs::fold).collect()))
+            let admissibility = self.admissibility()?;
+            let folds = polished(&contact, self.rough()?.folds()?)?.folds.into_iter();
+            Ok(rounded(folds.map(|fold| outputs::fold(fold, &admissibility)).collect()))
         })?;
         Ok(Output::new(Want::Folds, Promise::Estimated, records).complete(self.searched()?))
     }
@@ -115,14 +134,23 @@ impl<'s> Certified<'s> {
         Ok(Output::new(Want::Equilibria, Promise::Estimated, records).complete(self.searched()?))
     }
 
-    /// Equilibria at two precisions; where these do not agree, each value for itself.
     fn estimated_equilibria(&self, values: &[Literal]) -> Result<Vec<Record<Number>>> {
-        match (self.estimated(|states| states.equilibria(values)), values) {
+        self.estimated_at(values, "equilibria", &|states, values| states.equilibria(values))
+    }
+
+    /// What belongs to values, under `key`, at two precisions; where these do not agree, each value for itself.
+    fn estimated_at(
+        &self,
+        values: &[Literal],
+        key: &'static str,
+        compute: &impl Fn(&States<'_, Float>, &[Literal]) -> Result<Vec<Record<Estimate<Float>>>>,
+    ) -> Result<Vec<Record<Number>>> {
+        match (self.estimated(|states| compute(states, values)), values) {
             (Err(error @ Error::Undecided { .. }), [value]) => {
-                Ok(vec![outputs::at_value(value, "equilibria", Vec::new()).open(&error)])
+                Ok(vec![outputs::at_value(value, key, Vec::new()).open(&error)])
             }
             (Err(Error::Undecided { .. }), [_, _, ..]) => {
-                let each = values.iter().map(|value| self.estimated_equilibria(std::slice::from_ref(value)));
+                let each = values.iter().map(|value| self.estimated_at(std::slice::from_ref(value), key, compute));
                 Ok(each.collect::<Result<Vec<_>>>()?.concat())
             }
             (records, _) => records,
@@ -190,8 +218,15 @@ impl<'s> Certified<'s> {
         estimated(self.digits, |precision| {
             let contact = self.contact::<Float>(precision)?;
             let folds = polished(&contact, folds)?;
-            compute(&States::new(&contact, rough.contact(), folds))
+            compute(&States::new(&contact, folds, self.admissibility()?))
         })
+    }
+
+    fn read<R: Arithmetic>(&self, contact: &Contact<R>, want: Want, radii: &[Literal]) -> Result<Vec<Record<R>>> {
+        match want {
+            Want::Transform => outputs::transform(contact, radii),
+            _ => outputs::curve(contact, radii, &*self.admissibility()?),
+        }
     }
 
     fn searched(&self) -> Result<Complete> {
@@ -203,12 +238,5 @@ impl<'s> Certified<'s> {
             _ => String::new(),
         };
         Ok(not_proved(&format!("{}; found in f64, then sharpened{long}", search.why)))
-    }
-}
-
-fn read<R: Arithmetic>(contact: &Contact<R>, want: Want, radii: &[Literal]) -> Result<Vec<Record<R>>> {
-    match want {
-        Want::Transform => outputs::transform(contact, radii),
-        _ => outputs::curve(contact, radii),
     }
 }

@@ -49,7 +49,7 @@ impl Tally {
 /// Profile, material and control in one arithmetic.
 pub(crate) struct Contact<R: Arithmetic> {
     ctx: R::Ctx,
-    transform: CountedTransform<R>,
+    transform: Arc<CountedTransform<R>>,
     material: Material<R>,
     control: Control<R>,
 }
@@ -83,7 +83,7 @@ impl<R: Arithmetic> Contact<R> {
         };
         let transform = library::transform(&scene.profile, ctx, accepted.as_ref())?;
         let transform = CountedTransform::new(transform, &tally.0[R::INDEX]);
-        Ok(Contact { ctx, transform, material, control })
+        Ok(Contact { ctx, transform: Arc::new(transform), material, control })
     }
 
     pub(crate) fn number(&self, literal: &Literal) -> R {
@@ -96,7 +96,12 @@ impl<R: Arithmetic> Contact<R> {
     }
 
     pub(crate) fn transform(&self) -> &dyn Transform<R> {
-        &self.transform
+        &*self.transform
+    }
+
+    /// The same, for as long as it is needed.
+    pub(crate) fn shared(&self) -> Arc<CountedTransform<R>> {
+        Arc::clone(&self.transform)
     }
 
     pub(crate) fn material(&self) -> &Material<R> {
@@ -108,7 +113,7 @@ impl<R: Arithmetic> Contact<R> {
     }
 
     pub(crate) fn curve(&self) -> Curve<'_, R> {
-        Curve::new(&self.transform, &self.material, &self.control)
+        Curve::new(&*self.transform, &self.material, &self.control)
     }
 }
 

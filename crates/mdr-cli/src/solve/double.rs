@@ -6,6 +6,7 @@ use std::sync::Arc;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Instability, Result, Status};
 use mdr_core::number::Literal;
+use mdr_numeric::admissible::{Admissibility, search_range};
 use mdr_numeric::folds::{self, Beyond, Completeness, Folds};
 
 use super::answer::{Complete, Output, Promise};
@@ -22,6 +23,7 @@ pub(crate) struct Double<'s> {
     scene: &'s Scene,
     contact: Contact<f64>,
     folds: OnceCell<Folds<f64>>,
+    admissibility: OnceCell<Arc<Admissibility<'static>>>,
     /// Whether a fold is of use without its force, which is out of range.
     radii_do: bool,
 }
@@ -30,7 +32,7 @@ impl<'s> Double<'s> {
     /// # Errors
     /// As [`Contact::new`].
     pub(crate) fn new(scene: &'s Scene, tally: &Arc<Tally>) -> Result<Self> {
-        Ok(Double { scene, contact: Contact::new(scene, (), tally)?, folds: OnceCell::new(), radii_do: false })
+        Ok(Double::with(scene, Contact::new(scene, (), tally)?, false))
     }
 
     /// The lengths of the contact alone, for other arithmetics to start from. Folds whose force is out of range are among them.
@@ -38,8 +40,24 @@ impl<'s> Double<'s> {
     /// # Errors
     /// As [`Contact::in_units_of_modulus`].
     pub(crate) fn rough(scene: &'s Scene, tally: &Arc<Tally>) -> Result<Self> {
-        let contact = Contact::in_units_of_modulus(scene, tally)?;
-        Ok(Double { scene, contact, folds: OnceCell::new(), radii_do: true })
+        Ok(Double::with(scene, Contact::in_units_of_modulus(scene, tally)?, true))
+    }
+
+    fn with(scene: &'s Scene, contact: Contact<f64>, radii_do: bool) -> Self {
+        Double { scene, contact, folds: OnceCell::new(), admissibility: OnceCell::new(), radii_do }
+    }
+
+    /// Which states are admissible: searched when something needs it, and once, around the folds that are known.
+    pub(crate) fn admissibility(&self) -> Arc<Admissibility<'static>> {
+        let search = || {
+            let rises = self.contact.transform().rises();
+            let folds = self.folds().ok().filter(|_| !rises);
+            let radii: Vec<f64> =
+                folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
+            let length = self.contact.curve().material_length();
+            Arc::new(Admissibility::new(self.contact.shared(), search_range(length, &radii)))
+        };
+        Arc::clone(self.admissibility.get_or_init(search))
     }
 
     pub(crate) fn contact(&self) -> &Contact<f64> {
@@ -71,12 +89,15 @@ impl<'s> Double<'s> {
         let wanted = &self.scene.output;
         let records = match want {
             Want::Transform => rounded(outputs::transform(&self.contact, &wanted.transform)?),
-            Want::Folds => rounded(self.folds()?.folds.iter().cloned().map(outputs::fold).collect()),
-            Want::Curve => rounded(outputs::curve(&self.contact, &self.radii()?)?),
+            Want::Folds => {
+                let judged = |fold: &Instability<f64>| outputs::fold(fold.clone(), &self.admissibility());
+                rounded(self.folds()?.folds.iter().map(judged).collect())
+            }
+            Want::Curve => rounded(outputs::curve(&self.contact, &self.radii()?, &self.admissibility())?),
             Want::Equilibria => self.states()?.equilibria(&wanted.values)?,
             Want::Path => self.states()?.path(&self.scene.held)?,
             Want::Pressure | Want::Gap | Want::Displacement | Want::Energy => {
-                self.states()?.fields(self.scene, want)?
+                self.states()?.fields(self.scene, &wanted.values, want)?
             }
         };
         let records = records
@@ -93,7 +114,7 @@ impl<'s> Double<'s> {
     }
 
     fn states(&self) -> Result<States<'_, f64>> {
-        Ok(States::new(&self.contact, &self.contact, self.folds()?.clone()))
+        Ok(States::new(&self.contact, self.folds()?.clone(), self.admissibility()))
     }
 
     /// The contact radii to which the path of the scene leads, and those of the equilibria at its values, as far as they are

@@ -119,7 +119,8 @@ pub(super) fn folds(certified: &Certified<'_>, isolated: &Isolated) -> Result<Ou
     let records = proved(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let curve = enclosed.curve();
-        let sharp = |fold: &Instability<Interval>| Ok(enclose(outputs::fold(curve.sharpen(fold)?)));
+        let admissibility = certified.admissibility()?;
+        let sharp = |fold: &Instability<Interval>| Ok(enclose(outputs::fold(curve.sharpen(fold)?, &admissibility)));
         isolated.proved.folds.iter().map(sharp).collect()
     })?;
     Ok(Output::new(Want::Folds, Promise::Certified, records).complete(isolated.complete.clone()))
@@ -154,11 +155,16 @@ pub(super) fn equilibria_at(
     let records = proved(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
+        let admissibility = certified.admissibility()?;
         let at = |literal: &Literal| {
             let mut states = Vec::new();
             for state in branches.equilibria(&enclosed.plain.number(literal))? {
                 if limits.map_or(Ok(true), |limits| is_within(&state, limits))? {
-                    states.push(held(enclose(outputs::equilibrium(state)), &certified.scene.held.by, literal));
+                    states.push(held(
+                        enclose(outputs::equilibrium(state, &admissibility)),
+                        &certified.scene.held.by,
+                        literal,
+                    ));
                 }
             }
             let none = states.is_empty();
@@ -205,6 +211,7 @@ impl Followed {
     fn new(certified: &Certified<'_>, isolated: &Isolated, precision: Precision) -> Result<Self> {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = EnclosedBranches::new(enclosed.curve(), &isolated.proved)?;
+        let branches = branches.with_admissibility(certified.admissibility()?);
         let control = enclosed.plain.control();
         let unproved = || {
             let (from, to) = ("0".to_owned(), "infinity".to_owned());
@@ -240,7 +247,7 @@ impl Followed {
             let folds = self.folds.iter().map(|fold| fold.map(rounded)).collect();
             let (poles, beyond) = (Vec::new(), Vec::new());
             let folds = Folds { folds, poles, beyond, completeness: Completeness::Resolved };
-            let branches = Branches::cut_at(contact.curve(), folds);
+            let branches = Branches::cut_at(contact.curve(), folds).with_admissibility(certified.admissibility()?);
             path::with_energy(&self.path.map(rounded), &certified.scene.held, &branches)
         })
     }
@@ -258,7 +265,7 @@ pub(super) fn path(certified: &Certified<'_>, isolated: &Isolated) -> Result<Opt
     let records = proved_from(precision, certified.digits, |precision| {
         let followed = last.insert(Followed::new(certified, isolated, precision)?);
         let path = &followed.path;
-        let records = path::records(&followed.control, path).into_iter();
+        let records = path::records(&followed.control, path, &*certified.admissibility()?).into_iter();
         let records = records.map(|record| enclose(record).with("dissipated", Field::Absent));
         let mut way = scene.held.path.iter();
         let exact = |(record, event): (Record<Enclosure>, &Event<Interval>)| match event.kind {

@@ -6,6 +6,7 @@ use mdr_analytic::certified::{Curve, Point, Scaled};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Real};
+use mdr_numeric::admissible::{Admissibility, Ring, Touch};
 use mdr_numeric::branch::{Branched, End, Onset, unordered};
 use mdr_numeric::path::{Event, EventKind, Path, Start as Begin, State};
 use rug::Rational;
@@ -41,7 +42,7 @@ pub(super) fn events(law: &PowerLaw<'_>, curve: &Curve) -> Result<Vec<Record<Enc
     let path = Path::follow_ordered(&branches, &branches.begin(), &way, &order)?;
     let mut way_points = values.into_iter();
     let lines = path.events.iter().map(|event| branches.line(event, &mut way_points)).collect::<Result<Vec<_>>>()?;
-    let records = path::records(curve.control(), &path);
+    let records = path::records(curve.control(), &path, Admissibility::rising());
     let written = |(record, line): (Record<Interval>, &Line<'_>)| {
         branches.write(record.with("dissipated", Field::Absent).convert(Enclosure::from), line)
     };
@@ -311,6 +312,22 @@ impl Branched<Interval> for Branches<'_> {
 
     fn end(&self) -> Result<End<Interval>> {
         Ok(End::Open)
+    }
+
+    fn admissibility(&self) -> &Admissibility<'_> {
+        Admissibility::rising()
+    }
+
+    fn first_touch(&self) -> Result<Option<Touch<Interval>>> {
+        Ok(None)
+    }
+
+    fn last_admissible(&self, _radii: [&Interval; 2]) -> Result<Option<(Equilibrium<Interval>, Ring<Interval>)>> {
+        Ok(None)
+    }
+
+    fn is_pushed_back(&self, _radius: &Interval, _value: &Interval) -> Result<bool> {
+        Ok(false)
     }
 
     fn landing(&self, fold: usize) -> Result<Option<(usize, Equilibrium<Interval>)>> {

@@ -30,6 +30,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use mdr_core::contact::Error;
+use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::folds::Folds;
 
 use self::answer::{Answer, Output as Solved};
@@ -138,7 +139,7 @@ fn solve(scene: &Scene, solver: &Solver<'_>, tally: &Arc<Tally>) -> Result<(Answ
         let bar = spinner(want);
         let output = solver.output(scene, want, tally);
         bar.finish_and_clear();
-        let output = output.map_err(|error| complaint(scene, want, error))?;
+        let output = output.map_err(|error| complaint(scene, want, error, solver))?;
         costs.push(Cost::new(want, before, tally.read(), begin.elapsed()));
         outputs.push(output);
     }
@@ -147,18 +148,19 @@ fn solve(scene: &Scene, solver: &Solver<'_>, tally: &Arc<Tally>) -> Result<(Answ
         Arithmetic::Double => None,
     };
     let profile = scene.profile.name();
-    let is_held = scene.has_control || scene.output.wants(|want| !want.is_of_profile());
-    let control = is_held.then(|| scene.held.by.name());
+    let has_states = scene.output.wants(|want| !want.is_of_profile());
+    let control = (scene.has_control || has_states).then(|| scene.held.by.name());
     let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver));
-    Ok((Answer { digits, profile, control, notes, outputs }, costs))
+    let admissibility = if has_states { solver.admissibility().map(|known| known.basis()) } else { None };
+    Ok((Answer { digits, profile, control, notes, outputs, admissibility }, costs))
 }
 
 /// What is wrong with the scene when it has no answer.
-fn complaint(scene: &Scene, want: Want, error: Error) -> Failure {
+fn complaint(scene: &Scene, want: Want, error: Error, solver: &Solver<'_>) -> Failure {
     match error {
         Error::NoEquilibrium { .. } if want == Want::Path => {
-            scene.held.start_place.as_ref().unwrap_or(&scene.places.control).refuse(no_start(&scene.held))
+            scene.held.start_place.as_ref().unwrap_or(&scene.places.control).refuse(no_start(&scene.held, solver))
         }
         // All that is left to do in certified digits was done.
         Error::OutOfRange { quantity, log10 } => scene.places.complaint_about_profile(Error::Domain {
@@ -172,11 +174,19 @@ fn complaint(scene: &Scene, want: Want, error: Error) -> Failure {
 }
 
 /// Why a path cannot start at its first way point.
-fn no_start(held: &Held) -> String {
+fn no_start(held: &Held, solver: &Solver<'_>) -> String {
     let (quantity, first) = (held.by.quantity(), &held.path[0]);
     let apart = first.is_negative() || first.is_zero();
     match held.start {
-        Start::Detached => format!("the path cannot start there: the surfaces are not apart at {quantity} = {first}"),
+        Start::Detached => {
+            let touch = solver.admissibility().and_then(|admissibility| admissibility.first_touch());
+            let place = touch.map_or_else(String::new, |[radius, height]| {
+                format!(
+                    "; they first touch at the indentation depth {height:.6e} m, on a ring of radius {radius:.6e} m"
+                )
+            });
+            format!("the path cannot start there: the surfaces are not apart at {quantity} = {first}{place}")
+        }
         _ if apart => format!(
             "the path cannot start there: no stable equilibrium at {quantity} = {first}; where the surfaces are apart, \
              start = \"detached\""
@@ -223,6 +233,14 @@ impl<'s> Solver<'s> {
         match self {
             Solver::Double(double) => Ok(double),
             Solver::Certified(certified) => certified.rough(),
+        }
+    }
+
+    /// Which states are admissible; none where that cannot be had.
+    fn admissibility(&self) -> Option<Arc<Admissibility<'static>>> {
+        match self {
+            Solver::Double(double) => Some(double.admissibility()),
+            Solver::Certified(certified) => certified.admissibility().ok(),
         }
     }
 

@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 
 use mdr_core::contact::{Equilibrium, Error, Instability, Quantity, Result, Stability, Status};
-use mdr_core::number::Literal;
+use mdr_core::number::{Literal, Real};
+use mdr_numeric::admissible::Admissibility;
 
 use super::contact::{Arithmetic, Contact};
 use super::record::{Field, Record};
@@ -29,7 +30,11 @@ pub(crate) fn transform<R: Arithmetic>(contact: &Contact<R>, radii: &[Literal]) 
 ///
 /// # Errors
 /// As [`transform`].
-pub(crate) fn curve<R: Arithmetic>(contact: &Contact<R>, radii: &[Literal]) -> Result<Vec<Record<R>>> {
+pub(crate) fn curve<R: Arithmetic>(
+    contact: &Contact<R>,
+    radii: &[Literal],
+    admissibility: &Admissibility<'_>,
+) -> Result<Vec<Record<R>>> {
     let curve = contact.curve();
     let at = |literal: &Literal| {
         let a = contact.number(literal);
@@ -44,12 +49,14 @@ pub(crate) fn curve<R: Arithmetic>(contact: &Contact<R>, radii: &[Literal]) -> R
             Ok(None) => return Err(undecided(&a)),
             Err(error) => Field::from_result(Err(error))?,
         };
+        let verdict = indentation.as_ref().ok().map(|d| admissibility.of(a.approx(), d.approx()));
         let record = Record::new()
             .with("contact_radius", Field::Given(literal.clone()))
             .number("indentation", indentation)?
             .number("force", force)?
             .with("stable", stable);
-        Ok(if fold { record.marked(Status::Fold) } else { record })
+        let record = if fold { record.marked(Status::Fold) } else { record };
+        Ok(verdict.map_or_else(|| record.clone(), |verdict| record.clone().judged(verdict)))
     };
     radii.iter().map(at).collect()
 }
@@ -63,7 +70,13 @@ fn undecided<R: Arithmetic>(a: &R) -> Error {
 }
 
 /// A fold.
-pub(crate) fn fold<N>(fold: Instability<N>) -> Record<N> {
+pub(crate) fn fold<R: Real>(fold: Instability<R>, admissibility: &Admissibility<'_>) -> Record<R> {
+    let verdict = admissibility.of(fold.contact_radius.approx(), fold.indentation.approx());
+    fold_of(fold).judged(verdict)
+}
+
+/// The numbers of a fold.
+pub(crate) fn fold_of<N>(fold: Instability<N>) -> Record<N> {
     Record::new()
         .with("contact_radius", Field::Number(fold.contact_radius))
         .with("indentation", Field::Number(fold.indentation))
@@ -72,7 +85,13 @@ pub(crate) fn fold<N>(fold: Instability<N>) -> Record<N> {
 }
 
 /// An equilibrium.
-pub(crate) fn equilibrium<N>(state: Equilibrium<N>) -> Record<N> {
+pub(crate) fn equilibrium<R: Real>(state: Equilibrium<R>, admissibility: &Admissibility<'_>) -> Record<R> {
+    let verdict = admissibility.of(state.contact_radius.approx(), state.indentation.approx());
+    equilibrium_of(state).judged(verdict)
+}
+
+/// The numbers of an equilibrium.
+pub(crate) fn equilibrium_of<N>(state: Equilibrium<N>) -> Record<N> {
     let record = Record::new()
         .with("contact_radius", Field::Number(state.contact_radius))
         .with("indentation", Field::Number(state.indentation))

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Equilibrium, Error, Result, Status};
 use mdr_core::number::Literal;
+use mdr_numeric::admissible::{Admissibility, Ring, Verdict};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{Event, EventKind, Loss, Path, Start as Begin, State, stored};
@@ -12,7 +13,7 @@ use rug::Rational;
 
 use super::contact::{Arithmetic, Contact};
 use super::digits::{exact, rounded};
-use super::record::{Field, Record};
+use super::record::{Field, Record, point};
 use crate::scene::{Held, Start};
 
 /// The path of a scene.
@@ -37,8 +38,39 @@ pub(crate) fn start<R: Arithmetic>(contact: &Contact<R>, held: &Held) -> Begin<R
 }
 
 /// The records of events, without the energy that is lost in each.
-pub(crate) fn records<R: Arithmetic>(control: &Control<R>, path: &Path<R>) -> Vec<Record<R>> {
-    path.events.iter().map(|event| record(control, event)).collect()
+pub(crate) fn records<R: Arithmetic>(
+    control: &Control<R>,
+    path: &Path<R>,
+    admissibility: &Admissibility<'_>,
+) -> Vec<Record<R>> {
+    path.events.iter().map(|event| judged(record(control, event), event, admissibility)).collect()
+}
+
+/// An event with whether the states in it are admissible: all are up to the one that ends the path for that.
+fn judged<R: Arithmetic>(record: Record<R>, event: &Event<R>, admissibility: &Admissibility<'_>) -> Record<R> {
+    if let Some(ring) = &event.ring {
+        return record.overlapping(point(ring.radius.approx(), ring.gap.approx())).because(remedy(event, ring));
+    }
+    let in_contact = |state: &&Equilibrium<R>| state.contact_radius > state.contact_radius.lit(0);
+    match event.after.contact().or(event.before.contact()).filter(in_contact) {
+        _ if event.kind == EventKind::Undecided => record.judged(Verdict::Undecided("the state was not found")),
+        Some(rest) => record.judged(admissibility.of(rest.contact_radius.approx(), rest.indentation.approx())),
+        None => record.judged(Verdict::Admissible),
+    }
+}
+
+/// Why a path ends, and what may be done.
+fn remedy<R: Arithmetic>(event: &Event<R>, ring: &Ring<R>) -> String {
+    let radius = format!("{:.5e}", ring.radius.approx()).parse::<f64>().unwrap_or(f64::NAN);
+    let remedy = "begin with a contact that reaches beyond it, start = \"largest\", or stay below this value";
+    let happens = match event.after {
+        _ if ring.gap < ring.gap.lit(0) => "in the state that comes next the surfaces would overlap",
+        State::Contact(_) => "outside of the contact the surfaces touch",
+        _ => "coming closer the surfaces first touch not at the tip but",
+    };
+    format!(
+        "{happens} on a ring of radius {radius:e} m, where the theory of one simply connected contact ends; {remedy}"
+    )
 }
 
 fn record<R: Arithmetic>(control: &Control<R>, event: &Event<R>) -> Record<R> {
@@ -111,7 +143,7 @@ pub(crate) fn with_energy<R: Arithmetic>(
     let losses = path.events.iter().zip(Loss::of_each(path, branches));
     let losses = losses.map(|(event, loss)| lost(event, loss)).collect::<Result<Vec<_>>>()?;
     let balance = balance(path, held, branches, &losses)?.into_iter().collect();
-    let events = rounded(records(branches.curve().control(), path)).into_iter().zip(losses);
+    let events = rounded(records(branches.control(), path, branches.admissibility())).into_iter().zip(losses);
     let events = events.map(|(event, lost)| event.with("dissipated", lost)).collect();
     Ok(vec![Record::new().with("events", Field::Records(events)).with("balance", Field::Records(balance))])
 }

@@ -32,7 +32,7 @@ fn drawing(scene: &Scene, solver: &Solver<'_>, from: &Path) -> Result<Picture> {
         Vec::new()
     } else {
         let path = path::follow(&contact, &branches, &scene.held);
-        path.map_err(|error| complaint(scene, Want::Path, error))?.events
+        path.map_err(|error| complaint(scene, Want::Path, error, solver))?.events
     };
     let values: Vec<f64> = scene.output.values.iter().map(|literal| contact.number(literal)).collect();
     let name =

@@ -4,6 +4,7 @@ use mdr_analytic::certified::{Curve, Elasticity, Point, Question};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Quantity, Regime, Result, Stability};
 use mdr_core::number::certify::{Decimal, Enclosure};
 use mdr_core::number::{Literal, Precision};
+use mdr_numeric::admissible::Verdict;
 use rug::Rational;
 
 use super::answer::{Complete, Output, Promise};
@@ -104,12 +105,12 @@ impl<'s> PowerLaw<'s> {
                 .collect(),
         };
         let written = |decimal: Decimal| Number::Decimal(decimal.to_string());
-        Ok(folds.into_iter().map(|fold| outputs::fold(fold).convert(written)).collect())
+        Ok(folds.into_iter().map(|fold| outputs::fold_of(fold).judged(Verdict::Admissible).convert(written)).collect())
     }
 
     fn equilibria(&self) -> Result<Vec<Record<Number>>> {
         self.at_values("equilibria", |curve, point, value| {
-            Ok(outputs::equilibrium(self.state(curve, point, Some(value))))
+            Ok(outputs::equilibrium_of(self.state(curve, point, Some(value))).judged(Verdict::Admissible))
         })
     }
 
@@ -136,7 +137,7 @@ impl<'s> PowerLaw<'s> {
             Some(_) if stationary => Ok(Rational::new().into()),
             stiffness => stiffness.map(|stiffness| stiffness.enclosure()).ok_or_else(at_fold),
         };
-        let state = outputs::equilibrium(self.state(curve, point, Some(value)));
+        let state = outputs::equilibrium_of(self.state(curve, point, Some(value))).judged(Verdict::Admissible);
         state.with("energy", Field::Number(curve.energy(point).enclosure())).number("stiffness", stiffness)
     }
 

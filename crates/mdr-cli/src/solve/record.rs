@@ -5,6 +5,7 @@
 
 use mdr_core::contact::{Error, Result, Status};
 use mdr_core::number::Literal;
+use mdr_numeric::admissible::Verdict;
 
 /// One field.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,11 +81,13 @@ pub(crate) struct Record<N> {
     status: Option<Status>,
     /// The reason of that status, in words.
     why: Option<String>,
+    /// Of a state, whether it is admissible; none of another record.
+    verdict: Option<Verdict>,
 }
 
 impl<N> Default for Record<N> {
     fn default() -> Self {
-        Record { fields: Vec::new(), status: None, why: None }
+        Record { fields: Vec::new(), status: None, why: None, verdict: None }
     }
 }
 
@@ -145,6 +148,26 @@ impl<N> Record<N> {
         Record { why: Some(why), ..self }
     }
 
+    /// A state and whether it is admissible. Where the surfaces would overlap, that is its status.
+    pub(crate) fn judged(self, verdict: Verdict) -> Self {
+        match verdict {
+            Verdict::Interpenetrating { radius, gap } => self.overlapping(point(radius, gap)),
+            verdict => Record { verdict: Some(verdict), ..self },
+        }
+    }
+
+    /// A state in which the surfaces would overlap, with a point where they do.
+    pub(crate) fn overlapping(self, point: Option<Self>) -> Self {
+        let verdict = Some(Verdict::Interpenetrating { radius: f64::NAN, gap: f64::NAN });
+        let record = self.with("interpenetration", Field::Records(point.into_iter().collect()));
+        Record { verdict, ..record }.marked(Status::NotAdmissible)
+    }
+
+    /// Whether it is admissible, of a state.
+    pub(crate) fn verdict(&self) -> Option<Verdict> {
+        self.verdict
+    }
+
     /// The records under a key.
     pub(crate) fn into_records(self, key: &str) -> Vec<Record<N>> {
         let found = self.fields.into_iter().find(|(name, _)| *name == key);
@@ -176,12 +199,16 @@ impl<N> Record<N> {
             Field::Marked { why: Some(why), .. } => Some(why.clone()),
             _ => None,
         };
-        self.why.clone().or_else(|| self.fields.iter().find_map(of_field))
+        let undecided = || match self.verdict {
+            Some(Verdict::Undecided(why)) => Some(format!("whether it is admissible is not known: {why}")),
+            _ => None,
+        };
+        self.why.clone().or_else(|| self.fields.iter().find_map(of_field)).or_else(undecided)
     }
 
     pub(crate) fn map<M>(self, f: &mut impl FnMut(N) -> Field<M>) -> Record<M> {
         let fields = self.fields.into_iter().map(|(key, field)| (key, field.map(f))).collect();
-        Record { fields, status: self.status, why: self.why }
+        Record { fields, status: self.status, why: self.why, verdict: self.verdict }
     }
 
     /// The same with all numbers in another type.
@@ -209,9 +236,19 @@ pub(crate) fn paired<N, M>(
             (key == *other_key).then_some((key, field))
         });
         let fields = fields.collect::<Option<_>>()?;
-        Some(Record { fields, status: record.status, why: record.why })
+        Some(Record { fields, status: record.status, why: record.why, verdict: record.verdict })
     };
     (records.len() == others.len()).then(|| records.into_iter().zip(others).map(&mut of_record).collect())?
+}
+
+/// Where surfaces touch or overlap, in short decimals.
+pub(crate) fn point<N>(radius: f64, gap: f64) -> Option<Record<N>> {
+    // Six digits, and none of them a zero at the end.
+    let short = |x: f64| {
+        let rounded = format!("{x:.5e}").parse::<f64>().ok()?;
+        if rounded == 0.0 { "0".to_owned() } else { format!("{rounded:e}") }.parse::<Literal>().ok()
+    };
+    Some(Record::new().with("r", Field::Given(short(radius)?)).with("gap", Field::Given(short(gap)?)))
 }
 
 /// The numbers of records, in their order.

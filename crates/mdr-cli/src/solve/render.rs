@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use mdr_core::contact::Status;
 
-use super::answer::{Answer, Output as Solved};
+use super::answer::{Answer, Output as Solved, described};
 use super::record::{Field, Record};
 use crate::error::Result;
 use crate::number::Number;
@@ -53,8 +53,9 @@ fn for_reader(answer: &Answer) -> String {
     let control = answer.control.map_or_else(String::new, |control| format!("; controlled: {control}"));
     let heading = format!("Profile: {}{control}; {digits}", answer.profile);
     let parts = answer.outputs.iter().map(output);
+    let basis = answer.admissibility.map(|basis| format!("Admissible: {}.", described(basis)));
     let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
-    std::iter::once(heading).chain(notes).chain(parts).collect::<Vec<_>>().join("\n\n")
+    std::iter::once(heading).chain(notes).chain(parts).chain(basis).collect::<Vec<_>>().join("\n\n")
 }
 
 fn output(output: &Solved) -> String {

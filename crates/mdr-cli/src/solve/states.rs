@@ -1,9 +1,13 @@
 //! Pressure, gap, displacement and energy of states, for any arithmetic that is not an enclosure.
 
+use std::sync::Arc;
+
 use mdr_core::calculus::Estimate;
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Result, Stability, Status};
 use mdr_core::number::Literal;
+use mdr_numeric::admissible::{Admissibility, Verdict};
+use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{Branches, Equilibria};
@@ -13,7 +17,7 @@ use mdr_numeric::path::{Path, State};
 
 use super::contact::{Arithmetic, Contact};
 use super::digits::exact;
-use super::outputs::{at_value, equilibrium};
+use super::outputs::{at_value, equilibrium, equilibrium_of};
 use super::path;
 use super::record::{Field, Record};
 use super::sample::decimal;
@@ -23,22 +27,22 @@ use crate::scene::{Held, Scene, Want};
 const INSIDE: [(i64, i64); 6] = [(0, 1), (1, 4), (1, 2), (3, 4), (9, 10), (99, 100)];
 /// Radii of `gap` and `displacement` over the contact radius, when the scene names none.
 const OUTSIDE: [(i64, i64); 6] = [(101, 100), (11, 10), (5, 4), (3, 2), (2, 1), (4, 1)];
-/// How far the gap is searched for interpenetration, in contact radii.
-const FAR: f64 = 8.0;
 /// How many octaves from the folds equilibria are looked for.
 const REACH: i64 = 1000;
 
 /// A contact and its folds.
 pub(crate) struct States<'a, R: Arithmetic> {
     contact: &'a Contact<R>,
-    /// In f64: where samples are good enough.
-    rough: &'a Contact<f64>,
     branches: Branches<'a, R>,
 }
 
 impl<'a, R: Arithmetic> States<'a, R> {
-    pub(crate) fn new(contact: &'a Contact<R>, rough: &'a Contact<f64>, folds: Folds<R>) -> Self {
-        States { contact, rough, branches: branches(contact, folds, REACH) }
+    pub(crate) fn new(contact: &'a Contact<R>, folds: Folds<R>, admissibility: Arc<Admissibility<'static>>) -> Self {
+        States { contact, branches: branches(contact, folds, REACH).with_admissibility(admissibility) }
+    }
+
+    fn verdict(&self, state: &Equilibrium<R>) -> Verdict {
+        self.branches.admissibility().of(state.contact_radius.approx(), state.indentation.approx())
     }
 
     /// All equilibria at a value of the controlled quantity, which they have exactly, and how they were searched.
@@ -84,7 +88,7 @@ impl<'a, R: Arithmetic> States<'a, R> {
     /// # Errors
     /// As [`Branches::search`], of what concerns more than one value.
     pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<Record<Estimate<R>>>> {
-        let tell = |state| Ok(equilibrium(state).convert(exact));
+        let tell = |state| Ok(equilibrium(state, self.branches.admissibility()).convert(exact));
         values.iter().map(|literal| self.record_at(literal, "equilibria", tell)).collect()
     }
 
@@ -108,13 +112,13 @@ impl<'a, R: Arithmetic> States<'a, R> {
         path::with_energy(&path::follow(self.contact, &self.branches, held)?, held, &self.branches)
     }
 
-    /// Pressure, gap, displacement or energy: at every equilibrium of the values that the scene asks for, else at the start of its path.
+    /// Pressure, gap, displacement or energy: at every equilibrium of the values, without any at the start of its path.
     ///
     /// # Errors
     /// As [`States::equilibria`].
-    pub(crate) fn fields(&self, scene: &Scene, want: Want) -> Result<Vec<Record<Estimate<R>>>> {
+    pub(crate) fn fields(&self, scene: &Scene, values: &[Literal], want: Want) -> Result<Vec<Record<Estimate<R>>>> {
         let describe = |state| self.describe(scene, want, state);
-        match (scene.output.values.as_slice(), scene.held.path.first()) {
+        match (values, scene.held.path.first()) {
             ([], Some(first)) => {
                 let state = self.started(&scene.held, first)?;
                 Ok(vec![at_value(first, "states", state.into_iter().map(describe).collect::<Result<_>>()?)])
@@ -151,18 +155,26 @@ impl<'a, R: Arithmetic> States<'a, R> {
     ) -> Result<Record<Estimate<R>>> {
         let pressure = |r: &R| estimate(fields.pressure_estimate(r), || fields.pressure(r));
         let points = self.points(radii, &INSIDE, &state.contact_radius, "pressure", pressure)?;
-        Ok(equilibrium(state).convert(exact).with("pressure", Field::Records(points)))
+        let verdict = self.verdict(&state);
+        Ok(equilibrium_of(state).convert(exact).with("pressure", Field::Records(points)).judged(verdict))
     }
 
     fn gap(&self, radii: &[Literal], fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<Estimate<R>>> {
         let gap = |r: &R| estimate(fields.gap_estimate(r), || fields.gap(r));
         let points = self.points(radii, &OUTSIDE, &state.contact_radius, "gap", gap)?;
-        let closed = self.interpenetration(fields, state.contact_radius.approx())?;
-        let record = equilibrium(state).convert(exact).with("gap", Field::Records(points));
-        Ok(match closed {
-            None => record,
-            Some(point) => record.with("interpenetration", Field::Records(vec![point])).marked(Status::NotAdmissible),
-        })
+        let verdict = self.verdict(&state);
+        let record = equilibrium_of(state).convert(exact).with("gap", Field::Records(points));
+        let Verdict::Interpenetrating { radius, .. } = verdict else { return Ok(record.judged(verdict)) };
+        // As short as it may be: any radius with a negative gap is as good as another.
+        for digits in 3..=17 {
+            let literal = decimal(radius, digits)?;
+            let gap = fields.gap(&self.contact.number(&literal));
+            if gap.as_ref().is_ok_and(|gap| *gap < gap.lit(0)) {
+                let point = Record::new().with("r", Field::Given(literal)).number("gap", gap.map(exact))?;
+                return Ok(record.overlapping(Some(point)));
+            }
+        }
+        Ok(record.judged(verdict))
     }
 
     fn displacement(
@@ -173,27 +185,16 @@ impl<'a, R: Arithmetic> States<'a, R> {
     ) -> Result<Record<Estimate<R>>> {
         let displacement = |r: &R| estimate(fields.displacement_estimate(r), || fields.displacement(r));
         let points = self.points(radii, &OUTSIDE, &state.contact_radius, "displacement", displacement)?;
-        Ok(equilibrium(state).convert(exact).with("displacement", Field::Records(points)))
-    }
-
-    /// A radius outside the contact at which the gap is negative: the contact is not simply connected as assumed.
-    fn interpenetration(&self, fields: &Fields<'_, R>, a: f64) -> Result<Option<Record<Estimate<R>>>> {
-        let Some(r) = interpenetration(self.rough, &a)? else { return Ok(None) };
-        // As short as it may be: any radius with a negative gap is as good as another.
-        for digits in 3..=17 {
-            let literal = decimal(r, digits)?;
-            let gap = fields.gap(&self.contact.number(&literal));
-            if gap.as_ref().is_ok_and(|gap| *gap < gap.lit(0)) {
-                return Ok(Some(Record::new().with("r", Field::Given(literal)).number("gap", gap.map(exact))?));
-            }
-        }
-        Ok(None)
+        let verdict = self.verdict(&state);
+        Ok(equilibrium_of(state).convert(exact).with("displacement", Field::Records(points)).judged(verdict))
     }
 
     fn energy(&self, fields: &Fields<'_, R>, state: Equilibrium<R>) -> Result<Record<Estimate<R>>> {
         let energy = Energy::new(self.contact.transform(), self.contact.material())?;
         let potential = energy.potential(&state.contact_radius, &state.indentation);
-        Ok(equilibrium(state).number("energy", potential)?.number("stiffness", fields.stiffness())?.convert(exact))
+        let verdict = self.verdict(&state);
+        let record = equilibrium_of(state).number("energy", potential)?.number("stiffness", fields.stiffness())?;
+        Ok(record.convert(exact).judged(verdict))
     }
 
     /// A field at the radii of the scene, else at fractions of the contact radius.
@@ -230,18 +231,6 @@ fn estimate<R: Arithmetic>(estimate: Result<Estimate<R>>, settled: impl FnOnce()
 fn searched<R>(record: Record<R>, completeness: Completeness) -> Record<R> {
     let doubtful = completeness == Completeness::Doubtful;
     if doubtful && record.status() == Status::NoEquilibrium { record.marked(Status::Undecided) } else { record }
-}
-
-/// The radius at which the gap of a state is closed although the contact ends before: none where it is admissible.
-///
-/// # Errors
-/// As [`Fields::interpenetration`].
-fn interpenetration(contact: &Contact<f64>, a: &f64) -> Result<Option<f64>> {
-    let until = match contact.transform().outer_radius() {
-        Some(outer) => (a * FAR).min(a + 0.99 * (outer - a)),
-        None => a * FAR,
-    };
-    if until > *a { Fields::new(contact.curve(), *a)?.interpenetration(&until) } else { Ok(None) }
 }
 
 /// The branches between radii that many octaves below the folds and above; around w/E* where there is no fold.

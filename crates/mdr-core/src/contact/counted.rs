@@ -138,6 +138,10 @@ impl<R: Real> Transform<R> for CountedTransform<R> {
     fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
         self.inner.kink(index, margin)
     }
+
+    fn rises(&self) -> bool {
+        self.inner.rises()
+    }
 }
 
 #[cfg(test)]
@@ -192,6 +196,10 @@ mod tests {
         fn kink(&self, index: usize, margin: &f64) -> Result<Option<Kink<f64>>> {
             Err(Error::domain(Quantity::ContactRadius, &(index as f64 + margin), "peculiar"))
         }
+
+        fn rises(&self) -> bool {
+            true
+        }
     }
 
     #[test]
@@ -213,6 +221,7 @@ mod tests {
         assert_eq!(spent(&|| counted.g_within(&10.0, &0.5)), (10.5, g));
         assert_eq!(spent(&|| counted.mean_within(&10.0, &0.5)), (9.5, integral));
         assert_eq!((counted.outer_radius(), counted.wall(), counted.kinks()), (Some(6.0), true, vec![7.0]));
+        assert!(counted.rises());
         let expected = Peculiar.kink(2, &0.5).unwrap_err().to_string();
         assert_eq!(counted.kink(2, &0.5).unwrap_err().to_string(), expected);
         assert_eq!(tally.read(), Evaluations { g: 2, slope: 1, integral: 4 });

@@ -75,6 +75,12 @@ pub trait Transform<R: Real>: Send + Sync {
     fn kinks(&self) -> Vec<R> {
         Vec::new()
     }
+
+    /// Whether g is known by its form to fall nowhere: then no contact overlaps outside of its edge.
+    fn rises(&self) -> bool {
+        false
+    }
+
     /// What is known of g at the kink of this index and up to the relative distance `margin` < 1/4 on both sides of it; the
     /// [wall](Transform::wall) comes after the last kink, with nothing outside. So does an outer radius towards which g grows
     /// without bound: there it has no value, and the least slope inside holds from the margin on. None where nothing is known.

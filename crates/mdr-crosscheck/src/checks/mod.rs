@@ -119,6 +119,7 @@ pub(crate) fn registry() -> &'static [Check] {
         griffith::JUMPS,
         path::BALANCE,
         path::LOSSES,
+        path::ADMISSIBLE,
         machine::FOLDS,
         printed::DIMENSIONS,
         known::JKR,

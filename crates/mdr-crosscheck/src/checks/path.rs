@@ -1,13 +1,14 @@
 //! Loading paths and their energy ledgers.
 
 use mdr_analytic::profiles as closed;
-use mdr_core::contact::{Control, FoldKind, Material, Result, Stability, Transform};
+use mdr_core::contact::{Control, FoldKind, Material, Profile, Result, Stability, Transform};
 use mdr_core::number::Real;
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::fields::Fields;
 use mdr_numeric::path::{EventKind, Ledger, Loss, Path, Start};
-use mdr_numeric::profiles::FlatPunch;
+use mdr_numeric::profiles::{self as heights, FlatPunch};
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -72,6 +73,54 @@ pub(super) const FLAT_PUNCH: Check = Check {
     case: |trial| by_turns!(trial, flat_punch),
 };
 
+/// Paths over waves so steep that the next crest is touched. Whatever the path does, no event of it gains energy; where it
+/// ends because the surfaces meet, the gap f − d + u vanishes on the ring, with u an integral over the contact and not, as in
+/// the search, over what is outside.
+///
+/// The bound is that of the quadratures, which stop at the noise of their integrands, on the scale of f, d and A.
+pub(super) const ADMISSIBLE: Check = Check {
+    name: "path-admissible",
+    claim: "no event of a path over steep waves gains energy, and where it ends the gap f − d + u against zero",
+    equations: &["1.5", "1.8", "1.9"],
+    forms: &[],
+    unit: Unit::Roundoffs,
+    cases: [12, 60, 600],
+    case: admissible,
+};
+
+fn admissible(trial: &mut Trial<'_>) -> Result<()> {
+    const NOISE: f64 = 3.0 * 4096.0;
+    let scale = 10_f64.powf(trial.uniform(-20.0, 20.0));
+    let wavelength = scale * 10_f64.powf(trial.uniform(-1.5, -0.5));
+    let amplitude = (wavelength / scale).powi(2) * scale / 40.0 * 10_f64.powf(trial.uniform(0.5, 1.5));
+    let work = scale * 10_f64.powf(trial.uniform(-6.0, -3.0));
+    let control = control(trial.index, &scale)?;
+    let ways: Vec<f64> = (0..4).map(|_| trial.uniform(-1.0, 3.0) * amplitude).collect();
+    let ways: Vec<f64> = ways.into_iter().map(|d| if control == Control::Force { d * wavelength } else { d }).collect();
+    trial.describe(format_args!(
+        "R = {scale:e}, A = {amplitude:e}, λ = {wavelength:e}, w = {work:e}, {control:?}, {ways:?}"
+    ));
+    let (profile, material) = (closed::WavyParaboloid::new(scale, amplitude, wavelength)?, Material::new(1.0, work)?);
+    let height = heights::WavyParaboloid::new(scale, amplitude, wavelength)?;
+    let curve = Curve::new(&profile, &material, &control);
+    let branches = Branches::new(curve)?;
+    let Ok(path) = Path::follow(&branches, &Start::Smallest, &ways) else { return Ok(()) };
+    let ledger = Ledger::new(&path, &branches)?;
+    let gains = |loss: &Loss<f64>| matches!(loss, Loss::Finite(lost) if lost.value < -lost.error);
+    trial.demand("no event gains energy", !ledger.entries.iter().any(|entry| gains(&entry.lost)));
+    let Some(event) = path.events.last() else { return Ok(()) };
+    if let (Some(ring), Some(rest)) = (&event.ring, event.after.contact())
+        && ring.gap == 0.0
+        && path.events.len() > 1
+    {
+        let f = height.height(&ring.radius);
+        let lift = Fields::of(curve, rest)?.displacement(&ring.radius)?;
+        let size = f + rest.indentation.abs() + amplitude;
+        trial.compare_on("gap", &(f + lift), &rest.indentation, &size, NOISE);
+    }
+    Ok(())
+}
+
 /// Indentation, force, or a machine of the stiffness k.
 fn control<R: Real>(turn: usize, stiffness: &R) -> Result<Control<R>> {
     match turn % 3 {
@@ -123,7 +172,8 @@ fn close_the_books<R: Arithmetic>(
     trial.describe_also(format_args!("{:?}, way {ways:?}", control));
     let way: Vec<R> = std::iter::once(0.0).chain(ways).map(|x| R::from_f64(unit.ctx(), x) * &unit).collect();
     let path = Path::follow(&branches, &Start::Detached, &way)?;
-    trial.demand("the path comes to its end", path.is_finished());
+    let overlaps = path.events.last().is_some_and(|event| event.kind == EventKind::NotAdmissible);
+    trial.demand("the path comes to its end", path.is_finished() || overlaps);
     let ledger = Ledger::new(&path, &branches)?;
     let mut positive = true;
     let mut scale = unit.lit(0);

@@ -1,10 +1,12 @@
 //! Single states: the equilibrium that belongs to a contact radius, and the pull-off of a flat punch.
 
+use std::sync::Arc;
+
 use mdr_analytic::flat_punch_pull_off;
 use mdr_core::contact::{Control, Material, Quantity, Result};
 use mdr_core::number::certify::{Decimal, Enclosure, certify};
 use mdr_core::number::{Dual, Interval, Precision, Real};
-use mdr_numeric::fields::Fields;
+use mdr_numeric::admissible::{Admissibility, Verdict};
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::Record;
 use rug::Float;
@@ -70,12 +72,13 @@ impl Scene {
 
     /// Whether the surfaces are apart, in double precision.
     fn is_open(&self, a: &str) -> Result<bool> {
-        let transform =
-            Quadrature::new(Height { shape: self.profile.shape, parameters: self.profile.numbers::<f64>(()) });
+        let height = Height { shape: self.profile.shape, parameters: self.profile.numbers::<f64>(()) };
+        let transform = Arc::new(Quadrature::new(height));
         let (material, control) = (self.material::<f64>(())?, Control::Indentation);
         let a = literal(a).nearest_f64();
-        let curve = mdr_numeric::curve::Curve::new(&transform, &material, &control);
-        Ok(Fields::new(curve, a)?.interpenetration(&self.range.1.min(2.0 * a))?.is_none())
+        let curve = mdr_numeric::curve::Curve::new(&*transform, &material, &control);
+        let admissibility = Admissibility::new(transform.clone(), [1e-6 * a, self.range.1.min(2.0 * a)]);
+        Ok(!matches!(admissibility.of(a, curve.indentation(&a)?), Verdict::Interpenetrating { .. }))
     }
 }
 

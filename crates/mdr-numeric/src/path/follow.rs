@@ -6,6 +6,7 @@ use mdr_core::contact::{Equilibrium, Error, FoldKind, Instability, Quantity, Res
 use mdr_core::number::Real;
 
 use super::{Event, EventKind, Start, State};
+use crate::admissible::{Ring, Verdict};
 use crate::branch::{Branched, End, Onset, Way, beyond_reach, seek};
 
 /// Where the contact is, up to the value of the controlled quantity.
@@ -45,7 +46,8 @@ pub(super) fn follow<R: Real, B: Branched<R>>(
     way.iter().try_for_each(|value| branches.control().check_value(value))?;
     let (place, state) = begin(branches, start, first)?;
     let mut follower = Follower { branches, place, value: first.clone(), events: Vec::new() };
-    follower.stay(EventKind::Start, first, state);
+    follower.stay(EventKind::Start, first, state.clone());
+    follower.grow(&state)?;
     follower.approach(first)?;
     for (i, target) in rest.iter().enumerate() {
         let last = i + 1 == rest.len();
@@ -74,6 +76,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
             return Ok(());
         }
         match state(self.branches, self.place, target)? {
+            Some(state) if order == Ordering::Greater && !self.grow(&state)? => {}
             Some(state) => self.stay(arrival, target, state),
             None => self.run_out(target)?,
         }
@@ -141,7 +144,15 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
             return Ok(false);
         }
         let value = self.branches.control().controlled(&here.indentation, &here.force);
+        if beyond == Ordering::Greater && !self.grow(&at_fold(here))? {
+            return Ok(false);
+        }
         match self.branches.landing(fold)? {
+            Some((_, rest))
+                if beyond == Ordering::Greater && !self.may_rest(&value, &here.contact_radius, &rest)? =>
+            {
+                return Ok(false);
+            }
             Some((branch, rest)) => {
                 self.place = Place::Branch(branch);
                 self.enter(EventKind::Jump, &value, at_fold(here), State::Contact(rest), Some(fold));
@@ -153,6 +164,69 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
             None => self.outgrow(&value, at_fold(here), Some(fold))?,
         }
         Ok(true)
+    }
+
+    /// The contact has grown along a stable branch to a state: whether that is admissible. If not, the path ends where it ceased
+    /// to be, on the way from the last event or in that event itself.
+    fn grow(&mut self, state: &State<R>) -> Result<bool> {
+        let Some(rest) = state.contact().filter(|rest| rest.contact_radius > rest.contact_radius.lit(0)) else {
+            return Ok(true);
+        };
+        let Some(overlap) = self.overlap(rest) else { return Ok(true) };
+        let last = self.events.last().and_then(|event| event.after.contact());
+        let from = last.map_or(rest.contact_radius.lit(0), |last| last.contact_radius.clone());
+        let lost = if from < rest.contact_radius {
+            self.branches.last_admissible([&from, &rest.contact_radius])?
+        } else {
+            None
+        };
+        match lost {
+            Some((state, ring)) => {
+                let value = self.branches.control().controlled(&state.indentation, &state.force);
+                self.place = Place::Ended;
+                self.stay(EventKind::NotAdmissible, &value, State::Contact(state));
+                self.touch_on(ring);
+            }
+            None => {
+                let value = self.value.clone();
+                self.leave(EventKind::NotAdmissible, &value);
+                self.touch_on(overlap);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Whether a contact that grows from one radius, at a held value, can come to rest in a state: that must be admissible,
+    /// and on the way to it the edge must nowhere be pressed so hard, g − d < −Δl, that to grow costs energy. Else the path ends.
+    fn may_rest(&mut self, value: &R, from: &R, rest: &Equilibrium<R>) -> Result<bool> {
+        let mut obstacle = self.overlap(rest);
+        let indentation = rest.indentation.approx();
+        for dip in self.branches.admissibility().dips(from.approx(), rest.contact_radius.approx(), indentation) {
+            let radius = R::from_f64(value.ctx(), dip);
+            if obstacle.is_none() && self.branches.is_pushed_back(&radius, value)? {
+                obstacle = Some(Ring { radius, gap: value.lit(0) });
+            }
+        }
+        let Some(ring) = obstacle else { return Ok(true) };
+        self.leave(EventKind::NotAdmissible, value);
+        self.touch_on(ring);
+        Ok(false)
+    }
+
+    /// Where the surfaces would overlap outside of a contact.
+    fn overlap(&self, rest: &Equilibrium<R>) -> Option<Ring<R>> {
+        let number = |x: f64| R::from_f64(rest.contact_radius.ctx(), x);
+        match self.branches.admissibility().of(rest.contact_radius.approx(), rest.indentation.approx()) {
+            Verdict::Interpenetrating { radius, gap } => Some(Ring { radius: number(radius), gap: number(gap) }),
+            Verdict::Admissible | Verdict::Undecided(_) => None,
+        }
+    }
+
+    /// Enters where the surfaces meet into the last event.
+    fn touch_on(&mut self, ring: Ring<R>) {
+        if let Some(event) = self.events.last_mut() {
+            event.ring = Some(ring);
+        }
     }
 
     /// The contact grows from a state, and there is no equilibrium in which it comes to rest: it covers the whole surface, or
@@ -175,10 +249,19 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         Ok(())
     }
 
-    /// Detached surfaces, and the controlled quantity comes up to `target`, or is there at the start: they touch at zero.
-    /// Whether they do. With a dimple that much is not known, and the path ends where they begin to come closer.
+    /// Detached surfaces, and the controlled quantity comes up to `target`, or is there at the start: they touch at zero, or
+    /// before on a ring, where the path ends. Whether they touch at the tip.
     fn approach(&mut self, target: &R) -> Result<bool> {
         if self.place != Place::Detached {
+            return Ok(false);
+        }
+        if let Some(touch) = self.branches.first_touch()? {
+            let zero = target.lit(0);
+            let value = self.branches.control().controlled(&touch.indentation, &zero);
+            if certain(target, &value, self.branches)? != Ordering::Less {
+                self.leave(EventKind::NotAdmissible, &value);
+                self.touch_on(Ring { radius: touch.radius, gap: zero });
+            }
             return Ok(false);
         }
         let zero = target.lit(0);
@@ -205,6 +288,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
     /// From a point to the next equilibrium at zero.
     fn jump_in(&mut self, zero: &R) -> Result<()> {
         match seek(self.branches, zero, Some(1), Way::Larger)? {
+            Some((_, rest)) if !self.may_rest(zero, zero, &rest)? => {}
             Some((branch, rest)) => {
                 self.place = Place::Branch(branch);
                 self.enter(EventKind::JumpIn, zero, State::Detached, State::Contact(rest), None);
@@ -239,7 +323,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
 
     fn enter(&mut self, kind: EventKind, value: &R, before: State<R>, after: State<R>, fold: Option<usize>) {
         self.value = value.clone();
-        self.events.push(Event { kind, value: value.clone(), before, after, fold });
+        self.events.push(Event { kind, value: value.clone(), before, after, fold, ring: None });
     }
 }
 
@@ -248,10 +332,13 @@ pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, val
     branches.control().check_value(value)?;
     let count = branches.folds().len();
     let found = match start {
-        Start::Detached if certain(value, &value.lit(0), branches)? != Ordering::Greater => {
-            Some((Place::Detached, State::Detached))
+        Start::Detached => {
+            let zero = value.lit(0);
+            let depth = branches.first_touch()?.map_or(zero.clone(), |touch| touch.indentation);
+            let touch = branches.control().controlled(&depth, &zero);
+            let apart = certain(value, &touch, branches)? != Ordering::Greater;
+            apart.then_some((Place::Detached, State::Detached))
         }
-        Start::Detached => None,
         Start::Smallest => {
             first_at_rest(branches, (0..=count).flat_map(|i| [Place::Branch(i), Place::Fold(i)]), value)?
         }

@@ -14,6 +14,7 @@ use std::cmp::Ordering;
 use mdr_core::contact::{Equilibrium, Result};
 use mdr_core::number::Real;
 
+use crate::admissible::Ring;
 use crate::branch::Branched;
 
 pub use ledger::{Balance, Entry, Ledger, Loss, stored};
@@ -47,7 +48,7 @@ pub enum State<R> {
 pub enum EventKind {
     /// The path begins.
     Start,
-    /// The surfaces come to touch, at the value 0 of every control, and the contact grows smoothly from there (n < 1/2).
+    /// The surfaces come to touch at the tip, at the value 0 of every control, and the contact grows smoothly from there (n < 1/2).
     Touch,
     /// The surfaces come to touch, and the contact jumps to a finite radius.
     JumpIn,
@@ -64,8 +65,9 @@ pub enum EventKind {
     /// Up to this value no equilibrium was found: it lies out of the range of the arithmetic, or the profile has an outer
     /// radius at which g is not known. The path ends; the states are the last that are known, at the value of the event before.
     Undecided,
-    /// Detached surfaces come closer, or start at the value 0, but the profile has a dimple at its tip: they first touch on a
-    /// ring, which is no contact of this theory. The path ends. Moved further apart they stay detached.
+    /// Outside of the contact the surfaces touch on a [ring](Event::ring), and would overlap from there on: on the way along a
+    /// stable branch, in the state to which a jump leads, or apart, when they do not first touch at the tip. No theory of a
+    /// simply connected contact goes further, and the path ends; the states are the last that are admissible.
     NotAdmissible,
     /// A way point is reached.
     WayPoint,
@@ -86,6 +88,9 @@ pub struct Event<R> {
     pub after: State<R>,
     /// The fold that is left, by its index.
     pub fold: Option<usize>,
+    /// Where the surfaces touch or would overlap, with [`EventKind::NotAdmissible`]; the gap is 0 where they touch, and
+    /// negative where a state that is not admissible was jumped to or started from.
+    pub ring: Option<Ring<R>>,
 }
 
 /// A loading path. Between two events the contact stays on one stable branch, or detached, and the controlled quantity is
@@ -100,7 +105,9 @@ impl<R: Real> Path<R> {
     /// Follows the contact along the `way` points of the controlled quantity (d, F, or D = d + F/k).
     ///
     /// At a way point exactly at a fold the contact rests there. After detaching it touches again when the controlled
-    /// quantity comes up to 0. A path that cannot be continued ends with an event that says why.
+    /// quantity comes up to 0, or the lowest point of the profile to the surface. A path that cannot be continued ends with an
+    /// event that says why; so does one that leaves the [admissible](crate::admissible) states, so that no event of it gains
+    /// energy.
     ///
     /// The cost is that of one equilibrium per event, and of comparisons between folds: 10⁴ jumps are no trouble.
     ///
@@ -168,6 +175,7 @@ impl<R: Real> Path<R> {
             before: event.before.map(&number),
             after: event.after.map(&number),
             fold: event.fold,
+            ring: event.ring.as_ref().map(|ring| Ring { radius: number(&ring.radius), gap: number(&ring.gap) }),
         };
         Path { events: self.events.iter().map(event).collect() }
     }

@@ -1,6 +1,7 @@
 //! Equilibria with a proof that none is missed: one at most on each branch between proved folds.
 
 use std::cmp::Ordering;
+use std::sync::{Arc, OnceLock};
 
 use mdr_core::calculus::roots::{self, Bracket, Sample};
 use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Quantity, Result, Stability};
@@ -9,6 +10,7 @@ use rug::Float;
 use rug::float::Round;
 
 use super::{EnclosedCurve, ProvedFolds, kinks};
+use crate::admissible::{self, Admissibility, Ring, Touch};
 use crate::branch::{self, Branched, Onset};
 
 /// The branches of a contact over enclosures, between folds that are proved to be all in their range.
@@ -26,6 +28,7 @@ pub struct EnclosedBranches<'a> {
     pub(super) wall: Option<Wall>,
     /// The rim, if no fold lies between the range and it.
     pub(super) rim: Option<Interval>,
+    admissibility: OnceLock<Arc<Admissibility<'a>>>,
 }
 
 /// The wall, with the mean of g and the controlled quantity of the state in which the contact just reaches it.
@@ -60,7 +63,13 @@ impl<'a> EnclosedBranches<'a> {
         folds.sort_by(|one, other| one.contact_radius.lower().total_cmp(other.contact_radius.lower()));
         let wall = curve.wall()?.filter(|wall| proved.range.1 >= *wall.radius.lower());
         let rim = curve.stable_rim(&proved.range.1)?;
-        Ok(EnclosedBranches { curve, folds, range: proved.range.clone(), wall, rim })
+        let admissibility = OnceLock::new();
+        Ok(EnclosedBranches { curve, folds, range: proved.range.clone(), wall, rim, admissibility })
+    }
+
+    /// As [`Branches::with_admissibility`](crate::equilibrium::Branches::with_admissibility).
+    pub fn with_admissibility(self, admissibility: Arc<Admissibility<'a>>) -> Self {
+        EnclosedBranches { admissibility: OnceLock::from(admissibility), ..self }
     }
 
     /// The range of radii on which [all equilibria](Branched::equilibria) are found; those met beyond it are told, too.
@@ -255,6 +264,27 @@ impl Branched<Interval> for EnclosedBranches<'_> {
         self.curve.plain.control()
     }
 
+    fn is_pushed_back(&self, radius: &Interval, value: &Interval) -> Result<bool> {
+        self.curve.plain.is_pushed_back(radius, value)
+    }
+
+    /// In double precision, which is evidence and no proof.
+    fn admissibility(&self) -> &Admissibility<'_> {
+        let search = || Arc::new(Admissibility::rounded(&self.curve.plain, &self.folds));
+        self.admissibility.get_or_init(search)
+    }
+
+    fn first_touch(&self) -> Result<Option<Touch<Interval>>> {
+        match admissible::first_touch_roughly(self.admissibility())? {
+            None => Ok(None),
+            Some([radius, _]) => Err(not_enclosed(radius)),
+        }
+    }
+
+    fn last_admissible(&self, [_, to]: [&Interval; 2]) -> Result<Option<(Equilibrium<Interval>, Ring<Interval>)>> {
+        Err(not_enclosed(to.approx()))
+    }
+
     fn folds(&self) -> &[Instability<Interval>] {
         &self.folds
     }
@@ -295,6 +325,12 @@ impl Branched<Interval> for EnclosedBranches<'_> {
         }
         if last && self.wall.is_none() { self.outwards(upper, value) } else { Ok(None) }
     }
+}
+
+/// Where surfaces touch on a ring is not enclosed.
+fn not_enclosed(radius: f64) -> Error {
+    let (from, to) = (radius.to_string(), "infinity".to_owned());
+    Error::Unproved { quantity: Quantity::Radius, from, to, remedy: "where surfaces touch outside is not enclosed" }
 }
 
 impl EnclosedBranches<'_> {

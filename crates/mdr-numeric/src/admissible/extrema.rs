@@ -1,0 +1,271 @@
+//! Where g rises and where it falls, and the stretches on which it is below an indentation.
+
+use std::sync::{Arc, OnceLock};
+
+use mdr_core::contact::{Result, Transform};
+
+use super::gap::Node;
+use crate::survey::{self, Range};
+
+/// A radius where g or the direction in which it goes may change, with g there; between two of them g is monotone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub(super) x: f64,
+    pub(super) g: f64,
+}
+
+/// g from edge to edge, in double precision.
+pub(super) struct Terrain<'a> {
+    pub(super) transform: Arc<dyn Transform<f64> + 'a>,
+    /// By increasing radius. Beyond the last one g rises, or is not defined.
+    pub(super) edges: Vec<Edge>,
+    /// The least g from an edge on.
+    least: Vec<f64>,
+    /// Whether the search resolved g everywhere.
+    pub(super) resolved: bool,
+    /// The radii between which it looked.
+    searched: [f64; 2],
+    /// Nodes between an edge and the next one, evaluated once.
+    pub(super) panels: Vec<OnceLock<Result<Vec<Node>>>>,
+}
+
+/// How close to a radius where g is infinite it is looked at.
+const BESIDE: f64 = 1e-12;
+/// What the relative slope of g is multiplied by, so that the search sees a margin where it is of the order of one.
+const MARGIN: f64 = 1024.0;
+/// Where in ln x above its lower end a search begins.
+const HALF_WAY: f64 = 32.0;
+/// Halvings to the ends of a stretch.
+const HALVINGS: usize = 44;
+/// Shares of a piece of a stretch at which the gap is sampled, the ends of the stretch aside.
+const SAMPLES: [f64; 4] = [0.15, 0.5, 0.85, 1.0];
+
+impl<'a> Terrain<'a> {
+    pub(super) fn new(transform: Arc<dyn Transform<f64> + 'a>, [lower, upper]: [f64; 2]) -> Self {
+        let outer = transform.outer_radius();
+        let kinks = transform.kinks();
+        let upper = kinks.last().map_or(upper, |kink| upper.max(2.0 * kink));
+        let upper = outer.unwrap_or(upper);
+        let scale = upper.min(lower * HALF_WAY.exp());
+        // x g' against lengths that do not oscillate as it does, and one: through one where g' changes its sign, and far from
+        // it where g' does not.
+        let ratio = |x: &f64| {
+            let size = transform.g(x)?.hypot(transform.g(&(x / 2.0))?);
+            Ok(1.0 + MARGIN * (transform.slope(x)? / size * x))
+        };
+        // Where g is constant up to rounding it does not matter which way it goes.
+        let reach = [(scale / lower).ln(), (upper / scale).ln()];
+        let found = survey::crossings(&Range { scale, kinks: kinks.clone(), outer, reach }, ratio);
+        let resolved = found.resolved;
+        let searched = [lower, upper];
+        let mut radii = kinks.clone();
+        for crossing in &found.crossings {
+            if !kinks.iter().any(|kink| *kink >= crossing.lower && *kink <= crossing.upper) {
+                radii.push(turning_point(&*transform, crossing.lower, crossing.upper, crossing.rising));
+            }
+        }
+        radii.sort_by(f64::total_cmp);
+        let mut terrain =
+            Terrain { transform, edges: Vec::new(), least: Vec::new(), resolved, searched, panels: Vec::new() };
+        for pair in in_octaves(&radii) {
+            terrain.push(pair);
+        }
+        terrain.extend_outwards(upper);
+        terrain.least = terrain
+            .edges
+            .iter()
+            .rev()
+            .scan(f64::INFINITY, |least, edge| {
+                *least = least.min(edge.g);
+                Some(*least)
+            })
+            .collect();
+        terrain.least.reverse();
+        terrain.panels = terrain.edges.iter().skip(1).map(|_| OnceLock::new()).collect();
+        terrain
+    }
+
+    /// An edge, where g is known at it or beside it; the smaller value where it jumps.
+    fn push(&mut self, x: f64) {
+        let g = |x: f64| self.transform.g(&x).ok().filter(|g| !g.is_nan());
+        let beside = || [x * (1.0 - BESIDE), x * (1.0 + BESIDE)].into_iter().filter_map(g).reduce(f64::min);
+        if let Some(g) = g(x).or_else(beside) {
+            self.edges.push(Edge { x, g });
+        }
+    }
+
+    /// The end of the profile, and radii far out while g falls.
+    fn extend_outwards(&mut self, from: f64) {
+        if let Some(outer) = self.transform.outer_radius() {
+            return self.push(outer);
+        }
+        for octaves in (0..10).map(|power| 1 << power) {
+            let x = from * 2f64.powi(octaves);
+            let before = self.edges.len();
+            if !(x < f64::MAX / 1024.0) {
+                break;
+            }
+            self.push(x);
+            let falls = matches!(self.edges[..], [.., before, last] if last.g < before.g)
+                || matches!(self.edges[..], [only] if only.g < 0.0);
+            if !falls {
+                self.edges.truncate(before);
+                break;
+            }
+        }
+    }
+
+    /// Whether g is known outside of a contact radius: where its extrema were searched, and beyond if some samples rise.
+    pub(super) fn knows(&self, a: f64) -> bool {
+        let g = |x: f64| self.transform.g(&x).ok();
+        let rises = || {
+            let samples: Vec<_> = (0..16).map(|i| g(a * 2f64.powf(f64::from(i) / 4.0))).collect();
+            samples.windows(2).all(|pair| matches!(pair, [Some(inner), Some(outer)] if inner <= outer))
+        };
+        self.resolved && a >= self.searched[0] && (a <= self.searched[1] || rises())
+    }
+
+    /// The least g at the edges from an index on.
+    fn least_from(&self, index: usize) -> f64 {
+        self.least.get(index).copied().unwrap_or(f64::INFINITY)
+    }
+
+    /// The radius of the narrowest gap outside of a contact, and that gap as far as the quick rule has it; none where g is
+    /// nowhere less than d. With `any` the first gap that is clearly negative will do.
+    ///
+    /// # Errors
+    /// Those of the transform.
+    pub(super) fn narrowest(&self, a: f64, d: f64, any: bool) -> Result<Option<(f64, f64)>> {
+        if self.transform.outer_radius().is_some_and(|outer| a >= outer) {
+            return Ok(None);
+        }
+        let mut next = self.edges.partition_point(|edge| edge.x <= a);
+        let mut before = Edge { x: a, g: if a > 0.0 { self.transform.g(&a)? } else { 0.0 } };
+        let mut best: Option<(f64, f64)> = None;
+        while before.g < d || self.least_from(next) < d {
+            let Some(first) = self.edges[next..].iter().position(|edge| edge.g < d).map(|i| next + i) else {
+                return Ok(best);
+            };
+            if first > next {
+                before = self.edges[first - 1];
+            }
+            let end = self.edges[first..].iter().position(|edge| !(edge.g < d)).map_or(self.edges.len(), |i| first + i);
+            let mut radii = vec![if before.g > d { self.reach(d, before.x, self.edges[first].x) } else { before.x }];
+            radii.extend(self.edges[first..end].iter().map(|edge| edge.x));
+            let last = self.edges[end - 1];
+            match self.edges.get(end) {
+                Some(after) => radii.push(self.reach(d, last.x, after.x)),
+                None => radii.extend(self.reach_outwards(d, last.x)),
+            }
+            let depth = self.edges[first..end].iter().fold(before.g - d, |depth, edge| depth.max(d - edge.g));
+            let found = self.narrowest_on(&in_octaves(&radii), a, d)?;
+            if best.is_none_or(|best| found.1 < best.1) {
+                best = Some(found);
+            }
+            if any && found.1 < -super::gap::COARSE * depth {
+                return Ok(best);
+            }
+            before = self.edges.get(end).copied().unwrap_or(last);
+            next = end + 1;
+            if end >= self.edges.len() {
+                return Ok(best);
+            }
+        }
+        Ok(best)
+    }
+
+    /// The radius between two at which g = d.
+    fn reach(&self, d: f64, mut lower: f64, mut upper: f64) -> f64 {
+        let above = |x: f64| self.transform.g(&x).is_ok_and(|g| g > d);
+        let at_upper = above(upper);
+        for _ in 0..HALVINGS {
+            let middle = if upper > 2.0 * lower { (lower * upper).sqrt() } else { lower + (upper - lower) / 2.0 };
+            if !(middle > lower && middle < upper) {
+                break;
+            }
+            if above(middle) == at_upper { upper = middle } else { lower = middle }
+        }
+        lower
+    }
+
+    /// Where g has risen to d beyond the last edge; none where it ends there.
+    fn reach_outwards(&self, d: f64, last: f64) -> Option<f64> {
+        let steps = (0..).map(|power| last * 2f64.powi(1 << power)).take_while(|x| *x < f64::MAX / 1024.0);
+        let beyond = steps.map_while(|x| Some((x, self.transform.g(&x).ok()?))).find(|(_, g)| *g > d);
+        beyond.map(|(x, _)| self.reach(d, last, x))
+    }
+
+    /// The narrowest gap on a stretch: the least sample, refined between its neighbours.
+    fn narrowest_on(&self, radii: &[f64], a: f64, d: f64) -> Result<(f64, f64)> {
+        let ends: Vec<f64> = radii.iter().copied().filter(|r| *r > a).collect();
+        let first = radii.first().filter(|first| **first > a).into_iter().copied();
+        let within = radii.windows(2).flat_map(|pair| SAMPLES.map(|share| pair[0] + share * (pair[1] - pair[0])));
+        let mut samples: Vec<(f64, f64)> = Vec::new();
+        for r in first.chain(within).filter(|r| *r > a) {
+            samples.push((r, self.gap(a, d, r)?));
+        }
+        let least = (0..samples.len()).min_by(|&i, &j| samples[i].1.total_cmp(&samples[j].1));
+        let Some(least) = least else { return Ok((ends.last().copied().unwrap_or(a), 0.0)) };
+        let [lower, upper] = [least.saturating_sub(1), (least + 1).min(samples.len() - 1)].map(|i| samples[i].0);
+        self.least_between(lower, upper, samples[least], |r| self.gap(a, d, r))
+    }
+
+    /// The least of a function between two radii, by the golden section.
+    pub(super) fn least_between(
+        &self,
+        mut lower: f64,
+        mut upper: f64,
+        mut best: (f64, f64),
+        f: impl Fn(f64) -> Result<f64>,
+    ) -> Result<(f64, f64)> {
+        const SECTION: f64 = 0.381_966_011_250_105;
+        for _ in 0..40 {
+            if upper - lower <= 1e-9 * upper {
+                break;
+            }
+            let right = upper - best.0 > best.0 - lower;
+            let r = if right { best.0 + SECTION * (upper - best.0) } else { best.0 - SECTION * (best.0 - lower) };
+            let value = f(r)?;
+            if value < best.1 {
+                if right {
+                    lower = best.0
+                } else {
+                    upper = best.0
+                }
+                best = (r, value);
+            } else if right {
+                upper = r;
+            } else {
+                lower = r;
+            }
+        }
+        Ok(best)
+    }
+}
+
+/// The turning point of g between two radii, by the sign of its slope.
+fn turning_point(transform: &dyn Transform<f64>, mut lower: f64, mut upper: f64, rising: bool) -> f64 {
+    for _ in 0..HALVINGS {
+        let middle = lower + (upper - lower) / 2.0;
+        if !(middle > lower && middle < upper) {
+            break;
+        }
+        let rises = transform.slope(&middle).is_ok_and(|slope| slope >= 0.0);
+        if rises == rising { upper = middle } else { lower = middle }
+    }
+    lower + (upper - lower) / 2.0
+}
+
+/// Ascending radii with others in between, none more than an octave from the next.
+pub(super) fn in_octaves(radii: &[f64]) -> Vec<f64> {
+    let mut dense: Vec<f64> = Vec::with_capacity(radii.len());
+    for &radius in radii {
+        while let Some(&last) = dense.last().filter(|last| 2.0 * **last < radius && **last > 0.0) {
+            dense.push(2.0 * last);
+        }
+        if dense.last().is_none_or(|last| *last < radius) {
+            dense.push(radius);
+        }
+    }
+    dense
+}

@@ -1,0 +1,137 @@
+//! The gap outside of a contact: a quick rule that shares its evaluations between states, and an integral to full precision.
+
+use std::sync::{Arc, LazyLock};
+
+use mdr_core::calculus::gauss_jacobi::{self, Rule};
+use mdr_core::calculus::quadrature::{Node as Abscissa, pieces, tanh_sinh_near_ends};
+use mdr_core::calculus::{Estimate, Tolerance, roundoff_tolerance};
+use mdr_core::contact::{Error, Result, Transform};
+use mdr_core::number::Real;
+
+use super::extrema::{Terrain, in_octaves};
+
+/// g at a node of a panel, with the weight of the node.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    x: f64,
+    g: f64,
+    weight: f64,
+}
+
+/// The part of g − d below which the sign of a gap by the quick rule is not trusted.
+pub(super) const COARSE: f64 = 1e-3;
+/// Nodes on a panel. Between two extrema of g a polynomial of this degree leaves less than a millionth of it.
+const NODES: usize = 16;
+/// Octaves from the axis on in which g is integrated one by one.
+const OCTAVES: i32 = 40;
+/// Roundings of g and d in a gap, in unit roundoffs.
+const ROUNDINGS: f64 = 64.0;
+
+static RULE: LazyLock<Option<Arc<Rule<f64>>>> = LazyLock::new(|| gauss_jacobi::rule(NODES, &0.0, &0.0).ok());
+
+impl Terrain<'_> {
+    /// The gap at r > a by the quick rule, in m; a may be 0.
+    ///
+    /// # Errors
+    /// Those of the transform.
+    pub(super) fn gap(&self, a: f64, d: f64, r: f64) -> Result<f64> {
+        let first = self.edges.partition_point(|edge| edge.x <= a);
+        let last = self.edges.partition_point(|edge| edge.x < r);
+        if first >= last {
+            return Ok(self.afresh(a, r, d, r)? * std::f64::consts::FRAC_2_PI);
+        }
+        let mut sum = self.afresh(a, self.edges[first].x, d, r)? + self.afresh(self.edges[last - 1].x, r, d, r)?;
+        for (index, pair) in self.edges[first..last].windows(2).enumerate() {
+            let (lower, upper) = (pair[0].x, pair[1].x);
+            if r - upper < (upper - lower) / 2.0 {
+                sum += self.afresh(lower, upper, d, r)?;
+                continue;
+            }
+            for node in self.panel(first + index)? {
+                let share = node.x / r;
+                sum += node.weight * (node.g - d) / (r * ((1.0 - share) * (1.0 + share)).sqrt());
+            }
+        }
+        Ok(sum * std::f64::consts::FRAC_2_PI)
+    }
+
+    /// The nodes between an edge and the next.
+    fn panel(&self, index: usize) -> Result<&[Node]> {
+        let nodes = self.panels[index].get_or_init(|| {
+            let (lower, width) = (self.edges[index].x, self.edges[index + 1].x - self.edges[index].x);
+            let nodes = RULE.iter().flat_map(|rule| rule.nodes());
+            let node = |node: &gauss_jacobi::Node<f64>| {
+                let x = lower + width * node.t;
+                Ok(Node { x, g: self.transform.g(&x)?, weight: width * node.weight })
+            };
+            nodes.map(node).collect()
+        });
+        nodes.as_ref().map(Vec::as_slice).map_err(Clone::clone)
+    }
+
+    /// ∫ (g − d)/√(r² − x²) dx over a part of (0, r), octave by octave in the angle arccos(x/r).
+    fn afresh(&self, from: f64, to: f64, d: f64, r: f64) -> Result<f64> {
+        let mut ends = in_octaves(&[if from > 0.0 { from } else { to * 2f64.powi(-OCTAVES) }, to]);
+        if from == 0.0 {
+            ends.insert(0, 0.0);
+        }
+        let angle = |x: f64| ((r - x).sqrt() * (r + x).sqrt()).atan2(x);
+        let mut sum = 0.0;
+        for pair in ends.windows(2) {
+            let (most, least) = (angle(pair[0]), angle(pair[1]));
+            for node in RULE.iter().flat_map(|rule| rule.nodes()) {
+                let x = (r * (least + (most - least) * node.t).cos()).clamp(pair[0], pair[1]);
+                let g = if x > 0.0 { self.transform.g(&x)? } else { 0.0 };
+                sum += (most - least) * node.weight * (g - d);
+            }
+        }
+        Ok(sum)
+    }
+
+    /// The gap at a radius; none where its sign cannot be told from rounding.
+    pub(super) fn sign(&self, a: f64, d: f64, r: f64) -> Option<f64> {
+        let breaks: Vec<f64> = self.edges.iter().map(|edge| edge.x).filter(|x| *x > a && *x < r).collect();
+        let scale =
+            breaks.iter().chain([&a, &r]).filter_map(|x| self.transform.g(x).ok()).fold(d.abs(), |s, g| s.max(g.abs()));
+        match gap(&*self.transform, &a, &d, &r, &breaks) {
+            Ok(gap) => (gap.value.abs() > gap.error + ROUNDINGS * f64::EPSILON * scale).then_some(gap.value),
+            Err(_) => self.gap(a, d, r).ok().filter(|gap| gap.abs() > COARSE * scale),
+        }
+    }
+}
+
+/// h(r) = (2/π) ∫ₐʳ (g − d)/√(r² − x²) dx, with the error of the integral.
+///
+/// # Errors
+/// Those of the transform and of the quadrature.
+pub(super) fn gap<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, breaks: &[R]) -> Result<Estimate<R>> {
+    weighted(a, r, breaks, |x| Ok(transform.g(x)? - d))
+}
+
+/// h'(r) = (2/πr) [∫ₐʳ x g'/√(r² − x²) dx + a (g(a) − d)/√(r² − a²)].
+///
+/// # Errors
+/// As [`gap`].
+pub(super) fn slope<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, breaks: &[R]) -> Result<R> {
+    let bulk = weighted(a, r, breaks, |x| Ok(transform.slope(x)? * x))?.value / r;
+    if *a == a.lit(0) {
+        return Ok(bulk);
+    }
+    let span = (r.clone() - a).sqrt() * (r.clone() + a).sqrt();
+    Ok(bulk + ((transform.g(a)? - d) / span * a / r).times(2) / r.pi())
+}
+
+/// (2/π) ∫ₐʳ f/√(r² − x²) dx; at an end of a piece, where f may have no value, it counts for nothing.
+fn weighted<R: Real>(a: &R, r: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
+    let goal = roundoff_tolerance(r);
+    let tolerance = Tolerance::new(&goal).or_noise_below(goal.times(4096));
+    let integral = pieces(a, r, breaks, |from, to| {
+        let beyond = r.clone() - to;
+        let at = |node: &Abscissa<R>| match f(&node.x) {
+            Err(Error::Domain { .. }) if node.x == *from || node.x == *to => Ok(node.x.lit(0)),
+            value => Ok(value? / (beyond.clone() + &node.from_upper).sqrt() / (node.x.clone() + r).sqrt()),
+        };
+        tanh_sinh_near_ends(from, to, tolerance.clone(), at)
+    })?;
+    Ok(integral.scaled(&(r.lit(2) / r.pi())))
+}

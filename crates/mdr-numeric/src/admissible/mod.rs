@@ -1,0 +1,196 @@
+//! Whether a contact is simply connected, as the theory assumes: no gap is negative outside of it.
+//!
+//! The gap at r > a is h(r) = (2/π) ∫ₐʳ (g(x) − d)/√(r² − x²) dx, an average of g − d with positive weights. So
+//!
+//! * no gap is negative where g ≥ d for all x > a: a profile whose g does not fall settles every state at once;
+//! * h is negative somewhere only if it is on a stretch of radii where g < d. For with h ≥ 0 up to ξ and g ≥ d from there to
+//!   r, h(r) is at least (1/π) ∫ √((r² − ξ²)/(ξ² − s²)) · 2s/(r² − s²) h(s) ds ≥ 0 (Abel's equation, solved outwards);
+//! * the greatest admissible d at radius a, the least average of g over r, does not grow with a where it is below g(a), and d
+//!   grows with a on a stable branch. So admissibility is lost once at most on a stable branch, and for all larger radii; and
+//!   a contact that shrinks, smoothly or in jumps, stays admissible;
+//! * surfaces apart first touch at d = min f, the limit a → 0 of the same condition.
+//!
+//! Where g falls, its extrema are searched in double precision, once a contact, as folds are; the gap is then an integral on
+//! the few stretches where g < d.
+
+mod extrema;
+mod gap;
+mod refine;
+
+use std::sync::Arc;
+
+use mdr_core::contact::{Instability, Result, Transform};
+use mdr_core::number::Real;
+
+use crate::curve::Curve;
+
+use extrema::Terrain;
+
+pub(crate) use refine::first_touch_roughly;
+pub use refine::{Ring, Touch, first_touch, last_admissible};
+
+/// Whether states of a contact are admissible, in double precision and for any number of states.
+///
+/// ```
+/// use std::sync::Arc;
+/// use mdr_core::contact::{Control, Material};
+/// use mdr_numeric::admissible::{Admissibility, Verdict};
+/// use mdr_numeric::{curve::Curve, profiles::WavyParaboloid, transform::Quadrature};
+/// // Waves of 10 mm on a paraboloid of 1 m: the first crest alone cannot be pressed deep.
+/// let wavy = Arc::new(Quadrature::new(WavyParaboloid::new(1.0, 1e-2, 0.1)?));
+/// let (material, control) = (Material::new(1.0, 1e-6)?, Control::Indentation);
+/// let admissibility = Admissibility::new(wavy.clone(), [1e-6, 0.3]);
+/// let curve = Curve::new(&*wavy, &material, &control);
+/// assert_eq!(admissibility.of(0.01, curve.indentation(&0.01)?), Verdict::Admissible);
+/// let Verdict::Interpenetrating { radius, gap } = admissibility.of(0.03, curve.indentation(&0.03)?) else { panic!() };
+/// assert!(gap < 0.0 && radius > 0.08 && radius < 0.12); // at the next crest
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+pub struct Admissibility<'a> {
+    terrain: Option<Terrain<'a>>,
+}
+
+/// What is known of a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// No gap is negative, out to the end of the profile.
+    Admissible,
+    /// The surfaces would overlap.
+    Interpenetrating {
+        /// A radius r > a at which they do, in m.
+        radius: f64,
+        /// The gap there, in m.
+        gap: f64,
+    },
+    /// It is not known; why.
+    Undecided(&'static str),
+}
+
+/// How admissibility is decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// By the form of the profile, whose g does not fall.
+    Bound,
+    /// The extrema of g were searched in double precision, and resolved everywhere.
+    Searched,
+    /// They were not resolved everywhere: an overlap that is found is one, but there may be others.
+    Doubtful,
+}
+
+impl<'a> Admissibility<'a> {
+    /// Of a transformed profile, whose extrema are searched between two radii, and up to the last kink or the end of the
+    /// profile; [`search_range`] has radii for a contact.
+    pub fn new(transform: Arc<dyn Transform<f64> + 'a>, radii: [f64; 2]) -> Self {
+        if transform.rises() {
+            return Self::of_rising();
+        }
+        Admissibility { terrain: Some(Terrain::new(transform, radii)) }
+    }
+
+    /// Of a profile whose g does not fall: every state is admissible.
+    pub fn of_rising() -> Self {
+        Admissibility { terrain: None }
+    }
+
+    /// The same, of any such profile.
+    pub fn rising() -> &'static Admissibility<'static> {
+        static RISING: Admissibility<'static> = Admissibility { terrain: None };
+        &RISING
+    }
+
+    /// Of a transformed profile in any arithmetic, evaluated there and rounded.
+    pub(crate) fn rounded<R: Real>(curve: &Curve<'a, R>, folds: &[Instability<R>]) -> Self {
+        let (transform, length) = (curve.transform(), curve.material_length());
+        let radii: Vec<f64> = folds.iter().map(|fold| fold.contact_radius.approx()).collect();
+        Self::new(Arc::new(Rounded { transform, ctx: length.ctx() }), search_range(length.approx(), &radii))
+    }
+
+    /// How the verdicts come about.
+    pub fn basis(&self) -> Basis {
+        match &self.terrain {
+            None => Basis::Bound,
+            Some(terrain) if terrain.resolved => Basis::Searched,
+            Some(_) => Basis::Doubtful,
+        }
+    }
+
+    /// Whether a contact of radius a at the indentation d is admissible, in equilibrium or not.
+    pub fn of(&self, a: f64, d: f64) -> Verdict {
+        let Some(terrain) = &self.terrain else { return Verdict::Admissible };
+        if !(a > 0.0 && a.is_finite() && d.is_finite()) {
+            return Verdict::Undecided("its contact radius or its indentation is no double");
+        }
+        let unresolved = Verdict::Undecided("g is not resolved everywhere outside the contact");
+        let apart = if terrain.knows(a) { Verdict::Admissible } else { unresolved };
+        match terrain.narrowest(a, d, true) {
+            Err(_) => Verdict::Undecided("g cannot be computed everywhere outside the contact"),
+            Ok(Some((radius, _))) => match terrain.sign(a, d, radius) {
+                Some(gap) if gap < 0.0 => Verdict::Interpenetrating { radius, gap },
+                Some(_) => apart,
+                None => Verdict::Undecided("the gap closes up to rounding"),
+            },
+            Ok(None) => apart,
+        }
+    }
+
+    /// The radius and the height, in double precision, at which f < 0 is smallest: there detached surfaces first touch. None
+    /// where f ≥ 0, and where it cannot be had.
+    pub fn first_touch(&self) -> Option<[f64; 2]> {
+        first_touch_roughly(self).unwrap_or_default()
+    }
+
+    /// The minima of g below `d` between two radii: where the edge of a contact that grows there may be pushed back.
+    pub(crate) fn dips(&self, from: f64, to: f64, d: f64) -> Vec<f64> {
+        let edges = self.terrain.iter().flat_map(|terrain| &terrain.edges);
+        edges.filter(|edge| edge.x > from && edge.x < to && edge.g < d).map(|edge| edge.x).collect()
+    }
+}
+
+/// Radii between which g matters for the states of a contact with the length w/E* and folds at the given contact radii: from
+/// 10^−14 times the smallest of these, where all that is known oscillates no more, to 100 times the largest; without folds
+/// to 10¹⁴ times w/E*.
+pub fn search_range(length: f64, folds: &[f64]) -> [f64; 2] {
+    let smallest = folds.iter().fold(length, |least, radius| least.min(*radius));
+    let largest = folds.iter().fold(length, |most, radius| most.max(*radius));
+    let [inwards, outwards] = [1e-14, if folds.is_empty() { 1e14 } else { 100.0 }];
+    [(smallest * inwards).max(f64::MIN_POSITIVE), (largest * outwards).min(f64::MAX / 1024.0)]
+}
+
+/// A transform of another arithmetic, in doubles.
+struct Rounded<'a, R: Real> {
+    transform: &'a dyn Transform<R>,
+    ctx: R::Ctx,
+}
+
+impl<R: Real> Rounded<'_, R> {
+    fn at(&self, x: f64) -> R {
+        R::from_f64(self.ctx, x)
+    }
+}
+
+impl<R: Real> Transform<f64> for Rounded<'_, R> {
+    fn g(&self, x: &f64) -> Result<f64> {
+        Ok(self.transform.g(&self.at(*x))?.approx())
+    }
+    fn slope(&self, x: &f64) -> Result<f64> {
+        Ok(self.transform.slope(&self.at(*x))?.approx())
+    }
+    fn integral(&self, x: &f64) -> Result<f64> {
+        Ok(self.transform.integral(&self.at(*x))?.approx())
+    }
+    fn mean(&self, x: &f64) -> Result<f64> {
+        Ok(self.transform.mean(&self.at(*x))?.approx())
+    }
+    fn outer_radius(&self) -> Option<f64> {
+        Some(self.transform.outer_radius()?.approx())
+    }
+    fn wall(&self) -> bool {
+        self.transform.wall()
+    }
+    fn kinks(&self) -> Vec<f64> {
+        self.transform.kinks().iter().map(Real::approx).collect()
+    }
+    fn rises(&self) -> bool {
+        self.transform.rises()
+    }
+}

@@ -1,0 +1,215 @@
+//! Where admissibility ends, to the precision of any arithmetic: f64 tells where, two conditions on the gap say exactly.
+
+use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
+use mdr_core::number::{Real, order};
+
+use super::extrema::Terrain;
+use super::{Admissibility, gap};
+use crate::curve::Curve;
+
+/// A circle outside of the contact on which the surfaces touch or overlap.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ring<R> {
+    /// Its radius, in m.
+    pub radius: R,
+    /// The gap there, in m: 0 where they touch.
+    pub gap: R,
+}
+
+/// Where surfaces apart first touch, when that is not the tip.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Touch<R> {
+    /// The radius of the ring, in m.
+    pub radius: R,
+    /// min f < 0, the indentation depth at which they touch, in m.
+    pub indentation: R,
+}
+
+/// Steps of an iteration that gains some six digits each.
+const STEPS: usize = 200;
+/// How close in ratio the narrowest gap is to a kink to be at it.
+const AT_KINK: f64 = 1e-6;
+
+/// Where detached surfaces first touch: none at the tip, when f ≥ 0 everywhere.
+///
+/// ```
+/// use mdr_core::contact::{Control, Material};
+/// use mdr_numeric::admissible::{Admissibility, first_touch};
+/// use mdr_numeric::{curve::Curve, table::MeasuredProfile};
+/// use std::sync::Arc;
+/// // A tip with a particle beside it, 5 nm further out than the tip.
+/// let rows = [(0.0, 0.0), (2e-8, 1e-8), (4e-8, 1e-8), (6e-8, -5e-9), (8e-8, 3e-8), (1e-7, 6e-8)];
+/// let tip = Arc::new(MeasuredProfile::new(rows.to_vec())?);
+/// let (material, control) = (Material::new(1e9, 0.01)?, Control::Indentation);
+/// let curve = Curve::new(&*tip, &material, &control);
+/// let touch = first_touch(&curve, &Admissibility::new(tip.clone(), [1e-11, 1e-7]))?.expect("on a ring");
+/// assert!((touch.indentation + 5e-9).abs() < 1e-22 && (touch.radius - 6e-8).abs() < 1e-16);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of the transform and of the quadrature.
+pub fn first_touch<R: Real>(curve: &Curve<'_, R>, admissibility: &Admissibility<'_>) -> Result<Option<Touch<R>>> {
+    let Some(terrain) = &admissibility.terrain else { return Ok(None) };
+    let Some([radius, _]) = first_touch_roughly(admissibility)? else { return Ok(None) };
+    let ring = Locus::new(curve, terrain, 0.0, radius);
+    let zero = curve.effective_modulus().lit(0);
+    let radius = ring.lowest()?;
+    let indentation = ring.gap(&zero, &zero, &radius)?;
+    Ok((indentation < zero).then_some(Touch { radius, indentation }))
+}
+
+/// The radius and the height at which f < 0 is smallest, in double precision; none where f ≥ 0.
+///
+/// # Errors
+/// Those of the transform.
+pub(crate) fn first_touch_roughly(admissibility: &Admissibility<'_>) -> Result<Option<[f64; 2]>> {
+    let Some(terrain) = &admissibility.terrain else { return Ok(None) };
+    let lowest = terrain.narrowest(0.0, 0.0, false)?;
+    Ok(lowest.filter(|(_, height)| *height < 0.0).map(|(radius, height)| [radius, height]))
+}
+
+/// The last admissible state on the stable branch between two contact radii, of which the larger is not admissible, and the
+/// ring on which the surfaces touch there; none where they overlap at the smaller radius, too.
+///
+/// # Errors
+/// Those of the transform and of the quadrature; [`Error::NoConvergence`].
+pub fn last_admissible<R: Real>(
+    curve: &Curve<'_, R>,
+    admissibility: &Admissibility<'_>,
+    [from, to]: [&R; 2],
+) -> Result<Option<(Equilibrium<R>, Ring<R>)>> {
+    let Some(terrain) = &admissibility.terrain else { return Ok(None) };
+    let length = curve.material_length().approx();
+    let indentation = |a: f64| Ok(terrain.transform.g(&a)? - a * crate::curve::relative_elongation(&a, &length));
+    let narrowest = |a: f64| terrain.narrowest(a, indentation(a)?, false);
+    let (mut lower, mut upper) = (from.approx(), to.approx());
+    let Some(mut ring) = narrowest(upper)?.filter(|ring| ring.1 < 0.0) else { return Ok(None) };
+    if lower > 0.0 && narrowest(lower)?.is_some_and(|ring| ring.1 < 0.0) {
+        return Ok(None);
+    }
+    while upper - lower > 1e-8 * upper {
+        let middle = if upper > 2.0 * lower && lower > 0.0 { (lower * upper).sqrt() } else { (lower + upper) / 2.0 };
+        match narrowest(middle)?.filter(|ring| ring.1 < 0.0) {
+            Some(nearer) => (upper, ring) = (middle, nearer),
+            None => lower = middle,
+        }
+    }
+    let locus = Locus::new(curve, terrain, upper, ring.0);
+    let (a, radius) = locus.loss(upper, &indentation)?;
+    let (indentation, force) = curve.state(&a)?;
+    let gap = a.lit(0);
+    let state = Equilibrium { contact_radius: a, indentation, force, stability: Stability::Stable };
+    Ok(Some((state, Ring { radius, gap })))
+}
+
+/// The narrowest gap near a radius, in two arithmetics.
+struct Locus<'a, 'c, R: Real> {
+    curve: &'a Curve<'c, R>,
+    terrain: &'a Terrain<'a>,
+    /// Where double precision sees the ring.
+    rough: f64,
+    /// The kink or the end of the profile at which it is, if it is at one.
+    fixed: Option<R>,
+    breaks: Vec<R>,
+}
+
+impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
+    fn new(curve: &'a Curve<'c, R>, terrain: &'a Terrain<'a>, a: f64, rough: f64) -> Self {
+        let like = curve.effective_modulus();
+        let transform = curve.transform();
+        let mut breaks = transform.kinks();
+        let known: Vec<f64> = breaks.iter().map(R::approx).collect();
+        let near = |x: f64, y: f64| (x - y).abs() <= 1e-9 * y;
+        let smooth = terrain.edges.iter().map(|edge| edge.x).filter(|x| *x > a && !known.iter().any(|k| near(*x, *k)));
+        breaks.extend(smooth.map(|x| R::from_f64(like.ctx(), x)));
+        breaks.sort_by(order);
+        let ends = transform.kinks().into_iter().chain(transform.outer_radius());
+        let mut fixed = ends.filter(|end| (end.approx() - rough).abs() <= AT_KINK * rough);
+        Locus { curve, terrain, rough, fixed: fixed.next(), breaks }
+    }
+
+    fn gap(&self, a: &R, d: &R, r: &R) -> Result<R> {
+        Ok(gap::gap(self.curve.transform(), a, d, r, &self.breaks)?.value)
+    }
+
+    fn number(&self, x: f64) -> R {
+        R::from_f64(self.curve.effective_modulus().ctx(), x)
+    }
+
+    /// The second derivative of the gap at the ring, in double precision.
+    fn bend(&self, a: f64, d: f64) -> Result<f64> {
+        let (r, step) = (self.rough, 1e-4 * (self.rough - a));
+        let slope = |r: f64| {
+            let breaks: Vec<f64> = self.breaks.iter().map(R::approx).collect();
+            gap::slope(&*self.terrain.transform, &a, &d, &r, &breaks)
+        };
+        Ok((slope(r + step)? - slope(r - step)?) / (2.0 * step))
+    }
+
+    /// The radius of the narrowest gap of states: Newton's iteration for h' = 0, with h'' in double precision, and between its
+    /// steps one of `advance`, which moves the state (a, d) and says how far.
+    fn settle(
+        &self,
+        mut state: [R; 2],
+        bend: impl FnOnce() -> Result<f64>,
+        advance: impl Fn(&R, &R, &R) -> Result<Option<(R, R)>>,
+    ) -> Result<(R, R)> {
+        let mut radius = self.fixed.clone().unwrap_or_else(|| self.number(self.rough));
+        let bend = if self.fixed.is_none() { Some(bend()?).filter(|bend| *bend > 0.0) } else { None };
+        let mut last = f64::INFINITY;
+        for _ in 0..STEPS {
+            let [a, d] = &state;
+            let mut size = 0.0;
+            if let Some(bend) = bend {
+                let step = gap::slope(self.curve.transform(), a, d, &radius, &self.breaks)? / self.number(bend);
+                // h is stationary at the ring, and needs its radius to half the digits only.
+                size = (step.clone() / &radius).abs().approx();
+                size = if size <= radius.unit_roundoff().sqrt().approx() { 0.0 } else { size };
+                radius -= &step;
+            }
+            if let Some((next, d)) = advance(a, d, &radius)? {
+                size = f64::max(size, (next.clone() / a - a.lit(1)).abs().approx());
+                state = [next, d];
+            }
+            let roundoff = radius.unit_roundoff().approx();
+            if size <= 4.0 * roundoff || size >= 0.25 * last && size <= roundoff.sqrt() {
+                let [a, _] = state;
+                return Ok((a, radius));
+            }
+            last = size;
+        }
+        Err(self.open())
+    }
+
+    /// The radius at which f is smallest.
+    fn lowest(&self) -> Result<R> {
+        let zero = self.number(0.0);
+        let bend = || self.bend(0.0, 0.0);
+        Ok(self.settle([zero.clone(), zero], bend, |_, _, _| Ok(None))?.1)
+    }
+
+    /// The contact radius at which the narrowest gap of the equilibrium is zero, and the radius of that gap.
+    fn loss(&self, a: f64, indentation: &dyn Fn(f64) -> Result<f64>) -> Result<(R, R)> {
+        let breaks: Vec<f64> = self.breaks.iter().map(R::approx).collect();
+        let rough = |a: f64| Ok(gap::gap(&*self.terrain.transform, &a, &indentation(a)?, &self.rough, &breaks)?.value);
+        let step = 1e-5 * a;
+        let fall: f64 = (rough(a + step)? - rough(a - step)?) / (2.0 * step);
+        if !(fall < 0.0) {
+            return Err(self.open());
+        }
+        let start = self.number(a);
+        let d = self.curve.indentation(&start)?;
+        let bend = || self.bend(a, indentation(a)?);
+        self.settle([start, d], bend, |a, d, radius| {
+            let next = a.clone() - self.gap(a, d, radius)? / self.number(fall);
+            let d = self.curve.indentation(&next)?;
+            Ok(Some((next, d)))
+        })
+    }
+
+    fn open(&self) -> Error {
+        let bits = self.curve.effective_modulus().precision();
+        Error::Undecided { quantity: Quantity::ContactRadius, bits, what: "where the contact ceases to be admissible" }
+    }
+}
