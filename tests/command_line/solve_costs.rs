@@ -32,7 +32,7 @@ fn evaluations(scene: &str) -> usize {
 }
 
 /// Waves that are steeper than the paraboloid up to 0.1 m, `count` of them: a fold costs the same among 35 and among 145 in
-/// certified digits, the path over all of them and its energies included.
+/// certified digits, the path over all of them and its energies included, and the search in f64 for where g turns.
 #[test]
 fn a_fold_costs_the_same_among_many() {
     let each = [(30.0, 35), (122.0, 145)].map(|(count, folds)| {
@@ -42,7 +42,7 @@ fn a_fold_costs_the_same_among_many() {
             waves(amplitude, 0.2 / count, &["0".into(), "-1".into()], "output = { want = [\"folds\", \"path\"] }\n");
         evaluations(&scene) as f64 / f64::from(folds)
     });
-    assert!(each[1] < 1.25 * each[0] && each[0] < 500.0, "{each:?}");
+    assert!(each[1] < 1.25 * each[0] && each[0] < 1000.0, "{each:?}");
 }
 
 /// A state that is proved is not searched again for the energies.
