@@ -44,6 +44,16 @@ const EXEMPT: &[(&str, &str)] = &[
     ("Sum::integral", "the sum of its terms; the library has a sum"),
     ("FlatPunch::new", "g = 0 has no factor to be wrong; the row of the flat punch runs its contact"),
     ("Contact::detachment_elongation", "calls detachment_elongation"),
+    ("Question::curve", "a constructor; see Curve"),
+    ("Question::exact_indentation", "a rational of two inputs; certified-range demands where d is 0"),
+    ("Question::is_fold_of_force", "a comparison of two rationals"),
+];
+
+/// Types whose functions are compared with closed forms that have rows, elsewhere.
+const COMPARED: &[(&str, &str)] = &[
+    ("Curve::", "states in logarithms: crates/mdr-analytic/tests/curve.rs has them beside those of Contact"),
+    ("Point::", "accessors of such a state"),
+    ("Scaled::", "sums and signs of enclosures with an exponent of their own"),
 ];
 
 #[test]
@@ -71,7 +81,8 @@ fn every_public_closed_form_has_a_row() {
     assert!(found.len() > 20, "the sources of mdr-analytic were not found: {found:?}");
     let covered: BTreeSet<&str> =
         forms().iter().map(|entry| entry.function).chain(EXEMPT.iter().map(|(name, _)| *name)).collect();
-    let missing: Vec<_> = found.iter().filter(|name| !covered.contains(name.as_str())).collect();
+    let compared = |name: &String| COMPARED.iter().any(|(prefix, _)| name.starts_with(prefix));
+    let missing: Vec<_> = found.iter().filter(|name| !covered.contains(name.as_str()) && !compared(name)).collect();
     assert!(missing.is_empty(), "without a row: {missing:#?}");
     let stale: Vec<_> = covered.iter().filter(|name| !found.contains(**name)).collect();
     assert!(stale.is_empty(), "covered, but not there: {stale:#?}");

@@ -203,7 +203,12 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         let indentation = rest.indentation.approx();
         for dip in self.branches.admissibility().dips(from.approx(), rest.contact_radius.approx(), indentation) {
             let radius = R::from_f64(value.ctx(), dip);
-            if obstacle.is_none() && self.branches.is_pushed_back(&radius, value)? {
+            let pushed_back = match self.branches.is_pushed_back(&radius, value) {
+                // A dip of g in which it is no number is one to −∞.
+                Err(Error::Domain { .. }) => true,
+                pushed_back => pushed_back?,
+            };
+            if obstacle.is_none() && pushed_back {
                 obstacle = Some(Ring { radius, gap: value.lit(0) });
             }
         }
