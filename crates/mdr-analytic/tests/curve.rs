@@ -1,5 +1,6 @@
 //! The curve of equilibria in logarithms against the closed forms in their own variables.
 
+#![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
 use mdr_analytic::certified::{Curve, Elasticity, Question};

@@ -329,6 +329,7 @@ fn jkr_to_fifty_digits() {
 
 /// A kink hidden in a formula, before which its terms cancel: the fold there is found, in hardware arithmetic and in more bits.
 #[test]
+#[cfg(feature = "mp")]
 fn a_fold_at_a_hidden_kink() {
     let material = Material::new(1.0, 1e-2).unwrap();
     for text in ["sqrt((r - 1)^2) + r - 1", "2*max(0, r - 1)", "abs(r - 1) + r - 1"] {

@@ -134,7 +134,7 @@ fn versine_integrals<R: Real>(z: &R, sin: &R) -> [R; 5] {
     })
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mp"))]
 mod tests {
     use mdr_core::number::{Interval, Precision};
     use rug::Float;
