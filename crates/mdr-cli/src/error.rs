@@ -19,19 +19,10 @@ pub(crate) enum Failure {
         /// As it was typed; `None` when the flag is missing or the reason names the value.
         got: Option<String>,
     },
-    /// The question has no certified or representable answer.
+    /// A computation without an answer.
     Contact(ContactError),
-    /// A scene that makes no question.
-    Scene {
-        /// The scene file.
-        file: String,
-        /// The line, from 1.
-        line: usize,
-        /// The key with the names of its tables: `profile.radius`.
-        key: String,
-        /// What is wrong.
-        why: String,
-    },
+    /// A scene without one.
+    Scene(mdr::Error),
     /// A file could not be read or written.
     File {
         /// Its name; standard output has one, too.
@@ -57,9 +48,23 @@ impl Failure {
         Failure::Flag { flag, why: format!("missing: {why}"), got: None }
     }
 
+    /// A question that was asked by flags: a refused input is a refused flag.
+    pub(crate) fn of_flag(error: mdr::Error) -> Self {
+        match error {
+            mdr::Error::Contact(error) => error.into(),
+            error => Failure::Scene(error),
+        }
+    }
+
     /// A file, or standard output, that cannot be used.
     pub(crate) fn file(name: impl Into<String>, source: impl Into<io::Error>) -> Self {
         Failure::File { name: name.into(), source: source.into() }
+    }
+}
+
+impl From<mdr::Error> for Failure {
+    fn from(error: mdr::Error) -> Self {
+        Failure::Scene(error)
     }
 }
 
@@ -82,6 +87,7 @@ fn flag_of(quantity: Quantity) -> Option<&'static str> {
         Quantity::Exponent => "--n",
         Quantity::Coefficient => "--c",
         Quantity::EffectiveModulus => "--e-star",
+        Quantity::YoungsModulus => "--e1",
         Quantity::WorkOfAdhesion => "--work",
         Quantity::Stiffness => "--stiffness",
         Quantity::Digits => "--digits",
@@ -95,7 +101,7 @@ impl fmt::Display for Failure {
             Failure::Flag { flag, why, got: None } => write!(f, "{flag}: {why}"),
             Failure::Flag { flag, why, got: Some(got) } => write!(f, "{flag}: {why}, got {}", abridged(got)),
             Failure::Contact(error) => error.fmt(f),
-            Failure::Scene { file, line, key, why } => write!(f, "{file}:{line}: {key}: {why}"),
+            Failure::Scene(error) => error.fmt(f),
             Failure::File { name, source } => write!(f, "{name}: {source}"),
         }
     }

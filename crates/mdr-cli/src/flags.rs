@@ -2,15 +2,10 @@
 
 use std::num::IntErrorKind;
 
-use mdr_core::number::Literal;
+use mdr::prelude::{Arithmetic, Literal};
+use mdr::scene::MAX_DIGITS;
 
 use crate::error::{Failure, Result};
-
-/// The most digits that may be asked for.
-pub(crate) const MAX_DIGITS: u32 = 100_000;
-
-/// The digits of a certified answer when none are asked for.
-pub(crate) const DEFAULT_DIGITS: u32 = 20;
 
 /// A flag and its value as typed.
 #[derive(Clone, Copy)]
@@ -48,8 +43,9 @@ impl<'a> Flag<'a> {
     /// A Poisson's ratio: within (−1, 1/2].
     pub(crate) fn poissons_ratio(self) -> Result<Literal> {
         let value = self.number()?;
-        let rational = value.to_rational();
-        if rational > -1 && rational <= 0.5 { Ok(value) } else { Err(self.refuse("must be within (-1, 1/2]")) }
+        let above = value.compare(&Literal::from(-1)).is_gt();
+        let within = above && "1/2".parse().is_ok_and(|half: Literal| value.compare(&half).is_le());
+        if within { Ok(value) } else { Err(self.refuse("must be within (-1, 1/2]")) }
     }
 
     /// A whole number from `least` to `most`.
@@ -77,18 +73,6 @@ impl<'a> Flag<'a> {
     }
 }
 
-/// In which arithmetic to answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Arithmetic {
-    /// Every printed digit is proved.
-    Certified {
-        /// Significant decimal digits.
-        digits: u32,
-    },
-    /// Hardware numbers, within a stated error.
-    Double,
-}
-
 /// `--digits D` or `--f64`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct ArithmeticFlags {
@@ -104,7 +88,7 @@ pub(crate) struct ArithmeticFlags {
 impl ArithmeticFlags {
     /// As given; certified to 20 digits when neither is.
     pub(crate) fn chosen(&self) -> Result<Arithmetic> {
-        Ok(self.given()?.unwrap_or(Arithmetic::Certified { digits: DEFAULT_DIGITS }))
+        Ok(self.given()?.unwrap_or_default())
     }
 
     /// As given, if one is.

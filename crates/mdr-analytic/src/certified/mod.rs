@@ -47,5 +47,6 @@ mod scaled;
 pub use answer::Answer;
 pub use curve::{Curve, Point};
 pub use evaluate::kappa;
-pub use question::{Elasticity, Question};
+pub use mdr_core::contact::Elasticity;
+pub use question::Question;
 pub use scaled::Scaled;

@@ -1,6 +1,6 @@
 //! What is asked.
 
-use mdr_core::contact::{Body, Control, Error, Material, Quantity, Result};
+use mdr_core::contact::{Body, Control, Elasticity, Error, Material, Quantity, Result};
 use mdr_core::number::{Interval, Literal, Precision};
 use rug::Rational;
 
@@ -8,22 +8,6 @@ use super::exact;
 use super::monomial::Monomials;
 use crate::contact::Contact;
 use crate::power_law::PowerLaw;
-
-/// The elastic part of the material, as it was written.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Elasticity {
-    /// E*, in Pa.
-    Effective(Literal),
-    /// Two bodies, combined by (1.3).
-    Bodies(Box<[Body<Literal>; 2]>),
-}
-
-impl Elasticity {
-    /// Two bodies, combined by (1.3).
-    pub fn bodies(first: Body<Literal>, second: Body<Literal>) -> Self {
-        Elasticity::Bodies(Box::new([first, second]))
-    }
-}
 
 /// A question about the power law f = C rⁿ, with exact inputs that have been checked.
 #[derive(Clone, Debug, PartialEq)]

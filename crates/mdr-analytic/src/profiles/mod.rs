@@ -11,6 +11,7 @@
 //! | [`capped`] | cone with parabolic and with spherical cap | ibid. |
 //! | [`concave`] | displaced paraboloid, parabolic and elliptical dimple | ibid. |
 //! | [`wavy`] | paraboloid with concentric waves | Guduru 2007 |
+//! | [`closed_form`] | any of them by its [`Shape`](mdr_core::contact::Shape) | |
 //!
 //! ```
 //! use mdr_analytic::profiles::Sphere;
@@ -28,6 +29,7 @@ pub mod concave;
 mod edge;
 pub mod punch;
 mod ranged;
+mod shape;
 pub mod smooth;
 mod sum;
 pub mod wavy;
@@ -35,6 +37,7 @@ pub mod wavy;
 pub use capped::{ParabolicCapCone, SphericalCapCone};
 pub use concave::{DisplacedParaboloid, EllipticalDimple, ParabolicDimple};
 pub use punch::{FlatPunch, RoundedPunch, TruncatedCone, TruncatedParaboloid};
+pub use shape::closed_form;
 pub use smooth::{Cone, Ellipsoid, Hyperboloid, Paraboloid, Sphere};
 pub use sum::Sum;
 pub use wavy::WavyParaboloid;

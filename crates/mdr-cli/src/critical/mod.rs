@@ -1,12 +1,10 @@
 //! `mdr critical`: the critical state of a power-law contact.
 
-mod answer;
-mod ask;
-mod double;
 mod render;
 
 use clap::{Args, ValueEnum};
-use mdr_core::number::Literal;
+use mdr::critical::PowerLaw;
+use mdr::prelude::{Body, Control, Elasticity, Literal};
 
 use crate::error::{Failure, Result};
 use crate::flags::{ArithmeticFlags, Flag};
@@ -96,50 +94,20 @@ enum ControlKind {
     Machine,
 }
 
-/// The question with every input checked.
-struct Checked {
-    n: Literal,
-    c: Literal,
-    elasticity: Elasticity,
-    work: Literal,
-    control: ControlKind,
-    /// With `ControlKind::Machine` and only then.
-    stiffness: Option<Literal>,
-}
-
-/// How the elastic constants were given.
-enum Elasticity {
-    Effective(Literal),
-    /// E1, ν1, E2, ν2.
-    Bodies(Box<[Literal; 4]>),
-}
-
-impl Elasticity {
-    /// E* or E1, as typed.
-    fn first_modulus(&self) -> String {
-        match self {
-            Elasticity::Effective(modulus) => modulus.to_string(),
-            Elasticity::Bodies(constants) => constants[0].to_string(),
-        }
-    }
-}
-
 impl Critical {
     /// Answers on `out`.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
-        let checked = self.checked()?;
-        let answer = ask::ask(&checked, self.arithmetic.chosen()?)?;
+        let answer = mdr::critical(&self.law()?, self.arithmetic.chosen()?).map_err(Failure::of_flag)?;
         render::write(&answer, self.format, out)
     }
 
-    fn checked(&self) -> Result<Checked> {
-        Ok(Checked {
+    fn law(&self) -> Result<PowerLaw> {
+        Ok(PowerLaw {
             n: Flag::new("--n", &self.n).positive()?,
             c: Flag::new("--c", &self.c).positive()?,
             elasticity: self.elasticity()?,
-            work: Flag::new("--work", &self.work).positive()?,
-            control: self.control,
-            stiffness: self.stiffness()?,
+            work_of_adhesion: Flag::new("--work", &self.work).positive()?,
+            control: self.controlled()?,
         })
     }
 
@@ -155,24 +123,23 @@ impl Critical {
             (None, Some(body)) => {
                 let given = format!("two bodies need --e1 --nu1 --e2 --nu2 ({} {} is given)", body.name, body.text);
                 let [e1, nu1, e2, nu2] = bodies.map(|flag| flag.map_err(|name| Failure::missing(name, &given)));
-                Ok(Elasticity::Bodies(Box::new([
-                    e1?.positive()?,
-                    nu1?.poissons_ratio()?,
-                    e2?.positive()?,
-                    nu2?.poissons_ratio()?,
-                ])))
+                let body = |e: Flag<'_>, nu: Flag<'_>| -> Result<Body<Literal>> {
+                    Ok(Body { youngs_modulus: e.positive()?, poissons_ratio: nu.poissons_ratio()? })
+                };
+                Ok(Elasticity::bodies(body(e1?, nu1?)?, body(e2?, nu2?)?))
             }
         }
     }
 
-    fn stiffness(&self) -> Result<Option<Literal>> {
+    fn controlled(&self) -> Result<Control<Literal>> {
         match (self.control, self.stiffness.as_deref().map(|text| Flag::new("--stiffness", text))) {
-            (ControlKind::Machine, Some(flag)) => flag.positive().map(Some),
+            (ControlKind::Machine, Some(flag)) => Ok(Control::Machine { stiffness: flag.positive()? }),
             (ControlKind::Machine, None) => {
                 Err(Failure::missing("--stiffness", "--control machine needs the stiffness of the machine, in N/m"))
             }
             (_, Some(flag)) => Err(flag.refuse("only with --control machine")),
-            (_, None) => Ok(None),
+            (ControlKind::Indentation, None) => Ok(Control::Indentation),
+            (ControlKind::Force, None) => Ok(Control::Force),
         }
     }
 }

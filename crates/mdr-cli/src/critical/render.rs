@@ -1,10 +1,10 @@
 //! The answer for a reader and for a spreadsheet.
 
+use mdr::critical::{CriticalAnswer, CriticalFold, CriticalState};
+use mdr::prelude::{Arithmetic, ControlKind, Promise, Value};
 use mdr_core::contact::Regime;
 
-use super::answer::{Answer, Entry, Fold, State};
 use crate::error::Result;
-use crate::number::Number;
 use crate::output::{Format, Output};
 use crate::table::{Tone, cell, render, table};
 
@@ -12,7 +12,7 @@ const QUANTITIES: [(&str, &str); 3] =
     [("contact radius a", "m"), ("indentation depth d", "m"), ("normal force F", "N")];
 
 /// Writes `answer` in the `format` asked for.
-pub(crate) fn write(answer: &Answer, format: Format, out: &mut Output<impl std::io::Write>) -> Result<()> {
+pub(crate) fn write(answer: &CriticalAnswer, format: Format, out: &mut Output<impl std::io::Write>) -> Result<()> {
     match format {
         Format::Json => out.json(answer),
         Format::Csv => for_spreadsheet(answer, out),
@@ -20,54 +20,62 @@ pub(crate) fn write(answer: &Answer, format: Format, out: &mut Output<impl std::
     }
 }
 
-fn for_reader(answer: &Answer) -> String {
+fn for_reader(answer: &CriticalAnswer) -> String {
     let mut table = table(&["quantity", "value", "unit"]);
     table.add_row([cell("kappa_n", Tone::Plain), cell(&answer.kappa, Tone::Good), cell("", Tone::Faint)]);
-    let mut add = |name: &str, entry: &Entry, unit: &str| {
-        let tone = match entry {
-            Entry::Value(_) => Tone::Good,
-            Entry::Beyond { .. } => Tone::Bad,
-            Entry::Absent => Tone::Faint,
+    let mut add = |name: &str, value: Option<&Value>, unit: &str| {
+        let tone = match value {
+            Some(Value::Unknown { .. }) => Tone::Bad,
+            Some(_) => Tone::Good,
+            None => Tone::Faint,
         };
-        table.add_row([cell(name, Tone::Plain), cell(entry, tone), cell(unit, Tone::Faint)]);
+        let text = value.map_or("none".to_owned(), Value::to_string);
+        table.add_row([cell(name, Tone::Plain), cell(text, tone), cell(unit, Tone::Faint)]);
     };
-    if let Some(ratio) = &answer.threshold.ratio {
-        add("threshold of C", &answer.threshold.threshold_c, "m^(1/2)");
-        add("C / threshold", ratio, "");
+    if let Some(threshold) = &answer.threshold {
+        add("threshold of C", Some(&threshold.c), "m^(1/2)");
+        add("C / threshold", Some(&threshold.ratio), "");
     }
     match answer.folds.as_deref() {
         Some(folds) if folds.len() > 1 => {
             for (index, fold) in folds.iter().enumerate() {
-                for ((name, unit), entry) in QUANTITIES.iter().zip(fold.state.entries()) {
-                    add(&format!("{name}, fold {} ({})", index + 1, fold.kind.name()), entry, unit);
+                for ((name, unit), value) in QUANTITIES.iter().zip(fold.state.values()) {
+                    add(&format!("{name}, fold {} ({})", index + 1, fold.kind.name()), Some(value), unit);
                 }
             }
         }
-        _ if answer.regime == Regime::ScaleFree && answer.state == State::absent() => {}
+        _ if answer.regime == Regime::ScaleFree && answer.state.is_none() => {}
         _ => {
-            for ((name, unit), entry) in QUANTITIES.iter().zip(answer.state.entries()) {
-                add(name, entry, unit);
+            for ((name, unit), value) in QUANTITIES.iter().zip(values(answer.state.as_ref())) {
+                add(name, value, unit);
             }
         }
     }
     format!("{}\n\n{}\n\n{}", heading(answer), render(&table), explanation(answer))
 }
 
+/// The quantities of a state, if there is one.
+fn values(state: Option<&CriticalState>) -> [Option<&Value>; 3] {
+    state.map_or([None; 3], |state| state.values().map(Some))
+}
+
 /// The question in one line.
-fn heading(answer: &Answer) -> String {
+fn heading(answer: &CriticalAnswer) -> String {
     let inputs = &answer.inputs;
     let bodies = match &inputs.bodies {
-        Some(b) => format!(" from E1 = {} Pa, nu1 = {}, E2 = {} Pa, nu2 = {}", b.e1, b.nu1, b.e2, b.nu2),
+        Some([[e1, nu1], [e2, nu2]]) => {
+            format!(" from E1 = {e1} Pa, nu1 = {nu1}, E2 = {e2} Pa, nu2 = {nu2}")
+        }
         None => String::new(),
     };
     let control = match &inputs.stiffness {
         Some(stiffness) => format!("a machine of stiffness {stiffness} N/m"),
-        None => format!("controlled {}", answer.control),
+        None => format!("controlled {}", answer.law.control.kind().name()),
     };
-    let promise = match answer.digits {
-        Some(1) => "1 certified digit".to_owned(),
-        Some(digits) => format!("{digits} certified digits"),
-        None => "f64".to_owned(),
+    let promise = match answer.arithmetic {
+        Arithmetic::Certified { digits: 1 } => "1 certified digit".to_owned(),
+        Arithmetic::Certified { digits } => format!("{digits} certified digits"),
+        Arithmetic::Double => "f64".to_owned(),
     };
     format!(
         "Profile f(r) = C r^n, n = {}, C = {}; E* = {} Pa{bodies}; w = {} J/m²; {control}; {promise}",
@@ -76,11 +84,11 @@ fn heading(answer: &Answer) -> String {
 }
 
 /// What happens there, in a sentence or two.
-fn explanation(answer: &Answer) -> String {
-    let held = match answer.control {
-        "force" => "force",
-        "machine" => "position d + F/k",
-        _ => "indentation depth",
+fn explanation(answer: &CriticalAnswer) -> String {
+    let held = match answer.law.control.kind() {
+        ControlKind::Force => "force",
+        ControlKind::Machine => "position d + F/k",
+        ControlKind::Indentation => "indentation depth",
     };
     let folds = answer.folds.as_ref().map_or(1, Vec::len);
     match answer.regime {
@@ -101,63 +109,77 @@ fn explanation(answer: &Answer) -> String {
 }
 
 /// n = 1/2: no length in the problem but that of a machine.
-fn scale_free(answer: &Answer) -> String {
-    match answer.control {
-        "machine" => "Scale-free (n = 1/2) on a machine: below the threshold of C no contact is stable; from there to \
+fn scale_free(answer: &CriticalAnswer) -> String {
+    match answer.law.control.kind() {
+        ControlKind::Machine => "Scale-free (n = 1/2) on a machine: below the threshold of C no contact is stable; from there to \
                       three times the threshold a contact is stable up to the radius of a fold, beyond which it \
                       spreads over the whole surface; above, every contact is stable."
             .to_owned(),
         held => format!(
-            "Scale-free (n = 1/2): no radius is singled out. At zero {held} a contact of any radius shrinks to \
-             nothing when C is above the threshold, and spreads over the whole surface when C is below."
+            "Scale-free (n = 1/2): no radius is singled out. At zero {} a contact of any radius shrinks to \
+             nothing when C is above the threshold, and spreads over the whole surface when C is below.",
+            held.name()
         ),
     }
 }
 
 /// One row a critical state: one, or one a fold on a machine.
-fn for_spreadsheet(answer: &Answer, out: &mut Output<impl std::io::Write>) -> Result<()> {
+fn for_spreadsheet(answer: &CriticalAnswer, out: &mut Output<impl std::io::Write>) -> Result<()> {
     let rows: Vec<_> = match answer.folds.as_deref() {
-        Some(folds) if !folds.is_empty() => folds.iter().map(|fold| columns(answer, &fold.state, Some(fold))).collect(),
-        _ => vec![columns(answer, &answer.state, None)],
+        Some(folds) if !folds.is_empty() => {
+            folds.iter().map(|fold| columns(answer, Some(&fold.state), Some(fold))).collect()
+        }
+        _ => vec![columns(answer, answer.state.as_ref(), None)],
     };
     let header = rows[0].each_ref().map(|(title, _)| *title);
     out.csv(&header, rows.into_iter().map(|row| row.map(|(_, value)| value)))
 }
 
 /// The titles and values of a row.
-fn columns(answer: &Answer, state: &State, fold: Option<&Fold>) -> [(&'static str, String); 24] {
-    let text = |number: Option<&Number>| number.map(Number::to_string).unwrap_or_default();
-    let value = |entry: &Entry| match entry {
-        Entry::Value(number) => number.to_string(),
-        _ => String::new(),
+fn columns(
+    answer: &CriticalAnswer,
+    state: Option<&CriticalState>,
+    fold: Option<&CriticalFold>,
+) -> [(&'static str, String); 24] {
+    let text = |value: Option<&Value>| match value {
+        Some(Value::Unknown { .. }) | None => String::new(),
+        Some(value) => value.to_string(),
     };
-    let log10 = |entry: &Entry| entry.log10().map(|log10| log10.to_string()).unwrap_or_default();
+    let log10 = |value: Option<&Value>| {
+        value.and_then(Value::log10).map(|log10| log10.to_string()).unwrap_or_default()
+    };
+    let (promise, digits) = match answer.arithmetic {
+        Arithmetic::Certified { digits } => (Promise::Certified, digits.to_string()),
+        Arithmetic::Double => (Promise::Double, String::new()),
+    };
     let inputs = &answer.inputs;
-    let bodies = inputs.bodies.as_ref();
+    let body = |body: usize, constant: usize| text(inputs.bodies.as_ref().map(|bodies| &bodies[body][constant]));
+    let [radius, indentation, force] = values(state);
+    let threshold = answer.threshold.as_ref();
     [
-        ("arithmetic", answer.arithmetic.to_owned()),
-        ("digits", answer.digits.map(|digits| digits.to_string()).unwrap_or_default()),
-        ("control", answer.control.to_owned()),
+        ("arithmetic", promise.name().to_owned()),
+        ("digits", digits),
+        ("control", answer.law.control.kind().name().to_owned()),
         ("regime", answer.regime.to_string()),
         ("n", inputs.n.to_string()),
         ("c", inputs.c.to_string()),
-        ("e1", text(bodies.map(|b| &b.e1))),
-        ("nu1", text(bodies.map(|b| &b.nu1))),
-        ("e2", text(bodies.map(|b| &b.e2))),
-        ("nu2", text(bodies.map(|b| &b.nu2))),
+        ("e1", body(0, 0)),
+        ("nu1", body(0, 1)),
+        ("e2", body(1, 0)),
+        ("nu2", body(1, 1)),
         ("e_star", inputs.e_star.to_string()),
         ("work", inputs.work.to_string()),
         ("stiffness", text(inputs.stiffness.as_ref())),
         ("kappa", answer.kappa.to_string()),
-        ("status", fold.map_or(answer.status, |fold| fold.status).to_string()),
-        ("contact_radius", value(&state.contact_radius)),
-        ("indentation", value(&state.indentation)),
-        ("force", value(&state.force)),
-        ("log10_contact_radius", log10(&state.contact_radius)),
-        ("log10_indentation", log10(&state.indentation)),
-        ("log10_force", log10(&state.force)),
+        ("status", fold.map_or(answer.status, |fold| fold.state.status()).to_string()),
+        ("contact_radius", text(radius)),
+        ("indentation", text(indentation)),
+        ("force", text(force)),
+        ("log10_contact_radius", log10(radius)),
+        ("log10_indentation", log10(indentation)),
+        ("log10_force", log10(force)),
         ("kind", fold.map(|fold| fold.kind.name()).unwrap_or_default().to_owned()),
-        ("threshold_c", value(&answer.threshold.threshold_c)),
-        ("ratio", answer.threshold.ratio.as_ref().map(value).unwrap_or_default()),
+        ("threshold_c", text(threshold.map(|threshold| &threshold.c))),
+        ("ratio", text(threshold.map(|threshold| &threshold.ratio))),
     ]
 }

@@ -5,7 +5,7 @@ use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 
-use crate::picture::sampling::{Sample, samples};
+use mdr::diagram::{Sample, samples};
 use crate::picture::{Axis, Key, Layer, Mark, Panel, Point, Side, Stroke, Unit};
 
 /// Controlled indentation, the case of the paper.

@@ -12,7 +12,6 @@ mod geometry;
 mod legend;
 mod placement;
 mod render;
-pub(crate) mod sampling;
 pub(crate) mod scene;
 mod series;
 mod typeset;

@@ -1,52 +1,26 @@
-//! What an output cost.
+//! What each output cost.
 
 use std::io::Write;
 use std::time::Duration;
 
-use mdr_core::contact::Evaluations;
+use mdr::Cost;
 
-use super::contact::NAMES;
 use crate::error::{Failure, Result};
-use crate::scene::Want;
 use crate::table::{Tone, cell, render, table};
 
-/// Evaluations by arithmetic, and the time.
-pub(crate) struct Cost {
-    want: Want,
-    evaluations: [Evaluations; NAMES.len()],
-    time: Duration,
-}
-
-impl Cost {
-    /// From the tallies before and after.
-    pub(crate) fn new(
-        want: Want,
-        before: [Evaluations; NAMES.len()],
-        after: [Evaluations; NAMES.len()],
-        time: Duration,
-    ) -> Self {
-        Cost { want, evaluations: std::array::from_fn(|i| after[i] - before[i]), time }
-    }
-
-    /// The arithmetics that were used, by name.
-    fn used(&self) -> impl Iterator<Item = (&'static str, Evaluations)> {
-        NAMES.into_iter().zip(self.evaluations).filter(|(_, evaluations)| *evaluations != Evaluations::default())
-    }
-}
-
 /// A table on standard error: one row for each output and arithmetic.
-pub(crate) fn write(costs: &[Cost]) -> Result<()> {
+pub(crate) fn write(costs: &[(Cost, Duration)]) -> Result<()> {
     let mut table = table(&["output", "arithmetic", "g", "slope", "integral", "time"]);
-    for cost in costs {
-        let time = format!("{:.3} s", cost.time.as_secs_f64());
+    for (cost, time) in costs {
+        let time = format!("{:.3} s", time.as_secs_f64());
         let mut rows: Vec<_> = cost.used().collect();
         if rows.is_empty() {
-            rows.push(("none", Evaluations::default()));
+            rows.push(("none", Default::default()));
         }
         for (index, (arithmetic, evaluations)) in rows.into_iter().enumerate() {
             let first = index == 0;
             table.add_row([
-                cell(if first { cost.want.name() } else { "" }, Tone::Strong),
+                cell(if first { cost.output.name() } else { "" }, Tone::Strong),
                 cell(arithmetic, Tone::Plain),
                 cell(evaluations.g, Tone::Plain),
                 cell(evaluations.slope, Tone::Plain),

@@ -1,48 +1,21 @@
 //! `mdr solve`: whatever a scene asks for, and nothing else.
 
-mod answer;
-mod beyond;
-mod certified;
-mod contact;
-mod digits;
-mod double;
-mod enclosed;
 mod explain;
-mod law_path;
-mod library;
-mod outputs;
-mod path;
-mod plot;
-mod power_law;
-mod record;
 mod render;
-mod roughness;
-mod sample;
-mod states;
-mod unused;
 
-pub(crate) use path::name as event_name;
-
-use std::path::PathBuf;
-use std::sync::Arc;
+use std::io::Read;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use mdr_core::contact::Error;
-use mdr_numeric::admissible::Admissibility;
-use mdr_numeric::folds::Folds;
+use mdr::prelude::*;
+use mdr::{Cost, Result as Solved};
 
-use self::answer::{Answer, Output as Solved};
-use self::certified::Certified;
-use self::contact::{Contact, Tally};
-use self::double::Double;
-use self::explain::Cost;
-use self::power_law::PowerLaw;
 use crate::error::{Failure, Result};
-use crate::flags::{Arithmetic, ArithmeticFlags};
-use crate::output::{Format, Output};
-use crate::scene::{Held, Scene, Start, Want};
+use crate::flags::ArithmeticFlags;
+use crate::output::{Format, Output as Out};
+use crate::picture;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -99,30 +72,51 @@ pub(crate) struct Solve {
 
 impl Solve {
     /// Answers on `out`.
-    pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
-        self.plot.as_deref().map_or(Ok(()), crate::picture::file::check)?;
-        let scene = Scene::open(&self.scene, self.arithmetic.given()?)?;
-        if self.plot.is_some() && !scene.has_material {
+    pub(crate) fn run(&self, out: &mut Out<impl std::io::Write>) -> Result<()> {
+        self.plot.as_deref().map_or(Ok(()), picture::file::check)?;
+        let scene = open(&self.scene)?.in_arithmetic(self.arithmetic.given()?);
+        if self.plot.is_some() && !scene.has_material() {
             let why = "a picture shows equilibria, and needs [material] in the scene".to_owned();
             return Err(Failure::Flag { flag: "--plot", why, got: None });
         }
-        let tally = Arc::new(Tally::default());
-        let solver = Solver::new(&scene, &tally).map_err(|error| scene.places.complaint_about_profile(error))?;
-        solver.check_range(&scene)?;
-        let (mut answer, costs) = solve(&scene, &solver, &tally)?;
-        answer.notes.extend(unused::notes(&scene, self.plot.is_some()));
+        let mut progress = Progress::default();
+        let mut answer = scene.solve_with(&mut Run::new(&mut progress, Stop::default()))?;
+        answer.notes.extend(scene.unused(self.plot.is_some()));
         render::write(&answer, self.format, out)?;
         if let Some(file) = &self.plot {
-            plot::write(&scene, &solver, &self.scene, file).map_err(not_drawn)?;
+            draw(&scene, &self.scene, file).map_err(not_drawn)?;
         }
-        if self.explain { explain::write(&costs) } else { Ok(()) }
+        if self.explain { explain::write(&progress.costs) } else { Ok(()) }
     }
+}
+
+/// The file, or standard input for `-`.
+fn open(path: &Path) -> Solved<Scene> {
+    if path != Path::new("-") {
+        return Scene::open(path);
+    }
+    let mut text = String::new();
+    let read = std::io::stdin().read_to_string(&mut text);
+    read.map_err(|source| Error::Io { name: "standard input".to_owned(), source })?;
+    let files = |file: &str| std::fs::read(file);
+    match text.trim_start().starts_with('{') {
+        true => Scene::from_json(&text, "<stdin>", &files),
+        false => Scene::from_toml(&text, "<stdin>", &files),
+    }
+}
+
+/// Draws the scene that was read from the file `from` to the SVG file `to`, and its data to a CSV file beside it.
+fn draw(scene: &Scene, from: &Path, to: &Path) -> Result<()> {
+    let name =
+        from.file_stem().filter(|stem| *stem != "-").map_or_else(String::new, |stem| format!(": {}", stem.display()));
+    let title = format!("{} under controlled {}{name}", scene.profile().name(), scene.controlled().kind().name());
+    picture::file::write(&picture::scene::picture(&title, &scene.diagram()?), to)
 }
 
 /// A picture that cannot be drawn names its flag.
 fn not_drawn(failure: Failure) -> Failure {
     match failure {
-        failure @ (Failure::Scene { .. } | Failure::File { .. }) => failure,
+        failure @ (Failure::Scene(Error::Scene { .. } | Error::Io { .. }) | Failure::File { .. }) => failure,
         failure => {
             let why = format!("the picture is drawn in f64: {failure}");
             Failure::Flag { flag: "--plot", why, got: None }
@@ -130,151 +124,37 @@ fn not_drawn(failure: Failure) -> Failure {
     }
 }
 
-/// The answer, and what each output cost.
-fn solve(scene: &Scene, solver: &Solver<'_>, tally: &Arc<Tally>) -> Result<(Answer, Vec<Cost>)> {
-    let mut outputs = Vec::new();
-    let mut costs = Vec::new();
-    for &want in &scene.output.want {
-        let (before, begin) = (tally.read(), Instant::now());
-        let bar = spinner(want);
-        let output = solver.output(scene, want, tally);
-        bar.finish_and_clear();
-        let output = output.map_err(|error| complaint(scene, want, error, solver))?;
-        costs.push(Cost::new(want, before, tally.read(), begin.elapsed()));
-        outputs.push(output);
-    }
-    let digits = match scene.output.arithmetic {
-        Arithmetic::Certified { digits } => Some(digits),
-        Arithmetic::Double => None,
-    };
-    let profile = scene.profile.name();
-    let has_states = scene.output.wants(|want| !want.is_of_profile());
-    let control = (scene.has_control || has_states).then(|| scene.held.by.name());
-    let mut notes = scene.notes.clone();
-    notes.extend(roughness::note(scene, solver));
-    let admissibility = if has_states { solver.admissibility().map(|known| known.basis()) } else { None };
-    Ok((Answer { digits, profile, control, notes, outputs, admissibility }, costs))
+/// What is being computed, on a terminal and when it takes long; and what each output cost.
+#[derive(Default)]
+struct Progress {
+    running: Option<(ProgressBar, Instant)>,
+    costs: Vec<(Cost, Duration)>,
 }
 
-/// What is wrong with the scene when it has no answer.
-fn complaint(scene: &Scene, want: Want, error: Error, solver: &Solver<'_>) -> Failure {
-    match error {
-        Error::NoEquilibrium { .. } if want == Want::Path => {
-            scene.held.start_place.as_ref().unwrap_or(&scene.places.control).refuse(no_start(&scene.held, solver))
+impl Observer for Progress {
+    fn begin(&mut self, want: &Want) {
+        let bar = ProgressBar::new_spinner();
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+            bar.set_style(style);
         }
-        // All that is left to do in certified digits was done.
-        Error::OutOfRange { quantity, log10 } => scene.places.complaint_about_profile(Error::Domain {
-            quantity,
-            value: format!("10^{log10:.6}"),
-            requirement: "within the range of f64, where the search for states begins: take units of length in which the \
-                          contact is nearer to 1",
-        }),
-        error => scene.places.complaint(error),
-    }
-}
-
-/// Why a path cannot start at its first way point.
-fn no_start(held: &Held, solver: &Solver<'_>) -> String {
-    let (quantity, first) = (held.by.quantity(), &held.path[0]);
-    let apart = first.is_negative() || first.is_zero();
-    match held.start {
-        Start::Detached => {
-            let touch = solver.admissibility().and_then(|admissibility| admissibility.first_touch());
-            let place = touch.map_or_else(String::new, |[radius, height]| {
-                format!(
-                    "; they first touch at the indentation depth {height:.6e} m, on a ring of radius {radius:.6e} m"
-                )
-            });
-            format!("the path cannot start there: the surfaces are not apart at {quantity} = {first}{place}")
-        }
-        _ if apart => format!(
-            "the path cannot start there: no stable equilibrium at {quantity} = {first}; where the surfaces are apart, \
-             start = \"detached\""
-        ),
-        _ => format!("the path cannot start there: no stable equilibrium at {quantity} = {first}"),
-    }
-}
-
-/// A scene in the arithmetic that it asks for.
-enum Solver<'s> {
-    Double(Double<'s>),
-    Certified(Box<Certified<'s>>),
-}
-
-impl<'s> Solver<'s> {
-    fn new(scene: &'s Scene, tally: &Arc<Tally>) -> std::result::Result<Self, Error> {
-        Ok(match scene.output.arithmetic {
-            Arithmetic::Double => Solver::Double(Double::new(scene, tally)?),
-            Arithmetic::Certified { digits } => Solver::Certified(Box::new(Certified::new(scene, digits, tally))),
-        })
+        bar.set_message(want.name());
+        bar.enable_steady_tick(Duration::from_millis(200));
+        self.running = Some((bar, Instant::now()));
     }
 
-    fn output(&self, scene: &Scene, want: Want, tally: &Arc<Tally>) -> std::result::Result<Solved, Error> {
-        let law = if want.is_of_profile() { None } else { PowerLaw::of(scene)? };
-        if let Some(output) = law.as_ref().map_or(Ok(None), |law| law.output(want))? {
-            return Ok(output);
-        }
-        let output = match self {
-            Solver::Double(double) => match double.output(want) {
-                Err(Error::OutOfRange { .. }) => beyond::output(scene, want, tally),
-                Ok(output) if beyond::lost_numbers(&output) => beyond::output(scene, want, tally),
-                output => output,
-            },
-            Solver::Certified(certified) => certified.output(want),
-        }?;
-        match law {
-            Some(law) if matches!(want, Want::Pressure | Want::Gap | Want::Displacement) => law.checked(output),
-            _ => Ok(output),
-        }
-    }
-
-    /// The contact in f64.
-    fn rough(&self) -> std::result::Result<&Double<'s>, Error> {
-        match self {
-            Solver::Double(double) => Ok(double),
-            Solver::Certified(certified) => certified.rough(),
-        }
-    }
-
-    /// Which states are admissible; none where that cannot be had.
-    fn admissibility(&self) -> Option<Arc<Admissibility<'static>>> {
-        match self {
-            Solver::Double(double) => Some(double.admissibility()),
-            Solver::Certified(certified) => certified.admissibility().ok(),
-        }
-    }
-
-    /// Refuses a range of contact radii for the proof of folds that begins where the profile has ended.
-    fn check_range(&self, scene: &Scene) -> Result<()> {
-        let Some(range) = &scene.output.range else { return Ok(()) };
-        let rough = self.rough().map_err(|error| scene.places.complaint(error))?;
-        let lower = &range.ends[0];
-        match rough.contact().transform().outer_radius() {
-            Some(outer) if lower.to_rational() >= outer => {
-                let why =
-                    format!("the range must begin within the profile, whose outer radius is {outer}, got {lower}");
-                Err(range.place.refuse(why))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// The folds of the same contact in f64, as far as they are known already.
-    fn folds(&self, contact: &Contact<f64>) -> std::result::Result<Folds<f64>, Error> {
-        match self {
-            Solver::Double(double) => double.folds().cloned(),
-            Solver::Certified(certified) => states::polished(contact, certified.rough()?.folds()?),
+    fn output(&mut self, _: &Output, cost: &Cost) {
+        if let Some((bar, begin)) = self.running.take() {
+            bar.finish_and_clear();
+            self.costs.push((cost.clone(), begin.elapsed()));
         }
     }
 }
 
-/// What is being computed, on a terminal and when it takes long.
-fn spinner(want: Want) -> ProgressBar {
-    let bar = ProgressBar::new_spinner();
-    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
-        bar.set_style(style);
+/// An output that fails leaves no spinner behind.
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some((bar, _)) = &self.running {
+            bar.finish_and_clear();
+        }
     }
-    bar.set_message(want.name());
-    bar.enable_steady_tick(Duration::from_millis(200));
-    bar
 }

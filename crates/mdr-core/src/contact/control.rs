@@ -17,6 +17,63 @@ pub enum Control<R> {
     },
 }
 
+/// What is controlled, without the stiffness of a machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ControlKind {
+    /// The indentation depth d: fixed grips.
+    Indentation,
+    /// The normal force F: a dead load.
+    Force,
+    /// The position D = d + F/k of a machine of stiffness k.
+    Machine,
+}
+
+impl ControlKind {
+    /// All kinds, in the order of their stiffness.
+    pub const ALL: [ControlKind; 3] = [ControlKind::Indentation, ControlKind::Force, ControlKind::Machine];
+
+    /// The name in scenes and answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            ControlKind::Indentation => "indentation",
+            ControlKind::Force => "force",
+            ControlKind::Machine => "machine",
+        }
+    }
+
+    /// The symbol of the controlled quantity: `d`, `F` or `D = d + F/k`.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            ControlKind::Indentation => "d",
+            ControlKind::Force => "F",
+            ControlKind::Machine => "D = d + F/k",
+        }
+    }
+}
+
+impl<N> Control<N> {
+    /// What is controlled.
+    pub fn kind(&self) -> ControlKind {
+        match self {
+            Control::Indentation => ControlKind::Indentation,
+            Control::Force => ControlKind::Force,
+            Control::Machine { .. } => ControlKind::Machine,
+        }
+    }
+
+    /// The same with the stiffness in another type.
+    ///
+    /// # Errors
+    /// That of `f`.
+    pub fn try_map<M, E>(&self, f: impl FnOnce(&N) -> std::result::Result<M, E>) -> std::result::Result<Control<M>, E> {
+        Ok(match self {
+            Control::Indentation => Control::Indentation,
+            Control::Force => Control::Force,
+            Control::Machine { stiffness } => Control::Machine { stiffness: f(stiffness)? },
+        })
+    }
+}
+
 impl<R: Real> Control<R> {
     /// Control by a machine of the given stiffness.
     ///

@@ -2,9 +2,9 @@
 
 use std::ops::Sub;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-use super::{Kink, Result, Transform};
+use super::{Error, Kink, Result, Transform};
 use crate::number::Real;
 
 /// Numbers of evaluations of a [`Transform`].
@@ -40,12 +40,20 @@ impl Sub for Evaluations {
 
 /// A count of evaluations that several [`CountedTransform`]s and threads may share.
 #[derive(Debug, Default)]
-pub struct Tally([AtomicU64; 3]);
+pub struct Tally {
+    counts: [AtomicU64; 3],
+    stop: Arc<AtomicBool>,
+}
 
 impl Tally {
+    /// A count of what may be stopped: once `stop` is true every evaluation is [`Error::Stopped`], which ends any loop.
+    pub fn until(stop: &Arc<AtomicBool>) -> Self {
+        Tally { counts: Default::default(), stop: Arc::clone(stop) }
+    }
+
     /// The evaluations so far.
     pub fn read(&self) -> Evaluations {
-        let [g, slope, integral] = self.0.each_ref().map(|count| count.load(Ordering::Relaxed));
+        let [g, slope, integral] = self.counts.each_ref().map(|count| count.load(Ordering::Relaxed));
         Evaluations { g, slope, integral }
     }
 }
@@ -88,39 +96,42 @@ impl<R: Real> CountedTransform<R> {
         self.tally.read()
     }
 
-    fn count(&self, part: usize) -> &dyn Transform<R> {
-        self.tally.0[part].fetch_add(1, Ordering::Relaxed);
-        &*self.inner
+    fn count(&self, part: usize) -> Result<&dyn Transform<R>> {
+        if self.tally.stop.load(Ordering::Relaxed) {
+            return Err(Error::Stopped);
+        }
+        self.tally.counts[part].fetch_add(1, Ordering::Relaxed);
+        Ok(&*self.inner)
     }
 }
 
 impl<R: Real> Transform<R> for CountedTransform<R> {
     fn g(&self, x: &R) -> Result<R> {
-        self.count(0).g(x)
+        self.count(0)?.g(x)
     }
 
     fn slope(&self, x: &R) -> Result<R> {
-        self.count(1).slope(x)
+        self.count(1)?.slope(x)
     }
 
     fn integral(&self, x: &R) -> Result<R> {
-        self.count(2).integral(x)
+        self.count(2)?.integral(x)
     }
 
     fn mean(&self, x: &R) -> Result<R> {
-        self.count(2).mean(x)
+        self.count(2)?.mean(x)
     }
 
     fn g_within(&self, x: &R, needed: &R) -> Result<R> {
-        self.count(0).g_within(x, needed)
+        self.count(0)?.g_within(x, needed)
     }
 
     fn mean_within(&self, x: &R, needed: &R) -> Result<R> {
-        self.count(2).mean_within(x, needed)
+        self.count(2)?.mean_within(x, needed)
     }
 
     fn above_mean(&self, x: &R) -> Result<R> {
-        self.count(2).above_mean(x)
+        self.count(2)?.above_mean(x)
     }
 
     fn outer_radius(&self) -> Option<R> {
@@ -226,6 +237,16 @@ mod tests {
         assert_eq!(counted.kink(2, &0.5).unwrap_err().to_string(), expected);
         assert_eq!(tally.read(), Evaluations { g: 2, slope: 1, integral: 4 });
         assert_eq!(tally.read().total(), 7);
+    }
+
+    #[test]
+    fn a_stop_ends_every_evaluation() {
+        let stop = Arc::new(AtomicBool::new(false));
+        let counted = CountedTransform::new(Box::new(Peculiar), &Arc::new(Tally::until(&stop)));
+        assert!(counted.g(&1.0).is_ok());
+        stop.store(true, Ordering::Relaxed);
+        assert_eq!((counted.g(&1.0), counted.mean(&1.0)), (Err(Error::Stopped), Err(Error::Stopped)));
+        assert_eq!(counted.evaluations().total(), 1);
     }
 
     #[test]

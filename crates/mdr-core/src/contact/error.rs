@@ -145,6 +145,9 @@ pub enum Error {
         /// What could not be decided.
         what: &'static str,
     },
+    /// The computation was asked to stop.
+    #[error("stopped before the end")]
+    Stopped,
     /// Slices that belong together differ in length.
     #[error("{quantity}: {len} given for {expected} points")]
     Length {

@@ -1,7 +1,7 @@
 //! The two bodies, as far as the contact knows them: E* and w.
 
 use super::{Error, Quantity, Result};
-use crate::number::Real;
+use crate::number::{Exact, Literal, LiteralError, Real};
 
 /// One elastic body.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,5 +78,29 @@ impl<R: Real> Material<R> {
     /// w = Δγ, in J/m². It is the full work of separation, not half of it.
     pub fn work_of_adhesion(&self) -> &R {
         &self.work_of_adhesion
+    }
+}
+
+/// The elastic part of the material, as it is written.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Elasticity {
+    /// E*, in Pa.
+    Effective(Literal),
+    /// Two bodies, combined by (1.3).
+    Bodies(Box<[Body<Literal>; 2]>),
+}
+
+impl Elasticity {
+    /// E*, in Pa.
+    ///
+    /// # Errors
+    /// [`LiteralError`] where it is no finite number.
+    pub fn effective(modulus: impl Exact) -> std::result::Result<Self, LiteralError> {
+        Ok(Elasticity::Effective(modulus.exact()?))
+    }
+
+    /// Two bodies, combined by (1.3).
+    pub fn bodies(first: Body<Literal>, second: Body<Literal>) -> Self {
+        Elasticity::Bodies(Box::new([first, second]))
     }
 }

@@ -7,17 +7,19 @@ mod expression;
 mod kink;
 mod material;
 mod profile;
+mod shape;
 mod state;
 mod transform;
 
-pub use control::Control;
+pub use control::{Control, ControlKind};
 pub use counted::{CountedTransform, Evaluations, Tally};
 pub use error::{Error, Quantity, Result};
 #[cfg(feature = "mp")]
 pub use expression::Breaks;
 pub use expression::{Expression, ExpressionError, ExpressionProfile};
 pub use kink::{Kink, Slopes};
-pub use material::{Body, Material};
+pub use material::{Body, Elasticity, Material};
 pub use profile::Profile;
+pub use shape::{Flank, Shape};
 pub use state::{Equilibrium, FoldKind, Instability, Outcome, Ranged, Regime, Stability, Status};
 pub use transform::Transform;

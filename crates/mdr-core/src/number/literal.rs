@@ -1,5 +1,6 @@
 //! Inputs as they were written: exact decimals and fractions.
 
+use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
 
@@ -165,6 +166,39 @@ impl Literal {
         if self.negative { -magnitude } else { magnitude }
     }
 
+    /// The exact order of the two values, however they are written; no rounding, and no GMP.
+    ///
+    /// ```
+    /// use std::cmp::Ordering;
+    /// use mdr_core::number::Literal;
+    /// let [third, decimal]: [Literal; 2] = ["1/3".parse()?, "0.3333333333333333333".parse()?];
+    /// assert_eq!(third.compare(&decimal), Ordering::Greater);
+    /// assert_eq!(Literal::from(2).compare(&"20e-1".parse()?), Ordering::Equal);
+    /// # Ok::<(), mdr_core::number::LiteralError>(())
+    /// ```
+    pub fn compare(&self, other: &Self) -> Ordering {
+        let sign = |literal: &Self| (!literal.is_zero()).then_some(literal.is_negative());
+        match (sign(self), sign(other)) {
+            (None, None) => Ordering::Equal,
+            (None, Some(negative)) => if negative { Ordering::Greater } else { Ordering::Less },
+            (Some(negative), None) => if negative { Ordering::Less } else { Ordering::Greater },
+            (Some(true), Some(false)) => Ordering::Less,
+            (Some(false), Some(true)) => Ordering::Greater,
+            (Some(true), Some(true)) => other.compare_magnitude(self),
+            (Some(false), Some(false)) => self.compare_magnitude(other),
+        }
+    }
+
+    /// |self| against |other|, neither of them zero: the fractions are brought to one denominator.
+    fn compare_magnitude(&self, other: &Self) -> Ordering {
+        let [one, two] = [(self, other), (other, self)].map(|(this, that)| {
+            let digits = product(&this.digits, &that.denominator);
+            let magnitude = this.exponent + digits.len() as i64;
+            (magnitude, digits.trim_end_matches('0').to_owned())
+        });
+        one.0.cmp(&two.0).then_with(|| one.1.cmp(&two.1))
+    }
+
     /// The exact value.
     #[cfg(feature = "mp")]
     pub fn to_rational(&self) -> rug::Rational {
@@ -182,6 +216,32 @@ impl Literal {
         let value = Rational::from((numerator, denominator));
         if self.negative { -value } else { value }
     }
+}
+
+/// The product of two positive integers in decimal digits without leading zeros.
+fn product(one: &str, other: &str) -> String {
+    const WIDTH: usize = 9;
+    const BASE: u64 = 1_000_000_000;
+    if other == "1" {
+        return one.to_owned();
+    }
+    let limbs = |text: &str| -> Vec<u64> {
+        let chunk = |chunk: &[u8]| chunk.iter().fold(0, |limb, digit| 10 * limb + u64::from(digit - b'0'));
+        text.as_bytes().rchunks(WIDTH).map(chunk).collect()
+    };
+    let (one, other) = (limbs(one), limbs(other));
+    let mut sum = vec![0u64; one.len() + other.len()];
+    for (i, x) in one.iter().enumerate() {
+        let mut carry = 0;
+        for (j, y) in other.iter().enumerate() {
+            let total = sum[i + j] + x * y + carry;
+            sum[i + j] = total % BASE;
+            carry = total / BASE;
+        }
+        sum[i + other.len()] += carry;
+    }
+    let text: String = sum.iter().rev().map(|limb| format!("{limb:0WIDTH$}")).collect();
+    text.trim_start_matches('0').to_owned()
 }
 
 /// Rounding a rational to the nearest double.
@@ -279,6 +339,27 @@ mod tests {
             (value("0/7"), value(&format!("1{zeros}/7")), value(&format!("7/1{zeros}"))),
             (0.0, f64::INFINITY, 0.0)
         );
+    }
+
+    /// The order of the texts is that of the rationals, also where no double tells them apart.
+    #[test]
+    fn order() {
+        let sorted = [
+            "-1e400", "-3", "-1/3", "-0.3333333333333333333333", "0", "1/1000000000000000000001", "1e-21",
+            "0.3333333333333333333333", "1/3", "0.5", "999999999999999999/1000000000", "1000000000", "1e400",
+        ];
+        let literals: Vec<Literal> = sorted.iter().map(|text| text.parse().unwrap()).collect();
+        for (i, one) in literals.iter().enumerate() {
+            for (j, other) in literals.iter().enumerate() {
+                assert_eq!(one.compare(other), i.cmp(&j), "{one} and {other}");
+                #[cfg(feature = "mp")]
+                assert_eq!(one.compare(other), one.to_rational().cmp(&other.to_rational()), "{one} and {other}");
+            }
+        }
+        let equal = |one: &str, other: &str| {
+            one.parse::<Literal>().unwrap().compare(&other.parse().unwrap()) == Ordering::Equal
+        };
+        assert!(equal("2/6", "1/3") && equal("-0", "0/5") && equal("1.50", "3/2") && equal("100", "1e2"));
     }
 
     #[test]

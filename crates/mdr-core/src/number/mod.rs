@@ -4,7 +4,9 @@
 pub mod certify;
 #[cfg(feature = "mp")]
 mod counted;
+mod decimal;
 mod dual;
+mod exact;
 mod float;
 #[cfg(feature = "mp")]
 mod interval;
@@ -16,7 +18,9 @@ mod wide;
 
 #[cfg(feature = "mp")]
 pub use counted::Counted;
+pub use decimal::Decimal;
 pub use dual::Dual;
+pub use exact::Exact;
 #[cfg(feature = "mp")]
 pub use interval::Interval;
 pub use literal::{Literal, LiteralError};

@@ -75,6 +75,25 @@ pub enum EventKind {
     End,
 }
 
+impl EventKind {
+    /// The name in answers: `jump-in`.
+    pub fn name(self) -> &'static str {
+        match self {
+            EventKind::Start => "start",
+            EventKind::Touch => "touch",
+            EventKind::JumpIn => "jump-in",
+            EventKind::Jump => "jump",
+            EventKind::Detached => "detached",
+            EventKind::CompleteContact => "complete-contact",
+            EventKind::EndOfProfile => "end-of-profile",
+            EventKind::Undecided => "undecided",
+            EventKind::NotAdmissible => "not-admissible",
+            EventKind::WayPoint => "way-point",
+            EventKind::End => "end",
+        }
+    }
+}
+
 /// One event of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event<R> {

@@ -2,11 +2,10 @@
 
 use mdr_numeric::path::EventKind;
 
-use super::data::{Branch, Happening, SceneData, Spot};
+use mdr::diagram::{Branch, Diagram, Event, Sample, Spot};
 use super::radius_axis;
-use crate::picture::sampling::Sample;
+
 use crate::picture::{Axis, Key, Layer, Mark, Panel, Point, Side, Stroke, Unit};
-use crate::solve::event_name;
 
 /// What the force is drawn against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +20,7 @@ const MOST_MARKS: usize = 16;
 const MOST_NUMBERS: usize = 14;
 
 /// The panel of one plane.
-pub(super) fn panel(data: &SceneData, plane: Plane) -> Panel {
+pub(super) fn panel(data: &Diagram, plane: Plane) -> Panel {
     let states = states(data);
     let force = Axis::around("normal force *F*", Unit::Si("N"), states.iter().map(|spot| spot.force), true);
     let (heading, x) = match plane {
@@ -69,7 +68,7 @@ impl Plane {
 }
 
 /// The states that must be seen: in contact, with the curve between them.
-fn states(data: &SceneData) -> Vec<Spot> {
+fn states(data: &Diagram) -> Vec<Spot> {
     let reached = data.path.iter().flat_map(|event| [event.before, event.after]).flatten();
     let mut states: Vec<Spot> = reached.filter(|spot| spot.contact_radius > 0.0).collect();
     if states.is_empty() {
@@ -95,7 +94,7 @@ fn states(data: &SceneData) -> Vec<Spot> {
 
 /// The states after the contact has come off, unless they are so far away that nothing else would be seen: a soft machine
 /// draws the body back a long way.
-fn near(data: &SceneData, states: &[Spot]) -> Vec<Spot> {
+fn near(data: &Diagram, states: &[Spot]) -> Vec<Spot> {
     let depths = || states.iter().map(|spot| spot.indentation);
     let (least, most) = (depths().fold(0.0, f64::min), depths().fold(0.0, f64::max));
     let apart = data.path.iter().filter(|event| event.kind == EventKind::Detached).filter_map(|event| event.after);
@@ -107,7 +106,7 @@ fn spot(sample: &Sample) -> Spot {
 }
 
 /// Stable branches solid, unstable ones dashed; of very many, every so many.
-fn branches(data: &SceneData, plane: Plane, layers: &mut Vec<Layer>, legend: &mut Vec<(Key, String)>) {
+fn branches(data: &Diagram, plane: Plane, layers: &mut Vec<Layer>, legend: &mut Vec<(Key, String)>) {
     let crowd = data.branches.len().div_ceil(MOST_BRANCHES);
     // An odd step takes stable and unstable branches in turn.
     let step = crowd + 1 - crowd % 2;
@@ -128,7 +127,7 @@ fn branches(data: &SceneData, plane: Plane, layers: &mut Vec<Layer>, legend: &mu
 }
 
 /// The area of a closed cycle, which is the work lost in it.
-fn loop_area(data: &SceneData, plane: Plane, layers: &mut Vec<Layer>, legend: &mut Vec<(Key, String)>) {
+fn loop_area(data: &Diagram, plane: Plane, layers: &mut Vec<Layer>, legend: &mut Vec<(Key, String)>) {
     if plane != Plane::Indentation || !is_cycle(&data.path) {
         return;
     }
@@ -146,7 +145,7 @@ fn loop_area(data: &SceneData, plane: Plane, layers: &mut Vec<Layer>, legend: &m
 }
 
 /// Whether a path comes back to its first state by another way.
-fn is_cycle(path: &[Happening]) -> bool {
+fn is_cycle(path: &[Event]) -> bool {
     let jumps = path.iter().any(|event| event.before != event.after);
     match (path.first().and_then(|event| event.after), path.last().and_then(|event| event.before)) {
         (Some(first), Some(last)) => {
@@ -159,7 +158,7 @@ fn is_cycle(path: &[Happening]) -> bool {
 }
 
 /// The states on a branch from one to another; in a straight line where they are apart or at a wall.
-fn smooth(data: &SceneData, from: &Spot, to: &Spot) -> Vec<Spot> {
+fn smooth(data: &Diagram, from: &Spot, to: &Spot) -> Vec<Spot> {
     let between = |a: f64| {
         (a > from.contact_radius && a < to.contact_radius) || (a < from.contact_radius && a > to.contact_radius)
     };
@@ -175,7 +174,7 @@ fn smooth(data: &SceneData, from: &Spot, to: &Spot) -> Vec<Spot> {
 }
 
 /// Jumps as arrows; events numbered as in the caption.
-fn events(data: &SceneData, plane: Plane, x: &Axis, layers: &mut Vec<Layer>, legend: &mut Vec<(Key, String)>) {
+fn events(data: &Diagram, plane: Plane, x: &Axis, layers: &mut Vec<Layer>, legend: &mut Vec<(Key, String)>) {
     let mut jumps = false;
     for (index, event) in data.path.iter().enumerate() {
         let Some(from) = event.before else { continue };
@@ -192,7 +191,7 @@ fn events(data: &SceneData, plane: Plane, x: &Axis, layers: &mut Vec<Layer>, leg
         if start != end && start.iter().chain(&end).all(|value| value.is_finite()) {
             jumps = true;
             layers.push(Layer::Arrow {
-                name: event_name(event.kind).to_owned(),
+                name: event.kind.name().to_owned(),
                 from: start,
                 to: end,
                 stroke: Stroke::Thin,

@@ -1,6 +1,5 @@
 //! The picture of a scene: the diagram {Δl, g − d}, and force against indentation and against contact radius.
 
-mod data;
 mod loading;
 #[cfg(test)]
 mod tests;
@@ -8,17 +7,15 @@ mod tests;
 use mdr_core::contact::Control;
 use mdr_numeric::folds::Completeness;
 
-pub(crate) use data::SceneData;
-use data::{DECADES, Held, Spot, is_stable};
+use mdr::diagram::{DECADES, Diagram, HeldCurve, Spot, is_stable};
 
 use super::axis::typographic;
 use super::{Axis, Key, Layer, Mark, Panel, Picture, Stroke, Unit};
-use crate::solve::event_name;
 
 /// The picture of a scene.
-pub(crate) fn picture(data: &SceneData) -> Picture {
+pub(crate) fn picture(title: &str, data: &Diagram) -> Picture {
     Picture {
-        title: data.title.clone(),
+        title: title.to_owned(),
         description: description(data),
         panels: vec![
             balance(data),
@@ -29,17 +26,17 @@ pub(crate) fn picture(data: &SceneData) -> Picture {
 }
 
 /// The range of radii that is shown.
-fn radii(data: &SceneData) -> (f64, f64) {
+fn radii(data: &Diagram) -> (f64, f64) {
     let samples = || data.branches.iter().flat_map(|branch| &branch.samples).map(|sample| sample.contact_radius);
     (samples().fold(f64::INFINITY, f64::min), samples().fold(0.0, f64::max))
 }
 
 /// Whether the folds lie decades apart, so that radii need a logarithmic axis.
-fn spans_decades(data: &SceneData) -> bool {
+fn spans_decades(data: &Diagram) -> bool {
     data.folds.first().is_some_and(|fold| fold.contact_radius < radii(data).1 / DECADES)
 }
 
-fn radius_axis(data: &SceneData) -> Axis {
+fn radius_axis(data: &Diagram) -> Axis {
     const NAME: &str = "contact radius *a*";
     let (lower, upper) = radii(data);
     if spans_decades(data) {
@@ -51,7 +48,7 @@ fn radius_axis(data: &SceneData) -> Axis {
 }
 
 /// The controlled quantity with its value, for a legend.
-fn named(data: &SceneData, value: f64) -> String {
+fn named(data: &Diagram, value: f64) -> String {
     let (name, unit) = match data.control {
         Control::Indentation => ("*d*", "m"),
         Control::Force => ("*F*", "N"),
@@ -79,7 +76,7 @@ const CROWD: usize = 40;
 const STROKES: [Stroke; 3] = [Stroke::Dashed, Stroke::DashDotted, Stroke::Dotted];
 
 /// The diagram {Δl, g − d}.
-fn balance(data: &SceneData) -> Panel {
+fn balance(data: &Diagram) -> Panel {
     let x = radius_axis(data);
     let y = balance_heights(data);
     let elongation: Vec<_> = data
@@ -123,7 +120,7 @@ fn balance(data: &SceneData) -> Panel {
 }
 
 /// Heights that show all equilibria, and as much of the curves as comes with them.
-fn balance_heights(data: &SceneData) -> Axis {
+fn balance_heights(data: &Diagram) -> Axis {
     const NAME: &str = "length";
     let samples = || data.branches.iter().flat_map(|branch| &branch.samples);
     let (Some(first), Some(last)) = (samples().next(), samples().last()) else {
@@ -141,7 +138,7 @@ fn balance_heights(data: &SceneData) -> Axis {
 }
 
 /// The equilibria of one kind, on Δl.
-fn equilibria(data: &SceneData, held: &Held, stable: Option<bool>) -> Vec<[f64; 2]> {
+fn equilibria(data: &Diagram, held: &HeldCurve, stable: Option<bool>) -> Vec<[f64; 2]> {
     let samples = || data.branches.iter().flat_map(|branch| &branch.samples);
     // Δl grows as √a, which is exact from any sample.
     let Some(sample) = samples().last() else { return Vec::new() };
@@ -153,7 +150,7 @@ fn equilibria(data: &SceneData, held: &Held, stable: Option<bool>) -> Vec<[f64; 
 }
 
 /// Arrows between the equilibria at one value, as far as there is room: where g − d is above Δl the contact shrinks.
-fn directions(data: &SceneData, held: &Held, x: &Axis, y: &Axis) -> Vec<Layer> {
+fn directions(data: &Diagram, held: &HeldCurve, x: &Axis, y: &Axis) -> Vec<Layer> {
     const REACH: f64 = 0.06;
     let states = held.equilibria.iter().map(|state| x.fraction(state.contact_radius));
     let ends: Vec<f64> = [0.0].into_iter().chain(states).chain([1.0]).collect();
@@ -179,7 +176,7 @@ fn directions(data: &SceneData, held: &Held, x: &Axis, y: &Axis) -> Vec<Layer> {
 }
 
 /// The caption.
-fn description(data: &SceneData) -> String {
+fn description(data: &Diagram) -> String {
     let control = match &data.control {
         Control::Indentation => "controlled indentation".to_owned(),
         Control::Force => "controlled force".to_owned(),
@@ -196,7 +193,7 @@ fn description(data: &SceneData) -> String {
         }
     );
     for (index, event) in data.path.iter().enumerate().take(MOST_TOLD) {
-        text.push_str(&format!(" Event {}: {}", index + 1, event_name(event.kind)));
+        text.push_str(&format!(" Event {}: {}", index + 1, event.kind.name()));
         for (word, spot) in [("from", event.before), ("to", event.after.filter(|after| Some(*after) != event.before))] {
             if let Some(Spot { contact_radius, indentation, force }) = spot {
                 text.push_str(&format!(" {word} a = {contact_radius:.6e} m"));

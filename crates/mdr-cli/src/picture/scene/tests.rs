@@ -17,18 +17,18 @@ fn follow(
     control: &Control<f64>,
     start: &Start<f64>,
     way: &[f64],
-) -> SceneData {
+) -> Diagram {
     let material = Material::new(material.0, material.1).unwrap();
     let branches = Branches::new(Curve::new(transform, &material, control)).unwrap();
     let events = if way.is_empty() { Vec::new() } else { Path::follow(&branches, start, way).unwrap().events };
-    SceneData::new("test", &branches, &events, &[]).unwrap()
+    Diagram::new(&branches, &events, &[]).unwrap()
 }
 
 /// The picture is drawn twice the same, and written where a reader may look at it when `MDR_PICTURES` names a directory.
-fn drawn(name: &str, data: &SceneData) -> String {
-    let picture = picture(data);
+fn drawn(name: &str, data: &Diagram) -> String {
+    let picture = picture("test", data);
     let text = svg(&picture).unwrap();
-    assert_eq!(text, svg(&super::picture(data)).unwrap());
+    assert_eq!(text, svg(&super::picture("test", data)).unwrap());
     roxmltree::Document::parse(&text).unwrap();
     if let Some(directory) = std::env::var_os("MDR_PICTURES") {
         std::fs::write(std::path::Path::new(&directory).join(format!("{name}.svg")), &text).unwrap();

@@ -225,6 +225,11 @@ impl Expression {
         Ok(ExpressionProfile { root, kinks: Vec::new(), outer: None, known_to: None })
     }
 
+    /// Whether it is free of `abs`, `min` and `max`, which have kinks where their arguments change sign or order.
+    pub fn is_smooth(&self) -> bool {
+        self.root.is_smooth()
+    }
+
     /// The formula without parameters.
     fn with_values(&self, values: &BTreeMap<String, Literal>) -> Result<Node<Constant>, ExpressionError> {
         self.root.map(&mut |constant| match constant {
@@ -234,6 +239,17 @@ impl Expression {
             },
             constant => Ok(constant.clone()),
         })
+    }
+}
+
+impl<C> Node<C> {
+    fn is_smooth(&self) -> bool {
+        match self {
+            Node::Variable | Node::Constant(_) => true,
+            Node::Operation(Operator::Minimum | Operator::Maximum, ..) | Node::Function(Function::Abs, _) => false,
+            Node::Operation(_, left, right) => left.is_smooth() && right.is_smooth(),
+            Node::Negative(inner) | Node::Power(inner, _) | Node::Function(_, inner) => inner.is_smooth(),
+        }
     }
 }
 

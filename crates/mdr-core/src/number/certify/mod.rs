@@ -1,13 +1,10 @@
 //! From enclosures to decimals whose every digit is proved.
 
-mod decimal;
-
-pub use decimal::Decimal;
-
 use rug::float::Round;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
 
+pub use super::Decimal;
 use super::{Interval, Precision, Real};
 use crate::contact::{Error, Quantity, Result};
 

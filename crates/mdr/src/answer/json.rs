@@ -1,0 +1,146 @@
+//! The answer as JSON, schema `mdr.solve/1`: keys and their order are published.
+
+use mdr_numeric::admissible::Basis;
+use serde::ser::{Error as _, SerializeMap};
+use serde::{Serialize, Serializer};
+
+use super::record::Numbers;
+use super::{Answer, Cell, Completeness, Number, Output, Promise, Row, Value, described};
+use crate::scene::Arithmetic;
+
+/// Names the keys of the answer and their meaning.
+const SCHEMA: &str = "mdr.solve/1";
+
+impl Answer {
+    /// The answer as one line of JSON, schema `mdr.solve/1`. Certified digits are text, doubles are JSON numbers; what has no
+    /// number is null, with its status beside it.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
+impl Serialize for Answer {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("schema", SCHEMA)?;
+        map.serialize_entry("arithmetic", self.promise().name())?;
+        let digits = match self.arithmetic {
+            Arithmetic::Certified { digits } => Some(digits),
+            Arithmetic::Double => None,
+        };
+        map.serialize_entry("digits", &digits)?;
+        map.serialize_entry("profile", self.profile)?;
+        map.serialize_entry("control", &self.control.map(|control| control.name()))?;
+        if !self.notes.is_empty() {
+            map.serialize_entry("notes", &self.notes)?;
+        }
+        map.serialize_entry("promise", &Promises(self))?;
+        map.serialize_entry("complete", &Completes(&self.outputs))?;
+        for output in &self.outputs {
+            map.serialize_entry(output.kind().name(), &output.rows())?;
+            if let Some(balance) = output.balance() {
+                let rows = balance.rows();
+                map.serialize_entry("balance", rows.first().ok_or_else(|| S::Error::custom("a balance is a record"))?)?;
+            }
+        }
+        if let Some(basis) = self.admissibility {
+            map.serialize_entry("admissibility", described(basis))?;
+        }
+        map.end()
+    }
+}
+
+/// The promise of each output, and of the fields that have their own.
+struct Promises<'a>(&'a Answer);
+
+impl Serialize for Promises<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for output in &self.0.outputs {
+            map.serialize_entry(output.kind().name(), output.promise().name())?;
+            for (field, promise) in output.exceptions() {
+                map.serialize_entry(field, promise.name())?;
+            }
+        }
+        if let Some(basis) = self.0.admissibility {
+            let promise = if basis == Basis::Bound { self.0.promise() } else { Promise::Double };
+            map.serialize_entry("admissible", promise.name())?;
+        }
+        map.end()
+    }
+}
+
+/// What is known about the completeness of each list for which it is a question.
+struct Completes<'a>(&'a [Output]);
+
+impl Serialize for Completes<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let known = self.0.iter().filter_map(|output| Some((output.kind().name(), output.complete()?)));
+        serializer.collect_map(known)
+    }
+}
+
+impl Serialize for Completeness {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("proved", &self.proved)?;
+        map.serialize_entry("from", &self.from)?;
+        map.serialize_entry("to", &self.to)?;
+        map.serialize_entry("why", &self.why)?;
+        map.end()
+    }
+}
+
+impl Serialize for Row<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (key, cell) in &self.cells {
+            map.serialize_entry(key, cell)?;
+            if let Some(log10) = cell.log10() {
+                map.serialize_entry(&format!("log10_{key}"), &log10)?;
+            }
+        }
+        map.serialize_entry("status", &self.status().to_string())?;
+        if let Some(why) = self.why() {
+            map.serialize_entry("why", &why)?;
+        }
+        if let Some(admissible) = self.admissible {
+            map.serialize_entry("admissible", &admissible)?;
+        }
+        map.end()
+    }
+}
+
+impl Serialize for Cell<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Cell::Value(value) => value.serialize(serializer),
+            Cell::UnknownStability(_) | Cell::Absent => serializer.serialize_none(),
+            Cell::Literal(literal) => serializer.serialize_str(&literal.to_string()),
+            Cell::Flag(flag) => serializer.serialize_bool(*flag),
+            Cell::Word(word) => serializer.serialize_str(word),
+            Cell::Rows(rows) => rows.serialize(serializer),
+        }
+    }
+}
+
+/// A number or null.
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Value::Known(number) => number.serialize(serializer),
+            Value::Given(literal) => serializer.serialize_str(&literal.to_string()),
+            Value::Unknown { .. } => serializer.serialize_none(),
+        }
+    }
+}
+
+/// Digits as text, a double as a JSON number.
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Number::Certified(decimal) | Number::Estimated(decimal) => serializer.serialize_str(&decimal.to_string()),
+            Number::Double(value) => serializer.serialize_f64(*value),
+        }
+    }
+}

@@ -1,0 +1,287 @@
+//! What a scene answers: typed outputs, each number with its promise or the reason why there is none.
+
+#[cfg(feature = "serde")]
+mod json;
+pub(crate) mod record;
+mod rows;
+pub(crate) mod types;
+mod value;
+
+use mdr_core::contact::ControlKind;
+use mdr_numeric::admissible::Basis;
+
+pub use record::{Cell, Row};
+pub use rows::{FlatCell, FlatRow, columns, title};
+pub use types::{
+    Admission, AtValue, Balance, Completeness, CurvePoint, CurveStability, Dissipation, EnergyState, Equilibrium, Field, FieldSample,
+    FieldState, Fold, List, LoadingPath, Optional, Overlap, PathEvent, PlainState, TransformSample,
+};
+pub use value::{Number, Promise, Value};
+
+use crate::run::Cost;
+use crate::scene::{Arithmetic, Want};
+use record::Numbers;
+
+/// The kinds of output, by their names in scenes and answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum OutputKind {
+    /// g, g' and ∫g at radii.
+    Transform,
+    /// All equilibria at values of the controlled quantity.
+    Equilibria,
+    /// All folds.
+    Folds,
+    /// A loading path.
+    Path,
+    /// Equilibria by their contact radius.
+    Curve,
+    /// The normal pressure of states.
+    Pressure,
+    /// The gap of states.
+    Gap,
+    /// The surface displacement of states.
+    Displacement,
+    /// Energy and stiffness of states.
+    Energy,
+}
+
+impl OutputKind {
+    /// Every kind with its name.
+    pub(crate) const NAMES: [(&'static str, OutputKind); 9] = [
+        ("transform", OutputKind::Transform),
+        ("equilibria", OutputKind::Equilibria),
+        ("folds", OutputKind::Folds),
+        ("path", OutputKind::Path),
+        ("curve", OutputKind::Curve),
+        ("pressure", OutputKind::Pressure),
+        ("gap", OutputKind::Gap),
+        ("displacement", OutputKind::Displacement),
+        ("energy", OutputKind::Energy),
+    ];
+
+    /// The key of the output in a scene and in an answer.
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize].0
+    }
+
+    /// Whether it is computed from the profile alone.
+    pub fn is_of_profile(self) -> bool {
+        self == OutputKind::Transform
+    }
+
+    /// Whether it describes single states.
+    pub fn is_of_states(self) -> bool {
+        matches!(self, OutputKind::Pressure | OutputKind::Gap | OutputKind::Displacement | OutputKind::Energy)
+    }
+}
+
+/// One output that was wanted.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Output {
+    /// The transformed profile at radii.
+    Transform(List<TransformSample>),
+    /// All equilibria at values.
+    Equilibria(List<AtValue<Equilibrium>>),
+    /// All folds, by increasing contact radius.
+    Folds(List<Fold>),
+    /// The loading path.
+    Path(LoadingPath),
+    /// Equilibria by their contact radius.
+    Curve(List<CurvePoint>),
+    /// Pressure, gap or displacement of states.
+    Field(Field, List<AtValue<FieldState>>),
+    /// Energy and stiffness of states.
+    Energy(List<AtValue<EnergyState>>),
+}
+
+/// The same expression for the list of whatever output.
+macro_rules! with_list {
+    ($output:expr, $list:ident => $value:expr) => {
+        match $output {
+            Output::Transform($list) => $value,
+            Output::Equilibria($list) => $value,
+            Output::Folds($list) => $value,
+            Output::Path(LoadingPath { events: $list, .. }) => $value,
+            Output::Curve($list) => $value,
+            Output::Field(_, $list) => $value,
+            Output::Energy($list) => $value,
+        }
+    };
+}
+
+impl Output {
+    /// What it is.
+    pub fn kind(&self) -> OutputKind {
+        match self {
+            Output::Transform(_) => OutputKind::Transform,
+            Output::Equilibria(_) => OutputKind::Equilibria,
+            Output::Folds(_) => OutputKind::Folds,
+            Output::Path(_) => OutputKind::Path,
+            Output::Curve(_) => OutputKind::Curve,
+            Output::Field(Field::Pressure, _) => OutputKind::Pressure,
+            Output::Field(Field::Gap, _) => OutputKind::Gap,
+            Output::Field(Field::Displacement, _) => OutputKind::Displacement,
+            Output::Energy(_) => OutputKind::Energy,
+        }
+    }
+
+    /// How far its numbers can be trusted.
+    pub fn promise(&self) -> Promise {
+        with_list!(self, list => list.promise)
+    }
+
+    /// Whether its list is complete, where that is a question.
+    pub fn complete(&self) -> Option<&Completeness> {
+        with_list!(self, list => list.complete.as_ref())
+    }
+
+    /// A row for each record of its list.
+    pub fn rows(&self) -> Vec<Row<'_>> {
+        with_list!(self, list => list.items.rows())
+    }
+
+    /// The energy balance of a path, where it is finite.
+    pub fn balance(&self) -> Option<&Balance> {
+        match self {
+            Output::Path(path) => path.balance.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// What has a promise of its own, by its key.
+    pub fn exceptions(&self) -> Vec<(&'static str, Promise)> {
+        match self {
+            Output::Path(LoadingPath { energy: Some(promise), balance, .. }) => {
+                let balance = balance.as_ref().map(|_| ("balance", *promise));
+                std::iter::once(("path.dissipated", *promise)).chain(balance).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Every number changed by `f`, with another promise.
+    #[cfg(feature = "mp")]
+    pub(crate) fn map_values(self, promise: Promise, mut f: impl FnMut(Value) -> Value) -> Self {
+        fn list<T: Numbers<Number, With<Number> = T>>(
+            list: List<T>,
+            promise: Promise,
+            f: &mut dyn FnMut(Value) -> Value,
+        ) -> List<T> {
+            List { promise, ..list.map(|items| items.map_values(f)) }
+        }
+        let f: &mut dyn FnMut(Value) -> Value = &mut f;
+        match self {
+            Output::Transform(items) => Output::Transform(list(items, promise, f)),
+            Output::Equilibria(items) => Output::Equilibria(list(items, promise, f)),
+            Output::Folds(items) => Output::Folds(list(items, promise, f)),
+            Output::Path(LoadingPath { events, balance, .. }) => Output::Path(LoadingPath {
+                events: list(events, promise, f),
+                balance: balance.map_values(f),
+                energy: None,
+            }),
+            Output::Curve(items) => Output::Curve(list(items, promise, f)),
+            Output::Field(field, items) => Output::Field(field, list(items, promise, f)),
+            Output::Energy(items) => Output::Energy(list(items, promise, f)),
+        }
+    }
+}
+
+/// The answer to a scene.
+///
+/// ```
+/// use mdr::prelude::*;
+/// let scene = Scene::new(Shape::Paraboloid { radius: "0.01" }, Elasticity::effective("1e6")?, "0.05")?
+///     .control(Control::Force)
+///     .want(Want::Folds { range: None })
+///     .arithmetic(Arithmetic::Double);
+/// let answer = scene.solve()?;
+/// let pull_off = answer.folds().expect("wanted").items[0].force.to_f64().expect("a number");
+/// assert!((pull_off / (-1.5 * std::f64::consts::PI * 0.05 * 0.01) - 1.0).abs() < 1e-14, "JKR: −3/2 π w R");
+/// # Ok::<(), mdr::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// In which it was asked for.
+    pub arithmetic: Arithmetic,
+    /// The name of the profile.
+    pub profile: &'static str,
+    /// What is controlled; none where nothing is.
+    pub control: Option<ControlKind>,
+    /// How the scene was read, where that may surprise.
+    pub notes: Vec<String>,
+    /// In the order of the scene.
+    pub outputs: Vec<Output>,
+    /// How it was decided which states are admissible, where there are states.
+    pub admissibility: Option<Basis>,
+    /// What each output cost.
+    pub costs: Vec<Cost>,
+}
+
+/// An accessor for each output, by its kind; none where it was not wanted.
+macro_rules! accessors {
+    ($($(#[$doc:meta])* $name:ident: $type:ty = $pattern:pat => $value:expr;)*) => {
+        impl Answer {
+            $($(#[$doc])*
+            pub fn $name(&self) -> Option<&$type> {
+                self.outputs.iter().find_map(|output| match output {
+                    $pattern => Some($value),
+                    _ => None,
+                })
+            })*
+        }
+    };
+}
+
+accessors! {
+    /// The transformed profile, where it is wanted.
+    transform: List<TransformSample> = Output::Transform(list) => list;
+    /// The equilibria at the values of the scene, where they are wanted.
+    equilibria: List<AtValue<Equilibrium>> = Output::Equilibria(list) => list;
+    /// The folds, where they are wanted.
+    folds: List<Fold> = Output::Folds(list) => list;
+    /// The loading path, where it is wanted.
+    path: LoadingPath = Output::Path(path) => path;
+    /// The curve of equilibria, where it is wanted.
+    curve: List<CurvePoint> = Output::Curve(list) => list;
+    /// The pressure of states, where it is wanted.
+    pressure: List<AtValue<FieldState>> = Output::Field(Field::Pressure, list) => list;
+    /// The gap of states, where it is wanted.
+    gap: List<AtValue<FieldState>> = Output::Field(Field::Gap, list) => list;
+    /// The surface displacement of states, where it is wanted.
+    displacement: List<AtValue<FieldState>> = Output::Field(Field::Displacement, list) => list;
+    /// Energy and stiffness of states, where they are wanted.
+    energy: List<AtValue<EnergyState>> = Output::Energy(list) => list;
+}
+
+impl Answer {
+    /// The output that answers a want.
+    pub fn output(&self, want: &Want) -> Option<&Output> {
+        self.outputs.iter().find(|output| output.kind() == want.kind())
+    }
+
+    /// The promise that was asked for.
+    pub fn promise(&self) -> Promise {
+        match self.arithmetic {
+            Arithmetic::Certified { .. } => Promise::Certified,
+            Arithmetic::Double => Promise::Double,
+        }
+    }
+}
+
+/// How admissibility was decided, in words.
+pub fn described(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Bound => {
+            "every state is, by the form of the profile: its g falls nowhere, so that no gap closes outside of a contact"
+        }
+        Basis::Searched => {
+            "decided in f64 from the extrema of g, which were searched and resolved, and from the gap wherever g is below the \
+             indentation"
+        }
+        Basis::Doubtful => {
+            "decided in f64; the extrema of g were not resolved everywhere: an overlap that is found is one, and where none is \
+             found it is not known"
+        }
+    }
+}

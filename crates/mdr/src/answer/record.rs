@@ -1,0 +1,345 @@
+//! Records: structures of numbers in one arithmetic, declared once, from which all views of an answer are made.
+//!
+//! The same record holds enclosures while digits are being decided and [`Number`]s in an answer. Every view, JSON, tables, CSV
+//! and other languages, walks its [`Row`].
+
+use mdr_core::contact::{FoldKind, Stability, Status};
+use mdr_core::number::Literal;
+use mdr_numeric::path::EventKind;
+
+use super::types::{Admission, CurveStability, Dissipation};
+use super::value::{Number, Value};
+
+/// What stands under one key of a record.
+#[derive(Debug)]
+pub enum Cell<'a, N = Number> {
+    /// A number, or why there is none.
+    Value(&'a Value<N>),
+    /// Why it is not known whether a state is stable.
+    UnknownStability(&'a Value<Stability>),
+    /// An input, as it was written.
+    Literal(&'a Literal),
+    /// Yes or no.
+    Flag(bool),
+    /// A word: the kind of a fold or of an event.
+    Word(&'static str),
+    /// Nothing, and nothing is expected.
+    Absent,
+    /// Records below this one.
+    Rows(Vec<Row<'a, N>>),
+}
+
+impl<N> Cell<'_, N> {
+    fn status(&self) -> Status {
+        match self {
+            Cell::Value(value) => value.status(),
+            Cell::UnknownStability(value) => value.status(),
+            _ => Status::Ok,
+        }
+    }
+
+    fn why(&self) -> Option<&str> {
+        match self {
+            Cell::Value(value) => value.why(),
+            Cell::UnknownStability(value) => value.why(),
+            _ => None,
+        }
+    }
+}
+
+/// A record as a list of named cells in the order in which they are printed.
+#[derive(Debug)]
+pub struct Row<'a, N = Number> {
+    /// The cells with their keys.
+    pub cells: Vec<(&'static str, Cell<'a, N>)>,
+    /// Whether the state of the record is admissible: none where it has no state, `Some(None)` where that is not known.
+    pub admissible: Option<Option<bool>>,
+    mark: Option<Status>,
+    why: Option<&'a str>,
+    doubt: Option<&'static str>,
+}
+
+impl<'a, N> Row<'a, N> {
+    pub(crate) fn new() -> Self {
+        Row { cells: Vec::new(), admissible: None, mark: None, why: None, doubt: None }
+    }
+
+    pub(crate) fn with(mut self, key: &'static str, part: &'a impl Part<N>) -> Self {
+        part.put(key, &mut self);
+        self
+    }
+
+    /// The same with a status that its numbers do not tell, and the reason of it.
+    pub(crate) fn marked(self, status: Option<Status>, why: Option<&'a str>) -> Self {
+        Row { mark: status.or(self.mark), why: why.or(self.why), ..self }
+    }
+
+    /// The status of the record itself, else that of its first number without a value, else `ok`.
+    pub fn status(&self) -> Status {
+        let of_cells = || self.cells.iter().map(|(_, cell)| cell.status()).find(|status| *status != Status::Ok);
+        self.mark.or_else(of_cells).unwrap_or(Status::Ok)
+    }
+
+    /// Why the status is not `ok`, in words.
+    pub fn why(&self) -> Option<String> {
+        let of_cell = || self.cells.iter().find_map(|(_, cell)| cell.why());
+        let doubt = || self.doubt.map(|why| format!("whether it is admissible is not known: {why}"));
+        self.why.or_else(of_cell).map(str::to_owned).or_else(doubt)
+    }
+
+    /// Whether a number in it is undecided, or the record as a whole.
+    pub(crate) fn is_open(&self) -> bool {
+        let open = |(_, cell): &(_, Cell<'_, N>)| match cell {
+            Cell::Rows(rows) => rows.iter().any(Row::is_open),
+            cell => cell.status() == Status::Undecided,
+        };
+        self.why.is_some() && self.mark == Some(Status::Undecided) || self.cells.iter().any(open)
+    }
+}
+
+/// Numbers in a fixed structure: a record, or a list of records.
+pub(crate) trait Numbers<N>: Sized {
+    /// The same with numbers of another arithmetic.
+    type With<M>: Numbers<M>;
+
+    /// The key of a list of such records at a value.
+    const KEY: &'static str = "states";
+
+    /// Every number changed by `f`, in the order of the rows.
+    fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M>;
+
+    /// A row for each record.
+    fn rows(&self) -> Vec<Row<'_, N>>;
+
+    /// Every result changed by `f`.
+    fn convert<M>(self, mut f: impl FnMut(N) -> M) -> Self::With<M> {
+        self.map_values(&mut |value| value.and_then(|number| Value::Known(f(number))))
+    }
+}
+
+impl<N, T: Numbers<N>> Numbers<N> for Vec<T> {
+    type With<M> = Vec<T::With<M>>;
+
+    fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
+        self.into_iter().map(|record| record.map_values(f)).collect()
+    }
+
+    fn rows(&self) -> Vec<Row<'_, N>> {
+        self.iter().flat_map(Numbers::rows).collect()
+    }
+}
+
+impl<N, T: Numbers<N>> Numbers<N> for Option<T> {
+    type With<M> = Option<T::With<M>>;
+
+    fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
+        self.map(|record| record.map_values(f))
+    }
+
+    fn rows(&self) -> Vec<Row<'_, N>> {
+        self.iter().flat_map(Numbers::rows).collect()
+    }
+}
+
+/// All values below rows, in their order.
+pub(crate) fn values<'a, N>(rows: &[Row<'a, N>]) -> Vec<&'a Value<N>> {
+    let mut found = Vec::new();
+    for (_, cell) in rows.iter().flat_map(|row| &row.cells) {
+        match cell {
+            Cell::Value(value) => found.push(*value),
+            Cell::Rows(rows) => found.extend(values(rows)),
+            _ => {}
+        }
+    }
+    found
+}
+
+/// A field of a record.
+pub(crate) trait Part<N> {
+    type With<M>;
+
+    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M>;
+
+    /// Adds its cells to a row.
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>);
+}
+
+impl<N> Part<N> for Value<N> {
+    type With<M> = Value<M>;
+
+    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Value<M> {
+        f(self)
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        row.cells.push((key, Cell::Value(self)));
+    }
+}
+
+/// A number that a record may lack; its key is there in any case.
+impl<N> Part<N> for Option<Value<N>> {
+    type With<M> = Option<Value<M>>;
+
+    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
+        self.map(f)
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        row.cells.push((key, self.as_ref().map_or(Cell::Absent, Cell::Value)));
+    }
+}
+
+impl<N> Part<N> for Option<Dissipation<N>> {
+    type With<M> = Option<Dissipation<M>>;
+
+    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
+        self.map(|energy| match energy {
+            Dissipation::Finite(value) => Dissipation::Finite(f(value)),
+            Dissipation::Unbounded => Dissipation::Unbounded,
+        })
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        let cell = match self {
+            None => Cell::Absent,
+            Some(Dissipation::Finite(value)) => Cell::Value(value),
+            Some(Dissipation::Unbounded) => Cell::Word("unbounded"),
+        };
+        row.cells.push((key, cell));
+    }
+}
+
+/// A neutral state is a fold, which is its status.
+impl<N> Part<N> for Stability {
+    type With<M> = Stability;
+
+    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
+        self
+    }
+
+    fn put<'a>(&'a self, _: &'static str, row: &mut Row<'a, N>) {
+        row.cells.push(("stable", Cell::Flag(*self == Stability::Stable)));
+        if *self == Stability::Neutral {
+            row.mark = Some(Status::Fold);
+        }
+    }
+}
+
+impl<N> Part<N> for CurveStability {
+    type With<M> = CurveStability;
+
+    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
+        self
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        match &self.0 {
+            Value::Known(stability) => stability.put(key, row),
+            unknown => row.cells.push(("stable", Cell::UnknownStability(unknown))),
+        }
+    }
+}
+
+impl<N> Part<N> for Literal {
+    type With<M> = Literal;
+
+    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
+        self
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        row.cells.push((key, Cell::Literal(self)));
+    }
+}
+
+/// What has a name and no number.
+macro_rules! words {
+    ($($type:ty),*) => {$(
+        impl<N> Part<N> for $type {
+            type With<M> = Self;
+
+            fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
+                self
+            }
+
+            fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+                row.cells.push((key, Cell::Word(self.name())));
+            }
+        }
+    )*};
+}
+
+words!(FoldKind, EventKind);
+
+/// A state in which the surfaces would overlap has the place where they do, and that as its status.
+impl<N> Part<N> for Admission<N> {
+    type With<M> = Admission<M>;
+
+    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
+        match self {
+            Admission::Admissible => Admission::Admissible,
+            Admission::Unknown { why } => Admission::Unknown { why },
+            Admission::Interpenetrating { at, why } => {
+                Admission::Interpenetrating { at: at.map(|overlap| overlap.map_values(f)), why }
+            }
+        }
+    }
+
+    fn put<'a>(&'a self, _: &'static str, row: &mut Row<'a, N>) {
+        row.admissible = Some(match self {
+            Admission::Admissible => Some(true),
+            Admission::Unknown { why } => {
+                row.doubt = Some(why);
+                None
+            }
+            Admission::Interpenetrating { at, why } => {
+                row.cells.push(("interpenetration", Cell::Rows(at.rows())));
+                (row.mark, row.why) = (Some(Status::NotAdmissible), why.as_deref().or(row.why));
+                Some(false)
+            }
+        });
+    }
+}
+
+/// Where a record has no state to be judged.
+impl<N> Part<N> for Option<Admission<N>> {
+    type With<M> = Option<Admission<M>>;
+
+    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
+        self.map(|admission| admission.map_part(f))
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        if let Some(admission) = self {
+            admission.put(key, row);
+        }
+    }
+}
+
+/// Declares a record: a structure whose fields are [`Part`]s, with their names as keys.
+macro_rules! record {
+    ($($(#[$meta:meta])* $name:ident $(in $key:literal)? { $($(#[$doc:meta])* $field:ident: $type:ty,)* })*) => {$(
+        $(#[$meta])*
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct $name<N = Number> {
+            $($(#[$doc])* pub $field: $type,)*
+        }
+
+        impl<N> Numbers<N> for $name<N> {
+            type With<M> = $name<M>;
+            $(const KEY: &'static str = $key;)?
+
+            fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> $name<M> {
+                $name { $($field: self.$field.map_part(f),)* }
+            }
+
+            fn rows(&self) -> Vec<Row<'_, N>> {
+                let row = Row::new();
+                $(let row = row.with(stringify!($field), &self.$field);)*
+                vec![row]
+            }
+        }
+    )*};
+}
+
+pub(crate) use record;

@@ -1,0 +1,198 @@
+//! A number of an answer, with its promise, or the reason why there is none.
+
+use std::fmt;
+
+use mdr_core::contact::{Error, Result, Status};
+use mdr_core::number::{Decimal, Literal};
+
+/// How far a number can be trusted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Promise {
+    /// Hardware arithmetic: accurate to some roundings times the condition of the question; nothing is proved.
+    Double,
+    /// Two working precisions agree on every printed digit; the error is estimated, not proved.
+    Estimated,
+    /// Every printed digit is proved, and the last is correctly rounded.
+    Certified,
+}
+
+impl Promise {
+    /// As answers name it: `f64`, `mp`, `certified`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Promise::Double => "f64",
+            Promise::Estimated => "mp",
+            Promise::Certified => "certified",
+        }
+    }
+}
+
+/// A result in its arithmetic.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Number {
+    /// Correctly rounded; every digit is proved.
+    Certified(Decimal),
+    /// Two precisions agree on these digits.
+    Estimated(Decimal),
+    /// A double.
+    Double(f64),
+}
+
+impl Number {
+    /// How far it can be trusted.
+    pub fn promise(&self) -> Promise {
+        match self {
+            Number::Certified(_) => Promise::Certified,
+            Number::Estimated(_) => Promise::Estimated,
+            Number::Double(_) => Promise::Double,
+        }
+    }
+
+    /// The nearest double; ±∞ and ±0 beyond the range of f64.
+    pub fn to_f64(&self) -> f64 {
+        match self {
+            Number::Certified(decimal) | Number::Estimated(decimal) => decimal.to_f64(),
+            Number::Double(value) => *value,
+        }
+    }
+}
+
+/// Every digit that is known; a double so that it reads back as itself.
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Number::Certified(decimal) | Number::Estimated(decimal) => decimal.fmt(f),
+            Number::Double(value) if *value == 0.0 || (1e-6..1e16).contains(&value.abs()) => write!(f, "{value}"),
+            Number::Double(value) => write!(f, "{value:e}"),
+        }
+    }
+}
+
+/// A number, or the reason why there is none. It is never replaced by 0, NaN or infinity.
+///
+/// `N` is the type of its arithmetic: [`Number`] in an answer, an enclosure while its digits are being decided.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value<N = Number> {
+    /// A result.
+    Known(N),
+    /// A number exactly as it was written, in the scene or as a short decimal chosen by the program.
+    Given(Literal),
+    /// No number.
+    Unknown {
+        /// What is wrong.
+        status: Status,
+        /// log₁₀ of the magnitude, where that is known: of an overflow or underflow.
+        log10: Option<f64>,
+        /// The reason in words.
+        why: Option<String>,
+    },
+}
+
+impl<N> Value<N> {
+    /// A result that may be out of range or out of its domain.
+    ///
+    /// # Errors
+    /// What concerns the whole computation and not this number.
+    pub(crate) fn from_result(result: Result<N>) -> Result<Self> {
+        Ok(match result {
+            Ok(value) => Value::Known(value),
+            Err(Error::OutOfRange { log10, .. }) => Value::out_of_range(log10),
+            Err(error @ Error::Domain { .. }) => Value::unknown(Status::DomainError, error.to_string()),
+            Err(error @ Error::NoConvergence { .. }) => Value::unknown(Status::Undecided, error.to_string()),
+            Err(error) => return Err(error),
+        })
+    }
+
+    /// A number that no double holds, by its logarithm.
+    pub(crate) fn out_of_range(log10: f64) -> Self {
+        let status = if log10 > 0.0 { Status::Overflow } else { Status::Underflow };
+        Value::Unknown { status, log10: Some(log10), why: None }
+    }
+
+    /// No number, for a reason in words.
+    pub(crate) fn unknown(status: Status, why: impl Into<String>) -> Self {
+        Value::Unknown { status, log10: None, why: Some(why.into()) }
+    }
+
+    /// `ok` where there is a number.
+    pub fn status(&self) -> Status {
+        match self {
+            Value::Unknown { status, .. } => *status,
+            _ => Status::Ok,
+        }
+    }
+
+    /// log₁₀ of the magnitude of a number that is out of range.
+    pub fn log10(&self) -> Option<f64> {
+        match self {
+            Value::Unknown { log10, .. } => *log10,
+            _ => None,
+        }
+    }
+
+    /// Why there is no number.
+    pub fn why(&self) -> Option<&str> {
+        match self {
+            Value::Unknown { why, .. } => why.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// The same in another arithmetic, where a number may turn out to be unknown.
+    pub(crate) fn and_then<M>(self, f: impl FnOnce(N) -> Value<M>) -> Value<M> {
+        match self {
+            Value::Known(number) => f(number),
+            Value::Given(literal) => Value::Given(literal),
+            Value::Unknown { status, log10, why } => Value::Unknown { status, log10, why },
+        }
+    }
+}
+
+impl Value {
+    /// The result; none where it is unknown or was given.
+    pub fn number(&self) -> Option<&Number> {
+        match self {
+            Value::Known(number) => Some(number),
+            _ => None,
+        }
+    }
+
+    /// The nearest double; none where there is no number, or none within the range of f64.
+    ///
+    /// ```
+    /// use mdr::answer::{Number, Value};
+    /// assert_eq!(Value::Known(Number::Double(-0.25)).to_f64(), Some(-0.25));
+    /// assert_eq!(Value::<Number>::Given("1/4".parse()?).to_f64(), Some(0.25));
+    /// # Ok::<(), mdr_core::number::LiteralError>(())
+    /// ```
+    pub fn to_f64(&self) -> Option<f64> {
+        let (nearest, is_zero) = match self {
+            Value::Known(number @ (Number::Certified(decimal) | Number::Estimated(decimal))) => {
+                (number.to_f64(), decimal.is_zero())
+            }
+            Value::Known(Number::Double(value)) => (*value, true),
+            Value::Given(literal) => (literal.nearest_f64(), literal.is_zero()),
+            Value::Unknown { .. } => return None,
+        };
+        (nearest.is_finite() && (nearest != 0.0 || is_zero)).then_some(nearest)
+    }
+
+    /// How far the number can be trusted; none where there is none, or where it was given.
+    pub fn promise(&self) -> Option<Promise> {
+        self.number().map(Number::promise)
+    }
+}
+
+/// The number with all its digits, else what is known: `overflow: about 10^400.2`, or the status.
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Value::Known(number) => number.fmt(f),
+            Value::Given(literal) => literal.fmt(f),
+            Value::Unknown { status, log10: Some(log10), .. } if log10.is_finite() => {
+                write!(f, "{status}: about 10^{log10:.6}")
+            }
+            Value::Unknown { status, .. } => status.fmt(f),
+        }
+    }
+}

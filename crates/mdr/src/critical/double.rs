@@ -1,0 +1,180 @@
+//! The critical state in f64.
+
+use mdr_analytic::double;
+use mdr_core::contact::{Control, Elasticity, Error, Instability, Material, Quantity, Ranged, Regime, Result, Status};
+use mdr_core::number::Literal;
+
+use super::{CriticalAnswer, CriticalFold, CriticalState, PowerLaw, Threshold, first_trouble, out_of_doubles};
+use crate::answer::{Number, Value};
+use crate::scene::Arithmetic;
+
+pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
+    let n = in_range(Quantity::Exponent, &law.n)?;
+    let c = in_range(Quantity::Coefficient, &law.c)?;
+    let e_star = effective_modulus(law)?;
+    let material = Material::new(e_star, in_range(Quantity::WorkOfAdhesion, &law.work_of_adhesion)?)?;
+    let control = law.control.try_map(|stiffness| {
+        Error::require_positive(Quantity::Stiffness, in_range(Quantity::Stiffness, stiffness)?)
+    })?;
+    let regime = match n {
+        0.5 => Regime::ScaleFree,
+        _ if n > 0.5 => Regime::PullOff,
+        _ => Regime::CompleteContact,
+    };
+    let folds: Option<Vec<CriticalFold>> = match control {
+        Control::Machine { stiffness } => Some(match double::machine_folds(n, c, &material, stiffness) {
+            Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?.1,
+            folds => folds?.into_iter().map(fold).collect(),
+        }),
+        _ => None,
+    };
+    let state = match &folds {
+        Some(folds) => {
+            let first = if regime == Regime::PullOff { folds.last() } else { folds.first() };
+            first.map(|fold| fold.state.clone())
+        }
+        None if regime == Regime::ScaleFree => None,
+        None => match double::critical(n, c, &material, &control) {
+            Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?.0,
+            critical => {
+                let critical = critical?;
+                Some(CriticalState::new([critical.contact_radius, critical.indentation, critical.force], ranged))
+            }
+        },
+    };
+    let threshold = match regime {
+        Regime::ScaleFree => {
+            let [c, ratio] = [double::threshold(&material, &control)?, ratio(c, &material, &control)?].map(ranged);
+            Some(Threshold { c, ratio })
+        }
+        _ => None,
+    };
+    let trouble = [
+        state.as_ref().map(CriticalState::status),
+        threshold.as_ref().map(|threshold| first_trouble([&threshold.c, &threshold.ratio])),
+    ];
+    let known = |value: f64| Value::Known(Number::Double(value));
+    Ok(CriticalAnswer {
+        arithmetic: Arithmetic::Double,
+        law: law.clone(),
+        regime,
+        inputs: law.inputs(|literal| known(literal.nearest_f64()), || known(e_star)),
+        kappa: Number::Double(double::kappa(n)?),
+        status: trouble.into_iter().flatten().find(|status| *status != Status::Ok).unwrap_or(Status::Ok),
+        state,
+        threshold,
+        folds,
+    })
+}
+
+/// What takes more words than hardware arithmetic has, or exponents beyond theirs, takes digits.
+#[cfg(feature = "mp")]
+fn in_digits(
+    _: Error,
+    n: f64,
+    c: f64,
+    material: &Material<f64>,
+    control: &Control<f64>,
+) -> Result<(Option<CriticalState>, Vec<CriticalFold>)> {
+    use mdr_analytic::certified::Question;
+    /// Digits that fix the nearest double.
+    const ENOUGH: u32 = 40;
+    let literal = |value: &f64| {
+        let exact = rug::Rational::from_f64(*value).as_ref().and_then(crate::scene::exactly);
+        exact.ok_or_else(|| Error::domain(Quantity::Parameter("an input"), value, "a number"))
+    };
+    let elasticity = Elasticity::Effective(literal(material.effective_modulus())?);
+    let work = literal(material.work_of_adhesion())?;
+    let control = control.try_map(literal)?;
+    let answer = Question::new(&literal(&n)?, &literal(&c)?, &elasticity, &work, &control)?.answer(ENOUGH)?;
+    let state =
+        answer.critical.map(|c| CriticalState::new([c.contact_radius, c.indentation, c.force], rounded));
+    let fold = |fold: Instability<_>| CriticalFold {
+        state: CriticalState::new([fold.contact_radius, fold.indentation, fold.force], rounded),
+        kind: fold.kind,
+    };
+    Ok((state, answer.folds.into_iter().map(fold).collect()))
+}
+
+/// Without certified digits it stays undecided.
+#[cfg(not(feature = "mp"))]
+fn in_digits(
+    error: Error,
+    _: f64,
+    _: f64,
+    _: &Material<f64>,
+    _: &Control<f64>,
+) -> Result<(Option<CriticalState>, Vec<CriticalFold>)> {
+    Err(error)
+}
+
+/// C over the threshold of (1.19): ρ, or a third of it under a dead load.
+fn ratio(c: f64, material: &Material<f64>, control: &Control<f64>) -> Result<Ranged<f64>> {
+    Ok(match (control, double::ratio(c, material)?) {
+        (Control::Force, Ranged::Value(ratio)) => Ranged::Value(ratio / 3.0),
+        (_, ratio) => ratio,
+    })
+}
+
+/// The double nearest to an input.
+fn in_range(quantity: Quantity, literal: &Literal) -> Result<f64> {
+    representable(literal.nearest_f64()).ok_or_else(|| out_of_doubles(quantity, literal))
+}
+
+/// The double nearest to E*, derived exactly when two bodies are given.
+#[cfg(feature = "mp")]
+fn effective_modulus(law: &PowerLaw) -> Result<f64> {
+    use mdr_core::number::certify::Enclosure;
+    let Elasticity::Bodies(bodies) = &law.elasticity else { return given_modulus(law) };
+    let exact = law.question()?.effective_modulus().clone();
+    let nearest = Enclosure::Exact(exact).round(40).map_or(f64::NAN, |decimal| decimal.to_f64());
+    representable(nearest).ok_or_else(|| out_of_doubles(Quantity::YoungsModulus, &bodies[0].youngs_modulus))
+}
+
+#[cfg(not(feature = "mp"))]
+fn effective_modulus(law: &PowerLaw) -> Result<f64> {
+    let Elasticity::Bodies(bodies) = &law.elasticity else { return given_modulus(law) };
+    let body = |body: &mdr_core::contact::Body<Literal>| {
+        let modulus = in_range(Quantity::YoungsModulus, &body.youngs_modulus)?;
+        mdr_core::contact::Body::new(modulus, body.poissons_ratio.nearest_f64())
+    };
+    let material = Material::from_bodies(&body(&bodies[0])?, &body(&bodies[1])?, 1.0)?;
+    Ok(*material.effective_modulus())
+}
+
+fn given_modulus(law: &PowerLaw) -> Result<f64> {
+    match &law.elasticity {
+        Elasticity::Effective(e_star) => in_range(Quantity::EffectiveModulus, e_star),
+        Elasticity::Bodies(_) => Ok(f64::NAN),
+    }
+}
+
+fn representable(value: f64) -> Option<f64> {
+    (value.is_finite() && value != 0.0).then_some(value)
+}
+
+fn ranged(value: Ranged<f64>) -> Value {
+    match value {
+        Ranged::Value(value) => Value::Known(Number::Double(value)),
+        Ranged::Overflow { log10 } | Ranged::Underflow { log10 } => {
+            Value::Unknown { status: value.status(), log10: Some(log10), why: None }
+        }
+    }
+}
+
+/// The double nearest to a decimal.
+#[cfg(feature = "mp")]
+fn rounded(decimal: mdr_core::number::Decimal) -> Value {
+    match representable(decimal.to_f64()) {
+        None if decimal.is_zero() => Value::Known(Number::Double(0.0)),
+        None => Value::out_of_range(decimal.log10_f64()),
+        Some(value) => Value::Known(Number::Double(value)),
+    }
+}
+
+fn fold(fold: Instability<Ranged<f64>>) -> CriticalFold {
+    CriticalFold {
+        state: CriticalState::new([fold.contact_radius, fold.indentation, fold.force], ranged),
+        kind: fold.kind,
+    }
+}

@@ -1,0 +1,217 @@
+//! The critical state of a power-law contact, f = C rⁿ.
+
+mod double;
+#[cfg(feature = "serde")]
+mod json;
+
+use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Quantity, Regime, Status};
+use mdr_core::number::Literal;
+
+use crate::answer::{Number, Value};
+use crate::error::Result;
+use crate::scene::Arithmetic;
+
+/// A power law f = C rⁿ in contact, exactly as given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PowerLaw {
+    /// n > 0.
+    pub n: Literal,
+    /// C > 0, in m^(1−n).
+    pub c: Literal,
+    /// E*, or two bodies.
+    pub elasticity: Elasticity,
+    /// w > 0, in J/m².
+    pub work_of_adhesion: Literal,
+    /// What is controlled; the stiffness of a machine in N/m.
+    pub control: Control<Literal>,
+}
+
+/// Radius, depth and force of a critical state, in SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CriticalState {
+    /// a.
+    pub contact_radius: Value,
+    /// d.
+    pub indentation: Value,
+    /// F.
+    pub force: Value,
+}
+
+/// A fold of the position of a machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CriticalFold {
+    /// The state there.
+    pub state: CriticalState,
+    /// Of the controlled quantity, as a function of the contact radius.
+    pub kind: FoldKind,
+}
+
+/// What decides at n = 1/2.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Threshold {
+    /// The C of (1.19) under this control.
+    pub c: Value,
+    /// C over it.
+    pub ratio: Value,
+}
+
+/// The inputs in the arithmetic of the answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inputs {
+    /// n.
+    pub n: Value,
+    /// C.
+    pub c: Value,
+    /// E and ν of each body, where two were given.
+    pub bodies: Option<[[Value; 2]; 2]>,
+    /// E*, as given or of the two bodies.
+    pub e_star: Value,
+    /// w.
+    pub work: Value,
+    /// k of a machine.
+    pub stiffness: Option<Value>,
+}
+
+/// The critical state of a power law, or what takes its place at n = 1/2.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CriticalAnswer {
+    /// In which it was asked for.
+    pub arithmetic: Arithmetic,
+    /// What was asked.
+    pub law: PowerLaw,
+    /// Pull-off above n = 1/2, complete contact below.
+    pub regime: Regime,
+    /// The inputs as numbers.
+    pub inputs: Inputs,
+    /// κ_n of (1.12).
+    pub kappa: Number,
+    /// Of the first number of the state that is out of range, else ok.
+    pub status: Status,
+    /// The critical state; none where there is none.
+    pub state: Option<CriticalState>,
+    /// At n = 1/2.
+    pub threshold: Option<Threshold>,
+    /// On a machine: all folds, by increasing radius.
+    pub folds: Option<Vec<CriticalFold>>,
+}
+
+impl CriticalState {
+    fn new<N>([contact_radius, indentation, force]: [N; 3], value: impl Fn(N) -> Value) -> Self {
+        CriticalState {
+            contact_radius: value(contact_radius),
+            indentation: value(indentation),
+            force: value(force),
+        }
+    }
+
+    /// Its quantities, in the order of a, d and F.
+    pub fn values(&self) -> [&Value; 3] {
+        [&self.contact_radius, &self.indentation, &self.force]
+    }
+
+    /// That of the first quantity that is out of range, else ok.
+    pub fn status(&self) -> Status {
+        first_trouble(self.values())
+    }
+}
+
+fn first_trouble<const K: usize>(values: [&Value; K]) -> Status {
+    values.map(Value::status).into_iter().find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
+}
+
+/// The critical state of a power law: (1.15), (1.17) and their kin under a dead load and on a machine.
+///
+/// ```
+/// use mdr::critical::{PowerLaw, critical};
+/// use mdr::prelude::*;
+/// // n = 1/2: nothing but C decides, against the threshold 0.7628 √(w/E*) of the paper.
+/// let [n, c, work] = ["1/2", "1e-3", "0.05"].map(|text| text.parse().unwrap());
+/// let elasticity = Elasticity::effective("1e6")?;
+/// let law = PowerLaw { n, c, elasticity, work_of_adhesion: work, control: Control::Indentation };
+/// let answer = critical(&law, Arithmetic::Double)?;
+/// assert!(answer.state.is_none() && answer.threshold.is_some());
+/// # Ok::<(), mdr::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Domain`] for an input out of its domain, and in f64 out of its range.
+pub fn critical(law: &PowerLaw, arithmetic: Arithmetic) -> Result<CriticalAnswer> {
+    match arithmetic {
+        Arithmetic::Double => Ok(double::answer(law)?),
+        #[cfg(feature = "mp")]
+        Arithmetic::Certified { digits } => Ok(certified(law, digits)?),
+        #[cfg(not(feature = "mp"))]
+        Arithmetic::Certified { .. } => Err(crate::Error::NeedsMp { what: "an answer in certified digits" }),
+    }
+}
+
+impl PowerLaw {
+    /// The exact question.
+    #[cfg(feature = "mp")]
+    fn question(&self) -> mdr_core::contact::Result<mdr_analytic::certified::Question> {
+        mdr_analytic::certified::Question::new(
+            &self.n,
+            &self.c,
+            &self.elasticity,
+            &self.work_of_adhesion,
+            &self.control,
+        )
+    }
+
+    fn inputs(&self, number: impl Fn(&Literal) -> Value, derived: impl FnOnce() -> Value) -> Inputs {
+        let (bodies, e_star) = match &self.elasticity {
+            Elasticity::Effective(e_star) => (None, number(e_star)),
+            Elasticity::Bodies(bodies) => {
+                let of = |body: &mdr_core::contact::Body<Literal>| {
+                    [number(&body.youngs_modulus), number(&body.poissons_ratio)]
+                };
+                (Some(bodies.as_ref().each_ref().map(of)), derived())
+            }
+        };
+        let stiffness = match &self.control {
+            Control::Machine { stiffness } => Some(number(stiffness)),
+            _ => None,
+        };
+        Inputs { n: number(&self.n), c: number(&self.c), bodies, e_star, work: number(&self.work_of_adhesion), stiffness }
+    }
+}
+
+#[cfg(feature = "mp")]
+fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalAnswer> {
+    use mdr_core::number::Decimal;
+    use mdr_core::number::certify::Enclosure;
+    let question = law.question()?;
+    let answer = question.answer(digits)?;
+    let known = |decimal: Decimal| Value::Known(Number::Certified(decimal));
+    let e_star = || match Enclosure::Exact(question.effective_modulus().clone()).round(digits) {
+        Some(decimal) => known(decimal),
+        None => Value::unknown(Status::Undecided, "E* of the two bodies"),
+    };
+    let is_machine = matches!(law.control, Control::Machine { .. });
+    let fold = |fold: mdr_core::contact::Instability<Decimal>| CriticalFold {
+        state: CriticalState::new([fold.contact_radius, fold.indentation, fold.force], known),
+        kind: fold.kind,
+    };
+    Ok(CriticalAnswer {
+        arithmetic: Arithmetic::Certified { digits },
+        law: law.clone(),
+        regime: answer.regime,
+        inputs: law.inputs(|literal| Value::Given(literal.clone()), e_star),
+        kappa: Number::Certified(answer.kappa),
+        status: Status::Ok,
+        state: answer.critical.map(|critical| {
+            CriticalState::new([critical.contact_radius, critical.indentation, critical.force], known)
+        }),
+        threshold: answer
+            .threshold
+            .zip(answer.ratio)
+            .map(|(threshold, ratio)| Threshold { c: known(threshold), ratio: known(ratio) }),
+        folds: is_machine.then(|| answer.folds.into_iter().map(fold).collect()),
+    })
+}
+
+/// An input that no double holds.
+fn out_of_doubles(quantity: Quantity, value: impl ToString) -> Error {
+    let requirement = "within the range of f64, or asked for in certified digits";
+    Error::Domain { quantity, value: value.to_string(), requirement }
+}

@@ -1,0 +1,275 @@
+//! What is drawn of a scene: its equilibria as polylines, its folds, and the events of its path, in f64 and SI units, for any canvas.
+
+mod sampling;
+
+use mdr_core::contact::{self, Control, Equilibrium, Instability, Stability};
+use mdr_numeric::branch::Branched;
+use mdr_numeric::curve::Curve;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::folds::Completeness;
+use mdr_numeric::path::{self, EventKind, State};
+
+pub use sampling::{Sample, samples};
+
+use crate::error::Result;
+use crate::scene::Scene;
+use crate::solve;
+
+/// A state in the planes of the pictures: contact radius, indentation depth, force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// a.
+    pub contact_radius: f64,
+    /// d.
+    pub indentation: f64,
+    /// F.
+    pub force: f64,
+}
+
+/// The curve of equilibria between two folds.
+#[derive(Clone, Debug)]
+pub struct Branch {
+    /// Whether its states are stable.
+    pub stable: bool,
+    /// By increasing contact radius.
+    pub samples: Vec<Sample>,
+}
+
+/// Something that happens on a path.
+#[derive(Clone, Copy, Debug)]
+pub struct Event {
+    /// What happens.
+    pub kind: EventKind,
+    /// The controlled quantity.
+    pub value: f64,
+    /// Where it begins and where it ends; detached is a = F = 0, and none where the surfaces touch everywhere.
+    pub before: Option<Spot>,
+    /// Likewise.
+    pub after: Option<Spot>,
+}
+
+/// The diagram (g − d, Δl) while the controlled quantity is held.
+#[derive(Clone, Debug)]
+pub struct HeldCurve {
+    /// The controlled quantity.
+    pub value: f64,
+    /// Radius and g(a) − d, with the d that the control holds there.
+    pub shifted: Vec<[f64; 2]>,
+    /// The equilibria.
+    pub equilibria: Vec<Equilibrium<f64>>,
+}
+
+/// All that is drawn of a scene.
+#[derive(Clone, Debug)]
+pub struct Diagram {
+    /// What is controlled.
+    pub control: Control<f64>,
+    /// By increasing radius; neighbours share the point of their fold.
+    pub branches: Vec<Branch>,
+    /// Where the contact rests at a wall: from the first state on, along a straight line.
+    pub wall: Option<[Spot; 2]>,
+    /// The folds within the range of radii.
+    pub folds: Vec<Spot>,
+    /// At the values that the scene asks for.
+    pub held: Vec<HeldCurve>,
+    /// The events of its path.
+    pub path: Vec<Event>,
+    /// Whether there may be folds that were not found.
+    pub completeness: Completeness,
+}
+
+/// At how many values of the controlled quantity the upper panel shows g − d.
+const MOST_HELD: usize = 3;
+
+impl Event {
+    /// The state before it, or after it where contact begins; none while the surfaces are apart.
+    pub fn in_contact(&self) -> Option<Spot> {
+        [self.before, self.after].into_iter().flatten().find(|spot| spot.contact_radius > 0.0)
+    }
+}
+
+/// How many octaves from the folds equilibria are drawn.
+const REACH: i64 = 40;
+
+impl Scene {
+    /// What is drawn of the scene: its branches, folds, and the events of its path, in f64.
+    ///
+    /// # Errors
+    /// A number of the scene that no double holds; those of the transform; a path that cannot start.
+    pub fn diagram(&self) -> Result<Diagram> {
+        self.places.require_doubles("a drawing is made in f64")?;
+        if !self.has_material() {
+            return Err(self.places.refuse_profile("a drawing shows equilibria, and needs [material] in the scene"));
+        }
+        solve::drawn(self, REACH, |model, branches| {
+            let events = if self.path.is_empty() { Vec::new() } else { solve::follow(model, branches, self)?.events };
+            let values: Vec<f64> = self.values.iter().map(|literal| model.number(literal)).collect();
+            Diagram::new(branches, &events, &values)
+        })
+    }
+}
+
+impl Diagram {
+    /// The diagram of a contact with the events of its path, if it has one, and its equilibria at some values of the controlled
+    /// quantity.
+    ///
+    /// # Errors
+    /// Those of the transform.
+    pub fn new(
+        branches: &Branches<'_, f64>,
+        events: &[path::Event<f64>],
+        values: &[f64],
+    ) -> contact::Result<Self> {
+        let curve = branches.curve();
+        let path: Vec<_> = events.iter().map(|event| happening(event, curve)).collect();
+        let values = shown_values(branches, &path, values);
+        let mut states = Vec::new();
+        for value in &values {
+            states.push(branches.equilibria(value)?);
+        }
+        let reached = path.iter().flat_map(|event| [event.before, event.after]).flatten();
+        let mut radii: Vec<f64> = reached.map(|spot| spot.contact_radius).filter(|radius| *radius > 0.0).collect();
+        if radii.is_empty() {
+            radii = states.iter().flatten().map(|state| state.contact_radius).collect();
+        }
+        let (lower, upper) = range(branches, radii.into_iter());
+        let folds: Vec<_> =
+            branches.folds().iter().filter(|fold| (lower..=upper).contains(&fold.contact_radius)).collect();
+        let nodes: Vec<_> = folds.iter().map(|fold| fold.contact_radius).collect();
+        let all = samples(curve, lower, upper, &nodes)?;
+        let held = values
+            .iter()
+            .zip(states)
+            .map(|(value, equilibria)| held(curve, &all, *value, equilibria))
+            .collect::<contact::Result<_>>()?;
+        Ok(Diagram {
+            control: curve.control().clone(),
+            branches: cut(branches, &nodes, &all),
+            wall: wall(curve, upper)?,
+            folds: folds.into_iter().filter(|fold| fold.indentation.is_finite()).map(fold_spot).collect(),
+            held,
+            path,
+            completeness: branches.completeness(),
+        })
+    }
+}
+
+/// The values of the upper panel: of the path's beginning and of the instabilities it passes; else those asked for; else
+/// those of the folds.
+fn shown_values(branches: &Branches<'_, f64>, path: &[Event], asked: &[f64]) -> Vec<f64> {
+    let turns = |event: &&Event| match event.kind {
+        EventKind::JumpIn | EventKind::Jump | EventKind::Detached | EventKind::CompleteContact => true,
+        EventKind::Start => event.in_contact().is_some(),
+        _ => false,
+    };
+    let mut values: Vec<f64> = path.iter().filter(turns).map(|event| event.value).collect();
+    if values.is_empty() {
+        values = asked.to_vec();
+    }
+    if values.is_empty() {
+        let value = |fold: &Instability<f64>| branches.control().controlled(&fold.indentation, &fold.force);
+        values = branches.folds().iter().map(value).filter(|value| value.is_finite()).collect();
+    }
+    let mut shown: Vec<f64> = Vec::new();
+    for value in values {
+        if shown.len() < MOST_HELD && !shown.contains(&value) {
+            shown.push(value);
+        }
+    }
+    shown
+}
+
+/// The radii to show: all that are reached, with some room above; without any, those of the folds.
+fn range(branches: &Branches<'_, f64>, reached: impl Iterator<Item = f64>) -> (f64, f64) {
+    const ROOM: f64 = 1.25;
+    let curve = branches.curve();
+    let largest = reached.fold(0.0, f64::max);
+    let folds = || branches.folds().iter().map(|fold| fold.contact_radius);
+    let largest = if largest > 0.0 { largest } else { folds().fold(0.0, f64::max) };
+    let outer = curve.transform().outer_radius();
+    let largest = match (largest > 0.0, outer) {
+        (true, _) => largest,
+        (false, Some(outer)) => outer / 2.0,
+        (false, None) => curve.material_length(),
+    };
+    // At a wall the profile itself ends.
+    let rim = outer.map_or(f64::INFINITY, |outer| if curve.wall().is_some() { outer } else { 0.999 * outer });
+    let upper = (ROOM * largest).min(rim);
+    // A fold at a radius that is too small to be seen on a linear axis makes the axis logarithmic.
+    let smallest = folds().filter(|fold| *fold < upper).fold(upper, f64::min);
+    (if smallest < upper / DECADES { smallest / 10.0 } else { 1e-6 * upper }, upper)
+}
+
+/// The ratio of radii from which on an axis is logarithmic.
+pub const DECADES: f64 = 300.0;
+
+fn held(curve: &Curve<'_, f64>, samples: &[Sample], value: f64, equilibria: Vec<Equilibrium<f64>>) -> contact::Result<HeldCurve> {
+    // The direction of change is g − Δl − d(held).
+    let at = |sample: &Sample| {
+        Ok([sample.contact_radius, curve.direction(&sample.contact_radius, &value)? + sample.elongation])
+    };
+    Ok(HeldCurve { value, shifted: samples.iter().map(at).collect::<contact::Result<_>>()?, equilibria })
+}
+
+/// The samples cut at the folds.
+fn cut(branches: &Branches<'_, f64>, nodes: &[f64], all: &[Sample]) -> Vec<Branch> {
+    let skipped =
+        branches.folds().iter().filter(|fold| nodes.first().is_none_or(|first| fold.contact_radius < *first)).count();
+    let mut parts: Vec<Branch> = Vec::new();
+    let mut rest = all;
+    for (index, node) in nodes.iter().map(Some).chain([None]).enumerate() {
+        let end = node.map_or(rest.len(), |node| rest.partition_point(|sample| sample.contact_radius <= *node));
+        let stable = branches.is_stable(skipped * usize::from(!nodes.is_empty()) + index);
+        parts.push(Branch {
+            stable: stable.unwrap_or_else(|| rising(branches.curve(), rest)),
+            samples: rest[..end].to_vec(),
+        });
+        rest = &rest[end.saturating_sub(1)..];
+    }
+    parts.retain(|branch| branch.samples.len() > 1);
+    parts
+}
+
+/// Whether a curve without folds is stable.
+fn rising(curve: &Curve<'_, f64>, samples: &[Sample]) -> bool {
+    let middle = samples[samples.len() / 2].contact_radius;
+    matches!((curve.tangency(&middle), curve.threshold(&middle)), (Ok(ratio), Ok(threshold)) if ratio > threshold)
+}
+
+/// The states at a wall: the radius stays and the force is 2E*b times the indentation that is added.
+fn wall(curve: &Curve<'_, f64>, upper: f64) -> contact::Result<Option<[Spot; 2]>> {
+    let Some(radius) = curve.wall().filter(|radius| *radius <= upper) else { return Ok(None) };
+    let (indentation, force) = curve.state(&radius)?;
+    let added = 2.0 * curve.detachment_elongation(&radius)? + indentation.abs();
+    let first = Spot { contact_radius: radius, indentation, force };
+    let force = force + 2.0 * curve.effective_modulus() * radius * added;
+    Ok(Some([first, Spot { contact_radius: radius, indentation: indentation + added, force }]))
+}
+
+fn fold_spot(fold: &Instability<f64>) -> Spot {
+    Spot { contact_radius: fold.contact_radius, indentation: fold.indentation, force: fold.force }
+}
+
+fn happening(event: &path::Event<f64>, curve: &Curve<'_, f64>) -> Event {
+    let spot = |state: &State<f64>| match state {
+        State::Contact(rest) => {
+            Some(Spot { contact_radius: rest.contact_radius, indentation: rest.indentation, force: rest.force })
+        }
+        // Apart, nothing but the control itself is known: the force it applies, or where it holds the body.
+        State::Detached if *curve.control() == Control::Force => {
+            Some(Spot { contact_radius: 0.0, indentation: f64::NAN, force: event.value })
+        }
+        State::Detached => Some(Spot { contact_radius: 0.0, indentation: event.value, force: 0.0 }),
+        State::Complete => None,
+    };
+    Event { kind: event.kind, value: event.value, before: spot(&event.before), after: spot(&event.after) }
+}
+
+/// Whether a state is stable, as the marks show it.
+pub fn is_stable(state: &Equilibrium<f64>) -> Option<bool> {
+    match state.stability {
+        Stability::Stable => Some(true),
+        Stability::Unstable => Some(false),
+        Stability::Neutral => None,
+    }
+}

@@ -1,0 +1,148 @@
+//! The curve of equilibria as a polyline that no reader can tell from the curve.
+
+use mdr_core::contact::Result;
+use mdr_numeric::curve::Curve;
+
+/// A point of the curve of equilibria, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// a.
+    pub contact_radius: f64,
+    /// d(a) = g(a) − Δl(a).
+    pub indentation: f64,
+    /// F(a).
+    pub force: f64,
+    /// g(a).
+    pub transformed: f64,
+    /// Δl(a).
+    pub elongation: f64,
+}
+
+impl Sample {
+    fn at(curve: &Curve<'_, f64>, a: f64) -> Result<Self> {
+        let (indentation, force) = curve.state(&a)?;
+        let (transformed, elongation) = (curve.transform().g(&a)?, curve.detachment_elongation(&a)?);
+        Ok(Sample { contact_radius: a, indentation, force, transformed, elongation })
+    }
+
+    fn coordinates(&self) -> [f64; 4] {
+        [self.contact_radius, self.indentation, self.force, self.elongation]
+    }
+}
+
+/// The largest distance of the polyline from the curve, in shares of the range of each quantity.
+const TOLERANCE: f64 = 1.5e-4;
+
+/// How near to a singular radius the curve is drawn, in shares of the radius.
+const BESIDE: f64 = 1e-9;
+
+/// Halvings of an interval between two nodes.
+const DEPTH: u32 = 14;
+
+/// Points of the curve from `lower` > 0 to `upper`, denser where it bends; every one of the `nodes` in between (folds,
+/// kinks, events) is a point, so that a fold stays sharp.
+///
+/// # Errors
+/// Those of the transform.
+pub fn samples(curve: &Curve<'_, f64>, lower: f64, upper: f64, nodes: &[f64]) -> Result<Vec<Sample>> {
+    const COARSE: u32 = 64;
+    // Equal steps in √a: near the tip everything changes as a root or faster.
+    let root = |share: f64| (lower.sqrt() + share * (upper.sqrt() - lower.sqrt())).powi(2);
+    let mut radii: Vec<f64> = (1..COARSE).map(|step| root(f64::from(step) / f64::from(COARSE))).collect();
+    let nodes = curve.transform().kinks().into_iter().chain(nodes.iter().copied());
+    radii.extend(nodes.flat_map(|a| regular(curve, a)).filter(|a| *a > lower && *a < upper));
+    radii.extend([lower, upper]);
+    radii.sort_by(f64::total_cmp);
+    radii.dedup();
+    let coarse = radii.iter().map(|a| Sample::at(curve, *a)).collect::<Result<Vec<_>>>()?;
+    let scales = ranges(&coarse);
+    let mut fine: Vec<Sample> = coarse.first().copied().into_iter().collect();
+    for pair in coarse.windows(2) {
+        refine(curve, (pair[0], pair[1]), &scales, DEPTH, &mut fine)?;
+    }
+    Ok(fine)
+}
+
+/// The radius itself, or where the profile is singular its two neighbours.
+fn regular(curve: &Curve<'_, f64>, a: f64) -> Vec<f64> {
+    if curve.state(&a).is_ok() { vec![a] } else { vec![a * (1.0 - BESIDE), a * (1.0 + BESIDE)] }
+}
+
+/// The largest minus the smallest of each quantity.
+fn ranges(samples: &[Sample]) -> [f64; 4] {
+    let mut extremes = [[f64::INFINITY, f64::NEG_INFINITY]; 4];
+    for sample in samples {
+        for (range, value) in extremes.iter_mut().zip(sample.coordinates()) {
+            *range = [range[0].min(value), range[1].max(value)];
+        }
+    }
+    extremes.map(|[least, most]| most - least)
+}
+
+/// Adds the points after the first of the pair, up to its second.
+fn refine(
+    curve: &Curve<'_, f64>,
+    (from, to): (Sample, Sample),
+    scales: &[f64; 4],
+    depth: u32,
+    fine: &mut Vec<Sample>,
+) -> Result<()> {
+    if to.contact_radius - from.contact_radius <= 3.0 * BESIDE * to.contact_radius {
+        fine.push(to);
+        return Ok(());
+    }
+    let middle = Sample::at(curve, f64::midpoint(from.contact_radius, to.contact_radius))?;
+    let bent = (0..4).any(|index| {
+        let [from, middle, to] = [from, middle, to].map(|sample| sample.coordinates()[index]);
+        (middle - f64::midpoint(from, to)).abs() > TOLERANCE * scales[index]
+    });
+    if depth > 0 && bent {
+        refine(curve, (from, middle), scales, depth - 1, fine)?;
+        refine(curve, (middle, to), scales, depth - 1, fine)?;
+    } else {
+        fine.push(to);
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use mdr_analytic::profiles::{EllipticalDimple, WavyParaboloid};
+    use mdr_core::contact::{Control, Material};
+
+    use super::*;
+
+    #[test]
+    fn a_singular_radius_is_passed_by() {
+        let dimple = EllipticalDimple::new(1e-6, 1e-4).unwrap();
+        let material = Material::new(1e6, 0.05).unwrap();
+        let curve = Curve::new(&dimple, &material, &Control::Indentation);
+        assert!(curve.state(&1e-4).is_err());
+        let samples = samples(&curve, 1e-7, 3e-4, &[]).unwrap();
+        assert!(samples.iter().all(|sample| sample.indentation.is_finite()));
+    }
+
+    #[test]
+    fn the_polyline_stays_with_the_curve_and_passes_through_the_nodes() {
+        let wavy = WavyParaboloid::new(1.0, 2e-4, 0.03).unwrap();
+        let material = Material::new(1.0, 1e-4).unwrap();
+        let curve = Curve::new(&wavy, &material, &Control::Indentation);
+        let nodes = [0.0275, 0.0834567];
+        let samples = samples(&curve, 1e-6, 0.11, &nodes).unwrap();
+        assert!(samples.len() < 3000, "{}", samples.len());
+        for node in nodes {
+            assert!(samples.iter().any(|sample| sample.contact_radius == node));
+        }
+        let range = ranges(&samples);
+        for pair in samples.windows(2) {
+            assert!(pair[0].contact_radius < pair[1].contact_radius);
+            for quarter in [0.25, 0.75] {
+                let a = pair[0].contact_radius + quarter * (pair[1].contact_radius - pair[0].contact_radius);
+                let d = pair[0].indentation + quarter * (pair[1].indentation - pair[0].indentation);
+                let off = (curve.indentation(&a).unwrap() - d).abs() / range[1];
+                // A parabola is off by 3/4 of its middle there; the wave is nearly one within a piece.
+                assert!(off < 1.5 * TOLERANCE, "{off} at {a}");
+            }
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Why a scene has no answer.
+
+use std::{fmt, io};
+
+use mdr_core::contact;
+use mdr_core::number::LiteralError;
+
+/// A result of this crate.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Where something stands in a scene file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The name of the file.
+    pub file: String,
+    /// The line, from 1.
+    pub line: usize,
+}
+
+/// Why a scene has no answer: which input is wrong, where it stands, and what would be right.
+///
+/// ```
+/// use mdr::prelude::*;
+/// let scene = "[profile]\nkind = \"sphere\"\nradius = -1\n[output]\nwant = [\"transform\"]\ntransform.at = [1]";
+/// let error = Scene::from_toml(scene, "tip.toml", mdr::no_files).unwrap_err();
+/// assert_eq!(error.to_string(), "tip.toml:3: profile.radius: must be positive, got -1");
+/// ```
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Error {
+    /// An input of the scene is refused.
+    Scene {
+        /// Where it stands; none in a scene that was built.
+        place: Option<Place>,
+        /// The key with the names of its tables: `profile.radius`.
+        key: String,
+        /// What is wrong, and what would be right.
+        why: String,
+    },
+    /// The question has no answer: a quantity out of its domain, no equilibrium, a decision that stays open.
+    Contact(contact::Error),
+    /// A file could not be read.
+    Io {
+        /// Its name.
+        name: String,
+        /// The reason.
+        source: io::Error,
+    },
+    /// Certified digits in a build without the feature `mp`.
+    NeedsMp {
+        /// What was asked for.
+        what: &'static str,
+    },
+    /// The run was [stopped](crate::Stop).
+    Stopped,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Scene { place: Some(Place { file, line }), key, why } => write!(f, "{file}:{line}: {key}: {why}"),
+            Error::Scene { place: None, key, why } => write!(f, "{key}: {why}"),
+            Error::Contact(error) => error.fmt(f),
+            Error::Io { name, source } => write!(f, "{name}: {source}"),
+            Error::NeedsMp { what } => {
+                write!(f, "{what} needs the feature `mp` (GMP and MPFR), which this build is without; ask for f64")
+            }
+            Error::Stopped => f.write_str("stopped before the answer was complete"),
+        }
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Error::Contact(error) => Some(error),
+            Error::Io { source, .. } => Some(source),
+            _ => None,
+        }
+    }
+}
+
+impl From<contact::Error> for Error {
+    fn from(error: contact::Error) -> Self {
+        match error {
+            contact::Error::Stopped => Error::Stopped,
+            error => Error::Contact(error),
+        }
+    }
+}
+
+/// A text that is no number, in a scene that is built.
+impl From<LiteralError> for Error {
+    fn from(error: LiteralError) -> Self {
+        Error::Scene { place: None, key: "a number of the scene".to_owned(), why: error.to_string() }
+    }
+}

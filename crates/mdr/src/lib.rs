@@ -1,0 +1,85 @@
+//! Adhesive contacts of axisymmetric tips: pull-off forces, jumps and force curves, with digits that are proved.
+//!
+//! A [`Scene`] says what is pressed, what is controlled, and what is wanted; its [`Answer`] has a typed output for each want,
+//! and every number carries its [promise](answer::Promise) or the reason why there is none.
+//!
+//! ```
+//! use mdr::prelude::*;
+//! // A sphere of 1 cm on rubber, pulled off under a dead load: JKR's −3/2 π w R, to twenty proved digits.
+//! let tip = Shape::Paraboloid { radius: "0.01" };
+//! let scene = Scene::new(tip, Elasticity::effective("1e6")?, "0.05")?.control(Control::Force).want(Want::Folds { range: None });
+//! # #[cfg(feature = "mp")] {
+//! let answer = scene.solve()?;
+//! let pull_off = &answer.folds().expect("wanted").items[0].force;
+//! assert_eq!(pull_off.to_string(), "-0.0023561944901923449288");
+//! # }
+//! # Ok::<(), mdr::Error>(())
+//! ```
+//!
+//! The same scene as TOML, for [`Scene::from_toml`] and the command line:
+//!
+//! ```toml
+//! [profile]
+//! kind = "paraboloid"
+//! radius = 0.01
+//! [material]
+//! e_star = 1e6
+//! work_of_adhesion = 0.05
+//! [control]
+//! kind = "force"
+//! [output]
+//! want = ["folds"]
+//! ```
+//!
+//! | task | where |
+//! |---|---|
+//! | describe a contact | [`Scene`], [`Shape`](prelude::Shape), [`Profile`](scene::Profile), [`Want`](prelude::Want) |
+//! | read it from a file | [`Scene::open`], [`Scene::from_toml`], `Scene::from_json` |
+//! | solve it | [`Scene::solve`]; with progress, or until stopped: [`Scene::solve_with`] |
+//! | use the answer | [`Answer`], its [`folds`](Answer::folds), [`path`](Answer::path), … |
+//! | print it | `Answer::to_json`, [`Output::table`](answer::Output::table) |
+//! | draw it | [`Scene::diagram`] |
+//! | one power law, at a point | [`critical()`] |
+//! | many states in f64, from slices | [`batch`] |
+//!
+//! # Features
+//! * `mp` (default): certified digits, by GMP and MPFR. Without it the crate is pure Rust, builds for `wasm32-unknown-unknown`,
+//!   and answers in f64; certified digits are [`Error::NeedsMp`]. E* of two bodies and f(0) = 0 of a formula are then decided in
+//!   doubles, formulas with `abs`, `min` or `max` are refused, and numbers out of range have their log₁₀ where f64 knows it.
+//! * `toml`, `serde` (default): scenes as TOML; scenes and answers as JSON.
+//!
+//! # Accuracy
+//! Certified digits are proved and correctly rounded. Estimated digits agree in two working precisions. Doubles are accurate to
+//! some roundings times the condition of the question, and never stand in for a number that f64 cannot hold.
+
+#![forbid(unsafe_code)]
+
+pub mod answer;
+pub mod critical;
+pub mod diagram;
+mod error;
+mod run;
+pub mod scene;
+mod solve;
+
+pub use answer::Answer;
+pub use critical::critical;
+pub use error::{Error, Place, Result};
+pub use run::{ARITHMETICS, Cost, Observer, Run, Stop};
+pub use scene::{Scene, no_files};
+
+/// Critical states of many power laws in f64: slices in, slices out.
+pub mod batch {
+    pub use mdr_analytic::double::grid::*;
+}
+
+/// What a program needs: `use mdr::prelude::*`.
+pub mod prelude {
+    pub use mdr_core::contact::{Body, Control, ControlKind, Elasticity, Flank, FoldKind, Shape, Stability, Status};
+    pub use mdr_core::number::{Exact, Literal};
+    pub use mdr_numeric::path::EventKind;
+
+    pub use crate::answer::{Answer, Field, Number, Output, OutputKind, Promise, Value};
+    pub use crate::scene::{Arithmetic, Formula, Measured, Profile, Scene, Start, Want};
+    pub use crate::{Error, Observer, Run, Stop};
+}

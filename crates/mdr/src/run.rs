@@ -1,0 +1,107 @@
+//! What happens while a scene is solved: an observer is told, a run can be stopped, and evaluations are counted.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use mdr_core::contact::{Evaluations, Tally};
+
+use crate::answer::{Output, OutputKind};
+use crate::scene::Want;
+
+/// The arithmetics, as costs name them.
+pub const ARITHMETICS: [&str; 4] = ["f64", "mp", "interval", "interval with slope"];
+
+/// What an output cost. Time is taken by who has a clock.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cost {
+    /// Of which output.
+    pub output: OutputKind,
+    /// Evaluations of g, its slope and its integral in each of the [`ARITHMETICS`].
+    pub evaluations: [Evaluations; ARITHMETICS.len()],
+}
+
+impl Cost {
+    /// The arithmetics that were used, by name.
+    pub fn used(&self) -> impl Iterator<Item = (&'static str, Evaluations)> {
+        let all = ARITHMETICS.into_iter().zip(self.evaluations);
+        all.filter(|(_, evaluations)| *evaluations != Evaluations::default())
+    }
+}
+
+/// Follows a run: a progress bar, a log, a page that shows each output as soon as it is there.
+pub trait Observer {
+    /// An output is being computed.
+    fn begin(&mut self, _: &Want) {}
+
+    /// It is there.
+    fn output(&mut self, _: &Output, _: &Cost) {}
+}
+
+/// Observes nothing.
+impl Observer for () {}
+
+/// Stops a run, from any thread. The next evaluation of the profile ends it with [`Error::Stopped`](crate::Error::Stopped).
+///
+/// ```
+/// use mdr::prelude::*;
+/// let scene = Scene::new(Shape::Cone { flank: Flank::Slope("0.1") }, Elasticity::effective("1e6")?, "0.05")?
+///     .want(Want::Curve { at: vec!["1e-3".parse().unwrap()] })
+///     .arithmetic(Arithmetic::Double);
+/// let stop = Stop::default();
+/// stop.stop();
+/// let stopped = scene.solve_with(&mut Run::new(&mut (), stop));
+/// assert!(matches!(stopped, Err(Error::Stopped)));
+/// # Ok::<(), mdr::Error>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Stop(Arc<AtomicBool>);
+
+impl Stop {
+    /// Asks the run to end.
+    pub fn stop(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was asked to.
+    pub fn is_stopped(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// How a scene is solved: who is told, and what stops it.
+pub struct Run<'a> {
+    pub(crate) observer: Option<&'a mut dyn Observer>,
+    pub(crate) stop: Stop,
+}
+
+impl Default for Run<'_> {
+    /// Nobody is told, and nothing stops it.
+    fn default() -> Self {
+        Run { observer: None, stop: Stop::default() }
+    }
+}
+
+impl<'a> Run<'a> {
+    /// With an observer and a stop.
+    pub fn new(observer: &'a mut dyn Observer, stop: Stop) -> Self {
+        Run { observer: Some(observer), stop }
+    }
+}
+
+/// The evaluations so far, by arithmetic.
+#[derive(Debug)]
+pub(crate) struct Counts([Arc<Tally>; ARITHMETICS.len()]);
+
+impl Counts {
+    pub(crate) fn until(stop: &Stop) -> Self {
+        Counts(std::array::from_fn(|_| Arc::new(Tally::until(&stop.0))))
+    }
+
+    pub(crate) fn of(&self, index: usize) -> &Arc<Tally> {
+        &self.0[index]
+    }
+
+    pub(crate) fn read(&self) -> [Evaluations; ARITHMETICS.len()] {
+        self.0.each_ref().map(|tally| tally.read())
+    }
+}

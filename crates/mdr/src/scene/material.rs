@@ -1,0 +1,63 @@
+//! E* from what is given.
+
+use std::cmp::Ordering;
+
+use mdr_core::contact::{Body, Elasticity};
+use mdr_core::number::Literal;
+
+use super::place::Location;
+use crate::error::Result;
+
+/// E* as given, or of two bodies (1.3), with every input checked.
+pub(super) fn effective_modulus(elasticity: &Elasticity) -> Result<Literal> {
+    let positive = |literal: &Literal, key: &str| {
+        if literal.is_zero() || literal.is_negative() {
+            return Err(Location::built(key).refuse(format!("must be positive, got {literal}")));
+        }
+        Ok(())
+    };
+    match elasticity {
+        Elasticity::Effective(modulus) => positive(modulus, "material.e_star").map(|()| modulus.clone()),
+        Elasticity::Bodies(bodies) => {
+            for body in bodies.iter() {
+                positive(&body.youngs_modulus, "material.body.e")?;
+                if let Some(why) = refused_ratio(&body.poissons_ratio) {
+                    return Err(Location::built("material.body.nu").refuse(why));
+                }
+            }
+            combined(bodies).ok_or_else(|| Location::built("material.body").refuse("E* has more digits than can be meant"))
+        }
+    }
+}
+
+/// Why a Poisson's ratio cannot be one.
+pub(super) fn refused_ratio(ratio: &Literal) -> Option<String> {
+    let above = ratio.compare(&Literal::from(-1)) == Ordering::Greater;
+    let within = above && "1/2".parse().is_ok_and(|half: Literal| ratio.compare(&half) != Ordering::Greater);
+    (!within).then(|| format!("Poisson's ratio must be within (-1, 1/2], got {ratio}"))
+}
+
+/// E* of two bodies, exactly.
+#[cfg(feature = "mp")]
+pub(super) fn combined(bodies: &[Body<Literal>; 2]) -> Option<Literal> {
+    let compliance = |body: &Body<Literal>| {
+        (rug::Rational::from(1) - body.poissons_ratio.to_rational().square()) / body.youngs_modulus.to_rational()
+    };
+    exactly(&(compliance(&bodies[0]) + compliance(&bodies[1])).recip())
+}
+
+/// E* of two bodies, rounded to a double.
+#[cfg(not(feature = "mp"))]
+pub(super) fn combined(bodies: &[Body<Literal>; 2]) -> Option<Literal> {
+    let compliance = |body: &Body<Literal>| {
+        let ratio = body.poissons_ratio.nearest_f64();
+        (1.0 - ratio) * (1.0 + ratio) / body.youngs_modulus.nearest_f64()
+    };
+    Literal::try_from((compliance(&bodies[0]) + compliance(&bodies[1])).recip()).ok()
+}
+
+/// A rational number as a literal; none for one of absurd length.
+#[cfg(feature = "mp")]
+pub(crate) fn exactly(value: &rug::Rational) -> Option<Literal> {
+    value.to_string().parse().ok()
+}

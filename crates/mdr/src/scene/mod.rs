@@ -1,0 +1,247 @@
+//! Scenes: what is pressed, what is controlled, and what is wanted; built in Rust, or read from TOML or JSON.
+
+mod material;
+mod measured;
+mod parse;
+mod place;
+mod profile;
+mod read;
+mod tree;
+mod want;
+
+use mdr_core::contact::{Control, Elasticity};
+use mdr_core::number::{Exact, Literal};
+
+use crate::answer::{Answer, OutputKind};
+use crate::error::{Error, Result};
+use crate::run::Run;
+use crate::solve;
+
+pub use measured::Measured;
+pub(crate) use place::{Location, Places, double};
+pub use profile::{Formula, IntoProfile, Profile};
+pub use read::no_files;
+pub use tree::Files;
+pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, Want};
+
+#[cfg(feature = "mp")]
+pub(crate) use material::exactly;
+
+/// The state at the first way point of a path.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Start {
+    /// The stable equilibrium with the largest contact radius.
+    Largest,
+    /// The one with the smallest.
+    Smallest,
+    /// The stable equilibrium whose contact radius is nearest to this, in ratio.
+    Nearest(Literal),
+    /// The surfaces are apart.
+    Detached,
+}
+
+/// A contact and what is wanted of it. All numbers are exact as written, in SI units.
+///
+/// ```
+/// use mdr::prelude::*;
+/// // Figure 4 of the paper: a wavy paraboloid is pulled off under fixed grips. It jumps once, then it breaks.
+/// let tip = Shape::WavyParaboloid { radius: "1", amplitude: "5e-4", wavelength: "0.1" };
+/// let scene = Scene::new(tip, Elasticity::effective("1")?, "1e-4")?
+///     .path(["0", "-0.01"])?
+///     .want(Want::Path)
+///     .arithmetic(Arithmetic::Double);
+/// let answer = scene.solve()?;
+/// let path = answer.path().expect("wanted");
+/// let jump = path.events.items.iter().find(|event| event.event == EventKind::Jump).expect("a jump");
+/// let from = jump.contact_radius.as_ref().and_then(Value::to_f64).expect("a number");
+/// let to = jump.to_contact_radius.as_ref().and_then(Value::to_f64).expect("a number");
+/// assert!(to < from);
+/// # Ok::<(), mdr::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// E*, exactly: as given, or of the two bodies. One where there is no material, and nothing wanted depends on it.
+    pub(crate) effective_modulus: Literal,
+    /// w, likewise.
+    pub(crate) work_of_adhesion: Literal,
+    has_material: bool,
+    has_control: bool,
+    pub(crate) profile: Profile,
+    pub(crate) control: Control<Literal>,
+    /// Way points of the controlled quantity; empty when there is no path.
+    pub(crate) path: Vec<Literal>,
+    pub(crate) start: Start,
+    /// Each once, in the order of the scene.
+    pub(crate) wants: Vec<Want>,
+    /// Values of the controlled quantity that a drawing shows.
+    pub(crate) values: Vec<Literal>,
+    /// Contact radii between which all folds are to be proved; none when the program chooses.
+    pub(crate) range: Option<[Literal; 2]>,
+    pub(crate) arithmetic: Arithmetic,
+    /// How it was read, where that may surprise.
+    notes: Vec<String>,
+    /// The keys that were given, of those that may be of no use.
+    given: Vec<&'static str>,
+    /// For complaints about the contact.
+    pub(crate) places: Places,
+}
+
+impl Scene {
+    /// A contact under fixed grips of which nothing is wanted yet.
+    ///
+    /// # Errors
+    /// A number that is none; E* or w that is not positive; Poisson's ratio outside (−1, 1/2].
+    pub fn new(profile: impl IntoProfile, elasticity: Elasticity, work_of_adhesion: impl Exact) -> Result<Scene> {
+        let profile = profile.into_profile()?;
+        let work = work_of_adhesion.exact()?;
+        if work.is_zero() || work.is_negative() {
+            return Err(Location::built("material.work_of_adhesion").refuse(format!("must be positive, got {work}")));
+        }
+        let modulus = material::effective_modulus(&elasticity)?;
+        let mut numbers = profile.numbers();
+        let parameters = 0..numbers.len();
+        numbers.push((modulus.clone(), Location::built("material.e_star")));
+        numbers.push((work.clone(), Location::built("material.work_of_adhesion")));
+        Ok(Scene {
+            effective_modulus: modulus,
+            work_of_adhesion: work,
+            has_material: true,
+            has_control: false,
+            profile,
+            control: Control::Indentation,
+            path: Vec::new(),
+            start: Start::Largest,
+            wants: Vec::new(),
+            values: Vec::new(),
+            range: None,
+            arithmetic: Arithmetic::default(),
+            notes: Vec::new(),
+            given: Vec::new(),
+            places: Places::built(numbers, parameters),
+        })
+    }
+
+    /// The same under another control; its stiffness in N/m.
+    pub fn control(self, control: Control<Literal>) -> Self {
+        Scene { control, has_control: true, ..self }
+    }
+
+    /// The same moved along way points of the controlled quantity.
+    ///
+    /// # Errors
+    /// A way point that is no number.
+    pub fn path<X: Exact>(self, points: impl IntoIterator<Item = X>) -> Result<Self> {
+        let path = points.into_iter().map(Exact::exact).collect::<std::result::Result<_, _>>()?;
+        Ok(Scene { path, ..self })
+    }
+
+    /// The same with another state at the first way point; [`Start::Largest`] without.
+    pub fn start(self, start: Start) -> Self {
+        Scene { start, ..self }
+    }
+
+    /// The same with one more output; in place of an earlier one of its kind.
+    pub fn want(mut self, want: Want) -> Self {
+        if let Want::Folds { range: Some(range) } = &want {
+            self.range = Some(range.clone());
+        }
+        self.values.extend(want.values().iter().filter(|value| !self.values.contains(value)).cloned().collect::<Vec<_>>());
+        self.wants.retain(|other| other.kind() != want.kind());
+        self.wants.push(want);
+        self
+    }
+
+    /// The same in another arithmetic; 20 certified digits without.
+    pub fn arithmetic(self, arithmetic: Arithmetic) -> Self {
+        Scene { arithmetic, ..self }
+    }
+
+    /// What is controlled.
+    pub fn controlled(&self) -> &Control<Literal> {
+        &self.control
+    }
+
+    /// The profile.
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    /// What is wanted.
+    pub fn wants(&self) -> &[Want] {
+        &self.wants
+    }
+
+    /// Whether the scene has a material, without which there are no states.
+    pub fn has_material(&self) -> bool {
+        self.has_material
+    }
+
+    /// The arithmetic in which it is answered.
+    pub fn answers_in(&self) -> Arithmetic {
+        self.arithmetic
+    }
+
+    /// Whether one of the outputs is such.
+    pub(crate) fn has(&self, which: impl Fn(OutputKind) -> bool) -> bool {
+        self.wants.iter().any(|want| which(want.kind()))
+    }
+
+    /// What an answer says to be controlled.
+    pub(crate) fn names_control(&self) -> bool {
+        self.has_control || self.has(|kind| !kind.is_of_profile())
+    }
+
+    /// How the scene was read, and what of it nothing uses. A scene that is `drawn` has use for its way points and values,
+    /// wanted or not.
+    pub(crate) fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// A note for each key that was given and that nothing uses. A scene that is `drawn` has use for its way points and values,
+    /// wanted or not.
+    pub fn unused(&self, drawn: bool) -> Vec<String> {
+        solve::unused(self, &self.given, drawn)
+    }
+
+    /// The answer, with every output that is wanted and nothing else.
+    ///
+    /// # Errors
+    /// An input out of its domain, with its place; no equilibrium to start a path from; [`Error::NeedsMp`] for certified digits
+    /// in a build without them.
+    pub fn solve(&self) -> Result<Answer> {
+        self.solve_with(&mut Run::default())
+    }
+
+    /// The same while an observer is told of each output, and until the run is stopped.
+    ///
+    /// # Errors
+    /// As [`Scene::solve`]; [`Error::Stopped`].
+    pub fn solve_with(&self, run: &mut Run<'_>) -> Result<Answer> {
+        self.check()?;
+        solve::solve(self, run)
+    }
+
+    /// Whether the scene says all that its outputs need.
+    fn check(&self) -> Result<()> {
+        if self.wants.is_empty() {
+            return Err(self.places.want.refuse("nothing is wanted"));
+        }
+        for want in &self.wants {
+            if let Some(missing) = want.missing(self.has_material, &self.path) {
+                return Err(self.places.want.refuse(format!("`{}` needs {missing}", want.name())));
+            }
+        }
+        match self.arithmetic {
+            Arithmetic::Certified { digits } if !(1..=MAX_DIGITS).contains(&digits) => Err(Location::built("output.digits")
+                .refuse(format!("must be a whole number from 1 to {MAX_DIGITS}, got {digits}"))),
+            Arithmetic::Certified { .. } if cfg!(not(feature = "mp")) => {
+                Err(Error::NeedsMp { what: "an answer in certified digits" })
+            }
+            Arithmetic::Double => self.places.require_doubles("ask for certified digits"),
+            Arithmetic::Certified { .. } => Ok(()),
+        }
+    }
+}
+
+#[cfg(all(test, feature = "toml"))]
+mod tests;

@@ -1,0 +1,279 @@
+//! The profiles that a scene can name.
+
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+#[cfg(feature = "mp")]
+use mdr_core::contact::Breaks;
+use mdr_core::contact::{Expression, Flank, Profile as Height, Shape};
+use mdr_core::number::{Exact, Literal};
+
+use super::Location;
+use super::measured::Measured;
+use super::tree::{Section, Value};
+use crate::error::{Error, Result};
+
+/// A profile f(r).
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum Profile {
+    /// One of the library, whose g is a closed form.
+    Shape(Shape<Literal>),
+    /// The sum of several.
+    Sum(Vec<Profile>),
+    /// A formula, whose g is a quadrature.
+    Formula(Formula),
+    /// Measured rows, whose g is a sum over them.
+    Table(Measured),
+}
+
+/// A formula for f(r) with the values of its parameters.
+#[derive(Clone, Debug)]
+pub struct Formula {
+    pub(crate) expression: Expression,
+    pub(crate) parameters: BTreeMap<String, Literal>,
+    #[cfg(feature = "mp")]
+    pub(crate) breaks: Breaks,
+}
+
+/// What can be the profile of a scene: a [`Profile`], or a [`Shape`] whose parameters are [exact](Exact).
+pub trait IntoProfile {
+    /// The profile.
+    ///
+    /// # Errors
+    /// A parameter that is no number.
+    fn into_profile(self) -> Result<Profile>;
+}
+
+impl IntoProfile for Profile {
+    fn into_profile(self) -> Result<Profile> {
+        Ok(self)
+    }
+}
+
+impl IntoProfile for Formula {
+    fn into_profile(self) -> Result<Profile> {
+        Ok(Profile::Formula(self))
+    }
+}
+
+impl IntoProfile for Measured {
+    fn into_profile(self) -> Result<Profile> {
+        Ok(Profile::Table(self))
+    }
+}
+
+impl<X: Exact + Clone> IntoProfile for Shape<X> {
+    fn into_profile(self) -> Result<Profile> {
+        let exact = |key: &str, number: &X| {
+            let refuse = |why| Location::built(&format!("profile.{key}")).refuse(why);
+            let literal = number.clone().exact().map_err(|error| refuse(error.to_string()))?;
+            // Waves may begin with a trough.
+            let may_be_negative = key == "amplitude";
+            if !may_be_negative && (literal.is_zero() || literal.is_negative()) {
+                return Err(refuse(format!("must be positive, got {literal}")));
+            }
+            Ok(literal)
+        };
+        Ok(Profile::Shape(self.try_map(exact)?))
+    }
+}
+
+impl Formula {
+    /// From a formula such as `"r^2/(2*R) + A*(1 - cos(2*pi*r/L))"`, with f(0) = 0, and its parameters by name.
+    ///
+    /// # Errors
+    /// Where it cannot be read, at which column; a parameter without a value; f(0) ≠ 0.
+    pub fn new(text: &str, parameters: BTreeMap<String, Literal>) -> Result<Formula> {
+        Formula::with(text, parameters).map_err(|why| Location::built("profile.formula").refuse(why))
+    }
+
+    fn with(text: &str, parameters: BTreeMap<String, Literal>) -> std::result::Result<Formula, String> {
+        let told = |error: mdr_core::contact::ExpressionError| error.to_string();
+        let expression: Expression = text.parse().map_err(told)?;
+        expression.bind::<f64>((), &parameters).map_err(told)?;
+        zero_at_the_tip(&expression, &parameters)?;
+        #[cfg(feature = "mp")]
+        let breaks = expression.breaks(&parameters).map_err(told)?;
+        #[cfg(not(feature = "mp"))]
+        if !expression.is_smooth() {
+            return Err("kinks of `abs`, `min` and `max` are isolated with the feature `mp`, which this build is without"
+                .to_owned());
+        }
+        Ok(Formula {
+            expression,
+            parameters,
+            #[cfg(feature = "mp")]
+            breaks,
+        })
+    }
+}
+
+/// Refuses a formula with f(0) ≠ 0, decided exactly. Where it is not defined at 0 itself, such as r ln(1 + 1/r), it must fall
+/// on the way there.
+#[cfg(feature = "mp")]
+fn zero_at_the_tip(formula: &Expression, values: &BTreeMap<String, Literal>) -> std::result::Result<(), String> {
+    use mdr_core::number::{Interval, Precision, Real};
+    let precision = Precision::new(128);
+    let profile = formula.bind::<Interval>(precision, values).map_err(|error| error.to_string())?;
+    let tip = profile.height(&Interval::from_int(precision, 0));
+    if tip.is_finite() {
+        if tip.contains_zero() {
+            return Ok(());
+        }
+        return Err(not_zero(tip.approx()));
+    }
+    let [near, nearer] = [-1000, -10_000].map(|k| profile.height(&Interval::from_int(precision, 10).powi(k)).abs());
+    if nearer.times(2) < near { Ok(()) } else { Err(NO_LIMIT.to_owned()) }
+}
+
+/// The same in doubles, up to their rounding.
+#[cfg(not(feature = "mp"))]
+fn zero_at_the_tip(formula: &Expression, values: &BTreeMap<String, Literal>) -> std::result::Result<(), String> {
+    let profile = formula.bind::<f64>((), values).map_err(|error| error.to_string())?;
+    let height = |r: f64| Height::<f64>::height(&profile, &r);
+    let tip = height(0.0);
+    if tip.is_finite() {
+        let largest = (-12..=0).map(|k| height(10f64.powi(k)).abs()).filter(|f| f.is_finite()).fold(0.0, f64::max);
+        return if tip.abs() <= 1e-12 * largest { Ok(()) } else { Err(not_zero(tip)) };
+    }
+    if 2.0 * height(1e-300).abs() < height(1e-30).abs() { Ok(()) } else { Err(NO_LIMIT.to_owned()) }
+}
+
+const NO_LIMIT: &str = "the profile does not tend to 0 at the tip, r → 0; heights are measured from there";
+
+fn not_zero(height: f64) -> String {
+    format!("the profile is not zero at the tip, f(0) = {height}; subtract {height} from it")
+}
+
+type Reader = fn(&Section<'_>) -> Result<Profile>;
+
+/// The kinds that are no shapes of the library.
+const OTHERS: [(&str, Reader); 3] =
+    [("sum", sum), ("expression", formula), ("table", |section| Ok(Profile::Table(Measured::read(section)?)))];
+
+/// Every kind by its name in a scene.
+fn kinds() -> &'static [(&'static str, Reader)] {
+    static KINDS: OnceLock<Vec<(&'static str, Reader)>> = OnceLock::new();
+    KINDS.get_or_init(|| Shape::names().map(|name| (name, shape as Reader)).chain(OTHERS).collect())
+}
+
+impl Profile {
+    /// The name of the kind in a scene.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Profile::Shape(shape) => shape.name(),
+            Profile::Sum(_) => "sum",
+            Profile::Formula(_) => "expression",
+            Profile::Table(_) => "table",
+        }
+    }
+
+    /// Whether g is a closed form; otherwise it is a quadrature or measured.
+    pub(crate) fn is_closed(&self) -> bool {
+        match self {
+            Profile::Shape(_) => true,
+            Profile::Sum(terms) => terms.iter().all(Profile::is_closed),
+            Profile::Formula(_) | Profile::Table(_) => false,
+        }
+    }
+
+    /// The rows of a table.
+    pub(crate) fn rows(&self) -> Option<usize> {
+        if let Profile::Table(measured) = self { Some(measured.table().rows().len()) } else { None }
+    }
+
+    /// The tables in it.
+    pub(crate) fn tables(&self) -> Vec<&Measured> {
+        match self {
+            Profile::Sum(terms) => terms.iter().flat_map(Profile::tables).collect(),
+            Profile::Table(measured) => vec![measured],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The same with other tables; none where one cannot be had.
+    pub(crate) fn with_tables(&self, change: &impl Fn(&Measured) -> Option<Measured>) -> Option<Profile> {
+        Some(match self {
+            Profile::Sum(terms) => {
+                Profile::Sum(terms.iter().map(|term| term.with_tables(change)).collect::<Option<_>>()?)
+            }
+            Profile::Table(measured) => Profile::Table(change(measured)?),
+            other => other.clone(),
+        })
+    }
+
+    /// Its numbers, with the keys they have in a scene.
+    pub(super) fn numbers(&self) -> Vec<(Literal, Location)> {
+        let at = |(key, number): (&str, &Literal)| (number.clone(), Location::built(&format!("profile.{key}")));
+        match self {
+            Profile::Shape(shape) => shape.parameters().into_iter().map(at).collect(),
+            Profile::Sum(terms) => terms.iter().flat_map(Profile::numbers).collect(),
+            Profile::Formula(formula) => {
+                formula.parameters.iter().map(|(name, number)| at((&format!("parameters.{name}"), number))).collect()
+            }
+            Profile::Table(_) => Vec::new(),
+        }
+    }
+
+    pub(super) fn read(section: &Section<'_>) -> Result<Profile> {
+        let read = section.required("kind")?.choice("profile", kinds())?;
+        let profile = read(section)?;
+        section.finish()?;
+        Ok(profile)
+    }
+}
+
+/// A shape of the library; all parameters but an amplitude are positive.
+fn shape(section: &Section<'_>) -> Result<Profile> {
+    let kind = section.required("kind")?;
+    let mut blank = Shape::by_name(kind.text()?).ok_or_else(|| kind.refuse("no shape of this name"))?.clone();
+    if let Some(flank) = blank.flank_mut()
+        && section.one_of(&["slope", "half_angle_degrees"])?.0 == 1
+    {
+        *flank = Flank::HalfAngleDegrees(());
+    }
+    let shape = blank.try_map(|key, ()| {
+        let value = section.required(key)?;
+        let number = if key == "amplitude" { value.number() } else { value.positive() }?;
+        if key == "half_angle_degrees" && number.compare(&Literal::from(90)).is_ge() {
+            return Err(value.refuse(format!("must be below 90 degrees, got {number}")));
+        }
+        Ok(number)
+    })?;
+    Ok(Profile::Shape(shape))
+}
+
+fn sum(section: &Section<'_>) -> Result<Profile> {
+    let list = section.required("term")?;
+    let terms: Vec<Profile> = list.list()?.iter().map(|term| Profile::read(&term.section()?)).collect::<Result<_>>()?;
+    if terms.is_empty() {
+        return Err(list.refuse("a sum needs at least one [[profile.term]]"));
+    }
+    Ok(Profile::Sum(terms))
+}
+
+fn formula(section: &Section<'_>) -> Result<Profile> {
+    let text = section.required("formula")?;
+    let parameters: BTreeMap<String, Literal> = match section.optional("parameters") {
+        None => BTreeMap::new(),
+        Some(table) => {
+            let section = table.section()?;
+            section.entries().map(|(name, value)| Ok((name, value.number()?))).collect::<Result<_>>()?
+        }
+    };
+    let formula = Formula::with(text.text()?, parameters).map_err(|why| text.refuse(why))?;
+    let names: Vec<String> = formula.expression.parameters().collect();
+    if let Some(unused) = formula.parameters.keys().find(|name| !names.contains(name)) {
+        return Err(unused_parameter(section, unused, &names));
+    }
+    Ok(Profile::Formula(formula))
+}
+
+fn unused_parameter(section: &Section<'_>, name: &str, known: &[String]) -> Error {
+    let why = match known {
+        [] => format!("the formula has no parameter `{name}`; it has none"),
+        known => format!("the formula has no parameter `{name}`; it has `{}`", known.join("`, `")),
+    };
+    section.optional("parameters").map_or_else(|| section.place(), |value: Value<'_>| value.place()).refuse(why)
+}

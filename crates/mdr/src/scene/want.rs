@@ -1,0 +1,134 @@
+//! What is wanted of a scene, and in which arithmetic.
+
+use mdr_core::number::Literal;
+
+use crate::answer::OutputKind;
+
+/// The most digits that may be asked for.
+pub const MAX_DIGITS: u32 = 100_000;
+
+/// The digits of a certified answer when none are asked for.
+pub const DEFAULT_DIGITS: u32 = 20;
+
+/// In which arithmetic to answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Arithmetic {
+    /// Every digit is proved where that can be; elsewhere two precisions agree on it, which the answer says.
+    Certified {
+        /// Significant decimal digits.
+        digits: u32,
+    },
+    /// Hardware numbers.
+    Double,
+}
+
+impl Default for Arithmetic {
+    fn default() -> Self {
+        Arithmetic::Certified { digits: DEFAULT_DIGITS }
+    }
+}
+
+/// One output of a scene. `states` are values of the controlled quantity, at which all equilibria are described; without any it
+/// is the state in which the path starts. An empty `at` lets the program choose the radii.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Want {
+    /// g, g' and ∫g.
+    Transform {
+        /// Radii x > 0; at least one.
+        at: Vec<Literal>,
+    },
+    /// All folds, with their proof of completeness.
+    Folds {
+        /// The contact radii between which all are proved; none lets the program choose.
+        range: Option<[Literal; 2]>,
+    },
+    /// All equilibria.
+    Equilibria {
+        /// At these values of the controlled quantity; at least one.
+        at: Vec<Literal>,
+    },
+    /// The events of the loading path.
+    Path,
+    /// Indentation and force by contact radius.
+    Curve {
+        /// Contact radii.
+        at: Vec<Literal>,
+    },
+    /// The normal pressure within the contact.
+    Pressure {
+        /// Values of the controlled quantity.
+        states: Vec<Literal>,
+        /// Radii r.
+        at: Vec<Literal>,
+    },
+    /// The gap outside the contact.
+    Gap {
+        /// Values of the controlled quantity.
+        states: Vec<Literal>,
+        /// Radii r.
+        at: Vec<Literal>,
+    },
+    /// The normal surface displacement outside the contact.
+    Displacement {
+        /// Values of the controlled quantity.
+        states: Vec<Literal>,
+        /// Radii r.
+        at: Vec<Literal>,
+    },
+    /// Potential energy and stiffness dF/dd.
+    Energy {
+        /// Values of the controlled quantity.
+        states: Vec<Literal>,
+    },
+}
+
+impl Want {
+    /// The kind of the output.
+    pub fn kind(&self) -> OutputKind {
+        match self {
+            Want::Transform { .. } => OutputKind::Transform,
+            Want::Folds { .. } => OutputKind::Folds,
+            Want::Equilibria { .. } => OutputKind::Equilibria,
+            Want::Path => OutputKind::Path,
+            Want::Curve { .. } => OutputKind::Curve,
+            Want::Pressure { .. } => OutputKind::Pressure,
+            Want::Gap { .. } => OutputKind::Gap,
+            Want::Displacement { .. } => OutputKind::Displacement,
+            Want::Energy { .. } => OutputKind::Energy,
+        }
+    }
+
+    /// The key of the output.
+    pub fn name(&self) -> &'static str {
+        self.kind().name()
+    }
+
+    /// The values of the controlled quantity at which it is wanted.
+    pub fn values(&self) -> &[Literal] {
+        match self {
+            Want::Equilibria { at: values }
+            | Want::Pressure { states: values, .. }
+            | Want::Gap { states: values, .. }
+            | Want::Displacement { states: values, .. }
+            | Want::Energy { states: values } => values,
+            _ => &[],
+        }
+    }
+
+    /// What it lacks in a scene with or without a material and a path.
+    pub(super) fn missing(&self, has_material: bool, path: &[Literal]) -> Option<&'static str> {
+        match self {
+            want if !want.kind().is_of_profile() && !has_material => {
+                Some("a material: [material] e_star, work_of_adhesion")
+            }
+            Want::Transform { at } if at.is_empty() => Some("radii: [output.transform] at = [\"…\"]"),
+            Want::Equilibria { at } if at.is_empty() => Some("values: [output.equilibria] at = [\"…\"]"),
+            Want::Path if path.len() < 2 => Some("at least two way points: [control] path = [\"…\", \"…\"]"),
+            want if want.kind().is_of_states() && want.values().is_empty() && path.is_empty() => {
+                Some("states: [output.equilibria] at = [\"…\"], or the start of a path")
+            }
+            _ => None,
+        }
+    }
+}

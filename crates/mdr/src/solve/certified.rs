@@ -1,0 +1,265 @@
+//! A scene in certified digits: enclosures where g is a closed form, two precisions elsewhere.
+
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{Error, Result};
+use mdr_core::number::certify::Enclosure;
+use mdr_core::number::{Interval, Literal};
+use mdr_numeric::admissible::Admissibility;
+use rug::Float;
+
+use super::digits::{agree, decide, start};
+use super::model::{Model, SceneReal};
+use super::outputs;
+use super::proof::{self, FoldProof};
+use super::search::{Search, not_proved};
+use super::states::{States, exact, refined};
+use crate::answer::record::Numbers;
+use crate::answer::{
+    AtValue, Completeness, EnergyState, Equilibrium, Field, FieldState, List, LoadingPath, Number, Output, Promise,
+};
+use crate::run::Counts;
+use crate::scene::{Scene, Want};
+
+/// Up to this many rows the folds of a table are proved, within some seconds: the cost grows with the square of the rows.
+const PROVED_ROWS: usize = 100;
+
+/// Answers a scene with certified digits. An f64 search supplies starting points and never contributes a digit.
+pub(crate) struct Certified<'s> {
+    pub(super) scene: &'s Scene,
+    pub(super) digits: u32,
+    counts: &'s Counts,
+    search: OnceCell<Search<'s>>,
+    folds: OnceCell<Option<FoldProof>>,
+    admissibility: OnceCell<Arc<Admissibility<'static>>>,
+}
+
+/// The states at values, in the arithmetic of an estimate.
+type Estimated<T> = Vec<AtValue<T>>;
+
+impl<'s> Certified<'s> {
+    pub(crate) fn new(scene: &'s Scene, digits: u32, counts: &'s Counts) -> Self {
+        let (search, folds, admissibility) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        Certified { scene, digits, counts, search, folds, admissibility }
+    }
+
+    /// Which states are admissible: by the form of the profile, else in f64.
+    ///
+    /// # Errors
+    /// As [`Model::new`], and as [`Certified::search`].
+    pub(super) fn admissibility(&self) -> Result<Arc<Admissibility<'static>>> {
+        if let Some(known) = self.admissibility.get() {
+            return Ok(Arc::clone(known));
+        }
+        let rises = self.model::<Float>(start(self.digits))?.transform().rises();
+        let found = if rises { Arc::new(Admissibility::of_rising()) } else { self.search()?.admissibility() };
+        Ok(Arc::clone(self.admissibility.get_or_init(|| found)))
+    }
+
+    /// # Errors
+    /// Those of the transform, of the quadratures and of the proofs.
+    pub(crate) fn output(&self, want: &Want) -> Result<Output> {
+        Ok(match want {
+            Want::Transform { at } => Output::Transform(self.transform(at)?),
+            Want::Curve { at } => Output::Curve(self.curve(&self.search_or_given_radii(at)?)?),
+            Want::Folds { .. } => Output::Folds(self.all_folds()?),
+            Want::Equilibria { at } => Output::Equilibria(self.equilibria(at)?),
+            Want::Path => Output::Path(self.path()?),
+            Want::Pressure { states, at } => self.field(Field::Pressure, states, at)?,
+            Want::Gap { states, at } => self.field(Field::Gap, states, at)?,
+            Want::Displacement { states, at } => self.field(Field::Displacement, states, at)?,
+            Want::Energy { states } => {
+                let energies = |at: &States<'_, Float>, states: &[Literal]| at.energies(self.scene, states);
+                let items: Vec<AtValue<EnergyState>> = self.estimated_at(states, &energies)?;
+                Output::Energy(List::new(Promise::Estimated, items))
+            }
+        })
+    }
+
+    fn field(&self, field: Field, states: &[Literal], radii: &[Literal]) -> Result<Output> {
+        let fields = |at: &States<'_, Float>, states: &[Literal]| at.fields(self.scene, field, states, radii);
+        let items: Vec<AtValue<FieldState>> = self.estimated_at(states, &fields)?;
+        Ok(Output::Field(field, List::new(Promise::Estimated, items)))
+    }
+
+    /// The same contact in f64.
+    ///
+    /// # Errors
+    /// As [`Model::new`].
+    pub(super) fn search(&self) -> Result<&Search<'s>> {
+        if let Some(search) = self.search.get() {
+            return Ok(search);
+        }
+        let search = Search::of_lengths(self.scene, self.counts)?;
+        Ok(self.search.get_or_init(|| search))
+    }
+
+    /// The same contact in another arithmetic.
+    pub(super) fn model<R: SceneReal>(&self, ctx: R::Ctx) -> Result<Model<R>> {
+        Model::new(self.scene, ctx, self.counts)
+    }
+
+    fn search_or_given_radii(&self, given: &[Literal]) -> Result<Vec<Literal>> {
+        if given.is_empty() { self.search()?.radii(given) } else { Ok(given.to_vec()) }
+    }
+
+    /// g at radii: proved where it is a closed form.
+    fn transform(&self, radii: &[Literal]) -> Result<List<crate::answer::TransformSample>> {
+        if self.scene.profile.is_closed() {
+            let items = decide(self.digits, |precision| {
+                Ok(outputs::transform(&self.model::<Interval>(precision)?, radii)?.convert(Enclosure::from))
+            })?;
+            return Ok(List::new(Promise::Certified, items));
+        }
+        let items = agree(self.digits, |precision| {
+            Ok(outputs::transform(&self.model::<Float>(precision)?, radii)?.convert(exact))
+        })?;
+        Ok(List::new(Promise::Estimated, items))
+    }
+
+    /// The equilibria with given radii: proved where g is a closed form.
+    fn curve(&self, radii: &[Literal]) -> Result<List<crate::answer::CurvePoint>> {
+        if self.scene.profile.is_closed() {
+            let items = decide(self.digits, |precision| {
+                let model = self.model::<Interval>(precision)?;
+                Ok(outputs::curve(&model, radii, &*self.admissibility()?)?.convert(Enclosure::from))
+            })?;
+            return Ok(List::new(Promise::Certified, items));
+        }
+        let items = agree(self.digits, |precision| {
+            let model = self.model::<Float>(precision)?;
+            Ok(outputs::curve(&model, radii, &*self.admissibility()?)?.convert(exact))
+        })?;
+        Ok(List::new(Promise::Estimated, items))
+    }
+
+    /// All folds: proved where that can be.
+    fn all_folds(&self) -> Result<List<crate::answer::Fold>> {
+        if let Some(folds) = self.fold_proof()? {
+            return proof::folds(self, folds);
+        }
+        let items = agree(self.digits, |precision| {
+            let model = self.model::<Float>(precision)?;
+            let admissibility = self.admissibility()?;
+            let folds = refined(&model, self.search()?.folds()?)?.folds.into_iter();
+            Ok(folds.map(|fold| outputs::fold(fold, &admissibility)).collect::<Vec<_>>().convert(exact))
+        })?;
+        Ok(List::new(Promise::Estimated, items).complete(self.searched()?))
+    }
+
+    /// All equilibria: proved where the folds are.
+    fn equilibria(&self, values: &[Literal]) -> Result<List<AtValue<Equilibrium>>> {
+        if let Some(folds) = self.fold_proof()? {
+            if let Some(list) = proof::equilibria(self, folds, values)? {
+                return Ok(list);
+            }
+            if folds.is_complete() && values.len() > 1 {
+                return self.equilibria_one_by_one(folds, values);
+            }
+        }
+        let items = self.estimated_equilibria(values)?;
+        Ok(List::new(Promise::Estimated, items).complete(self.searched()?))
+    }
+
+    fn estimated_equilibria(&self, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium>>> {
+        self.estimated_at(values, &|states, values| states.equilibria(values))
+    }
+
+    /// What belongs to values at two precisions; where these do not agree, each value for itself.
+    fn estimated_at<T>(
+        &self,
+        values: &[Literal],
+        compute: &impl Fn(&States<'_, Float>, &[Literal]) -> Result<Estimated<T>>,
+    ) -> Result<Vec<AtValue<Printed<T>>>>
+    where
+        T: Numbers<Estimate<Float>> + Clone,
+    {
+        match (self.estimated(|states| compute(states, values)), values) {
+            (Err(error @ Error::Undecided { .. }), [value]) => Ok(vec![AtValue::open(value, &error)]),
+            (Err(Error::Undecided { .. }), [_, _, ..]) => {
+                let each = values.iter().map(|value| self.estimated_at(std::slice::from_ref(value), compute));
+                Ok(each.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect())
+            }
+            (items, _) => items,
+        }
+    }
+
+    /// Each value for itself: proved where that can be, and whether it is.
+    fn equilibria_one_by_one(&self, folds: &FoldProof, values: &[Literal]) -> Result<List<AtValue<Equilibrium>>> {
+        let at = |value: &Literal| {
+            let values = std::slice::from_ref(value);
+            let proved = proof::equilibria_at(self, folds, values)?;
+            let flag = Some(proved.is_some());
+            let items = proved.map_or_else(|| self.estimated_equilibria(values), Ok)?;
+            Ok(items.into_iter().map(|item| AtValue { proved: flag, ..item }).collect::<Vec<_>>())
+        };
+        let items = values.iter().map(at).collect::<Result<Vec<_>>>()?.concat();
+        let mut searched = self.searched()?;
+        searched.why = format!("at the values that are not marked as proved {}", searched.why);
+        Ok(List::new(Promise::Estimated, items).complete(searched))
+    }
+
+    /// The path: proved where the folds are, except for the energy.
+    fn path(&self) -> Result<LoadingPath> {
+        let folds = self.fold_proof()?;
+        if let Some(folds) = folds
+            && let Some((proved, followed)) = proof::path(self, folds)?
+        {
+            return Ok(match followed.with_energy(self, folds) {
+                Ok(path) => proved.with_energy_of(Promise::Estimated, path),
+                Err(error) => proved.without_energy(&error.to_string()),
+            });
+        }
+        let estimated = self.estimated(|states| states.path(self.scene))?;
+        let mut searched = self.searched()?;
+        if let Some(Completeness { proved: true, from, to, .. }) = folds.map(FoldProof::complete) {
+            let [from, to] = [from, to].map(|end| end.as_deref().unwrap_or("infinity").to_owned());
+            searched.why += &format!("; not every state of the path is proved within radii from {from} to {to} m");
+        }
+        Ok(LoadingPath::new(Promise::Estimated, estimated, searched))
+    }
+
+    /// The folds on which proofs rest: of closed forms, and of tables that are short and leave nothing undecided. A longer or
+    /// a rougher table is better searched.
+    fn fold_proof(&self) -> Result<Option<&FoldProof>> {
+        if let Some(folds) = self.folds.get() {
+            return Ok(folds.as_ref());
+        }
+        let profile = &self.scene.profile;
+        let folds = match profile.rows() {
+            None if profile.is_closed() => Some(FoldProof::new(self)?),
+            Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?).filter(FoldProof::is_complete),
+            _ => None,
+        };
+        Ok(self.folds.get_or_init(|| folds).as_ref())
+    }
+
+    /// What is computed at states that f64 has found.
+    fn estimated<T: Numbers<Estimate<Float>> + Clone>(
+        &self,
+        compute: impl Fn(&States<'_, Float>) -> Result<T>,
+    ) -> Result<Printed<T>> {
+        let folds = self.search()?.folds()?;
+        agree(self.digits, |precision| {
+            let model = self.model::<Float>(precision)?;
+            let folds = refined(&model, folds)?;
+            compute(&States::new(&model, folds, self.admissibility()?))
+        })
+    }
+
+    fn searched(&self) -> Result<Completeness> {
+        let search = self.search()?.completeness()?;
+        let long = match self.scene.profile.rows() {
+            Some(rows) if rows > PROVED_ROWS => {
+                format!("; tables are proved up to {PROVED_ROWS} rows, this has {rows}")
+            }
+            _ => String::new(),
+        };
+        Ok(not_proved(&format!("{}; found in f64, then sharpened{long}", search.why)))
+    }
+}
+
+/// Records with their digits decided.
+type Printed<T> = <<T as Numbers<Estimate<Float>>>::With<Enclosure> as Numbers<Enclosure>>::With<Number>;

@@ -1,0 +1,355 @@
+//! From enclosures and from two precisions to decimals.
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{Error, Quantity, Result, Status};
+use mdr_core::number::certify::{Decimal, Enclosure, next_precision};
+use mdr_core::number::{Interval, Precision, Real};
+use rug::Float;
+
+use crate::answer::record::{Cell, Numbers, Row, values};
+use crate::answer::{Number, Value};
+
+/// Bits beyond those of the digits asked for, to begin with.
+const GUARD: u32 = 32;
+
+/// The precision at which a proved number that may be zero, or a decision, is left undecided, over that to begin with. A number
+/// that is not zero has its digits at any precision that is [needed](next_precision).
+const MOST: u32 = 80;
+/// The most bits for any number.
+const LIMIT: u32 = 1 << 21;
+
+/// The same for estimated numbers, whose quadratures grow much faster with the precision.
+const ESTIMATES: u32 = 3;
+
+/// The precision to begin with.
+pub(crate) fn start(digits: u32) -> Precision {
+    Precision::new(Precision::from_digits(digits).bits().saturating_add(GUARD).max(64))
+}
+
+/// The next precision.
+pub(crate) fn raised(precision: Precision) -> Precision {
+    Precision::new(precision.bits().saturating_add(precision.bits() / 2))
+}
+
+/// A precision from which a number is rounded to this one as if it were exact.
+pub(crate) fn guarded(precision: Precision) -> Precision {
+    Precision::new(precision.bits().saturating_add(GUARD))
+}
+
+/// Bits to which a quadrature is exact that is accepted in a certified answer.
+pub(crate) fn bits_of_quadratures(digits: u32) -> i64 {
+    i64::from(start(digits).bits() - GUARD / 2)
+}
+
+/// Evaluates `f` at growing precision until the enclosures decide every number to `digits` significant digits, correctly
+/// rounded. A number that stays open, as zero or a decimal tie does when its enclosure is not exact, is undecided.
+///
+/// # Errors
+/// Those of `f`; [`Error::Undecided`] only when it is the last attempt that returns it.
+pub(crate) fn decide<T: Numbers<Enclosure>>(
+    digits: u32,
+    f: impl FnMut(Precision) -> Result<T>,
+) -> Result<T::With<Number>> {
+    decide_from(start(digits), digits, f)
+}
+
+/// The same, beginning with a given precision.
+///
+/// # Errors
+/// As [`decide`].
+pub(crate) fn decide_from<T: Numbers<Enclosure>>(
+    mut precision: Precision,
+    digits: u32,
+    mut f: impl FnMut(Precision) -> Result<T>,
+) -> Result<T::With<Number>> {
+    let begin = start(digits);
+    let mut decided: Vec<Option<Decimal>> = Vec::new();
+    loop {
+        let last = precision.bits() >= MOST.saturating_mul(begin.bits());
+        precision = match f(precision) {
+            Err(Error::Undecided { .. }) if !last => next_precision(begin, precision, [None]),
+            Err(error) => return Err(error),
+            Ok(records) => {
+                let rows = records.rows();
+                let enclosures = known(&rows);
+                round(&enclosures, digits, &mut decided);
+                let open: Vec<&Enclosure> = still_open(&enclosures, &decided).collect();
+                let hopeless = last && !open.iter().all(|enclosure| enclosure.is_short_of(begin));
+                if open.is_empty() || hopeless || precision.bits() >= LIMIT {
+                    let bits = precision.bits();
+                    let why =
+                        format!("{bits} bits do not decide the digits: zero, or a decimal tie, as far as they tell");
+                    return Ok(written(records, decided, Number::Certified, &why));
+                }
+                next_precision(begin, precision, open.into_iter().map(Some))
+            }
+        };
+    }
+}
+
+/// The numbers of rows, in their order.
+fn known<'a, N>(rows: &[Row<'a, N>]) -> Vec<&'a N> {
+    let number = |value: &'a Value<N>| match value {
+        Value::Known(number) => Some(number),
+        _ => None,
+    };
+    values(rows).into_iter().filter_map(number).collect()
+}
+
+/// Those that are not decided yet.
+fn still_open<'a>(
+    enclosures: &[&'a Enclosure],
+    decided: &[Option<Decimal>],
+) -> impl Iterator<Item = &'a Enclosure> {
+    enclosures.iter().zip(decided).filter(|(_, decimal)| decimal.is_none()).map(|(enclosure, _)| *enclosure)
+}
+
+/// Evaluates `f` at two precisions and takes their difference, and what the finer one estimates, for the error; raises both
+/// until all `digits` are certain by it. What is not then is not printed.
+///
+/// # Errors
+/// Those of `f`.
+pub(crate) fn agree<T: Numbers<Estimate<Float>> + Clone>(
+    digits: u32,
+    mut f: impl FnMut(Precision) -> Result<T>,
+) -> Result<<T::With<Enclosure> as Numbers<Enclosure>>::With<Number>> {
+    let mut precision = start(digits);
+    let mut coarse = f(precision)?;
+    let mut next = raised(precision);
+    let mut attempt = 1;
+    loop {
+        let tried = std::mem::replace(&mut precision, next);
+        next = raised(precision);
+        let fine = f(precision)?;
+        let Some((records, both)) = compared(&coarse, fine.clone()) else {
+            if attempt == ESTIMATES {
+                return Err(Error::Undecided {
+                    quantity: Quantity::ContactRadius,
+                    bits: precision.bits(),
+                    what: "how many equilibria there are",
+                });
+            }
+            coarse = fine;
+            attempt += 1;
+            continue;
+        };
+        let mut decided = Vec::new();
+        let rows = records.rows();
+        let enclosures = known(&rows);
+        round(&enclosures, digits, &mut decided);
+        // What is marked as undecided may have a number in more bits.
+        let open = decided.iter().any(Option::is_none) || !both || rows.iter().any(Row::is_open);
+        if !open || attempt == ESTIMATES {
+            for (decimal, enclosure) in decided.iter_mut().zip(&enclosures) {
+                *decimal = decimal.take().or_else(|| (1..digits).rev().find_map(|fewer| enclosure.round(fewer)));
+            }
+            let why = format!("two precisions do not agree on a digit, the finer of {} bits", precision.bits());
+            return Ok(written(records, decided, Number::Estimated, &why));
+        }
+        // The fine one may have all its digits already, but the coarse one did not.
+        let lost = next_precision(start(digits), tried, still_open(&enclosures, &decided).map(Some));
+        next = Precision::new(lost.bits().clamp(next.bits(), MOST * start(digits).bits()));
+        coarse = fine;
+        attempt += 1;
+    }
+}
+
+/// The finer records, each number with the difference of the two and its own error on both sides, and whether both have them
+/// all; one that either lacks is lacking, for its reason. None where they differ in their form.
+fn compared<T: Numbers<Estimate<Float>>>(coarse: &T, fine: T) -> Option<(T::With<Enclosure>, bool)> {
+    let mut both = true;
+    let mut merged = Vec::new();
+    pair(&fine.rows(), &coarse.rows(), &mut |fine, coarse| {
+        both &= matches!(fine, Value::Known(_)) == matches!(coarse, Value::Known(_));
+        merged.push(match (fine, coarse) {
+            (Value::Known(fine), Value::Known(coarse)) => Some(Value::Known(around(fine, coarse))),
+            (Value::Known(_), Value::Unknown { status, log10, why }) => {
+                Some(Value::Unknown { status: *status, log10: *log10, why: why.clone() })
+            }
+            (Value::Known(_), Value::Given(_)) => None,
+            (Value::Given(_) | Value::Unknown { .. }, _) => None,
+        });
+    })?;
+    let mut merged = merged.into_iter();
+    let mut take = |value: Value<Estimate<Float>>| match (merged.next().flatten(), value) {
+        (Some(value), _) => value,
+        (None, Value::Given(literal)) => Value::Given(literal),
+        (None, Value::Unknown { status, log10, why }) => Value::Unknown { status, log10, why },
+        (None, Value::Known(_)) => Value::unknown(Status::Undecided, "two precisions differ in their form"),
+    };
+    Some((fine.map_values(&mut take), both))
+}
+
+/// Calls `f` with each value of two lists of records of one form; none where the forms differ.
+fn pair<'a, N>(
+    ones: &[Row<'a, N>],
+    others: &[Row<'a, N>],
+    f: &mut impl FnMut(&'a Value<N>, &'a Value<N>),
+) -> Option<()> {
+    if ones.len() != others.len() {
+        return None;
+    }
+    for (one, other) in ones.iter().zip(others) {
+        if one.cells.len() != other.cells.len() {
+            return None;
+        }
+        for ((key, cell), (other_key, other)) in one.cells.iter().zip(&other.cells) {
+            let same = match (cell, other) {
+                (Cell::Value(one), Cell::Value(other)) => {
+                    f(*one, *other);
+                    true
+                }
+                (Cell::Rows(ones), Cell::Rows(others)) => pair(ones, others, f).is_some(),
+                (Cell::UnknownStability(_), Cell::UnknownStability(_) | Cell::Flag(_)) => true,
+                (Cell::Literal(one), Cell::Literal(other)) => one == other,
+                (Cell::Word(one), Cell::Word(other)) => one == other,
+                (Cell::Flag(one), Cell::Flag(other)) => one == other,
+                (Cell::Absent, Cell::Absent) => true,
+                _ => false,
+            };
+            if !same || key != other_key {
+                return None;
+            }
+        }
+    }
+    Some(())
+}
+
+/// A number, and how far another one is from it and its own error on both sides.
+fn around(fine: &Estimate<Float>, coarse: &Estimate<Float>) -> Enclosure {
+    let change = Float::with_val(fine.value.prec(), &coarse.value - &fine.value);
+    let error = Interval::point(change).abs() + Interval::point(fine.error.clone());
+    Enclosure::Value(Interval::point(fine.value.clone()).inflate(&error))
+}
+
+/// Rounds what is not decided yet.
+fn round(enclosures: &[&Enclosure], digits: u32, decided: &mut Vec<Option<Decimal>>) {
+    // The number of equilibria is no function of the precision; if it were, nothing before would count.
+    if decided.len() != enclosures.len() {
+        *decided = vec![None; enclosures.len()];
+    }
+    for (decimal, enclosure) in decided.iter_mut().zip(enclosures) {
+        *decimal = decimal.take().or_else(|| enclosure.round(digits));
+    }
+}
+
+fn written<T: Numbers<Enclosure>>(
+    records: T,
+    decided: Vec<Option<Decimal>>,
+    promise: fn(Decimal) -> Number,
+    why: &str,
+) -> T::With<Number> {
+    let mut decided = decided.into_iter();
+    records.map_values(&mut |value| {
+        value.and_then(|_| match decided.next().flatten() {
+            Some(decimal) => Value::Known(promise(decimal)),
+            None => Value::unknown(Status::Undecided, why),
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::Balance;
+
+    /// A record of three numbers of which these are the first and the second, and the third is given.
+    fn record<N>(work: Value<N>, dissipated: Value<N>) -> Vec<Balance<N>> {
+        vec![Balance { work, dissipated, stored: Value::Given(0.into()) }]
+    }
+
+    fn exact(value: Float) -> Value<Estimate<Float>> {
+        Value::Known(Estimate { error: value.lit(0), value, evaluations: 0 })
+    }
+
+    fn only<N>(number: Value<N>) -> Vec<Balance<N>> {
+        record(number, Value::Given(0.into()))
+    }
+
+    fn text(records: &[Balance]) -> String {
+        records[0].work.to_string()
+    }
+
+    fn status(records: &[Balance]) -> Status {
+        records.to_vec().rows()[0].status()
+    }
+
+    #[test]
+    fn proved_digits_are_those_of_the_enclosure() {
+        // (10¹⁰ + 1)^½ − 10⁵ = 5·10⁻⁶ − 1.25·10⁻¹⁶ + … loses 34 bits: the precision rises until the digits are decided.
+        let difference = |precision| {
+            let large = Interval::from_int(precision, 10).powi(5);
+            Ok(only(Value::Known(Enclosure::Value((large.square() + large.lit(1)).sqrt() - large))))
+        };
+        assert_eq!(text(&decide(20, difference).unwrap()), "0.0000049999999998750000000");
+        // A zero that is not exact is never decided, and is not printed as a zero.
+        let zero = |precision| {
+            let third = Interval::from_int(precision, 1).over(3);
+            Ok(only(Value::Known(Enclosure::Value(third.clone() - &third))))
+        };
+        assert_eq!(status(&decide(5, zero).unwrap()), Status::Undecided);
+    }
+
+    /// A number that one precision lacks takes none of the others along, and is asked for again.
+    #[test]
+    fn a_number_that_one_precision_lacks() {
+        let third = |precision| Float::from_int(precision, 1).over(3);
+        let mut calls = 0;
+        let lacking = |from: usize| {
+            move |precision| {
+                calls += 1;
+                let error = Error::NoConvergence { quantity: Quantity::Energy, evaluations: 9, error: 1e-9 };
+                let second = if calls > from { Ok(third(precision)) } else { Err(error) };
+                let second = Value::from_result(second.map(|value| Estimate { error: value.lit(0), value, evaluations: 0 }))?;
+                Ok(record(exact(third(precision)), second))
+            }
+        };
+        assert_eq!(status(&agree(5, lacking(1)).unwrap()), Status::Ok);
+        let open = agree(5, lacking(3)).unwrap();
+        assert!(status(&open) == Status::Undecided && open[0].dissipated.why().unwrap().contains("no convergence"));
+        assert_eq!(text(&open), "0.33333");
+    }
+
+    #[test]
+    fn estimated_digits_are_those_on_which_two_precisions_agree() {
+        // An error of 10⁻¹² at every precision, of alternating sign.
+        let mut sign = 1;
+        let noisy = |precision: Precision| {
+            sign = -sign;
+            let third = Float::from_int(precision, 1).over(3);
+            Ok(only(exact(third + Float::from_int(precision, sign) * Float::from_int(precision, 10).powi(-12))))
+        };
+        let noisy = text(&agree(20, noisy).unwrap());
+        assert!(noisy.starts_with("0.33333") && noisy.len() < 16, "{noisy}");
+        let clean = |precision| Ok(only(exact(Float::from_int(precision, 1).over(3))));
+        assert_eq!(text(&agree(20, clean).unwrap()), "0.33333333333333333333");
+        // Noise around zero has no digits.
+        let mut sign = 1;
+        let noise = |precision: Precision| {
+            sign = -sign;
+            Ok(only(exact(Float::from_int(precision, sign) >> precision.bits())))
+        };
+        assert_eq!(status(&agree(20, noise).unwrap()), Status::Undecided);
+    }
+
+    #[test]
+    fn an_error_of_its_own_costs_a_number_its_digits_and_no_other_number() {
+        // Both precisions agree on a third with an error of 10⁻⁹; beside it a number that the first does not have.
+        let mut first = true;
+        let records = |precision: Precision| {
+            let third = Float::from_int(precision, 1).over(3);
+            let known = exact(third.clone());
+            let error = Float::from_int(precision, 10).powi(-9);
+            let late = if std::mem::take(&mut first) {
+                Value::Unknown { status: Status::Undecided, log10: None, why: None }
+            } else {
+                known.clone()
+            };
+            let rough = Value::Known(Estimate { value: third, error, evaluations: 0 });
+            Ok(vec![Balance { work: late, dissipated: rough, stored: known }])
+        };
+        let answer = agree(12, records).unwrap().remove(0);
+        let [late, rough, known] = [&answer.work, &answer.dissipated, &answer.stored].map(Value::to_string);
+        assert_eq!((rough, known.clone(), late), ("0.33333333".into(), "0.333333333333".into(), known));
+    }
+}

@@ -1,0 +1,243 @@
+//! From a scene to its answer.
+//!
+//! | route | arithmetic | branches from | numbers become |
+//! |---|---|---|---|
+//! | [`search`] | f64 | a survey of the tangency ratio | doubles |
+//! | [`certified`] | two precisions | the folds of the search, refined | digits on which both agree |
+//! | [`proof`] | intervals | folds isolated on a range of radii | proved digits |
+//! | [`power_law`] | intervals | closed forms, at any scale | proved digits |
+//!
+//! A certified scene is proved where that can be, output by output, and estimated elsewhere; energies and fields of other profiles
+//! than power laws are always estimated.
+
+#[cfg(feature = "mp")]
+mod certified;
+#[cfg(feature = "mp")]
+pub(crate) mod digits;
+#[cfg(feature = "mp")]
+mod law_path;
+mod model;
+#[cfg(feature = "mp")]
+mod out_of_range;
+mod outputs;
+mod path;
+#[cfg(feature = "mp")]
+mod power_law;
+#[cfg(feature = "mp")]
+mod proof;
+mod roughness;
+mod sample;
+mod search;
+mod states;
+mod unused;
+
+use std::sync::Arc;
+
+use mdr_core::contact;
+use mdr_numeric::admissible::Admissibility;
+use mdr_numeric::equilibrium::Branches;
+
+use self::model::Model;
+use self::search::Search;
+use crate::answer::{Answer, Output, OutputKind};
+use crate::error::{Error, Result};
+use crate::run::{Cost, Counts, Run, Stop};
+use crate::scene::{Scene, Start, Want};
+
+pub(crate) use path::follow;
+pub(crate) use unused::unused;
+
+/// The answer to a scene that has been checked.
+pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
+    let counts = Counts::until(&run.stop);
+    let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+    solver.check_range()?;
+    let mut outputs = Vec::new();
+    let mut costs = Vec::new();
+    for want in &scene.wants {
+        if let Some(observer) = &mut run.observer {
+            observer.begin(want);
+        }
+        let before = counts.read();
+        let output = solver.output(want);
+        // A stop may have been taken for a number that cannot be had.
+        if run.stop.is_stopped() {
+            return Err(Error::Stopped);
+        }
+        let output = output.map_err(|error| solver.complaint(want, error))?;
+        let after = counts.read();
+        let cost = Cost { output: want.kind(), evaluations: std::array::from_fn(|i| after[i] - before[i]) };
+        if let Some(observer) = &mut run.observer {
+            observer.output(&output, &cost);
+        }
+        outputs.push(output);
+        costs.push(cost);
+    }
+    let mut notes = scene.notes().to_vec();
+    notes.extend(roughness::note(scene, solver.search().ok()));
+    let has_states = scene.has(|kind| !kind.is_of_profile());
+    let admissibility = if has_states { solver.admissibility().map(|known| known.basis()) } else { None };
+    if run.stop.is_stopped() {
+        return Err(Error::Stopped);
+    }
+    Ok(Answer {
+        arithmetic: scene.arithmetic,
+        profile: scene.profile.name(),
+        control: scene.names_control().then(|| scene.control.kind()),
+        notes,
+        outputs,
+        admissibility,
+        costs,
+    })
+}
+
+/// The branches of a scene in f64, `octaves` beyond its folds, for a drawing.
+pub(crate) fn drawn<T>(
+    scene: &Scene,
+    octaves: i64,
+    draw: impl FnOnce(&Model<f64>, &Branches<'_, f64>) -> contact::Result<T>,
+) -> Result<T> {
+    let counts = Counts::until(&Stop::default());
+    let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+    let model: Model<f64> = Model::new(scene, (), &counts).map_err(|error| scene.places.complaint(error))?;
+    let folds = solver.search().and_then(|search| match solver.route {
+        Route::Search(_) => search.folds().cloned(),
+        #[cfg(feature = "mp")]
+        Route::Certified(_) => states::refined(&model, search.folds()?),
+    });
+    let branches = states::branches(&model, folds?, octaves);
+    draw(&model, &branches).map_err(|error| solver.complaint(&Want::Path, error))
+}
+
+/// A scene in the arithmetic that it asks for.
+struct Solver<'s> {
+    scene: &'s Scene,
+    #[cfg_attr(not(feature = "mp"), allow(dead_code))]
+    counts: &'s Counts,
+    route: Route<'s>,
+}
+
+enum Route<'s> {
+    Search(Box<Search<'s>>),
+    #[cfg(feature = "mp")]
+    Certified(Box<certified::Certified<'s>>),
+}
+
+impl<'s> Solver<'s> {
+    fn new(scene: &'s Scene, counts: &'s Counts) -> contact::Result<Self> {
+        let route = match scene.arithmetic {
+            #[cfg(feature = "mp")]
+            crate::scene::Arithmetic::Certified { digits } => {
+                Route::Certified(Box::new(certified::Certified::new(scene, digits, counts)))
+            }
+            _ => Route::Search(Box::new(Search::new(scene, counts)?)),
+        };
+        Ok(Solver { scene, counts, route })
+    }
+
+    #[cfg(not(feature = "mp"))]
+    fn output(&self, want: &Want) -> contact::Result<Output> {
+        let Route::Search(search) = &self.route;
+        search.output(want)
+    }
+
+    #[cfg(feature = "mp")]
+    fn output(&self, want: &Want) -> contact::Result<Output> {
+        let law = if want.kind().is_of_profile() { None } else { power_law::PowerLaw::of(self.scene)? };
+        if let Some(output) = law.as_ref().map_or(Ok(None), |law| law.output(want))? {
+            return Ok(output);
+        }
+        let output = match &self.route {
+            Route::Search(search) => match search.output(want) {
+                Err(contact::Error::OutOfRange { .. }) => out_of_range::output(self.scene, want, self.counts),
+                Ok(output) if out_of_range::lost_numbers(&output) => {
+                    out_of_range::output(self.scene, want, self.counts)
+                }
+                output => output,
+            },
+            Route::Certified(certified) => certified.output(want),
+        }?;
+        match law {
+            Some(law) => law.checked(output, want.values()),
+            None => Ok(output),
+        }
+    }
+
+    /// The contact in f64.
+    fn search(&self) -> contact::Result<&Search<'s>> {
+        match &self.route {
+            Route::Search(search) => Ok(search),
+            #[cfg(feature = "mp")]
+            Route::Certified(certified) => certified.search(),
+        }
+    }
+
+    /// Which states are admissible; none where that cannot be had.
+    fn admissibility(&self) -> Option<Arc<Admissibility<'static>>> {
+        match &self.route {
+            Route::Search(search) => Some(search.admissibility()),
+            #[cfg(feature = "mp")]
+            Route::Certified(certified) => certified.admissibility().ok(),
+        }
+    }
+
+    /// Refuses a range of contact radii for the proof of folds that begins where the profile has ended.
+    fn check_range(&self) -> Result<()> {
+        let Some([lower, _]) = &self.scene.range else { return Ok(()) };
+        let search = self.search().map_err(|error| self.scene.places.complaint(error))?;
+        match search.model().transform().outer_radius() {
+            Some(outer) if contact_begins_beyond(lower, outer) => Err(self.scene.places.range.refuse(format!(
+                "the range must begin within the profile, whose outer radius is {outer}, got {lower}"
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// What is wrong with the scene when it has no answer.
+    fn complaint(&self, want: &Want, error: contact::Error) -> Error {
+        let places = &self.scene.places;
+        match error {
+            contact::Error::NoEquilibrium { .. } if want.kind() == OutputKind::Path => {
+                places.start.as_ref().unwrap_or(&places.control).refuse(self.no_start())
+            }
+            // All that is left to do in certified digits was done.
+            contact::Error::OutOfRange { quantity, log10 } => {
+                places.complaint_about_profile(contact::Error::Domain {
+                    quantity,
+                    value: format!("10^{log10:.6}"),
+                    requirement: "within the range of f64, where the search for states begins: take units of length in which \
+                                  the contact is nearer to 1",
+                })
+            }
+            error => places.complaint(error),
+        }
+    }
+
+    /// Why a path cannot start at its first way point.
+    fn no_start(&self) -> String {
+        let quantity = self.scene.control.kind().symbol();
+        let Some(first) = self.scene.path.first() else { return "a path needs way points".to_owned() };
+        let apart = first.is_negative() || first.is_zero();
+        match self.scene.start {
+            Start::Detached => {
+                let touch = self.admissibility().and_then(|admissibility| admissibility.first_touch());
+                let place = touch.map_or_else(String::new, |[radius, height]| {
+                    format!(
+                        "; they first touch at the indentation depth {height:.6e} m, on a ring of radius {radius:.6e} m"
+                    )
+                });
+                format!("the path cannot start there: the surfaces are not apart at {quantity} = {first}{place}")
+            }
+            _ if apart => format!(
+                "the path cannot start there: no stable equilibrium at {quantity} = {first}; where the surfaces are apart, \
+                 start = \"detached\""
+            ),
+            _ => format!("the path cannot start there: no stable equilibrium at {quantity} = {first}"),
+        }
+    }
+}
+
+/// Whether a radius lies at or beyond the outer radius of a profile.
+fn contact_begins_beyond(lower: &mdr_core::number::Literal, outer: f64) -> bool {
+    mdr_core::number::Literal::try_from(outer).map_or(lower.nearest_f64() >= outer, |outer| lower.compare(&outer).is_ge())
+}

@@ -1,0 +1,198 @@
+//! The contact of a scene in one arithmetic, with its evaluations counted.
+
+use std::sync::Arc;
+
+use mdr_analytic::Kappa;
+use mdr_analytic::profiles::{Sum, closed_form};
+use mdr_analytic::struve::Struve;
+use mdr_core::contact::{Control, CountedTransform, Error, Material, Quantity, Result, Transform};
+use mdr_core::number::Literal;
+#[cfg(feature = "mp")]
+use mdr_core::number::{Dual, Interval};
+use mdr_numeric::curve::Curve;
+use mdr_numeric::transform::Quadrature;
+
+use crate::run::Counts;
+#[cfg(feature = "mp")]
+use crate::scene::{double, exactly};
+use crate::scene::{Formula, Profile, Scene};
+
+/// An arithmetic in which a scene can be computed.
+pub(crate) trait SceneReal: Struve + Kappa {
+    /// Its place among the [`ARITHMETICS`](crate::run::ARITHMETICS).
+    const INDEX: usize;
+
+    /// The error of a quadrature that a scene accepts, where the arithmetic has more digits than were asked for.
+    fn accepted(_: &Scene, _: Self::Ctx) -> Option<Self> {
+        None
+    }
+}
+
+impl SceneReal for f64 {
+    const INDEX: usize = 0;
+}
+
+#[cfg(feature = "mp")]
+impl SceneReal for rug::Float {
+    const INDEX: usize = 1;
+
+    fn accepted(scene: &Scene, ctx: Self::Ctx) -> Option<Self> {
+        use mdr_core::number::Real;
+        match scene.arithmetic {
+            crate::scene::Arithmetic::Certified { digits } => {
+                Some(Self::from_int(ctx, 2).powi(-super::digits::bits_of_quadratures(digits)))
+            }
+            crate::scene::Arithmetic::Double => None,
+        }
+    }
+}
+
+#[cfg(feature = "mp")]
+impl SceneReal for Interval {
+    const INDEX: usize = 2;
+}
+
+#[cfg(feature = "mp")]
+impl SceneReal for Dual<Interval> {
+    const INDEX: usize = 3;
+}
+
+/// Profile, material and control in one arithmetic.
+pub(crate) struct Model<R: SceneReal> {
+    ctx: R::Ctx,
+    transform: Arc<CountedTransform<R>>,
+    material: Material<R>,
+    control: Control<R>,
+}
+
+impl<R: SceneReal> Model<R> {
+    /// # Errors
+    /// A parameter of the profile or the material that is out of its domain.
+    pub(crate) fn new(scene: &Scene, ctx: R::Ctx, counts: &Counts) -> Result<Self> {
+        let number = |literal: &Literal| R::from_literal(ctx, literal);
+        let material = Material::new(number(&scene.effective_modulus), number(&scene.work_of_adhesion))?;
+        let control = scene.control.try_map(|stiffness| {
+            Error::require_positive(Quantity::Stiffness, number(stiffness))
+        })?;
+        Self::with(scene, ctx, material, control, counts)
+    }
+
+    fn with(
+        scene: &Scene,
+        ctx: R::Ctx,
+        material: Material<R>,
+        control: Control<R>,
+        counts: &Counts,
+    ) -> Result<Self> {
+        let transform = transform(&scene.profile, ctx, R::accepted(scene, ctx).as_ref())?;
+        let transform = Arc::new(CountedTransform::new(transform, counts.of(R::INDEX)));
+        Ok(Model { ctx, transform, material, control })
+    }
+
+    pub(crate) fn number(&self, literal: &Literal) -> R {
+        R::from_literal(self.ctx, literal)
+    }
+
+    /// A double, exactly.
+    pub(crate) fn double(&self, value: f64) -> R {
+        R::from_f64(self.ctx, value)
+    }
+
+    pub(crate) fn transform(&self) -> &dyn Transform<R> {
+        &*self.transform
+    }
+
+    /// The same, for as long as it is needed.
+    pub(crate) fn shared(&self) -> Arc<CountedTransform<R>> {
+        Arc::clone(&self.transform)
+    }
+
+    pub(crate) fn material(&self) -> &Material<R> {
+        &self.material
+    }
+
+    pub(crate) fn control(&self) -> &Control<R> {
+        &self.control
+    }
+
+    pub(crate) fn curve(&self) -> Curve<'_, R> {
+        Curve::new(&*self.transform, &self.material, &self.control)
+    }
+}
+
+impl Model<f64> {
+    /// The same contact with forces in units of E* times an area: all its lengths are the same, and the moduli may be out of
+    /// the range of f64.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] with the input as it was written, where no double holds a number of the profile, w/E* or k/E*; as
+    /// [`Model::new`].
+    #[cfg(feature = "mp")]
+    pub(crate) fn in_units_of_modulus(scene: &Scene, counts: &Counts) -> Result<Self> {
+        if let Some(number) = scene.places.parameter_beyond_doubles() {
+            let quantity = Quantity::Parameter("a number of the profile");
+            let requirement = "within the range of f64, where the search for states begins";
+            return Err(Error::Domain { quantity, value: number.to_string(), requirement });
+        }
+        let material = Material::new(1.0, over_modulus(scene, Quantity::WorkOfAdhesion, &scene.work_of_adhesion)?)?;
+        let control = scene.control.try_map(|stiffness| {
+            let ratio = over_modulus(scene, Quantity::Stiffness, stiffness)?;
+            Error::require_positive(Quantity::Stiffness, ratio)
+        })?;
+        Self::with(scene, (), material, control, counts)
+    }
+}
+
+/// An input over E*, in f64.
+#[cfg(feature = "mp")]
+fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f64> {
+    let modulus = &scene.effective_modulus;
+    let ratio = exactly(&(input.to_rational() / modulus.to_rational())).as_ref().and_then(double);
+    ratio.ok_or_else(|| Error::Domain {
+        quantity,
+        value: format!("{input} at E* = {modulus}"),
+        requirement: "of a ratio to E* within the range of f64, where the search for states begins",
+    })
+}
+
+/// The transformed profile: a closed form where there is one, quadrature for a formula, exact pieces for a table.
+///
+/// Over intervals only a closed form and a table have a meaning. A quadrature takes a relative error that is `accepted` where
+/// it cannot have the digits of the arithmetic.
+///
+/// # Errors
+/// A parameter out of the domain of the profile.
+pub(crate) fn transform<R: Struve + Kappa>(
+    profile: &Profile,
+    ctx: R::Ctx,
+    accepted: Option<&R>,
+) -> Result<Box<dyn Transform<R>>> {
+    Ok(match profile {
+        Profile::Shape(shape) => closed_form(shape.map(|_, literal| R::from_literal(ctx, literal)))?,
+        Profile::Sum(terms) => {
+            let terms = terms.iter().map(|term| transform(term, ctx, accepted)).collect::<Result<_>>()?;
+            Box::new(Sum::new(terms))
+        }
+        Profile::Formula(formula) => quadrature(formula, ctx, accepted)?,
+        Profile::Table(measured) => Box::new(measured.table().profile::<R>(ctx)?),
+    })
+}
+
+fn quadrature<R: Struve + Kappa>(
+    formula: &Formula,
+    ctx: R::Ctx,
+    accepted: Option<&R>,
+) -> Result<Box<dyn Transform<R>>> {
+    let profile = formula.expression.bind::<R>(ctx, &formula.parameters).map_err(|error| Error::Domain {
+        quantity: Quantity::Parameter("the formula"),
+        value: error.to_string(),
+        requirement: "one whose names all have values",
+    })?;
+    #[cfg(feature = "mp")]
+    let profile = profile.broken_at(ctx, &formula.breaks);
+    let quadrature = Quadrature::new(profile);
+    Ok(match accepted {
+        Some(error) => Box::new(quadrature.accepting(error.clone())?),
+        None => Box::new(quadrature),
+    })
+}

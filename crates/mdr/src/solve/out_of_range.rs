@@ -1,0 +1,74 @@
+//! Results beyond the range of f64: computed in certified digits, rounded to the nearest double where there is one, and
+//! marked with log10 where there is none.
+
+use mdr_core::contact::Result;
+use mdr_core::number::Decimal;
+
+use super::certified::Certified;
+use crate::answer::{Number, Output, Promise, TransformSample, Value};
+use crate::run::Counts;
+use crate::scene::{Scene, Want};
+
+/// More than fix the nearest double.
+pub(super) const DIGITS: u32 = 25;
+
+/// Whether a transform in f64 has lost numbers to the ends of the range: zeros beside numbers that are none, and what is below
+/// the smallest normal double. A sample of zeros is a flat face.
+pub(super) fn lost_numbers(output: &Output) -> bool {
+    let Output::Transform(list) = output else { return false };
+    let lost = |sample: &TransformSample| {
+        let values = [&sample.g, &sample.slope, &sample.integral];
+        let known: Vec<f64> = values.iter().filter_map(|value| value.number().map(Number::to_f64)).collect();
+        let small = known.iter().filter(|x| x.abs() < f64::MIN_POSITIVE).count();
+        let unknown_magnitude = |value: &&Value| value.log10().is_some_and(|log10| !log10.is_finite());
+        small > 0 && small < known.len() || values.iter().any(unknown_magnitude)
+    };
+    list.items.iter().any(lost)
+}
+
+/// The output in doubles, with the status and log10 of each number that is none.
+///
+/// # Errors
+/// As [`Certified::output`].
+pub(super) fn output(scene: &Scene, want: &Want, counts: &Counts) -> Result<Output> {
+    Ok(in_doubles(Certified::new(scene, DIGITS, counts).output(want)?))
+}
+
+/// An output in decimals, rounded to doubles.
+pub(super) fn in_doubles(output: Output) -> Output {
+    output.map_values(Promise::Double, |value| {
+        value.and_then(|number| match number {
+            Number::Certified(decimal) | Number::Estimated(decimal) => nearest(&decimal),
+            double => Value::Known(double),
+        })
+    })
+}
+
+/// The nearest double, or what is known of a number that has none.
+fn nearest(decimal: &Decimal) -> Value {
+    let nearest = decimal.to_f64();
+    if decimal.is_zero() || nearest.abs() >= f64::MIN_POSITIVE && nearest.is_finite() {
+        return Value::Known(Number::Double(nearest));
+    }
+    Value::out_of_range(decimal.log10_f64())
+}
+
+#[cfg(test)]
+mod tests {
+    use mdr_core::contact::Status;
+    use mdr_core::number::certify::Enclosure;
+    use rug::ops::Pow;
+
+    use super::*;
+
+    #[test]
+    fn what_no_double_holds_has_a_logarithm() {
+        let power = |exponent: i32| rug::Rational::from(10).pow(exponent);
+        let of = |value: rug::Rational| nearest(&Enclosure::Exact(value).round(5).unwrap());
+        assert_eq!(of(rug::Rational::new()), Value::Known(Number::Double(0.0)));
+        assert_eq!(of(power(300) * rug::Rational::from((-3, 2))), Value::Known(Number::Double(-1.5e300)));
+        let Value::Unknown { status: Status::Overflow, log10: Some(log10), .. } = of(-power(400)) else { panic!() };
+        assert!((log10 - 400.0).abs() < 1e-12);
+        assert_eq!(of(power(-320)).status(), Status::Underflow);
+    }
+}

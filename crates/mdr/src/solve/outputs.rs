@@ -1,0 +1,87 @@
+//! What is read off the curve of equilibria, once for every arithmetic.
+
+use std::cmp::Ordering;
+
+use mdr_core::contact::{self, Error, Instability, Quantity, Result, Stability};
+use mdr_core::number::{Literal, Real};
+use mdr_numeric::admissible::Admissibility;
+
+use super::model::{Model, SceneReal};
+use crate::answer::{Admission, CurvePoint, CurveStability, Equilibrium, Fold, TransformSample, Value};
+
+/// g, g' and ∫₀ˣ g at the radii x.
+///
+/// # Errors
+/// Those of the transform that are not about one number.
+pub(crate) fn transform<R: SceneReal>(model: &Model<R>, radii: &[Literal]) -> Result<Vec<TransformSample<R>>> {
+    let transform = model.transform();
+    let at = |literal: &Literal| {
+        let x = model.number(literal);
+        Ok(TransformSample {
+            x: literal.clone(),
+            g: Value::from_result(transform.g(&x))?,
+            slope: Value::from_result(transform.slope(&x))?,
+            integral: Value::from_result(transform.integral(&x))?,
+        })
+    };
+    radii.iter().map(at).collect()
+}
+
+/// The equilibria with the given contact radii.
+///
+/// # Errors
+/// As [`transform`].
+pub(crate) fn curve<R: SceneReal>(
+    model: &Model<R>,
+    radii: &[Literal],
+    admissibility: &Admissibility<'_>,
+) -> Result<Vec<CurvePoint<R>>> {
+    let curve = model.curve();
+    let at = |literal: &Literal| {
+        let a = model.number(literal);
+        let (indentation, force) = match curve.state(&a) {
+            Ok((indentation, force)) => (Ok(indentation), Ok(force)),
+            Err(error) => (curve.indentation(&a), Err(error)),
+        };
+        let stability = curve.tangency(&a).and_then(|ratio| Ok(ratio.partial_cmp(&curve.threshold(&a)?)));
+        let stability = match stability {
+            Ok(Some(Ordering::Greater)) => Value::Known(Stability::Stable),
+            Ok(Some(Ordering::Less)) => Value::Known(Stability::Unstable),
+            Ok(Some(Ordering::Equal)) => Value::Known(Stability::Neutral),
+            Ok(None) => return Err(undecided(&a)),
+            Err(error) => Value::from_result(Err(error))?,
+        };
+        let verdict = indentation.as_ref().ok().map(|d| admissibility.of(a.approx(), d.approx()));
+        Ok(CurvePoint {
+            contact_radius: literal.clone(),
+            indentation: Value::from_result(indentation)?,
+            force: Value::from_result(force)?,
+            stability: CurveStability(stability),
+            admissible: verdict.map(Admission::of),
+        })
+    };
+    radii.iter().map(at).collect()
+}
+
+fn undecided<R: SceneReal>(a: &R) -> Error {
+    Error::Undecided {
+        quantity: Quantity::ContactRadius,
+        bits: a.precision(),
+        what: "whether the equilibrium is stable",
+    }
+}
+
+/// A fold, and whether it is admissible.
+pub(crate) fn fold<R: Real>(fold: Instability<R>, admissibility: &Admissibility<'_>) -> Fold<R> {
+    let verdict = admissibility.of(fold.contact_radius.approx(), fold.indentation.approx());
+    Fold::new(fold, verdict)
+}
+
+/// An equilibrium, and whether it is admissible.
+pub(crate) fn equilibrium<R: Real>(
+    state: contact::Equilibrium<R>,
+    admissibility: &Admissibility<'_>,
+) -> Equilibrium<R> {
+    let verdict = admissibility.of(state.contact_radius.approx(), state.indentation.approx());
+    Equilibrium::new(state, verdict)
+}

@@ -1,0 +1,255 @@
+//! The output `path`: one record for each event, and the balance of the energy.
+
+use std::cmp::Ordering;
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{self, Control, Error, Result, Status};
+use mdr_core::number::Literal;
+use mdr_numeric::admissible::{Admissibility, Ring, Verdict};
+use mdr_numeric::branch::Branched;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::path::{Event, EventKind, Loss, Path, Start as Begin, State, stored};
+
+use super::model::{Model, SceneReal};
+use super::states::exact;
+use crate::answer::record::Numbers;
+use crate::answer::types::PathNumbers;
+use crate::answer::{Admission, Balance, Dissipation, Optional, PathEvent, Value};
+use crate::scene::{Scene, Start};
+
+/// The path of a scene.
+///
+/// # Errors
+/// As [`Path::follow`].
+pub(crate) fn follow<R: SceneReal>(model: &Model<R>, branches: &impl Branched<R>, scene: &Scene) -> Result<Path<R>> {
+    let way: Vec<R> = scene.path.iter().map(|point| model.number(point)).collect();
+    let order: Vec<Ordering> = scene.path.windows(2).map(|pair| pair[1].compare(&pair[0])).collect();
+    Path::follow_ordered(branches, &start(model, scene), &way, &order)
+}
+
+/// Where the path of a scene starts.
+pub(crate) fn start<R: SceneReal>(model: &Model<R>, scene: &Scene) -> Begin<R> {
+    match &scene.start {
+        Start::Largest => Begin::Largest,
+        Start::Smallest => Begin::Smallest,
+        Start::Nearest(radius) => Begin::Nearest(model.number(radius)),
+        Start::Detached => Begin::Detached,
+    }
+}
+
+/// The events of a path, without the energy that is lost in each.
+pub(crate) fn events<R: SceneReal>(
+    control: &Control<R>,
+    path: &Path<R>,
+    admissibility: &Admissibility<'_>,
+) -> Vec<PathEvent<R>> {
+    path.events.iter().map(|event| of_event(control, event, admission(event, admissibility))).collect()
+}
+
+/// Whether the states of an event are admissible: all are up to the one that ends the path for that.
+fn admission<R: SceneReal>(event: &Event<R>, admissibility: &Admissibility<'_>) -> Admission<R> {
+    if let Some(ring) = &event.ring {
+        let verdict = Verdict::Interpenetrating { radius: ring.radius.approx(), gap: ring.gap.approx() };
+        return match Admission::of(verdict) {
+            Admission::Interpenetrating { at, .. } => {
+                Admission::Interpenetrating { at, why: Some(remedy(event, ring)) }
+            }
+            other => other,
+        };
+    }
+    let in_contact = |state: &&contact::Equilibrium<R>| state.contact_radius > state.contact_radius.lit(0);
+    Admission::of(match event.after.contact().or(event.before.contact()).filter(in_contact) {
+        _ if event.kind == EventKind::Undecided => Verdict::Undecided("the state was not found"),
+        Some(rest) => admissibility.of(rest.contact_radius.approx(), rest.indentation.approx()),
+        None => Verdict::Admissible,
+    })
+}
+
+/// Why a path ends, and what may be done.
+fn remedy<R: SceneReal>(event: &Event<R>, ring: &Ring<R>) -> String {
+    let radius = format!("{:.5e}", ring.radius.approx()).parse::<f64>().unwrap_or(f64::NAN);
+    let remedy = "begin with a contact that reaches beyond it, start = \"largest\", or stay below this value";
+    let happens = match event.after {
+        _ if ring.gap < ring.gap.lit(0) => "in the state that comes next the surfaces would overlap",
+        State::Contact(_) => "outside of the contact the surfaces touch",
+        _ => "coming closer the surfaces first touch not at the tip but",
+    };
+    format!(
+        "{happens} on a ring of radius {radius:e} m, where the theory of one simply connected contact ends; {remedy}"
+    )
+}
+
+fn of_event<R: SceneReal>(control: &Control<R>, event: &Event<R>, admissible: Admission<R>) -> PathEvent<R> {
+    let [contact_radius, indentation, force] = match event.kind {
+        EventKind::Undecided => not_found(control, &event.value),
+        _ => quantities(control, &event.before, &event.value),
+    };
+    let [to_contact_radius, to_indentation, to_force] =
+        if changes(event.kind) { quantities(control, &event.after, &event.value) } else { [None, None, None] };
+    let is_machine = matches!(control, Control::Machine { .. });
+    PathEvent {
+        event: event.kind,
+        position: Optional(is_machine.then(|| Value::Known(event.value.clone()))),
+        indentation,
+        force,
+        contact_radius,
+        to_contact_radius,
+        to_indentation,
+        to_force,
+        admissible,
+        dissipated: None,
+    }
+}
+
+/// Radius, indentation and force of a state; the controlled one has the value of the control.
+fn quantities<R: SceneReal>(control: &Control<R>, state: &State<R>, value: &R) -> [Option<Value<R>>; 3] {
+    let known = |number: &R| Some(Value::Known(number.clone()));
+    match state {
+        State::Contact(contact::Equilibrium { contact_radius, indentation, force, .. }) => {
+            let (indentation, force) = match control {
+                Control::Indentation => (value, force),
+                Control::Force => (indentation, value),
+                Control::Machine { .. } => (indentation, force),
+            };
+            [known(contact_radius), known(indentation), known(force)]
+        }
+        // Without a force the spring of a machine is slack; a dead load leaves the position open.
+        State::Detached => match control {
+            Control::Force => [None, None, known(&value.lit(0))],
+            _ => [None, known(value), known(&value.lit(0))],
+        },
+        State::Complete => [None, None, None],
+    }
+}
+
+/// What is known of a state that was not found.
+fn not_found<R: SceneReal>(control: &Control<R>, value: &R) -> [Option<Value<R>>; 3] {
+    let why = "no equilibrium was found up to here, and none is known at an end of the profile";
+    let open = || Some(Value::unknown(Status::Undecided, why));
+    let given = || Some(Value::Known(value.clone()));
+    match control {
+        Control::Indentation => [open(), given(), open()],
+        Control::Force => [open(), open(), given()],
+        Control::Machine { .. } => [open(), open(), open()],
+    }
+}
+
+/// The events of a path with the energy lost in each, and the balance of its energy. `way` are its way points.
+///
+/// # Errors
+/// Those of the transform; [`Error::OutOfRange`].
+pub(crate) fn with_energy<R: SceneReal>(
+    path: &Path<R>,
+    way: &[Literal],
+    branches: &Branches<'_, R>,
+) -> Result<PathNumbers<Estimate<R>>> {
+    let losses = path.events.iter().zip(Loss::of_each(path, branches));
+    let losses = losses.map(|(event, loss)| dissipated(event, loss)).collect::<Result<Vec<_>>>()?;
+    let balance = balance(path, way, branches, &losses)?;
+    let events = events(branches.control(), path, branches.admissibility()).convert(exact).into_iter().zip(losses);
+    let events = events.map(|(event, dissipated)| PathEvent { dissipated, ..event }).collect();
+    Ok(PathNumbers { events, balance })
+}
+
+/// The energy lost in an event; unknown where its integral does not converge.
+fn dissipated<R: SceneReal>(
+    event: &Event<R>,
+    loss: Result<Loss<R>>,
+) -> Result<Option<Dissipation<Estimate<R>>>> {
+    Ok(match loss {
+        _ if !changes(event.kind) => None,
+        Ok(Loss::Unbounded) => Some(Dissipation::Unbounded),
+        Ok(Loss::Finite(lost)) => {
+            let noise = lost.error.clone();
+            Some(Dissipation::Finite(beyond_noise(lost, &noise)))
+        }
+        Err(error) => Some(Dissipation::Finite(unknown(error)?)),
+    })
+}
+
+/// An energy that could not be computed.
+fn unknown<N>(error: Error) -> Result<Value<N>> {
+    match error {
+        Error::OutOfRange { .. } => Err(error),
+        error => Value::from_result(Err(error)),
+    }
+}
+
+/// Energy balance of a path: work, dissipation, increase of stored energy. None if a term is unbounded or the path could not be
+/// followed.
+///
+/// The work is the sum of the other two, which have one sign or are of one size. Its own integral would cancel on a way to
+/// and fro.
+///
+/// # Errors
+/// As [`with_energy`].
+fn balance<R: SceneReal>(
+    path: &Path<R>,
+    way: &[Literal],
+    branches: &Branches<'_, R>,
+    losses: &[Option<Dissipation<Estimate<R>>>],
+) -> Result<Option<Balance<Estimate<R>>>> {
+    let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
+    let Some(first) = path.events.first().filter(|_| !lost_track) else { return Ok(None) };
+    let mut dissipated = Value::Known(exact(first.value.lit(0)));
+    for loss in losses.iter().flatten() {
+        match loss {
+            Dissipation::Unbounded => return Ok(None),
+            Dissipation::Finite(loss) => dissipated = plus(&dissipated, loss),
+        }
+    }
+    let stored = match stored(path, branches) {
+        Ok(Some(stored)) if returns(path, way) => Value::Known(exact(stored.value.lit(0))),
+        Ok(Some(stored)) => {
+            let noise = stored.error.clone();
+            beyond_noise(stored, &noise)
+        }
+        Ok(None) => return Ok(None),
+        Err(error) => unknown(error)?,
+    };
+    Ok(Some(Balance { work: work(&dissipated, &stored), dissipated, stored }))
+}
+
+/// The sum of two energies, of which one may be unknown.
+fn plus<R: SceneReal>(one: &Value<Estimate<R>>, other: &Value<Estimate<R>>) -> Value<Estimate<R>> {
+    match (one, other) {
+        (Value::Known(one), Value::Known(other)) => Value::Known(Estimate {
+            value: one.value.clone() + &other.value,
+            error: one.error.clone() + &other.error,
+            evaluations: one.evaluations + other.evaluations,
+        }),
+        (Value::Known(_), unknown) => unknown.clone(),
+        (unknown, _) => unknown.clone(),
+    }
+}
+
+/// Whether the path ends in the state in which it starts, at a way point with the same number.
+fn returns<R: SceneReal>(path: &Path<R>, way: &[Literal]) -> bool {
+    let closed = way.first().zip(way.last()).is_some_and(|(first, last)| first.compare(last).is_eq());
+    let [first, last] = [path.events.first(), path.events.last()].map(|event| event.map(|event| &event.after));
+    path.is_finished() && closed && first == last
+}
+
+/// The work of the control, unless it is nothing but the rounding of what it is the sum of.
+fn work<R: SceneReal>(lost: &Value<Estimate<R>>, stored: &Value<Estimate<R>>) -> Value<Estimate<R>> {
+    /// Unit roundoffs of an energy.
+    const ROUNDINGS: i64 = 1024;
+    let work = plus(lost, stored);
+    let (Value::Known(sum), Value::Known(lost), Value::Known(stored)) = (&work, lost, stored) else { return work };
+    let noise = (lost.value.abs() + stored.value.abs()) * sum.value.unit_roundoff().times(ROUNDINGS);
+    beyond_noise(sum.clone(), &noise)
+}
+
+/// An energy, unless it is nothing but its error: a zero that is not exact is none, however many precisions agree on it.
+fn beyond_noise<R: SceneReal>(energy: Estimate<R>, noise: &R) -> Value<Estimate<R>> {
+    if energy.value.abs() > *noise || *noise == noise.lit(0) {
+        return Value::Known(energy);
+    }
+    Value::unknown(Status::Undecided, "zero up to the rounding of the energies that it is made of")
+}
+
+/// Whether the state is another one after the event.
+pub(crate) fn changes(kind: EventKind) -> bool {
+    use EventKind::{CompleteContact, Detached, Jump, JumpIn, Touch};
+    matches!(kind, Touch | JumpIn | Jump | Detached | CompleteContact)
+}

@@ -1,0 +1,62 @@
+//! Radii that the program chooses where the scene names none: short decimals, so that they are exact in any arithmetic.
+
+use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::number::Literal;
+use mdr_numeric::folds::Folds;
+#[cfg(feature = "mp")]
+use mdr_numeric::proof;
+
+use super::model::Model;
+
+/// Points of a curve.
+const POINTS: usize = 41;
+/// How far a curve goes beyond its folds.
+const MARGIN: f64 = 4.0;
+/// How far folds are proved beyond those that are known.
+#[cfg(feature = "mp")]
+const REACH: f64 = 1e3;
+/// How close to the outer radius of a profile.
+const RIM: f64 = 1e-6;
+
+/// `value` as a decimal of the given number of significant digits.
+///
+/// # Errors
+/// Unless it is a number.
+pub(crate) fn decimal(value: f64, digits: usize) -> Result<Literal> {
+    format!("{value:.*e}", digits - 1)
+        .parse()
+        .map_err(|_| Error::domain(Quantity::ContactRadius, &value, "a number in the range of f64"))
+}
+
+/// Contact radii for a curve, ascending: evenly spread in ln a, from below the folds to above them.
+///
+/// # Errors
+/// When w/E* or a fold is out of the range of f64.
+pub(crate) fn radii(model: &Model<f64>, folds: &Folds<f64>) -> Result<Vec<Literal>> {
+    let (lower, upper) = span(model, folds);
+    let rim = model.transform().outer_radius().map_or(f64::MAX, |outer| outer * (1.0 - RIM));
+    let upper = upper.min(rim);
+    let step = (upper / lower).ln() / (POINTS - 1) as f64;
+    (0..POINTS).map(|i| decimal(lower * (step * i as f64).exp(), 4)).collect()
+}
+
+#[cfg(feature = "mp")]
+/// The range of contact radii on which all folds are to be proved: far around the folds that are known and the kinks, and with
+/// the radii to which the scene leads, to powers of ten.
+///
+/// # Errors
+/// As [`radii`].
+pub(crate) fn range(model: &Model<f64>, folds: &Folds<f64>, visited: &[f64]) -> Result<[Literal; 2]> {
+    let (lower, upper) = proof::range(&model.curve(), folds, REACH, visited);
+    let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);
+    Ok([power(lower)?, power(upper)?])
+}
+
+/// From below all folds to above them; around w/E* where there is no fold.
+fn span(model: &Model<f64>, folds: &Folds<f64>) -> (f64, f64) {
+    let length = model.curve().material_length();
+    let middle = model.transform().outer_radius().map_or(length, |outer| length.min(outer / 2.0));
+    let first = folds.folds.first().map_or(middle, |fold| fold.contact_radius);
+    let last = folds.folds.last().map_or(middle, |fold| fold.contact_radius);
+    (first / MARGIN, last * MARGIN)
+}

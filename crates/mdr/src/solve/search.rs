@@ -1,0 +1,174 @@
+//! A scene in f64: folds are searched by a survey of the tangency ratio.
+
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{Instability, Result, Status};
+use mdr_core::number::Literal;
+use mdr_numeric::admissible::{Admissibility, search_range};
+use mdr_numeric::folds::{self, Beyond, Completeness as SearchQuality, Folds};
+
+use super::model::Model;
+use super::states::{States, exact};
+use super::{outputs, sample};
+use crate::answer::record::Numbers;
+use crate::answer::{Completeness, Field, List, LoadingPath, Number, Output, OutputKind, Promise, Value};
+use crate::run::Counts;
+use crate::scene::{Scene, Want};
+
+/// The contact in f64; its folds are searched when something needs them, and once.
+pub(crate) struct Search<'s> {
+    scene: &'s Scene,
+    model: Model<f64>,
+    folds: OnceCell<Folds<f64>>,
+    admissibility: OnceCell<Arc<Admissibility<'static>>>,
+    /// Whether a fold is of use without its force, which is out of range.
+    radii_suffice: bool,
+}
+
+impl<'s> Search<'s> {
+    /// # Errors
+    /// As [`Model::new`].
+    pub(crate) fn new(scene: &'s Scene, counts: &Counts) -> Result<Self> {
+        Ok(Search::with(scene, Model::new(scene, (), counts)?, false))
+    }
+
+    /// The lengths of the contact alone, for other arithmetics to start from. Folds whose force is out of range are among them.
+    ///
+    /// # Errors
+    /// As [`Model::in_units_of_modulus`].
+    #[cfg(feature = "mp")]
+    pub(crate) fn of_lengths(scene: &'s Scene, counts: &Counts) -> Result<Self> {
+        Ok(Search::with(scene, Model::in_units_of_modulus(scene, counts)?, true))
+    }
+
+    fn with(scene: &'s Scene, model: Model<f64>, radii_suffice: bool) -> Self {
+        Search { scene, model, folds: OnceCell::new(), admissibility: OnceCell::new(), radii_suffice }
+    }
+
+    /// Which states are admissible: searched when something needs it, and once, around the folds that are known.
+    pub(crate) fn admissibility(&self) -> Arc<Admissibility<'static>> {
+        let search = || {
+            let rises = self.model.transform().rises();
+            let folds = self.folds().ok().filter(|_| !rises);
+            let radii: Vec<f64> =
+                folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
+            let length = self.model.curve().material_length();
+            Arc::new(Admissibility::new(self.model.shared(), search_range(length, &radii)))
+        };
+        Arc::clone(self.admissibility.get_or_init(search))
+    }
+
+    pub(crate) fn model(&self) -> &Model<f64> {
+        &self.model
+    }
+
+    /// # Errors
+    /// As [`folds::find`].
+    pub(crate) fn folds(&self) -> Result<&Folds<f64>> {
+        if let Some(folds) = self.folds.get() {
+            return Ok(folds);
+        }
+        let curve = self.model.curve();
+        let mut found = folds::find(&curve)?;
+        for Beyond { contact_radius, kind, error } in std::mem::take(&mut found.beyond) {
+            if !self.radii_suffice {
+                return Err(error);
+            }
+            let indentation = curve.indentation(&contact_radius)?;
+            found.folds.push(Instability { contact_radius, indentation, force: f64::NAN, kind });
+        }
+        found.folds.sort_by(|one, other| one.contact_radius.total_cmp(&other.contact_radius));
+        Ok(self.folds.get_or_init(|| found))
+    }
+
+    /// # Errors
+    /// Those of the transform and of the quadratures.
+    pub(crate) fn output(&self, want: &Want) -> Result<Output> {
+        const DOUBLE: Promise = Promise::Double;
+        let field = |field, states: &[Literal], at: &[Literal]| {
+            let states = self.states()?.fields(self.scene, field, states, at)?;
+            Ok(Output::Field(field, List::new(DOUBLE, doubles(states))))
+        };
+        Ok(match want {
+            Want::Transform { at } => {
+                let samples = outputs::transform(&self.model, at)?.convert(exact);
+                Output::Transform(List::new(DOUBLE, doubles(samples)))
+            }
+            Want::Folds { .. } => {
+                let judged = |fold: &Instability<f64>| outputs::fold(fold.clone(), &self.admissibility());
+                let folds: Vec<_> = self.folds()?.folds.iter().map(judged).collect();
+                Output::Folds(List::new(DOUBLE, doubles(folds.convert(exact))).complete(self.completeness()?))
+            }
+            Want::Curve { at } => {
+                let points = outputs::curve(&self.model, &self.radii(at)?, &self.admissibility())?.convert(exact);
+                Output::Curve(List::new(DOUBLE, doubles(points)))
+            }
+            Want::Equilibria { at } => {
+                let equilibria = self.states()?.equilibria(at)?;
+                Output::Equilibria(List::new(DOUBLE, doubles(equilibria)).complete(self.completeness()?))
+            }
+            Want::Path => {
+                let path = doubles(self.states()?.path(self.scene)?);
+                Output::Path(LoadingPath::new(DOUBLE, path, self.completeness()?))
+            }
+            Want::Pressure { states, at } => return field(Field::Pressure, states, at),
+            Want::Gap { states, at } => return field(Field::Gap, states, at),
+            Want::Displacement { states, at } => return field(Field::Displacement, states, at),
+            Want::Energy { states } => {
+                let energies = self.states()?.energies(self.scene, states)?;
+                Output::Energy(List::new(DOUBLE, doubles(energies)))
+            }
+        })
+    }
+
+    fn states(&self) -> Result<States<'_, f64>> {
+        Ok(States::new(&self.model, self.folds()?.clone(), self.admissibility()))
+    }
+
+    /// The contact radii to which the path of the scene leads, and those of the equilibria at its values, as far as they are
+    /// found, and where the scene wants any.
+    #[cfg(feature = "mp")]
+    pub(crate) fn visited(&self) -> Vec<f64> {
+        let wants = &self.scene.wants;
+        let moves = wants.iter().any(|want| *want == Want::Path);
+        let values = wants.iter().find(|want| want.kind() == OutputKind::Equilibria).map(Want::values);
+        match self.states() {
+            Ok(states) if moves || values.is_some() => {
+                states.visited(moves.then_some(self.scene), values.unwrap_or_default())
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The contact radii of `curve`.
+    pub(crate) fn radii(&self, given: &[Literal]) -> Result<Vec<Literal>> {
+        if given.is_empty() { sample::radii(&self.model, self.folds()?) } else { Ok(given.to_vec()) }
+    }
+
+    pub(crate) fn completeness(&self) -> Result<Completeness> {
+        Ok(match self.folds()?.completeness {
+            SearchQuality::Resolved => not_proved("searched over all radii in f64"),
+            SearchQuality::Doubtful => not_proved("searched in f64, and not resolved everywhere: folds may be missing"),
+        })
+    }
+}
+
+/// A list that is not proved to be complete.
+pub(crate) fn not_proved(why: &str) -> Completeness {
+    Completeness { proved: false, from: None, to: None, why: why.to_owned() }
+}
+
+/// Doubles as they are printed; one that is no number is out of range.
+fn doubles<T: Numbers<Estimate<f64>>>(records: T) -> T::With<Number> {
+    records.map_values(&mut |value| {
+        value.and_then(|Estimate { value, .. }| {
+            if value.is_finite() {
+                Value::Known(Number::Double(value))
+            } else {
+                Value::Unknown { status: Status::Overflow, log10: None, why: None }
+            }
+        })
+    })
+}

@@ -1,0 +1,291 @@
+//! Pressure, gap, displacement and energy of states, for any arithmetic that is not an enclosure.
+
+use std::sync::Arc;
+
+use mdr_core::calculus::Estimate;
+use mdr_core::calculus::roots::{self, Bracket};
+use mdr_core::contact::{self, Control, Error, Instability, Quantity, Result, Stability, Status};
+use mdr_core::number::Literal;
+use mdr_numeric::admissible::{Admissibility, Verdict};
+use mdr_numeric::branch::Branched;
+use mdr_numeric::curve::Curve;
+use mdr_numeric::energy::Energy;
+use mdr_numeric::equilibrium::{Branches, Equilibria};
+use mdr_numeric::fields::Fields;
+use mdr_numeric::folds::{Completeness, Folds, pole};
+use mdr_numeric::path::{Path, State};
+
+use super::model::{Model, SceneReal};
+use super::outputs::equilibrium;
+use super::path;
+use super::sample::decimal;
+use crate::answer::record::Numbers;
+use crate::answer::types::PathNumbers;
+use crate::answer::{
+    Admission, AtValue, EnergyState, Equilibrium, Field, FieldSample, FieldState, Overlap, Value,
+};
+use crate::scene::Scene;
+
+/// Radii of a pressure over the contact radius, when the scene names none.
+const INSIDE: [(i64, i64); 6] = [(0, 1), (1, 4), (1, 2), (3, 4), (9, 10), (99, 100)];
+/// Radii of a gap or displacement over the contact radius, when the scene names none.
+const OUTSIDE: [(i64, i64); 6] = [(101, 100), (11, 10), (5, 4), (3, 2), (2, 1), (4, 1)];
+/// How many octaves from the folds equilibria are looked for.
+const REACH: i64 = 1000;
+
+/// A contact and its folds.
+pub(crate) struct States<'a, R: SceneReal> {
+    model: &'a Model<R>,
+    branches: Branches<'a, R>,
+}
+
+impl<'a, R: SceneReal> States<'a, R> {
+    pub(crate) fn new(model: &'a Model<R>, folds: Folds<R>, admissibility: Arc<Admissibility<'static>>) -> Self {
+        States { model, branches: branches(model, folds, REACH).with_admissibility(admissibility) }
+    }
+
+    fn verdict(&self, state: &contact::Equilibrium<R>) -> Verdict {
+        self.branches.admissibility().of(state.contact_radius.approx(), state.indentation.approx())
+    }
+
+    /// All equilibria at a value of the controlled quantity, which they have exactly, and how they were searched.
+    fn at(&self, literal: &Literal) -> Result<(Vec<contact::Equilibrium<R>>, Completeness)> {
+        let value = self.model.number(literal);
+        let Equilibria { equilibria, completeness } = self.branches.search(&value)?;
+        Ok((equilibria.into_iter().map(|state| self.with_value(state, &value)).collect(), completeness))
+    }
+
+    /// A state with the exact value of what is controlled, which at a fold is that of the fold.
+    fn with_value(&self, mut state: contact::Equilibrium<R>, value: &R) -> contact::Equilibrium<R> {
+        match self.model.control() {
+            _ if state.stability == Stability::Neutral => {}
+            Control::Indentation => state.indentation = value.clone(),
+            Control::Force => state.force = value.clone(),
+            Control::Machine { .. } => {}
+        }
+        state
+    }
+
+    /// What describes each state at a value. If its equilibria cannot be computed the value is `undecided`; other values are
+    /// unaffected.
+    fn described_at<T>(
+        &self,
+        literal: &Literal,
+        describe: impl Fn(contact::Equilibrium<R>) -> Result<T>,
+    ) -> Result<AtValue<T>> {
+        match self.at(literal) {
+            Ok((states, completeness)) => {
+                let mut at = AtValue::new(literal, states.into_iter().map(describe).collect::<Result<_>>()?);
+                if completeness == Completeness::Doubtful && at.status == Status::NoEquilibrium {
+                    at.status = Status::Undecided;
+                }
+                Ok(at)
+            }
+            Err(error @ (Error::Undecided { .. } | Error::NoConvergence { .. })) => Ok(AtValue::open(literal, &error)),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// All equilibria at values of the controlled quantity.
+    ///
+    /// # Errors
+    /// As [`Branches::search`], of what concerns more than one value.
+    pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium<Estimate<R>>>>> {
+        let describe = |state| Ok(equilibrium(state, self.branches.admissibility()).convert(exact));
+        values.iter().map(|literal| self.described_at(literal, describe)).collect()
+    }
+
+    /// The contact radii of the path, if there is one, and of the equilibria at the values, as far as they are found.
+    pub(crate) fn visited(&self, moved: Option<&Scene>, values: &[Literal]) -> Vec<f64> {
+        let path = moved.and_then(|scene| path::follow(self.model, &self.branches, scene).ok());
+        let events = path.into_iter().flat_map(|path| path.events);
+        let on_path = events
+            .flat_map(|event| [event.before, event.after])
+            .filter_map(|state| Some(state.contact()?.contact_radius.approx()).filter(|radius| *radius > 0.0));
+        let at_values =
+            values.iter().flat_map(|value| self.at(value).map_or_else(|_| Vec::new(), |(states, _)| states));
+        on_path.chain(at_values.map(|state| state.contact_radius.approx())).filter(|a| a.is_finite()).collect()
+    }
+
+    /// The events of the path and the balance of its energy.
+    ///
+    /// # Errors
+    /// As [`path::follow`] and [`path::with_energy`].
+    pub(crate) fn path(&self, scene: &Scene) -> Result<PathNumbers<Estimate<R>>> {
+        path::with_energy(&path::follow(self.model, &self.branches, scene)?, &scene.path, &self.branches)
+    }
+
+    /// What describes every equilibrium at the values, without any the state in which the path starts.
+    fn described<T>(
+        &self,
+        scene: &Scene,
+        values: &[Literal],
+        describe: impl Fn(contact::Equilibrium<R>) -> Result<T>,
+    ) -> Result<Vec<AtValue<T>>> {
+        match (values, scene.path.first()) {
+            ([], Some(first)) => {
+                let state = self.first(scene, first)?;
+                Ok(vec![AtValue::new(first, state.into_iter().map(describe).collect::<Result<_>>()?)])
+            }
+            (values, _) => values.iter().map(|literal| self.described_at(literal, &describe)).collect(),
+        }
+    }
+
+    /// The equilibrium in which the path starts; none where it cannot, or where the surfaces are apart.
+    fn first(&self, scene: &Scene, first: &Literal) -> Result<Option<contact::Equilibrium<R>>> {
+        let value = self.model.number(first);
+        match Path::first(&self.branches, &path::start(self.model, scene), &value) {
+            Ok(State::Contact(state)) => Ok(Some(self.with_value(state, &value))),
+            Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// A field of every equilibrium at the values, or at the start of the path.
+    ///
+    /// # Errors
+    /// As [`States::equilibria`].
+    pub(crate) fn fields(
+        &self,
+        scene: &Scene,
+        field: Field,
+        values: &[Literal],
+        radii: &[Literal],
+    ) -> Result<Vec<AtValue<FieldState<Estimate<R>>>>> {
+        self.described(scene, values, |state| {
+            let fields = Fields::of(self.model.curve(), &state)?;
+            let samples = self.samples(field, &fields, radii, &state.contact_radius)?;
+            let admissible = self.admission(field, &fields, &state)?;
+            Ok(FieldState { state: state.map(|number| exact(number.clone())).into(), field, samples, admissible })
+        })
+    }
+
+    /// Energy and stiffness of every equilibrium at the values, or at the start of the path.
+    ///
+    /// # Errors
+    /// As [`States::equilibria`].
+    pub(crate) fn energies(
+        &self,
+        scene: &Scene,
+        values: &[Literal],
+    ) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
+        self.described(scene, values, |state| {
+            let fields = Fields::of(self.model.curve(), &state)?;
+            let energy = Energy::new(self.model.transform(), self.model.material())?;
+            let potential = energy.potential(&state.contact_radius, &state.indentation);
+            let admissible = Admission::of(self.verdict(&state));
+            let energy = Value::from_result(potential)?;
+            let stiffness = Value::from_result(fields.stiffness())?;
+            Ok(EnergyState { state: state.into(), energy, stiffness, admissible }.convert(exact))
+        })
+    }
+    /// A field at the radii of the scene, else at fractions of the contact radius.
+    fn samples(
+        &self,
+        field: Field,
+        fields: &Fields<'_, R>,
+        radii: &[Literal],
+        a: &R,
+    ) -> Result<Vec<FieldSample<Estimate<R>>>> {
+        let value = |r: &R| {
+            let value = match field {
+                Field::Pressure => estimate(fields.pressure_estimate(r), || fields.pressure(r)),
+                Field::Gap => estimate(fields.gap_estimate(r), || fields.gap(r)),
+                Field::Displacement => estimate(fields.displacement_estimate(r), || fields.displacement(r)),
+            };
+            Value::from_result(value)
+        };
+        if radii.is_empty() {
+            let fractions = if field == Field::Pressure { &INSIDE } else { &OUTSIDE };
+            let at = |&(numerator, denominator): &(i64, i64)| {
+                let r = a.clone().times(numerator).over(denominator);
+                Ok(FieldSample { value: value(&r)?, r: Value::Known(exact(r)) })
+            };
+            return fractions.iter().map(at).collect();
+        }
+        let at = |literal: &Literal| {
+            Ok(FieldSample { value: value(&self.model.number(literal))?, r: Value::Given(literal.clone()) })
+        };
+        radii.iter().map(at).collect()
+    }
+
+    /// Whether a state is admissible; with its gap where it is wanted and below zero.
+    fn admission(
+        &self,
+        field: Field,
+        fields: &Fields<'_, R>,
+        state: &contact::Equilibrium<R>,
+    ) -> Result<Admission<Estimate<R>>> {
+        let verdict = self.verdict(state);
+        let (Field::Gap, Verdict::Interpenetrating { radius, .. }) = (field, &verdict) else {
+            return Ok(Admission::of(verdict));
+        };
+        // As short as it may be: any radius with a negative gap is as good as another.
+        for digits in 3..=17 {
+            let literal = decimal(*radius, digits)?;
+            let gap = fields.gap(&self.model.number(&literal));
+            if gap.as_ref().is_ok_and(|gap| *gap < gap.lit(0)) {
+                let gap = Value::from_result(gap.map(exact))?;
+                return Ok(Admission::overlapping(Some(Overlap { r: Value::Given(literal), gap })));
+            }
+        }
+        Ok(Admission::of(verdict))
+    }
+}
+
+/// A number without an error of its own.
+pub(crate) fn exact<R: SceneReal>(value: R) -> Estimate<R> {
+    Estimate { error: value.lit(0), value, evaluations: 0 }
+}
+
+/// A field with its error where digits are decided by it, which those of doubles are not.
+fn estimate<R: SceneReal>(estimate: Result<Estimate<R>>, settled: impl FnOnce() -> Result<R>) -> Result<Estimate<R>> {
+    if R::INDEX == f64::INDEX { settled().map(exact) } else { estimate }
+}
+
+/// The branches between radii that many octaves below the folds and above; around w/E* where there is no fold.
+pub(crate) fn branches<R: SceneReal>(model: &Model<R>, folds: Folds<R>, octaves: i64) -> Branches<'_, R> {
+    let length = model.curve().material_length();
+    let first = folds.folds.first().map_or(&length, |fold| &fold.contact_radius);
+    let last = folds.folds.last().map_or(&length, |fold| &fold.contact_radius);
+    let [lower, upper] = [length.lit(2).powi(-octaves) * first, length.lit(2).powi(octaves) * last];
+    Branches::cut_at(model.curve(), folds).within(lower, upper)
+}
+
+/// Folds that are known in f64, in another arithmetic: each is looked for near the radius that is known.
+///
+/// # Errors
+/// Those of the transform; [`Error::NoConvergence`] when a fold is not found again.
+pub(crate) fn refined<R: SceneReal>(model: &Model<R>, searched: &Folds<f64>) -> Result<Folds<R>> {
+    let curve = model.curve();
+    let folds = searched.folds.iter().map(|fold| refine(model, &curve, fold)).collect::<Result<_>>()?;
+    let kinks = model.transform().kinks();
+    let at = |radius: f64| kinks.iter().find(|kink| kink.approx() == radius).cloned();
+    let poles = searched.poles.iter().filter_map(|found| Some(pole(at(found.contact_radius)?, found.kind))).collect();
+    Ok(Folds { folds, poles, beyond: Vec::new(), completeness: searched.completeness })
+}
+
+fn refine<R: SceneReal>(
+    model: &Model<R>,
+    curve: &Curve<'_, R>,
+    searched: &Instability<f64>,
+) -> Result<Instability<R>> {
+    let centre = model.double(searched.contact_radius);
+    if let Some(wall) = curve.wall().filter(|wall| wall.approx() == searched.contact_radius) {
+        let (indentation, force) = curve.state(&wall)?;
+        return Ok(Instability { contact_radius: wall, indentation, force, kind: searched.kind });
+    }
+    let excess = |a: &R| Ok(curve.tangency(a)? - curve.threshold(a)?);
+    for halvings in [44, 36, 28, 20, 12] {
+        let margin = centre.lit(2).powi(-halvings) * &centre;
+        let (lower, mut upper) = (centre.clone() - &margin, centre.clone() + &margin);
+        if let Some(outer) = curve.transform().outer_radius().filter(|outer| upper >= *outer) {
+            upper = (centre.clone() + outer).over(2);
+        }
+        let Some(bracket) = Bracket::new(&lower, &upper, excess)? else { continue };
+        let contact_radius = roots::refine(bracket, &centre.unit_roundoff(), excess)?.value;
+        let (indentation, force) = curve.state(&contact_radius)?;
+        return Ok(Instability { contact_radius, indentation, force, kind: searched.kind });
+    }
+    Err(Error::NoConvergence { quantity: Quantity::ContactRadius, evaluations: 10, error: 2f64.powi(-12) })
+}

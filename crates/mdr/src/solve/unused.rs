@@ -1,0 +1,47 @@
+//! What a scene says that none of its outputs uses.
+
+use crate::answer::OutputKind;
+use crate::scene::{Arithmetic, Scene};
+
+/// A note for each of the given keys that nothing uses. A scene that is `drawn` has use for its way points and values, wanted or
+/// not.
+pub(crate) fn unused(scene: &Scene, given: &[&'static str], drawn: bool) -> Vec<String> {
+    let wants = |kind: OutputKind| scene.has(|other| other == kind);
+    let fields = scene.has(OutputKind::is_of_states);
+    let moves = drawn || wants(OutputKind::Path) || fields && !given.contains(&"[output.equilibria]");
+    let no_path = (!moves).then_some("neither a path nor fields at its start are wanted");
+    let no_states = (!drawn && !fields && !wants(OutputKind::Equilibria)).then_some("no states are wanted");
+    let alone = |kind: OutputKind| (!wants(kind)).then_some("it is not wanted");
+    [
+        ("[control] path", no_path),
+        ("[control] start", no_path),
+        ("[output.transform]", alone(OutputKind::Transform)),
+        ("[output.equilibria]", no_states),
+        ("[output.curve]", alone(OutputKind::Curve)),
+        ("[output.pressure]", alone(OutputKind::Pressure)),
+        ("[output.gap]", alone(OutputKind::Gap)),
+        ("[output.displacement]", alone(OutputKind::Displacement)),
+        ("[output.folds] range", no_range(scene)),
+    ]
+    .into_iter()
+    .filter(|(key, _)| given.contains(key))
+    .filter_map(|(key, why)| Some(format!("{key} is not used: {}", why?)))
+    .collect()
+}
+
+/// Why a range of contact radii for the proof of folds is of no use, where it is of none.
+fn no_range(scene: &Scene) -> Option<&'static str> {
+    let moves = scene.has(|kind| matches!(kind, OutputKind::Equilibria | OutputKind::Path));
+    if !moves && !scene.has(|kind| kind == OutputKind::Folds) {
+        return Some("neither folds nor equilibria nor a path are wanted");
+    }
+    if scene.arithmetic == Arithmetic::Double {
+        return Some("nothing is proved in f64");
+    }
+    #[cfg(feature = "mp")]
+    if super::power_law::is_power_law(&scene.profile) {
+        return Some("the folds of a power law are a closed form, on all radii");
+    }
+    let searched = !scene.profile.is_closed() && scene.profile.rows().is_none();
+    searched.then_some("folds of a formula are searched, not proved")
+}
