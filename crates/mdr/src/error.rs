@@ -22,7 +22,7 @@ pub struct Place {
 /// ```
 /// use mdr::prelude::*;
 /// let scene = "[profile]\nkind = \"sphere\"\nradius = -1\n[output]\nwant = [\"transform\"]\ntransform.at = [1]";
-/// let error = Scene::from_toml(scene, "tip.toml", mdr::no_files).unwrap_err();
+/// let error = Scene::from_toml(scene, "tip.toml", &mdr::no_files).unwrap_err();
 /// assert_eq!(error.to_string(), "tip.toml:3: profile.radius: must be positive, got -1");
 /// ```
 #[derive(Debug)]

@@ -111,10 +111,12 @@ fn explanation(answer: &CriticalAnswer) -> String {
 /// n = 1/2: no length in the problem but that of a machine.
 fn scale_free(answer: &CriticalAnswer) -> String {
     match answer.law.control.kind() {
-        ControlKind::Machine => "Scale-free (n = 1/2) on a machine: below the threshold of C no contact is stable; from there to \
+        ControlKind::Machine => {
+            "Scale-free (n = 1/2) on a machine: below the threshold of C no contact is stable; from there to \
                       three times the threshold a contact is stable up to the radius of a fold, beyond which it \
                       spreads over the whole surface; above, every contact is stable."
-            .to_owned(),
+                .to_owned()
+        }
         held => format!(
             "Scale-free (n = 1/2): no radius is singled out. At zero {} a contact of any radius shrinks to \
              nothing when C is above the threshold, and spreads over the whole surface when C is below.",
@@ -145,9 +147,7 @@ fn columns(
         Some(Value::Unknown { .. }) | None => String::new(),
         Some(value) => value.to_string(),
     };
-    let log10 = |value: Option<&Value>| {
-        value.and_then(Value::log10).map(|log10| log10.to_string()).unwrap_or_default()
-    };
+    let log10 = |value: Option<&Value>| value.and_then(Value::log10).map(|log10| log10.to_string()).unwrap_or_default();
     let (promise, digits) = match answer.arithmetic {
         Arithmetic::Certified { digits } => (Promise::Certified, digits.to_string()),
         Arithmetic::Double => (Promise::Double, String::new()),

@@ -5,8 +5,8 @@ use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 
-use mdr::diagram::{Sample, samples};
 use crate::picture::{Axis, Key, Layer, Mark, Panel, Point, Side, Stroke, Unit};
+use mdr::diagram::{Sample, samples};
 
 /// Controlled indentation, the case of the paper.
 const CONTROL: Control<f64> = Control::Indentation;

@@ -121,9 +121,7 @@ fn energy(balance: &Balance) -> String {
         value => format!("{value} J"),
     };
     let [work, dissipated, stored] = [&balance.work, &balance.dissipated, &balance.stored].map(part);
-    format!(
-        "Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start."
-    )
+    format!("Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start.")
 }
 
 /// One table for all outputs: the first columns say which output, and its promise. A column of numbers has numbers only, and
@@ -147,7 +145,10 @@ fn for_spreadsheet(answer: &Answer, out: &mut Out<impl std::io::Write>) -> Resul
     let rows = tables.iter().flat_map(|(output, rows)| {
         rows.iter().map(|row| {
             let first = [output.kind().name().to_owned(), output.promise().name().to_owned()];
-            first.into_iter().chain(keys.iter().map(|key| value(row, key).map(text_of).unwrap_or_default())).collect::<Vec<_>>()
+            first
+                .into_iter()
+                .chain(keys.iter().map(|key| value(row, key).map(text_of).unwrap_or_default()))
+                .collect::<Vec<_>>()
         })
     });
     out.csv(&header, rows)

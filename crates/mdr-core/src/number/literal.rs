@@ -180,8 +180,20 @@ impl Literal {
         let sign = |literal: &Self| (!literal.is_zero()).then_some(literal.is_negative());
         match (sign(self), sign(other)) {
             (None, None) => Ordering::Equal,
-            (None, Some(negative)) => if negative { Ordering::Greater } else { Ordering::Less },
-            (Some(negative), None) => if negative { Ordering::Less } else { Ordering::Greater },
+            (None, Some(negative)) => {
+                if negative {
+                    Ordering::Greater
+                } else {
+                    Ordering::Less
+                }
+            }
+            (Some(negative), None) => {
+                if negative {
+                    Ordering::Less
+                } else {
+                    Ordering::Greater
+                }
+            }
             (Some(true), Some(false)) => Ordering::Less,
             (Some(false), Some(true)) => Ordering::Greater,
             (Some(true), Some(true)) => other.compare_magnitude(self),
@@ -345,8 +357,19 @@ mod tests {
     #[test]
     fn order() {
         let sorted = [
-            "-1e400", "-3", "-1/3", "-0.3333333333333333333333", "0", "1/1000000000000000000001", "1e-21",
-            "0.3333333333333333333333", "1/3", "0.5", "999999999999999999/1000000000", "1000000000", "1e400",
+            "-1e400",
+            "-3",
+            "-1/3",
+            "-0.3333333333333333333333",
+            "0",
+            "1/1000000000000000000001",
+            "1e-21",
+            "0.3333333333333333333333",
+            "1/3",
+            "0.5",
+            "999999999999999999/1000000000",
+            "1000000000",
+            "1e400",
         ];
         let literals: Vec<Literal> = sorted.iter().map(|text| text.parse().unwrap()).collect();
         for (i, one) in literals.iter().enumerate() {

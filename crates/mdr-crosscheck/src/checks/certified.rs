@@ -115,7 +115,7 @@ fn rounding(trial: &mut Trial<'_>) -> Result<()> {
         if found.decimal.is_zero() {
             return;
         }
-        let place = Integer::from(found.decimal.exponent() - (digits - 1));
+        let place = found.decimal.exponent() - (digits - 1);
         let place = Float::with_val(precision.bits(), 10).powi(place.to_i64().unwrap_or(i64::MAX));
         let error = ((found.value.clone() - expected) / place).abs().approx();
         trial.enter(name, error, 0.5 + 1e-12);
@@ -161,7 +161,7 @@ fn prefix(trial: &mut Trial<'_>) -> Result<()> {
 fn agree(short: &Decimal, long: &Decimal, digits: u32) -> bool {
     let exact = |decimal: &Decimal| decimal.to_string().parse().map(|text: Literal| text.to_rational());
     let (Ok(short_value), Ok(long)) = (exact(short), exact(long)) else { return false };
-    let place: i32 = (Integer::from(short.exponent() + 1u32) - digits).to_i32().unwrap_or(i32::MAX);
+    let place: i32 = (short.exponent() + 1u32 - digits).to_i32().unwrap_or(i32::MAX);
     let ten = Rational::from(10);
     short.digits().trim_end_matches('0').len() <= digits as usize && (short_value - long).abs() * 2u32 <= ten.pow(place)
 }

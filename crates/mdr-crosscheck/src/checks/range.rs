@@ -214,7 +214,7 @@ fn digits(trial: &mut Trial<'_>) -> Result<()> {
 /// e^ln less the magnitude of a decimal, in units of its last digit.
 fn units(decimal: &Decimal, ln: &Interval) -> Interval {
     let digits = Interval::from_rational(ln.ctx(), &decimal.digits().parse::<Rational>().unwrap_or_default());
-    let places = Integer::from(decimal.exponent() + 1u32) - decimal.digits().len() as u32;
+    let places = decimal.exponent() + 1u32 - decimal.digits().len() as u32;
     let scale = ln.lit(10).ln() * Interval::from_rational(ln.ctx(), &Rational::from(places));
     (ln.clone() - digits.ln() - scale).exp_m1() * digits
 }

@@ -13,8 +13,8 @@ use mdr_numeric::admissible::Basis;
 pub use record::{Cell, Row};
 pub use rows::{FlatCell, FlatRow, columns, title};
 pub use types::{
-    Admission, AtValue, Balance, Completeness, CurvePoint, CurveStability, Dissipation, EnergyState, Equilibrium, Field, FieldSample,
-    FieldState, Fold, List, LoadingPath, Optional, Overlap, PathEvent, PlainState, TransformSample,
+    Admission, AtValue, Balance, Completeness, CurvePoint, CurveStability, Dissipation, EnergyState, Equilibrium,
+    Field, FieldSample, FieldState, Fold, List, LoadingPath, Optional, Overlap, PathEvent, PlainState, TransformSample,
 };
 pub use value::{Number, Promise, Value};
 
@@ -86,7 +86,7 @@ pub enum Output {
     /// All folds, by increasing contact radius.
     Folds(List<Fold>),
     /// The loading path.
-    Path(LoadingPath),
+    Path(Box<LoadingPath>),
     /// Equilibria by their contact radius.
     Curve(List<CurvePoint>),
     /// Pressure, gap or displacement of states.
@@ -102,7 +102,10 @@ macro_rules! with_list {
             Output::Transform($list) => $value,
             Output::Equilibria($list) => $value,
             Output::Folds($list) => $value,
-            Output::Path(LoadingPath { events: $list, .. }) => $value,
+            Output::Path(path) => {
+                let $list = &path.events;
+                $value
+            }
             Output::Curve($list) => $value,
             Output::Field(_, $list) => $value,
             Output::Energy($list) => $value,
@@ -152,9 +155,10 @@ impl Output {
     /// What has a promise of its own, by its key.
     pub fn exceptions(&self) -> Vec<(&'static str, Promise)> {
         match self {
-            Output::Path(LoadingPath { energy: Some(promise), balance, .. }) => {
-                let balance = balance.as_ref().map(|_| ("balance", *promise));
-                std::iter::once(("path.dissipated", *promise)).chain(balance).collect()
+            Output::Path(path) => {
+                let dissipated = path.energy.map(|promise| ("path.dissipated", promise));
+                let balance = path.balance.as_ref().and(path.energy).map(|promise| ("balance", promise));
+                dissipated.into_iter().chain(balance).collect()
             }
             _ => Vec::new(),
         }
@@ -175,11 +179,11 @@ impl Output {
             Output::Transform(items) => Output::Transform(list(items, promise, f)),
             Output::Equilibria(items) => Output::Equilibria(list(items, promise, f)),
             Output::Folds(items) => Output::Folds(list(items, promise, f)),
-            Output::Path(LoadingPath { events, balance, .. }) => Output::Path(LoadingPath {
-                events: list(events, promise, f),
-                balance: balance.map_values(f),
-                energy: None,
-            }),
+            Output::Path(path) => {
+                let LoadingPath { events, balance, .. } = *path;
+                let (events, balance) = (list(events, promise, f), balance.map_values(f));
+                Output::Path(Box::new(LoadingPath { events, balance, energy: None }))
+            }
             Output::Curve(items) => Output::Curve(list(items, promise, f)),
             Output::Field(field, items) => Output::Field(field, list(items, promise, f)),
             Output::Energy(items) => Output::Energy(list(items, promise, f)),

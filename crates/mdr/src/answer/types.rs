@@ -461,8 +461,7 @@ impl LoadingPath {
         let ends = |event: &PathEvent| {
             matches!(event.event, EventKind::Detached | EventKind::CompleteContact | EventKind::Undecided)
         };
-        let is_finite =
-            !self.events.items.iter().any(|event| ends(event) && event.to_indentation.is_none());
+        let is_finite = !self.events.items.iter().any(|event| ends(event) && event.to_indentation.is_none());
         for event in self.events.items.iter_mut().filter(|event| event.to_force.is_some()) {
             event.dissipated = Some(Dissipation::Finite(open()));
         }

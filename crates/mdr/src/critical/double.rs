@@ -13,9 +13,9 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
     let c = in_range(Quantity::Coefficient, &law.c)?;
     let e_star = effective_modulus(law)?;
     let material = Material::new(e_star, in_range(Quantity::WorkOfAdhesion, &law.work_of_adhesion)?)?;
-    let control = law.control.try_map(|stiffness| {
-        Error::require_positive(Quantity::Stiffness, in_range(Quantity::Stiffness, stiffness)?)
-    })?;
+    let control = law
+        .control
+        .try_map(|stiffness| Error::require_positive(Quantity::Stiffness, in_range(Quantity::Stiffness, stiffness)?))?;
     let regime = match n {
         0.5 => Regime::ScaleFree,
         _ if n > 0.5 => Regime::PullOff,
@@ -87,8 +87,7 @@ fn in_digits(
     let work = literal(material.work_of_adhesion())?;
     let control = control.try_map(literal)?;
     let answer = Question::new(&literal(&n)?, &literal(&c)?, &elasticity, &work, &control)?.answer(ENOUGH)?;
-    let state =
-        answer.critical.map(|c| CriticalState::new([c.contact_radius, c.indentation, c.force], rounded));
+    let state = answer.critical.map(|c| CriticalState::new([c.contact_radius, c.indentation, c.force], rounded));
     let fold = |fold: Instability<_>| CriticalFold {
         state: CriticalState::new([fold.contact_radius, fold.indentation, fold.force], rounded),
         kind: fold.kind,

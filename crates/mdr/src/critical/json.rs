@@ -66,7 +66,8 @@ impl Serialize for Inputs {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("n", &self.n)?;
         map.serialize_entry("c", &self.c)?;
-        for ([e, nu], [modulus, ratio]) in [["e1", "nu1"], ["e2", "nu2"]].into_iter().zip(self.bodies.iter().flatten()) {
+        for ([e, nu], [modulus, ratio]) in [["e1", "nu1"], ["e2", "nu2"]].into_iter().zip(self.bodies.iter().flatten())
+        {
             map.serialize_entry(e, modulus)?;
             map.serialize_entry(nu, ratio)?;
         }

@@ -97,11 +97,7 @@ pub struct CriticalAnswer {
 
 impl CriticalState {
     fn new<N>([contact_radius, indentation, force]: [N; 3], value: impl Fn(N) -> Value) -> Self {
-        CriticalState {
-            contact_radius: value(contact_radius),
-            indentation: value(indentation),
-            force: value(force),
-        }
+        CriticalState { contact_radius: value(contact_radius), indentation: value(indentation), force: value(force) }
     }
 
     /// Its quantities, in the order of a, d and F.
@@ -172,7 +168,14 @@ impl PowerLaw {
             Control::Machine { stiffness } => Some(number(stiffness)),
             _ => None,
         };
-        Inputs { n: number(&self.n), c: number(&self.c), bodies, e_star, work: number(&self.work_of_adhesion), stiffness }
+        Inputs {
+            n: number(&self.n),
+            c: number(&self.c),
+            bodies,
+            e_star,
+            work: number(&self.work_of_adhesion),
+            stiffness,
+        }
     }
 }
 
@@ -199,9 +202,9 @@ fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalA
         inputs: law.inputs(|literal| Value::Given(literal.clone()), e_star),
         kappa: Number::Certified(answer.kappa),
         status: Status::Ok,
-        state: answer.critical.map(|critical| {
-            CriticalState::new([critical.contact_radius, critical.indentation, critical.force], known)
-        }),
+        state: answer
+            .critical
+            .map(|critical| CriticalState::new([critical.contact_radius, critical.indentation, critical.force], known)),
         threshold: answer
             .threshold
             .zip(answer.ratio)

@@ -115,11 +115,7 @@ impl Diagram {
     ///
     /// # Errors
     /// Those of the transform.
-    pub fn new(
-        branches: &Branches<'_, f64>,
-        events: &[path::Event<f64>],
-        values: &[f64],
-    ) -> contact::Result<Self> {
+    pub fn new(branches: &Branches<'_, f64>, events: &[path::Event<f64>], values: &[f64]) -> contact::Result<Self> {
         let curve = branches.curve();
         let path: Vec<_> = events.iter().map(|event| happening(event, curve)).collect();
         let values = shown_values(branches, &path, values);
@@ -203,7 +199,12 @@ fn range(branches: &Branches<'_, f64>, reached: impl Iterator<Item = f64>) -> (f
 /// The ratio of radii from which on an axis is logarithmic.
 pub const DECADES: f64 = 300.0;
 
-fn held(curve: &Curve<'_, f64>, samples: &[Sample], value: f64, equilibria: Vec<Equilibrium<f64>>) -> contact::Result<HeldCurve> {
+fn held(
+    curve: &Curve<'_, f64>,
+    samples: &[Sample],
+    value: f64,
+    equilibria: Vec<Equilibrium<f64>>,
+) -> contact::Result<HeldCurve> {
     // The direction of change is g − Δl − d(held).
     let at = |sample: &Sample| {
         Ok([sample.contact_radius, curve.direction(&sample.contact_radius, &value)? + sample.elongation])

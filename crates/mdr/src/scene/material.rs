@@ -25,7 +25,8 @@ pub(super) fn effective_modulus(elasticity: &Elasticity) -> Result<Literal> {
                     return Err(Location::built("material.body.nu").refuse(why));
                 }
             }
-            combined(bodies).ok_or_else(|| Location::built("material.body").refuse("E* has more digits than can be meant"))
+            combined(bodies)
+                .ok_or_else(|| Location::built("material.body").refuse("E* has more digits than can be meant"))
         }
     }
 }

@@ -18,7 +18,7 @@ use crate::run::Run;
 use crate::solve;
 
 pub use measured::Measured;
-pub(crate) use place::{Location, Places, double};
+pub(crate) use place::{Location, Places};
 pub use profile::{Formula, IntoProfile, Profile};
 pub use read::no_files;
 pub use tree::Files;
@@ -26,6 +26,8 @@ pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, Want};
 
 #[cfg(feature = "mp")]
 pub(crate) use material::exactly;
+#[cfg(feature = "mp")]
+pub(crate) use place::double;
 
 /// The state at the first way point of a path.
 #[derive(Clone, Debug, PartialEq)]
@@ -145,7 +147,8 @@ impl Scene {
         if let Want::Folds { range: Some(range) } = &want {
             self.range = Some(range.clone());
         }
-        self.values.extend(want.values().iter().filter(|value| !self.values.contains(value)).cloned().collect::<Vec<_>>());
+        self.values
+            .extend(want.values().iter().filter(|value| !self.values.contains(value)).cloned().collect::<Vec<_>>());
         self.wants.retain(|other| other.kind() != want.kind());
         self.wants.push(want);
         self
@@ -232,8 +235,10 @@ impl Scene {
             }
         }
         match self.arithmetic {
-            Arithmetic::Certified { digits } if !(1..=MAX_DIGITS).contains(&digits) => Err(Location::built("output.digits")
-                .refuse(format!("must be a whole number from 1 to {MAX_DIGITS}, got {digits}"))),
+            Arithmetic::Certified { digits } if !(1..=MAX_DIGITS).contains(&digits) => {
+                Err(Location::built("output.digits")
+                    .refuse(format!("must be a whole number from 1 to {MAX_DIGITS}, got {digits}")))
+            }
             Arithmetic::Certified { .. } if cfg!(not(feature = "mp")) => {
                 Err(Error::NeedsMp { what: "an answer in certified digits" })
             }
@@ -242,6 +247,3 @@ impl Scene {
         }
     }
 }
-
-#[cfg(all(test, feature = "toml"))]
-mod tests;

@@ -14,7 +14,9 @@ pub(super) fn toml(document: &Document<'_>) -> Result<Node> {
             DeValue::String(text) => Content::Text(text.to_string()),
             DeValue::Integer(integer) if integer.radix() == 10 => Content::Number(integer.as_str().to_owned()),
             DeValue::Float(float) => Content::Number(float.as_str().to_owned()),
-            DeValue::Array(items) => Content::List(items.iter().map(|item| node(item.span(), item.get_ref())).collect()),
+            DeValue::Array(items) => {
+                Content::List(items.iter().map(|item| node(item.span(), item.get_ref())).collect())
+            }
             DeValue::Table(table) => Content::Table(entries(table)),
             _ => Content::Other,
         };
@@ -42,7 +44,8 @@ pub(super) fn toml(document: &Document<'_>) -> Result<Node> {
 #[cfg(feature = "serde")]
 pub(super) fn json(document: &Document<'_>) -> Result<Node> {
     json::parse(document.text()).map_err(|error| {
-        let before: usize = document.text().split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
+        let before: usize =
+            document.text().split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
         document.place(before..before, "not JSON").refuse(error.to_string())
     })
 }

@@ -97,8 +97,10 @@ impl Formula {
         let breaks = expression.breaks(&parameters).map_err(told)?;
         #[cfg(not(feature = "mp"))]
         if !expression.is_smooth() {
-            return Err("kinks of `abs`, `min` and `max` are isolated with the feature `mp`, which this build is without"
-                .to_owned());
+            return Err(
+                "kinks of `abs`, `min` and `max` are isolated with the feature `mp`, which this build is without"
+                    .to_owned(),
+            );
         }
         Ok(Formula {
             expression,

@@ -67,7 +67,7 @@ impl Scene {
     /// use mdr::prelude::*;
     /// let scene = r#"{"profile": {"kind": "cone", "slope": "1/10"}, "material": {"e_star": 1e6, "work_of_adhesion": 0.05},
     ///                 "output": {"want": ["folds"], "arithmetic": "f64"}}"#;
-    /// let answer = Scene::from_json(scene, "cone.json", mdr::no_files)?.solve()?;
+    /// let answer = Scene::from_json(scene, "cone.json", &mdr::no_files)?.solve()?;
     /// assert_eq!(answer.folds().expect("wanted").items.len(), 1);
     /// # Ok::<(), mdr::Error>(())
     /// ```

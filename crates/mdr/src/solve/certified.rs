@@ -66,7 +66,7 @@ impl<'s> Certified<'s> {
             Want::Curve { at } => Output::Curve(self.curve(&self.search_or_given_radii(at)?)?),
             Want::Folds { .. } => Output::Folds(self.all_folds()?),
             Want::Equilibria { at } => Output::Equilibria(self.equilibria(at)?),
-            Want::Path => Output::Path(self.path()?),
+            Want::Path => Output::Path(Box::new(self.path()?)),
             Want::Pressure { states, at } => self.field(Field::Pressure, states, at)?,
             Want::Gap { states, at } => self.field(Field::Gap, states, at)?,
             Want::Displacement { states, at } => self.field(Field::Displacement, states, at)?,

@@ -97,10 +97,7 @@ fn known<'a, N>(rows: &[Row<'a, N>]) -> Vec<&'a N> {
 }
 
 /// Those that are not decided yet.
-fn still_open<'a>(
-    enclosures: &[&'a Enclosure],
-    decided: &[Option<Decimal>],
-) -> impl Iterator<Item = &'a Enclosure> {
+fn still_open<'a>(enclosures: &[&'a Enclosure], decided: &[Option<Decimal>]) -> impl Iterator<Item = &'a Enclosure> {
     enclosures.iter().zip(decided).filter(|(_, decimal)| decimal.is_none()).map(|(enclosure, _)| *enclosure)
 }
 
@@ -300,7 +297,8 @@ mod tests {
                 calls += 1;
                 let error = Error::NoConvergence { quantity: Quantity::Energy, evaluations: 9, error: 1e-9 };
                 let second = if calls > from { Ok(third(precision)) } else { Err(error) };
-                let second = Value::from_result(second.map(|value| Estimate { error: value.lit(0), value, evaluations: 0 }))?;
+                let second =
+                    Value::from_result(second.map(|value| Estimate { error: value.lit(0), value, evaluations: 0 }))?;
                 Ok(record(exact(third(precision)), second))
             }
         };

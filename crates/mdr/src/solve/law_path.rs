@@ -243,7 +243,9 @@ impl<'a> Branches<'a> {
                 put(force, &state.force);
             }
             match (control, state) {
-                (ControlKind::Indentation, _) | (ControlKind::Machine, State::Detached) => put(indentation, &line.value),
+                (ControlKind::Indentation, _) | (ControlKind::Machine, State::Detached) => {
+                    put(indentation, &line.value)
+                }
                 (ControlKind::Force, State::Contact(_)) => put(force, &line.value),
                 _ => {}
             }

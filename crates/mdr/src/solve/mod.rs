@@ -239,5 +239,6 @@ impl<'s> Solver<'s> {
 
 /// Whether a radius lies at or beyond the outer radius of a profile.
 fn contact_begins_beyond(lower: &mdr_core::number::Literal, outer: f64) -> bool {
-    mdr_core::number::Literal::try_from(outer).map_or(lower.nearest_f64() >= outer, |outer| lower.compare(&outer).is_ge())
+    mdr_core::number::Literal::try_from(outer)
+        .map_or(lower.nearest_f64() >= outer, |outer| lower.compare(&outer).is_ge())
 }

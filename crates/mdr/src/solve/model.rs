@@ -13,9 +13,9 @@ use mdr_numeric::curve::Curve;
 use mdr_numeric::transform::Quadrature;
 
 use crate::run::Counts;
+use crate::scene::{Formula, Profile, Scene};
 #[cfg(feature = "mp")]
 use crate::scene::{double, exactly};
-use crate::scene::{Formula, Profile, Scene};
 
 /// An arithmetic in which a scene can be computed.
 pub(crate) trait SceneReal: Struve + Kappa {
@@ -71,19 +71,12 @@ impl<R: SceneReal> Model<R> {
     pub(crate) fn new(scene: &Scene, ctx: R::Ctx, counts: &Counts) -> Result<Self> {
         let number = |literal: &Literal| R::from_literal(ctx, literal);
         let material = Material::new(number(&scene.effective_modulus), number(&scene.work_of_adhesion))?;
-        let control = scene.control.try_map(|stiffness| {
-            Error::require_positive(Quantity::Stiffness, number(stiffness))
-        })?;
+        let control =
+            scene.control.try_map(|stiffness| Error::require_positive(Quantity::Stiffness, number(stiffness)))?;
         Self::with(scene, ctx, material, control, counts)
     }
 
-    fn with(
-        scene: &Scene,
-        ctx: R::Ctx,
-        material: Material<R>,
-        control: Control<R>,
-        counts: &Counts,
-    ) -> Result<Self> {
+    fn with(scene: &Scene, ctx: R::Ctx, material: Material<R>, control: Control<R>, counts: &Counts) -> Result<Self> {
         let transform = transform(&scene.profile, ctx, R::accepted(scene, ctx).as_ref())?;
         let transform = Arc::new(CountedTransform::new(transform, counts.of(R::INDEX)));
         Ok(Model { ctx, transform, material, control })

@@ -152,10 +152,7 @@ pub(crate) fn with_energy<R: SceneReal>(
 }
 
 /// The energy lost in an event; unknown where its integral does not converge.
-fn dissipated<R: SceneReal>(
-    event: &Event<R>,
-    loss: Result<Loss<R>>,
-) -> Result<Option<Dissipation<Estimate<R>>>> {
+fn dissipated<R: SceneReal>(event: &Event<R>, loss: Result<Loss<R>>) -> Result<Option<Dissipation<Estimate<R>>>> {
     Ok(match loss {
         _ if !changes(event.kind) => None,
         Ok(Loss::Unbounded) => Some(Dissipation::Unbounded),

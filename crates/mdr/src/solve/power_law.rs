@@ -56,7 +56,7 @@ impl<'s> PowerLaw<'s> {
         let output = match want {
             Want::Folds { .. } => Output::Folds(List::new(PROVED, self.folds()?).complete(complete())),
             Want::Equilibria { at } => Output::Equilibria(List::new(PROVED, self.equilibria(at)?).complete(complete())),
-            Want::Path => Output::Path(LoadingPath::new(PROVED, self.path()?, complete())),
+            Want::Path => Output::Path(Box::new(LoadingPath::new(PROVED, self.path()?, complete()))),
             Want::Energy { states } => Output::Energy(List::new(PROVED, self.energies(states)?)),
             Want::Transform { .. }
             | Want::Curve { .. }
@@ -192,7 +192,12 @@ impl<'s> PowerLaw<'s> {
     }
 
     /// The numbers of a state, of which the one that is controlled is exactly `value`, and that of a cone at its fold is exact.
-    pub(super) fn state(&self, curve: &Curve, point: &Point, value: Option<&Rational>) -> contact::Equilibrium<Enclosure> {
+    pub(super) fn state(
+        &self,
+        curve: &Curve,
+        point: &Point,
+        value: Option<&Rational>,
+    ) -> contact::Equilibrium<Enclosure> {
         let controlled = |kind: ControlKind, number: Enclosure| match value {
             Some(value) if self.scene.control.kind() == kind => Enclosure::Exact(value.clone()),
             _ => number,

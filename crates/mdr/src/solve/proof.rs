@@ -17,9 +17,7 @@ use super::model::Model;
 use super::{outputs, path, sample};
 use crate::answer::record::Numbers;
 use crate::answer::types::PathNumbers;
-use crate::answer::{
-    AtValue, Completeness, Equilibrium, Fold, List, LoadingPath, Number, PathEvent, Promise, Value,
-};
+use crate::answer::{AtValue, Completeness, Equilibrium, Fold, List, LoadingPath, Number, PathEvent, Promise, Value};
 
 /// Bits in which folds are isolated; they are sharpened afterwards.
 const ISOLATION: u32 = 64;
@@ -170,9 +168,9 @@ pub(super) fn equilibria_at(
                 }
             }
             let why = match limits {
-                Some([lower, upper]) if states.is_empty() => Some(format!(
-                    "no equilibrium with a contact radius within the range from {lower} to {upper} m"
-                )),
+                Some([lower, upper]) if states.is_empty() => {
+                    Some(format!("no equilibrium with a contact radius within the range from {lower} to {upper} m"))
+                }
                 _ => None,
             };
             Ok(AtValue { why, ..AtValue::new(literal, states) })

@@ -4,8 +4,8 @@ use mdr_core::contact::{Control, Material};
 use mdr_numeric::folds;
 use mdr_numeric::table::{Scatter, Table};
 
-use super::search::Search;
 use super::model;
+use super::search::Search;
 use crate::scene::{Measured, Profile, Scene};
 
 /// The folds between which the tangency ratio keeps closer to its threshold than so many standard deviations of what the

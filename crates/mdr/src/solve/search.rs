@@ -13,7 +13,7 @@ use super::model::Model;
 use super::states::{States, exact};
 use super::{outputs, sample};
 use crate::answer::record::Numbers;
-use crate::answer::{Completeness, Field, List, LoadingPath, Number, Output, OutputKind, Promise, Value};
+use crate::answer::{Completeness, Field, List, LoadingPath, Number, Output, Promise, Value};
 use crate::run::Counts;
 use crate::scene::{Scene, Want};
 
@@ -111,7 +111,7 @@ impl<'s> Search<'s> {
             }
             Want::Path => {
                 let path = doubles(self.states()?.path(self.scene)?);
-                Output::Path(LoadingPath::new(DOUBLE, path, self.completeness()?))
+                Output::Path(Box::new(LoadingPath::new(DOUBLE, path, self.completeness()?)))
             }
             Want::Pressure { states, at } => return field(Field::Pressure, states, at),
             Want::Gap { states, at } => return field(Field::Gap, states, at),
@@ -132,8 +132,8 @@ impl<'s> Search<'s> {
     #[cfg(feature = "mp")]
     pub(crate) fn visited(&self) -> Vec<f64> {
         let wants = &self.scene.wants;
-        let moves = wants.iter().any(|want| *want == Want::Path);
-        let values = wants.iter().find(|want| want.kind() == OutputKind::Equilibria).map(Want::values);
+        let moves = wants.contains(&Want::Path);
+        let values = wants.iter().find(|want| want.kind() == crate::answer::OutputKind::Equilibria).map(Want::values);
         match self.states() {
             Ok(states) if moves || values.is_some() => {
                 states.visited(moves.then_some(self.scene), values.unwrap_or_default())

@@ -21,9 +21,7 @@ use super::path;
 use super::sample::decimal;
 use crate::answer::record::Numbers;
 use crate::answer::types::PathNumbers;
-use crate::answer::{
-    Admission, AtValue, EnergyState, Equilibrium, Field, FieldSample, FieldState, Overlap, Value,
-};
+use crate::answer::{Admission, AtValue, EnergyState, Equilibrium, Field, FieldSample, FieldState, Overlap, Value};
 use crate::scene::Scene;
 
 /// Radii of a pressure over the contact radius, when the scene names none.
@@ -164,11 +162,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     ///
     /// # Errors
     /// As [`States::equilibria`].
-    pub(crate) fn energies(
-        &self,
-        scene: &Scene,
-        values: &[Literal],
-    ) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
+    pub(crate) fn energies(&self, scene: &Scene, values: &[Literal]) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
         self.described(scene, values, |state| {
             let fields = Fields::of(self.model.curve(), &state)?;
             let energy = Energy::new(self.model.transform(), self.model.material())?;
@@ -265,11 +259,7 @@ pub(crate) fn refined<R: SceneReal>(model: &Model<R>, searched: &Folds<f64>) -> 
     Ok(Folds { folds, poles, beyond: Vec::new(), completeness: searched.completeness })
 }
 
-fn refine<R: SceneReal>(
-    model: &Model<R>,
-    curve: &Curve<'_, R>,
-    searched: &Instability<f64>,
-) -> Result<Instability<R>> {
+fn refine<R: SceneReal>(model: &Model<R>, curve: &Curve<'_, R>, searched: &Instability<f64>) -> Result<Instability<R>> {
     let centre = model.double(searched.contact_radius);
     if let Some(wall) = curve.wall().filter(|wall| wall.approx() == searched.contact_radius) {
         let (indentation, force) = curve.state(&wall)?;

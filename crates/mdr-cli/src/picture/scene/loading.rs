@@ -2,8 +2,8 @@
 
 use mdr_numeric::path::EventKind;
 
-use mdr::diagram::{Branch, Diagram, Event, Sample, Spot};
 use super::radius_axis;
+use mdr::diagram::{Branch, Diagram, Event, Sample, Spot};
 
 use crate::picture::{Axis, Key, Layer, Mark, Panel, Point, Side, Stroke, Unit};
 

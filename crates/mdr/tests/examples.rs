@@ -1,0 +1,98 @@
+//! The example scenes through the library: certified answers as they are published, and the same numbers in a build without
+//! certified digits.
+#![cfg(all(feature = "toml", feature = "serde"))]
+
+use std::path::{Path, PathBuf};
+
+use mdr::prelude::*;
+use serde_json::Value as Json;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn scene(name: &str) -> Scene {
+    Scene::open(root().join(format!("examples/scenes/{name}.toml"))).unwrap()
+}
+
+fn names() -> Vec<String> {
+    let files = std::fs::read_dir(root().join("examples/scenes")).unwrap().map(|entry| entry.unwrap().path());
+    let scenes = files.filter(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    let mut names: Vec<_> = scenes.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
+    names.sort();
+    names
+}
+
+/// Byte for byte what the command line prints, whose answers are checked in.
+#[cfg(feature = "mp")]
+#[test]
+fn certified_answers_are_those_of_the_command_line() {
+    for name in ["figure-4", "machine", "cone", "expression", "transform", "kinked"] {
+        let golden = std::fs::read_to_string(root().join(format!("tests/command_line/scenes/{name}.json"))).unwrap();
+        assert_eq!(scene(name).solve().unwrap().to_json().trim(), golden.trim(), "{name}");
+    }
+}
+
+/// `MDR_GOLDENS=overwrite` writes them anew.
+#[test]
+fn answers_in_f64_are_the_same_in_every_build() {
+    let overwrite = std::env::var_os("MDR_GOLDENS").is_some_and(|value| value == "overwrite");
+    for name in names().iter().filter(|name| cfg!(feature = "mp") || !needs_mp(name)) {
+        let answer = scene(name).arithmetic(Arithmetic::Double).solve().unwrap().to_json();
+        let golden = root().join(format!("crates/mdr/tests/f64/{name}.json"));
+        if overwrite {
+            std::fs::write(&golden, &answer).unwrap();
+        }
+        let golden: Json = serde_json::from_str(&std::fs::read_to_string(&golden).unwrap()).unwrap();
+        let answer: Json = serde_json::from_str(&answer).unwrap();
+        for kind in scene(name).wants().iter().map(Want::name) {
+            close(&answer[kind], &golden[kind], 0.0, &format!("{name}.{kind}"));
+        }
+    }
+}
+
+/// A formula with kinks is refused without certified digits.
+fn needs_mp(name: &str) -> bool {
+    name == "kinked"
+}
+
+/// The same structure, with numbers as close as the condition of the example scenes allows on any platform. Of two numbers in
+/// one list the smaller may be a difference of larger ones, so that all are measured against the largest.
+fn close(one: &Json, other: &Json, scale: f64, place: &str) {
+    match (one, other) {
+        (Json::Number(x), Json::Number(y)) => {
+            let [x, y] = [x, y].map(|number| number.as_f64().unwrap());
+            assert!((x - y).abs() <= 1e-11 * x.abs().max(scale), "{place}: {x:e}, not {y:e}");
+        }
+        (Json::Array(ones), Json::Array(others)) => {
+            assert_eq!(ones.len(), others.len(), "{place}");
+            for (index, (one, other)) in ones.iter().zip(others).enumerate() {
+                close(one, other, scale, &format!("{place}[{index}]"));
+            }
+        }
+        (Json::Object(ones), Json::Object(others)) => {
+            for (key, other) in others.iter().filter(|(key, _)| *key != "why") {
+                let scale = largest(others, key);
+                close(&ones[key], other, scale, &format!("{place}.{key}"));
+            }
+        }
+        (one, other) => assert_eq!(one, other, "{place}"),
+    }
+}
+
+/// What cancels in a force, an indentation depth or an energy is as large as those beside it.
+fn largest(record: &serde_json::Map<String, Json>, key: &str) -> f64 {
+    let beside: &[&str] = match key {
+        "work" | "dissipated" | "stored" | "energy" => &["work", "dissipated", "stored", "energy"],
+        _ => &[key],
+    };
+    beside.iter().filter_map(|key| record.get(*key)?.as_f64()).map(f64::abs).fold(0.0, f64::max)
+}
+
+#[cfg(not(feature = "mp"))]
+#[test]
+fn certified_digits_need_mp() {
+    assert!(matches!(scene("figure-4").solve(), Err(Error::NeedsMp { .. })));
+    let error = scene("figure-4").solve().unwrap_err().to_string();
+    assert!(error.contains("the feature `mp`"), "{error}");
+}
