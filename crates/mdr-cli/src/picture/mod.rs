@@ -81,7 +81,7 @@ pub(crate) enum Stroke {
     Guide,
 }
 
-/// How a state is marked, or the points of a series.
+/// How a state is marked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
     /// Stable.
@@ -90,16 +90,6 @@ pub(crate) enum Mark {
     Open,
     /// Neither: the critical state itself.
     Diamond,
-    OpenDiamond,
-    Square,
-    OpenSquare,
-    Triangle,
-    OpenTriangle,
-    /// A triangle that stands on its tip.
-    Inverted,
-    OpenInverted,
-    /// What failed.
-    Cross,
 }
 
 /// Where a label would like to be, seen from its anchor.
@@ -116,8 +106,6 @@ pub(crate) enum Side {
 pub(crate) enum Key {
     Line(Stroke),
     Mark(Mark),
-    /// A line with marks.
-    Series(Stroke, Mark),
     Arrow,
     Area,
     /// No sample.
