@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs contestants
+.PHONY: verify test build deps bench doc confirm proofs peers
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -32,10 +32,11 @@ confirm:
 proofs:
 	@sh scripts/proofs.sh
 
-# Other projects' methods for `mdr report`, below target/: Arb, scipy and mpmath.
-contestants:
+# Times of Arb, scipy and mpmath beside those of this workspace; installs them below target/.
+peers: build
 	python3 -m venv target/python
-	target/python/bin/python -m pip install --quiet python-flint numpy scipy mpmath
+	target/python/bin/python -m pip install --quiet python-flint scipy mpmath
+	target/python/bin/python scripts/peers.py
 
 deps:
 	@sh scripts/deps.sh

@@ -18,7 +18,7 @@ fn the_overview_lists_every_command() {
 #[test]
 fn each_command_has_flags_examples_and_exit_statuses() {
     let cases: [(&str, &[&str]); 8] = [
-        ("report", &["--out", "--quick", "--only", "--check", "--renew", "--format"]),
+        ("report", &["--out", "--quick", "--format"]),
         ("derive", &["[ID]", "--errata", "--format"]),
         ("figures", &["--out", "--format"]),
         ("verify", &["--quick", "--full", "--digits", "--shard", "--seed", "--only", "--merge", "--format"]),

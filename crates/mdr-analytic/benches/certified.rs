@@ -2,7 +2,7 @@
 //!
 //! `bare` runs the same closed forms over `rug::Float`; `gamma` takes κ from MPFR's Γ, as a textbook program would. Both
 //! know nothing about their errors and print no decimals; `enclosure` includes the proof, `certified` the decimal digits, too.
-//! Arb is measured beside `enclosure` by `mdr report --only speed`.
+//! `make peers` measures Arb beside `enclosure`.
 #![allow(missing_docs, clippy::unwrap_used, reason = "macros of criterion; a benchmark fails by panicking")]
 
 use std::hint::black_box;

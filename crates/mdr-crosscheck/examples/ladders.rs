@@ -6,13 +6,13 @@
 
 use std::fs;
 
-use mdr_crosscheck::contest::Effort;
+use mdr_crosscheck::Level;
 use mdr_crosscheck::ladders::{Ladder, Worst, ladders_of, worst_inputs};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let asked = |flag: &str| std::env::args().any(|argument| argument == flag);
     let word = std::env::args().skip(1).find(|argument| !argument.starts_with("--")).unwrap_or_default();
-    let mut all = ladders_of(if asked("--quick") { Effort::Quick } else { Effort::Full }, &word);
+    let mut all = ladders_of(if asked("--quick") { Level::Quick } else { Level::Full }, &word);
     if asked("--worst") {
         let worst = Worst::found(&all, &worst_inputs()?);
         let lines: Result<Vec<_>, _> = worst.iter().map(serde_json::to_string).collect();

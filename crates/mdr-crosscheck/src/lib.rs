@@ -18,14 +18,13 @@
 //! * [`faults`] are mistakes put into the closed forms on purpose; each must be found by a check.
 //! * [`records`] generates the certified values of `mdr-reference`, each by two methods.
 //! * [`derivations`] evaluates the statements of `mdr-symbolic` in rigorous intervals.
-//! * [`contest`] has the data of error against run time.
+//! * [`work_precision`] has the data of error against run time.
 //! * [`ladders`] lead each function in double precision to where its question becomes hard.
 
 #![forbid(unsafe_code)]
 
 mod arithmetic;
 mod checks;
-pub mod contest;
 pub mod derivations;
 mod faults;
 mod grid;
@@ -39,6 +38,7 @@ mod run;
 mod theory;
 mod tolerance;
 mod trial;
+pub mod work_precision;
 
 pub use checks::checks_of;
 pub use faults::{Entry, Fault, Mistake, faults, forms};

@@ -9,11 +9,11 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use mdr_crosscheck::contest::Effort;
+use mdr_crosscheck::Level;
 use mdr_crosscheck::ladders::{Family, Found, Ladder, MOST_EXCESS, OPEN, functions, ladders, worst_inputs};
 use sources::{public_functions, sources};
 
-static LADDERS: LazyLock<Vec<Ladder>> = LazyLock::new(|| ladders(Effort::Quick));
+static LADDERS: LazyLock<Vec<Ladder>> = LazyLock::new(|| ladders(Level::Quick));
 
 #[test]
 fn what_is_not_accepted_is_known_to_be_open() {

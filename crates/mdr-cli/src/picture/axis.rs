@@ -16,8 +16,6 @@ pub(crate) enum Unit {
 enum Scale {
     Linear,
     Log,
-    /// As `Log`, of numbers that no `f64` holds: values and ends are powers of ten.
-    Powers,
 }
 
 /// One axis of a diagram.
@@ -29,8 +27,6 @@ pub(crate) struct Axis {
     scale: Scale,
     lower: f64,
     upper: f64,
-    /// Names of rows instead of numbers, from top to bottom.
-    rows: Vec<String>,
 }
 
 /// A tick: where, and the number beside it.
@@ -52,37 +48,13 @@ impl Axis {
         } else {
             lower.abs() / 10.0
         };
-        Axis {
-            quantity: quantity.into(),
-            unit,
-            scale: Scale::Linear,
-            lower: lower - half,
-            upper: upper + half,
-            rows: Vec::new(),
-        }
+        Axis { quantity: quantity.into(), unit, scale: Scale::Linear, lower: lower - half, upper: upper + half }
     }
 
     /// An axis from `lower` > 0 to `upper` with equal ratios.
     pub(crate) fn log(quantity: impl Into<String>, unit: Unit, lower: f64, upper: f64) -> Self {
         let factor = if upper > lower { 1.0 } else { 10.0 };
-        Axis {
-            quantity: quantity.into(),
-            unit,
-            scale: Scale::Log,
-            lower: lower / factor,
-            upper: upper * factor,
-            rows: Vec::new(),
-        }
-    }
-
-    /// An axis with equal ratios whose values are powers of ten, from 10^`lower` to 10^`upper`.
-    pub(crate) fn powers(quantity: impl Into<String>, lower: f64, upper: f64) -> Self {
-        Axis { scale: Scale::Powers, ..Self::linear(quantity, Unit::One, lower, upper) }
-    }
-
-    /// An axis of rows of height 1 with a name each, the last at 0.
-    pub(crate) fn rows(names: Vec<String>) -> Self {
-        Axis { rows: names.clone(), ..Self::linear("", Unit::One, 0.0, names.len() as f64) }
+        Axis { quantity: quantity.into(), unit, scale: Scale::Log, lower: lower / factor, upper: upper * factor }
     }
 
     /// A linear axis that shows all of `values`, with a margin, and zero where `zero` asks for it.
@@ -103,11 +75,6 @@ impl Axis {
         }
     }
 
-    /// The names of its rows, if it has some.
-    pub(crate) fn names(&self) -> &[String] {
-        &self.rows
-    }
-
     /// The lower and the upper end.
     pub(crate) fn range(&self) -> (f64, f64) {
         (self.lower, self.upper)
@@ -116,7 +83,7 @@ impl Axis {
     /// The value at a fraction of the axis.
     pub(crate) fn at(&self, fraction: f64) -> f64 {
         match self.scale {
-            Scale::Linear | Scale::Powers => self.lower + fraction * (self.upper - self.lower),
+            Scale::Linear => self.lower + fraction * (self.upper - self.lower),
             Scale::Log => self.lower * (self.upper / self.lower).powf(fraction),
         }
     }
@@ -124,7 +91,7 @@ impl Axis {
     /// Where on the axis a value is: 0 at the lower end, 1 at the upper.
     pub(crate) fn fraction(&self, value: f64) -> f64 {
         match self.scale {
-            Scale::Linear | Scale::Powers => (value - self.lower) / (self.upper - self.lower),
+            Scale::Linear => (value - self.lower) / (self.upper - self.lower),
             Scale::Log => (value / self.lower).ln() / (self.upper / self.lower).ln(),
         }
     }
@@ -166,7 +133,7 @@ impl Axis {
         let largest = self.lower.abs().max(self.upper.abs());
         let thousands = (largest.log10() / 3.0).floor();
         match self.scale {
-            Scale::Log | Scale::Powers => 0,
+            Scale::Log => 0,
             Scale::Linear if self.unit == Unit::One && (0.01..1e4).contains(&largest) => 0,
             // A largest number of 1.2 is better told as 1200 of the next smaller unit only when ticks would need it.
             Scale::Linear => 3 * thousands as i32,
@@ -175,18 +142,9 @@ impl Axis {
 
     /// At most `most` ticks at round numbers.
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
-        if !self.rows.is_empty() {
-            let count = self.rows.len() as f64;
-            let tick = |(row, name): (usize, &String)| Tick {
-                fraction: (count - 0.5 - row as f64) / count,
-                text: name.clone(),
-            };
-            return self.rows.iter().enumerate().map(tick).collect();
-        }
         match self.scale {
             Scale::Linear => self.linear_ticks(most),
-            Scale::Log => self.decades((self.lower.log10(), self.upper.log10()), most),
-            Scale::Powers => self.decades((self.lower, self.upper), most),
+            Scale::Log => self.decades(most),
         }
     }
 
@@ -208,7 +166,8 @@ impl Axis {
         points.into_iter().map(tick).filter(|tick| (-1e-9..=1.0 + 1e-9).contains(&tick.fraction)).collect()
     }
 
-    fn decades(&self, (lower, upper): (f64, f64), most: usize) -> Vec<Tick> {
+    fn decades(&self, most: usize) -> Vec<Tick> {
+        let (lower, upper) = (self.lower.log10(), self.upper.log10());
         let exponents = round_numbers(lower, upper, most);
         let tick = |exponent: f64| Tick {
             fraction: (exponent - lower) / (upper - lower),
@@ -278,20 +237,6 @@ mod tests {
     #[test]
     fn decades() {
         assert_eq!(texts(&Axis::log("e", Unit::One, 1e-18, 1.0), 7), ["10^{−15}", "10^{−10}", "10^{−5}", "10^{0}"]);
-    }
-
-    #[test]
-    fn powers_of_ten_beyond_every_double() {
-        let axis = Axis::powers("e", -10_000.0, 0.0);
-        assert_eq!(texts(&axis, 3), ["10^{−10000}", "10^{−5000}", "10^{0}"]);
-        assert_eq!((axis.fraction(-2500.0), axis.at(0.75), axis.title()), (0.75, -2500.0, "e".to_owned()));
-    }
-
-    #[test]
-    fn rows_have_names_from_top_to_bottom() {
-        let ticks = Axis::rows(vec!["one".to_owned(), "two".to_owned()]).ticks(1);
-        let told: Vec<_> = ticks.iter().map(|tick| (&*tick.text, tick.fraction)).collect();
-        assert_eq!(told, [("one", 0.75), ("two", 0.25)]);
     }
 
     #[test]

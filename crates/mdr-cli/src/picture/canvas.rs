@@ -15,10 +15,8 @@ pub(crate) const PER_POINT: f64 = 10.0;
 const HEAD: (f64, f64) = (62.0, 22.0);
 const MARK: f64 = 27.0;
 
-/// Corners of marks, in its radii.
+/// Corners of a diamond, in radii of a mark.
 const DIAMOND: [Spot; 4] = [[0.0, -1.3], [1.3, 0.0], [0.0, 1.3], [-1.3, 0.0]];
-const SQUARE: [Spot; 4] = [[-0.9, -0.9], [0.9, -0.9], [0.9, 0.9], [-0.9, 0.9]];
-const TRIANGLE: [Spot; 3] = [[0.0, -1.2], [1.15, 0.8], [-1.15, 0.8]];
 
 const GREY: RGBColor = RGBColor(0xD9, 0xD9, 0xD9);
 
@@ -92,33 +90,12 @@ impl<'a> Canvas<'a> {
                 self.area.draw(&Circle::new(whole(at), radius, WHITE.filled()))?;
                 self.area.draw(&Circle::new(whole(at), radius - 4, BLACK.stroke_width(9)))?;
             }
-            Mark::Diamond => self.polygon(at, &DIAMOND, true)?,
-            Mark::OpenDiamond => self.polygon(at, &DIAMOND, false)?,
-            Mark::Square => self.polygon(at, &SQUARE, true)?,
-            Mark::OpenSquare => self.polygon(at, &SQUARE, false)?,
-            Mark::Triangle => self.polygon(at, &TRIANGLE, true)?,
-            Mark::OpenTriangle => self.polygon(at, &TRIANGLE, false)?,
-            Mark::Inverted => self.polygon(at, &TRIANGLE.map(|[x, y]| [x, -y]), true)?,
-            Mark::OpenInverted => self.polygon(at, &TRIANGLE.map(|[x, y]| [x, -y]), false)?,
-            Mark::Cross => {
-                for sign in [-1.0, 1.0] {
-                    let ends = [[-MARK, -sign * MARK], [MARK, sign * MARK]].map(|[x, y]| [at[0] + x, at[1] + y]);
-                    self.line(&ends, Stroke::Solid)?;
-                }
+            Mark::Diamond => {
+                let corners = DIAMOND.map(|[x, y]| whole([at[0] + MARK * x, at[1] + MARK * y]));
+                self.area.draw(&Polygon::new(corners, BLACK.filled()))?;
             }
         }
         Ok(())
-    }
-
-    /// A mark with corners, which are given in radii of a mark.
-    fn polygon(&self, at: Spot, corners: &[Spot], filled: bool) -> Drawn {
-        let mut corners: Vec<_> = corners.iter().map(|[x, y]| whole([at[0] + MARK * x, at[1] + MARK * y])).collect();
-        if filled {
-            return Ok(self.area.draw(&Polygon::new(corners, BLACK.filled()))?);
-        }
-        self.area.draw(&Polygon::new(corners.clone(), WHITE.filled()))?;
-        corners.extend_from_within(..2);
-        Ok(self.area.draw(&PathElement::new(corners, BLACK.stroke_width(9)))?)
     }
 
     /// An arrow; its tip is at `to`.

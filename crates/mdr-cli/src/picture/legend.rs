@@ -12,7 +12,7 @@ const COLUMN_GAP: f64 = 150.0;
 fn sample(key: Key) -> f64 {
     match key {
         Key::Mark(_) => 60.0,
-        Key::Line(_) | Key::Series(..) | Key::Arrow => 280.0,
+        Key::Line(_) | Key::Arrow => 280.0,
         Key::Area => 200.0,
         Key::Text => 0.0,
     }
@@ -52,10 +52,6 @@ impl Entry<'_> {
         match self.key {
             Key::Line(stroke) => canvas.line(&ends, stroke)?,
             Key::Mark(mark) => canvas.mark([left + width / 2.0, y], mark)?,
-            Key::Series(stroke, mark) => {
-                canvas.line(&ends, stroke)?;
-                canvas.mark([left + width / 2.0, y], mark)?;
-            }
             Key::Arrow => canvas.arrow(ends[0], ends[1], Stroke::Thin)?,
             Key::Text => {}
             Key::Area => {

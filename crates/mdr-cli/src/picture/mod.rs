@@ -80,7 +80,7 @@ pub(crate) enum Stroke {
     Guide,
 }
 
-/// How a state is marked, or the points of a series.
+/// How a state is marked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
     /// Stable.
@@ -89,16 +89,6 @@ pub(crate) enum Mark {
     Open,
     /// Neither: the critical state itself.
     Diamond,
-    OpenDiamond,
-    Square,
-    OpenSquare,
-    Triangle,
-    OpenTriangle,
-    /// A triangle that stands on its tip.
-    Inverted,
-    OpenInverted,
-    /// What failed.
-    Cross,
 }
 
 /// Where a label would like to be, seen from its anchor.
@@ -115,8 +105,6 @@ pub(crate) enum Side {
 pub(crate) enum Key {
     Line(Stroke),
     Mark(Mark),
-    /// A line with marks.
-    Series(Stroke, Mark),
     Arrow,
     Area,
     /// No sample.

@@ -7,7 +7,7 @@ use super::placement::{Obstacles, leader};
 use super::{Axis, Layer, Panel, Picture, Point, Side, Stroke, legend, typeset};
 use crate::error::{Failure, Result};
 
-/// Room around the frames, in units of the sheet; at the left the least, for longer numbers at the ticks there is more.
+/// Room around the frames, in units of the sheet.
 const LEFT: f64 = 590.0;
 const RIGHT: f64 = 160.0;
 const BELOW: f64 = 480.0;
@@ -48,11 +48,10 @@ pub(crate) fn crowded(picture: &Picture) -> Vec<String> {
 
 /// The SVG, and the labels that cover something or are left out.
 fn drawn(picture: &Picture) -> std::result::Result<(String, Vec<String>), Failed> {
-    let left = room_for_ticks(&picture.panels);
-    let (placed, height) = arranged(&picture.panels, left);
+    let (placed, height) = arranged(&picture.panels);
     let mut svg = String::new();
     let mut crowded = Vec::new();
-    let canvas = Canvas::new(&mut svg, left + FRAME_WIDTH + RIGHT, height)?;
+    let canvas = Canvas::new(&mut svg, LEFT + FRAME_WIDTH + RIGHT, height)?;
     for panel in &placed {
         panel.draw(&canvas, &mut crowded)?;
     }
@@ -60,14 +59,8 @@ fn drawn(picture: &Picture) -> std::result::Result<(String, Vec<String>), Failed
     Ok((canvas::finished(&svg, &picture.title, &picture.description), crowded))
 }
 
-/// The room left of the frames: names of rows may be long.
-fn room_for_ticks(panels: &[Panel]) -> f64 {
-    let names = panels.iter().flat_map(|panel| panel.y.names());
-    names.map(|name| PER_POINT * typeset::width(name) + AT_TICK + MARGIN).fold(LEFT, f64::max)
-}
-
 /// The panels from top to bottom, and the height of the sheet.
-fn arranged(panels: &[Panel], left: f64) -> (Vec<Placed<'_>>, f64) {
+fn arranged(panels: &[Panel]) -> (Vec<Placed<'_>>, f64) {
     let mut y = 0.0;
     let mut placed = Vec::with_capacity(panels.len());
     for panel in panels {
@@ -76,7 +69,7 @@ fn arranged(panels: &[Panel], left: f64) -> (Vec<Placed<'_>>, f64) {
         let lines = rows + usize::from(!panel.heading.is_empty());
         let frame_top = top + lines as f64 * legend::row_height();
         let bottom = frame_top + panel.aspect * FRAME_WIDTH;
-        let rect = Rect { left, top: frame_top, right: left + FRAME_WIDTH, bottom };
+        let rect = Rect { left: LEFT, top: frame_top, right: LEFT + FRAME_WIDTH, bottom };
         placed.push(Placed { panel, frame: Frame { rect, x: &panel.x, y: &panel.y }, top });
         y = bottom + BELOW;
     }
@@ -135,9 +128,7 @@ impl Placed<'_> {
             canvas.text(&tick.text, [rect.left - AT_TICK, at], Stand::Before)?;
         }
         canvas.text(&x.title(), [(rect.left + rect.right) / 2.0, rect.bottom + 280.0], Stand::Centred)?;
-        if y.names().is_empty() {
-            canvas.text(&y.title(), [130.0, (rect.top + rect.bottom) / 2.0], Stand::Upwards)?;
-        }
+        canvas.text(&y.title(), [130.0, (rect.top + rect.bottom) / 2.0], Stand::Upwards)?;
         self.zero(canvas, y)
     }
 

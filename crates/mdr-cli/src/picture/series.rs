@@ -70,14 +70,6 @@ fn mark_name(mark: Mark) -> &'static str {
         Mark::Filled => "filled",
         Mark::Open => "open",
         Mark::Diamond => "diamond",
-        Mark::OpenDiamond => "open diamond",
-        Mark::Square => "square",
-        Mark::OpenSquare => "open square",
-        Mark::Triangle => "triangle",
-        Mark::OpenTriangle => "open triangle",
-        Mark::Inverted => "inverted triangle",
-        Mark::OpenInverted => "open inverted triangle",
-        Mark::Cross => "cross",
     }
 }
 

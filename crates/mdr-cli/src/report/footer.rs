@@ -1,53 +1,20 @@
 //! Where and with what a report was made.
 
-use serde::{Deserialize, Serialize};
-
-/// A machine and the program on it.
-#[derive(Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Machine {
-    /// The model of the processor, where the system tells.
-    processor: Option<String>,
-    /// Threads that run at once.
-    threads: usize,
-    /// Operating system and instruction set.
-    system: String,
-    /// The version of this program.
-    version: String,
-    /// Whether it was compiled for speed.
-    optimised: bool,
-    /// What `rustc --version` says of the compiler.
-    #[serde(default)]
-    compiler: String,
-    /// The FNV-1a hash of the Cargo.lock with which it was built, where there was one.
-    lock: Option<String>,
-}
-
-impl Machine {
-    /// This one.
-    pub(super) fn here() -> Self {
-        Machine {
-            processor: std::fs::read_to_string("/proc/cpuinfo").ok().as_deref().and_then(model),
-            threads: std::thread::available_parallelism().map_or(1, usize::from),
-            system: format!("{}, {}", std::env::consts::OS, std::env::consts::ARCH),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            optimised: !cfg!(debug_assertions),
-            compiler: env!("MDR_COMPILER").to_owned(),
-            lock: option_env!("MDR_LOCK").map(str::to_owned),
-        }
-    }
-
-    /// As a sentence or two.
-    pub(super) fn told(&self) -> String {
-        let processor = self.processor.as_deref().unwrap_or("a processor whose model the system does not tell");
-        let threads = if self.threads == 1 { "1 thread".to_owned() } else { format!("{} threads", self.threads) };
-        let build = if self.optimised { "optimised" } else { "not optimised: do not compare its times" };
-        let lock = match &self.lock {
-            Some(hash) => format!("Cargo.lock has the FNV-1a hash {hash}"),
-            None => "there was no Cargo.lock".to_owned(),
-        };
-        let Machine { system, version, compiler, .. } = self;
-        format!("Machine: {processor}; {threads}; {system}. Program: mdr {version}, {build}; {compiler}; {lock}.")
-    }
+/// The machine and the program, in a sentence or two.
+pub(super) fn machine() -> String {
+    let processor = std::fs::read_to_string("/proc/cpuinfo").ok().as_deref().and_then(model);
+    let processor = processor.unwrap_or_else(|| "a processor whose model the system does not tell".to_owned());
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let build = if cfg!(debug_assertions) { "not optimised: do not compare its times" } else { "optimised" };
+    let lock = option_env!("MDR_LOCK").unwrap_or("unknown");
+    format!(
+        "Machine: {processor}; hardware threads: {threads}; {}, {}. Program: mdr {}, {build}; {}; FNV-1a hash of Cargo.lock: \
+         {lock}.",
+        std::env::consts::OS,
+        std::env::consts::ARCH,
+        env!("CARGO_PKG_VERSION"),
+        env!("MDR_COMPILER"),
+    )
 }
 
 /// The model in the text of /proc/cpuinfo.

@@ -1,66 +1,43 @@
-//! `mdr report`: error against run time, and stability.
+//! `mdr report`: error against run time, and stability, on one page.
 
-mod baseline;
-mod diagram;
+mod chart;
+mod data;
 mod footer;
-mod ladder_panels;
-mod ladders;
-mod overview;
 mod page;
-mod speed;
-mod store;
-mod summary;
-mod table;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use mdr_crosscheck::contest::speed::races;
-use mdr_crosscheck::contest::{Clock, Diagram, Effort, Setup, tasks};
+use mdr_crosscheck::Level;
+use mdr_crosscheck::ladders::{Ladder, ladders};
+use mdr_crosscheck::work_precision::{Clock, Comparison, TASKS, Task};
 use serde::Serialize;
 
-use self::footer::Machine;
-use self::store::{Findings, Made, Section};
 use crate::error::{Failure, Result};
 use crate::output::{Format, Output};
-use crate::picture;
 use crate::table::{Tone, cell};
 
 const EXAMPLES: &str = "\
 Examples:
-  All tasks, into the directory report: five minutes on two cores, other projects included:
+  Everything, into the directory report: a few minutes:
     mdr report
 
   In less than a minute, into another directory, which is made when it is not there:
     mdr report --quick --out /tmp/report
 
-  Two tasks alone:
-    mdr report --only kappa,fold
+Files: README.md shows both parts, kappa.svg, transform.svg, fold.svg and digits.svg draw error
+against run time or time against digits, work-precision.csv has every answer, ladders.csv every
+stability ladder. Errors are those of the answers against an enclosure of the exact result that
+shares no code with any method; times are medians of repeated runs.
+CSV: the rows of work-precision.csv. JSON: schema mdr.report/3, one line a question or a ladder.
+Exit status: 0 all files are written, 2 bad input or a file that cannot be written.";
 
-  Whether digits or evaluations got worse since the last time; nothing is timed or written:
-    mdr report --check docs/report/baseline.jsonl
-
-  The baseline of that, anew, after a change that is meant:
-    mdr report --renew docs/report/baseline.jsonl
-
-README.md shows every task with a picture and the time to so many digits; each task has a page of
-its own with all diagrams, tables, failures and what was left out. A diagram is an SVG file of
-black lines on white and a CSV file of its points; report.json has all of them, but for the
-stability ladders, which have CSV files. Files are written task by task: a report that is
-interrupted leaves what is done and says so, and --only leaves other tasks as they are. Other
-projects' methods are stopped where one answer takes longer than 4 s, or all answers of a task
-30 s. Errors are those of the answers against an enclosure of the truth in which no contestant had
-a part. Times are medians of repeated runs and belong to the machine that the page names.
-JSON: schema mdr.report/2, one line a diagram.
-Exit status: 0 all files are written and nothing got worse, 1 something got worse, 2 bad input or
-a file that cannot be written.";
-
-/// Report error against run time: every method on the same questions, as diagrams, tables and data.
+/// Report error against run time, and how errors grow while questions become hard: pictures, tables and data.
 ///
-/// Several methods answer the same question with growing effort: closed forms, quadratures, searches, springs, in double,
-/// arbitrary and certified precision.
+/// Methods of this workspace and of textbooks answer the same questions with growing effort: closed forms, quadratures,
+/// searches, springs, in double, arbitrary and certified precision.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Report {
@@ -72,170 +49,111 @@ pub(crate) struct Report {
     #[arg(long)]
     quick: bool,
 
-    /// Only the tasks of these names, separated by commas; the races against other projects are the task speed, the stability
-    /// ladders the task ladders
-    #[arg(long, value_name = "TASK", value_delimiter = ',', allow_hyphen_values = true)]
-    only: Vec<String>,
-
-    /// Compare right digits and numbers of evaluations of the quick contest with those in this file
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "quick", "only", "format", "renew"])]
-    check: Option<PathBuf>,
-
-    /// Write right digits and numbers of evaluations of the quick contest into this file
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "quick", "only", "format"])]
-    renew: Option<PathBuf>,
-
     /// Shape of the result on standard output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
 }
 
+/// All that is found.
+struct Findings {
+    tasks: Vec<(Task, Vec<Comparison>)>,
+    ladders: Vec<Ladder>,
+}
+
+impl Findings {
+    fn comparisons(&self) -> impl Iterator<Item = &Comparison> {
+        self.tasks.iter().flat_map(|(_, comparisons)| comparisons)
+    }
+}
+
 impl Report {
-    /// Writes the files, and what is in them on `out`; whether nothing got worse.
+    /// Writes the files, and what is in them on `out`.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
-        match (&self.check, &self.renew) {
-            (Some(path), _) => baseline::check(path, out),
-            (None, Some(path)) => baseline::renew(path, out).map(|()| true),
-            (None, None) => self.report(out).map(|()| true),
+        let directory = self.out.display();
+        std::fs::create_dir_all(&self.out).map_err(|error| Failure::file(format!("--out {directory}"), error))?;
+        let (level, runs) = if self.quick { (Level::Quick, 3) } else { (Level::Full, 9) };
+        let findings = find(level, runs)?;
+        for (task, comparisons) in &findings.tasks {
+            self.write(&format!("{}.svg", task.name), &chart::svg(task, comparisons)?)?;
         }
+        self.write("work-precision.csv", &data::csv(findings.comparisons().flat_map(data::points))?)?;
+        self.write("ladders.csv", &data::csv(findings.ladders.iter().map(data::ladder))?)?;
+        let command = if self.quick { "mdr report --quick" } else { "mdr report" };
+        self.write("README.md", &page::page(&findings, command, runs))?;
+        self.print(&findings, out)?;
+        Ok(true)
     }
 
-    fn report(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
-        let names = self.tasks()?;
-        let directory = || self.out.display().to_string();
-        std::fs::create_dir_all(&self.out).map_err(|error| Failure::file(format!("--out {}", directory()), error))?;
-        let mut findings = Findings::load(&self.out)?;
-        findings.unfinished = names.iter().map(|name| (*name).to_owned()).collect();
-        self.save(&findings)?;
-        let style = ProgressStyle::with_template("{bar:40.green} {pos} of {len}  {msg}  {elapsed}");
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-        let bar = ProgressBar::new(names.len() as u64).with_style(style);
-        bar.enable_steady_tick(Duration::from_millis(500));
-        let (effort, runs) = self.effort();
-        let mut setup = Setup::new(effort, Clock::Runs(runs));
-        for name in &names {
-            bar.set_message(*name);
-            findings.put(self.section(name, &mut setup)?, &all());
-            self.save(&findings)?;
-            bar.inc(1);
-        }
-        bar.finish_and_clear();
-        findings.tasks.retain(|section| names.contains(&&*section.name));
-        self.list(&findings, out)
+    /// Writes one file.
+    fn write(&self, name: &str, text: &str) -> Result<()> {
+        let path = self.out.join(name);
+        std::fs::write(&path, text).map_err(|error| Failure::file(path.display().to_string(), error))
     }
 
-    /// The overview, and everything in one file.
-    fn save(&self, findings: &Findings) -> Result<()> {
-        write(&self.out, "README.md", overview::page(findings, &all()))?;
-        findings.save(&self.out)
-    }
-
-    /// The tasks that are asked for.
-    fn tasks(&self) -> Result<Vec<&'static str>> {
-        let mut names = all();
-        if let Some(name) = self.only.iter().find(|name| !names.contains(&name.as_str())) {
-            return Err(Failure::flag("--only", format_args!("must be one of {}", names.join(", ")), name));
-        }
-        names.retain(|name| self.only.is_empty() || self.only.iter().any(|asked| asked == name));
-        Ok(names)
-    }
-
-    /// How far a task goes, and how often it is timed.
-    fn effort(&self) -> (Effort, usize) {
-        if self.quick { (Effort::Quick, 3) } else { (Effort::Full, 9) }
-    }
-
-    /// Does one task and writes its page and the files that are shown there.
-    fn section(&self, name: &str, setup: &mut Setup) -> Result<Section> {
-        let (effort, runs) = self.effort();
-        let made = Made { command: self.command(), effort, runs, machine: Machine::here() };
-        let mut section = Section::new(name, made);
-        if name == ladders::NAME {
-            let found = mdr_crosscheck::ladders::ladders(effort);
-            section.ladders = Some(ladders::Summary::of(&found));
-            for (name, bytes) in ladders::files(&found)? {
-                write(&self.out, &name, bytes)?;
-            }
-            self.draw(&summary::id(&section), &summary::of_ladders(&found))?;
-            write(&self.out, "ladders.md", ladders::page(&section, &found, effort))?;
-            return Ok(section);
-        }
-        match tasks().iter().find(|task| task.name == name) {
-            Some(task) => section.diagrams = task.diagrams(setup),
-            None => (section.races, section.absent) = races(setup),
-        }
-        for diagram in &section.diagrams {
-            self.draw(&diagram.id, &diagram::picture(diagram))?;
-            write(&self.out, &format!("{}.csv", diagram.id), table::csv([diagram])?)?;
-        }
-        if let Some(picture) = summary::picture(&section) {
-            self.draw(&summary::id(&section), &picture)?;
-        }
-        write(&self.out, &format!("{name}.md"), page::page(&section))?;
-        Ok(section)
-    }
-
-    fn draw(&self, name: &str, picture: &picture::Picture) -> Result<()> {
-        write(&self.out, &format!("{name}.svg"), picture::svg(picture)?)
-    }
-
-    /// How this report is asked for, wherever its files go.
-    fn command(&self) -> String {
-        let quick = if self.quick { " --quick" } else { "" };
-        let only = if self.only.is_empty() { String::new() } else { format!(" --only {}", self.only.join(",")) };
-        format!("mdr report{quick}{only}")
-    }
-
-    fn list(&self, findings: &Findings, out: &mut Output<impl std::io::Write>) -> Result<()> {
-        let mut diagrams = findings.tasks.iter().flat_map(|section| &section.diagrams);
+    fn print(&self, findings: &Findings, out: &mut Output<impl std::io::Write>) -> Result<()> {
         match self.format {
-            Format::Json => diagrams.try_for_each(|diagram| {
-                #[derive(Serialize)]
-                struct Line<'a> {
-                    schema: &'static str,
-                    diagram: &'a Diagram,
+            Format::Json => {
+                let line = || Line { schema: "mdr.report/3", comparison: None, ladder: None };
+                for comparison in findings.comparisons() {
+                    out.json(&Line { comparison: Some(comparison), ..line() })?;
                 }
-                out.json(&Line { schema: store::SCHEMA, diagram })
-            }),
-            Format::Csv => out.csv(&table::HEADER, diagrams.flat_map(table::rows)),
+                for ladder in &findings.ladders {
+                    out.json(&Line { ladder: Some(data::ladder(ladder)), ..line() })?;
+                }
+                Ok(())
+            }
+            Format::Csv => out.text(data::csv(findings.comparisons().flat_map(data::points))?.trim_end()),
             Format::Table => {
-                let mut files =
-                    crate::table::table(&["file", "contestants", "best digits", "failures", "what is asked"]);
-                for diagram in diagrams {
-                    let (digits, failures) = table::summary(diagram);
-                    files.add_row([
-                        cell(self.out.join(format!("{}.svg", diagram.id)).display(), Tone::Good),
-                        cell(diagram.curves.len(), Tone::Plain),
-                        cell(digits.map_or(String::new(), |digits| format!("{digits:.1}")), Tone::Plain),
-                        cell(failures, Tone::Plain),
-                        cell(&diagram.title, Tone::Plain),
+                let mut table =
+                    crate::table::table(&["question", "methods", "most digits", "no answer", "what is asked"]);
+                for comparison in findings.comparisons() {
+                    let points = || comparison.series.iter().flat_map(|series| &series.points);
+                    let digits = points().filter_map(|point| point.outcome.digits()).fold(f64::NAN, f64::max);
+                    let failed = points().filter(|point| point.outcome.digits().is_none()).count();
+                    table.add_row([
+                        cell(&comparison.id, Tone::Good),
+                        cell(comparison.series.len(), Tone::Plain),
+                        cell(format_args!("{digits:.1}"), Tone::Plain),
+                        cell(failed, Tone::Plain),
+                        cell(&comparison.title, Tone::Plain),
                     ]);
                 }
-                for section in &findings.tasks {
-                    let page = cell(self.out.join(format!("{}.md", section.name)).display(), Tone::Good);
-                    let claim = page::capitalised(&section.claim);
-                    files.add_row([
-                        page,
-                        cell("", Tone::Plain),
-                        cell("", Tone::Plain),
-                        cell("", Tone::Plain),
-                        cell(claim, Tone::Plain),
-                    ]);
-                }
+                let open = findings.ladders.iter().filter(|ladder| !ladder.accepted()).count();
                 let page = self.out.join("README.md");
-                out.text(format_args!("{}\n\nThe page: {}", crate::table::render(&files), page.display()))
+                let (table, count) = (crate::table::render(&table), findings.ladders.len());
+                out.text(format_args!(
+                    "{table}\n\n{count} ladders, {open} not accepted\n\nThe page: {}",
+                    page.display()
+                ))
             }
         }
     }
 }
 
-/// The names of all tasks, in the order of the page.
-fn all() -> Vec<&'static str> {
-    tasks().iter().map(|task| task.name).chain([speed::NAME, ladders::NAME]).collect()
+/// A line of JSON: a question or a ladder.
+#[derive(Serialize)]
+struct Line<'a> {
+    schema: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    comparison: Option<&'a Comparison>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ladder: Option<data::LadderRow<'a>>,
 }
 
-/// Writes one file of a directory.
-fn write(directory: &Path, name: &str, text: impl AsRef<[u8]>) -> Result<()> {
-    let path = directory.join(name);
-    std::fs::write(&path, text).map_err(|error| Failure::file(path.display().to_string(), error))
+/// Asks everything, with a bar on standard error.
+fn find(level: Level, runs: usize) -> Result<Findings> {
+    let style = ProgressStyle::with_template("{bar:40.green} {pos} of {len}  {msg}  {elapsed}");
+    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+    let bar = ProgressBar::new(TASKS.len() as u64 + 1).with_style(style);
+    bar.enable_steady_tick(Duration::from_millis(500));
+    let mut tasks = Vec::with_capacity(TASKS.len());
+    for task in TASKS {
+        bar.set_message(task.name);
+        tasks.push((task, task.comparisons(level, Clock::Runs(runs))?));
+        bar.inc(1);
+    }
+    bar.set_message("stability ladders");
+    let ladders = ladders(level);
+    bar.finish_and_clear();
+    Ok(Findings { tasks, ladders })
 }

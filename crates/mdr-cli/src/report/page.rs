@@ -1,173 +1,244 @@
-//! The page of a task: all of its diagrams with their tables, what failed, what was left out, and how it was made.
+//! README.md: error against run time, and the stability ladders.
 
-use mdr_crosscheck::contest::{Diagram, Outcome, View};
+use std::collections::BTreeSet;
 
-use super::store::Section;
-use super::{speed, summary, table};
+use mdr_crosscheck::ladders::{Family, Ladder, OPEN, Rung};
+use mdr_crosscheck::work_precision::{Comparison, Outcome, Series, Task};
 
-/// What all pages say about their diagrams.
-const LEGEND: &str = "\
-Both axes are logarithmic. A time is the median of repeated runs, with a bar from the fastest to the slowest. Contestants of
-other projects are dashed. The thin line is what the question leaves to any method in double precision: u·max(1, condition),
-u = 2⁻⁵³. What fails, or is stopped because it takes too long, is drawn as a cross at the upper edge.
-";
+use super::{Findings, data, footer};
 
-/// The text of the page.
-pub(super) fn page(section: &Section) -> String {
-    let mut page = format!("# {}\n\n{}. [All tasks](README.md)\n", section.name, capitalised(&section.claim));
-    page.push_str(&diagrams(section));
-    page.push_str(&speed::section(&section.races));
-    page.push_str(&failures(section));
-    page.push_str(&omissions(section));
-    page.push_str(&made(section));
-    page
+/// The page.
+pub(super) fn page(findings: &Findings, command: &str, runs: usize) -> String {
+    let mut page = HEAD.to_owned();
+    for (task, comparisons) in &findings.tasks {
+        page.push_str(&section(task, comparisons));
+    }
+    page.push_str(&failures(findings));
+    page.push_str(&stability(&findings.ladders));
+    page + &format!(
+        "\n## How it was made\n\n    {command}\n\nMedians of {runs} runs, fewer where an answer takes long. {}\n",
+        footer::machine()
+    )
 }
 
-fn diagrams(section: &Section) -> String {
-    if section.diagrams.is_empty() {
-        return String::new();
+const HEAD: &str = "\
+# Error against run time, and stability
+
+Several methods answer the same questions with growing effort: those of this workspace, and those that one would type from
+a textbook. Every answer is compared with an enclosure of the exact result that shares no code with any of them. All answers
+are in [work-precision.csv](work-precision.csv), all ladders in [ladders.csv](ladders.csv). Times belong to the machine that is
+named at the end; digits and evaluations do not, and a test compares them with the source.
+
+## Error against run time
+
+The tables tell the cheapest answer that has so many right digits, of this workspace (bold) and of textbooks. Nothing is
+interpolated; a dash is where no method arrives.
+";
+
+fn section(task: &Task, comparisons: &[Comparison]) -> String {
+    let Task { name, title, .. } = task;
+    let digits: &[f64] = if *name == "digits" { &[15.0, 50.0, 100.0, 1000.0] } else { &[6.0, 12.0, 15.0] };
+    let heads: String = digits.iter().map(|digits| format!(" {digits} digits |")).collect();
+    let rules = "---|".repeat(digits.len() + 1);
+    let mut text = format!("\n### {title}\n\n![{title}]({name}.svg)\n\n| question |{heads}\n|{rules}\n");
+    let mut truths = BTreeSet::new();
+    for comparison in comparisons {
+        let cells: String = digits.iter().map(|digits| format!(" {} |", cell(comparison, *digits))).collect();
+        text.push_str(&format!("| {} |{cells}\n", escaped(&comparison.title)));
+        truths.insert(comparison.truth);
     }
-    let mut text = String::new();
-    let mut truths: Vec<&str> = section.diagrams.iter().map(|diagram| diagram.truth.as_str()).collect();
-    truths.dedup();
-    // What all diagrams share is told once.
-    if let [truth] = truths[..] {
-        text.push_str(&format!("\nTruth: {truth}.\n"));
-    }
-    if section.diagrams.len() > 2 {
-        text.push_str(&pictures(section));
-    }
-    let fastest = table::fastest(&section.diagrams);
-    if !fastest.is_empty() {
-        text.push_str(&format!("\n## Time to so many digits\n\n{}\n{fastest}", capitalised(FASTEST)));
-    }
-    text.push_str(&format!("\n## Diagrams\n\n{LEGEND}"));
-    for diagram in &section.diagrams {
-        let Diagram { id, title, truth, .. } = diagram;
-        let truth = if truths.len() > 1 { format!("Truth: {truth}. ") } else { String::new() };
-        text.push_str(&format!("\n### {title}\n\n![{title}]({id}.svg)\n\n{truth}[Data]({id}.csv)\n"));
-        if diagram.view == View::Size {
-            text.push_str(&format!("\n{}", table::sizes(diagram)));
-        }
-        let times = table::times(diagram);
-        if !times.is_empty() {
-            let what = format!("All contestants; in brackets, times that of {}", diagram.shipped);
-            text.push_str(&details(&what, &times));
-        }
+    for truth in truths {
+        text.push_str(&format!("\nExact: {truth}.\n"));
     }
     text
 }
 
-/// What the tables of the fastest mean.
-pub(super) const FASTEST: &str = "\
-the cheapest answer measured that has so many digits; nothing is interpolated, and — where nobody arrives. Bold: this
-workspace and the crates that it uses; below: other projects.
-";
-
-/// The pictures that stand for the task.
-pub(super) fn pictures(section: &Section) -> String {
-    let picture = |(id, title): (String, String)| format!("\n![{}: {title}]({id}.svg)\n", section.name);
-    summary::files(section).into_iter().map(picture).collect()
+/// The cheapest answers with so many digits.
+fn cell(comparison: &Comparison, digits: f64) -> String {
+    let best = |ours: bool| fastest(comparison.series.iter().filter(move |series| series.ours == ours), digits);
+    let ours = best(true).map(|(seconds, method)| format!("**{}** {method}", time(seconds)));
+    let textbook = best(false).map(|(seconds, method)| format!("{} {method}", time(seconds)));
+    let told: Vec<_> = ours.into_iter().chain(textbook).collect();
+    if told.is_empty() { "—".to_owned() } else { told.join("<br>") }
 }
 
-/// What is unfolded by those who want it.
-pub(super) fn details(summary: &str, text: &str) -> String {
-    format!("\n<details><summary>{summary}</summary>\n\n{text}\n</details>\n")
+fn fastest<'a>(series: impl Iterator<Item = &'a Series>, digits: f64) -> Option<(f64, &'static str)> {
+    let points = series.flat_map(|series| series.points.iter().map(|point| (series.method, point)));
+    let right = points.filter(|(_, point)| point.outcome.digits().is_some_and(|found| found >= digits));
+    let times = right.filter_map(|(method, point)| Some((point.seconds?, method)));
+    times.min_by(|(one, _), (other, _)| one.total_cmp(other))
 }
 
-fn failures(section: &Section) -> String {
+/// Three digits of a time with its unit.
+pub(super) fn time(seconds: f64) -> String {
+    let (scale, unit) = match seconds {
+        // A rounding below a power of ten belongs to it.
+        s if s < 0.9995e-6 => (1e9, "ns"),
+        s if s < 0.9995e-3 => (1e6, "µs"),
+        s if s < 0.9995 => (1e3, "ms"),
+        _ => (1.0, "s"),
+    };
+    let number = format!("{:.3e}", scale * seconds).parse::<f64>().unwrap_or(scale * seconds);
+    let rounded = match number {
+        x if x < 9.995 => format!("{x:.2}"),
+        x if x < 99.95 => format!("{x:.1}"),
+        x => format!("{x:.0}"),
+    };
+    let short = if rounded.contains('.') { rounded.trim_end_matches('0').trim_end_matches('.') } else { &rounded };
+    format!("{short} {unit}")
+}
+
+fn failures(findings: &Findings) -> String {
     let mut rows = String::new();
-    for diagram in &section.diagrams {
-        for curve in &diagram.curves {
-            let reasons = curve.points.iter().filter_map(|point| match &point.outcome {
-                Outcome::Failed(reason) | Outcome::Stopped(reason) => Some((point.setting.as_str(), reason.as_str())),
-                _ => None,
-            });
-            // One row for all settings that fail alike.
-            let mut alike: Vec<(&str, Vec<&str>)> = Vec::new();
-            for (setting, reason) in reasons {
-                match alike.iter_mut().find(|(known, _)| *known == reason) {
-                    Some((_, settings)) => settings.push(setting),
-                    None => alike.push((reason, vec![setting])),
+    for comparison in findings.comparisons() {
+        for series in &comparison.series {
+            for point in &series.points {
+                if let Outcome::Failed { failed } = &point.outcome {
+                    let Series { method, .. } = series;
+                    let (id, reason) = (&comparison.id, escaped(failed));
+                    rows.push_str(&format!("| {id} | {method} | {} | {reason} |\n", point.setting));
                 }
-            }
-            for (reason, settings) in alike {
-                let (id, name) = (&diagram.id, table::name(curve));
-                rows.push_str(&format!("| {id} | {name} | {} | {} |\n", settings.join(", "), in_cell(reason)));
             }
         }
     }
     if rows.is_empty() {
-        return String::new();
+        return "\nEvery method gave a number to every question.\n".to_owned();
     }
-    let count = rows.lines().count();
-    let table = format!("| question | contestant | setting | what happened |\n|---|---|---|---|\n{rows}");
-    format!("\n## What failed or was stopped\n{}", details(&format!("{count} of the contestants"), &table))
+    format!("\n### No answer\n\n| question | method | setting | why |\n|---|---|---|---|\n{rows}")
 }
 
-fn omissions(section: &Section) -> String {
-    let mut sentences: Vec<&str> = Vec::new();
-    for sentence in section.diagrams.iter().flat_map(|diagram| &diagram.omissions).chain(&section.absent) {
-        if !sentences.contains(&sentence.as_str()) {
-            sentences.push(sentence);
-        }
-    }
-    let list: String = sentences.iter().map(|sentence| format!("* {sentence}\n")).collect();
-    format!("\n## What was left out\n\n{OMITTED}{list}")
-}
+const LADDERS: &str = "
+## Stability ladders
 
-const OMITTED: &str = "\
-* Memory, and the time to the first answer where nothing else is said: what is computed once and kept is warm.
-* Other processors and compilers.
+Every function of double precision is led, step by step, towards where it is in danger. The excess loss
+log₁₀(error/(u·max(1, condition))), u = 2⁻⁵³, counts the digits that an algorithm loses beyond what the question costs any of
+them; below 0 nothing is lost, and one digit is accepted. The condition is Σ|xᵢ ∂f/∂xᵢ|/|f| over the inputs. Beside it stands
+the largest error, in units in the last place, of the formula as textbooks write it, in the same arithmetic.
+
+| limit | ladders | not accepted | largest excess loss, digits | where | textbook formula, largest error in ulp | where |
+|---|---|---|---|---|---|---|
 ";
 
-/// The last lines of a page.
-pub(super) fn made(section: &Section) -> String {
-    let made = &section.made;
-    let timed = if section.ladders.is_some() {
-        String::new()
-    } else {
-        format!(
-            " Each answer was timed {} times, fewer where it is slow; an answer shorter than 2 ms is repeated within a run.",
-            made.runs
-        )
-    };
-    format!("\n## How this was made\n\n    {}\n\n{}{timed}\n", made.command, made.machine.told())
+fn stability(ladders: &[Ladder]) -> String {
+    let mut text = LADDERS.to_owned();
+    for family in Family::ALL {
+        let of_family: Vec<_> = ladders.iter().filter(|ladder| ladder.family == family).collect();
+        if !of_family.is_empty() {
+            text.push_str(&limit(family, &of_family));
+        }
+    }
+    text.push_str(FUNCTIONS);
+    let mut by_loss: Vec<&Ladder> = ladders.iter().collect();
+    by_loss.sort_by(|one, other| loss(other).total_cmp(&loss(one)));
+    let mut seen = BTreeSet::new();
+    for ladder in by_loss {
+        if seen.insert(&ladder.function) || !ladder.accepted() {
+            text.push_str(&function(ladder));
+        }
+    }
+    text + "\n</details>\n"
 }
 
-/// With a capital letter at the beginning.
-pub(super) fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+const FUNCTIONS: &str = "
+<details><summary>The worst ladder of each function</summary>
+
+| function | direction | error, ulp | condition there | excess loss | textbook formula, ulp | |
+|---|---|---|---|---|---|---|
+";
+
+/// All ladders in one kind of limit.
+fn limit(family: Family, ladders: &[&Ladder]) -> String {
+    let open = ladders.iter().filter(|ladder| !ladder.accepted()).count();
+    let worst = ladders.iter().max_by(|one, other| loss(one).total_cmp(&loss(other)));
+    let naive = |ladder: &Ladder| ladder.worst_naive().unwrap_or(f64::NEG_INFINITY);
+    let textbook = ladders.iter().max_by(|one, other| naive(one).total_cmp(&naive(other)));
+    let told = worst.map_or_else(String::new, |ladder| format!("{} | `{}`", excess(ladder), escaped(&ladder.function)));
+    let typed = textbook.and_then(|ladder| Some(format!("{} | `{}`", size(ladder.worst_naive()?), ladder.function)));
+    format!("| {} | {} | {open} | {told} | {} |\n", family.title(), ladders.len(), typed.unwrap_or("— |".to_owned()))
+}
+
+/// A ladder by its worst rung.
+fn function(ladder: &Ladder) -> String {
+    let rung = ladder.worst();
+    let told = |x: Option<f64>| x.map_or_else(|| "—".to_owned(), size);
+    let verdict = match OPEN.iter().find(|open| open.is(ladder)) {
+        _ if ladder.accepted() => String::new(),
+        Some(open) => format!("open: {}", open.why),
+        None => "open, not yet explained".to_owned(),
+    };
+    format!(
+        "| `{}` | {} | {} | {} | {} | {} | {} |\n",
+        escaped(&ladder.function),
+        escaped(&ladder.toward),
+        told(rung.and_then(data::ulp)),
+        told(rung.and_then(|rung| rung.condition)),
+        excess(ladder),
+        told(ladder.worst_naive()),
+        escaped(&verdict)
+    )
+}
+
+/// The excess loss of the worst rung, infinite where it is no number and should be one.
+fn loss(ladder: &Ladder) -> f64 {
+    ladder.worst().map_or(f64::NEG_INFINITY, |rung| match rung.excess() {
+        Some(excess) => excess,
+        None if rung.accepted() => f64::NEG_INFINITY,
+        None => f64::INFINITY,
+    })
+}
+
+fn excess(ladder: &Ladder) -> String {
+    match ladder.worst().and_then(Rung::excess) {
+        // No sign for a zero.
+        Some(excess) if excess.is_finite() => format!("{excess:.1}").replace("-0.0", "0.0"),
+        Some(_) => "no error".to_owned(),
+        None => "—".to_owned(),
+    }
+}
+
+fn size(x: f64) -> String {
+    match x {
+        x if !x.is_finite() => "no number".to_owned(),
+        x if x < 1e4 => format!("{x:.2}"),
+        x => format!("{x:.1e}"),
+    }
 }
 
 /// A text within a cell of a table.
-pub(super) fn in_cell(text: &str) -> String {
+fn escaped(text: &str) -> String {
     text.replace('|', "\\|").replace('\n', " ")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::store::tests::section;
+    use mdr_crosscheck::ladders::Found;
+
     use super::*;
 
     #[test]
-    fn the_page_tells_everything() {
-        let page = page(&section("test"));
-        for part in [
-            "# test\n\nWhat is tested.",
-            "![x at y < 1](test-contest.svg)",
-            "[Data](test-contest.csv)",
-            "| contestant | arithmetic | 6 | 12 | 15 |",
-            "| test-contest | broken | 7 nodes | no convergence |",
-            "* nobody else came\n",
-            "    mdr report --quick\n",
-        ] {
-            assert!(page.contains(part), "{part} in\n{page}");
-        }
-        assert_eq!(page.matches("nobody else came").count(), 1);
-        // GitHub renders a table within an element only after an empty line.
-        assert_eq!(page.matches("<details>").count(), page.matches("</summary>\n\n|").count());
-        assert_eq!(page.matches("<details>").count(), page.matches("|\n\n</details>\n").count());
+    fn times_have_three_digits_and_a_unit() {
+        let told = [1.5e-8, 9.999e-7, 1.234e-4, 0.02, 3.0].map(time);
+        assert_eq!(told, ["15 ns", "1 µs", "123 µs", "20 ms", "3 s"]);
+    }
+
+    #[test]
+    fn a_row_tells_loss_and_cost() {
+        let rung =
+            |found, naive_ulp| Rung { parameter: 0.5, inputs: vec![0.5, 1.0], condition: Some(3e5), found, naive_ulp };
+        let ladder = |rung| Ladder {
+            function: "f".to_owned(),
+            family: Family::Half,
+            toward: "n → 1/2".to_owned(),
+            axis: "|n − 1/2|".to_owned(),
+            inputs: vec!["n".to_owned(), "x".to_owned()],
+            naive: None,
+            rungs: vec![rung],
+        };
+        let right = ladder(rung(Found::Number { ulp: 0.25, excess: -5.78 }, None));
+        assert_eq!(function(&right), "| `f` | n → 1/2 | 0.25 | 3.0e5 | -5.8 | — |  |\n");
+        let wrong = ladder(rung(Found::Wrong("NaN".to_owned()), Some(f64::INFINITY)));
+        assert_eq!(function(&wrong), "| `f` | n → 1/2 | — | 3.0e5 | — | no number | open, not yet explained |\n");
+        let both = limit(Family::Half, &[&right, &wrong]);
+        assert_eq!(both, "| the exponent tends to 1/2 | 2 | 1 | — | `f` | no number | `f` |\n");
     }
 }

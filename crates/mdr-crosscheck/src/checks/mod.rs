@@ -26,8 +26,6 @@ mod universal;
 
 use mdr_core::contact::Result;
 
-#[cfg(test)]
-pub(crate) use self::kappa::by_gamma;
 use crate::options::Level;
 use crate::report::Unit;
 use crate::theory::Form;

@@ -8,7 +8,7 @@ use mdr_core::contact::{Control, Error, Instability, Quantity, Result};
 use super::functions::{LAW, MACHINE, contact, exponents, law, material, planted, scales};
 use super::questions::{Climb, Direction, Subject, cross, decades, halvings, subject};
 use super::{Family, naive};
-use crate::contest::Effort;
+use crate::Level;
 
 const HALF: &[&str] = &["C", "E*", "w"];
 const HALF_STATE: &[&str] = &["C", "E*", "w", "a"];
@@ -174,63 +174,63 @@ fn merging(n: f64) -> f64 {
     (1.0 + 3.0 * s) / (1.0 + s) * planted(n, 1.0) * (s / 2.0).powf(-mu)
 }
 
-fn machines(effort: Effort) -> Vec<Direction> {
-    let ctx = halvings(effort, 2, 20);
+fn machines(level: Level) -> Vec<Direction> {
+    let ctx = halvings(level, 2, 20);
     // ρ = 2 in the middle of the thresholds: near n = 1/2 the middle fold stays at 2E*a = k.
     let near = |n: f64| vec![n, planted(n, 2.0) * 2_f64.powf(n - 0.5), 1.0, 1.0, 1.0];
     let stiff = |n: f64, k: f64| vec![n, planted(n, 1.0), 1.0, 1.0, k];
     let mut directions = vec![
         Direction::new(Family::Half, "n → 1/2 from above", "n − 1/2", ctx.clone(), |t| near(0.5 + t)),
         Direction::new(Family::Half, "n → 1/2 from below", "1/2 − n", ctx, |t| near(0.5 - t)),
-        Direction::new(Family::SmallExponent, "n → 0", "n", decades(effort, -1, -14), near),
-        Direction::new(Family::LargeExponent, "n → ∞", "n", decades(effort, 1, 12), |n| stiff(n, 1.0)),
-        Direction::new(Family::Fold, "C → two folds merge", "C/C* − 1", halvings(effort, 3, 44), |t| {
+        Direction::new(Family::SmallExponent, "n → 0", "n", decades(level, -1, -14), near),
+        Direction::new(Family::LargeExponent, "n → ∞", "n", decades(level, 1, 12), |n| stiff(n, 1.0)),
+        Direction::new(Family::Fold, "C → two folds merge", "C/C* − 1", halvings(level, 3, 44), |t| {
             vec![0.6, merging(0.6) * (1.0 + t), 1.0, 1.0, 1.0]
         }),
-        Direction::new(Family::Fold, "C → two folds merge, from one", "1 − C/C*", halvings(effort, 3, 44), |t| {
+        Direction::new(Family::Fold, "C → two folds merge, from one", "1 − C/C*", halvings(level, 3, 44), |t| {
             vec![0.6, merging(0.6) * (1.0 - t), 1.0, 1.0, 1.0]
         }),
     ];
     for n in [2.0, 0.7, 0.25] {
         for end in [-300, 300] {
             let toward = format!("k → 10^{end}, n = {n}");
-            let rungs = decades(effort, 0, end);
+            let rungs = decades(level, 0, end);
             directions.push(Direction::new(Family::Stiffness, toward, "k", rungs, |k| stiff(n, k)));
         }
     }
-    directions.extend(scales(effort, &MACHINE[..4], &[2.0, 0.5, 1.0, 1.0, 1.0][..4], 1).into_iter().map(|direction| {
+    directions.extend(scales(level, &MACHINE[..4], &[2.0, 0.5, 1.0, 1.0, 1.0][..4], 1).into_iter().map(|direction| {
         let rungs = direction.rungs.into_iter().map(|(t, x)| (t, [x, vec![1.0]].concat())).collect();
         Direction { rungs, ..direction }
     }));
     directions
 }
 
-pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
-    let mut laws = exponents(effort, |n| vec![n, planted(n, 1.0), 1.0, 1.0]);
+pub(super) fn climbs(level: Level) -> Vec<Climb> {
+    let mut laws = exponents(level, |n| vec![n, planted(n, 1.0), 1.0, 1.0]);
     for n in [2.0, 0.25] {
-        laws.extend(scales(effort, LAW, &[n, 0.5, 1.0, 1.0], 1));
+        laws.extend(scales(level, LAW, &[n, 0.5, 1.0, 1.0], 1));
     }
     let mut critical_laws = laws.clone();
-    critical_laws.push(Direction::new(Family::Half, "n → 1/2, C = 1", "n − 1/2", halvings(effort, 2, 50), |t| {
+    critical_laws.push(Direction::new(Family::Half, "n → 1/2, C = 1", "n − 1/2", halvings(level, 2, 50), |t| {
         vec![0.5 + t, 1.0, 1.0, 1.0]
     }));
-    critical_laws.push(Direction::new(Family::Zero, "n → 3/2", "n − 3/2", halvings(effort, 2, 52), |t| {
+    critical_laws.push(Direction::new(Family::Zero, "n → 3/2", "n − 3/2", halvings(level, 2, 52), |t| {
         vec![1.5 + t, 1.0, 1.0, 1.0]
     }));
     let mut climbs = cross(&critical(), &critical_laws);
     climbs.extend(cross(&jumps(), &laws));
-    let machines = machines(effort);
+    let machines = machines(level);
     climbs.extend(cross(&critical_on_machine(), &machines));
     climbs.extend(cross(&machine(), &machines));
 
     // ρ = κC/√(2πw/E*) = 1 and 3 are the zeros of d and F.
     let threshold = |factor: f64| factor * (2.0 * PI).sqrt() / 1.311_028_777_146_059_9;
     let zero = |factor: f64, sign: f64, toward: &str| {
-        Direction::new(Family::Zero, toward, "|ρ/ρ₀ − 1|", halvings(effort, 2, 52), |t| {
+        Direction::new(Family::Zero, toward, "|ρ/ρ₀ − 1|", halvings(level, 2, 52), |t| {
             vec![threshold(factor) * (1.0 + sign * t), 1.0, 1.0, 1.0]
         })
     };
-    let ends = |names: &[&str]| scales(effort, names, &vec![1.0; names.len()], 0);
+    let ends = |names: &[&str]| scales(level, names, &vec![1.0; names.len()], 0);
     let [ratio, grips, load] = scale_free();
     climbs.extend(cross(&[ratio], &ends(HALF)));
     climbs.extend(cross(&[grips, load], &ends(MATERIAL)));

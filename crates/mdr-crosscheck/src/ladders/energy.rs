@@ -10,7 +10,7 @@ use mdr_numeric::energy::Energy;
 use super::functions::material;
 use super::questions::{Climb, Direction, Subject, cross, decades, halvings, subject};
 use super::{Family, naive};
-use crate::contest::Effort;
+use crate::Level;
 
 const STATE: &[&str] = &["R", "E*", "w", "a", "d"];
 const JUMP: &[&str] = &["R", "E*", "w", "from", "to", "d"];
@@ -50,34 +50,34 @@ fn subjects() -> [Subject; 3] {
     ]
 }
 
-pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
+pub(super) fn climbs(level: Level) -> Vec<Climb> {
     let [potential, release, dissipated] = subjects();
     let at = |a: f64, d: f64| vec![1.0, 1.0, 1.0, a, d];
     // At a = 1 Π vanishes with (d − 1/3)² = π − 4/45.
     let zero = 1.0 / 3.0 + (PI - 4.0 / 45.0).sqrt();
     let mut states = vec![
-        Direction::new(Family::Zero, "d → the zero of Π", "d/d₀ − 1", halvings(effort, 2, 50), |t| {
+        Direction::new(Family::Zero, "d → the zero of Π", "d/d₀ − 1", halvings(level, 2, 50), |t| {
             at(1.0, zero * (1.0 + t))
         }),
-        Direction::new(Family::Tip, "a → 0", "a", decades(effort, 0, -120), |a| at(a, -0.1)),
+        Direction::new(Family::Tip, "a → 0", "a", decades(level, 0, -120), |a| at(a, -0.1)),
     ];
     for end in [100, -100] {
         let toward = format!("all lengths → 10^{end}, w/E* with them");
-        states.push(Direction::new(Family::Scale, toward, "factor", decades(effort, 0, end), |t| {
+        states.push(Direction::new(Family::Scale, toward, "factor", decades(level, 0, end), |t| {
             vec![t, 1.0, t, t, -0.3 * t]
         }));
     }
     let mut climbs = cross(&[potential], &states);
-    states[0] = Direction::new(Family::Zero, "d → g(a)", "d − 1", halvings(effort, 2, 50), |t| at(1.0, 1.0 + t));
+    states[0] = Direction::new(Family::Zero, "d → g(a)", "d − 1", halvings(level, 2, 50), |t| at(1.0, 1.0 + t));
     climbs.extend(cross(&[release], &states));
     // At d = d_c the energy has an inflection in a.
     let fold = (PI / 8.0).cbrt();
     let d = fold * fold - (2.0 * PI * fold).sqrt();
     let jumps = [
-        Direction::new(Family::Fold, "the jump → 0", "1 − to/from", halvings(effort, 2, 40), |t| {
+        Direction::new(Family::Fold, "the jump → 0", "1 − to/from", halvings(level, 2, 40), |t| {
             vec![1.0, 1.0, 1.0, 1.0, 1.0 - t, -0.3]
         }),
-        Direction::new(Family::Fold, "the jump → 0 at the fold", "1 − to/from", halvings(effort, 2, 14), |t| {
+        Direction::new(Family::Fold, "the jump → 0 at the fold", "1 − to/from", halvings(level, 2, 14), |t| {
             vec![1.0, 1.0, 1.0, fold * (1.0 + t / 2.0), fold * (1.0 - t / 2.0), d]
         }),
     ];

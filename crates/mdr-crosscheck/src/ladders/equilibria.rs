@@ -12,7 +12,7 @@ use super::functions::{contact, material};
 use super::measure::Moved;
 use super::questions::{Climb, Direction, Naive, Subject, cross, decades, halvings};
 use super::{Family, naive};
-use crate::contest::Effort;
+use crate::Level;
 use crate::grid::Held;
 
 const INDENTED: &[&str] = &["n", "C", "E*", "w", "d"];
@@ -134,33 +134,30 @@ fn critical(law: [f64; 4], held: Held) -> f64 {
     state().unwrap_or(f64::NAN)
 }
 
-fn directions(effort: Effort, held: Held, outer: bool) -> Vec<Direction> {
+fn directions(level: Level, held: Held, outer: bool) -> Vec<Direction> {
     let law = [2.0, 0.5, 1.0, 1.0];
     let fold = critical(law, held);
-    let mut directions = vec![Direction::new(
-        Family::Fold,
-        "to the fold, n = 2",
-        "1 − value/critical",
-        halvings(effort, 1, 50),
-        |t| [law.to_vec(), vec![fold * (1.0 - t)]].concat(),
-    )];
+    let mut directions =
+        vec![Direction::new(Family::Fold, "to the fold, n = 2", "1 − value/critical", halvings(level, 1, 50), |t| {
+            [law.to_vec(), vec![fold * (1.0 - t)]].concat()
+        })];
     let sharp = [0.25, 0.5, 1.0, 1.0];
     let fold = critical(sharp, held);
     directions.push(Direction::new(
         Family::Fold,
         "to the fold, n = 1/4",
         "1 − value/critical",
-        halvings(effort, 1, 50),
+        halvings(level, 1, 50),
         |t| [sharp.to_vec(), vec![fold * (1.0 - t)]].concat(),
     ));
     if outer {
-        directions.push(Direction::new(Family::Far, "pressed in, n = 2", "value", decades(effort, 0, 90), |t| {
+        directions.push(Direction::new(Family::Far, "pressed in, n = 2", "value", decades(level, 0, 90), |t| {
             [law.to_vec(), vec![t]].concat()
         }));
     }
     for (index, end) in [(2, 200), (2, -200), (3, 200), (3, -200)] {
         let toward = format!("{} → 10^{end} at half the critical value", INDENTED[index]);
-        directions.push(Direction::new(Family::Scale, toward, "the input", decades(effort, 0, end), |t| {
+        directions.push(Direction::new(Family::Scale, toward, "the input", decades(level, 0, end), |t| {
             let mut law = law;
             law[index] = t;
             [law.to_vec(), vec![0.5 * critical(law, held)]].concat()
@@ -169,7 +166,7 @@ fn directions(effort: Effort, held: Held, outer: bool) -> Vec<Direction> {
     directions
 }
 
-pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
+pub(super) fn climbs(level: Level) -> Vec<Climb> {
     let [grips_outer, grips_inner, load_outer, load_inner] = subjects();
     let mut climbs = Vec::new();
     for (subject, held, outer) in [
@@ -178,7 +175,7 @@ pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
         (load_outer, Held::Force, true),
         (load_inner, Held::Force, false),
     ] {
-        climbs.extend(cross(&[subject], &directions(effort, held, outer)));
+        climbs.extend(cross(&[subject], &directions(level, held, outer)));
     }
     climbs
 }

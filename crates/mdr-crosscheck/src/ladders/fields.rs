@@ -11,7 +11,7 @@ use mdr_numeric::fields::Fields;
 use super::Family;
 use super::functions::material;
 use super::questions::{Climb, Direction, Subject, cross, decades, halvings, subject};
-use crate::contest::Effort;
+use crate::Level;
 
 const FIELD: &[&str] = &["R", "E*", "w", "a", "r"];
 const STATE: &[&str] = &["R", "E*", "w", "a"];
@@ -76,7 +76,7 @@ fn subjects() -> [Subject; 4] {
     ]
 }
 
-pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
+pub(super) fn climbs(level: Level) -> Vec<Climb> {
     let [pressure, gap, displacement, stiffness] = subjects();
     let at = |r: f64| vec![1.0, 1.0, 1.0, 2.0, r];
     let scaled = |r: f64, end: i32| {
@@ -84,18 +84,18 @@ pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
             Family::Scale,
             format!("all lengths → 10^{end}, w/E* with them"),
             "factor",
-            decades(effort, 0, end),
+            decades(level, 0, end),
             move |t| vec![t, 1.0, t, 2.0 * t, r * t],
         )
     };
     // The pressure is 0 where 2(a² − r²) = RΔl.
     let zero = (4.0 - (4.0 * PI).sqrt() / 2.0).sqrt();
     let within = [
-        Direction::new(Family::Edge, "r → a from inside", "1 − r/a", halvings(effort, 1, 52), |t| {
+        Direction::new(Family::Edge, "r → a from inside", "1 − r/a", halvings(level, 1, 52), |t| {
             at(2.0 * (1.0 - t))
         }),
-        Direction::new(Family::Tip, "r → 0", "r", decades(effort, 0, -300), at),
-        Direction::new(Family::Zero, "r → the zero of p", "r/r₀ − 1", halvings(effort, 3, 50), |t| {
+        Direction::new(Family::Tip, "r → 0", "r", decades(level, 0, -300), at),
+        Direction::new(Family::Zero, "r → the zero of p", "r/r₀ − 1", halvings(level, 3, 50), |t| {
             at(zero * (1.0 + t))
         }),
         scaled(0.7, 150),
@@ -103,24 +103,24 @@ pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
     ];
     let mut climbs = cross(&[pressure], &within);
     let outside = [
-        Direction::new(Family::Edge, "r → a from outside", "r/a − 1", halvings(effort, 1, 51), |t| {
+        Direction::new(Family::Edge, "r → a from outside", "r/a − 1", halvings(level, 1, 51), |t| {
             at(2.0 * (1.0 + t))
         }),
-        Direction::new(Family::Far, "r → ∞", "r", decades(effort, 1, 150), at),
+        Direction::new(Family::Far, "r → ∞", "r", decades(level, 1, 150), at),
         scaled(3.0, 150),
         scaled(3.0, -150),
     ];
     climbs.extend(cross(&[gap, displacement], &outside));
     let state = |a: f64| vec![1.0, 1.0, 1.0, a];
     let states = [
-        Direction::new(Family::Fold, "a → the fold", "a/a_c − 1", halvings(effort, 2, 50), |t| {
+        Direction::new(Family::Fold, "a → the fold", "a/a_c − 1", halvings(level, 2, 50), |t| {
             state((PI / 8.0).cbrt() * (1.0 + t))
         }),
-        Direction::new(Family::Zero, "a → the zero at the fold of F", "a/a_F − 1", halvings(effort, 2, 50), |t| {
+        Direction::new(Family::Zero, "a → the zero at the fold of F", "a/a_F − 1", halvings(level, 2, 50), |t| {
             state((9.0 * PI / 8.0).cbrt() * (1.0 + t))
         }),
-        Direction::new(Family::Tip, "a → 0", "a", decades(effort, 0, -150), state),
-        Direction::new(Family::Far, "a → ∞", "a", decades(effort, 0, 150), state),
+        Direction::new(Family::Tip, "a → 0", "a", decades(level, 0, -150), state),
+        Direction::new(Family::Far, "a → ∞", "a", decades(level, 0, 150), state),
     ];
     climbs.extend(cross(&[stiffness], &states));
     climbs

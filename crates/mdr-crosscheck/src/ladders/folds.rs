@@ -7,7 +7,7 @@ use mdr_numeric::folds::folds;
 use super::Family;
 use super::functions::{LAW, MACHINE, contact, material, planted, scales};
 use super::questions::{Climb, Direction, Subject, cross, decades, halvings, subject};
-use crate::contest::Effort;
+use crate::Level;
 
 /// The only fold of a contact with n > 5/2 − √3 or n < 1/2, from the closed form of g and the numerical search.
 fn only(x: &[f64], control: &Control<f64>) -> Result<Instability<f64>> {
@@ -50,21 +50,21 @@ fn machine() -> [Subject; 2] {
     [fold!("folds, machine, a", contact_radius), fold!("folds, machine, F", force)]
 }
 
-pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
+pub(super) fn climbs(level: Level) -> Vec<Climb> {
     let law = |n: f64| vec![n, planted(n, 1.0), 1.0, 1.0];
     let mut laws = vec![
         // Nearer to 1/2 the other fold of the two controls is 10^±10⁵ away.
-        Direction::new(Family::Half, "n → 1/2 from above", "n − 1/2", halvings(effort, 2, 8), |t| law(0.5 + t)),
-        Direction::new(Family::Half, "n → 1/2 from below", "1/2 − n", halvings(effort, 2, 8), |t| law(0.5 - t)),
-        Direction::new(Family::SmallExponent, "n → 0", "n", decades(effort, -1, -12), law),
-        Direction::new(Family::LargeExponent, "n → ∞", "n", decades(effort, 0, 6), law),
+        Direction::new(Family::Half, "n → 1/2 from above", "n − 1/2", halvings(level, 2, 8), |t| law(0.5 + t)),
+        Direction::new(Family::Half, "n → 1/2 from below", "1/2 − n", halvings(level, 2, 8), |t| law(0.5 - t)),
+        Direction::new(Family::SmallExponent, "n → 0", "n", decades(level, -1, -12), law),
+        Direction::new(Family::LargeExponent, "n → ∞", "n", decades(level, 0, 6), law),
     ];
-    laws.extend(scales(effort, LAW, &[2.0, 0.5, 1.0, 1.0], 2));
+    laws.extend(scales(level, LAW, &[2.0, 0.5, 1.0, 1.0], 2));
     let mut climbs = cross(&held(), &laws);
     let mut machines = Vec::new();
     for (n, end) in [(2.0, 300), (2.0, -300), (0.25, 300), (0.25, -300)] {
         let toward = format!("k → 10^{end}, n = {n}");
-        machines.push(Direction::new(Family::Stiffness, toward, "k", decades(effort, 0, end), |k| {
+        machines.push(Direction::new(Family::Stiffness, toward, "k", decades(level, 0, end), |k| {
             [law(n), vec![k]].concat()
         }));
     }

@@ -8,7 +8,7 @@ use mdr_core::number::Real;
 
 use super::questions::{Climb, Direction, Subject, cross, decades, halvings, subject};
 use super::{Family, naive};
-use crate::contest::Effort;
+use crate::Level;
 
 /// The contact of [n, C, E*, w, …].
 pub(super) fn contact<R: Kappa>(x: &[R]) -> Result<Contact<R>> {
@@ -116,21 +116,21 @@ fn energy() -> Subject {
 }
 
 /// n → 1/2, 0 and ∞, with inputs that follow n.
-pub(super) fn exponents(effort: Effort, inputs: impl Fn(f64) -> Vec<f64> + Copy) -> Vec<Direction> {
-    let half = halvings(effort, 2, 50);
+pub(super) fn exponents(level: Level, inputs: impl Fn(f64) -> Vec<f64> + Copy) -> Vec<Direction> {
+    let half = halvings(level, 2, 50);
     vec![
         Direction::new(Family::Half, "n → 1/2 from above", "n − 1/2", half.clone(), |t| inputs(0.5 + t)),
         Direction::new(Family::Half, "n → 1/2 from below", "1/2 − n", half, |t| inputs(0.5 - t)),
-        Direction::new(Family::SmallExponent, "n → 0", "n", decades(effort, -1, -290), inputs),
-        Direction::new(Family::LargeExponent, "n → ∞", "n", decades(effort, 1, 14), inputs),
+        Direction::new(Family::SmallExponent, "n → 0", "n", decades(level, -1, -290), inputs),
+        Direction::new(Family::LargeExponent, "n → ∞", "n", decades(level, 1, 14), inputs),
     ]
 }
 
 /// Each of the inputs from the given place on to both ends of the range, around a base.
-pub(super) fn scales(effort: Effort, names: &[&str], base: &[f64], from: usize) -> Vec<Direction> {
+pub(super) fn scales(level: Level, names: &[&str], base: &[f64], from: usize) -> Vec<Direction> {
     let led = |index: usize, end: i32| {
         let toward = format!("{} → 10^{end}{}", names[index], if base[0] < 0.5 { ", n < 1/2" } else { "" });
-        Direction::new(Family::Scale, toward, "the input", decades(effort, 0, end), |t| {
+        Direction::new(Family::Scale, toward, "the input", decades(level, 0, end), |t| {
             let mut inputs = base.to_vec();
             inputs[index] = t;
             inputs
@@ -140,8 +140,8 @@ pub(super) fn scales(effort: Effort, names: &[&str], base: &[f64], from: usize) 
 }
 
 /// To where a difference vanishes: a₀(1 ± δ).
-fn zeros(effort: Effort, toward: &str, [n, c, zero]: [f64; 3]) -> Vec<Direction> {
-    let delta = halvings(effort, 2, 52);
+fn zeros(level: Level, toward: &str, [n, c, zero]: [f64; 3]) -> Vec<Direction> {
+    let delta = halvings(level, 2, 52);
     let at = |t: f64| vec![n, c, 1.0, 1.0, zero * (1.0 + t)];
     vec![
         Direction::new(Family::Zero, format!("{toward} from above"), "a/a₀ − 1", delta.clone(), at),
@@ -149,49 +149,49 @@ fn zeros(effort: Effort, toward: &str, [n, c, zero]: [f64; 3]) -> Vec<Direction>
     ]
 }
 
-pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
-    let mut climbs = cross(&kappa(), &exponents(effort, |n| vec![n]));
-    let mut curves = exponents(effort, |n| vec![n, 0.75]);
+pub(super) fn climbs(level: Level) -> Vec<Climb> {
+    let mut climbs = cross(&kappa(), &exponents(level, |n| vec![n]));
+    let mut curves = exponents(level, |n| vec![n, 0.75]);
     // F = 0 at ã = 16 for the cone, d = 0 at ã = 4^(1/3)·… for the paraboloid.
-    curves.push(Direction::new(Family::Zero, "ã → the zero", "ã/ã₀ − 1", halvings(effort, 2, 52), |t| {
+    curves.push(Direction::new(Family::Zero, "ã → the zero", "ã/ã₀ − 1", halvings(level, 2, 52), |t| {
         vec![2.0, 4_f64.powf(2.0 / 3.0) * (1.0 + t)]
     }));
     curves.push(Direction::new(
         Family::Zero,
         "ã → the zero of the cone",
         "ã/16 − 1",
-        halvings(effort, 2, 52),
+        halvings(level, 2, 52),
         |t| vec![1.0, 16.0 * (1.0 + t)],
     ));
-    curves.extend(scales(effort, UNIVERSAL, &[2.0, 1.0], 1));
-    curves.extend(scales(effort, UNIVERSAL, &[0.25, 1.0], 1));
+    curves.extend(scales(level, UNIVERSAL, &[2.0, 1.0], 1));
+    curves.extend(scales(level, UNIVERSAL, &[0.25, 1.0], 1));
     climbs.extend(cross(&universal(), &curves));
 
-    let mut transforms = exponents(effort, |n| vec![n, planted(n, 1.0), 1.0 - 0.5 / (1.0 + n)]);
-    transforms.extend(scales(effort, POWER, &[1.5, 1.0, 1.0], 1));
+    let mut transforms = exponents(level, |n| vec![n, planted(n, 1.0), 1.0 - 0.5 / (1.0 + n)]);
+    transforms.extend(scales(level, POWER, &[1.5, 1.0, 1.0], 1));
     climbs.extend(cross(&power(), &transforms));
-    climbs.extend(cross(&[elongation()], &scales(effort, EDGE, &[1.0, 1.0, 1.0], 0)));
+    climbs.extend(cross(&[elongation()], &scales(level, EDGE, &[1.0, 1.0, 1.0], 0)));
 
     let along = |n: f64| vec![n, planted(n, 1.0), 1.0, 1.0, 1.0 - 0.5 / (1.0 + n)];
-    let mut states = exponents(effort, along);
+    let mut states = exponents(level, along);
     for n in [2.0, 0.25] {
-        states.extend(scales(effort, STATE, &[n, 0.5, 1.0, 1.0, 1.0], 1));
+        states.extend(scales(level, STATE, &[n, 0.5, 1.0, 1.0, 1.0], 1));
     }
     let paraboloid = |power: f64| [2.0, 0.5, power.powf(1.0 / 3.0)];
     // d = a² − √(2πa), F ∝ 2a²/3·… − √(2πa); their slopes.
     let directions = |ends: &[Direction]| [states.clone(), ends.to_vec()].concat();
     let [d, f] = values();
-    climbs.extend(cross(&[d], &directions(&zeros(effort, "a → the zero of d", paraboloid(2.0 * PI)))));
-    climbs.extend(cross(&[f], &directions(&zeros(effort, "a → the zero of F", paraboloid(4.5 * PI)))));
+    climbs.extend(cross(&[d], &directions(&zeros(level, "a → the zero of d", paraboloid(2.0 * PI)))));
+    climbs.extend(cross(&[f], &directions(&zeros(level, "a → the zero of F", paraboloid(4.5 * PI)))));
     let [d, f] = slopes();
-    climbs.extend(cross(&[d], &directions(&zeros(effort, "a → the fold of d", paraboloid(PI / 8.0)))));
-    climbs.extend(cross(&[f], &directions(&zeros(effort, "a → the fold of F", paraboloid(9.0 * PI / 8.0)))));
+    climbs.extend(cross(&[d], &directions(&zeros(level, "a → the fold of d", paraboloid(PI / 8.0)))));
+    climbs.extend(cross(&[f], &directions(&zeros(level, "a → the fold of F", paraboloid(9.0 * PI / 8.0)))));
 
     // At a = 1 Π vanishes with (d − 1/3)² = π − 4/45.
     let zero = 1.0 / 3.0 + (PI - 4.0 / 45.0).sqrt();
-    let mut states = exponents(effort, |n| [along(n), vec![0.1]].concat());
-    states.extend(scales(effort, ENERGY, &[2.0, 0.5, 1.0, 1.0, 1.0, 1.0], 1));
-    states.push(Direction::new(Family::Zero, "d → the zero of Π", "d/d₀ − 1", halvings(effort, 2, 52), |t| {
+    let mut states = exponents(level, |n| [along(n), vec![0.1]].concat());
+    states.extend(scales(level, ENERGY, &[2.0, 0.5, 1.0, 1.0, 1.0, 1.0], 1));
+    states.push(Direction::new(Family::Zero, "d → the zero of Π", "d/d₀ − 1", halvings(level, 2, 52), |t| {
         vec![2.0, 0.5, 1.0, 1.0, 1.0, zero * (1.0 + t)]
     }));
     climbs.extend(cross(&[energy()], &states));

@@ -8,7 +8,7 @@ use mdr_core::contact::{Ranged, Result, Transform};
 
 use super::questions::{Climb, Direction, Subject, cross, decades, halvings, subject};
 use super::{Family, naive};
-use crate::contest::Effort;
+use crate::Level;
 
 /// g, g' and ∫g of one profile, from an expression for it in the inputs; the last input is x.
 macro_rules! profile {
@@ -265,35 +265,35 @@ impl Shape {
         inputs
     }
 
-    fn directions(&self, effort: Effort) -> Vec<Direction> {
+    fn directions(&self, level: Level) -> Vec<Direction> {
         let mut directions =
-            vec![Direction::new(Family::Tip, "x → 0", "x", decades(effort, 0, -300), |x| self.with(x))];
+            vec![Direction::new(Family::Tip, "x → 0", "x", decades(level, 0, -300), |x| self.with(x))];
         if !self.ends {
-            directions.push(Direction::new(Family::Far, "x → ∞", "x", decades(effort, 0, 300), |x| self.with(x)));
+            directions.push(Direction::new(Family::Far, "x → ∞", "x", decades(level, 0, 300), |x| self.with(x)));
         }
         if let Some((edge, inside)) = self.edge {
             let b = edge(self.base);
             if inside {
-                let rungs = halvings(effort, 1, 53);
+                let rungs = halvings(level, 1, 53);
                 directions.push(Direction::new(Family::Edge, "x → b from inside", "1 − x/b", rungs, |t| {
                     self.with(b * (1.0 - t))
                 }));
             }
             if !self.ends {
-                let rungs = halvings(effort, 1, 52);
+                let rungs = halvings(level, 1, 52);
                 directions.push(Direction::new(Family::Edge, "x → b from outside", "x/b − 1", rungs, |t| {
                     self.with(b * (1.0 + t))
                 }));
             }
         }
-        directions.extend(self.scales(effort));
+        directions.extend(self.scales(level));
         directions
     }
 
     /// All lengths together, and each input but x alone.
-    fn scales(&self, effort: Effort) -> Vec<Direction> {
+    fn scales(&self, level: Level) -> Vec<Direction> {
         let scaled = |end: i32, which: Vec<usize>, name: String| {
-            Direction::new(Family::Scale, format!("{name} → 10^{end}"), "factor", decades(effort, 0, end), |t| {
+            Direction::new(Family::Scale, format!("{name} → 10^{end}"), "factor", decades(level, 0, end), |t| {
                 self.base.iter().enumerate().map(|(i, x)| if which.contains(&i) { x * t } else { *x }).collect()
             })
         };
@@ -314,11 +314,11 @@ fn struve() -> [Subject; 2] {
 }
 
 /// To the zero of g, g' or ∫g of the displaced paraboloid: x = πb/2, πb/4, 3πb/4; and to a joint of the tables of H.
-fn special(effort: Effort) -> Vec<Climb> {
+fn special(level: Level) -> Vec<Climb> {
     let mut climbs = Vec::new();
     for (subject, factor) in concave()[0].subjects.iter().zip([0.5, 0.25, 0.75]) {
         for (sign, toward) in [(1.0, "x → the zero from above"), (-1.0, "x → the zero from below")] {
-            let rungs = halvings(effort, 2, 52);
+            let rungs = halvings(level, 2, 52);
             let direction = Direction::new(Family::Zero, toward, "|x/x₀ − 1|", rungs, |t| {
                 vec![2.0, 0.5, factor * PI * 0.5 * (1.0 + sign * t)]
             });
@@ -327,29 +327,29 @@ fn special(effort: Effort) -> Vec<Climb> {
     }
     let waves = &concave()[1];
     let directions = [
-        Direction::new(Family::Wavelength, "λ → 0", "λ", decades(effort, 0, -18), |t| vec![1.0, 5e-4, t, 0.07]),
-        Direction::new(Family::Wavelength, "λ → 0 at A ∝ λ²", "λ", decades(effort, 0, -18), |t| {
+        Direction::new(Family::Wavelength, "λ → 0", "λ", decades(level, 0, -18), |t| vec![1.0, 5e-4, t, 0.07]),
+        Direction::new(Family::Wavelength, "λ → 0 at A ∝ λ²", "λ", decades(level, 0, -18), |t| {
             vec![1.0, t * t / 40.0, t, 0.07]
         }),
-        Direction::new(Family::Wavelength, "λ → 0 at A ∝ λ³", "λ", decades(effort, 0, -18), |t| {
+        Direction::new(Family::Wavelength, "λ → 0 at A ∝ λ³", "λ", decades(level, 0, -18), |t| {
             vec![1.0, t * t * t, t, 0.07]
         }),
-        Direction::new(Family::Edge, "kx → 3 from above", "kx/3 − 1", halvings(effort, 3, 50), |t| {
+        Direction::new(Family::Edge, "kx → 3 from above", "kx/3 − 1", halvings(level, 3, 50), |t| {
             vec![1.0, 5e-4, 0.1, 0.3 / (2.0 * PI) * (1.0 + t)]
         }),
     ];
     climbs.extend(cross(&waves.subjects, &directions));
     let directions = [
-        Direction::new(Family::Tip, "z → 0", "z", decades(effort, 0, -300), |z| vec![z]),
-        Direction::new(Family::Far, "z → ∞", "z", decades(effort, 0, 18), |z| vec![z]),
+        Direction::new(Family::Tip, "z → 0", "z", decades(level, 0, -300), |z| vec![z]),
+        Direction::new(Family::Far, "z → ∞", "z", decades(level, 0, 18), |z| vec![z]),
         // The first zero of H₀; H₁ has none.
-        Direction::new(Family::Zero, "z → the first zero of H₀", "z/z₀ − 1", halvings(effort, 2, 52), |t| {
+        Direction::new(Family::Zero, "z → the first zero of H₀", "z/z₀ − 1", halvings(level, 2, 52), |t| {
             vec![4.332_752_2 * (1.0 + t)]
         }),
-        Direction::new(Family::Edge, "z → 3 from above", "z/3 − 1", halvings(effort, 2, 51), |t| {
+        Direction::new(Family::Edge, "z → 3 from above", "z/3 − 1", halvings(level, 2, 51), |t| {
             vec![3.0 * (1.0 + t)]
         }),
-        Direction::new(Family::Edge, "z → 3 from below", "1 − z/3", halvings(effort, 2, 52), |t| {
+        Direction::new(Family::Edge, "z → 3 from below", "1 − z/3", halvings(level, 2, 52), |t| {
             vec![3.0 * (1.0 - t)]
         }),
     ];
@@ -357,11 +357,11 @@ fn special(effort: Effort) -> Vec<Climb> {
     climbs
 }
 
-pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
+pub(super) fn climbs(level: Level) -> Vec<Climb> {
     let mut climbs = Vec::new();
     for shape in shapes() {
-        climbs.extend(cross(&shape.subjects, &shape.directions(effort)));
+        climbs.extend(cross(&shape.subjects, &shape.directions(level)));
     }
-    climbs.extend(special(effort));
+    climbs.extend(special(level));
     climbs
 }

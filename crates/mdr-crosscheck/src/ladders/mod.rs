@@ -26,7 +26,7 @@ mod worst;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::contest::Effort;
+use crate::Level;
 
 pub use open::{OPEN, Open};
 pub use worst::{Worst, WorstError, worst_inputs};
@@ -218,19 +218,19 @@ impl Ladder {
 }
 
 /// All ladders, in the order of the functions.
-pub fn ladders(effort: Effort) -> Vec<Ladder> {
-    ladders_of(effort, "")
+pub fn ladders(level: Level) -> Vec<Ladder> {
+    ladders_of(level, "")
 }
 
 /// Those of the functions whose names contain a word.
-pub fn ladders_of(effort: Effort, word: &str) -> Vec<Ladder> {
-    let climbs: Vec<_> = questions::all(effort).into_iter().filter(|climb| climb.subject.name.contains(word)).collect();
+pub fn ladders_of(level: Level, word: &str) -> Vec<Ladder> {
+    let climbs: Vec<_> = questions::all(level).into_iter().filter(|climb| climb.subject.name.contains(word)).collect();
     climbs.par_iter().map(questions::Climb::ladder).collect()
 }
 
 /// The public functions of f64 that have a ladder, such as "double::kappa" or "Sphere::g".
 pub fn functions() -> Vec<String> {
-    let mut names: Vec<_> = questions::all(Effort::Quick).iter().map(|climb| climb.subject.function()).collect();
+    let mut names: Vec<_> = questions::all(Level::Quick).iter().map(|climb| climb.subject.function()).collect();
     names.dedup();
     names
 }

@@ -6,7 +6,7 @@ use mdr_core::number::Interval;
 use super::measure::{Moved, Truth, condition, judge, truth, ulps};
 use super::{Family, Found, Ladder, Rung};
 use super::{critical, energy, equilibria, fields, folds, functions, library, transform};
-use crate::contest::Effort;
+use crate::Level;
 
 /// A function of doubles, with its truth.
 #[derive(Clone, Copy)]
@@ -138,16 +138,16 @@ impl Climb {
 }
 
 /// All functions in all directions.
-pub(super) fn all(effort: Effort) -> Vec<Climb> {
+pub(super) fn all(level: Level) -> Vec<Climb> {
     let parts = [
-        functions::climbs(effort),
-        critical::climbs(effort),
-        library::climbs(effort),
-        transform::climbs(effort),
-        folds::climbs(effort),
-        equilibria::climbs(effort),
-        fields::climbs(effort),
-        energy::climbs(effort),
+        functions::climbs(level),
+        critical::climbs(level),
+        library::climbs(level),
+        transform::climbs(level),
+        folds::climbs(level),
+        equilibria::climbs(level),
+        fields::climbs(level),
+        energy::climbs(level),
     ];
     parts.into_iter().flatten().collect()
 }
@@ -162,14 +162,14 @@ pub(super) fn cross(subjects: &[Subject], directions: &[Direction]) -> Vec<Climb
 }
 
 /// 2⁻ᵏ for k from `first` to `last`: all of them, or a few.
-pub(super) fn halvings(effort: Effort, first: i32, last: i32) -> Vec<f64> {
-    steps(first, last, if effort == Effort::Full { 1 } else { 12 }).map(|k| 2_f64.powi(-k)).collect()
+pub(super) fn halvings(level: Level, first: i32, last: i32) -> Vec<f64> {
+    steps(first, last, if level == Level::Quick { 12 } else { 1 }).map(|k| 2_f64.powi(-k)).collect()
 }
 
 /// 10ᵏ for k from `first` to `last`, up or down.
-pub(super) fn decades(effort: Effort, first: i32, last: i32) -> Vec<f64> {
+pub(super) fn decades(level: Level, first: i32, last: i32) -> Vec<f64> {
     let span = (last - first).abs();
-    let step = if effort == Effort::Full { (span / 40).max(1) } else { (span / 5).max(1) };
+    let step = if level == Level::Quick { (span / 5).max(1) } else { (span / 40).max(1) };
     // As typed: powi is off by many ulp at the ends of the range.
     let power = |k: i32| format!("1e{k}").parse().unwrap_or(f64::NAN);
     steps(0, span, step).map(|k| power(if last > first { first + k } else { first - k })).collect()

@@ -8,7 +8,7 @@ use mdr_numeric::transform::Quadrature;
 use super::Family;
 use super::functions::{exponents, scales};
 use super::questions::{Climb, Direction, Subject, cross, decades, halvings, subject};
-use crate::contest::Effort;
+use crate::Level;
 
 /// The three quadratures of one height.
 macro_rules! quadrature {
@@ -64,43 +64,39 @@ fn wavy() -> [Subject; 3] {
     })
 }
 
-pub(super) fn climbs(effort: Effort) -> Vec<Climb> {
-    let mut powers = exponents(effort, |n| vec![n, 1.0, 1.0 - 0.5 / (1.0 + n)]);
+pub(super) fn climbs(level: Level) -> Vec<Climb> {
+    let mut powers = exponents(level, |n| vec![n, 1.0, 1.0 - 0.5 / (1.0 + n)]);
     // Steeper heights than r^1000 are known no better than their radii, which a quadrature has to step over.
     powers.retain(|direction| direction.family != Family::LargeExponent);
-    powers.push(Direction::new(Family::LargeExponent, "n → ∞", "n", decades(effort, 0, 3), |n| {
+    powers.push(Direction::new(Family::LargeExponent, "n → ∞", "n", decades(level, 0, 3), |n| {
         vec![n, 1.0, 1.0 - 0.5 / (1.0 + n)]
     }));
-    powers.extend(scales(effort, POWER, &[1.5, 1.0, 1.0], 1));
+    powers.extend(scales(level, POWER, &[1.5, 1.0, 1.0], 1));
     let mut climbs = cross(&power(), &powers);
 
     let both = |base: [f64; 2], end: i32| {
-        Direction::new(
-            Family::Scale,
-            format!("all lengths → 10^{end}"),
-            "factor",
-            decades(effort, 0, end),
-            move |t| base.map(|x| x * t).to_vec(),
-        )
+        Direction::new(Family::Scale, format!("all lengths → 10^{end}"), "factor", decades(level, 0, end), move |t| {
+            base.map(|x| x * t).to_vec()
+        })
     };
     let spheres = [
-        Direction::new(Family::Tip, "x → 0", "x", decades(effort, 0, -300), |x| vec![1.0, 0.9 * x]),
-        Direction::new(Family::Edge, "x → R", "1 − x/R", halvings(effort, 1, 53), |t| vec![1.0, 1.0 - t]),
+        Direction::new(Family::Tip, "x → 0", "x", decades(level, 0, -300), |x| vec![1.0, 0.9 * x]),
+        Direction::new(Family::Edge, "x → R", "1 − x/R", halvings(level, 1, 53), |t| vec![1.0, 1.0 - t]),
         both([1.0, 0.5], 300),
         both([1.0, 0.5], -300),
     ];
     climbs.extend(cross(&sphere(), &spheres));
     let punches = [
-        Direction::new(Family::Edge, "x → b from outside", "x/b − 1", halvings(effort, 1, 52), |t| {
+        Direction::new(Family::Edge, "x → b from outside", "x/b − 1", halvings(level, 1, 52), |t| {
             vec![5.0, 1.0, 1.0 + t]
         }),
-        Direction::new(Family::Far, "x → ∞", "x", decades(effort, 1, 300), |x| vec![5.0, 1.0, x]),
+        Direction::new(Family::Far, "x → ∞", "x", decades(level, 1, 300), |x| vec![5.0, 1.0, x]),
     ];
     climbs.extend(cross(&punch(), &punches));
     let waves = [
-        Direction::new(Family::Tip, "x → 0", "x", decades(effort, -1, -300), |x| vec![1.0, 5e-4, 0.1, x]),
+        Direction::new(Family::Tip, "x → 0", "x", decades(level, -1, -300), |x| vec![1.0, 5e-4, 0.1, x]),
         // Five hundred waves are the patience of the quadrature.
-        Direction::new(Family::Wavelength, "λ → 0", "λ", halvings(effort, 0, 11), |t| vec![1.0, 5e-4, t, 0.17]),
+        Direction::new(Family::Wavelength, "λ → 0", "λ", halvings(level, 0, 11), |t| vec![1.0, 5e-4, t, 0.17]),
     ];
     climbs.extend(cross(&wavy(), &waves));
     climbs

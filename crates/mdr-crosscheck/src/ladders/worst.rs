@@ -8,7 +8,7 @@ use thiserror::Error as ThisError;
 
 use super::questions::{self, Subject};
 use super::{Found, Ladder, Rung};
-use crate::contest::Effort;
+use crate::Level;
 
 /// The list. It only grows: `cargo run --release -p mdr-crosscheck --example ladders -- --worst` writes it anew, with what
 /// was there and what was found to be worse.
@@ -52,7 +52,7 @@ impl Worst {
     /// Asks again; none where there is no such function any more.
     pub fn ask(&self) -> Option<Rung> {
         static SUBJECTS: LazyLock<BTreeMap<&'static str, Subject>> = LazyLock::new(|| {
-            questions::all(Effort::Quick).into_iter().map(|climb| (climb.subject.name, climb.subject)).collect()
+            questions::all(Level::Quick).into_iter().map(|climb| (climb.subject.name, climb.subject)).collect()
         });
         Some(SUBJECTS.get(self.function.as_str())?.rung(f64::NAN, &self.inputs))
     }
