@@ -245,7 +245,7 @@ accessors! {
     /// The folds, where they are wanted.
     folds: List<Fold> = Output::Folds(list) => list;
     /// The loading path, where it is wanted.
-    path: LoadingPath = Output::Path(path) => path;
+    path: LoadingPath = Output::Path(path) => &**path;
     /// The curve of equilibria, where it is wanted.
     curve: List<CurvePoint> = Output::Curve(list) => list;
     /// The pressure of states, where it is wanted.
