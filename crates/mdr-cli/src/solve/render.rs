@@ -1,6 +1,5 @@
 //! The answer for a reader and for a spreadsheet.
 
-use std::borrow::Cow;
 
 use mdr::answer::{Balance, FlatCell, FlatRow, columns, described, title};
 use mdr::prelude::*;
@@ -89,7 +88,7 @@ fn table_of(output: &Output, rows: &[FlatRow]) -> String {
     render(&table)
 }
 
-fn value<'a>(row: &'a FlatRow, key: &Cow<'static, str>) -> Option<&'a FlatCell> {
+fn value<'a>(row: &'a FlatRow, key: &str) -> Option<&'a FlatCell> {
     row.iter().find(|(name, _)| name == key).map(|(_, cell)| cell)
 }
 
