@@ -6,7 +6,7 @@ use mdr_core::contact::Regime;
 
 use crate::error::Result;
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, table};
+use crate::table::{Tone, cell, render, render_whole, table};
 
 const QUANTITIES: [(&str, &str); 3] =
     [("contact radius a", "m"), ("indentation depth d", "m"), ("normal force F", "N")];
@@ -45,7 +45,7 @@ pub(crate) fn write_all(
                 let value = |key: &&str| row.iter().find(|(title, _)| title == key).map_or("", |(_, value)| value);
                 table.add_row(keys.iter().map(|key| cell(value(key), Tone::Plain)));
             }
-            out.text(render(&table))
+            out.text(render_whole(&table))
         }
     }
 }

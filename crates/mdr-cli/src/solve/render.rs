@@ -5,7 +5,7 @@ use mdr::prelude::*;
 
 use crate::error::Result;
 use crate::output::{Format, Output as Out};
-use crate::table::{Tone, cell, render, table};
+use crate::table::{Tone, cell, render_whole, table};
 
 /// Writes `answer` in the `format` asked for.
 pub(crate) fn write(answer: &Answer, format: Format, out: &mut Out<impl std::io::Write>) -> Result<()> {
@@ -87,7 +87,7 @@ fn table_of(output: &Output, rows: &[FlatRow]) -> String {
             None => cell("", Tone::Plain),
         }));
     }
-    render(&table)
+    render_whole(&table)
 }
 
 fn value<'a>(row: &'a FlatRow, key: &str) -> Option<&'a FlatCell> {
