@@ -11,7 +11,7 @@ use super::Check;
 use super::gamma::ulps;
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::report::Unit;
-use crate::theory::{DOUBLE, Form};
+use crate::subject::DOUBLE_IDS;
 use crate::trial::Trial;
 
 /// Every function of `mdr_analytic::double`, also where its result is out of the range of f64.
@@ -19,23 +19,11 @@ pub(super) const DOUBLE_PRECISION: Check = Check {
     name: "double-precision",
     claim: "f64 functions against 400 bits: an ulp, two for many points at once; also of the log10 of what f64 cannot hold",
     equations: &["1.4", "1.5", "1.6", "1.10", "1.12", "1.13", "1.15", "1.16", "1.17", "1.19"],
-    forms: DOUBLE_FORMS,
+    subjects: DOUBLE_IDS,
     unit: Unit::Ulp,
     cases: [120, 1200, 12_000],
     case,
 };
-
-const DOUBLE_FORMS: &[Form] = &double_forms();
-
-const fn double_forms() -> [Form; DOUBLE.len()] {
-    let mut forms = [Form::Double(DOUBLE[0]); DOUBLE.len()];
-    let mut i = 0;
-    while i < forms.len() {
-        forms[i] = Form::Double(DOUBLE[i]);
-        i += 1;
-    }
-    forms
-}
 
 /// What a function promises.
 fn promised_ulp(name: &str) -> f64 {
@@ -301,7 +289,7 @@ fn enter(trial: &mut Trial<'_>, pairs: Vec<Pair>) -> Result<()> {
     for Pair { name, found, expected } in pairs {
         let (log10, exact) = match (found?, expected) {
             (Ranged::Value(value), expected) => {
-                let (value, expected) = (trial.theory.double(name, value), expected?);
+                let (value, expected) = (trial.closed.double(name, value), expected?);
                 let error = if value == 0.0 && expected == 0 { 0.0 } else { ulps(value, &expected) };
                 trial.enter(name, error, promised_ulp(name));
                 continue;
