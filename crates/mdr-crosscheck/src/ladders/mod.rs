@@ -9,23 +9,18 @@
 //! Acceptance ([`Ladder::accepted`]): no NaN, no infinity and no zero where there is a number, and an excess loss of one
 //! digit at most.
 
-mod critical;
-mod energy;
-mod equilibria;
-mod fields;
-mod folds;
-mod functions;
-mod library;
+mod approach;
+mod double;
 mod measure;
-mod naive;
+mod numerical;
 mod open;
-mod questions;
-mod transform;
+mod profiles;
 mod worst;
 
 use rayon::prelude::*;
 use serde::Serialize;
 
+use self::approach::{LadderCase, Steps};
 use crate::contest::Effort;
 
 pub use open::{OPEN, Open};
@@ -75,38 +70,31 @@ impl Family {
         Family::Stiffness,
     ];
 
+    /// As in names of files, and for a reader.
+    const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Family::Half => ("half", "the exponent tends to 1/2"),
+            Family::SmallExponent => ("small-exponent", "the exponent tends to 0"),
+            Family::LargeExponent => ("large-exponent", "the exponent tends to infinity"),
+            Family::Fold => ("fold", "the state tends to a fold"),
+            Family::Zero => ("zero", "the result tends to a zero"),
+            Family::Scale => ("scale", "an input tends to the ends of the range of doubles"),
+            Family::Edge => ("edge", "the radius tends to an edge"),
+            Family::Tip => ("tip", "the radius tends to 0"),
+            Family::Far => ("far", "the radius tends to infinity"),
+            Family::Wavelength => ("wavelength", "the wavelength tends to 0"),
+            Family::Stiffness => ("stiffness", "the stiffness of the machine tends to 0 and to infinity"),
+        }
+    }
+
     /// As in names of files.
     pub const fn name(self) -> &'static str {
-        match self {
-            Family::Half => "half",
-            Family::SmallExponent => "small-exponent",
-            Family::LargeExponent => "large-exponent",
-            Family::Fold => "fold",
-            Family::Zero => "zero",
-            Family::Scale => "scale",
-            Family::Edge => "edge",
-            Family::Tip => "tip",
-            Family::Far => "far",
-            Family::Wavelength => "wavelength",
-            Family::Stiffness => "stiffness",
-        }
+        self.words().0
     }
 
     /// For a reader.
     pub const fn title(self) -> &'static str {
-        match self {
-            Family::Half => "the exponent tends to 1/2",
-            Family::SmallExponent => "the exponent tends to 0",
-            Family::LargeExponent => "the exponent tends to infinity",
-            Family::Fold => "the state tends to a fold",
-            Family::Zero => "the result tends to a zero",
-            Family::Scale => "an input tends to the ends of the range of doubles",
-            Family::Edge => "the radius tends to an edge",
-            Family::Tip => "the radius tends to 0",
-            Family::Far => "the radius tends to infinity",
-            Family::Wavelength => "the wavelength tends to 0",
-            Family::Stiffness => "the stiffness of the machine tends to 0 and to infinity",
-        }
+        self.words().1
     }
 }
 
@@ -217,6 +205,12 @@ impl Ladder {
     }
 }
 
+/// All cases, in the order of the functions.
+fn cases(effort: Effort) -> Vec<LadderCase> {
+    let steps = Steps { all: effort == Effort::Full };
+    [double::cases(steps), profiles::cases(steps), numerical::cases(steps)].concat()
+}
+
 /// All ladders, in the order of the functions.
 pub fn ladders(effort: Effort) -> Vec<Ladder> {
     ladders_of(effort, "")
@@ -224,13 +218,13 @@ pub fn ladders(effort: Effort) -> Vec<Ladder> {
 
 /// Those of the functions whose names contain a word.
 pub fn ladders_of(effort: Effort, word: &str) -> Vec<Ladder> {
-    let climbs: Vec<_> = questions::all(effort).into_iter().filter(|climb| climb.subject.name.contains(word)).collect();
-    climbs.par_iter().map(questions::Climb::ladder).collect()
+    let cases: Vec<_> = cases(effort).into_iter().filter(|case| case.routine.name.contains(word)).collect();
+    cases.par_iter().map(LadderCase::ladder).collect()
 }
 
 /// The public functions of f64 that have a ladder, such as "double::kappa" or "Sphere::g".
 pub fn functions() -> Vec<String> {
-    let mut names: Vec<_> = questions::all(Effort::Quick).iter().map(|climb| climb.subject.function()).collect();
+    let mut names: Vec<_> = cases(Effort::Quick).iter().map(|case| case.routine.function().to_owned()).collect();
     names.dedup();
     names
 }

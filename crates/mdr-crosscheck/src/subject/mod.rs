@@ -2,9 +2,17 @@
 //!
 //! * [`SubjectId`] names a number, [`subjects`] lists all of them with the function each comes from.
 //! * `ClosedForms` (module `closed`) evaluates them, with at most one [`Mutation`] of one of them.
+//! * `Routine` (module `routine`) is a function of doubles with its exact forms and the formula of textbooks. The check
+//!   *double-precision* and the stability ladders take their functions from the modules `double`, `profiles` and
+//!   `numerical`.
 
 pub(crate) mod closed;
+pub(crate) mod double;
 pub(crate) mod mutation;
+pub(crate) mod numerical;
+pub(crate) mod profiles;
+pub(crate) mod routine;
+pub(crate) mod textbook;
 
 use crate::library::Shape;
 
