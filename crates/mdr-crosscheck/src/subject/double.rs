@@ -34,7 +34,7 @@ fn half<R: Kappa>(x: &[R]) -> Result<Contact<R>> {
 }
 
 /// The machine of stiffness k.
-fn machine<R: Clone>(k: &R) -> Control<R> {
+pub(crate) fn machine<R: Clone>(k: &R) -> Control<R> {
     Control::Machine { stiffness: k.clone() }
 }
 

@@ -12,7 +12,7 @@ use mdr_numeric::folds::folds;
 use mdr_numeric::profiles;
 use mdr_numeric::transform::Quadrature;
 
-use super::double::{LAW, MACHINE, contact, material};
+use super::double::{LAW, MACHINE, contact, machine, material};
 use super::routine::{Routine, routine, routines};
 use super::textbook;
 
@@ -72,8 +72,8 @@ pub(crate) const FOLDS: [Routine; 6] = [
     fold!("folds, dead load, F", LAW, |x| Control::Force, force),
 ];
 pub(crate) const FOLDS_ON_MACHINE: [Routine; 2] = [
-    fold!("folds, machine, a", MACHINE, |x| Control::Machine { stiffness: x[4].clone() }, contact_radius),
-    fold!("folds, machine, F", MACHINE, |x| Control::Machine { stiffness: x[4].clone() }, force),
+    fold!("folds, machine, a", MACHINE, |x| machine(&x[4]), contact_radius),
+    fold!("folds, machine, F", MACHINE, |x| machine(&x[4]), force),
 ];
 
 /// The states on a side of the fold.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use mdr_analytic::profiles::FlatPunch;
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Ranged, Result, Transform};
-use mdr_core::number::Lift;
+use mdr_core::number::{Lift, Special};
 
 use super::routine::{Routine, Textbook, routine, routines};
 use super::textbook;
@@ -60,6 +60,11 @@ const fn second(x: &[f64]) -> f64 {
 /// The profile of all inputs but the last.
 fn library<R: Struve + Lift<R>>(shape: Shape, inputs: &[R]) -> Result<Box<dyn Transform<R>>> {
     closed_form(shape, &inputs[..inputs.len() - 1])
+}
+
+/// The flat punch of the first input, which the library leaves out: g = 0.
+fn flat_punch<R: Special>(inputs: &[R]) -> Result<FlatPunch<R>> {
+    FlatPunch::new(inputs[0].clone())
 }
 
 /// x, the last input.
@@ -189,8 +194,7 @@ pub(crate) const PROFILES: [ProfileRoutines; 16] = [
         x * ((r + x) / (textbook::leg(r, b) + textbook::leg(x, b))).ln() + x * t * (b / x).acos()
     })
     .changing_at(|x| x[1] * x[0] / (1.0 + x[0] * x[0]).sqrt()),
-    ProfileRoutines::of(parts!(FlatPunch, &["b", "x"], |x| FlatPunch::new(x[0].clone())), &[1.0, 0.5])
-        .ending_at_first(),
+    ProfileRoutines::of(parts!(FlatPunch, &["b", "x"], |x| flat_punch(x)), &[1.0, 0.5]).ending_at_first(),
     DISPLACED_PARABOLOID,
     WAVY_PARABOLOID,
 ];
