@@ -1,11 +1,12 @@
 //! κ_n of (1.12) by other roads: Γ, a positive series, the arithmetic-geometric mean, and a functional equation.
 
 use mdr_core::contact::Result;
-use mdr_core::number::Real;
+use mdr_core::number::{Interval, Real};
 use rug::Float;
 
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
+use crate::derivations::hypergeometric;
 use crate::grid::{Exponent, Family};
 use crate::report::Unit;
 use crate::subject::SubjectId;
@@ -31,7 +32,7 @@ pub(super) const SERIES: Check = Check {
     subjects: &[SubjectId::Kappa],
     unit: Unit::Roundoffs,
     cases: [100, 1000, 10_000],
-    case: |trial| by_turns!(trial, against, by_series),
+    case: |trial| by_turns!(trial, against, middle_of_series),
 };
 
 /// κ_{1/2} and κ_{1/3} by the arithmetic-geometric mean, carried up by κ_{n+2} = κ_n (n+2)/(n+1).
@@ -82,21 +83,14 @@ pub(crate) fn by_gamma(n: &Float) -> Float {
     (quotient + n.pi().ln() * half).exp()
 }
 
-/// Terms fall below 2^−bits after at most `bits + n` of them; 64 guard bits carry their sum.
-fn by_series(n: &Float) -> Float {
-    let bits = n.prec() + 64;
-    let n = Float::with_val(bits, n);
-    let mut term = n.lit(1);
-    let mut sum = term.clone();
-    for j in 0_u32.. {
-        term *= n.clone() + j;
-        term /= n.clone() + (2 + 2 * u64::from(j));
-        sum += &term;
-        if term.clone() << bits < sum {
-            break;
-        }
-    }
-    sum
+/// By Gauss's second theorem, enclosed.
+pub(super) fn by_series(n: &Interval) -> Interval {
+    hypergeometric(n, &(n.clone().over(2) + n.lit(1)))
+}
+
+/// 64 guard bits carry the sum.
+fn middle_of_series(n: &Float) -> Float {
+    by_series(&Interval::point(Float::with_val(n.prec() + 64, n))).mid()
 }
 
 fn agm<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
