@@ -2,8 +2,8 @@
 
 use mdr_analytic::double::grid::{Materials, Path, Points, States, critical_states_on};
 use mdr_analytic::double::{Branches, Side};
-use mdr_analytic::{Contact, Equilibria, PowerLaw, double};
-use mdr_core::contact::{Error, Material, Ranged, Result, Status};
+use mdr_analytic::{Contact, Equilibria, double};
+use mdr_core::contact::{Error, Ranged, Result, Status};
 use mdr_core::number::{Precision, Real};
 use rug::Float;
 
@@ -237,8 +237,7 @@ fn float(x: f64) -> Float {
 
 /// The same contact at 400 bits.
 fn wide(scene: &Scene<f64>) -> Result<Contact<Float>> {
-    let material = Material::new(float(scene.e_star), float(scene.work))?;
-    Ok(Contact::new(PowerLaw::new(float(scene.n), float(scene.c))?, material))
+    scene.map(|x| float(*x)).contact()
 }
 
 /// Compares a result of the function of that name, or its log10 where it is out of the range of f64.

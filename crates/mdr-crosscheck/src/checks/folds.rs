@@ -12,18 +12,16 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Held, Scene};
 use crate::report::Unit;
-use crate::subject::SubjectId;
+use crate::subject::{CRITICAL_IDS, SubjectId};
 use crate::tolerance::{Tangent, quadrature};
 use crate::trial::Trial;
-
-const CRITICAL: &[SubjectId] = &[SubjectId::CriticalRadius, SubjectId::CriticalIndentation, SubjectId::CriticalForce];
 
 /// a_c, d_c, F_c under controlled indentation.
 pub(super) const INDENTATION: Check = Check {
     name: "critical-indentation",
     claim: "a_c, d_c, F_c under controlled indentation against the fold by quadrature and tangency",
     equations: &["1.1", "1.4", "1.5", "1.6", "1.10", "1.15", "1.17"],
-    subjects: CRITICAL,
+    subjects: CRITICAL_IDS,
     unit: Unit::Roundoffs,
     cases: [50, 300, 3000],
     case: |trial| by_turns!(trial, critical, Held::Indentation),
@@ -34,7 +32,7 @@ pub(super) const FORCE: Check = Check {
     name: "critical-force",
     claim: "a_F, d_F, F_F under controlled force against the fold by quadrature and tangency",
     equations: &["1.1", "1.4", "1.5", "1.6"],
-    subjects: CRITICAL,
+    subjects: CRITICAL_IDS,
     unit: Unit::Roundoffs,
     cases: [50, 300, 3000],
     case: |trial| by_turns!(trial, critical, Held::Force),

@@ -77,13 +77,7 @@ fn stationary<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
     let stretch = R::from_f64(ctx, trial.uniform(-2.0, 2.0)) / (scene.n.clone() + scene.n.lit(1));
     let a = contact.critical(&Control::Indentation)?.contact_radius * stretch.exp();
     let d = trial.closed.indentation(&contact, &a)?;
-    let dual = Scene {
-        n: Dual::constant(scene.n.clone()),
-        c: Dual::constant(scene.c.clone()),
-        e_star: Dual::constant(scene.e_star.clone()),
-        work: Dual::constant(scene.work.clone()),
-    };
-    let dual = dual.contact()?;
+    let dual = scene.map(|x| Dual::constant(x.clone())).contact()?;
 
     let elongation = trial.closed.detachment_elongation(contact.material(), &a)?;
     let terms = trial.closed.g(contact.profile(), &a)? + &elongation;

@@ -80,13 +80,8 @@ fn slopes<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     // Off the fold by up to a factor of two in the terms of d', so that nothing of it is small.
     let stretch = R::from_f64(ctx, trial.uniform(-1.0, 1.0)) / (scene.n.clone() + scene.n.lit(1));
     let a = contact.critical(&Control::Indentation)?.contact_radius * stretch.exp();
-    let dual = Scene {
-        n: Dual::constant(scene.n.clone()),
-        c: Dual::constant(scene.c.clone()),
-        e_star: Dual::constant(scene.e_star.clone()),
-        work: Dual::constant(scene.work.clone()),
-    };
-    let (dual, x) = (dual.contact()?, Dual::variable(a.clone()));
+    let dual = scene.map(|x| Dual::constant(x.clone())).contact()?;
+    let x = Dual::variable(a.clone());
     let n = scene.n.approx();
     let exponents = (n + 1.0) * (a.ln().approx().abs() + 1.0);
 

@@ -7,7 +7,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Held, Scene};
 use crate::report::Unit;
-use crate::subject::SubjectId;
+use crate::subject::{CRITICAL_IDS, SubjectId};
 use crate::trial::Trial;
 
 /// The paraboloid r²/2R: F = −(5/6)πwR and a³ = πwR²/(8E*) under fixed grips, F = −(3/2)πwR and nine times that a³
@@ -16,7 +16,7 @@ pub(super) const JKR: Check = Check {
     name: "jkr",
     claim: "n = 2, C = 1/2R: −5/6 πwR, −3/2 πwR, a_c³ = πwR²/(8E*)",
     equations: &["1.15", "1.17"],
-    subjects: &[SubjectId::CriticalRadius, SubjectId::CriticalIndentation, SubjectId::CriticalForce],
+    subjects: CRITICAL_IDS,
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, jkr),

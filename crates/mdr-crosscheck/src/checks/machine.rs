@@ -125,9 +125,7 @@ impl<R: Arithmetic> Machine<R> {
     pub(super) fn is_beyond(&self, trial: &mut Trial<'_>, quantity: Quantity, log10: f64) -> Result<()> {
         const BITS: u32 = 200;
         let precise = |value: &R| Float::with_val(BITS, value.widen());
-        let Scene { n, c, e_star, work } = &self.scene;
-        let [n, c, e_star, work] = [n, c, e_star, work].map(precise);
-        let scene = Scene { n, c, e_star, work };
+        let scene = self.scene.map(precise);
         let folds = trial.closed.machine_folds(&scene.contact()?, &precise(&self.stiffness))?;
         let logs = folds.iter().filter_map(|fold| {
             let value = match quantity {

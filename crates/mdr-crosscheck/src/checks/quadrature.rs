@@ -5,6 +5,7 @@ use mdr_core::contact::Result;
 use mdr_numeric::profiles::Power;
 use mdr_numeric::transform::Quadrature;
 
+use super::folds::transform;
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
@@ -54,7 +55,7 @@ fn power<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Res
     let x = R::from_f64(ctx, scales.radius);
     trial.describe_also(format_args!("x = {:e}", scales.radius));
     let contact = scene.contact()?;
-    let transform = Quadrature::new(Power::new(scene.n.clone(), scene.c.clone())?);
+    let transform = transform(&scene)?;
     let n = scene.n.approx();
     let rounded_exponent = (n + 1.0) * scales.radius.ln().abs();
     let forms = trial.closed;

@@ -6,7 +6,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
 use crate::report::Unit;
-use crate::subject::SubjectId;
+use crate::subject::CRITICAL_IDS;
 use crate::trial::Trial;
 
 /// E* and w in a unit of force 4^m times smaller: B does not change, so that a and d are the same bits and F is
@@ -15,7 +15,7 @@ pub(super) const FORCE: Check = Check {
     name: "unit-of-force",
     claim: "powers of two in the unit of force: a, d bit-identical, F scaled exactly",
     equations: &["1.13", "1.15", "1.16", "1.17"],
-    subjects: &[SubjectId::CriticalRadius, SubjectId::CriticalIndentation, SubjectId::CriticalForce],
+    subjects: CRITICAL_IDS,
     unit: Unit::Mismatch,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, unit_of_force),
@@ -26,7 +26,7 @@ pub(super) const LENGTH: Check = Check {
     name: "unit-of-length",
     claim: "powers of two in the unit of length: a and d scale as lengths, F stays",
     equations: &["1.13", "1.15", "1.16", "1.17"],
-    subjects: &[SubjectId::CriticalRadius, SubjectId::CriticalIndentation, SubjectId::CriticalForce],
+    subjects: CRITICAL_IDS,
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, unit_of_length),

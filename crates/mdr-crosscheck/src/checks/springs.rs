@@ -7,7 +7,7 @@ use super::Check;
 use super::folds::transform;
 use crate::grid::{Exponent, Scene};
 use crate::report::Unit;
-use crate::subject::SubjectId;
+use crate::subject::CRITICAL_IDS;
 use crate::trial::Trial;
 
 /// Critical states of a foundation of springs at spacing Δx = a_c/N against the closed forms, at their order.
@@ -20,7 +20,7 @@ pub(super) const SPRINGS: Check = Check {
     name: "spring-foundation",
     claim: "springs of spacing a_c/N, rule of Heß: a_c to 1/2N, d_c to |2n-1|/32N² of Δl, F_c to 1/N",
     equations: &["1.2", "1.4", "1.5", "1.6", "1.15", "1.17"],
-    subjects: &[SubjectId::CriticalRadius, SubjectId::CriticalIndentation, SubjectId::CriticalForce],
+    subjects: CRITICAL_IDS,
     unit: Unit::Relative,
     cases: [24, 120, 1200],
     case,

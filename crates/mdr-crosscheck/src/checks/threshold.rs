@@ -6,6 +6,7 @@ use mdr_numeric::curve::Curve;
 use mdr_numeric::profiles::Power;
 use mdr_numeric::transform::Quadrature;
 
+use super::folds::transform;
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Held, Scales, Scene};
@@ -99,7 +100,7 @@ fn states<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let expected = R::round(ctx, &lemniscate);
     trial.compare("ϖ", &trial.closed.lemniscate_constant(&scene.c)?, &expected, agm(&scene.c) + 1.0);
 
-    let transform = Quadrature::new(Power::new(scene.n.clone(), scene.c.clone())?);
+    let transform = transform(&scene)?;
     let material = scene.material()?;
     let curve = Curve::new(&transform, &material, &Control::Indentation);
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);

@@ -2,9 +2,8 @@
 
 use mdr_core::contact::{Control, Result};
 use mdr_numeric::curve::Curve;
-use mdr_numeric::profiles::Power;
-use mdr_numeric::transform::Quadrature;
 
+use super::folds::transform;
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
@@ -43,7 +42,7 @@ fn curves<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let critical = trial.closed.critical(&contact, &Control::Indentation)?;
     let a = scaled.clone() * &critical.contact_radius;
 
-    let transform = Quadrature::new(Power::new(scene.n.clone(), scene.c.clone())?);
+    let transform = transform(&scene)?;
     let material = scene.material()?;
     let curve = Curve::new(&transform, &material, &Control::Indentation);
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);

@@ -26,76 +26,60 @@ use crate::contest::Effort;
 pub use open::{OPEN, Open};
 pub use worst::{Worst, WorstError, worst_inputs};
 
-/// Where a ladder leads: the pictures are drawn by family.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Family {
-    /// n → 1/2 from both sides.
-    Half,
-    /// n → 0.
-    SmallExponent,
-    /// n → ∞.
-    LargeExponent,
-    /// To a fold, or to folds that merge.
-    Fold,
-    /// To a zero of the result.
-    Zero,
-    /// To the ends of the range of doubles.
-    Scale,
-    /// x → the radius of an edge, b/x → 1.
-    Edge,
-    /// x → 0.
-    Tip,
-    /// x → ∞.
-    Far,
-    /// The wavelength → 0.
-    Wavelength,
-    /// The stiffness of the machine → 0 and ∞.
-    Stiffness,
+/// Declares the families with their names and titles.
+macro_rules! families {
+    ($($(#[$doc:meta])* $family:ident $name:literal $title:literal;)*) => {
+        /// Where a ladder leads: the pictures are drawn by family.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum Family {
+            $($(#[$doc])* $family,)*
+        }
+
+        impl Family {
+            /// All of them, in the order of the report.
+            pub const ALL: [Family; { [$($name),*].len() }] = [$(Family::$family),*];
+
+            /// As in names of files.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Family::$family => $name,)*
+                }
+            }
+
+            /// For a reader.
+            pub const fn title(self) -> &'static str {
+                match self {
+                    $(Family::$family => $title,)*
+                }
+            }
+        }
+    };
 }
 
-impl Family {
-    /// All of them, in the order of the report.
-    pub const ALL: [Family; 11] = [
-        Family::Half,
-        Family::SmallExponent,
-        Family::LargeExponent,
-        Family::Fold,
-        Family::Zero,
-        Family::Scale,
-        Family::Edge,
-        Family::Tip,
-        Family::Far,
-        Family::Wavelength,
-        Family::Stiffness,
-    ];
-
-    /// As in names of files, and for a reader.
-    const fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Family::Half => ("half", "the exponent tends to 1/2"),
-            Family::SmallExponent => ("small-exponent", "the exponent tends to 0"),
-            Family::LargeExponent => ("large-exponent", "the exponent tends to infinity"),
-            Family::Fold => ("fold", "the state tends to a fold"),
-            Family::Zero => ("zero", "the result tends to a zero"),
-            Family::Scale => ("scale", "an input tends to the ends of the range of doubles"),
-            Family::Edge => ("edge", "the radius tends to an edge"),
-            Family::Tip => ("tip", "the radius tends to 0"),
-            Family::Far => ("far", "the radius tends to infinity"),
-            Family::Wavelength => ("wavelength", "the wavelength tends to 0"),
-            Family::Stiffness => ("stiffness", "the stiffness of the machine tends to 0 and to infinity"),
-        }
-    }
-
-    /// As in names of files.
-    pub const fn name(self) -> &'static str {
-        self.words().0
-    }
-
-    /// For a reader.
-    pub const fn title(self) -> &'static str {
-        self.words().1
-    }
+families! {
+    /// n → 1/2 from both sides.
+    Half "half" "the exponent tends to 1/2";
+    /// n → 0.
+    SmallExponent "small-exponent" "the exponent tends to 0";
+    /// n → ∞.
+    LargeExponent "large-exponent" "the exponent tends to infinity";
+    /// To a fold, or to folds that merge.
+    Fold "fold" "the state tends to a fold";
+    /// To a zero of the result.
+    Zero "zero" "the result tends to a zero";
+    /// To the ends of the range of doubles.
+    Scale "scale" "an input tends to the ends of the range of doubles";
+    /// x → the radius of an edge, b/x → 1.
+    Edge "edge" "the radius tends to an edge";
+    /// x → 0.
+    Tip "tip" "the radius tends to 0";
+    /// x → ∞.
+    Far "far" "the radius tends to infinity";
+    /// The wavelength → 0.
+    Wavelength "wavelength" "the wavelength tends to 0";
+    /// The stiffness of the machine → 0 and ∞.
+    Stiffness "stiffness" "the stiffness of the machine tends to 0 and to infinity";
 }
 
 /// One function in one direction.

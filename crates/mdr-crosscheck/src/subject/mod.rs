@@ -38,11 +38,10 @@ pub enum Part {
     Mean,
 }
 
-/// The ids and the table: a line for each number with a name, then the profiles and the functions for f64.
+/// The ids and the table: a line for each number with a name, and the functions for f64.
 macro_rules! subjects {
     (
         named { $($id:ident: $function:literal $inputs:expr;)* }
-        profiles { $($shape:ident)* }
         double { $($double:literal)* }
     ) => {
         /// A number among the results of a function of mdr-analytic.
@@ -56,16 +55,6 @@ macro_rules! subjects {
         }
 
         const NAMED: &[Subject] = &[$(Subject { id: SubjectId::$id, function: $function, inputs: $inputs }),*];
-
-        /// The parts of the profiles of the library; the constructor stands for all three.
-        const PROFILES: &[[Subject; 3]] = &[$(parts(Shape::$shape, concat!(stringify!($shape), "::new"))),*];
-
-        /// The numbers of [`PROFILES`].
-        pub(crate) const LIBRARY_IDS: &[SubjectId] = &[$(
-            SubjectId::Library(Shape::$shape, Part::G),
-            SubjectId::Library(Shape::$shape, Part::Slope),
-            SubjectId::Library(Shape::$shape, Part::Mean),
-        )*];
 
         /// The functions of `mdr_analytic::double` that give numbers.
         pub(crate) const DOUBLE_IDS: &[SubjectId] = &[$(SubjectId::Double(concat!("double::", $double))),*];
@@ -128,10 +117,6 @@ subjects! {
         CertifiedThreshold: "Question::answer" &[];
         CertifiedRatio: "Question::answer" &[];
     }
-    profiles {
-        Cone Paraboloid Sphere Ellipsoid Hyperboloid TruncatedCone TruncatedParaboloid RoundedPunch ParabolicCapCone
-        SphericalCapCone DisplacedParaboloid ParabolicDimple EllipticalDimple WavyParaboloid Sum
-    }
     double {
         "critical" "kappa" "g" "g_slope" "g_integral" "detachment_elongation" "indentation" "force" "indentation_slope"
         "force_slope" "energy" "universal_indentation" "universal_force" "radius_at_zero_indentation"
@@ -141,18 +126,32 @@ subjects! {
     }
 }
 
-const fn parts(shape: Shape, function: &'static str) -> [Subject; 3] {
-    const fn part(shape: Shape, part: Part, function: &'static str) -> Subject {
-        Subject { id: SubjectId::Library(shape, part), function, inputs: &["x"] }
-    }
-    [part(shape, Part::G, function), part(shape, Part::Slope, function), part(shape, Part::Mean, function)]
-}
+/// The numbers of a critical state.
+pub(crate) const CRITICAL_IDS: &[SubjectId] =
+    &[SubjectId::CriticalRadius, SubjectId::CriticalIndentation, SubjectId::CriticalForce];
 
-/// All subjects.
+const PARTS: [Part; 3] = [Part::G, Part::Slope, Part::Mean];
+
+/// Every part of every profile of the library.
+pub(crate) const LIBRARY_IDS: &[SubjectId] = {
+    const IDS: [SubjectId; PARTS.len() * Shape::ALL.len()] = {
+        let mut ids = [SubjectId::Library(Shape::Cone, Part::G); PARTS.len() * Shape::ALL.len()];
+        let mut i = 0;
+        while i < ids.len() {
+            ids[i] = SubjectId::Library(Shape::ALL[i / PARTS.len()], PARTS[i % PARTS.len()]);
+            i += 1;
+        }
+        ids
+    };
+    &IDS
+};
+
+/// All subjects. The constructor of a profile stands for its three parts.
 pub fn subjects() -> Vec<Subject> {
-    let double = DOUBLE_IDS.iter().filter_map(|&id| match id {
+    let grouped = LIBRARY_IDS.iter().chain(DOUBLE_IDS).filter_map(|&id| match id {
+        SubjectId::Library(shape, _) => Some(Subject { id, function: shape.constructor(), inputs: &["x"] }),
         SubjectId::Double(function) => Some(Subject { id, function, inputs: &[] }),
         _ => None,
     });
-    NAMED.iter().chain(PROFILES.iter().flatten()).copied().chain(double).collect()
+    NAMED.iter().copied().chain(grouped).collect()
 }
