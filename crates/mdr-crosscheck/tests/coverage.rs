@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use mdr_crosscheck::ladders::functions;
 use mdr_crosscheck::subjects;
 use sources::{public_functions, sources};
 
@@ -86,4 +87,15 @@ fn every_public_closed_form_has_a_row() {
     assert!(missing.is_empty(), "without a row: {missing:#?}");
     let stale: Vec<_> = covered.iter().filter(|name| !found.contains(**name)).collect();
     assert!(stale.is_empty(), "covered, but not there: {stale:#?}");
+}
+
+/// A fault reaches a function for f64 by its name: one that is no subject would never be faulty.
+#[test]
+fn every_function_of_double_with_a_ladder_is_a_subject() {
+    let subjects: BTreeSet<&str> = subjects().iter().map(|subject| subject.function).collect();
+    let functions = functions();
+    let double: Vec<_> = functions.iter().filter(|name| name.starts_with("double::")).collect();
+    assert!(double.len() > 20, "{double:?}");
+    let missing: Vec<_> = double.iter().filter(|name| !subjects.contains(name.as_str())).collect();
+    assert!(missing.is_empty(), "no subjects: {missing:?}");
 }

@@ -11,6 +11,9 @@ pub(super) struct Steps {
 }
 
 impl Steps {
+    /// A few.
+    pub(super) const FEW: Steps = Steps { all: false };
+
     /// 2⁻ᵏ for k from `first` to `last`.
     pub(super) fn halvings(self, first: i32, last: i32) -> Vec<f64> {
         steps(first, last, if self.all { 1 } else { 12 }).map(|k| 2_f64.powi(-k)).collect()

@@ -85,7 +85,7 @@ families! {
 /// One function in one direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Ladder {
-    /// The function and, where it gives more than a number, the number: "double::critical, force control: F".
+    /// The function and, where it gives more than a number, the number: "double::critical, dead load, F".
     pub function: String,
     /// The family of its direction.
     pub family: Family,
@@ -190,8 +190,7 @@ impl Ladder {
 }
 
 /// All cases, in the order of the functions.
-fn cases(effort: Effort) -> Vec<LadderCase> {
-    let steps = Steps { all: effort == Effort::Full };
+fn cases(steps: Steps) -> Vec<LadderCase> {
     [double::cases(steps), profiles::cases(steps), numerical::cases(steps)].concat()
 }
 
@@ -202,13 +201,14 @@ pub fn ladders(effort: Effort) -> Vec<Ladder> {
 
 /// Those of the functions whose names contain a word.
 pub fn ladders_of(effort: Effort, word: &str) -> Vec<Ladder> {
-    let cases: Vec<_> = cases(effort).into_iter().filter(|case| case.routine.name.contains(word)).collect();
+    let steps = Steps { all: effort == Effort::Full };
+    let cases: Vec<_> = cases(steps).into_iter().filter(|case| case.routine.name.contains(word)).collect();
     cases.par_iter().map(LadderCase::ladder).collect()
 }
 
 /// The public functions of f64 that have a ladder, such as "double::kappa" or "Sphere::g".
 pub fn functions() -> Vec<String> {
-    let mut names: Vec<_> = cases(Effort::Quick).iter().map(|case| case.routine.function().to_owned()).collect();
+    let mut names: Vec<_> = cases(Steps::FEW).iter().map(|case| case.routine.function().to_owned()).collect();
     names.dedup();
     names
 }

@@ -6,8 +6,8 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Serialize};
 use thiserror::Error as ThisError;
 
+use super::approach::Steps;
 use super::{Found, Ladder, Rung, cases, measure};
-use crate::contest::Effort;
 use crate::subject::routine::Routine;
 
 /// The list. It only grows: `cargo run --release -p mdr-crosscheck --example ladders -- --worst` writes it anew, with what
@@ -52,7 +52,7 @@ impl Worst {
     /// Asks again; none where there is no such function any more.
     pub fn ask(&self) -> Option<Rung> {
         static ROUTINES: LazyLock<BTreeMap<&'static str, Routine>> =
-            LazyLock::new(|| cases(Effort::Quick).into_iter().map(|case| (case.routine.name, case.routine)).collect());
+            LazyLock::new(|| cases(Steps::FEW).into_iter().map(|case| (case.routine.name, case.routine)).collect());
         Some(measure::rung(ROUTINES.get(self.function.as_str())?, f64::NAN, &self.inputs))
     }
 

@@ -1,7 +1,7 @@
 //! The subjects of the checks: every number that a public function of mdr-analytic gives, in one table.
 //!
 //! * [`SubjectId`] names a number, [`subjects`] lists all of them with the function each comes from.
-//! * `ClosedForms` (module `closed`) evaluates them, with at most one [`Mutation`] of one of them.
+//! * `ClosedForms` (module `closed`) evaluates them, with at most one [`Mutation`](mutation::Mutation) of one of them.
 //! * `Routine` (module `routine`) is a function of doubles with its exact forms and the formula of textbooks. The check
 //!   *double-precision* and the stability ladders take their functions from the modules `double`, `profiles` and
 //!   `numerical`.

@@ -90,7 +90,7 @@ macro_rules! parts {
                 |$x| $profile?.integral(at($x)).map(Ranged::Value), exact $profile?.integral(at($x))
             ),
         ];
-        $(routines[Part::$part as usize].textbook = Some(Textbook { formula: $formula, value: $textbook });)*
+        $(routines[PartIndex::$part as usize].textbook = Some(Textbook { formula: $formula, value: $textbook });)*
         routines
     }};
 }
@@ -106,7 +106,7 @@ macro_rules! profile {
 }
 
 /// The places of the three routines of a profile.
-enum Part {
+enum PartIndex {
     G,
     Slope,
     Integral,
