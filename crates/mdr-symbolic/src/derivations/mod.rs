@@ -13,15 +13,20 @@ mod machine;
 mod machine_folds;
 mod power_law;
 mod springs;
+mod theorem;
 mod thresholds;
 mod transform;
 mod universal;
+mod verdict;
+
+pub use theorem::{Theorem, theorems};
+pub use verdict::Verdict;
 
 use crate::domain::Domain;
 use crate::error::Result;
 use crate::statement::{Decision, Statement};
 
-/// What a step, or an entry as a whole, claims.
+/// What a step claims. What is shown of it is its [`Verdict`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Claim {
     /// It holds, by normal forms.
@@ -32,18 +37,6 @@ pub enum Claim {
     Refuted,
     /// It is taken from the literature.
     Cited,
-}
-
-impl Claim {
-    /// The claim as one word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Claim::Proved => "proved",
-            Claim::Enclosed => "enclosed",
-            Claim::Refuted => "refuted",
-            Claim::Cited => "cited",
-        }
-    }
 }
 
 /// One step of a derivation.
@@ -68,8 +61,8 @@ pub struct Entry {
     pub id: &'static str,
     /// What it is about.
     pub title: &'static str,
-    /// What becomes of the equation as printed.
-    pub verdict: Claim,
+    /// Whether the equation does not hold as it is printed; its steps show that, and prove the correction.
+    pub refuted: bool,
     /// Beyond what holds for the theory as a whole.
     pub assumptions: &'static [&'static str],
     /// The derivation.
