@@ -1,6 +1,5 @@
 //! The answer for a reader and for a spreadsheet.
 
-
 use mdr::answer::{Balance, FlatCell, FlatRow, columns, described, title};
 use mdr::prelude::*;
 
