@@ -24,8 +24,8 @@ Examples:
   The caption of each figure, with the computed numbers:
     mdr figures --format json
 
-Each figure is an SVG file with its caption inside, in colours for light, dark and print, and beside
-it a CSV file of the curves, states and arrows in it. The same files come out of every run.
+Each figure is an SVG file with its caption inside, in colours for light, dark and print, and
+beside it a CSV file of the curves, states and arrows in it. The same files come out of every run.
 Arithmetic: f64.
 JSON: schema mdr.figures/1, one line a figure.
 Exit status: 0 all files are written, 2 bad input or a file that cannot be written.";

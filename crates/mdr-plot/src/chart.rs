@@ -38,7 +38,7 @@ pub struct Layer {
     pub points: Vec<Point>,
     /// How the points are drawn.
     pub look: Look,
-    /// Of lines and marks; labels have the colour of text.
+    /// Of all that is drawn.
     pub colour: Colour,
     /// What it means, for the legend. Layers with the same text share an entry.
     pub legend: Option<String>,

@@ -47,7 +47,7 @@ text{fill:var-text}.note{fill:var-muted}.heading{font-weight:600}.end{text-ancho
 .zero{stroke:var-zero}.dashed{stroke-dasharray:6 3.5}.dotted{stroke-dasharray:1.6 2.8}.dashdotted{stroke-dasharray:8 3 1.6 3}\
 .thin{stroke-width:1}.guide{stroke-width:.8;stroke-dasharray:1 2.4}.full{fill:currentColor;stroke:var-page}\
 .open{fill:var-page;stroke:currentColor;stroke-width:1.4}.area{fill:currentColor;fill-opacity:.22}.page{fill:var-page}\
-.label{paint-order:stroke;stroke:var-page;stroke-width:3;stroke-linejoin:round}";
+.label{fill:currentColor;paint-order:stroke;stroke:var-page;stroke-width:3;stroke-linejoin:round}";
 
 /// What depends on them: name, in light, in the dark.
 const SHADES: [(&str, &str, &str); 5] = [
@@ -143,6 +143,13 @@ impl<'a> Legend<'a> {
                 None => entries.push(Entry { text, layers: vec![layer], left: 0.0, row: 0 }),
             }
         }
+        // Lines, then marks, then the rest, as they come.
+        entries.sort_by_key(|entry| match entry.layers[0].look {
+            Look::Curve(_) => 0,
+            Look::Marks(_) => 1,
+            Look::Area | Look::Arrow => 2,
+            Look::Label(_) => 3,
+        });
         let (mut left, mut row) = (0.0, 0);
         for entry in &mut entries {
             let need = entry.indent() + width(entry.text);
@@ -246,15 +253,17 @@ impl Frame<'_> {
         taken
     }
 
-    /// Writes a text beside the first of its places with room for it, or beside the first of all.
+    /// Writes a text on the wanted side of the first of its places with room for it there, else on another side; without any
+    /// room beside the first place.
     fn label(&mut self, layer: &Layer, side: Side, taken: &mut Vec<Room>) {
         let anchors = self.seen(layer);
         let size = (width(&layer.name), LINE - 2.0);
         let sides = [side, Side::Right, Side::Left, Side::Above, Side::Below];
-        let rooms = || anchors.iter().flat_map(|at| sides.map(|side| Room::beside(*at, side, size)));
+        let rooms = || sides.into_iter().flat_map(|side| anchors.iter().map(move |at| Room::beside(*at, side, size)));
         let free = |room: &Room| self.holds(room) && !taken.iter().any(|other| room.overlaps(other));
         let Some(room) = rooms().find(free).or_else(|| rooms().next()) else { return };
-        self.text([room.centre[0], room.centre[1] + 4.0], "label middle", &layer.name);
+        let kind = format!("label middle {}", class(layer.colour));
+        self.text([room.centre[0], room.centre[1] + 4.0], &kind, &layer.name);
         taken.push(room);
     }
 

@@ -1,5 +1,7 @@
 //! Pictures of contacts under every control, and the figures.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use mdr::diagram::Diagram;
 use mdr::prelude::*;
 use mdr_plot::figures::FIGURES;
@@ -135,7 +137,7 @@ fn labels_at_one_point_stand_on_different_sides() {
     let label = |text: &str| Layer::label(text, vec![[0.5, 0.5]], Side::Right);
     let svg = panel(["one", "two", "six"].map(label).to_vec()).svg();
     let document = Document::parse(&svg).unwrap();
-    let labels = document.descendants().filter(|node| node.attribute("class") == Some("label middle"));
+    let labels = document.descendants().filter(|node| node.attribute("class") == Some("label middle ink"));
     let places: std::collections::BTreeSet<_> = labels.map(|node| (node.attribute("x"), node.attribute("y"))).collect();
     assert_eq!(places.len(), 3);
 }

@@ -27,12 +27,20 @@ pub(super) fn picture(task: &Task, comparisons: &[Comparison]) -> Picture {
     let colour = |series: &Series| {
         Colour::series(methods.iter().position(|method| *method == series.method).unwrap_or_default())
     };
+    let mut panels: Vec<Panel> = comparisons.iter().map(|comparison| panel(comparison, colour)).collect();
+    if let Some((first, others)) = panels.split_first_mut() {
+        // One legend is enough: the first panel has those of all.
+        for layer in others.iter_mut().flat_map(|panel| &mut panel.layers) {
+            let legend = layer.legend.take();
+            first.layers.push(Layer { name: String::new(), points: Vec::new(), legend, ..*layer });
+        }
+    }
     Picture {
         title: task.title.to_owned(),
         description: "Methods by the time of an answer and its relative error or right digits. Crosses at the edge: no answer, or \
                       an error above 10. Thin line: u·max(1, condition), what any method in double precision is left with."
             .to_owned(),
-        panels: comparisons.iter().map(|comparison| panel(comparison, colour)).collect(),
+        panels,
     }
 }
 

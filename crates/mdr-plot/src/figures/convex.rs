@@ -6,8 +6,8 @@ use mdr::prelude::{Elasticity, Scene, Shape, Stability};
 use super::study::{Study, critical, critical_panel, ending};
 use crate::chart::{Picture, Side, Stroke};
 
-/// A paraboloid, R = 1, E* = w = 1, up to a radius in units of a_c and at indentations in units of |d_c|, which comes with it. In units of its critical
-/// state the diagram is that of every paraboloid.
+/// A paraboloid, R = 1, E* = w = 1, up to a radius in units of a_c and at indentations in units of |d_c|; and |d_c|. In units
+/// of its critical state the diagram is that of every paraboloid.
 fn paraboloid(upper: f64, depths: &[f64]) -> Result<(Study, f64)> {
     let scene = Scene::new(Shape::Paraboloid { radius: "1" }, Elasticity::effective("1")?, "1")?;
     let [_, radius, depth, _] = critical("2", "1/2")?;
@@ -22,7 +22,7 @@ pub(super) fn figure_1a() -> Result<Picture> {
     let mut panel = critical_panel("(a)  *d* = 0", 4.0, [0.0, 4.4]);
     let (x, y) = (&panel.x, &panel.y);
     let transformed = study.transformed(0.0, "*g*(*a*)", Stroke::Dashed);
-    let names = [ending(&transformed, x, y, Side::Left), study.elongation_name(x, y)];
+    let names = [ending(&transformed, x, y, Side::Left), study.elongation_name(x, y, Side::Below)];
     let mut layers = vec![study.elongation(), transformed.clone()];
     let rest = study.nth(0.0, 0)?;
     let radius = rest.contact_radius;
@@ -74,7 +74,7 @@ pub(super) fn figure_1b() -> Result<Picture> {
         }
     }
     layers.extend(study.critical());
-    layers.push(study.elongation_name(&panel.x, &panel.y));
+    layers.push(study.elongation_name(&panel.x, &panel.y, Side::Below));
     panel.layers = layers;
     Ok(Picture {
         title: "Figure 1b: equilibria at several indentations".to_owned(),
@@ -103,7 +103,7 @@ pub(super) fn figure_2() -> Result<Picture> {
     layers.extend(study.dropped(first, "*a*_{eq,1}", y, Side::Right));
     layers.extend(study.dropped(second, "*a*_{eq,2}", y, Side::Right));
     layers.extend([0.85 * first, 0.62 * second, 1.36 * second].map(|a| study.direction(a, d, x, y)));
-    let names = [ending(&layers[1], x, y, Side::Left), study.elongation_name(x, y)];
+    let names = [ending(&layers[1], x, y, Side::Left), study.elongation_name(x, y, Side::Below)];
     layers.extend(names);
     panel.layers = layers;
     Ok(Picture {

@@ -38,7 +38,7 @@ pub(super) fn figure_3() -> Result<Picture> {
 fn unpressed(study: &Study, unit: f64) -> Result<Panel> {
     let mut panel = critical_panel("(a)  *g*(*a*) − *d*, not pressed in", 32.0, [0.0, 6.4]);
     let (x, y) = (&panel.x, &panel.y);
-    let mut layers = vec![study.elongation(), study.elongation_name(x, y)];
+    let mut layers = vec![study.elongation(), study.elongation_name(x, y, Side::Above)];
     for (d, name, stroke) in [(0.0, "*d* = 0", Stroke::Dashed), (-0.5 * unit, "*d* < 0", Stroke::DashDotted)] {
         layers.push(study.transformed(d, &format!("*g*(*a*) − *d*, {name}"), stroke).meaning(name));
         layers.extend(study.state(study.nth(d, 0)?, if d == 0.0 { "*O*" } else { "" }, Side::Above));
@@ -55,7 +55,7 @@ fn pressed(study: &Study, unit: f64) -> Result<Panel> {
     let heading = "(b)  *g*(*a*) − *d*, pressed in; arrows for *d* = 0.9 *d*_{c}";
     let mut panel = critical_panel(heading, 4.0, [-1.1, 2.1]);
     let (x, y) = (&panel.x, &panel.y);
-    let mut layers = vec![study.elongation(), study.elongation_name(x, y)];
+    let mut layers = vec![study.elongation(), study.elongation_name(x, y, Side::Above)];
     let d = PRESSED * unit;
     let name = format!("*d* = {PRESSED} *d*_{{c}}");
     let depths = [

@@ -67,8 +67,8 @@ impl Study {
     }
 
     /// The name of Δl at its end.
-    pub(super) fn elongation_name(&self, x: &Axis, y: &Axis) -> Layer {
-        ending(&self.elongation(), x, y, Side::Below)
+    pub(super) fn elongation_name(&self, x: &Axis, y: &Axis, side: Side) -> Layer {
+        ending(&self.elongation(), x, y, side)
     }
 
     /// The curve g(a) − d.
@@ -121,7 +121,8 @@ pub(super) const ARROW_HEIGHT: f64 = 0.055;
 /// The name of a curve at its right end, as far as it is seen.
 pub(super) fn ending(curve: &Layer, x: &Axis, y: &Axis, side: Side) -> Layer {
     let seen = |[a, b]: &&Point| (0.03..0.9).contains(&x.fraction(*a)) && (0.03..0.93).contains(&y.fraction(*b));
-    Layer::label(curve.name.clone(), curve.points.iter().rev().filter(seen).copied().collect(), side)
+    let anchors = curve.points.iter().rev().filter(seen).copied().collect();
+    Layer::label(curve.name.clone(), anchors, side).coloured(curve.colour)
 }
 
 /// A panel with axes in units of the critical state of a power law.

@@ -81,7 +81,7 @@ impl History {
         let deepest = self.jumps.iter().map(|jump| jump.d).fold(0.0, f64::min);
         let x = Axis::linear("contact radius *a*", Unit::Si("m"), 0.0, UPPER);
         let y = Axis::linear("length", Unit::Si("m"), 0.0, 0.0105 - deepest);
-        let mut layers = vec![study.elongation(), study.elongation_name(&x, &y)];
+        let mut layers = vec![study.elongation(), study.elongation_name(&x, &y, Side::Below)];
         let depths = self.jumps.iter().enumerate().map(|(index, jump)| (jump.d, format!("*d*_{{{}}}", index + 1)));
         for ((d, name), stroke) in [(0.0, "*d*".to_owned())].into_iter().chain(depths).zip(STROKES.into_iter().cycle())
         {
