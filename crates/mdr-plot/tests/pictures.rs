@@ -95,13 +95,13 @@ fn jumps_from_crest_to_crest() {
     assert!(alternate, "stable and unstable branches alternate");
 }
 
-/// Hundreds of branches stay a picture that can be read and sent.
+/// More branches than can be told apart stay a picture that can be read and sent.
 #[test]
-fn hundreds_of_folds() {
-    let tip = Shape::WavyParaboloid { radius: 1.0, amplitude: 2.5e-5, wavelength: 1e-3 };
-    let data = diagram(tip, ["1e6", "100"], Control::Indentation, &["0", "-0.01"], Start::Largest);
-    assert!(data.folds.len() > 100, "{}", data.folds.len());
-    let picture = scene("hundreds", &data);
+fn a_crowd_of_folds() {
+    let tip = Shape::WavyParaboloid { radius: 1.0, amplitude: 6e-5, wavelength: 2.2e-3 };
+    let data = diagram(tip, ["1e6", "100"], Control::Indentation, &[], Start::Largest);
+    assert!(data.folds.len() > 60, "{}", data.folds.len());
+    let picture = scene("crowd", &data);
     assert!(texts(&picture).iter().any(|text| text.contains("branches shown")));
     assert!(picture.svg().len() < 1_000_000, "{} bytes", picture.svg().len());
 }
