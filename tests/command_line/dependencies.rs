@@ -77,7 +77,8 @@ fn the_packages_see_only_what_the_design_lets_them_see() {
         ("reference", &[]),
         ("crosscheck", &["analytic", "core", "numeric", "reference", "symbolic"]),
         ("mdr", &["analytic", "core", "numeric"]),
-        ("cli", &["analytic", "contact", "core", "crosscheck", "numeric", "reference", "symbolic"]),
+        ("plot", &["contact"]),
+        ("cli", &["analytic", "contact", "core", "crosscheck", "numeric", "plot", "reference", "symbolic"]),
     ];
     for (package, manifest) in manifests() {
         let Some((_, seen)) = arrows.iter().find(|(name, _)| *name == package) else {

@@ -1,20 +1,16 @@
 //! `mdr figures`: the figures of the paper, computed.
 
-mod convex;
-mod diagram;
-mod sharp;
-mod wavy;
-
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use mdr_core::contact;
+use mdr_plot::Picture;
+use mdr_plot::figures::FIGURES;
 use serde::Serialize;
 
 use crate::error::{Failure, Result};
 use crate::output::{Format, Output};
-use crate::picture::{self, Picture};
+use crate::plot;
 use crate::table::{Tone, cell, render, table};
 
 const EXAMPLES: &str = "\
@@ -28,9 +24,9 @@ Examples:
   The caption of each figure, with the computed numbers:
     mdr figures --format json
 
-Each figure is an SVG file of black lines on white, with its caption inside, and beside it a CSV
-file of the curves, states and arrows in it. The same files come out of every run. Arithmetic:
-f64.
+Each figure is an SVG file with its caption inside, in colours for light, dark and print, and
+beside it a CSV file of the curves, states and arrows in it. The same files come out of every run.
+Arithmetic: f64.
 JSON: schema mdr.figures/1, one line a figure.
 Exit status: 0 all files are written, 2 bad input or a file that cannot be written.";
 
@@ -49,18 +45,6 @@ pub(crate) struct Figures {
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
 }
-
-/// How a figure is computed.
-type Compute = fn() -> contact::Result<Picture>;
-
-/// All figures by the stem of their files.
-const FIGURES: [(&str, Compute); 5] = [
-    ("figure-1a", convex::figure_1a),
-    ("figure-1b", convex::figure_1b),
-    ("figure-2", convex::figure_2),
-    ("figure-3", sharp::figure_3),
-    ("figure-4", wavy::figure_4),
-];
 
 /// A figure that has been written.
 #[derive(Serialize)]
@@ -84,7 +68,7 @@ impl Figures {
         let mut written = Vec::with_capacity(FIGURES.len());
         for (figure, compute) in FIGURES {
             bar.set_message(figure);
-            written.push(write(figure, &compute()?, &self.out)?);
+            written.push(write(figure, compute()?, &self.out)?);
             bar.inc(1);
         }
         bar.finish_and_clear();
@@ -116,32 +100,16 @@ impl Figures {
 }
 
 /// Writes one figure and its data.
-fn write(figure: &'static str, picture: &Picture, directory: &Path) -> Result<Written> {
+fn write(figure: &'static str, picture: Picture, directory: &Path) -> Result<Written> {
     let path = |extension: &str| directory.join(format!("{figure}.{extension}"));
-    let (svg, csv) = (path("svg"), path("csv"));
-    let name = |path: &Path| path.display().to_string();
-    std::fs::write(&svg, picture::svg(picture)?).map_err(|error| Failure::file(name(&svg), error))?;
-    let mut data = Vec::new();
-    picture::write_csv(picture, &name(&csv), &mut data)?;
-    std::fs::write(&csv, data).map_err(|error| Failure::file(name(&csv), error))?;
+    let svg = path("svg");
+    plot::write(&picture, &svg, "")?;
     Ok(Written {
         schema: "mdr.figures/1",
         figure,
-        title: picture.title.clone(),
-        caption: picture.description.clone(),
-        svg: name(&svg),
-        csv: name(&csv),
+        title: picture.title,
+        caption: picture.description,
+        svg: svg.display().to_string(),
+        csv: path("csv").display().to_string(),
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_label_has_a_place_of_its_own() {
-        for (figure, compute) in FIGURES {
-            assert_eq!(picture::crowded(&compute().unwrap()), [""; 0], "{figure}");
-        }
-    }
 }

@@ -1,15 +1,16 @@
 //! Force against indentation depth or against contact radius, with branches, folds and the events of a path.
 
-use mdr_numeric::path::EventKind;
-
-use super::radius_axis;
 use mdr::diagram::{Branch, Diagram, Event, Sample, Spot};
+use mdr::prelude::EventKind;
 
-use crate::picture::{Axis, Key, Layer, Mark, Panel, Point, Side, Stroke, Unit};
+use crate::balance::LOSS;
+use crate::chart::{Layer, Mark, Panel, Point, Side, Stroke};
+use crate::scene::radius_axis;
+use crate::{Axis, Unit};
 
 /// What the force is drawn against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Plane {
+pub(crate) enum Plane {
     Indentation,
     Radius,
 }
@@ -20,35 +21,33 @@ const MOST_MARKS: usize = 16;
 const MOST_NUMBERS: usize = 14;
 
 /// The panel of one plane.
-pub(super) fn panel(data: &Diagram, plane: Plane) -> Panel {
+pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
     let states = states(data);
-    let force = Axis::around("normal force *F*", Unit::Si("N"), states.iter().map(|spot| spot.force), true);
+    let force = Axis::around("normal force *F*", Unit::Si("N"), states.iter().map(|spot| spot.force));
     let (heading, x) = match plane {
         Plane::Indentation => {
             let values = states.iter().map(|spot| spot.indentation);
-            ("(b)  force and indentation depth", Axis::around("indentation depth *d*", Unit::Si("m"), values, true))
+            ("(b)  force and indentation depth", Axis::around("indentation depth *d*", Unit::Si("m"), values))
         }
         Plane::Radius => ("(c)  force and contact radius", radius_axis(data)),
     };
     let mut layers = Vec::new();
-    let mut legend = Vec::new();
-    loop_area(data, plane, &mut layers, &mut legend);
-    branches(data, plane, &mut layers, &mut legend);
+    layers.extend(loop_area(data, plane));
+    layers.extend(branches(data, plane));
     if let Some(wall) = data.wall {
         let points = wall.map(|spot| plane.point(&spot)).to_vec();
-        layers.push(Layer::Curve { name: "at the wall".to_owned(), points, stroke: Stroke::Solid });
-        let entry = (Key::Line(Stroke::Solid), "stable".to_owned());
-        if !legend.contains(&entry) {
-            legend.insert(0, entry);
-        }
+        layers.push(Layer::curve("at the wall", points, Stroke::Solid).meaning("stable"));
     }
     if !data.folds.is_empty() && data.folds.len() <= MOST_MARKS {
         let points = data.folds.iter().map(|spot| plane.point(spot)).collect();
-        layers.push(Layer::Marks { name: "folds".to_owned(), points, mark: Mark::Diamond });
-        legend.push((Key::Mark(Mark::Diamond), "fold".to_owned()));
+        layers.push(Layer::marks("folds", points, Mark::Diamond).meaning("fold"));
     }
-    events(data, plane, &x, &mut layers, &mut legend);
-    Panel { heading: heading.to_owned(), x, y: force, layers, legend, aspect: 0.55 }
+    layers.extend(events(data, plane, &x));
+    let mut panel = Panel { layers, ..Panel::new(heading, x, force) };
+    if (1..=MOST_NUMBERS).contains(&data.path.len()) {
+        panel.note("1, 2, …  events in their order");
+    }
+    panel
 }
 
 impl Plane {
@@ -56,13 +55,6 @@ impl Plane {
         match self {
             Plane::Indentation => [spot.indentation, spot.force],
             Plane::Radius => [spot.contact_radius, spot.force],
-        }
-    }
-
-    fn sample(self, sample: &Sample) -> Point {
-        match self {
-            Plane::Indentation => [sample.indentation, sample.force],
-            Plane::Radius => [sample.contact_radius, sample.force],
         }
     }
 }
@@ -81,11 +73,8 @@ fn states(data: &Diagram) -> Vec<Spot> {
     states.extend(data.folds.iter().copied());
     let radii = || states.iter().map(|spot| spot.contact_radius).filter(|radius| *radius > 0.0);
     let (least, most) = (radii().fold(f64::INFINITY, f64::min), radii().fold(0.0, f64::max));
-    let samples = || data.branches.iter().flat_map(|branch| &branch.samples);
-    let between: Vec<Spot> = samples()
-        .filter(|sample| states.is_empty() || (least..=most).contains(&sample.contact_radius))
-        .map(spot)
-        .collect();
+    let seen = |sample: &&Sample| states.is_empty() || (least..=most).contains(&sample.contact_radius);
+    let between: Vec<Spot> = data.samples().filter(seen).map(spot).collect();
     states.extend(between);
     states.extend(data.wall.iter().flatten());
     states.extend(near(data, &states));
@@ -106,30 +95,29 @@ fn spot(sample: &Sample) -> Spot {
 }
 
 /// Stable branches solid, unstable ones dashed; of very many, every so many.
-fn branches(data: &Diagram, plane: Plane, layers: &mut Vec<Layer>, legend: &mut Vec<(Key, String)>) {
+fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
     let crowd = data.branches.len().div_ceil(MOST_BRANCHES);
     // An odd step takes stable and unstable branches in turn.
     let step = crowd + 1 - crowd % 2;
+    let every = if step == 1 { String::new() } else { format!(" (one of {step} branches shown)") };
+    let mut layers = Vec::new();
     for (stable, name, strokes) in
-        [(true, "stable", (Stroke::Solid, Stroke::Thin)), (false, "unstable", (Stroke::Dashed, Stroke::Guide))]
+        [(true, "stable", [Stroke::Solid, Stroke::Thin]), (false, "unstable", [Stroke::Dashed, Stroke::Guide])]
     {
-        let shown: Vec<&Branch> = data.branches.iter().step_by(step).filter(|branch| branch.stable == stable).collect();
-        let stroke = if step == 1 { strokes.0 } else { strokes.1 };
-        for branch in &shown {
-            let points = branch.samples.iter().map(|sample| plane.sample(sample)).collect();
-            layers.push(Layer::Curve { name: name.to_owned(), points, stroke });
-        }
-        if !shown.is_empty() {
-            let every = if step == 1 { String::new() } else { format!(" (one of {step} branches shown)") };
-            legend.push((Key::Line(stroke), format!("{name}{every}")));
-        }
+        let stroke = strokes[usize::from(step > 1)];
+        let shown = data.branches.iter().step_by(step).filter(|branch| branch.stable == stable);
+        layers.extend(shown.map(|Branch { samples, .. }| {
+            let points = samples.iter().map(|sample| plane.point(&spot(sample))).collect();
+            Layer::curve(name, points, stroke).meaning(format!("{name}{every}"))
+        }));
     }
+    layers
 }
 
 /// The area of a closed cycle, which is the work lost in it.
-fn loop_area(data: &Diagram, plane: Plane, layers: &mut Vec<Layer>, legend: &mut Vec<(Key, String)>) {
+fn loop_area(data: &Diagram, plane: Plane) -> Option<Layer> {
     if plane != Plane::Indentation || !is_cycle(&data.path) {
-        return;
+        return None;
     }
     let mut outline: Vec<Point> = Vec::new();
     for pair in data.path.windows(2) {
@@ -138,10 +126,8 @@ fn loop_area(data: &Diagram, plane: Plane, layers: &mut Vec<Layer>, legend: &mut
         }
         outline.extend(pair[1].after.iter().map(|spot| plane.point(spot)));
     }
-    if outline.iter().flatten().all(|value| value.is_finite()) {
-        layers.push(Layer::Area { name: "hysteresis".to_owned(), outline });
-        legend.push((Key::Area, "work lost in the cycle".to_owned()));
-    }
+    let finite = outline.iter().flatten().all(|value| value.is_finite());
+    finite.then(|| Layer::area("hysteresis", outline).coloured(LOSS).meaning("work lost in the cycle"))
 }
 
 /// Whether a path comes back to its first state by another way.
@@ -163,8 +149,8 @@ fn smooth(data: &Diagram, from: &Spot, to: &Spot) -> Vec<Spot> {
         (a > from.contact_radius && a < to.contact_radius) || (a < from.contact_radius && a > to.contact_radius)
     };
     let apart = from.contact_radius == 0.0 || to.contact_radius == 0.0;
-    let samples = data.branches.iter().flat_map(|branch| &branch.samples);
-    let mut spots: Vec<Spot> = samples.filter(|sample| !apart && between(sample.contact_radius)).map(spot).collect();
+    let inner = data.samples().filter(|sample| !apart && between(sample.contact_radius));
+    let mut spots: Vec<Spot> = inner.map(spot).collect();
     if from.contact_radius > to.contact_radius {
         spots.reverse();
     }
@@ -174,8 +160,8 @@ fn smooth(data: &Diagram, from: &Spot, to: &Spot) -> Vec<Spot> {
 }
 
 /// Jumps as arrows; events numbered as in the caption.
-fn events(data: &Diagram, plane: Plane, x: &Axis, layers: &mut Vec<Layer>, legend: &mut Vec<(Key, String)>) {
-    let mut jumps = false;
+fn events(data: &Diagram, plane: Plane, x: &Axis) -> Vec<Layer> {
+    let mut layers = Vec::new();
     for (index, event) in data.path.iter().enumerate() {
         let Some(from) = event.before else { continue };
         let to = event.after.unwrap_or(from);
@@ -189,23 +175,11 @@ fn events(data: &Diagram, plane: Plane, x: &Axis, layers: &mut Vec<Layer>, legen
             _ => {}
         }
         if start != end && start.iter().chain(&end).all(|value| value.is_finite()) {
-            jumps = true;
-            layers.push(Layer::Arrow {
-                name: event.kind.name().to_owned(),
-                from: start,
-                to: end,
-                stroke: Stroke::Thin,
-            });
+            layers.push(Layer::arrow(event.kind.name(), start, end).coloured(LOSS).meaning("jump"));
         }
         if let Some(spot) = event.in_contact().filter(|_| data.path.len() <= MOST_NUMBERS) {
-            let (anchors, side) = (vec![plane.point(&spot)], Side::Left);
-            layers.push(Layer::Label { text: (index + 1).to_string(), anchors, side });
+            layers.push(Layer::label((index + 1).to_string(), vec![plane.point(&spot)], Side::Left));
         }
     }
-    if jumps {
-        legend.push((Key::Arrow, "jump".to_owned()));
-    }
-    if !data.path.is_empty() && data.path.len() <= MOST_NUMBERS {
-        legend.push((Key::Text, "1, 2, …  events in their order".to_owned()));
-    }
+    layers
 }

@@ -1,9 +1,7 @@
 //! `mdr judge --plot`: where answers lose their digits.
 
+use mdr_plot::{Axis, Colour, Layer, Mark, Panel, Picture, Point, Stroke, Unit, typographic};
 use mdr_reference::{Judged, Limits, Range, Report, UNIT_ROUNDOFF, Verdict};
-
-use crate::picture::axis::typographic;
-use crate::picture::{Axis, Key, Layer, Mark, Panel, Picture, Point, Stroke, Unit};
 
 /// Where answers stand that have no right digit, below the line of zero digits.
 const NO_DIGIT: f64 = -1.0;
@@ -12,8 +10,11 @@ const NO_DIGIT: f64 = -1.0;
 const BEYOND: f64 = 330.0;
 
 /// How verdicts are marked, the worst over the others.
-const MARKS: [(Verdict, Mark); 3] =
-    [(Verdict::Right, Mark::Open), (Verdict::Inaccurate, Mark::Filled), (Verdict::Wrong, Mark::Diamond)];
+const MARKS: [(Verdict, Mark, Colour); 3] = [
+    (Verdict::Right, Mark::Open, Colour::Blue),
+    (Verdict::Inaccurate, Mark::Filled, Colour::Ink),
+    (Verdict::Wrong, Mark::Diamond, Colour::Orange),
+];
 
 /// Right digits against the condition of the question and the distance to a fold; excess loss against the size of the
 /// numbers in it.
@@ -41,14 +42,9 @@ fn by_condition(report: &Report<'_>) -> Option<Panel> {
     );
     let (first, last) = x.range();
     let left = |condition: f64| [condition, -(UNIT_ROUNDOFF * condition).log10()];
-    let line = Layer::Curve {
-        name: "what rounding the inputs leaves".to_owned(),
-        points: vec![left(first), left(last)],
-        stroke: Stroke::Solid,
-    };
+    let line = Layer::curve("what rounding the inputs leaves", vec![left(first), left(last)], Stroke::Solid);
     let mut panel = heights.panel("Right digits, and those that rounding the inputs leaves", report, x, condition);
-    panel.layers.insert(0, line);
-    panel.legend.insert(0, (Key::Line(Stroke::Solid), "attainable".to_owned()));
+    panel.layers.insert(0, line.meaning("attainable"));
     Some(panel)
 }
 
@@ -71,15 +67,11 @@ fn by_size(report: &Report<'_>, limits: &Limits) -> Option<Panel> {
     let upper = report.judged.iter().map(size).fold(1.0, f64::max).ceil() + 1.0;
     let x = Axis::linear("largest |log_{10}| of inputs and value", Unit::One, 0.0, upper);
     let (first, last) = x.range();
-    let limit = Layer::Curve {
-        name: "limit of the judge".to_owned(),
-        points: vec![[first, limits.excess_loss], [last, limits.excess_loss]],
-        stroke: Stroke::Dashed,
-    };
+    let ends = vec![[first, limits.excess_loss], [last, limits.excess_loss]];
+    let limit = Layer::curve("limit of the judge", ends, Stroke::Dashed);
     let mut panel = Heights::loss(report)
         .panel("Digits lost beyond what the question costs", report, x, |judged| Some(size(judged)));
-    panel.layers.insert(0, limit);
-    panel.legend.insert(0, (Key::Line(Stroke::Dashed), "inaccurate above".to_owned()));
+    panel.layers.insert(0, limit.meaning("inaccurate above"));
     (report.answered() > 0).then_some(panel)
 }
 
@@ -123,25 +115,19 @@ impl Heights {
 
     /// The answers that have a place on `x`, by their verdicts.
     fn panel(self, heading: &str, report: &Report<'_>, x: Axis, place: impl Fn(&Judged<'_>) -> Option<f64>) -> Panel {
-        let mut layers = Vec::new();
-        let mut legend = Vec::new();
-        for (verdict, mark) in MARKS {
+        let mut panel = Panel::new(heading, x, self.axis.clone());
+        for (verdict, mark, colour) in MARKS {
             let of_verdict = report.judged.iter().filter(|judged| judged.mark.verdict == verdict);
             let points: Vec<Point> =
                 of_verdict.filter_map(|judged| Some([place(judged)?, self.height(judged)?])).collect();
             if !points.is_empty() {
-                legend.push((Key::Mark(mark), verdict.name().to_owned()));
-                layers.push(Layer::Marks { name: verdict.name().to_owned(), points, mark });
+                panel.layers.push(Layer::marks(verdict.name(), points, mark).coloured(colour).meaning(verdict.name()));
             }
         }
-        if layers
-            .iter()
-            .any(|layer| matches!(layer, Layer::Marks { points, .. } if points.iter().any(|[_, y]| *y == self.edges.0)))
-        {
-            let edge = typographic(&self.edges.0.round().to_string());
-            legend.push((Key::Text, format!("at {edge}: no right digit")));
+        if panel.layers.iter().flat_map(|layer| &layer.points).any(|[_, y]| *y == self.edges.0) {
+            panel.note(format!("at {}: no right digit", typographic(&self.edges.0.round().to_string())));
         }
-        Panel { heading: heading.to_owned(), x, y: self.axis, layers, legend, aspect: 0.55 }
+        panel
     }
 }
 

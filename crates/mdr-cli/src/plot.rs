@@ -4,8 +4,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::series::HEADER;
-use super::{Picture, svg, write_csv};
+use mdr_plot::{CSV_HEADER, Picture};
+
 use crate::error::{Failure, Result};
 
 /// Refuses a file whose name would be that of its own data, or whose data would take the place of another file.
@@ -29,24 +29,18 @@ pub(crate) fn check(to: &Path) -> Result<()> {
 
 /// Whether this begins as the data of a picture do.
 fn is_data(file: impl Read) -> bool {
-    let expected = HEADER.join(",");
     let mut start = Vec::new();
-    let read = file.take(expected.len() as u64).read_to_end(&mut start);
-    read.is_ok() && start == expected.as_bytes()
+    let read = file.take(CSV_HEADER.len() as u64).read_to_end(&mut start);
+    read.is_ok() && start == CSV_HEADER.as_bytes()
 }
 
-/// Writes the SVG file `to`, and a CSV file of the data beside it.
+/// Writes the SVG file `to`, and a CSV file of the data beside it; names in complaints follow `flag`.
 ///
 /// # Errors
 /// When a file cannot be written.
-pub(crate) fn write(picture: &Picture, to: &Path) -> Result<()> {
-    let failed = |file: &Path| {
-        let name = format!("--plot {}", file.display());
-        move |error: std::io::Error| Failure::file(name, error)
-    };
-    std::fs::write(to, svg(picture)?).map_err(failed(to))?;
-    let csv = to.with_extension("csv");
-    let mut data = Vec::new();
-    write_csv(picture, &csv.display().to_string(), &mut data)?;
-    std::fs::write(&csv, data).map_err(failed(&csv))
+pub(crate) fn write(picture: &Picture, to: &Path, flag: &str) -> Result<()> {
+    for (file, text) in [(to.to_owned(), picture.svg()), (to.with_extension("csv"), picture.csv())] {
+        std::fs::write(&file, text).map_err(|error| Failure::file(format!("{flag}{}", file.display()), error))?;
+    }
+    Ok(())
 }

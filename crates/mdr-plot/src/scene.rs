@@ -1,44 +1,39 @@
 //! The picture of a scene: the diagram {Δl, g − d}, and force against indentation and against contact radius.
 
-mod loading;
-#[cfg(test)]
-mod tests;
+use mdr::diagram::{Completeness, DECADES, Diagram, HeldCurve, Sample, Spot};
+use mdr::prelude::{Control, Stability};
 
-use mdr_core::contact::Control;
-use mdr_numeric::folds::Completeness;
+use crate::balance::{Balance, change, elongation, shifted};
+use crate::chart::{Layer, Panel, Picture, Stroke};
+use crate::loading::{self, Plane};
+use crate::{Axis, Unit, typographic};
 
-use mdr::diagram::{DECADES, Diagram, HeldCurve, Spot, is_stable};
-
-use super::axis::typographic;
-use super::{Axis, Key, Layer, Mark, Panel, Picture, Stroke, Unit};
-
-/// The picture of a scene.
-pub(crate) fn picture(title: &str, data: &Diagram) -> Picture {
+/// The picture of a scene: (a) the balance of Δl and g − d at the edge of the contact, with the equilibria at some values of the
+/// controlled quantity; (b), (c) force against indentation depth and against contact radius, with the events of the path.
+///
+/// The caption has the state before and after each event. Lengths in metres, forces in newtons.
+pub fn scene(title: &str, diagram: &Diagram) -> Picture {
     Picture {
         title: title.to_owned(),
-        description: description(data),
+        description: description(diagram),
         panels: vec![
-            balance(data),
-            loading::panel(data, loading::Plane::Indentation),
-            loading::panel(data, loading::Plane::Radius),
+            balance(diagram),
+            loading::panel(diagram, Plane::Indentation),
+            loading::panel(diagram, Plane::Radius),
         ],
     }
 }
 
-/// The range of radii that is shown.
-fn radii(data: &Diagram) -> (f64, f64) {
-    let samples = || data.branches.iter().flat_map(|branch| &branch.samples).map(|sample| sample.contact_radius);
-    (samples().fold(f64::INFINITY, f64::min), samples().fold(0.0, f64::max))
-}
-
 /// Whether the folds lie decades apart, so that radii need a logarithmic axis.
 fn spans_decades(data: &Diagram) -> bool {
-    data.folds.first().is_some_and(|fold| fold.contact_radius < radii(data).1 / DECADES)
+    let upper = data.samples().map(|sample| sample.contact_radius).fold(0.0, f64::max);
+    data.folds.first().is_some_and(|fold| fold.contact_radius < upper / DECADES)
 }
 
-fn radius_axis(data: &Diagram) -> Axis {
+pub(crate) fn radius_axis(data: &Diagram) -> Axis {
     const NAME: &str = "contact radius *a*";
-    let (lower, upper) = radii(data);
+    let radii = || data.samples().map(|sample| sample.contact_radius);
+    let (lower, upper) = (radii().fold(f64::INFINITY, f64::min), radii().fold(0.0, f64::max));
     if spans_decades(data) {
         Axis::log(NAME, Unit::Si("m"), lower, upper)
     } else {
@@ -62,8 +57,7 @@ fn with_prefix(value: f64, unit: &'static str) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let axis = Axis::linear("", Unit::Si(unit), 0.0, value.abs());
-    let (power, unit) = axis.scaled_unit();
+    let (power, unit) = Axis::linear("", Unit::Si(unit), 0.0, value.abs()).scaled_unit();
     let scaled = value / 10f64.powi(power);
     let decimals = (3 - scaled.abs().log10().floor() as i32).clamp(0, 3) as usize;
     format!("{} {unit}", typographic(&format!("{scaled:.decimals$}")))
@@ -77,53 +71,40 @@ const STROKES: [Stroke; 3] = [Stroke::Dashed, Stroke::DashDotted, Stroke::Dotted
 
 /// The diagram {Δl, g − d}.
 fn balance(data: &Diagram) -> Panel {
-    let x = radius_axis(data);
-    let y = balance_heights(data);
-    let elongation: Vec<_> = data
-        .branches
-        .iter()
-        .flat_map(|branch| &branch.samples)
-        .map(|sample| [sample.contact_radius, sample.elongation])
-        .collect();
-    let mut layers = vec![Layer::Curve { name: "Δ*l*(*a*)".to_owned(), points: elongation, stroke: Stroke::Solid }];
-    let mut legend = vec![(Key::Line(Stroke::Solid), "Δ*l*".to_owned())];
+    let sides = Balance { diagram: data, units: [1.0; 2] };
+    let mut panel = Panel::new("(a)  balance at the edge of the contact", radius_axis(data), balance_heights(data));
+    panel.layers.push(elongation(sides.elongation()).meaning("Δ*l*"));
     let crowded = data.folds.len() > CROWD;
     let shown = if crowded { &data.held[..data.held.len().min(1)] } else { &data.held[..] };
     for (held, stroke) in shown.iter().zip(STROKES) {
         let stroke = if crowded { Stroke::Thin } else { stroke };
-        let name = named(data, held.value);
-        legend.push((Key::Line(stroke), format!("*g* − *d*, {name}")));
-        layers.push(Layer::Curve { name: format!("*g* − *d*, {name}"), points: held.shifted.clone(), stroke });
+        let name = format!("*g* − *d*, {}", named(data, held.value));
+        panel.layers.push(shifted(name.clone(), held.shifted.clone(), stroke).meaning(name));
     }
-    let mut kinds = Vec::new();
+    let largest = data.samples().next_back().map_or(0.0, |sample| sample.contact_radius);
     for held in shown.iter().filter(|held| held.equilibria.len() < CROWD) {
-        for (stable, mark, name) in
-            [(Some(true), Mark::Filled, "stable"), (Some(false), Mark::Open, "unstable"), (None, Mark::Diamond, "fold")]
+        for (stability, name) in
+            [(Stability::Stable, "stable"), (Stability::Unstable, "unstable"), (Stability::Neutral, "fold")]
         {
-            let points = equilibria(data, held, stable);
-            if points.is_empty() {
-                continue;
-            }
-            layers.push(Layer::Marks { name: format!("{name}, {}", named(data, held.value)), points, mark });
-            if !kinds.contains(&(Key::Mark(mark), name)) {
-                kinds.push((Key::Mark(mark), name));
+            let seen = held.equilibria.iter().filter(|state| state.stability == stability);
+            let seen = seen.filter(|state| (0.0..=largest).contains(&state.contact_radius));
+            let marks = sides.states(format!("{name}, {}", named(data, held.value)), seen, stability);
+            if !marks.points.is_empty() {
+                panel.layers.push(marks);
             }
         }
     }
-    let arrows = data.held.first().map_or_else(Vec::new, |first| directions(data, first, &x, &y));
-    if !arrows.is_empty() {
-        kinds.push((Key::Arrow, "direction of change at the first value"));
+    if let Some(first) = data.held.first() {
+        let arrows = directions(data, first, &panel);
+        panel.layers.extend(arrows);
     }
-    layers.extend(arrows);
-    legend.extend(kinds.into_iter().map(|(key, name)| (key, name.to_owned())));
-    Panel { heading: "(a)  balance at the edge of the contact".to_owned(), x, y, layers, legend, aspect: 0.55 }
+    panel
 }
 
 /// Heights that show all equilibria, and as much of the curves as comes with them.
 fn balance_heights(data: &Diagram) -> Axis {
     const NAME: &str = "length";
-    let samples = || data.branches.iter().flat_map(|branch| &branch.samples);
-    let (Some(first), Some(last)) = (samples().next(), samples().last()) else {
+    let (Some(first), Some(last)) = (data.samples().next(), data.samples().next_back()) else {
         return Axis::linear(NAME, Unit::Si("m"), 0.0, 1.0);
     };
     if spans_decades(data) {
@@ -137,24 +118,12 @@ fn balance_heights(data: &Diagram) -> Axis {
     Axis::linear(NAME, Unit::Si("m"), if lowest < -0.05 * top { 1.2 * lowest } else { 0.0 }, 1.35 * highest)
 }
 
-/// The equilibria of one kind, on Δl.
-fn equilibria(data: &Diagram, held: &HeldCurve, stable: Option<bool>) -> Vec<[f64; 2]> {
-    let samples = || data.branches.iter().flat_map(|branch| &branch.samples);
-    // Δl grows as √a, which is exact from any sample.
-    let Some(sample) = samples().last() else { return Vec::new() };
-    let elongation = |a: f64| sample.elongation * (a / sample.contact_radius).sqrt();
-    let shown = 0.0..=sample.contact_radius;
-    let states =
-        held.equilibria.iter().filter(|state| is_stable(state) == stable && shown.contains(&state.contact_radius));
-    states.map(|state| [state.contact_radius, elongation(state.contact_radius)]).collect()
-}
-
-/// Arrows between the equilibria at one value, as far as there is room: where g − d is above Δl the contact shrinks.
-fn directions(data: &Diagram, held: &HeldCurve, x: &Axis, y: &Axis) -> Vec<Layer> {
+/// Arrows between the equilibria at one value, as far as there is room.
+fn directions(data: &Diagram, held: &HeldCurve, Panel { x, y, .. }: &Panel) -> Vec<Layer> {
     const REACH: f64 = 0.06;
     let states = held.equilibria.iter().map(|state| x.fraction(state.contact_radius));
     let ends: Vec<f64> = [0.0].into_iter().chain(states).chain([1.0]).collect();
-    let samples: Vec<_> = data.branches.iter().flat_map(|branch| &branch.samples).collect();
+    let samples: Vec<&Sample> = data.samples().collect();
     let height = y.at(0.07);
     let mut layers = Vec::new();
     for pair in ends.windows(2).filter(|pair| pair[1] - pair[0] > 1.6 * REACH) {
@@ -165,15 +134,14 @@ fn directions(data: &Diagram, held: &HeldCurve, x: &Axis, y: &Axis) -> Vec<Layer
         let (Some(sample), Some([_, shifted])) = (next, shifted) else { continue };
         let grows = *shifted < sample.elongation;
         let reach = if grows { REACH / 2.0 } else { -REACH / 2.0 };
-        layers.push(Layer::Arrow {
-            name: if grows { "grows (1.9)" } else { "shrinks (1.8)" }.to_owned(),
-            from: [x.at(middle - reach), height],
-            to: [x.at(middle + reach), height],
-            stroke: Stroke::Thin,
-        });
+        let [from, to] = [middle - reach, middle + reach].map(|at| [x.at(at), height]);
+        layers.push(change(grows, from, to).meaning("direction of change at the first value"));
     }
     layers
 }
+
+/// Events in a caption.
+const MOST_TOLD: usize = 40;
 
 /// The caption.
 fn description(data: &Diagram) -> String {
@@ -209,6 +177,3 @@ fn description(data: &Diagram) -> String {
     }
     text
 }
-
-/// Events in a caption.
-const MOST_TOLD: usize = 40;
