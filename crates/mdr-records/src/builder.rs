@@ -28,7 +28,7 @@ impl<'a> RecordBuilder<'a> {
         let machine = case.contact.stiffness().map_or_else(String::new, |stiffness| format!("/k={stiffness}"));
         RecordBuilder {
             case,
-            id: format!("{}/{}{machine}", case.formula.id, case.name),
+            id: format!("{}/{}{machine}", case.formula.id.as_deref().unwrap_or_default(), case.name),
             inputs: inputs.into_iter().map(|(name, number)| (name, number.clone())).collect(),
             flags: case.flags.iter().map(String::as_str).collect(),
             fold_distance: f64::INFINITY,
@@ -58,15 +58,28 @@ impl<'a> RecordBuilder<'a> {
         RecordBuilder { fold_distance, ..self }
     }
 
-    /// The records of a, d and F, but for what is controlled.
-    pub(crate) fn state(&self, values: [Decimal; 3], conditions: [Conditions; 3]) -> Vec<Record> {
+    /// The records of a, d and F.
+    pub(crate) fn state(
+        &self,
+        values: &[Decimal; 3],
+        conditions: [Conditions; 3],
+        scale: Option<&Float>,
+    ) -> Vec<Record> {
         let answers = STATE.into_iter().zip(values).zip(conditions);
-        let controlled = self.case.contact.control.kind().name();
-        let answers = answers.filter(|(((quantity, _), _), _)| *quantity != controlled);
-        answers.map(|((quantity, value), condition)| self.number(quantity, &value, condition, None)).collect()
+        answers.map(|((quantity, value), condition)| self.number(quantity, value, condition, scale)).collect()
     }
 
-    /// The record of a quantity, in its unit. Zero needs the size of the terms that cancel.
+    /// The same without what is controlled.
+    pub(crate) fn uncontrolled(
+        &self,
+        values: &[Decimal; 3],
+        conditions: [Conditions; 3],
+    ) -> impl Iterator<Item = Record> + use<> {
+        let controlled = self.case.contact.control.kind().name();
+        self.state(values, conditions, None).into_iter().filter(move |record| record.quantity != controlled)
+    }
+
+    /// The record of a quantity, in its unit, with the conditions of its inputs. Zero needs the size of the terms that cancel.
     pub(crate) fn number(
         &self,
         (quantity, unit): (&str, &str),
@@ -74,13 +87,14 @@ impl<'a> RecordBuilder<'a> {
         condition: Conditions,
         scale: Option<&Float>,
     ) -> Record {
-        let condition = condition.into_iter().map(|(name, x)| (name, three_digits(x))).collect();
+        let is_input = |(name, _): &(&str, f64)| self.inputs.iter().any(|(input, _)| input == name);
+        let condition = condition.into_iter().filter(is_input).map(|(name, x)| (name.to_owned(), three_digits(x)));
         let log10 = (!value.is_zero()).then(|| (value.log10_f64() * 1e9).round() / 1e9);
         let mut record = Record {
             value: Some(certified(value)),
             log10,
             scale: scale.filter(|_| value.is_zero()).map(|scale| scale.to_string_radix(10, Some(17))),
-            condition,
+            condition: condition.collect(),
             ..self.without_number(quantity, unit, status(value))
         };
         record.flags.extend(value.is_zero().then(|| "exact-zero".to_owned()));
@@ -91,15 +105,15 @@ impl<'a> RecordBuilder<'a> {
 
     /// The record of a question without a number.
     pub(crate) fn without_number(&self, quantity: &str, unit: &str, status: Status) -> Record {
-        let Case { formula, contact, has_control, release, .. } = self.case;
+        let Case { formula, contact, has_control, .. } = self.case;
         let control = has_control.then(|| contact.control.kind().name());
         let place = control.map_or_else(String::new, |control| format!("{control}/"));
         let method = |(index, name): (usize, &String)| Method { name: name.clone(), rigorous: index == 0 };
         Record {
             id: format!("{}/{place}{quantity}", self.id),
-            release: *release,
+            release: 1,
             profile: contact.profile_name().to_owned(),
-            formula: formula.name.clone(),
+            formula: formula.name.clone().unwrap_or_default(),
             inputs: self.inputs.iter().map(|(name, value)| ((*name).to_owned(), value.to_string())).collect(),
             quantity: quantity.to_owned(),
             unit: unit.to_owned(),

@@ -2,16 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use mdr::prelude::{Literal, Shape, Start};
+use mdr::prelude::{Literal, Shape};
 use mdr_core::contact::Control;
+use mdr_reference::Record;
 use rug::Integer;
 use rug::ops::Pow;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
-use serde::de::value::StrDeserializer;
 
 use crate::contact::Contact;
-use crate::{Failure, RecordError, Result};
+use crate::{Failure, KINDS, RecordError, Result};
 
 /// The files of the release, and the cases of each.
 const FILES: [(&str, &str); 5] = [
@@ -22,103 +22,45 @@ const FILES: [(&str, &str); 5] = [
     ("worst.jsonl", include_str!("../data/worst.toml")),
 ];
 
-/// What is asked; docs/reference/README.md has the formula of each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Kind {
-    Kappa,
-    Critical,
-    MachineFolds,
-    Folds,
-    DoubleRoot,
-    Equilibrium,
-    EquilibriumShare,
-    Equilibria,
-    Landing,
-    Past,
-    Threshold,
-    Energy,
-    Transform,
-    State,
-    FlatPunchPullOff,
-    Domain,
-    Outside,
-    Interpenetrating,
-}
-
-/// On which side of the critical radius of a power law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Side {
-    Inner,
-    Outer,
-}
-
-/// What is published with the records of a kind.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub(crate) struct Formula {
-    /// The first word of the identifiers.
-    pub(crate) id: String,
-    pub(crate) name: String,
-    /// The rigorous one first.
-    pub(crate) methods: Vec<String>,
-    pub(crate) proof: Vec<String>,
-    pub(crate) refs: Vec<String>,
-}
-
 /// A question about a contact.
-#[derive(Clone, Debug)]
 pub(crate) struct Case {
     pub(crate) file: &'static str,
-    pub(crate) kind: Kind,
+    /// Answers it.
+    pub(crate) records: fn(&Case) -> Result<Vec<Record>>,
     pub(crate) formula: Formula,
+    /// The name of the contact.
     pub(crate) name: String,
     pub(crate) contact: Contact,
+    pub(crate) flags: Vec<String>,
     /// Whether the records name what is controlled.
     pub(crate) has_control: bool,
-    pub(crate) flags: Vec<String>,
     /// Where it is asked: a radius, a value of the controlled quantity, the number of a fold. Empty where that is no question.
     pub(crate) at: String,
     /// The same for the identifiers.
     pub(crate) label: String,
-    pub(crate) side: Option<Side>,
-    /// A loading path whose first jump is asked for.
-    pub(crate) path: Vec<Literal>,
-    pub(crate) start: Start,
-    /// The release of the records in which its values were last changed.
-    pub(crate) release: u32,
-    /// In place of the identifier that follows from the case.
+    /// The row of the data.
+    pub(crate) row: Row,
+}
+
+/// What is published with the records of a kind.
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Formula {
+    /// The first word of the identifiers, where it is not the kind.
     pub(crate) id: Option<String>,
-    /// The only one that is a record.
-    pub(crate) quantity: Option<String>,
-}
-
-impl Case {
-    /// Where it is asked.
-    pub(crate) fn value(&self) -> Result<Literal> {
-        number(&self.at)
-    }
-}
-
-/// The file of what other files name.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Names {
-    formula: BTreeMap<String, Formula>,
-    contact: BTreeMap<String, ContactRow>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    case: Vec<Row>,
+    /// The name of the formula, where it is not the kind.
+    pub(crate) name: Option<String>,
+    /// The rigorous one first.
+    pub(crate) methods: Vec<String>,
+    #[serde(default)]
+    pub(crate) proof: Vec<String>,
+    pub(crate) refs: Vec<String>,
 }
 
 /// A case for each of its contacts, for each of its controls, for each of `at`.
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Row {
+pub(crate) struct Row {
     kind: String,
     /// By their names, or one by its profile.
     #[serde(default)]
@@ -130,15 +72,21 @@ struct Row {
     controls: Vec<String>,
     #[serde(default)]
     at: Vec<At>,
-    side: Option<Side>,
-    #[serde(default)]
-    path: Vec<String>,
-    start: Option<String>,
-    release: Option<u32>,
     /// Where it is not that of the kind.
     formula: Option<String>,
-    id: Option<String>,
-    quantity: Option<String>,
+    /// On which side of the critical radius: `inner` or `outer`.
+    #[serde(default)]
+    pub(crate) side: String,
+    /// A loading path from the state with the smallest or largest radius, whose first jump is asked for.
+    #[serde(default)]
+    pub(crate) path: Vec<String>,
+    pub(crate) start: Option<String>,
+    /// The release of the records in which the values were last changed.
+    pub(crate) release: Option<u32>,
+    /// In place of the identifier that follows from the case, in the second release.
+    pub(crate) id: Option<String>,
+    /// The only one that is a record.
+    pub(crate) quantity: Option<String>,
 }
 
 /// A value, or a label with its value.
@@ -164,6 +112,20 @@ struct ContactRow {
     /// Parameters, E* and w.
     #[serde(flatten)]
     numbers: BTreeMap<String, String>,
+}
+
+/// What the cases name.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Names {
+    formula: BTreeMap<String, Formula>,
+    contact: BTreeMap<String, ContactRow>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    case: Vec<Row>,
 }
 
 /// All cases in the order of their records.
@@ -194,114 +156,106 @@ fn number(text: &str) -> Result<Literal> {
     text.parse().map_err(|error| Failure::Data(format!("{text}: {error}")))
 }
 
+/// An entry of a table of the data, or of this crate.
+fn known<T>(what: &str, key: &str, entry: Option<T>) -> Result<T> {
+    entry.ok_or_else(|| Failure::Data(format!("no {what} {key}")))
+}
+
+impl Case {
+    /// Where it is asked.
+    pub(crate) fn value(&self) -> Result<Literal> {
+        number(&self.at)
+    }
+}
+
 impl Row {
     fn cases(&self, file: &'static str, names: &Names) -> Result<Vec<Case>> {
-        let mut contacts = Vec::new();
+        let mut contacts: Vec<_> = self.profile.iter().map(|contact| (self.name.as_ref(), contact)).collect();
         for name in &self.contacts {
-            let contact = names.contact.get(name).ok_or_else(|| Failure::Data(format!("no contact {name}")))?;
-            contacts.push((Some(name), contact));
+            contacts.push((Some(name), known("contact", name, names.contact.get(name))?));
         }
-        contacts.extend(self.profile.iter().map(|contact| (self.name.as_ref(), contact)));
         let mut cases = Vec::new();
-        for (name, row) in contacts {
-            let contact = row.contact()?;
-            let name = name.cloned().unwrap_or_else(|| contact.profile_name().to_owned());
-            let controls: Vec<_> = self.controls.iter().map(|control| Some(control.as_str())).collect();
-            let controls = if controls.is_empty() { vec![None] } else { controls };
-            if let (Some(label), "critical") = (&row.kappa, self.kind.as_str()) {
-                cases.push(self.case(file, names, "kappa", label, row, None, None)?);
+        for (name, contact) in contacts {
+            let mut add = |kind: &str, control: Option<&str>, name: Option<&String>, at: Option<&At>| {
+                let case = self.case(names, kind, control, contact, at)?;
+                let name = name.cloned().unwrap_or_else(|| case.contact.profile_name().to_owned());
+                cases.push(Case { file, name, ..case });
+                Ok::<_, Failure>(())
+            };
+            if let (Some(label), "critical") = (&contact.kappa, self.kind.as_str()) {
+                add("kappa", None, Some(label), None)?;
             }
-            for control in controls {
-                let is_record = |control| row.controls.as_ref().is_none_or(|known| known.iter().any(|x| x == control));
-                if !control.is_none_or(is_record) {
-                    continue;
-                }
-                let at: Vec<_> = self.at.iter().map(Some).collect();
-                for at in if at.is_empty() { vec![None] } else { at } {
-                    cases.push(self.case(file, names, &self.kind, &name, row, control, at)?);
+            let is_asked = |control: &&String| contact.controls.as_ref().is_none_or(|of| of.contains(control));
+            for control in or_none(self.controls.iter().filter(is_asked).map(String::as_str), &self.controls) {
+                for at in or_none(self.at.iter(), &self.at) {
+                    add(&self.kind, control, name, at)?;
                 }
             }
         }
         Ok(cases)
     }
 
-    #[expect(clippy::too_many_arguments, reason = "one case of the product of three lists")]
     fn case(
         &self,
-        file: &'static str,
         names: &Names,
         kind: &str,
-        name: &str,
-        row: &ContactRow,
         control: Option<&str>,
+        contact: &ContactRow,
         at: Option<&At>,
     ) -> Result<Case> {
-        let data = |error: toml::de::Error| Failure::Data(error.to_string());
-        let kind_of = Kind::deserialize(StrDeserializer::<toml::de::Error>::new(kind)).map_err(data)?;
         let (label, at) = match at {
             None => Default::default(),
             Some(At::Labelled([label, value])) => (label.clone(), value.clone()),
-            Some(At::Plain(text)) => match kind_of {
-                Kind::EquilibriumShare | Kind::DoubleRoot => (format!("tau={text}"), power_of_two(text)?),
-                _ => (text.clone(), text.clone()),
-            },
+            Some(At::Plain(text)) => (text.clone(), power_of_two(text)?),
         };
         let by_control = format!("{kind}-{}", control.unwrap_or_default());
         let keys = [self.formula.as_deref(), Some(at.as_str()), Some(&by_control), Some(kind)];
         let formula = keys.into_iter().flatten().find_map(|key| Some((key, names.formula.get(key)?)));
-        let (key, formula) = formula.ok_or_else(|| Failure::Data(format!("no formula {kind}")))?;
-        let or_key = |text: &String| if text.is_empty() { key.to_owned() } else { text.clone() };
+        let (key, formula) = known("formula", kind, formula)?;
+        let or_key = |text: &Option<String>| text.clone().or_else(|| Some(key.to_owned()));
         let formula = Formula { id: or_key(&formula.id), name: or_key(&formula.name), ..formula.clone() };
-        let control_of = match control.map(|control| (control, control.strip_prefix("k="))) {
-            None | Some(("indentation", _)) => Control::Indentation,
-            Some(("force", _)) => Control::Force,
-            Some((_, Some(stiffness))) => Control::Machine { stiffness: number(stiffness)? },
-            Some((unknown, None)) => return Err(Failure::Data(format!("no control {unknown}"))),
-        };
-        let start = match self.start.as_deref() {
-            None | Some("largest") => Start::Largest,
-            Some("smallest") => Start::Smallest,
-            Some(unknown) => return Err(Failure::Data(format!("no start {unknown}"))),
-        };
+        let records = KINDS.into_iter().find(|(known, _)| *known == kind).map(|(_, records)| records);
         Ok(Case {
-            file,
-            kind: kind_of,
+            file: "",
+            records: known("kind", kind, records)?,
             formula,
-            name: name.to_owned(),
-            contact: Contact { control: control_of, ..row.contact()? },
+            name: String::new(),
+            contact: contact.contact(control)?,
+            flags: contact.flags.clone(),
             has_control: control.is_some(),
-            flags: row.flags.clone(),
             at,
             label,
-            side: self.side,
-            path: self.path.iter().map(|point| number(point)).collect::<Result<_>>()?,
-            start,
-            release: self.release.unwrap_or(if self.id.is_some() { 2 } else { 1 }),
-            id: self.id.clone(),
-            quantity: self.quantity.clone(),
+            row: self.clone(),
         })
     }
 }
 
+/// Each item of a list that may be filtered; once none where the list itself is empty.
+fn or_none<T, S>(items: impl Iterator<Item = T>, list: &[S]) -> impl Iterator<Item = Option<T>> {
+    items.map(Some).chain(list.is_empty().then_some(None))
+}
+
 impl ContactRow {
-    /// Under fixed grips.
-    fn contact(&self) -> Result<Contact> {
+    fn contact(&self, control: Option<&str>) -> Result<Contact> {
         let mut numbers = self.numbers.clone();
-        let terms = self.kind.as_deref().unwrap_or("power").split(" + ");
         let mut term = |kind: &str| {
-            let blank = Shape::by_name(kind).ok_or_else(|| Failure::Data(format!("no profile {kind}")))?;
-            blank.try_map(|key, ()| {
-                number(&numbers.remove(key).ok_or_else(|| Failure::Data(format!("{kind} needs {key}")))?)
-            })
+            let blank = known("profile", kind, Shape::by_name(kind))?;
+            blank.try_map(|key, ()| number(&known("parameter", key, numbers.remove(key))?))
         };
+        let terms = self.kind.as_deref().unwrap_or("power").split(" + ");
         let terms: Vec<Shape<Literal>> = terms.map(&mut term).collect::<Result<_>>()?;
         let mut material = |key| number(numbers.remove(key).as_deref().unwrap_or("1"));
         let (e_star, work_of_adhesion) = (material("e_star")?, material("w")?);
-        if let Some(unknown) = numbers.keys().next() {
-            return Err(Failure::Data(format!("the profile has no {unknown}")));
-        }
+        let control = match control.unwrap_or("indentation") {
+            "indentation" => Control::Indentation,
+            "force" => Control::Force,
+            other => Control::Machine { stiffness: number(known("control", other, other.strip_prefix("k="))?)? },
+        };
         let range = self.range.as_ref().map(|[from, to]| Ok::<_, Failure>([number(from)?, number(to)?])).transpose()?;
-        Ok(Contact { terms, e_star, work_of_adhesion, control: Control::Indentation, range })
+        match numbers.keys().next() {
+            Some(unknown) => known("use for", unknown, None),
+            None => Ok(Contact { terms, e_star, work_of_adhesion, control, range }),
+        }
     }
 }
 

@@ -36,18 +36,9 @@ pub(crate) fn agree(a: &Float, b: &Float, scale: &Float) -> bool {
 }
 
 /// A fold: the tangency changes its sign at a, and d and F are on the curve of equilibria.
-pub(crate) fn fold(
-    contact: &Contact,
-    values: &[Decimal; 3],
-    conditions: &[Conditions],
-) -> std::result::Result<(), Failure> {
-    let ctx = precision(conditions);
-    let agrees = contact.float(ctx)?.integrated(|curve| {
-        let [a, d, f] = &values.each_ref().map(|value| float(ctx, value));
-        let tangent = changes_sign(a, |a| Ok(curve.tangency(a)? - curve.threshold(a)?))?;
-        Ok(tangent && on_curve(curve, [a, d, f])?)
-    });
-    Failure::unless("the fold", agrees?)
+pub(crate) fn fold(contact: &Contact, values: &[Decimal; 3], conditions: &[Conditions]) -> crate::Result<()> {
+    let tangency = |curve: &Curve<'_, Float>, a: &Float| Ok(curve.tangency(a)? - curve.threshold(a)?);
+    Failure::unless("the fold", state(contact, values, precision(conditions), tangency)?)
 }
 
 /// An equilibrium at a value of what is controlled: the direction of change turns at a, and d and F are on the curve.
@@ -56,13 +47,22 @@ pub(crate) fn equilibrium(
     value: &Float,
     values: &[Decimal; 3],
     ctx: Precision,
-) -> std::result::Result<(), Failure> {
-    let agrees = contact.float(ctx)?.integrated(|curve| {
-        let [a, d, f] = &values.each_ref().map(|value| float(ctx, value));
-        let turns = changes_sign(a, |a| curve.direction(a, value))?;
-        Ok(turns && on_curve(curve, [a, d, f])?)
-    });
-    Failure::unless("the equilibrium", agrees?)
+) -> crate::Result<()> {
+    let direction = |curve: &Curve<'_, Float>, a: &Float| curve.direction(a, value);
+    Failure::unless("the equilibrium", state(contact, values, ctx, direction)?)
+}
+
+/// Whether a function on the curve changes its sign at a, to which d and F belong.
+fn state(
+    contact: &Contact,
+    values: &[Decimal; 3],
+    ctx: Precision,
+    f: impl Fn(&Curve<'_, Float>, &Float) -> Result<Float>,
+) -> Result<bool> {
+    contact.float(ctx)?.integrated(|curve| {
+        let state = values.each_ref().map(|value| float(ctx, value));
+        Ok(changes_sign(&state[0], |a| f(curve, a))? && on_curve(curve, state.each_ref())?)
+    })
 }
 
 /// Whether d and F belong to a; they are compared to the terms of which they are the difference.

@@ -75,6 +75,11 @@ impl Contact {
         }
     }
 
+    /// The names of all inputs.
+    pub(crate) fn names(&self) -> Vec<&'static str> {
+        self.inputs().into_iter().map(|(name, _)| name).collect()
+    }
+
     /// The scene, in certified digits.
     pub(crate) fn scene(&self) -> Result<Scene> {
         let mut terms: Vec<_> = self.terms.iter().cloned().map(Profile::Shape).collect();
@@ -84,14 +89,14 @@ impl Contact {
         Ok(scene.control(self.control.clone()).arithmetic(Arithmetic::Certified { digits: DIGITS }))
     }
 
-    /// The answer to one want.
-    pub(crate) fn answer(&self, want: Want) -> Result<Answer> {
-        Ok(self.scene()?.want(want).solve()?)
+    /// All folds, in the range where there is one.
+    pub(crate) fn all_folds(&self) -> Want {
+        Want::Folds { range: self.range.clone() }
     }
 
-    /// All folds in the range.
-    pub(crate) fn folds(&self) -> Result<Answer> {
-        self.answer(Want::Folds { range: self.range.clone() })
+    /// The answer to wants.
+    pub(crate) fn answer(&self, wants: impl IntoIterator<Item = Want>) -> Result<Answer> {
+        Ok(wants.into_iter().fold(self.scene()?, Scene::want).solve()?)
     }
 
     /// The critical state of a power law, or the threshold of C.

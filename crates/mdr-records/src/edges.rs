@@ -3,7 +3,7 @@
 use mdr::answer::Admission;
 use mdr::prelude::Literal;
 use mdr_analytic::detachment_elongation;
-use mdr_core::contact::{self, Error, Shape, Status as Outcome};
+use mdr_core::contact::{self, Error, Status as Outcome};
 use mdr_core::number::{Interval, Precision, Real, Special};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::fields::Fields;
@@ -41,8 +41,10 @@ pub(crate) fn outside(case: &Case) -> Result<Vec<Record>> {
 /// The equilibrium of a displaced paraboloid with a contact radius inside of its ridge: the ridge would lie in the half-space.
 pub(crate) fn interpenetrating(case: &Case) -> Result<Vec<Record>> {
     let (contact, a) = (&case.contact, case.value()?);
+    let [(_, radius), (_, offset)] = contact.parameters()[..] else { return Err(Failure::Missing("ridge")) };
+    let ridge = (radius, offset);
     let overlaps = matches!(profiles::point(contact, &a)?.admissible, Some(Admission::Interpenetrating { .. }));
-    if !(overlaps && enclosed_gap(contact, &a)? && integrated_gap(contact, &a)?) {
+    if !(overlaps && enclosed_gap(contact, ridge, &a)? && integrated_gap(contact, ridge.1, &a)?) {
         return Err(Failure::Missing("interpenetration"));
     }
     let builder = RecordBuilder::new(case, contact.inputs()).part(format_args!("a={a}")).input("a", a);
@@ -50,41 +52,26 @@ pub(crate) fn interpenetrating(case: &Case) -> Result<Vec<Record>> {
     Ok(vec![without("indentation", "m"), without("force", "N")])
 }
 
-/// The offset of the ridge and the radius of curvature.
-fn ridge<R>(terms: &[Shape<R>]) -> contact::Result<[&R; 2]> {
-    match terms {
-        [Shape::DisplacedParaboloid { radius, offset }] => Ok([offset, radius]),
-        _ => Err(Error::Domain {
-            quantity: contact::Quantity::Parameter("the profile"),
-            value: String::new(),
-            requirement: "a displaced paraboloid",
-        }),
-    }
-}
-
 /// Whether the gap at the ridge is certainly negative: at r it is (2/π)∫(g(r cos φ) − d) dφ over 0 < φ < Φ = arccos(a/r), which is
 /// (2/π)[r²(Φ + sin Φ cos Φ)/2R − πbr sin Φ/2R − dΦ], here at r = b.
-fn enclosed_gap(contact: &Contact, a: &Literal) -> contact::Result<bool> {
+fn enclosed_gap(contact: &Contact, (radius, offset): (&Literal, &Literal), a: &Literal) -> contact::Result<bool> {
     let ctx = Precision::new(128);
-    let a = Interval::from_literal(ctx, a);
-    let enclosed = || contact.model(|literal| Interval::from_literal(ctx, literal));
-    let d = enclosed()?.closed(|curve| Ok(curve.transform().g(&a)? - detachment_elongation(curve.material(), &a)?))?;
-    let terms = enclosed()?.terms;
-    let [b, radius] = ridge(&terms)?;
-    let cosine = a / b;
+    let [a, b, radius] = [a, offset, radius].map(|literal| Interval::from_literal(ctx, literal));
+    let model = contact.model(|literal| Interval::from_literal(ctx, literal))?;
+    let d = model.closed(|curve| Ok(curve.transform().g(&a)? - detachment_elongation(curve.material(), &a)?))?;
+    let cosine = a / &b;
     let angle = cosine.acos();
     let sine = angle.sin();
     let bowl = (angle.clone() + sine.clone() * &cosine) * b.square() / radius.clone().times(2);
-    let cone = sine * b.pi() * b.square() / radius.clone().times(2);
+    let cone = sine * b.pi() * b.square() / radius.times(2);
     let gap = bowl - cone - d * angle;
     Ok(gap < gap.lit(0))
 }
 
 /// The same by quadrature of the transform by quadrature, in f64.
-fn integrated_gap(contact: &Contact, a: &Literal) -> contact::Result<bool> {
+fn integrated_gap(contact: &Contact, offset: &Literal, a: &Literal) -> contact::Result<bool> {
     let model = contact.model(Literal::nearest_f64)?;
-    let b = *ridge(&model.terms)?[0];
     let transform = Quadrature::new(Heights::new(model.terms));
     let curve = Curve::new(&transform, &model.material, &model.control);
-    Ok(Fields::new(curve, a.nearest_f64())?.gap(&b)? < 0.0)
+    Ok(Fields::new(curve, a.nearest_f64())?.gap(&offset.nearest_f64())? < 0.0)
 }

@@ -2,18 +2,15 @@
 
 use mdr::answer::{Dissipation, PathEvent};
 use mdr::prelude::{Literal, Start, Want};
-use mdr_core::number::{Decimal, Dual, Interval, Precision, Real};
+use mdr_core::number::{Decimal, Real};
 use mdr_numeric::energy::Energy;
 use mdr_reference::Record;
 
 use crate::builder::RecordBuilder;
 use crate::cases::Case;
-use crate::contact::Contact;
-use crate::sensitivity::{by_input, seeded};
+use crate::contact::{Contact, Model};
+use crate::sensitivity::{Seeded, conditions};
 use crate::{Failure, Result, confirm, decimal, float};
-
-/// Bits for conditions.
-const BITS: u32 = 192;
 
 /// Beyond every critical state of the records.
 const FAR: &str = "-1e1000";
@@ -43,15 +40,13 @@ pub(crate) fn record(case: &Case) -> Result<Vec<Record>> {
         Ok(confirm::agree(&potential, &energy, &scale))
     });
     Failure::unless("the energy", agrees?)?;
-    let names: Vec<_> = contact.inputs().into_iter().map(|(name, _)| name).collect();
-    let [condition] = by_input(&names, |index| {
-        let law = contact.model(seeded::<Interval>(Precision::new(BITS), index))?.law()?;
-        let energy: Dual<Interval> = match case.at.as_str() {
-            "work-lost-at-pull-off" => law.energy_lost_at_pull_off(),
-            "work-lost-at-jump-in" => law.energy_lost_at_jump_in(),
-            _ => law.barrier_to_complete_contact(),
-        }?;
-        Ok([energy])
+    let [condition] = conditions(contact, None, |model: Model<Seeded>, _| {
+        let law = model.law()?;
+        Ok([match case.at.as_str() {
+            "work-lost-at-pull-off" => law.energy_lost_at_pull_off()?,
+            "work-lost-at-jump-in" => law.energy_lost_at_jump_in()?,
+            _ => law.barrier_to_complete_contact()?,
+        }])
     })?;
     let builder = RecordBuilder::new(case, contact.inputs()).part(&case.at);
     Ok(vec![builder.number(("energy", "J"), &energy, condition, None)])
@@ -81,7 +76,7 @@ fn lost(contact: &Contact, path: [Literal; 2], start: Start, forms: bool) -> Res
 
 /// Π of the equilibrium at d = 0.
 fn barrier(contact: &Contact) -> Result<Jump> {
-    let answer = contact.answer(Want::Energy { states: vec![Literal::from(0)] })?;
+    let answer = contact.answer([Want::Energy { states: vec![Literal::from(0)] }])?;
     let states = answer.energy().into_iter().flat_map(|list| &list.items).flat_map(|item| &item.items);
     let top = states.last().ok_or(Failure::Missing("equilibrium"))?;
     let state = [decimal(&top.state.contact_radius)?, decimal(&top.state.indentation)?];

@@ -1,68 +1,92 @@
 //! Folds of the controlled quantity: critical states of power laws, and all folds of other profiles and on machines.
 
-use mdr_core::contact::Result;
+use mdr_core::contact;
 use mdr_core::number::{Decimal, Dual};
 use mdr_reference::{Record, Status};
 use rug::Float;
 
-use crate::builder::{RecordBuilder, STATE};
-use crate::cases::{Case, Kind};
+use crate::builder::RecordBuilder;
+use crate::cases::Case;
 use crate::contact::Contact;
 use crate::sensitivity::{Conditions, constant, implicit, on_curve};
-use crate::{Failure, confirm, decimal, float};
+use crate::{Failure, Result, confirm, decimal, float};
 
-/// a, d and F at each fold.
-pub(crate) fn records(case: &Case) -> std::result::Result<Vec<Record>, Failure> {
-    let contact = &case.contact;
-    let answer = contact.folds()?;
+/// A fold that both methods have.
+struct Fold {
+    values: [Decimal; 3],
+    conditions: [Conditions; 3],
+    /// Δl(a), to which d = 0 is compared.
+    elongation: Float,
+    flags: Vec<&'static str>,
+}
+
+/// The critical state of a power law.
+pub(crate) fn critical(case: &Case) -> Result<Vec<Record>> {
+    let builder = RecordBuilder::new(case, case.contact.inputs());
+    Ok(folds(&case.contact)?.into_iter().flat_map(|fold| fold.records(&builder)).collect())
+}
+
+/// The critical state as the answer to a question about equilibria, of which the two are one.
+pub(crate) fn double_root(case: &Case) -> Result<Vec<Record>> {
+    let builder = RecordBuilder::new(case, case.contact.inputs());
+    let builder = builder.part(format_args!("tau={}", case.label)).part("outer").input("tau", case.value()?);
+    let builder = builder.flag("outer").flag("near-fold").fold_distance(0.0);
+    let records =
+        folds(&case.contact)?.into_iter().flat_map(|fold| builder.uncontrolled(&fold.values, fold.conditions));
+    Ok(records.map(|record| Record { status: Status::Fold, ..record }).collect())
+}
+
+/// All folds of a power law on a machine.
+pub(crate) fn on_machine(case: &Case) -> Result<Vec<Record>> {
+    let folds = (1..).zip(folds(&case.contact)?);
+    Ok(folds.flat_map(|(number, fold)| fold.records(&numbered(case, number))).collect())
+}
+
+/// All folds of another profile, with their flags.
+pub(crate) fn all(case: &Case) -> Result<Vec<Record>> {
+    let flagged = |(number, fold): (i64, Fold)| {
+        let builder = fold.flags.iter().fold(numbered(case, number), |builder, flag| builder.flag(flag));
+        fold.records(&builder)
+    };
+    Ok((1..).zip(folds(&case.contact)?).flat_map(flagged).collect())
+}
+
+fn numbered(case: &Case, number: i64) -> RecordBuilder<'_> {
+    let builder = RecordBuilder::new(case, case.contact.inputs());
+    builder.part(format_args!("fold-{number}")).input("fold", number)
+}
+
+impl Fold {
+    fn records(self, builder: &RecordBuilder<'_>) -> Vec<Record> {
+        builder.state(&self.values, self.conditions, Some(&self.elongation))
+    }
+}
+
+fn folds(contact: &Contact) -> Result<Vec<Fold>> {
+    let answer = contact.answer([contact.all_folds()])?;
     let folds = answer.folds().ok_or(Failure::Missing("fold"))?;
     let is_complete = folds.complete.as_ref().is_some_and(|complete| complete.proved);
-    let mut records = Vec::new();
-    for (number, fold) in (1i64..).zip(&folds.items) {
+    let certified = |fold: &mdr::answer::Fold| {
         let [a, d, f] = [&fold.contact_radius, &fold.indentation, &fold.force].map(decimal);
         let values = [a?, d?, f?];
         let conditions = conditions(contact, &values)?;
         confirm::fold(contact, &values, &conditions)?;
-        let builder = RecordBuilder::new(case, contact.inputs());
-        if case.kind == Kind::DoubleRoot {
-            // The two equilibria are one: the critical state, as the answer to a question about equilibria.
-            let builder =
-                builder.part(&case.label).part("outer").input("tau", case.value()?).flag("outer").flag("near-fold");
-            let state = builder.fold_distance(0.0).state(values, conditions);
-            records.extend(state.into_iter().map(|record| Record { status: Status::Fold, ..record }));
-            continue;
-        }
-        let mut builder = builder;
-        if case.kind != Kind::Critical {
-            builder = builder.part(format_args!("fold-{number}")).input("fold", number);
-        }
-        if case.kind == Kind::Folds {
-            builder = builder.flag(fold.kind.name());
-            builder = if is_complete { builder.flag("all-folds-proved") } else { builder };
-        }
-        let scale = elongation(contact, &values[0])?;
-        let answers = STATE.into_iter().zip(&values).zip(conditions);
-        records.extend(
-            answers.map(|((quantity, value), condition)| builder.number(quantity, value, condition, Some(&scale))),
-        );
-    }
-    Ok(records)
-}
-
-/// Δl(a), to which d = 0 is compared.
-fn elongation(contact: &Contact, a: &Decimal) -> Result<Float> {
-    let ctx = confirm::precision(&[]);
-    contact.float(ctx)?.closed(|curve| curve.detachment_elongation(&float(ctx, a)))
+        let ctx = confirm::precision(&[]);
+        let a = float(ctx, &values[0]);
+        let elongation = contact.float(ctx)?.closed(|curve| curve.detachment_elongation(&a))?;
+        let complete = is_complete.then_some("all-folds-proved");
+        let flags = [fold.kind.name()].into_iter().chain(complete).collect();
+        Ok(Fold { values, conditions, elongation, flags })
+    };
+    folds.items.iter().map(certified).collect()
 }
 
 /// By the implicit function theorem for the condition of tangency; that of d = 0 relative to Δl(a).
-fn conditions(contact: &Contact, [a, d, _]: &[Decimal; 3]) -> Result<[Conditions; 3]> {
-    let names: Vec<_> = contact.inputs().into_iter().map(|(name, _)| name).collect();
-    let is_zero = d.is_zero();
-    on_curve(contact, &names, None, |curve, _| {
+fn conditions(contact: &Contact, [a, d, _]: &[Decimal; 3]) -> contact::Result<[Conditions; 3]> {
+    on_curve(contact, None, |curve, _| {
         let a = implicit(&constant(a), |a| Ok(curve.tangency(a)? - curve.threshold(a)?))?;
-        let (d, f) = curve.state(&a)?;
-        let d = if is_zero { Dual { value: curve.detachment_elongation(&a)?.value, ..d } } else { d };
-        Ok([a, d, f])
+        let (depth, f) = curve.state(&a)?;
+        let value = if d.is_zero() { curve.detachment_elongation(&a)?.value } else { depth.value };
+        Ok([a, Dual { value, slope: depth.slope }, f])
     })
 }

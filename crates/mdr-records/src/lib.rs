@@ -4,8 +4,8 @@
 //! digits, with |d ln value/d ln input| from dual numbers, and confirmed by a second method that shares no formula with the
 //! first: quadrature of the heights f(r). [`generate`] gives the files of the release, bit for bit the same on every machine.
 //!
-//! Three kinds of values are no scene, and come from `mdr-analytic`: equilibria at a share of the critical value, which is no
-//! decimal; κ of an exponent without a contact; and the sign of the gap where surfaces would overlap.
+//! Two kinds of answers are no scene: equilibria at a share of the critical value, which is no decimal, come from
+//! `mdr-analytic`; and where surfaces would overlap an enclosure of the gap is written here.
 
 #![forbid(unsafe_code)]
 
@@ -29,7 +29,7 @@ use rayon::prelude::*;
 use rug::Float;
 use thiserror::Error as ThisError;
 
-use cases::{Case, Kind};
+use cases::Case;
 
 /// The significant digits of every record.
 const DIGITS: u32 = 50;
@@ -72,7 +72,7 @@ impl Failure {
 /// The first case that cannot be certified, or whose second method disagrees.
 pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordError> {
     let cases = cases::all()?;
-    let records: Vec<_> = cases.par_iter().map(|case| (case.file, case.records())).collect();
+    let records: Vec<_> = cases.par_iter().map(|case| (case.file, case.certified())).collect();
     let mut files: Vec<(&'static str, String)> = Vec::new();
     for (file, records) in records {
         if files.last().is_none_or(|(name, _)| *name != file) {
@@ -85,37 +85,45 @@ pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordErro
     Ok(files)
 }
 
+/// What can be asked, by its name in the data; docs/reference/README.md has the formula of each.
+const KINDS: [(&str, fn(&Case) -> Result<Vec<Record>>); 18] = [
+    ("kappa", profiles::kappa),
+    ("transform", profiles::transform),
+    ("state", profiles::state),
+    ("flat-punch-pull-off", profiles::pull_off),
+    ("critical", folds::critical),
+    ("double-root", folds::double_root),
+    ("machine-folds", folds::on_machine),
+    ("folds", folds::all),
+    ("equilibrium", equilibria::at_value),
+    ("equilibrium-share", equilibria::at_share),
+    ("past", equilibria::none),
+    ("equilibria", equilibria::all),
+    ("landing", equilibria::landing),
+    ("energy", energy::record),
+    ("threshold", threshold::records),
+    ("domain", edges::domain),
+    ("outside", edges::outside),
+    ("interpenetrating", edges::interpenetrating),
+];
+
 impl Case {
     /// Certifies and confirms its records.
-    fn records(&self) -> std::result::Result<Vec<Record>, RecordError> {
-        let records = match self.kind {
-            Kind::Kappa => profiles::kappa(self),
-            Kind::Transform => profiles::transform(self),
-            Kind::State => profiles::state(self),
-            Kind::FlatPunchPullOff => profiles::pull_off(self),
-            Kind::Critical | Kind::DoubleRoot | Kind::MachineFolds | Kind::Folds => folds::records(self),
-            Kind::Equilibrium | Kind::EquilibriumShare => equilibria::of_power_law(self),
-            Kind::Equilibria => equilibria::all(self),
-            Kind::Landing => equilibria::landing(self),
-            Kind::Past => equilibria::none(self),
-            Kind::Energy => energy::record(self),
-            Kind::Threshold => threshold::records(self),
-            Kind::Domain => edges::domain(self),
-            Kind::Outside => edges::outside(self),
-            Kind::Interpenetrating => edges::interpenetrating(self),
-        };
-        let chosen = records
-            .map(|records| self.chosen(records))
-            .and_then(|records| if records.is_empty() { Err(Failure::Missing("such quantity")) } else { Ok(records) });
-        chosen.map_err(|source| RecordError { case: format!("{:?} of {}", self.kind, self.name), source })
+    fn certified(&self) -> std::result::Result<Vec<Record>, RecordError> {
+        let records = (self.records)(self).and_then(|records| {
+            let chosen = self.chosen(records);
+            if chosen.is_empty() { Err(Failure::Missing("such quantity")) } else { Ok(chosen) }
+        });
+        let formula = self.formula.name.as_deref().unwrap_or_default();
+        records.map_err(|source| RecordError { case: format!("{formula} of {} {}", self.name, self.label), source })
     }
 
     /// The quantity that the case asks for, under the identifier that it gives.
     fn chosen(&self, mut records: Vec<Record>) -> Vec<Record> {
-        records.retain(|record| self.quantity.as_ref().is_none_or(|quantity| record.quantity == *quantity));
+        records.retain(|record| self.row.quantity.as_ref().is_none_or(|quantity| record.quantity == *quantity));
         for record in &mut records {
-            record.release = self.release;
-            if let Some(id) = &self.id {
+            record.release = self.row.release.unwrap_or(if self.row.id.is_some() { 2 } else { 1 });
+            if let Some(id) = &self.row.id {
                 record.id.clone_from(id);
                 record.flags.push("worst".to_owned());
             }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use mdr::answer::{Admission, CurvePoint, TransformSample};
 use mdr::prelude::{Literal, Want};
 use mdr_analytic::flat_punch_pull_off;
-use mdr_core::contact::{self, Control, Shape};
-use mdr_core::number::{Decimal, Dual, Interval, Precision, Real};
+use mdr_core::contact::{self, Control, Error, Quantity, Shape};
+use mdr_core::number::{Decimal, Dual, Real};
 use mdr_numeric::admissible::{Admissibility, Verdict};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::profiles::Heights;
@@ -17,24 +17,21 @@ use rug::Float;
 use crate::builder::{RecordBuilder, STATE};
 use crate::cases::Case;
 use crate::contact::Contact;
-use crate::sensitivity::{Conditions, by_input, on_curve, seeded};
+use crate::sensitivity::{Conditions, on_curve};
 use crate::{Failure, Result, confirm, decimal, float};
-
-/// Bits for conditions of closed forms.
-const BITS: u32 = 192;
 
 /// g at a radius as the scene answers it.
 pub(crate) fn sample(contact: &Contact, x: &Literal) -> Result<TransformSample> {
-    let answer = contact.answer(Want::Transform { at: vec![x.clone()] })?;
+    let answer = contact.answer([Want::Transform { at: vec![x.clone()] }])?;
     answer.transform().and_then(|list| list.items.first()).cloned().ok_or(Failure::Missing("transform"))
 }
 
-/// g, g' and ∫g with their conditions with respect to parameters, by their names, and the radius.
-fn certified(contact: &Contact, names: &[&str], x: &Literal) -> Result<([Decimal; 3], [Conditions; 3])> {
+/// g, g' and ∫g with their conditions.
+fn certified(contact: &Contact, x: &Literal) -> Result<([Decimal; 3], [Conditions; 3])> {
     let sample = sample(contact, x)?;
     let [g, slope, integral] = [&sample.g, &sample.slope, &sample.integral].map(decimal);
     let values = [g?, slope?, integral?];
-    let conditions = on_curve(contact, names, Some(("x", x)), |curve, x| {
+    let conditions = on_curve(contact, Some(("x", x)), |curve, x| {
         let transform = curve.transform();
         Ok([transform.g(x)?, transform.slope(x)?, transform.integral(x)?])
     })?;
@@ -55,8 +52,7 @@ fn certified(contact: &Contact, names: &[&str], x: &Literal) -> Result<([Decimal
 pub(crate) fn transform(case: &Case) -> Result<Vec<Record>> {
     const QUANTITIES: [(&str, &str); 3] = [("g", "m"), ("slope", "1"), ("integral", "m^2")];
     let (parameters, x) = (case.contact.parameters(), case.value()?);
-    let names: Vec<_> = parameters.iter().map(|(name, _)| *name).collect();
-    let (values, conditions) = certified(&case.contact, &names, &x)?;
+    let (values, conditions) = certified(&case.contact, &x)?;
     let builder = RecordBuilder::new(case, parameters).part(format_args!("x={x}")).input("x", x);
     let answers = QUANTITIES.into_iter().zip(&values).zip(conditions);
     Ok(answers.map(|((quantity, value), condition)| builder.number(quantity, value, condition, None)).collect())
@@ -67,8 +63,7 @@ pub(crate) fn kappa(case: &Case) -> Result<Vec<Record>> {
     let [Shape::Power { n, .. }] = case.contact.terms.as_slice() else { return Err(Failure::Missing("exponent")) };
     let one = Literal::from(1);
     let contact = Contact { terms: vec![Shape::Power { n: n.clone(), c: one.clone() }], ..case.contact.clone() };
-    let ([kappa, ..], [conditions, ..]) = certified(&contact, &["n"], &one)?;
-    let conditions = conditions.into_iter().filter(|(name, _)| name == "n").collect();
+    let ([kappa, ..], [conditions, ..]) = certified(&contact, &one)?;
     let builder = RecordBuilder::new(case, vec![("n", n)]);
     Ok(vec![builder.number(("kappa", "1"), &kappa, conditions, None)])
 }
@@ -81,8 +76,7 @@ pub(crate) fn state(case: &Case) -> Result<Vec<Record>> {
         return Err(Failure::Missing("admissible state"));
     }
     let values = [decimal(&point.indentation)?, decimal(&point.force)?];
-    let names: Vec<_> = contact.inputs().into_iter().map(|(name, _)| name).collect();
-    let conditions = on_curve(contact, &names, Some(("a", &a)), |curve, a| curve.state(a).map(<[_; 2]>::from))?;
+    let conditions = on_curve(contact, Some(("a", &a)), |curve, a| curve.state(a).map(<[_; 2]>::from))?;
     let ctx = confirm::precision(&[]);
     let agrees = contact.float(ctx)?.integrated(|curve| {
         let [d, f] = values.each_ref().map(|value| float(ctx, value));
@@ -95,7 +89,7 @@ pub(crate) fn state(case: &Case) -> Result<Vec<Record>> {
 
 /// The state with a contact radius as the scene answers it.
 pub(crate) fn point(contact: &Contact, a: &Literal) -> Result<CurvePoint> {
-    let answer = contact.answer(Want::Curve { at: vec![a.clone()] })?;
+    let answer = contact.answer([Want::Curve { at: vec![a.clone()] }])?;
     answer.curve().and_then(|list| list.items.first()).cloned().ok_or(Failure::Missing("state"))
 }
 
@@ -121,41 +115,34 @@ fn loads(builder: &RecordBuilder<'_>, values: &[Decimal; 2], conditions: [Condit
 /// F = 2E*bd.
 pub(crate) fn pull_off(case: &Case) -> Result<Vec<Record>> {
     let contact = &case.contact;
-    let answer = contact.folds()?;
+    let answer = contact.answer([contact.all_folds()])?;
     let fold = answer.folds().and_then(|folds| folds.items.first()).ok_or(Failure::Missing("fold"))?;
     let values = [decimal(&fold.indentation)?, decimal(&fold.force)?];
-    let names: Vec<_> = contact.inputs().into_iter().map(|(name, _)| name).collect();
-    let conditions = by_input(&names, |index| {
-        let model = contact.model(seeded::<Interval>(Precision::new(BITS), index))?;
-        let state = flat_punch_pull_off(&punch_radius(&model.terms)?, &model.material)?;
+    let conditions = on_curve(contact, None, |curve, _| {
+        let state = flat_punch_pull_off(&edge(curve)?, curve.material())?;
         Ok([state.indentation, state.force])
     })?;
     Failure::unless("pull-off", is_balanced(contact, &values)?)?;
     Ok(loads(&RecordBuilder::new(case, contact.inputs()), &values, conditions))
 }
 
-fn punch_radius<R: Real>(terms: &[Shape<R>]) -> contact::Result<R> {
-    match terms {
-        [Shape::FlatPunch { radius }] => Ok(radius.clone()),
-        _ => Err(contact::Error::Domain {
-            quantity: contact::Quantity::Parameter("the profile"),
-            value: String::new(),
-            requirement: "a flat punch",
-        }),
-    }
+/// The radius of the vertical edge.
+fn edge<R: Real>(curve: &Curve<'_, R>) -> contact::Result<R> {
+    let (quantity, requirement) = (Quantity::Parameter("the profile"), "one with a vertical edge");
+    curve.wall().ok_or(Error::Domain { quantity, value: String::new(), requirement })
 }
 
 /// The energy E*bd² of the punch held at d, given to its rim: its derivative with respect to b is 2πbw, that with respect to d
 /// is F.
 fn is_balanced(contact: &Contact, values: &[Decimal; 2]) -> contact::Result<bool> {
     let ctx = confirm::precision(&[]);
-    let model = contact.float(ctx)?;
-    let (b, e_star, work) =
-        (punch_radius(&model.terms)?, model.material.effective_modulus(), model.material.work_of_adhesion());
     let [d, f] = values.each_ref().map(|value| float(ctx, value));
-    let energy = |b: Dual<Float>, d: Dual<Float>| (Dual::constant(e_star.clone()) * b * d.square()).slope;
-    let released = energy(Dual::variable(b.clone()), Dual::constant(d.clone()));
-    let pull = energy(Dual::constant(b.clone()), Dual::variable(d.clone()));
-    let spent = (b.pi() * &b * work).times(2);
-    Ok(d < d.lit(0) && confirm::agree(&released, &spent, &spent) && confirm::agree(&pull, &f, &f.clone().abs()))
+    contact.float(ctx)?.integrated(|curve| {
+        let (b, e_star) = (edge(curve)?, curve.effective_modulus());
+        let energy = |b: Dual<Float>, d: Dual<Float>| (Dual::constant(e_star.clone()) * b * d.square()).slope;
+        let released = energy(Dual::variable(b.clone()), Dual::constant(d.clone()));
+        let pull = energy(Dual::constant(b.clone()), Dual::variable(d.clone()));
+        let spent = (b.pi() * &b * curve.material().work_of_adhesion()).times(2);
+        Ok(d < d.lit(0) && confirm::agree(&released, &spent, &spent) && confirm::agree(&pull, &f, &f.clone().abs()))
+    })
 }

@@ -4,11 +4,11 @@ use mdr_core::contact::Result;
 use mdr_core::number::{Decimal, Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::curve::Curve;
 
-use crate::contact::Contact;
+use crate::contact::{Contact, Model};
 use crate::float;
 
 /// Conditions by the names of the inputs.
-pub(crate) type Conditions = Vec<(String, f64)>;
+pub(crate) type Conditions = Vec<(&'static str, f64)>;
 
 /// A number with its derivative with respect to the logarithm of one input.
 pub(crate) type Seeded = Dual<Interval>;
@@ -21,55 +21,38 @@ pub(crate) fn largest(conditions: &[Conditions]) -> f64 {
     conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b))
 }
 
-/// The numbers of a contact in their order, that of number `index` with its derivative.
-pub(crate) fn seeded<R: Real>(ctx: R::Ctx, index: usize) -> impl FnMut(&Literal) -> Dual<R> {
-    let mut next = 0;
-    move |literal| {
-        next += 1;
-        seed(ctx, literal, next == index + 1)
-    }
-}
-
-/// A number; where it is an input that changes, with the derivative with respect to its own logarithm.
-fn seed<R: Real>(ctx: R::Ctx, literal: &Literal, changes: bool) -> Dual<R> {
-    let value = R::from_literal(ctx, literal);
-    let slope = if changes { value.clone() } else { value.lit(0) };
-    Dual { value, slope }
-}
-
-/// The conditions of quantities that are computed with one input seeded, by its number.
-pub(crate) fn by_input<R: Real, const K: usize>(
-    names: &[&str],
-    quantities: impl Fn(usize) -> Result<[Dual<R>; K]>,
+/// The conditions of what `quantities` computes of a contact, with respect to its inputs and to a number that is given with it.
+pub(crate) fn conditions<R: Real<Ctx = Precision>, const K: usize>(
+    contact: &Contact,
+    given: Option<(&'static str, &Literal)>,
+    quantities: impl Fn(Model<Dual<R>>, Dual<R>) -> Result<[Dual<R>; K]>,
 ) -> Result<[Conditions; K]> {
+    let ctx = Precision::new(BITS);
     let mut conditions: [Conditions; K] = std::array::from_fn(|_| Vec::new());
-    for (index, name) in names.iter().enumerate() {
-        for (list, quantity) in conditions.iter_mut().zip(quantities(index)?) {
-            list.push(((*name).to_owned(), (quantity.slope / quantity.value).approx().abs()));
+    for (index, name) in contact.names().into_iter().chain(given.map(|(name, _)| name)).enumerate() {
+        let mut next = 0;
+        let mut seeded = |literal: &Literal| {
+            let value = R::from_literal(ctx, literal);
+            let slope = if next == index { value.clone() } else { value.lit(0) };
+            next += 1;
+            Dual { value, slope }
+        };
+        let model = contact.model(&mut seeded)?;
+        let given = given.map_or_else(|| Dual::from_int(ctx, 0), |(_, literal)| seeded(literal));
+        for (list, quantity) in conditions.iter_mut().zip(quantities(model, given)?) {
+            list.push((name, (quantity.slope / quantity.value).approx().abs()));
         }
     }
     Ok(conditions)
 }
 
-/// The conditions of quantities on the curve of equilibria of the closed form, with respect to the inputs of these names, the
-/// first of the contact, and to a number that is given with them.
+/// The conditions of what `quantities` reads off the curve of equilibria of the closed form.
 pub(crate) fn on_curve<const K: usize>(
     contact: &Contact,
-    inputs: &[&str],
-    given: Option<(&str, &Literal)>,
+    given: Option<(&'static str, &Literal)>,
     quantities: impl Fn(&Curve<'_, Seeded>, &Seeded) -> Result<[Seeded; K]>,
 ) -> Result<[Conditions; K]> {
-    let ctx = Precision::new(BITS);
-    let names: Vec<&str> = inputs.iter().copied().chain(given.map(|(name, _)| name)).collect();
-    by_input(&names, |index| {
-        let is_given = index == inputs.len();
-        let number = match given {
-            Some((_, literal)) => seed(ctx, literal, is_given),
-            None => Seeded::from_int(ctx, 0),
-        };
-        let index = if is_given { usize::MAX - 1 } else { index };
-        contact.model(seeded(ctx, index))?.closed(|curve| quantities(curve, &number))
-    })
+    conditions(contact, given, |model, given| model.closed(|curve| quantities(curve, &given)))
 }
 
 /// A certified number as a constant.

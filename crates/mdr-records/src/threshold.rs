@@ -3,18 +3,15 @@
 use mdr::prelude::Shape;
 use mdr_analytic::threshold;
 use mdr_core::contact;
-use mdr_core::number::{Decimal, Precision};
+use mdr_core::number::{Decimal, Dual};
 use mdr_reference::Record;
 use rug::Float;
 
 use crate::builder::RecordBuilder;
 use crate::cases::Case;
 use crate::contact::{Contact, Model};
-use crate::sensitivity::{Conditions, by_input, seeded};
+use crate::sensitivity::{Conditions, conditions};
 use crate::{Failure, Result, confirm, decimal, float};
-
-/// Bits for conditions.
-const BITS: u32 = 192;
 
 /// The threshold of C, and the ratio of C to it.
 pub(crate) fn records(case: &Case) -> Result<Vec<Record>> {
@@ -22,24 +19,21 @@ pub(crate) fn records(case: &Case) -> Result<Vec<Record>> {
     let known = contact.critical()?.threshold.ok_or(Failure::Missing("threshold"))?;
     let (value, ratio) = (decimal(&known.c)?, decimal(&known.ratio)?);
     Failure::unless("the threshold", is_tangent(contact, &value)?)?;
-    let [over_c, over] = conditions(contact)?;
-    let inputs = |without: &[&str]| {
+    let [of_threshold, of_ratio] = slopes(contact)?;
+    // The threshold is one of C, and does not depend on it.
+    let builder = |without: &[&str]| {
         let inputs = contact.inputs().into_iter().filter(|(name, _)| !without.contains(name));
         RecordBuilder::new(case, inputs.collect())
     };
-    // The threshold is one of C, and does not depend on it.
-    let over_c = over_c.into_iter().filter(|(name, _)| name != "C").collect();
     Ok(vec![
-        inputs(&["n", "C"]).number(("threshold_c", "m^(1/2)"), &value, over_c, None),
-        inputs(&["n"]).number(("ratio", "1"), &ratio, over, None),
+        builder(&["n", "C"]).number(("threshold_c", "m^(1/2)"), &value, of_threshold, None),
+        builder(&["n"]).number(("ratio", "1"), &ratio, of_ratio, None),
     ])
 }
 
-/// With respect to C, E* and w, in arbitrary precision: the enclosed mean of the lemniscate constant has no enclosed slope.
-fn conditions(contact: &Contact) -> contact::Result<[Conditions; 2]> {
-    by_input(&["C", "E*", "w"], |index| {
-        // The exponent is the first input.
-        let model = contact.model(seeded::<Float>(Precision::new(BITS), index + 1))?;
+/// In arbitrary precision: the enclosed mean of the lemniscate constant has no enclosed slope.
+fn slopes(contact: &Contact) -> contact::Result<[Conditions; 2]> {
+    conditions(contact, None, |model: Model<Dual<Float>>, _| {
         let control = model.control.clone();
         let law = model.law()?;
         let value = threshold(law.material(), &control)?;
