@@ -4,14 +4,13 @@ use std::collections::BTreeMap;
 
 use mdr::prelude::{Literal, Shape};
 use mdr_core::contact::Control;
-use mdr_reference::Record;
 use rug::Integer;
 use rug::ops::Pow;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use crate::contact::Contact;
-use crate::{Failure, KINDS, RecordError, Result};
+use crate::{Answer, Failure, KINDS, RecordError, Result};
 
 /// The files of the release, and the cases of each.
 const FILES: [(&str, &str); 5] = [
@@ -26,7 +25,7 @@ const FILES: [(&str, &str); 5] = [
 pub(crate) struct Case {
     pub(crate) file: &'static str,
     /// Answers it.
-    pub(crate) records: fn(&Case) -> Result<Vec<Record>>,
+    pub(crate) records: Answer,
     pub(crate) formula: Formula,
     /// The name of the contact.
     pub(crate) name: String,
@@ -114,6 +113,14 @@ struct ContactRow {
     numbers: BTreeMap<String, String>,
 }
 
+/// One of the cases of a row.
+struct Selection<'a> {
+    kind: &'a str,
+    name: Option<&'a String>,
+    control: Option<&'a str>,
+    at: Option<&'a At>,
+}
+
 /// What the cases name.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -176,19 +183,15 @@ impl Row {
         }
         let mut cases = Vec::new();
         for (name, contact) in contacts {
-            let mut add = |kind: &str, control: Option<&str>, name: Option<&String>, at: Option<&At>| {
-                let case = self.case(names, kind, control, contact, at)?;
-                let name = name.cloned().unwrap_or_else(|| case.contact.profile_name().to_owned());
-                cases.push(Case { file, name, ..case });
-                Ok::<_, Failure>(())
-            };
             if let (Some(label), "critical") = (&contact.kappa, self.kind.as_str()) {
-                add("kappa", None, Some(label), None)?;
+                let kappa = Selection { kind: "kappa", name: Some(label), control: None, at: None };
+                cases.push(self.case(file, names, contact, &kappa)?);
             }
             let is_asked = |control: &&String| contact.controls.as_ref().is_none_or(|of| of.contains(control));
             for control in or_none(self.controls.iter().filter(is_asked).map(String::as_str), &self.controls) {
                 for at in or_none(self.at.iter(), &self.at) {
-                    add(&self.kind, control, name, at)?;
+                    let selection = Selection { kind: &self.kind, name, control, at };
+                    cases.push(self.case(file, names, contact, &selection)?);
                 }
             }
         }
@@ -197,12 +200,12 @@ impl Row {
 
     fn case(
         &self,
+        file: &'static str,
         names: &Names,
-        kind: &str,
-        control: Option<&str>,
-        contact: &ContactRow,
-        at: Option<&At>,
+        row: &ContactRow,
+        &Selection { kind, name, control, at }: &Selection<'_>,
     ) -> Result<Case> {
+        let contact = row.contact(control)?;
         let (label, at) = match at {
             None => Default::default(),
             Some(At::Labelled([label, value])) => (label.clone(), value.clone()),
@@ -216,12 +219,12 @@ impl Row {
         let formula = Formula { id: or_key(&formula.id), name: or_key(&formula.name), ..formula.clone() };
         let records = KINDS.into_iter().find(|(known, _)| *known == kind).map(|(_, records)| records);
         Ok(Case {
-            file: "",
+            file,
             records: known("kind", kind, records)?,
             formula,
-            name: String::new(),
-            contact: contact.contact(control)?,
-            flags: contact.flags.clone(),
+            name: name.cloned().unwrap_or_else(|| contact.profile_name().to_owned()),
+            contact,
+            flags: row.flags.clone(),
             has_control: control.is_some(),
             at,
             label,

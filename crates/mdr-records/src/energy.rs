@@ -10,7 +10,7 @@ use crate::builder::RecordBuilder;
 use crate::cases::Case;
 use crate::contact::{Contact, Model};
 use crate::sensitivity::{Seeded, conditions};
-use crate::{Failure, Result, confirm, decimal, float};
+use crate::{Failure, Result, confirm, decimals, float};
 
 /// Beyond every critical state of the records.
 const FAR: &str = "-1e1000";
@@ -70,8 +70,8 @@ fn lost(contact: &Contact, path: [Literal; 2], start: Start, forms: bool) -> Res
         false => (event.contact_radius, event.indentation),
     };
     let (radius, depth) = radius.zip(depth).ok_or(Failure::Missing("contact"))?;
-    let state = [decimal(&radius)?, decimal(&depth)?];
-    Ok(Jump { energy: decimal(&energy)?, state, sign: if forms { -1 } else { 1 } })
+    let [energy, a, d] = decimals([&energy, &radius, &depth])?;
+    Ok(Jump { energy, state: [a, d], sign: if forms { -1 } else { 1 } })
 }
 
 /// Π of the equilibrium at d = 0.
@@ -79,6 +79,6 @@ fn barrier(contact: &Contact) -> Result<Jump> {
     let answer = contact.answer([Want::Energy { states: vec![Literal::from(0)] }])?;
     let states = answer.energy().into_iter().flat_map(|list| &list.items).flat_map(|item| &item.items);
     let top = states.last().ok_or(Failure::Missing("equilibrium"))?;
-    let state = [decimal(&top.state.contact_radius)?, decimal(&top.state.indentation)?];
-    Ok(Jump { energy: decimal(&top.energy)?, state, sign: 1 })
+    let [energy, a, d] = decimals([&top.energy, &top.state.contact_radius, &top.state.indentation])?;
+    Ok(Jump { energy, state: [a, d], sign: 1 })
 }

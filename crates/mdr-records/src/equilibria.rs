@@ -1,7 +1,7 @@
 //! Equilibria at a value of what is controlled.
 
 use mdr::answer::Equilibrium;
-use mdr::prelude::{EventKind, Literal, Stability, Start, Want};
+use mdr::prelude::{EventKind, Literal, Stability, Start, Value, Want};
 use mdr_core::contact::{self, Error, Quantity, Status as Outcome};
 use mdr_core::number::certify::{Enclosure, certify};
 use mdr_core::number::{Decimal, Dual, Interval, Precision, Real};
@@ -13,7 +13,7 @@ use crate::builder::RecordBuilder;
 use crate::cases::Case;
 use crate::contact::Contact;
 use crate::sensitivity::{Conditions, Seeded, constant, controlled, implicit, on_curve};
-use crate::{DIGITS, Failure, Result, confirm, decimal, float};
+use crate::{DIGITS, Failure, Result, confirm, decimals, float};
 
 /// Bits in which a share of the critical value is first tried, and in which states are compared.
 const BITS: u32 = 256;
@@ -84,12 +84,11 @@ impl Target<'_> {
 /// The equilibrium of a power law on one side of the critical radius.
 pub(crate) fn at_value(case: &Case) -> Result<Vec<Record>> {
     let (contact, at) = (&case.contact, case.value()?);
-    let (fold, states) = states(contact, &at)?;
-    let fold = fold.ok_or(Failure::Missing("critical state"))?;
+    let States { fold, all } = states(contact, &at)?;
     let ctx = Precision::new(BITS);
     let is_there = |state: &State| (float(ctx, &state[0]) > float(ctx, &fold[0])) == (case.row.side == "outer");
-    let mut states = states.into_iter().map(|(state, _)| state).filter(is_there);
-    let state = states.next().ok_or(Failure::Missing("equilibrium"))?;
+    let state = all.into_iter().map(|(state, _)| state).find(is_there);
+    let state = state.ok_or(Failure::Missing("equilibrium"))?;
     let conditions = Target::Value(&at).confirmed(contact, &state)?;
     let builder = beside_fold(case, distance(contact, &at, &fold)).part(&case.label).part(&case.row.side);
     Ok(builder.input(contact.symbol(), at).uncontrolled(&state, conditions).collect())
@@ -108,8 +107,7 @@ pub(crate) fn at_share(case: &Case) -> Result<Vec<Record>> {
         let state = state.ok_or(none)?;
         Ok([&state.contact_radius, &state.indentation, &state.force].map(|number| Enclosure::from(number.clone())))
     })?;
-    let (fold, _) = states(contact, &Literal::from(0))?;
-    let fold = fold.ok_or(Failure::Missing("critical state"))?;
+    let fold = states(contact, &Literal::from(0))?.fold;
     let conditions = Target::Share(&share, &fold).confirmed(contact, &state)?;
     let builder = beside_fold(case, share.nearest_f64()).part(format_args!("tau={}", case.label)).part(&case.row.side);
     Ok(builder.input("tau", share).uncontrolled(&state, conditions).collect())
@@ -118,8 +116,10 @@ pub(crate) fn at_share(case: &Case) -> Result<Vec<Record>> {
 /// The certain absence of an equilibrium.
 pub(crate) fn none(case: &Case) -> Result<Vec<Record>> {
     let (contact, at) = (&case.contact, case.value()?);
-    let (fold, states) = states(contact, &at)?;
-    let (Some(fold), []) = (fold, states.as_slice()) else { return Err(Failure::Missing("such value")) };
+    let States { fold, all } = states(contact, &at)?;
+    if !all.is_empty() {
+        return Err(Failure::Missing("value without an equilibrium"));
+    }
     let builder = beside_fold(case, distance(contact, &at, &fold)).part(&case.label).part(&case.row.side);
     let builder = builder.input(contact.symbol(), at);
     Ok(vec![builder.without_number("contact_radius", "m", Status::NoEquilibrium)])
@@ -129,7 +129,7 @@ pub(crate) fn none(case: &Case) -> Result<Vec<Record>> {
 pub(crate) fn all(case: &Case) -> Result<Vec<Record>> {
     let (contact, at) = (&case.contact, case.value()?);
     let (symbol, mut records) = (contact.symbol(), Vec::new());
-    for (number, (state, stability)) in (1i64..).zip(states(contact, &at)?.1) {
+    for (number, (state, stability)) in (1i64..).zip(states(contact, &at)?.all) {
         let conditions = Target::Value(&at).confirmed(contact, &state)?;
         let builder = RecordBuilder::new(case, contact.inputs());
         let builder = builder.part(format_args!("{symbol}={at}")).part(format_args!("state-{number}"));
@@ -148,11 +148,13 @@ pub(crate) fn landing(case: &Case) -> Result<Vec<Record>> {
     let answer = scene.want(contact.all_folds()).want(Want::Path).solve()?;
     let (path, folds) = answer.path().zip(answer.folds()).ok_or(Failure::Missing("path"))?;
     let jump = path.events.items.iter().find(|event| event.event == EventKind::Jump).ok_or(Failure::Missing("jump"))?;
-    let known = |value: &Option<_>| decimal(value.as_ref().ok_or(Failure::Missing("state"))?);
-    let [from, d, f] = [&jump.contact_radius, &jump.indentation, &jump.force].map(known);
-    let [a, to_d, to_f] = [&jump.to_contact_radius, &jump.to_indentation, &jump.to_force].map(known);
-    let (fold, state) = ([from?, d?, f?], [a?, to_d?, to_f?]);
-    let number = folds.items.iter().position(|item| decimal(&item.contact_radius).is_ok_and(|a| a == fold[0]));
+    let state = |values: [&Option<Value>; 3]| match values {
+        [Some(a), Some(d), Some(f)] => decimals([a, d, f]),
+        _ => Err(Failure::Missing("state")),
+    };
+    let fold = state([&jump.contact_radius, &jump.indentation, &jump.force])?;
+    let state = state([&jump.to_contact_radius, &jump.to_indentation, &jump.to_force])?;
+    let number = folds.items.iter().position(|item| decimals([&item.contact_radius]).is_ok_and(|[a]| a == fold[0]));
     if number.map(|index| (index + 1).to_string()).as_ref() != Some(&case.at) {
         return Err(Failure::Missing("jump at this fold"));
     }
@@ -161,24 +163,28 @@ pub(crate) fn landing(case: &Case) -> Result<Vec<Record>> {
     Ok(builder.input("fold", case.value()?).flag("stable").uncontrolled(&state, conditions).collect())
 }
 
-/// The first fold, and every equilibrium at a value with its stability; proved to be all.
-fn states(contact: &Contact, at: &Literal) -> Result<(Option<State>, Vec<(State, Stability)>)> {
+/// What a scene answers at a value of the controlled quantity.
+struct States {
+    /// The first fold: the critical state of a power law.
+    fold: State,
+    /// Every equilibrium, by increasing radius; proved to be all.
+    all: Vec<(State, Stability)>,
+}
+
+fn states(contact: &Contact, at: &Literal) -> Result<States> {
     let answer = contact.answer([contact.all_folds(), Want::Equilibria { at: vec![at.clone()] }])?;
     let (folds, list) = answer.folds().zip(answer.equilibria()).ok_or(Failure::Missing("equilibria"))?;
     let decided = |status| matches!(status, Outcome::Ok | Outcome::NoEquilibrium);
     if !list.items.iter().all(|item| decided(item.status)) || list.complete.as_ref().is_none_or(|all| !all.proved) {
         return Err(Failure::Missing("proof that these are all equilibria"));
     }
-    let fold = folds.items.first().map(|fold| {
-        let [a, d, f] = [&fold.contact_radius, &fold.indentation, &fold.force].map(decimal);
-        Ok::<_, Failure>([a?, d?, f?])
-    });
+    let fold = folds.items.first().map(|fold| decimals([&fold.contact_radius, &fold.indentation, &fold.force]));
     let certified = |state: &Equilibrium| {
-        let [a, d, f] = [&state.contact_radius, &state.indentation, &state.force].map(decimal);
-        Ok::<_, Failure>(([a?, d?, f?], state.stability))
+        let values = decimals([&state.contact_radius, &state.indentation, &state.force]);
+        Ok::<_, Failure>((values?, state.stability))
     };
     let states = list.items.iter().flat_map(|item| &item.items).map(certified);
-    Ok((fold.transpose()?, states.collect::<Result<_>>()?))
+    Ok(States { fold: fold.ok_or(Failure::Missing("fold"))??, all: states.collect::<Result<_>>()? })
 }
 
 /// The relative distance of a value to the critical one.

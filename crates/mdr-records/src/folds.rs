@@ -9,7 +9,7 @@ use crate::builder::RecordBuilder;
 use crate::cases::Case;
 use crate::contact::Contact;
 use crate::sensitivity::{Conditions, constant, implicit, on_curve};
-use crate::{Failure, Result, confirm, decimal, float};
+use crate::{Failure, Result, confirm, decimals, float};
 
 /// A fold that both methods have.
 struct Fold {
@@ -67,8 +67,7 @@ fn folds(contact: &Contact) -> Result<Vec<Fold>> {
     let folds = answer.folds().ok_or(Failure::Missing("fold"))?;
     let is_complete = folds.complete.as_ref().is_some_and(|complete| complete.proved);
     let certified = |fold: &mdr::answer::Fold| {
-        let [a, d, f] = [&fold.contact_radius, &fold.indentation, &fold.force].map(decimal);
-        let values = [a?, d?, f?];
+        let values = decimals([&fold.contact_radius, &fold.indentation, &fold.force])?;
         let conditions = conditions(contact, &values)?;
         confirm::fold(contact, &values, &conditions)?;
         let ctx = confirm::precision(&[]);

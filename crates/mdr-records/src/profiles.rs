@@ -18,7 +18,7 @@ use crate::builder::{RecordBuilder, STATE};
 use crate::cases::Case;
 use crate::contact::Contact;
 use crate::sensitivity::{Conditions, on_curve};
-use crate::{Failure, Result, confirm, decimal, float};
+use crate::{Failure, Result, confirm, decimals, float};
 
 /// g at a radius as the scene answers it.
 pub(crate) fn sample(contact: &Contact, x: &Literal) -> Result<TransformSample> {
@@ -29,8 +29,7 @@ pub(crate) fn sample(contact: &Contact, x: &Literal) -> Result<TransformSample> 
 /// g, g' and ∫g with their conditions.
 fn certified(contact: &Contact, x: &Literal) -> Result<([Decimal; 3], [Conditions; 3])> {
     let sample = sample(contact, x)?;
-    let [g, slope, integral] = [&sample.g, &sample.slope, &sample.integral].map(decimal);
-    let values = [g?, slope?, integral?];
+    let values = decimals([&sample.g, &sample.slope, &sample.integral])?;
     let conditions = on_curve(contact, Some(("x", x)), |curve, x| {
         let transform = curve.transform();
         Ok([transform.g(x)?, transform.slope(x)?, transform.integral(x)?])
@@ -75,7 +74,7 @@ pub(crate) fn state(case: &Case) -> Result<Vec<Record>> {
     if point.admissible != Some(Admission::Admissible) || !is_open(contact, &a)? {
         return Err(Failure::Missing("admissible state"));
     }
-    let values = [decimal(&point.indentation)?, decimal(&point.force)?];
+    let values = decimals([&point.indentation, &point.force])?;
     let conditions = on_curve(contact, Some(("a", &a)), |curve, a| curve.state(a).map(<[_; 2]>::from))?;
     let ctx = confirm::precision(&[]);
     let agrees = contact.float(ctx)?.integrated(|curve| {
@@ -117,7 +116,7 @@ pub(crate) fn pull_off(case: &Case) -> Result<Vec<Record>> {
     let contact = &case.contact;
     let answer = contact.answer([contact.all_folds()])?;
     let fold = answer.folds().and_then(|folds| folds.items.first()).ok_or(Failure::Missing("fold"))?;
-    let values = [decimal(&fold.indentation)?, decimal(&fold.force)?];
+    let values = decimals([&fold.indentation, &fold.force])?;
     let conditions = on_curve(contact, None, |curve, _| {
         let state = flat_punch_pull_off(&edge(curve)?, curve.material())?;
         Ok([state.indentation, state.force])

@@ -11,13 +11,13 @@ use crate::builder::RecordBuilder;
 use crate::cases::Case;
 use crate::contact::{Contact, Model};
 use crate::sensitivity::{Conditions, conditions};
-use crate::{Failure, Result, confirm, decimal, float};
+use crate::{Failure, Result, confirm, decimals, float};
 
 /// The threshold of C, and the ratio of C to it.
 pub(crate) fn records(case: &Case) -> Result<Vec<Record>> {
     let contact = &case.contact;
     let known = contact.critical()?.threshold.ok_or(Failure::Missing("threshold"))?;
-    let (value, ratio) = (decimal(&known.c)?, decimal(&known.ratio)?);
+    let [value, ratio] = decimals([&known.c, &known.ratio])?;
     Failure::unless("the threshold", is_tangent(contact, &value)?)?;
     let [of_threshold, of_ratio] = slopes(contact)?;
     // The threshold is one of C, and does not depend on it.

@@ -17,6 +17,10 @@ use super::{parabola, power, spherical, waves};
 /// let cone = Shape::Cone { flank: Flank::Slope(0.5) };
 /// let sum = Heights::new(vec![Shape::Paraboloid { radius: 2.0 }, cone]);
 /// assert_eq!(sum.height(&2.0), 2.0);
+/// let wedge = Heights::new(vec![Shape::Cone { flank: Flank::HalfAngleDegrees(60.0) }]);
+/// assert!((wedge.height(&3f64.sqrt()) - 1.0).abs() < 1e-15, "tan 30°");
+/// let punch = Heights::new(vec![Shape::FlatPunch { radius: 2.0 }]);
+/// assert!(punch.wall() && punch.outer_radius() == Some(2.0) && punch.height(&1.0) == 0.0);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Heights<R> {
