@@ -79,7 +79,8 @@ impl<'a> RecordBuilder<'a> {
         self.state(values, conditions, None).into_iter().filter(move |record| record.quantity != controlled)
     }
 
-    /// The record of a quantity, in its unit, with the conditions of its inputs. Zero needs the size of the terms that cancel.
+    /// The record of a quantity, in its unit, with the conditions of its inputs. Zero needs the size of the terms that
+    /// cancel.
     pub(crate) fn number(
         &self,
         (quantity, unit): (&str, &str),

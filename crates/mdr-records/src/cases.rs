@@ -33,7 +33,8 @@ pub(crate) struct Case {
     pub(crate) flags: Vec<String>,
     /// Whether the records name what is controlled.
     pub(crate) has_control: bool,
-    /// Where it is asked: a radius, a value of the controlled quantity, the number of a fold. Empty where that is no question.
+    /// Where it is asked: a radius, a value of the controlled quantity, the number of a fold. Empty where that is no
+    /// question.
     pub(crate) at: String,
     /// The same for the identifiers.
     pub(crate) label: String,

@@ -38,7 +38,8 @@ pub(crate) fn outside(case: &Case) -> Result<Vec<Record>> {
     Ok(vec![builder.without_number("g", "m", Status::DomainError)])
 }
 
-/// The equilibrium of a displaced paraboloid with a contact radius inside of its ridge: the ridge would lie in the half-space.
+/// The equilibrium of a displaced paraboloid with a contact radius inside of its ridge: the ridge would lie in the
+/// half-space.
 pub(crate) fn interpenetrating(case: &Case) -> Result<Vec<Record>> {
     let (contact, a) = (&case.contact, case.value()?);
     let [(_, radius), (_, offset)] = contact.parameters()[..] else { return Err(Failure::Missing("ridge")) };
@@ -52,8 +53,8 @@ pub(crate) fn interpenetrating(case: &Case) -> Result<Vec<Record>> {
     Ok(vec![without("indentation", "m"), without("force", "N")])
 }
 
-/// Whether the gap at the ridge is certainly negative: at r it is (2/π)∫(g(r cos φ) − d) dφ over 0 < φ < Φ = arccos(a/r), which is
-/// (2/π)[r²(Φ + sin Φ cos Φ)/2R − πbr sin Φ/2R − dΦ], here at r = b.
+/// Whether the gap at the ridge is certainly negative: at r it is (2/π)∫(g(r cos φ) − d) dφ over 0 < φ < Φ =
+/// arccos(a/r), which is (2/π)[r²(Φ + sin Φ cos Φ)/2R − πbr sin Φ/2R − dΦ], here at r = b.
 fn enclosed_gap(contact: &Contact, (radius, offset): (&Literal, &Literal), a: &Literal) -> contact::Result<bool> {
     let ctx = Precision::new(128);
     let [a, b, radius] = [a, offset, radius].map(|literal| Interval::from_literal(ctx, literal));

@@ -22,8 +22,8 @@ struct Jump {
     sign: i64,
 }
 
-/// The energy lost at pull-off, when the contact forms, or needed to pass the barrier; confirmed by the potential energy as an
-/// integral over quadratures.
+/// The energy lost at pull-off, when the contact forms, or needed to pass the barrier; confirmed by the potential
+/// energy as an integral over quadratures.
 pub(crate) fn record(case: &Case) -> Result<Vec<Record>> {
     let contact = &case.contact;
     let zero = Literal::from(0);
@@ -56,7 +56,8 @@ fn exact(text: &str) -> Result<Literal> {
     text.parse().map_err(|error| Failure::Data(format!("{text}: {error}")))
 }
 
-/// What a path loses in its first event that loses energy: −Π after it where the contact `forms`, Π before it where it breaks.
+/// What a path loses in its first event that loses energy: −Π after it where the contact `forms`, Π before it where it
+/// breaks.
 fn lost(contact: &Contact, path: [Literal; 2], start: Start, forms: bool) -> Result<Jump> {
     let answer = contact.scene()?.path(path)?.start(start).want(Want::Path).solve()?;
     let events = answer.path().map(|path| path.events.items.as_slice()).unwrap_or_default();

@@ -102,9 +102,9 @@ pub(crate) fn at_share(case: &Case) -> Result<Vec<Record>> {
         let model = contact.model(|literal| Interval::from_literal(ctx, literal))?;
         let control = model.control.clone();
         let found = model.law()?.equilibria_at_distance(&control, &Interval::from_literal(ctx, &share))?;
-        let state = if case.row.side == "outer" { found.as_slice().last() } else { found.as_slice().first() };
-        let none = Error::NoEquilibrium { quantity: control.quantity(), value: share.to_string() };
-        let state = state.ok_or(none)?;
+        let none = || Error::NoEquilibrium { quantity: control.quantity(), value: share.to_string() };
+        let [inner, outer] = found.as_slice() else { return Err(none()) };
+        let state = if case.row.side == "outer" { outer } else { inner };
         Ok([&state.contact_radius, &state.indentation, &state.force].map(|number| Enclosure::from(number.clone())))
     })?;
     let fold = states(contact, &Literal::from(0))?.fold;

@@ -92,8 +92,8 @@ pub(crate) fn point(contact: &Contact, a: &Literal) -> Result<CurvePoint> {
     answer.curve().and_then(|list| list.items.first()).cloned().ok_or(Failure::Missing("state"))
 }
 
-/// Whether the surfaces are apart outside of the contact, by quadrature in f64: out to twice the radius, or the end of the range.
-/// All profiles of which this is asked are convex beyond it.
+/// Whether the surfaces are apart outside of the contact, by quadrature in f64: out to twice the radius, or the end of
+/// the range. All profiles of which this is asked are convex beyond it.
 fn is_open(contact: &Contact, a: &Literal) -> contact::Result<bool> {
     let model = contact.model(Literal::nearest_f64)?;
     let transform = Arc::new(Quadrature::new(Heights::new(model.terms)));
@@ -110,8 +110,8 @@ fn loads(builder: &RecordBuilder<'_>, values: &[Decimal; 2], conditions: [Condit
     answers.map(|((quantity, value), condition)| builder.number(*quantity, value, condition, None)).collect()
 }
 
-/// d and F at which a flat punch comes off, the fold at its edge; confirmed by the energy balance of Griffith: E*d² = 2πbw and
-/// F = 2E*bd.
+/// d and F at which a flat punch comes off, the fold at its edge; confirmed by the energy balance of Griffith: E*d² =
+/// 2πbw and F = 2E*bd.
 pub(crate) fn pull_off(case: &Case) -> Result<Vec<Record>> {
     let contact = &case.contact;
     let answer = contact.answer([contact.all_folds()])?;
@@ -131,8 +131,8 @@ fn edge<R: Real>(curve: &Curve<'_, R>) -> contact::Result<R> {
     curve.wall().ok_or(Error::Domain { quantity, value: String::new(), requirement })
 }
 
-/// The energy E*bd² of the punch held at d, given to its rim: its derivative with respect to b is 2πbw, that with respect to d
-/// is F.
+/// The energy E*bd² of the punch held at d, given to its rim: its derivative with respect to b is 2πbw, that with
+/// respect to d is F.
 fn is_balanced(contact: &Contact, values: &[Decimal; 2]) -> contact::Result<bool> {
     let ctx = confirm::precision(&[]);
     let [d, f] = values.each_ref().map(|value| float(ctx, value));

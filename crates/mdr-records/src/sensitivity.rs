@@ -21,7 +21,8 @@ pub(crate) fn largest(conditions: &[Conditions]) -> f64 {
     conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b))
 }
 
-/// The conditions of what `quantities` computes of a contact, with respect to its inputs and to a number that is given with it.
+/// The conditions of what `quantities` computes of a contact, with respect to its inputs and to a number that is given
+/// with it.
 pub(crate) fn conditions<R: Real<Ctx = Precision>, const K: usize>(
     contact: &Contact,
     given: Option<(&'static str, &Literal)>,
@@ -60,8 +61,8 @@ pub(crate) fn constant(decimal: &Decimal) -> Seeded {
     Dual::constant(Interval::point(float(Precision::new(BITS), decimal)))
 }
 
-/// The radius at which a residual stays zero while an input changes, by the implicit function theorem. Both derivatives are with
-/// respect to logarithms, so that their difference keeps its digits at any scale.
+/// The radius at which a residual stays zero while an input changes, by the implicit function theorem. Both derivatives
+/// are with respect to logarithms, so that their difference keeps its digits at any scale.
 pub(crate) fn implicit(a: &Seeded, residual: impl Fn(&Seeded) -> Result<Seeded>) -> Result<Seeded> {
     let along = residual(a)?.slope;
     let total = residual(&Dual { value: a.value.clone(), slope: a.value.clone() })?.slope;
