@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
-use mdr_crosscheck::records::generate;
+use mdr_records::generate;
 
 /// As `mdr reference --generate` does it: the whole set costs some thirty seconds of one processor.
 #[test]
