@@ -121,5 +121,5 @@ impl Kappa for mdr_core::number::Interval {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mp"))]
 mod tests;
