@@ -1,5 +1,7 @@
 //! The grammar of formulas: precedence, associativity and the column of an error.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::collections::BTreeMap;
 
 use mdr_core::contact::{Expression, Profile};

@@ -166,7 +166,7 @@ fn logarithms_of_any_size() {
             })
             .unwrap();
             assert!(decimal.is_negative());
-            assert_eq!((decimal.digits(), decimal.exponent()), ("250000000000", &decades));
+            assert_eq!((decimal.digits(), decimal.exponent()), ("250000000000", decades));
             assert!(f64::from(largest) > f64::from(zeros) * 3.32 + 36.0, "{largest} bits cannot decide it");
         }
     }

@@ -1,4 +1,4 @@
-//! How often a transform is asked: what a method costs, whatever machine it runs on.
+//! Counts of the evaluations of a transform: the cost of a method, independent of the machine it runs on.
 
 use std::ops::Sub;
 use std::sync::Arc;
@@ -14,18 +14,18 @@ pub struct Evaluations {
     pub g: u64,
     /// Of g'.
     pub slope: u64,
-    /// Of the integral of g, of its mean, and of g less its mean.
+    /// Of the integral of g, of its mean, and of g minus its mean.
     pub integral: u64,
 }
 
 impl Evaluations {
-    /// All together.
+    /// The sum of all three.
     pub fn total(self) -> u64 {
         self.g + self.slope + self.integral
     }
 }
 
-/// What was spent since an earlier reading.
+/// The evaluations since an earlier reading.
 impl Sub for Evaluations {
     type Output = Self;
 
@@ -46,7 +46,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// A count of what may be stopped: once `stop` is true every evaluation is [`Error::Stopped`], which ends any loop.
+    /// A count with a stop flag: once `stop` is true every evaluation returns [`Error::Stopped`], which ends any loop.
     pub fn until(stop: &Arc<AtomicBool>) -> Self {
         Tally { counts: Default::default(), stop: Arc::clone(stop) }
     }
@@ -58,7 +58,7 @@ impl Tally {
     }
 }
 
-/// A transform that counts how often it is asked; its answers are those of the transform inside.
+/// A transform that counts its evaluations and otherwise forwards every call to the transform inside.
 ///
 /// ```
 /// use mdr_core::contact::{CountedTransform, Evaluations, Result, Transform};
@@ -91,7 +91,7 @@ impl<R: Real> CountedTransform<R> {
         CountedTransform { inner, tally: Arc::clone(tally) }
     }
 
-    /// The evaluations so far, of all that share the count.
+    /// The evaluations so far, of all transforms that share the count.
     pub fn evaluations(&self) -> Evaluations {
         self.tally.read()
     }

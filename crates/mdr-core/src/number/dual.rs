@@ -9,8 +9,7 @@ use super::{Lift, Literal, Real, Special};
 
 /// A value together with its derivative with respect to one variable, over any [`Real`].
 ///
-/// Nest it for higher derivatives. Comparisons look at the value alone, so a branch in a formula never depends on the
-/// derivative.
+/// Nest it for higher derivatives. Comparisons use the value alone, so control flow never depends on the derivative.
 ///
 /// ```
 /// use mdr_core::number::{Dual, Real};
@@ -116,7 +115,7 @@ impl<R: Real> DivAssign<&Self> for Dual<R> {
     }
 }
 
-/// The four operators in the two forms that `Real` asks for, from the assigning ones.
+/// The four operators in the two forms that `Real` requires, from the assigning ones.
 macro_rules! operators {
     ($($operator:ident $method:ident $assign:ident),*) => {$(
         impl<R: Real> $operator<&Self> for Dual<R> {
@@ -179,7 +178,7 @@ impl<R: Real> Real for Dual<R> {
         } else if self.value >= zero {
             self.clone()
         } else {
-            // An interval across the kink: the sign of the slope is not known.
+            // The interval contains the kink, so the sign of the slope is unknown.
             let value = self.value.abs();
             let sign = self.value.clone() / &value;
             self.chain(value, sign)
@@ -207,8 +206,8 @@ impl<R: Real> Real for Dual<R> {
         self.chain(self.value.ln_1p(), (self.value.lit(1) + &self.value).inv())
     }
     fn pow(&self, exponent: &Self) -> Self {
-        // d(x^y) = x^y (y dx/x + ln x dy): one power, and no x^(y−1) that could leave the range, unless x^y is below it. The
-        // second term only where y varies.
+        // d(x^y) = x^y (y dx/x + ln x dy): one power, and no x^(y−1) that could leave the range unless x^y does. The
+        // second term is evaluated only where y varies.
         let value = self.value.pow(&exponent.value);
         let vanishes = (value.unit_roundoff() * &value).steer() == value.lit(0);
         let mut slope = if vanishes {
@@ -239,21 +238,21 @@ impl<R: Real> Real for Dual<R> {
     fn is_finite(&self) -> bool {
         self.value.is_finite() && self.slope.is_finite()
     }
-    /// A bound on an error bounds no derivative: over intervals a number with a slope keeps none that is finite.
+    /// A bound on the error does not bound the derivative: over intervals a nonzero slope becomes unbounded.
     fn inflate(self, bound: &Self) -> Self {
         let unknown = bound.value.lit(1).over(0);
         Dual { value: self.value.inflate(&bound.value), slope: self.slope.inflate(&unknown) }
     }
-    /// Of two derivatives the first is kept; nothing is known of the second.
+    /// The first derivative is kept; nothing is known of the second.
     fn inflate_with_slope(self, bound: &Self) -> Self {
         Dual { value: self.value.inflate_with_slope(&bound.value), slope: self.slope.inflate(&bound.slope) }
     }
-    /// Where the order is not certain, and where the two are equal, with a slope that may be either.
+    /// If the order is not certain, or the two are equal, the slope is an enclosure of both.
     fn greater(&self, other: &Self) -> Self {
         match self.value.partial_cmp(&other.value) {
             Some(Ordering::Less) => other.clone(),
             Some(Ordering::Greater) => self.clone(),
-            // Across the kink the slope has no derivative.
+            // The slope is discontinuous at the kink and has no derivative.
             _ => {
                 let slope = self.slope.either(&other.slope).inflate(&self.value.lit(0));
                 Dual { value: self.value.greater(&other.value), slope }

@@ -1,4 +1,4 @@
-//! Inputs as they were written: exact decimals and fractions.
+//! Exact decimals and fractions, as the user writes them.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -11,8 +11,8 @@ const LIMIT: i64 = 100_000;
 
 /// An exact rational number as a user writes it: `0.3`, `-1.5e-12`, or a fraction of two integers `1/3`.
 ///
-/// It means the same in every arithmetic: exactly this rational where the arithmetic can hold it, else the nearest
-/// number or the tightest enclosure. Text that is not a finite number is refused with the reason.
+/// Its value is the same in every arithmetic: exactly this rational where the arithmetic can represent it, else the
+/// nearest number or the tightest enclosure. Text that is not a finite number is rejected with the reason.
 ///
 /// ```
 /// use mdr_core::number::Literal;
@@ -44,7 +44,7 @@ pub enum LiteralError {
     /// An infinity or a NaN was written.
     #[error("not finite: expected a decimal such as 0.25 or 1e-9")]
     NotFinite,
-    /// More digits or a larger exponent than is useful.
+    /// More digits or a larger exponent than the limit.
     #[error("too large to be meant: at most {LIMIT} digits and a decimal exponent within ±{LIMIT}")]
     TooLarge,
     /// A fraction over zero.
@@ -142,15 +142,15 @@ impl Literal {
         Some(if self.negative { -magnitude } else { magnitude })
     }
 
-    /// The nearest double; ±∞ or ±0 where the range of `f64` ends. A fraction of integers beyond 2⁵³ may be two ulp off
-    /// without the feature `mp`.
+    /// The nearest double; ±∞ or ±0 beyond the range of `f64`. Without the feature `mp` a fraction of integers above
+    /// 2⁵³ may be two ulp off.
     pub fn nearest_f64(&self) -> f64 {
         #[cfg(feature = "mp")]
         if self.denominator != "1" {
             return self.to_rational().to_f64_nearest();
         }
         let part = |digits: &str, exponent: i64| -> f64 {
-            // `digits` is not empty here or stands for zero; the grammar was checked on the way in.
+            // `digits` is empty for zero, hence the leading 0; the grammar was checked by the parser.
             format!("0{digits}e{exponent}").parse().unwrap_or(f64::NAN)
         };
         let magnitude = if self.digits.len().max(self.denominator.len()) <= 300 {
@@ -158,7 +158,7 @@ impl Literal {
         } else if self.denominator == "1" {
             part(&self.digits, self.exponent)
         } else {
-            // As 0.digits, which cannot leave the range; the shift of the decimal point comes last.
+            // As 0.digits, which cannot leave the range; the decimal point is shifted last.
             let quotient = part(&format!(".{}", self.digits), 0) / part(&format!(".{}", self.denominator), 0);
             let shift = self.digits.len() as i64 - self.denominator.len() as i64;
             if shift == 0 { quotient } else { format!("{quotient:?}e{shift}").parse().unwrap_or(f64::NAN) }
@@ -166,7 +166,7 @@ impl Literal {
         if self.negative { -magnitude } else { magnitude }
     }
 
-    /// The exact order of the two values, however they are written; no rounding, and no GMP.
+    /// The exact order of the two values, independent of their notation; no rounding, no GMP.
     ///
     /// ```
     /// use std::cmp::Ordering;
@@ -201,7 +201,7 @@ impl Literal {
         }
     }
 
-    /// |self| against |other|, neither of them zero: the fractions are brought to one denominator.
+    /// |self| against |other|, both nonzero, as fractions over a common denominator.
     fn compare_magnitude(&self, other: &Self) -> Ordering {
         let [one, two] = [(self, other), (other, self)].map(|(this, that)| {
             let digits = product(&this.digits, &that.denominator);
@@ -265,13 +265,14 @@ trait NearestF64 {
 #[cfg(feature = "mp")]
 impl NearestF64 for rug::Rational {
     fn to_f64_nearest(&self) -> f64 {
-        // 53 bits round correctly except where f64 is subnormal; there the sticky bits of a long float decide.
+        // Rounding to 53 bits is correct unless the double is subnormal; there the sticky bits of a longer float
+        // decide.
         let direct = rug::Float::with_val(f64::MANTISSA_DIGITS, self).to_f64();
         if direct.is_normal() { direct } else { rug::Float::with_val(4096, self).to_f64() }
     }
 }
 
-/// As it was written.
+/// In its original notation.
 impl fmt::Display for Literal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
@@ -287,7 +288,7 @@ impl From<i64> for Literal {
     }
 }
 
-/// The shortest decimal that reads back as a finite double: 0.1 is 1/10 here, and not the double next to it.
+/// The shortest decimal that reads back as a finite double: 0.1 becomes 1/10, not the double nearest to it.
 impl TryFrom<f64> for Literal {
     type Error = LiteralError;
 

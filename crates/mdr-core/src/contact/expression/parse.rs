@@ -5,7 +5,7 @@ use std::str::FromStr;
 use super::{Constant, EXTREMES, Expression, ExpressionError, Function, Node, Operator};
 use crate::number::Literal;
 
-/// Nesting deeper than this, and longer formulas, are refused rather than risked on the stack.
+/// Deeper nesting, and longer formulas, are rejected to protect the stack.
 const DEEPEST: usize = 200;
 const LONGEST: usize = 2000;
 
@@ -74,7 +74,7 @@ fn tokens(formula: &str) -> Result<Vec<(Token, usize)>, ExpressionError> {
     Ok(tokens)
 }
 
-/// Where the decimal that starts at `at` ends; an exponent belongs to it only when digits follow.
+/// The end of the decimal that starts at `at`; an exponent belongs to it only when digits follow.
 fn end_of_number(text: &[char], mut at: usize) -> usize {
     let digits = |from: usize| text[from..].iter().take_while(|c| c.is_ascii_digit()).count();
     while at < text.len() && (text[at].is_ascii_digit() || text[at] == '.') {
@@ -208,7 +208,7 @@ impl Parser {
         }
     }
 
-    /// ( sum , sum { , sum } ), of which the least or the greatest is taken.
+    /// ( sum , sum { , sum } ): the least or the greatest of them.
     fn extreme(&mut self, name: &str, operator: Operator) -> Parsed {
         let opened = self.column();
         self.next += 1;
@@ -236,7 +236,7 @@ impl Parser {
     }
 }
 
-/// A function of an argument. √x² is |x|, whose derivatives are known to the last digit up to the kink.
+/// A function of an argument. √x² becomes |x|, whose derivatives are exact up to the kink.
 fn function_of(function: Function, argument: Node<Constant>) -> Node<Constant> {
     match (function, argument) {
         (Function::Sqrt, Node::Power(x, n)) if n % 2 == 0 => {
@@ -247,7 +247,7 @@ fn function_of(function: Function, argument: Node<Constant>) -> Node<Constant> {
     }
 }
 
-/// The message for a function that there is not.
+/// The message for an unknown function.
 fn unknown_function(name: &str) -> String {
     let known: Vec<&str> =
         Function::ALL.iter().map(|(known, _)| *known).chain(EXTREMES.map(|(known, _)| known)).collect();

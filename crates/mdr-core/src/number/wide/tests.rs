@@ -9,7 +9,7 @@ use crate::number::Real;
 
 const BITS: u32 = 700;
 
-/// The bounds themselves are rounded doubles, as `nearest_f64` knows.
+/// The bounds are rounded doubles, as `nearest_f64` assumes.
 const SLACK: f64 = 1.0 + 1024.0 * f64::EPSILON;
 
 fn float(value: f64) -> Float {
@@ -68,7 +68,7 @@ impl Arbitrary for Sample {
     }
 }
 
-/// An inexact number and a truth at the edge of its error.
+/// An inexact number and a true value at the limit of its error.
 fn uncertain<const N: usize>(sample: Sample, error: u16) -> (Wide<N>, Float) {
     let x = Wide::<N>::from_double(sample.0).widened(f64::from(error));
     let shift = Float::with_val(BITS, error) >> (64 * N as u32);
@@ -200,7 +200,7 @@ fn edges_of_the_range_of_f64() {
     assert_eq!(w(f64::MIN_POSITIVE).nearest_f64(), Some(f64::MIN_POSITIVE));
     let beyond = w(10.0).powi(100_000);
     assert!((beyond.log10() - 1e5).abs() < 1e-9);
-    // A bound too wide for the promise is no promise.
+    // A bound wider than the guarantee gives no result.
     assert_eq!(Wide::<1>::from_double(1.5).widened(4096.0).nearest_f64(), None);
 }
 
