@@ -33,8 +33,9 @@
 //!
 //! # Accuracy and errors
 //! Elementary functions of `f64` are within 1 ulp, of `rug::Float` correctly rounded; an `Interval` contains the exact
-//! result. Quadrature and root finding return an error estimate and the number of evaluations. Arithmetic is total, as in
-//! IEEE 754; functions that check their input return [`contact::Error`] with the quantity, its value and the requirement.
+//! result. Quadrature and root finding return an error estimate and the number of evaluations. Arithmetic is total, as
+//! in IEEE 754; functions that check their input return [`contact::Error`] with the quantity, its value and the
+//! requirement.
 
 #![forbid(unsafe_code)]
 
