@@ -1,7 +1,7 @@
-//! Profiles as heights f(r), and nothing but heights: what the quadrature starts from.
+//! Profiles as heights f(r), the input of the quadrature.
 //!
-//! Every height is written without cancellation near the tip and with ratios of lengths only, so that it keeps its digits
-//! at any scale.
+//! Every height is written without cancellation near the tip and with ratios of lengths only, so that it is accurate at
+//! any scale.
 
 use mdr_core::contact::{Error, Profile, Quantity, Result};
 use mdr_core::number::{Lift, Real};
@@ -138,7 +138,7 @@ impl<R: Real> Profile<R> for Sphere<R> {
     }
 }
 
-/// f = 0 up to a vertical flank at r = b: the flat punch.
+/// f = 0 up to a vertical edge at r = b: the flat punch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlatPunch<R> {
     radius: R,
@@ -227,7 +227,7 @@ impl<R: Real> WavyParaboloid<R> {
 
 impl<R: Real> Profile<R> for WavyParaboloid<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
-        // 1 − cos kr = 2 sin²(kr/2) keeps its digits near the tip.
+        // 1 − cos kr = 2 sin²(kr/2) is accurate near the tip.
         let half_phase = r.clone() / S::lift(&self.wavelength) * r.pi();
         parabola(r, &self.radius) + (half_phase.sin().square() * S::lift(&self.amplitude)).times(2)
     }
@@ -241,7 +241,7 @@ fn radius_of_curvature<R: Real>(radius: R) -> Result<R> {
     Error::require_positive(Quantity::Parameter("the radius of curvature"), radius)
 }
 
-/// r²/2R, through the ratio r/R.
+/// r²/2R, by the ratio r/R.
 fn parabola<R: Real, S: Lift<R>>(r: &S, radius: &R) -> S {
     (r.clone() / S::lift(radius) * r).over(2)
 }
