@@ -1,9 +1,10 @@
-//! Hexadecimal numbers as C writes them with `%a`: doubles are written so, and numbers of any precision are read exactly.
+//! Hexadecimal numbers in the `%a` format of C: doubles are written in it, and numbers of any precision are read
+//! exactly.
 
 use crate::decimal::{DecimalError, whole};
 
-/// The largest binary exponent, of the first bit and of the last: quadruple precision has up to 16494, and writing out all
-/// decimal digits costs the square of it.
+/// The largest binary exponent, of the first bit and of the last: quadruple precision has up to 16494, and the cost of
+/// all decimal digits grows as its square.
 const LARGEST: i64 = 17_000;
 
 /// ±0x1.hhhp±d without trailing zeros.
@@ -93,7 +94,7 @@ mod tests {
             prop_assert_eq!(Some(number(&write(value))), Decimal::from_double(value));
         }
 
-        /// Twice 2ᵏm is 2ᵏ⁺¹m, far beyond the range of doubles, and the point may stand anywhere.
+        /// Twice 2ᵏm is 2ᵏ⁺¹m, far beyond the range of doubles, with the point at any position.
         #[test]
         fn doubling_adds_one_to_the_exponent(m in 1_u128.., k in -9_000_i64..9_000) {
             let once = number(&format!("0x{m:x}p{k}"));
