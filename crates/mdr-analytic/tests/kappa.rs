@@ -3,7 +3,7 @@
 use mdr_analytic::Kappa;
 use mdr_core::number::{Dual, Real};
 
-/// n from 10⁻³⁰⁰ to 10³⁰⁰, dense where one expansion hands over to the other.
+/// n from 10⁻³⁰⁰ to 10³⁰⁰, dense where the expansion changes.
 fn exponents() -> impl Iterator<Item = f64> {
     let decades = (-300..=300).step_by(25).map(|e| 10f64.powi(e));
     let dense = (1..400).map(|k| f64::from(k) * 0.25);
@@ -74,7 +74,7 @@ mod mp {
         ratio * wide.pi().sqrt()
     }
 
-    /// Fractions whose numbers end where words do are left to the expansions for any n.
+    /// Fractions with numbers close to the word size use the expansions for any n.
     #[test]
     fn no_fraction_is_too_long() {
         for bits in [31_u32, 32, 57, 61, 62, 63, 64] {
@@ -89,8 +89,8 @@ mod mp {
         }
     }
 
-    /// Where doubles overflow, underflow, or come close to it, an enclosure at p bits contains what one at 2p bits does, is as
-    /// tight as everywhere, and κ_n κ_{n+1} = π(n+1)/2.
+    /// Where doubles overflow, underflow, or come close to it, an enclosure at p bits overlaps one at 2p bits, is as
+    /// tight as elsewhere, and κ_n κ_{n+1} = π(n+1)/2.
     #[test]
     fn no_exponent_is_out_of_range() {
         let powers = (-300..=300).step_by(25).chain([76, 77, 80, 154, 308, 309, -330, 1000, -1000, 20_000]);
@@ -151,7 +151,7 @@ mod mp {
         {
             for bits in [20, 53, 200, 700] {
                 let n = rug::Rational::from((numerator, denominator));
-                // The reference carries 200 bits more and is wrong by less than 2^-100 of an ulp.
+                // The reference has 200 bits more and an error below 2^-100 of an ulp.
                 let exact = Interval::point(kappa_by_gamma(&Float::with_val(bits + 200, &n)));
                 let exact = exact.clone().inflate(&(exact.unit_roundoff() * exact.lit(2).powi(100)));
                 for kappa in [
@@ -179,7 +179,7 @@ mod mp {
         assert!(kappa.accuracy_bits() >= i64::from(bits) - 2, "{what}, {bits} bits: {kappa}");
     }
 
-    /// n short and long, tiny and huge, even (the series ends), and where one expansion hands over to another.
+    /// n short and long, very small and very large, even (the series ends), and where the expansion changes.
     #[test]
     fn enclosures_contain_kappa_at_any_precision() {
         use rand::{RngExt, SeedableRng};
@@ -204,7 +204,7 @@ mod mp {
         }
     }
 
-    /// s < 4κ_n²/π < s + 1/2s with s = 2n + 1, which here is as good as 1000 bits.
+    /// s < 4κ_n²/π < s + 1/2s with s = 2n + 1, which is accurate to 1000 bits here.
     #[test]
     fn huge_exponents_are_enclosed() {
         for bits in [2, 53, 400] {
@@ -218,7 +218,7 @@ mod mp {
         }
     }
 
-    /// A factor taken for another must not go unnoticed: the fraction for a neighbouring n is outside.
+    /// A wrong factor must be detected: κ of a neighbouring n is outside the enclosure.
     #[test]
     fn the_next_number_is_not_enclosed() {
         for n in [0.3, 1.7, 30.0] {

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use mdr_core::contact::{CountedTransform, Error, Evaluations, Kink, Quantity, Result, Tally, Transform};
 
-/// Answers every question differently, and none as the trait does by itself.
+/// Returns a different value from every method, none of them the default of the trait.
 struct Peculiar;
 
 impl Transform<f64> for Peculiar {

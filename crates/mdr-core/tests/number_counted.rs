@@ -83,7 +83,7 @@ fn beyond_the_exponents_nothing_is_known() {
     }
 }
 
-/// Whatever follows: roots halve a count, a factor adds one to it, and a product brings a value back into range.
+/// In any combination: roots halve a count, a factor adds one to it, and a product brings a value back into range.
 #[test]
 fn what_is_unknown_stays_unknown() {
     let precision = Precision::new(100);

@@ -1,4 +1,4 @@
-//! Exact decimal inputs: what is read, refused, ordered and rounded.
+//! Exact decimal inputs: parsing, rejection, order and rounding.
 
 use std::cmp::Ordering;
 
@@ -52,7 +52,7 @@ fn fractions() {
     assert_eq!((value("0/7"), value(&format!("1{zeros}/7")), value(&format!("7/1{zeros}"))), (0.0, f64::INFINITY, 0.0));
 }
 
-/// The order of the texts is that of the rationals, also where no double tells them apart.
+/// The order of the texts is that of the rationals, also where doubles do not distinguish them.
 #[test]
 fn order() {
     let sorted = [
