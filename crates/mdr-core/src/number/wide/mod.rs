@@ -9,8 +9,6 @@ mod real;
 mod root;
 mod round;
 mod tables;
-#[cfg(all(test, feature = "mp"))]
-mod tests;
 
 /// A number of 64·N bits together with a bound on its relative error: ball arithmetic in a few machine words.
 ///
