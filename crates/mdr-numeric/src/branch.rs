@@ -206,7 +206,7 @@ pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> R
 
 /// The error for an equilibrium outside the searched range of contact radii.
 pub(crate) fn beyond_reach<R: Real>(control: &Control<R>, like: &R) -> Error {
-    let what = "where beyond the radii that were looked at the equilibrium lies";
+    let what = "the equilibrium lies outside the searched range of contact radii";
     Error::Undecided { quantity: control.quantity(), bits: like.precision(), what }
 }
 
