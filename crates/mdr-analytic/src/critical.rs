@@ -123,7 +123,7 @@ impl<R: Real> Contact<R> {
     }
 
     /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a). `ln_radius` is evaluated
-    /// only if a is too inaccurate.
+    /// only if a is out of range or subnormal, or d or F is out of range.
     #[inline(always)]
     pub(crate) fn tangent_state(&self, a: R, tension: &Tension<R>, ln_radius: impl Fn() -> R) -> Result<Critical<R>> {
         let (d_factor, f_factor) = self.tangent_factors(tension);

@@ -1,6 +1,6 @@
 //! Critical states as products of powers, with counted roundings.
 //!
-//! With B = πw/2E* and the tension λ (1 under fixed grips, 3 under a dead load)
+//! With B = πw/2E* and the critical ratio λ (1 under fixed grips, 3 under a dead load)
 //!
 //! √a = (λ√B/(nκ_nC))^{1/(2n−1)},  |d| = |(λ−2n)/n| √B √a,  |F| = |2(λ−2(n+1))/(n+1)| E* √B √a a.
 //!

@@ -45,8 +45,8 @@ enum Terms<R> {
 /// Below this τ the series at the fold is accurate to all digits of a double.
 const TINY: f64 = 1e-20;
 
-/// A slight offset of the guess, so that with few words the last step is a number and not noise; beyond [`FAR`] it
-/// would be too large for the radius, which is proportional to e^v.
+/// A slight offset of the guess, so that with few words the last step is a number and not noise; beyond
+/// [`OFFSET_LIMIT`] it would change the radius, which depends on e^v, too much.
 const OFFSET: f64 = 1.0 + 1.0 / (1_u64 << 36) as f64;
 const OFFSET_LIMIT: f64 = 4096.0;
 

@@ -49,7 +49,7 @@ fn means_agree_with_the_continued_fraction() {
     }
 }
 
-/// What is kept from earlier calls, of whatever precision, does not show.
+/// The result is independent of the numbers cached by earlier calls at any precision.
 #[test]
 fn a_mean_that_was_kept_is_that_of_a_first_call() {
     for n in [(1, 2), (3, 2), (1, 3), (2, 3), (7, 4), (13, 3)].map(rug::Rational::from) {
@@ -61,8 +61,7 @@ fn a_mean_that_was_kept_is_that_of_a_first_call() {
     }
 }
 
-/// Cut short, an expansion is as wrong as its remainder says: the enclosure holds, and is not much wider than the
-/// error is.
+/// A truncated expansion is enclosed by its remainder, which is not much larger than the error.
 #[test]
 fn remainders_are_bounds_and_not_generous() {
     for (numerator, denominator) in [(1, 3), (1, 2), (3, 2), (7, 1), (41, 4)] {

@@ -264,7 +264,7 @@ struct Panel<'a, R> {
     width: R,
 }
 
-/// The terms of one level on one side, Σ|terms|, and a bound of what is cut off at the end of the exponent range.
+/// The terms of one level on one side, Σ|terms|, and an estimate of the terms cut off at the end of the exponent range.
 struct Walk<R> {
     terms: Vec<R>,
     magnitude: R,

@@ -17,7 +17,7 @@ pub enum Control<R> {
     },
 }
 
-/// What is controlled, without the stiffness of a machine.
+/// The kind of controlled quantity, without the stiffness of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ControlKind {
     /// The indentation depth d: fixed grips.
@@ -52,7 +52,7 @@ impl ControlKind {
 }
 
 impl<N> Control<N> {
-    /// What is controlled.
+    /// The kind of controlled quantity.
     pub fn kind(&self) -> ControlKind {
         match self {
             Control::Indentation => ControlKind::Indentation,

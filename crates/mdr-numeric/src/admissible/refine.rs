@@ -148,7 +148,7 @@ impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
     }
 
     /// The radius of the narrowest gap of states: Newton's iteration for h' = 0, with h'' in double precision,
-    /// alternating with `advance`, which moves the state (a, d) and returns the relative size of its step.
+    /// alternating with `advance`, which returns the next state (a, d), if the state changes at all.
     fn settle(
         &self,
         mut state: [R; 2],
