@@ -227,7 +227,7 @@ impl<R: Real> WavyParaboloid<R> {
 
 impl<R: Real> Profile<R> for WavyParaboloid<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
-        // 1 − cos kr = 2 sin²(kr/2) is accurate near the tip.
+        // 1 − cos kr = 2 sin²(kr/2) keeps its digits near the tip.
         let half_phase = r.clone() / S::lift(&self.wavelength) * r.pi();
         parabola(r, &self.radius) + (half_phase.sin().square() * S::lift(&self.amplitude)).times(2)
     }
