@@ -1,7 +1,7 @@
-//! Profiles as heights f(r), and nothing but heights: what the quadrature starts from.
+//! Profiles as heights f(r), the input of the quadrature.
 //!
-//! Every height is written without cancellation near the tip and with ratios of lengths only, so that it keeps its digits
-//! at any scale.
+//! Every height is written without cancellation near the tip and with ratios of lengths only, so that it is accurate at
+//! any scale.
 
 mod heights;
 
@@ -129,7 +129,7 @@ impl<R: Real> Profile<R> for Sphere<R> {
     }
 }
 
-/// f = 0 up to a vertical flank at r = b: the flat punch.
+/// f = 0 up to a vertical edge at r = b: the flat punch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlatPunch<R> {
     radius: R,
@@ -230,7 +230,7 @@ fn radius_of_curvature<R: Real>(radius: R) -> Result<R> {
     Error::require_positive(Quantity::Parameter("the radius of curvature"), radius)
 }
 
-/// r²/2R, through the ratio r/R.
+/// r²/2R, by the ratio r/R.
 fn parabola<R: Real, S: Lift<R>>(r: &S, radius: &R) -> S {
     (r.clone() / S::lift(radius) * r).over(2)
 }

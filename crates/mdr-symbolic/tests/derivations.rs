@@ -1,4 +1,4 @@
-//! Every derivation holds, and no statement survives a mistake.
+//! Every derivation is correct, and no statement remains provable after a mutation.
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
@@ -25,7 +25,7 @@ fn normal_forms_say_what_each_step_claims() {
     }
 }
 
-/// No mutant is proved, nearly all are refuted by normal forms, and only what is refuted or cited has none.
+/// No mutant is proved, nearly all are refuted by normal forms, and only refuted or cited statements have none.
 #[test]
 fn no_mutant_is_proved() {
     let (mut refuted, mut undecided) = (0, 0);
@@ -50,7 +50,7 @@ fn no_mutant_is_proved() {
     assert!(refuted > 1900 && undecided < refuted / 5, "{refuted} refuted, {undecided} undecided");
 }
 
-/// Each step has what its claim needs, and an entry claims no more than its steps show.
+/// Each step has what its claim requires, and an entry claims no more than its steps show.
 #[test]
 fn claims_fit_their_steps() {
     for entry in entries() {
@@ -70,8 +70,8 @@ fn claims_fit_their_steps() {
 
 const CONFORMANCE: &str = include_str!("../../../docs/conformance.md");
 
-/// The tables of conformance have every equation, with the verdict of its entry (of a corrected one, that of the correction),
-/// and every other entry, too.
+/// The tables of conformance contain every equation, with the verdict of its entry (for a corrected one, that of the
+/// correction), and every other entry too.
 #[test]
 fn the_tables_of_conformance_have_these_verdicts() {
     let (paper, beyond) = CONFORMANCE.split_once("\n## Beyond the paper\n").unwrap();
@@ -91,7 +91,7 @@ fn cells(row: &str) -> Vec<&str> {
     row.trim_matches('|').split('|').map(str::trim).collect()
 }
 
-/// Rows that begin with the numbers of equations. The ids that were found.
+/// Rows that begin with the numbers of equations; returns the ids found.
 fn equations_with_their_verdict(table: &str) -> BTreeSet<&str> {
     let mut found = BTreeSet::new();
     for row in table.lines().filter(|line| line.starts_with("| (1.")) {
@@ -108,7 +108,7 @@ fn equations_with_their_verdict(table: &str) -> BTreeSet<&str> {
     found
 }
 
-/// A row that gives verdicts with their entries, or tells that it is tested and by what. The ids that were found.
+/// A row that gives verdicts with their entries, or states by what it is tested; returns the ids found.
 fn entries_with_their_verdict<'a>(row: &[&'a str]) -> Vec<&'a str> {
     let &[_, verdicts, _, checks, tests] = row else { panic!("{row:?}") };
     if verdicts == "tested" {

@@ -1,4 +1,4 @@
-//! Energy lost in jumps under controlled indentation.
+//! Energy dissipated in jumps under controlled indentation.
 
 use super::{ABOVE, BELOW, BOTH, Entry, Step};
 

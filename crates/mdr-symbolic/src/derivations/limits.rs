@@ -2,7 +2,7 @@
 
 use super::{ABOVE, Entry, POSITIVE, Step};
 
-/// A power law close to a punch.
+/// Values for a power law close to a punch.
 const BLUNT: &[(&str, &str)] = &[("n", "10000"), ("E", "1"), ("w", "1"), ("R", "1"), ("δ", "1")];
 
 pub(super) const KENDALL: Entry = Entry {

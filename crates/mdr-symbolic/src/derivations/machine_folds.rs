@@ -1,8 +1,8 @@
-//! How many folds a power law has on a machine.
+//! The number of folds of a power law on a machine.
 
 use super::{ABOVE, Entry, POSITIVE, Step};
 
-/// A contact with three folds.
+/// Values for a contact with three folds.
 const THREE: &[(&str, &str)] = &[("n", "3/5"), ("C", "2.4829"), ("E", "1"), ("w", "1"), ("k", "1"), ("a", "0.01")];
 const SECOND: &[(&str, &str)] = &[("n", "3/5"), ("C", "2.4829"), ("E", "1"), ("w", "1"), ("k", "1"), ("a", "0.03")];
 const THIRD: &[(&str, &str)] = &[("n", "3/5"), ("C", "2.4829"), ("E", "1"), ("w", "1"), ("k", "1"), ("a", "1")];
