@@ -40,6 +40,7 @@ pub use catalogue::{Filter, FilterError, lines, record, records};
 pub use decimal::{Decimal, DecimalError};
 pub use difficulty::{Difficulty, Hardness};
 pub use judge::{
-    Answer, Claim, ClaimError, Class, Judge, Judged, Limits, Mark, Range, Refused, Report, Rules, Verdict, judge, mark,
+    Answer, Claim, ClaimError, Class, Explanation, Judge, Judged, Limits, Mark, Range, Refused, Report, Rules, Verdict,
+    judge, mark,
 };
 pub use record::{Certified, Method, Record, Status, UNIT_ROUNDOFF};
