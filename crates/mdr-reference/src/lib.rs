@@ -33,6 +33,7 @@ mod judge;
 mod measure;
 mod number;
 mod record;
+mod table;
 mod text;
 mod write;
 
@@ -44,3 +45,4 @@ pub use judge::{
     judge, mark,
 };
 pub use record::{Certified, Method, Record, Status, UNIT_ROUNDOFF};
+pub use table::{Table, TableFormat};

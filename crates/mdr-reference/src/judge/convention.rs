@@ -133,7 +133,7 @@ impl Convention {
             Change::Unit(unit, factor) if record.unit == unit => scaled(factor),
             Change::Unit("m", factor) if record.unit == "m^2" => scaled(factor * factor),
             Change::Sign(quantity) if record.quantity == quantity => scaled(-1.0),
-            Change::MaugisUnits => scaled(1.0 / maugis_unit(record)?),
+            Change::MaugisUnits => scaled(1.0 / maugis_unit(record, &record.quantity)?),
             Change::Control(control) => normal(under_control(record, control)?),
             Change::OtherEquilibrium => normal(other_equilibrium(record)?),
             Change::Unit(..) | Change::Sign(_) => None,
@@ -201,13 +201,13 @@ fn is_paraboloid(record: &Record) -> bool {
     record.profile == "power" && record.input("n") == Some("2")
 }
 
-/// The unit of Maugis for the quantity of a paraboloid: πwR for a force, (πwR²/K)^(1/3) for a contact radius and
+/// The unit of Maugis for a quantity of a paraboloid: πwR for a force, (πwR²/K)^(1/3) for a contact radius and
 /// (π²w²R/K²)^(1/3) for an indentation, with K = 4E*/3.
-fn maugis_unit(record: &Record) -> Option<f64> {
+pub(crate) fn maugis_unit(record: &Record, quantity: &str) -> Option<f64> {
     let is_contact = is_paraboloid(record) && record.formula != "kappa";
     let input = |name: &str| record.input_f64(name).filter(|value| is_contact && *value > 0.0);
     let (radius, bulk, work) = (0.5 / input("C")?, 4.0 / 3.0 * input("E*")?, PI * input("w")?);
-    match record.quantity.as_str() {
+    match quantity {
         "force" => Some(work * radius),
         "contact_radius" => Some((work / bulk).cbrt() * radius.cbrt() * radius.cbrt()),
         "indentation" => Some((work / bulk).cbrt() * (work / bulk).cbrt() * radius.cbrt()),

@@ -9,6 +9,8 @@ mod mark;
 mod report;
 mod rules;
 
+pub(crate) use convention::maugis_unit;
+
 pub use answer::{Answer, ClaimError};
 pub use explain::Explanation;
 pub use mark::{Claim, Limits, Mark, Range, Verdict, mark};
