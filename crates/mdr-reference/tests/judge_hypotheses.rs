@@ -232,7 +232,7 @@ fn other_monomials() {
     assert_names(&explained(g), "radius-doubled");
 }
 
-/// What is certain is said in one sentence; six printed digits are enough, and right answers take no part.
+/// What is certain is said in one sentence; six printed digits are enough, and so is a part of the answers.
 #[test]
 fn a_sentence() {
     let halved = |question: &Record, c: Contact| fold(question, Contact { work: 0.5 * c.work, ..c });
@@ -246,7 +246,7 @@ fn a_sentence() {
     let forces = |question: &Record, contact: Contact| match question.quantity.as_str() {
         "force" => halved(question, contact),
         "indentation" => 7.0 * fold(question, contact),
-        _ => fold(question, contact),
+        _ => 5.0 * fold(question, contact),
     };
     let found = found(forces);
     assert_eq!(found[0].names, ["work-halved"]);
@@ -264,6 +264,22 @@ fn alternatives() {
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].names, ["work-doubled", "radius-doubled"]);
     assert!(found[0].to_string().contains("; or if your radius is 2R"), "{}", found[0]);
+}
+
+/// Twice the force is no 2w where radius and depth are right: with 2w they would not be.
+#[test]
+fn right_answers_contradict() {
+    let doubled = found(|question, contact| {
+        let factor = if question.quantity == "force" { 2.0 } else { 1.0 };
+        factor * fold(question, contact)
+    });
+    assert_eq!(doubled, []);
+    // A mistake in the spheres alone is one, whatever is right of the cones.
+    let spheres = found(|question, c| {
+        let work = if c.slope.is_none() { c.work / 2.0 } else { c.work };
+        fold(question, Contact { work, ..c })
+    });
+    assert_names(&spheres, "work-halved");
 }
 
 /// Two contacts are a coincidence, however many answers they have.

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::fmt;
 
 use crate::judge::convention::{Convention, normal};
-use crate::judge::{Report, Verdict};
+use crate::judge::{Judged, Report, Verdict};
 use crate::record::Record;
 
 /// How many questions with different inputs, and different answers, a convention must explain: fewer may agree by chance,
@@ -24,8 +24,8 @@ const DIGITS: f64 = 15.0;
 ///
 /// Reported is what explains three different answers at least, to questions with different inputs, each to five digits or
 /// more.
-/// Answers that are right are never looked at. A convention is left out when another one explains all that it does, and
-/// more.
+/// A convention is left out when it would make wrong an answer that is right, about a state of which it explains another
+/// answer, and when another convention explains all that it does, and more.
 ///
 /// ```
 /// use mdr_reference::{Answer, Filter, judge};
@@ -74,8 +74,8 @@ impl fmt::Display for Explanation {
     }
 }
 
-/// An answer that is not right, with two numbers to compare.
-struct Wrong<'a> {
+/// An answer, with two numbers to compare.
+struct Compared<'a> {
     record: &'a Record,
     certified: f64,
     answer: f64,
@@ -98,20 +98,20 @@ struct Match {
 impl Report<'_> {
     /// The mistaken conventions that explain answers which are not right, the most telling first. Most reports have none.
     pub fn explanations(&self) -> Vec<Explanation> {
-        let not_right = || self.judged.iter().filter(|judged| judged.mark.verdict != Verdict::Right);
-        let wrong = not_right().filter_map(|judged| {
-            Some(Wrong { record: judged.record, certified: normal(judged.record)?, answer: judged.value? })
-        });
-        let wrong: Vec<_> = wrong.collect();
+        let (right, not_right): (Vec<_>, Vec<_>) =
+            self.judged.iter().partition(|judged| judged.mark.verdict == Verdict::Right);
+        let [right, wrong] =
+            [&right, &not_right].map(|list| list.iter().filter_map(|&judged| Compared::of(judged)).collect::<Vec<_>>());
         let matches = Convention::all().into_iter().map(|convention| Match::of(convention, &wrong));
-        let mut matches: Vec<Match> = matches.filter(|matched| matched.inputs.min(matched.answers) >= LEAST).collect();
+        let telling = matches.filter(|matched| matched.inputs.min(matched.answers) >= LEAST);
+        let mut matches: Vec<Match> = telling.filter(|matched| !matched.is_contradicted(&wrong, &right)).collect();
         matches.sort_by_key(|matched| std::cmp::Reverse(matched.explained.len()));
         let mut found: Vec<(Explanation, Vec<usize>)> = Vec::new();
         for matched in matches {
             match found.iter_mut().find(|(_, explained)| contains(explained, &matched.explained)) {
                 Some((explanation, explained)) if *explained == matched.explained => explanation.or(&matched),
                 Some(_) => {}
-                None => found.push((matched.explanation(not_right().count()), matched.explained)),
+                None => found.push((matched.explanation(not_right.len()), matched.explained)),
             }
         }
         found.into_iter().map(|(explanation, _)| explanation).collect()
@@ -128,7 +128,7 @@ impl Explanation {
 }
 
 impl Match {
-    fn of(convention: Convention, wrong: &[Wrong<'_>]) -> Self {
+    fn of(convention: Convention, wrong: &[Compared<'_>]) -> Self {
         let (mut explained, mut applicable, mut worst) = (Vec::new(), 0, 0.0_f64);
         let (mut inputs, mut answers) = (HashSet::new(), HashSet::new());
         for (place, wrong) in wrong.iter().enumerate() {
@@ -145,6 +145,13 @@ impl Match {
         Match { convention, explained, inputs: inputs.len(), answers: answers.len(), applicable, worst }
     }
 
+    /// Whether it makes wrong an answer that is right, about a state of which it explains another answer.
+    fn is_contradicted(&self, wrong: &[Compared<'_>], right: &[Compared<'_>]) -> bool {
+        let states: HashSet<_> = self.explained.iter().map(|&place| wrong[place].state()).collect();
+        let mut of_states = right.iter().filter(|answer| states.contains(&answer.state()));
+        of_states.any(|answer| answer.predicted(&self.convention).is_some())
+    }
+
     fn explanation(&self, not_right: usize) -> Explanation {
         Explanation {
             names: vec![self.convention.name.clone()],
@@ -158,7 +165,17 @@ impl Match {
     }
 }
 
-impl Wrong<'_> {
+impl<'a> Compared<'a> {
+    /// None where one of the two is no normal double.
+    fn of(judged: &Judged<'a>) -> Option<Self> {
+        Some(Compared { record: judged.record, certified: normal(judged.record)?, answer: judged.value? })
+    }
+
+    /// The state that the question is about. Its radius, depth and force come from one computation.
+    fn state(&self) -> (&str, Option<&str>, &[(String, String)]) {
+        (&self.record.formula, self.record.control.as_deref(), &self.record.inputs)
+    }
+
     /// What a convention predicts; none where that is nothing, or the certified value itself.
     fn predicted(&self, convention: &Convention) -> Option<f64> {
         let predicted = convention.predict(self.record, self.certified)?;
