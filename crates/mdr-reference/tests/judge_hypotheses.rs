@@ -140,6 +140,21 @@ fn signs_and_units() {
     }
 }
 
+/// Lengths in mm make areas in mm², and leave slopes alone.
+#[test]
+fn units_of_transforms() {
+    let found = explained(|question| {
+        let plain = question.formula == "transform" && question.status == Status::Ok && question.log10?.abs() < 200.0;
+        let factor = match question.unit.as_str() {
+            "m" => 1e3,
+            "m^2" => 1e6,
+            _ => 1.0,
+        };
+        plain.then(|| factor * question.nearest())
+    });
+    assert_names(&found, "mm");
+}
+
 /// In the units of Maugis every sphere has the same critical states: F = −3/2, a³ = 3/2 under a dead load, F = −5/6,
 /// a³ = 1/6 at fixed grips, and d = a² − √(8a/3).
 #[test]
@@ -208,9 +223,10 @@ fn other_monomials() {
         match (question.formula.as_str(), question.quantity.as_str()) {
             ("flat-punch-pull-off", "force") => Some(-(8.0 * PI * radius?.powi(3) * e * w).sqrt()),
             ("flat-punch-pull-off", "indentation") => Some(-(2.0 * PI * radius? * w / e).sqrt()),
-            ("threshold", "threshold_c") => {
+            ("threshold", quantity) => {
                 let share = if question.control.as_deref() == Some("force") { 3.0 } else { 1.0 };
-                Some(share * 0.762_759_763_501_813_2 * (2.0 * PI * w / e).sqrt())
+                let threshold = share * 0.762_759_763_501_813_2 * (2.0 * PI * w / e).sqrt();
+                Some(if quantity == "ratio" { question.input_f64("C")? / threshold } else { threshold })
             }
             ("work-lost-at-pull-off" | "work-lost-at-jump-in", _) if question.input("n") == Some("2") => {
                 let radius = 0.5 / question.input_f64("C")?;

@@ -251,3 +251,26 @@ fn other_equilibrium(record: &Record) -> Option<&'static Record> {
 fn side(record: &Record) -> Option<&'static str> {
     ["inner", "outer"].into_iter().find(|side| record.flags.iter().any(|flag| flag == side))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The records hold the magnitude of every exponent as a condition, computed by their generator.
+    #[test]
+    fn exponents_are_the_conditions_of_the_records() {
+        let mut compared = 0;
+        for record in records().iter().filter(|record| normal(record).is_some()) {
+            let radius = if record.profile == "power" { "C" } else { "radius" };
+            for (input, name) in [(Input::WorkOfAdhesion, "w"), (Input::Modulus, "E*"), (Input::Radius, radius)] {
+                let known = record.condition.iter().find(|(known, _)| known == name);
+                let (Some((_, condition)), Some(exponent)) = (known, exponent(record, input)) else { continue };
+                let difference = (exponent.abs() - condition).abs();
+                // R is proportional to 1/C; conditions have three digits.
+                assert!(difference <= 6e-3 * condition.max(0.1), "{}: {name}: {exponent} and {condition}", record.id);
+                compared += 1;
+            }
+        }
+        assert!(compared > 1000, "{compared}");
+    }
+}
