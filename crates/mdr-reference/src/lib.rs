@@ -3,7 +3,9 @@
 //! What the Statistical Reference Datasets of NIST are to statistics, these records are to adhesive contact: numbers of
 //! which every digit is proved, from plain to nasty. A [`Record`] has a question (exact decimal inputs), fifty certified
 //! digits, the nearest double, the condition of the question with respect to each input, and a difficulty with published
-//! thresholds ([`Hardness`]). The judge marks answers and tells a bad algorithm from a badly conditioned question.
+//! thresholds ([`Hardness`]). The judge marks answers and tells a bad algorithm from a badly conditioned question. Where wrong
+//! answers follow a mistaken convention, such as γ for w, it names that ([`Explanation`]). A [`Table`] is a few dozen rows to
+//! copy.
 //!
 //! The crate is data and a judge: no dependencies, no numerics of its own. As a dev-dependency:
 //!

@@ -199,6 +199,12 @@ fn siblings() {
         machine.then(|| records().iter().find(of_case).map(Record::nearest)).flatten()
     });
     assert_eq!(folds.first().map(|found| found.names.as_slice()), Some(&["control-force".to_owned()][..]), "{folds:?}");
+    let shares = explained(|question| {
+        let far = question.formula == "equilibrium-share" && question.total_condition() < 1e4;
+        let id = question.id.replace("/outer/indentation/", "/outer/force/");
+        (far && id != question.id).then(|| record(&id).map(Record::nearest)).flatten()
+    });
+    assert_names(&shares, "control-force");
     let other = explained(|question| {
         let far = question.formula == "equilibrium-share" && question.total_condition() < 1e4;
         let id = question.id.replace("/inner/", "/outer/");
@@ -324,6 +330,10 @@ fn nothing_is_said_of_other_mistakes() {
         (question.quantity == "force").then_some(-2.0 * PI * contact.work * contact.radius)
     };
     assert_eq!(explained(rigid), []);
+    // Right answers, printed to six digits, are inaccurate, and what some conventions hardly change.
+    let printed =
+        |question: &Record| format!("{:.5e}", question.nearest()).parse().ok().filter(|x: &f64| x.is_finite());
+    assert_eq!(explained(printed), []);
     // Inputs of the next question.
     let mut last = 1.0;
     let next = std::cell::RefCell::new(&mut last);
