@@ -68,7 +68,7 @@ fn the_message_of_the_contract() {
 
 #[test]
 fn a_flag_without_a_value_takes_the_next_word() {
-    refused(&["critical", "--n", "--c", "1", "--e-star", "1", "--work", "1"], &["--c"]);
+    refused(&["critical", "--n", "--c", "1", "--e-star", "1", "--work", "1"], &["unexpected argument '1'"]);
     refused(&["critical", "--c", "1", "--e-star", "1", "--work", "1", "--n"], &["--n"]);
     refused(&["critical", "--n=", "--c=1", "--e-star=1", "--work=1"], &["--n"]);
 }
@@ -183,6 +183,7 @@ fn verification_flags() {
         &["verify", "--only", "jkr,astrology"],
         &["error: --only: must be one of ", "kappa-gamma", "got astrology"],
     );
+    refused(&["verify", "--only", "kapa-gama"], &["error: --only: no such check; did you mean `kappa-gamma`?"]);
     refused(&["verify", "--quick", "--full"], &["--quick", "--full"]);
     refused(&["verify", "--merge"], &["--merge"]);
     refused(&["verify", "--merge", "no-such-file"], &["--merge", "no-such-file"]);

@@ -75,6 +75,29 @@ fn a_choice_of_questions() {
     assert!(refused.get_output().stderr.starts_with(b"error: --filter: no record meets all terms"));
 }
 
+/// The convention behind wrong answers: γ for w, known by the critical radii of three spheres.
+#[test]
+fn the_mistake_is_named() {
+    let radius = |case: &str, c: f64, e_star: f64, w: f64| {
+        let cube = 9.0 * std::f64::consts::PI * (w / 2.0) / (32.0 * c * c * e_star);
+        format!("{{\"id\":\"critical/{case}/force/contact_radius\",\"value\":{:e}}}\n", cube.cbrt())
+    };
+    let two = radius("jkr-unit", 0.5, 1.0, 1.0) + &radius("afm-tip", 2.5e7, 7e10, 0.1);
+    let three = radius("pdms-bead", 5e4, 1.3e6, 0.05) + &two;
+    let sentence = "all 3 answers that are not right agree to 15 digits if your work of adhesion is w/2";
+    let (code, table) = judged(&three, "");
+    assert!(code == 1 && table.contains(sentence), "{table}");
+    assert!(!judged(&two, "").1.contains("answers that are not right agree"));
+    let summary = |answers: &str| -> Value {
+        let json = judged(answers, "--format json").1;
+        serde_json::from_str(json.lines().last().unwrap()).unwrap()
+    };
+    let named = &summary(&three)["summary"]["hypotheses"][0];
+    assert_eq!(named["names"][0], "work-halved");
+    assert_eq!([&named["explained"], &named["inputs"]], [3, 3]);
+    assert_eq!(summary(&two)["summary"]["hypotheses"], Value::Array(Vec::new()));
+}
+
 #[test]
 fn a_limit_is_a_number_of_digits() {
     for limit in ["1e400", "-1", "17"] {

@@ -48,6 +48,39 @@ fn exports_and_refuses() {
     std::fs::remove_dir_all(folder).unwrap();
 }
 
+/// The tables to copy: on standard output what the files of docs/reference hold, and in a file by its extension.
+#[test]
+fn tables_to_copy() {
+    let list = output("reference --table");
+    assert!(list.contains("jkr-sphere") && list.contains("43"), "{list}");
+    assert!(output("reference --table jkr-sphere").contains("-4.71238898038469"));
+    let published = |extension: &str| {
+        std::fs::read_to_string(crate::root().join(format!("docs/reference/jkr-sphere.{extension}"))).unwrap()
+    };
+    for (flags, extension) in
+        [("--format csv", "csv"), ("--format json", "json"), ("--language c", "h"), ("--language python", "py")]
+    {
+        assert_eq!(output(&format!("reference --table jkr-sphere {flags}")), published(extension), "{flags}");
+        let file = std::env::temp_dir().join(format!("mdr-table-{}.{extension}", std::process::id()));
+        let said = output(&format!("reference --table jkr-sphere --export {}", file.display()));
+        assert!(said.ends_with(": 43 rows\n"), "{said}");
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), published(extension));
+        std::fs::remove_file(file).unwrap();
+    }
+    for (refused, why) in [
+        ("--table jkr", "error: --table: must be one of jkr-sphere, got jkr\n"),
+        (
+            "--table jkr-sphere --export table.xls",
+            "error: --export: must end in .csv, .json, .h or .py, got table.xls\n",
+        ),
+    ] {
+        mdr(&format!("reference {refused}")).assert().code(2).stdout_eq("").stderr_eq(why);
+    }
+    for refused in ["--language c", "--table --filter id~jkr", "--table jkr-sphere --language c --format csv"] {
+        mdr(&format!("reference {refused}")).assert().code(2).stdout_eq("");
+    }
+}
+
 /// Without a filter there is a line for each family, and all records are in one of them.
 #[test]
 fn the_summary_counts_every_record() {

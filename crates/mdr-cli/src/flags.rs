@@ -101,3 +101,12 @@ impl ArithmeticFlags {
         }
     }
 }
+
+/// The known name that is most like one that is not known, where it is a likely slip; for "did you mean".
+pub(crate) fn likely<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    /// Names that share so much are meant for each other.
+    const ALIKE: f64 = 0.6;
+    let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
+    let best = known.into_iter().max_by(|one, other| likeness(one).total_cmp(&likeness(other)))?;
+    (likeness(best) >= ALIKE).then_some(best)
+}

@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
-use mdr_reference::{Filter, Record};
+use clap::{Args, ValueEnum};
+use mdr_reference::{Filter, Record, Table, TableFormat};
 
 use crate::error::{Failure, Result};
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render_whole, table};
+use crate::table::{Tone, cell, render, render_whole, table};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -28,6 +28,11 @@ Examples:
     mdr reference --export records.jsonl
     mdr reference --filter status=ok --export records.csv
 
+  A small table of JKR spheres to copy into a test, and its name among all:
+    mdr reference --table jkr-sphere --export jkr_sphere.h
+    mdr reference --table jkr-sphere --language python
+    mdr reference --table
+
 A filter has terms key=value, key!=value or key~part, separated by blanks or commas; all must
 hold. Keys: id, profile, formula, quantity, unit, control (none where there is none), status,
 difficulty (lower, average, higher), flag.
@@ -45,7 +50,15 @@ pub(crate) struct Reference {
     #[arg(long, value_name = "EXPR", default_value = "", hide_default_value = true)]
     filter: String,
 
-    /// Write the records to a file, as JSON lines (.jsonl) or as a table (.csv)
+    /// A small table to copy into a test; without a name, list the tables
+    #[arg(long, value_name = "NAME", num_args = 0..=1, conflicts_with_all = ["filter", "generate"])]
+    table: Option<Option<String>>,
+
+    /// Write the table as a source file of this language
+    #[arg(long, value_enum, requires = "table", conflicts_with_all = ["export", "format"])]
+    language: Option<Language>,
+
+    /// Write the records to a file, as JSON lines (.jsonl) or as a table (.csv); with --table .csv, .json, .h or .py
     #[arg(long, value_name = "FILE")]
     export: Option<PathBuf>,
 
@@ -58,11 +71,25 @@ pub(crate) struct Reference {
     format: Format,
 }
 
+/// A language in which a table is written.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Language {
+    /// A header of C and C++.
+    C,
+    /// A module of Python.
+    Python,
+}
+
 impl Reference {
     /// Writes the records on `out` or into files; whether all could be certified.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         if let Some(folder) = &self.generate {
             return generate(folder, out);
+        }
+        match &self.table {
+            Some(Some(name)) => return self.table(name, out).map(|()| true),
+            Some(None) => return out.text(tables()).map(|()| true),
+            None => {}
         }
         let filter: Filter = self.filter.parse().map_err(|error| Failure::refused("--filter", error))?;
         let chosen: Vec<_> = filter.select().collect();
@@ -71,6 +98,23 @@ impl Reference {
             None => self.list(&chosen, out)?,
         }
         Ok(true)
+    }
+
+    /// Writes a table on `out` or into a file.
+    fn table(&self, name: &str, out: &mut Output<impl std::io::Write>) -> Result<()> {
+        let refuse = || Failure::flag("--table", format!("must be one of {}", Table::NAMES.join(", ")), name);
+        let table = Table::named(name).ok_or_else(refuse)?;
+        if let Some(file) = &self.export {
+            return export_table(file, &table, out);
+        }
+        let format = match (self.language, self.format) {
+            (Some(Language::C), _) => TableFormat::C,
+            (Some(Language::Python), _) => TableFormat::Python,
+            (None, Format::Json) => TableFormat::Json,
+            (None, Format::Csv) => TableFormat::Csv,
+            (None, Format::Table) => return out.text(table_for_reader(&table)),
+        };
+        out.text(table.write(format).trim_end())
     }
 
     fn list(&self, chosen: &[&Record], out: &mut Output<impl std::io::Write>) -> Result<()> {
@@ -114,6 +158,38 @@ fn export(file: &Path, chosen: &[&Record], out: &mut Output<impl std::io::Write>
     };
     fs::write(file, content).map_err(|error| Failure::file(format!("--export {name}"), error))?;
     out.text(format_args!("{name}: {} records", chosen.len()))
+}
+
+/// Writes a table in the format that the extension of the file names.
+fn export_table(file: &Path, table: &Table, out: &mut Output<impl std::io::Write>) -> Result<()> {
+    let name = file.display().to_string();
+    let extension = file.extension().and_then(|extension| extension.to_str());
+    let format = TableFormat::ALL.into_iter().find(|(_, known)| Some(*known) == extension);
+    let (format, _) = format.ok_or_else(|| Failure::flag("--export", "must end in .csv, .json, .h or .py", &name))?;
+    fs::write(file, table.write(format)).map_err(|error| Failure::file(format!("--export {name}"), error))?;
+    out.text(format_args!("{name}: {} rows", table.rows().count()))
+}
+
+/// The tables, each with what it holds.
+fn tables() -> String {
+    let mut list = table(&["table", "rows", "what it holds"]);
+    for known in Table::NAMES.into_iter().filter_map(Table::named) {
+        let rows = cell(known.rows().count(), Tone::Plain);
+        list.add_row([cell(known.name, Tone::Strong), rows, cell(known.title, Tone::Faint)]);
+    }
+    format!("{}\n\nTo copy one: mdr reference --table jkr-sphere --export jkr_sphere.h", render(&list))
+}
+
+/// The columns of a table that tell what is asked and what is right.
+fn table_for_reader(wanted: &Table) -> String {
+    const SHOWN: [&str; 6] = ["id", "status", "contact_radius", "indentation", "force", "tolerance"];
+    let header = wanted.header();
+    let places: Vec<_> = SHOWN.iter().filter_map(|name| header.iter().position(|known| known == name)).collect();
+    let mut list = table(&SHOWN);
+    for row in wanted.rows() {
+        list.add_row(places.iter().map(|&place| cell(&row[place], Tone::Plain)));
+    }
+    format!("{}\n\n{}. All columns: --format csv", render_whole(&list), wanted.title)
 }
 
 /// A condition, of which the size matters.

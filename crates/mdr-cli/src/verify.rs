@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use mdr_crosscheck::{Finding, Level, Options, Report, Row, Shard, Verdict};
 
 use crate::error::{Failure, Result};
-use crate::flags::Flag;
+use crate::flags::{Flag, likely};
 use crate::output::{Format, Output};
 use crate::table::{Tone, cell, render, table};
 
@@ -121,7 +121,10 @@ impl Verify {
         let nothing = mdr_crosscheck::run(&Options { limit: Some(0), ..Options::default() }, &|_| ());
         let names: Vec<_> = nothing.rows.iter().map(|row| row.check.as_str()).collect();
         match self.only.iter().find(|name| !names.contains(&name.as_str())) {
-            Some(name) => Err(Failure::flag("--only", format_args!("must be one of {}", names.join(", ")), name)),
+            Some(name) => Err(match likely(name, names.iter().copied()) {
+                Some(meant) => Failure::flag("--only", format_args!("no such check; did you mean `{meant}`?"), name),
+                None => Failure::flag("--only", format_args!("must be one of {}", names.join(", ")), name),
+            }),
             None => Ok(self.only.clone()),
         }
     }

@@ -4,7 +4,8 @@
 //! with every digit proved, from easy to hard. A [`Record`] has a question (exact decimal inputs), fifty certified
 //! digits, the nearest double, the condition of the question with respect to each input, and a difficulty with
 //! published thresholds ([`Hardness`]). The judge marks answers and separates the error of an algorithm from the
-//! condition of the question.
+//! condition of the question. Where wrong answers follow a mistaken convention, such as γ for w, it names that
+//! ([`Explanation`]). A [`Table`] is a few dozen rows to copy.
 //!
 //! The crate is data and a judge, without dependencies and without numerical methods of its own. As a dev-dependency:
 //!
@@ -34,6 +35,7 @@ mod judge;
 mod measure;
 mod number;
 mod record;
+mod table;
 mod text;
 mod write;
 
@@ -41,6 +43,8 @@ pub use catalogue::{Filter, FilterError, lines, record, records};
 pub use decimal::{Decimal, DecimalError};
 pub use difficulty::{Difficulty, Hardness};
 pub use judge::{
-    Answer, Claim, ClaimError, Class, Judge, Judged, Limits, Mark, Range, Refused, Report, Rules, Verdict, judge, mark,
+    Answer, Claim, ClaimError, Class, Explanation, Judge, Judged, Limits, Mark, Range, Refused, Report, Rules, Verdict,
+    judge, mark,
 };
 pub use record::{Certified, Method, Record, Status, UNIT_ROUNDOFF};
+pub use table::{Table, TableFormat};

@@ -56,6 +56,14 @@ impl ShapeFlags {
 
 /// One exponent, a list of them, or a range with its step, exactly.
 fn exponents(flag: Flag<'_>) -> Result<Vec<Literal>> {
+    let is_whole = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    if let Some((first, last)) = flag.text.split_once(',')
+        && is_whole(first)
+        && is_whole(last)
+    {
+        let why = format!("not a number, and two whole numbers may be one with a decimal comma: write {first}.{last}");
+        return Err(flag.refuse(format!("{why}, or {first}.0,{last} for two")));
+    }
     let mut all = Vec::new();
     for part in flag.text.split(',') {
         let ends: Vec<&str> = part.split(':').collect();

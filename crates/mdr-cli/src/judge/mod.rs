@@ -159,7 +159,7 @@ impl Judge {
 fn answers(judged: &[Judged<'_>]) -> String {
     let header = ["id", "line", "digits", "excess loss", "condition", "claim", "difficulty", "verdict"];
     let mut table = table(&header);
-    for Judged { record, line, mark } in judged {
+    for Judged { record, line, mark, .. } in judged {
         let tone = match mark.verdict {
             Verdict::Right => Tone::Good,
             Verdict::Inaccurate => Tone::Strong,

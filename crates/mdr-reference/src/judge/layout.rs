@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::json::quoted;
-use crate::judge::{Class, Judged, Mark, Range, Report, Verdict};
+use crate::judge::{Class, Explanation, Judged, Mark, Range, Report, Verdict};
 
 /// The names of [`fields`].
 const FIELDS: [&str; 10] =
@@ -17,7 +17,7 @@ enum Field<'a> {
     Range(Option<Range>),
 }
 
-fn fields<'a>(Judged { record, line, mark }: &'a Judged<'_>) -> [Field<'a>; 10] {
+fn fields<'a>(Judged { record, line, mark, .. }: &'a Judged<'_>) -> [Field<'a>; 10] {
     let Mark { verdict, reason, status_matches, lre, excess_loss, claim } = mark;
     [
         Field::Text(&record.id),
@@ -68,9 +68,10 @@ impl Report<'_> {
         });
         let refused = self.refused().map(|(kind, refused)| format!("\"{kind}\":{}", refused.count));
         let failures: Vec<_> = self.failures().iter().map(|failure| quoted(failure)).collect();
+        let hypotheses: Vec<_> = self.explanations().iter().map(hypothesis).collect();
         format!(
             "{{{SCHEMA},\"summary\":{{\"questions\":{},\"answered\":{},\"unanswered\":{},\"set_aside\":{},{},\
-             \"classes\":{{{}}},\"failures\":[{}],\"passed\":{}}}}}",
+             \"classes\":{{{}}},\"failures\":[{}],\"passed\":{},\"hypotheses\":[{}]}}}}",
             self.questions(),
             self.answered(),
             self.unanswered(),
@@ -78,7 +79,8 @@ impl Report<'_> {
             refused.join(","),
             classes.join(","),
             failures.join(","),
-            self.passed()
+            self.passed(),
+            hypotheses.join(",")
         )
     }
 
@@ -138,12 +140,28 @@ impl Report<'_> {
             1 => "; 1 answer to another record set aside".to_owned(),
             many => format!("; {many} answers to other records set aside"),
         });
+        for explanation in self.explanations() {
+            text.push_str(&format!("\n{explanation}"));
+        }
         let failures = self.failures();
         if !failures.is_empty() {
             text.push_str(&format!("\nnot passed: {}", failures.join("; ")));
         }
         text
     }
+}
+
+/// An explanation as a JSON object.
+fn hypothesis(explanation: &Explanation) -> String {
+    let Explanation { names, statements, explained, applicable, not_right, inputs, digits } = explanation;
+    let [names, statements] = [names, statements].map(|texts| {
+        let texts: Vec<_> = texts.iter().map(|text| quoted(text)).collect();
+        texts.join(",")
+    });
+    format!(
+        "{{\"names\":[{names}],\"statements\":[{statements}],\"explained\":{explained},\"applicable\":{applicable},\
+         \"not_right\":{not_right},\"inputs\":{inputs},\"digits\":{digits}}}"
+    )
 }
 
 /// `[first,second]`, with null for a value that is not finite.

@@ -1,13 +1,18 @@
 //! Judges the answers of other programs.
 
 mod answer;
+mod convention;
 mod digits;
+mod explain;
 mod layout;
 mod mark;
 mod report;
 mod rules;
 
+pub(crate) use convention::maugis_unit;
+
 pub use answer::{Answer, ClaimError};
+pub use explain::Explanation;
 pub use mark::{Claim, Limits, Mark, Range, Verdict, mark};
 pub use report::{Class, Judged, Report};
 pub use rules::{Rules, judge};
@@ -60,7 +65,7 @@ pub struct Judge<'a> {
     /// The index of a question; `None` for records that are not among the questions.
     index: HashMap<&'a str, Option<usize>>,
     rules: Rules,
-    marks: Vec<Option<(u64, Mark)>>,
+    judged: Vec<Option<Judged<'a>>>,
     lines: u64,
     malformed: Refused,
     unknown: Refused,
@@ -76,7 +81,7 @@ impl<'a> Judge<'a> {
         let asked = questions.iter().enumerate().map(|(place, record)| (record.id.as_str(), Some(place)));
         Judge {
             index: all.chain(asked).collect(),
-            marks: vec![None; questions.len()],
+            judged: vec![None; questions.len()],
             questions,
             rules,
             lines: 0,
@@ -129,18 +134,16 @@ impl<'a> Judge<'a> {
         match self.index.get(id) {
             None => self.unknown.add(line, || excerpt(id)),
             Some(None) => self.set_aside += 1,
-            Some(&Some(place)) if self.marks[place].is_some() => self.repeated.add(line, || excerpt(id)),
+            Some(&Some(place)) if self.judged[place].is_some() => self.repeated.add(line, || excerpt(id)),
             Some(&Some(place)) => {
-                self.marks[place] = Some((line, mark(self.questions[place], answer, &self.rules.limits)));
+                self.judged[place] = Some(Judged::new(self.questions[place], line, answer, &self.rules.limits));
             }
         }
     }
 
     /// The report.
     pub fn report(self) -> Report<'a> {
-        let judged = self.questions.iter().zip(self.marks);
-        let judged = judged.filter_map(|(&record, mark)| mark.map(|(line, mark)| Judged { record, line, mark }));
-        let judged = judged.collect();
+        let judged = self.judged.into_iter().flatten().collect();
         Report {
             malformed: self.malformed,
             unknown: self.unknown,

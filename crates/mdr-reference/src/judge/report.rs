@@ -1,7 +1,8 @@
 //! The judgement of many answers.
 
 use crate::difficulty::Difficulty;
-use crate::judge::{Mark, Refused, Rules, Verdict};
+use crate::judge::{Answer, Limits, Mark, Refused, Rules, Verdict, mark};
+use crate::number::Number;
 use crate::record::Record;
 
 /// An answer with its question and its mark.
@@ -13,6 +14,18 @@ pub struct Judged<'a> {
     pub line: u64,
     /// The judgement.
     pub mark: Mark,
+    /// The double nearest to the answer; none where it is no finite number.
+    pub value: Option<f64>,
+}
+
+impl<'a> Judged<'a> {
+    pub(crate) fn new(record: &'a Record, line: u64, answer: &Answer, limits: &Limits) -> Self {
+        let value = match &answer.value {
+            Some(Number::Finite(value)) => Some(value.nearest()),
+            _ => None,
+        };
+        Judged { record, line, mark: mark(record, answer, limits), value: value.filter(|value| value.is_finite()) }
+    }
 }
 
 /// All answers of one difficulty.

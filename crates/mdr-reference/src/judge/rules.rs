@@ -1,6 +1,6 @@
 //! The rules that answers as a whole must satisfy.
 
-use crate::judge::{Answer, Judged, Limits, Report, mark};
+use crate::judge::{Answer, Judged, Limits, Report};
 use crate::record::Record;
 
 /// The rules for a pass. By default: at least one answer, none wrong or inaccurate, and no line that is not an answer.
@@ -33,10 +33,10 @@ impl Rules {
         mut solver: impl FnMut(&Record) -> Option<Answer>,
     ) -> Report<'a> {
         let questions: Vec<_> = questions.into_iter().collect();
-        let judged = questions.iter().zip(1..).filter_map(|(&record, line)| {
-            let mark = mark(record, &solver(record)?, &self.limits);
-            Some(Judged { record, line, mark })
-        });
+        let judged = questions
+            .iter()
+            .zip(1..)
+            .filter_map(|(&record, line)| Some(Judged::new(record, line, &solver(record)?, &self.limits)));
         let judged = judged.collect();
         Report::new(questions, judged, *self)
     }

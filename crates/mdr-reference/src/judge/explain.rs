@@ -1,0 +1,199 @@
+//! Which mistaken convention explains the answers that are not right.
+
+use std::collections::HashSet;
+use std::fmt;
+
+use crate::judge::convention::{Convention, normal};
+use crate::judge::{Judged, Report, Verdict};
+use crate::record::Record;
+
+/// How many questions with different inputs, and different answers, a convention must explain: fewer may agree by chance,
+/// and a program that always prints the same number may agree with any.
+const LEAST: usize = 3;
+
+/// The relative difference up to which an answer agrees with what a convention predicts: that of six printed digits.
+const AGREES: f64 = 1e-5;
+
+/// The relative difference from the certified value below which a prediction tells nothing.
+const DIFFERS: f64 = 1e-3;
+
+/// The digits of a double that are compared.
+const DIGITS: f64 = 15.0;
+
+/// A mistaken convention, or several that cannot be told apart, that would make answers what they are.
+///
+/// Reported is what explains three different answers at least, to questions with different inputs, each to five digits or
+/// more.
+/// A convention is left out when it would make wrong an answer that is right, about a state of which it explains another
+/// answer, and when another convention explains all that it does, and more.
+///
+/// ```
+/// use mdr_reference::{Answer, Filter, judge};
+/// let spheres: Filter = "formula=critical control=force quantity=contact_radius flag=si".parse()?;
+/// // a³ = 9πwR²/(8E*), R = 1/(2C), by a program that takes E* for K = 4E*/3.
+/// let report = judge(spheres.select(), |question| {
+///     let (c, e_star, w) = (question.input_f64("C")?, question.input_f64("E*")?, question.input_f64("w")?);
+///     let radius = 0.5 / c;
+///     let cube = 1.5 * std::f64::consts::PI * w * radius * radius / e_star;
+///     (question.input("n") == Some("2")).then(|| Answer::from(cube.cbrt()))
+/// });
+/// let found = report.explanations();
+/// assert!(found[0].names.contains(&"modulus-from-k".to_owned()), "{}", found[0]);
+/// assert_eq!((found[0].explained, found[0].not_right), (6, 6));
+/// # Ok::<(), mdr_reference::FilterError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Explanation {
+    /// Stable names of the conventions; more than one where each explains the same answers.
+    pub names: Vec<String>,
+    /// What each says, in the same order.
+    pub statements: Vec<String>,
+    /// How many answers agree with it.
+    pub explained: usize,
+    /// To how many of the answers that are not right it has something to say.
+    pub applicable: usize,
+    /// How many answers are not right.
+    pub not_right: usize,
+    /// How many different inputs the explained answers have.
+    pub inputs: usize,
+    /// To how many digits all of them agree at least, at most 15.
+    pub digits: u32,
+}
+
+impl fmt::Display for Explanation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (explained, not_right) = (self.explained, self.not_right);
+        match explained == not_right {
+            true => write!(f, "all {explained} answers that are not right agree")?,
+            false => {
+                let applicable = self.applicable;
+                write!(f, "{explained} of {not_right} answers that are not right ({applicable} can be tested) agree")?;
+            }
+        }
+        write!(f, " to {} digits if {}", self.digits, self.statements.join("; or if "))
+    }
+}
+
+/// An answer, with two numbers to compare.
+struct Compared<'a> {
+    record: &'a Record,
+    certified: f64,
+    answer: f64,
+}
+
+/// What one convention explains.
+struct Match {
+    convention: Convention,
+    /// The places of the explained answers.
+    explained: Vec<usize>,
+    /// How many different inputs they have.
+    inputs: usize,
+    /// How many different predictions there are for them.
+    answers: usize,
+    applicable: usize,
+    /// The largest relative difference among the explained answers.
+    worst: f64,
+}
+
+impl Report<'_> {
+    /// The mistaken conventions that explain answers which are not right, the most telling first. Most reports have none.
+    pub fn explanations(&self) -> Vec<Explanation> {
+        let (right, not_right): (Vec<_>, Vec<_>) =
+            self.judged.iter().partition(|judged| judged.mark.verdict == Verdict::Right);
+        let [right, wrong] =
+            [&right, &not_right].map(|list| list.iter().filter_map(|&judged| Compared::of(judged)).collect::<Vec<_>>());
+        let matches = Convention::all().into_iter().map(|convention| Match::of(convention, &wrong));
+        let telling = matches.filter(|matched| matched.inputs.min(matched.answers) >= LEAST);
+        let mut matches: Vec<Match> = telling.filter(|matched| !matched.is_contradicted(&wrong, &right)).collect();
+        matches.sort_by_key(|matched| std::cmp::Reverse(matched.explained.len()));
+        let mut found: Vec<(Explanation, Vec<usize>)> = Vec::new();
+        for matched in matches {
+            match found.iter_mut().find(|(_, explained)| contains(explained, &matched.explained)) {
+                Some((explanation, explained)) if *explained == matched.explained => explanation.or(&matched),
+                Some(_) => {}
+                None => found.push((matched.explanation(not_right.len()), matched.explained)),
+            }
+        }
+        found.into_iter().map(|(explanation, _)| explanation).collect()
+    }
+}
+
+impl Explanation {
+    /// Another convention with the same answers.
+    fn or(&mut self, matched: &Match) {
+        self.names.push(matched.convention.name.clone());
+        self.statements.push(matched.convention.statement.clone());
+        self.digits = self.digits.min(digits(matched.worst));
+    }
+}
+
+impl Match {
+    fn of(convention: Convention, wrong: &[Compared<'_>]) -> Self {
+        let (mut explained, mut applicable, mut worst) = (Vec::new(), 0, 0.0_f64);
+        let (mut inputs, mut answers) = (HashSet::new(), HashSet::new());
+        for (place, wrong) in wrong.iter().enumerate() {
+            let Some(predicted) = wrong.predicted(&convention) else { continue };
+            let difference = ((wrong.answer - predicted) / predicted).abs();
+            applicable += 1;
+            if difference <= AGREES {
+                explained.push(place);
+                inputs.insert(&wrong.record.inputs);
+                answers.insert(rounded(predicted));
+                worst = worst.max(difference);
+            }
+        }
+        Match { convention, explained, inputs: inputs.len(), answers: answers.len(), applicable, worst }
+    }
+
+    /// Whether it makes wrong an answer that is right, about a state of which it explains another answer.
+    fn is_contradicted(&self, wrong: &[Compared<'_>], right: &[Compared<'_>]) -> bool {
+        let states: HashSet<_> = self.explained.iter().map(|&place| wrong[place].state()).collect();
+        let mut of_states = right.iter().filter(|answer| states.contains(&answer.state()));
+        of_states.any(|answer| answer.predicted(&self.convention).is_some())
+    }
+
+    fn explanation(&self, not_right: usize) -> Explanation {
+        Explanation {
+            names: vec![self.convention.name.clone()],
+            statements: vec![self.convention.statement.clone()],
+            explained: self.explained.len(),
+            applicable: self.applicable,
+            not_right,
+            inputs: self.inputs,
+            digits: digits(self.worst),
+        }
+    }
+}
+
+impl<'a> Compared<'a> {
+    /// None where one of the two is no normal double.
+    fn of(judged: &Judged<'a>) -> Option<Self> {
+        Some(Compared { record: judged.record, certified: normal(judged.record)?, answer: judged.value? })
+    }
+
+    /// The state that the question is about. Its radius, depth and force come from one computation.
+    fn state(&self) -> (&str, Option<&str>, &[(String, String)]) {
+        (&self.record.formula, self.record.control.as_deref(), &self.record.inputs)
+    }
+
+    /// What a convention predicts; none where that is nothing, or the certified value itself.
+    fn predicted(&self, convention: &Convention) -> Option<f64> {
+        let predicted = convention.predict(self.record, self.certified)?;
+        (((predicted - self.certified) / self.certified).abs() > DIFFERS).then_some(predicted)
+    }
+}
+
+/// A number to six digits, to tell whether two are the same.
+fn rounded(value: f64) -> String {
+    format!("{value:.5e}")
+}
+
+/// Whether all places of the second list, in order, are in the first.
+fn contains(all: &[usize], some: &[usize]) -> bool {
+    some.iter().all(|place| all.binary_search(place).is_ok())
+}
+
+/// Decimal digits that agree at this relative difference.
+fn digits(difference: f64) -> u32 {
+    (-difference.log10()).min(DIGITS).floor() as u32
+}

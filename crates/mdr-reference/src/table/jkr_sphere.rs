@@ -1,0 +1,149 @@
+//! The sphere of Johnson, Kendall and Roberts.
+
+use crate::catalogue::records;
+use crate::decimal::Decimal;
+use crate::judge::maugis_unit;
+use crate::record::{Record, Status};
+use crate::table::{Cell, Column, Table};
+
+/// The questions, by the part of an identifier before its quantity, and what is to be learnt from each.
+const CASES: [(&str, &str); 43] = [
+    ("critical/jkr-unit/force", "pull-off force -3/2 pi w R"),
+    ("critical/jkr-unit/indentation", "force where fixed grips let go, -5/6 pi w R"),
+    ("critical/afm-tip/force", "tip of an atomic force microscope"),
+    ("critical/afm-tip/indentation", "tip of an atomic force microscope"),
+    ("critical/gecko-spatula/force", "adhesive pad"),
+    ("critical/gecko-spatula/indentation", "adhesive pad"),
+    ("critical/pdms-bead/force", "bead of silicone rubber"),
+    ("critical/pdms-bead/indentation", "bead of silicone rubber"),
+    ("critical/tyre-asperity/force", "asperity of rubber"),
+    ("critical/tyre-asperity/indentation", "asperity of rubber"),
+    ("critical/glass-bead/force", "bead of glass"),
+    ("critical/glass-bead/indentation", "bead of glass"),
+    ("critical/stiff-1e100/force", "scale: an absolute tolerance finds a = 0"),
+    ("critical/soft-1e-100/force", "scale: a starting value of order 1 is far off"),
+    ("critical/sticky-1e100/force", "scale: powers of w leave the doubles"),
+    ("critical/slippery-1e-100/force", "scale: w is below every absolute tolerance"),
+    ("critical/sharp-1e100/force", "scale: a small radius"),
+    ("critical/flat-1e-100/force", "scale: a large radius"),
+    ("equilibrium/jkr-unit/near=2^-3/outer/indentation", ""),
+    ("equilibrium/jkr-unit/near=2^-3/inner/indentation", "the other root at the same d"),
+    ("equilibrium/jkr-unit/near=2^-3/outer/force", ""),
+    ("equilibrium/jkr-unit/near=2^-3/inner/force", "the other root at the same F"),
+    ("equilibrium/jkr-unit/opposite/outer/indentation", "pressed in, one root only: squared equations have two"),
+    ("equilibrium/jkr-unit/opposite/outer/force", "pressed, one root only"),
+    ("equilibrium/jkr-unit/opposite-1e6/outer/indentation", "nearly the contact of Hertz"),
+    ("equilibrium/jkr-unit/opposite-1e6/outer/force", "nearly the contact of Hertz"),
+    ("equilibrium/jkr-unit/near=2^-12/outer/indentation", "near the fold: see tolerance"),
+    ("equilibrium/jkr-unit/near=2^-12/inner/indentation", "near the fold: see tolerance"),
+    ("equilibrium/jkr-unit/near=2^-26/outer/force", "very near the fold: see tolerance"),
+    ("equilibrium/jkr-unit/near=2^-26/inner/force", "very near the fold: see tolerance"),
+    ("equilibrium/afm-tip/near=2^-3/outer/indentation", "the same shares in SI units"),
+    ("equilibrium/afm-tip/near=2^-3/inner/indentation", "the other root at the same d"),
+    ("equilibrium/afm-tip/near=2^-3/outer/force", "the same shares in SI units"),
+    ("equilibrium/afm-tip/near=2^-3/inner/force", "the other root at the same F"),
+    ("equilibrium/afm-tip/opposite/outer/indentation", "pressed in"),
+    ("equilibrium/afm-tip/opposite/outer/force", "pressed"),
+    ("equilibrium/jkr-unit/past=2^-1/outer/indentation", "past the fold: no equilibrium, not 0 or NaN"),
+    ("equilibrium/jkr-unit/past=2^-1/outer/force", "past the fold: no equilibrium, not 0 or NaN"),
+    ("equilibrium/jkr-unit/past=2^-26/outer/indentation", "just past the fold"),
+    ("equilibrium/jkr-unit/past=2^-26/outer/force", "just past the fold"),
+    ("equilibrium/afm-tip/past=2^-1/outer/indentation", "past the fold"),
+    ("equilibrium/afm-tip/past=2^-1/outer/force", "past the fold"),
+    ("equilibrium/afm-tip/past=2^-12/outer/force", "just past the fold"),
+];
+
+const fn text(name: &'static str) -> Column {
+    Column { name, unit: "", is_number: false }
+}
+
+const fn number(name: &'static str, unit: &'static str) -> Column {
+    Column { name, unit, is_number: true }
+}
+
+const COLUMNS: [Column; 16] = [
+    text("id"),
+    text("question"),
+    text("control"),
+    text("branch"),
+    number("radius", "m"),
+    number("e_star", "Pa"),
+    number("work_of_adhesion", "J/m^2"),
+    text("status"),
+    number("contact_radius", "m"),
+    number("indentation", "m"),
+    number("force", "N"),
+    number("tolerance", ""),
+    number("maugis_contact_radius", ""),
+    number("maugis_indentation", ""),
+    number("maugis_force", ""),
+    text("note"),
+];
+
+/// The rows, each from the records of one question.
+pub(super) fn table() -> Table {
+    Table {
+        name: Table::NAMES[0],
+        title: "JKR sphere f = r^2/(2R): folds and equilibria in SI units and in those of Maugis",
+        columns: &COLUMNS,
+        rows: CASES.into_iter().filter_map(|(case, note)| row(case, note)).collect(),
+    }
+}
+
+/// What the records say about one question: up to three of them, with the same inputs.
+fn row(case: &str, note: &str) -> Option<Vec<Cell>> {
+    let of_case = |record: &&Record| record.id.rsplit_once('/').is_some_and(|(id, _)| id == case);
+    let given: Vec<&Record> = records().iter().filter(of_case).collect();
+    let first = *given.first()?;
+    let quantities = [("contact_radius", ""), ("indentation", "d"), ("force", "F")];
+    // The value that is held is no record but an input.
+    let value = |(quantity, input): (&str, &str)| match given.iter().find(|record| record.quantity == quantity) {
+        Some(record) => Some(record.nearest()).filter(|value| value.is_finite()),
+        None => first.input_f64(input),
+    };
+    let maugis = |asked: (&str, &str)| Some(twelve_digits(value(asked)? / maugis_unit(first, asked.0)?));
+    let is_fold = first.formula == "critical";
+    let flag = |name: &str| first.flags.iter().any(|flag| flag == name);
+    let branch = match (is_fold || first.status == Status::NoEquilibrium, flag("outer")) {
+        (true, _) => "",
+        (false, true) => "stable",
+        (false, false) => "unstable",
+    };
+    let tolerance = given.iter().filter(|record| record.value.is_some()).map(|record| record.tolerance());
+    let own = |text: &str| Cell::Text(text.to_owned());
+    Some(vec![
+        own(case),
+        own(if is_fold { "fold" } else { "equilibrium" }),
+        own(first.control.as_deref()?),
+        own(branch),
+        Cell::Number(Some(radius(first)?)),
+        Cell::Number(first.input_f64("E*")),
+        Cell::Number(first.input_f64("w")),
+        own(first.status.name()),
+        Cell::Number(value(quantities[0])),
+        Cell::Number(value(quantities[1])),
+        Cell::Number(value(quantities[2])),
+        Cell::Number(tolerance.reduce(f64::max).map(two_digits_up)),
+        Cell::Number(maugis(quantities[0])),
+        Cell::Number(maugis(quantities[1])),
+        Cell::Number(maugis(quantities[2])),
+        own(note),
+    ])
+}
+
+/// R = 1/(2C), to 15 digits: those of the table are short decimals.
+fn radius(record: &Record) -> Option<f64> {
+    let c: Decimal = record.input("C")?.parse().ok()?;
+    format!("{:.14e}", 0.5 / c.nearest()).parse().ok()
+}
+
+/// To twelve digits: the units of Maugis are computed in doubles.
+fn twelve_digits(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
+/// Rounded to two digits, away from zero.
+fn two_digits_up(value: f64) -> f64 {
+    let up = value * 1.05;
+    format!("{up:.1e}").parse().unwrap_or(up)
+}
