@@ -77,6 +77,7 @@ fn the_packages_see_only_what_the_design_lets_them_see() {
         ("reference", &[]),
         ("crosscheck", &["analytic", "core", "numeric", "reference", "symbolic"]),
         ("mdr", &["analytic", "core", "numeric"]),
+        ("python", &["contact", "reference"]),
         ("cli", &["analytic", "contact", "core", "crosscheck", "numeric", "reference", "symbolic"]),
     ];
     for (package, manifest) in manifests() {

@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::io;
 
-use mdr::ContactError;
 use mdr::batch;
 use mdr::critical::{PowerLaw, critical};
 use mdr::double::{self, Choice, Event, Start, State};
@@ -25,6 +24,11 @@ type Row = (f64, f64, f64);
 type Columns<'py> = (Column<'py>, Column<'py>, Column<'py>);
 /// Kind, value, before, after, dissipated.
 type Happening = (&'static str, f64, Row, Row, f64);
+
+/// Columns on all branches, admissible, stable, status.
+type Found<'py> = (Columns<'py>, Flags<'py>, Flags<'py>, Codes<'py>);
+/// Events, columns of the curve, balance.
+type Drawn<'py> = (Vec<Happening>, Columns<'py>, Option<[f64; 3]>);
 
 /// Profile and material: a scene, and the same in f64.
 #[pyclass(frozen, module = "mdr._core")]
@@ -51,8 +55,7 @@ impl Contact {
     /// g, g' and ∫g at radii.
     fn transform<'py>(&self, py: Python<'py>, x: Values<'py>) -> PyResult<Columns<'py>> {
         let x = x.as_slice()?;
-        let [g, slope, integral] =
-            interruptible(py, |stop| self.double.transform(x, stop))?.map_err(of_contact)?;
+        let [g, slope, integral] = interruptible(py, |stop| self.double.transform(x, stop))?.map_err(of_contact)?;
         Ok((column(py, g), column(py, slope), column(py, integral)))
     }
 
@@ -65,7 +68,11 @@ impl Contact {
                 let law = PowerLaw { control, ..law.clone() };
                 let answer = detached(py, || critical(&law, Arithmetic::Double))?.map_err(of_library)?;
                 let [a, d, force] = state_of(&answer)?.values();
-                Ok((number("the contact radius a", a)?, number("the indentation depth d", d)?, number("the normal force F", force)?))
+                Ok((
+                    number("the contact radius a", a)?,
+                    number("the indentation depth d", d)?,
+                    number("the normal force F", force)?,
+                ))
             }
             None => self.pull_off(py, held, control.stiffness()),
         }
@@ -85,12 +92,13 @@ impl Contact {
         let texts = match &self.law {
             Some(law) => {
                 let law = PowerLaw { control, ..law.clone() };
-                let answer = interruptible(py, |_| critical(&law, arithmetic))?.map_err(of_library)?;
+                let answer = detached(py, || critical(&law, arithmetic))?.map_err(of_library)?;
                 state_of(&answer)?.values().map(ToString::to_string)
             }
             None => {
                 let (near, ..) = self.pull_off(py, held, control.stiffness())?;
-                let scene = self.scene.clone().control(control).want(Want::Folds { range: None }).arithmetic(arithmetic);
+                let scene =
+                    self.scene.clone().control(control).want(Want::Folds { range: None }).arithmetic(arithmetic);
                 let fold = interruptible(py, |stop| nearest_fold(&scene, near, stop))?.map_err(of_library)?;
                 fold.ok_or_else(|| raise("NoEquilibriumError", ("the contact comes off without a fold",)))?
             }
@@ -144,14 +152,13 @@ impl Contact {
 
     /// a, d, F and admissible on each branch at each value, one branch after the other; which are stable; the status.
     #[pyo3(signature = (values, held, stiffness = None))]
-    #[allow(clippy::type_complexity)]
     fn equilibria<'py>(
         &self,
         py: Python<'py>,
         values: Values<'py>,
         held: &str,
         stiffness: Option<f64>,
-    ) -> PyResult<(Columns<'py>, Flags<'py>, Flags<'py>, Codes<'py>)> {
+    ) -> PyResult<Found<'py>> {
         let (values, control) = (values.as_slice()?, control(held, stiffness)?);
         let found = self.asked(py, &control, |stop| self.double.equilibria(&control, values, stop))?;
         let found = found.map_err(of_contact)?;
@@ -179,7 +186,6 @@ impl Contact {
 
     /// Events, a curve of a, d and F, and the balance of energy.
     #[pyo3(signature = (way, held, stiffness, start, samples))]
-    #[allow(clippy::type_complexity)]
     fn path<'py>(
         &self,
         py: Python<'py>,
@@ -188,7 +194,7 @@ impl Contact {
         stiffness: Option<f64>,
         start: &str,
         samples: usize,
-    ) -> PyResult<(Vec<Happening>, Columns<'py>, Option<[f64; 3]>)> {
+    ) -> PyResult<Drawn<'py>> {
         let (way, control, start) = (way.as_slice()?, control(held, stiffness)?, start_of(start)?);
         let path = interruptible(py, |stop| self.double.path(&control, way, &start, samples, stop))?;
         let path = path.map_err(of_contact)?;
@@ -226,7 +232,7 @@ pub(crate) fn kappa<'py>(py: Python<'py>, n: &str, digits: Option<u32>) -> PyRes
         control: Control::Indentation,
     };
     let arithmetic = digits.map_or(Arithmetic::Double, |digits| Arithmetic::Certified { digits });
-    let kappa = interruptible(py, |_| critical(&law, arithmetic))?.map_err(of_library)?.kappa;
+    let kappa = detached(py, || critical(&law, arithmetic))?.map_err(of_library)?.kappa;
     match digits {
         Some(_) => Digits::new(py)?.of(&kappa.to_string()),
         None => Ok(kappa.to_f64().into_pyobject(py)?.into_any()),
@@ -246,8 +252,10 @@ pub(crate) fn critical_states<'py>(
     stiffness: Option<f64>,
 ) -> PyResult<(Column<'py>, Columns<'py>, Codes<'py>)> {
     let control = control(held, stiffness)?;
-    let material =
-        batch::Materials::Each { effective_modulus: e_star.as_slice()?, work_of_adhesion: work_of_adhesion.as_slice()? };
+    let material = batch::Materials::Each {
+        effective_modulus: e_star.as_slice()?,
+        work_of_adhesion: work_of_adhesion.as_slice()?,
+    };
     let points = batch::Points { exponent: n.as_slice()?, coefficient: c.as_slice()?, material };
     let len = points.exponent.len();
     let compute = || {
@@ -270,8 +278,8 @@ pub(crate) fn critical_states<'py>(
 
 /// The critical state, which there is unless n = 1/2.
 fn state_of(answer: &mdr::critical::CriticalAnswer) -> PyResult<&mdr::critical::CriticalState> {
-    let why = "there is no critical state: at n = 1/2 the coefficient C decides, against a threshold, and on a machine \
-               softer or stiffer than the contact nothing may become unstable";
+    let why = "there is no critical state under this control: at n = 1/2 the coefficient C decides, against a threshold, and \
+               on a machine there may be no instability";
     answer.state.as_ref().ok_or_else(|| raise("NoEquilibriumError", (why,)))
 }
 
@@ -280,9 +288,8 @@ fn nearest_fold(scene: &Scene, radius: f64, stop: &Stop) -> mdr::Result<Option<[
     let answer = scene.solve_with(&mut mdr::Run::new(&mut (), stop.clone()))?;
     let folds = answer.folds().map_or(&[][..], |folds| &folds.items);
     let distance = |value: &Value| value.to_f64().map_or(f64::INFINITY, |a| (a / radius).ln().abs());
-    let nearest = folds.iter().min_by(|one, other| {
-        distance(&one.contact_radius).total_cmp(&distance(&other.contact_radius))
-    });
+    let nearest =
+        folds.iter().min_by(|one, other| distance(&one.contact_radius).total_cmp(&distance(&other.contact_radius)));
     Ok(nearest.map(|fold| [&fold.contact_radius, &fold.indentation, &fold.force].map(ToString::to_string)))
 }
 
@@ -292,7 +299,8 @@ fn number(quantity: &'static str, value: &Value) -> PyResult<f64> {
         (Some(number), _) => Ok(number),
         (None, log10) => {
             let log10 = log10.unwrap_or(f64::NAN);
-            let text = format!("{quantity} is out of the range of doubles: its log10 is {log10}; ask for digits instead");
+            let text =
+                format!("{quantity} is out of the range of doubles: its log10 is {log10}; ask for digits instead");
             Err(raise("OutOfRangeError", (text, quantity, log10)))
         }
     }

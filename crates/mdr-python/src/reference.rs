@@ -9,6 +9,9 @@ use crate::interrupt::detached;
 /// Identifier, verdict, reason, right digits, excess loss, claim.
 type Mark = (String, &'static str, String, Option<(f64, f64)>, Option<(f64, f64)>, &'static str);
 
+/// Passed, failures, text, marks, number of questions.
+type Judged = (bool, Vec<String>, String, Vec<Mark>, usize);
+
 fn filter(text: &str) -> PyResult<Filter> {
     text.parse().map_err(|error: FilterError| raise("FilterError", (error.to_string(),)))
 }
@@ -31,21 +34,18 @@ pub(crate) fn numbers(id: &str) -> Option<(f64, (f64, f64), f64)> {
     mdr_reference::record(id).map(|record| (record.nearest(), record.pair(), record.tolerance()))
 }
 
-/// Judges answer lines: passed, failures, text, marks, number of questions.
+/// Judges answer lines: passed, failures, text, marks, number of questions. The rules are the excess loss and the overstatement
+/// that pass, and whether inaccurate answers, odd lines, and missing answers do.
 #[pyfunction]
-#[pyo3(signature = (choice, answers, excess, overstatement, accept_inaccurate, lenient, complete))]
 pub(crate) fn judge_lines(
     py: Python<'_>,
     choice: &str,
     answers: Vec<String>,
-    excess: f64,
-    overstatement: f64,
-    accept_inaccurate: bool,
-    lenient: bool,
-    complete: bool,
-) -> PyResult<(bool, Vec<String>, String, Vec<Mark>, usize)> {
+    rules: (f64, f64, bool, bool, bool),
+) -> PyResult<Judged> {
     let filter = filter(choice)?;
-    let limits = Limits { excess_loss: excess, overstatement };
+    let (excess_loss, overstatement, accept_inaccurate, lenient, complete) = rules;
+    let limits = Limits { excess_loss, overstatement };
     detached(py, || {
         let mut judge = Judge::new(filter.select(), Rules { limits, accept_inaccurate, lenient, complete });
         answers.iter().for_each(|line| judge.line(line.as_bytes()));

@@ -30,7 +30,8 @@ pub(crate) fn solve(
         (digits, false) => digits.map(|digits| Arithmetic::Certified { digits }),
         (Some(_), true) => return Err(PyValueError::new_err("give digits or f64, not both")),
     };
-    let at_hand = |name: &str| -> io::Result<Vec<u8>> { files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok) };
+    let at_hand =
+        |name: &str| -> io::Result<Vec<u8>> { files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok) };
     let answer = interruptible(py, |stop| {
         let scene = match form {
             "file" => Scene::open(text),

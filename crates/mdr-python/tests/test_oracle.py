@@ -34,6 +34,8 @@ def test_contacts_pass_the_judge() -> None:
         try:
             return getattr(contact.critical("force"), question.quantity)
         except mdr.OutOfRangeError as error:
+            if question.quantity.replace("_", " ") not in error.quantity:
+                return None  # a number beside one that is none
             return mdr.Answer(status="overflow" if error.log10 > 0 else "underflow")
 
     report = mdr.judge(ask, "formula=critical control=force profile=power status=ok")

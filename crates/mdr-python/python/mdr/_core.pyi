@@ -9,6 +9,19 @@ from numpy.typing import NDArray
 
 from ._numbers import Floats
 
+__all__ = [
+    "CERTIFIED",
+    "VERSION",
+    "Contact",
+    "critical_states",
+    "judge_lines",
+    "kappa",
+    "lines",
+    "numbers",
+    "select",
+    "solve",
+]
+
 CERTIFIED: Final[bool]
 VERSION: Final[str]
 
@@ -65,11 +78,5 @@ def select(choice: str) -> list[str]: ...
 def lines() -> list[str]: ...
 def numbers(id: str) -> tuple[float, tuple[float, float], float] | None: ...
 def judge_lines(
-    choice: str,
-    answers: Sequence[str],
-    excess: float,
-    overstatement: float,
-    accept_inaccurate: bool,
-    lenient: bool,
-    complete: bool,
+    choice: str, answers: Sequence[str], rules: tuple[float, float, bool, bool, bool]
 ) -> tuple[bool, list[str], str, list[_Mark], int]: ...

@@ -29,7 +29,7 @@ class Answer:
     Parameters
     ----------
     value : Number, optional
-        None where there is no number.
+        None where there is no number, or NaN beside a status that says so.
     error : Number, optional
         The error that the program claims.
     status : str, optional
@@ -42,7 +42,8 @@ class Answer:
         self.value, self.error, self.status = value, error, status
 
     def _line(self, id: str) -> str:
-        numbers = {"value": self.value, "error": self.error}
+        nothing = self.status is not None and self.value != self.value
+        numbers = {"value": None if nothing else self.value, "error": self.error}
         texts = {key: exact(number, key) for key, number in numbers.items() if number is not None}
         return json.dumps({"id": id, **texts} | ({} if self.status is None else {"status": self.status}))
 
@@ -246,10 +247,8 @@ def judge(
     >>> mdr.judge(pull_off, "formula=critical control=force quantity=force status=ok").passed
     True
     """
-    marked = _core.judge_lines(
-        filter, _lines(answers, filter), excess, overstatement, accept_inaccurate, lenient, complete
-    )
-    passed, failures, text, marks, questions = marked
+    rules = (excess, overstatement, accept_inaccurate, lenient, complete)
+    passed, failures, text, marks, questions = _core.judge_lines(filter, _lines(answers, filter), rules)
     return Report(passed, tuple(failures), tuple(Mark(*mark) for mark in marks), questions, text)
 
 

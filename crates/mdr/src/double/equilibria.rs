@@ -22,7 +22,7 @@ impl Contact {
     /// [`Stopped`](crate::ContactError::Stopped).
     pub fn equilibria(&self, control: &Control<f64>, values: &[f64], stop: &Stop) -> Result<Equilibria> {
         if let Some(inverse) = self.inverse(control)? {
-            return by_closed_form(&inverse, self.has_large_branch(), control, values);
+            return by_closed_form(inverse, self.has_large_branch(), control, values);
         }
         self.branched(control, stop, |branches| searched(branches, values))
     }
@@ -33,7 +33,7 @@ impl Contact {
     /// As [`Contact::equilibria`].
     pub fn states(&self, control: &Control<f64>, values: &[f64], choice: Choice, stop: &Stop) -> Result<States> {
         if let Some(inverse) = self.inverse(control)? {
-            return stable_by_closed_form(&inverse, self.has_large_branch(), control, values);
+            return stable_by_closed_form(inverse, self.has_large_branch(), control, values);
         }
         self.branched(control, stop, |branches| {
             let mut order: Vec<usize> = (0..=branches.folds().len()).collect();
@@ -79,11 +79,7 @@ fn on_branch(branches: &Branches<'_, f64>, branch: usize, value: &f64) -> Result
 }
 
 /// The first state that is not unstable on the branches in their order.
-fn stable(
-    branches: &Branches<'_, f64>,
-    order: &[usize],
-    value: &f64,
-) -> Result<Option<(Equilibrium<f64>, Status)>> {
+fn stable(branches: &Branches<'_, f64>, order: &[usize], value: &f64) -> Result<Option<(Equilibrium<f64>, Status)>> {
     branches.control().check_value(value)?;
     for branch in order {
         let found = on_branch(branches, *branch, value)?;
@@ -143,41 +139,44 @@ fn by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values
     let smaller = Side { contact_radius: a0, uncontrolled: x0 };
     let larger = Side { contact_radius: a1, uncontrolled: x1 };
     inverse.branches(values, &mut Rows { smaller, larger, status: &mut status })?;
-    let held = where_known(values, &contact_radius);
+    let twice = values.iter().chain(values);
+    let held: Vec<f64> = twice.zip(&contact_radius).map(|(value, a)| where_known(*value, *a)).collect();
     let admissible = contact_radius.iter().map(|a| !a.is_nan()).collect();
-    let (indentation, force) = by_control(control, held, uncontrolled);
+    let (indentation, force) = if *control == Control::Force { (uncontrolled, held) } else { (held, uncontrolled) };
     Ok(Equilibria { stable: vec![!large, large], contact_radius, indentation, force, admissible, status })
 }
 
 /// The stable branch of a power law alone.
 fn stable_by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values: &[f64]) -> Result<States> {
-    let len = values.len();
-    let [mut contact_radius, mut uncontrolled, mut other_radius, mut other] = [(); 4].map(|()| vec![0.0; len]);
-    let mut status = vec![Status::Ok; len];
-    let stable = Side { contact_radius: &mut contact_radius, uncontrolled: &mut uncontrolled };
-    let unstable = Side { contact_radius: &mut other_radius, uncontrolled: &mut other };
-    let (smaller, larger) = if large { (unstable, stable) } else { (stable, unstable) };
-    inverse.branches(values, &mut Rows { smaller, larger, status: &mut status })?;
-    for (a, status) in contact_radius.iter().zip(&mut status) {
-        if a.is_nan() && matches!(status, Status::Ok | Status::Fold) {
-            *status = Status::NoEquilibrium;
+    /// Values at a time: the branch that is not wanted stays within the cache.
+    const BLOCK: usize = 1024;
+    let [mut a, mut x, mut other_a, mut other_x] = [[0.0; BLOCK]; 4];
+    let mut status = [Status::Ok; BLOCK];
+    let mut states = States::with_capacity(values.len());
+    for block in values.chunks(BLOCK) {
+        let len = block.len();
+        let stable = Side { contact_radius: &mut a[..len], uncontrolled: &mut x[..len] };
+        let unstable = Side { contact_radius: &mut other_a[..len], uncontrolled: &mut other_x[..len] };
+        let (smaller, larger) = if large { (unstable, stable) } else { (stable, unstable) };
+        inverse.branches(block, &mut Rows { smaller, larger, status: &mut status[..len] })?;
+        for (a, status) in a.iter().zip(&mut status[..len]) {
+            if a.is_nan() && matches!(status, Status::Ok | Status::Fold) {
+                *status = Status::NoEquilibrium;
+            }
         }
+        let (held, other) = match control {
+            Control::Force => (&mut states.force, &mut states.indentation),
+            _ => (&mut states.indentation, &mut states.force),
+        };
+        held.extend(block.iter().zip(&a).map(|(value, a)| where_known(*value, *a)));
+        other.extend_from_slice(&x[..len]);
+        states.contact_radius.extend_from_slice(&a[..len]);
+        states.status.extend_from_slice(&status[..len]);
     }
-    let held = where_known(values, &contact_radius);
-    let (indentation, force) = by_control(control, held, uncontrolled);
-    Ok(States { contact_radius, indentation, force, status })
+    Ok(states)
 }
 
-/// The values again for each branch; NaN where there is no state.
-fn where_known(values: &[f64], radii: &[f64]) -> Vec<f64> {
-    let held = |(value, a): (&f64, &f64)| if a.is_nan() { f64::NAN } else { *value };
-    match values.len() {
-        0 => Vec::new(),
-        len => radii.chunks_exact(len).flat_map(|branch| values.iter().zip(branch).map(held)).collect(),
-    }
-}
-
-/// Indentation and force, of which one is controlled.
-fn by_control(control: &Control<f64>, held: Vec<f64>, other: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
-    if *control == Control::Force { (other, held) } else { (held, other) }
+/// The value that is held, unless there is no state.
+fn where_known(value: f64, a: f64) -> f64 {
+    if a.is_nan() { f64::NAN } else { value }
 }

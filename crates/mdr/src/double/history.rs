@@ -62,13 +62,7 @@ impl Contact {
     ///
     /// # Errors
     /// No value, or one that is not finite; no stable equilibrium at the first; as [`Contact::equilibria`].
-    pub fn follow(
-        &self,
-        control: &Control<f64>,
-        values: &[f64],
-        start: &Start<f64>,
-        stop: &Stop,
-    ) -> Result<History> {
+    pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>, stop: &Stop) -> Result<History> {
         self.branched(control, stop, |branches| {
             let path = Path::follow(branches, start, values)?;
             let losses = Loss::of_each(&path, branches);

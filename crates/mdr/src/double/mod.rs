@@ -6,7 +6,7 @@
 mod equilibria;
 mod history;
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use mdr_analytic::double::Inverse;
 use mdr_core::contact::{
@@ -15,6 +15,7 @@ use mdr_core::contact::{
 use mdr_core::number::Literal;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::folds::{self, Folds};
 
 use crate::run::Stop;
 use crate::scene::Scene;
@@ -74,12 +75,15 @@ pub enum Choice {
 /// assert!(states.contact_radius[0].is_nan() && states.contact_radius[1] < states.contact_radius[2]);
 /// # Ok::<(), mdr::Error>(())
 /// ```
-#[derive(Clone)]
 pub struct Contact {
     transform: Arc<dyn Transform<f64>>,
     material: Material<f64>,
     /// n and C of a power law.
     law: Option<[f64; 2]>,
+    /// Its closed forms under fixed grips and under a dead load, once they have been needed.
+    inverses: [OnceLock<Inverse>; 2],
+    /// The folds under the control that was asked for last: a search for them takes longer than many equilibria.
+    folds: Mutex<Option<(Control<f64>, Folds<f64>)>>,
 }
 
 impl Contact {
@@ -94,6 +98,8 @@ impl Contact {
             transform: Arc::from(solve::transform::<f64>(&scene.profile, (), None)?),
             material: Material::new(modulus, work)?,
             law: scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius),
+            inverses: Default::default(),
+            folds: Mutex::default(),
         })
     }
 
@@ -151,17 +157,37 @@ impl Contact {
     ) -> Result<T> {
         control.check()?;
         let transform = self.counted(stop);
-        ask(&Branches::new(Curve::new(&transform, &self.material, control))?)
+        let curve = Curve::new(&transform, &self.material, control);
+        let known = self.last_folds().take().filter(|(last, _)| last == control);
+        let found = match known {
+            Some((_, found)) => found,
+            None => folds::find(&curve)?,
+        };
+        *self.last_folds() = Some((control.clone(), found.clone()));
+        match found.beyond.first() {
+            Some(fold) => Err(fold.error.clone()),
+            None => ask(&Branches::cut_at(curve, found)),
+        }
+    }
+
+    /// The folds that are known. A thread that panicked has left them whole: they are replaced at once.
+    fn last_folds(&self) -> MutexGuard<'_, Option<(Control<f64>, Folds<f64>)>> {
+        self.folds.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Closed forms for many values at once, where there are such: of a power law under fixed grips or a dead load.
-    fn inverse(&self, control: &Control<f64>) -> Result<Option<Inverse>> {
-        match (self.law, control) {
-            (Some([n, c]), Control::Indentation | Control::Force) if n != 0.5 => {
-                Inverse::new(n, c, &self.material, control).map(Some)
-            }
-            _ => Ok(None),
+    fn inverse(&self, control: &Control<f64>) -> Result<Option<&Inverse>> {
+        let Some([n, c]) = self.law.filter(|[n, _]| *n != 0.5) else { return Ok(None) };
+        let known = match control {
+            Control::Indentation => &self.inverses[0],
+            Control::Force => &self.inverses[1],
+            Control::Machine { .. } => return Ok(None),
+        };
+        if let Some(inverse) = known.get() {
+            return Ok(Some(inverse));
         }
+        let inverse = Inverse::new(n, c, &self.material, control)?;
+        Ok(Some(known.get_or_init(|| inverse)))
     }
 }
 
