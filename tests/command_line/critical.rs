@@ -246,3 +246,64 @@ fn a_full_disk_is_reported() {
 fn words_are_not_abbreviated() {
     mdr("critical --n 2 --c 50 --e-st 1e6 --work 0.05").assert().code(2).stdout_eq("");
 }
+
+/// A body by its name is the power law that it stands for.
+#[test]
+fn bodies_by_name() {
+    let of = |flags: &str| output(&format!("critical {flags} --e-star 1e6 --work 0.05 --format json"));
+    assert_eq!(of("--sphere 0.01"), of("--n 2 --c 50"));
+    assert_eq!(of("--paraboloid 1/300"), of("--n 2 --c 150"));
+    let cone = critical("--cone 45 --e-star 1e6 --work 0.05 --digits 30");
+    assert_eq!(text(&cone["inputs"], "c").parse::<f64>().unwrap(), 1.0);
+    // d = −w/(E*C) at the fold of a cone, whose C is rounded to ten digits more than are asked for.
+    let steep = critical("--cone 30 --e-star 1 --work 1 --digits 12");
+    assert_eq!(text(&steep, "indentation"), "-0.577350269190");
+    mdr("critical --cone 90 --e-star 1 --work 1")
+        .assert()
+        .code(2)
+        .stderr_eq("error: --cone: must be below 90 degrees, got 90\n");
+    mdr("critical --sphere 1 --cone 30 --e-star 1 --work 1").assert().code(2);
+}
+
+/// The table of one answer ends with what the other control would make of it.
+#[test]
+fn the_sibling_of_an_answer() {
+    let grips = output(&format!("critical {PARABOLOID} --digits 5"));
+    assert!(grips.contains("Under a dead load: F = -0.0023562 N = -3/2 pi w R at d = "), "{grips}");
+    let load = output(&format!("critical {PARABOLOID} --digits 5 --control force"));
+    assert!(load.contains("At fixed grips: F = -0.0013090 N at d = "), "{load}");
+    assert!(!output(&format!("critical {SHARP}")).contains("pi w R"));
+}
+
+#[test]
+fn several_exponents_are_rows_of_one_table() {
+    let flags = "--c 1 --e-star 1e6 --work 0.05 --digits 5";
+    let table = output(&format!("critical --n 0.5:1.5:0.25 {flags}"));
+    let exponents: Vec<_> = table.lines().skip(1).map(|line| line.split_whitespace().next().unwrap()).collect();
+    assert_eq!(exponents, ["0.5", "0.75", "1", "1.25", "1.5"]);
+    let lines = output(&format!("critical --n 1,2,1/3 {flags} --format json"));
+    assert_eq!(lines.lines().count(), 3);
+    assert_eq!(lines.lines().nth(1).unwrap(), output(&format!("critical --n 2 {flags} --format json")).trim());
+    for bad in ["1:2", "1,", "2:1:1", "1:2:0"] {
+        mdr(&format!("critical --n {bad} {flags}")).assert().code(2);
+    }
+}
+
+/// A batch answers every line in its own format; a line that is no question says so in its place.
+#[test]
+fn a_batch_answers_every_line() {
+    let csv = "n,c,e_star,work,control\n2,50,1e6,0.05,force\n-1,50,1e6,0.05,force\n1/4,1,1e9,0.05,\n";
+    let assert = mdr("critical --batch - --f64").stdin(csv).assert().code(1);
+    let answers = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+    let single = output("critical --n 2 --c 50 --e-star 1e6 --work 0.05 --control force --f64 --format csv");
+    assert_eq!(answers.lines().nth(1).unwrap(), format!("{},", single.lines().nth(1).unwrap()));
+    assert!(answers.lines().nth(2).unwrap().ends_with("n: must be positive, got -1\""), "{answers}");
+    assert_eq!(answers.lines().count(), 4);
+    let json = "{\"n\": 2, \"c\": \"50\", \"e_star\": 1e6, \"work\": 0.05}\n{\"n\": 2, \"q\": 1}\n";
+    let assert = mdr("critical --batch -").stdin(json).assert().code(1);
+    let answers = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+    let single = output(&format!("critical {PARABOLOID} --format json"));
+    assert_eq!(answers.lines().next().unwrap(), single.trim());
+    assert!(answers.lines().nth(1).unwrap().contains("unknown key `q`"), "{answers}");
+    mdr("critical --batch no-such-file").assert().code(2);
+}

@@ -29,6 +29,9 @@ fn each_command_has_flags_examples_and_exit_statuses() {
             &[
                 "--n",
                 "--c",
+                "--sphere",
+                "--cone",
+                "--batch",
                 "--e-star",
                 "--e1",
                 "--nu1",

@@ -6,7 +6,7 @@ use crate::{mdr, output};
 
 #[test]
 fn a_table_of_all_records() {
-    let table = output("reference");
+    let table = output("reference --filter id~/");
     let records = mdr_reference::records().len();
     assert!(table.contains(&format!("{records} of {records} records")), "{table}");
     assert!(table.contains("-4.7123889803846898576…"));
@@ -46,4 +46,15 @@ fn exports_and_refuses() {
     let nothing = ["--filter", "control=force control=indentation", "--format", "json"];
     mdr("reference").args(nothing).assert().code(2).stdout_eq("");
     std::fs::remove_dir_all(folder).unwrap();
+}
+
+/// Without a filter there is a line for each family, and all records are in one of them.
+#[test]
+fn the_summary_counts_every_record() {
+    let summary = output("reference");
+    let (table, total) = summary.rsplit_once("\n\n").unwrap();
+    let counts = table.lines().skip(1).map(|line| line.split_whitespace().nth(1).unwrap().parse::<usize>().unwrap());
+    let records = output("reference --format json").lines().count();
+    assert_eq!(counts.sum::<usize>(), records);
+    assert!(total.starts_with(&format!("{records} records")) && summary.lines().count() < 25, "{summary}");
 }

@@ -183,7 +183,10 @@ fn a_picture_out_of_hardware_names_its_flag_and_the_number() {
     let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("huge.svg");
     let assert = mdr(&format!("solve - --digits 6 --plot {}", file.display())).stdin(scene).assert().code(2);
     let text = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
-    assert_eq!(text, "error: <stdin>:2: profile.radius: out of the range of f64 (--plot draws in f64), got 1e400\n");
+    assert_eq!(
+        text,
+        "error: <stdin>:2: profile.radius: out of the range of f64 (a drawing is made in f64), got 1e400\n"
+    );
 }
 
 /// A formula that ends at a radius is searched up to it: that of a sphere has the equilibria of the sphere.

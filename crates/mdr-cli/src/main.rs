@@ -18,7 +18,7 @@ mod verify;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::error::Result;
 use crate::output::Output;
@@ -34,16 +34,25 @@ struct Program {
     command: Command,
 }
 
+/// In the order in which a user comes to need them.
 #[derive(Debug, Subcommand)]
 enum Command {
-    Verify(verify::Verify),
-    Critical(critical::Critical),
+    Critical(Box<critical::Critical>),
     Solve(solve::Solve),
-    Report(report::Report),
-    Figures(figures::Figures),
     Reference(reference::Reference),
     Judge(judge::Judge),
+    Verify(verify::Verify),
     Derive(derive::Derive),
+    Figures(figures::Figures),
+    Report(report::Report),
+    /// Print a completion script for a shell: mdr completions bash > /etc/bash_completion.d/mdr
+    Completions {
+        /// Which shell
+        #[arg(value_enum)]
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page: mdr man | man -l -
+    Man,
 }
 
 fn main() -> ExitCode {
@@ -65,13 +74,21 @@ impl Command {
     fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         match self {
             Command::Verify(verify) => verify.run(out),
-            Command::Critical(critical) => critical.run(out).map(|()| true),
+            Command::Critical(critical) => critical.run(out),
             Command::Solve(solve) => solve.run(out).map(|()| true),
             Command::Report(report) => report.run(out),
             Command::Figures(figures) => figures.run(out).map(|()| true),
             Command::Reference(reference) => reference.run(out),
             Command::Judge(judge) => judge.run(out),
             Command::Derive(derive) => derive.run(out),
+            Command::Completions { shell } => {
+                clap_complete::generate(*shell, &mut Program::command(), "mdr", out);
+                Ok(true)
+            }
+            Command::Man => {
+                let page = clap_mangen::Man::new(Program::command()).render(out);
+                page.map(|()| true).map_err(|error| error::Failure::file("standard output", error))
+            }
         }
     }
 }

@@ -4,17 +4,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use comfy_table::ColumnConstraint;
 use mdr_reference::{Filter, Record};
 
 use crate::error::{Failure, Result};
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, table};
+use crate::table::{Tone, cell, render_whole, table};
 
 const EXAMPLES: &str = "\
 Examples:
-  What there is:
+  How many there are, by family:
     mdr reference
+
+  A family:
+    mdr reference --filter id~guduru
 
   The hard questions about power laws under a dead load:
     mdr reference --filter \"profile=power control=force difficulty=higher\"
@@ -75,6 +77,7 @@ impl Reference {
         match self.format {
             Format::Json => out.text(chosen.iter().map(|record| record.to_json()).collect::<Vec<_>>().join("\n")),
             Format::Csv => out.csv(&Record::CSV_HEADER, chosen.iter().map(|record| record.to_csv())),
+            Format::Table if self.filter.trim().is_empty() => out.text(families(chosen)),
             Format::Table => out.text(for_reader(chosen)),
         }
     }
@@ -118,6 +121,32 @@ pub(crate) fn size(condition: f64) -> String {
     if condition < 1e4 { format!("{condition:.2}") } else { format!("{condition:.1e}") }
 }
 
+/// How many records there are, by the first part of their ids.
+fn families(all: &[&Record]) -> String {
+    let mut counts: Vec<(&str, [usize; 4])> = Vec::new();
+    for record in all {
+        let family = record.id.split('/').next().unwrap_or_default();
+        if counts.last().is_none_or(|(last, _)| *last != family) && !counts.iter().any(|(known, _)| *known == family) {
+            counts.push((family, [0; 4]));
+        }
+        let Some((_, counts)) = counts.iter_mut().find(|(known, _)| *known == family) else { continue };
+        counts[0] += 1;
+        counts[1 + record.difficulty as usize] += 1;
+    }
+    let mut table = table(&["family", "records", "lower", "average", "higher", "for example"]);
+    for (family, counts) in &counts {
+        let example = all.iter().find(|record| record.id.starts_with(&format!("{family}/")));
+        let numbers = counts.iter().map(|count| cell(count, Tone::Plain));
+        let row = std::iter::once(cell(family, Tone::Strong)).chain(numbers);
+        table.add_row(row.chain([cell(example.map_or("", |record| record.id.as_str()), Tone::Faint)]));
+    }
+    format!(
+        "{}\n\n{} records of 50 certified digits, by difficulty. List some: mdr reference --filter \"id~jkr-unit\"",
+        render_whole(&table),
+        all.len()
+    )
+}
+
 /// Digits of a value in the table.
 const SHOWN: usize = 20;
 
@@ -134,9 +163,7 @@ fn for_reader(chosen: &[&Record]) -> String {
             cell(record.difficulty, Tone::Plain),
         ]);
     }
-    // An identifier stays in one piece, to be copied.
-    table.set_constraints([ColumnConstraint::ContentWidth]);
-    format!("{}\n\n{} of {} records", render(&table), chosen.len(), mdr_reference::records().len())
+    format!("{}\n\n{} of {} records", render_whole(&table), chosen.len(), mdr_reference::records().len())
 }
 
 /// The first digits, with an ellipsis where there are more.

@@ -46,7 +46,41 @@ pub(crate) fn table(header: &[&str]) -> Table {
     table
 }
 
+/// The text of a table whose cells stay in one piece: where it is wider than the terminal, one cell a line.
+pub(crate) fn render_whole(table: &Table) -> String {
+    let natural: usize = table.column_max_content_widths().iter().map(|width| usize::from(*width) + 3).sum();
+    match table.width() {
+        Some(width) if natural >= usize::from(width) => vertical(table),
+        _ => render(table),
+    }
+}
+
+/// One cell a line with its title, a blank line between rows; empty cells are left out.
+fn vertical(table: &Table) -> String {
+    let titles: Vec<String> = table.header().into_iter().flat_map(|row| row.cell_iter().map(Cell::content)).collect();
+    let longest = titles.iter().map(|title| title.chars().count()).max().unwrap_or(0);
+    let row = |row: &comfy_table::Row| {
+        let cells = titles.iter().zip(row.cell_iter().map(Cell::content)).filter(|(_, text)| !text.is_empty());
+        cells.map(|(title, text)| format!(" {title:<longest$}  {text}")).collect::<Vec<_>>().join("\n")
+    };
+    table.row_iter().map(row).collect::<Vec<_>>().join("\n\n")
+}
+
 /// The text of a table without trailing blanks.
 pub(crate) fn render(table: &Table) -> String {
     table.lines().map(|line| line.trim_end().to_owned()).collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_that_is_too_wide_has_one_cell_a_line() {
+        let mut wide = table(&["radius, m", "force, N", "why"]);
+        wide.add_row(["0.1234567890123456789", "-1", ""]).add_row(["2", "", "none"]);
+        let tall = " radius, m  0.1234567890123456789\n force, N   -1\n\n radius, m  2\n why        none";
+        assert_eq!(render_whole(wide.set_width(30)), tall);
+        assert_eq!(render_whole(wide.set_width(80)).lines().count(), 3);
+    }
 }

@@ -225,6 +225,12 @@ impl<R: Kappa> Scene<R> {
         Ok(Contact::new(PowerLaw::new(self.n.clone(), self.c.clone())?, self.material()?))
     }
 
+    /// The same contact in another arithmetic.
+    pub(crate) fn map<S>(&self, convert: impl Fn(&R) -> S) -> Scene<S> {
+        let [n, c, e_star, work] = [&self.n, &self.c, &self.e_star, &self.work].map(convert);
+        Scene { n, c, e_star, work }
+    }
+
     /// Its material.
     pub(crate) fn material(&self) -> Result<Material<R>> {
         Material::new(self.e_star.clone(), self.work.clone())

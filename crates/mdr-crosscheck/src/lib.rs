@@ -26,7 +26,6 @@
 mod arithmetic;
 mod checks;
 pub mod derivations;
-mod faults;
 mod grid;
 pub mod ladders;
 mod library;
@@ -35,16 +34,17 @@ mod options;
 pub mod records;
 mod report;
 mod run;
-mod theory;
+mod subject;
 mod tolerance;
 mod trial;
 pub mod work_precision;
 
 pub use checks::checks_of;
-pub use faults::{Entry, Fault, Mistake, faults, forms};
 pub use library::Shape;
 pub use merge::MergeError;
 pub use options::{Level, Options, Shard, ShardError};
 pub use report::{Failure, Finding, Grid, Report, Row, Unit, Verdict};
 pub use run::{Progress, run, run_against};
-pub use theory::{Form, Part, Theory};
+pub use subject::closed::ClosedForms;
+pub use subject::mutation::{Fault, Mutation, faults};
+pub use subject::{Part, Subject, SubjectId, subjects};

@@ -7,67 +7,78 @@ use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Error, Profile, Quantity, Result, Transform};
 use mdr_core::number::{Lift, Real};
 
-/// A profile of the library.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[expect(missing_docs, reason = "named after the type in mdr_analytic::profiles")]
-pub enum Shape {
-    Cone,
-    Paraboloid,
-    Sphere,
-    Ellipsoid,
-    Hyperboloid,
-    TruncatedCone,
-    TruncatedParaboloid,
-    RoundedPunch,
-    ParabolicCapCone,
-    SphericalCapCone,
-    DisplacedParaboloid,
-    ParabolicDimple,
-    EllipticalDimple,
-    WavyParaboloid,
-    Sum,
+/// The shapes: variant, name in scenes and records, and how its parameters make a closed form.
+macro_rules! shapes {
+    ($($shape:ident $name:literal ($($parameter:ident),+) => $new:expr;)*) => {
+        /// A profile of the library.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[expect(missing_docs, reason = "named after the type in mdr_analytic::profiles")]
+        pub enum Shape {
+            $($shape,)*
+        }
+
+        impl Shape {
+            /// All of them.
+            pub const ALL: [Shape; { [$($name),*].len() }] = [$(Shape::$shape),*];
+
+            /// As scenes and records name it.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Shape::$shape => $name,)*
+                }
+            }
+
+            /// The public constructor of its closed form.
+            pub(crate) fn constructor(self) -> &'static str {
+                match self {
+                    $(Shape::$shape => concat!(stringify!($shape), "::new"),)*
+                }
+            }
+        }
+
+        /// The closed form of a profile.
+        ///
+        /// # Errors
+        /// Parameters out of their domain, or not as many as the shape has.
+        pub(crate) fn closed_form<R: Struve + Lift<R>>(shape: Shape, parameters: &[R]) -> Result<Box<dyn Transform<R>>> {
+            match (shape, parameters) {
+                $((Shape::$shape, [$($parameter),+]) => {
+                    $(let $parameter = $parameter.clone();)+
+                    Ok(Box::new($new?))
+                })*
+                (shape, parameters) => {
+                    let value = format!("{shape:?} {parameters:?}");
+                    let quantity = Quantity::Parameter("the profile");
+                    Err(Error::Domain { quantity, value, requirement: "one of the library" })
+                }
+            }
+        }
+    };
 }
 
-impl Shape {
-    /// All of them.
-    pub const ALL: [Shape; 15] = [
-        Shape::Cone,
-        Shape::Paraboloid,
-        Shape::Sphere,
-        Shape::Ellipsoid,
-        Shape::Hyperboloid,
-        Shape::TruncatedCone,
-        Shape::TruncatedParaboloid,
-        Shape::RoundedPunch,
-        Shape::ParabolicCapCone,
-        Shape::SphericalCapCone,
-        Shape::DisplacedParaboloid,
-        Shape::ParabolicDimple,
-        Shape::EllipticalDimple,
-        Shape::WavyParaboloid,
-        Shape::Sum,
-    ];
+shapes! {
+    Cone "cone" (slope) => closed::Cone::new(slope);
+    Paraboloid "paraboloid" (radius) => closed::Paraboloid::new(radius);
+    Sphere "sphere" (radius) => closed::Sphere::new(radius);
+    Ellipsoid "ellipsoid" (lateral, height) => closed::Ellipsoid::new(lateral, height);
+    Hyperboloid "hyperboloid" (slope, lateral) => closed::Hyperboloid::new(slope, lateral);
+    TruncatedCone "truncated-cone" (slope, flat) => closed::TruncatedCone::new(slope, flat);
+    TruncatedParaboloid "truncated-paraboloid" (radius, flat) => closed::TruncatedParaboloid::new(radius, flat);
+    RoundedPunch "rounded-punch" (radius, flat) => closed::RoundedPunch::new(radius, flat);
+    ParabolicCapCone "cone-parabolic-cap" (slope, cap) => closed::ParabolicCapCone::new(slope, cap);
+    SphericalCapCone "cone-spherical-cap" (slope, radius) => closed::SphericalCapCone::new(slope, radius);
+    DisplacedParaboloid "displaced-paraboloid" (radius, offset) => closed::DisplacedParaboloid::new(radius, offset);
+    ParabolicDimple "parabolic-dimple" (depth, radius) => closed::ParabolicDimple::new(depth, radius);
+    EllipticalDimple "elliptical-dimple" (depth, radius) => closed::EllipticalDimple::new(depth, radius);
+    WavyParaboloid "wavy-paraboloid" (radius, amplitude, wavelength) =>
+        closed::WavyParaboloid::new(radius, amplitude, wavelength);
+    Sum "sum" (radius, slope) => sum(radius, slope);
+}
 
-    /// As scenes and records name it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Shape::Cone => "cone",
-            Shape::Paraboloid => "paraboloid",
-            Shape::Sphere => "sphere",
-            Shape::Ellipsoid => "ellipsoid",
-            Shape::Hyperboloid => "hyperboloid",
-            Shape::TruncatedCone => "truncated-cone",
-            Shape::TruncatedParaboloid => "truncated-paraboloid",
-            Shape::RoundedPunch => "rounded-punch",
-            Shape::ParabolicCapCone => "cone-parabolic-cap",
-            Shape::SphericalCapCone => "cone-spherical-cap",
-            Shape::DisplacedParaboloid => "displaced-paraboloid",
-            Shape::ParabolicDimple => "parabolic-dimple",
-            Shape::EllipticalDimple => "elliptical-dimple",
-            Shape::WavyParaboloid => "wavy-paraboloid",
-            Shape::Sum => "sum",
-        }
-    }
+/// A paraboloid and a cone.
+fn sum<R: Struve + Lift<R>>(radius: R, slope: R) -> Result<closed::Sum<R>> {
+    let paraboloid: Box<dyn Transform<R>> = Box::new(closed::Paraboloid::new(radius)?);
+    Ok(closed::Sum::new(vec![paraboloid, Box::new(closed::Cone::new(slope)?)]))
 }
 
 /// A profile by its heights f(r), f(0) = 0.
@@ -75,42 +86,6 @@ impl Shape {
 pub(crate) struct Height<R> {
     pub(crate) shape: Shape,
     pub(crate) parameters: Vec<R>,
-}
-
-/// The closed form of a profile.
-///
-/// # Errors
-/// Parameters out of their domain, or not as many as the shape has.
-pub(crate) fn closed_form<R: Struve + Lift<R>>(shape: Shape, parameters: &[R]) -> Result<Box<dyn Transform<R>>> {
-    let unknown = || {
-        let value = format!("{shape:?} {parameters:?}");
-        Error::Domain { quantity: Quantity::Parameter("the profile"), value, requirement: "one of the library" }
-    };
-    let [first, rest @ ..] = parameters else { return Err(unknown()) };
-    let first = first.clone();
-    Ok(match (shape, rest) {
-        (Shape::Cone, []) => Box::new(closed::Cone::new(first)?),
-        (Shape::Paraboloid, []) => Box::new(closed::Paraboloid::new(first)?),
-        (Shape::Sphere, []) => Box::new(closed::Sphere::new(first)?),
-        (Shape::Ellipsoid, [height]) => Box::new(closed::Ellipsoid::new(first, height.clone())?),
-        (Shape::Hyperboloid, [lateral]) => Box::new(closed::Hyperboloid::new(first, lateral.clone())?),
-        (Shape::TruncatedCone, [flat]) => Box::new(closed::TruncatedCone::new(first, flat.clone())?),
-        (Shape::TruncatedParaboloid, [flat]) => Box::new(closed::TruncatedParaboloid::new(first, flat.clone())?),
-        (Shape::RoundedPunch, [flat]) => Box::new(closed::RoundedPunch::new(first, flat.clone())?),
-        (Shape::ParabolicCapCone, [cap]) => Box::new(closed::ParabolicCapCone::new(first, cap.clone())?),
-        (Shape::SphericalCapCone, [radius]) => Box::new(closed::SphericalCapCone::new(first, radius.clone())?),
-        (Shape::DisplacedParaboloid, [offset]) => Box::new(closed::DisplacedParaboloid::new(first, offset.clone())?),
-        (Shape::ParabolicDimple, [radius]) => Box::new(closed::ParabolicDimple::new(first, radius.clone())?),
-        (Shape::EllipticalDimple, [radius]) => Box::new(closed::EllipticalDimple::new(first, radius.clone())?),
-        (Shape::WavyParaboloid, [amplitude, wavelength]) => {
-            Box::new(closed::WavyParaboloid::new(first, amplitude.clone(), wavelength.clone())?)
-        }
-        (Shape::Sum, [slope]) => {
-            let paraboloid = Box::new(closed::Paraboloid::new(first)?);
-            Box::new(closed::Sum::new(vec![paraboloid, Box::new(closed::Cone::new(slope.clone())?)]))
-        }
-        _ => return Err(unknown()),
-    })
 }
 
 impl<R: Real> Height<R> {

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::checks::{Check, registry};
 use crate::options::Options;
 use crate::report::{Report, Row, Verdict};
-use crate::theory::Theory;
+use crate::subject::closed::ClosedForms;
 use crate::trial::Trial;
 
 /// How far a run has come.
@@ -32,11 +32,11 @@ pub struct Progress {
 /// assert!(report.passed());
 /// ```
 pub fn run(options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> Report {
-    run_against(&Theory::default(), options, progress)
+    run_against(&ClosedForms::default(), options, progress)
 }
 
-/// As [`run`], with `theory` in the place of the closed forms: how deliberate faults are put in.
-pub fn run_against(theory: &Theory, options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> Report {
+/// As [`run`], with `closed` in the place of the closed forms: how deliberate faults are put in.
+pub fn run_against(closed: &ClosedForms, options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> Report {
     let checks: Vec<&Check> = registry().iter().filter(|check| asked(check, options)).collect();
     let cases: Vec<(&Check, usize)> =
         checks.iter().flat_map(|check| indices(check, options).map(|index| (*check, index))).collect();
@@ -45,7 +45,7 @@ pub fn run_against(theory: &Theory, options: &Options, progress: &(dyn Fn(Progre
         .par_iter()
         .with_max_len(1)
         .map(|&(check, index)| {
-            let case = Trial::new(theory, options.precision(), options.seed, check.name, index).run(check.case);
+            let case = Trial::new(closed, options.precision(), options.seed, check.name, index).run(check.case);
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress(Progress { done, total: cases.len(), check: check.name });
             case

@@ -7,7 +7,7 @@ use mdr_core::number::{Precision, Real};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 
-use crate::theory::Theory;
+use crate::subject::closed::ClosedForms;
 
 /// One quantity by two routes.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,7 +56,7 @@ pub(crate) struct Case {
 #[derive(Debug)]
 pub(crate) struct Trial<'a> {
     /// The closed forms under test.
-    pub(crate) theory: &'a Theory,
+    pub(crate) closed: &'a ClosedForms,
     /// The precision of arbitrary-precision cases.
     pub(crate) precision: Precision,
     /// The index of the case among those of its check.
@@ -69,13 +69,13 @@ pub(crate) struct Trial<'a> {
 
 impl<'a> Trial<'a> {
     /// Case `index` of the check `name`. Its random numbers depend on the seed, the name and the index, on nothing else.
-    pub(crate) fn new(theory: &'a Theory, precision: Precision, seed: u64, name: &str, index: usize) -> Self {
+    pub(crate) fn new(closed: &'a ClosedForms, precision: Precision, seed: u64, name: &str, index: usize) -> Self {
         let stream = name.bytes().fold(seed ^ 0xcbf2_9ce4_8422_2325, |hash, byte| {
             (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
         });
         let random = Xoshiro256PlusPlus::seed_from_u64(stream.wrapping_add(index as u64));
         let (inputs, comparisons) = (String::new(), Vec::new());
-        Trial { theory, precision, index, random, inputs, comparisons, broken: None }
+        Trial { closed, precision, index, random, inputs, comparisons, broken: None }
     }
 
     /// Runs `case` on this trial.

@@ -8,7 +8,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use mdr_crosscheck::forms;
+use mdr_crosscheck::ladders::functions;
+use mdr_crosscheck::subjects;
 use sources::{public_functions, sources};
 
 /// Public functions that are no closed forms of the theory.
@@ -80,10 +81,21 @@ fn every_public_closed_form_has_a_row() {
         .collect();
     assert!(found.len() > 20, "the sources of mdr-analytic were not found: {found:?}");
     let covered: BTreeSet<&str> =
-        forms().iter().map(|entry| entry.function).chain(EXEMPT.iter().map(|(name, _)| *name)).collect();
+        subjects().iter().map(|subject| subject.function).chain(EXEMPT.iter().map(|(name, _)| *name)).collect();
     let compared = |name: &String| COMPARED.iter().any(|(prefix, _)| name.starts_with(prefix));
     let missing: Vec<_> = found.iter().filter(|name| !covered.contains(name.as_str()) && !compared(name)).collect();
     assert!(missing.is_empty(), "without a row: {missing:#?}");
     let stale: Vec<_> = covered.iter().filter(|name| !found.contains(**name)).collect();
     assert!(stale.is_empty(), "covered, but not there: {stale:#?}");
+}
+
+/// A fault reaches a function for f64 by its name: one that is no subject would never be faulty.
+#[test]
+fn every_function_of_double_with_a_ladder_is_a_subject() {
+    let subjects: BTreeSet<&str> = subjects().iter().map(|subject| subject.function).collect();
+    let functions = functions();
+    let double: Vec<_> = functions.iter().filter(|name| name.starts_with("double::")).collect();
+    assert!(double.len() > 20, "{double:?}");
+    let missing: Vec<_> = double.iter().filter(|name| !subjects.contains(name.as_str())).collect();
+    assert!(missing.is_empty(), "no subjects: {missing:?}");
 }

@@ -3,6 +3,7 @@
 use mdr::answer::Dissipation;
 use mdr::prelude::*;
 
+#[allow(clippy::print_stdout)] // what an example is for
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Scene::open(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/figure-4.toml"))?;
     let answer = scene.solve()?;

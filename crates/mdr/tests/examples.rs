@@ -12,13 +12,16 @@ fn root() -> PathBuf {
 }
 
 fn scene(name: &str) -> Scene {
-    Scene::open(root().join(format!("examples/scenes/{name}.toml"))).unwrap()
+    Scene::open(root().join(format!("examples/scenes/{name}.toml"))).expect("a scene file")
 }
 
 fn names() -> Vec<String> {
-    let files = std::fs::read_dir(root().join("examples/scenes")).unwrap().map(|entry| entry.unwrap().path());
+    let files = std::fs::read_dir(root().join("examples/scenes"))
+        .expect("a scene file")
+        .map(|entry| entry.expect("a scene file").path());
     let scenes = files.filter(|path| path.extension().is_some_and(|extension| extension == "toml"));
-    let mut names: Vec<_> = scenes.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
+    let mut names: Vec<_> =
+        scenes.map(|path| path.file_stem().expect("a scene file").to_str().expect("a scene file").to_owned()).collect();
     names.sort();
     names
 }
@@ -61,7 +64,7 @@ fn needs_mp(name: &str) -> bool {
 fn close(one: &Json, other: &Json, scale: f64, place: &str) {
     match (one, other) {
         (Json::Number(x), Json::Number(y)) => {
-            let [x, y] = [x, y].map(|number| number.as_f64().unwrap());
+            let [x, y] = [x, y].map(|number| number.as_f64().expect("a double"));
             assert!((x - y).abs() <= 1e-11 * x.abs().max(scale), "{place}: {x:e}, not {y:e}");
         }
         (Json::Array(ones), Json::Array(others)) => {

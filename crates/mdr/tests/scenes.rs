@@ -182,3 +182,38 @@ fn a_scene_that_is_built_is_checked_as_one_that_is_read() {
     assert!(Scene::new(cone("1"), bodies("0.5"), 1).is_ok());
     assert!(complaint(Scene::open("no-such-scene.toml")).starts_with("no-such-scene.toml: "));
 }
+
+/// A cantilever takes a sphere into contact and off again: the curve breaks where the path jumps, and every sample lies on the
+/// straight line of the machine, D = d + F/k.
+#[test]
+fn a_force_curve_is_the_path_as_it_is_measured() {
+    let (k, stiffness) = (0.1, "0.1".parse().expect("a number"));
+    let tip = Shape::Paraboloid { radius: "1e-6" };
+    let scene = Scene::new(tip, Elasticity::effective("1e6").expect("a number"), "0.05")
+        .and_then(|scene| scene.control(Control::Machine { stiffness }).path(["-1e-6", "1e-6", "-3e-6"]))
+        .expect("a scene")
+        .start(Start::Detached)
+        .want(Want::ForceCurve { points: 100 })
+        .arithmetic(Arithmetic::Double);
+    let answer = scene.solve().expect("an answer");
+    let curve = answer.force_curve().expect("wanted");
+    let number = |value: &Option<Value>| value.as_ref().and_then(Value::to_f64);
+    let samples = &curve.samples.items;
+    assert!((100..120).contains(&samples.len()), "{}", samples.len());
+    for sample in samples {
+        let force = sample.force.to_f64().expect("a force");
+        let [position, indentation] =
+            [&sample.position.0, &sample.indentation].map(|value| number(value).expect("known"));
+        assert!((position - indentation - force / k).abs() < 1e-20, "{sample:?}");
+        assert_eq!(force == 0.0, sample.contact_radius.is_none());
+    }
+    let segments: Vec<_> = samples.iter().map(|sample| (sample.segment, sample.direction)).collect();
+    assert_eq!((segments[0], segments[samples.len() - 1]), ((1, "approach"), (4, "retract")));
+    // The softest machine breaks at the dead load of JKR, this one a little later; it jumps in at D = 0.
+    let pull_off = number(&curve.summary.pull_off_force).expect("it breaks");
+    let jkr = -1.5 * std::f64::consts::PI * 0.05 * 1e-6;
+    assert!(pull_off > jkr && pull_off < 0.99 * jkr, "{pull_off:e}");
+    assert!(number(&curve.summary.minimum_force).expect("known") <= pull_off);
+    assert!(number(&curve.summary.jump_in_force).is_some_and(|force| force < 0.0));
+    assert!(number(&curve.summary.hysteresis).is_some_and(|energy| energy > 0.0));
+}

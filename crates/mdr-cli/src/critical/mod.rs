@@ -1,10 +1,14 @@
 //! `mdr critical`: the critical state of a power-law contact.
 
+mod batch;
 mod render;
+mod shape;
+
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use mdr::critical::PowerLaw;
-use mdr::prelude::{Body, Control, Elasticity, Literal};
+use mdr::critical::{CriticalAnswer, PowerLaw};
+use mdr::prelude::{Arithmetic, Body, Control, Elasticity, Literal};
 
 use crate::error::{Failure, Result};
 use crate::flags::{ArithmeticFlags, Flag};
@@ -12,8 +16,15 @@ use crate::output::{Format, Output};
 
 const EXAMPLES: &str = "\
 Examples:
-  The JKR sphere of 1 cm radius, f = r²/2R, pulled off under a dead load (-3/2 pi w R):
+  A sphere of 1 cm radius in JKR's theory, f = r²/2R, pulled off under a dead load:
+    mdr critical --sphere 0.01 --e-star 1e6 --work 0.05 --control force
+
+  The same as a power law, f = C r^n:
     mdr critical --n 2 --c 50 --e-star 1e6 --work 0.05 --control force
+
+  A cone of 85 degrees half angle; five exponents at once:
+    mdr critical --cone 85 --e-star 1e6 --work 0.05
+    mdr critical --n 0.5:1.5:0.25 --c 1 --e-star 1e6 --work 0.05
 
   50 certified digits of a sharp tip that jumps to complete contact, for another program:
     mdr critical --n 0.25 --c 1e-6 --e-star 1e9 --work 0.05 --digits 50 --format json
@@ -24,9 +35,13 @@ Examples:
   All instabilities on a machine of finite stiffness (N/m):
     mdr critical --n 0.6 --c 2.4829 --e-star 1 --work 1 --control machine --stiffness 1
 
+  Many questions in hardware arithmetic, CSV or JSON lines in and the same out:
+    mdr critical --batch examples/questions.csv --f64
+
+A batch has the columns (or keys) n, c, e_star, work and, where needed, control and stiffness.
 Numbers are exact as typed: 0.3, 1e-9 or 1/3. Quantities are in SI units; so is C, in m^(1-n).
 JSON: schema mdr.critical/1; numbers are strings in certified answers and JSON numbers with --f64.
-Exit status: 0 answered, 2 bad input.";
+Exit status: 0 answered, 1 a line of a batch has no answer, 2 bad input.";
 
 /// Critical contact radius, indentation depth and force of the profile f(r) = C r^n.
 ///
@@ -35,13 +50,8 @@ Exit status: 0 answered, 2 bad input.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Critical {
-    /// Exponent n > 0 of the profile f(r) = C r^n
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
-    n: String,
-
-    /// Coefficient C > 0 of the profile, in m^(1-n)
-    #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    c: String,
+    #[command(flatten)]
+    shape: shape::ShapeFlags,
 
     /// Effective modulus E* > 0, in Pa; or give two bodies
     #[arg(long, value_name = "E*", allow_hyphen_values = true)]
@@ -64,8 +74,8 @@ pub(crate) struct Critical {
     nu2: Option<String>,
 
     /// Work of adhesion w > 0 per area, in J/m² (the full work of separation)
-    #[arg(long, value_name = "W", allow_hyphen_values = true)]
-    work: String,
+    #[arg(long, value_name = "W", allow_hyphen_values = true, required_unless_present = "batch")]
+    work: Option<String>,
 
     /// What is held while the contact finds its radius
     #[arg(long, value_enum, default_value_t = ControlKind::Indentation)]
@@ -77,6 +87,10 @@ pub(crate) struct Critical {
 
     #[command(flatten)]
     arithmetic: ArithmeticFlags,
+
+    /// Answer the questions of a file, CSV or JSON lines, one a line; - is standard input
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["n", "c", "sphere", "paraboloid", "cone", "work", "e_star", "e1"])]
+    batch: Option<PathBuf>,
 
     /// Shape of the answer
     #[arg(long, value_enum, default_value_t = Format::Table)]
@@ -95,20 +109,48 @@ enum ControlKind {
 }
 
 impl Critical {
-    /// Answers on `out`.
-    pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
-        let answer = mdr::critical(&self.law()?, self.arithmetic.chosen()?).map_err(Failure::of_flag)?;
-        render::write(&answer, self.format, out)
+    /// Answers on `out`; whether every question has an answer.
+    pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
+        let arithmetic = self.arithmetic.chosen()?;
+        if let Some(file) = &self.batch {
+            return batch::answer(file, arithmetic, out);
+        }
+        let laws = self.laws(arithmetic)?;
+        let answer = |law: &PowerLaw| mdr::critical(law, arithmetic).map_err(Failure::of_flag);
+        let answers = laws.iter().map(answer).collect::<Result<Vec<_>>>()?;
+        match &answers[..] {
+            [one] => render::write(one, self.sibling(one)?.as_ref(), self.format, out)?,
+            all => render::write_all(all, self.format, out)?,
+        }
+        Ok(true)
     }
 
-    fn law(&self) -> Result<PowerLaw> {
-        Ok(PowerLaw {
-            n: Flag::new("--n", &self.n).positive()?,
-            c: Flag::new("--c", &self.c).positive()?,
-            elasticity: self.elasticity()?,
-            work_of_adhesion: Flag::new("--work", &self.work).positive()?,
-            control: self.controlled()?,
-        })
+    /// The same under the other of the two controls of a test by hand: fixed grips and a dead load.
+    fn sibling(&self, answer: &CriticalAnswer) -> Result<Option<CriticalAnswer>> {
+        let control = match answer.law.control {
+            Control::Indentation => Control::Force,
+            Control::Force => Control::Indentation,
+            Control::Machine { .. } => return Ok(None),
+        };
+        if self.format != Format::Table || answer.state.is_none() {
+            return Ok(None);
+        }
+        let law = PowerLaw { control, ..answer.law.clone() };
+        mdr::critical(&law, answer.arithmetic).map(Some).map_err(Failure::of_flag)
+    }
+
+    fn laws(&self, arithmetic: Arithmetic) -> Result<Vec<PowerLaw>> {
+        let work = self.work.as_deref().unwrap_or_default();
+        let work_of_adhesion = Flag::new("--work", work).positive()?;
+        let (elasticity, control) = (self.elasticity()?, self.controlled()?);
+        let law = |[n, c]: [Literal; 2]| PowerLaw {
+            n,
+            c,
+            elasticity: elasticity.clone(),
+            work_of_adhesion: work_of_adhesion.clone(),
+            control: control.clone(),
+        };
+        Ok(self.shape.laws(arithmetic)?.into_iter().map(law).collect())
     }
 
     fn elasticity(&self) -> Result<Elasticity> {

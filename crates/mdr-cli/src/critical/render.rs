@@ -6,18 +6,63 @@ use mdr_core::contact::Regime;
 
 use crate::error::Result;
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, table};
+use crate::table::{Tone, cell, render, render_whole, table};
 
 const QUANTITIES: [(&str, &str); 3] =
     [("contact radius a", "m"), ("indentation depth d", "m"), ("normal force F", "N")];
 
-/// Writes `answer` in the `format` asked for.
-pub(crate) fn write(answer: &CriticalAnswer, format: Format, out: &mut Output<impl std::io::Write>) -> Result<()> {
+/// Writes `answer` in the `format` asked for; for a reader with its sibling under the other control.
+pub(crate) fn write(
+    answer: &CriticalAnswer,
+    sibling: Option<&CriticalAnswer>,
+    format: Format,
+    out: &mut Output<impl std::io::Write>,
+) -> Result<()> {
     match format {
         Format::Json => out.json(answer),
-        Format::Csv => for_spreadsheet(answer, out),
-        Format::Table => out.text(for_reader(answer)),
+        Format::Csv => for_spreadsheet(std::slice::from_ref(answer), out),
+        Format::Table => {
+            let sibling = sibling.and_then(in_a_line).map_or_else(String::new, |line| format!("\n{line}"));
+            out.text(format!("{}{sibling}", for_reader(answer)))
+        }
     }
+}
+
+/// Writes several answers: a row or a line for each.
+pub(crate) fn write_all(
+    answers: &[CriticalAnswer],
+    format: Format,
+    out: &mut Output<impl std::io::Write>,
+) -> Result<()> {
+    match format {
+        Format::Json => answers.iter().try_for_each(|answer| out.json(answer)),
+        Format::Csv => for_spreadsheet(answers, out),
+        Format::Table => {
+            let keys = ["n", "kappa", "contact_radius", "indentation", "force", "kind", "status"];
+            let titles = ["n", "kappa_n", "contact radius, m", "indentation, m", "force, N", "fold", "status"];
+            let mut table = table(&titles);
+            for row in answers.iter().flat_map(rows) {
+                let value = |key: &&str| row.iter().find(|(title, _)| title == key).map_or("", |(_, value)| value);
+                table.add_row(keys.iter().map(|key| cell(value(key), Tone::Plain)));
+            }
+            out.text(render_whole(&table))
+        }
+    }
+}
+
+/// The sibling of an answer: what the other control would make of the same contact.
+fn in_a_line(sibling: &CriticalAnswer) -> Option<String> {
+    let state = sibling.state.as_ref()?;
+    let control = match sibling.law.control.kind() {
+        ControlKind::Force => "Under a dead load",
+        _ => "At fixed grips",
+    };
+    let jkr = sibling.law.control.kind() == ControlKind::Force && sibling.law.n.small_integer() == Some(2);
+    let closed = if jkr { " = -3/2 pi w R" } else { "" };
+    Some(format!(
+        "{control}: F = {} N{closed} at d = {} m, a = {} m.",
+        state.force, state.indentation, state.contact_radius
+    ))
 }
 
 fn for_reader(answer: &CriticalAnswer) -> String {
@@ -126,23 +171,57 @@ fn scale_free(answer: &CriticalAnswer) -> String {
 }
 
 /// One row a critical state: one, or one a fold on a machine.
-fn for_spreadsheet(answer: &CriticalAnswer, out: &mut Output<impl std::io::Write>) -> Result<()> {
-    let rows: Vec<_> = match answer.folds.as_deref() {
+pub(crate) fn rows(answer: &CriticalAnswer) -> Vec<Columns> {
+    match answer.folds.as_deref() {
         Some(folds) if !folds.is_empty() => {
             folds.iter().map(|fold| columns(answer, Some(&fold.state), Some(fold))).collect()
         }
         _ => vec![columns(answer, answer.state.as_ref(), None)],
-    };
-    let header = rows[0].each_ref().map(|(title, _)| *title);
-    out.csv(&header, rows.into_iter().map(|row| row.map(|(_, value)| value)))
+    }
+}
+
+fn for_spreadsheet(answers: &[CriticalAnswer], out: &mut Output<impl std::io::Write>) -> Result<()> {
+    let header = columns_of_none().map(|(title, _)| title);
+    let rows = answers.iter().flat_map(rows);
+    out.csv(&header, rows.map(|row| row.map(|(_, value)| value)))
+}
+
+/// Titles and values.
+pub(crate) type Columns = [(&'static str, String); 24];
+
+/// The titles without values.
+pub(crate) fn columns_of_none() -> Columns {
+    [
+        "arithmetic",
+        "digits",
+        "control",
+        "regime",
+        "n",
+        "c",
+        "e1",
+        "nu1",
+        "e2",
+        "nu2",
+        "e_star",
+        "work",
+        "stiffness",
+        "kappa",
+        "status",
+        "contact_radius",
+        "indentation",
+        "force",
+        "log10_contact_radius",
+        "log10_indentation",
+        "log10_force",
+        "kind",
+        "threshold_c",
+        "ratio",
+    ]
+    .map(|title| (title, String::new()))
 }
 
 /// The titles and values of a row.
-fn columns(
-    answer: &CriticalAnswer,
-    state: Option<&CriticalState>,
-    fold: Option<&CriticalFold>,
-) -> [(&'static str, String); 24] {
+fn columns(answer: &CriticalAnswer, state: Option<&CriticalState>, fold: Option<&CriticalFold>) -> Columns {
     let text = |value: Option<&Value>| match value {
         Some(Value::Unknown { .. }) | None => String::new(),
         Some(value) => value.to_string(),
@@ -156,30 +235,33 @@ fn columns(
     let body = |body: usize, constant: usize| text(inputs.bodies.as_ref().map(|bodies| &bodies[body][constant]));
     let [radius, indentation, force] = values(state);
     let threshold = answer.threshold.as_ref();
-    [
-        ("arithmetic", promise.name().to_owned()),
-        ("digits", digits),
-        ("control", answer.law.control.kind().name().to_owned()),
-        ("regime", answer.regime.to_string()),
-        ("n", inputs.n.to_string()),
-        ("c", inputs.c.to_string()),
-        ("e1", body(0, 0)),
-        ("nu1", body(0, 1)),
-        ("e2", body(1, 0)),
-        ("nu2", body(1, 1)),
-        ("e_star", inputs.e_star.to_string()),
-        ("work", inputs.work.to_string()),
-        ("stiffness", text(inputs.stiffness.as_ref())),
-        ("kappa", answer.kappa.to_string()),
-        ("status", fold.map_or(answer.status, |fold| fold.state.status()).to_string()),
-        ("contact_radius", text(radius)),
-        ("indentation", text(indentation)),
-        ("force", text(force)),
-        ("log10_contact_radius", log10(radius)),
-        ("log10_indentation", log10(indentation)),
-        ("log10_force", log10(force)),
-        ("kind", fold.map(|fold| fold.kind.name()).unwrap_or_default().to_owned()),
-        ("threshold_c", text(threshold.map(|threshold| &threshold.c))),
-        ("ratio", text(threshold.map(|threshold| &threshold.ratio))),
-    ]
+    let values = [
+        promise.name().to_owned(),
+        digits,
+        answer.law.control.kind().name().to_owned(),
+        answer.regime.to_string(),
+        inputs.n.to_string(),
+        inputs.c.to_string(),
+        body(0, 0),
+        body(0, 1),
+        body(1, 0),
+        body(1, 1),
+        inputs.e_star.to_string(),
+        inputs.work.to_string(),
+        text(inputs.stiffness.as_ref()),
+        answer.kappa.to_string(),
+        fold.map_or(answer.status, |fold| fold.state.status()).to_string(),
+        text(radius),
+        text(indentation),
+        text(force),
+        log10(radius),
+        log10(indentation),
+        log10(force),
+        fold.map(|fold| fold.kind.name()).unwrap_or_default().to_owned(),
+        text(threshold.map(|threshold| &threshold.c)),
+        text(threshold.map(|threshold| &threshold.ratio)),
+    ];
+    let mut row = columns_of_none();
+    row.iter_mut().zip(values).for_each(|((_, slot), value)| *slot = value);
+    row
 }

@@ -1,12 +1,11 @@
 //! The answer for a reader and for a spreadsheet.
 
-
-use mdr::answer::{Balance, FlatCell, FlatRow, columns, described, title};
+use mdr::answer::{Balance, CurveSummary, FlatCell, FlatRow, columns, described, title};
 use mdr::prelude::*;
 
 use crate::error::Result;
 use crate::output::{Format, Output as Out};
-use crate::table::{Tone, cell, render, table};
+use crate::table::{Tone, cell, render_whole, table};
 
 /// Writes `answer` in the `format` asked for.
 pub(crate) fn write(answer: &Answer, format: Format, out: &mut Out<impl std::io::Write>) -> Result<()> {
@@ -50,6 +49,9 @@ fn output(output: &Output) -> String {
     if let Some(balance) = output.balance() {
         text.push_str(&format!("\n{}\n", energy(balance)));
     }
+    if let Output::ForceCurve(curve) = output {
+        text.push_str(&format!("\n{}\n", summary(&curve.summary)));
+    }
     let exceptions = output.exceptions();
     if let Some((_, promise)) = exceptions.first() {
         let fields: Vec<&str> = exceptions.iter().map(|(field, _)| *field).collect();
@@ -85,7 +87,7 @@ fn table_of(output: &Output, rows: &[FlatRow]) -> String {
             None => cell("", Tone::Plain),
         }));
     }
-    render(&table)
+    render_whole(&table)
 }
 
 fn value<'a>(row: &'a FlatRow, key: &str) -> Option<&'a FlatCell> {
@@ -121,6 +123,21 @@ fn energy(balance: &Balance) -> String {
     };
     let [work, dissipated, stored] = [&balance.work, &balance.dissipated, &balance.stored].map(part);
     format!("Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start.")
+}
+
+/// What is read off a force curve, in a sentence.
+fn summary(summary: &CurveSummary) -> String {
+    let part = |(name, value, unit): (&str, &Option<Value>, &str)| match value {
+        Some(value) => format!("{name} {value} {unit}"),
+        None => format!("no {name}"),
+    };
+    let parts = [
+        ("pull-off force", &summary.pull_off_force, "N"),
+        ("force after jump-in", &summary.jump_in_force, "N"),
+        ("minimum force", &summary.minimum_force, "N"),
+        ("hysteresis", &summary.hysteresis, "J"),
+    ];
+    format!("Summary: {}.", parts.map(part).join(", "))
 }
 
 /// One table for all outputs: the first columns say which output, and its promise. A column of numbers has numbers only, and

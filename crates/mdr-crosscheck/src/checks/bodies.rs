@@ -15,7 +15,7 @@ pub(super) const BODIES: Check = Check {
     name: "effective-modulus",
     claim: "E* of two bodies against exact rational arithmetic",
     equations: &["1.3"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case,

@@ -11,7 +11,8 @@ use rug::{Float, Integer, Rational};
 use super::Check;
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::report::Unit;
-use crate::theory::{Digits, Form};
+use crate::subject::SubjectId;
+use crate::subject::closed::Digits;
 use crate::trial::Trial;
 
 /// Certified decimals against the closed forms in arbitrary precision, in units of the last decimal: half of one, for a
@@ -20,13 +21,13 @@ pub(super) const ROUNDING: Check = Check {
     name: "certified-rounding",
     claim: "certified κ, a_c, d_c, F_c, threshold: within half a unit of the last digit",
     equations: &["1.12", "1.15", "1.17", "1.19"],
-    forms: &[
-        Form::CertifiedKappa,
-        Form::CertifiedRadius,
-        Form::CertifiedIndentation,
-        Form::CertifiedForce,
-        Form::CertifiedThreshold,
-        Form::CertifiedRatio,
+    subjects: &[
+        SubjectId::CertifiedKappa,
+        SubjectId::CertifiedRadius,
+        SubjectId::CertifiedIndentation,
+        SubjectId::CertifiedForce,
+        SubjectId::CertifiedThreshold,
+        SubjectId::CertifiedRatio,
     ],
     unit: Unit::Ulp,
     cases: [60, 600, 6000],
@@ -38,7 +39,7 @@ pub(super) const PREFIX: Check = Check {
     name: "certified-prefix",
     claim: "D certified digits are the rounding of 2D certified digits",
     equations: &["1.12", "1.15", "1.17"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Mismatch,
     cases: [40, 400, 4000],
     case: prefix,
@@ -49,7 +50,7 @@ pub(super) const ENCLOSURE: Check = Check {
     name: "kappa-enclosure",
     claim: "the enclosure of κ_n contains κ_n by Γ, and is tight",
     equations: &["1.12"],
-    forms: &[Form::KappaEnclosure],
+    subjects: &[SubjectId::KappaEnclosure],
     unit: Unit::Mismatch,
     cases: [60, 600, 6000],
     case: enclosure,
@@ -107,7 +108,7 @@ fn rounding(trial: &mut Trial<'_>) -> Result<()> {
     let exact = Exact::draw(trial)?;
     let digits = digits(trial);
     trial.describe_also(format_args!("{digits} digits"));
-    let answer = trial.theory.certified(&exact.question()?, digits)?;
+    let answer = trial.closed.certified(&exact.question()?, digits)?;
     // 2⁻⁵⁰ magnified, ln a below 2⁷ and 64 bits to spare.
     let precision = Precision::new(Precision::from_digits(digits).bits() + 50 + 8 + 64);
     let contact = exact.contact(precision)?;
@@ -175,7 +176,7 @@ fn enclosure(trial: &mut Trial<'_>) -> Result<()> {
         Exponent::Fraction(p, q) => Rational::from((p, q)),
         _ => Rational::from_f64(exponent.value::<f64>(())).unwrap_or_default(),
     };
-    let (mid, radius) = trial.theory.kappa_enclosure(Precision::new(bits), &n);
+    let (mid, radius) = trial.closed.kappa_enclosure(Precision::new(bits), &n);
     let reference = super::kappa::by_gamma(&Float::with_val(bits + 32, &n));
     trial.demand(
         "contains κ",

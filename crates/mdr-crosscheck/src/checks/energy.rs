@@ -12,7 +12,7 @@ use super::folds::transform;
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::trial::Trial;
 
 /// Π, the energy release rate and the work lost in jumps.
@@ -24,7 +24,7 @@ pub(super) const POTENTIAL: Check = Check {
     name: "energy-quadrature",
     claim: "Π, release rate 1 at d(a), work lost at pull-off against quadrature of the energy",
     equations: &["1.5", "1.6", "1.13"],
-    forms: &[Form::Energy, Form::Indentation, Form::PullOffLoss, Form::CriticalIndentation],
+    subjects: &[SubjectId::Energy, SubjectId::Indentation, SubjectId::PullOffLoss, SubjectId::CriticalIndentation],
     unit: Unit::Roundoffs,
     cases: [32, 200, 2000],
     // Quadrature of quadrature: one case in eight is in arbitrary precision.
@@ -45,7 +45,7 @@ pub(super) const ROUTES: Check = Check {
     name: "energy-route-against-force-route",
     claim: "stationary points of Π against equilibria by the rule of Heß: number, stability, radii",
     equations: &["1.5", "1.7", "1.8", "1.9"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Roundoffs,
     cases: [12, 60, 600],
     case: routes,
@@ -61,11 +61,11 @@ fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) ->
     let (contact, material) = (scene.contact()?, scene.material()?);
     let transform = transform(&scene)?;
     let energy = Energy::new(&transform, &material)?;
-    let critical = trial.theory.critical(&contact, &Control::Indentation)?;
+    let critical = trial.closed.critical(&contact, &Control::Indentation)?;
     let n = scene.n.approx();
     let stretch = R::from_f64(ctx, trial.uniform(-1.0, 1.0)) / (scene.n.clone() + scene.n.lit(1));
     let a = critical.contact_radius.clone() * stretch.exp();
-    let d = trial.theory.indentation(&contact, &a)?;
+    let d = trial.closed.indentation(&contact, &a)?;
     let size = |a: &R, d: &R| -> Result<f64> {
         let elongation = contact.detachment_elongation(a)?;
         let terms = (d.abs() + contact.indentation(a)?.abs() + &elongation) / elongation;
@@ -74,7 +74,7 @@ fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) ->
     let unit = |a: &R| a.pi() * a * a * &scene.work;
 
     let allowed = ENERGY * size(&a, &d)?;
-    let closed = trial.theory.energy(&contact, &a, &d)?;
+    let closed = trial.closed.energy(&contact, &a, &d)?;
     trial.compare_on("Π", &closed, &energy.potential(&a, &d)?, &unit(&a), 2.0 * allowed);
     trial.compare("release rate", &energy.release_by_variation(&a, &d)?, &a.lit(1), 2.0 * allowed);
 
@@ -82,7 +82,7 @@ fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) ->
     let tangent = scene.tangent(1.0, &critical.contact_radius);
     if n > 0.5 {
         let (a, d) = (&critical.contact_radius, &critical.indentation);
-        let lost = trial.theory.energy_lost_at_pull_off(&contact)?;
+        let lost = trial.closed.energy_lost_at_pull_off(&contact)?;
         // a_c is off by the closed form's error, which moves the lost work by twice that, times its own small factor.
         let allowed = 2.0 * ENERGY * size(a, d)? + 2.0 * excess * tangent.radius();
         trial.compare_on("pull-off", &lost, &energy.potential(a, d)?, &unit(a), allowed);

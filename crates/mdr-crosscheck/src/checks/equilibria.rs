@@ -11,7 +11,7 @@ use super::folds::{ClosedFold, Quadratures};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Held, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
@@ -25,7 +25,7 @@ pub(super) const BESIDE: Check = Check {
     name: "equilibria-beside-the-fold",
     claim: "two equilibria, one stable, at v_c(1 − 2^-k), none at v_c(1 + 2^-k); each in (1.13), (1.16)",
     equations: &["1.5", "1.6", "1.8", "1.9", "1.13", "1.16"],
-    forms: &[Form::CriticalIndentation, Form::CriticalForce, Form::Indentation, Form::Force],
+    subjects: &[SubjectId::CriticalIndentation, SubjectId::CriticalForce, SubjectId::Indentation, SubjectId::Force],
     unit: Unit::Roundoffs,
     cases: [30, 200, 2000],
     // Each case is a search over all radii; one in five is in arbitrary precision.
@@ -63,10 +63,10 @@ fn beside<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
         let a = &equilibrium.contact_radius;
         let at = Quadratures::at(&fold.transform, fold.tangent.n, a)?;
         let rounded_exponent = (fold.tangent.n + 1.0) * a.ln().approx().abs();
-        let terms = trial.theory.g(contact.profile(), a)? + trial.theory.detachment_elongation(&material, a)?;
+        let terms = trial.closed.g(contact.profile(), a)? + trial.closed.detachment_elongation(&material, a)?;
         let (found, scale) = match held {
-            Held::Indentation => (trial.theory.indentation(&contact, a)?, terms),
-            Held::Force => (trial.theory.force(&contact, a)?, terms * a * scene.e_star.clone().times(2)),
+            Held::Indentation => (trial.closed.indentation(&contact, a)?, terms),
+            Held::Force => (trial.closed.force(&contact, a)?, terms * a * scene.e_star.clone().times(2)),
         };
         // The direction of change vanishes to the rounding of its terms; the last bracket moves g by n and Δl by ½.
         let allowed = at.g + at.mean + TRANSFORM + 2.0 * ELONGATION + 4.0 * fold.tangent.n + rounded_exponent + 16.0;

@@ -12,18 +12,16 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Held, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::{CRITICAL_IDS, SubjectId};
 use crate::tolerance::{Tangent, quadrature};
 use crate::trial::Trial;
-
-const CRITICAL: &[Form] = &[Form::CriticalRadius, Form::CriticalIndentation, Form::CriticalForce];
 
 /// a_c, d_c, F_c under controlled indentation.
 pub(super) const INDENTATION: Check = Check {
     name: "critical-indentation",
     claim: "a_c, d_c, F_c under controlled indentation against the fold by quadrature and tangency",
     equations: &["1.1", "1.4", "1.5", "1.6", "1.10", "1.15", "1.17"],
-    forms: CRITICAL,
+    subjects: CRITICAL_IDS,
     unit: Unit::Roundoffs,
     cases: [50, 300, 3000],
     case: |trial| by_turns!(trial, critical, Held::Indentation),
@@ -34,7 +32,7 @@ pub(super) const FORCE: Check = Check {
     name: "critical-force",
     claim: "a_F, d_F, F_F under controlled force against the fold by quadrature and tangency",
     equations: &["1.1", "1.4", "1.5", "1.6"],
-    forms: CRITICAL,
+    subjects: CRITICAL_IDS,
     unit: Unit::Roundoffs,
     cases: [50, 300, 3000],
     case: |trial| by_turns!(trial, critical, Held::Force),
@@ -45,7 +43,7 @@ pub(super) const MACHINE: Check = Check {
     name: "critical-machine",
     claim: "every fold of a machine (up to three) against quadrature and tangency",
     equations: &["1.1", "1.4", "1.5", "1.6"],
-    forms: &[Form::MachineFoldRadius, Form::MachineFoldIndentation, Form::MachineFoldForce],
+    subjects: &[SubjectId::MachineFoldRadius, SubjectId::MachineFoldIndentation, SubjectId::MachineFoldForce],
     unit: Unit::Roundoffs,
     cases: [30, 200, 2000],
     case: |trial| by_turns!(trial, machine),
@@ -56,7 +54,7 @@ pub(super) const PRINTED: Check = Check {
     name: "printed-1.15-numerically",
     claim: "the fold by quadrature is at a_c, and not at (1.15) as printed: refuted",
     equations: &["1.15"],
-    forms: &[Form::CriticalRadius],
+    subjects: &[SubjectId::CriticalRadius],
     unit: Unit::Roundoffs,
     cases: [20, 100, 1000],
     case: |trial| by_turns!(trial, printed),
@@ -100,7 +98,7 @@ pub(super) struct ClosedFold<R> {
 
 impl<R: Arithmetic> ClosedFold<R> {
     pub(super) fn of(trial: &mut Trial<'_>, scene: &Scene<R>, held: Held) -> Result<Self> {
-        let state = trial.theory.critical(&scene.contact()?, &held.control())?;
+        let state = trial.closed.critical(&scene.contact()?, &held.control())?;
         let tangent = scene.tangent(held.lambda(), &state.contact_radius);
         let transform = transform(scene)?;
         let errors = Quadratures::at(&transform, tangent.n, &state.contact_radius)?;
@@ -171,7 +169,7 @@ fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx, hel
     let scales = trial.scales::<R>(round, exponent);
     let scene: Scene<R> = trial.planted(exponent, held.lambda(), scales, ctx);
     let (material, control) = (scene.material()?, held.control());
-    let state = trial.theory.critical(&scene.contact()?, &control)?;
+    let state = trial.closed.critical(&scene.contact()?, &control)?;
     let transform = transform(&scene)?;
     let found = search(&transform, &scene, &control, round, scales.radius)?.folds;
     trial.demand("one fold", found.len() == 1);
@@ -217,7 +215,7 @@ fn machine<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> R
     let Machine { scene, stiffness, .. } = &machine;
     let material = scene.material()?;
     let control = Control::machine(stiffness.clone())?;
-    let closed = match trial.theory.machine_folds(&scene.contact()?, stiffness) {
+    let closed = match trial.closed.machine_folds(&scene.contact()?, stiffness) {
         Err(Error::OutOfRange { quantity, log10 }) => return machine.is_beyond(trial, quantity, log10),
         closed => closed?,
     };
@@ -256,7 +254,7 @@ fn printed<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> R
     let tangent = scene.tangent(1.0, a);
     let errors = Quadratures::at(&transform, tangent.n, a)?;
     let allowed = tangent.radius() + tangent.found_radius(errors.slope);
-    let corrected = trial.theory.critical(&scene.contact()?, &Control::Indentation)?.contact_radius;
+    let corrected = trial.closed.critical(&scene.contact()?, &Control::Indentation)?.contact_radius;
     let distance = |radius: R| ((radius / a).ln() / a.unit_roundoff()).abs().approx();
     trial.enter("ln a_c", distance(corrected), allowed);
     trial.demand("(1.15) as printed misses the fold", distance(super::printed::printed_radius(&scene)?) > allowed);

@@ -16,7 +16,7 @@ pub(super) const LIBRARIES: Check = Check {
     name: "gamma-libraries",
     claim: "Γ of MPFR against statrs (2708 ulp) and pxfm (1 ulp)",
     equations: &["1.12"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Ulp,
     cases: [400, 4000, 40_000],
     case,

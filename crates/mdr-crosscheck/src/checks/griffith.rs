@@ -7,7 +7,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
@@ -16,7 +16,7 @@ pub(super) const CLOSED: Check = Check {
     name: "energy-closed-form",
     claim: "∂Π/∂d = F (1.16) and ∂Π/∂a = 0 at d(a) (1.13)",
     equations: &["1.5", "1.6", "1.13", "1.16"],
-    forms: &[Form::Energy, Form::Indentation, Form::Force],
+    subjects: &[SubjectId::Energy, SubjectId::Indentation, SubjectId::Force],
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, stationary),
@@ -27,7 +27,12 @@ pub(super) const JUMPS: Check = Check {
     name: "jump-work-closed-form",
     claim: "work lost at pull-off and jump-in, barrier to complete contact: differences of Π; d(a₀) = 0",
     equations: &["1.13"],
-    forms: &[Form::PullOffLoss, Form::JumpInLoss, Form::CompleteContactBarrier, Form::ZeroIndentationRadius],
+    subjects: &[
+        SubjectId::PullOffLoss,
+        SubjectId::JumpInLoss,
+        SubjectId::CompleteContactBarrier,
+        SubjectId::ZeroIndentationRadius,
+    ],
     unit: Unit::Roundoffs,
     cases: [100, 1000, 10_000],
     case: |trial| by_turns!(trial, jumps),
@@ -37,28 +42,28 @@ fn jumps<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Res
     let exponent = trial.exponent(round, Family { least: 1e-2, ..Family::up_to(50) });
     let scene: Scene<R> = trial.scene(round, exponent, 2.0 * exponent.value::<f64>(()), ctx);
     let contact = scene.contact()?;
-    let a = trial.theory.radius_at_zero_indentation(&contact)?;
+    let a = trial.closed.radius_at_zero_indentation(&contact)?;
     let tangent = scene.tangent(2.0 * scene.n.approx(), &a);
-    let elongation = trial.theory.detachment_elongation(contact.material(), &a)?;
-    let d = trial.theory.indentation(&contact, &a)?;
+    let elongation = trial.closed.detachment_elongation(contact.material(), &a)?;
+    let d = trial.closed.indentation(&contact, &a)?;
     let allowed = 0.5 * tangent.excess() * tangent.radius() + TRANSFORM + ELONGATION + 4.0;
     trial.compare_on("d(a₀)", &d, &a.lit(0), &elongation, allowed);
 
     let unit = |scene: &Scene<R>, a: &R| a.pi() * a * a * &scene.work;
-    let rest = trial.theory.energy(&contact, &a, &a.lit(0))?;
+    let rest = trial.closed.energy(&contact, &a, &a.lit(0))?;
     if scene.n > scene.n.ratio(1, 2) {
-        let lost = trial.theory.energy_lost_at_jump_in(&contact)?;
+        let lost = trial.closed.energy_lost_at_jump_in(&contact)?;
         trial.compare_on("jump-in", &lost, &-rest, &unit(&scene, &a), tangent.energy());
         // Towards n = 1/2 the pull-off is hundreds of decades from a₀.
         let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);
         let contact = scene.contact()?;
         let state = contact.critical(&Control::Indentation)?;
         let a = &state.contact_radius;
-        let lost = trial.theory.energy_lost_at_pull_off(&contact)?;
-        let edge = trial.theory.energy(&contact, a, &state.indentation)?;
+        let lost = trial.closed.energy_lost_at_pull_off(&contact)?;
+        let edge = trial.closed.energy(&contact, a, &state.indentation)?;
         trial.compare_on("pull-off", &lost, &edge, &unit(&scene, a), scene.tangent(1.0, a).energy());
     } else {
-        let barrier = trial.theory.barrier_to_complete_contact(&contact)?;
+        let barrier = trial.closed.barrier_to_complete_contact(&contact)?;
         trial.compare_on("barrier", &barrier, &rest, &unit(&scene, &a), tangent.energy());
     }
     Ok(())
@@ -71,26 +76,20 @@ fn stationary<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
     // g and Δl within a factor of e² of where they balance at the fold.
     let stretch = R::from_f64(ctx, trial.uniform(-2.0, 2.0)) / (scene.n.clone() + scene.n.lit(1));
     let a = contact.critical(&Control::Indentation)?.contact_radius * stretch.exp();
-    let d = trial.theory.indentation(&contact, &a)?;
-    let dual = Scene {
-        n: Dual::constant(scene.n.clone()),
-        c: Dual::constant(scene.c.clone()),
-        e_star: Dual::constant(scene.e_star.clone()),
-        work: Dual::constant(scene.work.clone()),
-    };
-    let dual = dual.contact()?;
+    let d = trial.closed.indentation(&contact, &a)?;
+    let dual = scene.map(|x| Dual::constant(x.clone())).contact()?;
 
-    let elongation = trial.theory.detachment_elongation(contact.material(), &a)?;
-    let terms = trial.theory.g(contact.profile(), &a)? + &elongation;
+    let elongation = trial.closed.detachment_elongation(contact.material(), &a)?;
+    let terms = trial.closed.g(contact.profile(), &a)? + &elongation;
     // d is rounded in g and in Δl; then means, squares and products, each derivative twice as many.
     let roundings = 2.0 * (TRANSFORM + ELONGATION + 14.0);
-    let by_depth = trial.theory.energy(&dual, &Dual::constant(a.clone()), &Dual::variable(d.clone()))?.slope;
-    let force = trial.theory.force(&contact, &a)?;
+    let by_depth = trial.closed.energy(&dual, &Dual::constant(a.clone()), &Dual::variable(d.clone()))?.slope;
+    let force = trial.closed.force(&contact, &a)?;
     let scale = terms.clone() * &a * scene.e_star.clone().times(2);
     trial.compare_on("∂Π/∂d", &by_depth, &force, &scale, roundings);
 
     // ∂Π/∂a = E*[(d−g)² − Δl²] is left of terms d², dg, g² and their sum with the slope of g: (n+1) of them.
-    let by_radius = trial.theory.energy(&dual, &Dual::variable(a.clone()), &Dual::constant(d))?.slope;
+    let by_radius = trial.closed.energy(&dual, &Dual::variable(a.clone()), &Dual::constant(d))?.slope;
     let scale = terms.square() * &scene.e_star;
     let exponent = a.ln().approx().abs();
     let allowed = 4.0 * (scene.n.approx() + 1.0) * (roundings + exponent);

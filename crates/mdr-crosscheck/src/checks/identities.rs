@@ -7,7 +7,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
@@ -16,14 +16,14 @@ pub(super) const CRITICAL: Check = Check {
     name: "critical-state-in-its-equations",
     claim: "d_c, F_c (1.17) against (1.13), (1.16) at a_c; tangency (1.14) at a_c; both controls",
     equations: &["1.4", "1.5", "1.10", "1.13", "1.14", "1.15", "1.16", "1.17"],
-    forms: &[
-        Form::CriticalRadius,
-        Form::CriticalIndentation,
-        Form::CriticalForce,
-        Form::Indentation,
-        Form::Force,
-        Form::TransformSlope,
-        Form::DetachmentElongation,
+    subjects: &[
+        SubjectId::CriticalRadius,
+        SubjectId::CriticalIndentation,
+        SubjectId::CriticalForce,
+        SubjectId::Indentation,
+        SubjectId::Force,
+        SubjectId::TransformSlope,
+        SubjectId::DetachmentElongation,
     ],
     unit: Unit::Roundoffs,
     cases: [400, 4000, 40_000],
@@ -35,7 +35,7 @@ pub(super) const SLOPES: Check = Check {
     name: "slopes-of-equilibria",
     claim: "d'(a), F'(a), g', G against dual numbers",
     equations: &["1.10", "1.13", "1.16"],
-    forms: &[Form::IndentationSlope, Form::ForceSlope, Form::Transform, Form::TransformIntegral],
+    subjects: &[SubjectId::IndentationSlope, SubjectId::ForceSlope, SubjectId::Transform, SubjectId::TransformIntegral],
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, slopes),
@@ -46,7 +46,7 @@ pub(super) const LOGARITHMS: Check = Check {
     name: "logarithms-of-critical-states",
     claim: "ln a, ln|d|, ln|F| against a, d, F",
     equations: &["1.15", "1.17"],
-    forms: &[Form::LnCriticalRadius, Form::LnCriticalIndentation, Form::LnCriticalForce],
+    subjects: &[SubjectId::LnCriticalRadius, SubjectId::LnCriticalIndentation, SubjectId::LnCriticalForce],
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, logarithms),
@@ -56,17 +56,17 @@ fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> 
     let (exponent, held) = (trial.exponent(round, Family::up_to(50)), trial.held());
     let scene: Scene<R> = trial.scene(round, exponent, held.lambda(), ctx);
     let contact = scene.contact()?;
-    let state = trial.theory.critical(&contact, &held.control())?;
+    let state = trial.closed.critical(&contact, &held.control())?;
     let a = &state.contact_radius;
     let allowed = scene.tangent(held.lambda(), a);
-    let elongation = trial.theory.detachment_elongation(contact.material(), a)?;
+    let elongation = trial.closed.detachment_elongation(contact.material(), a)?;
     let force_scale = elongation.clone() * a * contact.material().effective_modulus().clone().times(2);
 
-    let d = trial.theory.indentation(&contact, a)?;
+    let d = trial.closed.indentation(&contact, a)?;
     trial.compare_on(format!("d ({held})"), &state.indentation, &d, &elongation, allowed.indentation_at_radius());
-    let f = trial.theory.force(&contact, a)?;
+    let f = trial.closed.force(&contact, a)?;
     trial.compare_on(format!("F ({held})"), &state.force, &f, &force_scale, allowed.force_at_radius());
-    let slope = trial.theory.slope(contact.profile(), a)?;
+    let slope = trial.closed.slope(contact.profile(), a)?;
     let unit = (elongation / a).over(2);
     let tension = unit.clone() * R::from_f64(ctx, held.lambda());
     trial.compare_on(format!("g' ({held})"), &slope, &tension, &unit, allowed.slope_at_radius());
@@ -80,30 +80,25 @@ fn slopes<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     // Off the fold by up to a factor of two in the terms of d', so that nothing of it is small.
     let stretch = R::from_f64(ctx, trial.uniform(-1.0, 1.0)) / (scene.n.clone() + scene.n.lit(1));
     let a = contact.critical(&Control::Indentation)?.contact_radius * stretch.exp();
-    let dual = Scene {
-        n: Dual::constant(scene.n.clone()),
-        c: Dual::constant(scene.c.clone()),
-        e_star: Dual::constant(scene.e_star.clone()),
-        work: Dual::constant(scene.work.clone()),
-    };
-    let (dual, x) = (dual.contact()?, Dual::variable(a.clone()));
+    let dual = scene.map(|x| Dual::constant(x.clone())).contact()?;
+    let x = Dual::variable(a.clone());
     let n = scene.n.approx();
     let exponents = (n + 1.0) * (a.ln().approx().abs() + 1.0);
 
     let profile = contact.profile();
-    let g = trial.theory.g(profile, &a)?;
-    let slope = trial.theory.slope(profile, &a)?;
-    let integral = trial.theory.integral(dual.profile(), &x)?;
+    let g = trial.closed.g(profile, &a)?;
+    let slope = trial.closed.slope(profile, &a)?;
+    let integral = trial.closed.integral(dual.profile(), &x)?;
     // n·g/x on one side; on the other a power with the rounded exponent n − 1.
     trial.compare("g", &integral.slope, &g, 2.0 * TRANSFORM + 6.0 + exponents);
-    let tension = trial.theory.detachment_elongation(contact.material(), &a)? / a.clone().times(2);
+    let tension = trial.closed.detachment_elongation(contact.material(), &a)? / a.clone().times(2);
     let terms = slope.clone() + &tension;
     let allowed = 2.0 * TRANSFORM + 2.0 * ELONGATION + 8.0 + exponents;
-    let d = trial.theory.indentation(&dual, &x)?;
-    trial.compare_on("d'", &trial.theory.indentation_slope(&contact, &a)?, &d.slope, &terms, allowed);
-    let f = trial.theory.force(&dual, &x)?;
+    let d = trial.closed.indentation(&dual, &x)?;
+    trial.compare_on("d'", &trial.closed.indentation_slope(&contact, &a)?, &d.slope, &terms, allowed);
+    let f = trial.closed.force(&dual, &x)?;
     let scale = terms * &a * scene.e_star.clone().times(2);
-    trial.compare_on("F'", &trial.theory.force_slope(&contact, &a)?, &f.slope, &scale, 3.0 * allowed + 6.0);
+    trial.compare_on("F'", &trial.closed.force_slope(&contact, &a)?, &f.slope, &scale, 3.0 * allowed + 6.0);
     Ok(())
 }
 
@@ -114,8 +109,8 @@ fn logarithms<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
     // Each logarithm in ln q is rounded to its own size, and so are the sums: three roundings of their total.
     let terms = [&scene.e_star, &scene.work, &scene.c, &scene.c, &scene.n, &scene.n, &scene.n, &scene.n];
     let sizes: f64 = terms.iter().map(|x| x.ln().approx().abs() + 1.0).sum();
-    let state = trial.theory.critical(&contact, &held.control())?;
-    let ln = trial.theory.ln_critical(&contact, &held.control())?;
+    let state = trial.closed.critical(&contact, &held.control())?;
+    let ln = trial.closed.ln_critical(&contact, &held.control())?;
     let tangent = scene.tangent(held.lambda(), &state.contact_radius);
     let radius = tangent.radius() + 3.0 * sizes / tangent.excess();
     let mut compare = |name, value: &R, ln: &R, allowed: f64| {

@@ -12,7 +12,7 @@ use super::folds::{ClosedFold, Quadratures, transform};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
@@ -25,13 +25,13 @@ pub(super) const EQUILIBRIA: Check = Check {
     name: "equilibria-at-a-value",
     claim: "all equilibria at a given d or F, and at a distance from the fold, against branches by quadrature",
     equations: &["1.5", "1.6", "1.8", "1.9", "1.13", "1.16", "1.18"],
-    forms: &[
-        Form::EquilibriumRadius,
-        Form::EquilibriumIndentation,
-        Form::EquilibriumForce,
-        Form::DistanceRadius,
-        Form::DistanceIndentation,
-        Form::DistanceForce,
+    subjects: &[
+        SubjectId::EquilibriumRadius,
+        SubjectId::EquilibriumIndentation,
+        SubjectId::EquilibriumForce,
+        SubjectId::DistanceRadius,
+        SubjectId::DistanceIndentation,
+        SubjectId::DistanceForce,
     ],
     unit: Unit::Roundoffs,
     cases: [30, 200, 2000],
@@ -71,9 +71,9 @@ fn folded<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let asked = Asked { scene: &scene, contact: &contact, held, value: &value };
 
     let numeric = asked.numeric(trial)?;
-    let by_value = trial.theory.equilibria(&contact, &control, &value)?;
+    let by_value = trial.closed.equilibria(&contact, &control, &value)?;
     asked.compare(trial, "at x", &by_value, &numeric, [0.0; 2])?;
-    let by_distance = trial.theory.equilibria_at_distance(&contact, &control, &distance)?;
+    let by_distance = trial.closed.equilibria_at_distance(&contact, &control, &distance)?;
     let off = fold.value_error * (fold.value.abs().approx() / value.abs().approx() + 1.0);
     asked.compare(trial, "at τ", &by_distance, &numeric, [off, fold.radius_error])
 }
@@ -96,7 +96,7 @@ fn scale_free<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
     for value in [planted.clone(), -planted] {
         let asked = Asked { scene: &scene, contact: &contact, held, value: &value };
         let numeric = asked.numeric(trial)?;
-        let found = trial.theory.equilibria(&contact, &held.control(), &value)?;
+        let found = trial.closed.equilibria(&contact, &held.control(), &value)?;
         asked.compare(trial, "at n = 1/2", &found, &numeric, [0.0; 2])?;
     }
     Ok(())

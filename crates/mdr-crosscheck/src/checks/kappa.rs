@@ -1,14 +1,15 @@
 //! κ_n of (1.12) by other roads: Γ, a positive series, the arithmetic-geometric mean, and a functional equation.
 
 use mdr_core::contact::Result;
-use mdr_core::number::Real;
+use mdr_core::number::{Interval, Real};
 use rug::Float;
 
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
+use crate::derivations::hypergeometric;
 use crate::grid::{Exponent, Family};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::{KAPPA, ROUNDED};
 use crate::trial::Trial;
 
@@ -17,7 +18,7 @@ pub(super) const GAMMA: Check = Check {
     name: "kappa-gamma",
     claim: "κ_n against its definition by Γ (MPFR)",
     equations: &["1.12"],
-    forms: &[Form::Kappa],
+    subjects: &[SubjectId::Kappa],
     unit: Unit::Roundoffs,
     cases: [400, 4000, 40_000],
     case: |trial| by_turns!(trial, against, by_gamma),
@@ -28,10 +29,10 @@ pub(super) const SERIES: Check = Check {
     name: "kappa-series",
     claim: "κ_n against the hypergeometric series of positive terms",
     equations: &["1.12"],
-    forms: &[Form::Kappa],
+    subjects: &[SubjectId::Kappa],
     unit: Unit::Roundoffs,
     cases: [100, 1000, 10_000],
-    case: |trial| by_turns!(trial, against, by_series),
+    case: |trial| by_turns!(trial, against, middle_of_series),
 };
 
 /// κ_{1/2} and κ_{1/3} by the arithmetic-geometric mean, carried up by κ_{n+2} = κ_n (n+2)/(n+1).
@@ -39,7 +40,7 @@ pub(super) const AGM: Check = Check {
     name: "kappa-agm",
     claim: "κ at 1/2 + 2j and 1/3 + 2j against the arithmetic-geometric mean",
     equations: &["1.12", "1.18"],
-    forms: &[Form::Kappa],
+    subjects: &[SubjectId::Kappa],
     unit: Unit::Roundoffs,
     cases: [80, 200, 800],
     case: |trial| by_turns!(trial, agm),
@@ -50,7 +51,7 @@ pub(super) const PRODUCT: Check = Check {
     name: "kappa-product",
     claim: "κ_n κ_{n+1} = π(n+1)/2",
     equations: &["1.12"],
-    forms: &[Form::Kappa],
+    subjects: &[SubjectId::Kappa],
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, product),
@@ -68,7 +69,7 @@ fn against<R: Arithmetic>(
     let exponent = trial.exponent(round, FAMILY);
     let n: R = exponent.value(ctx);
     trial.describe(format_args!("n = {exponent} ({})", R::NAME));
-    let found = trial.theory.kappa(&n)?;
+    let found = trial.closed.kappa(&n)?;
     let expected = R::round(ctx, &reference(&n.widen()));
     trial.compare("κ", &found, &expected, KAPPA + ROUNDED);
     Ok(())
@@ -82,21 +83,14 @@ pub(crate) fn by_gamma(n: &Float) -> Float {
     (quotient + n.pi().ln() * half).exp()
 }
 
-/// Terms fall below 2^−bits after at most `bits + n` of them; 64 guard bits carry their sum.
-fn by_series(n: &Float) -> Float {
-    let bits = n.prec() + 64;
-    let n = Float::with_val(bits, n);
-    let mut term = n.lit(1);
-    let mut sum = term.clone();
-    for j in 0_u32.. {
-        term *= n.clone() + j;
-        term /= n.clone() + (2 + 2 * u64::from(j));
-        sum += &term;
-        if term.clone() << bits < sum {
-            break;
-        }
-    }
-    sum
+/// By Gauss's second theorem, enclosed.
+pub(super) fn by_series(n: &Interval) -> Interval {
+    hypergeometric(n, &(n.clone().over(2) + n.lit(1)))
+}
+
+/// 64 guard bits carry the sum.
+fn middle_of_series(n: &Float) -> Float {
+    by_series(&Interval::point(Float::with_val(n.prec() + 64, n))).mid()
 }
 
 fn agm<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
@@ -114,7 +108,7 @@ fn agm<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Resul
     let expected = (0..climb).fold(first, step);
     let exponent = Exponent::Fraction(p + 2 * climb * q, q);
     trial.describe(format_args!("n = {exponent} ({})", R::NAME));
-    let found = trial.theory.kappa(&exponent.value::<R>(ctx))?;
+    let found = trial.closed.kappa(&exponent.value::<R>(ctx))?;
     // A third is rounded once, with condition at most 1/2.
     trial.compare("κ", &found, &R::round(ctx, &expected), KAPPA + ROUNDED + 0.5);
     Ok(())
@@ -125,7 +119,7 @@ fn product<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> R
     let n: R = exponent.value(ctx);
     trial.describe(format_args!("n = {exponent} ({})", R::NAME));
     let next = n.lit(1) + &n;
-    let found = trial.theory.kappa(&n)? * trial.theory.kappa(&next)?;
+    let found = trial.closed.kappa(&n)? * trial.closed.kappa(&next)?;
     let expected = (next * n.pi()).over(2);
     // The roundings of n + 1 on both sides, of π, and of the three products.
     trial.compare("κκ", &found, &expected, 2.0 * KAPPA + 1.5 + 1.0 + 3.0);

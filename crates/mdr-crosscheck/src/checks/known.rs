@@ -7,7 +7,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Held, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::{CRITICAL_IDS, SubjectId};
 use crate::trial::Trial;
 
 /// The paraboloid r²/2R: F = −(5/6)πwR and a³ = πwR²/(8E*) under fixed grips, F = −(3/2)πwR and nine times that a³
@@ -16,7 +16,7 @@ pub(super) const JKR: Check = Check {
     name: "jkr",
     claim: "n = 2, C = 1/2R: −5/6 πwR, −3/2 πwR, a_c³ = πwR²/(8E*)",
     equations: &["1.15", "1.17"],
-    forms: &[Form::CriticalRadius, Form::CriticalIndentation, Form::CriticalForce],
+    subjects: CRITICAL_IDS,
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, jkr),
@@ -30,7 +30,7 @@ pub(super) const KENDALL: Check = Check {
     name: "kendall-limit",
     claim: "F_F → −√(8πR³E*w) as n → ∞, at the known rate",
     equations: &["1.17"],
-    forms: &[Form::CriticalForce, Form::FlatPunchLimit],
+    subjects: &[SubjectId::CriticalForce, SubjectId::FlatPunchLimit],
     unit: Unit::Relative,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, kendall),
@@ -41,7 +41,7 @@ pub(super) const PUNCH: Check = Check {
     name: "kendall-flat-punch",
     claim: "d = −√(2πwb/E*), F = −√(8πE*wb³)",
     equations: &["1.4", "1.6"],
-    forms: &[Form::FlatPunchIndentation, Form::FlatPunchForce],
+    subjects: &[SubjectId::FlatPunchIndentation, SubjectId::FlatPunchForce],
     unit: Unit::Roundoffs,
     cases: [100, 1000, 10_000],
     case: |trial| by_turns!(trial, punch),
@@ -51,12 +51,12 @@ fn punch<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Re
     let [radius, e_star, work] = decades::<R>(trial, ctx);
     let [r, e, w] = [&radius, &e_star, &work].map(R::approx);
     trial.describe(format_args!("b = {r:e}, E* = {e:e}, w = {w:e} ({})", R::NAME));
-    let state = trial.theory.flat_punch_pull_off(&radius, &Material::new(e_star.clone(), work.clone())?)?;
+    let [d, f] = trial.closed.flat_punch_pull_off(&radius, &Material::new(e_star.clone(), work.clone())?)?;
     let depth = -(work.pi() * &work * &radius / &e_star).times(2).sqrt();
     let force = -(radius.powi(3) * work.pi() * &e_star * &work).times(8).sqrt();
     // Five roundings under each root, the root, and two factors.
-    trial.compare("d", &state.indentation, &depth, 10.0);
-    trial.compare("F", &state.force, &force, 14.0);
+    trial.compare("d", &d, &depth, 10.0);
+    trial.compare("F", &f, &force, 14.0);
     Ok(())
 }
 
@@ -71,7 +71,7 @@ fn jkr<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Resul
     let [r, e, w] = [&radius, &e_star, &work].map(R::approx);
     trial.describe(format_args!("R = {r:e}, E* = {e:e}, w = {w:e} ({})", R::NAME));
     let scene = Scene { n: radius.lit(2), c: radius.clone().times(2).inv(), e_star, work };
-    let state = trial.theory.critical(&scene.contact()?, &held.control())?;
+    let state = trial.closed.critical(&scene.contact()?, &held.control())?;
     let tangent = scene.tangent(held.lambda(), &state.contact_radius);
 
     let pull = radius.pi() * &scene.work * &radius;
@@ -107,9 +107,9 @@ fn kendall<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> 
     let one = n.lit(1);
     let scene = Scene { c: radius.pow(&(one.clone() - &n)), n, e_star, work };
     let n = &scene.n;
-    let found = trial.theory.critical(&scene.contact()?, &Control::Force)?;
+    let found = trial.closed.critical(&scene.contact()?, &Control::Force)?;
     let flat = -(radius.powi(3) * radius.pi() * &scene.e_star * &scene.work).times(8).sqrt();
-    let limit = trial.theory.flat_punch_limit(&scene.contact()?)?;
+    let limit = trial.closed.flat_punch_limit(&scene.contact()?)?;
     // C⁻^{1/n} = R^{1−1/n}; the power in C, its logarithm and the quotient are rounded.
     let limit_error = ((limit / &radius).ln() + radius.ln() / n).abs().approx();
     let ln_radius = radius.ln().approx().abs();

@@ -8,7 +8,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::machine_balance;
 use crate::trial::Trial;
 
@@ -17,12 +17,12 @@ pub(super) const FOLDS: Check = Check {
     name: "machine-folds-in-their-equations",
     claim: "k d' + F' = 0, d and F at every fold of a machine; three folds where they are due",
     equations: &["1.10", "1.13", "1.16"],
-    forms: &[
-        Form::MachineFoldRadius,
-        Form::MachineFoldIndentation,
-        Form::MachineFoldForce,
-        Form::IndentationSlope,
-        Form::ForceSlope,
+    subjects: &[
+        SubjectId::MachineFoldRadius,
+        SubjectId::MachineFoldIndentation,
+        SubjectId::MachineFoldForce,
+        SubjectId::IndentationSlope,
+        SubjectId::ForceSlope,
     ],
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
@@ -74,7 +74,7 @@ fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Res
     let machine = trial.machine::<R>(round, Family::up_to(nearest), ctx);
     let Machine { scene, stiffness, .. } = &machine;
     let contact = scene.contact()?;
-    let found = match trial.theory.machine_folds(&contact, stiffness) {
+    let found = match trial.closed.machine_folds(&contact, stiffness) {
         Err(Error::OutOfRange { quantity, log10 }) => return machine.is_beyond(trial, quantity, log10),
         found => found?,
     };
@@ -90,18 +90,18 @@ fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Res
         let (lambda, balance) = (1.0 + 2.0 * part(share.approx()), machine.balance(&share));
         let tangent = scene.tangent(lambda, a);
 
-        let d_slope = trial.theory.indentation_slope(&contact, a)?;
-        let f_slope = trial.theory.force_slope(&contact, a)?;
-        let elongation = trial.theory.detachment_elongation(contact.material(), a)?;
+        let d_slope = trial.closed.indentation_slope(&contact, a)?;
+        let f_slope = trial.closed.force_slope(&contact, a)?;
+        let elongation = trial.closed.detachment_elongation(contact.material(), a)?;
         let unit = (elongation.clone() / a).over(2);
         let residual = (d_slope * stiffness + f_slope) / (stiffness.clone() + &edge) / &unit;
         let allowed = lambda * balance + 3.0 * tangent.slope_terms() + 12.0;
         trial.compare_on("k d' + F'", &residual, &unit.lit(0), &unit.lit(1), allowed);
 
-        let d = trial.theory.indentation(&contact, a)?;
+        let d = trial.closed.indentation(&contact, a)?;
         let allowed = tangent.indentation_terms() + tangent.transform() * balance;
         trial.compare_on("d", &fold.indentation, &d, &elongation, allowed);
-        let f = trial.theory.force(&contact, a)?;
+        let f = trial.closed.force(&contact, a)?;
         let allowed = tangent.force_terms() + tangent.pressed() * balance;
         trial.compare_on("F", &fold.force, &f, &(elongation * &edge), allowed);
     }
@@ -125,10 +125,8 @@ impl<R: Arithmetic> Machine<R> {
     pub(super) fn is_beyond(&self, trial: &mut Trial<'_>, quantity: Quantity, log10: f64) -> Result<()> {
         const BITS: u32 = 200;
         let precise = |value: &R| Float::with_val(BITS, value.widen());
-        let Scene { n, c, e_star, work } = &self.scene;
-        let [n, c, e_star, work] = [n, c, e_star, work].map(precise);
-        let scene = Scene { n, c, e_star, work };
-        let folds = trial.theory.machine_folds(&scene.contact()?, &precise(&self.stiffness))?;
+        let scene = self.scene.map(precise);
+        let folds = trial.closed.machine_folds(&scene.contact()?, &precise(&self.stiffness))?;
         let logs = folds.iter().filter_map(|fold| {
             let value = match quantity {
                 Quantity::ContactRadius => &fold.contact_radius,

@@ -28,7 +28,7 @@ use mdr_core::contact::Result;
 
 use crate::options::Level;
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::trial::Trial;
 
 /// One comparison of the closed forms with something else, over many cases.
@@ -41,7 +41,7 @@ pub(crate) struct Check {
     /// The equations of the paper it covers.
     pub(crate) equations: &'static [&'static str],
     /// The closed forms it would catch a mistake in.
-    pub(crate) forms: &'static [Form],
+    pub(crate) subjects: &'static [SubjectId],
     /// What its errors are measured in.
     pub(crate) unit: Unit,
     /// Cases at the levels quick, default and full.
@@ -58,8 +58,8 @@ impl Check {
 }
 
 /// The names of the checks that would catch a mistake in a closed form.
-pub fn checks_of(form: Form) -> Vec<&'static str> {
-    registry().iter().filter(|check| check.forms.contains(&form)).map(|check| check.name).collect()
+pub fn checks_of(id: SubjectId) -> Vec<&'static str> {
+    registry().iter().filter(|check| check.subjects.contains(&id)).map(|check| check.name).collect()
 }
 
 /// Runs a generic case by turns in f64 and in arbitrary precision, each in its own rounds of the grid.

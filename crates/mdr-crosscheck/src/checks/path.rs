@@ -17,7 +17,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
@@ -28,7 +28,7 @@ pub(super) const BALANCE: Check = Check {
     name: "path-energy-balance",
     claim: "along random paths: work of the control less the energy lost in jumps against the difference of Π",
     equations: &["1.5", "1.6", "1.8", "1.9"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Roundoffs,
     cases: [16, 80, 800],
     // One case in eight is in arbitrary precision.
@@ -49,7 +49,7 @@ pub(super) const LOSSES: Check = Check {
     name: "path-losses",
     claim: "work lost at jump-in from d = 0 and from F = 0 and at pull-off against the ledger of a path by quadrature",
     equations: &["1.5", "1.8", "1.9"],
-    forms: &[Form::PullOffLoss, Form::JumpInLoss],
+    subjects: &[SubjectId::PullOffLoss, SubjectId::JumpInLoss],
     unit: Unit::Roundoffs,
     cases: [16, 80, 800],
     case: |trial| {
@@ -67,7 +67,7 @@ pub(super) const FLAT_PUNCH: Check = Check {
     name: "flat-punch",
     claim: "d, F at pull-off and πb²w against a path of the flat punch, by closed form and by quadrature",
     equations: &["1.4", "1.6"],
-    forms: &[Form::FlatPunchIndentation, Form::FlatPunchForce],
+    subjects: &[SubjectId::FlatPunchIndentation, SubjectId::FlatPunchForce],
     unit: Unit::Roundoffs,
     cases: [12, 60, 600],
     case: |trial| by_turns!(trial, flat_punch),
@@ -82,7 +82,7 @@ pub(super) const ADMISSIBLE: Check = Check {
     name: "path-admissible",
     claim: "no event of a path over steep waves gains energy, and where it ends the gap f − d + u against zero",
     equations: &["1.5", "1.8", "1.9"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Roundoffs,
     cases: [12, 60, 600],
     case: admissible,
@@ -216,9 +216,9 @@ fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
 
     let start = contact.radius_at_zero_indentation()?;
     // Of πa²w lost, a loss at F = 0 has the same share as one at d = 0.
-    let jump_in = trial.theory.energy_lost_at_jump_in(&contact)? / unit(&start);
+    let jump_in = trial.closed.energy_lost_at_jump_in(&contact)? / unit(&start);
     let fixed_grips = contact.critical(&Control::Indentation)?.contact_radius;
-    let pull_off = trial.theory.energy_lost_at_pull_off(&contact)? / unit(&fixed_grips);
+    let pull_off = trial.closed.energy_lost_at_pull_off(&contact)? / unit(&fixed_grips);
     for (entry, event) in ledger.entries.iter().zip(&path.events) {
         let (share, name) = match event.kind {
             EventKind::JumpIn => (&jump_in, "jump-in"),
@@ -249,11 +249,11 @@ fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
     let [b, e, w] = [&radius, &e_star, &work].map(R::approx);
     trial.describe(format_args!("b = {b:e}, E* = {e:e}, w = {w:e}, {control:?} ({})", R::NAME));
     let material = Material::new(e_star.clone(), work.clone())?;
-    let state = trial.theory.flat_punch_pull_off(&radius, &material)?;
+    let [d, f] = trial.closed.flat_punch_pull_off(&radius, &material)?;
     let by_heights = Quadrature::new(FlatPunch::new(radius.clone())?);
     let by_form = closed::FlatPunch::new(radius.clone())?;
     let transforms: [&dyn Transform<R>; 2] = [&by_form, &by_heights];
-    let pull_off = control.controlled(&state.indentation, &state.force);
+    let pull_off = control.controlled(&d, &f);
     for transform in transforms {
         let branches = Branches::new(Curve::new(transform, &material, &control))?;
         let way = [pull_off.lit(0), -pull_off.clone(), pull_off.clone().times(2)];
@@ -270,16 +270,16 @@ fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
         trial.demand("at the wall", [flat, pressed, breaks].iter().all(|rest| rest.contact_radius == radius));
         trial.demand("stable when pressed", pressed.stability == Stability::Stable);
         // Five roundings under each root, the root, and two factors, twice; on a machine those of D and its parts.
-        trial.compare("d", &breaks.indentation, &state.indentation, 24.0);
-        trial.compare("F", &breaks.force, &state.force, 32.0);
-        trial.compare("F pressed", &pressed.force, &-state.force.clone(), 48.0);
+        trial.compare("d", &breaks.indentation, &d, 24.0);
+        trial.compare("F", &breaks.force, &f, 32.0);
+        trial.compare("F pressed", &pressed.force, &-f.clone(), 48.0);
         let adhesion = radius.pi() * &radius * &radius * &work;
         for (entry, event) in Ledger::new(&path, &branches)?.entries.iter().zip(&path.events) {
             // The spring of a machine is let go with the contact.
             let expected = match (event.kind, &control) {
                 (EventKind::JumpIn, _) | (EventKind::Detached, Control::Indentation) => adhesion.clone(),
                 (EventKind::Detached, Control::Machine { stiffness }) => {
-                    state.force.square() / stiffness.clone().times(2) + &adhesion
+                    f.square() / stiffness.clone().times(2) + &adhesion
                 }
                 _ => continue,
             };

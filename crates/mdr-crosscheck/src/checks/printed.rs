@@ -7,7 +7,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::trial::Trial;
 
 /// The exponent of (1.15) must be 1/(2n−1); printed is 1/(1−2n).
@@ -18,7 +18,7 @@ pub(super) const DIMENSIONS: Check = Check {
     name: "printed-1.15-dimensions",
     claim: "a_c scales as a length; (1.15) as printed scales as 1/length: refuted",
     equations: &["1.15"],
-    forms: &[Form::CriticalRadius],
+    subjects: &[SubjectId::CriticalRadius],
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, dimensions),
@@ -50,7 +50,7 @@ fn dimensions<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
     let s = R::from_int(ctx, [1000, 2, 100, 10][round % 4]);
     let smaller = in_smaller_unit(&scene, &s);
     let radius = |trial: &Trial<'_>, scene: &Scene<R>| -> Result<R> {
-        Ok(trial.theory.critical(&scene.contact()?, &Control::Indentation)?.contact_radius)
+        Ok(trial.closed.critical(&scene.contact()?, &Control::Indentation)?.contact_radius)
     };
     let (a, a_smaller) = (radius(trial, &scene)?, radius(trial, &smaller)?);
     let ln_s = s.ln();

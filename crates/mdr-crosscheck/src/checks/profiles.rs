@@ -12,7 +12,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::library::{Height, Shape, closed_form};
 use crate::report::Unit;
-use crate::theory::{Form, Part};
+use crate::subject::{LIBRARY_IDS, Part, SubjectId};
 use crate::tolerance::{TRANSFORM, quadrature};
 use crate::trial::Trial;
 
@@ -25,7 +25,7 @@ pub(super) const LIBRARY: Check = Check {
     name: "profile-library",
     claim: "g, g', ∫g of fourteen profiles against quadrature of (1.1)",
     equations: &["1.1", "1.6"],
-    forms: LIBRARY_FORMS,
+    subjects: LIBRARY_IDS,
     unit: Unit::Roundoffs,
     cases: [90, 600, 6000],
     case: |trial| {
@@ -40,25 +40,12 @@ pub(super) const LIBRARY: Check = Check {
     },
 };
 
-const LIBRARY_FORMS: &[Form] = &library_forms();
-
-/// Every part of every shape.
-const fn library_forms() -> [Form; 3 * Shape::ALL.len()] {
-    let mut forms = [Form::Library(Shape::Cone, Part::G); 3 * Shape::ALL.len()];
-    let mut i = 0;
-    while i < forms.len() {
-        forms[i] = Form::Library(Shape::ALL[i / 3], [Part::G, Part::Slope, Part::Mean][i % 3]);
-        i += 1;
-    }
-    forms
-}
-
 /// The power laws with a name.
 pub(super) const NAMED: Check = Check {
     name: "named-power-laws",
     claim: "paraboloid r²/2R, cone r tanθ, cone of half angle α against quadrature of (1.1)",
     equations: &["1.1", "1.12"],
-    forms: &[Form::ParaboloidProfile, Form::ConeProfile, Form::ConeAngleProfile],
+    subjects: &[SubjectId::ParaboloidProfile, SubjectId::ConeProfile, SubjectId::ConeAngleProfile],
     unit: Unit::Roundoffs,
     cases: [40, 400, 4000],
     case: |trial| by_turns!(trial, named),
@@ -74,13 +61,13 @@ fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Re
     let cone = Quadrature::new(profiles::Cone::new(slope.clone())?).g_estimate(&x)?;
     trial.compare(
         "paraboloid",
-        &trial.theory.paraboloid(&radius, &x)?,
+        &trial.closed.paraboloid(&radius, &x)?,
         &ball.value,
         quadrature(&ball, 2.0) + TRANSFORM,
     );
     let allowed = quadrature(&cone, 1.0) + TRANSFORM;
-    trial.compare("cone", &trial.theory.cone(&slope, &x)?, &cone.value, allowed);
-    let by_angle = trial.theory.cone_with_half_angle(&angle, &x)?;
+    trial.compare("cone", &trial.closed.cone(&slope, &x)?, &cone.value, allowed);
+    let by_angle = trial.closed.cone_with_half_angle(&angle, &x)?;
     trial.compare("cone of half angle", &by_angle, &cone.value, allowed + 4.0);
     Ok(())
 }
@@ -175,9 +162,9 @@ fn library<R: Arithmetic>(trial: &mut Trial<'_>, shape: Shape, turn: usize, ctx:
         let condition = (value.slope * &x / value.value).abs().approx();
         if condition.is_finite() { condition } else { 0.0 }
     };
-    let theory = trial.theory;
+    let forms = trial.closed;
     let mut compare = |part, closed: R, numeric: Estimate<R>, condition: f64| {
-        let closed = theory.profile(shape, part, closed, &x);
+        let closed = forms.profile(shape, part, closed, &x);
         let allowed = ROUNDINGS * (1.0 + condition) + quadrature(&numeric, condition);
         trial.compare(format!("{part:?}"), &closed, &numeric.value, allowed);
     };

@@ -16,7 +16,7 @@ use super::profiles::{Drawn, ROUNDINGS};
 use crate::grid::{Family, Scene};
 use crate::library::Shape;
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::trial::Trial;
 
 /// Bits of the enclosures.
@@ -34,7 +34,7 @@ pub(super) const SEARCH: Check = Check {
     name: "proved-folds-against-search",
     claim: "all folds proved for every profile and control; number, kinds and radii by the search in f64",
     equations: &["1.10"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Roundoffs,
     cases: [90, 600, 6000],
     case: search,
@@ -45,13 +45,13 @@ pub(super) const CLOSED: Check = Check {
     name: "proved-folds-closed-form",
     claim: "proved folds of power laws: the enclosures overlap those of the closed forms, none more, none less",
     equations: &["1.10", "1.15", "1.17"],
-    forms: &[
-        Form::CriticalRadius,
-        Form::CriticalIndentation,
-        Form::CriticalForce,
-        Form::MachineFoldRadius,
-        Form::MachineFoldIndentation,
-        Form::MachineFoldForce,
+    subjects: &[
+        SubjectId::CriticalRadius,
+        SubjectId::CriticalIndentation,
+        SubjectId::CriticalForce,
+        SubjectId::MachineFoldRadius,
+        SubjectId::MachineFoldIndentation,
+        SubjectId::MachineFoldForce,
     ],
     unit: Unit::Mismatch,
     cases: [30, 200, 2000],
@@ -66,7 +66,7 @@ pub(super) const EQUILIBRIA: Check = Check {
     name: "proved-equilibria",
     claim: "all equilibria proved at a value for every profile and control; number, stability and radii by Branches in f64",
     equations: &["1.5", "1.6", "1.8", "1.9"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Roundoffs,
     cases: [90, 600, 6000],
     case: equilibria,
@@ -254,9 +254,9 @@ fn closed(trial: &mut Trial<'_>) -> Result<()> {
     let plain = Side::new(Box::new(law), &setting, ctx)?;
     let moving = Side::new(Box::new(moving), &setting, ctx)?;
     let expected = match &plain.control {
-        Control::Machine { stiffness } => trial.theory.machine_folds(&contact, stiffness)?,
+        Control::Machine { stiffness } => trial.closed.machine_folds(&contact, stiffness)?,
         control => {
-            let critical = trial.theory.critical(&contact, control)?;
+            let critical = trial.closed.critical(&contact, control)?;
             let kind = if scene.n < 0.5 { FoldKind::Maximum } else { FoldKind::Minimum };
             let (contact_radius, indentation, force) = (critical.contact_radius, critical.indentation, critical.force);
             vec![Instability { contact_radius, indentation, force, kind }]

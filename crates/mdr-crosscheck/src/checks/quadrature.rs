@@ -5,11 +5,12 @@ use mdr_core::contact::Result;
 use mdr_numeric::profiles::Power;
 use mdr_numeric::transform::Quadrature;
 
+use super::folds::transform;
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::{KAPPA, TRANSFORM, quadrature};
 use crate::trial::Trial;
 
@@ -18,7 +19,7 @@ pub(super) const KAPPA_RATIO: Check = Check {
     name: "kappa-quadrature",
     claim: "κ_n against quadrature of (1.1)",
     equations: &["1.1", "1.12"],
-    forms: &[Form::Kappa],
+    subjects: &[SubjectId::Kappa],
     unit: Unit::Roundoffs,
     cases: [100, 1000, 10_000],
     case: |trial| by_turns!(trial, kappa),
@@ -29,7 +30,7 @@ pub(super) const POWER: Check = Check {
     name: "transform-quadrature",
     claim: "g, g', ∫g of a power law against quadrature of (1.1)",
     equations: &["1.1", "1.6", "1.12"],
-    forms: &[Form::Transform, Form::TransformSlope, Form::TransformIntegral],
+    subjects: &[SubjectId::Transform, SubjectId::TransformSlope, SubjectId::TransformIntegral],
     unit: Unit::Roundoffs,
     cases: [100, 1000, 10_000],
     case: |trial| by_turns!(trial, power),
@@ -41,7 +42,7 @@ fn kappa<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Res
     trial.describe(format_args!("n = {exponent} ({})", R::NAME));
     let one = n.lit(1);
     let transform = Quadrature::new(Power::new(n.clone(), one.clone())?).g_estimate(&one)?;
-    let found = trial.theory.kappa(&n)?;
+    let found = trial.closed.kappa(&n)?;
     let allowed = quadrature(&transform, n.approx()) + KAPPA;
     trial.compare("κ", &found, &transform.value, allowed);
     Ok(())
@@ -54,17 +55,17 @@ fn power<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Res
     let x = R::from_f64(ctx, scales.radius);
     trial.describe_also(format_args!("x = {:e}", scales.radius));
     let contact = scene.contact()?;
-    let transform = Quadrature::new(Power::new(scene.n.clone(), scene.c.clone())?);
+    let transform = transform(&scene)?;
     let n = scene.n.approx();
     let rounded_exponent = (n + 1.0) * scales.radius.ln().abs();
-    let theory = trial.theory;
+    let forms = trial.closed;
     let mut compare = |name, closed: R, numeric: Estimate<R>, rounded: f64| {
         let allowed = quadrature(&numeric, n) + TRANSFORM + 2.0 + rounded;
         trial.compare(name, &closed, &numeric.value, allowed);
     };
-    let mean = theory.integral(contact.profile(), &x)? / &x;
-    compare("g", theory.g(contact.profile(), &x)?, transform.g_estimate(&x)?, 0.0);
-    compare("g'", theory.slope(contact.profile(), &x)?, transform.slope_estimate(&x)?, rounded_exponent);
+    let mean = forms.integral(contact.profile(), &x)? / &x;
+    compare("g", forms.g(contact.profile(), &x)?, transform.g_estimate(&x)?, 0.0);
+    compare("g'", forms.slope(contact.profile(), &x)?, transform.slope_estimate(&x)?, rounded_exponent);
     compare("∫g/x", mean, transform.mean_estimate(&x)?, rounded_exponent);
     Ok(())
 }

@@ -12,6 +12,7 @@ use mdr_core::number::{Gamma, Interval, Literal, Precision, Real};
 use rug::{Float, Integer, Rational};
 
 use super::Check;
+use super::kappa::by_series;
 use crate::grid::Held;
 use crate::report::Unit;
 use crate::trial::Trial;
@@ -21,7 +22,7 @@ pub(super) const DIGITS: Check = Check {
     name: "certified-range",
     claim: "certified κ, a_c, d_c, F_c for n from 1e-300 to 1e300: within half a unit of 20 to 3000 digits",
     equations: &["1.12", "1.15", "1.17"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Ulp,
     cases: [36, 360, 3600],
     case: digits,
@@ -32,7 +33,7 @@ pub(super) const ENCLOSURES: Check = Check {
     name: "enclosure-range",
     claim: "for such n the enclosures of κ, g, a_c, d_c, F_c at p and at 2p bits agree and are tight",
     equations: &["1.12", "1.15", "1.17"],
-    forms: &[],
+    subjects: &[],
     unit: Unit::Mismatch,
     cases: [36, 360, 3600],
     case: enclosures,
@@ -151,28 +152,13 @@ fn rational(text: &str) -> Result<Rational> {
 fn kappa(n: &Rational, bits: u32) -> Interval {
     let working = |bits: u32| Interval::from_rational(Precision::new(bits), n);
     if *n < bits {
-        return by_series(&working(bits + 64), bits);
+        return by_series(&working(bits + 64));
     }
     // Γ(1+x)/Γ(x+1/2), x = n/2: ln Γ is of the size of n ln n.
     let size = n.numer().significant_bits().saturating_sub(n.denom().significant_bits());
     let half = working(bits + size + 64).over(2);
     let quotient = (half.clone() + half.lit(1)).ln_gamma() - (half.clone() + half.ratio(1, 2)).ln_gamma();
     (quotient + half.pi().ln().over(2)).exp()
-}
-
-/// Σ_k Π_{j<k} (n+j)/(n+2+2j), Gauss's second theorem: behind a term the ratios approach 1/2 from one side, so what is left is
-/// at most (n+k)/(k+2) or 1 times that term.
-fn by_series(n: &Interval, bits: u32) -> Interval {
-    let (mut term, mut sum) = (n.lit(1), n.lit(1));
-    for k in 0.. {
-        term = term * (n.lit(k) + n) / &(n.lit(2 * k + 2) + n);
-        sum += &term;
-        if term.upper().get_exp().is_none_or(|exponent| exponent < -(bits as i32) - 64) {
-            let share = (n.lit(k + 1) + n).over(k + 3) + n.lit(1);
-            return sum.inflate(&(term * share));
-        }
-    }
-    sum
 }
 
 fn digits(trial: &mut Trial<'_>) -> Result<()> {

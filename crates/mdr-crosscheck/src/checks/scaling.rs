@@ -6,7 +6,7 @@ use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::CRITICAL_IDS;
 use crate::trial::Trial;
 
 /// E* and w in a unit of force 4^m times smaller: B does not change, so that a and d are the same bits and F is
@@ -15,7 +15,7 @@ pub(super) const FORCE: Check = Check {
     name: "unit-of-force",
     claim: "powers of two in the unit of force: a, d bit-identical, F scaled exactly",
     equations: &["1.13", "1.15", "1.16", "1.17"],
-    forms: &[Form::CriticalRadius, Form::CriticalIndentation, Form::CriticalForce],
+    subjects: CRITICAL_IDS,
     unit: Unit::Mismatch,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, unit_of_force),
@@ -26,7 +26,7 @@ pub(super) const LENGTH: Check = Check {
     name: "unit-of-length",
     claim: "powers of two in the unit of length: a and d scale as lengths, F stays",
     equations: &["1.13", "1.15", "1.16", "1.17"],
-    forms: &[Form::CriticalRadius, Form::CriticalIndentation, Form::CriticalForce],
+    subjects: CRITICAL_IDS,
     unit: Unit::Roundoffs,
     cases: [200, 2000, 20_000],
     case: |trial| by_turns!(trial, unit_of_length),
@@ -37,8 +37,8 @@ fn unit_of_force<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx
     let scene: Scene<R> = trial.scene(round, exponent, held.lambda(), ctx);
     let factor = R::from_int(ctx, 4).powi([7, -5, 20, -16, 1][round % 5]);
     let scaled = Scene { e_star: scene.e_star.clone() * &factor, work: scene.work.clone() * &factor, ..scene.clone() };
-    let state = trial.theory.critical(&scene.contact()?, &held.control())?;
-    let other = trial.theory.critical(&scaled.contact()?, &held.control())?;
+    let state = trial.closed.critical(&scene.contact()?, &held.control())?;
+    let other = trial.closed.critical(&scaled.contact()?, &held.control())?;
     trial.demand(format!("a ({held})"), state.contact_radius == other.contact_radius);
     trial.demand(format!("d ({held})"), state.indentation == other.indentation);
     trial.demand(format!("F ({held})"), state.force * &factor == other.force);
@@ -59,8 +59,8 @@ fn unit_of_length<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ct
         e_star: scene.e_star.clone() / s.square(),
         work: scene.work.clone() / &s,
     };
-    let state = trial.theory.critical(&scene.contact()?, &held.control())?;
-    let other = trial.theory.critical(&scaled.contact()?, &held.control())?;
+    let state = trial.closed.critical(&scene.contact()?, &held.control())?;
+    let other = trial.closed.critical(&scaled.contact()?, &held.control())?;
     let [here, there] = [(&scene, &state), (&scaled, &other)]
         .map(|(scene, state)| scene.tangent(held.lambda(), &state.contact_radius).radius());
     let allowed = here + there;

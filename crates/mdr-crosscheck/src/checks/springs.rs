@@ -7,7 +7,7 @@ use super::Check;
 use super::folds::transform;
 use crate::grid::{Exponent, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::CRITICAL_IDS;
 use crate::trial::Trial;
 
 /// Critical states of a foundation of springs at spacing Δx = a_c/N against the closed forms, at their order.
@@ -20,7 +20,7 @@ pub(super) const SPRINGS: Check = Check {
     name: "spring-foundation",
     claim: "springs of spacing a_c/N, rule of Heß: a_c to 1/2N, d_c to |2n-1|/32N² of Δl, F_c to 1/N",
     equations: &["1.2", "1.4", "1.5", "1.6", "1.15", "1.17"],
-    forms: &[Form::CriticalRadius, Form::CriticalIndentation, Form::CriticalForce],
+    subjects: CRITICAL_IDS,
     unit: Unit::Relative,
     cases: [24, 120, 1200],
     case,
@@ -34,7 +34,7 @@ fn case(trial: &mut Trial<'_>) -> Result<()> {
     let scene: Scene<f64> = trial.scene(round, exponent, 1.0, ());
     trial.describe_also(format_args!("N = {springs}"));
     let (contact, material) = (scene.contact()?, scene.material()?);
-    let state = trial.theory.critical(&contact, &Control::Indentation)?;
+    let state = trial.closed.critical(&contact, &Control::Indentation)?;
     let a = state.contact_radius;
     let transform = transform(&scene)?;
     let reach = 2 * springs;

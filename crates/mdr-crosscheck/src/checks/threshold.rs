@@ -6,11 +6,12 @@ use mdr_numeric::curve::Curve;
 use mdr_numeric::profiles::Power;
 use mdr_numeric::transform::Quadrature;
 
+use super::folds::transform;
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Held, Scales, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, KAPPA, TRANSFORM, quadrature};
 use crate::trial::Trial;
 
@@ -20,7 +21,7 @@ pub(super) const BISECTION: Check = Check {
     name: "threshold-by-bisection",
     claim: "n = 1/2: C of the change of fate by bisection on the numerics, against 2/ϖ (AGM)",
     equations: &["1.8", "1.9", "1.18", "1.19"],
-    forms: &[Form::Threshold],
+    subjects: &[SubjectId::Threshold],
     unit: Unit::Roundoffs,
     cases: [10, 40, 400],
     case: |trial| by_turns!(trial, bisection),
@@ -31,12 +32,12 @@ pub(super) const STATES: Check = Check {
     name: "scale-free-states",
     claim: "n = 1/2: ϖ against Γ(1/4); ρ, d, F and the fate against quadrature",
     equations: &["1.5", "1.6", "1.18", "1.19"],
-    forms: &[
-        Form::LemniscateConstant,
-        Form::ScaleFreeRatio,
-        Form::ScaleFreeIndentation,
-        Form::ScaleFreeForce,
-        Form::Fate,
+    subjects: &[
+        SubjectId::LemniscateConstant,
+        SubjectId::ScaleFreeRatio,
+        SubjectId::ScaleFreeIndentation,
+        SubjectId::ScaleFreeForce,
+        SubjectId::Fate,
     ],
     unit: Unit::Roundoffs,
     cases: [60, 600, 6000],
@@ -68,7 +69,7 @@ fn bisection<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) ->
         }
     }
     let found = (low + high).over(2);
-    let threshold = trial.theory.threshold(&material, &control)?;
+    let threshold = trial.closed.threshold(&material, &control)?;
     let transform = Quadrature::new(Power::new(found.ratio(1, 2), found.clone())?);
     // g against Δl, or (force) g − Δl against the mean of g, which at the threshold is two thirds of g.
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
@@ -97,28 +98,28 @@ fn states<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let guarded = rug::Float::with_val(scene.c.precision() + 32, 0.25).gamma();
     let lemniscate = guarded.clone().square() / (guarded.pi() * 8_u32).sqrt();
     let expected = R::round(ctx, &lemniscate);
-    trial.compare("ϖ", &trial.theory.lemniscate_constant(&scene.c), &expected, agm(&scene.c) + 1.0);
+    trial.compare("ϖ", &trial.closed.lemniscate_constant(&scene.c)?, &expected, agm(&scene.c) + 1.0);
 
-    let transform = Quadrature::new(Power::new(scene.n.clone(), scene.c.clone())?);
+    let transform = transform(&scene)?;
     let material = scene.material()?;
     let curve = Curve::new(&transform, &material, &Control::Indentation);
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
     let elongation = curve.detachment_elongation(&a)?;
     let numeric = quadrature(&g, 0.5);
-    let ratio = trial.theory.ratio(&contact)?;
+    let ratio = trial.closed.ratio(&contact)?;
     trial.compare("ρ", &ratio, &(g.value.clone() / &elongation), numeric + TRANSFORM + 2.0 * ELONGATION + 2.0);
 
-    let state = trial.theory.scale_free_state(&contact, &a)?;
+    let [d, f] = trial.closed.scale_free_state(&contact, &a)?;
     let scale = elongation + &g.value;
     let allowed = numeric + TRANSFORM + 2.0 * ELONGATION + 12.0;
-    trial.compare_on("d", &state.indentation, &curve.indentation(&a)?, &scale, allowed);
+    trial.compare_on("d", &d, &curve.indentation(&a)?, &scale, allowed);
     let scale = scale * &a * scene.e_star.clone().times(2);
     let allowed = allowed + quadrature(&mean, 0.5) + KAPPA;
-    trial.compare_on("F", &state.force, &curve.force(&a)?, &scale, allowed);
+    trial.compare_on("F", &f, &curve.force(&a)?, &scale, allowed);
 
     for held in [Held::Indentation, Held::Force] {
         let control = held.control();
-        let fate = trial.theory.fate(&contact, &control)?;
+        let fate = trial.closed.fate(&contact, &control)?;
         let expected = if shrinks(&scene.c, &material, &control, &a)? { 1 } else { -1 };
         trial.demand(format!("fate ({held})"), fate == fate.lit(expected));
     }

@@ -2,14 +2,13 @@
 
 use mdr_core::contact::{Control, Result};
 use mdr_numeric::curve::Curve;
-use mdr_numeric::profiles::Power;
-use mdr_numeric::transform::Quadrature;
 
+use super::folds::transform;
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
 use crate::report::Unit;
-use crate::theory::Form;
+use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, quadrature};
 use crate::trial::Trial;
 
@@ -21,12 +20,12 @@ pub(super) const CURVES: Check = Check {
     name: "universal-curves",
     claim: "d/|d_c| and F/|F_c| of a/a_c against quadrature of (1.1) in (1.5), (1.6)",
     equations: &["1.5", "1.6", "1.13", "1.16"],
-    forms: &[
-        Form::UniversalIndentation,
-        Form::UniversalForce,
-        Form::CriticalRadius,
-        Form::CriticalIndentation,
-        Form::CriticalForce,
+    subjects: &[
+        SubjectId::UniversalIndentation,
+        SubjectId::UniversalForce,
+        SubjectId::CriticalRadius,
+        SubjectId::CriticalIndentation,
+        SubjectId::CriticalForce,
     ],
     unit: Unit::Roundoffs,
     cases: [60, 600, 6000],
@@ -40,10 +39,10 @@ fn curves<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let stretch = trial.uniform(-1.0, 1.0);
     trial.describe_also(format_args!("a/a_c = exp({stretch:e}/(n+1))"));
     let scaled = (R::from_f64(ctx, stretch) / (scene.n.clone() + scene.n.lit(1))).exp();
-    let critical = trial.theory.critical(&contact, &Control::Indentation)?;
+    let critical = trial.closed.critical(&contact, &Control::Indentation)?;
     let a = scaled.clone() * &critical.contact_radius;
 
-    let transform = Quadrature::new(Power::new(scene.n.clone(), scene.c.clone())?);
+    let transform = transform(&scene)?;
     let material = scene.material()?;
     let curve = Curve::new(&transform, &material, &Control::Indentation);
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
@@ -51,10 +50,10 @@ fn curves<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let tangent = scene.tangent(1.0, &critical.contact_radius);
     let shifted = 0.5 * tangent.excess() * tangent.radius();
 
-    let d = trial.theory.universal_indentation(&scene.n, &scaled)? * critical.indentation.abs();
+    let d = trial.closed.universal_indentation(&scene.n, &scaled)? * critical.indentation.abs();
     let allowed = shifted + quadrature(&g, tangent.n) + 3.0 * ELONGATION + 16.0;
     trial.compare_on("d", &d, &curve.indentation(&a)?, &(elongation.clone() + &g.value), allowed);
-    let f = trial.theory.universal_force(&scene.n, &scaled)? * critical.force.abs();
+    let f = trial.closed.universal_force(&scene.n, &scaled)? * critical.force.abs();
     let scale = (elongation + &g.value) * &a * scene.e_star.clone().times(2);
     let allowed = allowed + shifted + quadrature(&mean, tangent.n) + 16.0;
     trial.compare_on("F", &f, &curve.force(&a)?, &scale, allowed);

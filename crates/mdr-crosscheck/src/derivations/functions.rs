@@ -58,14 +58,14 @@ fn arithmetic_geometric_mean(x: &Interval, y: &Interval) -> Interval {
 ///
 /// The ratio of the terms tends to 1/2 monotonically. So from a term on, of which it is below one, the tail is at most that
 /// of a geometric series with the larger of the ratio there and 1/2.
-fn hypergeometric(b: &Interval, c: &Interval) -> Interval {
+pub(crate) fn hypergeometric(b: &Interval, c: &Interval) -> Interval {
     let zero = b.lit(0);
     let mut sum = b.lit(0);
     if !(*b > zero && *c > zero) {
         return Interval::entire(b.ctx());
     }
     let mut term = b.lit(1);
-    for j in 0..20 * i64::from(super::BITS) {
+    for j in 0..20 * i64::from(b.precision()) {
         sum += &term;
         let ratio = (b.clone() + b.lit(j)) / (c.clone() + b.lit(j)).times(2);
         term *= &ratio;

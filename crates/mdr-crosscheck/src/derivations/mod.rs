@@ -23,6 +23,7 @@ use mdr_symbolic::derivations::{Claim, Entry, Step, entries};
 use mdr_symbolic::formula::evaluate;
 use mdr_symbolic::{Domain, Error, Relation, Statement};
 
+pub(crate) use functions::hypergeometric;
 pub use mutation::{Fate, Mutants};
 pub use point::{OCTAVES, Point, Points};
 

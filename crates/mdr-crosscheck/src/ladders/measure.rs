@@ -1,25 +1,23 @@
-//! The truth about one question, and how far an answer is from it.
+//! The exact result of a question, its condition, and how far an answer is from it.
 
 use mdr_core::contact::{Error, Ranged, Result};
+use mdr_core::number::certify::{Enclosure, next_precision};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use rug::Float;
 
-use super::Found;
-use super::questions::Subject;
-
-/// Numbers for conditions.
-pub(super) type Moved = Dual<Float>;
+use super::{Found, Rung};
+use crate::subject::routine::Routine;
 
 /// Where the precision starts.
 const START: u32 = 192;
 /// Where it ends: enough for ratios of scales of 10^±600 in powers near n = 1/2.
 const END: u32 = 12_288;
-/// An enclosure this narrow counts as known: 2⁻⁴⁰ of a roundoff.
-const NARROW: i64 = 93;
+/// Relative accuracy in bits with which a result counts as known: 2⁻⁴⁰ of a roundoff.
+const NARROW: u32 = 93;
 
 /// What the exact result is, for the doubles given.
 #[derive(Clone, Debug)]
-pub(super) enum Truth {
+enum Reference {
     /// A number; zero is exact.
     Number(Interval),
     /// A number beyond the exponents of MPFR; its log₁₀.
@@ -28,41 +26,73 @@ pub(super) enum Truth {
     None(Error),
 }
 
+/// One question to a routine, with what became of it.
+pub(super) fn rung(routine: &Routine, parameter: f64, inputs: &[f64]) -> Rung {
+    let inputs = inputs.to_vec();
+    let (reference, bits) = match reference(routine, &inputs) {
+        Ok(known) => known,
+        Err(unknown) => {
+            let found = Found::Declined(format!("the truth: {unknown}"));
+            return Rung { parameter, inputs, condition: None, found, naive_ulp: None };
+        }
+    };
+    let exact = match &reference {
+        Reference::Number(value) if !value.is_point() || !value.mid().is_zero() => Some(value.mid()),
+        _ => None,
+    };
+    let condition = exact.as_ref().and_then(|_| condition(routine, &inputs, bits).ok()).filter(|c| c.is_finite());
+    let found = match judge((routine.shipped)(&inputs), &reference, condition.unwrap_or(1.0)) {
+        Found::Flushed if routine.name.starts_with("double::") => Found::Wrong("0, which is an underflow".to_owned()),
+        found => found,
+    };
+    // A formula of textbooks cannot say what a double cannot hold.
+    let in_range = |exact: &Float| (f64::MIN_POSITIVE..=f64::MAX).contains(&exact.to_f64().abs());
+    let naive_ulp = exact.filter(in_range).zip(routine.textbook);
+    let naive_ulp = naive_ulp.map(|(exact, textbook)| ulps((textbook.value)(&inputs), &exact));
+    Rung { parameter, inputs, condition, found, naive_ulp }
+}
+
 /// The exact result, and the precision at which it was known.
-pub(super) fn truth(subject: &Subject, inputs: &[f64]) -> std::result::Result<(Truth, u32), String> {
-    let mut bits = START;
+fn reference(routine: &Routine, inputs: &[f64]) -> std::result::Result<(Reference, u32), String> {
+    let mut precision = Precision::new(START);
     loop {
-        let ctx = Precision::new(bits);
-        let given: Vec<_> = inputs.iter().map(|x| Interval::from_f64(ctx, *x)).collect();
-        match (subject.enclosed)(&given) {
-            Ok(value) if value.accuracy_bits() >= NARROW => return Ok((Truth::Number(value), bits)),
-            Ok(value) if value.is_point() => return Ok((Truth::Number(value), bits)),
-            Ok(_) | Err(Error::Undecided { .. } | Error::NoConvergence { .. }) if bits < END => bits *= 2,
-            Err(Error::OutOfRange { log10, .. }) => return Ok((Truth::Beyond(log10), bits)),
-            Err(error @ (Error::Domain { .. } | Error::NoEquilibrium { .. })) => return Ok((Truth::None(error), bits)),
+        let bits = precision.bits();
+        let given: Vec<_> = inputs.iter().map(|x| Interval::from_f64(precision, *x)).collect();
+        let open = match (routine.exact.interval)(&given) {
+            Ok(value) if value.is_point() || value.accuracy_bits() >= i64::from(NARROW) => {
+                return Ok((Reference::Number(value), bits));
+            }
+            Err(Error::OutOfRange { log10, .. }) => return Ok((Reference::Beyond(log10), bits)),
+            Err(error @ (Error::Domain { .. } | Error::NoEquilibrium { .. })) => {
+                return Ok((Reference::None(error), bits));
+            }
+            Ok(value) if bits < END => Some(Enclosure::from(value)),
+            Err(Error::Undecided { .. } | Error::NoConvergence { .. }) if bits < END => None,
             Ok(value) => return Err(format!("only {value} is known at {bits} bits")),
             Err(error) => return Err(error.to_string()),
-        }
+        };
+        precision = next_precision(Precision::new(NARROW), precision, [open.as_ref()]);
+        precision = precision.min(Precision::new(END));
     }
 }
 
 /// Σ|xᵢ ∂f/∂xᵢ|/|f| over the inputs that are rounded: not over an exponent n that is a whole number.
-pub(super) fn condition(subject: &Subject, inputs: &[f64], bits: u32) -> Result<f64> {
+fn condition(routine: &Routine, inputs: &[f64], bits: u32) -> Result<f64> {
     // Twice the bits: slopes cancel where values do.
     let ctx = Precision::new(2 * bits);
     let mut sum = 0.0;
-    let exact = |index: usize| subject.inputs[index] == "n" && inputs[index].fract() == 0.0;
-    for moving in (0..inputs.len()).filter(|index| !exact(*index)) {
+    let exact = |index: usize| routine.inputs[index] == "n" && inputs[index].fract() == 0.0;
+    for seeded in (0..inputs.len()).filter(|index| !exact(*index)) {
         let given: Vec<_> = inputs
             .iter()
             .enumerate()
             .map(|(index, x)| {
                 let value = Float::from_f64(ctx, *x);
-                let slope = if index == moving { value.clone() } else { Float::new(ctx.bits()) };
+                let slope = if index == seeded { value.clone() } else { Float::new(ctx.bits()) };
                 Dual { value, slope }
             })
             .collect();
-        let Dual { value, slope } = (subject.moved)(&given)?;
+        let Dual { value, slope } = (routine.exact.dual)(&given)?;
         sum += (slope / value).approx().abs();
     }
     Ok(sum)
@@ -74,7 +104,7 @@ fn ulp(nearest: f64) -> f64 {
 }
 
 /// |found − exact| in ulp.
-pub(super) fn ulps(found: f64, exact: &Float) -> f64 {
+fn ulps(found: f64, exact: &Float) -> f64 {
     let nearest = exact.to_f64();
     if !found.is_finite() {
         return f64::INFINITY;
@@ -92,14 +122,16 @@ fn excess(found: f64, exact: &Float, condition: f64) -> f64 {
 }
 
 /// What became of the question.
-pub(super) fn judge(answer: Result<Ranged<f64>>, truth: &Truth, condition: f64) -> Found {
-    match (answer, truth) {
-        (Ok(Ranged::Value(value)), Truth::Number(exact)) => number(value, &exact.mid(), condition),
-        (Ok(Ranged::Overflow { log10 } | Ranged::Underflow { log10 }), truth) => beyond(log10, truth, condition),
-        (Err(Error::OutOfRange { log10, .. }), truth) => beyond(log10, truth, condition),
-        (Ok(Ranged::Value(value)), Truth::Beyond(log10)) => Found::Wrong(format!("{value:e} for 10^{log10}")),
-        (Ok(Ranged::Value(value)), Truth::None(error)) => Found::Wrong(format!("{value:e}, but {error}")),
-        (Err(Error::Domain { .. } | Error::NoEquilibrium { .. }), Truth::None(_)) => Found::Refused,
+fn judge(answer: Result<Ranged<f64>>, reference: &Reference, condition: f64) -> Found {
+    match (answer, reference) {
+        (Ok(Ranged::Value(value)), Reference::Number(exact)) => number(value, &exact.mid(), condition),
+        (Ok(Ranged::Overflow { log10 } | Ranged::Underflow { log10 }), reference) => {
+            beyond(log10, reference, condition)
+        }
+        (Err(Error::OutOfRange { log10, .. }), reference) => beyond(log10, reference, condition),
+        (Ok(Ranged::Value(value)), Reference::Beyond(log10)) => Found::Wrong(format!("{value:e} for 10^{log10}")),
+        (Ok(Ranged::Value(value)), Reference::None(error)) => Found::Wrong(format!("{value:e}, but {error}")),
+        (Err(Error::Domain { .. } | Error::NoEquilibrium { .. }), Reference::None(_)) => Found::Refused,
         (Err(error), _) => Found::Declined(error.to_string()),
     }
 }
@@ -121,15 +153,17 @@ fn number(value: f64, exact: &Float, condition: f64) -> Found {
 }
 
 /// The log₁₀ of a result out of range: a few roundings of it, and the condition of the result over ln 10.
-fn beyond(log10: f64, truth: &Truth, condition: f64) -> Found {
-    let exact = match truth {
-        Truth::Number(exact) if exact.mid().is_zero() => return Found::Wrong("out of range, but it is 0".to_owned()),
-        Truth::Number(exact) => exact.mid().abs().log10(),
-        Truth::Beyond(exact) => Float::with_val(64, *exact),
-        Truth::None(error) => return Found::Wrong(format!("out of range, but {error}")),
+fn beyond(log10: f64, reference: &Reference, condition: f64) -> Found {
+    let exact = match reference {
+        Reference::Number(exact) if exact.mid().is_zero() => {
+            return Found::Wrong("out of range, but it is 0".to_owned());
+        }
+        Reference::Number(exact) => exact.mid().abs().log10(),
+        Reference::Beyond(exact) => Float::with_val(64, *exact),
+        Reference::None(error) => return Found::Wrong(format!("out of range, but {error}")),
     };
-    let nearest = match truth {
-        Truth::Number(number) => number.mid().to_f64().abs(),
+    let nearest = match reference {
+        Reference::Number(number) => number.mid().to_f64().abs(),
         _ => 0.0,
     };
     // That the log₁₀ is not known is said by an infinite one.

@@ -9,111 +9,83 @@
 //! Acceptance ([`Ladder::accepted`]): no NaN, no infinity and no zero where there is a number, and an excess loss of one
 //! digit at most.
 
-mod critical;
-mod energy;
-mod equilibria;
-mod fields;
-mod folds;
-mod functions;
-mod library;
+mod approach;
+mod double;
 mod measure;
-mod naive;
+mod numerical;
 mod open;
-mod questions;
-mod transform;
+mod profiles;
 mod worst;
 
 use rayon::prelude::*;
 use serde::Serialize;
 
+use self::approach::{LadderCase, Steps};
 use crate::Level;
 
 pub use open::{OPEN, Open};
 pub use worst::{Worst, WorstError, worst_inputs};
 
-/// Where a ladder leads: the pictures are drawn by family.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Family {
-    /// n → 1/2 from both sides.
-    Half,
-    /// n → 0.
-    SmallExponent,
-    /// n → ∞.
-    LargeExponent,
-    /// To a fold, or to folds that merge.
-    Fold,
-    /// To a zero of the result.
-    Zero,
-    /// To the ends of the range of doubles.
-    Scale,
-    /// x → the radius of an edge, b/x → 1.
-    Edge,
-    /// x → 0.
-    Tip,
-    /// x → ∞.
-    Far,
-    /// The wavelength → 0.
-    Wavelength,
-    /// The stiffness of the machine → 0 and ∞.
-    Stiffness,
+/// Declares the families with their names and titles.
+macro_rules! families {
+    ($($(#[$doc:meta])* $family:ident $name:literal $title:literal;)*) => {
+        /// Where a ladder leads: the pictures are drawn by family.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum Family {
+            $($(#[$doc])* $family,)*
+        }
+
+        impl Family {
+            /// All of them, in the order of the report.
+            pub const ALL: [Family; { [$($name),*].len() }] = [$(Family::$family),*];
+
+            /// As in names of files.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Family::$family => $name,)*
+                }
+            }
+
+            /// For a reader.
+            pub const fn title(self) -> &'static str {
+                match self {
+                    $(Family::$family => $title,)*
+                }
+            }
+        }
+    };
 }
 
-impl Family {
-    /// All of them, in the order of the report.
-    pub const ALL: [Family; 11] = [
-        Family::Half,
-        Family::SmallExponent,
-        Family::LargeExponent,
-        Family::Fold,
-        Family::Zero,
-        Family::Scale,
-        Family::Edge,
-        Family::Tip,
-        Family::Far,
-        Family::Wavelength,
-        Family::Stiffness,
-    ];
-
-    /// As in names of files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Family::Half => "half",
-            Family::SmallExponent => "small-exponent",
-            Family::LargeExponent => "large-exponent",
-            Family::Fold => "fold",
-            Family::Zero => "zero",
-            Family::Scale => "scale",
-            Family::Edge => "edge",
-            Family::Tip => "tip",
-            Family::Far => "far",
-            Family::Wavelength => "wavelength",
-            Family::Stiffness => "stiffness",
-        }
-    }
-
-    /// For a reader.
-    pub const fn title(self) -> &'static str {
-        match self {
-            Family::Half => "the exponent tends to 1/2",
-            Family::SmallExponent => "the exponent tends to 0",
-            Family::LargeExponent => "the exponent tends to infinity",
-            Family::Fold => "the state tends to a fold",
-            Family::Zero => "the result tends to a zero",
-            Family::Scale => "an input tends to the ends of the range of doubles",
-            Family::Edge => "the radius tends to an edge",
-            Family::Tip => "the radius tends to 0",
-            Family::Far => "the radius tends to infinity",
-            Family::Wavelength => "the wavelength tends to 0",
-            Family::Stiffness => "the stiffness of the machine tends to 0 and to infinity",
-        }
-    }
+families! {
+    /// n → 1/2 from both sides.
+    Half "half" "the exponent tends to 1/2";
+    /// n → 0.
+    SmallExponent "small-exponent" "the exponent tends to 0";
+    /// n → ∞.
+    LargeExponent "large-exponent" "the exponent tends to infinity";
+    /// To a fold, or to folds that merge.
+    Fold "fold" "the state tends to a fold";
+    /// To a zero of the result.
+    Zero "zero" "the result tends to a zero";
+    /// To the ends of the range of doubles.
+    Scale "scale" "an input tends to the ends of the range of doubles";
+    /// x → the radius of an edge, b/x → 1.
+    Edge "edge" "the radius tends to an edge";
+    /// x → 0.
+    Tip "tip" "the radius tends to 0";
+    /// x → ∞.
+    Far "far" "the radius tends to infinity";
+    /// The wavelength → 0.
+    Wavelength "wavelength" "the wavelength tends to 0";
+    /// The stiffness of the machine → 0 and ∞.
+    Stiffness "stiffness" "the stiffness of the machine tends to 0 and to infinity";
 }
 
 /// One function in one direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Ladder {
-    /// The function and, where it gives more than a number, the number: "double::critical, force control: F".
+    /// The function and, where it gives more than a number, the number: "double::critical, dead load, F".
     pub function: String,
     /// The family of its direction.
     pub family: Family,
@@ -217,6 +189,11 @@ impl Ladder {
     }
 }
 
+/// All cases, in the order of the functions.
+fn cases(steps: Steps) -> Vec<LadderCase> {
+    [double::cases(steps), profiles::cases(steps), numerical::cases(steps)].concat()
+}
+
 /// All ladders, in the order of the functions.
 pub fn ladders(level: Level) -> Vec<Ladder> {
     ladders_of(level, "")
@@ -224,13 +201,14 @@ pub fn ladders(level: Level) -> Vec<Ladder> {
 
 /// Those of the functions whose names contain a word.
 pub fn ladders_of(level: Level, word: &str) -> Vec<Ladder> {
-    let climbs: Vec<_> = questions::all(level).into_iter().filter(|climb| climb.subject.name.contains(word)).collect();
-    climbs.par_iter().map(questions::Climb::ladder).collect()
+    let steps = Steps { all: level != Level::Quick };
+    let cases: Vec<_> = cases(steps).into_iter().filter(|case| case.routine.name.contains(word)).collect();
+    cases.par_iter().map(LadderCase::ladder).collect()
 }
 
 /// The public functions of f64 that have a ladder, such as "double::kappa" or "Sphere::g".
 pub fn functions() -> Vec<String> {
-    let mut names: Vec<_> = questions::all(Level::Quick).iter().map(|climb| climb.subject.function()).collect();
+    let mut names: Vec<_> = cases(Steps::FEW).iter().map(|case| case.routine.function().to_owned()).collect();
     names.dedup();
     names
 }

@@ -6,9 +6,9 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Serialize};
 use thiserror::Error as ThisError;
 
-use super::questions::{self, Subject};
-use super::{Found, Ladder, Rung};
-use crate::Level;
+use super::approach::Steps;
+use super::{Found, Ladder, Rung, cases, measure};
+use crate::subject::routine::Routine;
 
 /// The list. It only grows: `cargo run --release -p mdr-crosscheck --example ladders -- --worst` writes it anew, with what
 /// was there and what was found to be worse.
@@ -51,10 +51,9 @@ pub fn worst_inputs() -> Result<Vec<Worst>, WorstError> {
 impl Worst {
     /// Asks again; none where there is no such function any more.
     pub fn ask(&self) -> Option<Rung> {
-        static SUBJECTS: LazyLock<BTreeMap<&'static str, Subject>> = LazyLock::new(|| {
-            questions::all(Level::Quick).into_iter().map(|climb| (climb.subject.name, climb.subject)).collect()
-        });
-        Some(SUBJECTS.get(self.function.as_str())?.rung(f64::NAN, &self.inputs))
+        static ROUTINES: LazyLock<BTreeMap<&'static str, Routine>> =
+            LazyLock::new(|| cases(Steps::FEW).into_iter().map(|case| (case.routine.name, case.routine)).collect());
+        Some(measure::rung(ROUTINES.get(self.function.as_str())?, f64::NAN, &self.inputs))
     }
 
     /// The worst rung of each function and family that is an error at all, where it is worse than what is kept.

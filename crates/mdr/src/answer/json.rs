@@ -4,7 +4,6 @@ use mdr_numeric::admissible::Basis;
 use serde::ser::{Error as _, SerializeMap};
 use serde::{Serialize, Serializer};
 
-use super::record::Numbers;
 use super::{Answer, Cell, Completeness, Number, Output, Promise, Row, Value, described};
 use crate::scene::Arithmetic;
 
@@ -38,9 +37,8 @@ impl Serialize for Answer {
         map.serialize_entry("complete", &Completes(&self.outputs))?;
         for output in &self.outputs {
             map.serialize_entry(output.kind().name(), &output.rows())?;
-            if let Some(balance) = output.balance() {
-                let rows = balance.rows();
-                map.serialize_entry("balance", rows.first().ok_or_else(|| S::Error::custom("a balance is a record"))?)?;
+            for (key, rows) in output.beside() {
+                map.serialize_entry(key, rows.first().ok_or_else(|| S::Error::custom("one record"))?)?;
             }
         }
         if let Some(basis) = self.admissibility {
@@ -118,6 +116,7 @@ impl Serialize for Cell<'_> {
             Cell::UnknownStability(_) | Cell::Absent => serializer.serialize_none(),
             Cell::Literal(literal) => serializer.serialize_str(&literal.to_string()),
             Cell::Flag(flag) => serializer.serialize_bool(*flag),
+            Cell::Count(count) => count.serialize(serializer),
             Cell::Word(word) => serializer.serialize_str(word),
             Cell::Rows(rows) => rows.serialize(serializer),
         }

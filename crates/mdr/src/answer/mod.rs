@@ -13,8 +13,9 @@ use mdr_numeric::admissible::Basis;
 pub use record::{Cell, Row};
 pub use rows::{FlatCell, FlatRow, columns, title};
 pub use types::{
-    Admission, AtValue, Balance, Completeness, CurvePoint, CurveStability, Dissipation, EnergyState, Equilibrium,
-    Field, FieldSample, FieldState, Fold, List, LoadingPath, Optional, Overlap, PathEvent, PlainState, TransformSample,
+    Admission, AtValue, Balance, Completeness, CurvePoint, CurveStability, CurveSummary, Dissipation, EnergyState,
+    Equilibrium, Field, FieldSample, FieldState, Fold, ForceCurve, ForceSample, List, LoadingPath, Optional, Overlap,
+    PathEvent, PlainState, TransformSample,
 };
 pub use value::{Number, Promise, Value};
 
@@ -43,11 +44,13 @@ pub enum OutputKind {
     Displacement,
     /// Energy and stiffness of states.
     Energy,
+    /// The loading path, sampled.
+    ForceCurve,
 }
 
 impl OutputKind {
     /// Every kind with its name.
-    pub(crate) const NAMES: [(&'static str, OutputKind); 9] = [
+    pub(crate) const NAMES: [(&'static str, OutputKind); 10] = [
         ("transform", OutputKind::Transform),
         ("equilibria", OutputKind::Equilibria),
         ("folds", OutputKind::Folds),
@@ -57,6 +60,7 @@ impl OutputKind {
         ("gap", OutputKind::Gap),
         ("displacement", OutputKind::Displacement),
         ("energy", OutputKind::Energy),
+        ("force-curve", OutputKind::ForceCurve),
     ];
 
     /// The key of the output in a scene and in an answer.
@@ -93,6 +97,8 @@ pub enum Output {
     Field(Field, List<AtValue<FieldState>>),
     /// Energy and stiffness of states.
     Energy(List<AtValue<EnergyState>>),
+    /// The loading path, sampled.
+    ForceCurve(Box<ForceCurve>),
 }
 
 /// The same expression for the list of whatever output.
@@ -109,6 +115,10 @@ macro_rules! with_list {
             Output::Curve($list) => $value,
             Output::Field(_, $list) => $value,
             Output::Energy($list) => $value,
+            Output::ForceCurve(curve) => {
+                let $list = &curve.samples;
+                $value
+            }
         }
     };
 }
@@ -126,6 +136,7 @@ impl Output {
             Output::Field(Field::Gap, _) => OutputKind::Gap,
             Output::Field(Field::Displacement, _) => OutputKind::Displacement,
             Output::Energy(_) => OutputKind::Energy,
+            Output::ForceCurve(_) => OutputKind::ForceCurve,
         }
     }
 
@@ -149,6 +160,15 @@ impl Output {
         match self {
             Output::Path(path) => path.balance.as_ref(),
             _ => None,
+        }
+    }
+
+    /// The single records beside its list, by their keys in an answer.
+    pub fn beside(&self) -> Vec<(&'static str, Vec<Row<'_>>)> {
+        match self {
+            Output::Path(path) => path.balance.iter().map(|balance| ("balance", balance.rows())).collect(),
+            Output::ForceCurve(curve) => vec![("force-curve-summary", curve.summary.rows())],
+            _ => Vec::new(),
         }
     }
 
@@ -187,6 +207,7 @@ impl Output {
             Output::Curve(items) => Output::Curve(list(items, promise, f)),
             Output::Field(field, items) => Output::Field(field, list(items, promise, f)),
             Output::Energy(items) => Output::Energy(list(items, promise, f)),
+            curve @ Output::ForceCurve(_) => curve,
         }
     }
 }
@@ -254,6 +275,8 @@ accessors! {
     gap: List<AtValue<FieldState>> = Output::Field(Field::Gap, list) => list;
     /// The surface displacement of states, where it is wanted.
     displacement: List<AtValue<FieldState>> = Output::Field(Field::Displacement, list) => list;
+    /// The sampled loading path, where it is wanted.
+    force_curve: ForceCurve = Output::ForceCurve(curve) => &**curve;
     /// Energy and stiffness of states, where they are wanted.
     energy: List<AtValue<EnergyState>> = Output::Energy(list) => list;
 }

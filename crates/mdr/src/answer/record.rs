@@ -21,6 +21,8 @@ pub enum Cell<'a, N = Number> {
     Literal(&'a Literal),
     /// Yes or no.
     Flag(bool),
+    /// A number of things.
+    Count(usize),
     /// A word: the kind of a fold or of an event.
     Word(&'static str),
     /// Nothing, and nothing is expected.
@@ -270,6 +272,30 @@ macro_rules! words {
 }
 
 words!(FoldKind, EventKind);
+
+impl<N> Part<N> for &'static str {
+    type With<M> = Self;
+
+    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
+        self
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        row.cells.push((key, Cell::Word(self)));
+    }
+}
+
+impl<N> Part<N> for usize {
+    type With<M> = Self;
+
+    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
+        self
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        row.cells.push((key, Cell::Count(*self)));
+    }
+}
 
 /// A state in which the surfaces would overlap has the place where they do, and that as its status.
 impl<N> Part<N> for Admission<N> {

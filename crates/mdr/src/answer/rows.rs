@@ -34,6 +34,7 @@ impl FlatCell {
                 cell.log10().filter(|log10| log10.is_finite()).map_or(FlatCell::Empty, FlatCell::Magnitude)
             }
             Cell::Flag(flag) => FlatCell::Text(if *flag { "yes" } else { "no" }.to_owned()),
+            Cell::Count(count) => FlatCell::Text(count.to_string()),
             Cell::Word(word) => FlatCell::Text((*word).to_owned()),
             Cell::Absent | Cell::Rows(_) => FlatCell::Empty,
         }

@@ -160,6 +160,34 @@ record! {
         dissipated: Option<Dissipation<N>>,
     }
 
+    /// A sample of the loading path.
+    ForceSample {
+        /// From 1; the next one begins at a jump and where the direction changes.
+        segment: usize,
+        /// `approach` while the controlled quantity rises, `retract` while it falls.
+        direction: &'static str,
+        /// D = d + F/k, on a machine.
+        position: Optional<N>,
+        /// d; none of bodies apart under a dead load.
+        indentation: Option<Value<N>>,
+        /// F; 0 of bodies apart.
+        force: Value<N>,
+        /// a; none of bodies apart.
+        contact_radius: Option<Value<N>>,
+    }
+
+    /// What is read off a force curve; what the path does not reach has no value.
+    CurveSummary {
+        /// F at the fold where the contact breaks.
+        pull_off_force: Option<Value<N>>,
+        /// F just after the surfaces have jumped into contact.
+        jump_in_force: Option<Value<N>>,
+        /// The smallest F of all samples.
+        minimum_force: Option<Value<N>>,
+        /// The energy lost in all events, in joules; none where it has no bound.
+        hysteresis: Option<Value<N>>,
+    }
+
     /// The energy balance of a path: work = dissipated + stored.
     Balance {
         /// Done by the control.
@@ -427,6 +455,15 @@ impl<N> Numbers<N> for PathNumbers<N> {
         rows.extend(self.balance.rows());
         rows
     }
+}
+
+/// The loading path as a measurement shows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForceCurve {
+    /// In the order of the path.
+    pub samples: List<ForceSample>,
+    /// Pull-off force, jump-in, minimum force and hysteresis.
+    pub summary: CurveSummary,
 }
 
 /// A loading path.

@@ -22,7 +22,7 @@ pub(crate) use place::{Location, Places};
 pub use profile::{Formula, IntoProfile, Profile};
 pub use read::no_files;
 pub use tree::Files;
-pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, Want};
+pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, POINTS, Want};
 
 #[cfg(feature = "mp")]
 pub(crate) use material::exactly;

@@ -10,7 +10,7 @@ use mdr_core::number::Literal;
 use super::place::{Location, Places};
 use super::profile::Profile;
 use super::tree::{Document, Files, Node, Section, Value};
-use super::want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, Want};
+use super::want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, POINTS, Want};
 use super::{Measured, Scene, Start, material, parse};
 use crate::answer::OutputKind;
 use crate::error::{Error, Result};
@@ -255,6 +255,7 @@ impl Wanted {
         let gap = at(section, "gap", Value::positive)?;
         let displacement = at(section, "displacement", Value::positive)?;
         let (range, range_place) = range(section)?.unzip();
+        let points = section.optional("points").map(|points| points.whole(2, 1_000_000)).transpose()?;
         let given = [
             ("[output.transform]", !transform.is_empty()),
             ("[output.equilibria]", !values.is_empty()),
@@ -263,6 +264,7 @@ impl Wanted {
             ("[output.gap]", !gap.is_empty()),
             ("[output.displacement]", !displacement.is_empty()),
             ("[output.folds] range", range.is_some()),
+            ("[output] points", points.is_some()),
         ];
         let states = || values.clone();
         let want = |kind: &OutputKind| match kind {
@@ -275,6 +277,7 @@ impl Wanted {
             OutputKind::Gap => Want::Gap { states: states(), at: gap.clone() },
             OutputKind::Displacement => Want::Displacement { states: states(), at: displacement.clone() },
             OutputKind::Energy => Want::Energy { states: states() },
+            OutputKind::ForceCurve => Want::ForceCurve { points: points.unwrap_or(POINTS) },
         };
         let wants: Vec<Want> = kinds.iter().map(want).collect();
         for want in &wants {

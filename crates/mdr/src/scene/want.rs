@@ -81,7 +81,15 @@ pub enum Want {
         /// Values of the controlled quantity.
         states: Vec<Literal>,
     },
+    /// The loading path as a measurement shows it, in f64.
+    ForceCurve {
+        /// How many samples there are about, spread evenly over the controlled quantity.
+        points: u32,
+    },
 }
+
+/// The samples of a force curve when their number is not given.
+pub const POINTS: u32 = 400;
 
 impl Want {
     /// The kind of the output.
@@ -96,6 +104,7 @@ impl Want {
             Want::Gap { .. } => OutputKind::Gap,
             Want::Displacement { .. } => OutputKind::Displacement,
             Want::Energy { .. } => OutputKind::Energy,
+            Want::ForceCurve { .. } => OutputKind::ForceCurve,
         }
     }
 
@@ -124,7 +133,9 @@ impl Want {
             }
             Want::Transform { at } if at.is_empty() => Some("radii: [output.transform] at = [\"…\"]"),
             Want::Equilibria { at } if at.is_empty() => Some("values: [output.equilibria] at = [\"…\"]"),
-            Want::Path if path.len() < 2 => Some("at least two way points: [control] path = [\"…\", \"…\"]"),
+            Want::Path | Want::ForceCurve { .. } if path.len() < 2 => {
+                Some("at least two way points: [control] path = [\"…\", \"…\"]")
+            }
             want if want.kind().is_of_states() && want.values().is_empty() && path.is_empty() => {
                 Some("states: [output.equilibria] at = [\"…\"], or the start of a path")
             }

@@ -70,6 +70,12 @@ impl<'s> Certified<'s> {
             Want::Pressure { states, at } => self.field(Field::Pressure, states, at)?,
             Want::Gap { states, at } => self.field(Field::Gap, states, at)?,
             Want::Displacement { states, at } => self.field(Field::Displacement, states, at)?,
+            Want::ForceCurve { points } => {
+                let model: Model<f64> = self.model(())?;
+                let folds = refined(&model, self.search()?.folds()?)?;
+                let states = States::new(&model, folds, self.admissibility()?);
+                Output::ForceCurve(Box::new(states.force_curve(self.scene, *points as usize)?))
+            }
             Want::Energy { states } => {
                 let energies = |at: &States<'_, Float>, states: &[Literal]| at.energies(self.scene, states);
                 let items: Vec<AtValue<EnergyState>> = self.estimated_at(states, &energies)?;

@@ -14,6 +14,7 @@
 mod certified;
 #[cfg(feature = "mp")]
 pub(crate) mod digits;
+mod force_curve;
 #[cfg(feature = "mp")]
 mod law_path;
 mod model;
@@ -36,6 +37,7 @@ use std::sync::Arc;
 use mdr_core::contact;
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::folds::Folds;
 
 use self::model::Model;
 use self::search::Search;
@@ -100,20 +102,14 @@ pub(crate) fn drawn<T>(
 ) -> Result<T> {
     let counts = Counts::until(&Stop::default());
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
-    let model: Model<f64> = Model::new(scene, (), &counts).map_err(|error| scene.places.complaint(error))?;
-    let folds = solver.search().and_then(|search| match solver.route {
-        Route::Search(_) => search.folds().cloned(),
-        #[cfg(feature = "mp")]
-        Route::Certified(_) => states::refined(&model, search.folds()?),
-    });
-    let branches = states::branches(&model, folds?, octaves);
+    let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
+    let branches = states::branches(&model, folds, octaves);
     draw(&model, &branches).map_err(|error| solver.complaint(&Want::Path, error))
 }
 
 /// A scene in the arithmetic that it asks for.
 struct Solver<'s> {
     scene: &'s Scene,
-    #[cfg_attr(not(feature = "mp"), allow(dead_code))]
     counts: &'s Counts,
     route: Route<'s>,
 }
@@ -162,6 +158,18 @@ impl<'s> Solver<'s> {
             Some(law) => law.checked(output, want.values()),
             None => Ok(output),
         }
+    }
+
+    /// The contact in f64 with all its folds, in SI units.
+    fn in_doubles(&self) -> contact::Result<(Model<f64>, Folds<f64>)> {
+        let model: Model<f64> = Model::new(self.scene, (), self.counts)?;
+        let searched = self.search()?.folds()?;
+        let folds = match self.route {
+            Route::Search(_) => searched.clone(),
+            #[cfg(feature = "mp")]
+            Route::Certified(_) => states::refined(&model, searched)?,
+        };
+        Ok((model, folds))
     }
 
     /// The contact in f64.

@@ -59,6 +59,7 @@ impl<'s> PowerLaw<'s> {
             Want::Path => Output::Path(Box::new(LoadingPath::new(PROVED, self.path()?, complete()))),
             Want::Energy { states } => Output::Energy(List::new(PROVED, self.energies(states)?)),
             Want::Transform { .. }
+            | Want::ForceCurve { .. }
             | Want::Curve { .. }
             | Want::Pressure { .. }
             | Want::Gap { .. }

@@ -116,6 +116,9 @@ impl<'s> Search<'s> {
             Want::Pressure { states, at } => return field(Field::Pressure, states, at),
             Want::Gap { states, at } => return field(Field::Gap, states, at),
             Want::Displacement { states, at } => return field(Field::Displacement, states, at),
+            Want::ForceCurve { points } => {
+                Output::ForceCurve(Box::new(self.states()?.force_curve(self.scene, *points as usize)?))
+            }
             Want::Energy { states } => {
                 let energies = self.states()?.energies(self.scene, states)?;
                 Output::Energy(List::new(DOUBLE, doubles(energies)))

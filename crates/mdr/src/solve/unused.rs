@@ -8,7 +8,10 @@ use crate::scene::{Arithmetic, Scene};
 pub(crate) fn unused(scene: &Scene, given: &[&'static str], drawn: bool) -> Vec<String> {
     let wants = |kind: OutputKind| scene.has(|other| other == kind);
     let fields = scene.has(OutputKind::is_of_states);
-    let moves = drawn || wants(OutputKind::Path) || fields && !given.contains(&"[output.equilibria]");
+    let moves = drawn
+        || wants(OutputKind::Path)
+        || wants(OutputKind::ForceCurve)
+        || fields && !given.contains(&"[output.equilibria]");
     let no_path = (!moves).then_some("neither a path nor fields at its start are wanted");
     let no_states = (!drawn && !fields && !wants(OutputKind::Equilibria)).then_some("no states are wanted");
     let alone = |kind: OutputKind| (!wants(kind)).then_some("it is not wanted");
@@ -22,6 +25,7 @@ pub(crate) fn unused(scene: &Scene, given: &[&'static str], drawn: bool) -> Vec<
         ("[output.gap]", alone(OutputKind::Gap)),
         ("[output.displacement]", alone(OutputKind::Displacement)),
         ("[output.folds] range", no_range(scene)),
+        ("[output] points", alone(OutputKind::ForceCurve)),
     ]
     .into_iter()
     .filter(|(key, _)| given.contains(key))

@@ -1,0 +1,136 @@
+//! `--batch`: many questions, one a line, CSV or JSON lines.
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{BufRead, BufReader, BufWriter, Read, Write};
+use std::path::Path;
+
+use mdr::critical::{CriticalAnswer, PowerLaw};
+use mdr::prelude::{Arithmetic, Control, Elasticity, Literal};
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+use serde_json::value::RawValue;
+
+use super::render;
+use crate::error::{Failure, Result};
+use crate::output::Output;
+
+/// The keys of a question.
+const KEYS: [&str; 6] = ["n", "c", "e_star", "work", "control", "stiffness"];
+
+/// Answers every line of the file in its format; whether all have an answer. A refused line says so in its place.
+pub(super) fn answer(file: &Path, arithmetic: Arithmetic, out: &mut Output<impl Write>) -> Result<bool> {
+    let name = file.display().to_string();
+    let input: Box<dyn Read> = match file == Path::new("-") {
+        true => Box::new(std::io::stdin()),
+        false => Box::new(File::open(file).map_err(|error| Failure::file(name.clone(), error))?),
+    };
+    let mut input = BufReader::new(input);
+    let start = input.fill_buf().map_err(|error| Failure::file(name.clone(), error))?;
+    let is_json = start.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'{');
+    let all = if is_json { json_lines(input, arithmetic, out) } else { csv(input, arithmetic, out) };
+    all.map_err(|error| Failure::file(name, error))
+}
+
+fn json_lines(input: impl BufRead, arithmetic: Arithmetic, out: &mut Output<impl Write>) -> std::io::Result<bool> {
+    let mut out = BufWriter::new(out);
+    let mut all = true;
+    for line in input.lines() {
+        let line = line?;
+        if line.trim().is_empty() {
+            continue;
+        }
+        let given: serde_json::Result<BTreeMap<String, Box<RawValue>>> = serde_json::from_str(&line);
+        let answer = given.map_err(|error| error.to_string()).and_then(|given| {
+            let text = |key: &str| given.get(key).map(|value| value.get().trim_matches('"'));
+            if let Some(unknown) = given.keys().find(|key| !KEYS.contains(&key.as_str())) {
+                return Err(format!("unknown key `{unknown}`; expected one of `{}`", KEYS.join("`, `")));
+            }
+            ask(text, arithmetic)
+        });
+        all &= answer.is_ok();
+        match &answer {
+            Ok(answer) => serde_json::to_writer(&mut out, answer)?,
+            Err(why) => serde_json::to_writer(&mut out, &Refused(why))?,
+        }
+        out.write_all(b"\n")?;
+    }
+    out.flush().map(|()| all)
+}
+
+fn csv(input: impl Read, arithmetic: Arithmetic, out: &mut Output<impl Write>) -> std::io::Result<bool> {
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(input);
+    let header = reader.headers()?.clone();
+    if let Some(unknown) = header.iter().find(|key| !KEYS.contains(key)) {
+        let why = format!("unknown column `{unknown}`; expected some of `{}`", KEYS.join("`, `"));
+        return Err(std::io::Error::new(std::io::ErrorKind::InvalidData, why));
+    }
+    let mut writer = csv::Writer::from_writer(BufWriter::new(out));
+    writer.write_record(render::columns_of_none().iter().map(|(title, _)| *title).chain(["why"]))?;
+    let mut record = csv::StringRecord::new();
+    let mut all = true;
+    while reader.read_record(&mut record)? {
+        let text = |key: &str| {
+            let column = header.iter().position(|name| name == key)?;
+            record.get(column).filter(|text| !text.is_empty())
+        };
+        let answer = ask(text, arithmetic);
+        all &= answer.is_ok();
+        match answer {
+            Ok(answer) => {
+                for row in render::rows(&answer) {
+                    writer.write_record(row.iter().map(|(_, value)| value.as_str()).chain([""]))?;
+                }
+            }
+            Err(why) => {
+                let row = render::columns_of_none();
+                let cell = |(title, _): &(&'static str, String)| match *title {
+                    "status" => "domain-error",
+                    title => text(title).unwrap_or_default(),
+                };
+                writer.write_record(row.iter().map(cell).chain([why.as_str()]))?;
+            }
+        }
+    }
+    writer.flush().map(|()| all)
+}
+
+/// The answer to the question of one line, or why it has none.
+fn ask<'a>(
+    text: impl Fn(&str) -> Option<&'a str>,
+    arithmetic: Arithmetic,
+) -> std::result::Result<CriticalAnswer, String> {
+    let number = |key: &str| -> std::result::Result<Literal, String> {
+        let text = text(key).ok_or_else(|| format!("{key}: missing"))?;
+        let literal: Literal = text.parse().map_err(|error| format!("{key}: `{text}` is {error}"))?;
+        let positive = !literal.is_zero() && !literal.is_negative();
+        if positive { Ok(literal) } else { Err(format!("{key}: must be positive, got {literal}")) }
+    };
+    let control = match text("control").unwrap_or("indentation") {
+        "indentation" => Control::Indentation,
+        "force" => Control::Force,
+        "machine" => Control::Machine { stiffness: number("stiffness")? },
+        other => return Err(format!("control: expected indentation, force or machine, got `{other}`")),
+    };
+    let law = PowerLaw {
+        n: number("n")?,
+        c: number("c")?,
+        elasticity: Elasticity::Effective(number("e_star")?),
+        work_of_adhesion: number("work")?,
+        control,
+    };
+    mdr::critical(&law, arithmetic).map_err(|error| error.to_string())
+}
+
+/// A line that is no question.
+struct Refused<'a>(&'a str);
+
+impl Serialize for Refused<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("schema", "mdr.critical/1")?;
+        map.serialize_entry("status", "domain-error")?;
+        map.serialize_entry("why", self.0)?;
+        map.end()
+    }
+}

@@ -1,0 +1,113 @@
+//! Which power law: by exponent and coefficient, several at once, or by the name of a body.
+
+use clap::Args;
+use mdr::prelude::{Arithmetic, Literal};
+use mdr_core::number::certify::Enclosure;
+use mdr_core::number::{Interval, Precision, Real, Special};
+
+use crate::error::{Failure, Result};
+use crate::flags::Flag;
+
+/// The flags of a profile.
+#[derive(Debug, Args)]
+pub(super) struct ShapeFlags {
+    /// Exponent n > 0 of the profile f(r) = C r^n; several as 1,2,3 or FIRST:LAST:STEP
+    #[arg(long, value_name = "N", allow_hyphen_values = true, required_unless_present_any = ["sphere", "paraboloid", "cone", "batch"], conflicts_with_all = ["sphere", "paraboloid", "cone"])]
+    n: Option<String>,
+
+    /// Coefficient C > 0 of the profile, in m^(1-n)
+    #[arg(long, value_name = "C", allow_hyphen_values = true, required_unless_present_any = ["sphere", "paraboloid", "cone", "batch"], conflicts_with_all = ["sphere", "paraboloid", "cone"])]
+    c: Option<String>,
+
+    /// A sphere of radius R as in JKR's theory, f = r²/2R (for the true sphere write a scene)
+    #[arg(long, value_name = "R", allow_hyphen_values = true, conflicts_with_all = ["paraboloid", "cone"])]
+    sphere: Option<String>,
+
+    /// A paraboloid of radius of curvature R, f = r²/2R
+    #[arg(long, value_name = "R", allow_hyphen_values = true, conflicts_with = "cone")]
+    paraboloid: Option<String>,
+
+    /// A cone of half angle DEG at its apex, f = r cot(DEG)
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    cone: Option<String>,
+}
+
+/// So many exponents at once.
+const MOST: usize = 100_000;
+
+impl ShapeFlags {
+    /// n and C of every power law.
+    pub(super) fn laws(&self, arithmetic: Arithmetic) -> Result<Vec<[Literal; 2]>> {
+        let round = [("--sphere", &self.sphere), ("--paraboloid", &self.paraboloid)];
+        if let Some((name, Some(radius))) = round.into_iter().find(|(_, radius)| radius.is_some()) {
+            let flag = Flag::new(name, radius);
+            let exact = (flag.positive()?.to_rational() * 2u32).recip();
+            let c = exact.to_string().parse().map_err(|error| flag.refuse(error))?;
+            return Ok(vec![[2.into(), c]]);
+        }
+        if let Some(angle) = &self.cone {
+            return Ok(vec![[1.into(), cotangent(Flag::new("--cone", angle), arithmetic)?]]);
+        }
+        let c = Flag::new("--c", self.c.as_deref().unwrap_or_default()).positive()?;
+        let exponents = exponents(Flag::new("--n", self.n.as_deref().unwrap_or_default()))?;
+        Ok(exponents.into_iter().map(|n| [n, c.clone()]).collect())
+    }
+}
+
+/// One exponent, a list of them, or a range with its step, exactly.
+fn exponents(flag: Flag<'_>) -> Result<Vec<Literal>> {
+    let mut all = Vec::new();
+    for part in flag.text.split(',') {
+        let ends: Vec<&str> = part.split(':').collect();
+        match ends[..] {
+            [one] => all.push(Flag::new(flag.name, one).positive()?),
+            [first, last, step] => {
+                let [first, last, step] = [first, last, step].map(|text| Flag::new(flag.name, text).positive());
+                let (mut n, last, step) = (first?.to_rational(), last?.to_rational(), step?.to_rational());
+                while n <= last {
+                    if all.len() == MOST {
+                        return Err(flag.refuse(format!("at most {MOST} exponents")));
+                    }
+                    all.push(decimal(&n).ok_or_else(|| flag.refuse("a number of the range has too many digits"))?);
+                    n += &step;
+                }
+            }
+            _ => return Err(flag.refuse("a range is FIRST:LAST:STEP")),
+        }
+    }
+    if all.is_empty() { Err(flag.refuse("an empty range")) } else { Ok(all) }
+}
+
+/// A rational as a short decimal where it is one, else as a fraction.
+fn decimal(value: &rug::Rational) -> Option<Literal> {
+    let short: Option<Literal> = Enclosure::Exact(value.clone()).round(17).and_then(|decimal| {
+        let text = decimal.to_string();
+        let text = if text.contains('.') && !text.contains('e') {
+            text.trim_end_matches('0').trim_end_matches('.')
+        } else {
+            &text
+        };
+        text.parse().ok()
+    });
+    short.filter(|literal| literal.to_rational() == *value).or_else(|| value.to_string().parse().ok())
+}
+
+/// The slope of a cone to some digits more than are asked for; it is what the answer says of C.
+fn cotangent(flag: Flag<'_>, arithmetic: Arithmetic) -> Result<Literal> {
+    const MORE: u32 = 10;
+    let degrees = flag.positive()?;
+    if degrees.compare(&Literal::from(90)).is_ge() {
+        return Err(flag.refuse("must be below 90 degrees"));
+    }
+    let digits = match arithmetic {
+        Arithmetic::Certified { digits } => digits + MORE,
+        Arithmetic::Double => 17,
+    };
+    let slope = (1..=8).find_map(|attempt| {
+        let angle = Interval::from_literal(Precision::from_digits(attempt * (digits + MORE)), &degrees);
+        let radians = (angle.pi() * &angle).over(180);
+        Enclosure::from(radians.cos() / radians.sin()).round(digits)
+    });
+    let slope = slope.and_then(|decimal| decimal.to_string().parse().ok());
+    slope.ok_or_else(|| Failure::refused(flag.name, "the slope of this cone cannot be rounded"))
+}

@@ -1,0 +1,237 @@
+//! The closed forms under test, reached through one type so that a deliberate fault can be put into any of them.
+
+use mdr_analytic::certified::Question;
+use mdr_analytic::{Contact, Critical, Fate, Kappa, PowerLaw};
+use mdr_core::contact::{Control, Equilibrium, Instability, Material, Result, Transform};
+use mdr_core::number::certify::Decimal;
+use mdr_core::number::{Precision, Real, Special};
+use rug::{Float, Rational};
+
+use super::mutation::Fault;
+use super::{Part, SubjectId};
+use crate::library::Shape;
+
+/// The closed forms of mdr-analytic, as they are or with one deliberate fault.
+///
+/// Every method is the closed form of the same name; each of its numbers passes through the fault, if it is the one meant.
+#[derive(Clone, Debug, Default)]
+pub struct ClosedForms {
+    fault: Option<Fault>,
+}
+
+/// A result with one number or more, in the order of the ids of its subject.
+trait Numbers<R>: Sized {
+    /// The result with every number changed.
+    fn map(self, change: impl Fn(usize, R) -> R) -> Self;
+}
+
+impl<R: Real> Numbers<R> for R {
+    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
+        change(0, self)
+    }
+}
+
+/// d and F of a state whose radius is an input.
+impl<R: Real> Numbers<R> for [R; 2] {
+    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
+        let [d, f] = self;
+        [change(0, d), change(1, f)]
+    }
+}
+
+impl<R: Real> Numbers<R> for Critical<R> {
+    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
+        let Critical { contact_radius, indentation, force } = self;
+        Critical {
+            contact_radius: change(0, contact_radius),
+            indentation: change(1, indentation),
+            force: change(2, force),
+        }
+    }
+}
+
+impl<R: Real> Numbers<R> for Vec<Instability<R>> {
+    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
+        let changed = |fold: Instability<R>| Instability {
+            contact_radius: change(0, fold.contact_radius),
+            indentation: change(1, fold.indentation),
+            force: change(2, fold.force),
+            kind: fold.kind,
+        };
+        self.into_iter().map(changed).collect()
+    }
+}
+
+impl<R: Real> Numbers<R> for Vec<Equilibrium<R>> {
+    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
+        let changed = |state: Equilibrium<R>| Equilibrium {
+            contact_radius: change(0, state.contact_radius),
+            indentation: change(1, state.indentation),
+            force: change(2, state.force),
+            stability: state.stability,
+        };
+        self.into_iter().map(changed).collect()
+    }
+}
+
+/// A certified decimal, and a float that holds its digits.
+pub(crate) struct Digits {
+    pub(crate) decimal: Decimal,
+    pub(crate) value: Float,
+}
+
+/// A certified answer.
+pub(crate) struct Certified {
+    pub(crate) kappa: Digits,
+    pub(crate) critical: Option<Critical<Digits>>,
+    pub(crate) threshold: Option<Digits>,
+    pub(crate) ratio: Option<Digits>,
+}
+
+impl ClosedForms {
+    /// The closed forms with one fault.
+    pub fn with(fault: Fault) -> Self {
+        ClosedForms { fault: Some(fault) }
+    }
+
+    /// The result, with the number that the fault is meant for changed. `ids` are those of its numbers; `inputs` are the
+    /// ones that the table of subjects names.
+    fn perturb<R: Real, T: Numbers<R>>(&self, ids: &[SubjectId], inputs: &[&R], result: T) -> T {
+        match &self.fault {
+            Some(fault) if ids.contains(&fault.id) => result
+                .map(|index, value| if ids[index] == fault.id { fault.mutation.apply(value, inputs) } else { value }),
+            _ => result,
+        }
+    }
+
+    /// A value of the profile library at radius x.
+    pub(crate) fn profile<R: Real>(&self, shape: Shape, part: Part, value: R, x: &R) -> R {
+        self.perturb(&[SubjectId::Library(shape, part)], &[x], value)
+    }
+
+    /// A result of the function of that name in `mdr_analytic::double`.
+    pub(crate) fn double(&self, name: &'static str, value: f64) -> f64 {
+        self.perturb(&[SubjectId::Double(name)], &[], value)
+    }
+
+    /// Middle and radius of the enclosure of κ_n.
+    pub(crate) fn kappa_enclosure(&self, precision: Precision, n: &Rational) -> (Float, Float) {
+        let enclosure = mdr_analytic::kappa_enclosure(precision, n);
+        (self.perturb(&[SubjectId::KappaEnclosure], &[], enclosure.mid()), enclosure.radius())
+    }
+
+    pub(crate) fn certified(&self, question: &Question, digits: u32) -> Result<Certified> {
+        let answer = question.answer(digits)?;
+        let bits = Precision::from_digits(digits).bits() + 96;
+        let number = |id, decimal: Decimal| {
+            let parsed = Float::parse(decimal.to_string()).map(|text| Float::with_val(bits, text));
+            let value = self.perturb(&[id], &[], parsed.unwrap_or_else(|_| Float::with_val(bits, f64::NAN)));
+            Digits { decimal, value }
+        };
+        Ok(Certified {
+            kappa: number(SubjectId::CertifiedKappa, answer.kappa),
+            critical: answer.critical.map(|state| Critical {
+                contact_radius: number(SubjectId::CertifiedRadius, state.contact_radius),
+                indentation: number(SubjectId::CertifiedIndentation, state.indentation),
+                force: number(SubjectId::CertifiedForce, state.force),
+            }),
+            threshold: answer.threshold.map(|x| number(SubjectId::CertifiedThreshold, x)),
+            ratio: answer.ratio.map(|x| number(SubjectId::CertifiedRatio, x)),
+        })
+    }
+}
+
+/// Methods of [`ClosedForms`]: the call, the ids of its numbers, and the inputs that the table of subjects names.
+macro_rules! closed_forms {
+    ($(fn $name:ident<R: $bound:ident $(+ $more:ident)?>($($argument:ident: $type:ty),*) -> $result:ty =
+        $call:expr, [$($id:ident),+] of $inputs:expr;)*) => {
+        impl ClosedForms {
+            $(pub(crate) fn $name<R: $bound $(+ $more)?>(&self, $($argument: $type),*) -> Result<$result> {
+                Ok(self.perturb::<R, _>(&[$(SubjectId::$id),+], &$inputs, $call?))
+            })*
+        }
+    };
+}
+
+closed_forms! {
+    fn kappa<R: Kappa>(n: &R) -> R = mdr_analytic::kappa(n), [Kappa] of [n];
+    fn g<R: Real>(law: &PowerLaw<R>, x: &R) -> R = law.g(x), [Transform] of [x, law.coefficient()];
+    fn slope<R: Real>(law: &PowerLaw<R>, x: &R) -> R = law.slope(x), [TransformSlope] of [x, law.coefficient()];
+    fn integral<R: Real>(law: &PowerLaw<R>, x: &R) -> R = law.integral(x), [TransformIntegral] of [x, law.coefficient()];
+    fn paraboloid<R: Kappa>(radius: &R, x: &R) -> R =
+        PowerLaw::paraboloid(radius.clone())?.g(x), [ParaboloidProfile] of [radius];
+    fn cone<R: Kappa>(slope: &R, x: &R) -> R = PowerLaw::cone(slope.clone())?.g(x), [ConeProfile] of [slope];
+    fn cone_with_half_angle<R: Kappa + Special>(angle: &R, x: &R) -> R =
+        PowerLaw::cone_with_half_angle(angle.clone())?.g(x), [ConeAngleProfile] of [angle];
+    fn detachment_elongation<R: Real>(material: &Material<R>, a: &R) -> R =
+        mdr_analytic::detachment_elongation(material, a),
+        [DetachmentElongation] of [a, material.effective_modulus(), material.work_of_adhesion()];
+    fn indentation<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.indentation(a), [Indentation] of along(contact, a);
+    fn indentation_slope<R: Real>(contact: &Contact<R>, a: &R) -> R =
+        contact.indentation_slope(a), [IndentationSlope] of along(contact, a);
+    fn force<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.force(a), [Force] of along(contact, a);
+    fn force_slope<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.force_slope(a), [ForceSlope] of along(contact, a);
+    fn energy<R: Real>(contact: &Contact<R>, a: &R, d: &R) -> R = contact.energy(a, d), [Energy] of along(contact, a);
+    fn critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> Critical<R> =
+        contact.critical(control), [CriticalRadius, CriticalIndentation, CriticalForce] of given(contact);
+    fn ln_critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> Critical<R> =
+        contact.ln_critical(control), [LnCriticalRadius, LnCriticalIndentation, LnCriticalForce] of given(contact);
+    fn machine_folds<R: Real>(contact: &Contact<R>, stiffness: &R) -> Vec<Instability<R>> =
+        contact.machine_folds(stiffness), [MachineFoldRadius, MachineFoldIndentation, MachineFoldForce] of given(contact);
+    fn universal_indentation<R: Real>(n: &R, scaled: &R) -> R =
+        mdr_analytic::universal_indentation(n, scaled), [UniversalIndentation] of [scaled];
+    fn universal_force<R: Real>(n: &R, scaled: &R) -> R =
+        mdr_analytic::universal_force(n, scaled), [UniversalForce] of [scaled];
+    fn equilibria<R: Real>(contact: &Contact<R>, control: &Control<R>, value: &R) -> Vec<Equilibrium<R>> =
+        contact.equilibria(control, value).map(|found| found.as_slice().to_vec()),
+        [EquilibriumRadius, EquilibriumIndentation, EquilibriumForce] of given(contact);
+    fn equilibria_at_distance<R: Real>(contact: &Contact<R>, control: &Control<R>, distance: &R) -> Vec<Equilibrium<R>> =
+        contact.equilibria_at_distance(control, distance).map(|found| found.as_slice().to_vec()),
+        [DistanceRadius, DistanceIndentation, DistanceForce] of given(contact);
+    fn radius_at_zero_indentation<R: Real>(contact: &Contact<R>) -> R =
+        contact.radius_at_zero_indentation(), [ZeroIndentationRadius] of given(contact);
+    fn energy_lost_at_pull_off<R: Real>(contact: &Contact<R>) -> R =
+        contact.energy_lost_at_pull_off(), [PullOffLoss] of given(contact);
+    fn energy_lost_at_jump_in<R: Real>(contact: &Contact<R>) -> R =
+        contact.energy_lost_at_jump_in(), [JumpInLoss] of given(contact);
+    fn barrier_to_complete_contact<R: Real>(contact: &Contact<R>) -> R =
+        contact.barrier_to_complete_contact(), [CompleteContactBarrier] of given(contact);
+    fn lemniscate_constant<R: Real>(like: &R) -> R =
+        Result::Ok(mdr_analytic::lemniscate_constant(like)), [LemniscateConstant] of [];
+    fn threshold<R: Real>(material: &Material<R>, control: &Control<R>) -> R =
+        mdr_analytic::threshold(material, control),
+        [Threshold] of [material.effective_modulus(), material.work_of_adhesion()];
+    fn ratio<R: Real>(contact: &Contact<R>) -> R = contact.ratio(), [ScaleFreeRatio] of given(contact);
+    fn scale_free_state<R: Real>(contact: &Contact<R>, a: &R) -> [R; 2] =
+        contact.scale_free_state(a).map(|state| [state.indentation, state.force]),
+        [ScaleFreeIndentation, ScaleFreeForce] of along(contact, a);
+    fn fate<R: Real>(contact: &Contact<R>, control: &Control<R>) -> R =
+        contact.fate(control).map(|fate| contact.profile().exponent().lit(sign(fate))), [Fate] of [];
+    fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> [R; 2] =
+        mdr_analytic::flat_punch_pull_off(radius, material).map(|state| [state.indentation, state.force]),
+        [FlatPunchIndentation, FlatPunchForce] of [radius, material.effective_modulus(), material.work_of_adhesion()];
+    fn flat_punch_limit<R: Real>(contact: &Contact<R>) -> R =
+        contact.flat_punch_limit().map(|state| state.contact_radius),
+        [FlatPunchLimit] of [contact.profile().coefficient()];
+}
+
+/// The fate as +1 (shrinks), −1 (complete contact) or 0.
+fn sign(fate: Fate) -> i64 {
+    match fate {
+        Fate::Shrinks => 1,
+        Fate::CompleteContact => -1,
+        Fate::Indifferent => 0,
+    }
+}
+
+/// C, E*, w: what a critical state depends on beside n.
+fn given<R: Real>(contact: &Contact<R>) -> [&R; 3] {
+    let (profile, material) = (contact.profile(), contact.material());
+    [profile.coefficient(), material.effective_modulus(), material.work_of_adhesion()]
+}
+
+/// a, C, E*, w: what a state along the equilibria depends on beside n.
+fn along<'a, R: Real>(contact: &'a Contact<R>, a: &'a R) -> [&'a R; 4] {
+    let [c, e_star, work] = given(contact);
+    [a, c, e_star, work]
+}

@@ -1,0 +1,157 @@
+//! The subjects of the checks: every number that a public function of mdr-analytic gives, in one table.
+//!
+//! * [`SubjectId`] names a number, [`subjects`] lists all of them with the function each comes from.
+//! * `ClosedForms` (module `closed`) evaluates them, with at most one [`Mutation`](mutation::Mutation) of one of them.
+//! * `Routine` (module `routine`) is a function of doubles with its exact forms and the formula of textbooks. The check
+//!   *double-precision* and the stability ladders take their functions from the modules `double`, `profiles` and
+//!   `numerical`.
+
+pub(crate) mod closed;
+pub(crate) mod double;
+pub(crate) mod mutation;
+pub(crate) mod numerical;
+pub(crate) mod profiles;
+pub(crate) mod routine;
+pub(crate) mod textbook;
+
+use crate::library::Shape;
+
+/// A number that a function of mdr-analytic gives.
+#[derive(Clone, Copy, Debug)]
+pub struct Subject {
+    /// Which.
+    pub id: SubjectId,
+    /// The public function of mdr-analytic, with its type if it is a method.
+    pub function: &'static str,
+    /// The inputs whose powers a fault may change, in the order in which [`ClosedForms`](crate::ClosedForms) passes them.
+    pub inputs: &'static [&'static str],
+}
+
+/// One of the three closed forms of a profile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Part {
+    /// g.
+    G,
+    /// g'.
+    Slope,
+    /// (1/x)∫₀ˣ g.
+    Mean,
+}
+
+/// The ids and the table: a line for each number with a name, and the functions for f64.
+macro_rules! subjects {
+    (
+        named { $($id:ident: $function:literal $inputs:expr;)* }
+        double { $($double:literal)* }
+    ) => {
+        /// A number among the results of a function of mdr-analytic.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[expect(missing_docs, reason = "named after the function and its result")]
+        #[non_exhaustive]
+        pub enum SubjectId {
+            $($id,)*
+            Library(Shape, Part),
+            Double(&'static str),
+        }
+
+        const NAMED: &[Subject] = &[$(Subject { id: SubjectId::$id, function: $function, inputs: $inputs }),*];
+
+        /// The functions of `mdr_analytic::double` that give numbers.
+        pub(crate) const DOUBLE_IDS: &[SubjectId] = &[$(SubjectId::Double(concat!("double::", $double))),*];
+    };
+}
+
+const GIVEN: &[&str] = &["C", "E*", "w"];
+const ALONG: &[&str] = &["a", "C", "E*", "w"];
+
+subjects! {
+    named {
+        Kappa: "kappa" &["n"];
+        Transform: "PowerLaw::g" &["x", "C"];
+        TransformSlope: "PowerLaw::slope" &["x", "C"];
+        TransformIntegral: "PowerLaw::integral" &["x", "C"];
+        DetachmentElongation: "detachment_elongation" &["a", "E*", "w"];
+        Indentation: "Contact::indentation" ALONG;
+        IndentationSlope: "Contact::indentation_slope" ALONG;
+        Force: "Contact::force" ALONG;
+        ForceSlope: "Contact::force_slope" ALONG;
+        Energy: "Contact::energy" ALONG;
+        CriticalRadius: "Contact::critical" GIVEN;
+        CriticalIndentation: "Contact::critical" GIVEN;
+        CriticalForce: "Contact::critical" GIVEN;
+        LnCriticalRadius: "Contact::ln_critical" GIVEN;
+        LnCriticalIndentation: "Contact::ln_critical" GIVEN;
+        LnCriticalForce: "Contact::ln_critical" GIVEN;
+        MachineFoldRadius: "Contact::machine_folds" GIVEN;
+        MachineFoldIndentation: "Contact::machine_folds" GIVEN;
+        MachineFoldForce: "Contact::machine_folds" GIVEN;
+        UniversalIndentation: "universal_indentation" &["a/a_c"];
+        UniversalForce: "universal_force" &["a/a_c"];
+        EquilibriumRadius: "Contact::equilibria" GIVEN;
+        EquilibriumIndentation: "Contact::equilibria" GIVEN;
+        EquilibriumForce: "Contact::equilibria" GIVEN;
+        DistanceRadius: "Contact::equilibria_at_distance" GIVEN;
+        DistanceIndentation: "Contact::equilibria_at_distance" GIVEN;
+        DistanceForce: "Contact::equilibria_at_distance" GIVEN;
+        ZeroIndentationRadius: "Contact::radius_at_zero_indentation" GIVEN;
+        PullOffLoss: "Contact::energy_lost_at_pull_off" GIVEN;
+        JumpInLoss: "Contact::energy_lost_at_jump_in" GIVEN;
+        CompleteContactBarrier: "Contact::barrier_to_complete_contact" GIVEN;
+        LemniscateConstant: "lemniscate_constant" &[];
+        Threshold: "threshold" &["E*", "w"];
+        ScaleFreeRatio: "Contact::ratio" GIVEN;
+        ScaleFreeIndentation: "Contact::scale_free_state" ALONG;
+        ScaleFreeForce: "Contact::scale_free_state" ALONG;
+        Fate: "Contact::fate" &[];
+        FlatPunchIndentation: "flat_punch_pull_off" &["b", "E*", "w"];
+        FlatPunchForce: "flat_punch_pull_off" &["b", "E*", "w"];
+        FlatPunchLimit: "Contact::flat_punch_limit" &["C"];
+        ParaboloidProfile: "PowerLaw::paraboloid" &["R"];
+        ConeProfile: "PowerLaw::cone" &["tan θ"];
+        ConeAngleProfile: "PowerLaw::cone_with_half_angle" &["α"];
+        KappaEnclosure: "kappa_enclosure" &[];
+        CertifiedKappa: "Question::answer" &[];
+        CertifiedRadius: "Question::answer" &[];
+        CertifiedIndentation: "Question::answer" &[];
+        CertifiedForce: "Question::answer" &[];
+        CertifiedThreshold: "Question::answer" &[];
+        CertifiedRatio: "Question::answer" &[];
+    }
+    double {
+        "critical" "kappa" "g" "g_slope" "g_integral" "detachment_elongation" "indentation" "force" "indentation_slope"
+        "force_slope" "energy" "universal_indentation" "universal_force" "radius_at_zero_indentation"
+        "energy_lost_at_pull_off" "energy_lost_at_jump_in" "barrier_to_complete_contact" "flat_punch_pull_off"
+        "machine_folds" "equilibria" "equilibria_at_distance" "Inverse::equilibria" "Inverse::branches"
+        "scale_free_state" "ratio" "threshold" "critical_states"
+    }
+}
+
+/// The numbers of a critical state.
+pub(crate) const CRITICAL_IDS: &[SubjectId] =
+    &[SubjectId::CriticalRadius, SubjectId::CriticalIndentation, SubjectId::CriticalForce];
+
+const PARTS: [Part; 3] = [Part::G, Part::Slope, Part::Mean];
+
+/// Every part of every profile of the library.
+pub(crate) const LIBRARY_IDS: &[SubjectId] = {
+    const IDS: [SubjectId; PARTS.len() * Shape::ALL.len()] = {
+        let mut ids = [SubjectId::Library(Shape::Cone, Part::G); PARTS.len() * Shape::ALL.len()];
+        let mut i = 0;
+        while i < ids.len() {
+            ids[i] = SubjectId::Library(Shape::ALL[i / PARTS.len()], PARTS[i % PARTS.len()]);
+            i += 1;
+        }
+        ids
+    };
+    &IDS
+};
+
+/// All subjects. The constructor of a profile stands for its three parts.
+pub fn subjects() -> Vec<Subject> {
+    let grouped = LIBRARY_IDS.iter().chain(DOUBLE_IDS).filter_map(|&id| match id {
+        SubjectId::Library(shape, _) => Some(Subject { id, function: shape.constructor(), inputs: &["x"] }),
+        SubjectId::Double(function) => Some(Subject { id, function, inputs: &[] }),
+        _ => None,
+    });
+    NAMED.iter().copied().chain(grouped).collect()
+}

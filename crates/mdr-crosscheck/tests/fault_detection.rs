@@ -1,0 +1,49 @@
+//! Every deliberate fault in every closed form makes a row fail.
+
+#![allow(clippy::print_stdout, reason = "the count of faults is part of the result")]
+
+use std::collections::BTreeSet;
+
+use mdr_crosscheck::{ClosedForms, Level, Options, Report, Verdict, checks_of, faults, run, run_against, subjects};
+
+/// A row that claims to watch over a subject, over a few cases.
+fn watched(closed: &ClosedForms, row: &str, cases: usize) -> Report {
+    let only = vec![row.to_owned()];
+    run_against(closed, &Options { only, limit: Some(cases), ..Options::at(Level::Quick) }, &|_| ())
+}
+
+#[test]
+fn every_fault_is_caught() {
+    let mut missed = Vec::new();
+    let mut count = 0;
+    for fault in faults() {
+        count += 1;
+        let names = checks_of(fault.id);
+        let closed = ClosedForms::with(fault);
+        // Most faults show at once; some only in few of the cases.
+        let caught = [2, 16].iter().any(|&cases| names.iter().any(|name| !watched(&closed, name, cases).passed()));
+        if !caught {
+            missed.push(fault.to_string());
+        }
+    }
+    println!("{count} faults in {} subjects", subjects().len());
+    assert!(missed.is_empty(), "not caught: {missed:#?}");
+}
+
+#[test]
+fn every_subject_is_in_the_table_and_watched() {
+    for subject in subjects() {
+        assert!(!checks_of(subject.id).is_empty(), "{:?} has no check", subject.id);
+    }
+    let distinct: BTreeSet<_> = subjects().iter().map(|subject| subject.id).collect();
+    assert_eq!(distinct.len(), subjects().len(), "a subject is in the table twice");
+}
+
+#[test]
+fn without_a_fault_the_quick_level_passes() {
+    let report = run(&Options::at(Level::Quick), &|_| ());
+    for row in &report.rows {
+        assert_eq!(row.verdict, Verdict::Pass, "{}", row.check);
+    }
+    assert!(report.failures.is_empty());
+}

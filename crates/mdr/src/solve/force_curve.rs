@@ -1,0 +1,116 @@
+//! The output `force-curve`: the loading path as a measurement shows it, sampled, with a break at every jump.
+
+use mdr_core::contact::{self, Control, Error, Result};
+use mdr_numeric::branch::Branched;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::path::{Event, EventKind, Loss, Path, State};
+
+use super::model::Model;
+use super::path::{changes, follow};
+use crate::answer::{CurveSummary, ForceCurve, ForceSample, List, Number, Optional, Promise, Value};
+use crate::scene::Scene;
+
+/// At least so many samples between two events.
+const LEAST: usize = 2;
+
+/// Samples of the path of a scene, and what is read off a measured curve; in f64.
+///
+/// # Errors
+/// As [`follow`]; those of the transform.
+pub(super) fn force_curve(
+    scene: &Scene,
+    points: usize,
+    model: &Model<f64>,
+    branches: &Branches<'_, f64>,
+) -> Result<ForceCurve> {
+    let path = follow(model, branches, scene)?;
+    let travel: f64 = path.events.windows(2).map(|pair| (pair[1].value - pair[0].value).abs()).sum();
+    let mut samples = Vec::new();
+    let mut segment = 1;
+    let mut last = 0.0;
+    for pair in path.events.windows(2) {
+        let [from, to] = [&pair[0], &pair[1]];
+        let step = to.value - from.value;
+        // A jump breaks the curve, and so does a change of direction.
+        if changes(from.kind) || step * last < 0.0 {
+            segment += 1;
+        }
+        if step != 0.0 {
+            last = step;
+        }
+        let share = if travel > 0.0 { step.abs() / travel } else { 0.0 };
+        let count = LEAST.max((share * points as f64).round() as usize);
+        for index in 0..=count {
+            let value = if index == count { to.value } else { from.value + step * (index as f64 / count as f64) };
+            let state = match index {
+                0 => from.after.clone(),
+                _ if index == count => to.before.clone(),
+                _ => between(branches, &from.after, &to.before, value)?,
+            };
+            samples.extend(sample(model.control(), segment, step, value, &state));
+        }
+    }
+    let summary = summary(&path, branches, &samples);
+    Ok(ForceCurve { samples: List::new(Promise::Double, samples), summary })
+}
+
+/// The state at a value between those of two events, on the branch on which both are.
+fn between(branches: &Branches<'_, f64>, from: &State<f64>, to: &State<f64>, value: f64) -> Result<State<f64>> {
+    let (Some(from), Some(to)) = (from.contact(), to.contact()) else { return Ok(State::Detached) };
+    let middle = f64::midpoint(from.contact_radius, to.contact_radius);
+    let branch = branches.folds().partition_point(|fold| fold.contact_radius < middle);
+    match branches.on_branch(branch, &value)? {
+        Some(state) => Ok(State::Contact(state)),
+        None => Err(Error::no_equilibrium(branches.control().quantity(), &value)),
+    }
+}
+
+/// None where the surfaces touch everywhere.
+fn sample(control: &Control<f64>, segment: usize, step: f64, value: f64, state: &State<f64>) -> Option<ForceSample> {
+    let known = |value: f64| Value::Known(Number::Double(value));
+    let (contact_radius, indentation, force) = match state {
+        State::Contact(contact::Equilibrium { contact_radius, indentation, force, .. }) => {
+            let (indentation, force) = match control {
+                Control::Indentation => (value, *force),
+                Control::Force => (*indentation, value),
+                Control::Machine { .. } => (*indentation, *force),
+            };
+            (Some(*contact_radius), Some(indentation), force)
+        }
+        // A dead load leaves the position of bodies apart open.
+        State::Detached if *control == Control::Force => (None, None, 0.0),
+        State::Detached => (None, Some(value), 0.0),
+        State::Complete => return None,
+    };
+    Some(ForceSample {
+        segment,
+        direction: if step < 0.0 { "retract" } else { "approach" },
+        position: Optional(matches!(control, Control::Machine { .. }).then(|| known(value))),
+        indentation: indentation.map(known),
+        force: known(force),
+        contact_radius: contact_radius.map(known),
+    })
+}
+
+fn summary(path: &Path<f64>, branches: &Branches<'_, f64>, samples: &[ForceSample]) -> CurveSummary {
+    let known = |value: f64| Value::Known(Number::Double(value));
+    let first = |kind: EventKind| path.events.iter().find(|event| event.kind == kind);
+    let force_of = |state: &State<f64>| state.contact().map(|rest| known(rest.force));
+    let forces = samples.iter().filter_map(|sample| sample.force.to_f64());
+    let lost: Option<f64> = path
+        .events
+        .iter()
+        .zip(Loss::of_each(path, branches))
+        .filter(|(event, _): &(&Event<f64>, _)| changes(event.kind))
+        .map(|(_, loss)| match loss {
+            Ok(Loss::Finite(energy)) => Some(energy.value),
+            _ => None,
+        })
+        .sum();
+    CurveSummary {
+        pull_off_force: first(EventKind::Detached).and_then(|event| force_of(&event.before)),
+        jump_in_force: first(EventKind::JumpIn).and_then(|event| force_of(&event.after)),
+        minimum_force: forces.reduce(f64::min).map(known),
+        hysteresis: lost.map(known),
+    }
+}
