@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::io;
 
+use mdr::answer::Field;
 use mdr::batch;
 use mdr::critical::{PowerLaw, critical};
 use mdr::double::{self, Choice, Event, Start, State};
@@ -132,6 +133,25 @@ impl Contact {
         let radii = radii.as_slice()?;
         let states = interruptible(py, |stop| self.double.curve(radii, stop))?.map_err(of_contact)?;
         Ok(columns(py, states))
+    }
+
+    /// The pressure, gap or displacement of the equilibrium with a radius.
+    fn field<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        contact_radius: f64,
+        radii: Values<'py>,
+    ) -> PyResult<Column<'py>> {
+        let radii = radii.as_slice()?;
+        let field = match name {
+            "pressure" => Field::Pressure,
+            "gap" => Field::Gap,
+            "displacement" => Field::Displacement,
+            _ => return Err(PyValueError::new_err(format!("no field: {name}"))),
+        };
+        let values = interruptible(py, |stop| self.double.field(field, contact_radius, radii, stop))?;
+        Ok(column(py, values.map_err(of_contact)?))
     }
 
     /// a, d, F and status of the stable equilibrium at each value.

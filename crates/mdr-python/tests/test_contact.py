@@ -68,6 +68,21 @@ def test_at_one_half_there_is_no_critical_state() -> None:
         mdr.Contact(mdr.PowerLaw(n="1/2", c="1e-3"), e_star=1e6, work_of_adhesion=0.05).critical("force")
 
 
+def test_fields_of_jkr(ball: mdr.Contact) -> None:
+    state = ball.states(force=1e-6)
+    a = state.contact_radius
+    r = np.linspace(0, 0.95, 20).reshape(4, 5) * a
+    root = np.sqrt(a**2 - r**2)
+    jkr = 2 * E / (math.pi * R) * root - np.sqrt(2 * W * E / (math.pi * a)) * a / root
+    assert np.allclose(ball.pressure(r, contact_radius=a), jkr, rtol=1e-10)
+    outside = np.array([1.5, 2, 4]) * a
+    gap, risen = (field(outside, contact_radius=a) for field in (ball.gap, ball.displacement))
+    assert (gap > 0).all() and np.allclose(gap, outside**2 / (2 * R) - state.indentation + risen, rtol=1e-10)
+    assert np.isnan(ball.pressure(2 * a, contact_radius=a)) and np.isnan(ball.gap(a / 2, contact_radius=a))
+    with pytest.raises(mdr.DomainError):
+        ball.pressure(0, contact_radius=-1)
+
+
 def test_a_loop_of_a_wavy_tip(wavy: mdr.Contact) -> None:
     loop = wavy.path(position=[-4e-3, 5e-3, -2e-2], stiffness=5, start="detached")
     assert [event.kind for event in loop.events] == ["start", "jump-in", "way-point", "jump", "detached", "end"]

@@ -46,6 +46,8 @@ def test_a_contact_makes_a_scene(wavy: mdr.Contact) -> None:
     assert forces == pytest.approx([fold.force for fold in wavy.folds("indentation")], rel=1e-12)
     held = mdr.solve(wavy.scene(mdr.Machine("1/3"), want=["path"], path=[0, -1]), f64=True)
     assert held["path"][-1]["event"] == "end"
+    curve = mdr.solve(wavy.scene("indentation", want=["force-curve"], path=[0, "-1/100"], points=50), f64=True)
+    assert curve.force_curve_summary is not None and min(curve.columns("force-curve")["force"]) < -6e-4
 
 
 def test_a_table_goes_with_its_scene(tmp_path: Path) -> None:

@@ -266,6 +266,34 @@ class Contact:
         columns, status = self._core.curve(radii)
         return States(*(shaped(column, shape) for column in (*columns, status)))
 
+    def pressure(self, r: ArrayLike, *, contact_radius: float) -> Floats:
+        """The normal pressure in Pa within the equilibrium with this contact radius, at radii r of any shape.
+
+        NaN where it is infinite, as at the edge, and outside of the contact.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> ball = mdr.jkr(radius=1, e_star=1, work_of_adhesion=1e-3)
+        >>> a = ball.states(force=0).contact_radius
+        >>> bool(ball.pressure(0, contact_radius=a) > 0 > ball.pressure(0.99 * a, contact_radius=a))
+        True
+        """
+        return self._field("pressure", r, contact_radius)
+
+    def gap(self, r: ArrayLike, *, contact_radius: float) -> Floats:
+        """The gap in m outside of the equilibrium with this contact radius; NaN within the contact."""
+        return self._field("gap", r, contact_radius)
+
+    def displacement(self, r: ArrayLike, *, contact_radius: float) -> Floats:
+        """The displacement in m, into the half-space, of the surface outside of the equilibrium; NaN within the contact."""
+        return self._field("displacement", r, contact_radius)
+
+    def _field(self, name: str, r: ArrayLike, contact_radius: float) -> Floats:
+        radii, shape = array(r, "r")
+        field: Floats = shaped(self._core.field(name, double(contact_radius, "contact_radius"), radii), shape)
+        return field
+
     def follow(
         self,
         *,

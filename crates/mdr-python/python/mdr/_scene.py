@@ -33,7 +33,7 @@ class Solution(Mapping[str, list[dict[str, Any]]]):
     def __init__(self, text: str) -> None:
         self._text = text
         answer = json.loads(text)
-        number = float if answer["arithmetic"] == "f64" else _digits
+        number = _double if answer["arithmetic"] == "f64" else _digits
         outputs = ((key, rows) for key, rows in answer.items() if isinstance(rows, list) and key not in _NO_OUTPUTS)
         self._outputs: dict[str, list[dict[str, Any]]] = {key: _numbers(rows, number) for key, rows in outputs}
         self.promise: dict[str, Promise] = answer["promise"]
@@ -44,6 +44,8 @@ class Solution(Mapping[str, list[dict[str, Any]]]):
         """How the scene was read, where that may surprise."""
         self.balance: dict[str, Any] | None = _numbers(answer.get("balance"), number)
         """The energy balance of a path: ``work``, ``dissipated`` and ``stored``, where it is finite."""
+        self.force_curve_summary: dict[str, Any] | None = _numbers(answer.get("force-curve-summary"), number)
+        """What is read off a force curve: pull-off force, minimum force, hysteresis."""
 
     def __getitem__(self, output: str) -> list[dict[str, Any]]:
         return self._outputs[output]
@@ -87,8 +89,12 @@ def _numbers(value: Any, number: Any) -> Any:
         try:
             return number(value)
         except (decimal.InvalidOperation, ValueError):
-            return value  # a fraction in f64, or an exponent that no Decimal has
+            return value  # words that end in a digit, or an exponent that no Decimal has
     return value
+
+
+def _double(text: str) -> float:
+    return float(Fraction(text)) if "/" in text else float(text)
 
 
 def _digits(text: str) -> Decimal | Fraction:

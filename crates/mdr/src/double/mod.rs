@@ -15,8 +15,10 @@ use mdr_core::contact::{
 use mdr_core::number::Literal;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::{self, Folds};
 
+use crate::answer::Field;
 use crate::run::Stop;
 use crate::scene::Scene;
 use crate::solve;
@@ -131,6 +133,24 @@ impl Contact {
             }
         }
         Ok(states)
+    }
+
+    /// A field of the equilibrium with a contact radius, at radii: the pressure within the contact, in Pa, or the gap or the
+    /// displacement of the surface outside of it, in m. NaN where it is not defined or infinite.
+    ///
+    /// # Errors
+    /// A contact radius that is not positive, or outside of the profile; as [`Contact::transform`].
+    pub fn field(&self, field: Field, contact_radius: f64, radii: &[f64], stop: &Stop) -> Result<Vec<f64>> {
+        let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
+        let transform = self.counted(stop);
+        let curve = Curve::new(&transform, &self.material, &Control::Indentation);
+        let fields = Fields::new(curve, contact_radius)?;
+        let at = |r: &f64| match field {
+            Field::Pressure => fields.pressure(r),
+            Field::Gap => fields.gap(r),
+            Field::Displacement => fields.displacement(r),
+        };
+        radii.iter().map(|r| within(at(r))).collect()
     }
 
     /// All folds, by increasing radius.
