@@ -25,7 +25,8 @@ def arrays(force: NDArray[np.float64]) -> NDArray[np.float64]:
     states: mdr.States = tip.states(force=force)
     both: mdr.Equilibria = tip.equilibria(position=[0, 1], stiffness=2)
     most = int(both.count.max())
-    return states.force[states.status == mdr.Status.OK] * most
+    known: NDArray[np.float64] = states.force[states.status == mdr.Status.OK]
+    return known[:most]
 
 
 def history() -> list[str]:
