@@ -11,15 +11,14 @@ State(contact_radius=5.611652890227367e-07, indentation=-1.0496882720132389e-07,
 
 from typing import Final
 
-from ._contact import (
-    Contact, Control, Machine, Start, context, critical_states, effective_modulus, jkr, kappa,
-)
+from ._contact import Contact, Control, Machine, Start
 from ._core import CERTIFIED
 from ._core import VERSION as __version__
 from ._errors import (
     DomainError, Error, FilterError, InternalError, NoConvergenceError, NoEquilibriumError, OutOfRangeError, SceneError,
     UndecidedError,
 )
+from ._functions import context, critical_states, effective_modulus, jkr, kappa
 from ._numbers import Floats, Number
 from ._oracle import Answer, AnswerLike, Mark, Record, Report, judge, record, records
 from ._profiles import (
