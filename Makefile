@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs peers python
+.PHONY: verify test build deps bench doc confirm proofs dist peers python
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -44,3 +44,10 @@ peers: build
 
 deps:
 	@sh scripts/deps.sh
+
+# The program, stripped, and the licences of what it links, in target/dist.
+dist: build
+	mkdir -p target/dist
+	cp target/release/mdr target/dist/mdr
+	strip target/dist/mdr
+	cp LICENSE-MIT LICENSE-APACHE docs/dependencies.md target/dist/

@@ -1,6 +1,6 @@
 """Check docs/proofs with Coq and print the table entry, theorem, assumptions.
 
-The files are copied to target/proofs and compiled there. Then, from docs/proofs:
+The files are copied to target/proofs and compiled there. Then, from docs/proofs and, for the first, crates/mdr-symbolic/data, where `mdr derive` reads it:
   theorems.tsv     every theorem it names exists and has been checked; every theorem of the files is named
   assumptions.txt  no theorem rests on anything that is not listed there
   mutants.tsv      a statement with one change in it is refused, at that statement and not elsewhere
@@ -15,13 +15,15 @@ import subprocess
 import sys
 
 SOURCE = pathlib.Path("docs/proofs")
+THEOREMS = pathlib.Path("crates/mdr-symbolic/data")
 BUILD = pathlib.Path("target/proofs")
 FLAGS = ["-w", "-ambiguous-paths,-deprecated", "-Q", ".", "MDR"]
 FORBIDDEN = r"\b(Admitted|admit|Axioms?|Parameters?|Conjectures?|give_up|bypass_check|Unset\s+Guard|Unset\s+Positivity|Unset\s+Universe)\b"
 
 
 def table(name):
-    lines = (SOURCE / name).read_text().splitlines()
+    folder = THEOREMS if name == "theorems.tsv" else SOURCE
+    lines = (folder / name).read_text().splitlines()
     return [line.split("\t") for line in lines if line and not line.startswith("#")]
 
 

@@ -79,7 +79,8 @@ fn the_page_of_figures_shows_them_all() {
     }
 }
 
-/// Well-formed, with a title and a caption, black on white, and every text at least 11 points high but for indices.
+/// Well-formed, with a title and a caption; every text 11 points high but for indices; colours only from the style sheet, where
+/// those of a dark screen come second and print never sees them.
 #[test]
 fn a_figure_can_be_printed() {
     for (name, svg) in files("figures-print").into_iter().filter(|(name, _)| name.ends_with(".svg")) {
@@ -88,18 +89,19 @@ fn a_figure_can_be_printed() {
         let points = |value: &str| value.trim_end_matches("pt").parse::<f64>().unwrap();
         let size: Vec<_> = root.attribute("viewBox").unwrap().split(' ').map(points).collect();
         let scale = points(root.attribute("width").unwrap()) / size[2];
+        let child =
+            |tag: &str| root.children().find(|node| node.has_tag_name(tag)).and_then(|node| node.text()).unwrap();
         for tag in ["title", "desc"] {
-            let node = root.children().find(|node| node.has_tag_name(tag)).unwrap();
-            assert!(node.text().is_some_and(|text| text.len() > 10), "{name}: {tag}");
+            assert!(child(tag).len() > 10, "{name}: {tag}");
         }
-        for text in document.descendants().filter(|node| node.has_tag_name("text")) {
-            let height = text.attribute("font-size").unwrap().parse::<f64>().unwrap() * scale;
-            assert!(height >= 10.999, "{name}: {height} points");
-        }
+        let height = points(root.attribute("font-size").unwrap()) * scale;
+        assert!(height >= 10.999, "{name}: {height} points");
+        let (light, dark) = child("style").split_once("@media screen and (prefers-color-scheme:dark)").unwrap();
+        assert!(light.contains(".page{fill:#ffffff}") && dark.contains(".page{fill:#1a1e23}"), "{name}");
         for node in document.descendants() {
-            for colour in ["fill", "stroke"].into_iter().filter_map(|name| node.attribute(name)) {
-                assert!(["none", "#000000", "#FFFFFF", "#D9D9D9"].contains(&colour), "{name}: {colour}");
-            }
+            let own = ["fill", "stroke", "style"].into_iter().find(|name| node.attribute(*name).is_some());
+            assert!(own.is_none(), "{name}: {own:?} in {node:?}");
+            assert!(!node.has_tag_name("text") || node.attribute("font-size").is_none(), "{name}: a size in {node:?}");
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Certified digits beside bare MPFR at the same precision: κ_n, and the four numbers of a critical state (κ, a, d, F).
 //!
-//! `bare` runs the same closed forms over `rug::Float`; `gamma` takes κ from MPFR's Γ, as a textbook program would. Both
-//! know nothing about their errors and print no decimals; `enclosure` includes the proof, `certified` the decimal digits, too.
-//! `make peers` measures Arb beside `enclosure`.
+//! `bare` evaluates the same closed forms over `rug::Float`; `gamma` takes κ from MPFR's Γ, as a textbook program
+//! would. Neither has error bounds or prints decimals; `enclosure` includes the proof, `certified` the decimal digits
+//! too. `make peers` measures Arb beside `enclosure`.
 #![allow(missing_docs, clippy::unwrap_used, reason = "macros of criterion; a benchmark fails by panicking")]
 
 use std::hint::black_box;

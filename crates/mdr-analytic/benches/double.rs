@@ -1,10 +1,10 @@
-//! The accurate closed forms in `f64` beside the same formulas written down naively: `cargo bench --bench double`.
+//! The accurate closed forms in `f64` beside naive versions of the same formulas: `cargo bench --bench double`.
 //!
-//! Every route computes a, d and F of the critical state of 10⁶ random contacts under controlled indentation, in batches of
-//! 4096. The batches of all routes are interleaved and the median of each is reported, so that ratios hold within one run,
-//! on a busy machine too; ulps are those of the worst of the three results against the accurate route (itself within one
-//! ulp). The kernel for many points, which returns κ as well, is measured with each set of instructions that the processor
-//! has, with a material for each point and with one for all.
+//! Every method computes a, d and F of the critical state of 10⁶ random contacts under controlled indentation, in
+//! batches of 4096. The batches of all methods are interleaved and the median of each is reported, so that ratios are
+//! valid on a busy machine too; ulps are those of the worst of the three results against the accurate method (itself
+//! within one ulp). The kernel for many points, which returns κ as well, is measured with each instruction set of the
+//! processor, with a material for each point and with one for all.
 #![allow(clippy::print_stdout, reason = "a benchmark prints its table")]
 
 use std::f64::consts::PI;
@@ -52,7 +52,7 @@ fn kappa_by_logarithms(n: f64) -> f64 {
     PI.sqrt() * (pxfm::f_lgamma(1.0 + n / 2.0) - pxfm::f_lgamma((n + 1.0) / 2.0)).exp()
 }
 
-/// (1.15) and (1.17) as one would type them.
+/// (1.15) and (1.17), naively.
 fn by_hand(p: &Point, kappa: impl Fn(f64) -> f64) -> [f64; 3] {
     let (n, e, w) = (p.n, *p.material.effective_modulus(), *p.material.work_of_adhesion());
     let nkc = n * kappa(n) * p.c;
@@ -73,7 +73,7 @@ fn accurate(p: &Point) -> [f64; 3] {
     }
 }
 
-/// Whether 64 bits promise the last place of all three results.
+/// Whether 64 bits guarantee the last place of all three results.
 fn decided_in_one_word(p: &Point) -> bool {
     let wide = |x: f64| Wide::<1>::from(x);
     let state = PowerLaw::new(wide(p.n), wide(p.c)).and_then(|profile| {
@@ -107,7 +107,7 @@ fn ulps(x: [f64; 3], y: [f64; 3]) -> f64 {
     (0..3).map(|i| ((x[i] - y[i]) / (y[i].abs() * f64::EPSILON)).abs()).fold(0.0, f64::max)
 }
 
-/// The points of a batch as the kernel for many points takes them, and where it puts its answers.
+/// The inputs of the kernel for many points, and its outputs.
 struct Columns {
     inputs: [Vec<f64>; 4],
     /// C for the same radii when all points have the material of the first.
@@ -192,7 +192,7 @@ fn main() {
         for ((_, columns), truth) in batches.iter_mut().zip(truth.chunks(BATCH)) {
             passed_on += columns.run(path, one).passed_on;
             let [_, a, d, f] = &columns.outputs;
-            // The truth at hand is that of the other materials.
+            // The reference is that of the other materials.
             let compared = if one { 0 } else { truth.len() };
             errors.extend((0..compared).map(|i| ulps([a[i], d[i], f[i]], truth[i])));
         }

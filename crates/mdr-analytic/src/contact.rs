@@ -6,7 +6,7 @@ use mdr_core::number::Real;
 use crate::power_law::PowerLaw;
 use crate::range::{difference, ln_difference, ln_sum, ordinary, product, representable, sum};
 
-/// Δl(a) = √(2πaw/E*), the elongation at which the springs at the edge let go (1.4), for a > 0, in m.
+/// Δl(a) = √(2πaw/E*), the elongation at which the springs at the edge detach (1.4), for a > 0, in m.
 ///
 /// # Errors
 /// [`Error::Domain`] unless a is positive and finite; [`Error::OutOfRange`].
@@ -18,14 +18,14 @@ pub fn detachment_elongation<R: Real>(material: &Material<R>, a: &R) -> Result<R
     })
 }
 
-/// B = πw/(2E*), the length in Δl(a) = 2√(Ba), in m. It may leave the range where Δl does not.
+/// B = πw/(2E*), the length in Δl(a) = 2√(Ba), in m. It may be out of range where Δl is not.
 #[inline(always)]
 pub(crate) fn edge_length<R: Real>(material: &Material<R>) -> R {
     let pi = material.work_of_adhesion().pi();
     pi * material.work_of_adhesion() / material.effective_modulus().clone().times(2)
 }
 
-/// √B, also where B leaves the range: that of √w/√E* is half as far away.
+/// √B, also if B is out of range: √w/√E* leaves it at twice the exponent.
 #[inline(always)]
 pub(crate) fn edge_root<R: Real>(material: &Material<R>, edge_length: &R) -> R {
     if ordinary(edge_length) {
@@ -46,7 +46,7 @@ const FORCE_SLOPE: Quantity = Quantity::Parameter("the slope F' of the normal fo
 
 /// A power-law profile pressed against an elastic half-space, with adhesion.
 ///
-/// Every equilibrium is labelled by its contact radius a. With B = πw/(2E*) and N = nκ_nC the elongation at the edge is
+/// An equilibrium is determined by its contact radius a. With B = πw/(2E*) and N = nκ_nC the elongation at the edge is
 /// Δl = 2√(Ba), and critical states follow from N a^{n−1/2} = λ√B with λ = 1 under fixed grips and λ = 3 under a dead
 /// load.
 ///
@@ -88,7 +88,7 @@ impl<R: Real> Contact<R> {
         &self.material
     }
 
-    /// The kind of instability: n against 1/2.
+    /// The kind of instability, from the order of n and 1/2.
     ///
     /// # Errors
     /// As [`PowerLaw::regime`].
@@ -106,7 +106,8 @@ impl<R: Real> Contact<R> {
         representable(Quantity::Indentation, self.elongation(&a), || self.ln_elongation(&a))
     }
 
-    /// d(a) = κ_n C aⁿ − Δl(a) (1.5), (1.13), in m. Near its zero, as any difference, it is as accurate as a is.
+    /// d(a) = κ_n C aⁿ − Δl(a) (1.5), (1.13), in m. The relative accuracy decreases near its zero, where the terms
+    /// cancel.
     ///
     /// # Errors
     /// [`Error::Domain`] unless a is positive and finite; [`Error::OutOfRange`].
@@ -132,7 +133,7 @@ impl<R: Real> Contact<R> {
         if ordinary(&pressed) && ordinary(&elongation) {
             return self.force_of_depth(&a, pressed - &elongation);
         }
-        // Each term by itself: one that is out of range may become a number with the stiffness, or be negligible.
+        // Each term separately: one that is out of range may return to it with the stiffness, or be negligible.
         let two = a.lit(2);
         let root = a.sqrt();
         let tension = product([&modulus, &a, &self.edge_root, &root, &a.lit(4)]);
@@ -145,7 +146,7 @@ impl<R: Real> Contact<R> {
         })
     }
 
-    /// 2E*a·depth, where only an exact zero may give 0.
+    /// 2E*a·depth; only an exact zero gives 0.
     #[inline(always)]
     fn force_of_depth(&self, a: &R, depth: R) -> Result<R> {
         let modulus = self.material.effective_modulus();
@@ -187,7 +188,7 @@ impl<R: Real> Contact<R> {
             return Ok((pressed + elongation) / n);
         }
         let (share, root) = (n.clone().inv(), a.sqrt());
-        // The root of the stiffness does not leave the range, nor does its reciprocal.
+        // The root of the stiffness stays in range, and so does its reciprocal.
         let softness = (modulus.sqrt() * &root).inv();
         let pressed = product([&softness, &softness, force, &next, &share]);
         let elongation = product([&self.edge_root, &root, &share, &a.lit(2)]);
@@ -244,7 +245,7 @@ impl<R: Real> Contact<R> {
         let mean = self.profile.monomial(&a, n, &next.clone().inv(), &one);
         let below = d.clone() - &mean;
         let spread = mean.clone() * n / (n.clone().times(2) + &one).sqrt();
-        // The roots of the three terms leave the range where the terms do, and not before.
+        // The roots of the three terms leave the range only if the terms do.
         let (e, w) = (self.material.effective_modulus(), self.material.work_of_adhesion());
         let stiffness = e.sqrt() * a.sqrt();
         let elastic = (stiffness.clone() * &below).square() + (stiffness * &spread).square();
@@ -264,7 +265,7 @@ impl<R: Real> Contact<R> {
         })
     }
 
-    /// Δl(a), which may leave the range.
+    /// Δl(a), unchecked.
     #[inline(always)]
     pub(crate) fn elongation(&self, a: &R) -> R {
         (self.edge_root.clone() * a.sqrt()).times(2)
@@ -274,7 +275,7 @@ impl<R: Real> Contact<R> {
         (ln_edge_length(&self.material) + a.ln()).over(2) + a.lit(2).ln()
     }
 
-    /// B = πw/(2E*), in m. It may leave the range where its root does not.
+    /// B = πw/(2E*), in m. It may be out of range where its root is not.
     pub(crate) fn edge_length(&self) -> &R {
         &self.edge_length
     }

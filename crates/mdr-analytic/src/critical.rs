@@ -7,7 +7,7 @@ use crate::contact::{Contact, ln_edge_length};
 use crate::machine::Tension;
 use crate::range::{ordinary, product, representable};
 
-/// A critical state, or one quantity of it in whatever form: numbers, certified decimals, logarithms.
+/// A critical state, with quantities of any type: numbers, certified decimals, logarithms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Critical<T> {
     /// a, in m.
@@ -19,7 +19,7 @@ pub struct Critical<T> {
 }
 
 impl<R> Critical<R> {
-    /// The contact at rest at the fold: the double root.
+    /// The equilibrium at the fold: a double root.
     pub(crate) fn at_rest(self) -> Equilibrium<R> {
         let Critical { contact_radius, indentation, force } = self;
         Equilibrium { contact_radius, indentation, force, stability: Stability::Neutral }
@@ -35,12 +35,12 @@ impl<R: Real> Contact<R> {
     /// | force | (9B/N²)^{1/(2n−1)} | ((3−2n)/n)√(Ba) | (2(1−2n)/(n+1))E*a√(Ba) |
     ///
     /// with B = πw/(2E*), N = nκ_nC: (1.15) with its exponent corrected, and (1.17). For n > 1/2 the contact breaks
-    /// there, for n < 1/2 it spreads over the whole surface. Nothing cancels in these forms. Under a machine it is the
-    /// fold met first when leaving the stable branch, see [`Contact::machine_folds`].
+    /// there, for n < 1/2 it spreads over the whole surface. No terms cancel in these forms. On a machine it is the
+    /// first fold when leaving the stable branch, see [`Contact::machine_folds`].
     ///
     /// # Errors
-    /// [`Error::Domain`] at n = 1/2, where no length is singled out (see [`threshold`](crate::threshold()));
-    /// [`Error::OutOfRange`] with the log10 of a result that the arithmetic cannot hold.
+    /// [`Error::Domain`] at n = 1/2, where the problem has no length scale (see [`threshold`](crate::threshold()));
+    /// [`Error::OutOfRange`] with the log10 of a result that the arithmetic cannot represent.
     #[inline(always)]
     pub fn critical(&self, control: &Control<R>) -> Result<Critical<R>> {
         match control {
@@ -53,8 +53,8 @@ impl<R: Real> Contact<R> {
         }
     }
 
-    /// ln a, ln|d| and ln|F| of the critical state, also where the quantities themselves leave the range of the
-    /// arithmetic. Not finite for d = 0 (n = 3/2 under force).
+    /// ln a, ln|d| and ln|F| of the critical state, also if the quantities themselves are out of range. Not finite for
+    /// d = 0 (n = 3/2 under force).
     ///
     /// # Errors
     /// [`Error::Domain`] at n = 1/2.
@@ -87,7 +87,7 @@ impl<R: Real> Contact<R> {
     #[inline(always)]
     pub(crate) fn length_scale(&self, tension: &R) -> Result<R> {
         let slope = self.slope_coefficient();
-        // One power of one quotient: near n = 1/2 its rounding is all that 1/(2n−1) magnifies.
+        // One power of one quotient: near n = 1/2 only its rounding is magnified by 1/(2n−1).
         let (square, excess) = (slope.square(), self.profile().excess());
         let quotient = tension.square() * self.edge_length() / &square;
         let radius = if ordinary(&quotient) && ordinary(&square) && ordinary(self.edge_length()) {
@@ -98,7 +98,7 @@ impl<R: Real> Contact<R> {
         representable(Quantity::ContactRadius, radius, || self.ln_length_scale(tension))
     }
 
-    /// The same where a square leaves the range: a power of the root of the quotient, or of its two parts, or else from the
+    /// The same where a square is out of range: a power of the root of the quotient, or of its two parts, or from the
     /// logarithm.
     #[cold]
     fn distant_length_scale(&self, tension: &R, slope: &R, excess: &R) -> R {
@@ -116,19 +116,19 @@ impl<R: Real> Contact<R> {
         self.ln_length_scale(tension).exp()
     }
 
-    /// ln of [`Contact::length_scale`], without intermediate results that could leave the range.
+    /// ln of [`Contact::length_scale`], with intermediate results in range.
     pub(crate) fn ln_length_scale(&self, tension: &R) -> R {
         let ln_slope = self.profile().kappa().ln() + self.profile().coefficient().ln() + self.profile().exponent().ln();
         (ln_edge_length(self.material()) + (tension.ln() - &ln_slope).times(2)) / self.profile().excess()
     }
 
-    /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a). The logarithm of a is asked
-    /// for where a does not tell it.
+    /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a). `ln_radius` is evaluated
+    /// only if a is out of range or subnormal, or d or F is out of range.
     #[inline(always)]
     pub(crate) fn tangent_state(&self, a: R, tension: &Tension<R>, ln_radius: impl Fn() -> R) -> Result<Critical<R>> {
         let (d_factor, f_factor) = self.tangent_factors(tension);
         let ln_state = || self.ln_state(&ln_radius(), tension);
-        // 0 is an answer where the factor is 0, and a flushed result elsewhere.
+        // 0 is a result if the factor is 0, and an underflow otherwise.
         let checked = |quantity, factor: &R, value: R, ln: &dyn Fn() -> R| {
             if *factor == factor.lit(0) { Ok(value) } else { representable(quantity, value, ln) }
         };
@@ -137,7 +137,7 @@ impl<R: Real> Contact<R> {
             let force = product([&f_factor, self.material().effective_modulus(), edge, &root, &a]);
             (product([&d_factor, edge, &root]), force)
         } else {
-            // The digits that a has lost, d and F may have.
+            // d and F may be accurate where a is subnormal.
             let (ln, zero) = (ln_state(), a.lit(0));
             let with_sign = |factor: &R, size: R| if *factor < zero { -size } else { size };
             (with_sign(&d_factor, ln.indentation.exp()), with_sign(&f_factor, ln.force.exp()))

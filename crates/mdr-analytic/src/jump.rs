@@ -1,4 +1,4 @@
-//! Energy lost in jumps under controlled indentation, in J.
+//! Energy dissipated in jumps under controlled indentation, in J.
 
 use mdr_core::contact::{Error, Quantity, Regime, Result};
 use mdr_core::number::Real;
@@ -7,7 +7,7 @@ use crate::contact::Contact;
 use crate::range::{product, representable};
 
 impl<R: Real> Contact<R> {
-    /// a₀, the radius in equilibrium at d = 0: (2πw/(E*κ²C²))^{1/(2n−1)}. Stable for n > 1/2, unstable for n < 1/2.
+    /// a₀, the equilibrium radius at d = 0: (2πw/(E*κ²C²))^{1/(2n−1)}. Stable for n > 1/2, unstable for n < 1/2.
     ///
     /// # Errors
     /// [`Error::Domain`] at n = 1/2; [`Error::OutOfRange`].
@@ -17,10 +17,11 @@ impl<R: Real> Contact<R> {
         self.length_scale(&self.profile().exponent().clone().times(2))
     }
 
-    /// The energy lost when the contact breaks at fixed grips: n(2n−1)/((n+1)(2n+1)) · πa_c²w. Paraboloid: 2/5.
+    /// The energy dissipated when the contact breaks under fixed grips: n(2n−1)/((n+1)(2n+1)) · πa_c²w. Paraboloid:
+    /// 2/5.
     ///
     /// # Errors
-    /// [`Error::Domain`] for n ≤ 1/2: the jump to complete contact has no end on an infinite surface;
+    /// [`Error::Domain`] for n ≤ 1/2: the jump to complete contact has no final state on an infinite surface;
     /// [`Error::OutOfRange`].
     pub fn energy_lost_at_pull_off(&self) -> Result<R> {
         self.require_pull_off("above 1/2 for a contact that breaks")?;
@@ -29,11 +30,11 @@ impl<R: Real> Contact<R> {
         self.released_work(&n.lit(1), &(n.clone() / next))
     }
 
-    /// The energy lost when the surfaces, approaching, jump into contact at d = 0: (2n−1)/(2n+1) · πa₀²w. Paraboloid:
+    /// The energy dissipated when approaching surfaces jump into contact at d = 0: (2n−1)/(2n+1) · πa₀²w. Paraboloid:
     /// 3/5.
     ///
     /// # Errors
-    /// [`Error::Domain`] for n ≤ 1/2: a point contact does not grow by itself; [`Error::OutOfRange`].
+    /// [`Error::Domain`] for n ≤ 1/2: a point contact does not grow spontaneously; [`Error::OutOfRange`].
     pub fn energy_lost_at_jump_in(&self) -> Result<R> {
         self.require_pull_off("above 1/2 for a contact that jumps in")?;
         let n = self.profile().exponent();

@@ -1,9 +1,8 @@
 //! Closed forms of the theory of adhesive contact of axisymmetric profiles: equilibria, critical states and folds of
-//! power laws f = C rⁿ, and the transformed profiles g(x) of many other shapes.
-//!
-//! Every closed form is one generic function over [`Real`](mdr_core::number::Real), beside its equation number in the
-//! source paper. The same function runs in `f64`, in arbitrary precision, over rigorous intervals, and over dual numbers
-//! for derivatives.
+//! power laws f = C rⁿ, and the transformed profiles g(x) of many other shapes. Every closed form is one generic
+//! function over [`Real`](mdr_core::number::Real), documented with its equation number in the source paper. The same
+//! function is evaluated in `f64`, in arbitrary precision, over rigorous intervals, and over dual numbers for
+//! derivatives.
 //!
 //! ```
 //! use mdr_analytic::{Contact, PowerLaw};
@@ -16,21 +15,24 @@
 //! # Ok::<(), mdr_core::contact::Error>(())
 //! ```
 //!
-//! | equation | here |
-//! |---|---|
-//! | (1.4) Δl(a) | [`detachment_elongation`] |
-//! | (1.5), (1.13) d(a); (1.6), (1.16) F(a); Π(a, d) | [`Contact::indentation`], [`Contact::force`], [`Contact::energy`] |
-//! | (1.10), (1.14) tangency | [`Contact::indentation_slope`], [`Contact::force_slope`] |
-//! | (1.12) g = κ_n C xⁿ | [`kappa()`], [`PowerLaw`] |
-//! | (1.15) corrected, (1.17), and both under a dead load | [`Contact::critical`] |
-//! | folds on a machine of finite stiffness | [`Contact::machine_folds`] |
-//! | (1.18), (1.19) n = 1/2 | [`threshold()`], [`Contact::ratio`], [`Contact::fate`] |
-//! | all power laws in one family | [`universal_indentation`], [`universal_force`] |
-//! | equilibria at a given d or F | [`Contact::equilibria`], [`Contact::equilibria_at_distance`] |
-//! | energy lost in a jump | [`Contact::energy_lost_at_pull_off`], [`Contact::energy_lost_at_jump_in`] |
-//! | paraboloid, cone, flat punch | [`PowerLaw::paraboloid`], [`PowerLaw::cone`], [`flat_punch_pull_off`] |
+//! | task | equation | item |
+//! |---|---|---|
+//! | transform of a power law, g = κ_n C xⁿ | (1.12) | [`PowerLaw`], [`kappa()`] |
+//! | transform of another shape | | [`profiles`], [`struve`] |
+//! | elongation of the edge springs at detachment | (1.4) | [`detachment_elongation`] |
+//! | d(a), F(a), Π(a, d) | (1.5), (1.6), (1.13), (1.16) | [`Contact::indentation`], [`Contact::force`], [`Contact::energy`] |
+//! | tangency d'(a), F'(a) | (1.10), (1.14) | [`Contact::indentation_slope`], [`Contact::force_slope`] |
+//! | critical states | (1.15) corrected, (1.17) | [`Contact::critical`] |
+//! | folds on a machine of finite stiffness | | [`Contact::machine_folds`] |
+//! | n = 1/2 | (1.18), (1.19) | [`threshold()`], [`Contact::ratio`], [`Contact::fate`] |
+//! | equilibria at a given d or F | | [`Contact::equilibria`], [`Contact::equilibria_at_distance`] |
+//! | energy dissipated in a jump | | [`Contact::energy_lost_at_pull_off`], [`Contact::energy_lost_at_jump_in`] |
+//! | all power laws as one family | | [`universal_indentation`], [`universal_force`] |
+//! | paraboloid, cone, flat punch | | [`PowerLaw::paraboloid`], [`PowerLaw::cone`], [`flat_punch_pull_off`] |
+//! | `f64` within 1 ulp; batches | | [`double`], [`double::grid`] |
+//! | any number of proved digits | | `certified` |
 //!
-//! Sensitivity to an input is the slope of a dual number; here of the pull-off force to the exponent:
+//! The sensitivity to an input is the slope of a dual number, here that of the pull-off force to the exponent:
 //!
 //! ```
 //! use mdr_analytic::{Contact, PowerLaw};
@@ -45,7 +47,15 @@
 //! # Ok::<(), mdr_core::contact::Error>(())
 //! ```
 //!
-//! With the feature `mp` (default) the module `certified` answers with any number of proved digits.
+//! # Features
+//! `mp` (default): `certified`, and κ_n and the Struve functions over `rug::Float` and `Interval`. Without it the crate
+//! is pure Rust.
+//!
+//! # Accuracy and errors
+//! A generic function is accurate to the roundings of its formula and rigorous over intervals; [`double`] is within
+//! 1 ulp of the true value. Inputs outside their domain give [`Error::Domain`](mdr_core::contact::Error::Domain), results
+//! out of range [`Error::OutOfRange`](mdr_core::contact::Error::OutOfRange) with their log₁₀, and decisions that an interval
+//! cannot make [`Error::Undecided`](mdr_core::contact::Error::Undecided).
 
 #![forbid(unsafe_code)]
 

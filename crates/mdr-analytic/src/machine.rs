@@ -4,19 +4,19 @@
 //!
 //! N a^{n−1/2} = λ√B,  λ = (k + 6E*a)/(k + 2E*a) = 1 + 2p,
 //!
-//! where p = s/(1+s), s = 2E*a/k, is the part of the compliance that lies in the machine. λ runs from 1 (fixed grips) to
-//! 3 (dead load). In u = ln s the condition reads
+//! where p = s/(1+s), s = 2E*a/k, is the share of the machine in the compliance. λ increases from 1 (fixed grips) to 3
+//! (dead load). In u = ln s the condition reads
 //!
 //! φ(u) = μu + L − ln(1+2p) = 0,  μ = n − 1/2,  L = ln(N/√B) + μ ln(k/2E*),
 //!
-//! and D grows with a where φ > 0. Since 0 < ln(1+2p) < ln 3, every root lies between −L/μ and (ln 3 − L)/μ, that is
-//! between the critical radii of the two limits.
+//! and D increases with a where φ > 0. Since 0 < ln(1+2p) < ln 3, every root lies between −L/μ and (ln 3 − L)/μ, that
+//! is between the critical radii of the two limits.
 //!
-//! **How many.** φ'(u) = μ − 2p(1−p)/(1+2p) = μ − 2s/((1+s)(1+3s)). The last term is largest at s = 1/√3, where it is
-//! 2 − √3. So φ is monotone for μ < 0 (one fold, a maximum of D) and for μ ≥ 2 − √3 (one fold, a minimum). For
-//! 0 < μ < 2 − √3, that is 1/2 < n < 5/2 − √3, φ has a maximum and a minimum at the roots of 3μs² − 2(1−2μ)s + μ = 0, and
-//! there are three folds when φ is positive at the first and negative at the second, else one. For μ = 0, φ falls from
-//! ln ρ to ln(ρ/3), where ρ = N/√B: one fold for 1 < ρ < 3, none otherwise; λ = ρ gives a = k(ρ−1)/(2E*(3−ρ)).
+//! **Number of folds.** φ'(u) = μ − 2p(1−p)/(1+2p) = μ − 2s/((1+s)(1+3s)). The last term is largest at s = 1/√3, where
+//! it is 2 − √3. So φ is monotone for μ < 0 (one fold, a maximum of D) and for μ ≥ 2 − √3 (one fold, a minimum). For 0
+//! < μ < 2 − √3, that is 1/2 < n < 5/2 − √3, φ has a maximum and a minimum at the roots of 3μs² − 2(1−2μ)s + μ = 0, and
+//! there are three folds if φ is positive at the first and negative at the second, else one. For μ = 0, φ decreases
+//! from ln ρ to ln(ρ/3), where ρ = N/√B: one fold for 1 < ρ < 3, none otherwise; λ = ρ gives a = k(ρ−1)/(2E*(3−ρ)).
 
 use std::cmp::Ordering;
 
@@ -42,8 +42,8 @@ impl<R: Real> Contact<R> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Domain`] unless k is positive and finite; [`Error::Undecided`] when an interval cannot tell how many
-    /// there are; [`Error::OutOfRange`].
+    /// [`Error::Domain`] unless k is positive and finite; [`Error::Undecided`] if an interval does not decide their
+    /// number; [`Error::OutOfRange`].
     pub fn machine_folds(&self, stiffness: &R) -> Result<Vec<Instability<R>>> {
         let stiffness = Error::require_positive(Quantity::Stiffness, stiffness.clone())?;
         let fold = |tangency: Tangency<R>| {
@@ -67,7 +67,7 @@ impl<R: Real> Contact<R> {
         stiffness.clone() / self.material().effective_modulus().clone().times(2)
     }
 
-    /// ln of [`Contact::machine_length`], which itself may leave the range.
+    /// ln of [`Contact::machine_length`], which itself may be out of range.
     pub(crate) fn ln_machine_length(&self, stiffness: &R) -> R {
         let scale = self.machine_length(stiffness);
         if ordinary(&scale) {
@@ -100,7 +100,7 @@ impl<R: Real> Contact<R> {
         }
         let ln_s =
             |s: &R| if *s > zero { Ok(s.ln()) } else { Err(undecided(s, "whether C is between the two thresholds")) };
-        // λ = 2nρ a^(n−1/2) is ρ, but depends on n: a dual number has to know.
+        // λ = 2nρ a^(n−1/2) equals ρ, but depends on n: the derivatives of a dual number need the full form.
         let excess = self.profile().excess();
         let ln_radius = self.ln_machine_length(stiffness) + ln_s(&share(&ratio))?;
         let tension = (excess.clone().over(2) * ln_radius).exp() * (excess + &one) * ratio;
@@ -109,8 +109,8 @@ impl<R: Real> Contact<R> {
         Ok(Some(Tangency { tension: Tension::machine(&ln_s), ln_s, s, kind: FoldKind::Maximum }))
     }
 
-    /// The fold met first when leaving the stable branch: the largest for n > 1/2, where the contact is unloaded, the
-    /// smallest, and only one, for n < 1/2.
+    /// The first fold when leaving the stable branch: the largest for n > 1/2, on unloading; the smallest, and only
+    /// one, for n < 1/2.
     pub(crate) fn first_machine_tangency(&self, stiffness: &R) -> Result<Tangency<R>> {
         let stiffness = Error::require_positive(Quantity::Stiffness, stiffness.clone())?;
         let none = || Error::domain(Quantity::Stiffness, &stiffness, "such that there is a fold");
@@ -126,23 +126,23 @@ pub(crate) struct Tangency<R> {
     pub(crate) kind: FoldKind,
 }
 
-/// λ, from the nearer of its limits, so that its difference from either is known to all digits.
+/// λ as an offset from the nearer of its limits, so that its difference from either is accurate.
 #[derive(Clone, Debug)]
 pub(crate) struct Tension<R> {
     /// 1, 3, or 0.
     limit: i64,
-    /// λ less that.
+    /// λ minus that limit.
     rest: R,
 }
 
 impl<R: Real> Tension<R> {
-    /// One of the limits itself, 1 under fixed grips or 3 under a dead load.
+    /// One of the limits, 1 under fixed grips or 3 under a dead load.
     #[inline(always)]
     pub(crate) fn limit(limit: i64, like: &R) -> Self {
         Tension { limit, rest: like.lit(0) }
     }
 
-    /// Any other.
+    /// Any other value.
     pub(crate) fn of(value: R) -> Self {
         Tension { limit: 0, rest: value }
     }
@@ -168,7 +168,7 @@ impl<R: Real> Tension<R> {
     }
 }
 
-/// φ(u) and what it needs.
+/// φ(u) and its parameters.
 struct Balance<R> {
     /// μ = n − 1/2, not zero.
     slope: R,
@@ -213,7 +213,7 @@ impl<R: Real> Balance<R> {
         self.slope.clone() - (share.clone() * &rest).times(2) / (share.times(2) + u.lit(1))
     }
 
-    /// The monotone pieces that have a root, by increasing u.
+    /// The monotone pieces that contain a root, by increasing u.
     fn pieces(&self) -> Result<Vec<Piece<R>>> {
         let zero = self.slope.lit(0);
         let first = -self.offset.clone() / &self.slope;
@@ -239,7 +239,7 @@ impl<R: Real> Balance<R> {
         })
     }
 
-    /// ln s of the maximum and the minimum of φ: 3μs² − 2(1−2μ)s + μ = 0, of which the product of the roots is 1/3.
+    /// ln s of the maximum and the minimum of φ: the roots of 3μs² − 2(1−2μ)s + μ = 0, whose product is 1/3.
     fn turning_points(&self) -> Result<Option<(R, R)>> {
         let mu = &self.slope;
         let half = mu.lit(1) - mu.clone().times(2);
@@ -257,23 +257,23 @@ impl<R: Real> Balance<R> {
         Ok(Some((top, (sum / mu.clone().times(3)).ln())))
     }
 
-    /// The root in a piece: approximately first, then by a Newton step over a neighbourhood that has to contain its own
-    /// image. For an interval type that proves existence and uniqueness; for the others the steps polish, and carry the
-    /// derivatives of a dual number (the second step those of second and third order). Over intervals the derivative is
-    /// enclosed too: that of u − φ(u)/φ'(u) with respect to u is φφ''/φ'², which encloses 0 where u encloses the root, so
-    /// it does not matter how well the slope of u was known.
+    /// The root in a piece: an approximation, then a Newton step over a neighbourhood that must contain its own image.
+    /// For an interval type this proves existence and uniqueness; for the others the steps refine the root and carry
+    /// the derivatives of a dual number (the second step those of second and third order). Over intervals the
+    /// derivative is enclosed too: that of u − φ(u)/φ'(u) with respect to u is φφ''/φ'², which encloses 0 where u
+    /// encloses the root, so the accuracy of the slope of u does not matter.
     fn root(&self, piece: &Piece<R>) -> Result<R> {
         let guess = self.steered().approximate_root(piece);
         let residual = self.value(&guess) / self.derivative(&guess);
         let mut radius = residual.abs().steer().times(4) + tolerance(&guess).times(8);
-        // What φ is uncertain by at a guess where its terms cancel, no residual tells: the neighbourhood grows as long as
-        // it is known to a quarter of the digits.
+        // The uncertainty of φ at a guess where its terms cancel does not show in the residual, so the neighbourhood
+        // grows as long as it is known to a quarter of the digits.
         for _ in 0..guess.precision().div_ceil(4) {
             let neighbourhood = guess.clone().inflate_with_slope(&radius);
             let slope = self.derivative(&neighbourhood);
             let image = guess.clone() - self.value(&guess) / &slope;
             if (image.clone() - &guess).abs() <= radius {
-                // Where an enclosure proves a root, the slope tells that it is that of this piece, and not of the next.
+                // If an enclosure proves a root, the slope proves that it belongs to this piece and not to the next.
                 let encloses = neighbourhood != guess;
                 if encloses && (slope > slope.lit(0)) != (piece.kind == FoldKind::Minimum) {
                     break;
@@ -290,12 +290,12 @@ impl<R: Real> Balance<R> {
         u.clone() - self.value(u) / self.derivative(neighbourhood)
     }
 
-    /// The same function with parameters for steering.
+    /// The same function with representative points as parameters.
     fn steered(&self) -> Self {
         Balance { slope: self.slope.steer(), offset: self.offset.steer() }
     }
 
-    /// Newton's method in the piece. A stiff or a soft machine has its root at an end, to the last bit.
+    /// Newton's method in the piece. The root of a stiff or a soft machine is at an end, to the last bit.
     fn approximate_root(&self, piece: &Piece<R>) -> R {
         let low = piece.from.steer() - tolerance(&piece.from.steer());
         let high = piece.to.steer() + tolerance(&piece.to.steer());
@@ -303,7 +303,7 @@ impl<R: Real> Balance<R> {
     }
 }
 
-/// Newton's method kept inside a shrinking bracket, for a function with its slope that is `rising` at the root or falling.
+/// Newton's method inside a shrinking bracket, for a function with its slope that is `rising` or falling at the root.
 pub(crate) fn newton_within<R: Real>(mut low: R, mut high: R, rising: bool, f: impl Fn(&R) -> (R, R)) -> R {
     let mut u = (low.clone() + &high).over(2).steer();
     let mut last_step = high.clone() - &low;
@@ -313,7 +313,7 @@ pub(crate) fn newton_within<R: Real>(mut low: R, mut high: R, rising: bool, f: i
             Some(Ordering::Greater) if rising => high = u.clone(),
             Some(Ordering::Less) if !rising => high = u.clone(),
             Some(Ordering::Greater | Ordering::Less) => low = u.clone(),
-            // Nothing is left but rounding.
+            // Only rounding is left.
             _ => break,
         }
         let newton = (u.clone() - value / slope).steer();
@@ -322,7 +322,7 @@ pub(crate) fn newton_within<R: Real>(mut low: R, mut high: R, rising: bool, f: i
         let next = if brisk { newton } else { (low.clone() + &high).over(2).steer() };
         last_step = (next.clone() - &u).abs();
         u = next;
-        // Newton's method doubles the digits: the next step would be all rounding.
+        // Newton's method doubles the digits: the next step would be below rounding.
         if last_step <= tolerance(&u) || (brisk && step.square() <= tolerance(&u)) {
             break;
         }
@@ -347,7 +347,7 @@ mod tests {
     use super::*;
     use crate::PowerLaw;
 
-    /// The fold at n = 1/2 lies on a smooth curve of folds, and its derivative is that of the curve.
+    /// The fold at n = 1/2 lies on a smooth curve of folds; its derivative is that of the curve.
     #[test]
     fn the_fold_at_one_half_moves_with_n() -> Result<()> {
         let at = |n: Dual<f64>| {
@@ -356,13 +356,13 @@ mod tests {
             let fold = contact.machine_folds(&stiffness)?.remove(0);
             Ok([fold.contact_radius, fold.indentation, fold.force])
         };
-        // Above 1/2 there are two more folds, out of the range of doubles: three points of one side.
+        // Above 1/2 there are two more folds, out of the range of doubles, hence three points on one side.
         const STEP: f64 = 1e-5;
         let points = [at(Dual::variable(0.5))?, at(Dual::constant(0.5 - STEP))?, at(Dual::constant(0.5 - 2.0 * STEP))?];
         for part in 0..3 {
             let [here, near, far] = points.each_ref().map(|state| &state[part]);
             let slope = (3.0 * here.value - 4.0 * near.value + far.value) / (2.0 * STEP);
-            // The third derivative leaves STEP², rounding 10⁻¹⁶/STEP.
+            // The third derivative contributes STEP², rounding 10⁻¹⁶/STEP.
             assert!((here.slope / slope - 1.0).abs() < 1e-7, "{here:?} {slope}");
         }
         Ok(())

@@ -8,7 +8,7 @@ use crate::range::{ordinary, product, representable};
 
 /// The profile f(r) = C rⁿ with its factor κ_n, computed once.
 ///
-/// n > 0 is free of units, C > 0 in m^(1−n). Its MDR transform is g(x) = κ_n C xⁿ (1.12).
+/// n > 0 is dimensionless, C > 0 in m^(1−n). Its MDR transform is g(x) = κ_n C xⁿ (1.12).
 ///
 /// ```
 /// use mdr_analytic::PowerLaw;
@@ -67,7 +67,7 @@ impl<R: Real> PowerLaw<R> {
         &self.kappa
     }
 
-    /// The kind of instability this exponent has: n against 1/2.
+    /// The kind of instability, from the order of n and 1/2.
     ///
     /// # Errors
     /// [`Error::Undecided`] when n is an interval around 1/2.
@@ -98,7 +98,7 @@ impl<R: Real> PowerLaw<R> {
         self.kappa.clone() * &self.coefficient
     }
 
-    /// κ_n C x^power · factor · scale, which may leave the range.
+    /// κ_n C x^power · factor · scale, unchecked.
     #[inline(always)]
     pub(crate) fn monomial(&self, x: &R, power: &R, factor: &R, scale: &R) -> R {
         let grown = x.pow(power);
@@ -106,7 +106,7 @@ impl<R: Real> PowerLaw<R> {
         if ordinary(&grown) {
             return product([&grown, &self.coefficient, &factor, scale]);
         }
-        // Each of the three others leads back by no more than the range.
+        // With a quarter of the power each of the three other factors leads back by at most the whole range.
         let quarter = x.pow(&power.clone().over(4));
         product([&quarter, &quarter, &quarter, &quarter, &self.coefficient, &factor, scale])
     }

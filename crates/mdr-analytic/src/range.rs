@@ -1,11 +1,11 @@
-//! Results that leave the range of their arithmetic become errors, never 0 or ∞ in silence; and intermediate results do
-//! not leave it where the result does not.
+//! Results that leave the range of their arithmetic become errors, never 0 or ∞; and intermediate results do not leave
+//! it if the result does not.
 
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::Real;
 
-/// `value`, which is not zero in exact arithmetic, unless it left the range; then an error with log10 of its magnitude,
-/// from the natural logarithm computed only in that case. An interval that knows nothing is undecided.
+/// `value`, which is nonzero in exact arithmetic, unless it left the range; then an error with log10 of its magnitude,
+/// from the natural logarithm, which is computed only in that case. An unbounded interval is undecided.
 #[inline(always)]
 pub(crate) fn representable<R: Real>(quantity: Quantity, value: R, ln_magnitude: impl FnOnce() -> R) -> Result<R> {
     if value.is_finite() && value != value.lit(0) { Ok(value) } else { Err(beyond(quantity, &ln_magnitude())) }
@@ -20,8 +20,8 @@ fn beyond<R: Real>(quantity: Quantity, ln_magnitude: &R) -> Error {
     Error::Undecided { quantity, bits: ln_magnitude.precision(), what: "its magnitude" }
 }
 
-/// `plus` − `minus`, neither of them negative, where one that is 0 was rounded to it and is negligible beside the other.
-/// Their logarithms are needed where both are 0 or one is beyond the range.
+/// `plus` − `minus`, both nonnegative; one that is 0 has underflowed and is negligible beside the other. Their
+/// logarithms are needed if both are 0 or one is out of range.
 #[inline(always)]
 pub(crate) fn difference<R: Real>(quantity: Quantity, plus: R, minus: R, ln: impl FnOnce() -> [R; 2]) -> Result<R> {
     sum(quantity, plus, -minus, || {
@@ -30,8 +30,8 @@ pub(crate) fn difference<R: Real>(quantity: Quantity, plus: R, minus: R, ln: imp
     })
 }
 
-/// x + y of any signs, where one that is 0 is or was rounded to it and is negligible beside the other. The logarithm of
-/// the magnitude of the sum is needed where both are 0 or one is beyond the range.
+/// x + y of any signs; one that is 0 is exact or has underflowed and is negligible beside the other. The logarithm of
+/// the magnitude of the sum is needed if both are 0 or one is out of range.
 #[inline(always)]
 pub(crate) fn sum<R: Real>(quantity: Quantity, x: R, y: R, ln_magnitude: impl FnOnce() -> R) -> Result<R> {
     let zero = x.lit(0);
@@ -53,7 +53,7 @@ pub(crate) fn ln_difference<R: Real>(p: &R, q: &R) -> R {
     p.greater(q) + (-gap.exp_m1()).ln()
 }
 
-/// Whether a number is rounded relatively to its size, which those below the range are not.
+/// Whether rounding is relative to the magnitude of a number, which it is not for subnormal numbers.
 #[inline(always)]
 pub(crate) fn ordinary<R: Real>(x: &R) -> bool {
     x.approx().is_normal() || beyond_doubles(x)
@@ -64,7 +64,7 @@ fn beyond_doubles<R: Real>(x: &R) -> bool {
     x.is_finite() && x.abs() * x.unit_roundoff() > x.lit(0)
 }
 
-/// The product of some factors. No intermediate result leaves the range where the product itself does not.
+/// The product of some factors. Intermediate results stay in range if the product does.
 #[inline(always)]
 pub(crate) fn product<const N: usize, R: Real>(factors: [&R; N]) -> R {
     let mut plain = factors[0].clone();
@@ -77,7 +77,7 @@ pub(crate) fn product<const N: usize, R: Real>(factors: [&R; N]) -> R {
     plain
 }
 
-/// The same, always with the factor that leads back towards one.
+/// The same; each time the next factor is the one that leads back towards one.
 #[cold]
 pub(crate) fn balanced<R: Real>(mut factors: Vec<&R>) -> R {
     factors.sort_by(|x, y| x.approx().abs().total_cmp(&y.approx().abs()));

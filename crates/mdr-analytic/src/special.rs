@@ -81,7 +81,7 @@ pub fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> Resul
 }
 
 impl<R: Real> Contact<R> {
-    /// Kendall's punch of the radius that this profile tends to for n → ∞: C⁻^{1/n}.
+    /// Kendall's punch with the radius C⁻^{1/n} that this profile approaches for n → ∞.
     ///
     /// # Errors
     /// As [`flat_punch_pull_off`], whose radius may be out of range too.

@@ -1,4 +1,4 @@
-//! n = 1/2, where the problem has no length scale (1.18), (1.19): thresholds of C decide.
+//! n = 1/2, where the problem has no length scale (1.18), (1.19): thresholds of C decide the outcome.
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Regime, Result};
 use mdr_core::number::Real;
@@ -13,8 +13,8 @@ pub fn lemniscate_constant<R: Real>(like: &R) -> R {
     like.pi() / arithmetic_geometric_mean(&like.lit(1), &like.lit(2).sqrt())
 }
 
-/// agm(x, y) of constants, 1 ≤ y/x ≤ 2. The difference of the two means is at most squared over 8 in each step, so ⌈log₂ p⌉ + 1
-/// steps give p bits; the last difference bounds what is left.
+/// agm(x, y) of constants, 1 ≤ y/x ≤ 2. Each step reduces the difference of the two means to at most its square over 8,
+/// so ⌈log₂ p⌉ + 1 steps give p bits; the last difference bounds the remainder.
 fn arithmetic_geometric_mean<R: Real>(x: &R, y: &R) -> R {
     let (mut x, mut y) = (x.clone(), y.clone());
     let steps = u32::BITS - x.precision().leading_zeros() + 1;
@@ -23,16 +23,16 @@ fn arithmetic_geometric_mean<R: Real>(x: &R, y: &R) -> R {
         let geometric = (x * &y).sqrt();
         (x, y) = (geometric, arithmetic);
     }
-    // The slopes of duals are those of constants, zero, and so is that of the rest.
+    // The slopes of duals are zero, as for constants, and so is that of the remainder.
     let rest = y.clone() - &x;
     y.inflate_with_slope(&rest)
 }
 
-/// The coefficient C at n = 1/2 that separates the two fates (1.19), in √m.
+/// The coefficient C at n = 1/2 that separates the two outcomes (1.19), in √m.
 ///
-/// Under controlled indentation (2/ϖ)√(2πw/E*) = 0.7627…√(2πw/E*), under controlled force three times that. On a machine
-/// nothing happens at a fixed C: between the two thresholds there is one fold ([`Contact::machine_folds`]); the value is
-/// that of the stiff limit, the lower one.
+/// Under controlled indentation (2/ϖ)√(2πw/E*) = 0.7627…√(2πw/E*), under controlled force three times that. On a
+/// machine no single C decides: between the two thresholds there is one fold ([`Contact::machine_folds`]); the value
+/// returned is the lower one, that of the stiff limit.
 ///
 /// ```
 /// use mdr_analytic::threshold;
@@ -60,21 +60,21 @@ pub fn threshold<R: Real>(material: &Material<R>, control: &Control<R>) -> Resul
 
 const RATIO: Quantity = Quantity::Parameter("the ratio of C to its threshold");
 
-/// What becomes of a contact with n = 1/2 (1.19).
+/// The outcome of a contact with n = 1/2 (1.19).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fate {
-    /// Above the threshold (case I): the equilibria are stable, and without indentation (or load) the radius shrinks to
-    /// nothing.
+    /// C above the threshold (case I): the equilibria are stable, and the radius shrinks to zero without indentation
+    /// (or load).
     Shrinks,
-    /// Below it (case II): the equilibria are unstable, and the contact grows to cover the whole surface.
+    /// C below the threshold (case II): the equilibria are unstable, and the contact spreads over the whole surface.
     CompleteContact,
-    /// At the threshold: every radius is an equilibrium of d = 0 (or F = 0).
+    /// C at the threshold: every radius is an equilibrium of d = 0 (or F = 0).
     Indifferent,
 }
 
 impl<R: Real> Contact<R> {
-    /// ρ = κ_{1/2}C/√(2πw/E*) at n = 1/2: C over its threshold under controlled indentation, three times C over its
-    /// threshold under controlled force.
+    /// ρ = κ_{1/2}C/√(2πw/E*) at n = 1/2: the ratio of C to its threshold under controlled indentation, three times the
+    /// ratio under controlled force.
     ///
     /// # Errors
     /// [`Error::Domain`] unless n = 1/2; [`Error::OutOfRange`].
@@ -87,7 +87,7 @@ impl<R: Real> Contact<R> {
         })
     }
 
-    /// ρ, or 0 or ∞ where it leaves the range.
+    /// ρ, or 0 or ∞ if it is out of range.
     pub(crate) fn unchecked_ratio(&self) -> R {
         self.profile().strength() / self.edge_root().clone().times(2)
     }
@@ -103,7 +103,7 @@ impl<R: Real> Contact<R> {
         self.tangent_state(a.clone(), &Tension::of(ratio), || a.ln())
     }
 
-    /// What becomes of the contact at n = 1/2 under the given control (1.19). On a machine the answer for small radii is
+    /// The outcome of the contact at n = 1/2 under the given control (1.19). On a machine the result for small radii is
     /// that of fixed grips.
     ///
     /// # Errors

@@ -40,7 +40,7 @@ pub fn universal_force<R: Real>(n: &R, scaled_radius: &R) -> Result<R> {
     size.quotient(&growth, beyond, scaled_radius, [scaled_radius.sqrt(), scaled_radius.clone()])
 }
 
-/// What both have in common: (growth − …) · factors / divisor, which tends to ã^leading / divisor for large ã.
+/// The common factor of both: (growth − …) · factors / divisor, which tends to ã^leading / divisor for large ã.
 struct Size<'a, R> {
     quantity: Quantity,
     divisor: R,
@@ -48,7 +48,7 @@ struct Size<'a, R> {
 }
 
 impl<R: Real> Size<'_, R> {
-    /// `beyond` · `factors` / divisor, where `beyond`, the growth less its value at equilibrium without load, may be 0.
+    /// `beyond` · factors / divisor, where `beyond`, the growth minus its value at zero load or indentation, may be 0.
     fn quotient<const N: usize>(&self, growth: &R, beyond: R, scaled_radius: &R, factors: [R; N]) -> Result<R> {
         if beyond == beyond.lit(0) {
             return Ok(beyond);

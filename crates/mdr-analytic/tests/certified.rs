@@ -164,7 +164,7 @@ fn bad_input_is_named() {
         assert!(matches!(refused, Err(Error::Domain { quantity: Quantity::Digits, .. })));
         assert!(kappa(&literal("0.3"), digits).is_err());
     }
-    // 1/2 + 10⁻⁹⁰⁰⁰⁰ is refused at once, not after hours.
+    // 1/2 + 10⁻⁹⁰⁰⁰⁰ is rejected at once, not after hours.
     let hopeless = format!("0.5{}1", "0".repeat(89_998));
     let refused = question(&hopeless, "1", "1", "1", &control).unwrap().answer(5);
     assert!(matches!(refused, Err(Error::Undecided { .. })));

@@ -46,8 +46,8 @@ fn value(enclosure: Enclosure) -> Interval {
     }
 }
 
-/// Every state that is found is one, with its energy, and none is missed: on a branch between two radii at which the
-/// controlled quantity is on both sides of a value, there is one.
+/// Every state found is an equilibrium, with its energy, and none is missed: a branch between two radii at which the
+/// controlled quantity is on either side of a value contains one.
 #[test]
 fn states_are_those_of_the_closed_forms() -> Result<()> {
     let mut random = StdRng::seed_from_u64(13);
@@ -112,7 +112,7 @@ fn states_beside_a_fold_are_found() -> Result<()> {
     Ok(())
 }
 
-/// No exponent range limits what is found: radii of 10^(10^20) and beyond.
+/// No exponent range limits the search: radii of 10^(10^20) and beyond.
 #[test]
 fn no_scale_is_out_of_reach() -> Result<()> {
     let Case { curve, .. } = case(["0.50000000000000000001", "1e5", "1", "1", "1"], &Control::Indentation)?;

@@ -1,6 +1,6 @@
-//! The `f64` closed forms against MPFR, which computes them here a second time, with its own Γ.
+//! The `f64` closed forms against an independent computation in MPFR, with its own Γ.
 //!
-//! Allowed are the promised 1 ulp; where the error bound of one word is known to be below 2⁻⁵⁶, 0.625 ulp.
+//! The limit is the guaranteed 1 ulp, or 0.625 ulp where the error bound of one word is known to be below 2⁻⁵⁶.
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
@@ -137,7 +137,7 @@ proptest! {
     fn curves(n in 0.02..5.0f64, a in -9.0..3.0f64, e in -3.0..12.0f64, c in -4.0..4.0f64, ratio in 0.5..2.0f64) {
         let (a, e, c) = (10f64.powf(a), 10f64.powf(e), 10f64.powf(c));
         curves_at(n, c, e, 0.05, a);
-        // Near the zero of d(a), and as near to it as doubles can be.
+        // Near the zero of d(a), as close to it as doubles allow.
         let zero = (2.0 / (n * 2.0)).powf(-1.0 / (n - 0.5)) * critical(n, c, e, 0.05, 1).contact_radius.ln.to_f64().exp();
         prop_assume!(zero.is_normal());
         for a in [zero * ratio, zero, zero * (1.0 + f64::EPSILON)] {

@@ -1,4 +1,4 @@
-//! What the `f64` closed forms promise beyond accuracy: exact zeros, scaling, domains, folds. Runs without GMP.
+//! Guarantees of the `f64` closed forms beyond accuracy: exact zeros, scaling, domains, folds. Runs without GMP.
 #![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
 use mdr_analytic::{Critical, Kappa, double};
@@ -102,8 +102,8 @@ fn folds_of_a_machine() {
     assert!((value(fold.contact_radius) / (3.5 * (rho - 1.0) / (3.0 - rho)) - 1.0).abs() < 8.0 * f64::EPSILON);
 }
 
-/// A cone whose fold comes close to d = 0 (s = 1, a = 4a_c): d is a small difference, ln s is nearly 0, and no word length
-/// makes the terms of the condition for the fold anything but uncertain at its root.
+/// A cone whose fold comes close to d = 0 (s = 1, a = 4a_c): d is a small difference, ln s is nearly 0, and at any word
+/// length the terms of the condition for the fold are uncertain at its root.
 #[test]
 fn folds_where_everything_cancels_are_decided() {
     let (c, e, w) = (2.080_928_347_144_029_7e-25, 5.592_452_198_508_288e24, 4.818_464_280_684_792e-23);
@@ -127,8 +127,8 @@ fn folds_where_everything_cancels_are_decided() {
 }
 
 proptest! {
-    /// With lengths in units of 2^−p and moduli of 2^q every result scales by a power of two. Each of the two is within one ulp
-    /// of the same truth; not bit for bit the same, since results are not all correctly rounded.
+    /// With lengths in units of 2^−p and moduli of 2^q every result scales by a power of two. Each of the two is within
+    /// one ulp of the same true value; not bit for bit equal, since results are not all correctly rounded.
     #[test]
     fn powers_of_two_only_move_the_exponent(n in 1..7i32, c in 0.5..2.0f64, w in 0.5..2.0f64, p in -60..60i32, q in -60..60i32) {
         let two = |power: i32| 2f64.powi(power);

@@ -198,7 +198,7 @@ fn far_away_a_capped_cone_is_a_cone() {
     assert!((capped.g(&x).unwrap() / cone.g(&x).unwrap() - 1.0).abs() < 1e-6);
 }
 
-/// A flank so flat that the joint is close to the axis: what is left of a product of differences has no cancellation.
+/// A flank so flat that the joint is close to the axis: a product of differences must not cancel.
 #[test]
 fn the_integral_of_a_flat_cone_with_a_spherical_cap() {
     for slope in ["0.5", "1e-3", "7.5e-8", "1e-30", "1e-100"] {
@@ -215,8 +215,8 @@ fn the_integral_of_a_flat_cone_with_a_spherical_cap() {
     }
 }
 
-/// Where terms leave the range of doubles, the log₁₀ of their sum is that of 200 bits to a few roundings, and a term that
-/// is outweighed does not matter.
+/// If terms leave the range of doubles, the log₁₀ of their sum is that of 200 bits to a few roundings, and a term that
+/// is outweighed is negligible.
 #[test]
 fn sums_beyond_the_range_tell_their_logarithm() {
     fn sum<R: Struve>(x: R) -> Result<(Sum<R>, R)> {
@@ -265,7 +265,7 @@ fn in_units(unit: f64) -> Result<Vec<Named<f64>>> {
     ])
 }
 
-/// g, its mean and what it is above that are lengths, in range where the square of a length is not.
+/// g, its mean and their difference are lengths, in range where the square of a length is not.
 #[test]
 fn means_are_in_range_where_g_is() {
     for unit in [-1000, -550, 530, 1000].map(|k| 2f64.powi(k)) {
@@ -329,7 +329,7 @@ fn integrals_lose_at_most_a_digit_more_than_they_must() {
     }
 }
 
-/// A refusal names what the user gave, in few digits.
+/// An error contains the parameter as the user gave it, in few digits.
 #[test]
 fn refusals_name_what_was_given() {
     let refused = |profile: Result<Box<dyn Transform<f64>>>, named: &str| {
@@ -354,7 +354,7 @@ fn refusals_name_what_was_given() {
     assert!(none.g(&f64::NAN).is_err() && none.g(&-1.0).is_err() && none.g(&1.0) == Ok(0.0));
 }
 
-/// Close to the radius R where g is infinite, g = x·½ ln((R + x)/(R − x)) keeps its digits, for any R, and the least slope
+/// Close to the radius R where g diverges, g = x·½ ln((R + x)/(R − x)) is accurate, for any R, and the least slope
 /// beyond a margin is that at the margin.
 #[test]
 fn a_sphere_close_to_its_equator() {

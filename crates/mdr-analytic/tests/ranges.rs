@@ -10,9 +10,9 @@ use mdr_core::contact::{Control, Equilibrium, Error, Material, Ranged, Result, T
 
 use self::common::contact;
 
-/// Against the double nearest to the true value, or its log10. A formula is a few dozen roundings; the
-/// exponent 2/|2n−1| ≤ 5 of a length scale is rounded to half an ε of itself, which a magnitude of |ln x| ≤ 710 turns into
-/// 1775 ε, and a force or an energy squares that.
+/// Against the double nearest to the true value, or its log10. A formula is a few dozen roundings; the exponent
+/// 2/|2n−1| ≤ 5 of a length scale is rounded to half an ε of itself, which a magnitude of |ln x| ≤ 710 turns into 1775
+/// ε, and a force or an energy squares that.
 fn assert_same(what: &str, found: Result<f64>, expected: Ranged<f64>) {
     let (found, expected) = match (found, expected) {
         (Ok(found), Ranged::Value(expected)) => (found, expected),
@@ -122,7 +122,8 @@ fn what_is_no_number_is_refused() {
     assert_eq!(contact.critical(&Control::Force).unwrap().force.signum(), -1.0);
 }
 
-/// The equilibria at half of the held quantity at the fold, at 10^-60 of it, and at as much on the other side of zero.
+/// The equilibria at half of the controlled value of the fold, at 10^-60 of it, and at the same on the other side of
+/// zero.
 #[test]
 fn every_equilibrium_is_a_number_or_said() {
     for e in SCALES {
@@ -138,7 +139,7 @@ fn every_equilibrium_is_a_number_or_said() {
     }
 }
 
-/// Normal numbers. Of numbers below the range d(a) and F(a) in f64 do not tell the radius.
+/// Normal numbers. If d(a) and F(a) underflow in f64 they do not determine the radius.
 fn held_values(n: f64, c: f64, material: &Material<f64>, control: &Control<f64>) -> Vec<f64> {
     if n == 0.5 {
         return SCALES.into_iter().flat_map(|x| [x, -x]).collect();
@@ -164,7 +165,7 @@ fn check_equilibria(contact: &Contact<f64>, control: &Control<f64>, value: f64) 
             assert_eq!(found.as_slice().len(), expected.as_slice().len(), "{what}");
             for (found, expected) in found.as_slice().iter().zip(expected.as_slice()) {
                 assert_eq!(found.stability, expected.stability, "{what}");
-                // What follows from a radius below the range has no more digits than that.
+                // Results from a subnormal radius have no more digits than the radius.
                 let known = if found.contact_radius.is_normal() { 3 } else { 1 };
                 let found = [found.contact_radius, found.indentation, found.force];
                 for (found, expected) in found.into_iter().zip(numbers(expected)).take(known) {

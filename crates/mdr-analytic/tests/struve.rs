@@ -111,7 +111,8 @@ fn enclosures_contain_the_references_and_are_tight() {
             for (value, reference) in [(z.struve_h0(), h0), (z.struve_h1(), h1)] {
                 let reference = number(230, reference);
                 assert!(value.contains(&reference), "z = {z:?} at {bits} bits: {value:?} against {reference}");
-                // A 50-digit argument is off by z·2^−bits; slopes are below 2/π. Then a few roundings of numbers below 2.
+                // A 50-digit argument has an error of z·2^−bits; slopes are below 2/π. Then a few roundings of numbers
+                // below 2.
                 let size = z.mid().to_f64().max(1.0);
                 assert!(value.radius().to_f64() <= (size + 8.0) * 2f64.powi(1 - bits as i32), "z = {z:?}: {value:?}");
             }
@@ -134,8 +135,8 @@ fn doubles_are_good_to_a_few_units_of_their_scale() {
     }
 }
 
-/// Two algorithms meet at z = 0.7 p + 10, and more bits take the other one: enclosures of all precisions overlap, are tight,
-/// and are the same one by one and together.
+/// Two algorithms meet at z = 0.7 p + 10, and more bits select the other one: enclosures of all precisions overlap, are
+/// tight, and are equal whether computed one by one or together.
 #[test]
 fn precisions_and_algorithms_agree() {
     let mut state = 1u64;
@@ -158,7 +159,7 @@ fn precisions_and_algorithms_agree() {
         assert!(pair[0].lower() == coarse.struve_h0().lower() && pair[1].upper() == coarse.struve_h1().upper());
         for (order, (value, truth)) in pair.iter().zip(&truth).enumerate() {
             assert!(value.overlaps(truth), "H{order}({z}) at {bits} bits: {value} {truth}");
-            // Of the size of H itself near 0, of one elsewhere.
+            // Of the magnitude of H itself near 0, of one elsewhere.
             let size = z.min(1.0).powi(order as i32 + 1);
             assert!(
                 value.radius().to_f64() <= size * 2f64.powi(2 - bits as i32),
@@ -192,7 +193,7 @@ fn derivatives_agree_with_differences() {
             let above = f(&Float::with_val(200, &z + &step));
             (above - f(&Float::with_val(200, &z - &step))) / Float::with_val(200, &step * 2u32)
         };
-        // Third derivatives are below one: the central difference is off by at most 2⁻¹²⁰.
+        // Third derivatives are below one: the error of the central difference is at most 2⁻¹²⁰.
         let bound = 2f64.powi(-118);
         assert!((difference(Float::struve_h0) - dual.struve_h0().slope).to_f64().abs() < bound);
         assert!((difference(Float::struve_h1) - dual.struve_h1().slope).to_f64().abs() < bound);

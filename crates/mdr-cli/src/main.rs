@@ -9,7 +9,7 @@ mod figures;
 mod flags;
 mod judge;
 mod output;
-mod picture;
+mod plot;
 mod reference;
 mod report;
 mod solve;

@@ -84,7 +84,7 @@ impl Reference {
 }
 
 fn generate(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<bool> {
-    let files = match mdr_crosscheck::records::generate() {
+    let files = match mdr_records::generate() {
         Ok(files) => files,
         Err(error) => {
             out.text(error)?;

@@ -1,5 +1,5 @@
-//! The two quadratures on the integral of a power profile, κ_n/n = ∫₀¹ s^(n−1)/√(1−s²) ds at n = 1/4: the rule alone, the
-//! value with its error estimate, and what it costs to compute a rule that is not in the store yet.
+//! The two quadratures on the integral of a power profile, κ_n/n = ∫₀¹ s^(n−1)/√(1−s²) ds at n = 1/4: the rule alone,
+//! the value with its error estimate, and the computation of a rule that is not in the cache.
 #![allow(missing_docs, clippy::unwrap_used, reason = "macros of criterion; a benchmark fails by panicking")]
 
 use std::hint::black_box;
@@ -11,7 +11,7 @@ use mdr_core::calculus::{gauss_jacobi, roundoff_tolerance};
 use mdr_core::number::{Precision, Real};
 use rug::Float;
 
-/// Nodes for all digits: 0.653 a digit and a few.
+/// Nodes for full accuracy: 0.653 per digit and a few more.
 fn nodes(digits: u32) -> usize {
     (digits as usize * 2).div_ceil(3)
 }
@@ -43,7 +43,7 @@ fn compare<R: Real>(criterion: &mut Criterion, digits: u32, one: &R) {
     let mut k = 0;
     group.bench_function(BenchmarkId::new("gauss-jacobi set-up", digits), |b| {
         b.iter(|| {
-            k += 1; // a new exponent each time, or the store would answer
+            k += 1; // a new exponent each time, or the cached rule would be used
             gauss_jacobi::rule(nodes(digits), &alpha, &one.ratio(k, 1_000_003))
         });
     });

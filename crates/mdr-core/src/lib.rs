@@ -1,27 +1,41 @@
-//! Numbers, calculus and the field's vocabulary for adhesive contact mechanics. No physics is computed here.
-//!
-//! * [`number`]: the trait [`Real`](number::Real) in which every formula of the workspace is written once, and the
-//!   arithmetics it runs in: `f64`, arbitrary precision (`rug::Float`), rigorous enclosures (`Interval`) and
-//!   derivatives ([`Dual`](number::Dual)).
-//! * [`calculus`]: quadrature and root finding over any `Real`, each with an error estimate and a count of evaluations.
-//! * [`contact`]: material, profile, control, equilibrium, stability, instability, and the one error type.
-//!
-//! A formula is a generic function. It takes its constants from the values it is given, so it keeps their precision:
+//! Numbers, calculus and the vocabulary of adhesive contact mechanics: the base of all other crates of the workspace.
+//! No formula of the theory is here. The trait [`Real`](number::Real) is what makes one formula serve every arithmetic:
+//! a generic function takes its constants from its arguments and so keeps their precision.
 //!
 //! ```
-//! use mdr_core::number::Real;
+//! use mdr_core::number::{Dual, Real};
 //!
 //! /// Δl(a) = √(2πaw/E*), the rule of Heß (1.4).
 //! fn detachment_elongation<R: Real>(a: &R, w_over_e: &R) -> R {
 //!     (a.pi() * a * w_over_e).times(2).sqrt()
 //! }
-//! let l = detachment_elongation(&1.0, &1e-4);
-//! assert!((l - 0.025066282746310005).abs() < 1e-17);
+//! let elongation = detachment_elongation(&1.0, &1e-4);
+//! assert!((elongation - 0.025066282746310005).abs() < 1e-17);
+//! // The same function with derivatives: dΔl/da = Δl/2a.
+//! let dual = detachment_elongation(&Dual::variable(1.0), &Dual::constant(1e-4));
+//! assert!((dual.slope - elongation / 2.0).abs() < 1e-17);
 //! ```
 //!
+//! | task | module |
+//! |---|---|
+//! | compute in `f64`, arbitrary precision, enclosures, derivatives | [`number`]: [`Real`](number::Real), [`Dual`](number::Dual), [`Wide`](number::Wide), `Interval` |
+//! | read exact decimals and fractions | [`number`]: [`Literal`](number::Literal), [`Exact`](number::Exact) |
+//! | prove decimal digits | `number::certify` |
+//! | integrate | [`calculus::quadrature`], [`calculus::gauss_jacobi`] |
+//! | find zeros: one, all on a range, with proof | [`calculus::roots`], [`calculus::isolate`], `calculus::verify` |
+//! | name materials, profiles, controls, states | [`contact`]: [`Material`](contact::Material), [`Shape`](contact::Shape), [`Control`](contact::Control), [`Equilibrium`](contact::Equilibrium) |
+//! | define a profile by a formula | [`contact::Expression`] |
+//! | provide a transform g(x) | [`contact::Transform`] |
+//!
 //! # Features
-//! `mp` (default): `rug::Float` and the interval arithmetic on it, which build GMP and MPFR. Without it the crate is
-//! pure Rust and offers `f64` and its duals.
+//! `mp` (default): `rug::Float`, `Interval`, `certify` and `verify`, which build GMP and MPFR. Without it the crate is
+//! pure Rust and offers `f64`, [`Wide`](number::Wide) and their duals.
+//!
+//! # Accuracy and errors
+//! Elementary functions of `f64` are within 1 ulp, of `rug::Float` correctly rounded; an `Interval` contains the exact
+//! result. Quadrature and root finding return an error estimate and the number of evaluations. Arithmetic is total, as
+//! in IEEE 754; functions that check their input return [`contact::Error`] with the quantity, its value and the
+//! requirement.
 
 #![forbid(unsafe_code)]
 

@@ -1,11 +1,11 @@
-//! Gauss–Jacobi rules: exactness, from one node to a thousand digits, and the price of a digit.
+//! Gauss–Jacobi rules: exactness, from one node to a thousand digits, and the number of nodes per digit.
 
 use mdr_core::calculus::gauss_jacobi::{integrate, rule};
 use mdr_core::calculus::roundoff_tolerance;
 use mdr_core::contact::{Error, Quantity};
 use mdr_core::number::{Dual, Real};
 
-/// Exponents that occur, and the ends of what can: β = n/2 − 1 → −1 for the bluntest profiles, large for the steepest.
+/// Exponents in use, and extreme ones: β = n/2 − 1 → −1 for the bluntest profiles, large for the steepest.
 const EXPONENTS: [f64; 8] = [-1.0 + 1e-12, -0.999, -0.5, 0.0, 0.3, 1.0, 5.0, 60.0];
 
 /// ∫ t^k t^β(1−t)^α dt / ∫ t^(k−1) t^β(1−t)^α dt.
@@ -14,7 +14,7 @@ fn moment_ratio<R: Real>(k: i64, alpha: &R, beta: &R) -> R {
     (alpha.lit(k - 1) + &b) / (alpha.lit(k - 1) + (a + b))
 }
 
-/// The moments of degree 0 … 2n−1 come out within `(k + n)·4` unit roundoffs: t^k magnifies the error of a node, a few
+/// The moments of degree 0 … 2n−1 are accurate to `(k + n)·4` unit roundoffs: t^k magnifies the error of a node, a few
 /// units, k-fold; n positive terms are summed; the reference is a product of k quotients.
 fn assert_exact<R: Real>(n: usize, alpha: &R, beta: &R) {
     let rule = rule(n, alpha, beta).expect("a rule");
@@ -40,7 +40,7 @@ fn exact_to_degree_2n_minus_1() {
     }
 }
 
-/// A Gauss rule has this error at degree 2n, in the monic norm: without it the test above might hold for any rule.
+/// A Gauss rule has this error at degree 2n, in the monic norm; a rule of higher degree would pass the test above.
 #[test]
 fn not_exact_at_degree_2n() {
     for n in [1usize, 2, 5] {
@@ -150,8 +150,8 @@ mod arbitrary_precision {
         }
     }
 
-    /// κ_n = n∫₀¹ s^(n−1)/√(1−s²) ds: with the weight s^(n−1)(1−s)^(−1/2) the rest is 1/√(1+s), whose nearest singularity
-    /// s = −1 gives log₁₀(3+√8) = 0.766 digits for each of 2N degrees: 0.653 nodes a digit.
+    /// κ_n = n∫₀¹ s^(n−1)/√(1−s²) ds: with the weight s^(n−1)(1−s)^(−1/2) the remaining factor is 1/√(1+s), whose
+    /// nearest singularity s = −1 gives log₁₀(3+√8) = 0.766 digits for each of 2N degrees: 0.653 nodes per digit.
     fn kappa_over_n(n: &Float, nodes: usize) -> Float {
         let rule = rule(nodes, &n.ratio(-1, 2), &(n.clone() - 1u32)).expect("a rule");
         rule.integrate(|s| Ok((s.clone() + 1u32).sqrt().recip())).expect("a number")

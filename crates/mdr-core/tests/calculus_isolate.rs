@@ -1,4 +1,4 @@
-//! All sign changes on a range: planted zeros, close pairs, double zeros, the ends of the exponent range, proofs.
+//! All sign changes on a range: given zeros, close pairs, double zeros, the ends of the exponent range, proofs.
 
 use mdr_core::calculus::isolate::{Behaviour, Isolation, isolate, isolate_with_proof};
 use mdr_core::calculus::roots::{bisect, bracket_geometric, refine};
@@ -29,7 +29,7 @@ fn roots_at_both_ends_of_the_range() {
 
 #[test]
 fn many_close_roots() {
-    // A cluster of twelve, one part in 10⁴ apart, seen from a range of twelve decades.
+    // A cluster of twelve, one part in 10⁴ apart, on a range of twelve decades.
     let roots: Vec<f64> = (0..12).map(|k| 1.0 + 1e-4 * f64::from(k)).collect();
     let found = isolate(&1e-6, &1e6, 100_000, |&x| product(&roots, x)).unwrap();
     assert_found(&found, &roots);
@@ -37,7 +37,7 @@ fn many_close_roots() {
 
 #[test]
 fn a_pair_at_the_square_root_of_rounding() {
-    // √u = 1.05·10⁻⁸ is the narrowest cell: a pair ten times wider apart is seen.
+    // √u = 1.05·10⁻⁸ is the narrowest cell: a pair ten times wider apart is resolved.
     let roots = [0.7, 0.7 * (1.0 + 1e-7)];
     assert_found(&isolate(&1e-3, &1e3, 10_000, |&x| product(&roots, x)).unwrap(), &roots);
 }
@@ -82,7 +82,7 @@ fn a_theorem_makes_it_complete() {
     let found = isolate_with_proof(&1e-9, &1e9, 1000, f, nonzero_at_the_vertex).unwrap();
     assert_found(&found, &[1.0, 2.0]);
     assert!(found.is_complete());
-    // Without the help at the vertex one cell stays open, and the result says so.
+    // Without the bound at the vertex one cell stays undecided, which the result reports.
     let open = isolate_with_proof(&1e-9, &1e9, 1000, f, parabola).unwrap();
     assert_found(&open, &[1.0, 2.0]);
     assert!(!open.is_complete() && open.undecided.len() == 1);
@@ -126,7 +126,7 @@ proptest! {
     }
 }
 
-/// With one generic function, intervals prove what samples only suggest.
+/// With one generic function, intervals prove what samples make likely.
 #[cfg(feature = "mp")]
 mod proved_by_intervals {
     use super::*;

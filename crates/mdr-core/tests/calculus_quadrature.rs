@@ -1,4 +1,4 @@
-//! Quadrature against closed forms: the value must lie within the error it claims, and the claim must be small.
+//! Quadrature against closed forms: the error estimate covers the error and is small.
 //!
 //! Most integrals are those of D. H. Bailey, K. Jeyabalan, X. S. Li, "A comparison of three high-precision quadrature
 //! schemes", Experimental Mathematics 14 (2005) 317, with their singular ends.
@@ -73,16 +73,16 @@ fn integrals<R: Special>(one: &R) -> Vec<Integral<R>> {
     ]
 }
 
-/// |value − truth| ≤ the claim, plus what the claim cannot know: rounding of x and inside f. The integrands are at most
-/// ten rounded operations; the power t²⁰ and the cosine of 100t magnify the rounding of t twenty- and hundredfold, and in
-/// t^(−19/20) the rounding of ln t is magnified by ln of the smallest t, 700 in `f64` and 20·bits otherwise, of which the
-/// integral keeps the mean, ∫|ln t|t^(−19/20)/20 = 20.
+/// |value − truth| ≤ the estimate, plus what it cannot include: rounding of x and inside f. The integrands are at most
+/// ten rounded operations; the power t²⁰ and the cosine of 100t magnify the rounding of t twenty- and hundredfold, and
+/// in t^(−19/20) the rounding of ln t is magnified by ln of the smallest t, 700 in `f64` and 20·bits otherwise; its
+/// mean in the integral is ∫|ln t|t^(−19/20)/20 = 20.
 fn assert_claim<R: Real>(name: &str, estimate: &Estimate<R>, truth: &R, scale: &R) {
     let inside = truth.unit_roundoff().times(120) * scale;
     let error = (estimate.value.clone() - truth).abs();
     let claim = estimate.error.clone() + &inside;
     assert!(error <= claim, "{name}: error {:e}, claimed {:e}", error.approx(), estimate.error.approx());
-    // A claim that is far too large is as useless as one that is too small.
+    // An estimate that is far too large is as useless as one that is too small.
     assert!(estimate.error <= roundoff_tolerance(truth) * scale, "{name}: claimed {:e}", estimate.error.approx());
 }
 
@@ -101,8 +101,8 @@ fn closed_forms_in_f64() {
     closed_forms(&1.0);
 }
 
-/// Kahaner's spikes: sech²10(x−1/5) + sech⁴100(x−2/5) + sech⁶1000(x−3/5). A rule that overlooks the narrowest, of width
-/// 10⁻³, is off by 1 in 10³. With a loose tolerance any rule is content before it could see it.
+/// Kahaner's spikes: sech²10(x−1/5) + sech⁴100(x−2/5) + sech⁶1000(x−3/5). A rule that misses the narrowest, of width
+/// 10⁻³, has an error of 1 in 10³. With a loose tolerance every rule stops before it could detect it.
 #[test]
 fn spikes_are_integrated_or_refused() {
     let sech = |x: f64| x.cosh().recip();
@@ -128,8 +128,8 @@ fn spikes_are_integrated_or_refused() {
     }
 }
 
-/// |x − c| with the kink inside converges like h², with chance successes: a claim must survive them. (A kink outside
-/// the nodes of all rules, within 1/40 of an end, nobody can see.)
+/// |x − c| with the kink inside converges like h², by chance faster: the estimate must cover that. (A kink outside the
+/// nodes of all rules, within 1/40 of an end, is undetectable.)
 #[test]
 fn kinks_inside_do_not_fool_the_estimate() {
     for k in 10..190 {
@@ -154,15 +154,15 @@ fn divergent_integrals_do_not_converge() {
     assert!(matches!(divergent, Err(Error::NoConvergence { quantity: Quantity::Integral, .. })), "{divergent:?}");
     // This integrand overflows first.
     assert!(tanh_sinh(&0.0, &1.0, &1e-3, |x: &f64| Ok(x.powf(-1.5))).is_err());
-    // ∫ t^(−0.99) = 100 exists, but 10⁻³ of it lies below the smallest double: the error says so.
+    // ∫ t^(−0.99) = 100 exists, but 10⁻³ of it lies below the smallest double, which the error includes.
     let Err(Error::NoConvergence { error, .. }) = tanh_sinh(&0.0, &1.0, &1e-6, |x: &f64| Ok(x.powf(-0.99))) else {
         panic!("converged")
     };
     assert!(0.5e-3 < error && error < 5e-3, "{error:e}");
 }
 
-/// eˣ known to a relative noise only: the refinement ends there, with an error that covers it and is not much larger, and at
-/// a small part of the price of all levels. Below the limit nothing is accepted.
+/// eˣ with a relative noise: the refinement ends at the noise, with an error that covers it and is not much larger, at
+/// a fraction of the cost of all levels. Below the limit nothing is accepted.
 #[test]
 fn noise_of_the_integrand_ends_the_refinement() {
     // Some fixed number in (−1, 1) for each x.
@@ -193,8 +193,8 @@ fn noise_of_the_integrand_ends_the_refinement() {
     assert!(saved > 100, "{saved}");
 }
 
-/// With √t a Gauss rule of twice the nodes leaves an eighth of the error: the changes are no noise, and at the finest rule the
-/// goal is far away. It counts if the limit allows.
+/// With √t a Gauss rule of twice the nodes leaves an eighth of the error, so the changes are not noise, and the finest
+/// rule misses the goal by far. It is accepted if the limit allows.
 #[test]
 fn the_finest_rule_counts_below_the_limit() {
     let with = |limit: f64| {
@@ -206,7 +206,7 @@ fn the_finest_rule_counts_below_the_limit() {
     assert!(matches!(with(error / 2.0), Err(Error::NoConvergence { .. })), "{error:e}");
 }
 
-/// Where noise is no excuse before the finest rule, that is reached, and its value taken below the limit alone.
+/// If noise is not accepted before the finest rule, that rule is reached, and its value accepted only below the limit.
 #[test]
 fn the_finest_rule_alone_may_miss_the_goal() {
     // eˣ to a noise of about 1e-9.
@@ -233,8 +233,8 @@ fn errors_of_the_integrand_come_through() {
     assert!(matches!(tanh_sinh(&0.0, &1.0, &1e-9, hole), Err(Error::Domain { quantity: Quantity::Integrand, .. })));
 }
 
-/// (1/5 − x)₊⁸ and its mirror image are smooth and exactly zero over the middle: neither the walk outwards nor the first
-/// rules, which see nothing else, may stop there.
+/// (1/5 − x)₊⁸ and its mirror image are smooth and exactly zero in the middle: neither the sum outwards nor the first
+/// rules, which have no other samples, may stop there.
 #[test]
 fn a_zero_in_the_middle_is_no_end() {
     for mirrored in [false, true] {
@@ -244,7 +244,7 @@ fn a_zero_in_the_middle_is_no_end() {
             tanh_sinh(&0.0, &1.0, &1e-7, |&x| Ok(f(x))).unwrap(),
             gauss_jacobi::integrate(&0.0, &0.0, &1e-7, |&x| Ok(f(x))).unwrap(),
         ] {
-            // Seven derivatives only: of the tolerance two digits are the price of that.
+            // Only seven derivatives exist, which costs two digits of the tolerance.
             assert!((estimate.value - truth).abs() <= 1e-5 * truth, "{estimate:?}");
         }
     }
@@ -296,7 +296,8 @@ fn closed_forms_at_50_and_200_digits() {
     }
 }
 
-/// In interval arithmetic the sum is enclosed and the claim covers the rest: together they reach the truth.
+/// In interval arithmetic the sum is an enclosure and the estimate covers the remainder: together they contain the
+/// truth.
 #[cfg(feature = "mp")]
 #[test]
 fn intervals() {

@@ -39,7 +39,7 @@ fn no_sign_change_is_told_after_the_whole_range() {
 fn refines_to_adjacent_numbers() {
     let bracket = Bracket::new(&1.0, &3.0, kepler).unwrap().unwrap();
     for root in [bisect(bracket.clone(), &0.0, kepler).unwrap(), refine(bracket, &0.0, kepler).unwrap()] {
-        // Near the root x − sin x is rounded to 2⁻⁵³ with slope 1.36: the sign may turn one ulp (2⁻⁵²) from the root.
+        // Near the root x − sin x is rounded to 2⁻⁵³ with slope 1.36: the sign may change one ulp (2⁻⁵²) from the root.
         assert!((root.value - KEPLER).abs() <= 2.0 * f64::EPSILON, "{root:?}");
         assert!(root.upper - root.lower <= 2.0 * f64::EPSILON * root.value, "{root:?}");
     }
@@ -71,7 +71,7 @@ fn errors_name_what_is_wrong() {
     assert!(matches!(bracket_geometric(&1.0, |_| Ok(f64::NAN)), Err(Error::Domain { .. })));
 }
 
-/// Zeros of high order are slow for interpolation; the pace keeper turns to halving.
+/// Zeros of high order are slow for interpolation; the refinement then switches to halving.
 #[test]
 fn flat_zeros_end_in_bounded_time() {
     for order in [3, 9, 21] {
@@ -157,10 +157,10 @@ mod arbitrary_precision {
         // An exact zero is a point.
         let exact = verify(&Float::with_val(120, 1.01), |x| Ok(x.clone() - x.lit(1)), |x| Ok(x.lit(1))).unwrap();
         assert!(exact.unwrap().is_point());
-        // A slope of one sign, but the only zero beyond reach: the image must not be taken for a proof.
+        // A slope of one sign, but a zero too far away: the image must not pass as a proof.
         let far = verify(&Float::with_val(120, 30), |x| Ok(x.exp() - x.lit(3)), |x| Ok(x.exp())).unwrap();
         assert_eq!(far, None);
-        // A double zero, no zero at all, and a candidate beyond reach.
+        // A double zero, no zero at all, and a candidate too far away.
         let double = |x: &Interval| Ok((x.clone() - x.lit(1)).square());
         let slope = |x: &Interval| Ok((x.clone() - x.lit(1)).times(2));
         assert_eq!(verify(&Float::with_val(120, 1.000_01), double, slope).unwrap(), None);

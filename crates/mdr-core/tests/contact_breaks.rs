@@ -1,4 +1,4 @@
-//! Kinks and ends of formulas, against those that were put in.
+//! Kinks and ends of formulas, against the known ones.
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -100,7 +100,7 @@ fn what_is_no_profile_is_refused() {
     }
 }
 
-/// Of kinks without end the first are known, and how far they are.
+/// Of infinitely many kinks the first are found, with the radius up to which they are known.
 #[test]
 fn kinks_without_end() {
     let found = profile("abs(sin(pi*r)) + r^2", &[]);
@@ -125,7 +125,7 @@ fn kinks_have_the_digits_of_the_arithmetic() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Products of linear and quadratic factors with roots that were drawn, in every function that has kinks.
+    /// Products of linear and quadratic factors with random roots, in every function that has kinks.
     #[test]
     fn random_products(roots in prop::collection::btree_set(1u32..2000, 1..6), double in 1u32..2000, shape in 0..4) {
         prop_assume!(!roots.contains(&double));

@@ -1,4 +1,4 @@
-//! The laws of algebra that each arithmetic keeps, and the weaker ones that intervals keep instead.
+//! The laws of algebra that each arithmetic satisfies, and the weaker ones for intervals.
 
 #![cfg(feature = "mp")]
 

@@ -1,4 +1,4 @@
-//! Certified decimals: correctly rounded, decided where they can be, and never looping where they cannot.
+//! Certified decimals: correctly rounded, decided where they can be, and always ending where they cannot.
 
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests do")]
@@ -22,7 +22,7 @@ fn around(middle: &str, radius: f64, digits: u32) -> Option<String> {
     Enclosure::from(middle.inflate(&bound)).round(digits).map(|decimal| decimal.to_string())
 }
 
-/// A correctly rounded decimal in the form of `Float::to_sign_string_exp_round`, whose point stands before the digits.
+/// A correctly rounded decimal in the form of `Float::to_sign_string_exp_round`, with the point before the digits.
 fn parts(decimal: &Decimal) -> (bool, String, Option<i32>) {
     let exponent = decimal.exponent().to_i32().map(|exponent| exponent + 1);
     (decimal.is_negative(), decimal.digits().to_owned(), exponent)
@@ -38,7 +38,7 @@ fn ties_go_to_the_even_digit() {
     assert_eq!(exact(99_995, 10_000, 4), "10.00");
     assert_eq!(exact(99_985, 10_000, 4), "9.998");
     assert_eq!(exact(99_994, 10_000, 4), "9.999");
-    // An enclosure that is a point decides a tie too, once its precision holds the scaled number.
+    // An enclosure that is a point decides a tie too, once its precision represents the scaled number.
     for (value, digits, shown) in [(2.5, 1, "2"), (3.5, 1, "4"), (-0.375, 2, "-0.38"), (9.5, 1, "1e+1")] {
         let point = Interval::from_f64(Precision::new(64), value);
         assert_eq!(Enclosure::from(point).round(digits).unwrap().to_string(), shown);
@@ -54,7 +54,7 @@ fn exact_zero() {
     assert_eq!(Enclosure::from(Interval::point(Float::new(53))).round(30), Some(zero));
 }
 
-/// Plain for decimal exponents from −6 to the number of digits less one: a zero is never shown for a digit that is not known.
+/// Plain for decimal exponents from −6 to the number of digits minus one: no zero represents an unknown digit.
 #[test]
 fn display() {
     for (numerator, denominator, digits, shown) in [
@@ -117,7 +117,7 @@ proptest! {
         prop_assert_eq!(Enclosure::Exact(x.to_rational().unwrap()).round(digits).map(|d| parts(&d)), Some(expected));
     }
 
-    /// An interval is decided exactly when its ends agree, and then to what they agree on.
+    /// An interval is decided exactly when its ends agree, and then to the decimal they agree on.
     #[test]
     fn an_interval_rounds_as_its_ends(
         words in any::<[u64; 4]>(),
@@ -166,7 +166,7 @@ fn logarithms_of_any_size() {
             })
             .unwrap();
             assert!(decimal.is_negative());
-            assert_eq!((decimal.digits(), decimal.exponent()), ("250000000000", &decades));
+            assert_eq!((decimal.digits(), decimal.exponent()), ("250000000000", decades));
             assert!(f64::from(largest) > f64::from(zeros) * 3.32 + 36.0, "{largest} bits cannot decide it");
         }
     }
@@ -203,7 +203,7 @@ fn many_digits() {
     assert_eq!(parts(&pi(10_000)), long.to_sign_string_exp(10, Some(10_000)));
 }
 
-/// The precision rises until a cancellation of 10³ bits is paid for; quantities decided early keep their value.
+/// The precision increases until a cancellation of 10³ bits is covered; quantities decided early keep their value.
 #[test]
 fn precision_rises() {
     let mut attempts = 0;
@@ -242,7 +242,7 @@ fn gives_up_at_a_cap() {
     assert!(matches!(unbounded, Err(Error::Undecided { quantity: Quantity::Force, .. })));
 }
 
-/// A comparison that failed within `f` is a reason for more bits; a wrong input is not.
+/// An undecided comparison within `f` leads to more bits; a wrong input does not.
 #[test]
 fn errors_of_the_computation() {
     let mut attempts = 0;

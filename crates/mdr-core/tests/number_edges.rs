@@ -1,4 +1,4 @@
-//! The edges of interval arithmetic: domains, infinities, huge arguments, and the traps that rigorous code falls into.
+//! The edges of interval arithmetic: domains, infinities, huge arguments, and known pitfalls of rigorous code.
 
 #![cfg(feature = "mp")]
 
@@ -115,7 +115,7 @@ fn not_an_interval_is_the_entire_line() {
     assert!(entire().mid().is_nan() && entire().steer().is_entire() && entire().to_i64().is_none());
 }
 
-/// Overflow and underflow keep what is known: a bound on one side.
+/// Overflow and underflow keep the bound on one side.
 #[test]
 fn beyond_the_range_of_exponents() {
     let huge = int(10).powi(400).exp();
@@ -123,11 +123,11 @@ fn beyond_the_range_of_exponents() {
     let tiny = (-int(10).powi(400)).exp();
     assert!(*tiny.lower() == 0 && *tiny.upper() > 0);
     assert!(!huge.is_finite() && (int(1) / &huge).is_finite());
-    // 0 · ∞ says nothing.
+    // 0 · ∞ gives the entire line.
     assert!((int(0) * huge).is_entire());
 }
 
-/// What is exact stays a point.
+/// Exact results stay points.
 #[test]
 fn exact_results_are_points() {
     let exact = [
@@ -161,7 +161,7 @@ fn ends_are_rounded_outward_from_the_start() {
     assert!(*coarse.lower() < 1001 && 1001 < *coarse.upper());
     let third = Interval::from_literal(Precision::new(8), &"1/3".parse().unwrap());
     assert!(third.lower().clone() * 3 < 1 && Float::with_val(20, third.upper() * 3) > 1);
-    // A constant of higher precision does not sneak in rounded to nearest.
+    // A constant of higher precision is not rounded to nearest.
     let mut sum = Interval::from_int(Precision::new(8), 1);
     sum += &Interval::point(Float::with_val(60, 1e-9));
     assert!(*sum.lower() == 1 && *sum.upper() > 1);
@@ -277,7 +277,7 @@ fn the_greater_of_two() {
     assert!(equal.slope.contains(int(3).lower()) && equal.slope.contains(int(5).lower()));
 }
 
-/// Across a kink of |x| a derivative is not finite; a truncation bound says nothing about the derivative either.
+/// Across a kink of |x| a derivative is not finite; a truncation bound does not bound the derivative either.
 #[test]
 fn duals_over_intervals_claim_nothing_unproved() {
     let kink = Dual::variable(interval(-1.0, 2.0)).abs();

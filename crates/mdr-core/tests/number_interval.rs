@@ -1,4 +1,4 @@
-//! Enclosures contain what they should and hardly more: every operation at a random precision p against values computed
+//! Enclosures contain the exact values and hardly more: every operation at a random precision p against values computed
 //! at 2p bits, over points, thin and wide intervals.
 
 #![cfg(feature = "mp")]
@@ -229,7 +229,7 @@ proptest! {
         prop_assert!(steer.is_point() && x.contains(steer.lower()));
     }
 
-    /// An enclosure that says nothing is right but never sharp: the tests above can fail.
+    /// The entire line contains every value but is never tight, so the tests above can fail.
     #[test]
     fn entire_line_is_not_sharp(bits in PRECISIONS, value in -1e9..1e9) {
         let entire = Interval::entire(Precision::new(bits));

@@ -16,7 +16,6 @@
 //! shard; [`Report::from_json_lines`] merges the lines of all shards into the report of the whole.
 //!
 //! * [`faults`] are mistakes put into the closed forms on purpose; each must be found by a check.
-//! * [`records`] generates the certified values of `mdr-reference`, each by two methods.
 //! * [`derivations`] evaluates the statements of `mdr-symbolic` in rigorous intervals.
 //! * [`work_precision`] has the data of error against run time.
 //! * [`ladders`] lead each function in double precision to where its question becomes hard.
@@ -31,7 +30,6 @@ pub mod ladders;
 mod library;
 mod merge;
 mod options;
-pub mod records;
 mod report;
 mod run;
 mod subject;

@@ -1,16 +1,18 @@
-//! The profiles of the library by their shape and parameters: as closed forms, and as heights written from the geometry.
+//! The profiles of the library by their names and parameters: as closed forms, and as heights.
 //!
 //! Parameters are in the order of the records, those of a scene: lengths and slopes as the profile has them.
 
-use mdr_analytic::profiles as closed;
+use mdr_analytic::Kappa;
+use mdr_analytic::profiles::{self as closed, Sum};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Error, Profile, Quantity, Result, Transform};
-use mdr_core::number::{Lift, Real};
+use mdr_core::contact::{Flank, Result, Shape as Named, Transform};
+use mdr_core::number::{Lift, Real, Special};
+use mdr_numeric::profiles::Heights;
 
-/// The shapes: variant, name in scenes and records, and how its parameters make a closed form.
+/// The shapes: the type of the closed form, and the name in scenes and records.
 macro_rules! shapes {
-    ($($shape:ident $name:literal ($($parameter:ident),+) => $new:expr;)*) => {
-        /// A profile of the library.
+    ($($shape:ident $name:literal,)*) => {
+        /// A profile of the library that is no power law.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[expect(missing_docs, reason = "named after the type in mdr_analytic::profiles")]
         pub enum Shape {
@@ -35,139 +37,52 @@ macro_rules! shapes {
                 }
             }
         }
-
-        /// The closed form of a profile.
-        ///
-        /// # Errors
-        /// Parameters out of their domain, or not as many as the shape has.
-        pub(crate) fn closed_form<R: Struve + Lift<R>>(shape: Shape, parameters: &[R]) -> Result<Box<dyn Transform<R>>> {
-            match (shape, parameters) {
-                $((Shape::$shape, [$($parameter),+]) => {
-                    $(let $parameter = $parameter.clone();)+
-                    Ok(Box::new($new?))
-                })*
-                (shape, parameters) => {
-                    let value = format!("{shape:?} {parameters:?}");
-                    let quantity = Quantity::Parameter("the profile");
-                    Err(Error::Domain { quantity, value, requirement: "one of the library" })
-                }
-            }
-        }
     };
 }
 
 shapes! {
-    Cone "cone" (slope) => closed::Cone::new(slope);
-    Paraboloid "paraboloid" (radius) => closed::Paraboloid::new(radius);
-    Sphere "sphere" (radius) => closed::Sphere::new(radius);
-    Ellipsoid "ellipsoid" (lateral, height) => closed::Ellipsoid::new(lateral, height);
-    Hyperboloid "hyperboloid" (slope, lateral) => closed::Hyperboloid::new(slope, lateral);
-    TruncatedCone "truncated-cone" (slope, flat) => closed::TruncatedCone::new(slope, flat);
-    TruncatedParaboloid "truncated-paraboloid" (radius, flat) => closed::TruncatedParaboloid::new(radius, flat);
-    RoundedPunch "rounded-punch" (radius, flat) => closed::RoundedPunch::new(radius, flat);
-    ParabolicCapCone "cone-parabolic-cap" (slope, cap) => closed::ParabolicCapCone::new(slope, cap);
-    SphericalCapCone "cone-spherical-cap" (slope, radius) => closed::SphericalCapCone::new(slope, radius);
-    DisplacedParaboloid "displaced-paraboloid" (radius, offset) => closed::DisplacedParaboloid::new(radius, offset);
-    ParabolicDimple "parabolic-dimple" (depth, radius) => closed::ParabolicDimple::new(depth, radius);
-    EllipticalDimple "elliptical-dimple" (depth, radius) => closed::EllipticalDimple::new(depth, radius);
-    WavyParaboloid "wavy-paraboloid" (radius, amplitude, wavelength) =>
-        closed::WavyParaboloid::new(radius, amplitude, wavelength);
-    Sum "sum" (radius, slope) => sum(radius, slope);
+    Cone "cone",
+    Paraboloid "paraboloid",
+    Sphere "sphere",
+    Ellipsoid "ellipsoid",
+    Hyperboloid "hyperboloid",
+    TruncatedCone "truncated-cone",
+    TruncatedParaboloid "truncated-paraboloid",
+    RoundedPunch "rounded-punch",
+    ParabolicCapCone "cone-parabolic-cap",
+    SphericalCapCone "cone-spherical-cap",
+    DisplacedParaboloid "displaced-paraboloid",
+    ParabolicDimple "parabolic-dimple",
+    EllipticalDimple "elliptical-dimple",
+    WavyParaboloid "wavy-paraboloid",
+    Sum "sum",
 }
 
-/// A paraboloid and a cone.
-fn sum<R: Struve + Lift<R>>(radius: R, slope: R) -> Result<closed::Sum<R>> {
-    let paraboloid: Box<dyn Transform<R>> = Box::new(closed::Paraboloid::new(radius)?);
-    Ok(closed::Sum::new(vec![paraboloid, Box::new(closed::Cone::new(slope)?)]))
+/// The shapes of which the profile is the sum: a paraboloid and a cone for [`Shape::Sum`], else itself. A parameter that is
+/// not given is no number.
+fn terms<R: Real>(shape: Shape, parameters: &[R]) -> Vec<Named<R>> {
+    let number = |index: usize| parameters.get(index).cloned().unwrap_or_else(|| parameters[0].lit(0).over(0));
+    if shape == Shape::Sum {
+        return vec![Named::Paraboloid { radius: number(0) }, Named::Cone { flank: Flank::Slope(number(1)) }];
+    }
+    let mut indices = 0..;
+    let blank = Named::by_name(shape.name()).into_iter();
+    blank.map(|blank| blank.map(|_, ()| number(indices.next().unwrap_or(0)))).collect()
 }
 
-/// A profile by its heights f(r), f(0) = 0.
-#[derive(Clone, Debug)]
-pub(crate) struct Height<R> {
-    pub(crate) shape: Shape,
-    pub(crate) parameters: Vec<R>,
+/// The closed form of a profile.
+///
+/// # Errors
+/// Parameters out of their domain.
+pub(crate) fn closed_form<R: Struve + Lift<R> + Kappa>(
+    shape: Shape,
+    parameters: &[R],
+) -> Result<Box<dyn Transform<R>>> {
+    let mut terms = terms(shape, parameters).into_iter().map(closed::closed_form).collect::<Result<Vec<_>>>()?;
+    Ok(if terms.len() == 1 { terms.remove(0) } else { Box::new(Sum::new(terms)) })
 }
 
-impl<R: Real> Height<R> {
-    fn parameter(&self, index: usize) -> &R {
-        &self.parameters[index.min(self.parameters.len() - 1)]
-    }
-
-    /// Where the cap of a cone ends: Rt/√(1 + t²), where the sphere has the slope t.
-    fn cap(&self) -> R {
-        let (slope, radius) = (self.parameter(0), self.parameter(1));
-        (slope.square() + slope.lit(1)).sqrt().inv() * slope * radius
-    }
-}
-
-/// h(1 − √(1 − (r/l)²)) without cancellation.
-fn spherical<S: Real>(r: &S, l: &S, h: &S) -> S {
-    let s = r.clone() / l;
-    let cosine = ((s.lit(1) - &s) * (s.lit(1) + &s)).sqrt();
-    s.square() * h / (s.lit(1) + cosine)
-}
-
-impl<R: Real> Profile<R> for Height<R> {
-    fn height<S: Lift<R>>(&self, r: &S) -> S {
-        let [p, q] = [0, 1].map(|index| S::lift(self.parameter(index)));
-        let beyond = r.clone() - &q;
-        let outside = beyond > r.lit(0);
-        match self.shape {
-            Shape::Cone => p * r,
-            Shape::Paraboloid => r.square() / p.times(2),
-            Shape::Sphere => spherical(r, &p, &p),
-            Shape::Ellipsoid => spherical(r, &p, &q),
-            Shape::Hyperboloid => p * r.square() / ((r.square() + q.square()).sqrt() + &q),
-            Shape::TruncatedCone if outside => p * beyond,
-            Shape::TruncatedParaboloid if outside => beyond * (r.clone() + &q) / p.times(2),
-            Shape::RoundedPunch if outside => beyond.square() / p.times(2),
-            Shape::ParabolicCapCone if outside => p * (r.clone() - q.over(2)),
-            Shape::ParabolicCapCone => p * r.square() / q.times(2),
-            Shape::SphericalCapCone => {
-                let edge = S::lift(&self.cap());
-                if *r > edge { spherical(&edge, &q, &q) + p * (r.clone() - &edge) } else { spherical(r, &q, &q) }
-            }
-            Shape::DisplacedParaboloid => (r.clone() - q.times(2)) * r / p.times(2),
-            Shape::ParabolicDimple if outside => -p,
-            Shape::ParabolicDimple => -(r.square() / q.square() * p),
-            Shape::EllipticalDimple => -spherical(r, &q, &p),
-            Shape::WavyParaboloid => {
-                let phase = r.pi() * r / S::lift(self.parameter(2));
-                r.square() / p.times(2) + (phase.sin().square() * q).times(2)
-            }
-            Shape::Sum => r.square() / p.times(2) + q * r,
-            Shape::TruncatedCone | Shape::TruncatedParaboloid | Shape::RoundedPunch => r.lit(0),
-        }
-    }
-
-    fn kinks(&self) -> Vec<R> {
-        match self.shape {
-            Shape::TruncatedCone
-            | Shape::TruncatedParaboloid
-            | Shape::RoundedPunch
-            | Shape::ParabolicCapCone
-            | Shape::ParabolicDimple => {
-                vec![self.parameter(1).clone()]
-            }
-            Shape::SphericalCapCone => vec![self.cap()],
-            _ => Vec::new(),
-        }
-    }
-
-    fn outer_radius(&self) -> Option<R> {
-        match self.shape {
-            Shape::Sphere | Shape::Ellipsoid => Some(self.parameter(0).clone()),
-            Shape::EllipticalDimple => Some(self.parameter(1).clone()),
-            _ => None,
-        }
-    }
-
-    fn tip_exponent(&self) -> Option<R> {
-        let exponent = match self.shape {
-            Shape::Cone | Shape::DisplacedParaboloid | Shape::Sum => 1,
-            Shape::TruncatedCone | Shape::TruncatedParaboloid | Shape::RoundedPunch => return None,
-            _ => 2,
-        };
-        Some(self.parameter(0).lit(exponent))
-    }
+/// The profile by its heights f(r), f(0) = 0.
+pub(crate) fn heights<R: Special>(shape: Shape, parameters: &[R]) -> Heights<R> {
+    Heights::new(terms(shape, parameters))
 }

@@ -56,7 +56,7 @@ fn false_claims_fail() {
 }
 
 const fn entry(steps: &'static [Step]) -> Entry {
-    Entry { id: "probe", title: "", verdict: Claim::Proved, assumptions: &[], steps, erratum: None, references: &[] }
+    Entry { id: "probe", title: "", refuted: false, assumptions: &[], steps, erratum: None, references: &[] }
 }
 
 /// Each fate of a mutant, from steps that hold as such.

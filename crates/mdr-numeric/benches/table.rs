@@ -1,5 +1,5 @@
 //! The transform of a measured profile: time of an evaluation and of the set-up against the number of rows, and its
-//! error: how far the interpolant of a sphere is from the sphere, and how far doubles are from 60 digits.
+//! error: the interpolant of a sphere against the sphere, and doubles against 60 digits.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -19,7 +19,7 @@ fn sphere(rows: usize) -> Vec<(f64, f64)> {
     (0..rows).map(point).collect()
 }
 
-/// The relative distance of f64 from 60 digits, for g, g' and G at X.
+/// The relative difference of f64 from 60 digits, for g, g' and G at X.
 #[cfg(feature = "mp")]
 fn rounding(points: &[(f64, f64)], profile: &MeasuredProfile<f64>) -> mdr_core::contact::Result<[f64; 3]> {
     use rug::Float;

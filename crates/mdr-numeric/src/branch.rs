@@ -1,4 +1,4 @@
-//! The curve of equilibria cut at its folds: what a loading path needs to know of a contact, in any arithmetic.
+//! The curve of equilibria cut at its folds, in any arithmetic: the interface that a loading path uses.
 
 use std::cmp::Ordering;
 
@@ -8,31 +8,31 @@ use mdr_core::number::Real;
 use crate::admissible::{Admissibility, Ring, Touch};
 use crate::curve::Curve;
 
-/// The curve of equilibria cut at its folds. Between two folds the controlled quantity is monotone, so each branch holds
-/// at most one equilibrium at a value.
+/// The curve of equilibria cut at its folds. Between two folds the controlled quantity is monotone, so each branch
+/// contains at most one equilibrium at a value.
 ///
 /// Branches are counted by increasing radius: branch i lies between fold i − 1 and fold i, branch 0 begins at a = 0 and
-/// the last one ends where the profile does. Minima and maxima of the controlled quantity alternate; a branch is stable
-/// from a minimum up to the next maximum.
+/// the last one ends with the profile. Minima and maxima of the controlled quantity alternate; a branch is stable from
+/// a minimum up to the next maximum.
 ///
-/// In a rigorous arithmetic comparisons are partial. What is not certain is [`Error::Undecided`], never a guess.
+/// In a rigorous arithmetic comparisons are partial. A decision that is not certain is [`Error::Undecided`].
 pub trait Branched<R: Real> {
-    /// What is controlled.
+    /// The controlled quantity.
     fn control(&self) -> &Control<R>;
 
-    /// The folds, by increasing radius. A pole, where g is infinite, is one among them whose indentation and force are
-    /// infinite; no value is beyond it.
+    /// The folds, by increasing radius. A pole, where g diverges, is included as a fold with infinite indentation and
+    /// force; no value lies beyond it.
     fn folds(&self) -> &[Instability<R>];
 
     /// The equilibrium at `value` of the controlled quantity on a branch, its ends excluded. On the last branch of a
-    /// profile with a [wall](mdr_core::contact::Transform::wall) the contact may rest at the wall. A branch that does not
-    /// exist holds none.
+    /// profile with a [vertical edge](mdr_core::contact::Transform::wall) the contact edge may be at the vertical edge.
+    /// `None` on a branch that does not exist.
     ///
     /// # Errors
     /// Those of the transform; [`Error::Undecided`].
     fn on_branch(&self, branch: usize, value: &R) -> Result<Option<Equilibrium<R>>>;
 
-    /// `value` against that of the fold; equal where they cannot be told apart in this arithmetic.
+    /// The order of `value` and the value of the fold; equal if this arithmetic does not distinguish them.
     ///
     /// # Errors
     /// Those of the transform; [`Error::Undecided`].
@@ -41,42 +41,43 @@ pub trait Branched<R: Real> {
         value.partial_cmp(&at_fold).ok_or_else(|| unordered(self.control(), value))
     }
 
-    /// How contact begins at the tip; [`onset`] finds out.
+    /// How contact begins at the tip; see [`onset`].
     ///
     /// # Errors
     /// Those of the transform; [`Error::Undecided`].
     fn onset(&self) -> Result<Onset>;
 
-    /// Which states are admissible.
+    /// The admissibility of states.
     fn admissibility(&self) -> &Admissibility<'_>;
 
-    /// Where surfaces apart first touch, when that is not the tip.
+    /// The first contact of separated surfaces, if it is not at the tip.
     ///
     /// # Errors
     /// As [`first_touch`](crate::admissible::first_touch); [`Error::Unproved`] over enclosures.
     fn first_touch(&self) -> Result<Option<Touch<R>>>;
 
-    /// The last admissible state on the stable branch between two contact radii, and the ring on which the surfaces touch.
+    /// The last admissible state on the stable branch between two contact radii, and the ring on which the surfaces
+    /// touch.
     ///
     /// # Errors
     /// As [`last_admissible`](crate::admissible::last_admissible); [`Error::Unproved`] over enclosures.
     fn last_admissible(&self, radii: [&R; 2]) -> Result<Option<(Equilibrium<R>, Ring<R>)>>;
 
-    /// Whether the edge of a contact that grows at a held value is pressed so hard at a radius, g − d < −Δl, that to grow costs
-    /// energy.
+    /// Whether growth of the contact at a fixed controlled value would require energy at this radius: g − d < −Δl, the
+    /// edge is in compression.
     ///
     /// # Errors
     /// Those of the transform.
     fn is_pushed_back(&self, radius: &R, value: &R) -> Result<bool>;
 
-    /// Where the last branch ends.
+    /// The end of the last branch.
     ///
     /// # Errors
-    /// Those of the transform; [`Error::Undecided`] over enclosures in place of [`End::Unknown`], as more bits may find the
-    /// equilibrium that was not found before it.
+    /// Those of the transform; over enclosures [`Error::Undecided`] in place of [`End::Unknown`], because more bits may
+    /// find the missing equilibrium.
     fn end(&self) -> Result<End<R>>;
 
-    /// All equilibria at `value`, by increasing radius; none is an empty list. At a fold itself the double root is one,
+    /// All equilibria at `value`, by increasing radius; the list may be empty. At a fold the double root counts as one,
     /// [`Neutral`](mdr_core::contact::Stability::Neutral).
     ///
     /// # Errors
@@ -94,15 +95,15 @@ pub trait Branched<R: Real> {
         Ok(found)
     }
 
-    /// Whether equilibria on a branch are stable; none where no fold bounds it.
+    /// Whether equilibria on a branch are stable; `None` if no fold bounds it.
     fn is_stable(&self, branch: usize) -> Option<bool> {
         let below = branch.checked_sub(1).and_then(|fold| self.folds().get(fold));
         let above = self.folds().get(branch);
         below.map(|fold| fold.kind == FoldKind::Minimum).or(above.map(|fold| fold.kind == FoldKind::Maximum))
     }
 
-    /// The equilibrium that the contact reaches from a fold, given by its index, when the controlled quantity goes a little
-    /// beyond it, and its branch: the next one in the direction of change, smaller past a minimum, larger past a maximum.
+    /// The equilibrium reached from a fold, given by its index, when the controlled quantity passes it, and its branch:
+    /// the next one in the direction of change, smaller after a minimum, larger after a maximum.
     ///
     /// # Errors
     /// As [`Branched::on_branch`].
@@ -115,12 +116,12 @@ pub trait Branched<R: Real> {
         }
     }
 
-    /// What becomes of the contact at a fold when the controlled quantity goes a little beyond it: the radius of its
-    /// [landing](Branched::landing), or where there is none it has detached past a minimum, and covers the whole surface
-    /// past a maximum.
+    /// The outcome at a fold when the controlled quantity passes it: the radius of the [equilibrium](Branched::landing)
+    /// that is reached; if there is none, detachment after a minimum, complete contact after a maximum.
     ///
     /// # Errors
-    /// As [`Branched::on_branch`]; [`Error::Undecided`] past a maximum where the profile ends. An index that does not exist has [`Outcome::Detached`].
+    /// As [`Branched::on_branch`]; [`Error::Undecided`] after a maximum if the profile ends. An index that does not exist
+    /// gives [`Outcome::Detached`].
     fn outcome(&self, fold: usize) -> Result<Outcome<R>> {
         let kind = self.folds().get(fold).map(|fold| fold.kind);
         Ok(match (self.landing(fold)?, kind) {
@@ -134,14 +135,14 @@ pub trait Branched<R: Real> {
     }
 }
 
-/// Where the last branch ends.
+/// The end of the last branch.
 #[derive(Clone, Debug, PartialEq)]
 pub enum End<R> {
-    /// At no radius: the contact can grow for ever.
+    /// None: the contact can grow without limit.
     Open,
-    /// At the outer radius, in this state.
+    /// The outer radius, in this state.
     Profile(Equilibrium<R>),
-    /// At an outer radius of which no state is known: at a wall, where g is infinite, or where it cannot be had.
+    /// An outer radius without a known state: at a vertical edge, where g diverges, or where it cannot be computed.
     Unknown,
 }
 
@@ -163,24 +164,24 @@ pub(crate) fn end<R: Real>(curve: &Curve<'_, R>) -> Result<End<R>> {
     }
 }
 
-/// How a contact begins, a = d = F = 0.
+/// How contact begins at a = d = F = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Onset {
-    /// The controlled quantity grows with the radius: contact grows smoothly from a point.
+    /// The controlled quantity increases with the radius: the contact grows continuously from a point.
     Smooth,
-    /// It falls: once they touch, the surfaces jump into contact.
+    /// The controlled quantity decreases: the surfaces jump into contact at first touch.
     Abrupt,
-    /// The tip is the deepest point of a dimple, g < 0 near it: the surfaces cannot touch there first.
+    /// The tip is the deepest point of a dimple, g < 0 near it: the surfaces cannot first touch there.
     Dimple,
 }
 
-/// How contact begins on a curve with the given first fold: from the sign of g close to the tip, and from whether the first
-/// branch is stable.
+/// How contact begins on a curve with the given first fold: from the sign of g close to the tip, and from the stability
+/// of the first branch.
 ///
 /// "Close" is the unit roundoff times w/E* or times the radius of the fold, whichever is smaller.
 ///
 /// # Errors
-/// Those of the transform; [`Error::Undecided`] over enclosures that do not tell.
+/// Those of the transform; [`Error::Undecided`] over enclosures that do not decide.
 pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> Result<Onset> {
     let length = curve.material_length();
     let radius = first.map(|fold| fold.contact_radius.clone()).filter(|radius| *radius < length).unwrap_or(length);
@@ -203,19 +204,19 @@ pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> R
     Ok(if stable { Onset::Smooth } else { Onset::Abrupt })
 }
 
-/// An equilibrium that is not found, although the contact grows as far as can be seen and its profile ends further out.
+/// The error for an equilibrium outside the searched range of contact radii.
 pub(crate) fn beyond_reach<R: Real>(control: &Control<R>, like: &R) -> Error {
-    let what = "where beyond the radii that were looked at the equilibrium lies";
+    let what = "the equilibrium lies outside the searched range of contact radii";
     Error::Undecided { quantity: control.quantity(), bits: like.precision(), what }
 }
 
-/// A value that is neither below that of a fold nor above it.
+/// The error for a value that is neither certainly below nor certainly above that of a fold.
 pub fn unordered<R: Real>(control: &Control<R>, value: &R) -> Error {
     let what = "whether it is below or above its value at a fold";
     Error::Undecided { quantity: control.quantity(), bits: value.precision(), what }
 }
 
-/// Which way the radius goes.
+/// The direction of a search over radii.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Way {
     Smaller,
@@ -224,8 +225,8 @@ pub(crate) enum Way {
 
 /// The first equilibrium at `value` on a stable branch, from branch `next` on.
 ///
-/// The near end of each branch is known to be on this side of the value; it is on the branch if it does not reach the far
-/// end.
+/// The caller ensures that the near end of each branch is on this side of the value; the equilibrium is on the branch
+/// unless the value lies beyond the far end.
 pub(crate) fn seek<R: Real, B: Branched<R> + ?Sized>(
     branches: &B,
     value: &R,

@@ -1,12 +1,12 @@
-//! The curve of equilibria a ↦ (d, F), and which way the contact moves off it.
+//! The curve of equilibria a ↦ (d, F), and the direction of change of the contact off it.
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result, Transform};
 use mdr_core::number::Real;
 
 /// The states of (1.5) and (1.6), parametrised by the contact radius.
 ///
-/// Everything else is read off this curve: equilibria are its points at a given value of the controlled quantity, folds
-/// are the extrema of that quantity along it.
+/// Equilibria are points of this curve at a given value of the controlled quantity; folds are the extrema of that
+/// quantity along it.
 #[derive(Clone, Copy)]
 pub struct Curve<'a, R: Real> {
     transform: &'a dyn Transform<R>,
@@ -15,7 +15,7 @@ pub struct Curve<'a, R: Real> {
 }
 
 impl<'a, R: Real> Curve<'a, R> {
-    /// The curve of a profile in contact, looked at under the given control.
+    /// The curve of a profile in contact, under the given control.
     pub fn new(transform: &'a dyn Transform<R>, material: &'a Material<R>, control: &'a Control<R>) -> Self {
         Curve { transform, material, control }
     }
@@ -25,12 +25,12 @@ impl<'a, R: Real> Curve<'a, R> {
         self.transform
     }
 
-    /// The outer radius of a profile with a wall there.
+    /// The outer radius of a profile with a vertical edge there.
     pub fn wall(&self) -> Option<R> {
         self.transform.outer_radius().filter(|_| self.transform.wall())
     }
 
-    /// What is controlled.
+    /// The controlled quantity.
     pub fn control(&self) -> &'a Control<R> {
         self.control
     }
@@ -45,7 +45,7 @@ impl<'a, R: Real> Curve<'a, R> {
         self.material.effective_modulus()
     }
 
-    /// ℓ = w/E*, the length that the material brings into the problem.
+    /// ℓ = w/E*, the length scale of the material, in m.
     pub fn material_length(&self) -> R {
         self.material.work_of_adhesion().clone() / self.material.effective_modulus()
     }
@@ -58,7 +58,7 @@ impl<'a, R: Real> Curve<'a, R> {
         Ok(self.elongation(&Error::require_positive(Quantity::ContactRadius, a.clone())?))
     }
 
-    /// The same for a > 0, written as a√(2πℓ/a), which stays in range where the product aw does not.
+    /// The same for a > 0, written as a√(2πℓ/a), which stays in range if the product aw does not.
     pub(crate) fn elongation(&self, a: &R) -> R {
         a.clone() * self.root(a)
     }
@@ -85,7 +85,7 @@ impl<'a, R: Real> Curve<'a, R> {
         Ok(self.edge_stiffness(a) * self.depth_below_mean(a)?)
     }
 
-    /// d less the mean of g, in equilibrium.
+    /// d minus the mean of g, in equilibrium.
     fn depth_below_mean(&self, a: &R) -> Result<R> {
         Ok(self.transform.above_mean(a)? - self.elongation(a))
     }
@@ -112,13 +112,13 @@ impl<'a, R: Real> Curve<'a, R> {
         }
     }
 
-    /// The indentation at radius `a` while the controlled quantity is held at `value`, equilibrium or not:
-    /// d itself, F/(2E*a) + mean g, or (kD + 2E*a·mean g)/(k + 2E*a).
+    /// The indentation at radius `a` and a fixed `value` of the controlled quantity, equilibrium or not: d itself,
+    /// F/(2E*a) + mean g, or (kD + 2E*a·mean g)/(k + 2E*a).
     pub(crate) fn held_indentation(&self, a: &R, value: &R) -> Result<R> {
         self.held_against(a, value, || self.transform.mean(a))
     }
 
-    /// The same, with the mean of g from elsewhere.
+    /// The same, with a given mean of g.
     pub(crate) fn held_against(&self, a: &R, value: &R, mean: impl FnOnce() -> Result<R>) -> Result<R> {
         let stiffness = self.edge_stiffness(a);
         Ok(match self.control {
@@ -133,8 +133,8 @@ impl<'a, R: Real> Curve<'a, R> {
 
     /// Indentation and force in equilibrium at radius `a`, which was found at this `value` of the controlled quantity.
     ///
-    /// On a machine softer than the contact the force is that of its spring, k(D − d): as 2E*a times a difference of lengths
-    /// it would lose log₁₀(2E*a/k) digits.
+    /// On a machine softer than the contact the force is that of its spring, k(D − d): as 2E*a times a difference of
+    /// lengths it would lose log₁₀(2E*a/k) digits.
     ///
     /// # Errors
     /// As [`Curve::state`].
@@ -149,7 +149,7 @@ impl<'a, R: Real> Curve<'a, R> {
         }
     }
 
-    /// The stiffness of a machine, where it is less than that of the contact.
+    /// The stiffness of a machine, if it is less than that of the contact.
     fn soft_spring(&self, a: &R) -> Option<&'a R> {
         match self.control {
             Control::Machine { stiffness } if *stiffness < self.edge_stiffness(a) => Some(stiffness),
@@ -157,7 +157,7 @@ impl<'a, R: Real> Curve<'a, R> {
         }
     }
 
-    /// Indentation and force at radius `a` while the controlled quantity is held at `value`, equilibrium or not.
+    /// Indentation and force at radius `a` and a fixed `value` of the controlled quantity, equilibrium or not.
     ///
     /// # Errors
     /// As [`Curve::state`].
@@ -171,8 +171,8 @@ impl<'a, R: Real> Curve<'a, R> {
         Ok((d, force))
     }
 
-    /// The direction of change g(a) − d − Δl(a) with the controlled quantity held at `value`: the contact shrinks where
-    /// it is positive (1.8), grows where it is negative (1.9) and is in equilibrium where it vanishes.
+    /// The direction of change g(a) − d − Δl(a) at a fixed `value` of the controlled quantity: the contact shrinks
+    /// where it is positive (1.8), grows where it is negative (1.9) and is in equilibrium where it vanishes.
     ///
     /// # Errors
     /// As [`Control::check_value`] and [`Transform::mean`].
@@ -181,23 +181,23 @@ impl<'a, R: Real> Curve<'a, R> {
         self.direction_at(a, value)
     }
 
-    /// The same at a value that is known to be one.
+    /// The same at a value that has been checked.
     pub(crate) fn direction_at(&self, a: &R, value: &R) -> Result<R> {
         self.direction_within(a, value, &negligible(&self.elongation(a)))
     }
 
-    /// The same, with g and its mean as well as they are needed: to an absolute error.
+    /// The same, with g and its mean to the absolute error `needed`.
     pub(crate) fn direction_within(&self, a: &R, value: &R, needed: &R) -> Result<R> {
         let held = self.held_against(a, value, || self.transform.mean_within(a, needed))?;
         Ok(self.transform.g_within(a, needed)? - self.elongation(a) - held)
     }
 
-    /// Whether g − d < −Δl at radius `a`, so that there to grow costs energy, at a value that is known to be one.
+    /// Whether g − d < −Δl at radius `a`, so that growth requires energy, at a value that has been checked.
     pub(crate) fn is_pushed_back(&self, a: &R, value: &R) -> Result<bool> {
         Ok(self.direction_at(a, value)? + self.elongation(a).times(2) < a.lit(0))
     }
 
-    /// The tangency ratio g'(a)/Δl'(a): under controlled indentation the curves touch (1.10) where it is 1.
+    /// The tangency ratio g'(a)/Δl'(a): under controlled indentation it is 1 at a fold (1.10).
     ///
     /// # Errors
     /// As [`Transform::slope`].
@@ -205,7 +205,7 @@ impl<'a, R: Real> Curve<'a, R> {
         Ok(self.tangency_of(self.transform.slope(a)?, a))
     }
 
-    /// The same, with g' from elsewhere.
+    /// The same, with a given g'.
     pub(crate) fn tangency_of(&self, slope: R, a: &R) -> R {
         slope.times(2) / self.root(a)
     }
@@ -223,7 +223,7 @@ impl<'a, R: Real> Curve<'a, R> {
         Ok(self.threshold_at(&Error::require_positive(Quantity::ContactRadius, a.clone())?))
     }
 
-    /// The same for a > 0.
+    /// The same for a > 0, unchecked.
     pub(crate) fn threshold_at(&self, a: &R) -> R {
         match self.control {
             Control::Indentation => a.lit(1),
@@ -239,14 +239,14 @@ impl<'a, R: Real> Curve<'a, R> {
     /// Indentation and force at radius `a`.
     ///
     /// # Errors
-    /// As [`Transform::mean`]; [`Error::OutOfRange`] when the force is no number of this arithmetic.
+    /// As [`Transform::mean`]; [`Error::OutOfRange`] if the force is not representable in this arithmetic.
     pub fn state(&self, a: &R) -> Result<(R, R)> {
         let d = self.indentation(a)?;
         let force = self.force_of(a, &self.depth_below_mean(a)?)?;
         Ok((d, force))
     }
 
-    /// 2E*a times the indentation less the mean of g, or [`Error::OutOfRange`].
+    /// 2E*a times the indentation minus the mean of g, or [`Error::OutOfRange`].
     pub(crate) fn force_of(&self, a: &R, excess: &R) -> Result<R> {
         let force = self.edge_stiffness(a) * excess;
         let factors = || [a.lit(2), a.clone(), self.material.effective_modulus().clone(), excess.abs()];
@@ -254,7 +254,7 @@ impl<'a, R: Real> Curve<'a, R> {
     }
 }
 
-/// A rounding of Δl: what is smaller does not matter to g where it stands against that.
+/// The rounding error of Δl: smaller errors of g are negligible against it.
 pub(crate) fn negligible<R: Real>(elongation: &R) -> R {
     elongation.unit_roundoff() * elongation
 }
@@ -264,7 +264,7 @@ fn spring_force<R: Real>(stiffness: &R, stretch: R) -> Result<R> {
     force_in_range(stretch.clone() * stiffness, &stretch, || [stiffness.clone(), stretch.abs()])
 }
 
-/// A force, unless it is no number of its arithmetic; it vanishes with a length, and is the product of the factors.
+/// A force, if it is representable; it vanishes with a length, and is the product of the factors.
 fn force_in_range<R: Real, const N: usize>(force: R, length: &R, factors: impl Fn() -> [R; N]) -> Result<R> {
     let vanished = force == force.lit(0) && *length != length.lit(0);
     if vanished || !force.is_finite() {
@@ -273,12 +273,12 @@ fn force_in_range<R: Real, const N: usize>(force: R, length: &R, factors: impl F
     Ok(force)
 }
 
-/// log₁₀ of the size of a product that the arithmetic cannot hold.
+/// log₁₀ of the magnitude of a product that the arithmetic cannot represent.
 pub(crate) fn log10_of_product<R: Real, const N: usize>(factors: [R; N]) -> f64 {
     factors.iter().map(|x| x.abs().ln().approx()).sum::<f64>() / std::f64::consts::LN_10
 }
 
-/// Δl/a = √(2πℓ/a), also where the quotient itself is out of range.
+/// Δl/a = √(2πℓ/a), also if the quotient itself is out of range.
 pub(crate) fn relative_elongation<R: Real>(a: &R, material_length: &R) -> R {
     let square = (material_length.clone() / a * a.pi()).times(2);
     let normal = square.is_finite() && square.clone() * a.unit_roundoff() > a.lit(0);

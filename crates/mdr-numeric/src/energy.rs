@@ -1,9 +1,10 @@
-//! Equilibria once more, from the potential energy (Griffith).
+//! Equilibria from the potential energy (Griffith).
 //!
 //! Π(a, d) = E* ∫₀ᵃ (d − g)² dx − πa²w. Equilibria at a given d are its stationary points in a, minima the stable ones;
-//! under controlled force those of Π − Fd, on a machine those of Π + k(D − d)²/2, each stationary in d as well. The rule of
-//! Heß is nowhere used: the derivative is that of the integral itself, by dual numbers under the integral sign. (At its end
-//! the integrand is ((d − g(a))/Δl)², which says the same as that rule: [`Energy::release`], for those who want it cheap.)
+//! under controlled force those of Π − Fd, on a machine those of Π + k(D − d)²/2, each stationary in d as well. The
+//! rule of Heß is not used: the derivative is that of the integral itself, by dual numbers under the integral sign. (At
+//! its end the integrand is ((d − g(a))/Δl)², which is equivalent to that rule: [`Energy::release`], the cheaper
+//! method.)
 //!
 //! In units of 2πa²w: Π/(2πa²w) = ∫₀¹ v² dt − 1/2 with v = (d − g(at))/√(2πaw/E*), which is in range at any scale.
 
@@ -34,16 +35,16 @@ pub struct Energy<'a, R: Real> {
     material: &'a Material<R>,
     /// w/E*.
     length: R,
-    /// p of g ≈ c xᵖ at the tip, as far as g tells; none beside kinks.
+    /// p of g ≈ c xᵖ at the tip, estimated from g; `None` beside kinks.
     tip: Option<R>,
 }
 
-/// How far a search has come.
+/// The stage of a search.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Search {
-    /// To know where the crossings are.
+    /// Locates the crossings.
     Coarse,
-    /// To know them.
+    /// Computes them to full precision.
     Full,
 }
 
@@ -51,7 +52,7 @@ impl<'a, R: Real> Energy<'a, R> {
     /// The energy of a transformed profile against a material.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] when w/E* is no number of this arithmetic.
+    /// [`Error::OutOfRange`] if w/E* is not representable in this arithmetic.
     pub fn new(transform: &'a dyn Transform<R>, material: &'a Material<R>) -> Result<Self> {
         let length = material.work_of_adhesion().clone() / material.effective_modulus();
         if !(length > length.lit(0) && length.is_finite()) {
@@ -64,12 +65,13 @@ impl<'a, R: Real> Energy<'a, R> {
     /// Π(a, d), in J, zero for separated surfaces.
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature; [`Error::OutOfRange`] when it is no number of this arithmetic.
+    /// Those of the transform and of the quadrature; [`Error::OutOfRange`] if it is not representable in this
+    /// arithmetic.
     pub fn potential(&self, a: &R, d: &R) -> Result<R> {
         self.potential_by(a, d, |square| self.mean(a, &Grade::Full, square))
     }
 
-    /// The same with the mean of the square of v over the contact from elsewhere.
+    /// The same with a given method for the mean of v² over the contact.
     pub(crate) fn potential_by(
         &self,
         a: &R,
@@ -86,9 +88,9 @@ impl<'a, R: Real> Energy<'a, R> {
         in_range(potential, &reduced, factors)
     }
 
-    /// The energy lost when the radius jumps from `from` to `to` at fixed d, in J: Π(from, d) − Π(to, d), which is
-    /// E* ∫ ((d − g)² − Δl²) dx from `to` to `from`. No difference of energies, so a small jump keeps its digits.
-    ///
+    /// The energy dissipated when the radius jumps from `from` to `to` at fixed d, in J: Π(from, d) − Π(to, d),
+    /// computed as E* ∫ ((d − g)² − Δl²) dx from `to` to `from`. It is not a difference of energies, so a small jump
+    /// keeps its accuracy.
     /// # Errors
     /// As [`Energy::potential`].
     pub fn dissipated(&self, from: &R, to: &R, d: &R) -> Result<R> {
@@ -99,7 +101,7 @@ impl<'a, R: Real> Energy<'a, R> {
         if distance == from.lit(0) {
             return Ok(distance);
         }
-        // Beside a fold the integrand is of the order of the square of the distance, and its rounding is not.
+        // Near a fold the integrand is of the order of the square of the distance, but its rounding error is not.
         let share = (from.clone() / distance).square() * from.unit_roundoff();
         let limit = share.times(64).greater(&from.unit_roundoff().sqrt()).lesser(&from.ratio(1, 1024));
         let tolerance = Tolerance::new(&roundoff_tolerance(&from).times(4)).or_noise_below(limit);
@@ -118,14 +120,14 @@ impl<'a, R: Real> Energy<'a, R> {
         in_range(lost, &reduced, factors)
     }
 
-    /// The energy release rate at fixed d over the work of adhesion: (∂/∂a of the elastic energy)/(2πaw). Where it is one,
-    /// Π is stationary in a; where it is larger, the contact shrinks.
+    /// The energy release rate at fixed d over the work of adhesion: (∂/∂a of the elastic energy)/(2πaw). Where it is
+    /// one, Π is stationary in a; where it is larger, the contact shrinks.
     ///
-    /// The derivative of the integral to its end a is the integrand there, ((d − g(a))/Δl)²: a square, as accurate where it
-    /// vanishes as d − g(a) is.
+    /// The derivative of the integral with respect to its end a is the integrand there, ((d − g(a))/Δl)²: a square, as
+    /// accurate near its zero as d − g(a) is.
     ///
     /// # Errors
-    /// Those of the transform; [`Error::OutOfRange`] when it is no number of this arithmetic.
+    /// Those of the transform; [`Error::OutOfRange`] if it is not representable in this arithmetic.
     pub fn release(&self, a: &R, d: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let unit = self.unit(&a);
@@ -133,8 +135,8 @@ impl<'a, R: Real> Energy<'a, R> {
         in_range(excess.square(), &excess, [excess.clone(), excess.clone()])
     }
 
-    /// The same as the derivative of the integral, which knows nothing of the integrand at its end: the route of
-    /// [`Energy::equilibria`]. It is known to a few roundings of the energy.
+    /// The same as the derivative of the integral, without the integrand at its end: the method of
+    /// [`Energy::equilibria`]. It is accurate to a few roundings of the energy.
     ///
     /// ```
     /// use mdr_core::contact::Material;
@@ -153,11 +155,11 @@ impl<'a, R: Real> Energy<'a, R> {
         self.varied(&a, d, &Grade::Full)
     }
 
-    /// The release rate as the derivative of the integral, as well as it is needed.
+    /// The release rate as the derivative of the integral, to the required accuracy.
     fn varied(&self, a: &R, d: &R, grade: &Grade<R>) -> Result<R> {
-        // a d/da of a ∫ v(at)² dt, with the unit of v held: the dual's slope is a d/da.
-        // Only the piece from the last kink b on moves with a, so there it is (a − b) d/da, x − b and the mean over it: g' may
-        // have an inverse root or a pole at b, and (x − b)g' has not.
+        // a d/da of a ∫ v(at)² dt at a fixed unit of v: the slope of the dual is a d/da. Only the piece from the last
+        // kink b on depends on a, so there it is (a − b) d/da, x − b and the mean over it: g' may have an inverse root
+        // or a pole at b, but (x − b)g' has not.
         let unit = self.unit(a);
         let edge = self.transform.kinks().into_iter().rfind(|kink| kink < a);
         let from = edge.clone().unwrap_or_else(|| a.lit(0));
@@ -174,7 +176,7 @@ impl<'a, R: Real> Energy<'a, R> {
         })
     }
 
-    /// The force balance of the contact; of the curve nothing is used that knows the rule of Heß.
+    /// The force balance of the contact; methods of the curve that use the rule of Heß are not called.
     fn balance<'b>(&'b self, control: &'b Control<R>) -> Curve<'b, R> {
         Curve::new(self.transform, self.material, control)
     }
@@ -190,12 +192,12 @@ impl<'a, R: Real> Energy<'a, R> {
         relative_elongation(a, &self.length) * a
     }
 
-    /// What is one at equilibria alone: the root of the release rate, positive where the edge is in tension, g(a) − d > 0,
-    /// and negative elsewhere. So a nearly Hertzian equilibrium is where a smooth function passes from large negative to
-    /// large positive values. Without the sign it would be one side of a notch, as narrow as Δl is small against d, that a
-    /// search passes over.
+    /// A quantity that equals one at equilibria only: the root of the release rate, positive where the edge is in
+    /// tension, g(a) − d > 0, and negative elsewhere. A nearly Hertzian equilibrium is thus where a smooth function
+    /// passes from large negative to large positive values. Without the sign it would be one side of a notch, as narrow
+    /// as Δl is small against d, which a search could miss.
     fn tension(&self, control: &Control<R>, value: &R, a: &R, search: Search) -> Result<R> {
-        // Near a crossing d − g is of the size of the unit: what is wrong by a part of it matters as little.
+        // Near a crossing d − g is of the magnitude of the unit, so a fraction of the unit bounds the error of both.
         let (of_length, of_rate) = match search {
             Search::Coarse => (Grade::Coarse(self.unit(a)), Grade::Coarse(a.lit(1))),
             Search::Full => (Grade::Full, Grade::Full),
@@ -208,14 +210,14 @@ impl<'a, R: Real> Energy<'a, R> {
     /// All equilibria at `value` of the controlled quantity, as stationary points of the energy where the edge is in
     /// tension, g(a) − d > 0; by increasing radius. Minima are stable.
     ///
-    /// Accuracy as that of [`equilibrium::equilibria`](crate::equilibrium::equilibria), except that the stationary point of
-    /// an integral is known to about ten times its rounding error. Each evaluation is an integral over g and g'; expect
-    /// some ten milliseconds in f64, and seconds at 50 digits where g is itself a quadrature.
+    /// Accuracy as that of [`equilibrium::equilibria`](crate::equilibrium::equilibria), except that the stationary
+    /// point of an integral is accurate to about ten times its rounding error. Each evaluation is an integral over g
+    /// and g'; the cost is about ten milliseconds in f64, and seconds at 50 digits if g is itself a quadrature.
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature; as [`Control::check_value`]; [`Error::OutOfRange`] when a force is no
-    /// number of this arithmetic; [`Error::Undecided`] where Π is stationary, up to rounding, over a whole range of radii,
-    /// as at d = 0 at the threshold of n = 1/2.
+    /// Those of the transform and of the quadrature; as [`Control::check_value`]; [`Error::OutOfRange`] if a force is
+    /// not representable in this arithmetic; [`Error::Undecided`] if Π is stationary, up to rounding, over a whole
+    /// range of radii, as at d = 0 at the threshold of n = 1/2.
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
         control.check_value(value)?;
         let tension = |a: &R, search| self.tension(control, value, a, search);
@@ -239,7 +241,7 @@ impl<'a, R: Real> Energy<'a, R> {
     }
 }
 
-/// An energy, unless it is no number of this arithmetic: then the log₁₀ of the product of these factors.
+/// An energy, if it is representable; otherwise the error has the log₁₀ of the product of these factors.
 fn in_range<R: Real, const N: usize>(energy: R, reduced: &R, factors: [R; N]) -> Result<R> {
     let vanished = energy == energy.lit(0) && *reduced != reduced.lit(0);
     if vanished || !energy.is_finite() {
@@ -248,20 +250,20 @@ fn in_range<R: Real, const N: usize>(energy: R, reduced: &R, factors: [R; N]) ->
     Ok(energy)
 }
 
-/// g(x) as well as it is needed, zero where x is.
+/// g(x) to the required accuracy, zero where x is.
 fn g<R: Real>(transform: &dyn Transform<R>, x: &R, needed: &R) -> Result<R> {
     if vanishes(x) { Ok(x.lit(0)) } else { transform.g_within(x, needed) }
 }
 
-/// Whether x is so close to the end of the range of the arithmetic that g(0) = 0 is all there is to know.
+/// Whether x is so close to the end of the range of the arithmetic that g(x) is taken as g(0) = 0.
 fn vanishes<R: Real>(x: &R) -> bool {
     x.unit_roundoff().square() * x == x.lit(0)
 }
 
-/// x g'/g close to the tip: at the material's length times u, or where g is no normal number there, at the nearest power of
-/// two times that where it is. A steep profile leaves the range within a few octaves.
+/// x g'/g close to the tip: at w/E* times u, or if g is not a normal number there, at the nearest power of two times
+/// that where it is. A steep profile leaves the range within a few octaves.
 fn tip_exponent<R: Real>(transform: &dyn Transform<R>, length: &R) -> Option<R> {
-    /// No exponent range is wider: 2^±2²⁰.
+    /// The widest exponent range: 2^±2²⁰.
     const GALLOPS: u32 = 20;
     let start = -i64::from(length.precision());
     let side = |t: i64| side(transform, length.clone() * length.lit(2).powi(t));
@@ -285,13 +287,13 @@ fn tip_exponent<R: Real>(transform: &dyn Transform<R>, length: &R) -> Option<R> 
     None
 }
 
-/// Where g(x) lies.
+/// The position of g(x) in the range of the arithmetic.
 enum Side<R> {
     /// Below the normal numbers of the arithmetic.
     Below,
-    /// Among them, with x g'/g where that can be an exponent.
+    /// A normal number, with x g'/g if that can be an exponent.
     Normal(Option<R>),
-    /// Above them, or beyond the profile.
+    /// Above the normal numbers, or beyond the profile.
     Above,
 }
 
@@ -311,7 +313,7 @@ fn side<R: Real>(transform: &dyn Transform<R>, x: R) -> Side<R> {
     }
 }
 
-/// The bracket of a crossing that was found with coarse integrals: widened until the full ones change sign in it.
+/// The bracket of a crossing that was found with coarse integrals, widened until the full ones change sign in it.
 fn bracket<R: Real>(crossing: &Crossing<R>, mut excess: impl FnMut(&R) -> Result<R>) -> Result<Option<Bracket<R>>> {
     let (mut lower, mut upper) = (crossing.lower.clone(), crossing.upper.clone());
     for halvings in (1..=7).rev() {

@@ -1,7 +1,7 @@
 //! Equilibria at a given value of the controlled quantity.
 //!
-//! Between two folds the controlled quantity is monotone along the curve of equilibria, so each branch holds at most one
-//! equilibrium. Its stability is read from the direction of change, (1.8) and (1.9), on both sides.
+//! Between two folds the controlled quantity is monotone along the curve of equilibria, so each branch contains at most
+//! one equilibrium. Its stability follows from the direction of change, (1.8) and (1.9), on both sides.
 
 mod ends;
 
@@ -23,21 +23,21 @@ use ends::is_pole;
 /// The branches of a contact under one control: the curve of equilibria cut at its folds.
 pub struct Branches<'a, R: Real> {
     curve: Curve<'a, R>,
-    /// Poles among them.
+    /// Includes poles.
     folds: Vec<Instability<R>>,
     completeness: Completeness,
-    /// The radii that are looked at, where not all of them are.
+    /// The radii of the search, if it is limited.
     reach: Option<[R; 2]>,
-    /// The outer radius, where g is infinite: before it a contact that grows comes to rest.
+    /// The outer radius where g diverges: a growing contact comes to equilibrium before it.
     rim: Option<R>,
     admissibility: OnceLock<Arc<Admissibility<'a>>>,
 }
 
-/// All equilibria at `value` of the controlled quantity (d, F, or D = d + F/k), by increasing radius. None is an empty list.
-/// At a fold itself the double root is one equilibrium, [`Neutral`](Stability::Neutral).
+/// All equilibria at `value` of the controlled quantity (d, F, or D = d + F/k), by increasing radius; the list may be
+/// empty. At a fold the double root is one equilibrium, [`Neutral`](Stability::Neutral).
 ///
-/// Accuracy: the residual is at the rounding level of g and Δl; the radius has that error times their condition, which
-/// near a fold at relative distance ε grows as 1/√ε: half the digits are left at ε = u.
+/// Accuracy: the residual is at the rounding level of g and Δl; the error of the radius is that times its condition,
+/// which near a fold at relative distance ε grows as 1/√ε: half the digits are lost at ε = u.
 ///
 /// ```
 /// use mdr_core::contact::{Control, Material, Stability};
@@ -51,7 +51,7 @@ pub struct Branches<'a, R: Real> {
 /// ```
 ///
 /// # Errors
-/// Those of the transform; [`OutOfRange`](Error::OutOfRange) when a force is no number of this arithmetic.
+/// Those of the transform; [`OutOfRange`](Error::OutOfRange) if a force is not representable in this arithmetic.
 pub fn equilibria<R: Real>(
     transform: &dyn Transform<R>,
     material: &Material<R>,
@@ -61,13 +61,13 @@ pub fn equilibria<R: Real>(
     Branches::new(Curve::new(transform, material, control))?.search(value)
 }
 
-/// The equilibria at one value, and how far the search can be trusted.
+/// The equilibria at one value, and the quality of the search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibria<R> {
     /// By increasing radius.
     pub equilibria: Vec<Equilibrium<R>>,
-    /// [`Doubtful`](Completeness::Doubtful) where there may be more: on branches between folds that were not found, or at
-    /// radii out of the range that is looked at.
+    /// [`Doubtful`](Completeness::Doubtful) if there may be more: on branches between folds that were not found, or at
+    /// radii outside the searched range.
     pub completeness: Completeness,
 }
 
@@ -81,7 +81,7 @@ impl<R> Deref for Equilibria<R> {
 }
 
 impl<'a, R: Real> Branches<'a, R> {
-    /// Finds the folds of the curve. Do this once and ask for many values.
+    /// Finds the folds of the curve. Call it once for many values.
     ///
     /// # Errors
     /// As [`folds::folds`].
@@ -93,7 +93,7 @@ impl<'a, R: Real> Branches<'a, R> {
         }
     }
 
-    /// The curve cut at folds that are known already: those of the same contact under the same control, all with a state.
+    /// The curve cut at known folds: those of the same contact under the same control, all with a state.
     pub fn cut_at(curve: Curve<'a, R>, folds: Folds<R>) -> Self {
         let Folds { mut folds, poles, completeness, .. } = folds;
         folds.extend(poles);
@@ -102,12 +102,12 @@ impl<'a, R: Real> Branches<'a, R> {
         Branches { curve, folds, completeness, reach: None, rim, admissibility: OnceLock::new() }
     }
 
-    /// The same with what is known of admissibility already; else it is searched when it is needed.
+    /// The same with a known admissibility, which is otherwise searched when needed.
     pub fn with_admissibility(self, admissibility: Arc<Admissibility<'a>>) -> Self {
         Branches { admissibility: OnceLock::from(admissibility), ..self }
     }
 
-    /// Looks for equilibria between these radii only; else where folds are searched, at most 10^±455000 times w/E*.
+    /// Restricts the search to these radii; by default it covers those searched for folds, up to 10^±455000 times w/E*.
     pub fn within(self, lower: R, upper: R) -> Self {
         Branches { reach: Some([lower, upper]), ..self }
     }
@@ -139,11 +139,11 @@ impl<'a, R: Real> Branches<'a, R> {
         Ok(Equilibria { equilibria, completeness })
     }
 
-    /// Whether `value` is that of the fold, up to the rounding of g, Δl and the mean of g.
+    /// Whether `value` equals that of the fold, up to the rounding of g, Δl and the mean of g.
     ///
-    /// Beyond the fold by some roundings it is given the benefit of the doubt. On the side of the two equilibria they are told
-    /// apart as soon as the roundings of d and Δl can: to take both for the fold costs them their distance from it, which
-    /// grows as the root of that of the value.
+    /// Up to some roundings beyond the fold it counts as equal. On the side of the two equilibria they are
+    /// distinguished as soon as the roundings of d and Δl allow: taking both for the fold would cost their distance
+    /// from it, which grows as the root of that of the value.
     fn is_at(&self, fold: &Instability<R>, value: &R) -> bool {
         if is_pole(fold) {
             return false;
@@ -157,7 +157,7 @@ impl<'a, R: Real> Branches<'a, R> {
         };
         let (lengths, roundings) = if beyond > value.lit(0) { (2, 8) } else { (1, 2) };
         let displacement = fold.indentation.abs() + self.curve.elongation(a).times(lengths);
-        // The force is 2E*a times a difference of lengths of this size.
+        // The force is 2E*a times a difference of lengths of this magnitude.
         let force = match self.curve.force_at(a, &displacement) {
             Ok(force) => force.abs() + fold.force.abs(),
             Err(_) => fold.force.abs(),
@@ -166,7 +166,7 @@ impl<'a, R: Real> Branches<'a, R> {
         beyond.abs() <= scale * value.unit_roundoff().times(roundings)
     }
 
-    /// The state at a wall, if the contact rests there at `value`.
+    /// The state at a vertical edge, if the contact edge is there at `value`.
     fn at_wall(&self, value: &R) -> Result<Option<Equilibrium<R>>> {
         let Some(wall) = self.curve.wall() else { return Ok(None) };
         let grows = match self.folds.last().filter(|fold| fold.contact_radius == wall) {
@@ -180,7 +180,7 @@ impl<'a, R: Real> Branches<'a, R> {
         Ok(Some(Equilibrium { contact_radius: wall, indentation, force, stability: Stability::Stable }))
     }
 
-    /// Where the direction of change turns on a branch, away from poles.
+    /// The sign change of the direction of change on a branch, away from poles.
     fn change(&self, branch: usize, value: &R) -> Result<Option<Change<R>>> {
         let below = branch.checked_sub(1).and_then(|index| self.folds.get(index));
         let above = self.folds.get(branch);
@@ -212,7 +212,7 @@ impl<'a, R: Real> Branches<'a, R> {
         }
     }
 
-    /// The direction of change on the branch beside a fold. At the value of the fold itself it is that of both sides.
+    /// The direction of change on the branch beside a fold. At the value of the fold it is the same on both sides.
     fn beside(&self, fold: &Instability<R>, value: &R) -> Result<Ordering> {
         if is_pole(fold) {
             return Ok(match fold.kind {
@@ -229,7 +229,7 @@ impl<'a, R: Real> Branches<'a, R> {
         Ok(sign(&self.curve.direction_at(&fold.contact_radius, value)?))
     }
 
-    /// A radius to start from where there is no fold: the length w/E*, or half the outer radius if that is smaller.
+    /// A start radius if there is no fold: the length w/E*, or half the outer radius if that is smaller.
     fn start(&self) -> R {
         let length = self.curve.material_length();
         match self.curve.transform().outer_radius().map(|outer| outer.over(2)) {
@@ -238,8 +238,8 @@ impl<'a, R: Real> Branches<'a, R> {
         }
     }
 
-    /// Walks from `start` to the end of the range of radii in steps that double in ln a, and halve at the end, until the
-    /// direction of change is no longer `from`.
+    /// Searches from `start` to the end of the range of radii in steps that double in ln a, and halve at the end, until
+    /// the direction of change differs from `from`.
     fn walk(&self, start: &R, from: Ordering, way: Way, value: &R) -> Result<Option<Change<R>>> {
         let mut last = start.clone();
         let mut octaves: i64 = 1;
@@ -267,7 +267,7 @@ impl<'a, R: Real> Branches<'a, R> {
         }
     }
 
-    /// The rest of a walk, towards the outer radius: ever closer, and to a wall or a rim itself.
+    /// The last part of a search towards the outer radius: ever closer, and up to a vertical edge or an equator itself.
     fn approach(&self, mut last: R, outer: &R, from: Ordering, value: &R) -> Result<Option<Change<R>>> {
         for step in rim::approaches(outer).chain(self.curve.wall()) {
             if !(step > last) {
@@ -283,10 +283,11 @@ impl<'a, R: Real> Branches<'a, R> {
         Ok(at_rim.map(|upper| Change { lower: last, upper, below: from }))
     }
 
-    /// The direction of change at a radius; none out of the range of radii or of the arithmetic, or where g cannot be had:
-    /// a walk ends there. The search for folds met the same radii and has said that it is [`Completeness::Doubtful`].
+    /// The direction of change at a radius; `None` outside the range of radii or of the arithmetic, or where g cannot
+    /// be computed: the search ends there. The search for folds met the same radii and reported
+    /// [`Completeness::Doubtful`].
     ///
-    /// Nor beyond the radii where folds are searched: the exponents of arbitrary precision reach to 10^±3·10⁸.
+    /// `None` also beyond the radii searched for folds: the exponents of arbitrary precision reach to 10^±3·10⁸.
     fn turn(&self, a: R, value: &R) -> Result<Option<(R, Ordering)>> {
         let normal = a.is_finite() && a.clone() * a.unit_roundoff() > a.lit(0);
         let within = self.reach.as_ref().is_none_or(|[lower, upper]| a >= *lower && a <= *upper);
@@ -352,7 +353,7 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
         } else {
             self.curve.state_held(&contact_radius, value)?
         };
-        // It grows below and shrinks above: back to the equilibrium.
+        // The contact grows below and shrinks above, back to the equilibrium.
         let stability = if below == Ordering::Less { Stability::Stable } else { Stability::Unstable };
         Ok(Some(Equilibrium { contact_radius, indentation, force, stability }))
     }
@@ -374,7 +375,7 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
     }
 }
 
-/// Two radii between which the direction of change turns, and what it is below.
+/// Two radii between which the direction of change changes its sign, and its sign below.
 struct Change<R> {
     lower: R,
     upper: R,
@@ -387,7 +388,7 @@ enum Way {
     Down,
 }
 
-/// The sign of a direction of change; an exact zero counts as shrinking, on both sides alike.
+/// The sign of a direction of change; an exact zero counts as shrinking on both sides.
 fn sign<R: Real>(change: &R) -> Ordering {
     if *change < change.lit(0) { Ordering::Less } else { Ordering::Greater }
 }

@@ -1,7 +1,7 @@
-//! What a state looks like in space: pressure, displacement and gap.
+//! The fields of a state: pressure, displacement and gap.
 //!
-//! All three are integrals of g alone, so a profile needs no more than its transform. The substitutions below take the
-//! square-root singularities out, and every integral is split at the kinks of g.
+//! All three are integrals of g alone, so a profile needs only its transform. The substitutions below remove the
+//! square-root singularities, and every integral is split at the kinks of g.
 
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, roundoff_tolerance};
@@ -18,8 +18,8 @@ use crate::curve::{Curve, negligible};
 /// let ball = Quadrature::new(Paraboloid::new(1.0)?);
 /// let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation);
 /// let fields = Fields::new(Curve::new(&ball, &material, &control), 0.1)?;
-/// assert!(fields.pressure(&0.0)? > 0.0);   // pressed in the middle,
-/// assert!(fields.pressure(&0.0999)? < 0.0); // torn at the edge
+/// assert!(fields.pressure(&0.0)? > 0.0);   // compressed in the middle,
+/// assert!(fields.pressure(&0.0999)? < 0.0); // in tension at the edge
 /// assert!(fields.gap(&0.2)? > 0.0);
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
@@ -28,7 +28,7 @@ pub struct Fields<'a, R: Special> {
     curve: Curve<'a, R>,
     contact_radius: R,
     indentation: R,
-    /// g(a) − d, by which the springs at the edge are stretched: Δl, but less at a wall that the contact is pressed against.
+    /// g(a) − d, the elongation of the edge springs: Δl, but less if the contact is pressed against a vertical edge.
     edge: R,
 }
 
@@ -44,7 +44,7 @@ impl<'a, R: Special> Fields<'a, R> {
         Ok(Fields { curve, contact_radius, indentation, edge })
     }
 
-    /// An equilibrium that was found on the curve, or at its wall.
+    /// An equilibrium that was found on the curve, or at its vertical edge.
     ///
     /// # Errors
     /// As [`Fields::new`].
@@ -62,14 +62,15 @@ impl<'a, R: Special> Fields<'a, R> {
         &self.indentation
     }
 
-    /// The pressure p(r) = (E*/π)[∫ᵣᵃ g'(x)/√(x² − r²) dx − (g(a) − d)/√(a² − r²)] for 0 ≤ r < a, in Pa (Popov & Heß 2014),
-    /// with g(a) − d = Δl away from a wall; negative is tension. With q² = a² − r² and x² = r² + q²t² the integral is
-    /// ∫ g'(x) q/x dt up to the first kink b > r, or to a, in which no length has to be small or large. Beyond a kink, where g'
-    /// may begin with 1/√(x − b), the variable is τ in x = b + (b − r) sinh²τ.
+    /// The pressure p(r) = (E*/π)[∫ᵣᵃ g'(x)/√(x² − r²) dx − (g(a) − d)/√(a² − r²)] for 0 ≤ r < a, in Pa (Popov & Heß
+    /// 2014), with g(a) − d = Δl away from a vertical edge; negative is tension. With q² = a² − r² and x² = r² + q²t²
+    /// the integral is ∫ g'(x) q/x dt up to the first kink b > r, or to a, where all ratios of lengths are moderate.
+    /// Beyond a kink, where g' may begin with 1/√(x − b), the variable is τ in x = b + (b − r) sinh²τ.
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 ≤ r < a, and where the pressure is infinite: at the tip of a cone, and at some kinks;
-    /// [`Error::NoConvergence`] where the quadrature does not. [`Error::OutOfRange`] when it is no number of this arithmetic.
+    /// [`Error::NoConvergence`] if the quadrature does not converge; [`Error::OutOfRange`] if it is not representable
+    /// in this arithmetic.
     pub fn pressure(&self, r: &R) -> Result<R> {
         settled(
             self.pressure_estimate(r)?,
@@ -77,10 +78,10 @@ impl<'a, R: Special> Fields<'a, R> {
         )
     }
 
-    /// The pressure with its estimated error, also where that is larger than [`Fields::pressure`] lets pass.
+    /// The pressure with its estimated error, also if that exceeds the limit of [`Fields::pressure`].
     ///
     /// # Errors
-    /// As there.
+    /// As [`Fields::pressure`].
     pub fn pressure_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = &self.contact_radius;
         if !(*r >= r.lit(0) && r < a) {
@@ -92,7 +93,7 @@ impl<'a, R: Special> Fields<'a, R> {
         let first = kinks.first().unwrap_or(a);
         let mut bulk = integrate(&r.lit(0), &(leg(first, r) / &reach), &[], |t| {
             let share = hypotenuse(&aside, t);
-            // Rounding must not lead beyond a kink: a piece in which g' is 0 would have nothing else in it.
+            // Rounding must not lead beyond a kink: a piece in which g' is 0 would consist of such a point only.
             let x = (share.clone() * &reach).greater(r).lesser(first);
             Ok(self.curve.transform().slope(&self.off_axis(x))? / share)
         })
@@ -113,7 +114,7 @@ impl<'a, R: Special> Fields<'a, R> {
         Err(Error::OutOfRange { quantity: Quantity::Parameter("the pressure p"), log10 })
     }
 
-    /// Whether a quadrature that fails must: at the tip where g' does not vanish there, and at a kink.
+    /// Whether the quadrature is expected to fail: at the tip if g' does not vanish there, and at a kink.
     fn is_infinite_at(&self, r: &R) -> bool {
         let near = |bits: i64| self.curve.transform().slope(&(r.lit(2).powi(-bits) * &self.contact_radius));
         let sharp = || matches!((near(20), near(40)), (Ok(far), Ok(near)) if near.abs() > far.abs().over(2));
@@ -130,10 +131,10 @@ impl<'a, R: Special> Fields<'a, R> {
         settled(self.gap_estimate(r)?, &self.edge)
     }
 
-    /// The gap with its estimated error, also where that is larger than [`Fields::gap`] lets pass.
+    /// The gap with its estimated error, also if that exceeds the limit of [`Fields::gap`].
     ///
     /// # Errors
-    /// As there.
+    /// As [`Fields::gap`].
     pub fn gap_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = self.outside(r)?;
         let angle = |x: &R| (leg(r, x) / x).atan();
@@ -152,10 +153,10 @@ impl<'a, R: Special> Fields<'a, R> {
         settled(self.displacement_estimate(r)?, &self.edge)
     }
 
-    /// The displacement with its estimated error, also where that is larger than [`Fields::displacement`] lets pass.
+    /// The displacement with its estimated error, also if that exceeds the limit of [`Fields::displacement`].
     ///
     /// # Errors
-    /// As there.
+    /// As [`Fields::displacement`].
     pub fn displacement_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = self.outside(r)?;
         let angle = |x: &R| (x.clone() / &leg(r, x)).atan();
@@ -167,8 +168,8 @@ impl<'a, R: Special> Fields<'a, R> {
         Ok(integrate(&r.lit(0), &angle(a), &breaks, depth)?.scaled(&(r.lit(2) / r.pi())))
     }
 
-    /// The stiffness of the contact along the equilibria, dF/dd = F'(a)/d'(a), in N/m; infinite at a fold of d. At a wall
-    /// the radius is fixed, and it is 2E*a.
+    /// The stiffness of the contact along the equilibria, dF/dd = F'(a)/d'(a), in N/m; infinite at a fold of d. At a
+    /// vertical edge the radius is fixed, and it is 2E*a.
     ///
     /// # Errors
     /// [`Error::Domain`] at the fold itself; as [`Curve::tangency`].
@@ -200,7 +201,8 @@ impl<'a, R: Special> Fields<'a, R> {
         }
     }
 
-    /// A radius in the contact, but none so near the axis that it weighs nothing in an integral and may be 0 by rounding.
+    /// A radius in the contact, bounded away from the axis by an amount that is negligible in an integral: rounding
+    /// could give 0.
     fn off_axis(&self, x: R) -> R {
         x.greater(&(self.contact_radius.unit_roundoff().square() * &self.contact_radius))
     }
@@ -222,7 +224,7 @@ fn leg<R: Special>(x: &R, r: &R) -> R {
     (x.clone() - r).sqrt() * (x.clone() + r).sqrt()
 }
 
-/// √(x² + y²) for x, y ≥ 0, without a square that leaves the range.
+/// √(x² + y²) for x, y ≥ 0; the squares stay in range.
 fn hypotenuse<R: Special>(x: &R, y: &R) -> R {
     let (short, long) = if x < y { (x, y) } else { (y, x) };
     if *long == long.lit(0) {
@@ -236,11 +238,11 @@ fn integrate<R: Special>(lower: &R, upper: &R, breaks: &[R], f: impl Fn(&R) -> R
     tanh_sinh_pieces(lower, upper, breaks, or_half_of_the_digits(upper), f)
 }
 
-/// ∫ g'(x)/√(x² − r²) dx from a kink b > r, where g' may have an inverse root: in τ with x = b + (b − r) sinh²τ, which takes out
-/// that root and the one of x − r however close r is, 2∫ g'(x) √((b − r)/(x + r)) sinh τ dτ.
+/// ∫ g'(x)/√(x² − r²) dx from a kink b > r, where g' may have an inverse root: in τ with x = b + (b − r) sinh²τ, which
+/// removes that root and the one of x − r however close r is, 2∫ g'(x) √((b − r)/(x + r)) sinh τ dτ.
 ///
-/// By Gauss–Legendre, whose nodes keep away from the kink: next to it the rounding of x would be all that is left of x − b.
-/// Tanh-sinh where something singular is close.
+/// By Gauss–Legendre, whose nodes stay away from the kink: next to it x − b would consist of the rounding of x only.
+/// Tanh-sinh if a singularity is close.
 fn integrate_from_kink<R: Special>(kink: &R, upper: &R, r: &R, slope: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
     let (zero, one, near) = (upper.lit(0), upper.lit(1), kink.clone() - r);
     let beside = kink.unit_roundoff().times(2) * kink + kink;
@@ -251,7 +253,7 @@ fn integrate_from_kink<R: Special>(kink: &R, upper: &R, r: &R, slope: impl Fn(&R
         let excess = (t.clone() * &width).exp_m1();
         let sinh = (excess.clone() / (excess.clone() + &one) + excess).over(2);
         let x = (sinh.square() * &near + kink).lesser(upper).greater(&beside);
-        // sinh of the radius as it was rounded, at which the slope is taken.
+        // sinh at the rounded radius, at which the slope is evaluated.
         let sinh = ((x.clone() - kink) / &near).sqrt();
         Ok(slope(&x)? * (near.clone() / (x + r)).sqrt() * sinh)
     };
@@ -262,7 +264,7 @@ fn integrate_from_kink<R: Special>(kink: &R, upper: &R, r: &R, slope: impl Fn(&R
     Ok(integral.scaled(&width.times(2)))
 }
 
-/// Where an integrand cancels, rounding may leave less of it than is asked for: by this factor.
+/// The factor by which the accuracy may miss the goal when rounding dominates an integrand that cancels.
 const CANCELLED: i64 = 4096;
 
 fn tolerance<R: Special>(like: &R) -> Tolerance<R> {
@@ -270,12 +272,12 @@ fn tolerance<R: Special>(like: &R) -> Tolerance<R> {
     Tolerance::new(&goal).or_noise_below(goal.times(CANCELLED))
 }
 
-/// The same, or what the finest rule gives: its error is passed on.
+/// The same, or the result of the finest rule with its error.
 fn or_half_of_the_digits<R: Special>(like: &R) -> Tolerance<R> {
     tolerance(like).or_finest_below(like.unit_roundoff().sqrt().times(16))
 }
 
-/// The value of an estimate that is as good as the tolerance asks, relative to itself or to the part of the edge.
+/// The value of an estimate that meets the tolerance, relative to itself or to the contribution of the edge.
 fn settled<R: Special>(estimate: Estimate<R>, edge: &R) -> Result<R> {
     let Estimate { value, error, evaluations } = estimate;
     let size = value.abs() + edge.abs();

@@ -10,12 +10,13 @@ use crate::curve::Curve;
 use crate::rim;
 use crate::survey::{self, Crossing, Range};
 
-/// How far a search can be trusted. Neither is a proof: that needs enclosures of g over intervals of radii.
+/// The quality of a search. Neither is a proof, which needs enclosures of g over intervals of radii.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Completeness {
-    /// Not proved; but the function was resolved everywhere in the range of radii, or kept a margin from the condition.
+    /// Not proved; but the function was resolved everywhere in the range of radii, or stayed away from the condition by
+    /// a margin.
     Resolved,
-    /// Not proved, and somewhere the function could not be resolved or evaluated: folds may be missing.
+    /// Not proved, and the function was not resolved or could not be evaluated somewhere: folds may be missing.
     Doubtful,
 }
 
@@ -24,10 +25,10 @@ pub enum Completeness {
 pub struct Folds<R> {
     /// By increasing radius.
     pub folds: Vec<Instability<R>>,
-    /// Where g is infinite, and with it the controlled quantity: the curve of equilibria is cut there as by a fold. By
-    /// increasing radius; indentation and force are infinite.
+    /// Radii where g, and with it the controlled quantity, diverges: the curve of equilibria is cut there as by a fold.
+    /// By increasing radius; indentation and force are infinite.
     pub poles: Vec<Instability<R>>,
-    /// Those of which only the radius is a number of this arithmetic, by increasing radius.
+    /// Folds whose force overflows or underflows, by increasing radius; only the radius is known.
     pub beyond: Vec<Beyond<R>>,
     /// Whether there may be more.
     pub completeness: Completeness,
@@ -38,9 +39,9 @@ pub struct Folds<R> {
 pub struct Beyond<R> {
     /// a, in m.
     pub contact_radius: R,
-    /// Whether the controlled quantity is smallest or largest there.
+    /// Whether the controlled quantity has its minimum or its maximum there.
     pub kind: FoldKind,
-    /// What is out of range, and its log₁₀.
+    /// The quantity that is out of range, and its log₁₀.
     pub error: Error,
 }
 
@@ -67,11 +68,11 @@ impl<R> Deref for Folds<R> {
 /// All folds by tangency: g'(a) = Δl'(a) (1.10) under controlled indentation, g' = 3Δl' under controlled force, and
 /// g' = Δl'·(k+6E*a)/(k+2E*a) on a machine. By increasing radius.
 ///
-/// Where the curve is unstable up to a [wall](Transform::wall), the last fold is a minimum at the wall: the contact edge
-/// rests there when the controlled quantity is larger.
+/// If the curve is unstable up to a [vertical edge](Transform::wall), the last fold is a minimum at the vertical edge:
+/// the contact edge stays there when the controlled quantity is larger.
 ///
 /// At a fold the relative error of the radius is the error of g' over |d ln(g'/Δl')/d ln a|, n − 1/2 for a power law;
-/// indentation and force lose less.
+/// indentation and force are more accurate.
 ///
 /// ```
 /// use mdr_core::contact::{Control, Material};
@@ -84,7 +85,7 @@ impl<R> Deref for Folds<R> {
 /// ```
 ///
 /// # Errors
-/// As [`find`]; [`OutOfRange`](Error::OutOfRange) when the force of a fold is no number of this arithmetic.
+/// As [`find`]; [`OutOfRange`](Error::OutOfRange) if the force of a fold is not representable in this arithmetic.
 pub fn folds<R: Real>(transform: &dyn Transform<R>, material: &Material<R>, control: &Control<R>) -> Result<Folds<R>> {
     let found = find(&Curve::new(transform, material, control))?;
     match found.beyond.first() {
@@ -93,12 +94,12 @@ pub fn folds<R: Real>(transform: &dyn Transform<R>, material: &Material<R>, cont
     }
 }
 
-/// As [`folds`], and with those whose force is out of range.
+/// As [`folds`], including those whose force is out of range.
 ///
 /// # Errors
 /// Those of the transform at a fold; [`Error::Domain`] unless the stiffness of a machine is positive and finite;
-/// [`Error::Undecided`] where the condition holds, up to rounding, over a whole range of
-/// radii, so that each of them or none is a fold: n = 1/2 with C at a threshold (1.19).
+/// [`Error::Undecided`] if the condition is satisfied, up to rounding, over a whole range of radii: n = 1/2 with C at a
+/// threshold (1.19).
 pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
     curve.control().check()?;
     let range = Range {
@@ -130,7 +131,7 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
             Err(error) => Err(error),
         };
         match added {
-            // Neither a fold nor a pole of which the profile knows; or g' is not known well enough to say where the fold is.
+            // Neither a fold nor a known pole; or g' is too inaccurate to locate the fold.
             Err(Error::Domain { .. } | Error::NoConvergence { .. }) => found.completeness = Completeness::Doubtful,
             added => added?,
         }
@@ -143,7 +144,7 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
     Ok(found)
 }
 
-/// An extremum without bound, where g is infinite.
+/// A fold with infinite indentation and force, where g diverges.
 pub fn pole<R: Real>(contact_radius: R, kind: FoldKind) -> Instability<R> {
     let sign = if kind == FoldKind::Minimum { -1 } else { 1 };
     let infinite = contact_radius.lit(sign).over(0);
@@ -164,8 +165,8 @@ fn radius_at<R: Real>(crossing: &Crossing<R>, ratio: impl Fn(&R) -> Result<R>) -
     Ok(Some(roots::refine(bracket, &crossing.lower.unit_roundoff(), excess)?.value))
 }
 
-/// Adds the crossing between where the survey ends and the end of a profile without a wall. Whether it is known that there is
-/// no other: where g grows without bound the ratio ends above one.
+/// Adds the crossing between the end of the survey and the end of a profile without a vertical edge. Returns whether it
+/// is certain that there is no other: if g diverges the ratio ends above one.
 fn extend_to_end<R: Real>(
     curve: &Curve<'_, R>,
     ratio: impl Fn(&R) -> Result<R>,
@@ -181,20 +182,20 @@ fn extend_to_end<R: Real>(
             crossings.extend(between([lower, upper], [before, after]));
             Ok(ends_above || !rim)
         }
-        // The survey has said where it could not go itself.
+        // The survey has already reported that it could not reach the end.
         [Ok(before), Err(_)] => Ok(before > before.lit(1)),
         [Err(_), _] => Ok(true),
     }
 }
 
-/// The crossing between a wall and where the survey ends, if there is one.
+/// The crossing between the end of the survey and a vertical edge, if there is one.
 fn before_wall<R: Real>(wall: &R, ratio: impl Fn(&R) -> Result<R>) -> Result<Option<Crossing<R>>> {
     let surveyed = survey::surveyed_to(wall);
     let ratios = [ratio(&surveyed)?, ratio(wall)?];
     Ok(between([surveyed, wall.clone()], ratios))
 }
 
-/// The crossing between two radii, if the ratios there tell of one.
+/// The crossing between two radii, if the ratios there show one.
 fn between<R: Real>([lower, upper]: [R; 2], ratios: [R; 2]) -> Option<Crossing<R>> {
     let [before, after] = ratios.map(|ratio| ratio >= ratio.lit(1));
     (before != after).then_some(Crossing { lower, upper, rising: after })

@@ -1,7 +1,7 @@
-//! The independent numerical route: nothing here knows a closed form of any transform.
-//!
-//! Heights go in; instabilities, equilibria and loading paths come out. The wavy paraboloid of figure 4 of the source paper
-//! has three folds. Pulled off from d = 0 it jumps once, from crest to crest, and then breaks:
+//! Adhesive contact by numerical methods: heights f(r) in; folds, equilibria, loading paths, energies and fields out. No
+//! closed form of a transform is used here, so the results are independent of the analytic crate. The example is the wavy
+//! paraboloid of figure 4 of the source paper, which has three folds. Pulled off from d = 0 it jumps once, from crest to
+//! crest, and then breaks.
 //!
 //! ```
 //! use mdr_core::contact::{Control, Material};
@@ -18,7 +18,7 @@
 //! for (radius, six_digits) in radii.iter().zip([0.0189447, 0.0534681, 0.0644590]) {
 //!     assert!((radius - six_digits).abs() < 0.5e-7);
 //! }
-//! // Two of the four equilibria at d = −1.83 mm are stable; which one is taken depends on where the contact came from.
+//! // Two of the four equilibria at d = −1.83 mm are stable; the history of the contact selects one of them.
 //! assert_eq!(branches.equilibria(&-1.83e-3)?.len(), 4);
 //!
 //! let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.01])?;
@@ -27,19 +27,30 @@
 //! # Ok::<(), mdr_core::contact::Error>(())
 //! ```
 //!
-//! * [`profiles`]: heights f(r).
-//! * [`transform`]: g, g' and ∫g by quadrature, for any profile.
-//! * [`curve`]: the equilibria of (1.5) and (1.6) as a curve, and the direction of change off it.
-//! * [`folds`]: the instabilities, by tangency (1.10), under every control.
-//! * [`equilibrium`]: all equilibria at a given indentation, force or machine position, and what an instability leads to.
-//! * [`branch`]: the curve cut at its folds, as a loading path needs it.
-//! * [`admissible`]: whether the surfaces are apart outside of the contact, as the theory assumes.
-//! * [`path`]: what the contact does along a loading path.
-//! * [`energy`]: the same equilibria from the potential energy (Griffith).
-//! * [`springs`]: the elastic foundation of discrete springs, the paper's procedure taken literally.
-//! * [`fields`]: pressure, displacement, gap.
-//! * [`table`]: measured profiles from a CSV file, transformed exactly.
-//! * `proof`, with the feature `mp`: folds with a proof that none is missed.
+//! | task | module |
+//! |---|---|
+//! | heights f(r) | [`profiles`]; measured ones from a CSV file: [`table`] |
+//! | g, g' and ∫g of any profile, by quadrature | [`transform`] |
+//! | states (a, d, F) by (1.5) and (1.6), and the direction of change off equilibrium | [`curve`] |
+//! | folds by tangency (1.10), under every control | [`folds`] |
+//! | equilibria at an indentation, a force or a machine position | [`equilibrium`] |
+//! | outcome of an instability; the curve cut at its folds | [`branch`] |
+//! | loading paths, their work and dissipation | [`path`] |
+//! | whether the surfaces are separated outside the contact, as the theory assumes | [`admissible`] |
+//! | pressure, displacement, gap | [`fields`] |
+//! | the same equilibria from the potential energy (Griffith) | [`energy`] |
+//! | the elastic foundation of discrete springs, the procedure of the paper | [`springs`] |
+//! | folds and equilibria with a proof of completeness | `proof` |
+//!
+//! # Features
+//! `mp` (default): `proof`, and all methods in arbitrary precision. Without it the crate is pure Rust.
+//!
+//! # Accuracy and errors
+//! Quadrature is accurate to 32 unit roundoffs of the integral of the magnitude unless a tolerance is set, and returns an
+//! error estimate. A search in `f64` or arbitrary precision reports its [`Completeness`](folds::Completeness), which is
+//! no proof; over intervals results are proved. Decisions that an arithmetic cannot make are
+//! [`Error::Undecided`](mdr_core::contact::Error::Undecided), integrals that miss their tolerance
+//! [`Error::NoConvergence`](mdr_core::contact::Error::NoConvergence).
 
 #![forbid(unsafe_code)]
 

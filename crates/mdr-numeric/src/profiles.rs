@@ -1,10 +1,14 @@
-//! Profiles as heights f(r), and nothing but heights: what the quadrature starts from.
+//! Profiles as heights f(r), the input of the quadrature.
 //!
-//! Every height is written without cancellation near the tip and with ratios of lengths only, so that it keeps its digits
-//! at any scale.
+//! Every height is written without cancellation near the tip and with ratios of lengths only, so that it is accurate at
+//! any scale.
+
+mod heights;
 
 use mdr_core::contact::{Error, Profile, Quantity, Result};
 use mdr_core::number::{Lift, Real};
+
+pub use self::heights::Heights;
 
 /// f = C rⁿ with n, C > 0: the family of the paper, (1.11).
 ///
@@ -35,16 +39,7 @@ impl<R: Real> Power<R> {
 
 impl<R: Real> Profile<R> for Power<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
-        let (n, c) = (S::lift(&self.exponent), S::lift(&self.coefficient));
-        let power = r.pow(&n);
-        let headroom = power.unit_roundoff().square();
-        let normal = power.is_finite() && power.clone() * headroom > power.lit(0);
-        if normal {
-            return power * c;
-        }
-        // C rⁿ may be in range where rⁿ is not.
-        let root = r.pow(&n.over(2));
-        root.clone() * c * root
+        power(r, &self.exponent, &self.coefficient)
     }
 
     fn tip_exponent(&self) -> Option<R> {
@@ -122,11 +117,7 @@ impl<R: Real> Sphere<R> {
 
 impl<R: Real> Profile<R> for Sphere<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
-        // With s = r/R: R s²/(1 + √((1−s)(1+s))).
-        let s = r.clone() / S::lift(&self.radius);
-        let one = s.lit(1);
-        let cosine = ((one.clone() - &s) * (one.clone() + &s)).sqrt();
-        s * r / (one + cosine)
+        spherical(r, &self.radius, &self.radius)
     }
 
     fn outer_radius(&self) -> Option<R> {
@@ -138,7 +129,7 @@ impl<R: Real> Profile<R> for Sphere<R> {
     }
 }
 
-/// f = 0 up to a vertical flank at r = b: the flat punch.
+/// f = 0 up to a vertical edge at r = b: the flat punch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlatPunch<R> {
     radius: R,
@@ -227,9 +218,7 @@ impl<R: Real> WavyParaboloid<R> {
 
 impl<R: Real> Profile<R> for WavyParaboloid<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
-        // 1 − cos kr = 2 sin²(kr/2) keeps its digits near the tip.
-        let half_phase = r.clone() / S::lift(&self.wavelength) * r.pi();
-        parabola(r, &self.radius) + (half_phase.sin().square() * S::lift(&self.amplitude)).times(2)
+        parabola(r, &self.radius) + waves(r, &self.amplitude, &self.wavelength)
     }
 
     fn tip_exponent(&self) -> Option<R> {
@@ -241,7 +230,35 @@ fn radius_of_curvature<R: Real>(radius: R) -> Result<R> {
     Error::require_positive(Quantity::Parameter("the radius of curvature"), radius)
 }
 
-/// r²/2R, through the ratio r/R.
+/// r²/2R, by the ratio r/R.
 fn parabola<R: Real, S: Lift<R>>(r: &S, radius: &R) -> S {
     (r.clone() / S::lift(radius) * r).over(2)
+}
+
+/// C rⁿ.
+fn power<R: Real, S: Lift<R>>(r: &S, exponent: &R, coefficient: &R) -> S {
+    let (n, c) = (S::lift(exponent), S::lift(coefficient));
+    let power = r.pow(&n);
+    let headroom = power.unit_roundoff().square();
+    let normal = power.is_finite() && power.clone() * headroom > power.lit(0);
+    if normal {
+        return power * c;
+    }
+    // C rⁿ may be in range where rⁿ is not.
+    let root = r.pow(&n.over(2));
+    root.clone() * c * root
+}
+
+/// h(1 − √(1 − s²)) with s = r/b, as h s²/(1 + √((1−s)(1+s))).
+fn spherical<R: Real, S: Lift<R>>(r: &S, lateral: &R, height: &R) -> S {
+    let s = r.clone() / S::lift(lateral);
+    let one = s.lit(1);
+    let cosine = ((one.clone() - &s) * (one.clone() + &s)).sqrt();
+    s.square() * S::lift(height) / (one + cosine)
+}
+
+/// A(1 − cos 2πr/λ) = 2A sin²(πr/λ), which keeps its digits near the tip.
+fn waves<R: Real, S: Lift<R>>(r: &S, amplitude: &R, wavelength: &R) -> S {
+    let half_phase = r.clone() / S::lift(wavelength) * r.pi();
+    (half_phase.sin().square() * S::lift(amplitude)).times(2)
 }

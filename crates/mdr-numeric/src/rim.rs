@@ -1,20 +1,21 @@
-//! The rim of a profile: an outer radius towards which g grows without bound, as that of a sphere.
+//! The equator of a profile: an outer radius where g diverges, as that of a sphere.
 //!
-//! Before it there is an equilibrium at every value at which the contact still grows, however close that is to the rim: at
-//! 1 − a/R ≈ 2 exp(−2(1 + Δl/R)) on a sphere of radius R at d = R, where no number of the arithmetic may be left.
+//! Before it there is an equilibrium at every value at which the contact still grows, however close to the equator: at
+//! 1 − a/R ≈ 2 exp(−2(1 + Δl/R)) on a sphere of radius R at d = R, where the arithmetic may have no number in between.
 
 use mdr_core::contact::{Control, Result};
 use mdr_core::number::Real;
 
 use crate::curve::Curve;
 
-/// The relative distance 2^−k from the rim at which the profile is asked what it is.
+/// The relative distance 2^−k from the equator at which the bounds of the profile are evaluated.
 const MARGIN: i64 = 40;
-/// The relative distance 2^−k from the rim from which on a state is better known from what is held than from its radius.
+/// The relative distance 2^−k from the equator within which a state is more accurate from the controlled value than
+/// from its radius.
 const NEAR: i64 = 8;
 
 impl<R: Real> Curve<'_, R> {
-    /// The outer radius, where g is known to grow without bound towards it.
+    /// The outer radius, if g is known to diverge there.
     ///
     /// # Errors
     /// As [`Transform::kink`](mdr_core::contact::Transform::kink).
@@ -25,10 +26,10 @@ impl<R: Real> Curve<'_, R> {
         Ok(end.filter(|end| end.value.is_none() && end.inside.least.is_some()).map(|_| outer))
     }
 
-    /// Indentation and force of the equilibrium between the last radius and the rim.
+    /// Indentation and force of the equilibrium between the last radius and the equator.
     ///
-    /// The mean of g is that up to the last radius, where g is close to its mean over what is left: it grows as the logarithm
-    /// of the distance, or else d would not be finite.
+    /// The mean of g is that up to the last radius, since g is close to its mean over the remainder: it grows as the
+    /// logarithm of the distance, or d would not be finite.
     pub(crate) fn state_before_rim(&self, last: &R, rim: &R, value: &R) -> Result<(R, R)> {
         let share = (rim.clone() - last) / rim;
         let mean = self.transform().mean(last)?;
@@ -42,8 +43,8 @@ impl<R: Real> Curve<'_, R> {
     }
 }
 
-/// The relative distances 2^−k from an outer radius, ever closer, at which it is approached: 2⁻¹, 2⁻², 2⁻⁴, …, and the last
-/// that the arithmetic tells from it for certain.
+/// The relative distances 2^−k of a search towards an outer radius: 2⁻¹, 2⁻², 2⁻⁴, …, and the last one that the
+/// arithmetic distinguishes from it with certainty.
 pub(crate) fn approaches<R: Real>(outer: &R) -> impl Iterator<Item = R> {
     let last = i64::from(outer.precision()) - 1;
     let outer = outer.clone();
@@ -56,7 +57,7 @@ pub(crate) fn last_before<R: Real>(outer: &R) -> R {
     before(outer, i64::from(outer.precision()) - 1)
 }
 
-/// Whether a radius is so close to the rim that g is much better known than from the rounded radius.
+/// Whether a radius is so close to the equator that g is much more accurate than from the rounded radius.
 pub(crate) fn is_near<R: Real>(a: &R, rim: &R) -> bool {
     *a > before(rim, NEAR)
 }

@@ -1,16 +1,16 @@
 //! The procedure of the paper taken literally: an elastic foundation of discrete springs.
 //!
-//! Springs stand at xᵢ = iΔx, i = −N…N, each of stiffness E*Δx (1.2). The transformed profile g(x) is pressed into them. The
-//! outermost spring in contact detaches when its elongation g(xᵢ) − d exceeds Δl(xᵢ), the rule of Heß (1.4); the next one
-//! attaches when its own would be smaller. The force is the sum of the spring forces.
+//! Springs are at xᵢ = iΔx, i = −N…N, each of stiffness E*Δx (1.2). The transformed profile g(x) is pressed into them.
+//! The outermost spring in contact detaches when its elongation g(xᵢ) − d exceeds Δl(xᵢ), the rule of Heß (1.4); the
+//! next one attaches when its own would be smaller. The force is the sum of the spring forces.
 //!
-//! Pulling and pressing go from event to event, each at its exact indentation, so no step size enters. What is left is the
-//! error of the spacing:
-//! * the critical radius is that of a spring, so it is off by up to Δx/2: first order;
-//! * the critical indentation is the extremum of dᵢ = g(xᵢ) − Δl(xᵢ), a smooth function sampled within Δx/2 of it: second
-//!   order, error ≤ d''(a_c)Δx²/8;
-//! * the force is the trapezoidal sum plus one more half strip E*Δx(d − g(a)) at either edge: at the critical radius it
-//!   is off by −E*Δl(a_c)Δx and by F'(a)|_d = −2E*Δl per unit of the error of the radius: first order.
+//! Pulling and pressing proceed from event to event, each at its exact indentation, so there is no step size. The
+//! remaining error is that of the spacing:
+//! * the critical radius is that of a spring, with an error up to Δx/2: first order;
+//! * the critical indentation is the extremum of dᵢ = g(xᵢ) − Δl(xᵢ), a smooth function sampled within Δx/2 of it:
+//!   second order, error ≤ d''(a_c)Δx²/8;
+//! * the force is the trapezoidal sum plus one more half strip E*Δx(d − g(a)) at either edge: at the critical radius
+//!   its error is −E*Δl(a_c)Δx and F'(a)|_d = −2E*Δl per unit of the error of the radius: first order.
 
 use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Outcome, Quantity, Result, Transform};
 use mdr_core::number::Real;
@@ -43,7 +43,7 @@ pub struct Foundation<R> {
     heights: Vec<R>,
 }
 
-/// A cascade: springs that detach or attach one after the other while the controlled quantity is held.
+/// A cascade: springs that detach or attach one after the other at a fixed controlled value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cascade<R> {
     /// The state at which it starts.
@@ -114,8 +114,8 @@ impl<R: Real> Foundation<R> {
         Error::require_finite(Quantity::Indentation, d)
     }
 
-    /// Pulls with the springs up to `start` in contact until the contact breaks. Springs detach one by one; where the
-    /// loss of one lets others follow by themselves, that is an instability. All of them, in the order they happen.
+    /// Pulls with the springs up to `start` in contact until the contact breaks. Springs detach one by one; if the loss
+    /// of one makes others follow at the same value, that is an instability. Returns all of them in order.
     ///
     /// # Errors
     /// As [`Control::check`].
@@ -138,9 +138,9 @@ impl<R: Real> Foundation<R> {
         Ok(cascades)
     }
 
-    /// Presses with the springs up to `start` in contact until all are. Springs attach one by one; where one brings others
-    /// with it, that is an instability. All of them, in the order they happen; one that reaches the last spring has come to
-    /// complete contact.
+    /// Presses with the springs up to `start` in contact until all are. Springs attach one by one; if one makes others
+    /// follow at the same value, that is an instability. Returns all of them in order; one that reaches the last spring
+    /// is complete contact.
     ///
     /// # Errors
     /// As [`Control::check`].
@@ -165,8 +165,8 @@ impl<R: Real> Foundation<R> {
         Ok(cascades)
     }
 
-    /// The number of the outermost spring of the largest contact that is at rest at `value` of the controlled quantity; none
-    /// where every contact shrinks to nothing or grows to the last spring.
+    /// The index of the outermost spring of the largest contact in equilibrium at `value` of the controlled quantity;
+    /// `None` if every contact shrinks to nothing or grows to the last spring.
     ///
     /// # Errors
     /// As [`Control::check_value`].

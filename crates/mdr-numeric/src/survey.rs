@@ -1,13 +1,14 @@
-//! Where a ratio passes through one: a search over the whole range of contact radii.
+//! The crossings of a ratio through one: a search over the whole range of contact radii.
 //!
-//! The range is covered by panels in t = ln(a/ℓ), ℓ a length of the problem, that grow away from t = 0. A panel is sampled
-//! at nine Chebyshev points and halved until it is settled: its samples and those of two panels around it stay away from
-//! the crossing by a margin, or the polynomial through them, or through their logarithms, is resolved and either has no
-//! zero or is monotone. Nothing depends on the unit of length. The search is adaptive, so it finds pairs of crossings that
-//! a fixed step would miss; it is numerical evidence, no proof.
+//! The range is covered by panels in t = ln(a/ℓ), ℓ a length of the problem, that widen away from t = 0. A panel is
+//! sampled at nine Chebyshev points and halved until it is settled: its samples and those of two enclosing panels stay
+//! away from the crossing by a margin, or the polynomial through them, or through their logarithms, is resolved and
+//! either has no zero or is monotone. Nothing depends on the unit of length. The search is adaptive, so it finds pairs
+//! of crossings that a fixed step would miss; it is numerical evidence, not a proof.
 //!
-//! Why not `mdr_core::calculus::isolate`: that is for a function that is a number everywhere on a bounded range. This one
-//! goes to the ends of the exponent range, over kinks, and past radii where the ratio is out of range or cannot be had.
+//! It complements `mdr_core::calculus::isolate`, which requires a finite function on a bounded range: this search
+//! extends to the ends of the exponent range, over kinks, and past radii where the ratio is out of range or cannot be
+//! computed.
 
 mod chebyshev;
 
@@ -19,11 +20,11 @@ use chebyshev::{DEGREE, Drawn, Fit, share};
 /// A sign change of ln(ratio) between two radii.
 #[derive(Clone, Debug)]
 pub(crate) struct Crossing<R> {
-    /// Below it.
+    /// A radius below it.
     pub(crate) lower: R,
-    /// Above it.
+    /// A radius above it.
     pub(crate) upper: R,
-    /// Whether the ratio grows through one.
+    /// Whether the ratio increases through one.
     pub(crate) rising: bool,
 }
 
@@ -33,11 +34,11 @@ pub(crate) struct Survey<R> {
     pub(crate) crossings: Vec<Crossing<R>>,
     /// Whether every panel was settled.
     pub(crate) resolved: bool,
-    /// Whether the ratio is one up to rounding over a whole panel: every radius there may be a crossing, or none.
+    /// Whether the ratio is one up to rounding over a whole panel, so that every radius there may be a crossing.
     pub(crate) flat: bool,
 }
 
-/// Where to look.
+/// The range of a search.
 pub(crate) struct Range<R> {
     /// The length ℓ.
     pub(crate) scale: R,
@@ -45,23 +46,24 @@ pub(crate) struct Range<R> {
     pub(crate) kinks: Vec<R>,
     /// The end of the range, if it is finite.
     pub(crate) outer: Option<R>,
-    /// The largest −t and t that are looked at, no more than [`REACH`].
+    /// The largest −t and t of the search, at most [`REACH`].
     pub(crate) reach: [f64; 2],
 }
 
-/// The largest |t| that is looked at: 10^±455000, far beyond which only n = 1/2 ± 10⁻⁶ and closer has anything.
+/// The largest |t| of a search: 10^±455000; only n = 1/2 ± 10⁻⁶ and closer has crossings far beyond.
 pub(crate) const REACH: f64 = 1_048_576.0;
 /// Panels are not halved below this width in ln a.
 const FINEST: f64 = 1e-7;
-/// How close in ln a the search comes to a kink, and to the outer radius, where quadrature loses its digits.
+/// The distance in ln a of the search from a kink and from the outer radius, where quadrature loses its digits.
 const KINK_MARGIN: f64 = 1e-12;
 const OUTER_MARGIN: f64 = 1e-6;
-/// Panels within each other that have to be quiet before the last is left.
+/// The number of nested panels that must be quiet before the innermost is accepted.
 const QUIET: usize = 3;
-/// Panels, a bound on the work: these, and more with each crossing that was found, of which two in a wave take about ten.
+/// A bound of the number of panels, which increases with each crossing found: the two of a wave take about ten panels.
 const BUDGET: usize = 20_000;
 const PER_CROSSING: usize = 64;
-/// Roundings of the arithmetic up to which the logarithm of a ratio is not known, four times what a quadrature is good to.
+/// The uncertainty of the logarithm of a ratio, in unit roundoffs of the arithmetic: four times the accuracy of a
+/// quadrature.
 const NOISE: f64 = 128.0;
 /// Levels below this are compressed, so that a ratio may pass through zero.
 const FLOOR: f64 = -3.0;
@@ -93,7 +95,7 @@ pub(crate) fn crossings<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<
     let mut edge: Option<Sample> = None;
     for (lower, upper) in panels(range) {
         let (first, last) = search.panel(lower, upper, 0);
-        // Across a kink, or between two panels that were settled each for itself.
+        // Across a kink, or between two panels that were settled separately.
         if let (Some(before), Some(after)) = (edge, first)
             && before.above != after.above
         {
@@ -105,7 +107,7 @@ pub(crate) fn crossings<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<
     Survey { crossings: search.crossings, resolved: search.resolved, flat: search.flat }
 }
 
-/// The radius up to which a search goes before an outer one.
+/// The radius up to which a search goes before an outer radius.
 pub(crate) fn surveyed_to<R: Real>(outer: &R) -> R {
     outer.clone() - R::from_f64(outer.ctx(), OUTER_MARGIN) * outer
 }
@@ -127,8 +129,9 @@ fn panels<R: Real>(range: &Range<R>) -> Vec<(f64, f64)> {
     cuts.windows(2).map(|pair| (pair[0].0 + pair[0].1, pair[1].0 - pair[1].1)).filter(|(a, b)| a < b).collect()
 }
 
-/// The t of largest size on the way to `end` at which ℓeᵗ keeps away from the end of the arithmetic: by ten octaves from the
-/// largest numbers, by u² (u the unit roundoff) from the smallest, which do not have all their digits.
+/// The t of largest magnitude towards `end` at which ℓeᵗ stays away from the ends of the range of the arithmetic: by
+/// ten octaves from the largest numbers, by u² (u the unit roundoff) from the smallest, which do not have all their
+/// digits.
 fn reach<R: Real>(scale: &R, end: f64) -> f64 {
     let direction = end.signum();
     let normal = |t: f64| {
@@ -162,7 +165,7 @@ struct Sample {
     level: f64,
     /// ratio − 1.
     excess: f64,
-    /// Whether the ratio is at least one; decided in the full arithmetic.
+    /// Whether the ratio is at least one, decided in the full arithmetic.
     above: bool,
 }
 
@@ -181,7 +184,7 @@ struct Search<'a, R, F> {
 }
 
 impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
-    /// Searches one panel, which is within `quiet` others that were; its first and last sample, where they exist.
+    /// Searches one panel, which is nested in `quiet` quiet ones; returns its first and last sample, if they exist.
     fn panel(&mut self, lower: f64, upper: f64, quiet: usize) -> (Option<Sample>, Option<Sample>) {
         let (samples, blind) = self.samples(lower, upper);
         self.panels += 1;
@@ -213,8 +216,8 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
         (first, last)
     }
 
-    /// Whether a panel is no more halved. Beside a kink, where g' may have an inverse root, those are that are no wider than
-    /// what is left out there.
+    /// Whether a panel is not halved further. Beside a kink, where g' may have an inverse root, panels are halved down
+    /// to the distance left out there.
     fn is_finest(&self, lower: f64, upper: f64) -> bool {
         let width = upper - lower;
         let beside = |kink: &f64| (lower - kink).abs().min((upper - kink).abs()) <= 2.0 * KINK_MARGIN;
@@ -254,7 +257,7 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
     }
 }
 
-/// None where the ratio is not a number. An infinite one is.
+/// `None` if the ratio is NaN. An infinite ratio is a sample.
 fn sample<R: Real>(t: f64, ratio: &R) -> Option<Sample> {
     let one = ratio.lit(1);
     let above = match ratio.partial_cmp(&one)? {
@@ -272,16 +275,16 @@ enum Verdict {
     Empty,
     /// At most one.
     Monotone,
-    /// Nothing else, as far as rounding tells.
+    /// The ratio is one up to rounding.
     Flat,
     /// To be halved.
     Open,
 }
 
-/// A panel that reaches out of the range of the arithmetic, or into radii where the ratio cannot be had: halved until what
-/// is left does not matter, and read sample by sample.
+/// A panel that extends out of the range of the arithmetic, or to radii where the ratio cannot be computed: halved
+/// until the remainder is negligible, and read sample by sample.
 ///
-/// Where a quadrature gives up a sample is dear and the answer doubtful anyway.
+/// After a failed quadrature samples are expensive and the result is doubtful, so larger panels are accepted.
 fn outside(known: &[Sample], width: f64, blind: bool) -> Verdict {
     if known.is_empty() {
         Verdict::Empty
@@ -301,9 +304,9 @@ fn one_sided(samples: &[Sample]) -> bool {
     samples.windows(2).all(|pair| pair[0].above == pair[1].above)
 }
 
-/// Whether the samples keep away from the crossing by a margin, and either are within a factor of two or lie on a smooth
-/// curve. Nine samples of many waves may do so by chance, one time in 500 where the waves reach the crossing; so it counts
-/// the third time only.
+/// Whether the samples stay away from the crossing by a margin, and either are within a factor of two or lie on a
+/// smooth curve. Nine samples of many waves may do so by chance, one time in 500 if the waves reach the crossing; hence
+/// the three nested panels.
 fn is_quiet(samples: &[Sample], by_level: &Fit) -> bool {
     let margin = samples.iter().fold(f64::MAX, |m, sample| m.min(sample.level.abs()));
     let step = samples.windows(2).fold(0.0, |step: f64, pair| step.max((pair[1].level - pair[0].level).abs()));
@@ -328,7 +331,7 @@ fn settle(samples: &[Sample], by_level: &Fit, roundoff: f64) -> Verdict {
     }
 }
 
-/// What the polynomial through the samples of a panel says about its zeros.
+/// What the polynomial through the samples of a panel shows about its zeros.
 fn resolved(fit: &Fit, one_sided: bool, width: f64, roundoff: f64) -> Verdict {
     let (spread, tail) = (fit.spread(), fit.tail());
     let noise = NOISE * roundoff + 8.0 * f64::EPSILON * fit.largest();
@@ -338,8 +341,8 @@ fn resolved(fit: &Fit, one_sided: bool, width: f64, roundoff: f64) -> Verdict {
     }
     let curve = Drawn::new(fit);
     let clear = one_sided && curve.keeps_away(4.0 * tail + noise);
-    // The slope of what the polynomial leaves out, by Markov's inequality: two turning points of half a percent of the
-    // spread are two folds all the same.
+    // The slope of the remainder of the polynomial, by Markov's inequality: two turning points of half a percent of the
+    // spread are two folds nevertheless.
     let slope = if tail > noise { tail * (DEGREE * DEGREE) as f64 } else { 0.0 };
     let directed = |sign: f64| curve.is_directed(sign, slope, noise);
     if clear {

@@ -1,4 +1,4 @@
-//! Admissibility against a gap that is summed on a fine grid, and what it means for paths.
+//! Admissibility against a gap computed on a fine grid, and its consequences for paths.
 
 use std::sync::Arc;
 
@@ -42,7 +42,7 @@ impl Transform<f64> for Bent {
     }
 }
 
-/// A profile that falls and rises again: of curvature 1, between some radii −c, and at last 1 or more.
+/// A profile that falls and rises again: of curvature 1, −c between some radii, and finally 1 or more.
 fn bent() -> impl Strategy<Value = Bent> {
     let wave = (0.05f64..0.6, 0.05f64..0.6, 0.05f64..0.6, 0.5f64..8.0);
     proptest::collection::vec(wave, 1..4).prop_map(|waves| {
@@ -100,8 +100,8 @@ proptest! {
         }
     }
 
-    /// No event gains energy, every state is admissible, and where the path ends for that a gap closes, which was open before
-    /// and overlaps beyond.
+    /// No event gains energy, every state is admissible, and where the path ends at the limit of admissibility a gap
+    /// closes that was open before and is negative beyond.
     #[test]
     fn a_path_keeps_to_admissible_states(
         profile in bent(),
@@ -135,13 +135,13 @@ proptest! {
         }
     }
 
-    /// Detached surfaces first touch at the least height.
+    /// Separated surfaces first touch at the least height.
     #[test]
     fn surfaces_first_touch_at_the_lowest_point(profile in bent(), deeper in 0.0f64..2.0) {
         let mut profile = profile;
         profile.0[0].1 -= deeper;
         profile.0[1].1 += deeper;
-        // The slope may be left falling, by no more than the curvatures that were taken away.
+        // The slope may remain negative, by at most the curvatures that were subtracted.
         let end = profile.0.last().unwrap().0 + 20.0;
         let height = |i: u32| profile.height(end * f64::from(i) / 20_000.0);
         let lowest = (0..=20_000).map(height).fold(f64::INFINITY, f64::min);
@@ -151,7 +151,8 @@ proptest! {
         let touch = &events[1];
         if lowest < -1e-6 {
             prop_assert_eq!(touch.kind, EventKind::NotAdmissible);
-            // The grid misses the lowest point by half a step, and its height by the curvature times the square of that.
+            // The grid misses the lowest point by half a step, and its height by the curvature times the square of
+            // that.
             prop_assert!(touch.value < lowest + 1e-12 && touch.value > lowest - 1e-5, "{} {}", touch.value, lowest);
         } else {
             prop_assert!(touch.value.abs() < 1e-5, "{:?}", touch);

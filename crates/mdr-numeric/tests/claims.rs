@@ -1,4 +1,4 @@
-//! What the quadrature claims of itself: its errors and its price.
+//! The error estimates and the evaluation counts of the quadrature.
 
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
@@ -12,14 +12,14 @@ use mdr_numeric::profiles::{RoundedPunch, Sphere, WavyParaboloid};
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
-/// Bits of the references: 53 for the number, and three times 50 that a closed form may lose to cancellation at 1 − 2⁻⁵⁰.
+/// Bits of the references: 53 for the number, and three times 50 for the cancellation of a closed form at 1 − 2⁻⁵⁰.
 const BITS: u32 = 256;
 
 fn exact(x: f64) -> Float {
     Float::with_val(BITS, x)
 }
 
-/// f = αr up to b, and from there on (α + 1)r − b: a kink of the profile itself, with an infinite slope of g at b.
+/// f = αr up to b, and then (α + 1)r − b: a kink of the profile itself, with an infinite slope of g at b.
 struct Bent {
     inner: f64,
     kink: f64,
@@ -36,13 +36,13 @@ impl Profile<f64> for Bent {
     }
 }
 
-/// Fails unless the error of the estimate is what it claims, or less.
+/// Fails unless the error is at most the estimate.
 fn check(name: &str, estimate: &Estimate<f64>, truth: &Float) {
     let error = (exact(estimate.value) - truth).abs().to_f64();
     assert!(error <= estimate.error, "{name}: off by {error:e}, {estimate:?}, in truth {:e}", truth.to_f64());
 }
 
-/// g, g' and mean g with the errors they claim, at x.
+/// g, g' and mean g with their error estimates, at x.
 fn estimates<P: Profile<f64>>(q: &Quadrature<f64, P>, x: f64) -> [Estimate<f64>; 3] {
     [q.g_estimate(&x).unwrap(), q.slope_estimate(&x).unwrap(), q.mean_estimate(&x).unwrap()]
 }
@@ -57,8 +57,8 @@ fn above(b: f64) -> impl Iterator<Item = f64> {
     (0..=420).map(move |k| b * (1.0 + 30.0 * 10_f64.powf(-f64::from(k) / 27.0))).filter(move |x| *x > b)
 }
 
-/// Popov & Heß 2015, chapter 3, as in `transform.rs`: a truncated cone has g = x arccos(b/x), and below a cone of slope α
-/// there is αxπ/2 besides. The integral of g from b is ½(x² arccos(b/x) − b√(x²−b²)).
+/// Popov & Heß 2015, chapter 3, as in `transform.rs`: a truncated cone has g = x arccos(b/x), and a cone of slope α
+/// below it adds αxπ/2. The integral of g from b is ½(x² arccos(b/x) − b√(x²−b²)).
 #[test]
 fn errors_beside_a_kink_of_the_profile() {
     for (inner, kink) in [(0.0, 0.3), (0.7, 0.3), (0.01, 1.7e-5)] {
@@ -71,7 +71,7 @@ fn errors_beside_a_kink_of_the_profile() {
             check("slope", &slope, &(angle.clone() + exact(kink) / &leg + &cone));
             let part = (exact(x).square() * angle - exact(kink) * leg) / exact(x);
             check("mean", &mean, &((part + cone * exact(x)) / 2u32));
-            // A claim is not worth much when it is too large.
+            // An estimate that is too large is of little use.
             let distance = (x - kink) / x;
             assert!(slope.error <= slope.value * f64::EPSILON * (64.0 + 1.0 / distance), "{x}: {slope:?}");
             assert!(g.error <= g.value * f64::EPSILON * 64.0, "{x}: {g:?}");
@@ -92,7 +92,7 @@ fn errors_beside_a_kink_of_the_curvature() {
     }
 }
 
-/// Toward the equator of a sphere the rounding of r is all the error: g = x artanh x.
+/// Towards the equator of a sphere the rounding of r is the whole error: g = x artanh x.
 #[test]
 fn errors_of_a_sphere() {
     let sphere = Quadrature::new(Sphere::new(1.0).unwrap());
@@ -109,7 +109,7 @@ fn errors_of_a_sphere() {
     }
 }
 
-/// A profile of which nothing is known but its heights, which are counted.
+/// A profile known by its heights only, which are counted.
 struct Heights<P> {
     profile: P,
     count: AtomicUsize,
@@ -128,7 +128,7 @@ impl<P: Profile<f64>> Profile<f64> for Heights<P> {
     }
 }
 
-/// Evaluations of g, g' and mean g are all heights: those of rules that failed, of noise and of kinks as well.
+/// Evaluations of g, g' and mean g are all heights, including those of rules that failed, of noise and of kinks.
 fn count<P: Profile<f64>>(profile: P, x: f64) -> [usize; 3] {
     let transform = Quadrature::new(Heights { profile, count: AtomicUsize::new(0) });
     let spent = || transform.profile().count.swap(0, Ordering::Relaxed);
@@ -148,7 +148,7 @@ fn all_heights_are_counted() {
     count(Bent { inner: 1.0, kink: 0.3 }, 0.5);
     count(RoundedPunch::new(2.0, 0.3).unwrap(), 0.5);
     count(WavyParaboloid::new(0.5, 1e-6, 1e-3).unwrap(), 0.3);
-    // Where noise is what is left, no integral is done twice.
+    // If only noise remains, no integral is computed twice.
     let [g, ..] = count(Sphere::new(1.0).unwrap(), 1.0 - 1e-6);
     assert!(g < 2500, "{g}");
 }

@@ -1,4 +1,4 @@
-//! Folds, equilibria and outcomes against published values and the physics that every profile shares.
+//! Folds, equilibria and outcomes against published values and properties of every profile.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -16,8 +16,8 @@ use proptest::prelude::*;
 
 const U: f64 = f64::EPSILON / 2.0;
 
-/// A radius found by tangency of a power law of exponent n: g' and Δl' are good to about 16u, and d ln(g'/Δl')/d ln a is
-/// n − 1/2.
+/// A radius found by tangency of a power law of exponent n: g' and Δl' are accurate to about 16u, and d ln(g'/Δl')/d ln
+/// a is n − 1/2.
 fn fold_rounding(n: f64) -> f64 {
     32.0 * U * (1.0 + 1.0 / (n - 0.5).abs()) * (1.0 + n)
 }
@@ -38,7 +38,7 @@ fn jkr() {
     assert_relative_eq!(dead_load.force, -1.5 * PI * w * radius, max_relative = rounding);
     assert_eq!((fixed_grips.kind, dead_load.kind), (FoldKind::Minimum, FoldKind::Minimum));
 
-    // Fixed grips and dead load are the two ends of a machine: radii at k/(2E*a_c) = 0.1, 1, 10, by an independent
+    // Fixed grips and dead load are the two limits of a machine: radii at k/(2E*a_c) = 0.1, 1, 10, by an independent
     // computation to 25 digits.
     for (ratio, expected) in [(0.1, 2.03658653), (1.0, 1.72526627), (10.0, 1.13128934)] {
         let machine = Control::machine(ratio * 2.0 * e * a_c).unwrap();
@@ -73,7 +73,7 @@ fn a_soft_machine_makes_three_folds() {
     for (radius, expected) in radii.iter().zip([0.01271, 0.06940, 459.2]) {
         assert_relative_eq!(*radius, expected, max_relative = 5e-4);
     }
-    // Pressed beyond the maximum it jumps outwards over the third fold; pulled beyond a minimum it breaks.
+    // Pressed beyond the maximum it jumps outwards past the third fold; pulled beyond a minimum it breaks.
     assert_eq!(branches.outcome(0).unwrap(), Outcome::Detached);
     assert_eq!(branches.outcome(2).unwrap(), Outcome::Detached);
     let Outcome::Jump { to } = branches.outcome(1).unwrap() else { panic!("no jump") };
@@ -102,13 +102,13 @@ fn at_a_threshold_of_one_half_nothing_is_decided() {
         .and_then(|energy| energy.equilibria(&Control::Indentation, &0.0));
     assert!(undecided(energy.err()));
 
-    // Beside it there is no fold, and one equilibrium on the side of the sign of ρ − 1: d = (ρ−1)√(2πa).
+    // Close to it there is no fold, and one equilibrium on the side of the sign of ρ − 1: d = (ρ−1)√(2πa).
     for off in [1e-9, -1e-9] {
         let profile = scale_free(1.0 + off);
         assert!(folds(&profile, &material, &Control::Indentation).unwrap().is_empty());
         let at = |d: f64| equilibria(&profile, &material, &Control::Indentation, &d).unwrap();
         let [state] = at(off).equilibria.try_into().unwrap();
-        // ρ − 1 is known to 32 roundings of ρ.
+        // ρ − 1 is accurate to 32 roundings of ρ.
         assert_relative_eq!(state.contact_radius, 0.5 / PI, max_relative = 64.0 * f64::EPSILON / off.abs());
         assert_eq!(state.stability, if off > 0.0 { Stability::Stable } else { Stability::Unstable });
         assert!(at(-off).is_empty());
@@ -117,7 +117,7 @@ fn at_a_threshold_of_one_half_nothing_is_decided() {
 
 #[test]
 fn folds_that_have_nearly_merged_are_still_three() {
-    // n = 3/4 is just below 5/2 − √3. ln(g'/Δl') less its threshold dips by 10⁻⁵ below zero, between radii 3 % apart, while
+    // n = 3/4 is just below 5/2 − √3. ln(g'/Δl') minus its critical value falls to −10⁻⁵ between radii 3 % apart, while
     // it changes by 0.02 in a panel of the search. Radii by the closed condition for a machine.
     let (profile, material) =
         (Quadrature::new(Power::new(0.75, 4.148093971349991e-4).unwrap()), Material::new(7e10, 0.1).unwrap());
@@ -125,7 +125,7 @@ fn folds_that_have_nearly_merged_are_still_three() {
     let radii: Vec<f64> = found.iter().map(|fold| fold.contact_radius).collect();
     assert_eq!(radii.len(), 3, "{radii:?}");
     for (radius, expected) in radii.iter().zip([3.6732365773263554e-10, 1.9353455083582483e-9, 2.000000000000055e-9]) {
-        // The condition is known to some 10⁻¹⁴ and its logarithmic slope at the pair is 10⁻³.
+        // The condition is accurate to about 10⁻¹⁴ and its logarithmic slope at the pair is 10⁻³.
         assert_relative_eq!(*radius, expected, max_relative = 1e-10);
     }
 }
@@ -159,7 +159,7 @@ fn no_fold_is_missed_that_a_fine_scan_finds() {
         (Quadrature::new(WavyParaboloid::new(1.0, 5e-5, 0.01).unwrap()), Material::new(1.0, 1e-4).unwrap());
     let curve = Curve::new(&profile, &material, &Control::Indentation);
     let found = find(&curve).unwrap().folds;
-    // A hundred and more points a wave, up to a radius where g' exceeds Δl' by more than the waves can take away.
+    // A hundred points or more per wave, up to a radius where g' exceeds Δl' by more than the waves can compensate.
     let above = |i: u32| curve.tangency(&(1e-4 * f64::from(i))).unwrap() > 1.0;
     let scanned = (1..4000).filter(|i| above(*i) != above(i + 1)).count();
     assert_eq!(found.len(), scanned);
@@ -225,7 +225,7 @@ fn half_the_digits_are_lost_at_a_fold_and_no_more() {
     }
 }
 
-/// 1 − cos kr is all rounding near the tip, so that g cannot be had there. What is to be found lies elsewhere.
+/// 1 − cos kr is rounding only near the tip, so g cannot be computed there. The results lie elsewhere.
 #[test]
 fn a_tip_of_noise_hides_no_equilibrium() {
     let formula: Expression = "r^2/(2*R) + A*(1-cos(k*r))".parse().unwrap();
@@ -248,7 +248,7 @@ fn a_tip_of_noise_hides_no_equilibrium() {
     }
 }
 
-/// |g − d − Δl| against the size of its terms: g and Δl are good to 16u(1+n), and the radius to one rounding.
+/// |g − d − Δl| relative to its terms: g and Δl are accurate to 16u(1+n), and the radius to one rounding.
 fn assert_residual(curve: &Curve<'_, f64>, state: &Equilibrium<f64>, value: f64, n: f64) {
     let a = &state.contact_radius;
     let terms = curve.transform().g(a).unwrap().abs()
@@ -268,7 +268,7 @@ proptest! {
     fn stability_pattern(n in 0.05..4.0_f64, share in 0.05..0.95_f64, which in 0..2) {
         prop_assume!((n - 0.5).abs() > 0.05);
         let control = if which == 0 { Control::Indentation } else { Control::Force };
-        // d_F changes its sign at n = 3/2, but F_F and d_c keep theirs: shares of them are on one side.
+        // d_F changes its sign at n = 3/2, but F_F and d_c keep theirs: fractions of them are on one side.
         let (profile, material) = (Quadrature::new(Power::new(n, 1.0).unwrap()), Material::new(2.0, 3.0).unwrap());
         let curve = Curve::new(&profile, &material, &control);
         let branches = Branches::new(curve).unwrap();
@@ -327,7 +327,7 @@ fn jkr_to_fifty_digits() {
     }
 }
 
-/// A kink hidden in a formula, before which its terms cancel: the fold there is found, in hardware arithmetic and in more bits.
+/// A kink in a formula, before which its terms cancel: the fold there is found, in f64 and with more bits.
 #[test]
 #[cfg(feature = "mp")]
 fn a_fold_at_a_hidden_kink() {

@@ -26,14 +26,14 @@ fn jkr_pressure() -> Result<()> {
     Ok(())
 }
 
-/// ∫ 2πr p dr over 0 < r < a, with r = a sin θ to take out the singularity of p at the edge.
+/// ∫ 2πr p dr over 0 < r < a, with r = a sin θ to remove the singularity of p at the edge.
 fn force_of_pressure(fields: &Fields<'_, f64>, a: f64, kinks: &[f64]) -> Result<f64> {
     let mut total = 0.0;
     let mut from = 0.0;
     for to in kinks.iter().map(|kink| (kink / a).asin()).chain([std::f64::consts::FRAC_PI_2]) {
         let ring = |theta: &f64| {
             let r = a * theta.sin();
-            // The last nodes round to the edge; what they weigh is counted in the tolerance.
+            // The last nodes round to the edge; their contribution is in the tolerance.
             let p = if r < a { fields.pressure(&r)? } else { 0.0 };
             Ok(2.0 * std::f64::consts::PI * r * p * a * theta.cos())
         };
@@ -84,7 +84,7 @@ fn stiffness_is_the_slope_of_force_against_indentation() -> Result<()> {
     let (a, step) = (0.2, 1e-5);
     let change = |f: &dyn Fn(&f64) -> Result<f64>| -> Result<f64> { Ok(f(&(a + step))? - f(&(a - step))?) };
     let difference = change(&|a| curve.force(a))? / change(&|a| curve.indentation(a))?;
-    // A central difference is off by (h/a)² of its value, and by rounding u a/h of it.
+    // The relative error of a central difference is (h/a)², plus rounding u a/h.
     assert!((Fields::new(curve, a)?.stiffness()? / difference - 1.0).abs() < 1e-7);
     assert!(Fields::new(curve, a)?.pressure(&0.3).is_err() && Fields::new(curve, a)?.gap(&0.1).is_err());
     Ok(())
@@ -108,7 +108,7 @@ impl Transform<f64> for Ball {
     }
 }
 
-/// Another unit of length changes nothing: when it is a power of two, not even a rounding.
+/// Another unit of length changes nothing: if it is a power of two, not even a rounding.
 #[test]
 fn fields_do_not_depend_on_the_unit_of_length() -> Result<()> {
     let ask = |unit: f64| -> Result<[f64; 6]> {
@@ -137,7 +137,7 @@ fn fields_do_not_depend_on_the_unit_of_length() -> Result<()> {
     let (ball, material) = (Ball(1.0), Material::new(1e308, 1e300)?);
     let fields = Fields::new(Curve::new(&ball, &material, &Control::Indentation), 100.0)?;
     let Err(Error::OutOfRange { log10, .. }) = fields.pressure(&0.0) else { panic!("an infinite pressure") };
-    // (2/π)E*a/R, from which adhesion takes nothing.
+    // (2/π)E*a/R, independent of adhesion.
     assert!((log10 - 310.0 - (2.0 / std::f64::consts::PI).log10()).abs() < 1e-4, "{log10}");
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The energy ledger of loading paths: known losses, balance, hysteresis.
+//! The energy balance of loading paths: known dissipation, balance, hysteresis.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -37,7 +37,7 @@ impl Run {
         Run { path, ledger, balance }
     }
 
-    /// The finite loss in the first event of a kind, and the radius on its contact side.
+    /// The finite dissipation in the first event of a kind, and the radius on its contact side.
     fn loss(&self, kind: EventKind) -> (f64, f64) {
         let i = self.path.events.iter().position(|event| event.kind == kind).unwrap();
         let Loss::Finite(lost) = &self.ledger.entries[i].lost else { panic!("unbounded") };
@@ -49,7 +49,7 @@ impl Run {
     fn balanced(&self) -> &Balance<f64> {
         let balance = self.balance.as_ref().unwrap();
         assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
-        // A bound that allows anything checks nothing.
+        // A bound that allows anything would test nothing.
         let works: f64 = self.ledger.entries.iter().map(|entry| entry.work.value.abs()).sum();
         assert!(balance.bound <= 1e-10 * (works + balance.lost + balance.stored.abs()), "{balance:?}");
         balance
@@ -110,7 +110,7 @@ fn a_cycle_of_jkr_loses_its_area() {
     assert_relative_eq!(balance.work, balance.lost, max_relative = balance.bound / balance.lost);
     assert_eq!(balance.stored, 0.0);
 
-    // A soft machine: Π of the spring enters; the loss in between.
+    // A soft machine: Π of the spring is included; the dissipation lies in between.
     let machine = Control::machine(2.0 * e * a_c).unwrap();
     let soft = Run::new(&ball, &material, &machine, Start::Detached, &[-9.0 * depth, depth, -9.0 * depth]);
     assert!(soft.balanced().lost > balance.lost);
@@ -118,7 +118,7 @@ fn a_cycle_of_jkr_loses_its_area() {
     let spring = open.path.events[1].after.contact().unwrap().force.powi(2) / (4.0 * e * a_c);
     assert!(open.balanced().stored > spring - 10.0 * PI * w * a_c * a_c);
 
-    // Under a dead load the pull-off has no end, and nothing else is unbounded.
+    // Under a dead load the pull-off has no final state, and only it is unbounded.
     let dead = Run::new(&ball, &material, &Control::Force, Start::Largest, &[0.0, -100.0]);
     assert_eq!((&dead.ledger.entries[1].lost, &dead.balance), (&Loss::Unbounded, &None));
     Run::new(&ball, &material, &Control::Force, Start::Detached, &[-1.0, 3.0, -0.1]).balanced();
@@ -132,14 +132,14 @@ fn figure_4() -> (Quadrature<f64, WavyParaboloid<f64>>, Material<f64>) {
 #[test]
 fn the_hysteresis_of_figure_4() {
     let (profile, material) = figure_4();
-    // Down over the first jump and back up: a closed cycle that never detaches.
+    // Down past the first jump and back up: a closed cycle that never detaches.
     let cycle = Run::new(&profile, &material, &Control::Indentation, Start::Largest, &[0.0, -0.002, 0.0]);
     let [first, .., last] = cycle.path.events.as_slice() else { panic!("events") };
     assert_eq!(first.after, last.after);
     let balance = cycle.balanced();
     assert!(balance.lost > 0.0);
     assert_relative_eq!(balance.work, balance.lost, max_relative = balance.bound / balance.lost);
-    // All the way: under every control the losses are positive and the books are closed.
+    // The whole path: under every control the dissipation is positive and the energies balance.
     let stiff = Control::machine(0.05).unwrap();
     for control in [Control::Indentation, stiff] {
         let run = Run::new(&profile, &material, &control, Start::Detached, &[-0.02, 0.02, -0.02]);
@@ -152,7 +152,7 @@ fn the_hysteresis_of_figure_4() {
 
 #[test]
 fn a_small_force_control_jump_is_paid_by_the_load() {
-    // Waves that make folds under a dead load: F(d₂ − d₁) enters the work.
+    // Waves with folds under a dead load: F(d₂ − d₁) is part of the work.
     let profile = Quadrature::new(WavyParaboloid::new(1.0, 2e-3, 0.1).unwrap());
     let material = Material::new(1.0, 1e-4).unwrap();
     let run = Run::new(&profile, &material, &Control::Force, Start::Detached, &[0.0, 0.02]);
@@ -188,7 +188,7 @@ fn kinks_do_no_harm() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// Random wavy profiles, ways and controls: the books are closed, and every jump loses energy.
+    /// Random wavy profiles, way points and controls: the energies balance, and every jump dissipates energy.
     #[test]
     fn energy_is_balanced(
         amplitude in 1e-4..1e-3, wavelength in 0.07..0.3, ways in prop::collection::vec(-1.0..1.0, 1..5),

@@ -33,7 +33,7 @@ fn kinds(events: &[Event<f64>]) -> Vec<EventKind> {
     events.iter().map(|event| event.kind).collect()
 }
 
-/// The radius, 0 where the surfaces are apart.
+/// The radius, 0 if the surfaces are separated.
 fn radius(state: &State<f64>) -> f64 {
     state.contact().map_or(0.0, |rest| rest.contact_radius)
 }
@@ -63,7 +63,8 @@ fn figure_4_of_the_paper() {
 
 #[test]
 fn figure_4_turned_back_between_its_jumps() {
-    // Back up from beyond the first jump, the contact spreads at the maximum and not at the minimum: hysteresis.
+    // Increased again from beyond the first jump, the contact spreads at the maximum and not at the minimum:
+    // hysteresis.
     let (profile, material) = figure_4();
     let way = [0.0, -0.0020, 0.0, -0.0020, -0.0010];
     let events = follow(&profile, &material, &Control::Indentation, Start::Largest, &way).unwrap();
@@ -71,7 +72,7 @@ fn figure_4_turned_back_between_its_jumps() {
     assert_eq!((events[1].fold, events[3].fold), (Some(2), Some(1)));
     assert!(events[3].value > events[1].value && radius(&events[3].after) > radius(&events[1].before));
     assert_eq!(events[0].after, events[4].after);
-    // Turned back in the middle of a branch, it goes back the same way.
+    // Reversed in the middle of a branch, the path is retraced.
     let events = follow(&profile, &material, &Control::Indentation, Start::Largest, &[0.0, -0.0015, 0.0]).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, WayPoint, End]);
     assert_eq!(events[0].after, events[2].after);
@@ -97,7 +98,7 @@ fn a_cycle_of_jkr_under_every_control() {
         assert_eq!((&events[3].after, events[3].fold), (&State::Detached, Some(0)));
         assert_eq!(events[5].after, events[6].after);
     }
-    // A machine is between the two.
+    // A machine lies between the two.
     let machine = Control::machine(2.0 * e * a_c).unwrap();
     let events = follow(&ball, &material, &machine, Start::Largest, &[0.0, -1.0]).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, Detached, End]);
@@ -118,7 +119,7 @@ fn a_multistable_machine() {
     assert!(radius(&small[0].after) < 0.0694 && radius(&large[0].after) > 459.2);
     assert_eq!(go(Start::Nearest(0.1), &[between]), small);
     assert_eq!(go(Start::Nearest(100.0), &[between]), large);
-    // Pressed over the maximum the small contact jumps past the third fold; there is no way back but to break.
+    // Pressed past the maximum the small contact jumps past the third fold; from there it can only break.
     let events = go(Start::Smallest, &[between, 2.0 * values[1].abs(), 2.0 * values[2]]);
     assert_eq!(kinds(&events), [EventKind::Start, Jump, WayPoint, Detached, End]);
     assert_eq!((events[1].fold, events[3].fold), (Some(1), Some(2)));
@@ -183,7 +184,7 @@ fn the_flat_punch_jumps_onto_its_whole_face() {
     assert_relative_eq!(events[3].value, -f64::sqrt(2.0 * PI * b * w / e), max_relative = 8.0 * U);
 }
 
-/// The displaced paraboloid (r−b)²/2R less its height at the axis: it touches on a ring first.
+/// The displaced paraboloid (r−b)²/2R minus its height at the axis: it first touches on a ring.
 struct Ring;
 
 impl Profile<f64> for Ring {
@@ -206,10 +207,10 @@ fn a_dimple_is_not_touched_at_its_tip() {
     assert_relative_eq!(events[1].ring.as_ref().unwrap().radius, 0.1, max_relative = 1e-7);
     let events = follow(&ring, &material, &Control::Force, Start::Detached, &[-0.1, 0.1]).unwrap();
     assert_eq!((kinds(&events), events[1].value), (vec![EventKind::Start, NotAdmissible], 0.0));
-    // Once it is in contact it can be followed until it breaks, and then not back.
+    // A path that begins in contact can be followed until the contact breaks, and not back.
     let events = follow(&ring, &material, &control, Start::Largest, &[0.1, -0.1, 0.1]).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, Detached, WayPoint, NotAdmissible]);
-    // Apart they may be moved until they touch; at zero they would overlap.
+    // Separated surfaces can move until they touch; at zero they would interpenetrate.
     let events = follow(&ring, &material, &control, Start::Detached, &[-0.1, -0.2]).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, End]);
     let events = follow(&ring, &material, &control, Start::Detached, &[-0.1, -0.2, -0.0051]).unwrap();
@@ -242,7 +243,7 @@ fn a_path_that_cannot_begin_says_so() {
 fn the_end_of_a_profile_ends_the_path() {
     let (ball, material) = (Quadrature::new(Sphere::new(1.0).unwrap()), Material::new(1.0, 1e-3).unwrap());
     let events = follow(&ball, &material, &Control::Indentation, Start::Largest, &[0.0, 1.0, 1e3, 0.0]).unwrap();
-    // g is infinite at the edge: there is an equilibrium at every depth, but its radius is no double below 1.
+    // g is infinite at the edge: there is an equilibrium at every depth, but its radius may not be a double below 1.
     assert_eq!(kinds(&events), [EventKind::Start, WayPoint, EventKind::Undecided]);
     // A table of the paraboloid r²/2 ends at r = 4, with g = 16 and the mean 16/3.
     let rows = (0..=4).map(|i| (f64::from(i), f64::from(i * i) / 2.0));
@@ -291,7 +292,7 @@ mod arbitrary_precision {
 
     use super::*;
 
-    /// A paraboloid that remembers the largest |ln x| it was asked for.
+    /// A paraboloid that records the largest |ln x| at which it is evaluated.
     struct Asked {
         profile: Quadrature<Float, Paraboloid<Float>>,
         farthest: AtomicU64,
@@ -326,7 +327,7 @@ mod arbitrary_precision {
         }
     }
 
-    /// Where there is no equilibrium a walk ends with the search for folds, far before the exponents of MPFR do.
+    /// Without an equilibrium a search ends with the search for folds, far before the exponent range of MPFR.
     #[test]
     fn walks_end_where_folds_are_searched() {
         let one = Float::with_val(64, 1);

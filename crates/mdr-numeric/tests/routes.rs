@@ -14,15 +14,16 @@ use mdr_numeric::profiles::{Cone, Paraboloid, Power, RoundedPunch, Sphere, WavyP
 use mdr_numeric::springs::Foundation;
 use mdr_numeric::transform::Quadrature;
 
-/// The route through the force balance and the rule of Heß, and the route through the energy, state by state.
+/// The method of force balance and the rule of Heß, against that of the energy, state by state.
 fn assert_routes_agree(transform: &dyn Transform<f64>, material: &Material<f64>, control: &Control<f64>, value: f64) {
     let forces = equilibria(transform, material, control, &value).unwrap();
     let energies = Energy::new(transform, material).unwrap().equilibria(control, &value).unwrap();
     assert_eq!(forces.len(), energies.len(), "{forces:?} {energies:?}");
     for (by_force, by_energy) in forces.iter().zip(&energies) {
         assert_eq!(by_force.stability, by_energy.stability);
-        // The integral of the release rate is good to 128u (its tolerance), the residual of the other route to 32u; at
-        // 10 % from the fold the radius is d/(a d') ~ 1/√(2·0.1)/(n−1/2) ~ 20 times as sensitive, at n = 0.6.
+        // The integral of the release rate is accurate to 128u (its tolerance), the residual of the other method to
+        // 32u; at 10 % from the fold the radius d/(a d') ~ 1/√(2·0.1)/(n−1/2) is about 20 times as sensitive, at n =
+        // 0.6.
         assert_relative_eq!(by_force.contact_radius, by_energy.contact_radius, max_relative = 2000.0 * f64::EPSILON);
         assert_relative_eq!(by_force.force, by_energy.force, max_relative = 4000.0 * f64::EPSILON);
     }
@@ -73,8 +74,8 @@ fn stable_means_minimum() {
     assert_eq!(found.len(), 2);
 }
 
-/// Pressed in far from its fold a contact is nearly that of Hertz: Δl is a small part of d, and equilibrium a small
-/// difference of large terms. There the two routes agree to 128·64 roundings of those terms, over the logarithmic
+/// Pressed in far from its fold a contact is nearly that of Hertz: Δl is a small fraction of d, and equilibrium a small
+/// difference of large terms. There the two methods agree to 128·64 roundings of those terms, over the logarithmic
 /// derivative of the release rate.
 #[test]
 fn nearly_hertzian_contacts_are_stationary_too() {
@@ -170,8 +171,8 @@ fn springs_converge_at_their_orders() {
     let material = Material::new(1.0, 1.0).unwrap();
     let ball = Quadrature::new(Paraboloid::new(1.0).unwrap());
     let blade = Quadrature::new(Power::new(0.25, 1.0).unwrap());
-    // Orders 1, 2, 1, derived in the module. The next order is relatively 1/25 on the first of six octaves or less: it moves
-    // a slope by some 0.01.
+    // Orders 1, 2, 1, derived in the module. The next order is at most 1/25 on the first of six octaves: it changes a
+    // slope by about 0.01.
     for (profile, control) in
         [(&ball as &dyn Transform<f64>, Control::Indentation), (&blade as &dyn Transform<f64>, Control::Indentation)]
     {
@@ -180,7 +181,7 @@ fn springs_converge_at_their_orders() {
             assert_relative_eq!(order, expected, epsilon = 0.05);
         }
     }
-    // A dead load fixes the fold through the force, whose own error moves the extremum: all of first order.
+    // A dead load fixes the fold through the force, whose own error shifts the extremum: all of first order.
     for order in spring_orders(&ball, &material, &Control::Force) {
         assert_relative_eq!(order, 1.0, epsilon = 0.05);
     }

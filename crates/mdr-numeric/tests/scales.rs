@@ -1,4 +1,4 @@
-//! No unit matters, and numbers near the ends of the range of the arithmetic are right or refused.
+//! Independence of units, and numbers near the ends of the range of the arithmetic: correct or an error.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -15,7 +15,8 @@ use mdr_numeric::profiles::{Paraboloid, Power, WavyParaboloid};
 use mdr_numeric::transform::Quadrature;
 use proptest::prelude::*;
 
-/// The fold of a paraboloid: g' and Δl' are good to about 16u, d ln(g'/Δl')/d ln a is 3/2, and F goes as a^(3/2).
+/// The fold of a paraboloid: g' and Δl' are accurate to about 16u, d ln(g'/Δl')/d ln a is 3/2, and F is proportional to
+/// a^(3/2).
 const ROUNDING: f64 = 80.0 * f64::EPSILON;
 
 #[test]
@@ -31,7 +32,7 @@ fn extreme_scales() {
         assert_eq!(pulled.len(), 2);
         assert!(equilibria(&ball, &material, &Control::Indentation, &(1.1 * fold.indentation)).unwrap().is_empty());
     }
-    // A force that is no f64 is an error with its logarithm, not 0.
+    // A force that is not representable in f64 is an error with its logarithm, not 0.
     let (ball, material) = (Quadrature::new(Paraboloid::new(1e-200).unwrap()), Material::new(1.0, 1e-200).unwrap());
     match folds(&ball, &material, &Control::Indentation) {
         Err(Error::OutOfRange { log10, .. }) => assert_relative_eq!(log10, -399.582, epsilon = 1e-3),
@@ -51,8 +52,8 @@ fn a_fold_whose_force_is_out_of_range_keeps_its_radius() {
     assert!(folds(&ball, &material, &Control::Indentation).is_err());
 }
 
-/// JKR at d = 0 with R = 10¹⁰⁰: a³ = 2πwR²/E*, and the force is −(2/3)E*a³/R = −(4/3)πwR, of the order of −10³⁴⁵. The other
-/// route has met such a force at the fold, −(5/6)πwR.
+/// JKR at d = 0 with R = 10¹⁰⁰: a³ = 2πwR²/E*, and the force is −(2/3)E*a³/R = −(4/3)πwR, of the order of −10³⁴⁵. The
+/// method by energy meets such a force at the fold, −(5/6)πwR.
 #[test]
 fn an_equilibrium_whose_force_is_out_of_range_is_refused() {
     let (ball, material) = (Quadrature::new(Paraboloid::new(1e100).unwrap()), Material::new(1e250, 1e245).unwrap());

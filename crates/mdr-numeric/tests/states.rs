@@ -1,4 +1,4 @@
-//! Questions that have no answer are refused, and none is answered in part without a word.
+//! Inputs without a solution are errors, and no incomplete solution is returned silently.
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result};
 use mdr_numeric::branch::Branched;
@@ -76,7 +76,8 @@ fn radii_near_the_largest_numbers_are_looked_at() -> Result<()> {
     Ok(())
 }
 
-/// On a ball at d < 0 there are two states; where |d| < √(2πaw/E*) for all numbers a, the one near the tip is none of them.
+/// On a ball at d < 0 there are two states; if |d| < √(2πaw/E*) for all numbers a, the one near the tip is not
+/// representable.
 #[test]
 fn what_is_out_of_range_is_not_left_out_without_a_word() -> Result<()> {
     let (ball, glue) = (ball()?, Material::new(1.0, 1.0)?);

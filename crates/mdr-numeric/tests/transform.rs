@@ -1,4 +1,4 @@
-//! The transform by quadrature against facts that need no formula for κ_n.
+//! The transform by quadrature against identities that need no formula for κ_n.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -50,7 +50,7 @@ fn cone_paraboloid_and_sphere() {
     let sphere = Quadrature::new(Sphere::new(2.0).unwrap());
     for s in [1e-6, 0.1, 0.5, 0.9, 0.99, 0.9999, 1.0 - 1e-9] {
         let x = 2.0 * s;
-        // x g'/g bounds what the rounding of x and of r does near the equator; in g' it enters once more.
+        // x g'/g bounds the effect of the rounding of x and of r near the equator; for g' it is included once more.
         let condition = 1.0 / (1.0 - s * s);
         let g = sphere.g_estimate(&x).unwrap();
         assert_relative_eq!(g.value, x * f64::atanh(s), max_relative = ROUNDING * (1.0 + condition));
@@ -63,7 +63,7 @@ fn cone_paraboloid_and_sphere() {
     }
 }
 
-/// Toward the equator g' knows x no better than x g''/g' ≈ 2ᵏ roundings, and loses no more than they cost.
+/// Towards the equator the accuracy of g' is x g''/g' ≈ 2ᵏ roundings of x, and no more than that is lost.
 #[test]
 fn slope_of_a_sphere_up_to_its_last_radius() {
     let sphere = Quadrature::new(Sphere::new(1.0).unwrap());
@@ -89,7 +89,7 @@ fn kinks_split_the_integral() {
     }
     for x in [0.31, 0.5, 3.0, 300.0] {
         let (angle, leg) = (f64::acos(b / x), f64::sqrt(x * x - b * b));
-        // arccos near 1 and the differences below lose what (x − b)/x does.
+        // arccos near 1 and the differences below lose the digits that (x − b)/x loses.
         let rounding = ROUNDING * (1.0 + x / (x - b));
         assert_relative_eq!(cone.g(&x).unwrap(), x * angle, max_relative = rounding);
         assert_relative_eq!(cone.slope(&x).unwrap(), angle + b / leg, max_relative = rounding);
@@ -134,14 +134,14 @@ proptest! {
         prop_assert!((x * g / ((n + 1.0) * integral) - 1.0).abs() <= rounding);
     }
 
-    /// Two rules with nothing in common agree within what they claim.
+    /// Two independent rules agree within their error estimates.
     #[test]
     fn rules_agree(n in 0.01..50.0_f64, x in 1e-3..1e3_f64) {
         let gauss = Quadrature::new(Power::new(n, 1.0).unwrap()).g_estimate(&x).unwrap();
         let tanh_sinh =
             Quadrature::new(Power::new(n, 1.0).unwrap()).with_rule(Rule::TanhSinh).g_estimate(&x).unwrap();
         prop_assert!((gauss.value - tanh_sinh.value).abs() <= 2.0 * (gauss.error + tanh_sinh.error));
-        // A claim is not worth much when it is too large.
+        // An estimate that is too large is of little use.
         prop_assert!(gauss.error <= 64.0 * f64::EPSILON * (1.0 + n) * gauss.value);
     }
 
@@ -155,8 +155,8 @@ proptest! {
     }
 }
 
-/// Where r g' is beyond the largest number and g' is not, the rounding of r is still known to be what limits a steep profile;
-/// else every rule is tried to its end, and a search that comes by takes minutes.
+/// If r g' overflows and g' does not, the rounding of r is still recognised as the limit of a steep profile; otherwise
+/// every rule is tried to its end, and a search takes minutes.
 #[test]
 fn steep_slopes_at_the_end_of_the_range() {
     let (n, step) = (300.0, 1.01_f64);
@@ -194,14 +194,14 @@ fn one_node_claims_nothing() {
     // g(1) = 1.
     let estimate = ball.g_estimate(&1.0).unwrap();
     assert!((estimate.value - 1.0).abs() > 1e-4 && (estimate.value - 1.0).abs() <= estimate.error, "{estimate:?}");
-    // With a kink it goes piece by piece.
+    // With a kink the integral is split into pieces.
     let punch = Quadrature::new(RoundedPunch::new(1.0, 0.1).unwrap());
     let exact = punch.g_estimate(&1.0).unwrap().value;
     let estimate = punch.with_rule(Rule::Gauss { nodes: 1 }).g_estimate(&1.0).unwrap();
     assert!((estimate.value - exact).abs() <= estimate.error, "{estimate:?} {exact}");
 }
 
-/// r² + A(1 − cos kr), k = 2π/λ, of which nothing is known but its heights; they are counted.
+/// r² + A(1 − cos kr), k = 2π/λ, known by its heights only; they are counted.
 struct Waves {
     amplitude: f64,
     wavelength: f64,
@@ -216,7 +216,7 @@ impl Profile<f64> for Waves {
     }
 }
 
-/// Up to five hundred waves have their transform, and each its price of some twenty heights, besides rules tried in vain.
+/// Up to five hundred waves are integrated, at about twenty heights each, besides rules that fail.
 #[test]
 fn waves_cost_twenty_heights_each() {
     for (amplitude, wavelength) in [(1e-6, 1e-3), (1e-7, 3e-4), (1e-3, 1e-2)] {
@@ -238,7 +238,7 @@ fn waves_cost_twenty_heights_each() {
     }
 }
 
-/// Rules of few nodes may agree by luck over a few waves. Eighty nodes resolve them, and err by rounding alone.
+/// Rules of few nodes may agree by chance over a few waves. Eighty nodes resolve them, with rounding errors only.
 #[test]
 fn luck_is_not_convergence() {
     let waves = || Quadrature::new(WavyParaboloid::new(1.0, 0.1, 1.0).unwrap());
@@ -252,7 +252,7 @@ fn luck_is_not_convergence() {
     }
 }
 
-/// Waves of the opposite phase, a trough on the axis, take away what the others add.
+/// Waves of the opposite phase, a trough on the axis, subtract what the others add.
 #[test]
 fn a_negative_amplitude_is_the_opposite_phase() {
     let g = |amplitude, x| Quadrature::new(WavyParaboloid::new(1.0, amplitude, 0.2).unwrap()).g(&x).unwrap();

@@ -1,4 +1,4 @@
-//! Profiles that end with a vertical flank: the edge of the contact can rest there.
+//! Profiles that end with a vertical edge: the contact edge can stay there.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -40,14 +40,14 @@ fn the_flat_punch_of_kendall() {
         assert!(branches.equilibria(&(1.001 * pull_off)).unwrap().is_empty());
         let at_fold = branches.equilibria(&pull_off).unwrap();
         assert_eq!(at_fold.iter().map(|state| state.stability).collect::<Vec<_>>(), [Stability::Neutral]);
-        // Half-way down, an unstable contact on the flat face beside the stable one at the wall: 2E*bd.
+        // Halfway down, an unstable contact on the flat face beside the stable one at the vertical edge: 2E*bd.
         let half = branches.equilibria(&(0.5 * pull_off)).unwrap();
         let [inside, rest] = half.as_slice() else { panic!("two equilibria") };
         assert_eq!((inside.stability, rest.stability), (Stability::Unstable, Stability::Stable));
         assert_relative_eq!(rest.force, 0.5 * found[0].force, max_relative = ROUNDING);
         assert_relative_eq!(rest.force, 2.0 * e * b * rest.indentation, max_relative = ROUNDING);
         assert!(inside.contact_radius < b && rest.contact_radius == b);
-        // Pressed, it only rests there.
+        // Pressed, it stays there.
         let pressed = branches.equilibria(&-pull_off).unwrap();
         assert_eq!(pressed.len(), 1);
         assert_relative_eq!(pressed[0].force, -found[0].force, max_relative = ROUNDING);

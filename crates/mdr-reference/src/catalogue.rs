@@ -1,4 +1,4 @@
-//! All records, and the choice of some.
+//! All records, and their selection by filters.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use crate::record::Record;
 use crate::text::excerpt;
 
-/// The files of the release, in their order.
+/// The files of the release, in order.
 const FILES: [&str; 5] = [
     include_str!("../data/critical.jsonl"),
     include_str!("../data/equilibria.jsonl"),
@@ -16,10 +16,10 @@ const FILES: [&str; 5] = [
     include_str!("../data/worst.jsonl"),
 ];
 
-/// All records of this release, read once.
+/// All records of this release, parsed once.
 ///
 /// # Panics
-/// If a line of the release is no record, which no user can cause, and a test of every line excludes.
+/// If a line of the release is not a record, which a test of every line excludes.
 ///
 /// ```
 /// use mdr_reference::{Difficulty, records};
@@ -32,21 +32,22 @@ pub fn records() -> &'static [Record] {
     RECORDS.get_or_init(|| lines().map(read).collect())
 }
 
-/// The records as they are published, one JSON object a line.
+/// The records as published, one JSON object per line.
 pub fn lines() -> impl Iterator<Item = &'static str> {
     FILES.iter().flat_map(|file| file.lines())
 }
 
-/// The record of this identifier.
+/// The record with this identifier.
 pub fn record(id: &str) -> Option<&'static Record> {
     records().iter().find(|record| record.id == id)
 }
 
-/// A choice of records: terms separated by blanks or commas, all of which must hold.
+/// A selection of records: terms separated by blanks or commas, all of which must be satisfied.
 ///
 /// A term is `key=value`, `key!=value` or `key~part` (contains). Keys: `id`, `profile`, `formula`, `quantity`, `unit`,
-/// `control` (`none` where there is none), `status`, `difficulty`, `flag`. Refused are a value or a part that no record has,
-/// and terms that no record meets together: a choice that is empty by a slip of the pen would pass every test.
+/// `control` (`none` if there is none), `status`, `difficulty`, `flag`. A value or a part that no record has is an
+/// error, and so are terms that no record satisfies together: an empty selection due to a typing error would pass every
+/// test.
 ///
 /// ```
 /// use mdr_reference::{Filter, records};
@@ -99,7 +100,7 @@ enum Relation {
     Contains,
 }
 
-/// A choice that is none, or chooses nothing.
+/// A text that is not a filter, or selects nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FilterError {
     /// The term, or all of them.
@@ -107,14 +108,14 @@ pub struct FilterError {
     wrong: Wrong,
 }
 
-/// What is wrong with a choice.
+/// What is wrong with a filter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Wrong {
     /// A term of another form.
     Form,
-    /// A value under this key that no record has.
+    /// A value that no record has under this key.
     Value(&'static str, Key),
-    /// Terms that no record meets together.
+    /// Terms that no record satisfies together.
     Empty,
 }
 
@@ -172,19 +173,19 @@ fn term(text: &str) -> Result<Term, FilterError> {
 }
 
 impl Filter {
-    /// Whether the record is chosen. The filter of an empty text chooses all.
+    /// Whether the record is selected. The filter of an empty text selects all.
     pub fn accepts(&self, record: &Record) -> bool {
         self.0.iter().all(|term| term.holds(record))
     }
 
-    /// The records that are chosen, at least one.
+    /// The selected records, at least one.
     pub fn select(&self) -> impl Iterator<Item = &'static Record> {
         records().iter().filter(|record| self.accepts(record))
     }
 }
 
 impl Key {
-    /// What a record has under this key: one value, or any number of flags.
+    /// The values of a record under this key: one value, or any number of flags.
     fn values(self, record: &Record) -> impl Iterator<Item = &str> {
         let one = match self {
             Key::Id => Some(record.id.as_str()),
@@ -203,7 +204,7 @@ impl Key {
 }
 
 impl Term {
-    /// Whether the record has the value or the part, denied or not.
+    /// Whether the record has the value or the part, negated or not.
     fn fits(&self, record: &Record) -> bool {
         self.key.values(record).any(|text| match self.relation {
             Relation::Contains => text.contains(&self.value),

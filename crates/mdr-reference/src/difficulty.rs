@@ -1,4 +1,4 @@
-//! How hard a question is for double precision, by published thresholds.
+//! The difficulty of a question for double precision, by published thresholds.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,11 +8,11 @@ use crate::text::excerpt;
 /// The three levels of NIST's Statistical Reference Datasets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Difficulty {
-    /// Any correct program gets it right.
+    /// Any correct program computes it correctly.
     Lower,
     /// Digits are lost, or intermediate results need care.
     Average,
-    /// Few digits are left, or a naive program overflows, stalls or finds the wrong state.
+    /// Few digits are left, or a naive program overflows, does not converge or finds the wrong state.
     Higher,
 }
 
@@ -20,7 +20,7 @@ impl Difficulty {
     /// All of them.
     pub const ALL: [Difficulty; 3] = [Difficulty::Lower, Difficulty::Average, Difficulty::Higher];
 
-    /// As it stands in the records.
+    /// The name in the records.
     pub const fn name(self) -> &'static str {
         match self {
             Difficulty::Lower => "lower",
@@ -45,7 +45,7 @@ impl FromStr for Difficulty {
     }
 }
 
-/// What makes a question hard. The difficulty is the highest level that one of the four reaches.
+/// The measures of difficulty. The difficulty is the highest level that one of the four reaches.
 ///
 /// | measure | lower | average | higher |
 /// |---|---|---|---|
@@ -66,18 +66,18 @@ impl FromStr for Difficulty {
 pub struct Hardness {
     /// Σ|d ln value/d ln input|.
     pub condition: f64,
-    /// The relative distance of the controlled quantity to its value at a fold; ∞ where that plays no part.
+    /// The relative distance of the controlled quantity to its value at a fold; ∞ if that is irrelevant.
     pub fold_distance: f64,
     /// The largest |log₁₀| of the inputs and the value.
     pub decades: f64,
-    /// |n − 1/2|; ∞ for a profile that is no power law, and for n = 1/2, which is a question of its own.
+    /// |n − 1/2|; ∞ for a profile that is no power law, and for n = 1/2, which has formulas of its own.
     pub from_half: f64,
     /// Whether there is a number.
     pub is_number: bool,
 }
 
 impl Default for Hardness {
-    /// Nothing makes it hard.
+    /// The lowest difficulty.
     fn default() -> Self {
         let far = f64::INFINITY;
         Hardness { condition: 1.0, fold_distance: far, decades: 0.0, from_half: far, is_number: true }

@@ -1,7 +1,7 @@
-//! JSON: numbers stay the text that was written. From other programs it may come with values that are no JSON, such as what
+//! JSON in which numbers keep their text. Answers of other programs may contain values that are not JSON, such as what
 //! C prints for a number: `-nan`, `inf`, `0x1.8p-3`, `5.`.
 //!
-//! A number must not pass through `f64` on its way to the judge: the digits beyond the seventeenth are what is judged.
+//! A number is never converted to `f64` before it is judged: the digits beyond the seventeenth matter.
 
 use std::borrow::Cow;
 
@@ -10,7 +10,7 @@ use std::borrow::Cow;
 pub(crate) enum Json<'a> {
     Null,
     Bool(bool),
-    /// As written.
+    /// The text of the number.
     Number(&'a str),
     Text(Cow<'a, str>),
     List(Vec<Json<'a>>),
@@ -18,7 +18,7 @@ pub(crate) enum Json<'a> {
 }
 
 impl<'a> Json<'a> {
-    /// The value under a key; of several the last, as most readers do.
+    /// The value under a key; the last one if there are several, as in most readers.
     pub(crate) fn get(&self, key: &str) -> Option<&Json<'a>> {
         let Json::Object(entries) = self else { return None };
         entries.iter().rev().find(|(name, _)| name == key).map(|(_, value)| value)
@@ -34,7 +34,7 @@ impl<'a> Json<'a> {
     }
 }
 
-/// The deepest nesting that is read.
+/// The deepest nesting that is accepted.
 const DEPTH: usize = 32;
 
 /// Reads one value.
@@ -83,7 +83,7 @@ impl<'a> Reader<'a> {
         self.at += rest.len() - rest.trim_start_matches([' ', '\t', '\r', '\n']).len();
     }
 
-    /// Whether the text goes on with `word`, which is then passed.
+    /// Consumes `word` if the text continues with it; returns whether it does.
     fn takes(&mut self, word: &str) -> bool {
         let found = self.rest().starts_with(word);
         self.at += if found { word.len() } else { 0 };
@@ -102,7 +102,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// `null`, `true`, `false`; or, unless strict, a number as others write it.
+    /// `null`, `true`, `false`; or, unless strict, a number in a non-JSON notation.
     fn word(&mut self) -> Result<Json<'a>, String> {
         let rest = self.rest();
         let end = rest.find(|letter: char| letter.is_ascii_whitespace() || ",:[]{}\"".contains(letter));
@@ -306,7 +306,7 @@ mod tests {
             prop_assert_eq!(read_tolerant(&text), Ok(ours));
         }
 
-        /// Whatever it is, a line is read or refused.
+        /// Every line is read or rejected.
         #[test]
         fn any_line_is_read_or_refused(text in "[\\[\\]{}\",:\\\\0-9eE+.#()ntrufals \\PC-]{0,40}") {
             let refused = read_tolerant(&text).is_err();
@@ -318,7 +318,7 @@ mod tests {
             prop_assert_eq!(serde_json::from_str::<String>(&quoted(&text)).unwrap(), text);
         }
 
-        /// Neither panics nor accepts what serde_json refuses.
+        /// Never panics and never accepts what serde_json rejects.
         #[test]
         fn as_strict_as_others(text in "[\\[\\]{}\",:\\\\0-9eE+.ntrufals -]{0,24}") {
             let theirs = serde_json::from_str::<Value>(&text);

@@ -1,11 +1,12 @@
 //! Certified reference values of adhesive contact mechanics, for the tests of other programs.
 //!
-//! What the Statistical Reference Datasets of NIST are to statistics, these records are to adhesive contact: numbers of
-//! which every digit is proved, from plain to nasty. A [`Record`] has a question (exact decimal inputs), fifty certified
-//! digits, the nearest double, the condition of the question with respect to each input, and a difficulty with published
-//! thresholds ([`Hardness`]). The judge marks answers and tells a bad algorithm from a badly conditioned question.
+//! These records are for adhesive contact what the Statistical Reference Datasets of NIST are for statistics: numbers
+//! with every digit proved, from easy to hard. A [`Record`] has a question (exact decimal inputs), fifty certified
+//! digits, the nearest double, the condition of the question with respect to each input, and a difficulty with
+//! published thresholds ([`Hardness`]). The judge marks answers and separates the error of an algorithm from the
+//! condition of the question.
 //!
-//! The crate is data and a judge: no dependencies, no numerics of its own. As a dev-dependency:
+//! The crate is data and a judge, without dependencies and without numerical methods of its own. As a dev-dependency:
 //!
 //! ```
 //! use mdr_reference::{Answer, Filter, judge};
@@ -19,8 +20,8 @@
 //! # Ok::<(), mdr_reference::FilterError>(())
 //! ```
 //!
-//! Programs in other languages read the files of `data/`, one JSON object a line, or `mdr reference --export`, write one
-//! answer a line, and run `mdr judge`.
+//! Programs in other languages read the files of `data/`, one JSON object per line, or `mdr reference --export`, write
+//! one answer per line, and run `mdr judge`.
 
 #![forbid(unsafe_code)]
 

@@ -1,11 +1,11 @@
-//! What makes the question of a record hard, read off the records themselves.
+//! Measures of the difficulty of a question, computed from the records.
 
 use crate::catalogue::records;
 use crate::decimal::Decimal;
 use crate::record::Record;
 
 impl Record {
-    /// The largest |log₁₀| of the inputs and the value; zeros aside.
+    /// The largest |log₁₀| of the inputs and the value, zeros excluded.
     ///
     /// ```
     /// let tip = mdr_reference::record("critical/afm-tip/force/force").expect("a record");
@@ -17,9 +17,9 @@ impl Record {
         sizes.map(|value| value.log10().abs()).fold(0.0, f64::max)
     }
 
-    /// The relative distance |q/q* − 1| of the controlled quantity q of a question about equilibria of a power law to its critical value
-    /// q*, 0 at the fold itself; none for other questions. q* is the certified value of the critical state of the same
-    /// contact, itself a record.
+    /// The relative distance |q/q* − 1| of the controlled quantity q of a question about equilibria of a power law from
+    /// its critical value q*, 0 at the fold itself; `None` for other questions. q* is the certified value of the
+    /// critical state of the same contact, itself a record.
     ///
     /// ```
     /// let near = mdr_reference::record("equilibrium/jkr-unit/near=2^-12/outer/indentation/contact_radius");

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use crate::decimal::{Decimal, DecimalError};
 
-/// What a program may have for a number.
+/// A number as a program may print it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Number {
     Finite(Decimal),
@@ -14,8 +14,8 @@ pub(crate) enum Number {
 }
 
 impl Number {
-    /// What is not finite, in the spellings of C, C++, Fortran, Rust, Python, R, Java and of the old library of Microsoft's
-    /// C (`1.#INF`, `-1.#IND00`).
+    /// A value that is not finite, in the spellings of C, C++, Fortran, Rust, Python, R, Java and of the former C
+    /// library of Microsoft (`1.#INF`, `-1.#IND00`).
     pub(crate) fn not_finite(text: &str) -> Option<Self> {
         let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
         let word = unsigned.to_ascii_lowercase();

@@ -1,4 +1,4 @@
-//! One certified value and all that is known about it.
+//! A certified value with its question, condition and provenance.
 
 use std::fmt;
 use std::str::FromStr;
@@ -11,7 +11,7 @@ use crate::text::excerpt;
 /// The unit roundoff of a double, 2⁻⁵³.
 pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
-/// How a number is marked.
+/// The status of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Status {
@@ -19,15 +19,15 @@ pub enum Status {
     Ok,
     /// No state satisfies the equations.
     NoEquilibrium,
-    /// The double root itself.
+    /// The state is the fold itself.
     Fold,
     /// A number beyond the largest double.
     Overflow,
     /// A number below the smallest normal double.
     Underflow,
-    /// The question is outside its domain.
+    /// An input is outside its domain.
     DomainError,
-    /// The assumed simply connected contact would interpenetrate.
+    /// The surfaces would interpenetrate outside the assumed simply connected contact.
     NotAdmissible,
 }
 
@@ -43,7 +43,7 @@ impl Status {
         Status::NotAdmissible,
     ];
 
-    /// As it stands in the records.
+    /// The name in the records.
     pub const fn name(self) -> &'static str {
         match self {
             Status::Ok => "ok",
@@ -76,7 +76,7 @@ impl FromStr for Status {
 /// A way in which a value was computed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Method {
-    /// Its name; docs/reference/README.md says what it does.
+    /// Its name; docs/reference/README.md describes it.
     pub name: String,
     /// Whether it encloses the value, so that every digit of it is proved.
     pub rigorous: bool,
@@ -87,7 +87,7 @@ pub struct Method {
 pub struct Certified {
     /// The number correctly rounded to `digits` significant decimal digits, or exactly zero.
     pub mid: String,
-    /// Half a unit of the last digit, also where the number has no more digits; 0 for an exact zero.
+    /// Half a unit of the last digit, even if the number has no more digits; 0 for an exact zero.
     pub rad: String,
     /// Significant decimal digits.
     pub digits: u32,
@@ -106,25 +106,25 @@ pub struct Record {
     pub formula: String,
     /// Names and exact decimals, in SI units.
     pub inputs: Vec<(String, String)>,
-    /// What is asked for: `contact_radius`, `indentation`, `force`, `kappa`, ….
+    /// The quantity: `contact_radius`, `indentation`, `force`, `kappa`, ….
     pub quantity: String,
     /// Its unit; `1` for a number without one.
     pub unit: String,
-    /// What is controlled: `indentation`, `force` or `machine`; none where the question knows no control.
+    /// The controlled quantity: `indentation`, `force` or `machine`; `None` if the question has no control.
     pub control: Option<String>,
-    /// What a careful program should say in `f64`.
+    /// The status that a careful program reports in `f64`.
     pub status: Status,
-    /// The number; none where there is none.
+    /// The number, if there is one.
     pub value: Option<Certified>,
-    /// log₁₀ of the magnitude; none for zero and where there is no number.
+    /// log₁₀ of the magnitude; `None` for zero and without a number.
     pub log10: Option<f64>,
-    /// Where the value is 0: the size of the terms that cancel, to which errors are compared.
+    /// If the value is 0: the magnitude of the terms that cancel, relative to which errors are measured.
     pub scale: Option<String>,
-    /// |d ln value/d ln input| for each input; relative to `scale` where the value is 0.
+    /// |d ln value/d ln input| for each input; relative to `scale` if the value is 0.
     pub condition: Vec<(String, f64)>,
-    /// How hard the question is for `f64`.
+    /// The difficulty of the question for `f64`.
     pub difficulty: Difficulty,
-    /// At least two where there is a number, the first rigorous.
+    /// At least two if there is a number, the first rigorous.
     pub methods: Vec<Method>,
     /// Steps of the derivations on which the value rests.
     pub proof: Vec<String>,
@@ -140,7 +140,7 @@ impl Record {
         self.inputs.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
     }
 
-    /// The double nearest to an input; none where there is none of that name.
+    /// The double nearest to an input; `None` if there is none with that name.
     pub fn input_f64(&self, name: &str) -> Option<f64> {
         self.input(name)?.parse().ok()
     }
@@ -150,19 +150,19 @@ impl Record {
         self.value.as_ref().and_then(|value| value.mid.parse().ok())
     }
 
-    /// How far the number may be from [`Record::decimal`].
+    /// The bound of the difference between the number and [`Record::decimal`].
     pub(crate) fn radius(&self) -> Option<Decimal> {
         self.value.as_ref().and_then(|value| value.rad.parse().ok())
     }
 
-    /// The nearest double; ±∞ or ±0 where the number is out of range, NaN where there is none.
+    /// The nearest double; ±∞ or ±0 if the number is out of range, NaN if there is none.
     pub fn nearest(&self) -> f64 {
         self.decimal().map_or(f64::NAN, |value| value.nearest())
     }
 
-    /// The value as the unevaluated sum of two doubles, the nearest one and the one nearest to the rest: to 31 digits where
-    /// the magnitude is above 10⁻²⁹⁰. Below, the rest is a subnormal double or 0, and the nearest double is all there is at
-    /// 10⁻³⁰⁸. (±∞, 0) beyond the largest double, (NaN, 0) where there is no number.
+    /// The value as the unevaluated sum of two doubles, the nearest one and the one nearest to the remainder: to 31
+    /// digits if the magnitude is above 10⁻²⁹⁰. Below, the remainder is a subnormal double or 0, and at 10⁻³⁰⁸ only the
+    /// nearest double is left. (±∞, 0) beyond the largest double, (NaN, 0) if there is no number.
     pub fn pair(&self) -> (f64, f64) {
         let Some(value) = self.decimal() else { return (f64::NAN, 0.0) };
         let high = value.nearest();
@@ -170,29 +170,29 @@ impl Record {
         (high, rest)
     }
 
-    /// The nearest double in hexadecimal, as C writes it with `%a`; none where the number is no normal double.
+    /// The nearest double in hexadecimal, in the `%a` format of C; `None` if the number is not a normal double.
     pub fn hexadecimal(&self) -> Option<String> {
         (self.value.is_some() && matches!(self.status, Status::Ok | Status::Fold))
             .then(|| hexadecimal::write(self.nearest()))
     }
 
-    /// The total condition Σ|d ln value/d ln input|: what relative errors of one unit in the inputs cost; 0 where there
-    /// is no number.
+    /// The total condition Σ|d ln value/d ln input|: the effect of relative errors of one unit in the inputs; 0 if
+    /// there is no number.
     ///
-    /// An exponent n that is a whole number has no part in it: no program rounds the 2 of a sphere, and the derivative
-    /// with respect to n would depend on the unit of length.
+    /// An integer exponent n is excluded: no program rounds the 2 of a sphere, and the derivative with respect to n
+    /// would depend on the unit of length.
     pub fn total_condition(&self) -> f64 {
         let counts = |name: &str| name != "n" || !self.has_whole(name);
         // Not `sum`, which gives −0 for an empty list.
         self.condition.iter().filter(|(name, _)| counts(name)).fold(0.0, |total, (_, condition)| total + condition)
     }
 
-    /// Whether an input is a whole number.
+    /// Whether an input is an integer.
     fn has_whole(&self, name: &str) -> bool {
         self.input(name).and_then(|text| text.parse::<Decimal>().ok()).is_some_and(|value| value.is_whole())
     }
 
-    /// A relative error that a good double-precision program can keep: four roundings, 4u·max(1, condition).
+    /// A relative error that a good double-precision program can achieve: four roundings, 4u·max(1, condition).
     ///
     /// ```
     /// use approx::assert_relative_eq;

@@ -1,6 +1,6 @@
-//! Texts of others in messages of ours.
+//! Quotation of external text in messages.
 
-/// How many characters of a text are quoted.
+/// The most characters of a quoted text.
 const QUOTED: usize = 80;
 
 /// At most 80 characters, on one line, without control characters, in quotation marks.

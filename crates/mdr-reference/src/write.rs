@@ -1,4 +1,4 @@
-//! Records to JSON Lines and CSV, and back from JSON Lines.
+//! Conversion of records to JSON Lines and CSV, and from JSON Lines.
 
 use std::borrow::Cow;
 
@@ -7,7 +7,7 @@ use crate::json::{Json, quoted, read};
 use crate::record::{Certified, Method, Record};
 
 impl Record {
-    /// The record on one line, without the line's end. It ends with a hash of all that stands before: FNV-1a of 64 bits,
+    /// The record on one line, without a line break. It ends with a hash of the preceding text: FNV-1a of 64 bits,
     /// against accidents, not against forgery.
     pub fn to_json(&self) -> String {
         let body = self.body();
@@ -15,16 +15,16 @@ impl Record {
         format!("{body},\"hash\":\"{hash:016x}\"}}")
     }
 
-    /// All fields but the hash, and no closing bracket.
+    /// All fields except the hash, without a closing bracket.
     fn body(&self) -> String {
         let fields = FIELDS.map(|(name, field)| format!("\"{name}\":{}", field(self).json()));
         format!("{{{}", fields.join(","))
     }
 
-    /// The record that stands on a line.
+    /// The record of a line.
     ///
     /// # Errors
-    /// What is wrong with the line: its form, a field, or a hash that belongs to another content.
+    /// What is wrong with the line: its form, a field, or a hash that does not match the content.
     pub fn from_json(line: &str) -> Result<Record, String> {
         let json = read(line)?;
         let fields = Fields(&json);
@@ -78,7 +78,7 @@ impl Record {
         names
     };
 
-    /// The record as the fields of a row, lists separated by blanks; of the methods the first is rigorous. The hash is that of
+    /// The record as the fields of a row, lists separated by blanks; the first method is rigorous. The hash is that of
     /// the line of JSON.
     pub fn to_csv(&self) -> [String; 22] {
         let hash = format!("{:016x}", fnv(self.body().as_bytes()));
@@ -87,22 +87,22 @@ impl Record {
     }
 }
 
-/// What stands in a field.
+/// The value of a field.
 enum Field<'a> {
     Null,
     Text(Cow<'a, str>),
-    /// A number, as it is written.
+    /// A number in its notation.
     Number(String),
     Pairs(Vec<(&'a str, Field<'a>)>),
-    /// With what separates them in a cell.
+    /// A list with the separator of a cell.
     List(&'static str, &'a [String]),
     Methods(&'a [Method]),
 }
 
-/// Takes a field from a record.
+/// Reads a field from a record.
 type Take = for<'a> fn(&'a Record) -> Field<'a>;
 
-/// All fields but the hash, in their order.
+/// All fields except the hash, in order.
 const FIELDS: [(&str, Take); 21] = [
     ("id", |record| Field::text(&record.id)),
     ("release", |record| Field::Number(record.release.to_string())),
@@ -232,7 +232,7 @@ fn number(text: &str, key: &str) -> Result<f64, String> {
     text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| format!("{key} is no number"))
 }
 
-/// The text of a number, as it is.
+/// The text of a number, unchanged.
 fn decimal(text: String, key: &str) -> Result<String, String> {
     text.parse::<Decimal>().map_err(|error| format!("{key} is {error}"))?;
     Ok(text)

@@ -1,4 +1,4 @@
-//! The judge: what is right and what is wrong, by digits and by claims.
+//! The judge: right and wrong answers, by digits and by claims.
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
@@ -37,7 +37,7 @@ fn the_records_are_right() {
     }
 }
 
-/// A relative error of 10^−k has k right digits; the excess loss is what is above u·condition.
+/// A relative error of 10^−k has k correct digits; the excess loss is the part above u·condition.
 #[test]
 fn digits_and_excess_loss() {
     for k in 1..40 {
@@ -59,7 +59,7 @@ fn digits_and_excess_loss() {
     }
 }
 
-/// The judge knows half the last digit: it does not call an answer wrong that may be right.
+/// The judge includes half a unit of the last digit: an answer that may be right is not wrong.
 #[test]
 fn the_benefit_of_the_doubt_ends_at_the_radius() {
     let certified = record(PULL_OFF).unwrap().value.as_ref().unwrap();
@@ -83,7 +83,7 @@ fn claims() {
     assert_eq!((small.claim, small.verdict), (Claim::TooSmall, Verdict::Wrong));
     let large = claimed("-4.71238898038469", "0.1");
     assert_eq!((large.claim, large.verdict), (Claim::Overstated, Verdict::Inaccurate));
-    // It would hold for any answer.
+    // Such a claim would be true of any answer.
     let idle = claimed("-4.7", "100");
     assert_eq!((idle.claim, idle.verdict), (Claim::Overstated, Verdict::Inaccurate));
     for error in ["NaN", "\"inf\""] {
@@ -92,12 +92,12 @@ fn claims() {
     }
 }
 
-/// No claim makes up for a number without a right digit, but one that is honest and says something.
+/// A claim does not excuse a number without a correct digit, unless it is honest and below the size of the number.
 #[test]
 fn no_right_digit_is_wrong_whatever_is_claimed() {
     let value = record(PULL_OFF).unwrap().nearest();
     for factor in [-1.0_f64, -1e-300, 0.0, 1e-9, 0.3, 1.7, 2.0, 77.0, 1e300] {
-        // From the least that holds to far beyond.
+        // From the least true claim to far beyond.
         let error = value.abs() * (factor - 1.0).abs();
         for claim in [error * 1.000_001, error * 10.0, error + 10.0, error + 1e200, f64::MAX] {
             let answer = Answer::from(value * factor).with_error(claim).unwrap();
@@ -107,7 +107,7 @@ fn no_right_digit_is_wrong_whatever_is_claimed() {
             assert_eq!((mark.verdict, mark.claim), expected, "{factor} ± {claim}: {}", mark.reason);
         }
     }
-    // Where the value is exactly 0, a claim is measured by the terms that cancel.
+    // If the value is exactly 0, a claim is relative to the terms that cancel.
     let zero = "critical/n=1.5/force/indentation";
     let verdict = |value: f64, claim: f64| marked(zero, &Answer::from(value).with_error(claim).unwrap()).verdict;
     assert_eq!(
@@ -138,11 +138,11 @@ fn what_a_wrong_convention_leaves_behind() {
     assert!(hint(4.0 / 3.0).contains("K = 4E*/3"));
     assert!(hint(5.0 / 9.0).contains("fixed grips"));
     assert!(hint(1e10).ends_with("no digit is right"));
-    // A result flushed to zero in silence.
+    // An unmarked underflow to zero.
     assert_eq!(hint(0.0), "0 in place of a number of size 10^0.7");
 }
 
-/// Where the value is 0, errors count against the terms that cancel.
+/// If the value is 0, errors are relative to the terms that cancel.
 #[test]
 fn an_exact_zero() {
     let id = "critical/n=1.5/force/indentation";
@@ -152,12 +152,12 @@ fn an_exact_zero() {
     assert_eq!(marked(id, &1.0.into()).verdict, Verdict::Wrong);
 }
 
-/// A solver with one wrong convention: the report finds it, and knows where.
+/// A solver with one wrong convention: the report finds it and its location.
 #[test]
 fn a_solver_in_one_call() {
     let solver = |factor: f64| {
         judge(records(), move |question| {
-            // Where the question costs all digits of a double, nothing is certainly wrong.
+            // If the question costs all digits of a double, nothing is certainly wrong.
             let certain = question.status == Status::Ok && question.difficulty != Difficulty::Higher;
             (certain && question.formula == "critical" && question.quantity == "force")
                 .then(|| (question.nearest() * factor).into())
@@ -194,7 +194,7 @@ fn a_claim_must_be_one() {
     assert!(Answer::from(1.0).with_error(0.0).is_ok());
 }
 
-/// Beyond the digits of the records an answer may be exact: the most that may be lost is known all the same.
+/// Beyond the digits of the records an answer may be exact: the upper bound of the loss is known nevertheless.
 #[test]
 fn a_class_of_exact_answers_has_a_bound() {
     let report = judge(records(), |question| {

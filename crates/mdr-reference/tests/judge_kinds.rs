@@ -40,7 +40,7 @@ fn a_number_is_right_by_its_digits_alone() {
     assert_eq!(answered(NUMBER, "\"value\":nan").reason, "NaN in place of a number of size 10^0.7");
 }
 
-/// Who only finds that the root is double has said nothing false, and has not answered.
+/// An answer that only reports the double root is not false, and not complete.
 #[test]
 fn a_fold_has_its_number() {
     let value = record(FOLD).unwrap().nearest();
@@ -52,7 +52,7 @@ fn a_fold_has_its_number() {
     assert_eq!(verdicts(FOLD, ["\"value\":7,\"status\":\"fold\"", "\"status\":\"ok\""]), [Wrong; 2]);
 }
 
-/// A number beyond the largest double: an infinity says so, and so does the status; another arithmetic may have it.
+/// A number beyond the largest double: an infinity or the status reports it; another arithmetic may have the number.
 #[test]
 fn overflow() {
     assert_eq!(record(OVERFLOW).unwrap().status, Status::Overflow);
@@ -76,8 +76,8 @@ fn overflow() {
     assert_eq!(verdicts(&below_zero.id, ["\"value\":-inf", "\"value\":inf"]), [Right, Wrong]);
 }
 
-/// A number below the smallest normal double: what is left of it is right where it is marked. In silence, the reason names
-/// the remedy.
+/// A number below the smallest normal double: the result of double precision is right with the status. Without it, the
+/// reason contains the remedy.
 #[test]
 fn underflow() {
     let below: Vec<&Record> = records().iter().filter(|record| record.status == Status::Underflow).collect();
@@ -111,7 +111,7 @@ fn underflow() {
     }
 }
 
-/// The smallest double counts as itself, in hexadecimal and in as few decimals as a program prints.
+/// The smallest double counts as itself, in hexadecimal and in the shortest decimal.
 #[test]
 fn a_subnormal_double_in_any_notation() {
     for value in ["\"0x1p-1074\"", "5e-324", "4.940656458412466e-324", "4.9406564584124654e-324"] {
@@ -123,7 +123,7 @@ fn a_subnormal_double_in_any_notation() {
     }
 }
 
-/// Where there is no number, only the status is right, and nothing but it.
+/// Without a number only the status of the record is right.
 #[test]
 fn no_number() {
     assert_eq!(record(NOTHING).unwrap().status, Status::NoEquilibrium);
@@ -150,7 +150,7 @@ fn no_number() {
     }
 }
 
-/// A record of somebody's own whose radius is no number proves nothing.
+/// A record of another author whose radius is not a number proves nothing.
 #[test]
 fn a_record_without_a_radius() {
     let mut own = record(NUMBER).unwrap().clone();
@@ -159,7 +159,7 @@ fn a_record_without_a_radius() {
     assert_eq!((mark.verdict, mark.reason.as_str()), (Wrong, "the record has no readable radius"));
 }
 
-/// Doubles correctly rounded: infinities pass, zeros that are none do not, and are told what to say.
+/// Correctly rounded doubles: infinities pass, zeros that are not exact do not, and the reason contains the remedy.
 #[test]
 fn a_perfect_solver_in_double_precision() {
     let solve = |marks: bool| {

@@ -1,4 +1,4 @@
-//! The judge: lines of answers, what is none, and what it takes to pass.
+//! The judge: lines of answers, malformed lines, and the rules for a pass.
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
@@ -48,7 +48,7 @@ fn what_is_no_answer_does_not_stop_the_judge() {
     assert_eq!((&summary["summary"]["answered"], &summary["summary"]["malformed"]), (&2.into(), &8.into()));
 }
 
-/// Lines that are made as they are read.
+/// Lines that are generated while they are read.
 struct Endless {
     left: u64,
     line: Vec<u8>,
@@ -93,7 +93,7 @@ fn an_empty_report_is_json() {
     assert!(serde_json::from_str::<serde_json::Value>(&report.to_json_lines()).is_ok());
 }
 
-/// Lines that are no answers fail, whatever the others are, unless that is asked for.
+/// Lines that are not answers fail, whatever the others are, unless the rules are lenient.
 #[test]
 fn one_right_answer_does_not_make_up_for_a_thousand_lines() {
     let right = format!("{{\"id\":\"{PULL_OFF}\",\"value\":-4.71238898038469}}\n");
@@ -111,7 +111,7 @@ fn one_right_answer_does_not_make_up_for_a_thousand_lines() {
     }
 }
 
-/// What C, Fortran, Python and others print for NaN and infinities is an answer, and a wrong one.
+/// The notations of C, Fortran, Python and others for NaN and infinities are answers, and wrong ones.
 #[test]
 fn not_a_number_in_many_spellings() {
     for value in
@@ -136,7 +136,7 @@ fn hexadecimal_answers() {
     assert!("0x1p-2000".parse::<Decimal>().unwrap().log10() < -602.0);
 }
 
-/// Texts of the answers come back cut, and without what would command a terminal.
+/// Quoted texts of answers are cut, and contain no control characters for a terminal.
 #[test]
 fn strange_texts_are_escaped() {
     let long = "y".repeat(900_000);
@@ -154,7 +154,7 @@ fn strange_texts_are_escaped() {
     assert_eq!(report.unknown.first[1].1, r#""\u{1b}[2J\n\u{9b}""#);
 }
 
-/// A choice of questions: others are set aside, and all of the choice must be answered if that is asked for.
+/// A selection of questions: others are set aside, and all of the selection must be answered if the rules require it.
 #[test]
 fn a_choice_that_is_complete() {
     let choice: Filter = "id~critical/jkr-unit control=force".parse().unwrap();
@@ -191,7 +191,7 @@ fn what_passes() {
     assert!(!judge(records(), |question| (question.status == Status::Fold).then(|| Status::Fold.into())).passed());
 }
 
-/// JSON and rows say the same, of an answer with one bound and of one without digits.
+/// JSON and rows contain the same, for an answer with one bound and for one without digits.
 #[test]
 fn json_and_rows_agree() {
     let exact = record(PULL_OFF).unwrap().decimal().unwrap();

@@ -23,7 +23,7 @@ fn identifiers_are_unique() {
     assert_eq!(ids.len(), records().len());
 }
 
-/// One digit changed somewhere is noticed.
+/// One changed digit is detected.
 #[test]
 fn a_changed_line_is_refused() {
     let line = lines().nth(1).unwrap();
@@ -34,7 +34,7 @@ fn a_changed_line_is_refused() {
     assert!(Record::from_json(&changed).unwrap_err().starts_with("the hash"));
 }
 
-/// No unreadable number comes as far as the hash.
+/// An unreadable number is rejected before the hash is checked.
 #[test]
 fn a_number_that_is_none_is_refused() {
     let line = lines().find(|line| line.contains("\"scale\":\"") && line.contains("\"C\":\"")).unwrap();
@@ -62,7 +62,7 @@ fn values_are_certified_by_a_rigorous_and_a_second_method() {
     }
 }
 
-/// What a double holds is `ok`, what it does not is marked.
+/// A value representable as a double is `ok`; any other has a status.
 #[test]
 fn statuses_are_those_of_doubles() {
     for record in records().iter().filter(|record| record.value.is_some()) {
@@ -96,7 +96,7 @@ fn a_pair_of_doubles_has_thirty_digits() {
         let sum = &Decimal::from_double(high).unwrap() + &Decimal::from_double(low).unwrap();
         let mid = record.decimal().unwrap();
         let digits = mid.log10() - (&sum - &mid).log10();
-        // Unless the rest is itself below the normal doubles.
+        // Unless the remainder is itself below the normal doubles.
         assert!(digits > 31.0 || high.abs() < 1e-290, "{}: {digits}", record.id);
         let spacing = high.abs().next_up() - high.abs();
         assert!(low.abs() <= spacing / 2.0, "{}", record.id);
@@ -130,7 +130,7 @@ fn filters() {
     }
 }
 
-/// Condition, distance to a fold, decades and |n − 1/2|, read off the records, give the difficulty that is published.
+/// Condition, distance to a fold, decades and |n − 1/2|, computed from the records, give the published difficulty.
 #[test]
 fn difficulties_are_those_of_their_measures() {
     let mut near = 0;
@@ -150,7 +150,7 @@ fn difficulties_are_those_of_their_measures() {
     assert!(near > 50, "{near}");
 }
 
-/// The 2 of a sphere is not rounded, so that it is no excuse: in SI units, the n of this one has a condition of 40.
+/// The 2 of a sphere is not rounded and does not count: in SI units, n of this one has a condition of 40.
 #[test]
 fn a_whole_exponent_costs_nothing() {
     let of = |id: &str| mdr_reference::record(id).unwrap();
@@ -161,7 +161,7 @@ fn a_whole_exponent_costs_nothing() {
     assert!(near.condition.iter().any(|(name, condition)| name == "n" && near.total_condition() > *condition));
 }
 
-/// A row has all that a line of JSON has, in the same order.
+/// A row contains everything of a line of JSON, in the same order.
 #[test]
 fn a_row_has_every_field() {
     let record = mdr_reference::record("critical/n=1.5/force/indentation").unwrap();
@@ -172,7 +172,7 @@ fn a_row_has_every_field() {
         from += at;
         let first = field.split(['=', ' ', ';']).next().unwrap();
         assert!(json[from..].contains(first), "{name}: {field}");
-        // Exactly zero: what is measured against must be there.
+        // Exactly zero: the reference magnitude must be present.
         assert!(name != "scale" || !field.is_empty());
     }
 }

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 const SCHEMA: &str = include_str!("../../../docs/reference/record.schema.json");
 
-/// The keywords that the schema uses; another one would be a silent hole in this test, and is refused.
+/// The keywords that the schema uses; another one would not be checked here, so it fails the test.
 const KEYWORDS: [&str; 16] = [
     "$schema",
     "$defs",
@@ -27,7 +27,7 @@ const KEYWORDS: [&str; 16] = [
     "minItems",
 ];
 
-/// What is wrong with a value, and where.
+/// The errors of a value, with their location.
 fn errors(root: &Value, schema: &Value, value: &Value, at: &str, found: &mut Vec<String>) {
     for key in schema.as_object().unwrap().keys() {
         assert!(KEYWORDS.contains(&key.as_str()), "{key} is not understood");

@@ -11,7 +11,7 @@ impl Expression {
     /// g = dG/da, g² = dQ/da, and sine and cosine of θ.
     ///
     /// # Errors
-    /// [`Error::Transcendental`] where a derivative has no symbol, such as g''.
+    /// [`Error::Transcendental`] if a derivative has no symbol, such as g''.
     pub fn derivative(&self, variable: Symbol) -> Result<Self> {
         let mut total = self.partial(variable)?;
         for symbol in Symbol::all() {
@@ -36,11 +36,11 @@ impl Expression {
         self.each_power(variable, |exponent| Ok((exponent.clone(), exponent - &RationalFunction::constant(1))))
     }
 
-    /// ∫₀^X of the expression over `variable`, as an expression in `variable` standing for X.
+    /// ∫₀^X of the expression over `variable`, as an expression in which `variable` represents X.
     ///
     /// # Errors
     /// [`Error::Integral`] when a power of the variable is not known to be above −1 on the domain;
-    /// [`Error::Transcendental`] when another symbol here is a function of the variable.
+    /// [`Error::Transcendental`] when another symbol of the expression is a function of the variable.
     pub fn integral_from_zero(&self, variable: Symbol, domain: Domain) -> Result<Self> {
         if let Some(function) = self.function_of(variable) {
             let integral = format!("the integral of {} over {}", function.text(), variable.text());
@@ -73,14 +73,14 @@ impl Expression {
         Ok(sum)
     }
 
-    /// A symbol here that is a function of another one.
+    /// A symbol of the expression that is a function of `variable`.
     fn function_of(&self, variable: Symbol) -> Option<Symbol> {
         let occurs = |symbol: &Symbol| self.terms().any(|(_, monomial)| !monomial.exponent(*symbol).is_zero());
         Symbol::all().filter(|symbol| symbol.slope_along(variable).is_some()).find(occurs)
     }
 
-    /// The expression, as the sum of powers that it is now, with `value` in the place of a symbol. Whether the value may be
-    /// of any sign in a formula from which the expression was simplified is decided by [`crate::Formula::normalise`].
+    /// The expression, as its current sum of powers, with `value` substituted for a symbol. Whether the value may have
+    /// any sign in a formula from which the expression was simplified is decided by [`crate::Formula::normalise`].
     ///
     /// # Errors
     /// As [`Expression::power`], of `value`; [`Error::Transcendental`] when another symbol here is a function of the

@@ -23,7 +23,7 @@ impl Dimension {
         Dimension { length: Polynomial::linear(length_slope, length).into(), force: RationalFunction::constant(force) }
     }
 
-    /// This dimension with a factor of another one raised to a power.
+    /// This dimension multiplied by a power of another one.
     fn with_power(&self, other: &Self, exponent: &RationalFunction) -> Self {
         Dimension {
             length: self.length.add(&other.length.mul(exponent)),

@@ -1,4 +1,4 @@
-//! Where in n a statement is made.
+//! The domain in n of a statement.
 
 use rug::Rational;
 
@@ -11,7 +11,7 @@ pub enum Domain {
     Above,
     /// 0 < n < 1/2: the contact becomes complete.
     Below,
-    /// n = 1/2: nothing sets a length.
+    /// n = 1/2: the problem has no length scale.
     Half,
 }
 
@@ -44,7 +44,7 @@ impl Domain {
         self == Domain::Half
     }
 
-    /// The ends of the interval; no upper end means all larger numbers.
+    /// The ends of the interval; without an upper end the domain contains all larger numbers.
     pub(crate) fn bounds(self) -> (Rational, Option<Rational>) {
         let half = || Rational::from((1, 2));
         match self {

@@ -12,9 +12,9 @@ use crate::monomial::{Base, Monomial, Term};
 use crate::rational_function::RationalFunction;
 use crate::symbol::Symbol;
 
-/// Terms times terms beyond which a product is not written out.
+/// The largest number of products of terms that is expanded.
 const LARGEST_PRODUCT: usize = 1 << 14;
-/// Exponent beyond which a power of a sum is not written out.
+/// The largest exponent of a sum that is expanded.
 const LARGEST_EXPONENT: u32 = 64;
 
 /// A finite sum Σ c(n) Π base^e(n) in normal form: each monomial once, no coefficient 0. Equal functions are equal values.
@@ -36,7 +36,7 @@ impl Expression {
         Self::default()
     }
 
-    /// A whole number.
+    /// An integer.
     pub fn integer(value: i64) -> Self {
         RationalFunction::constant(value).into()
     }
@@ -85,13 +85,13 @@ impl Expression {
         self.is_zero()
     }
 
-    /// Coefficient and monomial, when there is exactly one term.
+    /// Coefficient and monomial, if there is exactly one term.
     pub fn as_term(&self) -> Option<(&RationalFunction, &Monomial)> {
         let mut terms = self.terms();
         terms.next().filter(|_| terms.next().is_none())
     }
 
-    /// The element of Q(n) this is.
+    /// The expression as an element of Q(n), if it is one.
     pub fn as_function(&self) -> Option<RationalFunction> {
         match self.as_term() {
             None => self.is_zero().then(|| RationalFunction::constant(0)),
@@ -102,7 +102,7 @@ impl Expression {
     /// The product.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] for absurdly many terms, or an absurdly large exponent.
+    /// [`Error::TooLarge`] for too many terms, or too large an exponent.
     pub fn times(&self, other: &Self) -> Result<Self> {
         if self.len().saturating_mul(other.len()) > LARGEST_PRODUCT {
             return Err(Error::TooLarge(format!("a product of {} and {} terms", self.len(), other.len())));
@@ -174,8 +174,8 @@ impl Expression {
         Ok(sum)
     }
 
-    /// The sign on the whole domain, for all positive values of the symbols, where the signs of the coefficients decide
-    /// it: bases are positive.
+    /// The sign on the whole domain, for all positive values of the symbols, if all coefficients have the same sign
+    /// there: bases are positive.
     pub fn sign_on(&self, domain: Domain) -> Option<Ordering> {
         let mut signs = self.0.values().map(|coefficient| coefficient.sign_on(domain));
         let Some(first) = signs.next() else { return Some(Ordering::Equal) };

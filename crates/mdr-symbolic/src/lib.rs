@@ -17,31 +17,31 @@
 //! * irreducible primitive polynomials in n, with the sign that makes them positive on the domain: 2n − 1 above n = 1/2,
 //!   1 − 2n below,
 //! * π,
-//! * the symbols E*, w, C, a, κ, …, which stand for independent positive numbers ([`Symbol`]).
+//! * the symbols E*, w, C, a, κ, …, which represent independent positive numbers ([`Symbol`]).
 //!
-//! An exponent splits uniquely into n times a polynomial, a constant q and a proper fraction. For primes and polynomials
-//! q lies in [0, 1); the integer powers beyond belong to the coefficient. So 4ⁿ and 2²ⁿ, 6ⁿ and 2ⁿ3ⁿ, √12 and 2√3 are
-//! equal values. A [`Quotient`] of two expressions is compared by cross-multiplication.
+//! An exponent splits uniquely into n times a polynomial, a constant q and a proper fraction. For primes and
+//! polynomials q lies in [0, 1); the remaining integer powers belong to the coefficient. So 4ⁿ and 2²ⁿ, 6ⁿ and 2ⁿ3ⁿ,
+//! √12 and 2√3 are equal values. A [`Quotient`] of two expressions is compared by cross-multiplication.
 //!
 //! # What is proved, and where
 //!
 //! A statement is made on a [`Domain`]: n > 0, n > 1/2, 0 < n < 1/2 or n = 1/2, and for all positive values of all
-//! symbols. At n = 1/2 the number is put in the place of n before anything else, and what distinguishes the cases is the
-//! ratio ρ of C to its threshold, a symbol like the others.
+//! symbols. At n = 1/2 the number is substituted for n before anything else, and the cases differ in the ratio ρ of C
+//! to its threshold, a symbol like the others.
 //!
-//! What is proved holds at every point of the domain at which both sides, as they are written, have a value: (2n − 1)/(2n − 1)
-//! is 1 for n > 0, with n = 1/2 excluded by the left side itself.
+//! A proved statement is true at every point of the domain at which both sides, as written, have a value: (2n − 1)/(2n
+//! − 1) is 1 for n > 0, with n = 1/2 excluded by the left side itself.
 //!
-//! **Equal normal forms prove equality.** Every rule that leads to a normal form is an identity of real functions where
-//! both of its sides have a value: the field operations of Q(n), b^e b^f = b^(e+f), (b^e)^f = b^(ef) and (bc)^e = b^e
-//! c^e for positive b, c. The sine has its values at the multiples of π/6 and π/4. A real power of something whose sign
-//! is not known is refused ([`Error::NotPositive`]); signs of polynomials on a domain are decided by Sturm's theorem.
-//! In the same way cos²θ = 1 − sin²θ is used where two normal forms differ.
+//! **Equal normal forms prove equality.** Every rule that leads to a normal form is an identity of real functions
+//! wherever both of its sides have a value: the field operations of Q(n), b^e b^f = b^(e+f), (b^e)^f = b^(ef) and
+//! (bc)^e = b^e c^e for positive b, c. The sine has its values at the multiples of π/6 and π/4. A real power of an
+//! expression of unknown sign is an error ([`Error::NotPositive`]); signs of polynomials on a domain are decided by
+//! Sturm's theorem. In the same way cos²θ = 1 − sin²θ is used where two normal forms differ.
 //!
-//! **A value in the place of a symbol** has to be positive on the domain, as the symbol was taken to be when √(a²) became a.
-//! A value of unknown sign, or 0, is put in only where the four operations and integer powers are all that acts on the symbol
-//! in the formula as it is written; elsewhere it is refused ([`Error::Substitution`]). A value in the place of n has to lie in
-//! the domain, which at n = 1/2 leaves 1/2 itself ([`Error::OutsideDomain`]).
+//! **A value substituted for a symbol** must be positive on the domain, as is assumed of the symbol when √(a²) becomes
+//! a. A value of unknown sign, or 0, is accepted only if the four operations and integer powers are all that acts on
+//! the symbol in the formula as written; otherwise it is an error ([`Error::Substitution`]). A value substituted for n
+//! must lie in the domain, which at n = 1/2 is 1/2 itself ([`Error::OutsideDomain`]).
 //!
 //! **Different normal forms prove inequality**, as functions of n and of the symbols.
 //!
@@ -55,22 +55,22 @@
 //!    (Kummer), powers of π over the algebraic numbers (Lindemann), different fractional powers of primes over Q
 //!    (Besicovitch). Hence all c(n) are 0, which the normal form excludes.
 //!
-//! This says nothing about symbols that are *not* independent. sinθ, cosθ and θ belong to one angle 0 < θ < π/2; κ_n, Γ(n/2)
-//! and Γ((n+1)/2) to one n, and at n = 1/2 κ_n to Γ(3/4). Where terms differ in two members of such a family, the answer is
-//! [`Undecided::HiddenRelation`], and intervals have to speak. An equality proved with κ as a symbol holds for κ_n; where κ is
-//! the only member, a difference says that the two sides are not equal for every κ. For κ_n itself that is shown by its value
-//! at one point, which rigorous arithmetic provides ([`formula::Arithmetic`]). g, g', ∫g and ∫g² stand for their values at a
-//! radius, which are independent as the profile is any; a difference says that the two sides are not equal for every profile.
-//! All other symbols are free numbers, also those to which the text of a derivation gives a value: t, s, ρ, μ, y, Λ. The value
-//! is put in with `at` where it is used.
+//! This does not apply to symbols that are *not* independent. sinθ, cosθ and θ belong to one angle 0 < θ < π/2; κ_n,
+//! Γ(n/2) and Γ((n+1)/2) to one n, and at n = 1/2 κ_n to Γ(3/4). If terms differ in two members of such a family, the
+//! result is [`Undecided::HiddenRelation`], and intervals are needed. An equality proved with κ as a symbol is valid
+//! for κ_n; if κ is the only member, a difference shows that the two sides are not equal for every κ. For κ_n itself
+//! that is shown by its value at one point, which rigorous arithmetic provides ([`formula::Arithmetic`]). g, g', ∫g and
+//! ∫g² represent their values at a radius, which are independent as the profile is arbitrary; a difference shows that
+//! the two sides are not equal for every profile. All other symbols are free numbers, also those to which the text of a
+//! derivation gives a value: t, s, ρ, μ, y, Λ. The value is substituted with `at` where it is used.
 //!
-//! **A divisor whose normal form is 0** is 0 on the whole domain: a formula that divides by it has a value nowhere, whatever
-//! the rest of it is ([`Statement::divides_by_zero`]). Then there is nothing to be proved or refuted.
+//! **A divisor whose normal form is 0** is 0 on the whole domain: a formula that divides by it has a value nowhere,
+//! whatever the rest of it is ([`Statement::divides_by_zero`]). Then nothing can be proved or refuted.
 //!
-//! A sign ([`Expression::sign_on`]) is proved when the coefficients of all terms have it on the whole domain. Otherwise
-//! nothing is said.
+//! A sign ([`Expression::sign_on`]) is proved if the coefficients of all terms have it on the whole domain, and is
+//! undecided otherwise.
 //!
-//! There is no floating-point number in this crate.
+//! The crate uses no floating-point numbers.
 
 #![forbid(unsafe_code)]
 

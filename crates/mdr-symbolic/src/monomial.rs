@@ -11,7 +11,7 @@ use crate::polynomial::{Factors, Polynomial, prime_factors};
 use crate::rational_function::RationalFunction;
 use crate::symbol::Symbol;
 
-/// What is raised to a power. Each is positive on the domain.
+/// The base of a power. Each is positive on the domain.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Base {
     /// A prime number.
@@ -24,8 +24,8 @@ pub enum Base {
     Symbol(Symbol),
 }
 
-/// A product of powers. Primes and polynomials stand with exponents whose constant part lies in [0, 1); their integer
-/// powers belong to the coefficient.
+/// A product of powers. The exponents of primes and polynomials have a constant part in [0, 1); their integer powers
+/// belong to the coefficient.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Monomial(BTreeMap<Base, RationalFunction>);
 
@@ -38,7 +38,7 @@ impl Monomial {
         Self::default()
     }
 
-    /// The first power of π or of a symbol, which belong to no coefficient.
+    /// The first power of π or of a symbol; these belong to no coefficient.
     pub(crate) fn of(base: Base) -> Self {
         Monomial(BTreeMap::from([(base, RationalFunction::constant(1))]))
     }
@@ -53,7 +53,7 @@ impl Monomial {
         self.0.get(&Base::Symbol(symbol)).cloned().unwrap_or_else(|| RationalFunction::constant(0))
     }
 
-    /// The same without a symbol.
+    /// The monomial without a symbol.
     pub(crate) fn without(&self, symbol: Symbol) -> Self {
         let mut rest = self.clone();
         rest.0.remove(&Base::Symbol(symbol));
@@ -69,7 +69,7 @@ impl Monomial {
         split_off_integers(powers)
     }
 
-    /// All exponents times a number of Q(n).
+    /// All exponents times an element of Q(n).
     pub(crate) fn raised(&self, exponent: &RationalFunction) -> Result<Term> {
         split_off_integers(self.0.iter().map(|(base, power)| (base.clone(), power * exponent)).collect())
     }
@@ -162,8 +162,8 @@ fn split_off_integers(powers: BTreeMap<Base, RationalFunction>) -> Result<Term> 
     Ok((coefficient, Monomial(rest)))
 }
 
-/// A symbol raised to a power where n is a given number: κ_n and the Gamma functions are known at positive integers, and
-/// refused elsewhere; other symbols do not depend on n.
+/// A symbol raised to a power if n is a given number: κ_n and the Gamma functions are known at positive integers and an
+/// error elsewhere; other symbols do not depend on n.
 fn special_values(
     symbol: Symbol,
     n: &Rational,

@@ -32,7 +32,7 @@ impl Quotient {
         if denominator.len() > 1 {
             return Ok(Quotient { numerator, denominator });
         }
-        // An integer power asks for no sign.
+        // An integer power needs no sign.
         let inverse = denominator.power(&RationalFunction::constant(-1), Domain::Positive)?;
         Ok(numerator.times(&inverse)?.into())
     }
@@ -47,12 +47,12 @@ impl Quotient {
         &self.denominator
     }
 
-    /// The expression this is, without a denominator.
+    /// The quotient as an expression, if it has no denominator.
     pub fn as_expression(&self) -> Option<&Expression> {
         (self.denominator == Expression::integer(1)).then_some(&self.numerator)
     }
 
-    /// The element of Q(n) this is.
+    /// The quotient as an element of Q(n), if it is one.
     pub fn as_function(&self) -> Option<RationalFunction> {
         self.as_expression().and_then(Expression::as_function)
     }
@@ -69,7 +69,7 @@ impl Quotient {
         Quotient::new(numerator, self.denominator.times(&other.denominator)?)
     }
 
-    /// The opposite.
+    /// The negative.
     pub fn negated(&self) -> Self {
         Quotient { numerator: -&self.numerator, denominator: self.denominator.clone() }
     }
@@ -91,7 +91,7 @@ impl Quotient {
         Quotient::new(numerator, self.denominator.times(&other.denominator)?)
     }
 
-    /// This over another quotient.
+    /// This divided by another quotient.
     ///
     /// # Errors
     /// [`Error::DivisionByZero`].
@@ -122,7 +122,7 @@ impl Quotient {
         Quotient::new(&rising - &falling, self.denominator.times(&self.denominator)?)
     }
 
-    /// This with `value` in the place of a symbol.
+    /// This with `value` substituted for a symbol.
     ///
     /// # Errors
     /// As [`Expression::substitute`].
@@ -139,7 +139,7 @@ impl Quotient {
         Quotient::new(self.numerator.at_n(n, domain)?, self.denominator.at_n(n, domain)?)
     }
 
-    /// Whether the two are the same function. Decided.
+    /// Whether the two are the same function; always decided.
     ///
     /// # Errors
     /// As [`Expression::times`].
@@ -147,7 +147,7 @@ impl Quotient {
         Ok(self.numerator.times(&other.denominator)? == other.numerator.times(&self.denominator)?)
     }
 
-    /// The sign on the whole domain, where the signs of the coefficients decide it.
+    /// The sign on the whole domain, if the signs of the coefficients decide it.
     pub fn sign_on(&self, domain: Domain) -> Option<Ordering> {
         let below = self.denominator.sign_on(domain).filter(|sign| sign.is_ne())?;
         let above = self.numerator.sign_on(domain)?;
@@ -156,7 +156,7 @@ impl Quotient {
 }
 
 impl Expression {
-    /// The expression with a quotient in the place of a symbol.
+    /// The expression with a quotient substituted for a symbol.
     fn substitute_quotient(&self, symbol: Symbol, value: &Quotient, domain: Domain) -> Result<Quotient> {
         if let Some(value) = value.as_expression() {
             match self.substitute(symbol, value, domain) {
@@ -165,7 +165,7 @@ impl Expression {
                 result => return result.map(Quotient::from),
             }
         }
-        // Refuses where another symbol is a function of the replaced one.
+        // Fails if another symbol is a function of the replaced one.
         self.substitute(symbol, &Expression::symbol(symbol), domain)?;
         let mut sum = Quotient::from(Expression::zero());
         for (coefficient, monomial) in self.terms() {

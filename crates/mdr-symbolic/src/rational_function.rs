@@ -9,8 +9,8 @@ use crate::domain::Domain;
 use crate::error::{Error, Result};
 use crate::polynomial::Polynomial;
 
-/// An element of Q(n). Numerator and denominator have no common factor and the denominator is monic: equal functions are
-/// equal values.
+/// An element of Q(n). Numerator and denominator have no common factor and the denominator is monic: equal functions
+/// are equal values.
 ///
 /// ```
 /// use mdr_symbolic::{Polynomial, RationalFunction};
@@ -25,7 +25,7 @@ pub struct RationalFunction {
     denominator: Polynomial,
 }
 
-/// Bits of a numerator or denominator beyond which no power is written out, 64 for each coefficient included.
+/// The most bits of a numerator or denominator for which a power is expanded, including 64 for each coefficient.
 pub(crate) const LARGEST_POWER: u64 = 1 << 16;
 
 impl RationalFunction {
@@ -81,13 +81,13 @@ impl RationalFunction {
         self.as_constant().is_some_and(|value| value == 1)
     }
 
-    /// The number this is, if it does not depend on n.
+    /// The constant value, if it does not depend on n.
     pub fn as_constant(&self) -> Option<Rational> {
         // A monic constant denominator is 1.
         if self.denominator.degree() == 0 { self.numerator.as_constant() } else { None }
     }
 
-    /// The integer this is.
+    /// The integer value, if it is an integer.
     pub fn as_integer(&self) -> Option<Integer> {
         self.as_constant().filter(Rational::is_integer).map(|value| value.into_numer_denom().0)
     }
@@ -99,7 +99,7 @@ impl RationalFunction {
         whole.coefficients().first().cloned().unwrap_or_default()
     }
 
-    /// 1 over this.
+    /// The reciprocal.
     ///
     /// # Errors
     /// [`Error::DivisionByZero`].
@@ -118,14 +118,14 @@ impl RationalFunction {
     /// The integer power.
     ///
     /// # Errors
-    /// [`Error::DivisionByZero`]; [`Error::TooLarge`] when it would take more than 2¹⁶ bits.
+    /// [`Error::DivisionByZero`]; [`Error::TooLarge`] if the result exceeds 2¹⁶ bits.
     pub fn power(&self, exponent: i32) -> Result<Self> {
         let base = if exponent < 0 { self.inverse()? } else { self.clone() };
         let natural = exponent.unsigned_abs();
         if [&base.numerator, &base.denominator].into_iter().any(|part| part.bits_of_power(natural) > LARGEST_POWER) {
             return Err(Error::TooLarge(format!("({})^{exponent}", crate::print::function_text(self))));
         }
-        // Powers of polynomials without a common factor have none.
+        // Powers of polynomials without a common factor have no common factor.
         Ok(RationalFunction { numerator: base.numerator.power(natural), denominator: base.denominator.power(natural) })
     }
 
@@ -138,10 +138,10 @@ impl RationalFunction {
         if below.is_zero() { Err(Error::DivisionByZero) } else { Ok(self.numerator.evaluate(n) / below) }
     }
 
-    /// This function of n + shift.
+    /// The function of n + shift.
     pub fn shifted(&self, shift: &Rational) -> Self {
         let inner = Polynomial::new(vec![shift.clone(), Rational::from(1)]);
-        // A shift keeps the denominator monic and common factors absent.
+        // A shift preserves a monic denominator and the absence of common factors.
         RationalFunction { numerator: self.numerator.compose(&inner), denominator: self.denominator.compose(&inner) }
     }
 
@@ -159,7 +159,7 @@ impl From<Polynomial> for RationalFunction {
     }
 }
 
-/// A quotient whose denominator is known not to be zero.
+/// The quotient in lowest terms, for a nonzero denominator.
 fn lowest_terms(numerator: Polynomial, denominator: Polynomial) -> RationalFunction {
     RationalFunction::new(numerator, denominator).unwrap_or_else(|_| RationalFunction::constant(0))
 }

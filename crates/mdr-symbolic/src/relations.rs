@@ -1,4 +1,4 @@
-//! Relations between symbols that normal forms do not know.
+//! Relations between symbols that normal forms do not include.
 //!
 //! Sine and cosine belong to one angle; κ_n, Γ(n/2) and Γ((n+1)/2) to one n, by (1.12). Terms that differ in two members of
 //! such a family may cancel although their normal forms differ.
@@ -12,7 +12,7 @@ use crate::rational_function::RationalFunction;
 use crate::symbol::Symbol;
 
 impl Expression {
-    /// An expression that vanishes where this one does: cos²θ is 1 − sin²θ wherever the powers of the cosine differ by
+    /// An expression with the same zeros: cos²θ is replaced by 1 − sin²θ where the powers of the cosine differ by
     /// integers.
     pub(crate) fn with_one_cosine(&self) -> Result<Self> {
         let (Some(sine), Some(cosine)) = (Symbol::named("sinθ"), Symbol::named("cosθ")) else {
@@ -37,7 +37,7 @@ impl Expression {
         Ok(sum)
     }
 
-    /// Symbols in which the terms differ and between which there is a relation on the domain.
+    /// Symbols in which the terms differ and that are related on the domain.
     pub(crate) fn related_symbols(&self, domain: Domain) -> Option<Vec<Symbol>> {
         let named = |names: &[&str]| names.iter().filter_map(|name| Symbol::named(name)).collect::<Vec<_>>();
         let angle = named(&["θ", "sinθ", "cosθ"]);

@@ -1,4 +1,4 @@
-//! Statements about formulas, and how they are decided.
+//! Statements about formulas, and their decision.
 
 use std::cmp::Ordering;
 use std::str::FromStr;
@@ -12,16 +12,16 @@ use crate::formula::Formula;
 use crate::quotient::Quotient;
 use crate::symbol::Symbol;
 
-/// What a statement says about its two sides.
+/// The relation between the two sides of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
-    /// They are the same function.
+    /// The two sides are the same function.
     Equal,
-    /// The left one is smaller everywhere.
+    /// The left side is smaller everywhere.
     Less,
-    /// The left one is larger everywhere.
+    /// The left side is larger everywhere.
     Greater,
-    /// They have the same dimension.
+    /// The two sides have the same dimension.
     SameDimension,
 }
 
@@ -39,42 +39,42 @@ pub enum Relation {
 pub struct Statement {
     /// The left side.
     pub left: Formula,
-    /// What is said.
+    /// The relation.
     pub relation: Relation,
     /// The right side.
     pub right: Formula,
 }
 
-/// What exact algebra says to a statement on a domain.
+/// The result of exact algebra for a statement on a domain.
 #[derive(Clone, Debug)]
 pub enum Decision {
-    /// It holds.
+    /// The statement is true.
     Proved {
-        /// Why.
+        /// The witness.
         because: Witness,
     },
-    /// It does not hold.
+    /// The statement is false.
     Refuted {
-        /// Why.
+        /// The witness.
         because: Witness,
     },
-    /// Algebra cannot tell: something lies outside it, or a sign is not that of every term.
+    /// Not decided by algebra: a part lies outside it, or not all terms have one sign.
     Undecided(Undecided),
 }
 
-/// What shows that a statement holds, or that it does not.
+/// The witness that a statement is true, or false.
 #[derive(Clone, Debug)]
 pub enum Witness {
-    /// The normal form of both sides; that of the left one, where cos²θ = 1 − sin²θ makes the other one equal to it.
+    /// The normal form of both sides; that of the left side if the other one is equal to it by cos²θ = 1 − sin²θ only.
     Both(Quotient),
     /// The difference of the two sides, which is not 0 or has a sign.
     Difference(Quotient),
-    /// The dimensions of the two sides; none where the terms of a side differ in theirs.
+    /// The dimensions of the two sides; `None` if the terms of a side differ in theirs.
     Dimensions(Option<Dimension>, Option<Dimension>),
 }
 
 impl Witness {
-    /// In words. `math` chooses between a formula as text and in TeX.
+    /// A description. `math` chooses between a formula as text and in TeX.
     pub fn describe(&self, math: &dyn Fn(&str, &str) -> String) -> String {
         let of = |form: &Quotient| {
             let formula = Formula::from(form);
@@ -112,15 +112,15 @@ impl Decision {
     }
 }
 
-/// Why algebra cannot tell.
+/// Why algebra does not decide a statement.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Undecided {
     /// One side has no normal form.
     NoNormalForm(Error),
     /// The terms of the difference have different signs.
     MixedSigns,
-    /// The terms of the difference have different powers of symbols between which there is a relation that the algebra does
-    /// not know.
+    /// The terms of the difference have different powers of symbols that are related in a way the algebra does not
+    /// include.
     HiddenRelation(Vec<Symbol>),
 }
 
@@ -165,8 +165,8 @@ impl Statement {
         })
     }
 
-    /// Whether a divisor in one of the sides, as they are written, is 0 everywhere on the domain: then that side has no value,
-    /// and there is nothing that could hold. Decided by normal forms also where the rest of the side has none.
+    /// Whether a divisor in one of the sides, as written, is 0 everywhere on the domain: that side then has no value,
+    /// and the statement is neither true nor false. Decided by normal forms even if the rest of the side has none.
     ///
     /// ```
     /// use mdr_symbolic::{Domain, Statement};
@@ -178,7 +178,7 @@ impl Statement {
         [&self.left, &self.right].into_iter().any(|side| side.divides_by_zero(domain))
     }
 
-    /// The statement with a positive number in the place of n, for an arithmetic whose n is that number. An integral may exist
+    /// The statement with a positive number substituted for n, for an arithmetic with the same n. An integral may exist
     /// there that does not exist on a whole domain.
     ///
     /// ```
@@ -193,9 +193,9 @@ impl Statement {
         Statement { left: self.left.at_exponent(n), relation: self.relation, right: self.right.at_exponent(n) }
     }
 
-    /// The distinct statements with one small mistake in one of the sides of an equality, with the opposite sense of an
-    /// inequality, or with a length too much in a dimension. An equality that offers no place for a mistake has its
-    /// definitions written out first.
+    /// The distinct statements with one small error in one of the sides of an equality, with the opposite sense of an
+    /// inequality, or with an additional length in a dimension. If an equality has no place for an error, its
+    /// definitions are expanded first.
     ///
     /// ```
     /// use mdr_symbolic::Statement;
@@ -207,7 +207,7 @@ impl Statement {
     pub fn mutants(&self) -> Vec<Statement> {
         let with = |left: Formula, relation, right: Formula| Statement { left, relation, right };
         match self.relation {
-            // Whether an inequality with another number still holds says nothing about this one.
+            // An inequality with another number may still be true, which says nothing about this one.
             Relation::Less => vec![with(self.left.clone(), Relation::Greater, self.right.clone())],
             Relation::Greater => vec![with(self.left.clone(), Relation::Less, self.right.clone())],
             Relation::SameDimension => {

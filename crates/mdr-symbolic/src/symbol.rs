@@ -1,21 +1,21 @@
-//! The symbols of the theory. All stand for positive real numbers.
+//! The symbols of the theory. All represent positive real numbers.
 
 use crate::dimension::Dimension;
 
 /// A symbol: a positive real number, independent of all others.
 ///
-/// Some are functions of another one, and are then differentiated by a rule: g, G and Q of a, sinθ and cosθ of θ. Which are
-/// not independent is told in the [documentation of the crate](crate#what-is-proved-and-where).
+/// Some are functions of another one, and are then differentiated by a rule: g, G and Q of a, sinθ and cosθ of θ. The
+/// [documentation of the crate](crate#what-is-proved-and-where) lists those that are not independent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Symbol(usize);
 
-/// What is known about a symbol.
+/// The properties of a symbol.
 struct Entry {
     name: &'static str,
     text: &'static str,
     tex: &'static str,
     meaning: &'static str,
-    /// Powers of length: the constant, and what n multiplies.
+    /// Powers of length: the constant, and the factor of n.
     length: [i64; 2],
     force: i64,
 }
@@ -119,7 +119,7 @@ impl Symbol {
         self.entry().tex
     }
 
-    /// What it stands for.
+    /// Its meaning.
     pub fn meaning(self) -> &'static str {
         self.entry().meaning
     }

@@ -67,7 +67,7 @@ struct Exact {
 }
 
 impl Arithmetic for Exact {
-    /// Nothing where a division by zero was met.
+    /// `None` after a division by zero.
     type Value = Option<Rational>;
 
     fn rational(&self, value: &Rational) -> Self::Value {
@@ -137,7 +137,7 @@ fn points() -> impl Iterator<Item = Exact> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
-    /// A normal form has the values of its formula, exactly; it is 0 when and only when they all vanish; and the normal
+    /// A normal form has the values of its formula, exactly; it is 0 if and only if they all vanish; and the normal
     /// form of a normal form is itself.
     #[test]
     fn normal_forms_agree_with_exact_evaluation(formula in formula()) {
@@ -156,7 +156,7 @@ proptest! {
         prop_assert_eq!(again.denominator(), normal.denominator());
     }
 
-    /// Two formulas are equal when and only when their values are.
+    /// Two formulas are equal if and only if their values are.
     #[test]
     fn equality_is_decided(left in formula(), right in formula()) {
         let (Ok(l), Ok(r)) = (left.normalise(Domain::Positive), right.normalise(Domain::Positive)) else { return Ok(()) };

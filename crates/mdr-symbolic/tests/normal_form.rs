@@ -1,4 +1,4 @@
-//! Known equalities and inequalities of normal forms, and refusals.
+//! Known equalities and inequalities of normal forms, and errors.
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
@@ -30,7 +30,7 @@ fn powers_of_integers_and_polynomials() {
     fails("π^n = 3^n", Domain::Positive);
 }
 
-/// √((2n−1)²) is 2n − 1 above 1/2, 1 − 2n below, and has no single form where both occur.
+/// √((2n−1)²) is 2n − 1 above 1/2, 1 − 2n below, and has no single form on a domain with both.
 #[test]
 fn signs_depend_on_the_domain() {
     holds("sqrt((2*n - 1)^2) = 2*n - 1", Domain::Above);
@@ -48,7 +48,7 @@ fn signs_depend_on_the_domain() {
     assert!(matches!(decide("a > w", Domain::Above), Decision::Undecided(Undecided::MixedSigns)));
 }
 
-/// In every quarter of a turn and beyond a whole one; no other angle is guessed.
+/// In every quarter of a turn and beyond a whole one; other angles have no value.
 #[test]
 fn sines_of_parts_of_a_turn() {
     for (angle, sine) in [
@@ -136,7 +136,7 @@ fn printing() {
     assert_eq!(shown("g'^2").1, r"\left(g'(a)\right)^{2}");
 }
 
-/// The crate computes with rationals and nothing else.
+/// The crate uses rational arithmetic only.
 #[test]
 fn there_are_no_floats() {
     fn sources(directory: &std::path::Path, found: &mut Vec<String>) {

@@ -1,5 +1,5 @@
-//! What must not be proved, refuted or answered: values outside of what a simplification assumed, functions taken for
-//! constants, relations the algebra does not know, and numbers too large to be written out.
+//! What must not be proved, refuted or evaluated: values outside the assumptions of a simplification, functions treated
+//! as constants, relations that the algebra does not include, and numbers too large to be expanded.
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
@@ -25,7 +25,7 @@ fn refusal(text: &str, domain: Domain) -> Error {
     }
 }
 
-/// √(a²) = a was simplified with a > 0: what is put in for a later has to be positive, too.
+/// √(a²) = a was simplified with a > 0: a value substituted for a later must be positive too.
 #[test]
 fn values_of_unknown_sign_under_real_powers() {
     let cases = [
@@ -73,7 +73,7 @@ fn exponents_outside_of_the_domain() {
     proved("at(sqrt(1 - 2*n), n, 3/8) = 1/2", Domain::Below);
 }
 
-/// A root that was formed on one domain, at an n of another one.
+/// A root formed on one domain, at an n of another one.
 #[test]
 fn roots_at_their_zero() {
     let below = Expression::from(RationalFunction::from(Polynomial::linear(-2, 1)));
@@ -95,7 +95,8 @@ fn integrals_of_functions_of_their_variable() {
     proved("int(a*g, x, x) = a*x*g", Domain::Positive);
 }
 
-/// Sine and cosine are functions of one angle, κ and the Gamma functions of n: what their relation might undo is not refuted.
+/// Sine and cosine are functions of one angle, κ and the Gamma functions of n: a difference that their relation may
+/// cancel is not refuted.
 #[test]
 fn hidden_relations() {
     proved("sinθ^2 + cosθ^2 = 1", Domain::Positive);
@@ -115,7 +116,8 @@ fn hidden_relations() {
     refuted("κ = 4/3", Domain::Half);
 }
 
-/// A divisor that is 0 everywhere leaves no value, also beside what has no normal form; one that is 0 somewhere does.
+/// A divisor that is 0 everywhere leaves no value, also beside a part without a normal form; one that is 0 somewhere
+/// does.
 #[test]
 fn divisors_that_are_zero() {
     let divides = |text: &str, domain| text.parse::<Statement>().unwrap().divides_by_zero(domain);
@@ -145,7 +147,7 @@ fn divisors_that_are_zero() {
     assert!(divides("H0(a)/(2*n - 1) = 1", Domain::Half) && !divides("d_c = 1", Domain::Positive));
 }
 
-/// Written out, these would take hours.
+/// Expanded, these would take hours.
 #[test]
 fn absurd_exponents() {
     let cases = [

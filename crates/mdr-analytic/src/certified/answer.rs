@@ -1,4 +1,4 @@
-//! What comes out.
+//! Certified answers.
 
 use mdr_core::contact::{Instability, Regime};
 use mdr_core::number::certify::Decimal;
@@ -8,16 +8,17 @@ use crate::critical::Critical;
 /// Correctly rounded answers to a [`Question`](super::Question).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// n against 1/2.
+    /// The regime of n: above, at or below 1/2.
     pub regime: Regime,
     /// κ_n.
     pub kappa: Decimal,
-    /// The critical state; on a machine the fold met first when leaving the stable branch. None at n = 1/2, except on a
+    /// The critical state; on a machine the first fold when leaving the stable branch. `None` at n = 1/2, except on a
     /// machine with 1 < ρ < 3.
     pub critical: Option<Critical<Decimal>>,
     /// On a machine all folds, by increasing radius; otherwise empty.
     pub folds: Vec<Instability<Decimal>>,
-    /// At n = 1/2 the threshold of C under this control (1.19), see [`threshold`](crate::threshold()); otherwise none.
+    /// At n = 1/2 the threshold of C under this control (1.19), see [`threshold`](crate::threshold()); otherwise
+    /// `None`.
     pub threshold: Option<Decimal>,
     /// At n = 1/2 the ratio of C to the threshold.
     pub ratio: Option<Decimal>,

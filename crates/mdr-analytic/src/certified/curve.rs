@@ -1,11 +1,11 @@
-//! The curve of equilibria of a power law under any control, in logarithms: every state, at any scale.
+//! The curve of equilibria of a power law under any control, in logarithms: all states, at any scale.
 //!
-//! With u = ln a, t = Δl(a), s = 2E*a/k and the depth φ = nd − t, which is in proportion to the force,
+//! With u = ln a, t = Δl(a), s = 2E*a/k and the depth φ = nd − t, which is proportional to the force,
 //!
 //! d = (φ + t)/n,  F = 2E*aφ/(n+1),  Π = E*a [2φ(φ + t)/((n+1)(2n+1)) − (2n−1)t²/(2(2n+1))],
 //!
-//! the last by (1.13) from [`Contact::energy`]. The controlled quantity is the difference P − Q of two positive, increasing
-//! functions of u:
+//! the last by (1.13) from [`Contact::energy`]. The controlled quantity is the difference P − Q of two positive,
+//! increasing functions of u:
 //!
 //! | control | P | Q |
 //! |---|---|---|
@@ -13,9 +13,9 @@
 //! | F | 2E*a gn/(n+1) | 2E*a t |
 //! | D = d + F/k | g(1 + sn/(n+1)) | t(1 + s) |
 //!
-//! Their logarithms are linear in u but for ln(1 + s), so that no value and no radius is too small or too large. Between two
-//! folds P − Q is monotone. Its signs there, and at 0 and ∞, tell whether a branch holds a value; where it does, a change of
-//! sign encloses the radius.
+//! Their logarithms are linear in u except for ln(1 + s), so no value and no radius leaves the range. Between two folds
+//! P − Q is monotone. Its signs there, at 0 and at ∞ decide whether a branch contains a value; if it does, a sign
+//! change encloses the radius.
 
 use std::cmp::Ordering;
 
@@ -35,7 +35,7 @@ use crate::range::ln_sum;
 /// use mdr_analytic::certified::{Elasticity, Question};
 /// use mdr_core::contact::Control;
 /// use mdr_core::number::Precision;
-/// // Radii of 10^−1300 m and below: two equilibria, in no double.
+/// // Radii of 10^−1300 m and below: two equilibria, neither representable in f64.
 /// let [n, c, e_star, work] = ["0.499", "0.1", "1", "1"].map(|text| text.parse());
 /// let question = Question::new(&n?, &c?, &Elasticity::Effective(e_star?), &work?, &Control::Indentation)?;
 /// let depth: mdr_core::number::Literal = "1e-650".parse()?;
@@ -58,7 +58,7 @@ pub struct Curve {
     /// ln 2E*/k on a machine.
     ln_softness: Option<Interval>,
     folds: Vec<(Point, FoldKind)>,
-    /// The controlled quantity at each fold, where it is known to be a rational.
+    /// The controlled quantity at each fold, if it is known to be rational.
     exact_folds: Vec<Option<Rational>>,
 }
 
@@ -71,7 +71,7 @@ pub struct Point {
     indentation: Scaled,
     /// φ = nd − Δl.
     depth: Scaled,
-    /// Under the control it was found with.
+    /// Stability under the control of the curve.
     pub stability: Stability,
 }
 
@@ -96,7 +96,7 @@ impl Question {
     /// The curve of equilibria, with its folds.
     ///
     /// # Errors
-    /// [`Error::Undecided`] where the precision does not tell how many folds there are.
+    /// [`Error::Undecided`] if the precision does not decide the number of folds.
     pub fn curve(&self, precision: Precision) -> Result<Curve> {
         let contact = self.contact(precision)?;
         let enclose = |value: &Rational| Interval::from_rational(precision, value);
@@ -135,7 +135,7 @@ impl Question {
 }
 
 impl Curve {
-    /// What is controlled.
+    /// The controlled quantity.
     pub fn control(&self) -> &Control<Interval> {
         &self.control
     }
@@ -150,18 +150,19 @@ impl Curve {
         &self.folds
     }
 
-    /// Whether the controlled quantity grows from the tip on, so that contact begins smoothly.
+    /// Whether the controlled quantity increases from the tip on, so that contact begins continuously.
     ///
     /// # Errors
-    /// [`Error::Undecided`] where n or ρ cannot be told from their thresholds.
+    /// [`Error::Undecided`] if n or ρ is not distinguished from its threshold.
     pub fn begins_smoothly(&self) -> Result<bool> {
         Ok(self.sign_at_tip()?.is_gt())
     }
 
-    /// All equilibria at a value of the controlled quantity, by increasing radius; at a fold itself the double root is one.
+    /// All equilibria at a value of the controlled quantity, by increasing radius; at a fold the double root counts as
+    /// one.
     ///
     /// # Errors
-    /// [`Error::Undecided`] where the precision does not tell how many there are, or where they lie.
+    /// [`Error::Undecided`] if the precision does not decide their number or their positions.
     pub fn equilibria(&self, value: &Rational) -> Result<Vec<Point>> {
         let scaled = Scaled::from(Interval::from_rational(self.precision(), value));
         let at_fold = |fold: Option<usize>| fold.is_some_and(|fold| self.exact_fold(fold) == Some(value));
@@ -175,7 +176,7 @@ impl Curve {
         Ok(found)
     }
 
-    /// The equilibrium at a value on a branch, between fold `branch` − 1 and fold `branch`, the folds excluded.
+    /// The equilibrium at a value on the branch between fold `branch` − 1 and fold `branch`, the folds excluded.
     ///
     /// # Errors
     /// As [`Curve::equilibria`].
@@ -186,7 +187,7 @@ impl Curve {
         let [below, above] = [branch.checked_sub(1), Some(branch)].map(|end| end.and_then(|end| self.folds.get(end)));
         let sign = value.sign().ok_or_else(|| self.undecided("the sign of a value"))?;
         let at_fold = |(fold, _): &(Point, FoldKind)| Ok(self.compare(value, fold)?.reverse());
-        // x at the tip is 0 with a sign, and without bound far out.
+        // The controlled quantity at the tip is 0 with a sign, and unbounded at large radii.
         let first =
             below.map_or_else(|| if sign.is_eq() { self.sign_at_tip() } else { Ok(sign.reverse()) }, at_fold)?;
         let last = above.map_or_else(|| self.sign_far_out(), at_fold)?;
@@ -198,22 +199,22 @@ impl Curve {
         Ok(Some(self.held_at(value, self.root(value, ends, first.is_lt())?, stability)))
     }
 
-    /// A value against that of a fold.
+    /// The order of a value and the value of a fold.
     ///
     /// # Errors
-    /// [`Error::Undecided`] where that is not certain.
+    /// [`Error::Undecided`] if it is not certain.
     pub fn compare(&self, value: &Scaled, fold: &Point) -> Result<Ordering> {
         let order = value.minus(&self.controlled(fold)).sign();
         order.ok_or_else(|| self.undecided("whether a value is below or above that of a fold"))
     }
 
-    /// The controlled quantity at a fold, where it is taken for a rational: d of a cone under fixed grips, exactly.
+    /// The controlled quantity at a fold, if it is regarded as rational: d of a cone under fixed grips is.
     pub fn exact_fold(&self, fold: usize) -> Option<&Rational> {
         self.exact_folds.get(fold)?.as_ref()
     }
 
-    /// The same where the folds are at the values that `round` gives for theirs: for an arithmetic that does not tell the two
-    /// apart.
+    /// The same curve with the values of its folds replaced by those that `round` returns, for an arithmetic that does
+    /// not distinguish the two.
     #[must_use]
     pub fn with_folds_rounded(mut self, round: impl Fn(&Scaled) -> Option<Rational>) -> Self {
         let rounded = |(fold, _): &(Point, FoldKind)| round(&self.controlled(fold));
@@ -250,7 +251,7 @@ impl Curve {
         elastic.minus(&adhesive).times(&self.stiffness_of(point))
     }
 
-    /// What is stored in the contact and in the spring of a machine, Π + F²/2k, in J.
+    /// The energy stored in the contact and in the spring of a machine, Π + F²/2k, in J.
     pub fn stored(&self, point: &Point) -> Scaled {
         let energy = self.energy(point);
         let Control::Machine { stiffness } = &self.control else { return energy };
@@ -258,8 +259,8 @@ impl Curve {
         energy.plus(&force.times(&force).over(&stiffness.clone().times(2).into()))
     }
 
-    /// dF/dd along the equilibria, 2E*a (2φ/t + 2n−1)/(2φ/t + 2n+1), in N/m. At the fold of a force it is 0, at that of a
-    /// machine −k, and none at that of d.
+    /// dF/dd along the equilibria, 2E*a (2φ/t + 2n−1)/(2φ/t + 2n+1), in N/m. At a fold of the force it is 0, at that of
+    /// a machine −k; `None` at a fold of d.
     pub fn stiffness(&self, point: &Point) -> Option<Scaled> {
         match (&self.control, point.stability) {
             (Control::Indentation, Stability::Neutral) => return None,
@@ -287,7 +288,7 @@ impl Curve {
         ln_radius.clone().over(2) + &self.ln_edge
     }
 
-    /// The fold under fixed grips or a dead load: N a^{n−1/2} = λ√B. None at n = 1/2.
+    /// The fold under fixed grips or a dead load: N a^{n−1/2} = λ√B. `None` at n = 1/2.
     fn fold(&self) -> Option<(Point, FoldKind)> {
         let zero = self.excess.lit(0);
         if self.excess == zero {
@@ -312,7 +313,7 @@ impl Curve {
         }
     }
 
-    /// The state of a radius at a value.
+    /// The state with the given radius and controlled value.
     fn held_at(&self, value: &Scaled, ln_radius: Interval, stability: Stability) -> Point {
         let (n, length) = (&self.exponent, self.elongation(&ln_radius));
         let next = n.lit(1) + n;
@@ -333,7 +334,7 @@ impl Curve {
         Point { ln_radius, indentation, depth, stability }
     }
 
-    /// The sign of x close to the tip.
+    /// The sign of the controlled quantity close to the tip.
     fn sign_at_tip(&self) -> Result<Ordering> {
         let zero = self.excess.lit(0);
         match self.excess.partial_cmp(&zero) {
@@ -342,7 +343,7 @@ impl Curve {
         }
     }
 
-    /// The sign of x for large radii.
+    /// The sign of the controlled quantity at large radii.
     fn sign_far_out(&self) -> Result<Ordering> {
         let zero = self.excess.lit(0);
         match self.excess.partial_cmp(&zero) {
@@ -351,7 +352,7 @@ impl Curve {
         }
     }
 
-    /// n = 1/2: ρ against its threshold.
+    /// n = 1/2: the order of ρ and its threshold.
     fn balance_at(&self, threshold: i64) -> Result<Ordering> {
         let excess = self.ln_strength.clone() - &self.ln_edge - self.ln_edge.lit(threshold).ln();
         excess.partial_cmp(&excess.lit(0)).ok_or_else(|| self.undecided("whether C is above its threshold"))
@@ -377,7 +378,7 @@ impl Curve {
         [(g.0 + p.0, g.1 + p.1), (t.0 + q.0, t.1 + q.1)]
     }
 
-    /// What has the sign of P − Q − x and no large values, ln P/(Q + x) or ln (P − x)/Q, and its slope.
+    /// A function with the sign of P − Q − x that stays in range, ln P/(Q + x) or ln (P − x)/Q, and its slope.
     fn imbalance(&self, u: &Interval, value: &Scaled) -> (Interval, Interval) {
         let [(p, rise), (q, fall)] = self.terms(u);
         let sign = value.sign();
@@ -392,13 +393,13 @@ impl Curve {
         }
     }
 
-    /// ln a of the one root between two folds, where x − value changes sign, from below zero if it is `rising`.
+    /// ln a of the only root between two folds, where x − value changes sign, from negative if it is `rising`.
     fn root(&self, value: &Scaled, ends: [Option<&Interval>; 2], rising: bool) -> Result<Interval> {
         let [lower, upper] = self.bracket(value, ends, rising)?;
         let imbalance = |u: &Interval| self.imbalance(u, value);
         let mut guess = newton_within(lower, upper, rising, imbalance);
         let (mut defect, mut slope) = imbalance(&guess);
-        // Close to a fold the digits double from fewer on.
+        // Close to a fold the initial accuracy is lower.
         for _ in 0..6 {
             let next = (guess.clone() - defect.steer() / slope.steer()).steer();
             if defect.contains_zero() || !next.is_finite() {
@@ -413,7 +414,7 @@ impl Curve {
         let zero = guess.lit(0);
         for _ in 0..guess.precision().div_ceil(4) {
             let [from, to] = [guess.clone() - &radius, guess.clone() + &radius].map(|u| u.steer());
-            // The root lies between the folds; what is beyond them need not be looked at.
+            // The root lies between the folds, so the search does not pass them.
             let below = ends[0].filter(|fold| !(from > **fold));
             let above = ends[1].filter(|fold| !(to < **fold));
             let lies = |u: &Interval, right: bool| {
@@ -430,9 +431,9 @@ impl Curve {
         Err(self.undecided("where exactly the equilibrium lies"))
     }
 
-    /// Numbers on both sides of the root: the folds, or what is found from them by ever longer steps.
+    /// Numbers on both sides of the root: the folds, or points found from them by steps of increasing length.
     fn bracket(&self, value: &Scaled, ends: [Option<&Interval>; 2], rising: bool) -> Result<[Interval; 2]> {
-        // Where Q is of the size of the value.
+        // At the radius where Q is of the magnitude of the value.
         let start = || {
             let guess = (value.ln_magnitude() - &self.ln_edge).times(2).steer();
             if guess.is_finite() { guess } else { guess.lit(0) }

@@ -1,4 +1,4 @@
-//! Closed forms over intervals, to decimals.
+//! Certified decimals of the closed forms, from intervals.
 
 use std::cmp::Ordering;
 
@@ -13,10 +13,10 @@ use crate::critical::Critical;
 use crate::machine::Tension;
 use crate::threshold::threshold;
 
-/// Bits beyond those of the digits: rounding errors, and the small chance that the digits end close to a tie.
+/// Bits beyond those of the digits: for rounding errors, and the small chance that the digits end close to a tie.
 const GUARD: u32 = 40;
 
-/// The most bits that an exponent close to 1/2 may cost: |2n−1| down to about 10⁻²⁰⁰⁰⁰.
+/// The most bits that may be lost to an exponent close to 1/2: |2n−1| down to about 10⁻²⁰⁰⁰⁰.
 const MOST_MAGNIFICATION: f64 = 65_536.0;
 
 /// κ_n to the given number of significant digits, correctly rounded.
@@ -46,7 +46,7 @@ impl Question {
     /// # Errors
     /// [`Error::Domain`] for digits outside 1 to 10⁶. [`Error::Undecided`] for |2n−1| below about 10⁻²⁰⁰⁰⁰, for a tie
     /// that number theory does not exclude, or for two folds so close to merging that no precision up to the limit
-    /// tells them apart.
+    /// separates them.
     pub fn answer(&self, digits: u32) -> Result<Answer> {
         let start = self.starting_precision(digits)?;
         let regime = self.regime();
@@ -85,7 +85,7 @@ impl Question {
 
     fn machine_answer(&self, regime: Regime, digits: u32, start: Precision) -> Result<Answer> {
         let mut kinds = Vec::new();
-        // An exact answer of one digit: what is certified is that there are so many.
+        // An exact result of one digit: it certifies the number of folds.
         certify([Quantity::ContactRadius], 1, Precision::new(96), |precision| {
             kinds = self.folds(precision)?.into_iter().map(|(kind, _)| kind).collect();
             Ok([Rational::from(kinds.len()).into()])
@@ -134,8 +134,8 @@ impl Question {
         Ok(kinds.iter().zip(decimals.chunks(3)).map(fold).collect())
     }
 
-    /// κ_n, a, d and F of the critical state, enclosed at the given precision and not rounded to decimals: the ends of
-    /// their intervals have so many bits and are a few units apart, times the condition of the question.
+    /// κ_n, a, d and F of the critical state as enclosures at the given precision, not rounded to decimals. Their width
+    /// is a few units in the last place, times the condition of the question.
     ///
     /// ```
     /// use mdr_analytic::certified::{Elasticity, Question};
@@ -150,7 +150,7 @@ impl Question {
     ///
     /// # Errors
     /// [`Error::Domain`] on a machine, where there may be several such states, and at n = 1/2, where there is none;
-    /// [`Error::Undecided`] where the precision does not tell n from 1/2.
+    /// [`Error::Undecided`] if the precision does not distinguish n from 1/2.
     pub fn enclosures(&self, precision: Precision) -> Result<[Enclosure; 4]> {
         if let Control::Machine { stiffness } = &self.control {
             let requirement = "absent: on a machine there may be several critical states";
@@ -159,7 +159,7 @@ impl Question {
         self.critical(precision)
     }
 
-    /// The same, by counted roundings where that is possible and else by intervals.
+    /// The same, by counted roundings if possible and by intervals otherwise.
     fn critical(&self, precision: Precision) -> Result<[Enclosure; 4]> {
         match self.counted(precision) {
             Some([kappa, a, d, f]) => {
@@ -202,7 +202,7 @@ impl Question {
         contact.machine_tangencies(&stiffness)?.into_iter().map(fold).collect()
     }
 
-    /// Enough bits for the digits in all but rare cases, from the sensitivity of exp(ln(B/N²)/(2n−1)) to its argument.
+    /// Enough bits for the digits except in rare cases, from the sensitivity of exp(ln(B/N²)/(2n−1)) to its argument.
     fn starting_precision(&self, digits: u32) -> Result<Precision> {
         let bits = |integer: &Integer| f64::from(integer.significant_bits());
         let log2 = |value: &Rational| bits(value.numer()) - bits(value.denom());
@@ -223,7 +223,7 @@ impl Question {
     }
 }
 
-/// The bits of so many digits, and the guard.
+/// The bits for this number of digits, with the guard.
 fn bits_for(digits: u32) -> Result<Precision> {
     Ok(Precision::new(Precision::from_digits(require_digits(digits)?).bits() + GUARD))
 }
@@ -232,7 +232,7 @@ fn kappa_result(precision: Precision, n: &Rational) -> Enclosure {
     exact::kappa(n).map_or_else(|| exact::kappa_interval(precision, n).into(), Enclosure::Exact)
 }
 
-/// A state as enclosures: by value, or by the logarithm where a value leaves the range of the exponents.
+/// A state as enclosures: by value, or by the logarithm if a value leaves the exponent range.
 fn enclose(
     contact: &Contact<Interval>,
     state: Result<Critical<Interval>>,

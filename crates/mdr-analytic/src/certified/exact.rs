@@ -7,7 +7,7 @@ use rug::Rational;
 use super::Question;
 use crate::kappa::kappa_enclosure;
 
-/// κ_n for even n up to this is built as a fraction; above, its fraction is long and no decimal tie.
+/// For even n up to this, κ_n is computed as a fraction; beyond it the fraction is long and not a decimal tie.
 const LARGEST_EVEN: u32 = 64;
 
 /// κ_n for a small even n: Π 2j/(2j−1), j = 1 to n/2.

@@ -1,7 +1,7 @@
-//! Answers of which every digit is proved.
+//! Answers with every digit proved.
 //!
-//! A [`Question`] holds exact rationals. [`Question::answer`] evaluates the closed forms over rigorous intervals and
-//! raises the precision until every digit asked for is decided, from 1 to 10 000 and more.
+//! A [`Question`] contains exact rationals. [`Question::answer`] evaluates the closed forms over rigorous intervals and
+//! raises the precision until all required digits are decided, from 1 to 10 000 and more.
 //!
 //! ```
 //! use mdr_analytic::certified::{Elasticity, Question};
@@ -14,8 +14,8 @@
 //! ```
 //!
 //! # Values that intervals cannot round
-//! An interval never decides a number that is exactly a decimal, half-way between two decimals, or zero. Which of the
-//! results are rational, for rational inputs?
+//! An interval cannot decide the rounding of a number that is exactly a decimal, a tie between two decimals, or zero.
+//! The rational results, for rational inputs, are:
 //!
 //! * **κ_n** for even n = 2m is 4ᵐ/binom(2m, m); a terminating decimal only for n = 2 (2) and n = 6 (16/5), since for m ≥ 4
 //!   a prime between m and 2m, at least 7, divides the denominator. For odd n it is a rational multiple of π.
@@ -31,8 +31,8 @@
 //!   transcendental. The same holds for Γ(1/3), and for κ_{1/4}, which is algebraic times a period of a curve with complex
 //!   multiplication.
 //!
-//! For other n no theorem excludes a tie. Nobody expects one; it would end as [`Error::Undecided`] at a stated precision,
-//! not in a loop.
+//! For other n no theorem excludes a tie. None is expected; it would give [`Error::Undecided`] at a stated precision,
+//! not an endless loop.
 //!
 //! [`Error::Undecided`]: mdr_core::contact::Error::Undecided
 

@@ -1,11 +1,12 @@
 //! Critical states as products of powers, with counted roundings.
 //!
-//! With B = πw/2E* and the tension λ (1 under fixed grips, 3 under a dead load)
+//! With B = πw/2E* and the critical ratio λ (1 under fixed grips, 3 under a dead load)
 //!
 //! √a = (λ√B/(nκ_nC))^{1/(2n−1)},  |d| = |(λ−2n)/n| √B √a,  |F| = |2(λ−2(n+1))/(n+1)| E* √B √a a.
 //!
-//! For n = p/q the exponent is q/(2p−q): an integer power and a root. Where both are of a reasonable degree, that is several
-//! times faster than the logarithm and exponential of the general formula, [`Contact::critical`](crate::Contact::critical).
+//! For n = p/q the exponent is q/(2p−q): an integer power and a root. If both are of moderate degree, this is several
+//! times faster than the logarithm and exponential of the general formula,
+//! [`Contact::critical`](crate::Contact::critical).
 //!
 //! A cone has κ_1 = π/2, and √(Ba) is rational: a and F are rationals over π.
 
@@ -19,7 +20,7 @@ use crate::kappa::rational_kappa;
 /// The largest degree of a power or a root.
 const LARGEST: i64 = 500;
 
-/// What a critical state is made of.
+/// The factors of a critical state.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Monomials {
     /// w/2E*
@@ -39,7 +40,7 @@ pub(super) struct Monomials {
 }
 
 impl Monomials {
-    /// None on a machine, at n = 1/2, for an exponent with long numbers, and where d = 0.
+    /// `None` on a machine, at n = 1/2, for an exponent with long numbers, and for d = 0.
     pub(super) fn new(
         n: &Rational,
         c: &Rational,
@@ -81,7 +82,7 @@ impl Monomials {
         Some(Monomials { edge, softness, exponent, negative, indentation, force, cone })
     }
 
-    /// κ_n, a, d and F. None where a value leaves the range of the exponents.
+    /// κ_n, a, d and F. `None` if a value leaves the exponent range.
     fn state(&self, kappa: Counted, working: Precision, precision: Precision) -> Option<[Interval; 4]> {
         let [radius, indentation, force] = match &self.cone {
             Some(cone) => cone_state(cone, working),
@@ -106,8 +107,8 @@ impl Monomials {
         let root_edge = Counted::pi(working).scaled(&self.edge).sqrt();
         let (up, down) = self.exponent;
         let ratio = root_edge.clone().scaled(&self.softness);
-        // A power needs one more quotient where it has the wrong sign: a positive one is for square roots, a negative one
-        // for others.
+        // Square roots give a positive power directly, other roots a negative one; the opposite sign costs one more
+        // quotient.
         let root = if (up > 0) == matches!(down, 1 | 2 | 4) {
             ratio.over(kappa).power(up, down)
         } else {
@@ -128,11 +129,11 @@ fn cone_state([indentation, radius, force]: &[Rational; 3], working: Precision) 
 }
 
 impl Question {
-    /// κ_n, a, d and F by counted roundings; none where only the general formula serves.
+    /// κ_n, a, d and F by counted roundings; `None` if only the general formula applies.
     pub(super) fn counted(&self, precision: Precision) -> Option<[Interval; 4]> {
         let monomials = self.monomials.as_ref()?;
         let (up, down) = monomials.exponent;
-        // Roundings of κ: fewer than there are bits; twice for a, and magnified by the exponent.
+        // Roundings of κ: fewer than its bits; twice for a, and magnified by the exponent.
         let magnified = up.unsigned_abs().div_ceil(down);
         let guard = 2 * u32::BITS - precision.bits().leading_zeros() - magnified.leading_zeros() + 4;
         let working = Precision::new(precision.bits() + guard);
@@ -157,7 +158,7 @@ mod tests {
         Question::new(&n, &c, &Elasticity::Effective(e_star), &work, &control).unwrap()
     }
 
-    /// Two routes with no code in common but κ_n.
+    /// Two methods that share no code except κ_n.
     #[test]
     fn counted_roundings_and_intervals_agree() {
         for n in ["1/3", "3/10", "7/5", "1/4", "2", "1", "3/2", "5", "37/100", "0.49", "0.51", "20/3"] {

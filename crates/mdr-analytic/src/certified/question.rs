@@ -1,4 +1,4 @@
-//! What is asked.
+//! The inputs of a certified answer.
 
 use mdr_core::contact::{Body, Control, Elasticity, Error, Material, Quantity, Result};
 use mdr_core::number::{Interval, Literal, Precision};
@@ -9,7 +9,7 @@ use super::monomial::Monomials;
 use crate::contact::Contact;
 use crate::power_law::PowerLaw;
 
-/// A question about the power law f = C rⁿ, with exact inputs that have been checked.
+/// A power law f = C rⁿ on a material under a control, with exact inputs that have been checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Question {
     pub(super) exponent: Rational,
@@ -17,7 +17,7 @@ pub struct Question {
     pub(super) effective_modulus: Rational,
     pub(super) work_of_adhesion: Rational,
     pub(super) control: Control<Rational>,
-    /// The critical state as products of powers, where it is.
+    /// The critical state as products of powers, if it has that form.
     pub(super) monomials: Option<Monomials>,
 }
 
@@ -25,7 +25,7 @@ impl Question {
     /// From n, C (m^(1−n)), E* (Pa) or two bodies, w (J/m²) and the control with its stiffness (N/m).
     ///
     /// # Errors
-    /// [`Error::Domain`], naming the quantity and its value as written, unless n, C, the moduli, w and k are positive and
+    /// [`Error::Domain`], with the quantity and its value as given, unless n, C, the moduli, w and k are positive and
     /// Poisson's ratios within (−1, 1/2].
     pub fn new(
         exponent: &Literal,
@@ -50,17 +50,17 @@ impl Question {
         Ok(Question { exponent, coefficient, effective_modulus, work_of_adhesion, control, monomials })
     }
 
-    /// E*, in Pa: as given, or derived from the two bodies by (1.3), exactly.
+    /// E*, in Pa: as given, or computed exactly from the two bodies by (1.3).
     pub fn effective_modulus(&self) -> &Rational {
         &self.effective_modulus
     }
 
-    /// d at the critical state, where it is rational: of a cone, and at n = 3/2 under a dead load.
+    /// d at the critical state, if it is rational: for a cone, and at n = 3/2 under a dead load.
     pub fn exact_indentation(&self) -> Option<Rational> {
         exact::indentation(self, &self.control)
     }
 
-    /// Whether the force is stationary along the equilibria at a depth, exactly: where a dead load has its fold.
+    /// Whether the force is exactly stationary along the equilibria at a depth: the fold of a dead load.
     pub fn is_fold_of_force(&self, indentation: &Rational) -> bool {
         exact::indentation(self, &Control::<()>::Force).as_ref() == Some(indentation)
     }

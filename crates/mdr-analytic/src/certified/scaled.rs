@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Real, order};
 
-/// Up to this |ln| a number is written without its unit.
+/// Up to this |unit| an enclosure is given by value, beyond by its logarithm.
 const NEAR: f64 = 1e9;
 
 /// factor · e^unit: no sum, product or quotient leaves the range, and only an exact zero is a point at zero.
@@ -27,7 +27,7 @@ impl Scaled {
         Scaled { factor: ln.lit(1), unit: ln }
     }
 
-    /// The order of the number and zero; none where that is not certain.
+    /// The order of the number and zero; `None` if it is not certain.
     pub fn sign(&self) -> Option<Ordering> {
         self.factor.partial_cmp(&self.factor.lit(0))
     }
@@ -36,7 +36,7 @@ impl Scaled {
         self.sign() == Some(Ordering::Equal)
     }
 
-    /// ln of the magnitude; the entire line where the number may be zero.
+    /// ln of the magnitude; the entire line if the number may be zero.
     pub(super) fn ln_magnitude(&self) -> Interval {
         self.factor.abs().ln() + &self.unit
     }
@@ -53,7 +53,7 @@ impl Scaled {
         Scaled { factor: self.factor.clone() / &other.factor, unit: self.unit.clone() - &other.unit }
     }
 
-    /// The sum, in the greater of the two units.
+    /// The sum, in the larger of the two units.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {
@@ -76,12 +76,12 @@ impl Scaled {
         Scaled { factor: self.factor.clone().times(k), unit: self.unit.clone() }
     }
 
-    /// As an interval, of which an end is 0 or ∞ beyond the exponents of MPFR.
+    /// The number as an interval; beyond the exponent range of MPFR one of its ends is 0 or ∞.
     pub fn interval(&self) -> Interval {
         if self.is_zero() { self.factor.clone() } else { self.unit.exp() * &self.factor }
     }
 
-    /// What is known, for decimals.
+    /// The number as an enclosure for rounding to decimals.
     pub fn enclosure(&self) -> Enclosure {
         if self.factor.contains_zero() || !self.factor.is_finite() {
             return Enclosure::Value(self.factor.clone());

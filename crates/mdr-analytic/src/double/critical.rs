@@ -8,7 +8,7 @@ use super::{contact, lifted, lifted_control, positive};
 use crate::critical::Critical;
 use crate::threshold::Fate;
 
-/// The critical state: (1.15) corrected and (1.17), or the fold of a machine met first. There is none at n = 1/2.
+/// The critical state: (1.15) corrected and (1.17), or the first fold of a machine. There is none at n = 1/2.
 ///
 /// # Errors
 /// See the [module](super).
@@ -30,7 +30,7 @@ pub fn machine_folds(
     decide!(Quantity::ContactRadius, W => contact::<W>(n, c, material)?.machine_folds(&stiffness.into()))
 }
 
-/// a₀, the radius in equilibrium at d = 0, in m.
+/// a₀, the equilibrium radius at d = 0, in m.
 ///
 /// # Errors
 /// See the [module](super).
@@ -38,7 +38,7 @@ pub fn radius_at_zero_indentation(n: f64, c: f64, material: &Material<f64>) -> R
     decide!(Quantity::ContactRadius, W => contact::<W>(n, c, material)?.radius_at_zero_indentation())
 }
 
-/// The energy lost when the contact breaks at fixed grips, in J; n > 1/2.
+/// The energy dissipated when the contact breaks under fixed grips, in J; n > 1/2.
 ///
 /// # Errors
 /// See the [module](super).
@@ -46,7 +46,7 @@ pub fn energy_lost_at_pull_off(n: f64, c: f64, material: &Material<f64>) -> Resu
     decide!(Quantity::Energy, W => contact::<W>(n, c, material)?.energy_lost_at_pull_off())
 }
 
-/// The energy lost when the surfaces jump into contact at d = 0, in J; n > 1/2.
+/// The energy dissipated when the surfaces jump into contact at d = 0, in J; n > 1/2.
 ///
 /// # Errors
 /// See the [module](super).
@@ -62,7 +62,7 @@ pub fn barrier_to_complete_contact(n: f64, c: f64, material: &Material<f64>) -> 
     decide!(Quantity::Energy, W => contact::<W>(n, c, material)?.barrier_to_complete_contact())
 }
 
-/// The C at n = 1/2 that separates the two fates (1.19), in √m.
+/// The C at n = 1/2 that separates the two outcomes (1.19), in √m.
 ///
 /// # Errors
 /// See the [module](super).
@@ -78,7 +78,7 @@ pub fn ratio(c: f64, material: &Material<f64>) -> Result<Ranged<f64>> {
     decide!(Quantity::Coefficient, W => contact::<W>(0.5, c, material)?.ratio())
 }
 
-/// What becomes of the contact at n = 1/2 (1.19).
+/// The outcome of the contact at n = 1/2 (1.19).
 ///
 /// # Errors
 /// See the [module](super).

@@ -2,24 +2,24 @@
 //!
 //! x = k(ln 2)/64 + r, |r| ≤ (ln 2)/128, and eˣ = 2^(k/64)eʳ with a table of 2^(j/64) in pairs, k = 64e + j.
 //!
-//! **Error** of [`exponential`], relative. r: k·(ln 2)/64 is exact but for its second part, 2⁻⁴², and the roundings of that
-//! for |k| < 2¹⁷: 2⁻⁷⁷. eʳ = 1 + r + r²/2 + r³Q(r): r and r² are pairs, r³Q < 2⁻²⁵·¹ is a double that errs by 6 roundings,
-//! 2⁻⁷⁵·⁵, and the first term that Q omits is r⁹/9! < 2⁻⁸⁵. The sum with r²/2, the product with the table and the sum with
-//! that err by less than 2⁻⁷⁶. Together below 2⁻⁷⁴, [`ERROR`].
+//! **Error** of [`exponential`], relative. r: k·(ln 2)/64 is exact except for its second part, 2⁻⁴², and its roundings
+//! for |k| < 2¹⁷: 2⁻⁷⁷. eʳ = 1 + r + r²/2 + r³Q(r): r and r² are pairs, r³Q < 2⁻²⁵·¹ is a double with 6 roundings,
+//! 2⁻⁷⁵·⁵, and the first term that Q omits is r⁹/9! < 2⁻⁸⁵. The sum with r²/2, the product with the table and the sum
+//! with that have an error below 2⁻⁷⁶. Together below 2⁻⁷⁴, [`ERROR`].
 
 use super::pair::{Arithmetic, Pair};
 use super::powers::{HIGH, LOW, STEP};
 
-/// The relative error of an exponential.
+/// The bound of the relative error of an exponential.
 pub(super) const ERROR: f64 = 1.0 / (1_u128 << 74) as f64;
 
 /// 64/ln 2.
 const STEPS: f64 = 64.0 * std::f64::consts::LOG2_E;
 
-/// Adding it to an integer below 2⁵¹ moves that into the last bits.
+/// Adding it to an integer below 2⁵¹ shifts that into the last bits.
 pub(super) const TO_INTEGER: f64 = 6_755_399_441_055_744.0; // 1.5·2⁵²
 
-/// 2⁵²: its bits or-ed with an integer below make a double.
+/// 2⁵²: or-ing its bits with a smaller integer gives a double.
 pub(super) const FROM_INTEGER: f64 = 4_503_599_627_370_496.0;
 
 /// Σ rʲ/(j + 3)!.
@@ -32,7 +32,7 @@ fn parts(shifted: f64) -> (usize, f64) {
     ((bits % 64) as usize, f64::from_bits(((bits >> 6) + 1023) << 52))
 }
 
-/// e^x for |x| < 650, where the second part, too, is a normal number: within [`ERROR`].
+/// e^x for |x| < 650, where the second part is also a normal number: within [`ERROR`].
 #[inline(always)]
 pub(super) fn exponential<A: Arithmetic>(arithmetic: A, x: Pair) -> Pair {
     let shifted = A::multiply_add(x.hi, STEPS, TO_INTEGER);
@@ -71,7 +71,7 @@ fn cubic<A: Arithmetic>(r: f64, square: f64) -> f64 {
     square * r * A::multiply_add(odd, r, even)
 }
 
-/// ln x for normal x, to 10⁻⁷ of itself: x = 2ᵉm, m between √½ and √2, and ln m = 2 artanh((m − 1)/(m + 1)).
+/// ln x for normal x, to a relative 10⁻⁷: x = 2ᵉm, m between √½ and √2, and ln m = 2 artanh((m − 1)/(m + 1)).
 #[inline(always)]
 pub(super) fn rough_logarithm<A: Arithmetic>(x: f64) -> f64 {
     const BIAS: u64 = 1023 << 52;
@@ -109,7 +109,7 @@ mod tests {
         }
     }
 
-    /// Between and at the ends of the steps; the bound is approached to a factor 8.
+    /// Between and at the ends of the steps; the errors reach an eighth of the bound.
     fn worst<A: Arithmetic>(arithmetic: A) -> [f64; 3] {
         let mut worst = [0.0f64; 3];
         for i in 0..20_000 {
@@ -137,7 +137,7 @@ mod tests {
         }
     }
 
-    /// Within 6 roundings to the end of a step, where the last term is as large as that.
+    /// Within 6 roundings up to the end of a step, where the last term is as large as that.
     #[test]
     fn no_term_of_the_cubic_is_missing() {
         let end = std::f64::consts::LN_2 / 128.0;

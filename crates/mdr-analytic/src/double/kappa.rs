@@ -5,8 +5,8 @@ use mdr_core::number::{Real, Wide};
 use super::kappa_table::{ASYMPTOTIC, CONSTANT, NEAR_HALF, SLOPES};
 use crate::kappa::{Kappa, cautious_expansion};
 
-/// One word: a fit, to 6 units of 2⁻⁶⁴; two words near n = 1/2: a fit, to 8 units of 2⁻¹²⁸. Else the generic expansions,
-/// whose remainders are bounded.
+/// One word: a fit, to 6 units of 2⁻⁶⁴; two words near n = 1/2: a fit, to 8 units of 2⁻¹²⁸. Otherwise the generic
+/// expansions, whose remainders are bounded.
 impl<const N: usize> Kappa for Wide<N> {
     #[inline]
     fn kappa(n: &Self) -> Self {
@@ -35,7 +35,7 @@ fn fitted<const N: usize>(n: &Wide<N>) -> Option<Wide<N>> {
         shift if shift < 0 => 0,
         _ => return None,
     };
-    // v = 1 + n in Q64, its binade and the sixteenth of that; what remains is (u + 1)/2.
+    // v = 1 + n in Q64, its binade and the sixteenth of the binade; the remainder is (u + 1)/2.
     let v = (1 << 64) + fraction;
     let zeros = v.leading_zeros();
     let binade = 63 - zeros as usize;
@@ -52,11 +52,12 @@ fn fitted<const N: usize>(n: &Wide<N>) -> Option<Wide<N>> {
     let mut limbs = [0; N];
     limbs[N - 1] = value << shift;
     let exponent = 1 + binade.div_ceil(2) as i64 - i64::from(shift);
-    // The fit, its rounding and that of v make 1.7 units of value ≥ 0.39; and 0 ≤ d ln κ/d ln n < 1/2.
+    // The fit, its rounding and that of v contribute 1.7 units of value ≥ 0.39; and 0 ≤ d ln κ/d ln n < 1/2.
     Some(Wide::from_parts(false, limbs, exponent, n.error() + 6.0))
 }
 
-/// κ_n = ½√(π(x + s(x)/x)), x = 2n + 1 ≥ 127, in one word. The second term is below 2⁻¹⁴ of the first: a double will do.
+/// κ_n = ½√(π(x + s(x)/x)), x = 2n + 1 ≥ 127, in one word. The second term is below 2⁻¹⁴ of the first, so a double
+/// suffices.
 fn asymptotic<const N: usize>(n: &Wide<N>) -> Wide<N> {
     /// The relative error of s(x)/x in units of 2⁻⁶⁴: 16 roundings of a double.
     const DOUBLE: f64 = 32768.0;
@@ -80,7 +81,7 @@ fn fitted_near_half<const N: usize>(n: &Wide<N>) -> Option<Wide<N>> {
     let normal = value << zeros;
     let mut limbs = [0; N];
     (limbs[N - 1], limbs[N - 2]) = ((normal >> 64) as u64, normal as u64);
-    // Roundings of the coefficients, of u, of each product and the fit make 4 units of a value above 0.6.
+    // Roundings of the coefficients, of u, of each product and the fit contribute 4 units of a value above 0.6.
     Some(Wide::from_parts(false, limbs, 1 - i64::from(zeros), n.error() + 8.0))
 }
 

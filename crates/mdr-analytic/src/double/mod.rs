@@ -1,10 +1,10 @@
-//! The closed forms in `f64`, right to the last place wherever the result is representable.
+//! The closed forms in `f64`, within one ulp wherever the result is representable.
 //!
-//! Each function runs the generic formula of this crate in extended precision ([`Wide`](mdr_core::number::Wide)), first
-//! with one word, whose error bound suffices for ordinary inputs, then, where it does not promise the last place, with two
-//! and four words: near n = 1/2, near the zero of d(a) or F(a), at extreme ratios of scales. So nothing is lost near
-//! n = 1/2, nothing overflows on the way, and every result is within one ulp of the true value for the doubles given
-//! (0.6 ulp is typical for the worst of many), in the subnormal range too. A result beyond the range of `f64` is
+//! Each function evaluates the generic formula of this crate in extended precision ([`Wide`](mdr_core::number::Wide)),
+//! first with one word, whose error bound suffices for ordinary inputs, then, if it does not, with two and four words:
+//! near n = 1/2, near the zero of d(a) or F(a), at extreme ratios of scales. So no digits are lost near n = 1/2, no
+//! intermediate result overflows, and every result is within one ulp of the true value for the given doubles (0.6 ulp
+//! is a typical worst case of many), including subnormal results. A result beyond the range of `f64` is
 //! [`Overflow`](mdr_core::contact::Ranged::Overflow) or [`Underflow`](mdr_core::contact::Ranged::Underflow) with its
 //! log₁₀. An exact zero is 0.
 //!
@@ -22,12 +22,12 @@
 //! # Ok::<(), mdr_core::contact::Error>(())
 //! ```
 //!
-//! Many points at once are cheaper with [`grid`], at 2 ulp, and equilibria at many values with [`Inverse::branches`].
+//! Many points at once are faster with [`grid`], at 2 ulp, and equilibria at many values with [`Inverse::branches`].
 //!
 //! # Errors
-//! All functions: [`Error::Domain`] for arguments outside the domain of the generic function of the same name, NaN and ∞
-//! included; [`Error::Undecided`] where 256 bits do not suffice, which takes inputs made for it, and where a binary
-//! exponent exceeds 2⁶², which takes |2n−1| < 2⁻⁴⁹ and extreme scales.
+//! All functions: [`Error::Domain`] for arguments outside the domain of the generic function of the same name, NaN and
+//! ∞ included; [`Error::Undecided`] if 256 bits do not suffice, which requires specially constructed inputs, or if a
+//! binary exponent exceeds 2⁶², which requires |2n−1| < 2⁻⁴⁹ and extreme scales.
 
 mod critical;
 mod equilibrium;
@@ -57,7 +57,7 @@ pub fn kappa(n: f64) -> Result<f64> {
     crate::kappa(&n)
 }
 
-/// Refuses with the double itself in the message.
+/// Rejects a value with the double itself in the message.
 #[inline(always)]
 fn positive(quantity: Quantity, value: f64) -> Result<()> {
     Error::require_positive(quantity, value).map(|_| ())

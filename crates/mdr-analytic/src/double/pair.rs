@@ -1,12 +1,12 @@
 //! Unevaluated sums of two doubles, in arithmetic with and without a fused multiply-add.
 //!
-//! The error-free transformations are those of Knuth, Dekker and Veltkamp (T. J. Dekker, Numer. Math. 18 (1971) 224); they
-//! hold while nothing overflows and no product is subnormal.
+//! The error-free transformations are those of Knuth, Dekker and Veltkamp (T. J. Dekker, Numer. Math. 18 (1971) 224);
+//! they are valid while nothing overflows and no product is subnormal.
 
 use mdr_core::number::Wide;
 
-/// How products round. The error of a product is one instruction with FMA; without, Dekker's splitting gives the same
-/// exact value, since `f64::mul_add` would be a slow call there.
+/// How products round. With FMA the error of a product is one instruction; without it, Dekker's splitting gives the
+/// same exact value, since `f64::mul_add` would be a slow library call.
 pub(super) trait Arithmetic: Copy {
     /// ab + c, rounded once or twice.
     fn multiply_add(a: f64, b: f64, c: f64) -> f64;
@@ -78,8 +78,8 @@ fn halves(a: f64) -> (f64, f64) {
     (high, a - high)
 }
 
-/// hi + lo with |lo| of the order of 2⁻⁵³|hi|. Products and quotients are right to a few units of 2⁻¹⁰⁵, sums to that of
-/// their terms.
+/// hi + lo with |lo| of the order of 2⁻⁵³|hi|. Products and quotients are accurate to a few units of 2⁻¹⁰⁵, sums to
+/// that of their terms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair {
     pub(super) hi: f64,
@@ -87,7 +87,7 @@ pub(super) struct Pair {
 }
 
 impl Pair {
-    /// The magnitude of a number within 2^±limit that is known to 2⁻⁴⁴, cut off at 2⁻¹⁰⁵.
+    /// The magnitude of a number within 2^±limit that is known to 2⁻⁴⁴, truncated at 2⁻¹⁰⁵.
     pub(super) fn of_magnitude<const N: usize>(value: &Wide<N>, limit: u64) -> Option<Pair> {
         let known = value.error() < 2f64.powi(64 * N as i32 - 44);
         if !known || value.is_zero() || value.exponent().unsigned_abs() >= limit {
@@ -152,7 +152,7 @@ impl Pair {
         Pair { hi, lo: residual * reciprocal }
     }
 
-    /// The nearest double, but for 2⁻⁵⁰ of an ulp.
+    /// The nearest double, up to 2⁻⁵⁰ of an ulp.
     #[inline(always)]
     pub(super) fn rounded(self) -> f64 {
         self.hi + self.lo
@@ -170,7 +170,7 @@ impl From<f64> for Pair {
 mod tests {
     use super::*;
 
-    /// Both are exact, so they agree to the last bit.
+    /// Both are exact and agree to the last bit.
     #[test]
     fn the_splitting_gives_the_error_of_a_product() {
         let mut a = 1.0f64;

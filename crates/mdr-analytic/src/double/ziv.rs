@@ -1,4 +1,4 @@
-//! Ziv's strategy: the same formula with more words until its answer can be rounded.
+//! Ziv's strategy: the same formula with more words until its result can be rounded.
 
 use mdr_core::contact::{Error, Instability, Quantity, Ranged, Result};
 use mdr_core::number::Wide;
@@ -6,11 +6,11 @@ use mdr_core::number::Wide;
 use crate::critical::Critical;
 use crate::threshold::Fate;
 
-/// An answer in extended precision that becomes one in `f64` when its error bound allows.
+/// A result in extended precision that can be rounded to `f64` if its error bound is small enough.
 pub(super) trait Round {
     type Rounded;
 
-    /// The answer in `f64`; `None` when the error bound is too wide.
+    /// The result in `f64`; `None` if the error bound is too wide.
     fn round(&self) -> Option<Self::Rounded>;
 }
 
@@ -72,12 +72,12 @@ impl<T: Round> Round for Vec<T> {
     }
 }
 
-/// A decided answer, a certain error, or `None`: more words are needed.
+/// A decided result, a certain error, or `None` if more words are needed.
 #[inline(always)]
 pub(super) fn settle<T: Round>(formula: impl FnOnce() -> Result<T>) -> Option<Result<T::Rounded>> {
     match formula() {
         Ok(answer) => answer.round().map(Ok),
-        // What is unknown in few words looks as if it could not be represented.
+        // With few words an unknown result is reported as out of range.
         Err(Error::OutOfRange { .. } | Error::Undecided { .. } | Error::NoConvergence { .. }) => None,
         Err(certain) => Some(Err(certain)),
     }
@@ -88,7 +88,7 @@ pub(super) fn undecided(quantity: Quantity) -> Error {
     Error::Undecided { quantity, bits: 256, what: "which double is nearest" }
 }
 
-/// Evaluates a formula, generic in the arithmetic `$wide`, with 64, 128 and 256 bits until its answer can be rounded.
+/// Evaluates a formula, generic in the arithmetic `$wide`, with 64, 128 and 256 bits until its result can be rounded.
 macro_rules! decide {
     ($quantity:expr, $wide:ident => $formula:expr) => {{
         let one = {

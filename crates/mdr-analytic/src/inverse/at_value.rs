@@ -1,7 +1,7 @@
-//! Equilibria at a given value by the residual of (1.13) or (1.16) itself.
+//! Equilibria at a given value from the residual of (1.13) or (1.16) itself.
 //!
-//! Near n = 1/2 the fold is ill conditioned where an equilibrium far from it is not. So the family only tells where to
-//! begin, from logarithms that cannot leave the range, and Newton's method for d(a) = d or F(a) = F does the rest.
+//! Near n = 1/2 the fold is ill conditioned where an equilibrium far from it is not. So the family only provides an
+//! initial guess, from logarithms that stay in range, and Newton's method for d(a) = d or F(a) = F does the rest.
 
 use std::cell::LazyCell;
 use std::ops::Deref;
@@ -36,7 +36,7 @@ impl<R: Real> Contact<R> {
         Equilibria::at(&place, || (*fold).clone(), state)
     }
 
-    /// Where x lies, also where x_fold is out of range; z only with the right sign.
+    /// The position of x in the family, also if x_fold is out of range; of z only the sign is accurate.
     fn place(
         &self,
         held: Held,
@@ -61,13 +61,13 @@ impl<R: Real> Contact<R> {
         (Place { distance, value: signed }, Seed { mu: family.mu(), tau, z, ln_z })
     }
 
-    /// The radius near `first` that is in equilibrium at x. Where an enclosure proves one, it proves with the slope there on
-    /// which side of the fold: `first` is but a double.
+    /// The radius near `first` that is in equilibrium at x. An enclosure that proves a root also proves by the slope on
+    /// which side of the fold it is; `first` is only a double.
     fn refined_radius(&self, held: Held, value: &R, first: R, stability: Stability) -> Result<R> {
         let guess = self.steered()?.approximate_radius(held, &value.steer(), first)?;
         let step = self.newton(held, value, &guess, &guess)?.0 - &guess;
         let mut radius = step.abs().steer().times(4) + tolerance(&guess).times(4);
-        // What the terms are uncertain by where they cancel, no step tells: the neighbourhood grows as long as it is
+        // The uncertainty of terms that cancel does not show in a step, so the neighbourhood grows as long as it is
         // known to a quarter of the digits.
         for _ in 0..guess.precision().div_ceil(4) {
             let neighbourhood = guess.clone().inflate_with_slope(&radius);
@@ -77,7 +77,7 @@ impl<R: Real> Contact<R> {
                 if encloses && (slope > slope.lit(0)) != (stability == Stability::Stable) {
                     break;
                 }
-                // Once more, for the derivatives of a dual number.
+                // One more step, for the derivatives of a dual number.
                 return Ok(self.newton(held, value, &image, &image)?.0);
             }
             radius = radius.times(8);
@@ -103,7 +103,7 @@ impl<R: Real> Contact<R> {
             if !(step < last) {
                 break;
             }
-            // The first approximation is not off by more.
+            // The error of the first approximation is smaller than that.
             let least = a.clone().over(8);
             a = if next > least { next } else { least.steer() };
             if step <= tolerance(&a) {
@@ -114,7 +114,7 @@ impl<R: Real> Contact<R> {
         Ok(a)
     }
 
-    /// The same contact with parameters for steering.
+    /// The same contact with representative points as parameters.
     fn steered(&self) -> Result<Self> {
         let (profile, material) = (self.profile(), self.material());
         let kappa = profile.kappa().steer();

@@ -17,7 +17,7 @@ pub(crate) struct Family<R> {
     excess: R,
 }
 
-/// A point of the family. Which of τ and z = 1 − τ is small is known to its own precision.
+/// A point of the family. The smaller of τ and z = 1 − τ is known to its own precision.
 #[derive(Clone, Debug)]
 pub(super) struct Place<R> {
     /// τ.
@@ -32,9 +32,9 @@ struct Point<R> {
     terms: Terms<R>,
 }
 
-/// What Φ and Φ' are made of. D = (e^{μv} − 1)/μ.
+/// The terms of Φ and Φ'. D = (e^{μv} − 1)/μ.
 enum Terms<R> {
-    /// Close to the fold, where the others cancel: both by their series.
+    /// Close to the fold, where the other terms cancel: both by their series.
     Series { value: R, slope: R },
     /// e^v − 1, e^v and D: Φ = e^v D − (e^v − 1).
     Near { less_one: R, power: R, growth: R },
@@ -42,15 +42,15 @@ enum Terms<R> {
     Far { power: R, growth: R },
 }
 
-/// Below this τ the series at the fold is right to all digits of a double.
+/// Below this τ the series at the fold is accurate to all digits of a double.
 const TINY: f64 = 1e-20;
 
-/// A little off, so that with few words the last step is a number and not noise; beyond the limit it would be too much for the
-/// radius, which goes as e^v.
+/// A slight offset of the guess, so that with few words the last step is a number and not noise; beyond
+/// [`OFFSET_LIMIT`] it would change the radius, which depends on e^v, too much.
 const OFFSET: f64 = 1.0 + 1.0 / (1_u64 << 36) as f64;
 const OFFSET_LIMIT: f64 = 4096.0;
 
-/// From here on e^v is off by 2⁻²⁰ and more if v is a double.
+/// From here on the error of e^v is 2⁻²⁰ and more if v is a double.
 const FAR: f64 = (1_u64 << 33) as f64;
 
 impl<R: Real> Family<R> {
@@ -89,7 +89,7 @@ impl<R: Real> Family<R> {
         v.times(2).over(held.tension())
     }
 
-    /// A first approximation of the root v, a number without uncertainty: right to half the digits of a double and more.
+    /// A first approximation of the root v, without uncertainty: accurate to half the digits of a double or more.
     #[inline(always)]
     pub(super) fn first(&self, distance: &R, seed: Seed, branch: Branch) -> R {
         if seed.tau < TINY {
@@ -106,8 +106,8 @@ impl<R: Real> Family<R> {
         R::from_f64(self.excess.ctx(), if v.abs() < OFFSET_LIMIT { v * OFFSET } else { v })
     }
 
-    /// A first approximation of a root so far out that a double does not tell e^v: v = ln|z| − ln|1 − D|, where D changes by
-    /// little.
+    /// A first approximation of a root so far out that a double does not determine e^v: v = ln|z| − ln|1 − D|, where D
+    /// changes slowly.
     pub(super) fn first_of_far(&self, ln_z: &R, v: R) -> R {
         if v.approx().abs() < FAR {
             return v;
@@ -125,7 +125,7 @@ impl<R: Real> Family<R> {
         Seed { mu: self.mu(), tau: place.distance.approx(), z, ln_z }
     }
 
-    /// The root v on a branch, given a first approximation; over a rigorous arithmetic an enclosure of it.
+    /// The root v on a branch, from a first approximation; in a rigorous arithmetic an enclosure of it.
     #[inline(always)]
     pub(super) fn root(&self, place: &Place<R>, first: R) -> Result<R> {
         let mut point = self.point(first);
@@ -149,14 +149,14 @@ impl<R: Real> Family<R> {
         Err(undecided(&point.v, "where exactly the equilibrium lies"))
     }
 
-    /// A root once more by a step with the derivatives of a dual number.
+    /// Repeats the last step on a root, with the derivatives of a dual number.
     pub(super) fn polish(&self, place: &Place<R>, v: R) -> R {
         let point = self.point(v);
         let step = self.defect(place, &point) / self.slope(&point);
         point.v - step
     }
 
-    /// Whether the square of the step, which the next one would be, is below rounding: Φ''/2Φ' ≤ 1 + m + 1/|v|.
+    /// Whether the square of the step, which bounds the next one, is below rounding: Φ''/2Φ' ≤ 1 + m + 1/|v|.
     #[inline(always)]
     fn is_last(&self, point: &Point<R>, step: &R) -> bool {
         if step.precision() < 500 {
@@ -187,7 +187,7 @@ impl<R: Real> Family<R> {
 
     /// Φ = Σ cₖvᵏ/k! and Φ' = Σ cₖvᵏ⁻¹/(k−1)! from k = 2, where c₂ = m and cₖ₊₁ = m(cₖ + 1), for m|v| < 1/16.
     fn series(&self, v: &R) -> Terms<R> {
-        // cₖ₊₁ ≤ 2mcₖ: each term is below 1/16 of the one before, and the rest below the last.
+        // cₖ₊₁ ≤ 2mcₖ: each term is below 1/16 of the previous one, and the remainder below the last.
         let bits = -(v.abs() * &self.parameter).approx().max(f64::MIN_POSITIVE).log2();
         let terms = (f64::from(v.precision()) / bits) as i64 + 4;
         let (mut coefficient, mut power) = (self.parameter.clone(), v.clone());
@@ -240,7 +240,7 @@ impl<R: Real> Family<R> {
         match &point.terms {
             // |Φ''| = m e^v|1 + mD| < 2m for m|v| < 1/8.
             Terms::Series { slope, .. } => slope.clone().inflate(&(twice * &self.parameter)),
-            // e^v changes by less than 2r of itself, and D by less than 2r(1 + μD).
+            // e^v changes by a relative 2r at most, and D by less than 2r(1 + μD).
             Terms::Near { power, growth, .. } | Terms::Far { power, growth } => {
                 let change = (self.excess.clone() * growth + radius.lit(1)) * &twice;
                 let power = power.clone().inflate(&(power.clone() * &twice));

@@ -9,7 +9,7 @@ use crate::contact::Contact;
 use crate::critical::Critical;
 use crate::range::{product, representable};
 
-/// The fold of a contact under one control, ready for many values.
+/// The fold of a contact under one control, prepared for many values.
 #[derive(Clone, Debug)]
 pub(crate) struct Fold<R> {
     held: Held,
@@ -51,7 +51,7 @@ impl<R: Real> Fold<R> {
         self.equilibria(contact, &place, &value, |branch| Ok(self.family.polish(&place, self.root(&place, branch)?)))
     }
 
-    /// The equilibria at x, as well as the fold is known: the fast way where n is not too close to 1/2.
+    /// The equilibria at x, as accurate as the fold is known: the faster method if n is not too close to 1/2.
     #[inline(always)]
     pub(crate) fn at_value(&self, contact: &Contact<R>, value: &R) -> Result<Equilibria<R>> {
         let place =
@@ -63,7 +63,7 @@ impl<R: Real> Fold<R> {
     fn root(&self, place: &Place<R>, branch: Branch) -> Result<R> {
         let first = self.family.first(&place.distance, self.family.seed(place), branch);
         let root = self.family.root(place, first)?;
-        // It began as a double: which of the two it has led to is told by the sign.
+        // The initial guess was a double: the sign decides which of the two roots was reached.
         let zero = root.lit(0);
         let other_branch = if branch == Branch::Larger { root < zero } else { root > zero };
         if other_branch { Err(undecided(&root, "on which side of the fold the equilibrium lies")) } else { Ok(root) }
@@ -90,7 +90,7 @@ impl<R: Real> Fold<R> {
 }
 
 impl<R: Real> Equilibria<R> {
-    /// Those at a place, given the state of the fold and those of the roots.
+    /// The equilibria at a place, from the state of the fold and those of the roots.
     #[inline(always)]
     pub(super) fn at(
         place: &Place<R>,
@@ -107,7 +107,7 @@ impl<R: Real> Equilibria<R> {
 }
 
 impl<R: Real> Contact<R> {
-    /// τ = 1 − x/x_fold; for a cone 1 + dE*C/w, whose sign exact arithmetic decides.
+    /// τ = 1 − x/x_fold; for a cone 1 + dE*C/w, whose sign is exact in exact arithmetic.
     #[inline(always)]
     pub(super) fn distance(&self, held: Held, at_fold: &R, value: &R) -> R {
         if held == Held::Indentation && *self.profile().exponent() == value.lit(1) {
@@ -119,7 +119,7 @@ impl<R: Real> Contact<R> {
 }
 
 impl Count {
-    /// From τ and from the sign of z = 1 − τ.
+    /// The count, from τ and the sign of z = 1 − τ.
     #[inline(always)]
     fn of<R: Real>(distance: &R, value: &R) -> Result<Self> {
         use std::cmp::Ordering::*;

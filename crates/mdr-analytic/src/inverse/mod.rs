@@ -4,18 +4,19 @@
 //!
 //! e^{pu}/p − e^{qu}/q = x/s,  p = 2n, q = 1, s = 2√(Ba_λ) or p = 2(n+1), q = 3, s = 12E*a_λ√(Ba_λ).
 //!
-//! In v = qu the left side is that of one family with the parameter m = p/q, which is 1 at n = 1/2 under either control.
-//! Divided by its value at the fold, v = 0, it leaves
+//! With v = qu the left side belongs to one family with the parameter m = p/q, which is 1 at n = 1/2 under either
+//! control. Divided by its value at the fold, v = 0, it becomes
 //!
 //! Φ(v) = (e^{mv} − 1 − m(e^v − 1))/(m − 1) = τ,  τ = 1 − x/x_fold,
 //!
-//! and Φ_m(v) = Φ_{1/m}(mv), so that m > 1 is enough. There Φ falls from 1 to 0 for v < 0 and rises from 0 to ∞ for
-//! v > 0: **no equilibrium** for τ < 0, the **double root** at τ = 0, **two** for 0 < τ < 1, and the larger of them **alone**
-//! for τ ≥ 1, where x is zero or has the other sign. The larger is stable for n > 1/2 and the smaller for n < 1/2.
+//! and Φ_m(v) = Φ_{1/m}(mv), so that m > 1 suffices. There Φ decreases from 1 to 0 for v < 0 and increases from 0 to ∞
+//! for v > 0: **no equilibrium** for τ < 0, the **double root** at τ = 0, **two** for 0 < τ < 1, and **only the
+//! larger** for τ ≥ 1, where x is zero or has the other sign. The larger is stable for n > 1/2 and the smaller for n <
+//! 1/2.
 //!
-//! A root begins as a double, by Halley's iteration from a formula that is right to second order at the fold and to first
-//! order far from it ([`start`]). Newton's method takes it to the precision of the arithmetic; its last step, over a
-//! neighbourhood that contains its own image, encloses the root in a rigorous one.
+//! A root is first approximated as a double, by Halley's iteration from a formula accurate to second order at the fold
+//! and to first order far from it ([`start`]). Newton's method refines it to the precision of the arithmetic; the last
+//! step, over a neighbourhood that contains its own image, encloses the root in a rigorous arithmetic.
 
 mod at_value;
 mod family;
@@ -56,7 +57,7 @@ impl<R> Equilibria<R> {
         self.as_slice().iter().find(|state| state.stability == Stability::Stable)
     }
 
-    /// The same with another kind of state, or `None` if one of them cannot be had.
+    /// The same with another type of number, or `None` if one of the states cannot be converted.
     pub(crate) fn transform<S>(&self, f: impl Fn(&Equilibrium<R>) -> Option<Equilibrium<S>>) -> Option<Equilibria<S>> {
         Some(match self {
             Equilibria::None => Equilibria::None,
@@ -93,7 +94,7 @@ impl Held {
         }
     }
 
-    /// q, which is λ, too.
+    /// q, which equals λ.
     fn tension(self) -> i64 {
         match self {
             Held::Indentation => 1,
@@ -124,7 +125,7 @@ impl Branch {
     }
 }
 
-/// How many equilibria a value has.
+/// The number of equilibria at a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Count {
     None,
@@ -149,10 +150,10 @@ impl<R: Real> Contact<R> {
     /// | 1/2 | of the sign of ρ − 1 (of ρ − 3 under force) | one |
     /// | | 0 or of the other sign | none |
     ///
-    /// Accuracy: the residual of (1.13) or (1.16) is at the rounding level of its terms, and the radius errs by that times
-    /// its condition, which grows as 1/√τ towards the fold ([`Contact::equilibria_at_distance`] does not lose that). Over
-    /// intervals existence, number and values are proved. The uncontrolled quantity follows from
-    /// the radius as F = 2E*a(nd − Δl)/(n+1).
+    /// Accuracy: the residual of (1.13) or (1.16) is at the rounding level of its terms. The error of the radius is
+    /// that times its condition, which grows as 1/√τ towards the fold ([`Contact::equilibria_at_distance`] avoids this
+    /// loss). Over intervals existence, number and values are proved. The uncontrolled quantity follows from the radius
+    /// as F = 2E*a(nd − Δl)/(n+1).
     ///
     /// ```
     /// use mdr_analytic::{Contact, PowerLaw};
@@ -167,9 +168,9 @@ impl<R: Real> Contact<R> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Domain`] unless the value is finite and the control indentation or force; [`Error::Undecided`] when the
-    /// arithmetic cannot tell the value from that of the fold, or at n = 1/2 whether C is above its threshold (at the
-    /// threshold itself every radius is in equilibrium at 0); [`Error::OutOfRange`].
+    /// [`Error::Domain`] unless the value is finite and the control indentation or force; [`Error::Undecided`] if the
+    /// arithmetic cannot distinguish the value from that of the fold, or at n = 1/2 C from its threshold (at the
+    /// threshold every radius is in equilibrium at 0); [`Error::OutOfRange`].
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Equilibria<R>> {
         let held = Held::of(control)?;
         if !value.is_finite() {
@@ -181,8 +182,8 @@ impl<R: Real> Contact<R> {
         }
     }
 
-    /// The equilibria at x = x_fold(1 − τ) of the indentation depth or force: near the fold the question without the
-    /// rounding of x. The radius is known to rounding at any τ ≥ 0 as far as that of the fold is.
+    /// The equilibria at x = x_fold(1 − τ) of the indentation depth or force: near the fold, the problem without the
+    /// rounding of x. At any τ ≥ 0 the radius is accurate to rounding, relative to that of the fold.
     ///
     /// ```
     /// use mdr_analytic::{Contact, PowerLaw};

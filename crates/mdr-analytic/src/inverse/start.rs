@@ -1,13 +1,14 @@
-//! The roots of Φ(v) = τ as doubles, for the arithmetic of the caller to refine.
+//! The roots of Φ(v) = τ as doubles, to be refined in the arithmetic of the caller.
 //!
-//! With μ = m − 1 and D = (e^{μv} − 1)/μ, Φ = e^v D − (e^v − 1) and z = 1 − Φ = e^v(1 − D), so that μ → 0 costs no digits.
-//! Near the fold Halley's iteration is for Φ = τ; far from it for v + ln|1 − D| = ln|z|, where nothing overflows. Two
-//! evaluations a root suffice as a rule, five at scales of 10^±50.
+//! With μ = m − 1 and D = (e^{μv} − 1)/μ, Φ = e^v D − (e^v − 1) and z = 1 − Φ = e^v(1 − D), so that μ → 0 costs no
+//! digits. Halley's iteration is applied to Φ = τ near the fold, and far from it to v + ln|1 − D| = ln|z|, where
+//! nothing overflows. Two evaluations per root usually suffice, five at scales of 10^±50.
 
-/// Where to begin, from τ alone: right to second order at the fold and to first order far from it. With t = √(2τ/m):
+/// The initial guess from τ alone, accurate to second order at the fold and to first order far from it. With t =
+/// √(2τ/m):
 ///
-/// * v > 0, from P = e^{mv} = 1 + μτ + m(E − 1): E − 1 = e^v − 1 = t + (2−m)t²/6 + (2m−1)(m−2)t³/72 + … near the fold, with a
-///   denominator that keeps it in bounds, as what counts far from it is μτ.
+/// * v > 0, from P = e^{mv} = 1 + μτ + m(E − 1): E − 1 = e^v − 1 = t + (2−m)t²/6 + (2m−1)(m−2)t³/72 + … near the fold,
+///   with a denominator that keeps it bounded, because μτ dominates far from it.
 /// * v < 0: ze^{−v} = 1 + t + (2−m)t²/3 + … near the fold, and m/μ far from it.
 ///
 /// The error of v, over 2/(m + 1/|v|), is below a tenth for m from 1.5 to 16, and below one from 1.02 to 40.
@@ -30,7 +31,7 @@ impl Outset {
     pub(crate) fn new(mu: f64) -> Self {
         let m = 1.0 + mu;
         let width = (2.0 / m).sqrt();
-        // For m < 2, a quarter of what the third order demands serves all t better.
+        // For m < 2, a quarter of the third-order coefficient is better for all t.
         let lower = if m < 2.0 { (2.0 * m - 1.0) / 48.0 } else { (m - 2.0) / 6.0 };
         let upper = lower + (2.0 - m) / 6.0;
         let second = (2.0 - m) / 3.0 * (2.0 / m);
@@ -66,10 +67,10 @@ pub(crate) struct Seed {
     pub(crate) ln_z: f64,
 }
 
-/// Below this value of m√(2τ/m) the formula to start from is right to twice as many digits.
+/// Below this value of m√(2τ/m) the initial formula is accurate to twice as many digits.
 const CLOSE: f64 = 1e-4;
 
-/// Steps below this, relative to the scale of v, leave an error of their cube.
+/// A step below this, relative to the scale of v, leaves an error of its cube.
 const LAST_STEP: f64 = 1.0 / 2048.0;
 
 /// More than enough: the iterations are monotone after the first step.

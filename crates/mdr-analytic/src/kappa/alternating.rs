@@ -1,8 +1,8 @@
 //! Derivatives of ln κ_n: ½(ψ(1+n/2) − ψ((n+1)/2)) = Σ_j (−1)ʲ/(n+1+j), and its derivatives term by term.
 //!
 //! 1/(z+j)ᵏ = ∫₀¹ tʲ dμ(t) with a positive measure, so the acceleration of Cohen, Rodriguez Villegas and Zagier
-//! (Experimental Mathematics 9, 2000) applies with its bound: N terms leave at most 1/T_N(3) of the sum, where
-//! T_N(3) ≥ (3+√8)^N/2 is a Chebyshev polynomial: 2.54 bits a term for every n.
+//! (Experimental Mathematics 9, 2000) applies with its bound: N terms leave at most 1/T_N(3) of the sum, where T_N(3) ≥
+//! (3+√8)^N/2 is a Chebyshev polynomial: 2.54 bits per term for every n.
 
 use mdr_core::number::Real;
 

@@ -1,12 +1,12 @@
 //! Runs of terms of the [series](super::series) for n = p/q, as exact fractions.
 //!
-//! The term ratio is −(p+qm)(2q(m+1)−p) / ((p+2q(2m+1))(p+4q(m+1))), the weight (3p+2q(3m+1))/(p+2q(2m+1)). With short
-//! p and q a machine word holds several terms, two words twice as many, and only then long integers are needed.
+//! The term ratio is −(p+qm)(2q(m+1)−p) / ((p+2q(2m+1))(p+4q(m+1))), the weight (3p+2q(3m+1))/(p+2q(2m+1)). If p and q
+//! are short, a machine word holds several terms and two words twice as many; longer runs use long integers.
 
 use rug::{Integer, Rational};
 
-/// Consecutive terms over one denominator. P, the product that the first of them begins with, times sum/below is their sum,
-/// and P · above/below is the product that the next term begins with.
+/// Consecutive terms over one denominator. With the product P at the first of them, their sum is P · sum/below, and the
+/// product at the next term is P · above/below.
 #[derive(Clone, Debug)]
 pub(super) struct Block<T> {
     /// The product of the numerators of the term ratio, with sign.
@@ -30,14 +30,14 @@ pub(super) struct Series {
     q: i64,
     /// Bits of the largest factor.
     longest: u32,
-    /// From this term on, at least x − 1 for n = 2x, the term ratio is below 1/8; before that it is below 1.
+    /// From this term on, at least x − 1 for n = 2x, the term ratio is below 1/8; before it the ratio is below 1.
     pub(super) settled: u32,
-    /// As many terms leave less than 2^−bits.
+    /// This number of terms leaves less than 2^−bits.
     pub(super) terms: u32,
 }
 
 impl Series {
-    /// None where two factors do not fit in a word.
+    /// `None` if two factors do not fit in a word.
     pub(super) fn new(n: &Rational, bits: u32) -> Option<Self> {
         let (p, q) = (n.numer().to_i64()?, n.denom().to_i64()?);
         let settled = u32::try_from(p / q.checked_mul(2)?).ok()?;
@@ -47,12 +47,12 @@ impl Series {
         (2 * longest < 57).then_some(Series { p, q, longest, settled, terms })
     }
 
-    /// Terms in a run whose denominators have so many bits.
+    /// The number of terms in a run whose denominators have `bits` bits.
     pub(super) fn terms_in(&self, bits: u32) -> u32 {
         (bits / (2 * self.longest)).max(1)
     }
 
-    /// As many terms from the given one as a word holds, and not beyond `to`; the first term that is left.
+    /// As many terms from the given one as fit in a word, up to `to`; with the first term that is left.
     fn word(&self, from: u32, to: u32) -> (Block<i64>, u32) {
         let (p, q, m) = (self.p, self.q, i64::from(from));
         let [mut rising, mut falling] = [p + q * m, p - 2 * q * (m + 1)];
@@ -83,7 +83,7 @@ impl Series {
         (first.widen().then(&second.widen()), end)
     }
 
-    /// The terms from `from` up to `to`, in a tree whose operands double from level to level.
+    /// The terms from `from` up to `to`, in a tree whose operands double in length from level to level.
     pub(super) fn long(&self, from: u32, to: u32) -> (Block<Integer>, u32) {
         let mut level = Vec::new();
         let mut term = from;
@@ -119,7 +119,7 @@ impl From<Block<i128>> for Block<Integer> {
 }
 
 impl Block<i128> {
-    /// This run and the one that follows it.
+    /// This run and the following one.
     fn then(&self, next: &Self) -> Self {
         Block {
             sum: self.sum * next.below + self.above * next.sum,
@@ -130,7 +130,7 @@ impl Block<i128> {
 }
 
 impl Block<Integer> {
-    /// This run and the one that follows it.
+    /// This run and the following one.
     fn then(self, next: &Self) -> Self {
         Block {
             sum: self.sum * &next.below + Integer::from(&self.above * &next.sum),

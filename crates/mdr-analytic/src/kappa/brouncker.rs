@@ -4,15 +4,15 @@
 //!
 //! 4κ_n²/π = s + 1²/(2s + 3²/(2s + 5²/(2s + …))).
 //!
-//! All its elements are positive, so a tail t = 2s + (2k+1)²/(2s + …) lies between 2s and 2s + (2k+1)²/2s, and going
-//! back from there encloses the value. Each step towards the front shrinks a relative error by exp(−2 arsinh(s/2k)):
-//! for s of the order of the precision in bits a small fraction of that number of steps is enough, and one step for
-//! n = 10³⁰⁰.
+//! All its elements are positive, so a tail t = 2s + (2k+1)²/(2s + …) lies between 2s and 2s + (2k+1)²/2s, and
+//! evaluation backwards from there encloses the value. Each step reduces a relative error by exp(−2 arsinh(s/2k)): if s
+//! is of the order of the precision in bits, a small fraction of that number of steps is enough, and one step for n =
+//! 10³⁰⁰.
 
 use mdr_core::number::Real;
 
-/// The depth at which the tail does not matter at the given precision; none when it exceeds a third of the bits, where
-/// the series is quicker.
+/// The depth at which the tail is negligible at the given precision; `None` if it exceeds a third of the bits, where
+/// the series is faster.
 pub(super) fn depth(n: f64, bits: u32) -> Option<u32> {
     let s = 2.0 * n + 1.0;
     let mut remaining = f64::from(bits) * std::f64::consts::LN_2;

@@ -9,25 +9,26 @@
 //!
 //! κ_{1−n} = κ_n tan(πn/2) (1−n)/n,  κ_{n+1} = π(n+1)/(2κ_n),  κ_{n+2} = κ_n (n+2)/(n+1).
 //!
-//! Integers start from κ_0 = 1 and κ_1 = π/2. What a mean gives for 0 < n < 2 is kept in the thread, as MPFR keeps π:
-//! from the second call on κ_n costs a few products with short numbers.
+//! Integers start from κ_0 = 1 and κ_1 = π/2. The results of the mean for 0 < n < 2 are cached per thread, as MPFR
+//! caches π: from the second call on κ_n costs a few products with short numbers.
 
 use std::cell::RefCell;
 
 use mdr_core::number::{Counted, Precision};
 use rug::{Float, Integer, Rational};
 
-/// Up to this many times the precision in bits for n, the factors (n+2)/(n+1) cost less than other expansions do. Measured
-/// as a shift is, with `mdr report --only speed`.
+/// Up to this many times the precision in bits for n, the factors (n+2)/(n+1) cost less than other expansions do.
+/// Measured together with `SHIFT` in `shifted`.
 const REACH: f64 = 1.0;
 
-/// More bits are kept than asked for, so that a result does not depend on the calls before, but for a chance of 2⁻⁶⁰.
+/// Extra bits in the cache, so that a result depends on earlier calls only with a probability of 2⁻⁶⁰.
 const GUARD: u32 = 64;
 
-/// At least so many bits are kept: they cost little more than fewer.
+/// The least number of bits in the cache: they cost little more than fewer.
 const LEAST: u32 = 1024;
 
-/// κ_n with the given number of bits. None for other denominators, and where n is so large that there is a faster expansion.
+/// κ_n with the given number of bits. `None` for other denominators, and for n so large that another expansion is
+/// faster.
 pub(super) fn kappa(n: &Rational, bits: u32) -> Option<Counted> {
     let (p, q) = (n.numer().to_u32()?, n.denom().to_u32()?);
     if q > 4 || f64::from(p) > REACH * f64::from(q) * f64::from(bits) {
@@ -122,8 +123,8 @@ thread_local! {
     static KEPT: RefCell<Vec<(u32, Denominator, Counted)>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Frees the numbers that κ_n keeps in this thread: ten at most, as long as the longest that was asked for. The next call
-/// computes what it needs anew, with the same result. π is kept by MPFR, see `rug::float::free_cache`.
+/// Frees the numbers that κ_n caches in this thread: at most ten, each as long as the longest that was requested. The
+/// next call computes them again, with the same result. π is cached by MPFR, see `rug::float::free_cache`.
 ///
 /// ```
 /// use mdr_analytic::{free_cache, kappa_enclosure};
@@ -137,7 +138,7 @@ pub fn free_cache() {
     KEPT.with_borrow_mut(|kept| *kept = Vec::new());
 }
 
-/// κ_{p/q} for 0 < p < 2q, computed where no value of so many bits is kept.
+/// κ_{p/q} for 0 < p < 2q, from the cache if it has enough bits, else computed.
 fn kept(p: u32, denominator: Denominator, bits: u32) -> Counted {
     KEPT.with_borrow_mut(|kept| {
         let needed = bits.saturating_add(GUARD).max(LEAST);
@@ -148,7 +149,7 @@ fn kept(p: u32, denominator: Denominator, bits: u32) -> Counted {
         } else if kept[index].2.value().prec() < needed {
             kept[index].2 = denominator.kappa(p, needed);
         }
-        // All that is wrong in the kept number is less than a unit in the last place here.
+        // The error of the cached number is less than a unit in the last place here.
         Counted::new(Float::with_val(bits, kept[index].2.value()), 2)
     })
 }

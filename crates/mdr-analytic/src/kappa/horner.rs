@@ -1,10 +1,10 @@
 //! κ_n for a rational n in fixed point, by blocks of terms, with the error counted in units of the last place.
 //!
-//! The value of the series from the k-th [block](super::blocks) on is V_k = (sum_k + above_k V_{k+1})/below_k: Horner's rule
-//! from the last block to the first, each step a product, a sum and a quotient of integers. V_k reaches κ_n = V_0 with the
-//! factor Π_{j<k} above_j/below_j, which falls by three bits a term; so V_k is held with as many places fewer, and an error
-//! of one unit there is at most one unit of V_0. Behind the last block the value is f ∈ (0, 2], as the [series](super::series)
-//! proves, and held as 1 ± 1.
+//! The value of the series from the k-th [block](super::blocks) on is V_k = (sum_k + above_k V_{k+1})/below_k: Horner's
+//! rule from the last block to the first, each step a product, a sum and a quotient of integers. V_k contributes to κ_n
+//! = V_0 with the factor Π_{j<k} above_j/below_j, which decreases by three bits per term; so V_k is stored with as many
+//! places fewer, and an error of one unit in it is at most one unit of V_0. After the last block the value is f ∈ (0,
+//! 2], as proved in [series](super::series), and is stored as 1 ± 1.
 
 use std::ops::{DivAssign, MulAssign};
 
@@ -13,8 +13,8 @@ use rug::{Assign, Float, Integer};
 
 use super::blocks::{Block, Series};
 
-/// The sum of the series with so many binary places, in blocks that `run` gives: from a term up to another at most, with the
-/// first term that is left.
+/// The sum of the series with this number of binary places. `run(from, to)` gives a block of terms from `from`, at most
+/// up to `to`, with the first term that is left.
 pub(super) fn sum<T>(series: &Series, places: u32, run: impl Fn(u32, u32) -> (Block<T>, u32)) -> Counted
 where
     Integer: for<'a> MulAssign<&'a T> + for<'a> DivAssign<&'a T> + for<'a> Assign<&'a T>,

@@ -3,13 +3,13 @@
 //! κ_n = √π Γ(1+n/2)/Γ((n+1)/2) grows from 1 at n → 0 as √(πn/2) for large n, and κ_n κ_{n+1} = π(n+1)/2. Two
 //! expansions cover all n > 0, each with a proved remainder:
 //!
-//! * [`series`]: three bits a term, for n up to about a quarter of the precision in bits;
+//! * [`series`]: three bits per term, for n up to about a quarter of the precision in bits;
 //! * [`brouncker`]: a continued fraction that improves as n grows.
 //!
-//! They are written for any arithmetic. Arbitrary precision and intervals have versions of their own, several times faster,
-//! with roundings counted: `horner` sums the series for rational n in exact `blocks` of terms, and `shifted` takes any n
-//! to where the continued fraction is short, by the recurrence κ_n = κ_{n+2} (n+1)/(n+2) in runs of `rising` factors. For
-//! rational n with a denominator up to 4 one arithmetic-geometric mean is enough (`elliptic`).
+//! They are written for any arithmetic. Arbitrary precision and intervals have faster versions with counted roundings:
+//! `horner` sums the series for rational n in exact `blocks` of terms, and `shifted` moves any n to where the continued
+//! fraction is short, by the recurrence κ_n = κ_{n+2} (n+1)/(n+2) in runs of `rising` factors. For rational n with a
+//! denominator up to 4 one arithmetic-geometric mean is enough (`elliptic`).
 //!
 //! Derivatives with respect to n come from an alternating series ([`alternating`]).
 
@@ -39,11 +39,11 @@ pub(crate) use rational::rational_kappa;
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Dual, Real};
 
-/// Numbers in which κ_n and its derivatives with respect to n can be computed.
+/// Numbers for which κ_n and its derivatives with respect to n can be computed.
 ///
-/// An implementation for another arithmetic needs no line of code where the generic expansions are accurate enough.
+/// The default methods, the generic expansions, serve any arithmetic.
 pub trait Kappa: Real {
-    /// κ_n for n ≥ 0 (κ_0 = 1). Use [`kappa`] where n has not been checked.
+    /// κ_n for n ≥ 0 (κ_0 = 1), unchecked; [`kappa`] checks n.
     fn kappa(n: &Self) -> Self {
         expansion(n)
     }
@@ -56,8 +56,8 @@ pub trait Kappa: Real {
 
 /// κ_n = √π Γ(1+n/2)/Γ((n+1)/2) (1.12), the factor in g(x) = κ_n C xⁿ, for every n > 0.
 ///
-/// In `f64` within 0.51 ulp, in arbitrary precision to the last bits, as an interval rigorous, as a dual number with
-/// dκ/dn.
+/// Within 0.51 ulp in `f64`, to the last bits in arbitrary precision, rigorous as an interval, with dκ/dn as a dual
+/// number.
 ///
 /// ```
 /// use mdr_analytic::kappa;
@@ -83,8 +83,8 @@ pub(crate) fn expansion<R: Real>(n: &R) -> R {
     }
 }
 
-/// The same for an arithmetic whose error bounds are powers of two: there a continued fraction is left as long as its
-/// partial numerators (2k+1)² are well below s², and the series serves the rest.
+/// The same for an arithmetic whose error bounds are powers of two: the continued fraction is used only while its
+/// partial numerators (2k+1)² are well below s², and the series otherwise.
 pub(crate) fn cautious_expansion<R: Real>(n: &R) -> R {
     let (size, bits) = (n.approx(), n.precision() + 2);
     match brouncker::depth(size, bits).filter(|depth| 6.0 * f64::from(*depth) < size) {
@@ -105,7 +105,7 @@ impl<R: Kappa> Kappa for Dual<R> {
     }
 }
 
-/// Thirty-two more bits inside, so that rounding in the expansion does not reach the result.
+/// Thirty-two guard bits, so that the rounding errors of the expansion do not reach the result.
 #[cfg(feature = "mp")]
 impl Kappa for rug::Float {
     fn kappa(n: &Self) -> Self {
@@ -121,5 +121,5 @@ impl Kappa for mdr_core::number::Interval {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mp"))]
 mod tests;

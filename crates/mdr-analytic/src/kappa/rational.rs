@@ -1,4 +1,4 @@
-//! κ_n for a rational n and for an interval, enclosed: which expansion serves where.
+//! Enclosures of κ_n for a rational n and for an interval: the choice of the expansion.
 
 use mdr_core::number::{Counted, Interval, Precision, Real};
 use rug::float::Round;
@@ -9,8 +9,8 @@ use super::{elliptic, horner, shifted};
 
 /// An enclosure of κ_n for a rational n > 0, a few units in the last place wide at the given precision.
 ///
-/// An arithmetic-geometric mean for denominators up to 4, kept in the thread for later calls; binary splitting where n has
-/// few digits, so that ten thousand digits of κ_{3/10} take milliseconds; the expansions for a general n elsewhere.
+/// Uses an arithmetic-geometric mean for denominators up to 4, cached per thread for later calls; binary splitting if n
+/// has few digits, so that ten thousand digits of κ_{3/10} take milliseconds; the expansions for a general n otherwise.
 ///
 /// ```
 /// use mdr_analytic::kappa_enclosure;
@@ -28,7 +28,7 @@ fn guard(bits: u32) -> u32 {
     6 + (u32::BITS - bits.leading_zeros())
 }
 
-/// Beyond this many bits the runs of terms are long integers.
+/// Above this number of bits the runs of terms are long integers.
 const LONG: u32 = 6000;
 
 /// κ_n for a rational n > 0, computed with the given number of bits.
@@ -50,7 +50,7 @@ pub(super) fn expansion(n: &Rational, bits: u32) -> Counted {
     }
 }
 
-/// κ_n for an interval n ≥ 0. κ grows with n, so a wide interval is treated at its ends.
+/// κ_n for an interval n ≥ 0. κ increases with n, so a wide interval is evaluated at its ends.
 pub(super) fn interval_kappa(n: &Interval) -> Interval {
     const SLACK: i64 = 16;
     let precision = n.ctx();

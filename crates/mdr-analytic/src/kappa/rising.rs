@@ -1,28 +1,28 @@
 //! Products of many factors n + a, n + a + 2, …
 //!
-//! A run of d factors is a polynomial in n of degree d with integer coefficients. With the powers of n at hand it costs d
-//! products with short numbers and one long product, instead of d long ones.
+//! A run of d factors is a polynomial in n of degree d with integer coefficients. With precomputed powers of n it costs
+//! d products with short numbers and one long product, instead of d long ones.
 
 use mdr_core::number::Counted;
 use rug::{Assign, Float, Integer};
 
 /// Π_{j<count} (n + first + 2j) for different `first`.
 pub(super) struct Rising {
-    /// Truncated powers of n with so many binary places, from the first power on.
+    /// Truncated powers of n with this number of binary places, from the first power on.
     powers: Vec<Integer>,
     places: u32,
     count: u32,
 }
 
 impl Rising {
-    /// For n ≥ 0; none where there are no factors.
+    /// For n ≥ 0; `None` if there are no factors.
     pub(super) fn new(n: &Float, count: u32, places: u32) -> Option<Self> {
         if count == 0 {
             return None;
         }
         let largest = u32::BITS - (2 * count + 2).leading_zeros();
-        // A long product costs as much as a number of short ones that grows as the root of the length. Coefficients stay
-        // below 2¹²⁷, being at most 2^d times the last.
+        // The number of short products that cost as much as a long one grows as the root of the length. Coefficients
+        // stay below 2¹²⁷, being at most 2^d times the last.
         let degree = (places / 50).isqrt().max(4).min(126 / (largest + 1)).min(count);
         let shifted = Float::with_val(n.prec(), n << places);
         let (first, _) = shifted.to_integer_round(rug::float::Round::Down)?;
@@ -34,7 +34,7 @@ impl Rising {
         Some(Rising { powers, places, count })
     }
 
-    /// For the given first summand ≥ 1, two numbers apart.
+    /// The product for the given first summand ≥ 1; summands are two apart.
     pub(super) fn product(&self, first: u32) -> Counted {
         let degree = self.powers.len();
         let mut product = Float::with_val(self.places, 1);
@@ -53,8 +53,8 @@ impl Rising {
                 value += &coefficient * power;
             }
             product *= Float::with_val(self.places, &value) >> self.places;
-            // A power nⁱ is too small by at most (i−1) max(1, n)^(i−2) units, so the polynomial q by at most q'(max(1, n)).
-            // q'/q = Σ 1/(n+a) is below d/a, and q(1)/q(0) = Π (a+1)/a below 2d.
+            // A power nⁱ is too small by at most (i−1) max(1, n)^(i−2) units, so the polynomial q by at most q'(max(1,
+            // n)). q'/q = Σ 1/(n+a) is below d/a, and q(1)/q(0) = Π (a+1)/a below 2d.
             roundings += 2 + (2 * u64::from(length).pow(2)).div_ceil(start);
             j += length;
         }

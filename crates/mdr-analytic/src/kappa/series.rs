@@ -1,13 +1,13 @@
-//! A hypergeometric series with three bits a term.
+//! A hypergeometric series with three bits per term.
 //!
 //! By Gauss's second theorem κ_n = f(n, 1+n/2), where f(b, c) = ₂F₁(1, b; c; 1/2). The contiguous relations
 //! f(b,c) = 1 + (b/2c) f(b+1,c+1) and f(b,c) = 2 − ((c−b)/c) f(b,c+1), taken in turn, give with x = n/2
 //!
 //! κ_n = Σ_m P_m (3x+1+3m)/(x+1+2m),  P_0 = 1,  P_{m+1} = −P_m (2x+m)(1−x+m) / (2(x+1+2m)(x+2+2m)).
 //!
-//! After M terms the rest is exactly P_M f(2x+M, x+1+2M), and 0 < f ≤ 2 as soon as M ≥ x − 1: all terms of f are then
-//! below those of Σ 2⁻ᵏ. The sum has no cancellation: P_m > 0 while m < x, and from there on it alternates with a ratio
-//! below 1/8. For even n it terminates.
+//! The remainder after M terms is exactly P_M f(2x+M, x+1+2M), and 0 < f ≤ 2 as soon as M ≥ x − 1: all terms of f are
+//! then below those of Σ 2⁻ᵏ. The sum has no cancellation: P_m > 0 while m < x, and from there on it alternates with a
+//! ratio below 1/8. For even n it terminates.
 
 use mdr_core::number::Real;
 
@@ -17,10 +17,10 @@ pub(super) fn terms(n: f64, bits: u32) -> u32 {
     let mut remaining = f64::from(bits) + 1.0;
     let mut product = 1.0;
     let mut m = 0;
-    // One more than M ≥ x − 1 asks for: x is rounded.
+    // One more than M ≥ x − 1 requires, because x is rounded.
     while remaining > 0.0 || f64::from(m) < x {
         let j = f64::from(m);
-        // |1−x+m| may be arbitrarily small; that luck is not counted on.
+        // |1−x+m| may be arbitrarily small; the bound does not use that.
         let above = (2.0 * x + j) * (1.0 - x + j).abs().max(1.0);
         product *= above / (2.0 * (x + 1.0 + 2.0 * j) * (x + 2.0 + 2.0 * j));
         m += 1;

@@ -8,22 +8,22 @@
 //!
 //! 4κ_n²/π = s (w_1+1)/(w_1−1),  w_k = z + c_{k−1} + c_k − c_k c_{k+1}/w_{k+2},  z + c_{k−1} < w_k < z + c_{k−1} + c_k.
 //!
-//! A relative error δ of w_{k+2} becomes at most θδ/(1−θ) in w_k, θ = c_k c_{k+1}/((z+c_{k+1})(z+c_{k−1}+c_k)) (1 + |δ|), and one of
-//! w_1 less than 9δ/4w_1 in the result for w_1 ≥ 10. So the further behind a step is, the fewer bits it needs.
+//! A relative error δ of w_{k+2} becomes at most θδ/(1−θ) in w_k, θ = c_k c_{k+1}/((z+c_{k+1})(z+c_{k−1}+c_k)) (1 +
+//! |δ|), and one of w_1 less than 9δ/4w_1 in the result for w_1 ≥ 10. So later steps need fewer bits.
 
 use mdr_core::number::{Counted, Precision};
 use rug::Float;
 
 use super::rising::Rising;
 
-/// n is shifted to this many times the precision in bits: shifting costs less than the fraction. Measured with
-/// `mdr report --only speed`.
+/// n is shifted to this many times the precision in bits: shifting is cheaper than the fraction. The factor is
+/// measured.
 const SHIFT: f64 = 0.29;
 
-/// No less than this, so that the bounds above hold.
+/// The smallest shifted n, so that the bounds above hold.
 const LEAST: f64 = 8.0;
 
-/// The bounds on the steps fall as n grows: for a larger n they are those of this one, which cost a few bits and steps more.
+/// The bounds on the steps decrease as n grows; larger n use those of this one, at the cost of a few bits and steps.
 /// Below it z² < 10³⁰³ and θ > 10⁻³⁰³, so that no double overflows, underflows or is NaN.
 const LARGEST: f64 = 1e75;
 
@@ -43,9 +43,9 @@ pub(super) fn kappa(n: &Float, bits: u32) -> Counted {
     Counted::new(Float::with_val(bits, result.value() / 2u32), result.roundings() + 1)
 }
 
-/// The continued fraction, cut where a precision asks for it.
+/// The continued fraction, truncated for a given precision.
 struct Fraction {
-    /// For w_1, w_3, …: bits by which a relative error is less in the result.
+    /// For w_1, w_3, …: the bits by which a relative error is reduced in the result.
     gained: Vec<f64>,
     /// Whether θ ≤ 1/16 everywhere.
     proved: bool,
@@ -80,7 +80,7 @@ impl Fraction {
         let middle = |k: u64| 8 * k * k + 2;
         let odd = |step: usize| 2 * step as u64 + 1;
         let z = Float::with_val(bits, s * 2u32).square();
-        // w = x/y, at first its upper bound, wrong by less than one part.
+        // w = x/y, at first its upper bound, with a relative error below one.
         let mut x = Float::with_val(precision(last), &z + middle(odd(last)));
         let mut y = Float::with_val(precision(last), 1);
         for step in (0..last).rev() {
@@ -94,8 +94,8 @@ impl Fraction {
         if !self.proved {
             return Counted::unknown(Precision::new(bits));
         }
-        // For θ ≤ 1/16 the five roundings of a step, those of z and of the sum among them, make 5 units of its precision.
-        // One unit for the end of the fraction, three for the last line, one for the quotient below.
+        // For θ ≤ 1/16 the five roundings of a step, including those of z and of the sum, contribute 5 units of its
+        // precision. One unit for the end of the fraction, three for the last line, one for the quotient below.
         let steps = (5 * last as u64) >> MORE;
         Counted::new(ratio, steps + 5)
     }

@@ -1,4 +1,4 @@
-//! Cones whose tip is rounded: by a paraboloid or by a sphere that the flank continues without a kink in slope.
+//! Cones with a rounded tip: a paraboloid or a sphere that joins the flank with a continuous slope.
 
 use mdr_core::contact::{Kink, Quantity, Result, Slopes};
 use mdr_core::number::Special;
@@ -24,7 +24,7 @@ impl<R: Special> ParabolicCapCone<R> {
     /// A cone of flank `slope` t = tan θ, capped up to the radius `cap` b by a paraboloid of curvature radius b/t.
     ///
     /// # Errors
-    /// Unless both are positive and finite; [`OutOfRange`](mdr_core::contact::Error::OutOfRange) when b/t is not.
+    /// Unless both are positive and finite; [`OutOfRange`](mdr_core::contact::Error::OutOfRange) if b/t is not.
     pub fn new(slope: R, cap: R) -> Result<Self> {
         let slope = positive("slope", slope)?;
         let cap = positive("cap", cap)?;
@@ -79,8 +79,8 @@ impl<R: Special> ClosedForm<R> for ParabolicCapCone<R> {
     }
 }
 
-/// A cone of slope t with a spherical cap of radius R that it continues at b = R t/√(1 + t²). For x > b,
-/// g = x ln[(R + x)/(√(R² − b²) + √(x² − b²))] + x t arccos(b/x) (Maugis & Barquins 1983).
+/// A cone of slope t with a spherical cap of radius R up to b = R t/√(1 + t²). For x > b, g is
+/// x ln[(R + x)/(√(R² − b²) + √(x² − b²))] + x t arccos(b/x) (Maugis & Barquins 1983).
 #[derive(Clone, Debug)]
 pub struct SphericalCapCone<R> {
     slope: R,
@@ -170,7 +170,7 @@ impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
     }
 }
 
-/// sin θ and cos θ of an angle of which the tangent t is known, without a square that leaves the range.
+/// sin θ and cos θ of an angle with the tangent t; no square leaves the range.
 fn sine_and_cosine<R: Special>(t: &R) -> [R; 2] {
     let flat = *t < t.lit(1);
     let small = if flat { t.clone() } else { t.clone().inv() };
@@ -179,7 +179,7 @@ fn sine_and_cosine<R: Special>(t: &R) -> [R; 2] {
     if flat { [smaller, larger] } else { [larger, smaller] }
 }
 
-/// Where the flank takes over from a tip at b, with the slope of g beyond.
+/// The joint between a tip and the flank at b, with the slope of g beyond.
 fn joint<R: Special>(tip: &impl ClosedForm<R>, b: &R, margin: &R, outer_slope: impl Fn(&R, &Edge<R>) -> R) -> Kink<R> {
     let x = around(b, margin);
     Kink {

@@ -1,4 +1,5 @@
-//! Profiles that first go down: displaced paraboloid, parabolic and elliptical dimple. Their g is negative near the axis.
+//! Profiles that fall from the axis: displaced paraboloid, parabolic and elliptical dimple. Their g is negative near
+//! the axis.
 
 use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
@@ -121,7 +122,7 @@ impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
     fn edge(&self) -> Option<&R> {
         Some(&self.radius)
     }
-    /// g = −2h with the mean −2h/3; beyond b, g' falls with q and with x.
+    /// g = −2h with the mean −2h/3; beyond b, g' decreases with q and with x.
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
         let (b, x) = (&self.radius, around(&self.radius, margin));
         let g = -self.depth.clone().times(2);
@@ -180,7 +181,7 @@ impl<R: Special> ClosedForm<R> for EllipticalDimple<R> {
         if !(t < t.ratio(1, 2)) {
             return (steep - t.atanh()) * self.aspect();
         }
-        // t/(1 − t²) − artanh t = t³/(1 − t²) − (artanh t − t): of the order of t³, where the terms are of that of t.
+        // t/(1 − t²) − artanh t = t³/(1 − t²) − (artanh t − t): of order t³, while the terms are of order t.
         (steep / &t - atanh_excess(&t)) * &t * (self.depth.clone() / x) * &t
     }
     /// Beyond b, with t = b/x: −(h/2)[(1 − t²)(artanh t)/t + 1].
@@ -199,8 +200,8 @@ impl<R: Special> ClosedForm<R> for EllipticalDimple<R> {
     fn edge(&self) -> Option<&R> {
         Some(&self.radius)
     }
-    /// With x = b(1 ± m): inside, g' = −(h/b)[artanh(1 − m) + (1 − m)/(m(2 − m))] falls to −∞; outside, it falls from ∞
-    /// to (h/b)[(1 + m)/(m(2 + m)) − artanh(1/(1 + m))], with the derivative −2/(m(2 + m))² in m.
+    /// With x = b(1 ± m): inside, g' = −(h/b)[artanh(1 − m) + (1 − m)/(m(2 − m))] decreases to −∞; outside, it
+    /// decreases from ∞ to (h/b)[(1 + m)/(m(2 + m)) − artanh(1/(1 + m))], with the derivative −2/(m(2 + m))² in m.
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
         let (one, two) = (margin.lit(1), margin.lit(2));
         let (below, above) = (one.clone() - margin, one + margin);

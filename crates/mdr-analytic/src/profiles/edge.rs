@@ -2,16 +2,16 @@
 
 use mdr_core::number::Special;
 
-/// What all profiles with an edge at b need at a radius x > b.
+/// The quantities that all profiles with an edge at b need at a radius x > b.
 pub(super) struct Edge<R> {
     /// q = √(x² − b²).
     pub(super) leg: R,
-    /// θ = arccos(b/x) = arctan(q/b), computed from q so that it keeps its digits as x → b.
+    /// θ = arccos(b/x) = arctan(q/b), computed from q so that it is accurate as x → b.
     pub(super) angle: R,
 }
 
 impl<R: Special> Edge<R> {
-    /// None when x is not certainly outside b.
+    /// `None` if x is not certainly outside b.
     pub(super) fn at(x: &R, b: &R) -> Option<Edge<R>> {
         if x <= b {
             return None;
@@ -21,7 +21,7 @@ impl<R: Special> Edge<R> {
         Some(Edge { leg, angle })
     }
 
-    /// All radii between b and b(1 + margin) at once: over enclosures one that contains them all.
+    /// All radii between b and b(1 + margin) at once: over enclosures an enclosure of them.
     pub(super) fn beside(b: &R, margin: &R) -> Edge<R> {
         let half = Self::reach(b, margin).over(2);
         let leg = half.clone().inflate(&half);
@@ -54,13 +54,13 @@ impl<R: Special> Edge<R> {
     }
 }
 
-/// The radii between b(1 − margin) and b(1 + margin): over enclosures all of them.
+/// An enclosure of the radii between b(1 − margin) and b(1 + margin).
 pub(super) fn around<R: Special>(b: &R, margin: &R) -> R {
     b.clone().inflate(&(margin.clone() * b))
 }
 
-/// [t − (1 − t²) artanh t]/t² = Σ_{k≥1} 2 t^{2k−1}/((2k−1)(2k+1)), 0 < t < 1. A multiple of t and not of its cube: it is in
-/// range wherever t is.
+/// [t − (1 − t²) artanh t]/t² = Σ_{k≥1} 2 t^{2k−1}/((2k−1)(2k+1)), 0 < t < 1. Divided by t², it is in range wherever t
+/// is.
 pub(super) fn atanh_moment<R: Special>(t: &R) -> R {
     match odd_series(t, 1, |k| (2, (2 * k - 1) * (2 * k + 1))) {
         Some(series) => series * t,
@@ -73,7 +73,7 @@ pub(super) fn atan_moment<R: Special>(t: &R) -> R {
     match odd_series(t, -1, |k| (2, (2 * k - 1) * (2 * k + 1))) {
         Some(series) => series * t,
         None => {
-            // With 1/t its square cannot leave the range.
+            // The square of 1/t stays in range.
             let inverse = t.clone().inv();
             t.atan() * (inverse.square() + t.lit(1)) - inverse
         }
@@ -93,9 +93,9 @@ pub(super) fn atanh_excess<R: Special>(t: &R) -> R {
     odd_series(t, 1, |k| (1, 2 * k + 1)).unwrap_or_else(|| (t.atanh() - t) / (t.square() * t))
 }
 
-/// Σ_{k≥1} s^{k+1} c_k t^{2k−2} for t < 1/2, where the closed forms above lose two bits and more to cancellation; None
-/// for other t. The coefficients c_k = p/q fall with k, so what is left after a term is below 1/3 of that term;
-/// and 2k c_{k+1} < 3/2 (2k−2) c_k, so that what is left of the derivatives is below 3/5 of the last one.
+/// Σ_{k≥1} s^{k+1} c_k t^{2k−2} for t < 1/2, where the closed forms above lose two bits and more to cancellation;
+/// `None` for other t. The coefficients c_k = p/q decrease with k, so the remainder after a term is below 1/3 of that
+/// term; and 2k c_{k+1} < 3/2 (2k−2) c_k, so the remainder of the derivatives is below 3/5 of the last one.
 fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i64)) -> Option<R> {
     if !(*t < t.ratio(1, 2)) {
         return None;

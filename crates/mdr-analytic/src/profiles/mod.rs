@@ -1,8 +1,8 @@
-//! The MDR-transformed profiles g, g', the mean of g and G = ∫₀ˣ g that are known in closed form.
+//! The MDR-transformed profiles with closed forms of g, g', the mean of g and G = ∫₀ˣ g.
 //!
 //! Every profile is a small struct with a validating constructor and implements
-//! [`Transform`](mdr_core::contact::Transform). Lengths are in metres, slopes are tan θ. All formulas are generic, so the
-//! same lines give f64 values, p-bit values and rigorous enclosures. At a kink the slope returned is the one from inside.
+//! [`Transform`](mdr_core::contact::Transform). Lengths are in metres, slopes are tan θ. All formulas are generic: the
+//! same code gives f64 values, p-bit values and rigorous enclosures. At a kink the slope is the one from inside.
 //!
 //! | module | profiles | source |
 //! |---|---|---|
@@ -16,7 +16,7 @@
 //! ```
 //! use mdr_analytic::profiles::Sphere;
 //! use mdr_core::contact::Transform;
-//! // The true sphere against its paraboloid x²/R: 3 % stiffer already at a = 0.3 R.
+//! // The sphere and its paraboloid x²/R: g is 3 % larger already at a = 0.3 R.
 //! let ball = Sphere::new(1.0)?;
 //! let ratio = ball.g(&0.3)? / 0.09;
 //! assert!((ratio - 1.0317).abs() < 1e-4);
@@ -45,7 +45,7 @@ pub use wavy::WavyParaboloid;
 use mdr_core::contact::{Error, Kink, Quantity, Result};
 use mdr_core::number::{Real, Special};
 
-/// The three closed forms of a profile, for a radius that is known to be in their domain.
+/// The closed forms of a profile, for a radius in their domain.
 trait ClosedForm<R: Special> {
     /// g(x).
     fn g_at(&self, x: &R) -> R;
@@ -53,7 +53,7 @@ trait ClosedForm<R: Special> {
     fn slope_at(&self, x: &R) -> R;
     /// (1/x) ∫₀ˣ g.
     fn mean_at(&self, x: &R) -> R;
-    /// The same profile with all lengths times 2ᵏ; none where one of them leaves the range of the arithmetic.
+    /// The same profile with all lengths times 2ᵏ; `None` if one of them leaves the range of the arithmetic.
     fn scaled(&self, k: i64) -> Option<Self>
     where
         Self: Sized;
@@ -61,24 +61,24 @@ trait ClosedForm<R: Special> {
     fn end(&self) -> Option<&R> {
         None
     }
-    /// Whether it ends with a vertical flank; its formulas then hold at the end too.
+    /// Whether it ends with a vertical edge; its formulas then hold at the end too.
     fn wall(&self) -> bool {
         false
     }
-    /// Whether g falls nowhere, as for every f whose r f' does not fall.
+    /// Whether g is nondecreasing, as for every f with nondecreasing r f'.
     fn rises(&self) -> bool {
         true
     }
-    /// The radius where its formula changes.
+    /// The radius at which its formula changes.
     fn edge(&self) -> Option<&R> {
         None
     }
-    /// What is known of g at the edge, or else at a wall or where g becomes infinite, and up to the relative distance
+    /// Bounds of g at the edge, or else at a vertical edge or where g diverges, and up to the relative distance
     /// `margin` from it.
     fn at_edge(&self, _margin: &R) -> Option<Kink<R>> {
         None
     }
-    /// Passes a radius on when it lies in (0, end), or at the end with a wall.
+    /// Returns a radius that lies in (0, end), or at the end with a vertical edge.
     fn checked<'a>(&self, x: &'a R) -> Result<&'a R> {
         let requirement = match self.end() {
             _ if !(*x > x.lit(0) && x.is_finite()) => "positive and finite",

@@ -9,8 +9,8 @@ use super::{ClosedForm, positive, transform};
 
 transform!(FlatPunch, TruncatedCone, TruncatedParaboloid, RoundedPunch);
 
-/// The flat punch f = 0 for r < b with a vertical flank at b: g = 0 for x ≤ b (Kendall 1971). The edge of the contact can
-/// rest at the flank.
+/// The flat punch f = 0 for r < b with a vertical edge at b: g = 0 for x ≤ b (Kendall 1971). The contact edge can stay
+/// at the vertical edge.
 ///
 /// ```
 /// use mdr_analytic::profiles::FlatPunch;
@@ -217,7 +217,7 @@ impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
     }
 }
 
-/// The edge of a flat face, with what is known of g' beyond it.
+/// The kink at the edge of a flat face, with the bounds of g' beyond it.
 fn beside_flat<R: Special>(like: &R, outside: Slopes<R>) -> Kink<R> {
     let zero = like.lit(0);
     Kink { value: Some((zero.clone(), zero.clone())), inside: Slopes::within(zero), outside }

@@ -1,17 +1,17 @@
-//! Closed forms at any scale: squares and cubes of lengths must not leave the range where the result does not.
+//! Evaluation of closed forms at any scale: squares and cubes of lengths do not leave the range if the result does not.
 
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::Special;
 
 use super::ClosedForm;
 
-/// Radii within which four factors of their size stay in the range of doubles.
+/// Radii for which four factors of their magnitude stay in the range of doubles.
 const COMFORTABLE: std::ops::Range<f64> = 1e-60..1e60;
 
-/// A formula of dimension length^`degree` at x. g, g' and G are homogeneous in the lengths, so where x is far from 1 all
-/// lengths are first brought near it, by a power of two and so exactly.
+/// A formula of dimension length^`degree` at x. g, g' and G are homogeneous in the lengths, so if x is far from 1 all
+/// lengths are first scaled by a power of two, which is exact.
 ///
-/// A result below the range of the arithmetic is rounded as any other: to a subnormal number or 0.
+/// A result below the range of the arithmetic is rounded as usual: to a subnormal number or 0.
 pub(super) fn evaluate<R: Special, P: ClosedForm<R>>(
     profile: &P,
     x: &R,
@@ -55,7 +55,7 @@ fn rescaled<R: Special, P: ClosedForm<R>>(profile: &P, x: &R, degree: i64, formu
     )
 }
 
-/// x·2ᵏ, in two steps where the power of two is itself out of range; none where it overflows.
+/// x·2ᵏ, in two steps if the power of two is itself out of range; `None` if it overflows.
 fn times_power_of_two<R: Special>(x: &R, k: i64) -> Option<R> {
     let power = x.lit(2).powi(k);
     let value = if power.is_finite() && power != x.lit(0) {
@@ -66,7 +66,7 @@ fn times_power_of_two<R: Special>(x: &R, k: i64) -> Option<R> {
     value.is_finite().then_some(value)
 }
 
-/// A length times 2ᵏ; none where it leaves the range.
+/// A length times 2ᵏ; `None` if it leaves the range.
 pub(super) fn length<R: Special>(x: &R, k: i64) -> Option<R> {
     times_power_of_two(x, k).filter(|length| *length != length.lit(0))
 }

@@ -21,7 +21,7 @@ use crate::{Kappa, PowerLaw};
 /// ```
 ///
 /// # Errors
-/// [`Error::Domain`](mdr_core::contact::Error::Domain) for a parameter out of its domain.
+/// [`Error::Domain`](mdr_core::contact::Error::Domain) for a parameter outside its domain.
 pub fn closed_form<R: Struve + Kappa>(shape: Shape<R>) -> Result<Box<dyn Transform<R>>> {
     Ok(match shape {
         Shape::Power { n, c } => Box::new(PowerLaw::new(n, c)?),

@@ -1,4 +1,4 @@
-//! Profiles that are one formula from the tip on: cone, paraboloid, sphere, ellipsoid, hyperboloid.
+//! Profiles with one formula from the tip on: cone, paraboloid, sphere, ellipsoid, hyperboloid.
 
 use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
@@ -127,7 +127,7 @@ impl<R: Special> Ellipsoid<R> {
         self.height.clone() / &self.lateral
     }
 
-    /// artanh(x/A); close to A as ½ ln((A + x)/(A − x)), as x/A would be rounded.
+    /// artanh(x/A); close to A as ½ ln((A + x)/(A − x)), because x/A would be rounded.
     fn artanh(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
         if t > t.ratio(15, 16) {
@@ -137,7 +137,7 @@ impl<R: Special> Ellipsoid<R> {
         }
     }
 
-    /// (A − x)/A · (1 + x/A), which keeps its digits as x → A and stays in range at any A.
+    /// (A − x)/A · (1 + x/A), which is accurate as x → A and in range for any A.
     fn rest(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
         (self.lateral.clone() - x) / &self.lateral * (t.lit(1) + &t)
@@ -152,7 +152,7 @@ impl<R: Special> ClosedForm<R> for Ellipsoid<R> {
         let t = x.clone() / &self.lateral;
         (self.artanh(x) + t / self.rest(x)) * self.aspect()
     }
-    /// ½Ac[t − (1 − t²) artanh t]/x with t = x/A, of which the bracket starts with (2/3)t³: ½c·t·m(t).
+    /// ½Ac[t − (1 − t²) artanh t]/x with t = x/A, whose bracket starts with (2/3)t³: ½c·t·m(t).
     fn mean_at(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
         let moment = super::edge::atanh_moment(&t);
@@ -164,7 +164,7 @@ impl<R: Special> ClosedForm<R> for Ellipsoid<R> {
     fn end(&self) -> Option<&R> {
         Some(&self.lateral)
     }
-    /// g and g' grow without bound: beyond t = 1 − margin g' is not less than there.
+    /// g and g' grow without bound: beyond t = 1 − margin g' is at least its value there.
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
         let (t, sum) = (margin.lit(1) - margin, margin.lit(2) - margin);
         let artanh = (sum.clone() / margin).ln().over(2);
@@ -201,7 +201,7 @@ impl<R: Special> ClosedForm<R> for Hyperboloid<R> {
             if t > t.lit(1) { (t.clone() + t.clone().inv()).inv() } else { t.clone() / (t.lit(1) + t.square()) };
         (t.atan() + rational) * &self.slope
     }
-    /// ½A²[(1 + t²) arctan t − t]/x with t = x/A, of which the bracket starts with (2/3)t³: ½x·m(t).
+    /// ½A²[(1 + t²) arctan t − t]/x with t = x/A, whose bracket starts with (2/3)t³: ½x·m(t).
     fn mean_at(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
         super::edge::atan_moment(&t) * &self.slope * x.clone().over(2)

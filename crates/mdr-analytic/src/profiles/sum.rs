@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use mdr_core::contact::{Error, Kink, Quantity, Result, Slopes, Transform};
 use mdr_core::number::{Special, order};
 
-/// The profile f₁ + f₂ + …, whose g, g' and G are the sums of theirs. It ends where its first term ends.
+/// The profile f₁ + f₂ + …, whose g, g' and G are the sums of those of its terms. It ends where its first term ends.
 pub struct Sum<R> {
     terms: Vec<Box<dyn Transform<R>>>,
 }
@@ -29,11 +29,12 @@ impl<R: Special> Sum<R> {
         }
     }
 
-    /// The sum where a term is out of range: that of the others if they outweigh it, else [`Error::OutOfRange`]. Its log₁₀
-    /// is known where one term outweighs all others, and else infinite: a term out of range does not tell its sign.
+    /// The sum if a term is out of range: that of the others if they outweigh it, else [`Error::OutOfRange`]. Its log₁₀
+    /// is known if one term outweighs all others, and infinite otherwise, because a term out of range has an unknown
+    /// sign.
     #[cold]
     fn beyond(&self, x: &R, quantity: Quantity, part: impl Fn(&dyn Transform<R>) -> Result<R>) -> Result<R> {
-        /// Decimal exponents that a term must be ahead to be all of a sum in double precision.
+        /// The decades by which a term must exceed the others to equal the sum in double precision.
         const AHEAD: f64 = 17.0;
         let mut sum = x.lit(0);
         let (mut most, mut next) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
@@ -48,7 +49,7 @@ impl<R: Special> Sum<R> {
         let log10 = sum.abs().ln().approx() / std::f64::consts::LN_10;
         let ahead = f64::from(x.precision()) * std::f64::consts::LOG10_2;
         if sum.is_finite() && log10 > most + ahead {
-            // What is left out, an enclosure has to account for.
+            // An enclosure must include the omitted terms.
             let rest = (sum.clone() * x.unit_roundoff()).times(self.terms.len() as i64);
             return Ok(sum.inflate(&rest));
         }
@@ -145,7 +146,7 @@ impl<R: Special> Sum<R> {
         edges
     }
 
-    /// The first end of a term.
+    /// The first radius at which a term ends.
     fn end(&self) -> Option<EdgeOf<R>> {
         let ends = self.terms.iter().enumerate().filter_map(|(term, profile)| {
             Some(EdgeOf { radius: profile.outer_radius()?, term, index: profile.kinks().len() })
@@ -154,7 +155,7 @@ impl<R: Special> Sum<R> {
     }
 }
 
-/// What a term contributes at the kink of another one: a kink of its own that is certainly the same, or smooth values.
+/// The contribution of a term at the kink of another one: a kink that certainly coincides, or smooth values.
 fn share<R: Special>(term: &dyn Transform<R>, radius: &R, margin: &R) -> Result<Option<Kink<R>>> {
     let near = radius.clone().inflate(&(margin.clone() * radius));
     let ends = term.outer_radius().filter(|_| !term.wall());

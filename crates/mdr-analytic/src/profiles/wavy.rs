@@ -11,7 +11,7 @@ transform!(Struve: WavyParaboloid);
 
 /// f = r²/2R + A(1 − cos kr), k = 2π/λ: g = x²/R + (π/2)Akx H₀(kx), with the Struve function H₀ (Guduru 2007).
 ///
-/// With A > 0 the body has the crest of a wave on its axis, and touches there first; with A < 0 a trough.
+/// With A > 0 the axis is on the crest of a wave, where contact begins; with A < 0 it is in a trough.
 #[derive(Clone, Debug)]
 pub struct WavyParaboloid<R> {
     paraboloid: Paraboloid<R>,
@@ -64,7 +64,7 @@ impl<R: Struve> ClosedForm<R> for WavyParaboloid<R> {
     fn mean_at(&self, x: &R) -> R {
         let z = self.wavenumber.clone() * x;
         let wave = match small_h1(&z) {
-            // H₁ may be below the range where A H₁ is not.
+            // H₁ may underflow where A H₁ does not.
             Some(quotient) => self.scale() * &z * quotient,
             None => self.scale() * z.struve_h1(),
         };

@@ -1,4 +1,4 @@
-//! H₀ and H₁ with a proof: over intervals, and from them over `rug::Float`.
+//! H₀ and H₁ with proof: over intervals, and from them over `rug::Float`.
 
 use std::cmp::Ordering;
 
@@ -24,8 +24,8 @@ impl Struve for Interval {
     }
 }
 
-/// The values at the middle, widened by the largest slope times the distance to the ends, and what the envelope leaves of
-/// them. Over a wave and more the envelope alone.
+/// The values at the midpoint, widened by the largest slope times the distance to the ends and intersected with the
+/// envelope. Over a full wave and more the envelope alone.
 fn spread<const N: usize>(z: &Interval, orders: [i64; N]) -> [Interval; N] {
     if !z.is_finite() || *z.lower() < 0 {
         return orders.map(|_| Interval::entire(z.ctx()));
@@ -56,7 +56,7 @@ fn slope(z: &Interval, order: i64) -> Interval {
     if near_zero.upper() < half.upper() { near_zero } else { half }
 }
 
-/// What H is at all arguments from z on.
+/// An enclosure of H at all arguments from z on.
 ///
 /// |Y_ν| ≤ √(J_ν² + Y_ν²), of which the square is at most 2/πz for ν = 0 and (2/πz)(1 + 3/8z²) for ν = 1 (Watson 1944,
 /// §13.74 and §13.75). H₀ − Y₀ lies between 0 and 2/πz, H₁ − Y₁ between 2/π and (2/π)(1 + 1/z²) (DLMF 11.6.1).
@@ -74,7 +74,7 @@ fn envelope(z: &Interval, order: i64) -> Interval {
 
 /// H at an exactly known point.
 fn at_point<const N: usize>(z: &Interval, orders: [i64; N]) -> [Interval; N] {
-    // Beyond the range of doubles the size is infinite, and far.
+    // Above the range of doubles the argument is infinite here, which counts as large.
     if z.mid().to_f64() > 0.7 * f64::from(z.precision()) + 10.0 {
         let decaying = decaying(z);
         orders.map(|order| bessel(z, order) + &decaying[order as usize])
@@ -89,11 +89,11 @@ const GUARD: u32 = 40;
 
 /// H₀ = (2/π) z Σ (−1)ᵏ uₖ and H₁ = (2/π) z² Σ (−1)ᵏ uₖ/(2k+3), u₀ = 1 and uₖ₊₁ = uₖ z²/(2k+3)², in fixed point of w bits.
 ///
-/// The terms grow to e^z while the sums stay of order one. Each step rounds down by less than one unit, in z² and in the
-/// quotient, and what it loses grows by no more than the terms do from there: by a factor U at most, the largest of them and 1.
-/// So the error of uₖ is at most (2k+1)U units, that of K terms (K+1)²U, and a unit each for the quotients of H₁. U < 2(M+1),
-/// where M is the largest term as it was computed, as K is far below 2ʷ. From where they are below a unit the terms fall, as
-/// do those that are left out.
+/// The terms grow to e^z while the sums stay of order one. Each step rounds down by less than one unit, in z² and in
+/// the quotient, and this loss grows at most as the terms do from there: by at most a factor U, the largest of 1 and the
+/// terms. So the error of uₖ is at most (2k+1)U units, that of K terms (K+1)²U, with one unit each for the quotients of
+/// H₁. U < 2(M+1), where M is the largest computed term, as K is far below 2ʷ. Once the terms are below a unit they
+/// decrease, and so do the omitted ones.
 fn near(z: &Interval) -> [Interval; 2] {
     let bits = z.precision();
     // U < 2^1.45z, as the argument is below 0.7 p + 10.
@@ -123,11 +123,11 @@ fn near(z: &Interval) -> [Interval; 2] {
     [outwards(&(zero * &share), bits), outwards(&(one * share * wide), bits)]
 }
 
-/// H_ν − Y_ν by the asymptotic series, of which what is left out is below the first term left out: (2/π) Σ cₖ/z for ν = 0,
-/// with c₀ = 1 and cₖ₊₁ = −cₖ (2k+1)²/z², and (2/π)(1 − Σ cₖ/(2k−1)) from k = 1 on for ν = 1; in fixed point.
+/// H_ν − Y_ν by the asymptotic series, whose remainder is below the first omitted term: (2/π) Σ cₖ/z for ν = 0, with c₀
+/// = 1 and cₖ₊₁ = −cₖ (2k+1)²/z², and (2/π)(1 − Σ cₖ/(2k−1)) from k = 1 on for ν = 1; in fixed point.
 ///
-/// While 2k + 1 < z the terms fall, and no (2k+1)² cₖ is larger than one. So a step adds to the error of a term less than two
-/// units for that of 1/z² and one for its own rounding, and K terms have less than 3(K+1)² units in all.
+/// While 2k + 1 < z the terms decrease, and no (2k+1)² cₖ exceeds one. So a step adds to the error of a term less than
+/// two units for that of 1/z² and one for its own rounding, and K terms have less than 3(K+1)² units in all.
 fn decaying(z: &Interval) -> [Interval; 2] {
     let (bits, x) = (z.precision(), z.lower());
     let unit = bits + GUARD;
@@ -145,7 +145,7 @@ fn decaying(z: &Interval) -> [Interval; 2] {
         add(&mut sums[0], k.is_multiple_of(2), &term);
         add(&mut sums[1], !k.is_multiple_of(2), &Integer::from(&term / (2 * k - 1)));
     }
-    // The last term that was taken is larger than the first that was not.
+    // The last term included is larger than the first one omitted.
     let error = Integer::from(k + 2).square() * 4u32 + term;
     let [zero, one] = sums.map(|sum| enclosed(&sum, &error, unit, unit));
     let wide = promoted(z, unit);
@@ -173,7 +173,7 @@ fn fixed(x: Float, unit: u32) -> Integer {
     (x << unit).to_integer_round(Round::Down).map_or_else(Integer::new, |(units, _)| units)
 }
 
-/// A sum in units of 2^−unit with an error of so many of them.
+/// A sum in units of 2^−unit with an error in the same units.
 fn enclosed(sum: &Integer, error: &Integer, unit: u32, bits: u32) -> Interval {
     let end = |units: Integer, round| Float::with_val_round(bits, units, round).0 >> unit;
     Interval::new(end(Integer::from(sum - error), Round::Down), end(Integer::from(sum + error), Round::Up))
@@ -204,7 +204,7 @@ impl Struve for Float {
     }
 }
 
-/// The middles of enclosures that are some bits finer than the result.
+/// The midpoints of enclosures that are a few bits finer than the result.
 fn rounded<const N: usize>(z: &Float, orders: [i64; N]) -> [Float; N] {
     let fine = Interval::point(Float::with_val(z.prec() + 16, z));
     spread(&fine, orders).map(|value| Float::with_val(z.prec(), value.mid()))

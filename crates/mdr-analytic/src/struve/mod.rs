@@ -1,8 +1,8 @@
-//! The Struve functions H₀ and H₁, which the MDR makes of a cosine.
+//! The Struve functions H₀ and H₁, which the MDR transform of a cosine contains.
 //!
 //! * Small z: H₀ = (2/π) Σ (−1)ᵏ z^{2k+1}/((2k+1)!!)² and H₁ = (2/π) Σ (−1)ᵏ z^{2k+2}/((2k+1)!!² (2k+3)) (DLMF 11.2.1);
-//!   from k with 2k + 1 ≥ z on the terms fall and alternate, so what is left out is below the first term left out.
-//! * Large z: H_ν − Y_ν is the divergent series of DLMF 11.6.1, whose remainder is below the first term left out.
+//!   from k with 2k + 1 ≥ z on the terms decrease and alternate, so the remainder is below the first omitted term.
+//! * Large z: H_ν − Y_ν is the divergent series of DLMF 11.6.1, whose remainder is below the first omitted term.
 //!
 //! Accuracy: `f64` a few units of 10⁻¹⁶ absolute (both functions are of order one, and H₀ has zeros); `rug::Float` to
 //! working precision in the same sense; an `Interval` is rigorous for every argument z ≥ 0.
@@ -26,13 +26,13 @@ pub trait Struve: Special {
     fn struve_h0(&self) -> Self;
     /// H₁(self). H₁' = H₀ − H₁/z.
     fn struve_h1(&self) -> Self;
-    /// Both, for little more than one of them where they come of one series.
+    /// Both, at little more than the cost of one if they come from one series.
     fn struve(&self) -> [Self; 2] {
         [self.struve_h0(), self.struve_h1()]
     }
 }
 
-/// (π/2) times the power series of H₀ (`order` 0) or H₁ (`order` 1), summed until its terms no longer count.
+/// (π/2) times the power series of H₀ (`order` 0) or H₁ (`order` 1), summed until its terms are negligible.
 ///
 /// The terms are as large as e^z/z: the caller provides the bits that cancel.
 fn power_series<R: Real>(z: &R, order: i64) -> R {
@@ -44,7 +44,7 @@ fn power_series<R: Real>(z: &R, order: i64) -> R {
         k += 1;
         term *= &square;
         term = term.over((2 * k + 1) * (2 * k + 1 + 2 * order));
-        // Once the terms fall, they fall for good; the first one left out bounds the rest.
+        // Once the terms decrease they keep decreasing; the first omitted one bounds the remainder.
         let falling = !(z.steer() > z.lit(2 * k + 1));
         if falling && !(term.abs().steer() > sum.abs().steer() * z.unit_roundoff()) {
             return sum.inflate(&term);
@@ -53,8 +53,8 @@ fn power_series<R: Real>(z: &R, order: i64) -> R {
     }
 }
 
-/// H₁(z)/z = (2/π) Σ (−1)ᵏ z^{2k+1}/((2k+1)!!² (2k+3)) where z < 2⁻²⁰, so that it is in range where H₁ may not be; None
-/// for other z. What is left out is below the first term left out, and so are the derivatives.
+/// H₁(z)/z = (2/π) Σ (−1)ᵏ z^{2k+1}/((2k+1)!!² (2k+3)) for z < 2⁻²⁰, in range where H₁ may underflow; `None` for other
+/// z. The remainder is below the first omitted term, and so are its derivatives.
 pub(crate) fn small_h1<R: Real>(z: &R) -> Option<R> {
     if !(*z < z.lit(2).powi(-20)) {
         return None;
@@ -74,7 +74,7 @@ pub(crate) fn small_h1<R: Real>(z: &R) -> Option<R> {
     }
 }
 
-/// Where the tables of the large-argument part begin.
+/// The argument from which on the tables apply.
 const FAR: f64 = 3.0;
 
 impl Struve for f64 {

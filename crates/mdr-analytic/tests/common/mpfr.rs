@@ -1,4 +1,4 @@
-//! κ_n and errors over MPFR, in the precision of what is given.
+//! κ_n and errors over MPFR, in the precision of the arguments.
 
 use rug::Float;
 use rug::float::Constant;

@@ -1,4 +1,4 @@
-//! The answers of the kernel and their errors.
+//! The results of the kernel and their errors.
 
 use mdr_analytic::double::grid::{Materials, Path, Points, States, Tally, critical_states_on};
 use mdr_analytic::{Contact, Kappa, PowerLaw};
@@ -55,7 +55,7 @@ pub(crate) fn ulps(value: f64, truth: &Wide<2>) -> f64 {
     if size == 0.0 {
         return value.abs() / f64::MIN_POSITIVE;
     }
-    // By the exponent of the truth, not of a value rounded up to a power of two.
+    // By the exponent of the true value, not of a value rounded up to a power of two.
     let ulp = if Wide::from(size) > truth.abs() { size - size.next_down() } else { size.next_up() - size };
     (Wide::from(value) - truth).approx().abs() / ulp
 }

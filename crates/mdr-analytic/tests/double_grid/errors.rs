@@ -21,7 +21,7 @@ fn measure(count: usize) {
             let (errors, tally) = worst(&loaded(&laboratory, control), path, control);
             assert_eq!(tally, Tally::default(), "laboratory values take the fast path");
             let (extremes, tally) = worst(&loaded(&domain, control), path, control);
-            // The rounding of C moves a near n = 1/2.
+            // The rounding of C changes a near n = 1/2.
             assert!(tally.passed_on < domain.len() / 20, "{} of {}", tally.passed_on, domain.len());
             all = [0, 1, 2, 3].map(|q| all[q].max(errors[q]).max(extremes[q]));
         }
@@ -78,12 +78,12 @@ fn check_moments(points: &[Point], preference: f64, square: f64) {
     }
 }
 
-/// Roundings have no preference, so the mean of many errors shows what is far below the bound of one: a constant without
-/// its second part, or a coefficient with a wrong last digit. The fit of X may prefer a side by 0.03 u; the mean of
-/// 3000 roundings, each of 0.35 ulp or less in the mean square, strays by more than 0.03 ulp once in a million.
+/// Roundings are unbiased, so the mean of many errors detects errors far below the bound of one: a constant without its
+/// second part, or a coefficient with a wrong last digit. The fit of X may be biased by 0.03 u; the mean of 3000
+/// roundings, each of 0.35 ulp or less in the mean square, exceeds 0.03 ulp once in a million.
 ///
-/// From n = 1 on, the last rounding is all there is to a, d and F: 1/12 ulp² in the mean, and of 3000 with a deviation of
-/// √(1/180/3000), of which five are allowed.
+/// From n = 1 on, a, d and F have the error of the last rounding only: 1/12 ulp² in the mean, and for 3000 of them a
+/// deviation of √(1/180/3000), of which five are allowed.
 #[test]
 fn errors_have_no_preference() {
     let mut draw = Draw::new(3);
@@ -95,8 +95,8 @@ fn errors_have_no_preference() {
     }
 }
 
-/// At |ln a| near 200 constants weigh most: 1/3 where s is large beside t and always of one sign, and else ln 2. Near n = 1/2 the fit of X may
-/// prefer a side by 0.2 u in ln a, which is 0.3 u in F.
+/// At |ln a| near 200 constants contribute most: 1/3 if s is large relative to t and always of one sign, and otherwise
+/// ln 2. Near n = 1/2 the fit of X may be biased by 0.2 u in ln a, which is 0.3 u in F.
 #[test]
 fn constants_of_the_logarithm_have_no_preference() {
     let mut draw = Draw::new(7);

@@ -17,7 +17,7 @@ fn ladder_towards_one_half() {
     }
     for path in Path::available() {
         for control in &CONTROLS {
-            // The rounding of C moves a, for the largest k out of range.
+            // The rounding of C changes a, for the largest k out of range.
             let points = representable(loaded(&points, control), control);
             assert!(points.len() > 250, "{}", points.len());
             let (_, tally) = worst(&points, path, control);
@@ -54,7 +54,7 @@ fn edges() -> Vec<Point> {
     points
 }
 
-/// Whether the kernel answers a point of this radius by itself.
+/// Whether the kernel computes a point of this radius itself.
 fn ordinary(p: &Point, radius: f64) -> bool {
     (two(-30)..=512.0).contains(&p.n)
         && (2.0 * p.n - 1.0).abs() >= two(-36)

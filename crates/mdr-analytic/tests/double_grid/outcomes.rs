@@ -1,4 +1,4 @@
-//! What is passed on, exact results, and what an answer does not depend on.
+//! Points that are passed on, exact results, and independence of position and instruction set.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Status};
 use crate::answers::{Answers, answers};
 use crate::points::{CONTROLS, Draw, Point, columns};
 
-/// What the kernel cannot promise: the scalar answer, or its status and no value.
+/// Points outside the guarantee of the kernel: the scalar result, or its status and no value.
 #[test]
 fn every_other_point_is_the_scalar_answer() {
     let special =
@@ -83,7 +83,7 @@ fn exact_results_are_exact() {
     }
 }
 
-/// A point's answer depends neither on its place, nor on how its material was given, nor on the vectors' width.
+/// The result of a point is independent of its position, of the form of its material, and of the vector width.
 #[test]
 fn place_material_and_width_do_not_matter() {
     let mut draw = Draw::new(5);

@@ -1,4 +1,4 @@
-//! Points to ask for, and points drawn at random.
+//! Given points and random points.
 
 use mdr_analytic::{Critical, double};
 use mdr_core::contact::{Control, Material, Ranged};

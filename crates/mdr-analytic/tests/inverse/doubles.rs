@@ -92,8 +92,8 @@ proptest! {
     }
 }
 
-/// Near n = 1/2 the fold of an ordinary contact is beyond all range, and the equilibria at ordinary values are not: at a(1 ± 2u)
-/// the residual has its two signs.
+/// Near n = 1/2 the fold of an ordinary contact is far out of range, and the equilibria at ordinary values are not: at
+/// a(1 ± 2u) the residual has opposite signs.
 #[test]
 fn ordinary_equilibria_far_from_a_fold_out_of_range() {
     let mut answered = 0;

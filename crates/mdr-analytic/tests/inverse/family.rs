@@ -1,4 +1,4 @@
-//! The generic functions in every arithmetic, and what the family and physics demand of them.
+//! The generic functions in every arithmetic, and identities of the family and of physics.
 
 use mdr_analytic::{Contact, Equilibria, PowerLaw, double};
 use mdr_core::contact::{Control, Equilibrium, Material, Ranged, Stability};
@@ -34,7 +34,7 @@ proptest! {
             let state = &enclosed.as_slice()[i];
             prop_assert!(state.contact_radius.contains(&a) && state.force.contains(&Float::with_val(200, &force)) | by_force);
             prop_assert!(state.contact_radius.accuracy_bits() > 160, "{}", state.contact_radius.accuracy_bits());
-            // Terms over slope: what a relative rounding of a term does to ln a.
+            // Terms over slope: the effect of a relative rounding of a term on ln a.
             let [g, elongation, _] = truth.terms(ln_a);
             let terms = (g + elongation) * if by_force { a.clone() * 2u32 * scene.e } else { float(1.0) };
             let condition = (terms / truth.slope(ln_a)).abs().to_f64() + 1.0;
@@ -64,7 +64,7 @@ proptest! {
         for state in states {
             prop_assert_eq!(slope(state) > 0.0, state.stability == Stability::Stable);
         }
-        // Under a dead load the energy of the load counts, too.
+        // Under a dead load the energy of the load is included.
         let energy = |state: &Equilibrium<f64>| {
             let elastic = contact.energy(&state.contact_radius, &state.indentation).unwrap();
             if by_force { elastic - value * state.indentation } else { elastic }
@@ -99,7 +99,7 @@ proptest! {
             let Ranged::Value(a) = state.contact_radius else { panic!("in range") };
             prop_assert!(ulps(a, &truth) <= 1.0);
         }
-        // In plain f64 the radius is as good as that of the fold: κ, powers and |ln a| of roundings.
+        // In plain f64 the radius is as accurate as that of the fold: κ, powers and |ln a| of roundings.
         let plain = wide.contact::<f64>(()).equilibria_at_distance(&control, &distance).unwrap();
         for (state, sign) in plain.as_slice().iter().zip([-1, 1]) {
             let truth = Float::with_val(BITS, float(distance).sqrt() * sign + 1u32).pow(power) * &fold;
@@ -124,7 +124,7 @@ proptest! {
             prop_assert_eq!(state.stability, if factor > 1.0 { Stability::Stable } else { Stability::Unstable });
             let a = &state.contact_radius;
             let (d, f) = (contact.indentation(a).unwrap(), contact.force(a).unwrap());
-            // The difference ρ − 1 or ρ/3 − 1 has lost a part of its digits.
+            // The difference ρ − 1 or ρ/3 − 1 has lost some of its digits.
             let allowed = 200.0 * f64::EPSILON / (factor - 1.0).abs();
             // d vanishes at ρ = 1 and F at ρ = 3: both on the scale of their terms.
             let terms = contact.detachment_elongation(a).unwrap() * (1.0 + factor * 3.0);

@@ -1,4 +1,4 @@
-//! At the fold, beyond it, out of range, and what is refused.
+//! At the fold, beyond it, out of range, and rejected inputs.
 
 use mdr_analytic::{Contact, Equilibria, PowerLaw, double};
 use mdr_core::contact::{Control, Error, Material, Ranged, Stability};
@@ -42,7 +42,7 @@ fn what_is_refused() {
     assert!(matches!(scale_free, Err(Error::Domain { .. })));
 }
 
-/// A ready contact answers as a fresh one, and radii beyond the range of f64 come with their logarithm.
+/// A prepared contact gives the same results as a new one, and radii out of the range of f64 come with their logarithm.
 #[test]
 fn out_of_range() {
     let unit = Material::new(1.0, 1.0).unwrap();

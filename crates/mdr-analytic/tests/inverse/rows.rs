@@ -9,7 +9,7 @@ use rug::Float;
 use crate::bisection::{Scene, Truth};
 use crate::common::mpfr::ulps;
 
-/// The answers of [`double::Inverse::branches`]: a and d or F of the smaller and of the larger equilibrium.
+/// The results of [`double::Inverse::branches`]: a and d or F of the smaller and of the larger equilibrium.
 pub(crate) struct Many {
     sides: [[Vec<f64>; 2]; 2],
     status: Vec<Status>,
@@ -37,7 +37,7 @@ impl Many {
     }
 }
 
-/// Answer i of many against bisection: every value within an ulp, and the others NaN.
+/// Result i of many against bisection: every value within an ulp, and the others NaN.
 #[track_caller]
 pub(crate) fn check_many(many: &Many, i: usize, truth: &Truth, value: f64, radii: &[Float]) {
     let by_force = truth.scene.by_force;
@@ -81,7 +81,7 @@ fn values(at_fold: f64, count: usize) -> Vec<f64> {
     near.chain(towards_zero).chain(far).chain([0.0, 1.0 + 1e-7, 2.0, 1e6]).map(|z| at_fold * z).collect()
 }
 
-/// Rows of values against bisection, most of them without help of extended precision: far from n = 1/2 all of them.
+/// Rows of values against bisection, most of them without extended precision: all of them far from n = 1/2.
 #[test]
 fn many_values_of_one_contact() {
     let ordinary = [0.1, 0.25, 0.3, 0.45, 0.75, 1.0, 1.7, 2.0, 4.0].map(|n| (n, 0));
@@ -103,7 +103,7 @@ fn many_values_of_one_contact() {
     }
 }
 
-/// A value's answer depends neither on its place nor on the width of the vectors.
+/// The result at a value is independent of its position and of the vector width.
 #[test]
 fn place_and_width_do_not_matter() {
     for (n, by_force) in [(0.3, false), (1.05, true), (2.0, false)] {
@@ -117,7 +117,7 @@ fn place_and_width_do_not_matter() {
                 let part = Many::of(&inverse, &values[start..]);
                 assert!((start..values.len()).all(|i| bits(&part, i - start) == bits(&whole, i)), "{start} by {path}");
             }
-            // One by one, with the same constants now that they have been needed.
+            // One by one, with the same constants, which have been computed by now.
             for (i, &value) in values.iter().enumerate() {
                 let found = inverse.equilibria(value).unwrap();
                 for (state, side) in found.as_slice().iter().rev().zip(whole.sides.iter().rev()) {
@@ -151,11 +151,11 @@ fn what_many_values_may_be() {
     assert_eq!([many.at(0)[0], many.at(0)[2]], [std::f64::consts::FRAC_2_PI; 2]);
     assert_eq!(many.at(0)[1], many.at(0)[3]);
     assert!((1..4).all(|i| many.at(i).iter().all(|x| x.is_nan())));
-    // F is beyond the range and a is not; of the smaller one a is below it, of the larger one both are values.
+    // F is out of range and a is not; for the smaller state a underflows, for the larger one both are values.
     assert!(many.at(4)[2] > 1e307 && many.at(4)[3].is_nan());
     assert!(many.at(5)[0].is_nan() && many.at(5)[2] > 0.1 && many.at(5)[3] < 0.0);
     assert_eq!(many.tally, Tally { passed_on: 5, without_value: 5 });
-    // n = 1/2 has at most one equilibrium, which is called the larger.
+    // n = 1/2 has at most one equilibrium, which counts as the larger.
     let threshold = mdr_analytic::threshold(&unit, &Control::Indentation).unwrap();
     let above = double::Inverse::new(0.5, 2.0 * threshold, &unit, &Control::Indentation).unwrap();
     let many = Many::of(&above, &[-1.0, 1.0]);

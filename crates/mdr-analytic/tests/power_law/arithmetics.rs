@@ -57,7 +57,7 @@ fn doubles_agree_with_many_bits() {
         let doubles = everything::<f64>((), inputs);
         let sharp = everything::<Float>(Precision::new(200), inputs);
         for (double, value) in doubles.iter().zip(&sharp) {
-            // |2n−1| ≥ 0.2 and |ln a| < 80: see `bound`. Rounding n itself costs as much again.
+            // |2n−1| ≥ 0.2 and |ln a| < 80: see `bound`. Rounding n itself contributes as much again.
             assert_relative_eq!(*double, value.to_f64(), max_relative = 600.0 * f64::EPSILON);
         }
     }
@@ -113,8 +113,8 @@ fn extreme_machines_tend_to_the_limits() {
 
 #[test]
 fn merging_folds_are_told_apart_or_undecided() {
-    // n = 0.6, E* = w = k = 1: φ at its maximum vanishes for one C. Between one fold and three an interval either
-    // knows or says so.
+    // n = 0.6, E* = w = k = 1: the maximum of φ vanishes for one C. Between one fold and three an interval gives the
+    // correct number or is undecided.
     let mut counts = Vec::new();
     for c in ["2.3", "2.4", "2.4829", "2.6", "2.9"] {
         let one = Interval::from_int(Precision::new(100), 1);

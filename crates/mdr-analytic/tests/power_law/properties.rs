@@ -13,8 +13,8 @@ fn machine(stiffness: f64) -> Control<f64> {
     Control::machine(stiffness).unwrap()
 }
 
-/// A relative bound for quantities that need ln(B/N²)/(2n−1): the logarithm is wrong by a few units of 2⁻⁵³ from its
-/// argument, 2n−1 divides that, and the quotient, as an exponent, contributes its own size.
+/// A relative bound for quantities that need ln(B/N²)/(2n−1): the error of the logarithm is a few units of 2⁻⁵³ from
+/// its argument, 2n−1 divides that, and the quotient, as an exponent, contributes its own magnitude.
 fn bound(contact: &Contact<f64>, a: f64) -> f64 {
     let excess = (2.0 * contact.profile().exponent() - 1.0).abs();
     f64::EPSILON * (10.0 + 10.0 / excess + 3.0 * a.ln().abs())
@@ -128,7 +128,7 @@ proptest! {
         let Critical { contact_radius: a, indentation: d, .. } = critical.unwrap();
         let adhesion = PI * a * a * contact.material().work_of_adhesion();
         let lost = contact.energy_lost_at_pull_off().unwrap();
-        // Π = E*∫(d−g)² − πa²w loses what cancels; the first term is at most a few times the second.
+        // Π = E*∫(d−g)² − πa²w cancels in part; the first term is at most a few times the second.
         let tolerance = 40.0 * bound(&contact, a) * adhesion;
         prop_assert!((contact.energy(&a, &d).unwrap() - lost).abs() <= tolerance);
         let a = contact.radius_at_zero_indentation().unwrap();

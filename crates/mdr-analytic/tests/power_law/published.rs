@@ -1,4 +1,4 @@
-//! Published values, and what is refused.
+//! Published values, and rejected inputs.
 
 use std::f64::consts::PI;
 
@@ -130,7 +130,7 @@ fn refusals() {
     assert!(sharp.indentation(&-1.0).is_err() && sharp.force(&f64::NAN).is_err());
     assert!(universal_indentation(&0.5, &1.0).is_err());
     assert!(sharp.machine_folds(&0.0).is_err());
-    // log10 of a result that f64 cannot hold: ln(B/N²)/(2n−1) with 2n−1 = 2⁻⁹.
+    // log10 of a result out of the range of f64: ln(B/N²)/(2n−1) with 2n−1 = 2⁻⁹.
     let near = contact(0.5 + 2f64.powi(-10), 1e-3, 1.0, 1.0);
     match near.critical(&Control::Indentation) {
         Err(Error::OutOfRange { log10, .. }) => assert!(log10 > 1000.0, "{log10}"),

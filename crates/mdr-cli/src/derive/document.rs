@@ -1,7 +1,7 @@
 //! What text, Markdown and LaTeX have in common.
 
-use mdr_crosscheck::derivations::{Fate, Judgement, Mutants, StepJudgement, is_number};
-use mdr_symbolic::derivations::Claim;
+use mdr_crosscheck::derivations::{AGREEMENT, Fate, Judgement, Mutants, StepJudgement};
+use mdr_symbolic::derivations::{Theorem, Verdict};
 use mdr_symbolic::{Decision, Domain};
 
 /// The heading of an entry: an equation by its number in brackets.
@@ -15,7 +15,7 @@ pub(super) fn heading(judgement: &Judgement) -> String {
 
 /// The verdict on an entry as one word.
 pub(super) fn verdict(judgement: &Judgement) -> &'static str {
-    if judgement.holds() { judgement.entry.verdict.word() } else { "FAILED" }
+    if judgement.holds() { judgement.entry.verdict().word() } else { "FAILED" }
 }
 
 /// The verdict on a step: one word, and why where it failed.
@@ -24,27 +24,43 @@ pub(super) fn step_verdict(step: &StepJudgement) -> String {
     match &step.failure {
         Some(failure) => format!("FAILED: {failure}"),
         None if !survivors.is_empty() => format!("FAILED: this is not refuted either: {}", survivors.join("; ")),
-        None => step.step.claim.word().to_owned(),
+        None => step.step.verdict().word().to_owned(),
     }
 }
 
 /// Where a step holds: its domains and, for a step at one point, the values there.
 pub(super) fn place(step: &StepJudgement) -> String {
+    let bits = if step.step.verdict() == Verdict::Agrees { format!(" to {AGREEMENT} bits") } else { String::new() };
     if !step.step.point.is_empty() {
         let values: Vec<_> = step.step.point.iter().map(|(name, value)| format!("{} = {value}", shown(name))).collect();
-        return format!("at {}", values.join(", "));
+        return format!("at {}{bits}", values.join(", "));
     }
     let domains: Vec<_> = step.step.domains.iter().copied().map(Domain::text).collect();
-    match step.step.claim {
-        Claim::Cited => String::new(),
-        Claim::Enclosed if matches!(step.step.statement(), Ok(Some(statement)) if is_number(&statement)) => {
-            "in numbers".to_owned()
-        }
-        Claim::Enclosed => {
+    match step.step.verdict() {
+        Verdict::Cited => String::new(),
+        Verdict::Enclosed | Verdict::Agrees => format!("in numbers{bits}"),
+        Verdict::Sampled => {
             format!("for {}, certain at {} of {} points", domains.join(" and "), step.certain, step.points)
         }
         _ => format!("for {}", domains.join(" and ")),
     }
+}
+
+/// The theorems of an entry, each as `name (file): what it says`.
+pub(super) fn theorems(judgement: &Judgement, write: impl Fn(&Theorem) -> String) -> Vec<String> {
+    judgement.entry.theorems().map(|theorem| write(&theorem)).collect()
+}
+
+/// What holds for the symbols of every statement of an entry.
+pub(super) fn hypotheses(judgement: &Judgement) -> String {
+    let names = |statement: &'static str| statement.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\''));
+    let mut used = judgement.steps.iter().filter_map(|step| step.step.statement).flat_map(names);
+    let profile = if used.any(|name| ["g", "g'", "G", "Q", "d_g", "F_g"].contains(&name)) {
+        "; g is continuous at a, differentiable where its slope occurs, and a is no kink and no vertical edge"
+    } else {
+        ""
+    };
+    format!("every symbol is a positive real number{profile}")
 }
 
 /// The modulus has its star.
@@ -63,16 +79,17 @@ pub(super) fn witness(step: &StepJudgement) -> Option<mdr_symbolic::Witness> {
 /// Counts of everything, as one sentence.
 pub(super) fn summary(judgements: &[Judgement]) -> String {
     let steps = || judgements.iter().flat_map(|judgement| &judgement.steps);
-    let claims = [Claim::Proved, Claim::Enclosed, Claim::Refuted, Claim::Cited];
-    let count = |claim| steps().filter(|step| step.step.claim == claim && step.holds()).count();
-    let counts: Vec<_> = claims.map(|claim| format!("{} {}", count(claim), claim.word())).into();
+    let count = |verdict| steps().filter(|step| step.step.verdict() == verdict && step.holds()).count();
+    let counts = Verdict::ALL.into_iter().filter(|verdict| count(*verdict) > 0);
+    let counts: Vec<_> = counts.map(|verdict| format!("{} {}", count(verdict), verdict.word())).collect();
     let failed = steps().filter(|step| !step.holds()).count();
     let failed = if failed == 0 { String::new() } else { format!(", {failed} FAILED") };
     let mutants: Mutants = judgements.iter().map(Judgement::mutants).sum();
     let fates = fates(&mutants, |fate| mutants.count(fate) > 0 || fate == Fate::Undecided);
     format!(
-        "{} entries, {} steps: {}{failed}. {} distinct mutants: {fates}.",
+        "{} entries, {} with theorems of Coq; {} steps: {}{failed}. {} distinct mutants: {fates}.",
         judgements.len(),
+        judgements.iter().filter(|judgement| judgement.entry.theorems().next().is_some()).count(),
         steps().count(),
         counts.join(", "),
         mutants.len()
@@ -97,8 +114,7 @@ pub(super) fn mutants(mutants: &Mutants) -> String {
 
 /// How many steps of each kind, briefly.
 pub(super) fn tally(judgement: &Judgement) -> String {
-    let claims = [Claim::Proved, Claim::Enclosed, Claim::Refuted, Claim::Cited];
-    let count = |claim| judgement.steps.iter().filter(|step| step.step.claim == claim).count();
-    let counts = claims.into_iter().filter(|claim| count(*claim) > 0);
-    counts.map(|claim| format!("{} {}", count(claim), claim.word())).collect::<Vec<_>>().join(", ")
+    let count = |verdict| judgement.steps.iter().filter(|step| step.step.verdict() == verdict).count();
+    let counts = Verdict::ALL.into_iter().filter(|verdict| count(*verdict) > 0);
+    counts.map(|verdict| format!("{} {}", count(verdict), verdict.word())).collect::<Vec<_>>().join(", ")
 }

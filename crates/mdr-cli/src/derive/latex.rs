@@ -44,6 +44,12 @@ fn entry(judgement: &Judgement) -> String {
     let assumptions: Vec<_> = entry.assumptions.iter().map(|text| words(text)).collect();
     let verdict = document::verdict(judgement);
     parts.push(format!(r"Verdict: \textbf{{{verdict}}}. Assumes: {}.", assumptions.join("; ")));
+    let theorems = document::theorems(judgement, |theorem| {
+        format!(r"\texttt{{{}}} ({}): {}", escaped(theorem.name), escaped(theorem.file), words(theorem.says))
+    });
+    if !theorems.is_empty() {
+        parts.push(format!("Theorems, checked by Coq: {}.", theorems.join("; ")));
+    }
     parts.push(r"\begin{enumerate}".to_owned());
     parts.extend(judgement.steps.iter().map(|one| format!("\\item {}", step(one))));
     parts.push(r"\end{enumerate}".to_owned());

@@ -32,15 +32,19 @@ The sentence of a step is the argument, its formula is what is checked. Each ste
 * **proved**: both sides have the same normal form in an exact algebra of sums of powers whose coefficients and exponents \
 are rational functions of $`n`$ (crate `mdr-symbolic`, whose documentation tells what that proves and why); an inequality is \
 proved when all coefficients of the difference have one sign on the whole domain;
-* **enclosed**: rigorous intervals at {POINTS} random rational points contradict the statement at none and confirm it at as \
-many as are told, an equality to {AGREEMENT} bits or more; elsewhere the enclosure is too wide to tell. Nothing is claimed beyond \
-these points. Every octave of $`n`$ from $`2^{{{lowest}}}`$ to $`2^{{{highest}}}`$ has an equal chance (for $`n`$ > 1/2 every \
-octave of $`n - \\frac12`$; for $`n`$ &lt; 1/2 every octave of $`n`$ or of $`\\frac12 - n`$), and the symbols lie between 0.1 and \
-10, an angle below π/2. An integral is summed by the midpoint rule with its error; beside an end it is that of the power of the \
-distance with which the integrand goes there, times an enclosed factor. Used where an integral, a special function or a number \
-occurs;
+* **enclosed**: an inequality of two numbers, or at one point, that rigorous intervals prove; **agrees**: an equality there, of \
+which the two sides overlap and are known to {AGREEMENT} bits or more: no more than that is known of it;
+* **sampled**: rigorous intervals at {POINTS} random rational points contradict the statement at none and confirm it at as \
+many as are counted, an equality to {AGREEMENT} bits or more; elsewhere the enclosure is too wide. This is no proof. Every octave of \
+$`n`$ from $`2^{{{lowest}}}`$ to $`2^{{{highest}}}`$ has an equal chance (for $`n`$ > 1/2 every octave of $`n - \\frac12`$; for \
+$`n`$ &lt; 1/2 every octave of $`n`$ or of $`\\frac12 - n`$), and the symbols lie between 0.1 and 10, an angle below π/2. An \
+integral is summed by the midpoint rule with its error; beside an end it is that of the power of the distance with which the \
+integrand goes there, times an enclosed factor;
 * **refuted**: the normal forms differ, and intervals show it at a point;
 * **cited**: taken from the literature.
+
+An entry is a **theorem** where Coq's kernel has checked its claim, by the theorems that it names ([proofs](proofs/README.md)); it is \
+**refuted** where the equation as printed is; else its verdict is that of its weakest step.
 
 What is proved or enclosed is also mutated. An equality has one sign, exponent or factor changed at a time, an inequality its \
 sense; a dimension gets one length too many. No mutant may hold. Each is refuted by normal forms or by an enclosure at one of \
@@ -128,6 +132,14 @@ fn entry(judgement: &Judgement, level: &str) -> String {
     if !entry.assumptions.is_empty() {
         let assumptions: Vec<_> = entry.assumptions.iter().map(|text| words(text)).collect();
         section += &format!(" Assumes: {}.", assumptions.join("; "));
+    }
+    section += &format!(" Where {}.", document::hypotheses(judgement));
+    let theorems = document::theorems(judgement, |theorem| {
+        let (name, file) = (theorem.name, theorem.file);
+        format!("* [`{name}`](proofs/{file}): {}", escaped(theorem.says))
+    });
+    if !theorems.is_empty() {
+        section += &format!("\n\nTheorems, checked by Coq:\n\n{}", theorems.join("\n"));
     }
     for (i, step) in judgement.steps.iter().enumerate() {
         let marker = format!("{}. ", i + 1);

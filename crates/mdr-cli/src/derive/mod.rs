@@ -30,16 +30,18 @@ Examples:
     mdr derive --format markdown
     mdr derive --errata --format markdown
 
+theorem   checked by Coq's kernel; the entry names it, docs/proofs has it
 proved    by equal normal forms in an exact algebra over Q(n)
-enclosed  in rigorous intervals at 30 random rational points with n from 2^-10 to 2^10
+enclosed  an inequality of numbers, or at one point, in rigorous intervals; an equality agrees
+sampled   at 30 random rational points with n from 2^-10 to 2^10: no proof
 refuted   by normal forms and at a point
 cited     from the literature
 
-What is proved or enclosed is also mutated, one sign, exponent or factor at a time: no mutant may
+Every step but the refuted and cited is also mutated, one sign, exponent or factor at a time: no mutant may
 hold.
 Exit status: 0 every step is what it claims to be, 1 one is not or a mutant survives, 2 bad input.";
 
-/// The derivation of every equation, each step with its verdict: proved, enclosed, refuted or cited.
+/// The derivation of every equation, each step with its verdict: theorem, proved, sampled, refuted, cited.
 ///
 /// Without an id: all of them. Every statement is parsed, proved, evaluated, mutated and printed from one and the same
 /// formula.

@@ -41,6 +41,10 @@ fn entry(judgement: &Judgement) -> String {
     let entry = judgement.entry;
     let mut lines = vec![format!("{}: {}", document::heading(judgement), document::verdict(judgement))];
     lines.extend(entry.assumptions.iter().map(|assumption| format!("  assumes {}", words(assumption))));
+    lines.push(wrapped(&format!("where {}", document::hypotheses(judgement)), "  "));
+    lines.extend(document::theorems(judgement, |theorem| {
+        wrapped(&format!("theorem {} ({}): {}", theorem.name, theorem.file, theorem.says), "  ")
+    }));
     for (i, step) in judgement.steps.iter().enumerate() {
         let place = document::place(step);
         let blank = if place.is_empty() { "" } else { " " };

@@ -1,6 +1,6 @@
 //! `mdr judge`: the answers of another program against the certified records.
 
-mod plot;
+mod chart;
 
 use std::fs::File;
 use std::io::{self, BufReader, Write};
@@ -13,7 +13,7 @@ use mdr_reference::{Class, Filter, Judge as Bench, Judged, Limits, Report, Rules
 use crate::error::{Failure, Result};
 use crate::flags::Flag;
 use crate::output::{Format, Output};
-use crate::picture::file;
+use crate::plot;
 use crate::reference::size;
 use crate::table::{Tone, cell, render, table};
 
@@ -102,7 +102,7 @@ const SHOWN: usize = 20;
 impl Judge {
     /// Writes the judgement on `out`; whether the answers pass.
     pub(crate) fn run(&self, out: &mut Output<impl io::Write>) -> Result<bool> {
-        self.plot.as_deref().map_or(Ok(()), file::check)?;
+        self.plot.as_deref().map_or(Ok(()), plot::check)?;
         let rules = self.rules()?;
         let filter: Filter = self.filter.parse().map_err(|error| Failure::refused("--filter", error))?;
         let mut bench = Bench::new(filter.select(), rules);
@@ -126,7 +126,7 @@ impl Judge {
         match &self.plot {
             // A closed standard error changes nothing.
             Some(_) if report.answered() == 0 => drop(writeln!(io::stderr(), "note: --plot: {NOTHING_TO_DRAW}")),
-            Some(to) => file::write(&plot::picture(&report, &rules.limits), to)?,
+            Some(to) => plot::write(&chart::picture(&report, &rules.limits), to, "--plot ")?,
             None => {}
         }
         Ok(report.passed())

@@ -74,7 +74,7 @@ impl Report {
         let (level, runs) = if self.quick { (Level::Quick, 3) } else { (Level::Full, 9) };
         let findings = find(level, runs)?;
         for (task, comparisons) in &findings.tasks {
-            self.write(&format!("{}.svg", task.name), &chart::svg(task, comparisons)?)?;
+            self.write(&format!("{}.svg", task.name), &chart::picture(task, comparisons).svg())?;
         }
         self.write("work-precision.csv", &data::csv(findings.comparisons().flat_map(data::points))?)?;
         self.write("ladders.csv", &data::csv(findings.ladders.iter().map(data::ladder))?)?;

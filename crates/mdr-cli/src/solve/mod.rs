@@ -15,7 +15,7 @@ use mdr::{Cost, Result as Solved};
 use crate::error::{Failure, Result};
 use crate::flags::ArithmeticFlags;
 use crate::output::{Format, Output as Out};
-use crate::picture;
+use crate::plot;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -73,7 +73,7 @@ pub(crate) struct Solve {
 impl Solve {
     /// Answers on `out`.
     pub(crate) fn run(&self, out: &mut Out<impl std::io::Write>) -> Result<()> {
-        self.plot.as_deref().map_or(Ok(()), picture::file::check)?;
+        self.plot.as_deref().map_or(Ok(()), plot::check)?;
         let scene = open(&self.scene)?.in_arithmetic(self.arithmetic.given()?);
         if self.plot.is_some() && !scene.has_material() {
             let why = "a picture shows equilibria, and needs [material] in the scene".to_owned();
@@ -110,7 +110,7 @@ fn draw(scene: &Scene, from: &Path, to: &Path) -> Result<()> {
     let name =
         from.file_stem().filter(|stem| *stem != "-").map_or_else(String::new, |stem| format!(": {}", stem.display()));
     let title = format!("{} under controlled {}{name}", scene.profile().name(), scene.controlled().kind().name());
-    picture::file::write(&picture::scene::picture(&title, &scene.diagram()?), to)
+    plot::write(&mdr_plot::scene(&title, &scene.diagram()?), to, "--plot ")
 }
 
 /// A picture that cannot be drawn names its flag.

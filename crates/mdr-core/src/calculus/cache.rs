@@ -6,16 +6,16 @@ use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 
 use crate::contact::Result;
 
-/// What a stored rule depends on besides its number type and precision.
+/// What determines a stored rule, beside its number type and precision.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub(super) enum Key {
     /// All levels of the double exponential rule.
     TanhSinh,
-    /// The Gauss rule with `n` nodes; the exponents as text, which tells all arithmetics apart.
+    /// The Gauss rule with `n` nodes. The exponents are kept as text, which is distinct in every arithmetic.
     GaussJacobi { n: usize, alpha: String, beta: String },
 }
 
-/// A rule together with a rough count of the bits in it when it is built.
+/// A rule that can report roughly how many bits it occupies when it is built.
 pub(super) trait Stored: Any + Send + Sync {
     fn bits(&self) -> usize;
 }
@@ -31,7 +31,7 @@ struct Store {
 }
 
 impl Store {
-    /// Counts what is new, and empties a store that was full before.
+    /// Adds `bits` to the count and empties a store that was already full.
     fn count(&mut self, bits: usize) {
         if self.bits > CAPACITY {
             *self = Store::default();
@@ -40,10 +40,10 @@ impl Store {
     }
 }
 
-/// When a cache holds more than this many bits (128 MB) it is emptied; rules in use stay alive with their users.
+/// A cache with more than this many bits (128 MB) is emptied; rules in use stay alive with their users.
 const CAPACITY: usize = 1 << 30;
 
-/// That of the process.
+/// The cache of the process.
 pub(super) static RULES: LazyLock<Cache> = LazyLock::new(Cache::default);
 
 impl Cache {
@@ -51,7 +51,8 @@ impl Cache {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The stored rule, or the one that `build` makes. Building happens outside the lock: at worst two threads build twice.
+    /// The stored rule, or the one that `build` makes. Building happens outside the lock: at worst two threads build
+    /// twice.
     pub(super) fn rule<V: Stored>(
         &self,
         precision: u32,
@@ -70,7 +71,7 @@ impl Cache {
         Ok(rule)
     }
 
-    /// Counts bits by which a rule has grown since it was built. Those of a rule that is no longer stored are counted, too.
+    /// Counts the bits by which a rule has grown since it was built, including rules that are no longer stored.
     pub(super) fn grown(&self, bits: usize) {
         self.store().count(bits);
     }
@@ -112,7 +113,7 @@ mod tests {
         assert_eq!((ask(1, 7).1, cache.bits()), (1, CAPACITY + 7));
         cache.grown(5);
         assert_eq!((in_use.0, cache.bits()), (7, 5));
-        // It is built anew, and the next one empties the cache again.
+        // Rebuilt here; the next rule empties the cache again.
         assert_eq!((ask(1, CAPACITY).1, cache.bits()), (2, CAPACITY + 5));
         assert_eq!((ask(2, 3).1, cache.bits()), (3, 3));
         assert_eq!((ask(1, 4).1, cache.bits()), (4, 7));

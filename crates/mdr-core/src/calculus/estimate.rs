@@ -1,24 +1,24 @@
-//! A computed value, its error and its price.
+//! A computed value, its error estimate and its cost.
 
 use crate::contact::{Error, Quantity, Result};
 use crate::number::Real;
 
 /// A value, an estimate of its absolute error, and the evaluations of the integrand spent on it.
 ///
-/// The error is an estimate, not an enclosure: it is extrapolated from the changes between successive refinements and is
-/// never smaller than the rounding level of the sum. For a [`Dual`](crate::number::Dual) it speaks of the value.
+/// The error is an estimate, not an enclosure: it is extrapolated from the changes between successive refinements and
+/// is never smaller than the rounding level of the sum. For a [`Dual`](crate::number::Dual) it refers to the value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate<R> {
     /// The value.
     pub value: R,
     /// Estimated absolute error of the value.
     pub error: R,
-    /// How often the integrand was evaluated.
+    /// Number of evaluations of the integrand.
     pub evaluations: usize,
 }
 
 impl<R: Real> Estimate<R> {
-    /// That of the integral times a positive factor, which is taken to be exact.
+    /// The estimate of the integral times a positive factor, which is taken to be exact.
     #[must_use]
     pub fn scaled(self, factor: &R) -> Self {
         Estimate { value: self.value * factor, error: self.error * factor, ..self }
@@ -29,17 +29,17 @@ impl<R: Real> Estimate<R> {
     }
 }
 
-/// The tightest relative tolerance that a quadrature in the precision of `like` can be asked for: 32 unit roundoffs.
+/// The tightest relative tolerance of a quadrature in the precision of `like`: 32 unit roundoffs.
 pub fn roundoff_tolerance<R: Real>(like: &R) -> R {
     like.unit_roundoff().times(32)
 }
 
-/// How well an integral is wanted, relative to the integral of the absolute value.
+/// The accuracy required of an integral, relative to the integral of the absolute value.
 ///
-/// A plain number is a goal that has to be met. But an integrand that cancels, or is itself a quadrature, is known only to a
-/// noise that may be above the goal. Then refinements cease to help: the changes from one to the next no longer shrink to a
-/// quarter. Where that happens with an error below the `limit`, the value is taken, with its error. So is that of the finest
-/// rule, whatever the last change: one that is small by chance is no reason for throwing the value away.
+/// By default the goal must be met. An integrand that cancels, or is itself a quadrature, carries noise that may exceed
+/// the goal; the changes between refinements then no longer shrink to a quarter. With a `limit`, a value at that noise
+/// level is accepted with its error estimate as long as the error is below the limit. The value of the finest rule is
+/// accepted under the same condition, whatever its last change.
 ///
 /// ```
 /// use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh, roundoff_tolerance};
@@ -55,41 +55,41 @@ pub fn roundoff_tolerance<R: Real>(like: &R) -> R {
 pub struct Tolerance<R> {
     goal: R,
     limit: R,
-    /// The limit for the finest rule.
+    /// The limit that applies to the finest rule.
     last: R,
     noise: R,
-    /// An absolute error that is small enough, whatever the others are.
+    /// An absolute error that is always small enough.
     absolute: R,
 }
 
 impl<R: Real> Tolerance<R> {
-    /// A goal that has to be met; one below the rounding level ([`roundoff_tolerance`]) is raised to it.
+    /// A goal that must be met; one below the rounding level ([`roundoff_tolerance`]) is raised to it.
     pub fn new(goal: &R) -> Self {
         let goal = larger(goal.steer(), roundoff_tolerance(goal));
         let (noise, absolute) = (goal.unit_roundoff().times(8), goal.lit(0));
         Tolerance { limit: goal.clone(), last: goal.clone(), noise, absolute, goal }
     }
 
-    /// The same goal, or as near to it as the noise of the integrand lets, below this limit.
+    /// The same goal; at the noise level of the integrand, an error below `limit` is accepted.
     pub fn or_noise_below(self, limit: R) -> Self {
         let limit = larger(limit.steer(), self.goal.clone());
         Tolerance { last: limit.clone(), limit, ..self }
     }
 
-    /// The same goal; but when the finest rule has missed it, its value is taken, with its error, below this limit. For an
-    /// integrand of which it is not certain that it has noise: a slow convergence is not taken for it.
+    /// The same goal; if the finest rule misses it, its value is accepted when its error is below `limit`. Slow
+    /// convergence is not taken for noise.
     pub fn or_finest_below(self, limit: R) -> Self {
         Tolerance { last: larger(limit.steer(), self.limit.clone()), ..self }
     }
 
-    /// The same, or an absolute error below this.
+    /// The same tolerance, or an absolute error below `absolute`.
     pub fn or_error_below(self, absolute: &R) -> Self {
         Tolerance { absolute: absolute.steer(), ..self }
     }
 
-    /// The same for an integrand that is known to this relative `noise`, so that a change no larger than that is rounding.
-    /// Without it the changes of two more refinements have to be as small before they are believed. What the noise does to
-    /// the integral is not in the error.
+    /// The same tolerance for an integrand with this relative `noise`: a change no larger than that counts as rounding.
+    /// Without it, the changes of two more refinements must be as small before they are trusted. The error estimate
+    /// does not include the effect of the noise on the integral.
     pub fn with_noise(self, noise: &R) -> Self {
         Tolerance { noise: larger(noise.steer(), self.noise), ..self }
     }
@@ -112,8 +112,8 @@ impl<R: Real> Refinement<R> {
         Refinement { values: Vec::new(), tolerance }
     }
 
-    /// Takes the next value, the integral `magnitude` of the absolute value, and the error `known` to be there at least.
-    /// Returns the estimate and whether it is as good as the tolerance asks, relative to the magnitude.
+    /// Takes the next value, with the integral `magnitude` of the absolute value and a lower bound `known` of the
+    /// error. Returns the estimate and whether it meets the tolerance, relative to the magnitude.
     pub(super) fn push(&mut self, value: R, magnitude: &R, known: &R, evaluations: usize) -> (Estimate<R>, bool) {
         self.values.push(value.clone());
         let remainder = self.remainder(magnitude);
@@ -126,7 +126,7 @@ impl<R: Real> Refinement<R> {
         (estimate, done)
     }
 
-    /// What comes of the estimate of the finest rule, which did not reach the goal.
+    /// The estimate of the finest rule, which missed the goal, if it is still acceptable.
     ///
     /// # Errors
     /// [`NoConvergence`](Error::NoConvergence) unless its error is below the limit.
@@ -145,9 +145,9 @@ impl<R: Real> Refinement<R> {
 
     /// The error of the last of at least four values, from the last changes e₁, e₂, e₃ relative to the magnitude.
     ///
-    /// A rule whose digits double with each refinement has e₁ ≈ e₂² ≈ e₃⁴ and e₁² left. Where the changes keep to it with a
-    /// margin (e₁ ≤ e₂^1.5/8, e₂ ≤ e₃^1.5/8), what is left is taken to be e₁·max(e₁/e₂, e₂/e₃), else as large as
-    /// the changes, which may each be small by chance.
+    /// A rule whose digits double with each refinement has e₁ ≈ e₂² ≈ e₃⁴ and a remaining error of e₁². If the changes
+    /// follow this with a margin (e₁ ≤ e₂^1.5/8, e₂ ≤ e₃^1.5/8), the error is estimated as e₁·max(e₁/e₂, e₂/e₃);
+    /// otherwise as the largest change, because a single one may be small by chance.
     fn remainder(&self, magnitude: &R) -> Option<R> {
         let [.., v0, v1, v2, v3] = self.values.as_slice() else { return None };
         let change = |new: &R, old: &R| ((new.clone() - old).abs() / magnitude).steer();
@@ -182,12 +182,12 @@ fn no_convergence<R: Real>(last: &Estimate<R>, magnitude: &R) -> Error {
     Error::NoConvergence { quantity: Quantity::Integral, evaluations: last.evaluations, error }
 }
 
-/// Passes the value of an integrand on when it is a number.
+/// The value of an integrand, if it is finite.
 pub(super) fn finite<R: Real>(value: R) -> Result<R> {
     if value.is_finite() { Ok(value) } else { Err(Error::domain(Quantity::Integrand, &value, "finite")) }
 }
 
-/// Σ terms by halves, so that rounding errors grow as the logarithm of their number.
+/// Σ terms by pairwise summation: rounding errors grow with the logarithm of their number.
 pub(super) fn sum<R: Real>(terms: &[R], zero: &R) -> R {
     match terms {
         [] => zero.clone(),

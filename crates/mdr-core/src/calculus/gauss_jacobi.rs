@@ -19,7 +19,7 @@ pub struct Node<R> {
     pub weight: R,
 }
 
-/// A Gauss rule: Σ wᵢ f(tᵢ) = ∫₀¹ tᵝ(1−t)ᵅ f(t) dt exactly, rounding apart, for polynomials f of degree 2N−1.
+/// A Gauss rule: Σ wᵢ f(tᵢ) = ∫₀¹ tᵝ(1−t)ᵅ f(t) dt up to rounding for polynomials f of degree 2N−1.
 #[derive(Clone, Debug)]
 pub struct Rule<R> {
     alpha: R,
@@ -27,14 +27,14 @@ pub struct Rule<R> {
     nodes: Vec<Node<R>>,
 }
 
-/// The relative error of a sum over a rule, in unit roundoffs: 9 is the worst seen from 53 to 900 bits, 2 is usual.
+/// The relative error of a sum over a rule, in unit roundoffs. From 53 to 900 bits at most 9 was measured, typically 2.
 const ROUNDINGS: i64 = 12;
 
-/// The rule with `n` nodes for α > −1 and β > −1, computed in their precision once per process and kept.
+/// The rule with `n` nodes for α > −1 and β > −1, computed in their precision once per process and stored.
 ///
 /// Nodes are accurate to a few roundings *relative* to their distance from the nearer end. The total weight B(α+1, β+1)
-/// is summed from a series of positive terms, without Γ. In interval arithmetic enclosures widen with n; it is for
-/// floating types and duals.
+/// is summed from a series of positive terms, without Γ. Intended for floating types and their duals: interval
+/// enclosures widen with n.
 ///
 /// ```
 /// use mdr_core::calculus::gauss_jacobi::rule;
@@ -46,19 +46,19 @@ const ROUNDINGS: i64 = 12;
 ///
 /// # Errors
 /// [`Domain`](Error::Domain) unless n ≥ 1, α > −1 and β > −1 with finite, normal α+1 and β+1;
-/// [`NoConvergence`](Error::NoConvergence) when the zeros cannot be told apart.
+/// [`NoConvergence`](Error::NoConvergence) when the zeros cannot be separated.
 pub fn rule<R: Real>(n: usize, alpha: &R, beta: &R) -> Result<Arc<Rule<R>>> {
     let key = Key::GaussJacobi { n, alpha: format!("{alpha:?}"), beta: format!("{beta:?}") };
     let kept = RULES.rule(alpha.precision(), key, || Rule::new(n, alpha, beta))?;
-    // The text of an exponent may be shorter than its precision, and then it stands for a neighbour too.
+    // The text of an exponent may be shorter than its precision, so neighbouring exponents can share a key.
     let same = kept.alpha == *alpha && kept.beta == *beta;
     if same { Ok(kept) } else { Rule::new(n, alpha, beta).map(Arc::new) }
 }
 
 /// ∫₀¹ tᵝ(1−t)ᵅ f(t) dt to a `tolerance` relative to ∫ tᵝ(1−t)ᵅ|f|, by doubling the number of nodes.
 ///
-/// For an f analytic around [0, 1]. The first rule has about bits/25 nodes: a power profile is then settled by the
-/// fourth. Split the interval where f or a derivative of it jumps, or the error may be estimated too small.
+/// For an f analytic around [0, 1]. The first rule has about bits/25 nodes; for a power profile the fourth rule
+/// suffices. Split the interval where f or a derivative of it jumps; otherwise the error may be underestimated.
 ///
 /// ```
 /// use mdr_core::calculus::{gauss_jacobi, roundoff_tolerance};
@@ -80,8 +80,8 @@ pub fn integrate<R: Real>(
     Ladder::new(alpha, beta).integrate(tolerance, f)
 }
 
-/// The rules for one weight that [`integrate`] goes through. Whoever integrates many functions with the same weight keeps
-/// it, and saves looking the rules up, which in `f64` costs more than the integral.
+/// The rules for one weight that [`integrate`] uses in turn. Keep one to integrate many functions with the same weight:
+/// in `f64` looking up the rules costs more than the integral.
 #[derive(Clone, Debug)]
 pub struct Ladder<R> {
     alpha: R,
@@ -93,7 +93,7 @@ pub struct Ladder<R> {
 const RUNGS: usize = 8;
 
 impl<R: Real> Ladder<R> {
-    /// Nothing is computed yet; unsuitable exponents are refused at the first integral.
+    /// An empty ladder; unsuitable exponents are rejected at the first integral.
     pub fn new(alpha: &R, beta: &R) -> Self {
         Ladder { alpha: alpha.clone(), beta: beta.clone(), rules: Default::default() }
     }
@@ -110,7 +110,7 @@ impl<R: Real> Ladder<R> {
     /// As the function [`integrate`].
     ///
     /// # Errors
-    /// As there.
+    /// As [`integrate`].
     pub fn integrate(
         &self,
         tolerance: impl Into<Tolerance<R>>,
@@ -196,8 +196,8 @@ impl<R: Real> Rule<R> {
         Ok(total)
     }
 
-    /// The same with an error estimate: the distance from the rule with half as many nodes. That is the error of the
-    /// smaller rule, so for a smooth f it is far too large; [`integrate`] looks at more rules and is sharper.
+    /// The same with an error estimate: the difference from the rule with half as many nodes. That is the error of the
+    /// smaller rule, far too large for a smooth f; [`integrate`] compares more rules and is sharper.
     ///
     /// # Errors
     /// As [`Rule::integrate`].

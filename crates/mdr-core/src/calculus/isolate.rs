@@ -1,21 +1,21 @@
 //! All sign changes of a function on a range of radii.
 //!
-//! The range is halved in log x until each cell holds no zero or one. Who says so decides what the result is worth: an
-//! enclosure test proves it; samples only make it likely, and then the result says that it is not proved.
+//! The range is halved in log x until each cell contains at most one zero. An enclosure test proves this for a cell;
+//! samples only make it likely, and the result is then marked as not proved.
 
 use super::roots::{Bracket, Sample, geometric_mean};
 use crate::contact::{Error, Quantity, Result};
 use crate::number::{Real, order};
 
-/// What an enclosure test knows about a function on a whole interval. It must be certain: from interval arithmetic, or from
-/// a theorem about the function.
+/// The behaviour of a function on an interval, as an enclosure test reports it. The report must be certain: from
+/// interval arithmetic, or from a theorem about the function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Behaviour {
-    /// It has no zero there.
+    /// The function has no zero there.
     Nonzero,
-    /// It is strictly monotone there: at most one zero, and that a sign change.
+    /// The function is strictly monotone there: at most one zero, which is a sign change.
     Monotone,
-    /// Neither is certain.
+    /// Neither is proved.
     Unknown,
 }
 
@@ -24,7 +24,8 @@ pub enum Behaviour {
 pub struct Isolation<R> {
     /// One bracket for each sign change, ascending.
     pub brackets: Vec<Bracket<R>>,
-    /// Where zeros may still hide, ascending: double zeros, pairs closer than √u relative to x, what the budget left over.
+    /// Intervals that may contain further zeros, ascending: double zeros, pairs closer than √u relative to x, and cells
+    /// left when the budget is spent.
     pub undecided: Vec<(R, R)>,
     /// Whether everything outside `undecided` is proved by an enclosure test, not just sampled.
     pub proved: bool,
@@ -33,15 +34,15 @@ pub struct Isolation<R> {
 }
 
 impl<R> Isolation<R> {
-    /// Whether the brackets are proved to hold all zeros, one each.
+    /// Whether the brackets are proved to contain all zeros, one each.
     pub fn is_complete(&self) -> bool {
         self.proved && self.undecided.is_empty()
     }
 }
 
 /// The sign changes of f on (lower, upper), 0 < lower < upper, with proof: every cell must pass the enclosure `test`.
-/// Cells that do not, down to the relative width √u (u the unit roundoff) or when about `budget` evaluations are spent, are
-/// undecided. The work is spread evenly, one level of halving after the other.
+/// Cells that fail it down to the relative width √u (u the unit roundoff), or when about `budget` evaluations are
+/// spent, are undecided. The work is spread evenly, one level of halving after the other.
 ///
 /// # Errors
 /// [`Error::Domain`] for other ranges or where f is not a number; whatever f and the test return.
@@ -66,9 +67,9 @@ pub fn isolate_with_proof<R: Real>(
 }
 
 /// The sign changes of f on (lower, upper), 0 < lower < upper, from samples alone: `proved` is false. A cell is settled
-/// when six samples fit a smooth model, in it and in the cell it is half of: ln|f| nearly quadratic in ln x (no zero), or
-/// f monotone and nearly quadratic (at most one). There are at least 16 cells, none wider than four octaves
-/// (up to 4096 cells); `budget` is about the number of evaluations that may be spent.
+/// when six samples fit a smooth model, both in it and in its parent cell: ln|f| nearly quadratic in ln x (no zero), or
+/// f monotone and nearly quadratic (at most one). There are at least 16 cells, none wider than four octaves (up to 4096
+/// cells); `budget` limits the number of evaluations approximately.
 ///
 /// ```
 /// use mdr_core::calculus::{isolate::isolate, roots::refine, roundoff_tolerance};
@@ -110,10 +111,10 @@ pub fn isolate<R: Real>(lower: &R, upper: &R, budget: usize, f: impl FnMut(&R) -
 
 struct Cell<R> {
     lower: Sample<R>,
-    /// In the middle, where it has been taken already.
+    /// The sample at the middle, if it was already taken.
     inner: Option<Sample<R>>,
     upper: Sample<R>,
-    /// Whether it is half of a cell whose samples fitted a smooth model.
+    /// Whether the samples of the parent cell fitted a smooth model.
     fitted: bool,
 }
 
@@ -131,7 +132,7 @@ impl<R: Real> Cell<R> {
         (self.upper.x.clone() / &self.lower.x).steer() > self.lower.x.lit(2).powi(octaves)
     }
 
-    /// Whether a double zero and a pair of zeros can no longer be told apart.
+    /// Whether a double zero and a pair of zeros can no longer be separated.
     fn is_narrow(&self) -> bool {
         let width = (self.upper.x.clone() - &self.lower.x).steer();
         width <= (self.lower.x.unit_roundoff().sqrt() * &self.lower.x).steer()
@@ -145,7 +146,7 @@ enum Verdict<R> {
 }
 
 impl<R: Real> Verdict<R> {
-    /// With the sign change between successive samples, if there is one.
+    /// Settled, with the sign change between successive samples, if there is one.
     fn settled(samples: &[&Sample<R>]) -> Self {
         let pair = samples.windows(2).find(|pair| pair[0].differs(pair[1]));
         Verdict::Settled(pair.and_then(|pair| Bracket::between(pair[0].clone(), pair[1].clone(), 0)))
@@ -178,7 +179,7 @@ impl<F> Sampler<F> {
         Sample::take(x, &mut self.f)
     }
 
-    /// A sample at the geometric mean, or a little beside it where the function is exactly zero there.
+    /// A sample at the geometric mean, or slightly beside it if the function is exactly zero there.
     fn between<R: Real>(&mut self, lower: &Sample<R>, upper: &Sample<R>) -> Result<Sample<R>>
     where
         F: FnMut(&R) -> Result<R>,
@@ -192,7 +193,8 @@ impl<F> Sampler<F> {
         self.take(beside)
     }
 
-    /// A sample at 5/13 of the way in log x: off every dyadic grid, so that a wave in step with one is not overlooked.
+    /// A sample at 5/13 of the cell in log x: off every dyadic grid, so that an oscillation in step with one is
+    /// detected.
     fn aside<R: Real>(&mut self, lower: &Sample<R>, upper: &Sample<R>) -> Result<Sample<R>>
     where
         F: FnMut(&R) -> Result<R>,
@@ -241,8 +243,8 @@ fn merge<R: Real>(mut intervals: Vec<(R, R)>) -> Vec<(R, R)> {
     merged
 }
 
-/// By how much the quadratic through the ends and the middle misses the other three of six values, which lie at the
-/// fractions 0, 1/4, 5/13, 1/2, 3/4 and 1 of a cell.
+/// The largest deviation of the quadratic through the ends and the middle from the other three of six values, which lie
+/// at the fractions 0, 1/4, 5/13, 1/2, 3/4 and 1 of a cell.
 fn misfit<R: Real>([v0, v1, aside, v2, v3, v4]: [&R; 6]) -> R {
     let miss = |value: &R, weights: [i64; 3], total: i64| {
         let model = v0.clone().times(weights[0]) + v2.clone().times(weights[1]) + v4.clone().times(weights[2]);

@@ -1,8 +1,8 @@
 //! The Jacobi polynomials of the weight t^(b−1)(1−t)^(a−1) on [0, 1], and their zeros.
 //!
 //! q_n = ₂F₁(−n, n+s; b; t), s = a+b−1, so that q_n(0) = 1. Written for the differences d_k = q_k − q_{k−1} the recurrence
-//! −t q_k = λ_k d_{k+1} − μ_k d_k has no cancellation near t = 0: every zero below 1/2 comes out to full *relative*
-//! accuracy, and those above it by exchanging a and b.
+//! −t q_k = λ_k d_{k+1} − μ_k d_k has no cancellation near t = 0: every zero below 1/2 has full *relative* accuracy;
+//! the others follow by exchanging a and b.
 
 use crate::number::Real;
 
@@ -24,7 +24,7 @@ struct Step<R> {
 }
 
 impl<R: Real> Step<R> {
-    /// d_{k+1}, from q_k and the flow behind it.
+    /// d_{k+1}, from q_k and the preceding flow.
     fn advance(&self, t: &R, value: &R, flow: &mut R) -> R {
         *flow *= &self.carry;
         *flow -= &(value.clone() * t);
@@ -95,8 +95,9 @@ impl<R: Real> Jacobi<R> {
         coefficients
     }
 
-    /// The zero near `guess`, which is right to 32 bits of the spacing or more, and q' there. One evaluation of the
-    /// polynomial; its Taylor series then gives 32 bits a term, and Newton's iteration uses as many terms as it can.
+    /// The zero near `guess` and q' there. The guess must be accurate to 32 bits of the spacing or more. The polynomial
+    /// is evaluated once; each term of its Taylor series then adds 32 bits, and Newton's iteration uses as many terms
+    /// as it needs.
     pub(super) fn zero_near(&self, guess: &R) -> (R, R) {
         let count = i64::from(guess.precision()) / 32 + 3;
         let coefficients = self.series(guess, count);
@@ -110,7 +111,8 @@ impl<R: Real> Jacobi<R> {
             }
             terms = coefficients.len().min(2 * terms);
         }
-        // Once more with all terms, so that the derivatives of a dual number converge, and the slope follows the zero.
+        // One more step with all terms, so that the derivatives of a dual number converge and the slope is that at the
+        // zero.
         let (value, slope) = horner(&coefficients, &shift.steer());
         shift = shift.steer() - value / slope;
         let (_, slope) = horner(&coefficients, &shift);
@@ -145,9 +147,9 @@ impl Jacobi<f64> {
         changes
     }
 
-    /// The `count` smallest zeros, ascending. Laguerre's iteration walks from any point to the next zero on its right
-    /// without ever passing it, as all zeros are real. It starts left of the first; in θ, t = sin²(θ/2), the others are
-    /// about π/ρ apart or more (Sturm), ρ = n + s/2, and half of that is a safe start.
+    /// The `count` smallest zeros, ascending. Laguerre's iteration converges from any point to the next zero on its
+    /// right without passing it, as all zeros are real. It starts left of the first; in θ, t = sin²(θ/2), the others
+    /// are at least about π/ρ apart (Sturm), ρ = n + s/2, and half of that is a safe start.
     pub(super) fn smallest_zeros(&self, count: usize) -> Vec<f64> {
         let n = self.n as f64;
         let s = self.a + self.b - 1.0;
@@ -166,11 +168,11 @@ impl Jacobi<f64> {
         let n = self.n as f64;
         let mut t = start;
         let sign = self.jet(&t).0.signum();
-        // The third-order convergence needs a handful; the bound is for zeros many octaves apart.
+        // Convergence is of third order and takes a few steps; the limit is for zeros many octaves apart.
         for _ in 0..2200 {
             let (value, slope) = self.jet(&t);
             if value * sign <= 0.0 {
-                break; // on the zero, or past it by a rounding
+                break; // at the zero, or past it by a rounding
             }
             let drift = self.b - (self.a + self.b) * t;
             let curvature = -(drift * slope + n * (n + self.a + self.b - 1.0) * value) / self.span(&t);

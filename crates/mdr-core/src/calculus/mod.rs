@@ -1,11 +1,11 @@
 //! Quadrature and root finding over any [`Real`](crate::number::Real).
 //!
-//! Nothing here knows a unit: every tolerance is relative, and scaling the argument or the function by a power of two
-//! changes no bit of the significands.
+//! All tolerances are relative: scaling the argument or the function by a power of two changes no bit of the
+//! significands.
 //!
 //! * [`quadrature`]: tanh-sinh, for integrands with any behaviour at the ends of the interval.
 //! * [`gauss_jacobi`]: Gauss rules for the weight tᵝ(1−t)ᵅ, for integrands that are smooth once the weight is taken out.
-//! * [`roots`]: brackets found by walking through the exponent range, and their refinement.
+//! * [`roots`]: brackets found by a search outwards through the exponent range, and their refinement.
 //! * [`isolate`]: all sign changes on a range, with a proof of completeness where there is an enclosure test.
 //! * `verify` (feature `mp`): existence and uniqueness of a zero by the interval Newton operator.
 

@@ -1,7 +1,7 @@
 //! Tanh-sinh (double exponential) quadrature. H. Takahasi, M. Mori, Publ. RIMS 9 (1974) 721.
 //!
-//! With x = a + (b−a)δ(t), δ = 1/(1 + e^(−π sinh t)), the integrand in t decays so fast that the trapezoidal rule doubles
-//! its digits with each halving of the step, whatever algebraic or logarithmic singularity sits at the ends.
+//! With x = a + (b−a)δ(t), δ = 1/(1 + e^(−π sinh t)), the integrand in t decays so fast that the trapezoidal rule
+//! doubles its digits with each halving of the step, whatever algebraic or logarithmic singularity the ends have.
 
 use std::sync::OnceLock;
 
@@ -23,10 +23,10 @@ pub struct Node<R> {
 
 /// ∫ₐᵇ f(x) dx with an error estimate.
 ///
-/// `tolerance` is relative to ∫|f| ([`roundoff_tolerance`](super::roundoff_tolerance) is the tightest). Endpoint
-/// singularities are harmless at x = 0; elsewhere x itself cannot come closer to the end than one rounding, and
-/// [`tanh_sinh_near_ends`] is for them. Split the interval at interior kinks. The error knows the rounding of the sum, not
-/// that inside f; and what happens between all nodes of the first four levels (55 in `f64`) remains unseen.
+/// `tolerance` is relative to ∫|f| ([`roundoff_tolerance`](super::roundoff_tolerance) is the tightest). A singularity
+/// at an end x = 0 needs no care; elsewhere x cannot come closer to the end than one rounding, so use
+/// [`tanh_sinh_near_ends`]. Split the interval at interior kinks. The error includes the rounding of the sum, not that
+/// inside f; features of f between all nodes of the first four levels (55 in `f64`) are not detected.
 ///
 /// ```
 /// use mdr_core::calculus::{quadrature::tanh_sinh, roundoff_tolerance};
@@ -50,7 +50,7 @@ pub fn tanh_sinh<R: Real>(
     })
 }
 
-/// As [`tanh_sinh`], for an integrand that needs the distances from the ends: ∫₀¹ dx/√(1−x) = ∫ `from_upper`^(−1/2).
+/// As [`tanh_sinh`], for an integrand written in the distances from the ends: ∫₀¹ dx/√(1−x) = ∫ `from_upper`^(−1/2).
 ///
 /// # Errors
 /// As [`tanh_sinh`].
@@ -65,8 +65,8 @@ pub fn tanh_sinh_near_ends<R: Real>(
 
 /// ∫ₐᵇ f(x) dx by [`tanh_sinh`] on each piece between the `breaks`, where f or a derivative of it jumps.
 ///
-/// The tolerance is relative to ∫|f| of each piece, the error the sum of theirs. Breaks may come in any order; those that
-/// are not between a and b do not matter, so a list of all kinks will do. As there, a may be the larger end.
+/// The tolerance is relative to ∫|f| of each piece; the errors are added. Breaks may come in any order, and those
+/// outside (a, b) are ignored, so a list of all kinks can be passed. As there, a may be the larger end.
 ///
 /// ```
 /// use mdr_core::calculus::{quadrature::tanh_sinh_pieces, roundoff_tolerance};
@@ -90,8 +90,8 @@ pub fn tanh_sinh_pieces<R: Real>(
     pieces(lower, upper, breaks, |from, to| tanh_sinh(from, to, tolerance.clone(), &mut f))
 }
 
-/// The sum of the integrals over the pieces of (a, b) between the `breaks`, each by the rule `integral(from, to)`: with the
-/// sum of the errors and of the evaluations. Breaks as for [`tanh_sinh_pieces`].
+/// The sum of the integrals over the pieces of (a, b) between the `breaks`, each by the rule `integral(from, to)`;
+/// errors and evaluations are added. Breaks as for [`tanh_sinh_pieces`].
 ///
 /// # Errors
 /// Whatever `integral` returns.
@@ -136,7 +136,7 @@ impl<R: Real> Node<R> {
         self.is_normal() && x != lower.steer() && x != upper.steer()
     }
 
-    /// Whether the distances have not yet begun to underflow.
+    /// Whether the distances are still above underflow.
     fn is_normal(&self) -> bool {
         let normal = |distance: &R| distance.clone() * distance.unit_roundoff() != distance.lit(0);
         normal(&self.from_lower) && normal(&self.from_upper)
@@ -151,7 +151,7 @@ enum Side {
     Upper,
 }
 
-/// δ in (0, 1/2) and dδ/dt for one t > 0, or rather −t: the distance from the nearer end of the unit interval.
+/// δ in (0, 1/2) and dδ/dt at −t for one t > 0: δ is the distance from the nearer end of the unit interval.
 struct Abscissa<R> {
     distance: R,
     weight: R,
@@ -160,7 +160,7 @@ struct Abscissa<R> {
 /// The abscissae by level, outwards: t = 1, 2, 3, … at level 0, the odd multiples of 2^−level later.
 struct Table<R> {
     levels: Vec<OnceLock<Vec<Abscissa<R>>>>,
-    /// What counts the levels as they are filled.
+    /// The cache that counts the levels as they are filled.
     cache: &'static Cache,
 }
 
@@ -172,7 +172,7 @@ impl<R: Real> Stored for Table<R> {
 }
 
 impl<R: Real> Table<R> {
-    /// An empty table. Level ⌈log₂ bits⌉ suffices for entire integrands; the next two are for singularities nearby.
+    /// An empty table. Level ⌈log₂ bits⌉ suffices for entire integrands; the next two are for nearby singularities.
     fn new(like: &R, cache: &'static Cache) -> Self {
         let levels = u32::BITS - like.precision().leading_zeros() + 3;
         Table { levels: (0..levels).map(|_| OnceLock::new()).collect(), cache }
@@ -264,7 +264,7 @@ struct Panel<'a, R> {
     width: R,
 }
 
-/// The terms of one level on one side, Σ|terms|, and what was cut off with the end of the exponent range.
+/// The terms of one level on one side, Σ|terms|, and an estimate of the terms cut off at the end of the exponent range.
 struct Walk<R> {
     terms: Vec<R>,
     magnitude: R,
@@ -280,7 +280,7 @@ impl<R: Real> Panel<'_, R> {
         Ok(finite(value)? * self.width.pi().over(4))
     }
 
-    /// From the middle outwards until weight and term are both below rounding: a small term alone may be a zero of f.
+    /// Outwards from the middle until both weight and term are below rounding: a small term alone may be a zero of f.
     fn walk(
         &self,
         abscissae: &[Abscissa<R>],
@@ -308,7 +308,7 @@ impl<R: Real> Panel<'_, R> {
     }
 }
 
-/// The geometric bound on the terms beyond the last; none when they do not decay.
+/// The geometric bound on the terms beyond the last; `None` when they do not decay.
 fn tail<R: Real>(terms: &[R]) -> Option<R> {
     let [.., before, last] = terms else { return None };
     let (before, last) = (before.abs().steer(), last.abs().steer());
@@ -326,7 +326,7 @@ mod tests {
 
     use super::*;
 
-    /// Each level once, when it is filled.
+    /// A level is counted once, when it is filled.
     #[test]
     fn levels_are_counted_when_they_are_filled() {
         static CACHE: LazyLock<Cache> = LazyLock::new(Cache::default);

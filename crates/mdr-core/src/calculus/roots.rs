@@ -1,8 +1,8 @@
 //! Zeros of a function of one radius, without a scale.
 //!
-//! On positive brackets halving is geometric and tolerances are relative, so that a problem multiplied by a power of two
-//! has the same steps and the same significand as its root. In interval arithmetic the abscissae are points and a sign
-//! counts only when it is certain: the bracket of the root is then rigorous.
+//! On positive brackets halving is geometric and tolerances are relative, so a problem multiplied by a power of two
+//! takes the same steps and its root has the same significand. In interval arithmetic the abscissae are points and only
+//! a certain sign counts: the bracket of the root is then rigorous.
 
 use std::cmp::Ordering;
 
@@ -34,9 +34,9 @@ pub struct Bracket<R> {
 pub struct Root<R> {
     /// The best value found, between the bounds.
     pub value: R,
-    /// The sign changes above this,
+    /// The sign changes above this argument,
     pub lower: R,
-    /// and below this. Both are the value itself where the function is exactly zero.
+    /// and below this one. Both equal the value where the function is exactly zero.
     pub upper: R,
     /// Evaluations spent, those for the bracket included.
     pub evaluations: usize,
@@ -57,12 +57,12 @@ impl<R: Real> Sample<R> {
         Ok(sample)
     }
 
-    /// The sign of the function where it is certain; only an interval can leave it open.
+    /// The sign of the function where it is certain; `None` only for intervals.
     pub fn sign(&self) -> Option<Ordering> {
         self.f.partial_cmp(&self.f.lit(0))
     }
 
-    /// Whether the signs differ for certain. An exact zero differs from nothing.
+    /// Whether the signs certainly differ. An exact zero differs from nothing.
     pub fn differs(&self, other: &Self) -> bool {
         matches!(
             (self.sign(), other.sign()),
@@ -70,7 +70,7 @@ impl<R: Real> Sample<R> {
         )
     }
 
-    /// Whether both are nonzero and have the same sign for certain.
+    /// Whether both are nonzero and certainly have the same sign.
     pub fn agrees(&self, other: &Self) -> bool {
         !self.is_zero() && self.sign().is_some() && self.sign() == other.sign()
     }
@@ -81,7 +81,7 @@ impl<R: Real> Sample<R> {
 }
 
 impl<R: Real> Bracket<R> {
-    /// The bracket [lower, upper], or none when f has the same sign at both ends. An end that is exactly zero is a
+    /// The bracket [lower, upper], or `None` when f has the same sign at both ends. An end that is exactly zero is a
     /// bracket by itself.
     ///
     /// # Errors
@@ -110,7 +110,7 @@ pub(super) fn geometric_mean<R: Real>(lower: &R, upper: &R) -> R {
     (root * lower).steer()
 }
 
-/// In log x for positive numbers more than an octave apart, (lower + upper)/2 otherwise.
+/// The middle in log x for positive numbers more than an octave apart, (lower + upper)/2 otherwise.
 fn middle<R: Real>(lower: &R, upper: &R) -> R {
     if *lower > lower.lit(0) && *upper > lower.clone().times(2) {
         geometric_mean(lower, upper)
@@ -119,9 +119,10 @@ fn middle<R: Real>(lower: &R, upper: &R) -> R {
     }
 }
 
-/// Looks for a sign change of f on (0, ∞), outwards from a positive `guess` on both sides in steps that double in log x:
-/// some 20 evaluations reach the ends of the range of `f64`, some 60 those of arbitrary precision. `None` when every
-/// sample has the same sign; a pair of zeros between two samples goes unnoticed ([`isolate`](super::isolate::isolate)).
+/// Searches for a sign change of f on (0, ∞), outwards from a positive `guess` on both sides in steps that double in
+/// log x: about 20 evaluations reach the ends of the range of `f64`, about 60 those of arbitrary precision. `None` when
+/// every sample has the same sign; a pair of zeros between two samples is not detected
+/// ([`isolate`](super::isolate::isolate)).
 ///
 /// ```
 /// use mdr_core::calculus::{roots::{bracket_geometric, refine}, roundoff_tolerance};
@@ -162,12 +163,12 @@ pub fn bracket_geometric<R: Real>(guess: &R, mut f: impl FnMut(&R) -> Result<R>)
     }
 }
 
-/// A walk to one end of the exponent range.
+/// A search towards one end of the exponent range.
 struct Walk<R> {
     /// The last sample whose sign is certain.
     last: Sample<R>,
     x: R,
-    /// Binary logarithm of the next step; doubled until a step leads out of the range, then halved.
+    /// Binary logarithm of the next step; doubled until a step leaves the range, then halved.
     octaves: i64,
     growing: bool,
 }
@@ -202,11 +203,11 @@ pub fn bisect<R: Real>(bracket: Bracket<R>, tolerance: &R, mut f: impl FnMut(&R)
 }
 
 /// Refines a bracket by inverse quadratic interpolation where it is safe and by halving elsewhere (T. R. Chandrupatla,
-/// Adv. Eng. Softw. 28 (1997) 145), until the bracket is narrower than twice the relative `tolerance`. It cannot fail on a
-/// valid bracket: when interpolation is slow for three steps, the next one halves.
+/// Adv. Eng. Softw. 28 (1997) 145), until the bracket is narrower than twice the relative `tolerance`. It cannot fail
+/// on a valid bracket: after three slow steps of interpolation the next step halves.
 ///
-/// A tolerance is relative to the root on positive brackets, to the larger end of others. In interval arithmetic the search
-/// ends where the sign of f can no longer be told, with the tightest certain bracket around that point.
+/// The tolerance is relative to the root on positive brackets, to the larger end of others. In interval arithmetic the
+/// search ends where the sign of f is uncertain, with the tightest certain bracket around that point.
 ///
 /// # Errors
 /// [`Error::Domain`] where f is not a number; whatever f returns.
@@ -233,13 +234,13 @@ pub fn refine_with_slope<R: Real>(
 /// The state of a refinement.
 struct Search<R> {
     newest: Sample<R>,
-    /// The nearest sample of the other sign.
+    /// The nearest sample of the opposite sign.
     opposite: Sample<R>,
-    /// What one of them replaced.
+    /// The sample that one of them replaced.
     earlier: Option<Sample<R>>,
     evaluations: usize,
     tolerance: R,
-    /// What the tolerance is relative to, unless it is the root itself.
+    /// The length to which the tolerance is relative, unless it is the root itself.
     length: Option<R>,
     /// Width of the bracket and smallest |f| when halving last succeeded, and the steps since.
     pace: (R, R, u32),
@@ -255,7 +256,7 @@ impl<R: Real> Search<R> {
         Search { newest: upper, opposite: lower, earlier: None, evaluations, tolerance, length, pace }
     }
 
-    /// Samples where `propose` says, with the slope at the newest sample, or else in the middle.
+    /// Samples at the proposal of `propose`, which gets the slope at the newest sample, or else at the middle.
     fn run(
         mut self,
         mut f: impl FnMut(&R) -> Result<(R, Option<R>)>,
@@ -316,7 +317,7 @@ impl<R: Real> Search<R> {
         self.newest.is_zero() || self.width() <= self.allowed().times(2)
     }
 
-    /// Whether three steps have neither halved the bracket nor brought |f| down to 1/64, as superlinear ones do.
+    /// Whether three steps neither halved the bracket nor reduced |f| to 1/64, as superlinear ones do.
     fn is_slow(&mut self) -> bool {
         let (width, size) = (self.width(), self.best().f.abs().steer());
         if width.clone().times(2) <= self.pace.0 || size.clone().times(64) <= self.pace.1 {
@@ -326,15 +327,15 @@ impl<R: Real> Search<R> {
         self.pace.2 > 3
     }
 
-    /// The middle of the bracket; none when its ends are adjacent.
+    /// The middle of the bracket; `None` when its ends are adjacent.
     fn middle(&self) -> Option<R> {
         let (lower, upper) = self.ends();
         let middle = middle(lower, upper);
         (middle > *lower && middle < *upper).then_some(middle)
     }
 
-    /// A proposal moved so far into the bracket that the step that finds the root also closes the bracket. None for one
-    /// that is outside, or while the bracket spans more than two octaves.
+    /// A proposal shifted into the bracket so that the step that finds the root also closes the bracket. `None` for one
+    /// outside it, or while the bracket spans more than two octaves.
     fn inside(&self, x: R) -> Option<R> {
         let (lower, upper) = self.ends();
         let wide = *lower > lower.lit(0) && *upper > lower.clone().times(4);
@@ -352,7 +353,7 @@ impl<R: Real> Search<R> {
         }
     }
 
-    /// The zero of the inverse quadratic through the three samples, where these lie so that it is monotone in between.
+    /// The zero of the inverse quadratic through the three samples, if it is monotone between them.
     fn inverse_quadratic(&self) -> Option<R> {
         let (Sample { x: x1, f: f1 }, Sample { x: x2, f: f2 }) = (&self.newest, &self.opposite);
         let Sample { x: x3, f: f3 } = self.earlier.as_ref()?;
@@ -368,7 +369,7 @@ impl<R: Real> Search<R> {
         Some(((x2.clone() - x1) * (first + second) + x1).steer())
     }
 
-    /// Around a point of uncertain sign: steps outwards that double, until the sign is certain again on either side.
+    /// From a point of uncertain sign: steps outwards that double until the sign is certain on either side.
     fn tighten(mut self, x: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<Root<R>> {
         for outwards in [-1, 1] {
             let mut step = self.allowed().times(outwards);

@@ -5,11 +5,12 @@ use rug::Float;
 use crate::contact::Result;
 use crate::number::{Interval, Real};
 
-/// An interval around `candidate` in which f has exactly one zero, as narrow as the precision of the candidate allows; none
-/// when that cannot be proved (a double zero, a slope of uncertain sign, a candidate too far away).
+/// An interval around `candidate` that contains exactly one zero of f, as narrow as the precision of the candidate
+/// allows; `None` when that cannot be proved (a double zero, a slope of uncertain sign, a candidate too far away).
 ///
-/// `f` and `slope` are enclosures of a function and of its derivative. With N(X) = m − f(m)/f'(X), N(X) inside X proves
-/// existence and uniqueness (R. E. Moore, Interval Analysis, 1966); X is tried at five radii from twice the Newton step on.
+/// `f` and `slope` are enclosures of a function and of its derivative. With N(X) = m − f(m)/f'(X), N(X) ⊂ X proves
+/// existence and uniqueness (R. E. Moore, Interval Analysis, 1966); five radii of X are tried, from twice the Newton
+/// step upwards.
 ///
 /// ```
 /// use mdr_core::calculus::verify::verify;

@@ -1,4 +1,4 @@
-//! What is prescribed while the contact finds its radius.
+//! The controlled quantity: what is prescribed while the contact radius adjusts.
 
 use super::{Error, Quantity, Result};
 use crate::number::Real;
@@ -17,7 +17,7 @@ pub enum Control<R> {
     },
 }
 
-/// What is controlled, without the stiffness of a machine.
+/// The kind of controlled quantity, without the stiffness of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ControlKind {
     /// The indentation depth d: fixed grips.
@@ -52,7 +52,7 @@ impl ControlKind {
 }
 
 impl<N> Control<N> {
-    /// What is controlled.
+    /// The kind of controlled quantity.
     pub fn kind(&self) -> ControlKind {
         match self {
             Control::Indentation => ControlKind::Indentation,
@@ -61,7 +61,7 @@ impl<N> Control<N> {
         }
     }
 
-    /// The same with the stiffness in another type.
+    /// The same control with the stiffness in another type.
     ///
     /// # Errors
     /// That of `f`.
@@ -75,7 +75,7 @@ impl<N> Control<N> {
 }
 
 impl<R: Real> Control<R> {
-    /// Control by a machine of the given stiffness.
+    /// Control by a machine of the given stiffness k > 0, in N/m.
     ///
     /// # Errors
     /// [`Error::Domain`] unless the stiffness is positive and finite.
@@ -96,7 +96,7 @@ impl<R: Real> Control<R> {
         }
     }
 
-    /// Checks that a state can be asked for at `value` of the controlled quantity.
+    /// Checks that `value` can be a value of the controlled quantity.
     ///
     /// ```
     /// use mdr_core::contact::Control;
@@ -112,7 +112,7 @@ impl<R: Real> Control<R> {
         Error::require_finite(self.quantity(), value)
     }
 
-    /// What the controlled quantity is.
+    /// The controlled quantity, for errors.
     pub fn quantity(&self) -> Quantity {
         match self {
             Control::Indentation => Quantity::Indentation,

@@ -1,4 +1,4 @@
-//! How often a transform is asked: what a method costs, whatever machine it runs on.
+//! Counts of the evaluations of a transform: the cost of a method, independent of the machine it runs on.
 
 use std::ops::Sub;
 use std::sync::Arc;
@@ -14,18 +14,18 @@ pub struct Evaluations {
     pub g: u64,
     /// Of g'.
     pub slope: u64,
-    /// Of the integral of g, of its mean, and of g less its mean.
+    /// Of the integral of g, of its mean, and of g minus its mean.
     pub integral: u64,
 }
 
 impl Evaluations {
-    /// All together.
+    /// The sum of all three.
     pub fn total(self) -> u64 {
         self.g + self.slope + self.integral
     }
 }
 
-/// What was spent since an earlier reading.
+/// The evaluations since an earlier reading.
 impl Sub for Evaluations {
     type Output = Self;
 
@@ -46,7 +46,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// A count of what may be stopped: once `stop` is true every evaluation is [`Error::Stopped`], which ends any loop.
+    /// A count with a stop flag: once `stop` is true every evaluation returns [`Error::Stopped`], which ends any loop.
     pub fn until(stop: &Arc<AtomicBool>) -> Self {
         Tally { counts: Default::default(), stop: Arc::clone(stop) }
     }
@@ -58,7 +58,7 @@ impl Tally {
     }
 }
 
-/// A transform that counts how often it is asked; its answers are those of the transform inside.
+/// A transform that counts its evaluations and otherwise forwards every call to the transform inside.
 ///
 /// ```
 /// use mdr_core::contact::{CountedTransform, Evaluations, Result, Transform};
@@ -96,7 +96,7 @@ impl<R: Real> CountedTransform<R> {
         CountedTransform { inner, tally: Arc::clone(tally) }
     }
 
-    /// The evaluations so far, of all that share the count.
+    /// The evaluations so far, of all transforms that share the count.
     pub fn evaluations(&self) -> Evaluations {
         self.tally.read()
     }
@@ -157,108 +157,5 @@ impl<R: Real> Transform<R> for CountedTransform<R> {
 
     fn rises(&self) -> bool {
         self.inner.rises()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::{Error, Quantity};
-    use super::*;
-
-    /// Answers every question differently, and none as the trait does by itself.
-    struct Peculiar;
-
-    impl Transform<f64> for Peculiar {
-        fn g(&self, x: &f64) -> Result<f64> {
-            Ok(x + 1.0)
-        }
-
-        fn slope(&self, x: &f64) -> Result<f64> {
-            Ok(x + 2.0)
-        }
-
-        fn integral(&self, x: &f64) -> Result<f64> {
-            Ok(x + 3.0)
-        }
-
-        fn mean(&self, x: &f64) -> Result<f64> {
-            Ok(x + 4.0)
-        }
-
-        fn above_mean(&self, x: &f64) -> Result<f64> {
-            Ok(x + 5.0)
-        }
-
-        fn g_within(&self, x: &f64, needed: &f64) -> Result<f64> {
-            Ok(x + needed)
-        }
-
-        fn mean_within(&self, x: &f64, needed: &f64) -> Result<f64> {
-            Ok(x - needed)
-        }
-
-        fn outer_radius(&self) -> Option<f64> {
-            Some(6.0)
-        }
-
-        fn wall(&self) -> bool {
-            true
-        }
-
-        fn kinks(&self) -> Vec<f64> {
-            vec![7.0]
-        }
-
-        fn kink(&self, index: usize, margin: &f64) -> Result<Option<Kink<f64>>> {
-            Err(Error::domain(Quantity::ContactRadius, &(index as f64 + margin), "peculiar"))
-        }
-
-        fn rises(&self) -> bool {
-            true
-        }
-    }
-
-    #[test]
-    fn every_question_is_passed_on_and_counted_once() {
-        let tally = Arc::new(Tally::default());
-        let counted = CountedTransform::new(Box::new(Peculiar), &tally);
-        let spent = |work: &dyn Fn() -> Result<f64>| {
-            let before = counted.evaluations();
-            (work().unwrap(), counted.evaluations() - before)
-        };
-        let none = Evaluations::default();
-        let [g, slope] = [Evaluations { g: 1, ..none }, Evaluations { slope: 1, ..none }];
-        let integral = Evaluations { integral: 1, ..none };
-        assert_eq!(spent(&|| counted.g(&10.0)), (11.0, g));
-        assert_eq!(spent(&|| counted.slope(&10.0)), (12.0, slope));
-        assert_eq!(spent(&|| counted.integral(&10.0)), (13.0, integral));
-        assert_eq!(spent(&|| counted.mean(&10.0)), (14.0, integral));
-        assert_eq!(spent(&|| counted.above_mean(&10.0)), (15.0, integral));
-        assert_eq!(spent(&|| counted.g_within(&10.0, &0.5)), (10.5, g));
-        assert_eq!(spent(&|| counted.mean_within(&10.0, &0.5)), (9.5, integral));
-        assert_eq!((counted.outer_radius(), counted.wall(), counted.kinks()), (Some(6.0), true, vec![7.0]));
-        assert!(counted.rises());
-        let expected = Peculiar.kink(2, &0.5).unwrap_err().to_string();
-        assert_eq!(counted.kink(2, &0.5).unwrap_err().to_string(), expected);
-        assert_eq!(tally.read(), Evaluations { g: 2, slope: 1, integral: 4 });
-        assert_eq!(tally.read().total(), 7);
-    }
-
-    #[test]
-    fn a_stop_ends_every_evaluation() {
-        let stop = Arc::new(AtomicBool::new(false));
-        let counted = CountedTransform::new(Box::new(Peculiar), &Arc::new(Tally::until(&stop)));
-        assert!(counted.g(&1.0).is_ok());
-        stop.store(true, Ordering::Relaxed);
-        assert_eq!((counted.g(&1.0), counted.mean(&1.0)), (Err(Error::Stopped), Err(Error::Stopped)));
-        assert_eq!(counted.evaluations().total(), 1);
-    }
-
-    #[test]
-    fn a_count_can_be_shared() {
-        let tally = Arc::new(Tally::default());
-        let [one, other] = [(); 2].map(|()| CountedTransform::new(Box::new(Peculiar), &tally));
-        assert!(one.g(&1.0).is_ok() && other.g(&1.0).is_ok());
-        assert_eq!((one.evaluations().g, other.evaluations().g), (2, 2));
     }
 }

@@ -1,4 +1,4 @@
-//! The one error type. Every message names the quantity, its value and the remedy.
+//! The one error type. Every message states the quantity, its value and the remedy.
 
 use std::fmt;
 
@@ -45,7 +45,7 @@ pub enum Quantity {
     Energy,
     /// Δx of the elastic foundation, in m.
     Spacing,
-    /// Decimal digits asked for.
+    /// The number of decimal digits required.
     Digits,
     /// A definite integral.
     Integral,
@@ -85,7 +85,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// What can keep a question from having a number as its answer.
+/// Why a result cannot be given as a number.
 ///
 /// ```
 /// use mdr_core::contact::{Error, Quantity};
@@ -107,7 +107,7 @@ pub enum Error {
         /// What it must be.
         requirement: &'static str,
     },
-    /// The result is a number, but not one that this arithmetic can hold.
+    /// The result is a number, but not representable in this arithmetic.
     #[error(
         "{quantity} is out of the range of this arithmetic: its log10 is {log10}; ask for certified digits instead"
     )]
@@ -135,7 +135,7 @@ pub enum Error {
         /// Estimated relative error reached.
         error: f64,
     },
-    /// A rigorous computation could not decide between two answers at any precision it may use.
+    /// A rigorous computation could not decide between two results at any precision it may use.
     #[error("{quantity}: undecided at {bits} bits: {what}")]
     Undecided {
         /// What was being computed.
@@ -145,7 +145,7 @@ pub enum Error {
         /// What could not be decided.
         what: &'static str,
     },
-    /// The computation was asked to stop.
+    /// The computation was stopped by its caller.
     #[error("stopped before the end")]
     Stopped,
     /// Slices that belong together differ in length.
@@ -161,11 +161,11 @@ pub enum Error {
     /// A part of a range that a proof does not cover.
     #[error("nothing is proved of {quantity} between {from} and {to}: {remedy}")]
     Unproved {
-        /// Of what.
+        /// The quantity of which nothing is proved.
         quantity: Quantity,
-        /// Where the part begins.
+        /// The lower end of that part.
         from: String,
-        /// Where it ends.
+        /// The upper end.
         to: String,
         /// What may help.
         remedy: &'static str,
@@ -183,7 +183,7 @@ impl Error {
         Error::NoEquilibrium { quantity, value: printed(value) }
     }
 
-    /// Passes `value` on when it is certainly positive and finite.
+    /// Returns `value` if it is certainly positive and finite.
     ///
     /// # Errors
     /// [`Error::Domain`] otherwise.

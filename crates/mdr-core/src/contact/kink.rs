@@ -1,11 +1,11 @@
-//! What is known of g at a radius where one of its derivatives jumps, and close to it.
+//! Bounds of g at a radius where one of its derivatives jumps, and close to it.
 
 use crate::number::Real;
 
-/// g at a kink, for proofs over enclosures: there no enclosure of g' exists that holds on both sides.
+/// g at a kink, for proofs by enclosures: no enclosure of g' is valid on both sides of a kink.
 #[derive(Clone, Debug)]
 pub struct Kink<R> {
-    /// g and its mean (1/x) ∫₀ˣ g at the kink; none where g is infinite.
+    /// g and its mean (1/x) ∫₀ˣ g at the kink; `None` where g is infinite.
     pub value: Option<(R, R)>,
     /// g' for smaller radii.
     pub inside: Slopes<R>,
@@ -27,9 +27,9 @@ impl<R: Real> Kink<R> {
 /// Bounds of g' on an open interval that ends at a kink.
 #[derive(Clone, Debug)]
 pub struct Slopes<R> {
-    /// g' is not below this; none where it has no bound, or none is known.
+    /// A lower bound of g'; `None` where there is none, or none is known.
     pub least: Option<R>,
-    /// g' is not above this.
+    /// An upper bound of g', likewise.
     pub greatest: Option<R>,
 }
 

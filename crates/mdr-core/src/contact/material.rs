@@ -1,4 +1,4 @@
-//! The two bodies, as far as the contact knows them: E* and w.
+//! The material parameters of the contact: E* and w.
 
 use super::{Error, Quantity, Result};
 use crate::number::{Exact, Literal, LiteralError, Real};
@@ -81,7 +81,7 @@ impl<R: Real> Material<R> {
     }
 }
 
-/// The elastic part of the material, as it is written.
+/// The elastic part of the material, as the user gives it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Elasticity {
     /// E*, in Pa.
@@ -94,7 +94,7 @@ impl Elasticity {
     /// E*, in Pa.
     ///
     /// # Errors
-    /// [`LiteralError`] where it is no finite number.
+    /// [`LiteralError`] unless it is a finite number.
     pub fn effective(modulus: impl Exact) -> std::result::Result<Self, LiteralError> {
         Ok(Elasticity::Effective(modulus.exact()?))
     }

@@ -1,4 +1,4 @@
-//! The vocabulary of the field: what is pressed, how it is held, what comes out.
+//! The vocabulary of contact mechanics: profiles, materials, controlled quantities, states and errors.
 
 mod control;
 mod counted;

@@ -29,27 +29,27 @@ pub trait Profile<R: Real>: Send + Sync {
         Vec::new()
     }
 
-    /// The size of the largest of the terms that may cancel in the height at r; none where it is written so that none do.
+    /// The magnitude of the largest term that may cancel in the height at r; `None` if the formula has no cancellation.
     fn largest_term(&self, _r: &R) -> Option<R> {
         None
     }
 
-    /// The radius up to which all kinks are known, where that is not everywhere.
+    /// The radius up to which all kinks are known; `None` if that is everywhere.
     fn kinks_known_to(&self) -> Option<R> {
         None
     }
 
-    /// The radius beyond which the profile is not defined (a full sphere), if there is one.
+    /// The radius beyond which the profile is not defined (the equator of a sphere), if there is one.
     fn outer_radius(&self) -> Option<R> {
         None
     }
 
-    /// Whether it rises vertically at its outer radius, where f is the limit from inside.
+    /// Whether the profile has a vertical edge at its outer radius, where f is the limit from inside.
     fn wall(&self) -> bool {
         false
     }
 
-    /// The exponent p of f(r) ≈ c rᵖ at the tip where it is known. It selects the quadrature weight that is exact there.
+    /// The exponent p of f(r) ≈ c rᵖ at the tip, if known. It selects the quadrature weight that is exact there.
     fn tip_exponent(&self) -> Option<R> {
         None
     }

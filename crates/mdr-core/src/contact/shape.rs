@@ -1,9 +1,9 @@
-//! The profiles of the library by name: one type for their parameters, whatever these are.
+//! The profiles of the library by name, with parameters of any type.
 
 /// A profile f(r) of the library with parameters of type `N`: [`Literal`](crate::number::Literal)s in a scene, numbers of an
 /// arithmetic in a formula. Lengths are in metres.
 ///
-/// The formulas of f are those of the numeric crate, the transforms g those of the analytic crate; neither is known here.
+/// The formulas of f are in the numeric crate, the transforms g in the analytic crate.
 ///
 /// ```
 /// use mdr_core::contact::Shape;
@@ -122,7 +122,7 @@ pub enum Shape<N> {
     },
 }
 
-/// The steepness of a cone, as it is given.
+/// The slope of a cone, as the user gives it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Flank<N> {
     /// tan θ, the slope against the plane of contact.
@@ -132,7 +132,7 @@ pub enum Flank<N> {
 }
 
 impl<N> Flank<N> {
-    /// The key of a scene, and the number under it.
+    /// The key in a scene, and the number given for it.
     pub fn parameter(&self) -> (&'static str, &N) {
         match self {
             Flank::Slope(slope) => ("slope", slope),
@@ -176,7 +176,7 @@ impl Shape<()> {
         NAMES.iter().map(|(name, _)| *name)
     }
 
-    /// The shape of a name, with nothing for its parameters; cones by their slope.
+    /// The shape with this name, without parameters; cones by their slope.
     pub fn by_name(name: &str) -> Option<&'static Shape<()>> {
         NAMES.iter().find(|(known, _)| *known == name).map(|(_, shape)| shape)
     }
@@ -222,7 +222,7 @@ impl<N> Shape<N> {
         shape
     }
 
-    /// The steepness of a cone, to be changed.
+    /// The steepness of a cone, for modification.
     pub fn flank_mut(&mut self) -> Option<&mut Flank<N>> {
         match self {
             Shape::Cone { flank }
@@ -234,7 +234,7 @@ impl<N> Shape<N> {
         }
     }
 
-    /// The same where a parameter may be refused.
+    /// As [`Shape::map`], where `f` may fail.
     ///
     /// # Errors
     /// The first error of `f`.

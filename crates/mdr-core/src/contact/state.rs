@@ -1,17 +1,17 @@
-//! States of the contact, how they end, and how an answer is marked.
+//! States of the contact, the outcome of an instability, and the status of an answer.
 
 use std::fmt;
 
 use super::{Error, Quantity, Result};
 
-/// What kind of instability a power-law profile f = C rⁿ has.
+/// The kind of instability of a power-law profile f = C rⁿ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Regime {
-    /// n > 1/2: pulled far enough, the contact breaks.
+    /// n > 1/2: under sufficient tension the contact breaks.
     PullOff,
-    /// n = 1/2: no length in the problem; the ratio of C to a threshold decides.
+    /// n = 1/2: the problem has no length scale; the ratio of C to a threshold decides.
     ScaleFree,
-    /// n < 1/2: pressed far enough, the contact spreads over the whole surface.
+    /// n < 1/2: under sufficient compression the contact spreads over the whole surface.
     CompleteContact,
 }
 
@@ -25,14 +25,14 @@ impl fmt::Display for Regime {
     }
 }
 
-/// What a small change of the contact radius leads to, the controlled quantity being held.
+/// The response to a small change of the contact radius at a fixed value of the controlled quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stability {
-    /// Back to the equilibrium.
+    /// It returns to the equilibrium.
     Stable,
-    /// Away from it.
+    /// It departs from the equilibrium.
     Unstable,
-    /// Neither: the state is a fold.
+    /// Neutral equilibrium: the state is a fold.
     Neutral,
 }
 
@@ -45,7 +45,7 @@ pub struct Equilibrium<R> {
     pub indentation: R,
     /// F, in N; positive when compressive.
     pub force: R,
-    /// Under the control it was found with.
+    /// Stability under the control of the computation.
     pub stability: Stability,
 }
 
@@ -61,13 +61,13 @@ impl<R> Equilibrium<R> {
     }
 }
 
-/// Whether the controlled quantity, as a function of the contact radius along the equilibria, has its minimum or its
-/// maximum at a fold.
+/// The type of extremum that the controlled quantity, as a function of the contact radius along the equilibria, has at
+/// a fold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FoldKind {
-    /// Pulled further, there is no equilibrium near.
+    /// Below the fold there is no equilibrium nearby.
     Minimum,
-    /// Pressed further, there is no equilibrium near.
+    /// Above the fold there is no equilibrium nearby.
     Maximum,
 }
 
@@ -81,12 +81,12 @@ impl FoldKind {
     }
 }
 
-/// What becomes of a contact that has lost its equilibrium at a fold.
+/// The state of the contact after an instability at a fold.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome<R> {
-    /// It comes to rest at another finite radius.
+    /// A stable equilibrium at another finite radius.
     Jump {
-        /// That radius, in m.
+        /// The radius of that equilibrium, in m.
         to: R,
     },
     /// The contact breaks.
@@ -104,7 +104,7 @@ pub struct Instability<R> {
     pub indentation: R,
     /// F, in N.
     pub force: R,
-    /// Which way the controlled quantity turns.
+    /// Whether the controlled quantity has a minimum or a maximum.
     pub kind: FoldKind,
 }
 
@@ -120,7 +120,7 @@ impl<R> Instability<R> {
     }
 }
 
-/// The contact at rest at the fold: the double root.
+/// The state at the fold: a double root.
 impl<R> From<Instability<R>> for Equilibrium<R> {
     fn from(fold: Instability<R>) -> Self {
         let Instability { contact_radius, indentation, force, .. } = fold;
@@ -128,7 +128,7 @@ impl<R> From<Instability<R>> for Equilibrium<R> {
     }
 }
 
-/// How an answer is marked.
+/// The status of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Status {
@@ -136,17 +136,17 @@ pub enum Status {
     Ok,
     /// No state satisfies the equations.
     NoEquilibrium,
-    /// The double root itself.
+    /// The state is the fold itself.
     Fold,
     /// Beyond the largest number of the arithmetic.
     Overflow,
-    /// Below the smallest.
+    /// Below the smallest positive number of the arithmetic.
     Underflow,
-    /// The question is outside its domain.
+    /// An input is outside its domain.
     DomainError,
-    /// The assumed simply connected contact would interpenetrate.
+    /// The surfaces would interpenetrate outside the assumed simply connected contact.
     NotAdmissible,
-    /// No precision that may be used decides the digits asked for.
+    /// No permitted precision decides the required digits.
     Undecided,
 }
 
@@ -165,7 +165,7 @@ impl fmt::Display for Status {
     }
 }
 
-/// A result that may be out of the range of its arithmetic. It is never flushed to 0 or ∞ in silence.
+/// A result that may be out of the range of its arithmetic. It is never replaced by 0 or ∞.
 ///
 /// ```
 /// use mdr_core::contact::{Quantity, Ranged, Status};

@@ -1,12 +1,12 @@
-//! The seam between closed forms and quadrature: the MDR-transformed profile.
+//! The interface between closed forms and quadrature: the MDR-transformed profile.
 
 use super::{Kink, Result};
 use crate::number::Real;
 
 /// The MDR-transformed profile g of (1.1), with its slope and its integral.
 ///
-/// Closed forms implement it in one crate, quadrature in another; equilibria, folds, paths, energy and fields are written
-/// once against it. All lengths in metres.
+/// Closed forms implement it in the analytic crate, quadrature in the numeric crate; equilibria, folds, paths, energy
+/// and fields use this trait only. All lengths are in metres.
 pub trait Transform<R: Real>: Send + Sync {
     /// g(x) for x > 0.
     ///
@@ -26,7 +26,7 @@ pub trait Transform<R: Real>: Send + Sync {
     /// As [`Transform::g`].
     fn integral(&self, x: &R) -> Result<R>;
 
-    /// The mean (1/x) ∫₀ˣ g, a length like g itself: in range wherever g is. The force is 2E*a (d − mean).
+    /// The mean (1/x) ∫₀ˣ g, in m; it is in range wherever g is. The force is 2E*a (d − mean).
     ///
     /// # Errors
     /// As [`Transform::g`].
@@ -34,8 +34,8 @@ pub trait Transform<R: Real>: Send + Sync {
         Ok(self.integral(x)? / x)
     }
 
-    /// g(x), or where it cannot be had to its own accuracy, as near a tip whose heights cancel, to an absolute error that is
-    /// estimated to be below what is `needed` of it.
+    /// g(x). Where full relative accuracy is not available, as near a tip whose heights cancel, the estimated absolute
+    /// error is below `needed`.
     ///
     /// # Errors
     /// As [`Transform::g`].
@@ -43,7 +43,7 @@ pub trait Transform<R: Real>: Send + Sync {
         self.g(x)
     }
 
-    /// The same of the [mean](Transform::mean).
+    /// As [`g_within`](Transform::g_within), for the [mean](Transform::mean).
     ///
     /// # Errors
     /// As [`Transform::g`].
@@ -51,8 +51,8 @@ pub trait Transform<R: Real>: Send + Sync {
         self.mean(x)
     }
 
-    /// g less its mean, (1/x) ∫₀ˣ s g'(s) ds, in m: a state has F = 2E*a (this − Δl). Override it where g and its mean nearly
-    /// cancel, as for a power law with n → 0.
+    /// g minus its mean, (1/x) ∫₀ˣ s g'(s) ds, in m: a state has F = 2E*a (g − mean − Δl). Override it where g and its
+    /// mean nearly cancel, as for a power law with n → 0.
     ///
     /// # Errors
     /// As [`Transform::g`].
@@ -65,7 +65,7 @@ pub trait Transform<R: Real>: Send + Sync {
         None
     }
 
-    /// Whether the profile rises vertically at its outer radius, so that the edge of the contact can rest there at any
+    /// Whether the profile has a vertical edge at its outer radius, so that the contact edge can stay there at any
     /// larger indentation. If so, g, g' and ∫g are defined at the outer radius too, as limits from inside.
     fn wall(&self) -> bool {
         false
@@ -76,16 +76,17 @@ pub trait Transform<R: Real>: Send + Sync {
         Vec::new()
     }
 
-    /// Whether g is known by its form to fall nowhere: then no contact overlaps outside of its edge.
+    /// Whether g is known to be nondecreasing: then the surfaces cannot interpenetrate outside the contact.
     fn rises(&self) -> bool {
         false
     }
 
-    /// What is known of g at the kink of this index and up to the relative distance `margin` < 1/4 on both sides of it; the
-    /// [wall](Transform::wall) comes after the last kink, with nothing outside. So does an outer radius towards which g grows
-    /// without bound: there it has no value, and the least slope inside holds from the margin on. None where nothing is known.
+    /// Bounds of g at the kink with this index and up to the relative distance `margin` < 1/4 on both sides of it;
+    /// `None` if nothing is known. A [vertical edge](Transform::wall) has the index after the last kink, with nothing
+    /// outside. So does an outer radius at which g diverges: it has no value there, and the lower bound of the slope
+    /// inside holds from the margin on.
     ///
-    /// Bounds hold over enclosures; other arithmetics promise nothing about them.
+    /// Bounds are guaranteed for enclosures only.
     ///
     /// # Errors
     /// As [`Transform::g`].

@@ -6,15 +6,15 @@ use rug::{Float, Rational};
 
 use super::{Interval, Precision, Real, Wide};
 
-/// A positive number x that is known as a `rug::Float` y of p bits and a count k: (1+u)^−k ≤ x/y ≤ (1+u)^k with u = 2⁻ᵖ.
+/// A positive number x represented by a `rug::Float` y of p bits and a count k of roundings: (1+u)^−k ≤ x/y ≤ (1+u)^k
+/// with u = 2⁻ᵖ.
 ///
-/// Products, quotients, powers and roots are all there is, and they keep relative errors in hand: the counts add up, and
-/// one more is that of the rounding. An enclosure of a monomial so costs half of what two directed ends do, and a large
-/// integer power times the error, as it must.
+/// Products, quotients, powers and roots add the counts of their operands and one for their own rounding; an integer
+/// power multiplies the count. An enclosure of a monomial thus costs half of what two directed roundings do.
 ///
-/// Where the roundings cannot be counted, and at the ends of the range of exponents, where a rounding is no relative error,
-/// the number is [unknown](Self::unknown): NaN, which no operation forgets, and whose [enclosure](Self::enclosure) is the entire
-/// line.
+/// Where the roundings cannot be counted, and near the ends of the exponent range, where a rounding is not a relative
+/// error, the number is [unknown](Self::unknown): a NaN that every operation propagates, with the entire line as its
+/// [enclosure](Self::enclosure).
 ///
 /// ```
 /// use mdr_core::number::{Counted, Precision};
@@ -32,7 +32,7 @@ pub struct Counted {
 }
 
 impl Counted {
-    /// A positive value of which so many roundings are known.
+    /// A positive value with this number of roundings.
     pub fn new(value: Float, roundings: u64) -> Self {
         Counted { value, roundings }
     }
@@ -42,7 +42,7 @@ impl Counted {
         Counted { value: Float::with_val(precision.bits(), Special::Nan), roundings: 0 }
     }
 
-    /// What an operation leaves behind.
+    /// The result of an operation; `None` roundings make it unknown.
     fn known(value: Float, roundings: Option<u64>) -> Self {
         match roundings {
             Some(roundings) if is_relative(&value) => Counted { value, roundings },
@@ -55,7 +55,7 @@ impl Counted {
         Counted { value: Float::with_val(precision.bits(), Constant::Pi), roundings: 1 }
     }
 
-    /// The value that is held.
+    /// The stored value.
     pub fn value(&self) -> &Float {
         &self.value
     }
@@ -102,11 +102,12 @@ impl Counted {
 
     /// The arithmetic-geometric mean.
     ///
-    /// It is homogeneous and grows with both numbers, so a relative error of theirs becomes no larger in it. With
-    /// m = (a+b)/2 and e = (a−b)/(a+b) it is m π/2K(e) = m (1 − e²/4 − θe⁴), 0 ≤ θ < 1/4 for |e| ≤ 1/2: as soon as e⁴ < u this
-    /// takes the place of the last two steps.
+    /// It is homogeneous and increases with both numbers, so it does not magnify their relative errors. With m =
+    /// (a+b)/2 and e = (a−b)/(a+b) it is m π/2K(e) = m (1 − e²/4 − θe⁴), 0 ≤ θ < 1/4 for |e| ≤ 1/2: as soon as e⁴ < u
+    /// this replaces the last two steps.
     pub fn agm(self, other: &Self) -> Self {
-        // Squared in each step, the ratio of any two floats is soon below 2, and then the difference squared.
+        // The ratio of any two floats is soon below 2, as each step takes its root; from then on the difference is
+        // squared.
         const STEPS: u64 = 128;
         let bits = self.value.prec();
         let given = one_more(other.roundings).map(|roundings| roundings.max(self.roundings));
@@ -123,8 +124,8 @@ impl Counted {
             if 4 * (apart + 1) <= -i64::from(bits) {
                 let short = bits / 2 + 16;
                 let correction = Float::with_val(short, difference.square_ref()) / Float::with_val(short, &mean);
-                // In each step before, for b half the count of a product and one for the root. One for the sum, one for the
-                // difference, one for θe⁴ and what the correction is wrong by.
+                // Each earlier step adds to b half the count of a product and one for the root. Here one each for the
+                // sum, the difference, θe⁴, and the error of the correction.
                 return Self::known(
                     mean - (correction >> 4u32),
                     given.and_then(|given| given.checked_add(2 * step + 3)),
@@ -137,7 +138,7 @@ impl Counted {
         Self::unknown(Precision::new(bits))
     }
 
-    /// The number to the power p/q. For other roots than the second and fourth nothing is known if p or q is above 1000.
+    /// The number to the power p/q. Except for second and fourth roots the result is unknown if p or q is above 1000.
     pub fn power(self, p: i32, q: u32) -> Self {
         match q {
             0 => Self::unknown(Precision::new(self.value.prec())),
@@ -159,9 +160,9 @@ impl Counted {
 
     /// x^(−p/q) by an iteration of third order for y = x^(−1/q), and y^p with the last correction.
     ///
-    /// Whatever y is, with ρ = 1 − xy^q and s = p/q the power is y^p (1 − ρ)^(−s), and 1 + sρ + s(1+s)ρ²/2 differs from the
-    /// latter by less than ((1+s)|ρ|)³ where that is below 1/4. So nothing is asked of the iteration but that its last ρ is
-    /// small, and that is seen.
+    /// For any y, with ρ = 1 − xy^q and s = p/q, the power is y^p (1 − ρ)^(−s), and 1 + sρ + s(1+s)ρ²/2 differs from
+    /// the second factor by less than ((1+s)|ρ|)³ where that is below 1/4. So it suffices that the last ρ is small,
+    /// which is checked.
     fn inverse_power(self, p: u32, q: u32) -> Self {
         const LARGEST: u32 = 1000;
         let precision = self.value.prec();
@@ -178,8 +179,8 @@ impl Counted {
             let rest = residual(&y, precision);
             let small = rest.get_exp().map_or(i64::MIN / 8, i64::from);
             if 3 * (small + magnification(p, q)) < -i64::from(precision).max(2) {
-                // ρ is wrong by up to 3u, for the power, its product with x, and the difference; u each for y^p, what is left
-                // out, the shorter operands, and the last two operations.
+                // The error of ρ is at most 3u, from the power, its product with x, and the difference; u each for y^p,
+                // the truncation, the shorter operands, and the last two operations.
                 let magnified = self.roundings.checked_add(3).and_then(|count| count.checked_mul(p.into()));
                 let value = correction(&rest, p, q, precision) * &short_power(&y, p, precision);
                 return Self::known(value, magnified.and_then(|count| count.div_ceil(q.into()).checked_add(5)));
@@ -189,7 +190,7 @@ impl Counted {
         unknown
     }
 
-    /// An interval that contains the number, rounded to a precision; the entire line where nothing is known.
+    /// An interval that contains the number, rounded to a precision; the entire line if nothing is known.
     pub fn enclosure(&self, precision: Precision) -> Interval {
         let bits = self.value.prec();
         // For ku ≤ 1/2 both (1+u)^k − 1 and 1 − (1+u)^−k are at most 2ku.
@@ -208,14 +209,14 @@ fn one_more(roundings: u64) -> Option<u64> {
     roundings.checked_add(1)
 }
 
-/// Whether a value is a number so far above the least exponent that roundings are relative, also of what is u² of it.
+/// Whether a value is so far above the least exponent that its roundings are relative, even after a factor u².
 fn is_relative(value: &Float) -> bool {
     value
         .get_exp()
         .is_some_and(|exponent| i64::from(exponent) > i64::from(exp_min()) + 2 * i64::from(value.prec()) + 64)
 }
 
-/// 1 + sρ + s(1+s)ρ²/2 with s = p/q, for |ρ| below 2^(−bits/3), and without the square where it does not count.
+/// 1 + sρ + s(1+s)ρ²/2 with s = p/q, for |ρ| below 2^(−bits/3), without the square where it is negligible.
 fn correction(rest: &Float, p: u32, q: u32, bits: u32) -> Float {
     let small = rest.get_exp().map_or(i64::MIN / 8, i64::from);
     let mut sum = Float::with_val(bits / 3 * 2 + 16, rest);
@@ -235,7 +236,7 @@ fn magnification(p: u32, q: u32) -> i64 {
     i64::from(u32::BITS - (p / q + 1).leading_zeros())
 }
 
-/// y^k, wrong by no more than half a unit of the given bits; short numbers stay exact as long as they are short.
+/// y^k with an error of at most half a unit of the given bits; results that fit the precision are exact.
 fn short_power(y: &Float, k: u32, bits: u32) -> Float {
     // Fewer than 2k roundings.
     chain(y, k, bits + 2 + u32::BITS - k.leading_zeros())
@@ -250,7 +251,7 @@ fn chain(y: &Float, k: u32, bits: u32) -> Float {
     if k.is_multiple_of(2) { square } else { Float::with_val(bits.min(square.prec() + y.prec()), &square * y) }
 }
 
-/// Precisions for an iteration of third order that starts from some hundred bits, before the last.
+/// Precisions of a third-order iteration that starts from about a hundred bits, without the last.
 fn ladder(precision: u32) -> impl Iterator<Item = u32> {
     let third = |bits: u32| (bits > 300).then_some(bits / 3 + 12);
     let mut rungs: Vec<u32> = std::iter::successors(third(precision), |bits| third(*bits)).collect();
@@ -258,7 +259,7 @@ fn ladder(precision: u32) -> impl Iterator<Item = u32> {
     rungs.into_iter()
 }
 
-/// x^(−1/q) to some hundred bits: one step of the same iteration in two words, from a double.
+/// x^(−1/q) to about a hundred bits: one step of the same iteration in two words, starting from a double.
 fn first_inverse_root(x: &Float, q: u32) -> Float {
     let (_, exponent) = x.to_f64_exp();
     let q_signed = q as i32;
@@ -274,111 +275,4 @@ fn first_inverse_root(x: &Float, q: u32) -> Float {
     let [low, high] = *root.limbs();
     let significand = Float::with_val(128, u128::from(high) << 64 | u128::from(low));
     significand << (root.exponent() as i32 - 128 - whole)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn powers_and_roots_are_enclosed_and_tight() {
-        for bits in [2, 10, 53, 54, 100, 121, 192, 700, 4000] {
-            for x in [(1, 3), (2, 1), (123_456_789, 1), (1, 1_000_000_007)].map(Rational::from) {
-                for (p, q) in [
-                    (1, 3),
-                    (-1, 3),
-                    (2, 5),
-                    (-5, 7),
-                    (5, 2),
-                    (3, 4),
-                    (-7, 1),
-                    (100, 87),
-                    (11, 499),
-                    (-499, 500),
-                    (-997, 3),
-                    (1000, 999),
-                    (0, 3),
-                ] {
-                    let power = |bits| Counted::new(Float::with_val(bits, &x), 1).power(p, q);
-                    let found = power(bits + 24).enclosure(Precision::new(bits));
-                    // MPFR's power at more than twice the precision.
-                    let wide = Float::with_val(2 * bits + 100, &x);
-                    let exact = wide.clone().pow(Float::with_val(wide.prec(), Rational::from((p, q))));
-                    assert!(found.contains(&exact), "{x}^({p}/{q}), {bits} bits: {found} {exact}");
-                    assert!(found.accuracy_bits() >= i64::from(bits) - 2, "{x}^({p}/{q}), {bits} bits: {found}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn means_are_enclosed_and_tight() {
-        for bits in (2..300).step_by(7).chain([700, 4000]) {
-            for (x, y) in [(1, 2), (1, 1), (3, 1), (1_000_000_007, 1_000_000_009), (1, i64::MAX), (355, 113)] {
-                for shift in [0, 7, -100_000_000] {
-                    let number = |value, bits| Float::with_val(bits, value);
-                    let [a, b] = [x, y].map(|value| Counted::new(number(value, bits + 24), 1));
-                    let b = Counted::new(b.value << shift, 1);
-                    let found = a.agm(&b).enclosure(Precision::new(bits));
-                    // MPFR's mean at more than twice the precision.
-                    let exact = number(x, 2 * bits + 100).agm(&(number(y, 2 * bits + 100) << shift));
-                    assert!(found.contains(&exact), "agm({x}, {y}·2^{shift}), {bits} bits: {found} {exact}");
-                    assert!(found.accuracy_bits() >= i64::from(bits) - 2, "agm({x}, {y}·2^{shift}): {found}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn the_count_is_in_the_enclosure() {
-        let precision = Precision::new(100);
-        let number = |roundings| Counted::new(Float::with_val(100, 3), roundings);
-        let width = |roundings| number(roundings).enclosure(precision).radius() >> 1_u32;
-        // (1+u)^1000 − 1 is more than 999 u.
-        assert!(width(1000) * 2u32 > Float::with_val(100, 3 * 999) >> 100);
-        assert!(number(u64::MAX).enclosure(precision).is_entire());
-        assert!(!number(1 << 61).enclosure(Precision::new(10)).is_entire());
-        assert!(Counted::new(Float::with_val(20, 3), 1 << 20).enclosure(precision).is_entire());
-        assert!(number(1).times(&number(2)).over(&number(3)).roundings() == 8);
-    }
-
-    #[test]
-    fn beyond_the_exponents_nothing_is_known() {
-        let huge = Counted::new(Float::with_val(60, 1) << (i32::MAX / 2), 0);
-        let tiny = Counted::new(Float::with_val(60, 1) >> (i32::MAX / 2), 0);
-        assert!(tiny.clone().plus(&tiny).agm(&tiny).enclosure(Precision::new(50)).is_entire());
-        assert!(huge.clone().agm(&Counted::new(Float::with_val(60, 0), 0)).enclosure(Precision::new(50)).is_entire());
-        assert!(huge.clone().power(100, 1).enclosure(Precision::new(50)).is_entire());
-        assert!(huge.power(-100, 3).enclosure(Precision::new(50)).is_entire());
-        let one = || Counted::new(Float::with_val(60, 1), 1);
-        for (p, q) in [(1, u32::MAX), (i32::MIN, 3), (-1, 1001), (1001, 3)] {
-            assert!(one().power(p, q).enclosure(Precision::new(50)).is_entire());
-        }
-    }
-
-    /// Whatever follows: roots halve a count, a factor adds one to it, and a product brings a value back into range.
-    #[test]
-    fn what_is_unknown_stays_unknown() {
-        let precision = Precision::new(100);
-        let number = |value: Float, roundings| Counted::new(value, roundings);
-        let three = || Float::with_val(100, 3);
-        let least = Float::with_val(100, 1) << exp_min();
-        let unknown = [
-            number(three(), 1).power(1001, 3),
-            number(three(), u64::MAX).times(&number(three(), 1)),
-            number(three(), u64::MAX).power(2, 1),
-            // 0.7 times the least number is rounded to it.
-            number(least.clone(), 0).scaled(&(7, 10).into()),
-            number(least, 0).over(&number(Float::with_val(100, 1.4), 0)),
-        ];
-        for (case, unknown) in unknown.into_iter().enumerate() {
-            let root = unknown.clone().sqrt().sqrt().sqrt().sqrt();
-            let raised = unknown.clone().times(&number(Float::with_val(100, 1) << 1000, 0));
-            let scaled = unknown.clone().scaled(&(3, 7).into()).power(1, 3);
-            let beside = number(three(), 1).plus(&unknown).agm(&number(three(), 1)).power(-2, 1);
-            for after in [unknown, root, raised, scaled, beside] {
-                assert!(after.enclosure(precision).is_entire(), "case {case}: {after:?}");
-            }
-        }
-    }
 }

@@ -1,4 +1,4 @@
-//! A correctly rounded decimal, as text: it needs no arithmetic, and none of GMP.
+//! A correctly rounded decimal as text, independent of GMP.
 
 use std::fmt;
 
@@ -25,7 +25,7 @@ use rug::Integer;
 pub struct Decimal {
     negative: bool,
     digits: String,
-    /// A whole number as text; empty for zero.
+    /// An integer as text; empty for zero.
     exponent: String,
 }
 

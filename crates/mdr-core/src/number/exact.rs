@@ -1,9 +1,9 @@
-//! Exact inputs from whatever they are written in.
+//! Conversion of exact inputs of any type to literals.
 
 use super::{Literal, LiteralError};
 
-/// What has an exact decimal or fractional value: a text such as `"1/3"` or `"2e-9"`, an integer, or a double, which stands for
-/// the shortest decimal that reads back as itself.
+/// A type with an exact decimal or fractional value: a text such as `"1/3"` or `"2e-9"`, an integer, or a double, which
+/// stands for the shortest decimal that reads back as itself.
 ///
 /// ```
 /// use mdr_core::number::Exact;
@@ -15,7 +15,7 @@ pub trait Exact {
     /// The exact value.
     ///
     /// # Errors
-    /// [`LiteralError`] where it is no finite number.
+    /// [`LiteralError`] unless it is a finite number.
     fn exact(self) -> Result<Literal, LiteralError>;
 }
 

@@ -1,4 +1,5 @@
-//! `f64`. Elementary functions and the Gamma family from `pxfm` (worst error below one ulp); √x and |x| of the standard library.
+//! `Real` for `f64`: elementary functions and the Gamma family from `pxfm` (worst error below one ulp), √x and |x| from
+//! the standard library.
 
 use super::{Gamma, Literal, Real, Special};
 

@@ -1,4 +1,4 @@
-//! Inputs as they were written: exact decimals and fractions.
+//! Exact decimals and fractions, as the user writes them.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -11,8 +11,8 @@ const LIMIT: i64 = 100_000;
 
 /// An exact rational number as a user writes it: `0.3`, `-1.5e-12`, or a fraction of two integers `1/3`.
 ///
-/// It means the same in every arithmetic: exactly this rational where the arithmetic can hold it, else the nearest
-/// number or the tightest enclosure. Text that is not a finite number is refused with the reason.
+/// Its value is the same in every arithmetic: exactly this rational where the arithmetic can represent it, else the
+/// nearest number or the tightest enclosure. Text that is not a finite number is rejected with the reason.
 ///
 /// ```
 /// use mdr_core::number::Literal;
@@ -44,7 +44,7 @@ pub enum LiteralError {
     /// An infinity or a NaN was written.
     #[error("not finite: expected a decimal such as 0.25 or 1e-9")]
     NotFinite,
-    /// More digits or a larger exponent than is useful.
+    /// More digits or a larger exponent than the limit.
     #[error("too large to be meant: at most {LIMIT} digits and a decimal exponent within ±{LIMIT}")]
     TooLarge,
     /// A fraction over zero.
@@ -142,15 +142,15 @@ impl Literal {
         Some(if self.negative { -magnitude } else { magnitude })
     }
 
-    /// The nearest double; ±∞ or ±0 where the range of `f64` ends. A fraction of integers beyond 2⁵³ may be two ulp off
-    /// without the feature `mp`.
+    /// The nearest double; ±∞ or ±0 beyond the range of `f64`. Without the feature `mp` a fraction of integers above
+    /// 2⁵³ may be two ulp off.
     pub fn nearest_f64(&self) -> f64 {
         #[cfg(feature = "mp")]
         if self.denominator != "1" {
             return self.to_rational().to_f64_nearest();
         }
         let part = |digits: &str, exponent: i64| -> f64 {
-            // `digits` is not empty here or stands for zero; the grammar was checked on the way in.
+            // `digits` is empty for zero, hence the leading 0; the grammar was checked by the parser.
             format!("0{digits}e{exponent}").parse().unwrap_or(f64::NAN)
         };
         let magnitude = if self.digits.len().max(self.denominator.len()) <= 300 {
@@ -158,7 +158,7 @@ impl Literal {
         } else if self.denominator == "1" {
             part(&self.digits, self.exponent)
         } else {
-            // As 0.digits, which cannot leave the range; the shift of the decimal point comes last.
+            // As 0.digits, which cannot leave the range; the decimal point is shifted last.
             let quotient = part(&format!(".{}", self.digits), 0) / part(&format!(".{}", self.denominator), 0);
             let shift = self.digits.len() as i64 - self.denominator.len() as i64;
             if shift == 0 { quotient } else { format!("{quotient:?}e{shift}").parse().unwrap_or(f64::NAN) }
@@ -166,7 +166,7 @@ impl Literal {
         if self.negative { -magnitude } else { magnitude }
     }
 
-    /// The exact order of the two values, however they are written; no rounding, and no GMP.
+    /// The exact order of the two values, independent of their notation; no rounding, no GMP.
     ///
     /// ```
     /// use std::cmp::Ordering;
@@ -201,7 +201,7 @@ impl Literal {
         }
     }
 
-    /// |self| against |other|, neither of them zero: the fractions are brought to one denominator.
+    /// |self| against |other|, both nonzero, as fractions over a common denominator.
     fn compare_magnitude(&self, other: &Self) -> Ordering {
         let [one, two] = [(self, other), (other, self)].map(|(this, that)| {
             let digits = product(&this.digits, &that.denominator);
@@ -265,13 +265,14 @@ trait NearestF64 {
 #[cfg(feature = "mp")]
 impl NearestF64 for rug::Rational {
     fn to_f64_nearest(&self) -> f64 {
-        // 53 bits round correctly except where f64 is subnormal; there the sticky bits of a long float decide.
+        // Rounding to 53 bits is correct unless the double is subnormal; there the sticky bits of a longer float
+        // decide.
         let direct = rug::Float::with_val(f64::MANTISSA_DIGITS, self).to_f64();
         if direct.is_normal() { direct } else { rug::Float::with_val(4096, self).to_f64() }
     }
 }
 
-/// As it was written.
+/// In its original notation.
 impl fmt::Display for Literal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
@@ -287,124 +288,11 @@ impl From<i64> for Literal {
     }
 }
 
-/// The shortest decimal that reads back as a finite double: 0.1 is 1/10 here, and not the double next to it.
+/// The shortest decimal that reads back as a finite double: 0.1 becomes 1/10, not the double nearest to it.
 impl TryFrom<f64> for Literal {
     type Error = LiteralError;
 
     fn try_from(value: f64) -> Result<Self, LiteralError> {
         format!("{value:e}").parse()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn decimals_are_exact() {
-        for (text, value) in
-            [("0.3", 0.3), ("-1.5e-12", -1.5e-12), (".5", 0.5), ("5.", 5.0), ("0e5", 0.0), ("1E+3", 1e3)]
-        {
-            assert_eq!(text.parse::<Literal>().unwrap().nearest_f64(), value, "{text}");
-        }
-    }
-
-    #[test]
-    fn integers_are_as_if_written() {
-        for value in [0, 1, -1, 10, -1200, i64::MAX, i64::MIN] {
-            assert_eq!(Literal::from(value), value.to_string().parse().unwrap());
-        }
-    }
-
-    #[test]
-    fn refuses_what_is_not_a_finite_number() {
-        use LiteralError::*;
-        for (text, why) in [
-            ("", NotANumber),
-            ("-", NotANumber),
-            (".", NotANumber),
-            ("1e", NotANumber),
-            ("0x10", NotANumber),
-            ("1,5", NotANumber),
-            ("--1", NotANumber),
-            ("1/2/3", NotANumber),
-            ("1.5/2", NotANumber),
-            ("NaN", NotFinite),
-            ("-inf", NotFinite),
-            ("1e999999999", TooLarge),
-            ("1e99999999999999999999", TooLarge),
-            ("1/0", ZeroDenominator),
-        ] {
-            assert_eq!(text.parse::<Literal>(), Err(why), "{text:?}");
-        }
-    }
-
-    #[test]
-    fn fractions() {
-        let value = |text: &str| text.parse::<Literal>().unwrap().nearest_f64();
-        let close = |x: f64, y: f64| (x - y).abs() <= 2.0 * f64::EPSILON * y.abs();
-        let zeros = "0".repeat(400);
-        assert!(close(value("1/3"), 1.0 / 3.0) && close(value("-22/7"), -22.0 / 7.0));
-        assert!(close(value(&format!("1{zeros}/1{zeros}")), 1.0), "neither part is a double");
-        assert!(close(value(&format!("3{zeros}/2{}", "0".repeat(100))), 1.5e300));
-        assert_eq!(
-            (value("0/7"), value(&format!("1{zeros}/7")), value(&format!("7/1{zeros}"))),
-            (0.0, f64::INFINITY, 0.0)
-        );
-    }
-
-    /// The order of the texts is that of the rationals, also where no double tells them apart.
-    #[test]
-    fn order() {
-        let sorted = [
-            "-1e400",
-            "-3",
-            "-1/3",
-            "-0.3333333333333333333333",
-            "0",
-            "1/1000000000000000000001",
-            "1e-21",
-            "0.3333333333333333333333",
-            "1/3",
-            "0.5",
-            "999999999999999999/1000000000",
-            "1000000000",
-            "1e400",
-        ];
-        let literals: Vec<Literal> = sorted.iter().map(|text| text.parse().unwrap()).collect();
-        for (i, one) in literals.iter().enumerate() {
-            for (j, other) in literals.iter().enumerate() {
-                assert_eq!(one.compare(other), i.cmp(&j), "{one} and {other}");
-                #[cfg(feature = "mp")]
-                assert_eq!(one.compare(other), one.to_rational().cmp(&other.to_rational()), "{one} and {other}");
-            }
-        }
-        let equal = |one: &str, other: &str| {
-            one.parse::<Literal>().unwrap().compare(&other.parse().unwrap()) == Ordering::Equal
-        };
-        assert!(equal("2/6", "1/3") && equal("-0", "0/5") && equal("1.50", "3/2") && equal("100", "1e2"));
-    }
-
-    #[test]
-    fn small_integers() {
-        let integer = |text: &str| text.parse::<Literal>().unwrap().small_integer();
-        assert_eq!(
-            [integer("2"), integer("-2.0"), integer("12e3"), integer("0")],
-            [Some(2), Some(-2), Some(12_000), Some(0)]
-        );
-        for text in ["2.5", "2.00000000000000000000001", "4/2", "1e7", "1e-1"] {
-            assert_eq!(integer(text), None, "{text}");
-        }
-    }
-
-    #[cfg(feature = "mp")]
-    #[test]
-    fn rational_value() {
-        let rational = |text: &str| text.parse::<Literal>().unwrap().to_rational();
-        assert_eq!(rational("0.3"), rug::Rational::from((3, 10)));
-        assert_eq!(rational("-2/6"), rug::Rational::from((-1, 3)));
-        assert_eq!(rational("1.20e2"), rug::Rational::from(120));
-        let tiny = "4.9406564584124654e-324".parse::<Literal>().unwrap();
-        assert_eq!(tiny.nearest_f64(), f64::from_bits(1));
     }
 }

@@ -1,4 +1,4 @@
-//! The arithmetics in which every formula runs, behind one trait.
+//! The arithmetics in which every formula is evaluated, behind one trait.
 
 #[cfg(feature = "mp")]
 pub mod certify;

@@ -1,4 +1,4 @@
-//! `rug::Float`, bare: the significand carries the precision.
+//! `Real` for `rug::Float`; the significand carries the precision.
 
 use rug::Float;
 use rug::float::Constant;
@@ -21,9 +21,9 @@ impl Precision {
         Precision(bits.max(2))
     }
 
-    /// The bits that hold `digits` decimal digits: ⌈digits · log₂10⌉.
+    /// The bits that represent `digits` decimal digits: ⌈digits · log₂10⌉.
     pub fn from_digits(digits: u32) -> Self {
-        // 3402/1024 exceeds log₂10 by 2·10⁻⁴: never a bit too few.
+        // 3402/1024 exceeds log₂10 by 2·10⁻⁴, so the result is never too small.
         let bits = (u64::from(digits) * 3402).div_ceil(1024);
         Precision::new(u32::try_from(bits).unwrap_or(u32::MAX))
     }

@@ -1,4 +1,4 @@
-//! The trait that every formula of the workspace is written against.
+//! The trait in which every formula of the workspace is written.
 
 use std::cmp::Ordering;
 use std::fmt::Debug;
@@ -8,16 +8,17 @@ use num_traits::{Inv, ToPrimitive};
 
 use super::Literal;
 
-/// A real number in some arithmetic: hardware, arbitrary precision, rigorous enclosure, or any of them with derivatives.
+/// A real number in some arithmetic: hardware, arbitrary precision, rigorous enclosure, or any of these with
+/// derivatives.
 ///
 /// * A value carries its precision. Inside a formula, constants come from a value ([`lit`](Real::lit),
 ///   [`ratio`](Real::ratio), [`pi`](Real::pi), [`times`](Real::times), [`over`](Real::over)), never from a literal
 ///   `f64`: there is deliberately no `Mul<f64>` for generic numbers. The context [`Ctx`](Real::Ctx) appears only where
-///   numbers are born.
+///   numbers are created.
 /// * All inputs of one computation come from one context.
 /// * The operations are total, as in IEEE 754: outside its domain a function returns a value that is not
-///   [finite](Real::is_finite). Public functions check domains first and return an
-///   [`Error`](crate::contact::Error) that names the quantity.
+///   [finite](Real::is_finite). Public functions check domains first and return an [`Error`](crate::contact::Error)
+///   with the quantity.
 /// * Comparison is partial. An interval compares only when the answer is *certain*; a dual number compares by its value.
 ///
 /// ```
@@ -50,7 +51,7 @@ pub trait Real:
     + for<'a> MulAssign<&'a Self>
     + for<'a> DivAssign<&'a Self>
 {
-    /// What a number needs to be born: nothing for `f64`, a precision in bits otherwise.
+    /// What is needed to create a number: nothing for `f64`, a precision in bits otherwise.
     type Ctx: Copy + Debug + PartialEq + Send + Sync + 'static;
 
     /// The context of this value.
@@ -59,7 +60,7 @@ pub trait Real:
     /// The integer `value`.
     fn from_int(ctx: Self::Ctx, value: i64) -> Self;
 
-    /// The number that a finite `f64` stands for, exactly where the precision allows.
+    /// The exact value of a finite `f64`, rounded if the precision is too small.
     fn from_f64(ctx: Self::Ctx, value: f64) -> Self;
 
     /// An exact literal: nearest for a floating type, the tightest enclosure for an interval.
@@ -128,19 +129,20 @@ pub trait Real:
     /// Whether the value is a number (for an interval: both ends).
     fn is_finite(&self) -> bool;
 
-    /// `self` after a truncation whose error is at most |bound|: an interval grows by it on both sides, other
-    /// arithmetics, which make no promise about their error, return `self`.
+    /// `self` after a truncation with an error of at most |bound|: an interval grows by it on both sides; other
+    /// arithmetics, which guarantee no error bound, return `self`.
     fn inflate(self, _bound: &Self) -> Self {
         self
     }
 
-    /// As [`inflate`](Real::inflate), where the error and its derivative are at most |bound| and |bound'|: a dual number
-    /// over intervals keeps its slope, which grows by that of the bound.
+    /// As [`inflate`](Real::inflate), where the error and its derivative are at most |bound| and |bound'|: a dual
+    /// number over intervals keeps its slope, widened by that of the bound.
     fn inflate_with_slope(self, bound: &Self) -> Self {
         self.inflate(bound)
     }
 
-    /// The greater of two numbers; over intervals it contains the greater of every pair, whose order need not be certain.
+    /// The greater of two numbers; for intervals an enclosure of the greater of every pair, even if their order is
+    /// uncertain.
     fn greater(&self, other: &Self) -> Self {
         match self.partial_cmp(other) {
             Some(Ordering::Less) => other.clone(),
@@ -154,21 +156,21 @@ pub trait Real:
         -(-self.clone()).greater(&-other.clone())
     }
 
-    /// One of two numbers, over intervals any: their mean ± half their difference.
+    /// An enclosure of both numbers, where the arithmetic has enclosures: their mean ± half their difference.
     fn either(&self, other: &Self) -> Self {
         let half = [self, other].map(|number| number.clone().over(2));
         let [mean, spread] = [half[0].clone() + &half[1], half[0].clone() - &half[1]];
         mean.inflate(&spread)
     }
 
-    /// The value for steering an algorithm (pivots, brackets, stopping): itself for a floating type, the midpoint of an
-    /// interval as a degenerate interval, a dual without its slope. A decision, never part of a result.
+    /// A representative point for control flow (pivots, brackets, stopping): the value of a floating type, the midpoint
+    /// of an interval as a point, a dual number without its slope. Never enters a result.
     fn steer(&self) -> Self {
         self.clone()
     }
 }
 
-/// The order in which numbers are sorted, by where they [steer](Real::steer): enclosures that overlap have one, too.
+/// The order of numbers by their [representative points](Real::steer), which exists for overlapping enclosures too.
 ///
 /// ```
 /// let mut radii = [3.0, 1.0, 2.0];
@@ -205,7 +207,7 @@ pub trait Special: Real {
     }
 }
 
-/// The Gamma family. Duals do not have it: its second derivative would need the trigamma function.
+/// The Gamma family. Not available for duals: its second derivative would need the trigamma function.
 pub trait Gamma: Real {
     /// Γ(self), for self > 0.
     fn gamma(&self) -> Self;
@@ -215,10 +217,10 @@ pub trait Gamma: Real {
     fn digamma(&self) -> Self;
 }
 
-/// Numbers in which a value of `R` can stand as a constant: `R` itself, and `R` with derivatives.
+/// Numbers that can represent a value of `R` as a constant: `R` itself, and `R` with derivatives.
 ///
 /// A profile is written once as `fn height<S: Lift<R>>(&self, r: &S) -> S`; its parameters are lifted, and
-/// [`Dual`](super::Dual) then differentiates it. The circular functions are there for wavy profiles.
+/// [`Dual`](super::Dual) then differentiates it.
 pub trait Lift<R: Real>: Special {
     /// `constant` as a number of this kind with zero derivatives.
     fn lift(constant: &R) -> Self;

@@ -1,4 +1,4 @@
-//! Random numbers and intervals at random precision, and what it means for an enclosure to be right and sharp.
+//! Random numbers and intervals at random precision, and the criteria for a correct and sharp enclosure.
 
 use std::ops::RangeInclusive;
 
@@ -29,7 +29,7 @@ pub(crate) fn signed(bits: u32, exponents: RangeInclusive<i32>) -> impl Strategy
     (float(bits, exponents), any::<bool>()).prop_map(|(x, negative)| if negative { -x } else { x })
 }
 
-/// From numbers, intervals: points, a few units in the last place wide, and between two random numbers.
+/// Intervals from numbers: points, a few units in the last place wide, and between two random numbers.
 pub(crate) fn interval_of<S: Strategy<Value = Float> + Clone + 'static>(numbers: S) -> impl Strategy<Value = Interval> {
     prop_oneof![
         numbers.clone().prop_map(Interval::point),
@@ -41,7 +41,7 @@ pub(crate) fn interval_of<S: Strategy<Value = Float> + Clone + 'static>(numbers:
     ]
 }
 
-/// `x` moved by so many units in the last place.
+/// `x` shifted by this many units in the last place.
 pub(crate) fn step(x: &Float, steps: i32) -> Float {
     let mut x = x.clone();
     for _ in 0..steps.abs() {
@@ -63,8 +63,8 @@ pub(crate) fn samples(interval: &Interval, bits: u32) -> Vec<Float> {
 /// An enclosure is right when it contains the value at every sample, and sharp when each of its ends is within `ulps`
 /// units in the last place of the extreme value among them.
 ///
-/// The values are rounded to nearest at a higher precision. That is a monotone map which leaves the ends of the
-/// enclosure where they are, so both requirements hold without any slack for that rounding.
+/// The values are rounded to nearest at a higher precision. That is a monotone map that leaves the ends of the
+/// enclosure unchanged, so both criteria need no tolerance for that rounding.
 pub(crate) fn right_and_sharp(enclosure: &Interval, values: &[Float], ulps: i32) -> Result<(), TestCaseError> {
     for value in values {
         prop_assert!(enclosure.contains(value), "{enclosure:?} does not contain {value}");

@@ -1,5 +1,6 @@
 //! The library of transformed profiles against quadrature of the profiles.
 
+use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Result, Transform};
@@ -10,7 +11,7 @@ use rug::Float;
 
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
-use crate::library::{Height, Shape, closed_form};
+use crate::library::{Shape, closed_form, heights};
 use crate::report::Unit;
 use crate::subject::{LIBRARY_IDS, Part, SubjectId};
 use crate::tolerance::{TRANSFORM, quadrature};
@@ -143,7 +144,7 @@ impl<R: Real> Drawn<R> {
     }
 
     /// The closed form, over numbers in which R is a constant.
-    pub(super) fn closed<S: Lift<R> + Struve>(&self) -> Result<Box<dyn Transform<S>>> {
+    pub(super) fn closed<S: Lift<R> + Struve + Kappa>(&self) -> Result<Box<dyn Transform<S>>> {
         closed_form(self.shape, &self.parameters::<S>())
     }
 }
@@ -155,7 +156,7 @@ fn library<R: Arithmetic>(trial: &mut Trial<'_>, shape: Shape, turn: usize, ctx:
     trial.describe(format_args!("{shape:?}, L = {l:e}, b = {b:e}, t = {t:e}, x = {at:e} ({})", R::NAME));
     let closed = profile.closed::<R>()?;
     let with_slopes = profile.closed::<Dual<R>>()?;
-    let transform = Quadrature::new(Height { shape, parameters: profile.parameters::<R>() });
+    let transform = Quadrature::new(heights(shape, &profile.parameters::<R>()));
 
     let y = Dual::variable(x.clone());
     let condition = |value: Dual<R>| {

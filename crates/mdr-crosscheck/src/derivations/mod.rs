@@ -5,8 +5,10 @@
 //!
 //! * *proved* holds by normal forms; as an independent check of the algebra both sides, evaluated as they are written,
 //!   have to overlap at [`SPOT_CHECKS`] points;
-//! * *enclosed* is false at none of [`POINTS`] random points and certain at one of them at least. An equality is certain
-//!   where the two sides overlap and agree to [`AGREEMENT`] bits. Where the points lie is told by [`Points`];
+//! * *enclosed* is an inequality of numbers, or at one point, that intervals prove; an equality there *agrees*: the two sides
+//!   overlap to [`AGREEMENT`] bits;
+//! * *sampled* is false at none of [`POINTS`] random points and certain at one of them at least, which proves nothing.
+//!   [`Points`] says where they lie;
 //! * *refuted* fails by normal forms, and there is a point where its two sides certainly differ.
 //!
 //! Each statement that is proved or enclosed is also mutated ([`Mutants`]): with one sign, exponent or factor wrong, or with the
@@ -130,7 +132,7 @@ impl StepJudgement {
     /// Intervals at the points of the step on a domain.
     fn evaluate(&mut self, statement: &Statement, domain: Domain) -> Result<(), Error> {
         let count = match self.step.claim {
-            _ if !self.step.point.is_empty() || is_number(statement) => 1,
+            _ if !self.step.point.is_empty() || statement.is_number() => 1,
             Claim::Enclosed => POINTS,
             _ => SPOT_CHECKS,
         };
@@ -155,11 +157,6 @@ impl StepJudgement {
 /// The points of a step. They depend on its statement alone.
 fn points(step: &Step, statement: &Statement, domain: Domain) -> Points {
     Points::new(&statement.text(), domain, step.point)
-}
-
-/// Whether a statement is about numbers, the same at every point.
-pub fn is_number(statement: &Statement) -> bool {
-    statement.left.is_number() && statement.right.is_number()
 }
 
 /// What intervals say about a statement at a point.

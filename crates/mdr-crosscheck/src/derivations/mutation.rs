@@ -5,7 +5,7 @@ use std::iter::Sum;
 use mdr_symbolic::derivations::Step;
 use mdr_symbolic::{Decision, Domain, Error, Statement};
 
-use super::{POINTS, Truth, is_number, points, truth};
+use super::{POINTS, Truth, points, truth};
 
 /// What became of a mutant, over all domains of its step the least favourable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -91,7 +91,7 @@ fn fate(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) 
 }
 
 fn by_intervals(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> Fate {
-    let count = if !step.point.is_empty() || is_number(mutant) { 1 } else { POINTS };
+    let count = if !step.point.is_empty() || mutant.is_number() { 1 } else { POINTS };
     let mut fate = Fate::Meaningless;
     for point in points(step, statement, domain).take(count as usize) {
         match truth(mutant, domain, &point) {

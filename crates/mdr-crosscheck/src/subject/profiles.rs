@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use mdr_analytic::Kappa;
 use mdr_analytic::profiles::FlatPunch;
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Ranged, Result, Transform};
@@ -58,7 +59,7 @@ const fn second(x: &[f64]) -> f64 {
 }
 
 /// The profile of all inputs but the last.
-fn library<R: Struve + Lift<R>>(shape: Shape, inputs: &[R]) -> Result<Box<dyn Transform<R>>> {
+fn library<R: Struve + Lift<R> + Kappa>(shape: Shape, inputs: &[R]) -> Result<Box<dyn Transform<R>>> {
     closed_form(shape, &inputs[..inputs.len() - 1])
 }
 

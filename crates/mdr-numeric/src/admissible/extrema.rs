@@ -1,4 +1,4 @@
-//! Where g rises and where it falls, and the stretches on which it is below an indentation.
+//! The monotone pieces of g, and the intervals on which it is below an indentation.
 
 use std::sync::{Arc, OnceLock};
 
@@ -7,37 +7,37 @@ use mdr_core::contact::{Result, Transform};
 use super::gap::Node;
 use crate::survey::{self, Range};
 
-/// A radius where g or the direction in which it goes may change, with g there; between two of them g is monotone.
+/// A radius, with its g, where g or the sign of its slope may change; between two of them g is monotone.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub(super) x: f64,
     pub(super) g: f64,
 }
 
-/// g from edge to edge, in double precision.
+/// g between edges, in double precision.
 pub(super) struct Terrain<'a> {
     pub(super) transform: Arc<dyn Transform<f64> + 'a>,
-    /// By increasing radius. Beyond the last one g rises, or is not defined.
+    /// By increasing radius. Beyond the last one g increases, or is not defined.
     pub(super) edges: Vec<Edge>,
     /// The least g from an edge on.
     least: Vec<f64>,
     /// Whether the search resolved g everywhere.
     pub(super) resolved: bool,
-    /// The radii between which it looked.
+    /// The radii between which the search was made.
     searched: [f64; 2],
     /// Nodes between an edge and the next one, evaluated once.
     pub(super) panels: Vec<OnceLock<Result<Vec<Node>>>>,
 }
 
-/// How close to a radius where g is infinite it is looked at.
+/// The relative distance at which g is sampled beside a radius where it diverges.
 const BESIDE: f64 = 1e-12;
-/// What the relative slope of g is multiplied by, so that the search sees a margin where it is of the order of one.
+/// The factor on the relative slope of g, so that the search keeps a margin where the slope is of order one.
 const MARGIN: f64 = 1024.0;
-/// Where in ln x above its lower end a search begins.
+/// The start of a search in ln x above its lower end.
 const HALF_WAY: f64 = 32.0;
-/// Halvings to the ends of a stretch.
+/// Bisection steps to the ends of an interval.
 const HALVINGS: usize = 44;
-/// Shares of a piece of a stretch at which the gap is sampled, the ends of the stretch aside.
+/// Fractions of a piece at which the gap is sampled, apart from the ends of the interval.
 const SAMPLES: [f64; 4] = [0.15, 0.5, 0.85, 1.0];
 
 impl<'a> Terrain<'a> {
@@ -47,13 +47,13 @@ impl<'a> Terrain<'a> {
         let upper = kinks.last().map_or(upper, |kink| upper.max(2.0 * kink));
         let upper = outer.unwrap_or(upper);
         let scale = upper.min(lower * HALF_WAY.exp());
-        // x g' against lengths that do not oscillate as it does, and one: through one where g' changes its sign, and far from
-        // it where g' does not.
+        // x g' relative to lengths that do not oscillate with it, plus one: the ratio passes one where g' changes its
+        // sign, and is far from it elsewhere.
         let ratio = |x: &f64| {
             let size = transform.g(x)?.hypot(transform.g(&(x / 2.0))?);
             Ok(1.0 + MARGIN * (transform.slope(x)? / size * x))
         };
-        // Where g is constant up to rounding it does not matter which way it goes.
+        // Where g is constant up to rounding its direction does not matter.
         let reach = [(scale / lower).ln(), (upper / scale).ln()];
         let found = survey::crossings(&Range { scale, kinks: kinks.clone(), outer, reach }, ratio);
         let resolved = found.resolved;
@@ -85,7 +85,7 @@ impl<'a> Terrain<'a> {
         terrain
     }
 
-    /// An edge, where g is known at it or beside it; the smaller value where it jumps.
+    /// Adds an edge if g is known at it or beside it; the smaller value if g jumps.
     fn push(&mut self, x: f64) {
         let g = |x: f64| self.transform.g(&x).ok().filter(|g| !g.is_nan());
         let beside = || [x * (1.0 - BESIDE), x * (1.0 + BESIDE)].into_iter().filter_map(g).reduce(f64::min);
@@ -94,7 +94,7 @@ impl<'a> Terrain<'a> {
         }
     }
 
-    /// The end of the profile, and radii far out while g falls.
+    /// Adds the end of the profile, and radii further out while g decreases.
     fn extend_outwards(&mut self, from: f64) {
         if let Some(outer) = self.transform.outer_radius() {
             return self.push(outer);
@@ -115,7 +115,8 @@ impl<'a> Terrain<'a> {
         }
     }
 
-    /// Whether g is known outside of a contact radius: where its extrema were searched, and beyond if some samples rise.
+    /// Whether g is known outside a contact radius: where its extrema were searched, and beyond if some samples
+    /// increase.
     pub(super) fn knows(&self, a: f64) -> bool {
         let g = |x: f64| self.transform.g(&x).ok();
         let rises = || {
@@ -130,8 +131,8 @@ impl<'a> Terrain<'a> {
         self.least.get(index).copied().unwrap_or(f64::INFINITY)
     }
 
-    /// The radius of the narrowest gap outside of a contact, and that gap as far as the quick rule has it; none where g is
-    /// nowhere less than d. With `any` the first gap that is clearly negative will do.
+    /// The radius of the narrowest gap outside a contact, and that gap by the fast rule; `None` if g is nowhere less
+    /// than d. With `any` the first gap that is clearly negative is returned.
     ///
     /// # Errors
     /// Those of the transform.
@@ -188,14 +189,14 @@ impl<'a> Terrain<'a> {
         lower
     }
 
-    /// Where g has risen to d beyond the last edge; none where it ends there.
+    /// The radius beyond the last edge where g has increased to d; `None` if g ends there.
     fn reach_outwards(&self, d: f64, last: f64) -> Option<f64> {
         let steps = (0..).map(|power| last * 2f64.powi(1 << power)).take_while(|x| *x < f64::MAX / 1024.0);
         let beyond = steps.map_while(|x| Some((x, self.transform.g(&x).ok()?))).find(|(_, g)| *g > d);
         beyond.map(|(x, _)| self.reach(d, last, x))
     }
 
-    /// The narrowest gap on a stretch: the least sample, refined between its neighbours.
+    /// The narrowest gap on an interval: the least sample, refined between its neighbours.
     fn narrowest_on(&self, radii: &[f64], a: f64, d: f64) -> Result<(f64, f64)> {
         let ends: Vec<f64> = radii.iter().copied().filter(|r| *r > a).collect();
         let first = radii.first().filter(|first| **first > a).into_iter().copied();
@@ -210,7 +211,7 @@ impl<'a> Terrain<'a> {
         self.least_between(lower, upper, samples[least], |r| self.gap(a, d, r))
     }
 
-    /// The least of a function between two radii, by the golden section.
+    /// The minimum of a function between two radii, by golden section search.
     pub(super) fn least_between(
         &self,
         mut lower: f64,
@@ -256,7 +257,7 @@ fn turning_point(transform: &dyn Transform<f64>, mut lower: f64, mut upper: f64,
     lower + (upper - lower) / 2.0
 }
 
-/// Ascending radii with others in between, none more than an octave from the next.
+/// Ascending radii with intermediate ones, none more than an octave from the next.
 pub(super) fn in_octaves(radii: &[f64]) -> Vec<f64> {
     let mut dense: Vec<f64> = Vec::with_capacity(radii.len());
     for &radius in radii {

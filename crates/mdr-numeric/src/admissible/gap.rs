@@ -1,4 +1,5 @@
-//! The gap outside of a contact: a quick rule that shares its evaluations between states, and an integral to full precision.
+//! The gap outside a contact: a fast rule that shares its evaluations between states, and an integral to full
+//! precision.
 
 use std::sync::{Arc, LazyLock};
 
@@ -18,11 +19,11 @@ pub(super) struct Node {
     weight: f64,
 }
 
-/// The part of g − d below which the sign of a gap by the quick rule is not trusted.
+/// The fraction of g − d below which the sign of a gap by the fast rule is not trusted.
 pub(super) const COARSE: f64 = 1e-3;
-/// Nodes on a panel. Between two extrema of g a polynomial of this degree leaves less than a millionth of it.
+/// Nodes per panel. Between two extrema of g the relative error of a polynomial of this degree is below a millionth.
 const NODES: usize = 16;
-/// Octaves from the axis on in which g is integrated one by one.
+/// The number of octaves from the axis in which g is integrated separately.
 const OCTAVES: i32 = 40;
 /// Roundings of g and d in a gap, in unit roundoffs.
 const ROUNDINGS: f64 = 64.0;
@@ -30,7 +31,7 @@ const ROUNDINGS: f64 = 64.0;
 static RULE: LazyLock<Option<Arc<Rule<f64>>>> = LazyLock::new(|| gauss_jacobi::rule(NODES, &0.0, &0.0).ok());
 
 impl Terrain<'_> {
-    /// The gap at r > a by the quick rule, in m; a may be 0.
+    /// The gap at r > a by the fast rule, in m; a may be 0.
     ///
     /// # Errors
     /// Those of the transform.
@@ -88,7 +89,7 @@ impl Terrain<'_> {
         Ok(sum)
     }
 
-    /// The gap at a radius; none where its sign cannot be told from rounding.
+    /// The gap at a radius; `None` if its sign is not certain against rounding.
     pub(super) fn sign(&self, a: f64, d: f64, r: f64) -> Option<f64> {
         let breaks: Vec<f64> = self.edges.iter().map(|edge| edge.x).filter(|x| *x > a && *x < r).collect();
         let scale =
@@ -121,7 +122,7 @@ pub(super) fn slope<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, 
     Ok(bulk + ((transform.g(a)? - d) / span * a / r).times(2) / r.pi())
 }
 
-/// (2/π) ∫ₐʳ f/√(r² − x²) dx; at an end of a piece, where f may have no value, it counts for nothing.
+/// (2/π) ∫ₐʳ f/√(r² − x²) dx; at an end of a piece, where f may be undefined, it is taken as zero.
 fn weighted<R: Real>(a: &R, r: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
     let goal = roundoff_tolerance(r);
     let tolerance = Tolerance::new(&goal).or_noise_below(goal.times(4096));

@@ -1,17 +1,18 @@
-//! Whether a contact is simply connected, as the theory assumes: no gap is negative outside of it.
+//! Whether a contact is simply connected, as the theory assumes: no gap outside it is negative.
 //!
 //! The gap at r > a is h(r) = (2/π) ∫ₐʳ (g(x) − d)/√(r² − x²) dx, an average of g − d with positive weights. So
 //!
-//! * no gap is negative where g ≥ d for all x > a: a profile whose g does not fall settles every state at once;
-//! * h is negative somewhere only if it is on a stretch of radii where g < d. For with h ≥ 0 up to ξ and g ≥ d from there to
-//!   r, h(r) is at least (1/π) ∫ √((r² − ξ²)/(ξ² − s²)) · 2s/(r² − s²) h(s) ds ≥ 0 (Abel's equation, solved outwards);
-//! * the greatest admissible d at radius a, the least average of g over r, does not grow with a where it is below g(a), and d
-//!   grows with a on a stable branch. So admissibility is lost once at most on a stable branch, and for all larger radii; and
-//!   a contact that shrinks, smoothly or in jumps, stays admissible;
-//! * surfaces apart first touch at d = min f, the limit a → 0 of the same condition.
+//! * no gap is negative if g ≥ d for all x > a: for a profile with nondecreasing g every state is admissible;
+//! * if h is negative anywhere, it is negative somewhere on an interval of radii where g < d. For with h ≥ 0 up to ξ
+//!   and g ≥ d from there to r, h(r) is at least (1/π) ∫ √((r² − ξ²)/(ξ² − s²)) · 2s/(r² − s²) h(s) ds ≥ 0 (Abel's
+//!   equation, solved outwards);
+//! * the greatest admissible d at radius a, the least average of g over r, does not increase with a where it is below
+//!   g(a), and d increases with a on a stable branch. So admissibility is lost at most once on a stable branch, and for
+//!   all larger radii; and a shrinking contact, continuous or in jumps, stays admissible;
+//! * separated surfaces first touch at d = min f, the limit a → 0 of the same condition.
 //!
-//! Where g falls, its extrema are searched in double precision, once a contact, as folds are; the gap is then an integral on
-//! the few stretches where g < d.
+//! If g decreases anywhere, its extrema are searched in double precision, once per contact, in the same way as folds;
+//! the gap is then an integral on the few intervals where g < d.
 
 mod extrema;
 mod gap;
@@ -29,7 +30,7 @@ use extrema::Terrain;
 pub(crate) use refine::first_touch_roughly;
 pub use refine::{Ring, Touch, first_touch, last_admissible};
 
-/// Whether states of a contact are admissible, in double precision and for any number of states.
+/// Decides whether states of a contact are admissible, in double precision and for any number of states.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -50,36 +51,36 @@ pub struct Admissibility<'a> {
     terrain: Option<Terrain<'a>>,
 }
 
-/// What is known of a state.
+/// The admissibility of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
-    /// No gap is negative, out to the end of the profile.
+    /// No gap is negative, up to the end of the profile.
     Admissible,
-    /// The surfaces would overlap.
+    /// The surfaces would interpenetrate.
     Interpenetrating {
-        /// A radius r > a at which they do, in m.
+        /// A radius r > a of interpenetration, in m.
         radius: f64,
         /// The gap there, in m.
         gap: f64,
     },
-    /// It is not known; why.
+    /// Not known, with the reason.
     Undecided(&'static str),
 }
 
-/// How admissibility is decided.
+/// The basis of the verdicts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Basis {
-    /// By the form of the profile, whose g does not fall.
+    /// The form of the profile: its g is nondecreasing.
     Bound,
-    /// The extrema of g were searched in double precision, and resolved everywhere.
+    /// The extrema of g were searched in double precision, and g was resolved everywhere.
     Searched,
-    /// They were not resolved everywhere: an overlap that is found is one, but there may be others.
+    /// The search did not resolve g everywhere: an interpenetration that is found is certain, but others may exist.
     Doubtful,
 }
 
 impl<'a> Admissibility<'a> {
-    /// Of a transformed profile, whose extrema are searched between two radii, and up to the last kink or the end of the
-    /// profile; [`search_range`] has radii for a contact.
+    /// For a transformed profile whose extrema are searched between two radii, and up to the last kink or the end of
+    /// the profile; [`search_range`] gives radii for a contact.
     pub fn new(transform: Arc<dyn Transform<f64> + 'a>, radii: [f64; 2]) -> Self {
         if transform.rises() {
             return Self::of_rising();
@@ -87,25 +88,25 @@ impl<'a> Admissibility<'a> {
         Admissibility { terrain: Some(Terrain::new(transform, radii)) }
     }
 
-    /// Of a profile whose g does not fall: every state is admissible.
+    /// For a profile with nondecreasing g: every state is admissible.
     pub fn of_rising() -> Self {
         Admissibility { terrain: None }
     }
 
-    /// The same, of any such profile.
+    /// The same, shared by all such profiles.
     pub fn rising() -> &'static Admissibility<'static> {
         static RISING: Admissibility<'static> = Admissibility { terrain: None };
         &RISING
     }
 
-    /// Of a transformed profile in any arithmetic, evaluated there and rounded.
+    /// For a transformed profile in any arithmetic, evaluated there and rounded.
     pub(crate) fn rounded<R: Real>(curve: &Curve<'a, R>, folds: &[Instability<R>]) -> Self {
         let (transform, length) = (curve.transform(), curve.material_length());
         let radii: Vec<f64> = folds.iter().map(|fold| fold.contact_radius.approx()).collect();
         Self::new(Arc::new(Rounded { transform, ctx: length.ctx() }), search_range(length.approx(), &radii))
     }
 
-    /// How the verdicts come about.
+    /// The basis of the verdicts.
     pub fn basis(&self) -> Basis {
         match &self.terrain {
             None => Basis::Bound,
@@ -133,22 +134,22 @@ impl<'a> Admissibility<'a> {
         }
     }
 
-    /// The radius and the height, in double precision, at which f < 0 is smallest: there detached surfaces first touch. None
-    /// where f ≥ 0, and where it cannot be had.
+    /// The radius and the height, in double precision, at which f < 0 is smallest: separated surfaces first touch
+    /// there. `None` if f ≥ 0, and if it cannot be computed.
     pub fn first_touch(&self) -> Option<[f64; 2]> {
         first_touch_roughly(self).unwrap_or_default()
     }
 
-    /// The minima of g below `d` between two radii: where the edge of a contact that grows there may be pushed back.
+    /// The minima of g below `d` between two radii, where growth of the contact may require energy.
     pub(crate) fn dips(&self, from: f64, to: f64, d: f64) -> Vec<f64> {
         let edges = self.terrain.iter().flat_map(|terrain| &terrain.edges);
         edges.filter(|edge| edge.x > from && edge.x < to && edge.g < d).map(|edge| edge.x).collect()
     }
 }
 
-/// Radii between which g matters for the states of a contact with the length w/E* and folds at the given contact radii: from
-/// 10^−14 times the smallest of these, where all that is known oscillates no more, to 100 times the largest; without folds
-/// to 10¹⁴ times w/E*.
+/// Radii between which g matters for the states of a contact with the length w/E* and folds at the given contact radii:
+/// from 10^−14 times the smallest of these, below which no known profile oscillates, to 100 times the largest; without
+/// folds to 10¹⁴ times w/E*.
 pub fn search_range(length: f64, folds: &[f64]) -> [f64; 2] {
     let smallest = folds.iter().fold(length, |least, radius| least.min(*radius));
     let largest = folds.iter().fold(length, |most, radius| most.max(*radius));

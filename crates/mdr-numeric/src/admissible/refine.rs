@@ -1,4 +1,4 @@
-//! Where admissibility ends, to the precision of any arithmetic: f64 tells where, two conditions on the gap say exactly.
+//! The limit of admissibility in any arithmetic: an f64 search locates it, two conditions on the gap determine it.
 
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
 use mdr_core::number::{Real, order};
@@ -7,7 +7,7 @@ use super::extrema::Terrain;
 use super::{Admissibility, gap};
 use crate::curve::Curve;
 
-/// A circle outside of the contact on which the surfaces touch or overlap.
+/// A circle outside the contact on which the surfaces touch or interpenetrate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ring<R> {
     /// Its radius, in m.
@@ -16,7 +16,7 @@ pub struct Ring<R> {
     pub gap: R,
 }
 
-/// Where surfaces apart first touch, when that is not the tip.
+/// The first contact of separated surfaces, if it is not at the tip.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Touch<R> {
     /// The radius of the ring, in m.
@@ -25,12 +25,12 @@ pub struct Touch<R> {
     pub indentation: R,
 }
 
-/// Steps of an iteration that gains some six digits each.
+/// The most steps of an iteration that gains about six digits per step.
 const STEPS: usize = 200;
-/// How close in ratio the narrowest gap is to a kink to be at it.
+/// The relative distance from a kink below which the narrowest gap is taken to be at the kink.
 const AT_KINK: f64 = 1e-6;
 
-/// Where detached surfaces first touch: none at the tip, when f ≥ 0 everywhere.
+/// The first contact of separated surfaces; `None` at the tip, when f ≥ 0 everywhere.
 ///
 /// ```
 /// use mdr_core::contact::{Control, Material};
@@ -59,7 +59,7 @@ pub fn first_touch<R: Real>(curve: &Curve<'_, R>, admissibility: &Admissibility<
     Ok((indentation < zero).then_some(Touch { radius, indentation }))
 }
 
-/// The radius and the height at which f < 0 is smallest, in double precision; none where f ≥ 0.
+/// The radius and the height at which f < 0 is smallest, in double precision; `None` if f ≥ 0.
 ///
 /// # Errors
 /// Those of the transform.
@@ -69,8 +69,8 @@ pub(crate) fn first_touch_roughly(admissibility: &Admissibility<'_>) -> Result<O
     Ok(lowest.filter(|(_, height)| *height < 0.0).map(|(radius, height)| [radius, height]))
 }
 
-/// The last admissible state on the stable branch between two contact radii, of which the larger is not admissible, and the
-/// ring on which the surfaces touch there; none where they overlap at the smaller radius, too.
+/// The last admissible state on the stable branch between two contact radii, of which the larger is not admissible, and
+/// the ring on which the surfaces touch there; `None` if they interpenetrate at the smaller radius too.
 ///
 /// # Errors
 /// Those of the transform and of the quadrature; [`Error::NoConvergence`].
@@ -107,9 +107,9 @@ pub fn last_admissible<R: Real>(
 struct Locus<'a, 'c, R: Real> {
     curve: &'a Curve<'c, R>,
     terrain: &'a Terrain<'a>,
-    /// Where double precision sees the ring.
+    /// The radius of the ring in double precision.
     rough: f64,
-    /// The kink or the end of the profile at which it is, if it is at one.
+    /// The kink or the end of the profile at which the ring is, if it is at one.
     fixed: Option<R>,
     breaks: Vec<R>,
 }
@@ -147,8 +147,8 @@ impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
         Ok((slope(r + step)? - slope(r - step)?) / (2.0 * step))
     }
 
-    /// The radius of the narrowest gap of states: Newton's iteration for h' = 0, with h'' in double precision, and between its
-    /// steps one of `advance`, which moves the state (a, d) and says how far.
+    /// The radius of the narrowest gap of states: Newton's iteration for h' = 0, with h'' in double precision,
+    /// alternating with `advance`, which returns the next state (a, d), if the state changes at all.
     fn settle(
         &self,
         mut state: [R; 2],
@@ -163,7 +163,7 @@ impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
             let mut size = 0.0;
             if let Some(bend) = bend {
                 let step = gap::slope(self.curve.transform(), a, d, &radius, &self.breaks)? / self.number(bend);
-                // h is stationary at the ring, and needs its radius to half the digits only.
+                // h is stationary at the ring, so its radius is needed to half the digits only.
                 size = (step.clone() / &radius).abs().approx();
                 size = if size <= radius.unit_roundoff().sqrt().approx() { 0.0 } else { size };
                 radius -= &step;

@@ -1,4 +1,4 @@
-//! Means over the contact, to rounding or roughly.
+//! Means over the contact, to rounding or coarsely.
 
 use mdr_core::calculus::{
     Estimate, Tolerance, gauss_jacobi,
@@ -10,15 +10,15 @@ use mdr_core::number::Real;
 
 use super::Energy;
 
-/// How well an integral is needed.
+/// The required accuracy of an integral.
 pub(super) enum Grade<R> {
-    /// To a sixteenth of itself or of this scale, for finding the crossings.
+    /// To a sixteenth of itself or of this scale, for locating the crossings.
     Coarse(R),
     /// To rounding.
     Full,
 }
 
-/// Nodes of a coarse integral, and of the one that it is compared with.
+/// Nodes of a coarse integral, and of the one it is compared with.
 const COARSE: [usize; 2] = [12, 8];
 
 impl<R: Real> Energy<'_, R> {
@@ -41,7 +41,7 @@ impl<R: Real> Energy<'_, R> {
         mut h: impl FnMut(&R) -> Result<R>,
     ) -> Result<R> {
         let Some(edge) = edge else { return self.mean(a, grade, h) };
-        // A radius that rounds to the edge stands for those beside it.
+        // A radius that rounds to the edge represents those beside it.
         let beside = edge.unit_roundoff().times(2) * edge + edge;
         let mut to = |tolerance| {
             let integral = tanh_sinh_near_ends(edge, a, tolerance, |node| h(&node.x.greater(&beside)))?;
@@ -55,7 +55,7 @@ impl<R: Real> Energy<'_, R> {
         Ok(to(full_tolerance(a))?.value)
     }
 
-    /// None where the terms of the integral cancel so far that its error might matter.
+    /// `None` if the terms of the integral cancel so far that its error might matter.
     fn coarse(&self, a: &R, scale: &R, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Option<R>> {
         let estimate = match &self.tip {
             Some(p) => {
@@ -73,8 +73,8 @@ impl<R: Real> Energy<'_, R> {
         Ok(certain_enough(estimate, scale))
     }
 
-    /// In τ = tᵖ, t = x/a, whole powers of g are analytic: Gauss–Jacobi with the weight τ^(1/p−1). Where that does not
-    /// converge and beside kinks, tanh-sinh.
+    /// In τ = tᵖ, t = x/a, integer powers of g are analytic: Gauss–Jacobi with the weight τ^(1/p−1). If that does not
+    /// converge, and beside kinks, tanh-sinh.
     fn full(&self, a: &R, tolerance: Tolerance<R>, h: &mut impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
         let Some(p) = &self.tip else { return self.double_exponential(a, tolerance, h) };
         let inverse = p.clone().inv();
@@ -97,15 +97,15 @@ impl<R: Real> Energy<'_, R> {
     }
 }
 
-/// g may itself be noisy, up to √u.
+/// g may itself have noise, up to √u.
 fn full_tolerance<R: Real>(like: &R) -> Tolerance<R> {
     Tolerance::new(&roundoff_tolerance(like).times(4)).or_noise_below(like.unit_roundoff().sqrt())
 }
 
-/// The value, if it is known to a sixteenth of itself or of the scale.
+/// The value, if it is accurate to a sixteenth of itself or of the scale.
 fn certain_enough<R: Real>(estimate: Estimate<R>, scale: &R) -> Option<R> {
     let Estimate { value, error, .. } = estimate;
-    // Infinite terms are as large as need be, and their error is no number.
+    // Infinite terms are large enough, although their error is NaN.
     let uncertain = error.times(16) > value.abs() + scale;
     (!uncertain).then_some(value)
 }

@@ -1,4 +1,4 @@
-//! The ends of branches that are no folds: poles, the tip, and radii out of the range that is looked at.
+//! The ends of branches that are not folds: poles, the tip, and radii outside the searched range.
 
 use std::cmp::Ordering;
 
@@ -8,7 +8,8 @@ use mdr_core::number::Real;
 use super::{Branches, sign};
 
 impl<R: Real> Branches<'_, R> {
-    /// Whether the direction of change at the tip, where d, F and D are zero, is not that at the end of the first branch.
+    /// Whether the direction of change at the tip, where d, F and D are zero, differs from that at the end of the first
+    /// branch.
     pub(super) fn is_open_inwards(&self, value: &R) -> Result<bool> {
         let zero = value.lit(0);
         let at_end = match self.folds.first() {
@@ -18,8 +19,8 @@ impl<R: Real> Branches<'_, R> {
         Ok(if at_end == Ordering::Less { *value < zero } else { *value > zero })
     }
 
-    /// Whether the controlled quantity tends to `value` from the beginning of the last branch on, as far as it is looked at,
-    /// and may reach it further out.
+    /// Whether the controlled quantity tends to `value` from the beginning of the last branch to the end of the
+    /// searched range, and may reach it further out.
     pub(super) fn is_open_outwards(&self, value: &R) -> Result<bool> {
         if self.curve.wall().is_some() {
             return Ok(false);
@@ -33,13 +34,13 @@ impl<R: Real> Branches<'_, R> {
             }
         };
         let tends = rising == (at_beginning == Ordering::Less);
-        // Where g is known at the outer radius itself, the end is not beyond it.
+        // If g is known at the outer radius itself, the search includes the end.
         let outer = self.curve.transform().outer_radius();
         let at_outer = outer.and_then(|outer| self.curve.direction_at(&outer, value).ok());
         Ok(tends && at_outer.is_none_or(|direction| sign(&direction) != at_beginning))
     }
 
-    /// A radius between a pole and another one from which on the direction of change is that at the pole.
+    /// A radius between a pole and another radius, from which on the direction of change is that at the pole.
     pub(super) fn beside_pole(&self, pole: &Instability<R>, other: &R, direction: Ordering, value: &R) -> Result<R> {
         let edge = &pole.contact_radius;
         let mut step = (other.clone() - edge).over(2);
@@ -60,7 +61,7 @@ impl<R: Real> Branches<'_, R> {
     }
 }
 
-/// Whether the controlled quantity has no bound there.
+/// Whether the controlled quantity is unbounded there.
 pub(super) fn is_pole<R: Real>(fold: &Instability<R>) -> bool {
     !fold.indentation.is_finite()
 }

@@ -1,4 +1,4 @@
-//! The path algorithm: which event comes next.
+//! The path algorithm: the sequence of events.
 
 use std::cmp::Ordering;
 
@@ -9,7 +9,7 @@ use super::{Event, EventKind, Start, State};
 use crate::admissible::{Ring, Verdict};
 use crate::branch::{Branched, End, Onset, Way, beyond_reach, seek};
 
-/// Where the contact is, up to the value of the controlled quantity.
+/// The position of the contact, apart from the value of the controlled quantity.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Place {
     Detached,
@@ -17,7 +17,7 @@ pub(super) enum Place {
     Branch(usize),
     /// At rest at a fold.
     Fold(usize),
-    /// Nothing more is known.
+    /// The path has ended.
     Ended,
 }
 
@@ -28,8 +28,8 @@ struct Follower<'a, R, B> {
     events: Vec<Event<R>>,
 }
 
-/// The events of [`Path::follow`](super::Path::follow). The order of a way point against the one before it, where it is known,
-/// else from the numbers themselves.
+/// The events of [`Path::follow`](super::Path::follow). `order` gives the order of each way point relative to the
+/// previous one if it is known; otherwise the numbers are compared.
 pub(super) fn follow<R: Real, B: Branched<R>>(
     branches: &B,
     start: &Start<R>,
@@ -64,8 +64,8 @@ pub(super) fn follow<R: Real, B: Branched<R>>(
 }
 
 impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
-    /// Moves the controlled quantity to `target`, of that order against the way point before it, and enters what happens on
-    /// the way.
+    /// Changes the controlled quantity to `target`, which has the given order relative to the previous way point, and
+    /// records the events in between.
     fn go(&mut self, target: &R, order: Ordering, arrival: EventKind) -> Result<()> {
         match order {
             Ordering::Less => while self.pull(target)? {},
@@ -83,7 +83,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         Ok(())
     }
 
-    /// No equilibrium was found on the last branch: the profile ends before `target`, or it is not known why.
+    /// No equilibrium was found on the last branch: the profile ends before `target`, or the reason is unknown.
     fn run_out(&mut self, target: &R) -> Result<()> {
         self.place = Place::Ended;
         if let End::Profile(end) = self.branches.end()? {
@@ -97,7 +97,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         Ok(())
     }
 
-    /// Down to the next event; whether there was one before `target`.
+    /// Decreases the controlled quantity to the next event; returns whether there was one before `target`.
     fn pull(&mut self, target: &R) -> Result<bool> {
         let fold = match self.place {
             Place::Detached | Place::Ended => return Ok(false),
@@ -118,7 +118,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         self.past(fold, target, Ordering::Less)
     }
 
-    /// Up to the next event; whether there was one before `target`.
+    /// Increases the controlled quantity to the next event; returns whether there was one before `target`.
     fn press(&mut self, target: &R) -> Result<bool> {
         let fold = match self.place {
             Place::Detached => return self.approach(target),
@@ -133,7 +133,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         self.past(fold, target, Ordering::Greater)
     }
 
-    /// Past a fold in the given direction, if `target` is beyond it.
+    /// Passes a fold in the given direction, if `target` is beyond it.
     fn past(&mut self, fold: usize, target: &R, beyond: Ordering) -> Result<bool> {
         let Some(here) = self.branches.folds().get(fold) else { return Ok(false) };
         let side = self.branches.compare(target, here)?;
@@ -166,8 +166,8 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         Ok(true)
     }
 
-    /// The contact has grown along a stable branch to a state: whether that is admissible. If not, the path ends where it ceased
-    /// to be, on the way from the last event or in that event itself.
+    /// The contact has grown along a stable branch to a state: returns whether that is admissible. If not, the path
+    /// ends where admissibility was lost, after the last event or in that event itself.
     fn grow(&mut self, state: &State<R>) -> Result<bool> {
         let Some(rest) = state.contact().filter(|rest| rest.contact_radius > rest.contact_radius.lit(0)) else {
             return Ok(true);
@@ -196,15 +196,16 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         Ok(false)
     }
 
-    /// Whether a contact that grows from one radius, at a held value, can come to rest in a state: that must be admissible,
-    /// and on the way to it the edge must nowhere be pressed so hard, g − d < −Δl, that to grow costs energy. Else the path ends.
+    /// Whether a contact that grows from one radius at a fixed controlled value can come to equilibrium in a state: the
+    /// state must be admissible, and on the way the edge must nowhere be in compression, g − d < −Δl, where growth
+    /// requires energy. Otherwise the path ends.
     fn may_rest(&mut self, value: &R, from: &R, rest: &Equilibrium<R>) -> Result<bool> {
         let mut obstacle = self.overlap(rest);
         let indentation = rest.indentation.approx();
         for dip in self.branches.admissibility().dips(from.approx(), rest.contact_radius.approx(), indentation) {
             let radius = R::from_f64(value.ctx(), dip);
             let pushed_back = match self.branches.is_pushed_back(&radius, value) {
-                // A dip of g in which it is no number is one to −∞.
+                // A minimum at which g is not a number is one where g tends to −∞.
                 Err(Error::Domain { .. }) => true,
                 pushed_back => pushed_back?,
             };
@@ -218,7 +219,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         Ok(false)
     }
 
-    /// Where the surfaces would overlap outside of a contact.
+    /// The ring on which the surfaces would interpenetrate outside a contact.
     fn overlap(&self, rest: &Equilibrium<R>) -> Option<Ring<R>> {
         let number = |x: f64| R::from_f64(rest.contact_radius.ctx(), x);
         match self.branches.admissibility().of(rest.contact_radius.approx(), rest.indentation.approx()) {
@@ -227,15 +228,15 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         }
     }
 
-    /// Enters where the surfaces meet into the last event.
+    /// Records in the last event where the surfaces meet.
     fn touch_on(&mut self, ring: Ring<R>) {
         if let Some(event) = self.events.last_mut() {
             event.ring = Some(ring);
         }
     }
 
-    /// The contact grows from a state, and there is no equilibrium in which it comes to rest: it covers the whole surface, or
-    /// comes to the end of the profile.
+    /// The contact grows from a state without reaching an equilibrium: it covers the whole surface, or reaches the end
+    /// of the profile.
     fn outgrow(&mut self, value: &R, before: State<R>, fold: Option<usize>) -> Result<()> {
         self.place = Place::Ended;
         let kind = match self.branches.end()? {
@@ -254,8 +255,8 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         Ok(())
     }
 
-    /// Detached surfaces, and the controlled quantity comes up to `target`, or is there at the start: they touch at zero, or
-    /// before on a ring, where the path ends. Whether they touch at the tip.
+    /// The surfaces are separated, and the controlled quantity increases to `target`, or is there at the start: they
+    /// touch at zero, or before on a ring, where the path ends. Returns whether they touch at the tip.
     fn approach(&mut self, target: &R) -> Result<bool> {
         if self.place != Place::Detached {
             return Ok(false);
@@ -290,7 +291,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         }
     }
 
-    /// From a point to the next equilibrium at zero.
+    /// From a point contact to the next equilibrium at zero.
     fn jump_in(&mut self, zero: &R) -> Result<()> {
         match seek(self.branches, zero, Some(1), Way::Larger)? {
             Some((_, rest)) if !self.may_rest(zero, zero, &rest)? => {}
@@ -303,7 +304,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         Ok(())
     }
 
-    /// The contact has shrunk to a point, at zero, and the controlled quantity goes down to `target`.
+    /// The contact has shrunk to a point, at zero, and the controlled quantity decreases to `target`.
     fn vanish(&mut self, target: &R) {
         let zero = target.lit(0);
         self.place = Place::Detached;
@@ -314,12 +315,12 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         self.branches.folds().get(fold).is_some_and(|fold| fold.kind == FoldKind::Maximum)
     }
 
-    /// An event that changes nothing.
+    /// An event without a change of state.
     fn stay(&mut self, kind: EventKind, value: &R, state: State<R>) {
         self.enter(kind, value, state.clone(), state, None);
     }
 
-    /// The path cannot be continued: the last state is all that is known.
+    /// The path cannot be continued: it ends with the last known state.
     fn leave(&mut self, kind: EventKind, value: &R) {
         self.place = Place::Ended;
         let last = self.events.last().map_or(State::Detached, |event| event.after.clone());
@@ -332,7 +333,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
     }
 }
 
-/// Where a path begins at its first way point, and in which state.
+/// The position and the state in which a path begins at its first way point.
 pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, value: &R) -> Result<(Place, State<R>)> {
     branches.control().check_value(value)?;
     let count = branches.folds().len();
@@ -355,7 +356,7 @@ pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, val
     found.ok_or_else(|| Error::no_equilibrium(branches.control().quantity(), value))
 }
 
-/// The first of the places where a contact is at rest at `value`.
+/// The first of the positions at which a contact is in stable equilibrium at `value`.
 fn first_at_rest<R: Real, B: Branched<R>>(
     branches: &B,
     places: impl Iterator<Item = Place>,
@@ -369,7 +370,7 @@ fn first_at_rest<R: Real, B: Branched<R>>(
     Ok(None)
 }
 
-/// The place at rest whose radius is nearest to `radius`, in ratio.
+/// The position in stable equilibrium whose radius is nearest to `radius`, in ratio.
 fn nearest<R: Real, B: Branched<R>>(branches: &B, radius: &R, value: &R) -> Result<Option<(Place, State<R>)>> {
     let radius = Error::require_positive(Quantity::ContactRadius, radius.clone())?;
     let mut best: Option<(R, Place, State<R>)> = None;
@@ -387,7 +388,7 @@ fn nearest<R: Real, B: Branched<R>>(branches: &B, radius: &R, value: &R) -> Resu
     Ok(best.map(|(_, place, state)| (place, state)))
 }
 
-/// The state at a place, if the place is stable and has one at `value`.
+/// The state at a position, if the position is stable and has a state at `value`.
 fn at_rest<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Result<Option<State<R>>> {
     let side = |fold: Option<usize>| -> Result<Option<Ordering>> {
         fold.and_then(|fold| branches.folds().get(fold)).map(|fold| branches.compare(value, fold)).transpose()
@@ -398,7 +399,7 @@ fn at_rest<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Re
                 Some(stable) => stable,
                 None => branches.onset()? == Onset::Smooth,
             };
-            // The two ends of a stable branch are a minimum and a maximum.
+            // The ends of a stable branch are a minimum and a maximum.
             stable
                 && side(branch.checked_sub(1))?.is_none_or(|side| side == Ordering::Greater)
                 && side(Some(branch))?.is_none_or(|side| side == Ordering::Less)
@@ -407,7 +408,8 @@ fn at_rest<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Re
         Place::Detached | Place::Ended => false,
     };
     let found = if holds { state(branches, place, value)? } else { None };
-    // The last stable branch rises from its beginning to the end of the profile: it holds the value unless that ends below.
+    // The controlled quantity increases along the last stable branch to the end of the profile, so the branch has an
+    // equilibrium unless it ends below the value.
     let rises_to_it = |branch: usize| branch == branches.folds().len() && (branch > 0 || *value > value.lit(0));
     let missed = holds && found.is_none() && matches!(place, Place::Branch(branch) if rises_to_it(branch));
     if missed && branches.end()? == End::Unknown {
@@ -416,7 +418,7 @@ fn at_rest<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Re
     Ok(found)
 }
 
-/// The state at `value`, with the contact at a place; none when it would be beyond the end of the last branch.
+/// The state at `value`, with the contact at a position; `None` if it would be beyond the end of the last branch.
 fn state<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Result<Option<State<R>>> {
     Ok(match place {
         Place::Detached => Some(State::Detached),
@@ -426,12 +428,12 @@ fn state<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Resu
     })
 }
 
-/// At rest at a fold.
+/// The equilibrium at a fold.
 fn at_fold<R: Real>(fold: &Instability<R>) -> State<R> {
     State::Contact(fold.clone().into())
 }
 
-/// The contact in a point with which contact begins or ends smoothly.
+/// The point contact with which contact begins or ends continuously.
 fn point<R: Real>(zero: &R) -> Equilibrium<R> {
     let [contact_radius, indentation, force] = [(); 3].map(|()| zero.clone());
     Equilibrium { contact_radius, indentation, force, stability: Stability::Stable }

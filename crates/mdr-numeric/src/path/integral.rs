@@ -1,4 +1,4 @@
-//! Integrals over contact radii: smooth between folds, with anything at kinks and at the tip.
+//! Integrals over contact radii of functions that are smooth between folds and singular at kinks and at the tip.
 
 use mdr_core::calculus::{
     Estimate, Tolerance, gauss_jacobi,
@@ -8,15 +8,15 @@ use mdr_core::calculus::{
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::{Real, order};
 
-/// Pieces that do not settle are halved this often: waves that make no fold, thousands in one piece.
+/// The most halvings of a piece that does not converge: oscillations without folds, thousands in one piece.
 const HALVINGS: u32 = 12;
 
-/// Folds in a piece, two a wave: a rule of some hundred nodes does them at a tenth of the cost of as many small rules.
+/// Folds per piece, two per wave: one rule of about a hundred nodes costs a tenth of as many small rules.
 const FOLDS: usize = 16;
-/// Nodes a piece for the size of an integral.
+/// Nodes per piece for the magnitude of an integral.
 const NODES: usize = 8;
 
-/// Where an integrand is not smooth.
+/// The radii where an integrand is not smooth.
 pub(super) struct Breaks<R> {
     /// Radii where g or a derivative of it jumps, ascending.
     kinks: Vec<R>,
@@ -25,7 +25,8 @@ pub(super) struct Breaks<R> {
 }
 
 impl<R: Real> Breaks<R> {
-    /// At the kinks, and in between at folds, all of a few and some of many, so that there are not many waves in a piece.
+    /// Pieces end at the kinks, and in between at folds: at all if they are few, at some if many, to bound the waves
+    /// per piece.
     pub(super) fn new(kinks: Vec<R>, folds: impl ExactSizeIterator<Item = R>) -> Self {
         let stride = if folds.len() > 2 * FOLDS { FOLDS } else { 1 };
         let mut ends: Vec<R> = kinks.iter().cloned().chain(folds.step_by(stride)).collect();
@@ -35,7 +36,7 @@ impl<R: Real> Breaks<R> {
         Breaks { kinks, ends }
     }
 
-    /// The distance of a radius from the nearest kink over the radius, and at most one.
+    /// The relative distance of a radius from the nearest kink, at most one.
     pub(super) fn clearance(&self, a: &R) -> R {
         let next = self.kinks.partition_point(|kink| kink <= a);
         let distance = |kink: &R| (a.clone() - kink).abs() / a;
@@ -43,14 +44,14 @@ impl<R: Real> Breaks<R> {
         nearest.fold(a.lit(1), |least, distance| if distance < least { distance } else { least })
     }
 
-    /// ∫ f(a) da from one radius to another. Only what lies between them is looked at.
+    /// ∫ f(a) da from one radius to another, using only breaks between them.
     pub(super) fn integrate(&self, from: &R, to: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
         let goal = roundoff_tolerance(from).times(4);
         let tolerance = Tolerance::new(&goal).or_noise_below(from.unit_roundoff().sqrt());
         self.by_pieces(from, to, |lower, upper| self.piece([lower, upper], &tolerance, HALVINGS, &mut f))
     }
 
-    /// The size of ∫ f(a) da of a positive f, by one small rule a piece.
+    /// The magnitude of ∫ f(a) da of a positive f, by one small rule per piece.
     pub(super) fn roughly(&self, from: &R, to: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<R> {
         let zero = from.lit(0);
         let rule = gauss_jacobi::rule(NODES, &zero, &zero)?;
@@ -74,7 +75,7 @@ impl<R: Real> Breaks<R> {
         Ok(total)
     }
 
-    /// One piece; where it does not settle, its two halves.
+    /// One piece; if it does not converge, its two halves.
     fn piece(
         &self,
         [lower, upper]: [&R; 2],
@@ -92,8 +93,8 @@ impl<R: Real> Breaks<R> {
         }
     }
 
-    /// Gauss–Legendre; beside a kink b, where g' may have an inverse root, in s with a = b + s²(upper − b). At the tip, and
-    /// where that does not converge beside a kink or over decades, tanh-sinh.
+    /// Gauss–Legendre; beside a kink b, where g' may have an inverse root, in s with a = b + s²(upper − b). At the tip,
+    /// and if that does not converge beside a kink or over decades, tanh-sinh.
     fn rule(
         &self,
         lower: &R,
@@ -119,7 +120,7 @@ impl<R: Real> Breaks<R> {
         tanh_sinh(lower, upper, tolerance, |a| f(&off_tip(a, upper)))
     }
 
-    /// The kink nearest to an end of a piece, if it is no farther away than the piece is long.
+    /// The kink nearest to an end of a piece, if its distance does not exceed the length of the piece.
     fn kink_beside(&self, end: &R, width: &R) -> Option<&R> {
         let next = self.kinks.partition_point(|kink| kink <= end);
         let distance = |kink: &&R| ((*kink).clone() - end).abs();
@@ -128,7 +129,7 @@ impl<R: Real> Breaks<R> {
     }
 }
 
-/// The integral in s with a = b + s²(upper − b), from a kink b on or from a little beyond it.
+/// The integral in s with a = b + s²(upper − b), from a kink b or slightly beyond it.
 fn from_kink<R: Real>(
     kink: &R,
     [lower, upper]: [&R; 2],
@@ -141,17 +142,17 @@ fn from_kink<R: Real>(
     let length = first.lit(1) - &first;
     let estimate = gauss_jacobi::integrate(&zero, &zero, tolerance.clone(), |t| {
         let a = (t.clone() * &length + &first).square() * &reach + kink;
-        // s of the radius as it was rounded, at which the root is taken.
+        // s at the rounded radius, at which the root is evaluated.
         let s = ((a.clone() - kink) / &reach).sqrt();
         Ok(f(&a)? * s.times(2))
     })?;
     Ok(estimate.scaled(&(length * &reach)))
 }
 
-/// The tolerance for a piece that is short against its radii: these are rounded, and with them what is integrated, by so much
-/// of its length.
+/// The tolerance for a piece that is short relative to its radii: the rounding of the radii, and with them of the
+/// integrand, is a larger fraction of its length.
 fn resolved<R: Real>(tolerance: &Tolerance<R>, upper: &R, width: &R) -> Tolerance<R> {
-    /// Roundings of a radius that a rule may add up.
+    /// The roundings of a radius that a rule may accumulate.
     const ROUNDINGS: i64 = 64;
     let noise = upper.unit_roundoff() * upper / width;
     let limit = noise.clone().times(ROUNDINGS);
@@ -162,7 +163,7 @@ fn resolved<R: Real>(tolerance: &Tolerance<R>, upper: &R, width: &R) -> Toleranc
     }
 }
 
-/// A radius within rounding of the tip stands for all that are nearer to it, where powers of a leave the arithmetic.
+/// A radius bounded away from the tip by rounding: closer to it powers of a leave the range of the arithmetic.
 fn off_tip<R: Real>(a: &R, upper: &R) -> R {
     let least = upper.unit_roundoff() * upper;
     if *a > least { a.clone() } else { least }

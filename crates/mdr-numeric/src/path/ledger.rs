@@ -1,14 +1,14 @@
-//! Where the energy of a loading path goes.
+//! The energy balance of a loading path.
 //!
 //! The work of the control is ∫F dd along the curve of equilibria, on a machine ∫F dD with its spring, and under
-//! controlled force F(d₂ − d₁) in a jump. The energy lost in a jump from a₁ to a₂ at a held value is
-//! E* ∫_{a₂}^{a₁} [(d(a) − g(a))² − Δl(a)²] da, with d(a) the indentation held by the control at radius a. What is stored,
-//! Π(a, d) and F²/2k in the spring, is an integral over the whole contact. The three are computed from different
-//! integrands, so that
+//! controlled force F(d₂ − d₁) in a jump. The energy dissipated in a jump from a₁ to a₂ at a fixed controlled value is
+//! E* ∫_{a₂}^{a₁} [(d(a) − g(a))² − Δl(a)²] da, with d(a) the indentation at radius a and that value. The stored
+//! energy, Π(a, d) and F²/2k in the spring, is an integral over the whole contact. The three are computed from
+//! different integrands, so that
 //!
 //! work − lost = Π(end) − Π(start)
 //!
-//! is a check of the path, and its residual is compared with a bound.
+//! is a check of the path; its residual is compared with a bound.
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result};
@@ -21,56 +21,56 @@ use crate::curve::{Curve, log10_of_product, negligible};
 use crate::energy::Energy;
 use crate::equilibrium::Branches;
 
-/// What an event costs.
+/// The energy dissipated in an event.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Loss<R> {
     /// This energy, in J.
     Finite(Estimate<R>),
-    /// More than any number: a dead load that pulls a body off goes on falling; contact that covers the whole surface of a
-    /// half-space goes on spreading.
+    /// More than any number: a body pulled off by a dead load falls without end; on a half-space complete contact
+    /// spreads without end.
     Unbounded,
 }
 
-/// The line of the ledger that belongs to one event.
+/// The energies of one event.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry<R> {
-    /// The work done by the control since the event before, in J.
+    /// The work done by the control since the previous event, in J.
     pub work: Estimate<R>,
     /// The work done by the control in the event, in J: F(d₂ − d₁) under controlled force, else 0.
     pub work_in_event: R,
-    /// The energy lost in the event.
+    /// The energy dissipated in the event.
     pub lost: Loss<R>,
 }
 
-/// The energy ledger of a path.
+/// The energies of the events of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ledger<R> {
     /// One for each event of the path.
     pub entries: Vec<Entry<R>>,
 }
 
-/// The books, closed. In J.
+/// The energy balance of a path, in J.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Balance<R> {
-    /// The work of the control. On a closed path, one that ends in the state in which it began, it equals the energy
-    /// lost: the hysteresis of the cycle.
+    /// The work of the control. On a closed path, which ends in its initial state, it equals the dissipation: the
+    /// hysteresis of the cycle.
     pub work: R,
-    /// The energy lost in all events.
+    /// The energy dissipated in all events.
     pub lost: R,
-    /// What is stored in the contact and in the spring of a machine at the end, less that at the beginning.
+    /// The increase of the energy stored in the contact and in the spring of a machine.
     pub stored: R,
     /// work − lost − stored.
     pub residual: R,
-    /// What the residual may be: the estimated errors of the quadratures, and the rounding of their integrands. It takes g,
-    /// g' and the mean of g to be good to 64 unit roundoffs.
+    /// A bound of the residual: the estimated errors of the quadratures, and the rounding of their integrands. It
+    /// assumes that g, g' and the mean of g are accurate to 64 unit roundoffs.
     pub bound: R,
 }
 
-/// Roundings of g, g', the mean of g and what is made of them, in unit roundoffs.
+/// Roundings of g, g', the mean of g and quantities derived from them, in unit roundoffs.
 const ROUNDINGS: i64 = 64;
 
 impl<R: Real> Ledger<R> {
-    /// The ledger of a path that was followed on the given branches.
+    /// The energies of a path that was followed on the given branches.
     ///
     /// Each jump is integrated between its own two radii only, in pieces between the folds and kinks there.
     ///
@@ -93,7 +93,8 @@ impl<R: Real> Ledger<R> {
     /// ```
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature; [`Error::OutOfRange`] when an energy is no number of this arithmetic.
+    /// Those of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this
+    /// arithmetic.
     pub fn new(path: &Path<R>, branches: &Branches<'_, R>) -> Result<Self> {
         let books = Books::new(branches);
         let mut entries = Vec::with_capacity(path.events.len());
@@ -110,8 +111,8 @@ impl<R: Real> Ledger<R> {
         Ok(Ledger { entries })
     }
 
-    /// The sum; none where something is unbounded. It adds the energies that are stored at the beginning and at the end of
-    /// the path, integrals over the whole contact.
+    /// The energy balance; `None` if a term is unbounded. It adds the energies stored at the beginning and at the end
+    /// of the path, integrals over the whole contact.
     ///
     /// # Errors
     /// As [`Ledger::new`].
@@ -120,8 +121,8 @@ impl<R: Real> Ledger<R> {
     }
 }
 
-/// What is stored in the contact and in the spring of a machine at the end of a path, less that at its beginning, in J; none
-/// for complete contact.
+/// The increase of the energy stored in the contact and in the spring of a machine along a path, in J; `None` for
+/// complete contact.
 ///
 /// # Errors
 /// As [`Ledger::new`].
@@ -130,7 +131,7 @@ pub fn stored<R: Real>(path: &Path<R>, branches: &Branches<'_, R>) -> Result<Opt
 }
 
 impl<R: Real> Loss<R> {
-    /// The energy lost in each event of a path, each for itself.
+    /// The energies of the events of a path, computed separately, so that one may fail alone.
     ///
     /// # Errors
     /// As [`Ledger::new`].
@@ -157,7 +158,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         let (State::Contact(from), State::Contact(to)) = (from, to) else { return Ok(self.none()) };
         let mut work = self.along_curve(&from.contact_radius, &to.contact_radius)?;
         if let Some(wall) = self.curve.wall() {
-            // At the wall the contact is a linear spring from the corner of the curve on.
+            // At a vertical edge the contact is a linear spring from the end of the curve on.
             let corner = self.curve.state(&wall)?;
             for (state, sign) in [(from, -1), (to, 1)] {
                 if state.contact_radius == wall {
@@ -197,7 +198,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         Ok(work)
     }
 
-    /// What an event costs: work of the control, and energy lost.
+    /// The work of the control in an event, and the dissipated energy.
     fn event(&self, event: &Event<R>) -> Result<(R, Loss<R>)> {
         let zero = event.value.lit(0);
         let dead_load = *self.curve.control() == Control::Force;
@@ -218,14 +219,14 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         }
     }
 
-    /// E* ∫_{a₂}^{a₁} δ(δ + 2Δl) da with the direction of change δ = g − d − Δl at the held value.
+    /// E* ∫_{a₂}^{a₁} δ(δ + 2Δl) da with the direction of change δ = g − d − Δl at the fixed value.
     fn lost(&self, before: &State<R>, after: &State<R>, value: &R) -> Result<Estimate<R>> {
         let radius = |state: &State<R>| state.contact().map_or(value.lit(0), |rest| rest.contact_radius.clone());
         let (from, to) = (radius(after), radius(before));
         if from == to {
             return Ok(self.none());
         }
-        // In units of Δl at the larger end: the product of two small lengths may be out of range where the energy is not.
+        // In units of Δl at the larger end: the product of two small lengths may underflow where the energy does not.
         let unit = self.curve.elongation(if from > to { &from } else { &to });
         let needed = negligible(&unit);
         let lost = self.breaks.integrate(&from, &to, |a| {
@@ -248,18 +249,18 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         Ok(Estimate { value, error, evaluations: lost.evaluations })
     }
 
-    /// E* times a length and the square of `unit`, in an order in which small lengths do not leave the range.
+    /// E* times a length and the square of `unit`, in an order that avoids underflow of small lengths.
     fn energy(&self, length: &R, unit: &R) -> R {
         self.curve.effective_modulus().clone() * unit * length * unit
     }
 
-    /// The size of the lengths that d and the force at radius `a` are made of, the rounding of a itself among them.
+    /// The magnitude of the lengths that make up d and the force at radius `a`, including the rounding of a itself.
     fn terms(&self, a: &R) -> Result<R> {
         self.terms_with(a, &a.lit(1), &a.lit(0))
     }
 
-    /// The same where g' may have an inverse root or a pole at a kink: there g varies over the distance from it and not over
-    /// the radius, and what its rounding adds up to has a bound.
+    /// The same if g' may have an inverse root or a pole at a kink: there g varies over the distance from it instead of
+    /// the radius, and the accumulated rounding is bounded.
     fn terms_near_kinks(&self, a: &R, needed: &R) -> Result<R> {
         self.terms_with(a, &self.breaks.clearance(a).sqrt(), needed)
     }
@@ -293,7 +294,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         Ok(Some(Balance { work, lost, stored, residual, bound }))
     }
 
-    /// What it matters that the states of an event are at its value up to rounding only: the force times the rounding of d.
+    /// The effect of the rounding of d in the states of an event: the force times that rounding.
     fn landing(&self, event: &Event<R>) -> Result<R> {
         let mut total = event.value.lit(0);
         for state in [&event.before, &event.after] {
@@ -306,7 +307,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         Ok(total)
     }
 
-    /// What is stored at the end of a path less that at its beginning; none for complete contact.
+    /// The increase of the stored energy along a path; `None` for complete contact.
     fn more_stored(&self, path: &Path<R>) -> Result<Option<Estimate<R>>> {
         let (Some(first), Some(last)) = (path.events.first(), path.events.last()) else { return Ok(None) };
         let (Some(start), Some(end)) = (self.stored(&first.after)?, self.stored(&last.after)?) else {
@@ -316,7 +317,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         Ok(Some(Estimate { value: end.value - &start.value, error: start.error + &end.error, evaluations }))
     }
 
-    /// Π, and F²/2k of a machine; none for complete contact.
+    /// Π, and F²/2k of a machine; `None` for complete contact.
     fn stored(&self, state: &State<R>) -> Result<Option<Estimate<R>>> {
         let rest = match state {
             State::Contact(rest) if rest.contact_radius > rest.contact_radius.lit(0) => rest,
@@ -325,7 +326,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         };
         let a = &rest.contact_radius;
         let energy = Energy::new(self.curve.transform(), self.curve.material())?;
-        // Piece by piece between the folds, as thousands of waves are too many for one rule.
+        // Piece by piece between the folds, because thousands of waves are too many for one rule.
         let mut error = a.lit(0);
         let mut value = energy.potential_by(a, &rest.indentation, |square| {
             let integral = self.breaks.integrate(&a.lit(0), a, square)?;
@@ -354,7 +355,7 @@ fn spring_energy<R: Real>(force: &R, stiffness: &R) -> R {
     force.clone() / stiffness * force.clone().over(2)
 }
 
-/// No energy, exactly.
+/// Zero energy, exactly.
 fn nothing<R: Real>(like: &R) -> Estimate<R> {
     Estimate { value: like.lit(0), error: like.lit(0), evaluations: 0 }
 }

@@ -1,9 +1,9 @@
-//! Quasi-static loading paths: what the contact does while the controlled quantity is moved slowly along way points.
+//! Quasi-static loading paths: the states of the contact while the controlled quantity varies slowly along way points.
 //!
-//! On a stable branch nothing happens until the controlled quantity passes the value of a fold at one of its ends. The
-//! contact then jumps to the next equilibrium in the direction of change, detaches, or covers the whole surface. The rest
-//! is combinatorial, so a path asks for equilibria at way points and landings only, and over enclosures each of its
-//! decisions is proved.
+//! On a stable branch the contact changes continuously until the controlled quantity passes the value of a fold at one
+//! of its ends. The contact then jumps to the next equilibrium in the direction of change, detaches, or covers the
+//! whole surface. The rest is combinatorial: equilibria are computed only at way points and after jumps, and over
+//! enclosures each decision is proved.
 
 mod follow;
 mod integral;
@@ -19,55 +19,57 @@ use crate::branch::Branched;
 
 pub use ledger::{Balance, Entry, Ledger, Loss, stored};
 
-/// Which of the equilibria at the first way point a path begins with.
+/// The equilibrium at the first way point with which a path begins.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Start<R> {
-    /// The stable one of the largest radius.
+    /// The stable equilibrium with the largest radius.
     Largest,
-    /// The stable one of the smallest radius.
+    /// The stable equilibrium with the smallest radius.
     Smallest,
-    /// The stable one whose radius is nearest to this, in ratio.
+    /// The stable equilibrium whose radius is nearest to this, in ratio.
     Nearest(R),
-    /// None: the surfaces are apart.
+    /// The surfaces are separated.
     Detached,
 }
 
-/// What the two surfaces do.
+/// The state of the two surfaces.
 #[derive(Clone, Debug, PartialEq)]
 pub enum State<R> {
-    /// They touch on a disc, in equilibrium; on a point with a = d = F = 0 where contact begins or ends smoothly.
+    /// Equilibrium with contact on a disc; a point with a = d = F = 0 if contact begins or ends continuously.
     Contact(Equilibrium<R>),
-    /// They do not touch; F = 0.
+    /// No contact; F = 0.
     Detached,
-    /// They touch everywhere.
+    /// Contact everywhere.
     Complete,
 }
 
-/// What happens.
+/// The kind of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EventKind {
     /// The path begins.
     Start,
-    /// The surfaces come to touch at the tip, at the value 0 of every control, and the contact grows smoothly from there (n < 1/2).
+    /// The surfaces touch at the tip, at the value 0 of every control, and the contact grows continuously from there (n
+    /// < 1/2).
     Touch,
-    /// The surfaces come to touch, and the contact jumps to a finite radius.
+    /// The surfaces touch, and the contact jumps to a finite radius.
     JumpIn,
-    /// From a fold to another radius.
+    /// The contact jumps from a fold to another radius.
     Jump,
-    /// The contact breaks at a fold; or it has shrunk smoothly to a point (n < 1/2).
+    /// The contact breaks at a fold; or it has shrunk continuously to a point (n < 1/2).
     Detached,
-    /// Past a fold there is no equilibrium up to the largest radius, of a profile without an outer one. The path ends: the
-    /// theory knows nothing beyond.
+    /// After a fold there is no equilibrium up to the largest radius, of a profile without an outer one. The path ends,
+    /// because the theory covers no further state.
     CompleteContact,
-    /// The contact has come to the outer radius of the profile, and with it the path to its end. The states are those there;
-    /// where it grows that far by itself, at the value of a fold or after a touch, those from which it does.
+    /// The contact edge reached the outer radius of the profile, so the path ends. Both states are the one at the outer
+    /// radius; after a jump at a fold or after a touch, the one it jumped from.
     EndOfProfile,
-    /// Up to this value no equilibrium was found: it lies out of the range of the arithmetic, or the profile has an outer
-    /// radius at which g is not known. The path ends; the states are the last that are known, at the value of the event before.
+    /// No equilibrium was found up to this value: it is out of the range of the arithmetic, or the profile has an outer
+    /// radius at which g is not known. The path ends; the states are the last known one, at the value of the previous
+    /// event.
     Undecided,
-    /// Outside of the contact the surfaces touch on a [ring](Event::ring), and would overlap from there on: on the way along a
-    /// stable branch, in the state to which a jump leads, or apart, when they do not first touch at the tip. No theory of a
-    /// simply connected contact goes further, and the path ends; the states are the last that are admissible.
+    /// The surfaces touch on a [ring](Event::ring) outside the contact, and would interpenetrate beyond: along a stable
+    /// branch, in the state to which a jump leads, or separated, if they do not first touch at the tip. The theory of a
+    /// simply connected contact ends here, and so does the path; the states are the last admissible ones.
     NotAdmissible,
     /// A way point is reached.
     WayPoint,
@@ -97,18 +99,18 @@ impl EventKind {
 /// One event of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event<R> {
-    /// What happens.
+    /// The kind of the event.
     pub kind: EventKind,
     /// The controlled quantity.
     pub value: R,
-    /// Just before.
+    /// The state before.
     pub before: State<R>,
-    /// Just after; the same where nothing changes.
+    /// The state after; the same if nothing changes.
     pub after: State<R>,
-    /// The fold that is left, by its index.
+    /// The index of the fold that is passed.
     pub fold: Option<usize>,
-    /// Where the surfaces touch or would overlap, with [`EventKind::NotAdmissible`]; the gap is 0 where they touch, and
-    /// negative where a state that is not admissible was jumped to or started from.
+    /// The ring on which the surfaces touch or would interpenetrate, for [`EventKind::NotAdmissible`]; the gap is 0
+    /// where they touch, and negative if the path jumped to or started from a state that is not admissible.
     pub ring: Option<Ring<R>>,
 }
 
@@ -116,19 +118,19 @@ pub struct Event<R> {
 /// monotone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path<R> {
-    /// In their order.
+    /// The events in order.
     pub events: Vec<Event<R>>,
 }
 
 impl<R: Real> Path<R> {
     /// Follows the contact along the `way` points of the controlled quantity (d, F, or D = d + F/k).
     ///
-    /// At a way point exactly at a fold the contact rests there. After detaching it touches again when the controlled
-    /// quantity comes up to 0, or the lowest point of the profile to the surface. A path that cannot be continued ends with an
-    /// event that says why; so does one that leaves the [admissible](crate::admissible) states, so that no event of it gains
-    /// energy.
+    /// At a way point exactly at a fold the contact stays there. After detachment it touches again when the controlled
+    /// quantity increases to 0, or when the lowest point of the profile reaches the surface. A path that cannot be
+    /// continued ends with an event that states the reason; so does one that leaves the [admissible](crate::admissible)
+    /// states, so no event of it gains energy.
     ///
-    /// The cost is that of one equilibrium per event, and of comparisons between folds: 10⁴ jumps are no trouble.
+    /// The cost is one equilibrium per event and comparisons between folds, also for 10⁴ jumps.
     ///
     /// ```
     /// use mdr_core::contact::{Control, Material};
@@ -145,15 +147,16 @@ impl<R: Real> Path<R> {
     /// ```
     ///
     /// # Errors
-    /// [`NoEquilibrium`](mdr_core::contact::Error::NoEquilibrium) when there is no stable equilibrium at the first way
-    /// point, or for a detached start where the surfaces would overlap; [`Domain`](mdr_core::contact::Error::Domain)
-    /// without way points, or unless they are finite; [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures; those of the transform.
+    /// [`NoEquilibrium`](mdr_core::contact::Error::NoEquilibrium) if there is no stable equilibrium at the first way
+    /// point, or for a detached start where the surfaces would interpenetrate;
+    /// [`Domain`](mdr_core::contact::Error::Domain) without way points, or unless they are finite;
+    /// [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures; those of the transform.
     pub fn follow(branches: &impl Branched<R>, start: &Start<R>, way: &[R]) -> Result<Self> {
         follow::follow(branches, start, way, None).map(|events| Path { events })
     }
 
-    /// The same where the order of the way points is known: that of each against the one before it. Enclosures of two equal
-    /// numbers do not tell that they are equal.
+    /// The same with a known order of each way point relative to the previous one. Enclosures of two equal numbers do
+    /// not show that they are equal.
     ///
     /// # Errors
     /// As [`Path::follow`].
@@ -166,7 +169,7 @@ impl<R: Real> Path<R> {
         follow::follow(branches, start, way, Some(order)).map(|events| Path { events })
     }
 
-    /// The state in which a path begins: what [`follow`](Path::follow) has in its first event.
+    /// The state in which a path begins: that of the first event of [`follow`](Path::follow).
     ///
     /// ```
     /// use mdr_core::contact::{Control, Material, Stability};
@@ -186,7 +189,7 @@ impl<R: Real> Path<R> {
         follow::begin(branches, start, value).map(|(_, state)| state)
     }
 
-    /// The same path with its numbers in another arithmetic: states that were proved over enclosures, for the energies.
+    /// The same path with its numbers in another arithmetic, such as states proved over enclosures for the energies.
     pub fn map<S>(&self, number: impl Fn(&R) -> S) -> Path<S> {
         let event = |event: &Event<R>| Event {
             kind: event.kind,
@@ -199,7 +202,7 @@ impl<R: Real> Path<R> {
         Path { events: self.events.iter().map(event).collect() }
     }
 
-    /// Whether the path came to its last way point.
+    /// Whether the path reached its last way point.
     pub fn is_finished(&self) -> bool {
         self.events.last().is_some_and(|event| event.kind == EventKind::End)
     }

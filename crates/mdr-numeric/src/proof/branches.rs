@@ -1,4 +1,4 @@
-//! Equilibria with a proof that none is missed: one at most on each branch between proved folds.
+//! Equilibria with a proof of completeness: at most one on each branch between proved folds.
 
 use std::cmp::Ordering;
 use std::sync::{Arc, OnceLock};
@@ -13,33 +13,33 @@ use super::{EnclosedCurve, ProvedFolds, kinks};
 use crate::admissible::{self, Admissibility, Ring, Touch};
 use crate::branch::{self, Branched, Onset};
 
-/// The branches of a contact over enclosures, between folds that are proved to be all in their range.
+/// The branches of a contact over enclosures, between folds that are proved to be complete in their range.
 ///
-/// Whether a branch holds an equilibrium is decided by the certain order of the value against the controlled quantity at
-/// both ends, so that on the range none is missed and none is invented; where the order is not certain the answer is
-/// [`Error::Undecided`], and more bits may decide. The value may itself be an enclosure, as that of a fold is: then the
-/// answer holds for every number in it. Beyond the range, equilibria are looked for by walking outwards; one that is found
-/// exists for certain, but there may be more.
+/// A branch contains an equilibrium if the value certainly lies between those of the controlled quantity at its two
+/// ends. On the range the list of equilibria is therefore complete and correct; if an order is not certain the result
+/// is [`Error::Undecided`], and more bits may decide. The value may itself be an enclosure, as that of a fold is: the
+/// result then holds for every number in it. Beyond the range, equilibria are searched outwards; one that is found
+/// certainly exists, but there may be more.
 pub struct EnclosedBranches<'a> {
     pub(super) curve: EnclosedCurve<'a>,
-    /// Poles among them.
+    /// Includes poles.
     folds: Vec<Instability<Interval>>,
     range: (Float, Float),
     pub(super) wall: Option<Wall>,
-    /// The rim, if no fold lies between the range and it.
+    /// The equator, if no fold lies between the range and it.
     pub(super) rim: Option<Interval>,
     admissibility: OnceLock<Arc<Admissibility<'a>>>,
 }
 
-/// The wall, with the mean of g and the controlled quantity of the state in which the contact just reaches it.
+/// The vertical edge, with the mean of g and the controlled quantity of the state in which the contact just reaches it.
 pub(super) struct Wall {
     radius: Interval,
     mean: Interval,
     controlled: Interval,
 }
 
-/// An end of a branch: where it may lie, the end of that from which the branch is searched, and the sign of the controlled
-/// quantity less its prescribed value.
+/// An end of a branch: an enclosure of it, the end of the enclosure from which the branch is searched, and the sign of
+/// the controlled quantity minus its prescribed value.
 struct End {
     enclosure: Interval,
     radius: Interval,
@@ -72,7 +72,7 @@ impl<'a> EnclosedBranches<'a> {
         EnclosedBranches { admissibility: OnceLock::from(admissibility), ..self }
     }
 
-    /// The range of radii on which [all equilibria](Branched::equilibria) are found; those met beyond it are told, too.
+    /// The range of radii on which [all equilibria](Branched::equilibria) are found; some beyond it are reported too.
     pub fn range(&self) -> &(Float, Float) {
         &self.range
     }
@@ -81,7 +81,7 @@ impl<'a> EnclosedBranches<'a> {
         self.control().controlled(&fold.indentation, &fold.force)
     }
 
-    /// The end of a branch at a fold. At the value of the fold itself the sign is that of both sides.
+    /// The end of a branch at a fold. At the value of the fold the sign is the same on both sides.
     fn at_fold(&self, fold: &Instability<Interval>, radius: &Float, value: &Interval) -> Result<End> {
         let enclosure = fold.contact_radius.clone();
         let radius = self.curve.promoted(&Interval::point(radius.clone()));
@@ -101,13 +101,13 @@ impl<'a> EnclosedBranches<'a> {
         Ok(End { enclosure, radius, excess })
     }
 
-    /// The sign at a radius with no fold.
+    /// The sign at a radius that is not a fold.
     fn at_radius(&self, radius: Interval, value: &Interval) -> Result<End> {
         let excess = self.direction(&radius, value)?;
         Ok(End { enclosure: radius.clone(), radius, excess })
     }
 
-    /// As [`Curve::direction`](crate::curve::Curve::direction); where a point is not certainly on one side of a kink, more
+    /// As [`Curve::direction`](crate::curve::Curve::direction); if a point is not certainly on one side of a kink, more
     /// bits are needed.
     fn direction(&self, a: &Interval, value: &Interval) -> Result<Interval> {
         match self.curve.plain.direction_at(a, value) {
@@ -139,7 +139,7 @@ impl<'a> EnclosedBranches<'a> {
         Ok([lower, upper])
     }
 
-    /// The contact at rest at the wall, if it is pressed beyond where it just reaches it.
+    /// The contact at the vertical edge, if it is pressed beyond the state that just reaches it.
     fn at_wall(&self, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
         let Some(wall) = &self.wall else { return Ok(None) };
         match value.partial_cmp(&wall.controlled) {
@@ -154,7 +154,7 @@ impl<'a> EnclosedBranches<'a> {
         }
     }
 
-    /// The controlled one of d and F is known better from its prescribed value.
+    /// The controlled one of d and F is taken from its prescribed value, which is more accurate.
     pub(super) fn equilibrium(
         &self,
         contact_radius: Interval,
@@ -171,7 +171,7 @@ impl<'a> EnclosedBranches<'a> {
         Equilibrium { contact_radius, indentation, force, stability }
     }
 
-    /// The equilibrium between two radii at which the contact moves in opposite directions.
+    /// The equilibrium between two radii with opposite directions of change.
     fn between(&self, [lower, upper]: [End; 2], value: &Interval) -> Result<Equilibrium<Interval>> {
         let grows_below = lower.excess < lower.excess.lit(0);
         let sample = |end: &End| Sample { x: end.radius.clone(), f: end.excess.clone() };
@@ -180,7 +180,7 @@ impl<'a> EnclosedBranches<'a> {
         };
         let direction = |a: &Interval| self.direction(a, value);
         let root = roots::refine(bracket, &value.unit_roundoff(), direction)?;
-        // Nothing was sampled within the enclosure of an end itself.
+        // No sample lies within the enclosure of an end itself.
         let first = if root.lower == lower.radius { lower.enclosure } else { root.lower };
         let last = if root.upper == upper.radius { upper.enclosure } else { root.upper };
         let radius = self.narrowed(first.hull(&last), value)?;
@@ -189,7 +189,7 @@ impl<'a> EnclosedBranches<'a> {
         Ok(self.equilibrium(radius, d, force, value, stability))
     }
 
-    /// The same enclosure after a step of the interval Newton operator, where the slope has a certain sign.
+    /// The same enclosure after a step of the interval Newton operator, if the slope has a certain sign.
     fn narrowed(&self, radius: Interval, value: &Interval) -> Result<Interval> {
         let middle = radius.steer();
         let at_middle = self.direction(&middle, value)?;
@@ -201,7 +201,7 @@ impl<'a> EnclosedBranches<'a> {
         Ok((middle - at_middle / slope).intersect(&radius).unwrap_or(radius))
     }
 
-    /// The last end that was seen on the way from one, and the next if the contact moves the other way in it.
+    /// The last end visited from a given one, and the next if its direction of change is opposite.
     fn walk(&self, mut last: End, steps: impl Iterator<Item = Interval>, value: &Interval) -> (End, Option<End>) {
         let zero = value.lit(0);
         let growing = last.excess < zero;
@@ -237,7 +237,7 @@ impl<'a> EnclosedBranches<'a> {
         octaves().map(move |octave| self.curve.promoted(&(lower.lit(2).powi(-octave) * &lower)))
     }
 
-    /// Radii above the range: 2^1, 2^2, 2^4, … times its upper end, or ever closer to where the profile ends.
+    /// Radii above the range: 2^1, 2^2, 2^4, … times its upper end, or ever closer to the end of the profile.
     fn above(&self) -> impl Iterator<Item = Interval> {
         let upper = self.curve.promoted(&Interval::point(self.range.1.clone()));
         let outer = self.curve.plain.transform().outer_radius();
@@ -268,7 +268,7 @@ impl Branched<Interval> for EnclosedBranches<'_> {
         self.curve.plain.is_pushed_back(radius, value)
     }
 
-    /// In double precision, which is evidence and no proof.
+    /// In double precision: evidence, not proof.
     fn admissibility(&self) -> &Admissibility<'_> {
         let search = || Arc::new(Admissibility::rounded(&self.curve.plain, &self.folds));
         self.admissibility.get_or_init(search)
@@ -327,14 +327,14 @@ impl Branched<Interval> for EnclosedBranches<'_> {
     }
 }
 
-/// Where surfaces touch on a ring is not enclosed.
+/// The error for first contact on a ring, which is not enclosed.
 fn not_enclosed(radius: f64) -> Error {
     let (from, to) = (radius.to_string(), "infinity".to_owned());
     Error::Unproved { quantity: Quantity::Radius, from, to, remedy: "where surfaces touch outside is not enclosed" }
 }
 
 impl EnclosedBranches<'_> {
-    /// Whether the last fold is that of the wall, beyond which there is nothing but the wall.
+    /// Whether the last fold is at the vertical edge, so that only the vertical edge follows.
     fn wall_is_fold(&self) -> bool {
         let last = self.folds.last();
         self.wall.as_ref().is_some_and(|wall| last.is_some_and(|fold| fold.contact_radius.overlaps(&wall.radius)))
@@ -342,7 +342,7 @@ impl EnclosedBranches<'_> {
 }
 
 impl EnclosedCurve<'_> {
-    /// The wall, where the profile knows its g there.
+    /// The vertical edge, if g is known there.
     fn wall(&self) -> Result<Option<Wall>> {
         let Some(radius) = self.plain.wall() else { return Ok(None) };
         let index = self.plain.transform().kinks().len();

@@ -1,4 +1,4 @@
-//! Beyond the range of a proof: whether a fold is left out between the range and the tip, or outwards.
+//! Radii outside the range of a proof: whether folds exist towards the tip or outwards.
 
 use std::cmp::Ordering;
 
@@ -9,14 +9,14 @@ use rug::Float;
 use super::{EnclosedBranches, kinks};
 use crate::path::{EventKind, Path, State};
 
-/// How far the condition is enclosed at both ends, in octaves: contact radii of 2^±1048576 m.
+/// The range on which the condition is enclosed at both ends, in octaves: contact radii of 2^±1048576 m.
 const FAR: f64 = 1_048_576.0;
-/// Enclosures of the condition that each end may cost.
+/// The most enclosures of the condition at each end.
 const CELLS: usize = 512;
 
 impl EnclosedBranches<'_> {
-    /// Checks that a path rests on proofs alone. Where it comes to radii outside the range, or to none at all, it must be certain
-    /// that no fold lies out there. Which state is the largest, say, is a question about the range only.
+    /// Checks that a path uses proved results only. If it reaches radii outside the range, or no radius, it must be
+    /// certain that no fold lies there. The choice of the largest state, say, refers to the range only.
     ///
     /// # Errors
     /// [`Error::Undecided`](mdr_core::contact::Error::Undecided) otherwise.
@@ -45,7 +45,7 @@ impl EnclosedBranches<'_> {
         self.has_one_sign([-FAR, last], end)
     }
 
-    /// Whether it has one from the range outwards, to 2⁻ᵖ before an outer radius at a precision of p bits.
+    /// Whether it has one sign from the range outwards, to 2⁻ᵖ before an outer radius at a precision of p bits.
     fn is_free_outwards(&self) -> Result<bool> {
         let (_, upper) = self.range();
         if self.wall.is_some() || self.rim.is_some() {
@@ -70,7 +70,8 @@ impl EnclosedBranches<'_> {
         Float::with_val(self.curve.precision().bits(), octave).exp2()
     }
 
-    /// Whether the condition has one sign, and no zero, on all radii between two octaves, halved until it is certain.
+    /// Whether the condition has one sign, and no zero, on all radii between two octaves, which are halved until it is
+    /// certain.
     fn has_one_sign(&self, [first, last]: [f64; 2], end: impl Fn(f64) -> Float) -> Result<bool> {
         let mut open = vec![(first, last)];
         let mut sign = None;

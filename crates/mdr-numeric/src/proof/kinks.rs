@@ -1,4 +1,4 @@
-//! Kinks of g, the wall and what lies between the last cell on one side and the first on the other.
+//! Kinks of g, the vertical edge, and the intervals around them between the cells on either side.
 
 use std::cmp::Ordering;
 
@@ -9,12 +9,12 @@ use rug::float::Special;
 
 use super::{EnclosedCurve, ProvedFolds};
 
-/// Relative distances 2^−k from a kink at which the range is cut, the first that does.
+/// Relative distances 2^−k from a kink at which the range may be cut, in the order in which they are tried.
 const MARGINS: [u32; 4] = [6, 12, 24, FINEST];
 /// The smallest of them.
 pub(super) const FINEST: u32 = 40;
 
-/// A neighbourhood of a kink or of a wall, with what is certain of the condition on the two sides of it.
+/// An interval around a kink or a vertical edge, with the proved sign of the fold condition on each side.
 pub(super) struct Gap {
     pub(super) before: Float,
     pub(super) after: Float,
@@ -24,12 +24,12 @@ pub(super) struct Gap {
 
 struct Known {
     kink: Kink<Interval>,
-    /// The sign of the condition below and above; above is none at a wall.
+    /// The sign of the condition below and above; above is `None` at a vertical edge.
     signs: (Ordering, Option<Ordering>),
 }
 
 impl EnclosedCurve<'_> {
-    /// The neighbourhoods of all kinks in (lower, upper), and of the wall if it is there.
+    /// The intervals around all kinks in (lower, upper), and around the vertical edge if it is there.
     pub(super) fn gaps(&self, lower: &Float, upper: &Float) -> Result<Vec<Gap>> {
         let kinks = self.radii();
         let mut gaps: Vec<Gap> = Vec::new();
@@ -44,7 +44,7 @@ impl EnclosedCurve<'_> {
         Ok(gaps)
     }
 
-    /// The kinks, and the wall after them.
+    /// The kinks, followed by the vertical edge.
     fn radii(&self) -> Vec<Interval> {
         let mut radii = self.plain.transform().kinks();
         radii.extend(self.plain.wall());
@@ -55,7 +55,7 @@ impl EnclosedCurve<'_> {
         index == self.plain.transform().kinks().len()
     }
 
-    /// The widest neighbourhood within (from, to) on which both signs are certain, or else the narrowest. None when the
+    /// The widest neighbourhood within (from, to) on which both signs are certain, or else the narrowest. `None` if the
     /// kink itself is not there.
     fn neighbourhood(&self, index: usize, kink: &Interval, from: &Float, to: &Float) -> Result<Option<Gap>> {
         let mut narrowest = None;
@@ -76,7 +76,7 @@ impl EnclosedCurve<'_> {
         Ok(narrowest)
     }
 
-    /// The signs of the condition on both sides of a kink, where they are certain.
+    /// The signs of the condition on both sides of a kink, if they are certain.
     fn known(&self, index: usize, radius: &Interval, margin: u32) -> Result<Option<Known>> {
         let margin = radius.lit(2).powi(-i64::from(margin));
         let Some(kink) = self.plain.transform().kink(index, &margin)? else { return Ok(None) };
@@ -104,7 +104,7 @@ impl EnclosedCurve<'_> {
         }
     }
 
-    /// Enters what a gap holds: a fold at the kink, a pole, nothing, or something unknown.
+    /// Records the result for an interval: a fold at the kink, a pole, nothing, or an undecided part.
     pub(super) fn gap(&self, gap: Gap, found: &mut ProvedFolds) -> Result<()> {
         let Some(known) = &gap.known else {
             found.undecided.push((gap.before, gap.after));
@@ -118,7 +118,7 @@ impl EnclosedCurve<'_> {
         Ok(())
     }
 
-    /// The fold again, where it is that of a kink or of the wall.
+    /// The state of the fold in this precision, if it is at a kink or at the vertical edge.
     pub(super) fn fold_at_kink(&self, fold: &Instability<Interval>) -> Result<Option<Instability<Interval>>> {
         for (index, radius) in self.radii().iter().enumerate() {
             if !radius.overlaps(&fold.contact_radius) {
@@ -149,8 +149,8 @@ impl EnclosedCurve<'_> {
 }
 
 impl Known {
-    /// Whether the controlled quantity has an extremum there. At a wall the contact rests on a branch of its own, on which
-    /// it grows.
+    /// Whether the controlled quantity has an extremum there. At a vertical edge the contact has a branch of its own,
+    /// on which the controlled quantity increases.
     fn fold(&self) -> Option<FoldKind> {
         match self.signs {
             (Ordering::Less, Some(Ordering::Greater) | None) => Some(FoldKind::Minimum),
@@ -160,7 +160,7 @@ impl Known {
     }
 }
 
-/// An extremum without bound, somewhere in an enclosure of radii.
+/// A fold with infinite indentation and force, somewhere in an enclosure of radii.
 fn pole(radius: Interval, kind: FoldKind) -> Instability<Interval> {
     let bits = radius.precision();
     let mut largest = Float::with_val(bits, Special::Infinity);

@@ -1,12 +1,12 @@
-//! Folds and equilibria with a proof that none is missed, on a stated range of radii.
+//! Folds and equilibria with a proof of completeness on a stated range of radii.
 //!
-//! The range is halved until on every cell an enclosure shows that the tangency condition (1.10) has no zero, or that it
-//! is monotone and so has at most one. The cost grows with the number of folds, not with the width of the range over the
-//! distance of the closest pair, as it would for a scan. Between two folds the controlled quantity is monotone, which
-//! makes every equilibrium a certain change of sign: see [`EnclosedBranches`].
+//! The range is halved until on every cell an enclosure shows that the tangency condition (1.10) has no zero, or that
+//! it is monotone and so has at most one. The cost grows with the number of folds, unlike that of a scan, which grows
+//! with the ratio of the range to the distance of the closest pair. Between two folds the controlled quantity is
+//! monotone, so every equilibrium is a certain sign change: see [`EnclosedBranches`].
 //!
 //! At a kink of g the condition jumps. There the profile itself gives bounds of g' on both sides
-//! ([`Transform::kink`](mdr_core::contact::Transform::kink)), which tell whether the kink is a fold, and that none hides
+//! ([`Transform::kink`](mdr_core::contact::Transform::kink)), which decide whether the kink is a fold and exclude folds
 //! beside it.
 
 mod branches;
@@ -26,25 +26,25 @@ use rug::Float;
 
 use crate::curve::Curve;
 
-/// One contact twice: over enclosures, and over enclosures with derivatives.
+/// One contact in two arithmetics: enclosures, and enclosures with derivatives.
 #[derive(Clone)]
 pub struct EnclosedCurve<'a> {
     plain: Curve<'a, Interval>,
     moving: Curve<'a, Dual<Interval>>,
 }
 
-/// What was found on a range of radii, and what was not decided there.
+/// The folds found on a range of radii, and the parts left undecided.
 #[derive(Clone, Debug)]
 pub struct ProvedFolds {
-    /// The range. Of other radii nothing is claimed.
+    /// The range. Nothing is claimed outside it.
     pub range: (Float, Float),
     /// The folds, by increasing radius; each quantity is an enclosure.
     pub folds: Vec<Instability<Interval>>,
-    /// Where g is infinite, and with it the controlled quantity: the curve of equilibria is cut there as by a fold. The
-    /// radius is somewhere in its enclosure; indentation and force are without bound.
+    /// Radii where g, and with it the controlled quantity, diverges: the curve of equilibria is cut there as by a fold.
+    /// The radius is somewhere in its enclosure; indentation and force are unbounded.
     pub poles: Vec<Instability<Interval>>,
-    /// Parts of the range where more folds may hide: around kinks of which nothing is known, where two folds nearly
-    /// merge, and what the budget left over.
+    /// Parts of the range that may contain further folds: around kinks without known bounds, where two folds nearly
+    /// merge, and cells left when the budget is spent.
     pub undecided: Vec<(Float, Float)>,
     /// Evaluations of the tangency condition.
     pub evaluations: usize,
@@ -68,8 +68,9 @@ impl<'a> EnclosedCurve<'a> {
         &self.plain
     }
 
-    /// All folds with radii in (lower, upper), with at most about `budget` evaluations between two kinks. The range ends
-    /// where the profile does, at its wall or [a little](EnclosedCurve::octaves_to_rim) before its outer radius.
+    /// All folds with radii in (lower, upper), with at most about `budget` evaluations between two kinks. The range
+    /// ends with the profile, at its vertical edge or [slightly](EnclosedCurve::octaves_to_rim) before its outer
+    /// radius.
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 < lower < upper, and unless the range begins before that end of the profile; as
@@ -133,10 +134,10 @@ impl<'a> EnclosedCurve<'a> {
         Ok(())
     }
 
-    /// The same fold in the precision of this curve, from an enclosure in a lower one.
+    /// The same fold in the precision of this curve, from an enclosure in a lower precision.
     ///
     /// # Errors
-    /// [`Error::Undecided`] when the enclosure of the derivative contains zero; as [`Curve::tangency`].
+    /// [`Error::Undecided`] if the enclosure of the derivative contains zero; as [`Curve::tangency`].
     pub fn sharpen(&self, fold: &Instability<Interval>) -> Result<Instability<Interval>> {
         if let Some(kink) = self.fold_at_kink(fold)? {
             return Ok(kink);
@@ -158,8 +159,8 @@ impl<'a> EnclosedCurve<'a> {
         self.plain.effective_modulus().ctx()
     }
 
-    /// The tangency ratio less its threshold: positive where equilibria are stable, zero at a fold. The entire line where
-    /// the enclosure leaves the domain of the profile: nothing is known there.
+    /// The tangency ratio minus its critical value: positive where equilibria are stable, zero at a fold. The entire
+    /// line if the enclosure leaves the domain of the profile.
     fn condition(&self, a: &Interval) -> Result<Interval> {
         match self.plain.tangency(a) {
             Err(Error::Domain { .. }) => Ok(Interval::entire(a.ctx())),
@@ -182,7 +183,7 @@ impl<'a> EnclosedCurve<'a> {
         }
     }
 
-    /// What an enclosure over a whole cell says: its own value, or the mean-value form f(m) + f'(cell)(cell − m).
+    /// The behaviour on a cell by its enclosure, either direct or in the mean-value form f(m) + f'(cell)(cell − m).
     fn behaviour(&self, cell: &Interval) -> Result<Behaviour> {
         let over_cell = self.with_slope(cell)?;
         if !over_cell.value.contains_zero() {
@@ -199,17 +200,17 @@ impl<'a> EnclosedCurve<'a> {
         })
     }
 
-    /// The only zero in a cell where the condition is monotone, by interval Newton from where bisection has led.
+    /// The only zero in a cell where the condition is monotone, by bisection followed by interval Newton.
     fn zero(&self, cell: &Interval) -> Result<Option<Interval>> {
         let mut cell = self.promoted(cell);
-        // Newton converges from nearly any cell that isolates a simple zero; halving gets it there.
+        // Newton converges from nearly any cell that isolates a simple zero; halving leads to such a cell.
         for _ in 0..cell.precision() {
             if let Some(zero) = verify(&cell.mid(), |a| self.condition(a), |a| self.slope(a))?
                 && let Some(common) = zero.intersect(&cell)
                 && (cell.contains(zero.lower()) && cell.contains(zero.upper())
                     || !self.slope(&zero.hull(&cell))?.contains_zero())
             {
-                // The zero that was verified is that of the cell: within it, or there is but one in both together.
+                // The verified zero is that of the cell: it lies within it, or both together contain only one.
                 return Ok(Some(common));
             }
             let Some(half) = self.half_with_zero(&cell)? else { return Ok(None) };

@@ -1,17 +1,17 @@
-//! The range of radii on which a proof is worth asking for.
+//! The range of radii for a proof.
 
 use mdr_core::contact::Instability;
 
 use crate::curve::Curve;
 use crate::folds::Folds;
 
-/// How far the range goes beyond radii that a contact is known to visit.
+/// The factor by which the range extends beyond radii that a contact is known to visit.
 const MARGIN: f64 = 4.0;
 
-/// A range for [`EnclosedCurve::folds`](super::EnclosedCurve::folds): the kinks of g and all that the search in `f64` found,
-/// folds, poles and folds whose force is out of range, and a factor `reach` beyond on both sides. Around w/E* where it found
-/// nothing, or half the outer radius if that is smaller. The radii `visited` are within it, by a factor of four, and the
-/// outer radius.
+/// A range for [`EnclosedCurve::folds`](super::EnclosedCurve::folds): the kinks of g and the results of the search in
+/// `f64` (folds, poles and folds whose force is out of range), extended by a factor `reach` on both sides. Around w/E*
+/// if nothing was found, or around half the outer radius if that is smaller. It includes the radii `visited`, by a
+/// factor of four, and the outer radius.
 pub fn range(curve: &Curve<'_, f64>, found: &Folds<f64>, reach: f64, visited: &[f64]) -> (f64, f64) {
     let transform = curve.transform();
     let radius = |fold: &Instability<f64>| fold.contact_radius;
@@ -23,7 +23,7 @@ pub fn range(curve: &Curve<'_, f64>, found: &Folds<f64>, reach: f64, visited: &[
     }
     radii.extend(transform.kinks());
     let lower = radii.iter().map(|a| a / reach).chain(visited.iter().map(|a| a / MARGIN));
-    // A profile that ends is looked at to its end.
+    // A profile with an end is included up to its end.
     let far = visited.iter().copied().chain(transform.outer_radius()).map(|a| a * MARGIN);
     let upper = radii.iter().map(|a| a * reach).chain(far);
     (lower.fold(f64::MAX, f64::min).max(f64::MIN_POSITIVE), upper.fold(0.0, f64::max).min(f64::MAX))
@@ -38,7 +38,7 @@ mod tests {
     use crate::profiles::Paraboloid;
     use crate::transform::Quadrature;
 
-    /// The fold of JKR at a³ = πwR²/8E*, whose force −(5/6)πwR is no double, is in the range none the less.
+    /// The fold of JKR at a³ = πwR²/8E*, whose force −(5/6)πwR is no double, is in the range nevertheless.
     #[test]
     fn folds_out_of_range_are_looked_at() -> Result<()> {
         let (material, control) = (Material::new(1e300, 1e296)?, Control::Indentation);

@@ -1,4 +1,4 @@
-//! Close to a rim, where g is infinite: what is certain of the condition up to it, and the equilibrium before it.
+//! Close to an equator, where g diverges: the proved sign of the condition up to it, and the equilibrium before it.
 
 use std::cmp::Ordering;
 
@@ -8,12 +8,12 @@ use rug::Float;
 
 use super::{EnclosedBranches, EnclosedCurve, kinks};
 
-/// The relative distance 2^−k from a rim within which folds are no more looked for.
+/// The relative distance 2^−k from an equator within which folds are not searched.
 const CLOSEST: u32 = 2560;
 
 impl EnclosedCurve<'_> {
-    /// The k for which a search for folds ends a relative distance 2^−k before the outer radius: 40, or before a rim the first
-    /// of 40, 80, 160, … for which there is certainly no fold closer to it.
+    /// The k for which a search for folds ends at a relative distance 2^−k before the outer radius: 40, or before an
+    /// equator the first of 40, 80, 160, … for which there is certainly no fold closer to it.
     ///
     /// # Errors
     /// As [`Transform::kink`](mdr_core::contact::Transform::kink).
@@ -26,7 +26,7 @@ impl EnclosedCurve<'_> {
         Ok(octaves)
     }
 
-    /// The rim, where the condition is certainly positive from a radius on up to it.
+    /// The equator, if the condition is certainly positive from a radius up to it.
     pub(super) fn stable_rim(&self, from: &Float) -> Result<Option<Interval>> {
         let Some(outer) = self.plain.rim()? else { return Ok(None) };
         let margin = (outer.clone() - Interval::point(from.clone())) / &outer;
@@ -34,7 +34,7 @@ impl EnclosedCurve<'_> {
         Ok(certain.then_some(outer))
     }
 
-    /// Whether the condition is certainly positive from a relative distance before the rim on.
+    /// Whether the condition is certainly positive from a relative distance up to the equator.
     fn is_stable_from(&self, margin: &Interval, rim: &Interval) -> Result<bool> {
         let transform = self.plain.transform();
         let around = rim.clone().inflate(&(margin.clone() * rim));
@@ -44,12 +44,12 @@ impl EnclosedCurve<'_> {
 }
 
 impl EnclosedBranches<'_> {
-    /// The equilibrium between a radius at which the contact grows and the rim; no number of this precision need be between
-    /// the two.
+    /// The equilibrium between a radius at which the contact grows and the equator; the two may be adjacent numbers of
+    /// this precision.
     ///
-    /// Up to the equilibrium g rises, to d + Δl. So there its integral is that up to the last radius and no more than the
-    /// distance times the larger of both heights. As d depends on the mean of g by a factor of at most one, a
-    /// distance below half the radius makes d + Δl less than twice of what it is with the mean from the last radius alone.
+    /// Up to the equilibrium g increases, to d + Δl. So its integral is that up to the last radius plus at most the
+    /// distance times the larger of both heights. As d depends on the mean of g by a factor of at most one, a distance
+    /// below half the radius makes d + Δl less than twice its value with the mean from the last radius alone.
     pub(super) fn before_rim(
         &self,
         last: &Interval,

@@ -1,4 +1,4 @@
-//! Polynomials through Chebyshev points: what they say about the sign and the direction of a function between them.
+//! Polynomials through Chebyshev points: the sign and the monotonicity of a function between them.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 /// The degree, one less than the number of points.
 pub(super) const DEGREE: usize = 8;
 
-/// How far point i lies on the way from one end of the interval to the other; 0 and 1 exactly at the ends.
+/// The fraction of the interval at point i; exactly 0 and 1 at the ends.
 pub(super) fn share(i: usize) -> f64 {
     match i {
         0 => 0.0,
@@ -42,7 +42,7 @@ impl Fit {
         self.largest.abs().max(self.smallest.abs())
     }
 
-    /// The size of what the polynomial leaves out: that of its last terms.
+    /// The magnitude of the truncation error of the polynomial: that of its last terms.
     pub(super) fn tail(&self) -> f64 {
         self.coefficients[DEGREE - 2..].iter().map(|c| c.abs()).sum()
     }
@@ -73,9 +73,8 @@ impl Drawn {
         Drawn { points: std::array::from_fn(point) }
     }
 
-    /// Whether all values have one sign and are no closer to zero than `margin`, between the points neither: there a value
-    /// is less than the neighbours by an eighth of their second difference in the angle, of which twice as much is allowed
-    /// for.
+    /// Whether all values have one sign and are no closer to zero than `margin`, also between the points: there a value
+    /// is less than its neighbours by an eighth of their second difference in the angle; twice as much is allowed for.
     pub(super) fn keeps_away(&self, margin: f64) -> bool {
         let value = |i: usize| self.points[i].1;
         let bend = |i: usize| {
@@ -88,7 +87,7 @@ impl Drawn {
         })
     }
 
-    /// Whether every step goes the way of `sign`, by more than `slope` and less the rounding `noise`.
+    /// Whether every step has the direction of `sign`, by more than `slope` minus the rounding `noise`.
     pub(super) fn is_directed(&self, sign: f64, slope: f64, noise: f64) -> bool {
         self.points.windows(2).all(|pair| sign * (pair[1].1 - pair[0].1) > slope * (pair[0].0 - pair[1].0) - noise)
     }

@@ -1,4 +1,4 @@
-//! A part of a profile as the circle of radius x sees it, and the closed moments of polynomials over it.
+//! A part of a profile on the circle of radius x, and the closed moments of polynomials over it.
 //!
 //! With r = x sin θ the part p ≤ r ≤ q is an arc of half-angle η about the direction φ. Let τ = θ − φ and z = 1 − cos τ.
 //! About c = x sin φ, and with e = x cos φ, r = c + e sin τ − c z and √(x² − r²) = e cos τ − c sin τ. So every moment of
@@ -37,7 +37,7 @@ impl<R: Real> Spoke<R> {
 
 /// The arc from p to q, in units of a length h.
 pub(super) struct Arc<R> {
-    /// (c − p)/h: where the moments are taken about.
+    /// (c − p)/h: the centre of the moments.
     pub(super) centre: R,
     /// c/h.
     sine: R,
@@ -50,7 +50,7 @@ pub(super) struct Arc<R> {
 }
 
 impl<R: Real> Arc<R> {
-    /// The arc between two spokes a distance `length` = (q − p)/h apart, for `scale` = x/h.
+    /// The arc between two spokes at a distance `length` = (q − p)/h, for `scale` = x/h.
     ///
     /// sin 2η and cos 2η come from the spokes as quotient and sum of positive terms.
     pub(super) fn new(from: &Spoke<R>, to: &Spoke<R>, length: &R, scale: &R) -> Self {
@@ -103,11 +103,11 @@ impl<R: Real> Arc<R> {
 
 /// I₀ … I₄ from z = 1 − cos η ≤ 1 − cos 45° and sin η.
 ///
-/// With Iₖ = ιₖ zᵏ sin η, integration by parts gives (2k−1) ιₖ₋₁ = 1 + k z ιₖ: upward unstable, downward a Horner scheme of
-/// positive terms that forgets its start by z/2 a step. Started at ι_K = 1/(2K+1), the relative error is below (z/2)^(K−3).
-/// There ι_K lies between 1/(2K+1) and 1/(2K+1)/(1 − z/2), and its derivative between 0 and 1/(2K+1): an enclosure starts
-/// with that, and so does its slope, whatever K is. A wide one may reach far beyond the z that there are, and its middle too:
-/// then no step would sharpen it.
+/// With Iₖ = ιₖ zᵏ sin η, integration by parts gives (2k−1) ιₖ₋₁ = 1 + k z ιₖ: unstable upwards, downwards a Horner
+/// scheme of positive terms in which the error of the start decreases by z/2 per step. Started at ι_K = 1/(2K+1), the
+/// relative error is below (z/2)^(K−3). ι_K lies between 1/(2K+1) and 1/(2K+1)/(1 − z/2), and its derivative between 0
+/// and 1/(2K+1): an enclosure starts with these bounds, for any K, and so does its slope. A wide enclosure may extend
+/// far beyond the possible z, and so may its midpoint: then no number of steps would sharpen it.
 fn versine_integrals<R: Real>(z: &R, sin: &R) -> [R; 5] {
     let middle = z.approx();
     let steps = if middle < 0.5 {
@@ -141,7 +141,7 @@ mod tests {
 
     use super::*;
 
-    /// Enclosures of z as wide as those over a cell of radii: what steers the recurrence is no z that there is.
+    /// Enclosures of z as wide as those over a cell of radii: the representative point is not a possible z.
     #[test]
     fn a_wide_enclosure_holds_what_every_z_gives() {
         let precision = Precision::new(200);

@@ -32,8 +32,8 @@ impl fmt::Display for Column {
     }
 }
 
-/// What is wrong with a table. Every message names the line, the column, what is written there and the remedy; numbers
-/// are quoted as they stand in the file.
+/// What is wrong with a table. Every message states the line, the column, the text there and the remedy; numbers are
+/// quoted as in the file.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum TableError {
@@ -43,9 +43,9 @@ pub enum TableError {
     /// It is not text with separated columns, or not UTF-8.
     #[error("line {line}: not a row of UTF-8 text with separated columns: {reason}")]
     Malformed {
-        /// Where.
+        /// The line.
         line: usize,
-        /// What the reader of separated values says.
+        /// The message of the CSV reader.
         reason: String,
     },
     /// The header has no column of that name.
@@ -53,18 +53,18 @@ pub enum TableError {
     MissingColumn {
         /// The line of the header.
         line: usize,
-        /// The column looked for.
+        /// The missing column.
         column: Column,
-        /// The names that are there.
+        /// The columns that are present.
         found: String,
     },
-    /// A row that has not as many fields as the table has columns.
+    /// A row whose number of fields differs from the number of columns.
     #[error(
         "line {line}: {found} fields where {expected} are expected; columns are separated by a comma, a semicolon or \
          a tab, decimals are written with a point, and a table without header has the two columns r and f"
     )]
     Width {
-        /// Where.
+        /// The line.
         line: usize,
         /// Fields found.
         found: usize,
@@ -84,13 +84,13 @@ pub enum TableError {
     /// A field that is not a finite number.
     #[error("line {line}, column {column}: `{text}` is {reason}")]
     NotANumber {
-        /// Where.
+        /// The line.
         line: usize,
         /// The column.
         column: Column,
         /// The field as written.
         text: String,
-        /// Why.
+        /// The reason.
         reason: LiteralError,
     },
     /// A radius below zero.
@@ -99,33 +99,33 @@ pub enum TableError {
          distance from the axis"
     )]
     NegativeRadius {
-        /// Where.
+        /// The line.
         line: usize,
         /// The radius as written.
         radius: String,
     },
-    /// A radius smaller than the one before.
+    /// A radius smaller than the previous one.
     #[error(
         "line {line}, column r: the radius {radius} is smaller than {previous} on line {previous_line}; sort the rows \
          by increasing r"
     )]
     Unsorted {
-        /// Where.
+        /// The line.
         line: usize,
         /// The radius as written.
         radius: String,
-        /// The radius before it.
+        /// The previous radius.
         previous: String,
-        /// The line of that.
+        /// The line of the previous radius.
         previous_line: usize,
     },
-    /// A radius that is, as a double, the one before.
+    /// A radius that equals the previous one as a double.
     #[error(
         "line {line}, column r: the radius {radius} was already given on line {previous_line}; keep one of the two \
          rows, or their mean"
     )]
     Repeated {
-        /// Where.
+        /// The line.
         line: usize,
         /// The radius as written.
         radius: String,
@@ -137,32 +137,32 @@ pub enum TableError {
         "line {line}, column f: the profile is not zero at the tip, f(0) = {height}; subtract {height} from every f"
     )]
     TipNotZero {
-        /// Where.
+        /// The line.
         line: usize,
         /// f(0) as written.
         height: String,
     },
-    /// Heights that do not come to f(0) = 0.
+    /// Heights that do not extrapolate to f(0) = 0.
     #[error(
         "line {line}, column f: the rows begin with {height} at r = {radius} and do not lead to f(0) = 0, but to about \
          {tip}; heights are measured from the tip: subtract the height of the tip from every f"
     )]
     TipElsewhere {
-        /// Where.
+        /// The line.
         line: usize,
         /// The first height.
         height: String,
         /// Its radius.
         radius: String,
-        /// Where the parabola through the first two rows meets the axis.
+        /// The height at which the parabola through the first two rows meets the axis.
         tip: String,
     },
-    /// A length that nothing can be smoothed over.
+    /// A length that is unsuitable for smoothing.
     #[error("cannot be smoothed over {length:e}: {why}")]
     Smoothing {
         /// The length.
         length: f64,
-        /// Why.
+        /// The reason.
         why: String,
     },
     /// Not enough rows.

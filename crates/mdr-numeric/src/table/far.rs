@@ -1,9 +1,9 @@
-//! What lies far below x, cluster by cluster.
+//! The contribution of pieces far below x, cluster by cluster.
 //!
-//! Seen from a distance of at least its own width, a cluster of pieces acts like m point charges at Chebyshev nodes: the
+//! At a distance of at least its own width, a cluster of pieces acts like m point charges at Chebyshev nodes: the
 //! kernels 1/√(x²−r²) and √(x²−r²) are analytic there, and their interpolants converge like (3+√8)^−m, to rounding. The
 //! charges are ∫ ρ(r) ℓⱼ(r) dr for the density ρ, computed exactly for each piece and passed up a binary tree; so g(x)
-//! costs O(log rows). As the fast multipole method does (Greengard & Rokhlin 1987), in one dimension.
+//! costs O(log rows). This is the fast multipole method (Greengard & Rokhlin 1987) in one dimension.
 
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ use super::transform::Part;
 
 /// Pieces in a cluster of the lowest level.
 const LEAF: usize = 8;
-/// Beyond this precision so many charges are needed that all pieces are summed one by one instead.
+/// Above this precision the number of charges is so large that all pieces are summed one by one instead.
 const WIDEST: u32 = 64;
 
 /// Pieces from `start` to `start + width`, as charges at the nodes of the grid.
@@ -39,8 +39,8 @@ pub(super) struct FarField<R> {
 }
 
 impl<R: Special> FarField<R> {
-    /// None where it would not pay, for small tables and high precision, and over enclosures, which would have to account
-    /// for what the interpolation leaves out.
+    /// `None` if it does not pay, for small tables and high precision, and over enclosures, which would have to include
+    /// the interpolation error.
     pub(super) fn new(pieces: &[Piece<R>]) -> Result<Option<Self>> {
         let like = &pieces[0].width;
         let encloses = like.clone().inflate(like) != *like;
@@ -68,7 +68,7 @@ impl<R: Special> FarField<R> {
         })
     }
 
-    /// The share of a cluster in ∫ ρ dθ, or in ∫ ρ cos²θ dθ.
+    /// The contribution of a cluster to ∫ ρ dθ, or to ∫ ρ cos²θ dθ.
     pub(super) fn share(&self, cluster: &Cluster<R>, part: Part, x: &R) -> R {
         let charges = if part == Part::Slope { &cluster.bend } else { &cluster.slope };
         let (first, span) = ((x.clone() - &cluster.start) / x, cluster.width.clone() / x);
@@ -90,11 +90,11 @@ impl<R: Special> Cluster<R> {
     }
 }
 
-/// What clusters are made with.
+/// The nodes and weights of clusters.
 struct Grid<R> {
     /// The Chebyshev nodes tⱼ = cos(π(2j+1)/2m).
     nodes: Vec<R>,
-    /// The barycentric weights that belong to them, (−1)ʲ sin(π(2j+1)/2m).
+    /// Their barycentric weights, (−1)ʲ sin(π(2j+1)/2m).
     weights: Vec<R>,
     /// Exact for the density of a piece (degree 2) times ℓⱼ.
     gauss: Arc<Rule<R>>,
@@ -102,7 +102,7 @@ struct Grid<R> {
 
 impl<R: Special> Grid<R> {
     fn new(like: &R) -> Result<Self> {
-        // log₂(3+√8) = 2.543 bits a node.
+        // log₂(3+√8) = 2.543 bits per node.
         let count = 3 + i64::from(like.precision()) * 1000 / 2543;
         let angles = (0..count).map(|j| like.pi() * like.ratio(2 * j + 1, 2 * count));
         let nodes: Vec<R> = angles.clone().map(|angle| angle.cos()).collect();
@@ -111,7 +111,7 @@ impl<R: Special> Grid<R> {
         Ok(Grid { nodes, weights, gauss })
     }
 
-    /// Neighbouring pieces.
+    /// The cluster of neighbouring pieces.
     fn leaf(&self, pieces: &[Piece<R>]) -> Cluster<R> {
         let last = &pieces[pieces.len() - 1];
         let mut cluster = self.empty(&pieces[0].start, &last.start, &last.width);
@@ -125,7 +125,7 @@ impl<R: Special> Grid<R> {
         cluster
     }
 
-    /// Two neighbouring clusters: their charges are passed on.
+    /// The union of two neighbouring clusters, from their charges.
     fn pair(&self, [left, right]: &[Cluster<R>; 2]) -> Cluster<R> {
         let mut cluster = self.empty(&left.start, &right.start, &right.width);
         for part in [left, right] {
@@ -170,8 +170,8 @@ mod tests {
     use super::*;
     use mdr_core::number::Real;
 
-    /// The worst case: one step, the rest flat, seen from as near as a cluster may be. One charge gets no help from the
-    /// interpolation errors of others, which alternate in sign.
+    /// The worst case: one step, the rest flat, at the smallest distance of a cluster. With one charge the
+    /// interpolation errors, which alternate in sign, do not cancel.
     #[test]
     fn a_cluster_acts_like_its_pieces() {
         for step in 0..2 * LEAF {
@@ -193,7 +193,7 @@ mod tests {
                     (Part::Integral, sum(Part::Integral)),
                     (Part::Slope, value * (step + 2) as f64),
                 ] {
-                    // Half of the bound that is stated for two levels.
+                    // Half of the stated bound for two levels.
                     let (error, allowed) = ((far.share(cluster, part, &x) - sum(part)).abs(), 16.0 * x.unit_roundoff());
                     assert!(
                         error <= allowed * magnitude,

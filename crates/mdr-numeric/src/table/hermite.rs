@@ -39,7 +39,7 @@ pub(super) struct Piece<R> {
 
 impl<R: Real> Piece<R> {
     /// The Hermite cubic with the difference quotient `secant` between the slopes `first` and `last`. All coefficients
-    /// are sums of the two differences of slopes, so that none is larger than f' varies.
+    /// are sums of the two differences of slopes, so none exceeds the variation of f'.
     fn new((start, height): &(R, R), width: &R, secant: &R, first: &R, last: &R) -> Self {
         let (before, after) = (secant.clone() - first, last.clone() - secant);
         let c1 = before.clone().times(4) - after.clone().times(2);
@@ -88,8 +88,8 @@ pub(super) fn pieces<R: Real>(points: &[(R, R)]) -> Result<Vec<Piece<R>>> {
     Ok((0..widths.len()).map(piece).collect())
 }
 
-/// f' at the points: 0 at the tip; then that of the parabola through the point and its two neighbours, cut back to what
-/// keeps the pieces on either side monotone; at the end that of the last such parabola.
+/// f' at the points: 0 at the tip; then that of the parabola through the point and its two neighbours, limited so that
+/// the pieces on either side are monotone; at the end that of the last such parabola.
 fn slopes<R: Real>(widths: &[R], secants: &[R]) -> Vec<R> {
     let mut slopes = vec![widths[0].lit(0)];
     for i in 1..widths.len() {
@@ -105,10 +105,11 @@ fn slopes<R: Real>(widths: &[R], secants: &[R]) -> Vec<R> {
     slopes
 }
 
-/// `slope` if both secants have its sign and it is at most three times the smaller; else the nearest that fits, or 0.
+/// `slope` if both secants have its sign and it is at most three times the smaller; else the nearest slope that
+/// satisfies this, or 0.
 ///
-/// Written as a bound from below and one from above, of which one is 0: a continuous function of all three, which an
-/// enclosure can follow where it does not know their order.
+/// Written as a lower and an upper bound, one of which is 0: a continuous function of all three, which an enclosure can
+/// evaluate without knowing their order.
 fn cut_back<R: Real>(slope: R, before: &R, after: &R) -> R {
     let zero = slope.lit(0);
     let steepest_rise = before.lesser(after).greater(&zero).times(3);
@@ -116,7 +117,7 @@ fn cut_back<R: Real>(slope: R, before: &R, after: &R) -> R {
     slope.lesser(&steepest_rise).greater(&steepest_fall)
 }
 
-/// The height of the interpolant, for r up to the last radius; beyond it the last cubic goes on.
+/// The height of the interpolant, for r up to the last radius; beyond it the last cubic is continued.
 impl<R: Real> Profile<R> for MeasuredProfile<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
         let below = self.pieces.partition_point(|piece| S::lift(&piece.start) < *r);
@@ -131,7 +132,7 @@ impl<R: Real> Profile<R> for MeasuredProfile<R> {
         Some(self.end.clone())
     }
 
-    /// The first piece begins as c r², unless that is flat.
+    /// The first piece begins as c r², unless it is flat.
     fn tip_exponent(&self) -> Option<R> {
         let Quadratic([_, curvature, third]) = &self.pieces[0].slope;
         let zero = curvature.lit(0);

@@ -1,17 +1,17 @@
 //! Measured profiles: a table (r, f) of an AFM tip or a profilometer trace, and its exact transform.
 //!
-//! [`Table`] is what was measured, every decimal as it was written. [`MeasuredProfile`] is the shape-preserving cubic
-//! through it in some arithmetic. Its MDR transform is exact: each cubic piece has closed moments, and nothing is
-//! sampled. What is chosen, and why:
+//! [`Table`] contains the measured rows as exact decimals. [`MeasuredProfile`] is the shape-preserving cubic through
+//! them in some arithmetic. Its MDR transform is exact: each cubic piece has closed moments, and nothing is sampled.
+//! The choices:
 //!
-//! * **The tip.** f(0) = 0 defines the height, so (0, 0) is a point of every profile, measured or not. A profile is even
-//!   in r, so its slope there is 0. When the first measured radius is positive, the gap is bridged by the first cubic:
-//!   slope 0 at the tip, the measured height and the slope of the data at the first radius.
-//! * **The slopes** are those of the parabola through three neighbouring points, cut back to at most three times the
-//!   smaller neighbouring difference quotient, and 0 where these differ in sign (de Boor & Swartz 1977; Fritsch & Carlson
-//!   1980). The interpolant is monotone wherever the data are, and it has no extremum but at data.
-//! * **What is reproduced exactly**: the paraboloid f = c r², from any radii. A smooth profile gives g with an error of
-//!   order h^5/2 in the spacing h, a cone (which is not smooth at its tip) of order h³ away from the tip and h at it.
+//! * **The tip.** f(0) = 0 defines the height, so (0, 0) is a point of every profile, measured or not. A profile is
+//!   even in r, so its slope there is 0. When the first measured radius is positive, the interval to the tip is filled
+//!   by the first cubic: slope 0 at the tip, the measured height and the slope of the data at the first radius.
+//! * **The slopes** are those of the parabola through three neighbouring points, limited to at most three times the
+//!   smaller neighbouring difference quotient, and 0 where these differ in sign (de Boor & Swartz 1977; Fritsch &
+//!   Carlson 1980). The interpolant is monotone wherever the data are, and it has no extremum except at data.
+//! * **Exactly reproduced**: the paraboloid f = c r², from any radii. A smooth profile gives g with an error of order
+//!   h^5/2 in the spacing h, a cone (which is not smooth at its tip) of order h³ away from the tip and h at it.
 //!
 //! ```
 //! use mdr_core::contact::Transform;
@@ -45,7 +45,7 @@ use hermite::Piece;
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Literal, Special};
 
-/// The fewest rows of a table. With four, two radii have slopes that come from data on both sides.
+/// The fewest rows of a table. With four, two radii have slopes from data on both sides.
 pub const MINIMUM_ROWS: usize = 4;
 
 /// One row of a table, in metres, with the line it was read from.
@@ -59,7 +59,7 @@ pub struct Row {
     pub height: Literal,
 }
 
-/// A measured profile, exactly as written: at least four rows, radii ascending, f(0) = 0 if r = 0 is there.
+/// A measured profile as exact decimals: at least four rows, radii ascending, f(0) = 0 if r = 0 is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     rows: Vec<Row>,
@@ -72,18 +72,18 @@ impl Table {
         &self.rows
     }
 
-    /// The units of r and f, as written, where they are named and are not both metres.
+    /// The units of r and f as given; `None` if both are metres or not given.
     pub fn units(&self) -> Option<&[String; 2]> {
         self.units.as_ref()
     }
 
-    /// A number of metres in the unit of a column, as it would be written there.
+    /// A number of metres in the unit of a column, in the notation of the table.
     fn written(&self, column: Column, metres: &str) -> String {
         let unit = self.units().and_then(|units| units::decimal_power(&units[column as usize]));
         unit.map_or_else(|| metres.to_owned(), |power| units::scaled(metres, -power))
     }
 
-    /// The same rows with other heights, of which there is one a row.
+    /// The same rows with other heights, one per row.
     pub fn with_heights(&self, heights: impl IntoIterator<Item = Literal>) -> Table {
         let row = |(row, height): (&Row, Literal)| Row { height, ..row.clone() };
         Table { rows: self.rows.iter().zip(heights).map(row).collect(), units: self.units.clone() }
@@ -97,7 +97,8 @@ impl Table {
     /// The profile through the rows, in the arithmetic of `ctx`: every decimal is rounded once.
     ///
     /// # Errors
-    /// When the arithmetic cannot hold the table: a radius or height overflows, or two radii round to the same number.
+    /// If the arithmetic cannot represent the table: a radius or height overflows, or two radii round to the same
+    /// number.
     pub fn profile<R: Special>(&self, ctx: R::Ctx) -> Result<MeasuredProfile<R>> {
         let number = |literal: &Literal| R::from_literal(ctx, literal);
         MeasuredProfile::new(self.rows.iter().map(|row| (number(&row.radius), number(&row.height))).collect())
@@ -107,12 +108,13 @@ impl Table {
 /// The shape-preserving cubic through measured points, with its exact MDR transform, in any arithmetic.
 ///
 /// With u the unit roundoff, L = 16 + 2 log₂(rows) and M(x) = Σᵢ |Δfᵢ/Δrᵢ| Δθᵢ (θ = arcsin(r/x); x M is g itself for a
-/// profile that rises straight from row to row), rounding errors are below L u x M for g and L u x² M for G, however
-/// close x is to a row. That of g' is below 4L u Σᵢ (1 + rᵢ₊₁/Δrᵢ) |Δfᵢ/Δrᵢ| Δθᵢ: f'' is a second difference of the data,
-/// and between the slopes that are allowed |f'| is up to three times, |Δrᵢ f''| up to twelve times |Δfᵢ/Δrᵢ|. An evaluation costs O(log rows) in f64. Beyond 64 bits it costs O(rows), and rounding at worst (rows) u more.
-/// Over intervals every piece is summed too, and the result is an enclosure for every table whose decimals the rows may
-/// be; radii that straddle a row are refused, and [`Transform::kink`](mdr_core::contact::Transform::kink) tells what is
-/// known there.
+/// profile that is straight between rows), rounding errors are below L u x M for g and L u x² M for G, however close x
+/// is to a row. That of g' is below 4L u Σᵢ (1 + rᵢ₊₁/Δrᵢ) |Δfᵢ/Δrᵢ| Δθᵢ: f'' is a second difference of the data, and
+/// with the limited slopes |f'| is up to three times, |Δrᵢ f''| up to twelve times |Δfᵢ/Δrᵢ|. An evaluation costs O(log
+/// rows) in f64. Above 64 bits it costs O(rows), with an additional rounding error of at worst (rows) u. Over intervals
+/// every piece is summed too, and the result is an enclosure for every table within the enclosures of the decimals;
+/// radii that straddle a row are rejected, and [`Transform::kink`](mdr_core::contact::Transform::kink) gives the bounds
+/// there.
 #[derive(Clone, Debug)]
 pub struct MeasuredProfile<R> {
     pieces: Vec<Piece<R>>,

@@ -1,4 +1,4 @@
-//! From text to exact rows.
+//! Reads exact rows from text.
 
 use std::io::Read;
 use std::ops::Range;
@@ -9,7 +9,7 @@ use mdr_core::number::{Literal, LiteralError};
 use super::units::{decimal_power, scaled};
 use super::{Column, MINIMUM_ROWS, Row, Table, TableError};
 
-/// A record of the file and the line it stands on.
+/// A record of the file and its line number.
 struct Line {
     number: usize,
     fields: StringRecord,
@@ -35,12 +35,12 @@ impl Line {
     }
 }
 
-/// Where r and f stand in a record, and what they are multiplied with.
+/// The columns of r and f in a record, and their units.
 struct Layout {
     width: usize,
     place: [usize; 2],
     power: [i64; 2],
-    /// The units, where they are not both metres.
+    /// The units, unless both are metres.
     units: Option<[String; 2]>,
 }
 
@@ -81,7 +81,7 @@ impl Layout {
         Ok(())
     }
 
-    /// The number in a column: as written, and in metres.
+    /// The number in a column: as given, and in metres.
     fn number<'a>(&self, line: &'a Line, column: Column) -> Result<(&'a str, Literal), TableError> {
         let (place, power) = (self.place[column as usize], self.power[column as usize]);
         let text = &line.fields[place];
@@ -99,13 +99,13 @@ impl Table {
     /// (`um,nm`; metres without it) may follow; comment lines start with `#`.
     ///
     /// # Errors
-    /// [`TableError`], with the line, the column and the value: see there for all that is refused.
+    /// [`TableError`], with the line, the column and the value.
     pub fn from_csv(source: impl Read) -> Result<Table, TableError> {
         let table = Table::from_csv_above_any_zero(source)?;
         if table.rows[0].radius.is_zero() { table.check_tip().map(|()| table) } else { Ok(table) }
     }
 
-    /// The same where heights may be measured from any zero.
+    /// The same, for heights measured from any zero.
     ///
     /// # Errors
     /// As [`Table::from_csv`], but for f(0).
@@ -132,7 +132,7 @@ impl Table {
     }
 }
 
-/// Rows read so far, with the last radius as it was written.
+/// Rows read so far, with the last radius as given.
 struct Rows {
     layout: Layout,
     rows: Vec<Row>,
@@ -188,7 +188,7 @@ fn records(text: &[u8]) -> impl Iterator<Item = Result<Line, TableError>> + '_ {
         loop {
             let mut fields = StringRecord::new();
             let outcome = reader.read_record(&mut fields);
-            // The position of a record is that of the comments before it; where the reader stops is certain.
+            // The reader reports the position before preceding comments; its position after the record is exact.
             let number = lines.of_record_before(reader.position().byte() as usize);
             match outcome {
                 Ok(false) => return None,
@@ -207,7 +207,7 @@ fn separator(text: &[u8]) -> u8 {
     [b'\t', b';'].into_iter().find(|separator| first.contains(separator)).unwrap_or(b',')
 }
 
-/// Counts lines while the reader moves on.
+/// Counts lines as the reader proceeds.
 struct LineCounter<'a> {
     text: &'a [u8],
     seen: usize,
@@ -215,7 +215,7 @@ struct LineCounter<'a> {
 }
 
 impl LineCounter<'_> {
-    /// The line of the record that ends, its line break included, before byte `end`.
+    /// The line of the record that ends, including its line break, before byte `end`.
     fn of_record_before(&mut self, end: usize) -> usize {
         let fresh: Range<usize> = self.seen..end.saturating_sub(1).max(self.seen);
         self.seen = fresh.end;

@@ -1,13 +1,13 @@
-//! Roughness: what the rows of a table scatter by, and what that does to the slope of g.
+//! Roughness: the scatter of the rows of a table, and its effect on the slope of g.
 
 use super::Table;
 
-/// Neighbours from which a height is told, two on each side.
+/// The number of neighbours that predict a height, two on each side.
 const NEIGHBOURS: usize = 4;
-/// Rows that are looked at together.
+/// The number of rows in a window.
 const WINDOW: usize = 11;
-/// The least share of changes of sign among neighbouring residuals that is scatter: 0.79 are expected of noise, and 2/m of
-/// a wave with m rows to its length.
+/// The least fraction of sign changes among neighbouring residuals that counts as scatter: 0.79 is expected for noise,
+/// and 2/m for a wave with m rows per wavelength.
 const ALTERNATION: f64 = 0.6;
 
 /// The lower quartile of the magnitude of a normal deviate.
@@ -21,12 +21,13 @@ pub struct Scatter {
 }
 
 impl Table {
-    /// How much heights scatter about the cubics through two neighbours on each side, as a standard deviation of each
-    /// height: within a factor of two that of errors which do not depend on each other from row to row; of
-    /// rounded ones 0.3 of the last digit, and up to 1.5 where they are a staircase.
+    /// The scatter of heights about the cubics through two neighbours on each side, as a standard deviation of each
+    /// height: within a factor of two of that of independent errors; for rounded heights 0.3 of the last digit, and up
+    /// to 1.5 if they form a staircase.
     ///
-    /// Residuals of a profile that the rows resolve keep their sign from row to row, and count as none; those of noise
-    /// change it nearly always. At a kink up to four are large and may change it: the lower quartile is that of the others.
+    /// Residuals of a profile that the rows resolve keep their sign from row to row, and count as zero; those of noise
+    /// nearly always change it. At a kink up to four are large and may change it: the lower quartile is that of the
+    /// others.
     pub fn scatter(&self) -> Scatter {
         let points = self.points();
         let images = points.iter().skip(1).take(2).rev().map(|(r, f)| (-r, *f));
@@ -57,8 +58,8 @@ impl Scatter {
         self.radii.partition_point(|r| *r < x).saturating_sub(1)
     }
 
-    /// The standard deviation of g'(x) that belongs to it, √12 σ√x/h^{3/2} for rows a distance h apart: f'' of the interpolant
-    /// scatters by √6 σ/h², and g' = ∫ (f' + r f'') dθ sees the last piece under the angle √(2h/x).
+    /// The resulting standard deviation of g'(x), √12 σ√x/h^{3/2} for rows at a distance h: f'' of the interpolant
+    /// scatters by √6 σ/h², and in g' = ∫ (f' + r f'') dθ the last piece has the angle √(2h/x).
     pub fn of_slope(&self, x: f64) -> f64 {
         let row = self.row_before(x);
         let last = self.radii.len() - 1;
@@ -69,7 +70,7 @@ impl Scatter {
     }
 }
 
-/// The height of the middle of five points less that of the cubic through the others, over the root of the sum of the
+/// The height of the middle of five points minus that of the cubic through the others, over the root of the sum of the
 /// squares of its weights.
 fn residual(points: &[(f64, f64)]) -> f64 {
     let (x, height) = points[NEIGHBOURS / 2];

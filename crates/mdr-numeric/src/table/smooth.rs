@@ -4,23 +4,25 @@ use mdr_core::number::Literal;
 
 use super::{Row, Table, TableError};
 
-/// Rows that must be seen at each radius, with their mirror images: two more than the coefficients of a parabola.
+/// The least number of rows in reach at each radius, with their mirror images: two more than the coefficients of a
+/// parabola.
 const SEEN: usize = 5;
-/// How far rows are seen, in lengths: half of their weight lies within one length.
+/// The reach of the weights, in lengths: half of the total weight lies within one length.
 const REACH: f64 = 4.0;
 
 impl Table {
-    /// The profile that local regression finds in rows with noise (Cleveland 1979; second order Gaussian regression of ISO
-    /// 16610 is its kin): at each radius the parabola that fits best by least squares, with the weights (1 − (Δr/4ℓ)²)³ for
-    /// ℓ = `length`, which are one half at 1.8ℓ. Rows are seen at −r as well, since a profile is even. Parabolas are kept
-    /// exactly, waves of 11ℓ but for 2 %; those of 4.2ℓ are halved, and of independent errors √(0.39 Δr/ℓ) is left.
+    /// The profile by local regression of rows with noise (Cleveland 1979; related to the second order Gaussian
+    /// regression of ISO 16610): at each radius the parabola of the least weighted squares, with the weights (1 −
+    /// (Δr/4ℓ)²)³ for ℓ = `length`, which are one half at 1.8ℓ. Rows are mirrored to −r, since a profile is even.
+    /// Parabolas are reproduced exactly, waves of 11ℓ to 2 %; waves of 4.2ℓ are halved, and independent errors are
+    /// reduced to √(0.39 Δr/ℓ).
     ///
-    /// Heights are measured from the tip of what was found, whose height among the rows is returned as well. They are exact
-    /// numbers from then on, the shortest decimals that read as the doubles computed.
+    /// Heights are measured from the tip of the result, whose height among the rows is returned as well. They are exact
+    /// numbers: the shortest decimals of the computed doubles.
     ///
     /// # Errors
-    /// [`TableError::Smoothing`]: a length beyond the last radius, or one that leaves fewer than five rows in reach somewhere;
-    /// heights out of the range of `f64`.
+    /// [`TableError::Smoothing`]: a length beyond the last radius, or one that leaves fewer than five rows in reach
+    /// somewhere; heights out of the range of `f64`.
     pub fn smoothed(&self, length: f64) -> Result<(Table, f64), TableError> {
         let points = self.points();
         let end = points.last().map_or(0.0, |(r, _)| *r);
@@ -48,11 +50,11 @@ impl Table {
     }
 }
 
-/// The smallest distance in which every point, and the tip, sees enough others.
+/// The smallest distance in which every point, and the tip, has enough others.
 fn shortest(even: &[(f64, f64)], points: &[(f64, f64)]) -> f64 {
     let radii = std::iter::once(0.0).chain(points.iter().map(|(r, _)| *r));
     let needed = radii.map(|x| {
-        // Of so many neighbours in a row the nearer end counts for those that are in reach.
+        // Of this number of neighbours in a row the farther end decides the distance.
         even.windows(SEEN).map(|seen| (x - seen[0].0).max(seen[SEEN - 1].0 - x)).fold(f64::MAX, f64::min)
     });
     needed.fold(0.0, f64::max)

@@ -1,14 +1,14 @@
-//! Whether heights are measured from the tip, outward.
+//! Checks that heights are measured from the tip, outward.
 
 use super::{Column, Table, TableError};
 
-/// How closely continuations through two, three and four rows must agree for the tip to be where they meet.
+/// The relative agreement of extrapolations through two, three and four rows that locates the tip.
 const AGREEMENT: f64 = 0.02;
 
 impl Table {
-    /// Whether the rows lead to f(0) = 0. Where there is no row at the axis they do not, for certain, if the first height is
-    /// steeper above the tip than twice the steepest of the next rows, or if even polynomials through the first two, three
-    /// and four rows meet the axis at one height, which is no small part of the first.
+    /// Checks that the rows extrapolate to f(0) = 0. Without a row at the axis they certainly do not if the first
+    /// height is steeper above the tip than twice the steepest of the next rows, or if even polynomials through the
+    /// first two, three and four rows meet the axis at one height, which is a considerable fraction of the first.
     ///
     /// # Errors
     /// [`TableError::TipNotZero`], [`TableError::TipElsewhere`].
@@ -32,7 +32,8 @@ impl Table {
         Ok(())
     }
 
-    /// Whether heights fall from the tip outward: the last is the lowest, and the highest not a tenth as far above the tip.
+    /// Whether heights fall outward from the tip: the last is the lowest, and the highest is not a tenth as far above
+    /// the tip.
     pub fn falls_outward(&self) -> bool {
         let heights = || self.points().into_iter().map(|(_, f)| f);
         let [highest, lowest] = [heights().fold(0.0, f64::max), heights().fold(0.0, f64::min)];

@@ -63,7 +63,7 @@ impl<R: Special> MeasuredProfile<R> {
 }
 
 impl<R: Special> Piece<R> {
-    /// The share of the first `length` (of its width) of this piece, between two spokes.
+    /// The contribution of the first `length` (of its width) of this piece, between two spokes.
     pub(super) fn share(&self, part: Part, x: &R, from: &Spoke<R>, to: &Spoke<R>, length: &R) -> R {
         let arc = Arc::new(from, to, length, &(x.clone() / &self.width));
         let density = if part == Part::Slope { &self.bend } else { &self.slope };
@@ -72,8 +72,8 @@ impl<R: Special> Piece<R> {
         terms.fold(x.lit(0), |sum, (coefficient, moment)| sum + coefficient * moment)
     }
 
-    /// The share of the piece that begins at the tip, for x within it: a polynomial in x, by ∫ sinᵏθ dθ or ∫ sinᵏθ cos²θ dθ
-    /// from 0 to π/2. An enclosure holds for all radii down to the tip at once.
+    /// The contribution of the piece that begins at the tip, for x within it: a polynomial in x, by ∫ sinᵏθ dθ or ∫
+    /// sinᵏθ cos²θ dθ from 0 to π/2. An enclosure is valid for all radii down to the tip at once.
     fn share_at_tip(&self, part: Part, x: &R) -> R {
         let Quadratic([c0, c1, c2]) = if part == Part::Slope { &self.bend } else { &self.slope };
         let eighth = x.pi().over(4);
@@ -86,7 +86,7 @@ impl<R: Special> Piece<R> {
     }
 }
 
-/// sum · xᵏ, unless that is beyond the largest or below the smallest number.
+/// sum · xᵏ, if it is in range.
 fn in_range<R: Special>(sum: R, x: &R, power: i32) -> Result<R> {
     let zero = sum == sum.lit(0);
     let log10 = sum.approx().abs().log10() + f64::from(power) * x.approx().log10();
@@ -125,7 +125,7 @@ impl<R: Special> Transform<R> for MeasuredProfile<R> {
         let Some(next) = self.pieces.get(index + 1) else { return Ok(None) };
         let b = &next.start;
         let near = b.clone().inflate(&(margin.clone() * b));
-        // No other row may be so close.
+        // The interval must not reach the next row.
         let last = next.start.clone() + &next.width;
         if !(near > self.pieces[index].start && near < last) {
             return Ok(None);
@@ -140,7 +140,7 @@ impl<R: Special> Transform<R> for MeasuredProfile<R> {
 impl<R: Special> MeasuredProfile<R> {
     /// g' at all x between b = the end of the piece of index `last` and b(1 + margin).
     ///
-    /// What lies beyond b is seen under the angle arccos(b/x), which begins at 0; the spoke to b is seen under the rest.
+    /// The part beyond b has the angle arccos(b/x), which begins at 0; the pieces up to b have the remaining angle.
     fn just_outside(&self, last: usize, x: &R, margin: &R) -> R {
         let up_to = |greatest: R| {
             let half = greatest.over(2);

@@ -2,7 +2,7 @@
 
 use mdr_core::number::Literal;
 
-/// A length with its unit, such as `2 nm`, in metres; none where no unit of length ends the text or no number begins it.
+/// A length with its unit, such as `2 nm`, in metres; `None` unless the text is a number followed by a unit of length.
 pub fn length(text: &str) -> Option<Literal> {
     let digits = text.rfind(|c: char| c.is_ascii_digit() || c == '.')? + 1;
     let (number, unit) = text.split_at(digits);
@@ -11,8 +11,8 @@ pub fn length(text: &str) -> Option<Literal> {
     scaled(number, decimal_power(unit.trim())?).parse().ok()
 }
 
-/// The k of a unit of 10ᵏ m: the metre with an SI prefix, plain or in brackets. µ is taken in both of its code points,
-/// and as `u`.
+/// The k of a unit of 10ᵏ m: the metre with an SI prefix, plain or in brackets. µ is accepted in both of its code
+/// points, and as `u`.
 pub(super) fn decimal_power(unit: &str) -> Option<i64> {
     let bare = unit.trim_matches(['[', ']', '(', ')', ' ']);
     Some(match bare {
@@ -30,7 +30,7 @@ pub(super) fn decimal_power(unit: &str) -> Option<i64> {
     })
 }
 
-/// The text of a literal times 10ᵏ, exactly: the exponent of a decimal moves, an integer of a fraction gets zeros.
+/// The text of a literal times 10ᵏ, exactly: the exponent of a decimal is shifted, an integer of a fraction gets zeros.
 pub(super) fn scaled(text: &str, power: i64) -> String {
     let zeros = |count: i64| "0".repeat(count.max(0) as usize);
     if power == 0 {
@@ -39,7 +39,7 @@ pub(super) fn scaled(text: &str, power: i64) -> String {
         format!("{numerator}{}/{denominator}{}", zeros(power), zeros(-power))
     } else {
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        // The exponent was read before as part of the literal; it is an integer.
+        // The exponent has been parsed as part of the literal, so it is an integer.
         let exponent: i64 = exponent.parse().unwrap_or(0);
         match exponent + power {
             0 => mantissa.to_owned(),
@@ -64,7 +64,7 @@ mod tests {
             ("20e-9", 9, "20"),
         ] {
             assert_eq!(scaled(text, power), expected);
-            // What is read back is the correctly rounded product, not a product of rounded factors.
+            // The result is the correctly rounded product, not a product of rounded factors.
             let value = scaled(text, power).parse::<Literal>().unwrap().nearest_f64();
             assert_eq!(value, expected.parse::<Literal>().unwrap().nearest_f64());
         }

@@ -1,4 +1,4 @@
-//! The angles of radii r = x sinθ on the quarter circle, from both of its ends.
+//! The angles of radii r = x sinθ on the quarter circle, from either of its ends.
 
 use mdr_core::number::Special;
 
@@ -11,7 +11,7 @@ enum Origin {
     Edge,
 }
 
-/// An interval of angles between two radii, measured from the end where no digits of a narrow one are lost.
+/// An interval of angles between two radii, measured from the end where a narrow one keeps its digits.
 #[derive(Clone)]
 pub(super) struct Angles<R> {
     pub(super) lower: R,
@@ -29,7 +29,7 @@ struct Direction<R> {
     from_edge: R,
 }
 
-/// sinθ and cosθ of a radius r = x sinθ, r < x. The difference x − r is what is left of the digits beside the edge.
+/// sinθ and cosθ of a radius r = x sinθ, r < x. Near the edge the accuracy is that of the difference x − r.
 pub(super) fn sine_and_cosine<R: Special>(radius: &R, x: &R) -> [R; 2] {
     let sine = radius.clone() / x;
     let cosine = ((x.clone() - radius) / x * (sine.lit(1) + &sine)).sqrt();
@@ -51,7 +51,7 @@ impl<R: Special> Direction<R> {
         Direction { kink: None, from_tip: x.pi().over(2), from_edge: x.lit(0) }
     }
 
-    /// The next radius but one above the kink or below it.
+    /// The radius two floating-point numbers above the kink or below it.
     fn beside(&self, side: i64) -> Option<R> {
         self.kink.as_ref().map(|kink| kink.unit_roundoff().times(2 * side) * kink + kink)
     }
@@ -83,12 +83,12 @@ impl<R: Special> Angles<R> {
         pieces.filter(|angles| angles.lower < angles.upper).collect()
     }
 
-    /// A part of them.
+    /// A part of the interval.
     pub(super) fn part(&self, lower: &R, upper: &R) -> Self {
         Angles { lower: lower.clone(), upper: upper.clone(), ..self.clone() }
     }
 
-    /// Whether they begin at the tip.
+    /// Whether the interval begins at the tip.
     pub(super) fn touch_tip(&self) -> bool {
         self.origin == Origin::Tip && self.lower == self.lower.lit(0)
     }
@@ -101,7 +101,7 @@ impl<R: Special> Angles<R> {
         }
     }
 
-    /// r = x sinθ, on the right side of the kinks whatever its rounding.
+    /// r = x sinθ, rounded to the correct side of the kinks.
     pub(super) fn radius(&self, sine: &R, x: &R) -> R {
         let radius = sine.clone() * x;
         match (&self.inner, &self.outer) {

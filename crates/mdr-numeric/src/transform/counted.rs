@@ -1,11 +1,11 @@
-//! A profile whose heights are counted.
+//! A profile with a counter of its heights.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use mdr_core::contact::Profile;
 use mdr_core::number::{Lift, Real};
 
-/// A profile, and how many heights of it were evaluated. It counts for one thread.
+/// A profile, and the number of its heights that were evaluated. It counts for one thread.
 pub(super) struct Counted<'a, P> {
     profile: &'a P,
     heights: AtomicUsize,
@@ -23,7 +23,7 @@ impl<'a, P> Counted<'a, P> {
 
 impl<R: Real, P: Profile<R>> Profile<R> for Counted<'_, P> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
-        // As nobody else counts, there is no need to lock.
+        // Only one thread counts, so no lock is needed.
         self.heights.store(self.heights() + 1, Ordering::Relaxed);
         self.profile.height(r)
     }

@@ -1,8 +1,8 @@
 //! Gauss–Jacobi rules for I[φ] on the whole quarter circle.
 //!
-//! With s = sinθ, I[φ] = ∫₀¹ s^(p+1) (1−s)^(−1/2) · [s^(−p) (1+s)^(−1/2) φ(xs)] ds. Where φ ≈ c rᵖ at the tip and is otherwise
-//! analytic, the bracket is analytic around [0, 1]; its nearest singularity is s = −1, and N nodes leave a relative error
-//! of about (3+√8)^(−2N): 12 nodes for f64, 0.65 nodes a digit.
+//! With s = sinθ, I[φ] = ∫₀¹ s^(p+1) (1−s)^(−1/2) · [s^(−p) (1+s)^(−1/2) φ(xs)] ds. If φ ≈ c rᵖ at the tip and is
+//! otherwise analytic, the bracket is analytic around [0, 1]; its nearest singularity is s = −1, and N nodes leave a
+//! relative error of about (3+√8)^(−2N): 12 nodes for f64, 0.65 nodes per digit.
 
 use std::sync::OnceLock;
 
@@ -27,7 +27,7 @@ pub(super) fn nodes<R: Real>(p: &R, count: usize) -> Result<Vec<Node<R>>> {
     Ok(rule.nodes().iter().map(node).collect())
 }
 
-/// I[φ] and I[|φ|], `sample(s)` being φ(xs), and the number of nodes.
+/// I[φ] and I[|φ|], with φ(xs) = `sample(s)`, and the number of nodes.
 pub(super) fn sum<R: Real>(nodes: &[Node<R>], zero: R, mut sample: impl FnMut(&R) -> R) -> (R, R, usize) {
     let mut total = zero.clone();
     let mut magnitude = zero;
@@ -39,13 +39,13 @@ pub(super) fn sum<R: Real>(nodes: &[Node<R>], zero: R, mut sample: impl FnMut(&R
     (total, magnitude, nodes.len())
 }
 
-/// The rungs in units of bits/14 nodes. Power profiles are settled by the third, fifty waves by the last.
+/// The rule sizes in units of bits/14 nodes. Power profiles converge at the third, fifty waves at the last.
 const RUNGS: [usize; 8] = [1, 2, 3, 6, 12, 24, 48, 96];
 
-/// Rules of growing size for one tip exponent, made when first needed.
+/// Rules of increasing size for one tip exponent, computed when first needed.
 pub(super) struct Ladder<R> {
     p: R,
-    /// None inside where the rule could not be made, as for a hundred nodes crowded by p = 1000.
+    /// `None` inside if the rule could not be computed, as for a hundred nodes crowded by p = 1000.
     rungs: [OnceLock<Option<Vec<Node<R>>>>; RUNGS.len()],
 }
 
@@ -59,10 +59,10 @@ impl<R: Real> Ladder<R> {
         self.rungs[index].get_or_init(|| nodes(&self.p, RUNGS[index] * unit).ok()).as_deref()
     }
 
-    /// Climbs until the estimated error is below `tolerance` relative to I[|φ|] or absolutely below what is `needed`, or, the samples themselves being known to
-    /// the relative `noise`, until it no longer falls and is below the `attainable`. None when it gives up: then φ is not of
-    /// the form this rule is made for. A value at the ends of the range of the arithmetic is returned with an error as large
-    /// as itself.
+    /// Increases the rule size until the estimated error is below `tolerance` relative to I[|φ|], or below the absolute
+    /// error `needed`, or until it stops decreasing below `attainable`, where `noise` is the relative error of the
+    /// samples. `None` if it does not converge: φ is then not of the form this rule is made for. A value at the ends of
+    /// the range of the arithmetic is returned with an error as large as itself.
     pub(super) fn integrate(
         &self,
         tolerance: &R,
@@ -86,7 +86,7 @@ impl<R: Real> Ladder<R> {
                 let settled = step.clone().times(4) >= before;
                 let goal = if settled { attainable } else { tolerance };
                 let remainder = remainder(&before, &step, &magnitude, &rounding);
-                // Steps of noise, each as small as need be.
+                // Steps of noise, each negligible.
                 let negligible = || Some(before.greater(&step).times(OSCILLATION)).filter(|error| error <= needed);
                 let good = |error: &R| *error <= (goal.clone() * &magnitude).greater(needed);
                 if let Some(remainder) = remainder.filter(good).or_else(negligible) {
@@ -100,20 +100,20 @@ impl<R: Real> Ladder<R> {
     }
 }
 
-/// Whether a magnitude is not zero, but so small that its terms may have lost digits: below some 10⁻³⁰⁶ in `f64`.
+/// Whether a magnitude is so small, but nonzero, that its terms may have lost digits: below about 10⁻³⁰⁶ in `f64`.
 pub(super) fn underflows<R: Real>(magnitude: &R) -> bool {
     let zero = magnitude.lit(0);
     *magnitude != zero && (magnitude.unit_roundoff() * magnitude).over(64) == zero
 }
 
-/// Singularities in conjugate pairs make the changes oscillate, and a small one may be luck: what is left was seen to be
-/// twenty times the geometric estimate (a hyperboloid, x ≈ its lateral length, 50 digits).
+/// Singularities in conjugate pairs make the changes oscillate, and a small one may be chance: errors of twenty times
+/// the geometric estimate were observed (a hyperboloid, x ≈ its lateral length, 50 digits).
 const OSCILLATION: i64 = 64;
 
-/// What is left after the last of two changes. Over equal steps a geometric convergence leaves step²/before; a longer last
-/// step leaves less. A step may be small by luck while few nodes see little of a wave, so it is not believed to be faster
-/// than a convergence that began at the magnitude and had come to the change before. Nothing is believed where the changes
-/// do not at least halve, unless they are rounding.
+/// The error after the last of two changes. Over equal steps a geometric convergence leaves step²/before; a longer last
+/// step leaves less. A step may be small by chance while few nodes sample little of a wave, so its convergence is not
+/// taken to be faster than one that began at the magnitude and reached the previous change. `None` if the changes do
+/// not at least halve, unless they are rounding.
 fn remainder<R: Real>(before: &R, step: &R, magnitude: &R, rounding: &R) -> Option<R> {
     if step <= rounding {
         Some(step.clone())

@@ -1,4 +1,4 @@
-//! One integral I[φ]: choice of the rule, pieces between kinks, errors, and the heights that it took.
+//! One integral I[φ]: choice of the rule, pieces between kinks, errors, and the number of heights evaluated.
 
 use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, quadrature::tanh_sinh};
 use mdr_core::contact::{Error, Profile, Quantity, Result};
@@ -17,7 +17,7 @@ pub(super) struct Integral<'a, R, P> {
     profile: Counted<'a, P>,
     x: &'a R,
     integrand: Integrand,
-    /// An absolute error that is small enough; 0 where the tolerance decides.
+    /// An absolute error that is small enough; 0 if the tolerance decides.
     needed: R,
 }
 
@@ -26,7 +26,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         Integral { quadrature, profile: Counted::new(&quadrature.profile), x, integrand, needed }
     }
 
-    /// I[φ], and with g' what the kinks add to it. All heights are counted, those of rules that failed as well.
+    /// I[φ], for g' with the contributions of the kinks. All heights are counted, including those of rules that failed.
     pub(super) fn estimate(&self) -> Result<Estimate<R>> {
         let estimate = self.smooth().map(|estimate| match self.integrand {
             Integrand::Slope => self.with_kinks(estimate),
@@ -55,8 +55,8 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
 
     /// g' with its terms from kinks b. The end of a piece moves with x: sin²θ_b \[Df\]/(x cosθ_b) at sinθ_b = b/x.
     ///
-    /// x and b are taken to be exact, so that the factor of the jump has no more than twelve roundings, and the angle of the
-    /// kink is known to a rounding.
+    /// x and b are taken to be exact, so that the factor of the jump has at most twelve roundings, and the angle of the
+    /// kink is accurate to one rounding.
     fn with_kinks(&self, smooth: Estimate<R>) -> Estimate<R> {
         let mut total = smooth;
         for kink in self.quadrature.kinks.iter().filter(|kink| *kink < self.x) {
@@ -79,8 +79,8 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         self.integrand.at(&self.profile, sine, &(sine.clone() * self.x))
     }
 
-    /// sinθ φ(x sinθ) at one of the angles; 0 below sinθ = u, where no more than u² of the integral can be and where powers of
-    /// r might leave the range.
+    /// sinθ φ(x sinθ) at one of the angles; 0 below sinθ = u, which contributes at most u² of the integral and where
+    /// powers of r might leave the range.
     fn sample(&self, angles: &Angles<R>, angle: &R) -> R {
         let sine = angles.sine(angle);
         if sine < sine.unit_roundoff() {
@@ -93,8 +93,8 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         self.quadrature.tolerance(self.x)
     }
 
-    /// The tolerance, or what the rounding of r leaves attainable: a steep profile knows its own height no better. Or what is
-    /// accepted.
+    /// The tolerance, or the accuracy attainable with the rounding of r, which limits steep profiles, or the accepted
+    /// one.
     fn attainable(&self, noise: &R) -> R {
         let attainable = self.tolerance().greater(&noise.clone().times(16));
         self.quadrature.accepted.iter().fold(attainable, |attainable, accepted| attainable.greater(accepted))
@@ -105,7 +105,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         Tolerance::new(goal).or_error_below(&self.needed)
     }
 
-    /// What the rounding of r = x sinθ does to the integrand, relative, at the larger end, where it is largest.
+    /// The relative effect of the rounding of r = x sinθ on the integrand at the larger end, where it is largest.
     fn noise(&self, angles: &Angles<R>) -> R {
         self.integrand.noise(&self.profile, &[angles.largest_radius(self.x)])
     }
@@ -117,7 +117,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
             (Rule::Gauss { nodes }, _) => self.fixed(nodes),
             (Rule::Automatic, Some(ladder)) => {
                 let noise = self.noise(&quarter);
-                // Where more than half of the digits are noise, slow convergence might pass for it.
+                // If more than half of the digits are noise, slow convergence could be mistaken for noise.
                 let attainable = self.attainable(&noise).lesser(&self.x.unit_roundoff().sqrt());
                 ladder
                     .integrate(&self.tolerance(), &attainable, &self.needed, &noise, |s| self.at(s))
@@ -127,8 +127,8 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         }
     }
 
-    /// The rule of the caller's size; its error is the distance from the rule of half that size, hence far too large. One node
-    /// has none to compare with, and an error as large as the integral.
+    /// The rule with the number of nodes set by the caller; its error estimate is the difference from the rule of half
+    /// that size, hence far too large. One node has no smaller rule, and an error as large as the integral.
     fn fixed(&self, count: usize) -> Result<Estimate<R>> {
         let rules = self.quadrature.fixed_rules(self.x, count)?;
         let sum = |nodes| gauss::sum(nodes, self.x.lit(0), |s| self.at(s));
@@ -155,28 +155,28 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         }
     }
 
-    /// β of the Gauss–Jacobi rule for a piece; none at a tip of unknown shape.
+    /// β of the Gauss–Jacobi rule for a piece; `None` at a tip of unknown shape.
     fn weight(&self, angles: &Angles<R>) -> Option<R> {
         if angles.touch_tip() { self.profile.tip_exponent().map(|p: R| p.lit(1) + p) } else { Some(self.x.lit(0)) }
     }
 
-    /// Gauss–Jacobi in t, which goes from 0 to 1, with the weight tᵝ.
+    /// Gauss–Jacobi in t from 0 to 1, with the weight tᵝ.
     fn gauss(&self, angles: &Angles<R>, beta: &R, tolerance: Tolerance<R>) -> Result<Estimate<R>> {
         gauss_jacobi::integrate(&self.x.lit(0), beta, tolerance, |t| Ok(self.weighted(angles, t, beta)))
     }
 
-    /// The integrand in t with tᵝ taken out.
+    /// The integrand in t divided by tᵝ.
     fn weighted(&self, angles: &Angles<R>, t: &R, beta: &R) -> R {
         let width = angles.upper.clone() - &angles.lower;
         let value = self.sample(angles, &(width.clone() * t + &angles.lower)) * width;
         if *beta == beta.lit(0) { value } else { value / t.pow(beta) }
     }
 
-    /// The integrand between two angles where it is nothing but the rounding of terms that cancel, as of abs(r - 1) + r - 1
-    /// before 1: the error is all of it. Two precisions do not agree on it; in doubles, in which folds are searched for, it is
-    /// 0, since noise over a small radius would pass for a slope.
+    /// The integrand between two angles if it consists of the rounding of terms that cancel only, as of abs(r - 1) +
+    /// r - 1 before 1: the error is all of it. Two precisions do not agree on it; in doubles, which searches for folds
+    /// use, it is 0, since noise over a small radius would look like a slope.
     fn rounding(&self, angles: &Angles<R>) -> Option<Estimate<R>> {
-        /// Roundings of the largest term, those of its derivatives included.
+        /// Roundings of the largest term, including those of its derivatives.
         const ROUNDINGS: i64 = 256;
         const SAMPLES: i64 = 8;
         let width = angles.upper.clone() - &angles.lower;
@@ -186,7 +186,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
             let radius = angles.radius(&angles.sine(&angle), self.x);
             let term = self.quadrature.profile.largest_term(&radius)?;
             let noise = term.unit_roundoff().times(ROUNDINGS) * term;
-            // For g' in the slopes of f.
+            // For g', noise in the slopes of f.
             let noise = if self.integrand == Integrand::Slope { noise / &radius } else { noise };
             let value = self.sample(angles, &angle);
             if value.abs() > noise || !value.is_finite() {
@@ -201,7 +201,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         Some(Estimate { value, error: mean(total.error), evaluations: 0 })
     }
 
-    /// Tanh-sinh, and where that does not converge [strides](super::strides): a hundred waves are too many for one rule.
+    /// Tanh-sinh, and if that does not converge [strides](super::strides): a hundred waves are too many for one rule.
     fn patient(&self, angles: &Angles<R>) -> Result<Estimate<R>> {
         match self.double_exponential(angles) {
             Err(Error::NoConvergence { .. }) if self.quadrature.rule == Rule::Automatic => {
@@ -213,7 +213,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
 
     /// Many Gauss rules between two angles.
     fn many(&self, angles: &Angles<R>) -> Result<Estimate<R>> {
-        // Over many waves the integrand at one radius may happen to be small.
+        // Over many waves the integrand at one radius may be small by chance.
         let x = self.x;
         let radii: [R; 8] = std::array::from_fn(|i| x.clone() - x.clone().times(i as i64).over(19));
         let noise = self.integrand.noise(&self.profile, &radii);
@@ -235,7 +235,8 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         if gauss::underflows(&largest) {
             return Ok(Estimate { error: largest, ..self.zero() });
         }
-        // The noise at the end of the interval need not be that of the integral, so it is no excuse before the finest rule.
+        // The noise at the end of the interval need not be that of the integral, so it is accepted only at the finest
+        // rule.
         let noise = self.noise(angles);
         let tolerance = self.to(&self.tolerance()).or_finest_below(self.attainable(&noise));
         let estimate = tanh_sinh(&angles.lower, &angles.upper, tolerance, |angle| Ok(self.sample(angles, angle)))?;
@@ -243,7 +244,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
     }
 }
 
-/// The error with what a relative noise of the integrand adds to it.
+/// The error including the contribution of a relative noise of the integrand.
 fn with_noise<R: Special>(estimate: Estimate<R>, noise: &R) -> Estimate<R> {
     Estimate { error: estimate.value.abs() * noise + &estimate.error, ..estimate }
 }
@@ -257,7 +258,7 @@ fn finite<R: Special>(estimate: Estimate<R>) -> Result<Estimate<R>> {
     }
 }
 
-/// The errors of the calculus, said of g.
+/// The errors of the calculus, with g as their quantity.
 fn in_our_terms(error: Error, evaluations: usize) -> Error {
     let quantity = Quantity::TransformedProfile;
     match error {

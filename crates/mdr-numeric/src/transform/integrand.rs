@@ -3,12 +3,12 @@
 use mdr_core::contact::Profile;
 use mdr_core::number::{Dual, Special};
 
-/// Which φ stands in I[φ] = ∫₀^{π/2} sinθ φ(x sinθ) dθ.
+/// The function φ in I[φ] = ∫₀^{π/2} sinθ φ(x sinθ) dθ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Integrand {
     /// f, for the mean of g.
     Height,
-    /// Df = r f', for g less its mean.
+    /// Df = r f', for g minus its mean.
     Rise,
     /// (1 + D)f = f + r f', for g.
     Transform,
@@ -17,8 +17,8 @@ pub(super) enum Integrand {
 }
 
 impl Integrand {
-    /// φ at r = sx, s being needed for g' alone, with the derivatives from dual numbers. The variable has the slope r,
-    /// not 1, so that the derivative is D and every term is a length of the size of f. For g' the derivative is that in
+    /// φ at r = sx, with the derivatives from dual numbers; s is used for g' only. The variable has the slope r, not 1,
+    /// so that the derivative is D and every term is a length of the magnitude of f. For g' the derivative is that in
     /// x, so that no height is divided by x: near the tip heights leave the range of the arithmetic where slopes do
     /// not.
     pub(super) fn at<R: Special>(self, profile: &impl Profile<R>, s: &R, r: &R) -> R {
@@ -37,8 +37,8 @@ impl Integrand {
         }
     }
 
-    /// What the rounding of r does to the integrand, relative: u |Dφ|/|φ|. The terms of φ are taken in magnitude, so that a
-    /// zero of φ means nothing, and summed over the radii.
+    /// The relative effect of the rounding of r on the integrand: u |Dφ|/|φ|. The terms of φ are taken in magnitude, so
+    /// that a zero of φ has no effect, and summed over the radii.
     pub(super) fn noise<R: Special>(self, profile: &impl Profile<R>, radii: &[R]) -> R {
         let zero = radii[0].lit(0);
         let total = |size: &dyn Fn(&R) -> R| radii.iter().fold(zero.clone(), |sum, r| sum + size(r).abs());
@@ -53,8 +53,8 @@ impl Integrand {
             }
             Integrand::Rise | Integrand::Transform => total(&bend) / (total(&|r| at(Integrand::Transform, r)) + height),
             Integrand::Slope => {
-                // D of it is not at hand: half of the digits of a difference from below are enough. Slopes alone: where a
-                // profile is steep they are in the range of the arithmetic, and lengths no longer.
+                // D of it is not available: half of the digits of a backward difference are enough. Slopes only: if a
+                // profile is steep they are in the range of the arithmetic, and lengths are not.
                 let one = zero.lit(1);
                 let h = zero.unit_roundoff().sqrt();
                 let below = one.clone() - &h;
@@ -62,7 +62,7 @@ impl Integrand {
                 let change = |r: &R| here(r) - self.at(profile, &below, &(below.clone() * r));
                 let slope = |r: &R| profile.height(&Dual { value: r.clone(), slope: one.clone() }).slope;
                 let (bent, risen) = (total(&here), total(&slope));
-                // At a singular end of the profile the difference sees no more than 1/h.
+                // At a singular end of the profile the difference is at most 1/h.
                 (total(&change) / (bent.clone() + &risen) / h).greater(&(bent / risen))
             }
         };
@@ -81,14 +81,14 @@ fn second_order<R: Special>(profile: &impl Profile<R>, r: &R) -> Dual<Dual<R>> {
     profile.height(&Dual { value: inner.clone(), slope: inner })
 }
 
-/// A jump, known to an absolute `error`.
+/// A jump with its absolute `error`.
 pub(super) struct Jump<R> {
     pub(super) value: R,
     pub(super) error: R,
 }
 
-/// The jump of Df at a kink b, from both sides: Df and D²f at b(1 ± h), extrapolated to b. Zero where it is nothing but
-/// rounding, as at a kink of the second derivative.
+/// The jump of Df at a kink b: Df and D²f at b(1 ± h) on both sides, extrapolated to b. Zero if it is rounding only, as
+/// at a kink of the second derivative.
 pub(super) fn kink_jump<R: Special>(profile: &impl Profile<R>, kink: &R) -> Jump<R> {
     let h = kink.unit_roundoff().times(4);
     let side = |h: R| {

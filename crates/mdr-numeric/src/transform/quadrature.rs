@@ -1,4 +1,4 @@
-//! The transform of a profile, and how it is to be done.
+//! The transform of a profile by quadrature, with its options.
 
 use std::sync::OnceLock;
 
@@ -10,27 +10,27 @@ use super::gauss::{self, Ladder};
 use super::integral::Integral;
 use super::integrand::Integrand;
 
-/// How the integrals over θ are done.
+/// The rule for the integrals over θ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rule {
-    /// Gauss–Jacobi of growing size where the profile states its tip exponent or the piece does not touch the tip, and
-    /// tanh-sinh where that does not converge.
+    /// Gauss–Jacobi of increasing size if the profile states its tip exponent or the piece does not touch the tip, and
+    /// tanh-sinh if that does not converge.
     #[default]
     Automatic,
     /// Tanh-sinh, for any profile.
     TanhSinh,
-    /// Gauss–Jacobi with this many nodes on each piece, unconditionally: the fastest; look at the error estimate first.
+    /// Gauss–Jacobi with this many nodes on each piece, unconditionally: the fastest; check the error estimate first.
     Gauss {
-        /// Nodes a piece; 12 for power profiles in f64.
+        /// Nodes per piece; 12 for power profiles in f64.
         nodes: usize,
     },
 }
 
 /// The MDR-transformed profile g of a profile given as a function, by quadrature.
 ///
-/// Accuracy: the [tolerance](Quadrature::with_tolerance), by default 32 unit roundoffs of ∫|…|, or where it is larger the
-/// condition number r φ'/φ of the integrand at r = x times the roundoff of r, as near the equator of a sphere. A transform
-/// below the range of the arithmetic is 0 or nearly so, with an estimated error of its own size.
+/// Accuracy: the [tolerance](Quadrature::with_tolerance), by default 32 unit roundoffs of ∫|…|, or if it is larger the
+/// condition number r φ'/φ of the integrand at r = x times the roundoff of r, as near the equator of a sphere. A
+/// transform that underflows is 0 or nearly so, with an estimated error of its own magnitude.
 ///
 /// ```
 /// use mdr_core::contact::Transform;
@@ -44,21 +44,21 @@ pub struct Quadrature<R, P> {
     pub(super) profile: P,
     pub(super) rule: Rule,
     tolerance: Option<R>,
-    /// What is accepted where the tolerance is not met.
+    /// The error accepted if the tolerance is not met.
     pub(super) accepted: Option<R>,
     pub(super) kinks: Vec<R>,
     pub(super) ladder: Option<Ladder<R>>,
     fixed: OnceLock<Fixed<R>>,
-    /// Pieces that an integral may be cut into.
+    /// The most pieces of an integral.
     pub(super) strides: i64,
 }
 
-/// Waves in the narrowest piece; a rule can do some forty.
+/// Waves in the narrowest piece; a rule can integrate about forty.
 const WAVES: i64 = 20;
-/// Waves that are integrated over unless more are asked for.
+/// The default number of waves.
 const PATIENCE: i64 = 500;
 
-/// A rule of the caller's size, and one of half that size to compare with.
+/// A rule with the number of nodes set by the caller, and one of half that size to compare with.
 pub(super) struct Fixed<R> {
     pub(super) fine: Vec<gauss::Node<R>>,
     pub(super) coarse: Vec<gauss::Node<R>>,
@@ -82,7 +82,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         }
     }
 
-    /// The same with a named rule.
+    /// The same with another rule.
     pub fn with_rule(self, rule: Rule) -> Self {
         Quadrature { rule, fixed: OnceLock::new(), ..self }
     }
@@ -96,8 +96,8 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         Ok(Quadrature { tolerance, ..self })
     }
 
-    /// The same, which takes a value that misses its tolerance, if its estimated error is below this relative to ∫|…|. For who
-    /// wants fewer digits than the arithmetic has.
+    /// The same, accepting a value that misses its tolerance if its estimated error is below this relative to ∫|…|: for
+    /// fewer digits than the arithmetic has.
     ///
     /// # Errors
     /// [`Error::Domain`] unless it is positive and finite.
@@ -106,11 +106,11 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         Ok(Quadrature { accepted, ..self })
     }
 
-    /// The same for profiles with up to about this many waves inside x, 500 unless it is said otherwise; beyond it says
+    /// The same for profiles with up to about this many waves inside x, 500 by default; with more the result is
     /// [`NoConvergence`](Error::NoConvergence).
     ///
-    /// A wave costs some twenty heights in `f64`. A search for folds visits hundreds of radii out to where quadrature
-    /// fails, and takes the longer the later that is.
+    /// A wave costs about twenty heights in `f64`. A search for folds evaluates hundreds of radii out to where
+    /// quadrature fails, so its cost increases with this number.
     pub fn with_waves(self, count: u32) -> Self {
         Quadrature { strides: (i64::from(count) / WAVES).max(1), ..self }
     }
@@ -120,7 +120,8 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         &self.profile
     }
 
-    /// g(x) with its error and the number of heights evaluated, for rules that did not converge and for the error as well.
+    /// g(x) with its error and the number of heights evaluated, including those for the error and for rules that did
+    /// not converge.
     ///
     /// x and the kinks are taken to be exact: their own rounding is not in the error.
     ///
@@ -222,7 +223,7 @@ impl<R: Special, P: Profile<R>> Transform<R> for Quadrature<R, P> {
         Ok(self.estimate_within(x, Integrand::Height, needed.clone())?.value)
     }
 
-    /// I(Df): no difference of two integrals.
+    /// I(Df), which is not a difference of two integrals.
     fn above_mean(&self, x: &R) -> Result<R> {
         Ok(self.estimate(x, Integrand::Rise)?.value)
     }

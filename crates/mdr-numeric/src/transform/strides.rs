@@ -4,12 +4,12 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::Real;
 
-/// ∫ from `lower` to `upper` by a rule that can only do so much at once: from the lower end in strides, the first of them
-/// the narrowest, the interval over `most`. They are doubled until `integral(from, to)` does not converge, then halved,
-/// and doubled again after one that took no more than a quarter of the evaluations of the dearest failure.
+/// ∫ from `lower` to `upper` by a rule of limited capacity: from the lower end in strides, the first of them the
+/// narrowest, the interval over `most`. They are doubled until `integral(from, to)` does not converge, then halved, and
+/// doubled again after one that took at most a quarter of the evaluations of the most expensive failure.
 ///
-/// So nothing has to be known of the waves, whose number in a stride the rule itself decides, and little is spent on strides
-/// that were too wide. When the narrowest does not converge, there is no use in going on.
+/// So nothing needs to be known of the waves, whose number in a stride the rule itself decides, and few evaluations are
+/// spent on strides that are too wide. If the narrowest does not converge, the integral fails.
 pub(super) fn strides<R: Real>(
     lower: &R,
     upper: &R,

@@ -13,7 +13,7 @@ fn exact(points: &Points) -> MeasuredProfile<Float> {
     MeasuredProfile::new(points.iter().map(|&(r, f)| (number(r), number(f))).collect()).unwrap()
 }
 
-/// The radii where something could go wrong: on a knot, just beside it, within the first piece, at the end.
+/// Critical radii: on a knot, just beside it, within the first piece, at the end.
 fn probes(points: &Points) -> Vec<f64> {
     let rows = points.len();
     let knots = [1, 2, rows / 3, rows / 2 + 1, rows - 2, rows - 1].map(|i| points[i].0);
@@ -71,7 +71,7 @@ fn the_bound_holds_for_long_tables() {
     }
 }
 
-/// Rows of very different distances, between which the slopes of the cubic are as different as they may be.
+/// Rows at very different distances, between which the slopes of the cubic differ as much as they may.
 #[test]
 fn the_bound_holds_for_rows_that_crowd() {
     let points = vec![

@@ -1,4 +1,4 @@
-//! What the interpolant reproduces, and how fast it approaches what it does not.
+//! What the interpolant reproduces exactly, and its order of convergence otherwise.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -22,7 +22,7 @@ fn a_paraboloid_is_reproduced() {
             for x in [1e-9, 0.2, radii[2], 0.77, 1.0] {
                 let slopes = magnitude(&with_tip, x, |_| 1.0);
                 let bends = magnitude(&with_tip, x, |aspect| 1.0 + aspect);
-                // The closed forms themselves are good to 2 ulp.
+                // The closed forms themselves are accurate to 2 ulp.
                 let check = |value: f64, exact: f64, magnitude: f64| {
                     let allowed = unit * magnitude + 4.0 * 1f64.unit_roundoff() * exact;
                     assert!((value - exact).abs() <= allowed, "{rows} rows at {x}: {value} for {exact}");
@@ -61,7 +61,7 @@ fn a_sphere_converges_with_order_five_halves() {
 
 #[test]
 fn a_cone_is_rounded_at_its_tip_only() {
-    // Its first piece has zero slope at the tip: the second moment of that, h³, is what is seen from x ≫ h.
+    // Its first piece has zero slope at the tip: at x ≫ h the effect is the second moment of that, h³.
     let errors = errors(|r| r, 0.5, FRAC_PI_2 * 0.5, 3..9);
     assert_order(&errors, 3.0, 0.1);
     let profile = MeasuredProfile::new(sampled(&radii(65, 1.0, 0.0), |r| r)).unwrap();

@@ -1,4 +1,4 @@
-//! Measured profiles over enclosures: they contain what many bits give, and the folds of a table are proved.
+//! Measured profiles over enclosures: they contain the results with many bits, and the folds of a table are proved.
 
 use mdr_core::contact::{Control, Error, FoldKind, Material, Result, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
@@ -72,7 +72,7 @@ fn rows_are_enclosed_from_both_sides() {
     }
 }
 
-/// Of a neighbourhood that reaches another row nothing is said.
+/// A neighbourhood that reaches another row has no bounds.
 #[test]
 fn a_wide_neighbourhood_is_refused() {
     let profile = enclosed::<Interval>();
@@ -122,7 +122,7 @@ fn the_folds_of_a_table_are_proved() -> Result<()> {
     Ok(())
 }
 
-/// What a small budget leaves over is told in few digits, rounded outwards.
+/// The parts that a small budget leaves undecided are given in few digits, rounded outwards.
 #[test]
 fn a_refusal_names_the_undecided_part() -> Result<()> {
     let (plain, moving) = (enclosed::<Interval>(), enclosed::<Dual<Interval>>());

@@ -38,8 +38,8 @@ fn as_quadrature_of_the_interpolant() {
     knots.push(number(1.0));
     for x in probes(&points) {
         let wide = number(x);
-        // The closed side is good to the stated bound; quadrature says itself how good it is, and its heights and their
-        // derivatives carry a few roundings of terms as large as the magnitude.
+        // The closed form is accurate to the stated bound; quadrature gives its own error, and its heights and their
+        // derivatives have a few roundings of terms as large as the magnitude.
         let rounding = 256.0 * wide.unit_roundoff().approx();
         let check = |what: &str, value: Float, (expected, error): (Float, f64), magnitude: f64| {
             let difference = (value - &expected).abs().to_f64();

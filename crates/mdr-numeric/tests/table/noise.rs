@@ -42,7 +42,7 @@ fn scatter_is_that_of_the_noise() {
     }
 }
 
-/// Local parabolas keep a paraboloid, wherever its zero is and however the rows are spaced.
+/// Local parabolas reproduce a paraboloid, for any zero and any spacing of the rows.
 #[test]
 fn smoothing_keeps_paraboloids() {
     for unit in [1e-100, 1.0, 1e100] {
@@ -57,7 +57,7 @@ fn smoothing_keeps_paraboloids() {
     }
 }
 
-/// What is left of noise is √(0.39 Δr/ℓ); of a wave of 4.2ℓ one half, of 11ℓ all but 2 %.
+/// Noise is reduced to √(0.39 Δr/ℓ), a wave of 4.2ℓ to one half; a wave of 11ℓ keeps all but 2 %.
 #[test]
 fn smoothing_is_a_filter() {
     let radii: Vec<f64> = (0..=3000).map(|i| f64::from(i) / 100.0).collect();

@@ -1,4 +1,4 @@
-//! CSV tables: what is read, and what is refused with its line and value.
+//! CSV tables: what is accepted, and what is rejected with its line and value.
 
 use mdr_numeric::table::{Row, Table, TableError};
 
@@ -47,7 +47,7 @@ fn rows_know_their_lines() {
     assert_eq!(lines("1,2\n2,3\n3,4\n4,5\n"), [1, 2, 3, 4]);
 }
 
-/// Each message whole: line, column, value, remedy.
+/// Each message complete: line, column, value, remedy.
 #[test]
 fn refusals() {
     for (text, message) in [
@@ -105,7 +105,7 @@ fn refusals() {
 
 #[test]
 fn more_refusals() {
-    // Decimal commas, three columns without a header, a lone word, radii that only exact arithmetic tells apart.
+    // Decimal commas, three columns without a header, a lone word, radii that differ only in exact arithmetic.
     assert!(matches!(read("0;0\n0,1;1\n2;2\n3;3\n"), Err(TableError::NotANumber { line: 2, .. })));
     assert!(matches!(read("0,0,1\n1,1,1\n2,2,2\n3,3,3\n"), Err(TableError::Width { line: 1, found: 3, .. })));
     assert!(matches!(read("r,f\n0,0\n1,high\n2,2\n3,3\n"), Err(TableError::NotANumber { line: 3, .. })));

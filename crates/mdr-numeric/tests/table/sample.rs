@@ -1,4 +1,4 @@
-//! Tables made for the tests, and the measure of what rounding may do to them.
+//! Tables for the tests, and a measure of the effect of rounding on them.
 
 /// Points (r, f).
 pub(crate) type Points = Vec<(f64, f64)>;
@@ -12,7 +12,7 @@ pub(crate) fn noise(seed: u64) -> impl FnMut() -> f64 {
     }
 }
 
-/// `rows` radii from 0 to `end`, each off the uniform grid by up to `jitter` < 1/2 of its spacing.
+/// `rows` radii from 0 to `end`, each displaced from the uniform grid by up to `jitter` < 1/2 of its spacing.
 pub(crate) fn radii(rows: usize, end: f64, jitter: f64) -> Vec<f64> {
     let mut noise = noise(rows as u64);
     let last = rows - 1;
@@ -36,7 +36,7 @@ pub(crate) fn with_noise(mut points: Points, amplitude: f64) -> Points {
     points
 }
 
-/// Σᵢ w(rᵢ₊₁/Δrᵢ) |Δfᵢ/Δrᵢ| Δθᵢ up to x: what the rounding error of an integral over θ is measured by.
+/// Σᵢ w(rᵢ₊₁/Δrᵢ) |Δfᵢ/Δrᵢ| Δθᵢ up to x: the measure of the rounding error of an integral over θ.
 pub(crate) fn magnitude(points: &[(f64, f64)], x: f64, weight: impl Fn(f64) -> f64) -> f64 {
     let angle = |r: f64| (r / x).min(1.0).asin();
     let term = |pair: &[(f64, f64)]| {

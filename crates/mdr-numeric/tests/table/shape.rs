@@ -1,4 +1,5 @@
-//! The interpolant keeps the shape of the data; the transform knows no unit; what is no profile is refused.
+//! The interpolant preserves the shape of the data; the transform is independent of units; invalid profiles are
+//! rejected.
 
 use mdr_core::contact::{Error, Profile, Transform};
 use mdr_core::number::{Dual, Real};

@@ -8,7 +8,7 @@ use crate::number::Number;
 use crate::record::Status;
 use crate::text::excerpt;
 
-/// A claimed error that no number can keep or break.
+/// A claimed error that is negative or not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClaimError(f64);
 
@@ -20,7 +20,7 @@ impl fmt::Display for ClaimError {
 
 impl std::error::Error for ClaimError {}
 
-/// What a program says to one question.
+/// The answer of a program to one question.
 ///
 /// ```
 /// use mdr_reference::Answer;
@@ -33,9 +33,9 @@ impl std::error::Error for ClaimError {}
 pub struct Answer {
     /// The number, if it gives one.
     pub(crate) value: Option<Number>,
-    /// The absolute error it claims not to exceed.
+    /// The claimed bound of the absolute error.
     pub(crate) error: Option<Decimal>,
-    /// How it marks its answer; a number without a mark is `ok`.
+    /// The status of the answer; a number without a status is `ok`.
     pub(crate) status: Option<Status>,
 }
 
@@ -60,10 +60,10 @@ impl From<Status> for Answer {
 }
 
 impl Answer {
-    /// The same with the absolute error that the program claims.
+    /// The same with a claimed bound of the absolute error.
     ///
     /// # Errors
-    /// [`ClaimError`] for what is negative or not finite.
+    /// [`ClaimError`] if it is negative or not finite.
     pub fn with_error(self, error: f64) -> Result<Self, ClaimError> {
         match Decimal::from_double(error) {
             Some(claim) if error >= 0.0 => Ok(Answer { error: Some(claim), ..self }),
@@ -71,12 +71,12 @@ impl Answer {
         }
     }
 
-    /// The same, marked: such as the 0 that is left of a number below the range of doubles.
+    /// The same with a status, for example for the 0 that results from a number below the range of doubles.
     pub fn with_status(self, status: Status) -> Self {
         Answer { status: Some(status), ..self }
     }
 
-    /// A line for `mdr judge`: the answer to the question of this identifier.
+    /// A line for `mdr judge`: the answer to the question with this identifier.
     ///
     /// ```
     /// use mdr_reference::Answer;

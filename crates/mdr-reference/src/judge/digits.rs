@@ -1,10 +1,10 @@
-//! The digits of an answer, and what they say about it.
+//! The correct digits of an answer, and their judgement.
 
 use crate::decimal::Decimal;
 use crate::judge::mark::{Claim, Limits, Mark, Range, Verdict};
 use crate::record::{Record, UNIT_ROUNDOFF};
 
-/// A finite number against a certified one. No answer keeps within a limit that is NaN.
+/// Compares a finite number with a certified one. No answer satisfies a limit that is NaN.
 pub(crate) fn compared(
     record: &Record,
     value: &Decimal,
@@ -51,16 +51,16 @@ pub(crate) fn compared(
     Mark { verdict, reason, status_matches: false, lre: Some(lre), excess_loss: Some(excess_loss), claim }
 }
 
-/// Why an answer whose claim is overstated is inaccurate.
+/// Why an answer with an overstated claim is inaccurate.
 pub(crate) const OVERSTATED: &str = "the claimed error is overstated";
 
-/// A range, widened by what logarithms of doubles may err.
+/// A range, widened by the error of logarithms of doubles.
 fn outward(low: f64, high: f64) -> Range {
     let slack = |x: f64| if x.is_finite() { 1e-12 + 1e-14 * x.abs() } else { 0.0 };
     Range { low: low - slack(low), high: high + slack(high) }
 }
 
-/// A wrong number, with the factor by which it is wrong where that tells something.
+/// A wrong number, with the factor of the error if it is a known one.
 fn no_digit(value: &Decimal, mid: &Decimal) -> String {
     let ratio = 10_f64.powf(value.log10() - mid.log10());
     let sign = if (*value < Decimal::default()) == (*mid < Decimal::default()) { 1.0 } else { -1.0 };
@@ -76,7 +76,7 @@ fn no_digit(value: &Decimal, mid: &Decimal) -> String {
     format!("no digit is right: {factor:.6} times the certified value{hint}")
 }
 
-/// Factors that a mistaken convention leaves behind.
+/// Factors that result from a wrong convention.
 const KNOWN: [(f64, &str); 7] = [
     (-1.0, "the other sign"),
     (2.0, "w = 2γ?"),

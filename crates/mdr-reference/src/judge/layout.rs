@@ -9,10 +9,10 @@ use crate::judge::{Class, Judged, Mark, Range, Report, Verdict};
 const FIELDS: [&str; 10] =
     ["id", "line", "verdict", "reason", "status_matches", "lre", "excess_loss", "claim", "condition", "difficulty"];
 
-/// What is said of one answer.
+/// The value of a field for one answer.
 enum Field<'a> {
     Text(&'a str),
-    /// A number or a truth value, as it is written.
+    /// A number or a truth value in its notation.
     Plain(String),
     Range(Option<Range>),
 }
@@ -36,7 +36,8 @@ fn fields<'a>(Judged { record, line, mark }: &'a Judged<'_>) -> [Field<'a>; 10] 
 const SCHEMA: &str = "\"schema\":\"mdr.judge/1\"";
 
 impl Report<'_> {
-    /// One JSON object a line, schema `mdr.judge/1`: the answers, worst first, then the refused lines, then the summary.
+    /// One JSON object per line, schema `mdr.judge/1`: the answers, worst first, then the rejected lines, then the
+    /// summary.
     pub fn to_json_lines(&self) -> String {
         let answer = |judged| {
             let fields = FIELDS.iter().zip(fields(judged)).map(|(name, field)| match field {
@@ -81,8 +82,8 @@ impl Report<'_> {
         )
     }
 
-    /// A row of names, then one for each answer, worst first, then one for each refused line, with the kind of refusal as
-    /// verdict and what is wrong as reason. Ranges take two columns.
+    /// A row of names, then one for each answer, worst first, then one for each rejected line, with the kind of
+    /// rejection as verdict and the error as reason. Ranges take two columns.
     pub fn to_rows(&self) -> Vec<Vec<String>> {
         let blank = [const { String::new() }; 2];
         let header = FIELDS.iter().flat_map(|name| match *name {
@@ -109,13 +110,14 @@ impl Report<'_> {
         std::iter::once(header.clone()).chain(answers).chain(refused).collect()
     }
 
-    /// The first refused lines of each kind: the kind, the number of the line, and what is wrong.
+    /// The first rejected lines of each kind: the kind, the number of the line, and the error.
     fn first_refused(&self) -> impl Iterator<Item = (&'static str, u64, &str)> {
         let refused = self.refused().into_iter();
         refused.flat_map(|(kind, refused)| refused.first.iter().map(move |(line, why)| (kind, *line, why.as_str())))
     }
 
-    /// What follows the table of classes: the refused lines, the counts, and why the answers do not pass, if they do not.
+    /// The text after the table of classes: the rejected lines, the counts, and why the answers do not pass, if they do
+    /// not.
     pub fn summary(&self) -> String {
         let mut text = String::new();
         for (kind, refused) in self.refused().into_iter().filter(|(_, refused)| refused.count > 0) {
@@ -144,13 +146,13 @@ impl Report<'_> {
     }
 }
 
-/// `[first,second]`, with null for what is not finite.
+/// `[first,second]`, with null for a value that is not finite.
 fn pair(pair: Option<(f64, f64)>) -> String {
     let end = |x: f64| if x.is_finite() { fixed(x, 3) } else { "null".to_owned() };
     pair.map_or("null".to_owned(), |(first, second)| format!("[{},{}]", end(first), end(second)))
 }
 
-/// Rounded to so many decimals; a zero has no sign.
+/// Rounded to this number of decimals; a zero has no sign.
 fn fixed(x: f64, decimals: usize) -> String {
     let text = format!("{x:.decimals$}");
     match text.strip_prefix('-') {
@@ -159,13 +161,13 @@ fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
-/// To a tenth; without an end the answer may be exact.
+/// To a tenth; an infinite value means that the answer may be exact.
 fn tenths(x: f64) -> String {
     if x.is_finite() { fixed(x, 1) } else { "exact".to_owned() }
 }
 
-/// To a tenth: one number where both ends are the same, `> x` where there is no upper end, `< x` where there is no lower
-/// one, `exact` where there is neither.
+/// To a tenth: one number if both ends are the same, `> x` without an upper end, `< x` without a lower end, `exact`
+/// without either.
 ///
 /// ```
 /// use mdr_reference::Range;
@@ -191,7 +193,8 @@ impl Class {
     pub const HEADER: [&str; 9] =
         ["difficulty", "questions", "right", "inaccurate", "wrong", "least digits", "median", "median loss", "largest"];
 
-    /// The class as a row of a table: right digits at least, and digits lost at most, to a tenth.
+    /// The class as a row of a table: the least numbers of correct digits and the largest numbers of lost digits, to a
+    /// tenth.
     pub fn cells(&self) -> [String; 9] {
         let pair = |pair: Option<(f64, f64)>| pair.map_or(Default::default(), |(a, b)| [a, b].map(tenths));
         let ([least, digits], [loss, largest]): ([String; 2], [String; 2]) =

@@ -6,22 +6,23 @@ use crate::judge::digits::{OVERSTATED, compared};
 use crate::number::Number;
 use crate::record::{Record, Status};
 
-/// What is thought of an answer.
+/// The verdict on an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
-    /// Within what it claims; or it claims nothing, and is as good as the question allows in double precision, but for
-    /// the digits of [`Limits::excess_loss`].
+    /// Within its claimed error; or without a claim, and as accurate as the question allows in double precision, apart
+    /// from the digits of [`Limits::excess_loss`].
     Right,
-    /// Claims nothing, and has lost more digits than the question costs; its claim holds because it is overstated, though a
-    /// digit is right; or it finds a double root and does not give its number.
+    /// Without a claim, and with a larger loss of digits than the question causes; or its claim is true because it is
+    /// overstated, though a digit is correct; or it reports a double root without its number.
     Inaccurate,
-    /// Further off than it claims; without a single right digit where the question would have left one, whatever it claims,
-    /// unless that is an honest error below its own size; or not the kind of answer that there is: [`mark`] has the table.
+    /// Less accurate than it claims; without a single correct digit although the question leaves one, whatever it
+    /// claims, unless that is an honest error below its own size; or not the required kind of answer: [`mark`] has the
+    /// table.
     Wrong,
 }
 
 impl Verdict {
-    /// In a word.
+    /// The name of the verdict.
     pub const fn name(self) -> &'static str {
         match self {
             Verdict::Right => "right",
@@ -31,23 +32,23 @@ impl Verdict {
     }
 }
 
-/// What is thought of a claimed error.
+/// The verdict on a claimed error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Claim {
-    /// There is none.
+    /// There is no claim.
     None,
     /// The true error is not larger.
     Holds,
     /// The true error is certainly larger.
     TooSmall,
-    /// It holds, but is larger than the true error and than what double precision costs, by more than
-    /// [`Limits::overstatement`]; or as large as the value, that of the answer or the certified one, where the question
-    /// leaves a digit.
+    /// The claim is true, but exceeds the true error and the loss of double precision by more than
+    /// [`Limits::overstatement`]; or it is as large as the value, that of the answer or the certified one, although the
+    /// question leaves a digit.
     Overstated,
 }
 
 impl Claim {
-    /// In a word or two.
+    /// The name of the verdict.
     pub const fn name(self) -> &'static str {
         match self {
             Claim::None => "none",
@@ -58,11 +59,11 @@ impl Claim {
     }
 }
 
-/// Where the judge draws its lines.
+/// The limits of the judge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The decimal digits that an answer without a claim may lose beyond what the question costs in double precision. An
-    /// answer without a right digit is wrong at three of them at the latest.
+    /// The decimal digits that an answer without a claim may lose beyond the loss that the question causes in double
+    /// precision. An answer without a correct digit is wrong at three of them at the latest.
     pub excess_loss: f64,
     /// The decades by which a claim may exceed the true error.
     pub overstatement: f64,
@@ -78,9 +79,9 @@ impl Default for Limits {
 /// A number known to lie between two bounds, one of which may be infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
-    /// From.
+    /// The lower bound.
     pub low: f64,
-    /// To.
+    /// The upper bound.
     pub high: f64,
 }
 
@@ -89,34 +90,34 @@ pub struct Range {
 pub struct Mark {
     /// The verdict.
     pub verdict: Verdict,
-    /// Why, if the verdict is not `Right`.
+    /// The reason, if the verdict is not `Right`.
     pub reason: String,
-    /// Whether the answer is marked as the record is.
+    /// Whether the answer has the status of the record.
     pub status_matches: bool,
-    /// The log relative error −log₁₀(|value − certified|/|certified|), the number of right digits; ∞ at the upper end
-    /// where the answer may be exact. None where there are no two numbers to compare.
+    /// The log relative error −log₁₀(|value − certified|/|certified|), the number of correct digits; ∞ at the upper end
+    /// if the answer may be exact. `None` if there are no two numbers to compare.
     pub lre: Option<Range>,
-    /// The excess loss log₁₀(relative error/(u·max(1, condition))) with u = 2⁻⁵³: the digits lost to the algorithm. At
-    /// about 0 or below, the question is to blame for the error, not the algorithm.
+    /// The excess loss log₁₀(relative error/(u·max(1, condition))) with u = 2⁻⁵³: the digits lost by the algorithm. At
+    /// about 0 or below, the error is that of the condition of the question.
     pub excess_loss: Option<Range>,
     /// The claimed error.
     pub claim: Claim,
 }
 
 impl Mark {
-    /// Without numbers to compare.
+    /// A mark without numbers to compare.
     pub(crate) fn of(verdict: Verdict, reason: impl Into<String>) -> Self {
         let (reason, claim) = (reason.into(), Claim::None);
         Mark { verdict, reason, status_matches: false, lre: None, excess_loss: None, claim }
     }
 
-    /// For the order of a report: worst first.
+    /// The sort key of a report: worst first.
     pub(crate) fn badness(&self) -> (Verdict, f64) {
         (self.verdict, self.excess_loss.map_or(f64::INFINITY, |loss| loss.low.max(-1e9)))
     }
 }
 
-/// Judges an answer to the question of a record, by the kind of both:
+/// Judges an answer to the question of a record, by the kinds of both:
 ///
 /// | answer | a number, `ok` or `fold` | `overflow` | `underflow` | no number |
 /// |---|---|---|---|---|
@@ -126,8 +127,8 @@ impl Mark {
 /// | none, the status of the record | wrong; a `fold` is inaccurate | right | right | right |
 /// | none, the status `ok` | wrong | wrong | wrong | wrong |
 ///
-/// An answer without a status, or marked `ok`, is judged by its value alone. Any other status that is not that of the record
-/// is wrong.
+/// An answer without a status, or with `ok`, is judged by its value alone. Any other status than that of the record is
+/// wrong.
 ///
 /// ```
 /// use mdr_reference::{Answer, Limits, Verdict, mark, record};
@@ -213,7 +214,7 @@ fn wrong(reason: impl Into<String>) -> Mark {
     Mark::of(Verdict::Wrong, reason)
 }
 
-/// What is no number in place of one.
+/// The mark of an answer that is not a number where one is required.
 fn instead_of(what: &str, mid: &Decimal) -> Mark {
     let number = if mid.is_zero() { "0".to_owned() } else { format!("a number of size 10^{:.1}", mid.log10()) };
     wrong(format!("{what} in place of {number}"))
@@ -229,7 +230,7 @@ fn without_value(marked: bool, asked: Status) -> Mark {
     }
 }
 
-/// An infinity for a number beyond the largest double. It says so itself, marked or not.
+/// An infinity for a number beyond the largest double; it needs no status.
 fn beyond_range(negative: bool, mid: &Decimal, claims: bool) -> Mark {
     if negative != mid.is_negative() {
         wrong("an infinity of the other sign")
@@ -240,12 +241,13 @@ fn beyond_range(negative: bool, mid: &Decimal, claims: bool) -> Mark {
     }
 }
 
-/// What to say of a number below the range.
+/// The remedy for a number below the range.
 const REMEDY: &str = "; mark it underflow";
 
-/// A number for one below the smallest normal double: what double precision leaves of it, 0 or a subnormal double not
-/// further than one spacing, is right if it is marked, with a claim up to the smallest normal double; in silence it is
-/// judged by its digits, of which 0 has none. Of the shortest decimal of a subnormal double (`5e-324`) that double counts.
+/// A number for one below the smallest normal double. The result of double precision, 0 or a subnormal double within
+/// one spacing, is right if it has the status, with a claim up to the smallest normal double; without the status it is
+/// judged by its digits, of which 0 has none. The shortest decimal of a subnormal double (`5e-324`) counts as that
+/// double.
 fn below_range(value: &Decimal, mid: &Decimal, marked: bool, claim: Option<&Decimal>, compared: Mark) -> Mark {
     let distance = Decimal::from_double(value.nearest()).map(|double| (&double - mid).abs());
     let is_beside = distance.is_some() && distance <= Decimal::from_double(f64::from_bits(1));

@@ -1,4 +1,4 @@
-//! Marks the answers of other programs.
+//! Judges the answers of other programs.
 
 mod answer;
 mod digits;
@@ -19,12 +19,12 @@ use crate::catalogue;
 use crate::record::Record;
 use crate::text::excerpt;
 
-/// Lines that could not be judged: how many, and the first few with their reason.
+/// Lines that could not be judged: their number, and the first few with the reason.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Refused {
-    /// How many.
+    /// The number of lines.
     pub count: u64,
-    /// Line number, counted from 1, and what is wrong, of the first ten; texts of the line cut to 80 characters and without
+    /// Line number, counted from 1, and the error, of the first ten; quoted text is cut to 80 characters, without
     /// control characters.
     pub first: Vec<(u64, String)>,
 }
@@ -38,10 +38,10 @@ impl Refused {
     }
 }
 
-/// The longest line that is read: one mebibyte, a hundred times what a value with ten thousand digits needs.
+/// The longest line that is read: one mebibyte, a hundred times the length of a value with ten thousand digits.
 const LONGEST: u64 = 1 << 20;
 
-/// Judges answers as they come. What it keeps does not grow with their number.
+/// Judges answers one by one, with memory independent of their number.
 ///
 /// ```
 /// use mdr_reference::{Judge, Rules, records};
@@ -57,7 +57,7 @@ const LONGEST: u64 = 1 << 20;
 #[derive(Debug)]
 pub struct Judge<'a> {
     questions: Vec<&'a Record>,
-    /// Where a question stands; none for the records that are not asked for.
+    /// The index of a question; `None` for records that are not among the questions.
     index: HashMap<&'a str, Option<usize>>,
     rules: Rules,
     marks: Vec<Option<(u64, Mark)>>,
@@ -69,7 +69,7 @@ pub struct Judge<'a> {
 }
 
 impl<'a> Judge<'a> {
-    /// A judge of answers to these questions. Answers to other records of the release are set aside and counted.
+    /// A judge of answers to these questions. Answers to other records of the release are counted and not judged.
     pub fn new(questions: impl IntoIterator<Item = &'a Record>, rules: Rules) -> Self {
         let questions: Vec<_> = questions.into_iter().collect();
         let all = catalogue::records().iter().map(|record| (record.id.as_str(), None));
@@ -87,7 +87,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Judges the answers on all lines. Empty lines pass; lines that are no answers are counted, and the others judged.
+    /// Judges the answers on all lines. Empty lines are skipped; lines that are not answers are counted.
     ///
     /// # Errors
     /// Those of reading.
@@ -124,7 +124,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Judges an answer; of several to one question the first counts.
+    /// Judges an answer; of several answers to one question the first counts.
     fn answer(&mut self, line: u64, id: &str, answer: &Answer) {
         match self.index.get(id) {
             None => self.unknown.add(line, || excerpt(id)),
@@ -136,7 +136,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// What has been found.
+    /// The report.
     pub fn report(self) -> Report<'a> {
         let judged = self.questions.iter().zip(self.marks);
         let judged = judged.filter_map(|(&record, mark)| mark.map(|(line, mark)| Judged { record, line, mark }));

@@ -24,26 +24,26 @@ pub struct Class {
     pub questions: usize,
     /// Answers that are right, inaccurate and wrong.
     pub verdicts: [usize; 3],
-    /// The smallest and the median number of right digits: at least so many (lower ends of the ranges).
+    /// The smallest and the median number of correct digits (lower ends of the ranges).
     pub digits: Option<(f64, f64)>,
-    /// The median and the largest excess loss: at most so many digits (upper ends).
+    /// The median and the largest excess loss (upper ends of the ranges).
     pub excess_loss: Option<(f64, f64)>,
 }
 
-/// What a judge found.
+/// The result of a judge.
 #[derive(Clone, Debug)]
 pub struct Report<'a> {
     pub(crate) questions: Vec<&'a Record>,
     pub(crate) rules: Rules,
     /// All answers, the worst first.
     pub judged: Vec<Judged<'a>>,
-    /// Lines that are no answers.
+    /// Lines that are not answers.
     pub malformed: Refused,
     /// Answers to questions that do not exist.
     pub unknown: Refused,
     /// Second and further answers to a question.
     pub repeated: Refused,
-    /// How many answers were to records outside of the questions.
+    /// The number of answers to records that are not among the questions.
     pub set_aside: u64,
 }
 
@@ -72,7 +72,7 @@ impl<'a> Report<'a> {
         self.failures().is_empty()
     }
 
-    /// Why the answers do not pass: one text a rule that is broken.
+    /// Why the answers do not pass: one text for each broken rule.
     pub fn failures(&self) -> Vec<String> {
         let Rules { accept_inaccurate, lenient, complete, .. } = self.rules;
         let [inaccurate, wrong] = [Verdict::Inaccurate, Verdict::Wrong].map(|verdict| self.count(verdict));
@@ -101,7 +101,7 @@ impl<'a> Report<'a> {
         self.questions() - self.answered()
     }
 
-    /// The lines that were not judged, by the reason.
+    /// The lines that were not judged, by reason.
     pub fn refused(&self) -> [(&'static str, &Refused); 3] {
         [("malformed", &self.malformed), ("unknown", &self.unknown), ("repeated", &self.repeated)]
     }
@@ -111,7 +111,7 @@ impl<'a> Report<'a> {
         self.judged.iter().filter(|judged| judged.mark.verdict == verdict).count()
     }
 
-    /// The answers class by class.
+    /// The answers by class.
     pub fn classes(&self) -> [Class; 3] {
         Difficulty::ALL.map(|difficulty| {
             let questions = self.questions.iter().filter(|record| record.difficulty == difficulty).count();

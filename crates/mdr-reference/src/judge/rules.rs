@@ -1,9 +1,9 @@
-//! What is asked of answers as a whole.
+//! The rules that answers as a whole must satisfy.
 
 use crate::judge::{Answer, Judged, Limits, Report, mark};
 use crate::record::Record;
 
-/// What it takes to pass. By default: at least one answer, none wrong or inaccurate, and no line that is no answer.
+/// The rules for a pass. By default: at least one answer, none wrong or inaccurate, and no line that is not an answer.
 ///
 /// ```
 /// use mdr_reference::{Answer, Filter, Rules};
@@ -15,18 +15,18 @@ use crate::record::Record;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rules {
-    /// Where the lines between right, inaccurate and wrong are drawn.
+    /// The limits between right, inaccurate and wrong.
     pub limits: Limits,
     /// Inaccurate answers pass.
     pub accept_inaccurate: bool,
-    /// Lines pass that are no answers, are answers to questions that do not exist, or answer a question again.
+    /// Lines pass that are not answers, answer questions that do not exist, or answer a question again.
     pub lenient: bool,
     /// Every question must be answered.
     pub complete: bool,
 }
 
 impl Rules {
-    /// Puts the questions to a solver and judges its answers; `None` is a question that it does not take.
+    /// Judges the answers of a solver to the questions; `None` is a question that the solver does not support.
     pub fn judge<'a>(
         &self,
         questions: impl IntoIterator<Item = &'a Record>,
@@ -42,8 +42,8 @@ impl Rules {
     }
 }
 
-/// Puts the questions to a solver and judges its answers by the default [`Rules`]; `None` is a question that it does not
-/// take.
+/// Judges the answers of a solver to the questions by the default [`Rules`]; `None` is a question that the solver does
+/// not support.
 ///
 /// ```
 /// use mdr_reference::{Answer, Filter, judge};

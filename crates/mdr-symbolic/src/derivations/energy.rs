@@ -1,11 +1,11 @@
-//! Energy lost in jumps under controlled indentation.
+//! Energy dissipated in jumps under controlled indentation.
 
-use super::{ABOVE, BELOW, BOTH, Claim, Entry, Step};
+use super::{ABOVE, BELOW, BOTH, Entry, Step};
 
 pub(super) const PULL_OFF: Entry = Entry {
     id: "work-pull-off",
     title: "The energy lost when the contact breaks",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["f = C rⁿ with n > 1/2", "the indentation is controlled"],
     steps: &[
         Step::proved(
@@ -29,7 +29,7 @@ pub(super) const PULL_OFF: Entry = Entry {
 pub(super) const JUMP_IN: Entry = Entry {
     id: "work-jump-in",
     title: "The energy lost when the surfaces jump into contact",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["f = C rⁿ with n > 0, n ≠ 1/2", "the indentation is controlled and d = 0"],
     steps: &[
         Step::proved(

@@ -1,13 +1,13 @@
 //! Equilibrium and its stability for any profile: (1.5) to (1.11).
 
-use super::{ABOVE, BELOW, BOTH, Claim, Entry, POSITIVE, Step};
+use super::{ABOVE, BELOW, BOTH, Entry, POSITIVE, Step};
 
 const ANY: &[&str] = &["any profile g", "the outer springs are stretched: g(a) > d"];
 
 pub(super) const INDENTATION: Entry = Entry {
     id: "1.5",
     title: "The indentation in equilibrium",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: ANY,
     steps: &[
         Step::proved(
@@ -28,7 +28,7 @@ pub(super) const INDENTATION: Entry = Entry {
 pub(super) const FORCE: Entry = Entry {
     id: "1.6",
     title: "The normal force",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["any profile g"],
     steps: &[
         Step::proved(
@@ -55,7 +55,7 @@ pub(super) const FORCE: Entry = Entry {
 pub(super) const BALANCE: Entry = Entry {
     id: "1.7",
     title: "Equilibrium as an intersection of two curves",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: ANY,
     steps: &[Step::proved(
         POSITIVE,
@@ -70,7 +70,7 @@ pub(super) const BALANCE: Entry = Entry {
 pub(super) const SHRINKS: Entry = Entry {
     id: "1.8",
     title: "Where the contact shrinks",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: ANY,
     steps: &[Step::proved(
         POSITIVE,
@@ -84,7 +84,7 @@ pub(super) const SHRINKS: Entry = Entry {
 pub(super) const GROWS: Entry = Entry {
     id: "1.9",
     title: "Where the contact grows",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: ANY,
     steps: &[Step::proved(
         POSITIVE,
@@ -99,7 +99,7 @@ pub(super) const GROWS: Entry = Entry {
 pub(super) const TANGENCY: Entry = Entry {
     id: "1.10",
     title: "The condition of instability",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["any profile g", "the indentation is controlled"],
     steps: &[
         Step::proved(POSITIVE, "diff(Δl, a) = sqrt(π*w/(2*E*a))", "The slope of Δl."),
@@ -117,7 +117,7 @@ pub(super) const TANGENCY: Entry = Entry {
 pub(super) const REGIMES: Entry = Entry {
     id: "1.11",
     title: "Power laws and their two regimes",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["f = C rⁿ with n > 0", "the indentation is controlled"],
     steps: &[
         Step::proved(

@@ -1,11 +1,11 @@
 //! Power laws under a dead load.
 
-use super::{ABOVE, BELOW, BOTH, Claim, Entry, POSITIVE, Step};
+use super::{ABOVE, BELOW, BOTH, Entry, POSITIVE, Step};
 
 pub(super) const CRITICAL: Entry = Entry {
     id: "critical-force",
     title: "The instability under controlled force",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["f = C rⁿ with n > 0", "the force is controlled"],
     steps: &[
         Step::proved(

@@ -1,11 +1,11 @@
 //! The factor κ: recurrences, series without the Gamma function, and means.
 
-use super::{BELOW, Claim, Entry, HALF, POSITIVE, Step};
+use super::{BELOW, Entry, HALF, POSITIVE, Step};
 
 pub(super) const RECURRENCES: Entry = Entry {
     id: "kappa-recurrences",
     title: "Recurrences of κ",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["n > 0"],
     steps: &[
         Step::proved(POSITIVE, "kappa(n) = sqrt(π)/2*n*Γ(n/2)/Γ((n + 1)/2)", "The definition (1.12)."),
@@ -25,7 +25,7 @@ pub(super) const RECURRENCES: Entry = Entry {
 pub(super) const GROWTH: Entry = Entry {
     id: "kappa-growth",
     title: "κ grows with n",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["n > 0"],
     steps: &[
         Step::proved(
@@ -49,7 +49,7 @@ pub(super) const GROWTH: Entry = Entry {
 pub(super) const SERIES: Entry = Entry {
     id: "kappa-series",
     title: "Series for κ without the Gamma function",
-    verdict: Claim::Enclosed,
+    refuted: false,
     assumptions: &["f(b, c) = ₂F₁(1, b; c; 1/2) is the sum of terms t_j with t_0 = 1", "n > 0"],
     steps: &[
         Step::enclosed(
@@ -125,7 +125,7 @@ pub(super) const SERIES: Entry = Entry {
 pub(super) const ELLIPTIC: Entry = Entry {
     id: "kappa-elliptic",
     title: "κ by an arithmetic-geometric mean",
-    verdict: Claim::Enclosed,
+    refuted: false,
     assumptions: &["n = p/q with q ≤ 4"],
     steps: &[
         Step::cited(

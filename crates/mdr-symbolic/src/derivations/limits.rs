@@ -1,14 +1,14 @@
 //! Kendall's punch as a limit, and wavy surfaces.
 
-use super::{ABOVE, Claim, Entry, POSITIVE, Step};
+use super::{ABOVE, Entry, POSITIVE, Step};
 
-/// A power law close to a punch.
+/// Values for a power law close to a punch.
 const BLUNT: &[(&str, &str)] = &[("n", "10000"), ("E", "1"), ("w", "1"), ("R", "1"), ("δ", "1")];
 
 pub(super) const KENDALL: Entry = Entry {
     id: "kendall",
     title: "Kendall's flat punch as the limit of large n",
-    verdict: Claim::Enclosed,
+    refuted: false,
     assumptions: &["f = δ (r/R)ⁿ with a length δ", "n grows without bound"],
     steps: &[
         Step::proved(
@@ -44,7 +44,7 @@ pub(super) const KENDALL: Entry = Entry {
 pub(super) const WAVY: Entry = Entry {
     id: "wavy",
     title: "A paraboloid with waves",
-    verdict: Claim::Enclosed,
+    refuted: false,
     assumptions: &["f = r²/2R + A (1 − cos qr), with q = 2π over the wavelength"],
     steps: &[
         Step::enclosed(

@@ -1,11 +1,11 @@
 //! Any profile and power laws on a machine of finite stiffness.
 
-use super::{Claim, Entry, POSITIVE, Step};
+use super::{Entry, POSITIVE, Step};
 
 pub(super) const CRITICAL: Entry = Entry {
     id: "critical-machine",
     title: "The instability on a machine of finite stiffness",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["the position d + F/k of a machine of stiffness k > 0 is controlled"],
     steps: &[
         Step::proved(

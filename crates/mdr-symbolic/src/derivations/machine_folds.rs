@@ -1,8 +1,8 @@
-//! How many folds a power law has on a machine.
+//! The number of folds of a power law on a machine.
 
-use super::{ABOVE, Claim, Entry, POSITIVE, Step};
+use super::{ABOVE, Entry, POSITIVE, Step};
 
-/// A contact with three folds.
+/// Values for a contact with three folds.
 const THREE: &[(&str, &str)] = &[("n", "3/5"), ("C", "2.4829"), ("E", "1"), ("w", "1"), ("k", "1"), ("a", "0.01")];
 const SECOND: &[(&str, &str)] = &[("n", "3/5"), ("C", "2.4829"), ("E", "1"), ("w", "1"), ("k", "1"), ("a", "0.03")];
 const THIRD: &[(&str, &str)] = &[("n", "3/5"), ("C", "2.4829"), ("E", "1"), ("w", "1"), ("k", "1"), ("a", "1")];
@@ -11,7 +11,7 @@ const FOURTH: &[(&str, &str)] = &[("n", "3/5"), ("C", "2.4829"), ("E", "1"), ("w
 pub(super) const FOLDS: Entry = Entry {
     id: "machine-folds",
     title: "Up to three folds on a machine",
-    verdict: Claim::Enclosed,
+    refuted: false,
     assumptions: &["f = C rⁿ with n > 0", "the position d + F/k of a machine of stiffness k > 0 is controlled"],
     steps: &[
         Step::proved(
@@ -70,7 +70,7 @@ pub(super) const FOLDS: Entry = Entry {
 pub(super) const HALF: Entry = Entry {
     id: "machine-half",
     title: "The fold on a machine at n = 1/2",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["f = C r^(1/2)", "the position d + F/k of a machine of stiffness k > 0 is controlled"],
     steps: &[
         Step::proved(

@@ -1,8 +1,8 @@
-//! The derivations: every equation of the paper and what follows from them, step by step.
+//! The derivations: every equation of the paper and its consequences, step by step.
 //!
-//! An [`Entry`] has a stable id, assumptions, steps and references. A [`Step`] makes a [`Claim`] about a statement. What
-//! can be decided by normal forms is decided here ([`Step::check`]); what needs an integral or a number is left to
-//! rigorous intervals, for which the statement offers its evaluation.
+//! An [`Entry`] has a stable id, assumptions, steps and references. A [`Step`] makes a [`Claim`] about a statement.
+//! Claims that normal forms decide are checked here ([`Step::check`]); claims that need an integral or a number are
+//! checked by rigorous intervals elsewhere, through the evaluation of the statement.
 
 mod energy;
 mod equilibrium;
@@ -13,68 +13,61 @@ mod machine;
 mod machine_folds;
 mod power_law;
 mod springs;
+mod theorem;
 mod thresholds;
 mod transform;
 mod universal;
+mod verdict;
+
+pub use theorem::{Theorem, theorems};
+pub use verdict::Verdict;
 
 use crate::domain::Domain;
 use crate::error::Result;
 use crate::statement::{Decision, Statement};
 
-/// What a step, or an entry as a whole, claims.
+/// The claim of a step. What is shown of it is its [`Verdict`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Claim {
-    /// It holds, by normal forms.
+    /// True, by normal forms.
     Proved,
-    /// It holds within rigorous intervals at many random points; nothing exact is claimed.
+    /// True within rigorous intervals at many random points; nothing exact is claimed.
     Enclosed,
-    /// It does not hold, by normal forms and by a counter-example.
+    /// False, by normal forms and by a counter-example.
     Refuted,
-    /// It is taken from the literature.
+    /// Taken from the literature.
     Cited,
-}
-
-impl Claim {
-    /// The claim as one word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Claim::Proved => "proved",
-            Claim::Enclosed => "enclosed",
-            Claim::Refuted => "refuted",
-            Claim::Cited => "cited",
-        }
-    }
 }
 
 /// One step of a derivation.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
-    /// What is claimed.
+    /// The claim.
     pub claim: Claim,
-    /// Where; the statement is decided on each.
+    /// The domains, on each of which the statement is decided.
     pub domains: &'static [Domain],
-    /// The statement; none for a step that only cites.
+    /// The statement; `None` for a step that only cites.
     pub statement: Option<&'static str>,
-    /// Values for n and symbols where the statement is about one point: names and rationals.
+    /// Values for n and symbols if the statement is about one point: names and rationals.
     pub point: &'static [(&'static str, &'static str)],
-    /// Why, and what it means. Formulas stand between backquotes.
+    /// The reason and its meaning. Formulas are written between backquotes.
     pub why: &'static str,
 }
 
-/// An equation of the paper, or a result beside it.
+/// An equation of the paper, or a related result.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// The number of the equation, or a name.
     pub id: &'static str,
-    /// What it is about.
+    /// The subject.
     pub title: &'static str,
-    /// What becomes of the equation as printed.
-    pub verdict: Claim,
-    /// Beyond what holds for the theory as a whole.
+    /// Whether the equation does not hold as it is printed; its steps show that, and prove the correction.
+    pub refuted: bool,
+    /// Assumptions in addition to those of the theory as a whole.
     pub assumptions: &'static [&'static str],
     /// The derivation.
     pub steps: &'static [Step],
-    /// What is to be corrected in the paper.
+    /// The correction of the paper, if one is needed.
     pub erratum: Option<Erratum>,
     /// Literature.
     pub references: &'static [&'static str],
@@ -83,7 +76,7 @@ pub struct Entry {
 /// A correction of the paper.
 #[derive(Clone, Copy, Debug)]
 pub struct Erratum {
-    /// What is to be corrected. Formulas stand between backquotes.
+    /// The correction. Formulas are written between backquotes.
     pub text: &'static str,
     /// The steps that show it, counted from 0.
     pub shown_by: &'static [usize],
@@ -125,15 +118,15 @@ impl Step {
         Step { claim: Claim::Enclosed, domains, statement: Some(statement), point, why }
     }
 
-    /// The statement, parsed; none for a step that only cites.
+    /// The statement, parsed; `None` for a step that only cites.
     ///
     /// # Errors
-    /// Never for the steps of this crate, all of which are parsed in its tests.
+    /// None for the steps of this crate, all of which are parsed in its tests.
     pub fn statement(&self) -> Result<Option<Statement>> {
         self.statement.map(str::parse).transpose()
     }
 
-    /// What normal forms say, on each domain. Empty for a step that is enclosed or cited.
+    /// The decision by normal forms, on each domain. Empty for a step that is enclosed or cited.
     ///
     /// # Errors
     /// As [`Step::statement`].
@@ -146,8 +139,8 @@ impl Step {
         }
     }
 
-    /// Where normal forms do not say what the step claims, and what they say instead. Empty for a step that is enclosed or
-    /// cited.
+    /// The domains on which the decision by normal forms contradicts the claim of the step. Empty for a step that is
+    /// enclosed or cited.
     ///
     /// # Errors
     /// As [`Step::statement`].
@@ -159,7 +152,8 @@ impl Step {
         Ok(self.check()?.into_iter().filter(|(_, decision)| !as_claimed(decision)).collect())
     }
 
-    /// Whether normal forms say what the step claims, on each of its domains. True for a step that is enclosed or cited.
+    /// Whether normal forms confirm the claim of the step on each of its domains. True for a step that is enclosed or
+    /// cited.
     ///
     /// # Errors
     /// As [`Step::statement`].
@@ -167,8 +161,8 @@ impl Step {
         Ok(self.contradictions()?.is_empty())
     }
 
-    /// The mutants of a statement that is proved or enclosed ([`Statement::mutants`]), none of which may hold. What is refuted
-    /// or cited has none.
+    /// The mutants of a statement that is proved or enclosed ([`Statement::mutants`]), all of which must be false.
+    /// Empty for a step that is refuted or cited.
     ///
     /// # Errors
     /// As [`Step::statement`].
@@ -178,7 +172,7 @@ impl Step {
     }
 }
 
-/// All entries, in the order of the paper; what goes beyond it follows the equation it belongs to.
+/// All entries, in the order of the paper; further results follow the equation they belong to.
 pub fn entries() -> &'static [Entry] {
     static ENTRIES: &[Entry] = &[
         transform::TRANSFORM,
@@ -219,7 +213,7 @@ pub fn entries() -> &'static [Entry] {
     ENTRIES
 }
 
-/// The entry of this id.
+/// The entry with this id.
 pub fn entry(id: &str) -> Option<&'static Entry> {
     entries().iter().find(|entry| entry.id == id)
 }

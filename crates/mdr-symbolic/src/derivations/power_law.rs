@@ -1,6 +1,6 @@
 //! Power laws under controlled indentation: (1.13) to (1.17).
 
-use super::{ABOVE, BELOW, BOTH, Claim, Entry, Erratum, POSITIVE, Step};
+use super::{ABOVE, BELOW, BOTH, Entry, Erratum, POSITIVE, Step};
 
 const POWER: &[&str] = &["f = C rⁿ with n > 0", "the indentation is controlled"];
 const JKR: &str = "K. L. Johnson, K. Kendall, A. D. Roberts, Proceedings of the Royal Society A 324 (1971) 301–313";
@@ -9,7 +9,7 @@ const PRINTED_RADIUS: &str = "Equation (1.15) has the exponent `1/(1 - 2*n)`; it
 pub(super) const INDENTATION: Entry = Entry {
     id: "1.13",
     title: "The indentation of a power law",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["f = C rⁿ with n > 0"],
     steps: &[
         Step::proved(
@@ -26,7 +26,7 @@ pub(super) const INDENTATION: Entry = Entry {
 pub(super) const TANGENCY: Entry = Entry {
     id: "1.14",
     title: "The condition of instability of a power law",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: POWER,
     steps: &[
         Step::proved(
@@ -47,7 +47,7 @@ pub(super) const TANGENCY: Entry = Entry {
 pub(super) const RADIUS: Entry = Entry {
     id: "1.15",
     title: "The critical contact radius",
-    verdict: Claim::Refuted,
+    refuted: true,
     assumptions: POWER,
     steps: &[
         Step::refuted(
@@ -102,7 +102,7 @@ pub(super) const RADIUS: Entry = Entry {
 pub(super) const FORCE: Entry = Entry {
     id: "1.16",
     title: "The force of a power law",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["f = C rⁿ with n > 0"],
     steps: &[
         Step::proved(
@@ -124,7 +124,7 @@ pub(super) const FORCE: Entry = Entry {
 pub(super) const PULL_OFF: Entry = Entry {
     id: "1.17",
     title: "The force at the instability",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: POWER,
     steps: &[
         Step::proved(
@@ -158,7 +158,7 @@ pub(super) const PULL_OFF: Entry = Entry {
 pub(super) const CRITICAL: Entry = Entry {
     id: "critical-indentation",
     title: "The critical indentation, and where the force turns tensile",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: POWER,
     steps: &[
         Step::proved(BOTH, "d_c = (1 - 2*n)/n*sqrt(B*a_c)", "The indentation (1.13) at the critical radius, factored."),

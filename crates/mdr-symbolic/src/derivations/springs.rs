@@ -1,6 +1,6 @@
 //! The foundation (1.2), its modulus (1.3) and the rule of Heß (1.4).
 
-use super::{Claim, Entry, POSITIVE, Step};
+use super::{Entry, POSITIVE, Step};
 
 const HESS_2010: &str = "M. Heß, On the reduction method of dimensionality: the exact mapping of axisymmetric contact \
                          problems with and without adhesion, Physical Mesomechanics 15 (2012) 264–269";
@@ -9,7 +9,7 @@ const GRIFFITH: &str = "D. Maugis, Contact, Adhesion and Rupture of Elastic Soli
 pub(super) const SPRINGS: Entry = Entry {
     id: "1.2",
     title: "The stiffness of the springs",
-    verdict: Claim::Cited,
+    refuted: false,
     assumptions: &["linear elastic half-spaces"],
     steps: &[
         Step::cited("Each spring of the width Δx has the stiffness E*Δx: this is the foundation of the method."),
@@ -27,7 +27,7 @@ pub(super) const SPRINGS: Entry = Entry {
 pub(super) const MODULUS: Entry = Entry {
     id: "1.3",
     title: "The effective modulus",
-    verdict: Claim::Cited,
+    refuted: false,
     assumptions: &["no friction, or similar materials"],
     steps: &[
         Step::cited("The compliances of the two bodies add up."),
@@ -49,7 +49,7 @@ pub(super) const MODULUS: Entry = Entry {
 pub(super) const HESS: Entry = Entry {
     id: "1.4",
     title: "The rule of Heß, from the balance of energy",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["any profile g", "the outer springs are stretched: g(a) > d"],
     steps: &[
         Step::cited(

@@ -1,6 +1,6 @@
 //! n = 1/2: (1.18), (1.19), and the threshold under a dead load.
 
-use super::{Claim, Entry, Erratum, HALF as AT_HALF, Step};
+use super::{Entry, Erratum, HALF as AT_HALF, Step};
 
 const GAUSS: &str =
     "C. F. Gauss, Werke III (1866), on the lemniscate; NIST Digital Library of Mathematical Functions, §19.8";
@@ -8,7 +8,7 @@ const GAUSS: &str =
 pub(super) const HALF: Entry = Entry {
     id: "1.18",
     title: "The case n = 1/2",
-    verdict: Claim::Enclosed,
+    refuted: false,
     assumptions: &["f = C r^(1/2)"],
     steps: &[
         Step::proved(
@@ -36,7 +36,7 @@ pub(super) const HALF: Entry = Entry {
 pub(super) const THRESHOLD: Entry = Entry {
     id: "1.19",
     title: "The threshold of C at n = 1/2",
-    verdict: Claim::Enclosed,
+    refuted: false,
     assumptions: &["f = C r^(1/2)", "the indentation is controlled"],
     steps: &[
         Step::proved(
@@ -74,7 +74,7 @@ pub(super) const THRESHOLD: Entry = Entry {
 pub(super) const UNDER_FORCE: Entry = Entry {
     id: "threshold-force",
     title: "The threshold of C at n = 1/2 under controlled force",
-    verdict: Claim::Enclosed,
+    refuted: false,
     assumptions: &["f = C r^(1/2)", "the force is controlled"],
     steps: &[
         Step::proved(AT_HALF, "at(F_n, C, C_ρ) = 2*E*a*sqrt(2*π*w*a/E)*(ρ/3 - 1)", "The force along the equilibria."),

@@ -1,6 +1,6 @@
 //! The MDR transform (1.1) and that of a power law (1.12).
 
-use super::{Claim, Entry, POSITIVE, Step};
+use super::{Entry, POSITIVE, Step};
 
 const BOOK: &str =
     "V. L. Popov, M. Heß, Method of Dimensionality Reduction in Contact Mechanics and Friction, Springer 2015";
@@ -9,7 +9,7 @@ const DLMF: &str = "NIST Digital Library of Mathematical Functions, §5.5 and §
 pub(super) const TRANSFORM: Entry = Entry {
     id: "1.1",
     title: "The MDR transform",
-    verdict: Claim::Cited,
+    refuted: false,
     assumptions: &["axisymmetric profile with f(0) = 0", "no friction", "the contact is one disc of radius a"],
     steps: &[
         Step::cited(
@@ -41,7 +41,7 @@ pub(super) const TRANSFORM: Entry = Entry {
 pub(super) const POWER: Entry = Entry {
     id: "1.12",
     title: "The transform of a power law and its factor",
-    verdict: Claim::Enclosed,
+    refuted: false,
     assumptions: &["f = C rⁿ with n > 0"],
     steps: &[
         Step::enclosed(

@@ -1,11 +1,11 @@
 //! All power laws in one family.
 
-use super::{ABOVE, BELOW, BOTH, Claim, Entry, Step};
+use super::{ABOVE, BELOW, BOTH, Entry, Step};
 
 pub(super) const CURVES: Entry = Entry {
     id: "universal-curves",
     title: "Universal curves",
-    verdict: Claim::Proved,
+    refuted: false,
     assumptions: &["f = C rⁿ with n > 0, n ≠ 1/2", "t = a/a_c"],
     steps: &[
         Step::proved(

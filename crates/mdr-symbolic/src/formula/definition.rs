@@ -1,4 +1,4 @@
-//! What the derivations give a name.
+//! The named formulas of the derivations.
 
 use super::Formula;
 use crate::error::Result;
@@ -46,12 +46,12 @@ const ENTRIES: &[Entry] = &[
     named("κ_Γ", "κ_n", r"\kappa_n", "sqrt(π)/2*n*Γ(n/2)/Γ((n + 1)/2)"),
     // Machines in units of their stiffness.
     named("h", "h(s)", "h(s)", "2*s/((1 + s)*(1 + 3*s))"),
-    // A term of the series of ₂F₁(1, b; c; 1/2) over the one before.
+    // The ratio of successive terms of the series of ₂F₁(1, b; c; 1/2).
     named("q", "q_j", "q_j", "(b + j)/(2*(c + j))"),
 ];
 
 impl Definition {
-    /// The definition of this name.
+    /// The definition with this name.
     pub fn named(name: &str) -> Option<Self> {
         ENTRIES.iter().position(|entry| entry.name == name).map(Definition)
     }
@@ -71,10 +71,10 @@ impl Definition {
         ENTRIES[self.0].tex
     }
 
-    /// What it stands for.
+    /// The defining formula.
     ///
     /// # Errors
-    /// Never for the definitions of this crate, all of which are parsed in its tests.
+    /// None for the definitions of this crate, all of which are parsed in its tests.
     pub fn formula(self) -> Result<Formula> {
         ENTRIES[self.0].formula.parse()
     }

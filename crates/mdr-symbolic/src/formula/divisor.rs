@@ -1,11 +1,12 @@
-//! Formulas without a value.
+//! Formulas that divide by zero.
 
 use super::Formula;
 use crate::domain::Domain;
 use crate::error::Error;
 
 impl Formula {
-    /// Whether a divisor here, as it is written, has the normal form 0: then the formula has a value nowhere on the domain.
+    /// Whether a divisor of the formula, as written, has the normal form 0: the formula then has a value nowhere on the
+    /// domain.
     pub(crate) fn divides_by_zero(&self, domain: Domain) -> bool {
         let by_zero = |formula: &Formula| formula.divides_by_zero(domain);
         let is_zero = |formula: &Formula| formula.normalise(domain).is_ok_and(|normal| normal.numerator().is_zero());
@@ -19,7 +20,7 @@ impl Formula {
                 let negative = || exponent.integer(domain).is_some_and(|exponent| exponent < 0);
                 by_zero(base) || by_zero(exponent) || negative() && is_zero(base)
             }
-            // Carried out before there is a value.
+            // Expanded before it has a value.
             Formula::Derivative(..) | Formula::Integral(..) | Formula::At(..) => {
                 matches!(self.normalise(domain), Err(Error::DivisionByZero))
             }

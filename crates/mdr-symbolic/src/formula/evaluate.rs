@@ -1,4 +1,4 @@
-//! Evaluation in any arithmetic, without this crate knowing one.
+//! Evaluation in any arithmetic; the crate itself contains none.
 
 use rug::Rational;
 
@@ -12,7 +12,7 @@ use crate::quotient::Quotient;
 use crate::rational_function::RationalFunction;
 use crate::symbol::Symbol;
 
-/// An arithmetic with a point: values for n and for every symbol. Rigorous intervals make a value an enclosure.
+/// An arithmetic with a point: values for n and for every symbol. With rigorous intervals the result is an enclosure.
 pub trait Arithmetic {
     /// A number.
     type Value: Clone;
@@ -41,10 +41,10 @@ pub trait Arithmetic {
     fn quarter_turn(&self, integrand: &Formula) -> Self::Value;
 }
 
-/// The value of a formula. Derivatives, integrals and substitutions are carried out exactly first.
+/// The value of a formula. Derivatives, integrals and substitutions are first carried out exactly.
 ///
 /// # Errors
-/// As [`Formula::normalise`] for those.
+/// Those of [`Formula::normalise`] for these operations.
 pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A) -> Result<A::Value> {
     let of = |formula: &Formula| evaluate(formula, domain, arithmetic);
     let combine = |parts: &[Formula], start: i32, join: fn(&A, &A::Value, &A::Value) -> A::Value| {
@@ -79,7 +79,7 @@ pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A
 }
 
 impl Formula {
-    /// The integer that an exponent is.
+    /// The integer value of an exponent, if it is an integer.
     pub(super) fn integer(&self, domain: Domain) -> Option<i32> {
         self.normalise(domain).ok()?.as_function()?.as_integer()?.to_i32()
     }

@@ -5,8 +5,8 @@ use rug::Rational;
 use super::{Formula, Variable};
 
 impl Formula {
-    /// The formula as it is at a positive n: with the number in the place of n, before anything else. κ_n and the other symbols
-    /// stay what they are.
+    /// The formula at a positive n: the number is substituted for n before anything else. κ_n and the other symbols
+    /// stay symbols.
     pub(crate) fn at_exponent(&self, n: &Rational) -> Formula {
         let boxed = |formula: &Formula| Box::new(formula.at_exponent(n));
         let all = |parts: &[Formula]| parts.iter().map(|part| part.at_exponent(n)).collect::<Vec<_>>();
@@ -22,7 +22,7 @@ impl Formula {
             Formula::Root(inner) => Formula::Root(boxed(inner)),
             Formula::Derivative(inner, along) => Formula::Derivative(boxed(inner), *along),
             Formula::Integral(inner, along, to) => Formula::Integral(boxed(inner), *along, boxed(to)),
-            // There n has a value already.
+            // n already has a value there.
             Formula::At(inner, Variable::N, value) => Formula::At(inner.clone(), Variable::N, boxed(value)),
             Formula::At(inner, variable, value) => Formula::At(boxed(inner), *variable, boxed(value)),
             Formula::Function(function, arguments) => Formula::Function(*function, all(arguments)),

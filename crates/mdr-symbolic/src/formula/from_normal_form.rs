@@ -1,4 +1,4 @@
-//! Normal forms as formulas, to be printed.
+//! Conversion of normal forms to formulas, for printing.
 
 use rug::Rational;
 
@@ -43,7 +43,7 @@ impl From<&Quotient> for Formula {
     }
 }
 
-/// A term as a fraction: negative exponents, and the denominator of the coefficient, stand below.
+/// A term as a fraction: negative exponents and the denominator of the coefficient are in the denominator.
 fn of_term(coefficient: &RationalFunction, monomial: &Monomial) -> Formula {
     let (content_above, above) = factored(coefficient.numerator());
     let (content_below, below) = factored(coefficient.denominator());
@@ -75,7 +75,7 @@ fn of_term(coefficient: &RationalFunction, monomial: &Monomial) -> Formula {
     }
 }
 
-/// The content and the factors of a polynomial; the whole primitive part where it could not be split.
+/// The content and the factors of a polynomial; the whole primitive part if it could not be split.
 fn factored(polynomial: &Polynomial) -> (Rational, Vec<Formula>) {
     match polynomial.factors() {
         Ok(split) => {
@@ -111,7 +111,7 @@ fn sum(mut terms: Vec<Formula>) -> Formula {
     }
 }
 
-/// A number times factors; no 1 is written and a sign stands in front.
+/// A number times factors; a factor 1 is omitted and the sign comes first.
 fn scaled(number: &Rational, mut factors: Vec<Formula>) -> Formula {
     let size = number.clone().abs();
     if size != 1 || factors.is_empty() {

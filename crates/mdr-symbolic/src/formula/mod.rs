@@ -1,4 +1,4 @@
-//! Formulas as they are written: what is printed, brought to normal form, evaluated and mutated is one and the same tree.
+//! Formulas as written: printing, normal forms, evaluation and mutation use one and the same tree.
 
 mod definition;
 mod divisor;
@@ -20,7 +20,7 @@ pub use evaluate::{Arithmetic, evaluate, evaluate_expression, evaluate_quotient}
 /// A formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Formula {
-    /// A number that is not negative.
+    /// A nonnegative number.
     Number(Rational),
     /// n, the exponent of the profile.
     N,
@@ -28,9 +28,9 @@ pub enum Formula {
     Pi,
     /// A symbol.
     Symbol(Symbol),
-    /// Something defined elsewhere.
+    /// A named formula.
     Name(Definition),
-    /// The opposite.
+    /// The negative.
     Negative(Box<Formula>),
     /// A sum.
     Sum(Vec<Formula>),
@@ -46,15 +46,15 @@ pub enum Formula {
     Derivative(Box<Formula>, Symbol),
     /// ∫₀ over a symbol up to a bound.
     Integral(Box<Formula>, Symbol, Box<Formula>),
-    /// A formula with a value in the place of a variable.
+    /// A formula with a value substituted for a variable.
     At(Box<Formula>, Variable, Box<Formula>),
-    /// A function outside the algebra, of which it knows a few values.
+    /// A function outside the algebra, apart from some special values.
     Function(Function, Vec<Formula>),
     /// ∫₀^{π/2} of a formula in sinθ and cosθ over θ, improper where the formula is infinite at an end: for enclosures only.
     QuarterTurn(Box<Formula>),
 }
 
-/// What can be replaced in a formula.
+/// A variable that can be replaced in a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variable {
     /// n.
@@ -64,7 +64,7 @@ pub enum Variable {
 }
 
 impl Formula {
-    /// Whether the formula has a value without n or any symbol being given one.
+    /// Whether the formula has a value without values for n or any symbol.
     pub fn is_number(&self) -> bool {
         let all = |parts: &[Formula]| parts.iter().all(Formula::is_number);
         match self {
@@ -97,7 +97,7 @@ pub enum Function {
 }
 
 impl Function {
-    /// The functions by the names they have in a formula.
+    /// The names of functions in a formula, with the number of their arguments.
     const NAMES: [(&'static str, Function, usize); 6] = [
         ("Γ", Function::Gamma, 1),
         ("kappa", Function::Kappa, 1),

@@ -1,12 +1,13 @@
-//! Small mistakes in a formula: a sign, an exponent, a factor. A statement that survives one of them says little.
+//! Small errors in a formula: a sign, an exponent, a factor. A statement that remains true after one of them says
+//! little.
 
 use rug::Rational;
 
 use super::Formula;
 
 impl Formula {
-    /// All formulas that differ from this one in one place: a number one too large, a sign flipped, an exponent of the
-    /// other sign, a factor left out, a quotient upside down, a root forgotten.
+    /// All formulas that differ from this one in one place: a number too large by one, a sign flipped, an exponent of
+    /// the opposite sign, a factor omitted, a quotient inverted, a root omitted.
     pub fn mutants(&self) -> Vec<Formula> {
         let mut mutants = self.mutants_here();
         let within = |part: &Formula, rebuild: &dyn Fn(Box<Formula>) -> Formula| -> Vec<Formula> {
@@ -42,7 +43,7 @@ impl Formula {
         mutants
     }
 
-    /// The formula with its definitions, and those of what is put into it, in the place of their names.
+    /// The formula with its definitions, and those of substituted values, expanded.
     pub(crate) fn written_out(&self) -> Formula {
         match self {
             Formula::Name(definition) => definition.formula().unwrap_or_else(|_| self.clone()),
@@ -53,7 +54,7 @@ impl Formula {
         }
     }
 
-    /// The mistakes that can be made at the top of the tree.
+    /// The mutants at the top of the tree.
     fn mutants_here(&self) -> Vec<Formula> {
         match self {
             Formula::Number(value) => vec![Formula::Number(Rational::from(value + 1u32))],
@@ -86,7 +87,7 @@ fn changed(parts: &[Formula], index: usize, part: Formula) -> Vec<Formula> {
     parts
 }
 
-/// The lists with a mistake in one of their parts.
+/// The lists with an error in one of their parts.
 fn in_list(parts: &[Formula]) -> impl Iterator<Item = Vec<Formula>> {
     let mistakes = |(i, part): (usize, &Formula)| {
         part.mutants().into_iter().map(|mutant| changed(parts, i, mutant)).collect::<Vec<_>>()

@@ -1,4 +1,4 @@
-//! From a formula to its normal form.
+//! Conversion of a formula to its normal form.
 
 use rug::Rational;
 
@@ -13,17 +13,17 @@ use crate::symbol::Symbol;
 impl Formula {
     /// The normal form on a domain.
     ///
-    /// A value that is put in the place of a symbol has to be positive on the domain, as the symbol was taken to be, unless
-    /// nothing but the four operations and integer powers acts on the symbol. A value of n has to lie in the domain.
+    /// A value substituted for a symbol must be positive on the domain, as is assumed of the symbol, unless only the
+    /// four operations and integer powers act on the symbol. A value of n must lie in the domain.
     ///
     /// # Errors
-    /// What the algebra refuses: [`Error::Substitution`] and [`Error::OutsideDomain`] for such values,
-    /// [`Error::Transcendental`] for what lies outside it.
+    /// [`Error::Substitution`] and [`Error::OutsideDomain`] for such values, [`Error::Transcendental`] for functions
+    /// outside the algebra, and the other limits of the algebra.
     pub fn normalise(&self, domain: Domain) -> Result<Quotient> {
         let of = |formula: &Formula| formula.normalise(domain);
         match self {
             Formula::Number(value) => Ok(constant(value.clone())),
-            // Where n is one number, it is that number.
+            // On a domain of one point n is that number.
             Formula::N if domain.is_point() => Ok(constant(domain.sample())),
             Formula::N => Ok(Expression::from(RationalFunction::n()).into()),
             Formula::Pi => Ok(Expression::pi().into()),
@@ -53,7 +53,7 @@ impl Formula {
             Formula::At(inner, Variable::N, value) => {
                 let value = of(value)?.as_function().and_then(|function| function.as_constant());
                 match value.ok_or_else(|| Error::Exponent(self.text()))? {
-                    // It has been put in already.
+                    // It has already been substituted.
                     n if domain.is_point() && domain.contains(&n) => of(inner),
                     n => of(inner)?.at_n(&n, domain),
                 }
@@ -66,7 +66,7 @@ impl Formula {
     }
 }
 
-/// Steps of Γ(z+1) = zΓ(z) beyond which the factors are not written out.
+/// The most steps of Γ(z+1) = zΓ(z) that are expanded.
 const LARGEST_SHIFT: u32 = 200;
 
 fn constant(value: Rational) -> Quotient {
@@ -104,7 +104,7 @@ fn gamma(argument: &Quotient, domain: Domain) -> Result<Quotient> {
     Ok(base.scaled(&product).into())
 }
 
-/// Γ of a fraction in [0, 1), or of 1 in the place of 0, and that argument.
+/// Γ of a fraction in [0, 1), with 1 instead of 0, and that argument.
 fn gamma_of_quarter(fraction: &Rational, domain: Domain) -> Result<(Expression, RationalFunction)> {
     let three_quarters = Expression::symbol(Symbol::GAMMA_THREE_QUARTERS);
     let value = match (Rational::from(fraction * 4u32)).into_numer_denom() {
@@ -140,11 +140,11 @@ fn sine(argument: &Quotient, domain: Domain) -> Result<Quotient> {
     let turns = argument.over(&Expression::pi().into())?.as_function().and_then(|function| function.as_constant());
     let turns = turns.ok_or_else(outside)? / 2u32;
     let turns = &turns - turns.clone().floor();
-    // The second half of a turn repeats the first one with the other sign, the second quarter the first one backwards.
+    // The second half of a turn repeats the first with the opposite sign, the second quarter the first one reversed.
     let half = Rational::from((1, 2));
     let (negative, turns) = if turns < half { (false, turns) } else { (true, turns - &half) };
     let turns = turns.clone().min(half - turns);
-    // In twelfths of a quarter, of which 4, 6 and 8 are π/6, π/4 and π/3.
+    // In twelfths of a quarter; 4, 6 and 8 are π/6, π/4 and π/3.
     let (twelfths, unit) = (turns * 48u32).into_numer_denom();
     let square = match twelfths.to_u32().filter(|_| unit == 1) {
         Some(0) => return Ok(constant(Rational::new())),

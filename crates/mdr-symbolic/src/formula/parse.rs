@@ -1,4 +1,4 @@
-//! Formulas from text.
+//! Parses formulas.
 //!
 //! ```text
 //! sum     = ["-"] product (("+" | "-") product)*
@@ -7,7 +7,7 @@
 //! primary = number | name | name "(" sum ("," sum)* ")" | "(" sum ")"
 //! ```
 //!
-//! Beside the functions there are sqrt(u), diff(u, a), int(u, x, upper), at(u, a, value) and turn(u) = ∫₀^{π/2} u dθ.
+//! Further functions: sqrt(u), diff(u, a), int(u, x, upper), at(u, a, value) and turn(u) = ∫₀^{π/2} u dθ.
 
 use std::iter::Peekable;
 use std::str::{Chars, FromStr};
@@ -41,7 +41,7 @@ impl Parser<'_> {
         Error::Syntax { why, text: self.text.to_owned() }
     }
 
-    /// The next character that is no blank.
+    /// The next character that is not blank.
     fn peek(&mut self) -> Option<char> {
         while self.rest.next_if(|c| c.is_whitespace()).is_some() {}
         self.rest.peek().copied()
@@ -154,7 +154,7 @@ impl Parser<'_> {
         }
     }
 
-    /// What follows the opening bracket of a function.
+    /// The arguments of a function, after the opening bracket.
     fn call(&mut self, name: &str) -> Result<Formula> {
         let first = Box::new(self.sum()?);
         let formula = match name {

@@ -1,8 +1,8 @@
-//! What may stand in the place of a symbol.
+//! The values that may be substituted for a symbol.
 //!
-//! Normal forms take every symbol for positive: √(a²) is a. That is an identity for the values of a that are positive. A
-//! value of any sign may be put in only where no such rule was used, which is certain where the four operations and integer
-//! powers are all that acts on the symbol.
+//! Normal forms assume that every symbol is positive: √(a²) is a. That is an identity for positive values of a. A value
+//! of any sign may be substituted only if no such rule was used, which is certain if only the four operations and
+//! integer powers act on the symbol.
 
 use super::{Formula, Variable};
 use crate::domain::Domain;
@@ -11,7 +11,7 @@ use crate::quotient::Quotient;
 use crate::symbol::Symbol;
 
 impl Formula {
-    /// The normal form of a value that may stand in the place of a symbol of this formula.
+    /// The normal form of a value, if it may be substituted for a symbol of this formula.
     ///
     /// # Errors
     /// [`Error::Substitution`]; as [`Formula::normalise`].
@@ -24,10 +24,10 @@ impl Formula {
         Err(Error::Substitution { symbol: symbol.text(), value: value.text(), domain: domain.text() })
     }
 
-    /// Whether nothing but the four operations and integer powers acts on a symbol.
+    /// Whether only the four operations and integer powers act on a symbol.
     fn is_rational_in(&self, symbol: Symbol, domain: Domain) -> bool {
         let rational = |formula: &Formula| formula.is_rational_in(symbol, domain);
-        // A value put in for a variable of the inner formula.
+        // A value substituted for a variable of the inner formula.
         let composed = |inner: &Formula, variable: Symbol, value: &Formula| {
             (variable == symbol || rational(inner))
                 && (!value.contains(symbol) || rational(value) && inner.is_rational_in(variable, domain))
@@ -47,7 +47,7 @@ impl Formula {
         }
     }
 
-    /// Whether the value of this formula may depend on a symbol by name.
+    /// Whether the value of this formula may depend on a symbol.
     fn contains(&self, symbol: Symbol) -> bool {
         let contains = |formula: &Formula| formula.contains(symbol);
         match self {

@@ -27,7 +27,7 @@ impl Polynomial {
         Ok((Self::new(quotient), Self::new(rest)))
     }
 
-    /// The quotient, when nothing remains.
+    /// The quotient, if the remainder is zero.
     pub(crate) fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (quotient, rest) = self.divide(divisor).ok()?;
         rest.is_zero().then_some(quotient)
@@ -45,7 +45,7 @@ impl Polynomial {
         greater.monic()
     }
 
-    /// Divided by the leading coefficient.
+    /// The polynomial divided by its leading coefficient.
     pub(crate) fn monic(&self) -> Self {
         if self.is_zero() { Self::default() } else { self.scaled(&self.leading().recip()) }
     }

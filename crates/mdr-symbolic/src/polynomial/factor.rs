@@ -12,13 +12,13 @@ pub(crate) struct Factors {
     pub(crate) factors: Vec<(Polynomial, u32)>,
 }
 
-/// Trial division goes up to here: the integers of the theory are products of small primes.
+/// The limit of trial division: the integers of the theory are products of small primes.
 const LARGEST_PRIME: u32 = 10_000;
 
 /// The primes of a positive integer, with their multiplicities.
 ///
 /// # Errors
-/// [`Error::Unfactored`] for 0 and where a factor beyond the trial division is left.
+/// [`Error::Unfactored`] for 0 and if a factor beyond the trial division remains.
 pub(crate) fn prime_factors(number: &Integer) -> Result<Vec<(u32, u32)>> {
     if number.is_zero() {
         return Err(Error::Unfactored("0".to_owned()));
@@ -44,11 +44,11 @@ pub(crate) fn prime_factors(number: &Integer) -> Result<Vec<(u32, u32)>> {
 impl Polynomial {
     /// The content and the irreducible factors.
     ///
-    /// Square-free parts come from Yun's algorithm, linear factors from the rational roots. What is left has no rational
-    /// root, so it is irreducible up to degree 3.
+    /// Square-free parts come from Yun's algorithm, linear factors from the rational roots. The remainder has no
+    /// rational root, so it is irreducible up to degree 3.
     ///
     /// # Errors
-    /// [`Error::Unfactored`] when a part of degree 4 or more is left: it might still be reducible.
+    /// [`Error::Unfactored`] if a part of degree 4 or more remains, which might still be reducible.
     pub(crate) fn factors(&self) -> Result<Factors> {
         let (content, primitive) = self.primitive();
         let mut factors = Vec::new();

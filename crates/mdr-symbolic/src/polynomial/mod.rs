@@ -10,7 +10,7 @@ use rug::Rational;
 
 pub(crate) use factor::{Factors, prime_factors};
 
-/// A polynomial in n over Q. Coefficients stand in ascending order, the last one is not zero: equal polynomials are equal
+/// A polynomial in n over Q. Coefficients are in ascending order, the last one nonzero: equal polynomials are equal
 /// values.
 ///
 /// ```
@@ -65,7 +65,7 @@ impl Polynomial {
         self.0.last().cloned().unwrap_or_default()
     }
 
-    /// The number this is, if its degree is 0.
+    /// The constant value, if the degree is 0.
     pub fn as_constant(&self) -> Option<Rational> {
         (self.0.len() <= 1).then(|| self.leading())
     }
@@ -94,7 +94,7 @@ impl Polynomial {
         })
     }
 
-    /// A bound on the bits that a natural power takes, 64 for each coefficient included.
+    /// A bound on the bits of a natural power, including 64 for each coefficient.
     pub(crate) fn bits_of_power(&self, exponent: u32) -> u64 {
         let bits = |integer: &rug::Integer| u64::from(integer.significant_bits().saturating_sub(1));
         let largest = self.0.iter().map(|c| bits(c.numer()) + bits(c.denom())).max().unwrap_or(0);
@@ -103,7 +103,7 @@ impl Polynomial {
         coefficients.saturating_mul((largest + carry).saturating_mul(exponent.into()).saturating_add(64))
     }
 
-    /// This polynomial of another one.
+    /// The composition with another polynomial.
     pub fn compose(&self, inner: &Self) -> Self {
         self.0.iter().rev().fold(Self::default(), |sum, c| &(&sum * inner) + &Self::constant(c.clone()))
     }

@@ -51,7 +51,7 @@ impl Polynomial {
     }
 }
 
-/// Changes of sign in a sequence, zeros left out.
+/// The number of sign changes in a sequence, ignoring zeros.
 fn sign_changes(signs: impl Iterator<Item = Ordering>) -> usize {
     let signs: Vec<_> = signs.filter(|sign| sign.is_ne()).collect();
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()

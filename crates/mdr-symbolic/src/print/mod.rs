@@ -1,4 +1,4 @@
-//! Formulas for readers: as text, and in TeX for Markdown and LaTeX.
+//! Output of formulas: as text, and in TeX for Markdown and LaTeX.
 
 mod tex;
 mod text;
@@ -13,7 +13,7 @@ pub(crate) fn function_text(function: &RationalFunction) -> String {
     Formula::from(function).text()
 }
 
-/// How tightly a formula binds: what is less tight than its surroundings needs brackets.
+/// The binding strength of a formula: one weaker than its surroundings needs brackets.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Strength {
     Sum,
@@ -22,7 +22,7 @@ enum Strength {
     Atom,
 }
 
-/// A number as a decimal where it is one, else as a fraction.
+/// A number as a decimal if it terminates, else as a fraction.
 fn number(value: &Rational) -> String {
     let (mut scaled, mut places) = (value.clone(), 0usize);
     while !scaled.is_integer() && places < 30 {

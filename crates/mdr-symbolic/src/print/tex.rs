@@ -51,7 +51,7 @@ impl Formula {
             Formula::Sum(_) | Formula::Negative(_) => Strength::Sum,
             Formula::Product(_) | Formula::Integral(..) | Formula::QuarterTurn(_) => Strength::Product,
             Formula::Derivative(..) => Strength::Product,
-            // A fraction stands for itself in a product, but not under an exponent.
+            // A fraction needs no brackets in a product, but does under an exponent.
             Formula::Quotient(..) | Formula::Power(..) | Formula::Function(..) | Formula::At(..) => Strength::Power,
             Formula::Symbol(symbol) if decorated(*symbol) => Strength::Power,
             Formula::Name(definition) if definition.tex().ends_with(')') => Strength::Power,
@@ -60,7 +60,7 @@ impl Formula {
     }
 }
 
-/// Whether what is differentiated needs no brackets: a name, or a derivative of one.
+/// Whether the operand of a derivative needs no brackets: a name, or a derivative of one.
 fn is_named(formula: &Formula) -> bool {
     match formula {
         Formula::Name(_) | Formula::Symbol(_) => true,
@@ -111,7 +111,7 @@ fn sum(terms: &[Formula]) -> String {
 fn product(factors: &[Formula]) -> String {
     let mut tex = String::new();
     for (i, factor) in factors.iter().enumerate() {
-        // Whatever stands to the right of an operator belongs to it: at the end that is nothing.
+        // Everything to the right of an operator belongs to it, so it needs no brackets at the end only.
         let open = matches!(factor, Formula::Integral(..) | Formula::QuarterTurn(_) | Formula::Derivative(..));
         let part = if open && i + 1 == factors.len() { factor.tex() } else { within(factor, Strength::Power) };
         if !tex.is_empty() {

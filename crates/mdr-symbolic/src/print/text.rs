@@ -55,7 +55,7 @@ fn within(formula: &Formula, needed: Strength) -> String {
     if formula.strength() < needed { format!("({})", formula.text()) } else { formula.text() }
 }
 
-/// A fraction in front needs no brackets: a/b·c is (a/b)·c.
+/// A leading fraction needs no brackets: a/b·c is (a/b)·c.
 fn product(factors: &[Formula]) -> String {
     let needed = |i: usize| if i == 0 { Strength::Product } else { Strength::Power };
     factors.iter().enumerate().map(|(i, factor)| within(factor, needed(i))).collect::<Vec<_>>().join("·")
@@ -78,7 +78,7 @@ fn sum(terms: &[Formula]) -> String {
     text
 }
 
-/// An exponent, as a superscript where it is a short natural number.
+/// An exponent, as a superscript if it is a short natural number.
 fn raised(exponent: &Formula) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     match exponent {

@@ -2,14 +2,17 @@
 
 mod sampling;
 
-use mdr_core::contact::{self, Control, Equilibrium, Instability, Stability};
+use mdr_core::contact::{self, Control, Instability};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::folds::Completeness;
 use mdr_numeric::path::{self, EventKind, State};
 
-pub use sampling::{Sample, samples};
+pub use mdr_core::contact::Equilibrium;
+pub use mdr_numeric::folds::Completeness;
+pub use sampling::Sample;
+
+use sampling::samples;
 
 use crate::error::Result;
 use crate::scene::Scene;
@@ -92,11 +95,25 @@ impl Event {
 const REACH: i64 = 40;
 
 impl Scene {
-    /// What is drawn of the scene: its branches, folds, and the events of its path, in f64.
+    /// What is drawn of the scene: its branches, folds, and the events of its path, in f64. It chooses the range of radii, and at
+    /// most three values of the controlled quantity, from the path and the folds.
     ///
     /// # Errors
     /// A number of the scene that no double holds; those of the transform; a path that cannot start.
     pub fn diagram(&self) -> Result<Diagram> {
+        self.shown(None)
+    }
+
+    /// The same for contact radii up to `radius`, in metres, and at all values: those of the instabilities on its path; without
+    /// a path those of the scene, or of its folds.
+    ///
+    /// # Errors
+    /// As [`Scene::diagram`].
+    pub fn diagram_up_to(&self, radius: f64) -> Result<Diagram> {
+        self.shown(Some(radius))
+    }
+
+    fn shown(&self, radius: Option<f64>) -> Result<Diagram> {
         self.places.require_doubles("a drawing is made in f64")?;
         if !self.has_material() {
             return Err(self.places.refuse_profile("a drawing shows equilibria, and needs [material] in the scene"));
@@ -104,21 +121,28 @@ impl Scene {
         solve::drawn(self, REACH, |model, branches| {
             let events = if self.path.is_empty() { Vec::new() } else { solve::follow(model, branches, self)?.events };
             let values: Vec<f64> = self.values.iter().map(|literal| model.number(literal)).collect();
-            Diagram::new(branches, &events, &values)
+            Diagram::new(branches, &events, &values, radius)
         })
     }
 }
 
 impl Diagram {
+    /// The points of the curve of equilibria by increasing radius; the radius of a fold comes twice, once on each branch.
+    pub fn samples(&self) -> impl DoubleEndedIterator<Item = &Sample> {
+        self.branches.iter().flat_map(|branch| &branch.samples)
+    }
+
     /// The diagram of a contact with the events of its path, if it has one, and its equilibria at some values of the controlled
-    /// quantity.
-    ///
-    /// # Errors
-    /// Those of the transform.
-    pub fn new(branches: &Branches<'_, f64>, events: &[path::Event<f64>], values: &[f64]) -> contact::Result<Self> {
+    /// quantity, up to a contact radius or where it is worth a look.
+    fn new(
+        branches: &Branches<'_, f64>,
+        events: &[path::Event<f64>],
+        values: &[f64],
+        radius: Option<f64>,
+    ) -> contact::Result<Self> {
         let curve = branches.curve();
         let path: Vec<_> = events.iter().map(|event| happening(event, curve)).collect();
-        let values = shown_values(branches, &path, values);
+        let values = shown_values(branches, &path, values, if radius.is_some() { usize::MAX } else { MOST_HELD });
         let mut states = Vec::new();
         for value in &values {
             states.push(branches.equilibria(value)?);
@@ -128,7 +152,8 @@ impl Diagram {
         if radii.is_empty() {
             radii = states.iter().flatten().map(|state| state.contact_radius).collect();
         }
-        let (lower, upper) = range(branches, radii.into_iter());
+        let upper = radius.unwrap_or_else(|| upper_end(branches, radii.into_iter()));
+        let lower = lower_end(branches, upper);
         let folds: Vec<_> =
             branches.folds().iter().filter(|fold| (lower..=upper).contains(&fold.contact_radius)).collect();
         let nodes: Vec<_> = folds.iter().map(|fold| fold.contact_radius).collect();
@@ -152,7 +177,7 @@ impl Diagram {
 
 /// The values of the upper panel: of the path's beginning and of the instabilities it passes; else those asked for; else
 /// those of the folds.
-fn shown_values(branches: &Branches<'_, f64>, path: &[Event], asked: &[f64]) -> Vec<f64> {
+fn shown_values(branches: &Branches<'_, f64>, path: &[Event], asked: &[f64], most: usize) -> Vec<f64> {
     let turns = |event: &&Event| match event.kind {
         EventKind::JumpIn | EventKind::Jump | EventKind::Detached | EventKind::CompleteContact => true,
         EventKind::Start => event.in_contact().is_some(),
@@ -168,15 +193,15 @@ fn shown_values(branches: &Branches<'_, f64>, path: &[Event], asked: &[f64]) -> 
     }
     let mut shown: Vec<f64> = Vec::new();
     for value in values {
-        if shown.len() < MOST_HELD && !shown.contains(&value) {
+        if shown.len() < most && !shown.contains(&value) {
             shown.push(value);
         }
     }
     shown
 }
 
-/// The radii to show: all that are reached, with some room above; without any, those of the folds.
-fn range(branches: &Branches<'_, f64>, reached: impl Iterator<Item = f64>) -> (f64, f64) {
+/// The largest radius to show: all that are reached are below, or else the folds.
+fn upper_end(branches: &Branches<'_, f64>, reached: impl Iterator<Item = f64>) -> f64 {
     const ROOM: f64 = 1.25;
     let curve = branches.curve();
     let largest = reached.fold(0.0, f64::max);
@@ -190,10 +215,15 @@ fn range(branches: &Branches<'_, f64>, reached: impl Iterator<Item = f64>) -> (f
     };
     // At a wall the profile itself ends.
     let rim = outer.map_or(f64::INFINITY, |outer| if curve.wall().is_some() { outer } else { 0.999 * outer });
-    let upper = (ROOM * largest).min(rim);
+    (ROOM * largest).min(rim)
+}
+
+/// The smallest radius to show, below all folds.
+fn lower_end(branches: &Branches<'_, f64>, upper: f64) -> f64 {
+    let folds = branches.folds().iter().map(|fold| fold.contact_radius);
     // A fold at a radius that is too small to be seen on a linear axis makes the axis logarithmic.
-    let smallest = folds().filter(|fold| *fold < upper).fold(upper, f64::min);
-    (if smallest < upper / DECADES { smallest / 10.0 } else { 1e-6 * upper }, upper)
+    let smallest = folds.filter(|fold| *fold < upper).fold(upper, f64::min);
+    if smallest < upper / DECADES { smallest / 10.0 } else { 1e-6 * upper }
 }
 
 /// The ratio of radii from which on an axis is logarithmic.
@@ -264,13 +294,4 @@ fn happening(event: &path::Event<f64>, curve: &Curve<'_, f64>) -> Event {
         State::Complete => None,
     };
     Event { kind: event.kind, value: event.value, before: spot(&event.before), after: spot(&event.after) }
-}
-
-/// Whether a state is stable, as the marks show it.
-pub fn is_stable(state: &Equilibrium<f64>) -> Option<bool> {
-    match state.stability {
-        Stability::Stable => Some(true),
-        Stability::Unstable => Some(false),
-        Stability::Neutral => None,
-    }
 }

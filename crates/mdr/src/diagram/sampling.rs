@@ -44,7 +44,7 @@ const DEPTH: u32 = 14;
 ///
 /// # Errors
 /// Those of the transform.
-pub fn samples(curve: &Curve<'_, f64>, lower: f64, upper: f64, nodes: &[f64]) -> Result<Vec<Sample>> {
+pub(super) fn samples(curve: &Curve<'_, f64>, lower: f64, upper: f64, nodes: &[f64]) -> Result<Vec<Sample>> {
     const COARSE: u32 = 64;
     // Equal steps in √a: near the tip everything changes as a root or faster.
     let root = |share: f64| (lower.sqrt() + share * (upper.sqrt() - lower.sqrt())).powi(2);

@@ -4,6 +4,7 @@ use super::tree::{Document, Node};
 use crate::error::Result;
 
 /// TOML, whose numbers keep their text.
+#[cfg(feature = "toml")]
 pub(super) fn toml(document: &Document<'_>) -> Result<Node> {
     use toml::de::{DeTable, DeValue};
 

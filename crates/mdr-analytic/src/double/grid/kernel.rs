@@ -1,20 +1,20 @@
-//! The closed forms for a row of points without branches, so that the compiler turns each loop into vector instructions.
+//! The closed forms for a row of points without branches, so that the compiler vectorizes each loop.
 //!
 //! With λ = 1 (fixed grips) or 3 (dead load), B = πw/(2E*) and t = 2n − 1:
 //!
-//! 1. κ² = κ²(1/2) + t(π/4 − X(n)) as a pair of doubles; X ≤ 0.067 is a rational fit in doubles. Because it is multiplied by
-//!    t, its error reaches ln a = ln(λ²B/(nCκ)²)/t undivided, however near n is to 1/2.
+//! 1. κ² = κ²(1/2) + t(π/4 − X(n)) as a pair of doubles; X ≤ 0.067 is a rational fit in doubles. It is multiplied by t,
+//!    so its error enters ln a = ln(λ²B/(nCκ)²)/t undivided, however close n is to 1/2.
 //! 2. λ²B = 2ᵉm(nCκ)² with ln m = 2 artanh(s), s a quotient of pairs.
 //! 3. z = ln(a)/2 = (e(ln 2)/2 + artanh(s))/t.
 //! 4. eᶻ = 2ᵏy, y a pair.
 //! 5. a = 4ᵏy², d = ((λ−2n)/n)√B 2ᵏy and F = −2((2n+2−λ)/(n+1))E*√B 8ᵏy³, each rounded once from a pair.
 //!
-//! **Error budget**, relative, u = 2⁻⁵³; a relative error of u is at most one ulp. The fit of X and the roundings of its
-//! evaluation make at most 0.36 u of κ² (printed by `scripts/grid_table.py`), those of t and tX another 0.10 u. In artanh the
-//! terms from s⁵ on are doubles: 0.0011 u of s, that is at most 0.0005 u/|t| in ln a, and at most 0.0015 u |ln a|. Of the
-//! exponential, fit and tail make 0.03 u of y. All other steps are pairs, right to 2⁻¹⁰⁰, save the last rounding of each
-//! result. X weighs most for n → 0 and 0.2 u near n = 1/2, where artanh weighs most: together δ = 0.5 u in ln a as long
-//! as |ln a| ≤ 200.
+//! **Error budget**, relative, u = 2⁻⁵³; a relative error of u is at most one ulp. The fit of X and the roundings of
+//! its evaluation contribute at most 0.36 u of κ² (printed by `scripts/grid_table.py`), those of t and tX another 0.10
+//! u. In artanh the terms from s⁵ on are doubles: 0.0011 u of s, that is at most 0.0005 u/|t| in ln a, and at most
+//! 0.0015 u |ln a|. The fit and the tail of the exponential contribute 0.03 u of y. All other steps are pairs, accurate
+//! to 2⁻¹⁰⁰, except the last rounding of each result. X contributes most for n → 0 and 0.2 u near n = 1/2, where artanh
+//! contributes most: together δ = 0.5 u in ln a as long as |ln a| ≤ 200.
 //!
 //! | | last rounding | ln a | exponential | at most |
 //! |---|---|---|---|---|
@@ -23,7 +23,7 @@
 //! | d | u | δ/2 | 0.03 u | 1.3 ulp |
 //! | F | u | 3δ/2 | 0.09 u | 1.9 ulp |
 //!
-//! What lies outside the ranges below is left to extended precision; inside, no step leaves the range of a double.
+//! Points outside the ranges below are passed to extended precision; inside, no step leaves the range of a double.
 
 use std::f64::consts::{FRAC_1_PI, LOG2_E};
 use std::ops::RangeInclusive;
@@ -32,7 +32,7 @@ use super::table::{ARTANH, EXPONENTIAL, HALF_LN_2, HALF_PI, LN_2, OFFSET, REST_L
 use crate::double::exponential::{FROM_INTEGER, TO_INTEGER};
 use crate::double::pair::{Arithmetic, Pair};
 
-/// Points in a row: what five loops keep in the first cache.
+/// Points in a row: the data of five loops fit into the first-level cache.
 pub(super) const LEN: usize = 64;
 pub(super) type Row = [f64; LEN];
 
@@ -56,7 +56,8 @@ fn within(range: &RangeInclusive<f64>, x: f64) -> bool {
     (x >= *range.start()) & (x <= *range.end())
 }
 
-/// Of one pair of bodies. B is NaN if E* or w is out of [`MATERIAL`]: then so is ln a, and the point is hard.
+/// The edge quantities of one pair of bodies. B is NaN if E* or w is out of [`MATERIAL`]: then ln a is NaN and the
+/// point is hard.
 #[derive(Clone, Copy)]
 pub(super) struct Edge {
     /// B = πw/(2E*).
@@ -140,7 +141,7 @@ pub(super) fn edges<A: Arithmetic>(arithmetic: A, modulus: &Row, work: &Row, len
     }
 }
 
-/// Where a row of results goes.
+/// The slices for a row of results.
 pub(super) struct Results<'a> {
     pub(super) kappa: &'a mut Row,
     pub(super) radius: &'a mut Row,
@@ -148,7 +149,7 @@ pub(super) struct Results<'a> {
     pub(super) force: &'a mut Row,
 }
 
-/// The steps, with what they hand on.
+/// The steps and their intermediate results.
 pub(super) struct Kernel<A> {
     arithmetic: A,
     tension: f64,
@@ -158,7 +159,7 @@ pub(super) struct Kernel<A> {
     half_ln_radius: Pairs,
     mantissa: Pairs,
     scale: Row,
-    /// 1 where extended precision is needed, else 0.
+    /// 1 if extended precision is needed, else 0.
     pub(super) hard: Row,
 }
 
@@ -179,7 +180,7 @@ impl<A: Arithmetic> Kernel<A> {
         }
     }
 
-    /// All results of a row, and whether there is a hard point in it, whose results mean nothing.
+    /// All results of a row, and whether it contains a hard point, whose results are meaningless.
     #[inline(always)]
     pub(super) fn run(&mut self, n: &Row, c: &Row, edges: impl Edges, results: &mut Results<'_>) -> bool {
         self.kappa_squared(n);
@@ -209,13 +210,14 @@ impl<A: Arithmetic> Kernel<A> {
         for i in 0..LEN {
             let slope = A::product(n[i], c[i]).square(self.arithmetic).times(self.arithmetic, self.kappa_squared.at(i));
             let edge = edges.at(i).length.scaled(self.arithmetic, self.tension * self.tension);
-            // The bits of a double are a piecewise linear logarithm: e is rounded from their difference, |log₂ m| < 0.59.
+            // The bits of a double are a piecewise linear logarithm: e is rounded from their difference, |log₂ m| <
+            // 0.59.
             let difference = edge.hi.to_bits().wrapping_sub(slope.hi.to_bits());
             let biased = difference.wrapping_add((1024 << 52) + (1 << 51)) >> 52;
             self.binary_exponent[i] = f64::from_bits(biased | FROM_INTEGER.to_bits()) - (FROM_INTEGER + 1024.0);
             let down = f64::from_bits(2047_u64.wrapping_sub(biased) << 52);
             let edge = Pair { hi: edge.hi * down, lo: edge.lo * down };
-            // Exact, as the ratio is between 1/2 and 2.
+            // Exact, because the ratio is between 1/2 and 2.
             let difference = Pair { hi: edge.hi - slope.hi, lo: edge.lo - slope.lo };
             let sum = Pair::quick_sum(slope.hi + slope.hi, difference.hi);
             let sum = Pair { hi: sum.hi, lo: sum.lo + (edge.lo + slope.lo) };
@@ -242,7 +244,7 @@ impl<A: Arithmetic> Kernel<A> {
         }
     }
 
-    /// eᶻ = 2ᵏy; and the root of κ², here because the divider is idle.
+    /// eᶻ = 2ᵏy; and the root of κ², here because the division unit is idle.
     #[inline(always)]
     fn exponential(&mut self, results: &mut Results<'_>) {
         for i in 0..LEN {
@@ -253,7 +255,8 @@ impl<A: Arithmetic> Kernel<A> {
             let cubic = square.hi * (r.hi * polynomial::<A, 10>(&EXPONENTIAL, r.hi));
             let linear = Pair::quick_sum(1.0, r.hi);
             let quadratic = Pair::quick_sum(linear.hi, 0.5 * square.hi);
-            // The products are at most 0.12 u and 0.04 u of y: no test sees that, but F, of y³, would miss its 2 ulp without.
+            // The products are at most 0.12 u and 0.04 u of y: too small for a test, but F, of y³, needs them for its 2
+            // ulp.
             let r_lo = A::multiply_add(r.lo, r.hi, A::multiply_add(0.5, square.lo, r.lo));
             let tail = cubic + ((linear.lo + quadratic.lo) + r_lo);
             self.mantissa.set(i, Pair::quick_sum(quadratic.hi, tail));
@@ -262,7 +265,7 @@ impl<A: Arithmetic> Kernel<A> {
         }
     }
 
-    /// a, d and F; and which points lie outside the ranges of the error budget. NaN lies outside.
+    /// a, d and F; and which points are outside the ranges of the error budget. NaN is outside.
     #[inline(always)]
     fn results(&mut self, n: &Row, c: &Row, edges: impl Edges, results: &mut Results<'_>) {
         let arithmetic = self.arithmetic;
@@ -295,7 +298,7 @@ impl<A: Arithmetic> Kernel<A> {
     }
 }
 
-/// Σ cⱼxʲ, even and odd powers apart: half the latency of Horner's scheme.
+/// Σ cⱼxʲ, with even and odd powers separate: half the latency of Horner's scheme.
 #[inline(always)]
 fn polynomial<A: Arithmetic, const N: usize>(c: &[f64; N], x: f64) -> f64 {
     let square = x * x;

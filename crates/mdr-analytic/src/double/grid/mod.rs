@@ -1,10 +1,11 @@
 //! Critical states of many points at once: κ, a, d and F within 2 ulp, at a few nanoseconds a point.
 //!
-//! [`critical_states`] takes slices and fills slices. Ordinary points go through a kernel of doubles and pairs of doubles
-//! without branches, several points to an instruction; the instructions are chosen when the program runs ([`Path`]).
+//! [`critical_states`] takes slices and fills slices. Ordinary points are evaluated by a kernel of doubles and pairs of
+//! doubles without branches, several points per instruction; the instruction set is chosen at run time ([`Path`]).
 //! Ordinary means: n between 2⁻³⁰ and 512 and not within 2⁻³⁷ of 1/2, E* and w between 10⁻²⁴ and 10²⁴ of their units, C
-//! between 10⁻¹¹⁷ and 10¹¹⁷, and a between 10⁻⁸⁶ and 10⁸⁶ m. All other points, and every point under a machine, are passed on
-//! to [`double::critical`](super::critical), within 1 ulp at some hundred nanoseconds; [`Tally::passed_on`] counts them.
+//! between 10⁻¹¹⁷ and 10¹¹⁷, and a between 10⁻⁸⁶ and 10⁸⁶ m. All other points, and every point under a machine, are
+//! passed on to [`double::critical`](super::critical), within 1 ulp at some hundred nanoseconds; [`Tally::passed_on`]
+//! counts them.
 //!
 //! Every point gets a [`Status`]. A quantity without a value is NaN, and then the status is not `Ok`:
 //!
@@ -35,7 +36,7 @@
 //! })?;
 //! assert_eq!(kappa[1], 2.0);
 //! assert!((indentation[2] / 603.9026733142962 - 1.0).abs() < 1e-15);
-//! // n = 1/2 has no critical state, and says so.
+//! // n = 1/2 has no critical state; its status reports that.
 //! assert_eq!(status, [Status::Ok, Status::Ok, Status::Ok, Status::DomainError]);
 //! assert_eq!((tally.passed_on, tally.without_value), (1, 1));
 //! # Ok::<(), mdr_core::contact::Error>(())
@@ -77,7 +78,7 @@ pub enum Materials<'a> {
     },
 }
 
-/// Where the answers go, all slices as long as those of the points.
+/// The results, all slices as long as those of the points.
 #[derive(Debug)]
 pub struct States<'a> {
     /// κ_n.
@@ -88,16 +89,16 @@ pub struct States<'a> {
     pub indentation: &'a mut [f64],
     /// F, in N; positive when compressive.
     pub force: &'a mut [f64],
-    /// Whether all of them are values.
+    /// Whether all of them are values, or why not.
     pub status: &'a mut [Status],
 }
 
-/// How many points were out of the ordinary.
+/// The number of points that were not ordinary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// Answered in extended precision, one by one.
+    /// Points computed in extended precision, one by one.
     pub passed_on: usize,
-    /// Their status is not `Ok`.
+    /// Points whose status is not `Ok`.
     pub without_value: usize,
 }
 
@@ -105,7 +106,7 @@ pub struct Tally {
 ///
 /// # Errors
 /// [`Error::Length`] when slices differ in length, [`Error::Domain`] for a machine whose stiffness is not positive and
-/// finite. What happens at a point is told by its status.
+/// finite. Failures at a point are reported by its status.
 pub fn critical_states(points: &Points<'_>, control: &Control<f64>, states: &mut States<'_>) -> Result<Tally> {
     critical_states_on(Path::fastest(), points, control, states)
 }
@@ -159,7 +160,7 @@ fn require_one_length(points: &Points<'_>, states: &States<'_>) -> Result<()> {
     Ok(())
 }
 
-/// One call.
+/// The data of one call.
 struct Grid<'g, 's> {
     points: &'g Points<'g>,
     control: &'g Control<f64>,
@@ -204,7 +205,7 @@ impl Work for &mut Grid<'_, '_> {
 }
 
 impl Grid<'_, '_> {
-    /// Row by row. The last one, if it is short, is filled up with ones and its results are copied.
+    /// Row by row. A short last row is padded with ones and its results are copied.
     #[inline(always)]
     fn rows<A: Arithmetic>(
         &mut self,
@@ -242,7 +243,7 @@ impl Grid<'_, '_> {
     }
 }
 
-/// The row that begins at `start`, or what is left, in `pad`.
+/// The row that begins at `start`, or the remainder, in `pad`.
 #[inline(always)]
 fn row<'a>(slice: &'a [f64], start: usize, pad: &'a mut Row) -> &'a Row {
     let rest = &slice[start..];

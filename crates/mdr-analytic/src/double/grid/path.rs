@@ -1,4 +1,4 @@
-//! Which instructions the kernel may use.
+//! The instruction set of the kernel.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use fearless_simd::x86::{Avx2, Avx512};
 use crate::double::pair::Fused;
 use crate::double::pair::{Arithmetic, Native};
 
-/// A choice of instructions that this processor has.
+/// An instruction set that this processor supports.
 ///
 /// All give results within the same bound; [`Path::baseline`] may differ from the others in the last place.
 #[derive(Clone, Copy, Debug)]
@@ -25,14 +25,14 @@ enum Instructions {
     Avx512(Avx512),
 }
 
-/// Loops to be compiled for each choice of instructions. `run` must be inlined, with all that it calls.
+/// Loops that are compiled for each instruction set. `run` must be inlined, with all functions it calls.
 pub(in crate::double) trait Work {
     type Output;
 
     fn run<A: Arithmetic>(self, arithmetic: A) -> Self::Output;
 }
 
-/// The work compiled for the instructions that the token stands for; all of them have FMA.
+/// The work compiled for the instruction set of the token; all of them have FMA.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
 fn vectorized<S: fearless_simd::Simd, W: Work>(token: S, work: W) -> W::Output {
@@ -55,7 +55,7 @@ impl Path {
         }
     }
 
-    /// What the program was compiled for: on x86-64 two points at once, without fused multiply-add.
+    /// The target of the compilation: on x86-64 two points at once, without fused multiply-add.
     pub fn baseline() -> Path {
         Path(Instructions::Baseline)
     }
@@ -76,12 +76,12 @@ impl Path {
         None
     }
 
-    /// All that this processor has, the fastest first.
+    /// All that this processor supports, the fastest first.
     pub fn available() -> impl Iterator<Item = Path> {
         [Path::avx512(), Path::avx2(), Some(Path::baseline())].into_iter().flatten()
     }
 
-    /// The fastest that this processor has.
+    /// The fastest that this processor supports.
     pub fn fastest() -> Path {
         Path::avx512().or_else(Path::avx2).unwrap_or_else(Path::baseline)
     }

@@ -1,23 +1,23 @@
-//! The fast way to equilibria at a value: pairs of doubles without branches, for one value or for rows of them.
+//! Fast evaluation of equilibria at a value: pairs of doubles without branches, for one value or for rows of them.
 //!
 //! In the variables of [`inverse`](crate::inverse), f(v) = mE − P − μz with E = e^v and P = e^{mv}, so that f' = m(E − P):
 //!
 //! 1. v from [`Outset`], and steps in doubles until one of them is short: with s = −f/f', α = f''/2f' and β = f'''/6f',
 //!    δ = s − αs² + (2α² − β)s³.
-//! 2. One more such step from v as it is, an exact double, with E, P and f in pairs. The root is v + δ.
+//! 2. One more such step from v, taken as an exact double, with E, P and f in pairs. The root is v + δ.
 //! 3. With H = e^u, which is E, P or, under force, one more exponential,
 //!    a = a_λH²e^{2δᵤ}, Δl = sHe^{δᵤ}, s = 2√(Ba_λ), and d or F from these, each rounded once from a pair.
 //!
-//! **Error.** Constants and exponentials bring bounds of their errors. What they do to f, over |f'|, is the first part of the
-//! error of δ. The second is truncation. For k ≥ 2, f⁽ᵏ⁾/f' = 1 + (mᵏ⁻¹ − 1)P/(P − E), where P/(P − E) ≤ 1 + 1/(μv) for v > 0
-//! and P/(E − P) ≤ 1/(μ|v|) for v < 0; hence |f⁽ᵏ⁾/f'| ≤ (m + 1/|v|)ᵏ⁻¹ and |f⁽ᵏ⁾/(k!f')| ≤ Kᵏ⁻¹ with K = (m + 1/|v|)/2. So the
-//! series of the root in s is dominated by the inverse of δ − Kδ² − K²δ³ − …: s + Ks² + 3K²s³ + 11K³s⁴ + … with quotients
-//! below 6 (the little Schröder numbers). For K|s| ≤ 1/128 all beyond the third term is below 11.6K³s⁴, and the root has the
-//! sign of v, which names its branch; δᵤ⁴/24, which e^{δᵤ} begins to omit, is below 0.4K³s⁴ of δᵤ/δ, as δᵤ ≤ mδ and m ≤ 2K.
-//! The third part are the roundings of δ in doubles, small beside the others as a last step is short. All together make the
-//! errors of a, and of d or F; an answer counts when they are below half an ulp: with the last rounding it is within one,
-//! wherever v came from. Else, very close to the fold or to n = 1/2 or to a zero of d or F, or far out of range, it is left
-//! to more words.
+//! **Error.** Constants and exponentials come with bounds of their errors. Their effect on f, over |f'|, is the first
+//! part of the error of δ. The second is truncation. For k ≥ 2, f⁽ᵏ⁾/f' = 1 + (mᵏ⁻¹ − 1)P/(P − E), where
+//! P/(P − E) ≤ 1 + 1/(μv) for v > 0 and P/(E − P) ≤ 1/(μ|v|) for v < 0; hence |f⁽ᵏ⁾/f'| ≤ (m + 1/|v|)ᵏ⁻¹ and |f⁽ᵏ⁾/(k!f')| ≤ Kᵏ⁻¹
+//! with K = (m + 1/|v|)/2. So the series of the root in s is dominated by the inverse of δ − Kδ² − K²δ³ − …: s + Ks² +
+//! 3K²s³ + 11K³s⁴ + … with quotients below 6 (the little Schröder numbers). For K|s| ≤ 1/128 the sum beyond the third
+//! term is below 11.6K³s⁴, and the root has the sign of v, which determines its branch; δᵤ⁴/24, the first term omitted
+//! by e^{δᵤ}, is below 0.4K³s⁴ of δᵤ/δ, as δᵤ ≤ mδ and m ≤ 2K. The third part are the roundings of δ in doubles, small
+//! because a last step is short. Together they bound the errors of a, and of d or F; a result is trusted if they are
+//! below half an ulp: with the last rounding it is within one ulp, for any starting v. Otherwise (very close to the
+//! fold, to n = 1/2 or to a zero of d or F, or far out of range) extended precision is used.
 
 use mdr_core::contact::Regime;
 use mdr_core::number::{Real, Wide};
@@ -27,26 +27,26 @@ use super::super::pair::{Arithmetic, Native, Pair};
 use crate::contact::Contact;
 use crate::inverse::{Branch, Fold, Held, Outset};
 
-/// Half an ulp of any number, less a little for roundings of the bounds themselves.
+/// Half an ulp of any number, reduced slightly for roundings of the bounds themselves.
 const ENOUGH: f64 = 0.4999 * f64::EPSILON / 2.0;
 
-/// Products, quotients and sums of pairs, generously.
+/// A generous bound for products, quotients and sums of pairs.
 const PAIR: f64 = 1.0 / (1_u128 << 98) as f64;
 
-/// Binary exponents of constants, of E and P, and of H, within which no product here is subnormal or overflows before a
-/// result is out of the range that is trusted.
+/// Binary exponents of constants, of E and P, and of H, within which no product is subnormal or overflows before a
+/// result leaves the trusted range.
 const CONSTANTS: u64 = 300;
 const LOGARITHM: f64 = 600.0;
 const LENGTHS: f64 = 1e45;
 
-/// K|s| of a step in doubles after which v is good enough for the last one, and of that one.
+/// The largest K|s| of a step in doubles after which v is accurate enough for the last step, and of the last step.
 const CLOSE: f64 = 1.0 / 16.0;
 const LAST: f64 = 1.0 / 128.0;
 
-/// As many steps in doubles as m near 1.02 takes.
+/// The number of steps in doubles that m near 1.02 takes.
 const MOST_STEPS: usize = 5;
 
-/// A constant and the bound of its relative error.
+/// A constant and a bound of its relative error.
 #[derive(Clone, Copy, Debug)]
 struct Known {
     pair: Pair,
@@ -61,7 +61,7 @@ impl Known {
     }
 }
 
-/// What does not depend on the value.
+/// Quantities that do not depend on the value.
 #[derive(Clone, Debug)]
 pub(super) struct Constants {
     pub(super) held: Held,
@@ -70,7 +70,7 @@ pub(super) struct Constants {
     m: Pair,
     inverse_m: f64,
     outset: Outset,
-    /// x_fold, and the τ from which its rounding and uncertainty do not matter.
+    /// x_fold, and the τ above which its rounding and uncertainty are negligible.
     pub(super) fold: f64,
     nearest: f64,
     /// μ/x_fold.
@@ -85,13 +85,13 @@ pub(super) struct Constants {
     stretch: Pair,
 }
 
-/// How many equilibria a value has.
+/// The number of equilibria at a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Place {
     Beyond,
     Between,
     OtherSide,
-    /// Too close to the fold or too far from it to be told here.
+    /// Too close to the fold or too far from it to decide here.
     Unclear,
 }
 
@@ -100,12 +100,12 @@ pub(super) struct Lanes<const N: usize> {
     pub(super) radius: [f64; N],
     /// F, or d under force.
     pub(super) other: [f64; N],
-    /// Whether both count.
+    /// Whether both are trusted.
     pub(super) trusted: [bool; N],
 }
 
 impl Constants {
-    /// `None` where a constant is out of range.
+    /// `None` if a constant is out of range.
     pub(super) fn new<const N: usize>(contact: &Contact<Wide<N>>, fold: &Fold<Wide<N>>) -> Option<Self> {
         let (state, (_, excess), regime) = (fold.state(), fold.family().parameters(), fold.family().regime());
         let held = fold.held();
@@ -134,7 +134,7 @@ impl Constants {
         })
     }
 
-    /// τ, well enough to begin with where it is not refused.
+    /// τ, accurate enough for a start unless it is refused.
     #[inline(always)]
     fn tau(&self, x: f64) -> f64 {
         (self.fold - x) / self.fold
@@ -155,7 +155,7 @@ impl Constants {
         }
     }
 
-    /// Where v begins on a branch.
+    /// The initial v on a branch.
     #[inline(always)]
     pub(super) fn first<A: Arithmetic>(&self, x: f64, branch: Branch) -> f64 {
         let tau = self.tau(x);
@@ -165,7 +165,7 @@ impl Constants {
         }
     }
 
-    /// The equilibria at x whose v are near `v`, as long as the steps do not lead to the other branch.
+    /// The equilibria at x whose v are near `v`, provided the steps do not lead to the other branch.
     #[inline(always)]
     pub(super) fn solve<A: Arithmetic, const FORCE: bool, const N: usize>(
         &self,
@@ -175,7 +175,7 @@ impl Constants {
     ) -> Lanes<N> {
         let (first, mut far) = (v, [1_u64; N]);
         for _ in 0..MOST_STEPS {
-            // A lane that has arrived stays, so that its answer does not depend on the others.
+            // A lane that has converged stays unchanged, so that its result does not depend on the others.
             for i in 0..N {
                 let (step, is_close) = self.step::<A>(x[i], v[i]);
                 v[i] += if far[i] == 1 { step } else { 0.0 };
@@ -193,7 +193,7 @@ impl Constants {
         lanes
     }
 
-    /// A step in doubles, and whether the next need not be one.
+    /// A step in doubles, and whether it was the last one in doubles.
     #[inline(always)]
     fn step<A: Arithmetic>(&self, x: f64, v: f64) -> (f64, bool) {
         let m = self.m.hi;
@@ -205,7 +205,7 @@ impl Constants {
         (third_order::<A>(m, e, p, newton, inverse_slope), size < CLOSE)
     }
 
-    /// H at the root near v, and the bound of its relative error: ∞ where nothing is known.
+    /// H at the root near v, and the bound of its relative error, which is ∞ if nothing is known.
     #[inline(always)]
     fn length<A: Arithmetic, const FORCE: bool>(&self, arithmetic: A, x: f64, v: f64) -> (Pair, f64) {
         let m = self.m;
@@ -222,7 +222,7 @@ impl Constants {
         let powers = scaled.hi + p.hi;
         let uncertain = powers * (exponential::ERROR + mv.hi.abs() * PAIR) + shifted.hi.abs() * self.share.error;
         let truncated = 12.0 * curvature * (curvature * s) * (curvature * s) * s * s;
-        // f, f' and s are right to a few roundings, and αs², which the others are below, to those of its terms.
+        // f, f' and s are accurate to a few roundings, and αs², which bounds the other terms, to those of its terms.
         let rounded = s * f64::EPSILON * (4.0 + 2.0 * s * m.hi * m.hi * powers * steep);
         let step_error = uncertain * steep * (1.0 + 4.0 * curvature * s) + truncated + rounded;
 
@@ -247,7 +247,7 @@ impl Constants {
         (grown, if known { error } else { f64::INFINITY })
     }
 
-    /// a and F (or d, under force) of the root near v, and whether they count.
+    /// a and F (or d, under force) of the root near v, and whether they are trusted.
     #[inline(always)]
     fn state<A: Arithmetic, const FORCE: bool>(&self, arithmetic: A, x: f64, v: f64) -> (f64, f64, bool) {
         let (grown, grown_error) = self.length::<A, FORCE>(arithmetic, x, v);

@@ -1,4 +1,4 @@
-//! The equilibria at many values: rows of them, several to an instruction.
+//! The equilibria at many values: rows of them, several per instruction.
 
 use mdr_core::contact::{Error, Quantity, Ranged, Result, Stability, Status};
 
@@ -12,16 +12,16 @@ use crate::inverse::{Branch, Held};
 const LEN: usize = 64;
 type Row = [f64; LEN];
 
-/// The equilibria with the smaller radius, or those with the larger. NaN where there is none or no value.
+/// The equilibria with the smaller radius, or those with the larger. NaN if there is none or it is out of range.
 #[derive(Debug)]
 pub struct Side<'a> {
     /// a, in m.
     pub contact_radius: &'a mut [f64],
-    /// What is not controlled: F, in N, or d, in m.
+    /// The quantity that is not controlled: F, in N, or d, in m.
     pub uncontrolled: &'a mut [f64],
 }
 
-/// Where the equilibria at many values go, all slices as long as the values.
+/// The results at many values, all slices as long as the values.
 ///
 /// | status | meaning |
 /// |---|---|
@@ -35,15 +35,15 @@ pub struct Side<'a> {
 pub struct Branches<'a> {
     /// Stable for n < 1/2.
     pub smaller: Side<'a>,
-    /// Stable for n > 1/2. The only equilibrium at n = 1/2, stable or not, is here, too.
+    /// Stable for n > 1/2. The only equilibrium at n = 1/2, stable or not, is stored here too.
     pub larger: Side<'a>,
-    /// What is known.
+    /// The number of equilibria, or why there is none.
     pub status: &'a mut [Status],
 }
 
 impl Inverse {
     /// The equilibria at many values of the controlled quantity, each quantity within one ulp as in
-    /// [`Inverse::equilibria`], several values to an instruction.
+    /// [`Inverse::equilibria`], several values per instruction.
     ///
     /// ```
     /// use mdr_analytic::double::{Branches, Inverse, Side};
@@ -63,7 +63,7 @@ impl Inverse {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Length`] when slices differ in length. What happens at a value is told by its status.
+    /// [`Error::Length`] when slices differ in length. Failures at a value are reported by its status.
     pub fn branches(&self, values: &[f64], branches: &mut Branches<'_>) -> Result<Tally> {
         let Branches { smaller, larger, status } = branches;
         let expected = values.len();
@@ -127,7 +127,7 @@ impl Inverse {
     }
 }
 
-/// One call.
+/// The data of one call.
 struct Rows<'a, 's> {
     inverse: &'a Inverse,
     constants: &'a Constants,
@@ -153,7 +153,7 @@ impl Rows<'_, '_> {
     fn rows<A: Arithmetic, const FORCE: bool>(&mut self, arithmetic: A) {
         for (row, values) in self.values.chunks(LEN).enumerate() {
             let mut places = [Place::Between; LEN];
-            // Lanes without an answer compute another one.
+            // Lanes without a solution compute another one, which is discarded.
             let mut x: Row = [0.5 * self.constants.fold; LEN];
             for (i, &value) in values.iter().enumerate() {
                 places[i] = self.constants.place(value);
@@ -179,7 +179,7 @@ impl Rows<'_, '_> {
         self.constants.solve::<A, FORCE, LEN>(arithmetic, x, v)
     }
 
-    /// The answer of lane `lane` for the value `i`.
+    /// Stores the result of lane `lane` for the value `i`.
     #[inline(always)]
     fn set(&mut self, i: usize, lane: usize, value: f64, place: Place, [smaller, larger]: [&Lanes<LEN>; 2]) {
         let (has_smaller, has_larger) = (place == Place::Between, matches!(place, Place::Between | Place::OtherSide));

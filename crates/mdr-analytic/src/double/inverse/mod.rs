@@ -49,7 +49,7 @@ pub fn equilibria_at_distance(
     })
 }
 
-/// A contact under one control, ready to be asked for its equilibria at many values.
+/// A contact under one control, prepared for its equilibria at many values.
 ///
 /// ```
 /// use mdr_analytic::double::Inverse;
@@ -69,9 +69,9 @@ pub struct Inverse {
     material: Material<f64>,
     held: Held,
     path: Path,
-    /// What one word knows, unless n = 1/2 or it knows too little.
+    /// The contact and its fold in one word, unless n = 1/2 or one word is not precise enough.
     word: Option<(Contact<Wide<1>>, Fold<Wide<1>>)>,
-    /// The constants of the fast way as well as one word knows them; as well as two do, once they have been needed.
+    /// The constants of the kernel from one word, and from two words once they are needed.
     constants: Option<Constants>,
     better: OnceLock<Option<Constants>>,
 }
@@ -91,7 +91,7 @@ impl Inverse {
         Ok(Inverse { n, c, material, held, path, word, constants, better })
     }
 
-    /// The same contact, asked with the instructions of `path`.
+    /// The same contact, evaluated with the instruction set of `path`.
     #[must_use]
     pub fn with_instructions(self, path: Path) -> Self {
         Inverse { path, ..self }
@@ -108,7 +108,7 @@ impl Inverse {
         if let Some(found) = self.fast(constants, value) {
             return Ok(found);
         }
-        // Two words take some microseconds, once.
+        // Two words take a few microseconds, once.
         let first_time = self.better.get().is_none();
         match first_time.then(|| self.fast(self.better(), value)).flatten() {
             Some(found) => Ok(found),
@@ -116,14 +116,14 @@ impl Inverse {
         }
     }
 
-    /// The same for one value only.
+    /// The same for a single value.
     #[inline]
     fn once(&self, value: f64) -> Result<Equilibria<Ranged<f64>>> {
         finite(value)?;
         self.fast(&self.constants, value).map_or_else(|| self.with_words(value), Ok)
     }
 
-    /// The constants as well as two words know them.
+    /// The constants from two words.
     #[inline]
     fn better(&self) -> &Option<Constants> {
         self.better.get_or_init(|| {
@@ -133,7 +133,7 @@ impl Inverse {
         })
     }
 
-    /// In pairs of doubles, where that is enough.
+    /// The equilibria in pairs of doubles, if that is accurate enough.
     #[inline]
     fn fast(&self, constants: &Option<Constants>, x: f64) -> Option<Equilibria<Ranged<f64>>> {
         let constants = constants.as_ref()?;
@@ -175,7 +175,7 @@ impl Inverse {
                 Regime::ScaleFree => None,
                 _ => Fold::new(&contact, self.held).and_then(|fold| fold.at_value(&contact, &value)).ok(),
             };
-            // At n = 1/2 there is no fold, and next to it it is beyond all range.
+            // At n = 1/2 there is no fold, and close to 1/2 it is far out of range.
             match by_fold {
                 Some(found) => Ok(found),
                 None => contact.equilibria(&self.held.control(), &value),
@@ -184,7 +184,7 @@ impl Inverse {
     }
 }
 
-/// Both branches at one value side by side; where there is only the larger one, that twice.
+/// Both branches at one value; if only the larger one exists, it appears twice.
 struct Both<'a> {
     constants: &'a Constants,
     x: f64,

@@ -1,9 +1,9 @@
-//! Where a formula is not smooth, and where it ends: found by enclosures over all radii, so that none is missed.
+//! Where a formula is not smooth, and where it ends: searched by enclosures over all radii, so that none is missed.
 //!
-//! Every function of the grammar is smooth but where an argument passes through a certain value: that of `abs`, `sqrt`, a
-//! logarithm, a denominator or a base through 0, that of `asin`, `acos`, `atanh` through ±1, the two of `min` and `max`
-//! through each other. These radii are zeros of parts of the formula. A zero of a product is one of a factor, and that of
-//! a power, a root or a modulus one of its base, so that (r − 1)² has a zero with a sign change.
+//! Every function of the grammar is smooth except where an argument passes a certain value: for `abs`, `sqrt`, a
+//! logarithm, a denominator or a base this is 0, for `asin`, `acos`, `atanh` ±1, and for `min` and `max` equality of
+//! two arguments. These radii are zeros of parts of the formula. A zero of a product is a zero of a factor, and that of
+//! a power, a root or an absolute value is one of its base, so that (r − 1)² is searched by a zero with a sign change.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -14,22 +14,23 @@ use super::{Constant, Expression, ExpressionError, ExpressionProfile, Function, 
 use crate::calculus::roots::{self, Bracket};
 use crate::number::{Dual, Interval, Literal, Precision, Real, Special};
 
-/// The radii that are searched, 2^±1000 m, at which no formula is likely to have a zero exactly.
+/// The range of radii, 2^±1000 m. Its ends are no exact zeros of a plausible formula.
 const SEARCHED: (f64, f64) = (1.06e-301, 1.07e301);
 /// Bits of the enclosures.
 const BITS: u32 = 128;
-/// Bits that tell what is left of 1 − cos r and the like at the smallest radius.
+/// Bits that resolve 1 − cos r and the like at the smallest radius.
 const TIP_BITS: u32 = 8192;
-/// Cells that are wider than this ratio are looked at in so many bits, too: they may lead to the tip.
+/// Cells wider than this ratio are also evaluated with `TIP_BITS`: they may extend to the tip.
 const WIDE: f64 = 256.0;
 /// Cells are not halved below this relative width.
 const FINEST: f64 = 1e-12;
-/// So many cells are looked at,
+/// The most cells that are evaluated,
 const BUDGET: usize = 20_000;
-/// and so many zeros found, before the search gives up where it has come to.
+/// and the most zeros, before the search stops at the radius it has reached.
 const MOST: usize = 250;
-/// Bits of the radii on both sides of a break, where f is compared, and how close to it they are.
+/// f is compared on both sides of a break at the relative distances 2^−60 and 2^−240,
 const CLOSE: [i64; 2] = [60, 240];
+/// with so many bits.
 const CLOSE_BITS: u32 = 512;
 
 /// Where a formula is not smooth.
@@ -37,9 +38,9 @@ const CLOSE_BITS: u32 = 512;
 pub struct Breaks {
     /// By increasing radius, within the profile.
     kinks: Vec<Break>,
-    /// Where it ceases to be a number, or has a pole.
+    /// The radius where the formula ceases to be a number, or has a pole.
     outer: Option<Break>,
-    /// Up to where all of them are known; none where that is everywhere.
+    /// The radius up to which all of them are known; `None` if that is everywhere.
     known_to: Option<f64>,
 }
 
@@ -54,14 +55,14 @@ struct Break {
     radius: f64,
 }
 
-/// What the part does at its zero.
+/// The behaviour of a part at its zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
-    /// It changes its sign.
+    /// A sign change.
     Crossing,
-    /// It has an extremum there, which is zero as far as can be told.
+    /// An extremum that is zero to the precision used.
     Touching,
-    /// It may do either, or have none.
+    /// Either of these, or no zero.
     Open,
 }
 
@@ -69,7 +70,7 @@ impl Expression {
     /// Where the formula is not smooth, and where it ends, with these values of its parameters.
     ///
     /// # Errors
-    /// As [`Expression::bind`]; where the formula jumps, and where its kinks come arbitrarily close to the axis.
+    /// As [`Expression::bind`]; where the formula jumps, and where its kinks accumulate at the axis.
     pub fn breaks(&self, values: &BTreeMap<String, Literal>) -> Result<Breaks, ExpressionError> {
         let root = self.with_values(values)?;
         let mut parts = Vec::new();
@@ -103,7 +104,7 @@ impl Expression {
 }
 
 impl Breaks {
-    /// The break beyond which a part of the formula is no number.
+    /// The break beyond which a part of the formula is not a number.
     fn end_of(&self, node: &Node<Constant>) -> Option<usize> {
         let precision = Precision::new(BITS);
         let node: Node<Float> = node.bound(precision);
@@ -161,7 +162,7 @@ impl Break {
 }
 
 impl<R: Special> ExpressionProfile<R> {
-    /// The same profile with its kinks and its end, which are those of its formula.
+    /// The same profile with the kinks and the end of its formula.
     pub fn broken_at(self, ctx: R::Ctx, breaks: &Breaks) -> Self {
         let kinks = breaks.kinks.iter().map(|kink| kink.in_arithmetic(ctx)).collect();
         let outer = breaks.outer.as_ref().map(|end| end.in_arithmetic(ctx));
@@ -170,7 +171,8 @@ impl<R: Special> ExpressionProfile<R> {
     }
 }
 
-/// The parts of a formula that are not smooth everywhere, each with that of which the zeros matter; the inner ones first.
+/// The parts of a formula that are not smooth everywhere, each with the subexpression whose zeros matter; inner parts
+/// first.
 fn collect(node: &Node<Constant>, found: &mut Vec<(Node<Constant>, Node<Constant>)>) {
     let of = |part: &Node<Constant>, found: &mut Vec<_>| {
         let mut parts = Vec::new();
@@ -214,7 +216,7 @@ fn collect(node: &Node<Constant>, found: &mut Vec<(Node<Constant>, Node<Constant
     }
 }
 
-/// Parts that vanish where the whole does, none at r > 0 for sure.
+/// Factors that vanish where the whole does, without those that certainly have no zero at r > 0.
 fn factors(node: &Node<Constant>, found: &mut Vec<Node<Constant>>) {
     match node {
         Node::Variable | Node::Constant(_) | Node::Power(_, 0) => {}
@@ -231,12 +233,12 @@ fn factors(node: &Node<Constant>, found: &mut Vec<Node<Constant>>) {
     }
 }
 
-/// Whether two radii are one as far as doubles tell.
+/// Whether two radii are equal to about the precision of doubles.
 fn is_near(one: f64, other: f64) -> bool {
     (one - other).abs() <= 4.0 * f64::EPSILON * one.max(other)
 }
 
-/// The zeros of a part up to `end`, ascending, and where the search gave up, if it did.
+/// The zeros of a part up to `end`, ascending, and the radius where the search gave up, if it did.
 fn zeros(part: &Node<Constant>, known: &[Break], end: f64) -> (Vec<Break>, Option<f64>) {
     let search = Search { part, node: part.bound(Precision::new(BITS)), known };
     let mut found: Vec<Break> = Vec::new();
@@ -267,7 +269,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The zeros between two radii; none where that is not known.
+    /// The zeros between two radii; `None` if they cannot be determined.
     fn cell(&self, cell: (f64, f64)) -> Option<Vec<Break>> {
         if self.sign_over(cell, cell.1 / cell.0 > WIDE).is_some() {
             return Some(Vec::new());
@@ -309,7 +311,7 @@ impl Search<'_> {
         Some(if is_known { Vec::new() } else { vec![self.zero(cell, Kind::Open)] })
     }
 
-    /// The sign of the part between two radii, in more bits where it `matters`.
+    /// The sign of the part between two radii, with more bits where it `matters`.
     fn sign_over(&self, cell: (f64, f64), matters: bool) -> Option<Ordering> {
         let in_more_bits = || {
             let node: Node<Interval> = self.part.bound(Precision::new(TIP_BITS));
@@ -318,7 +320,7 @@ impl Search<'_> {
         sign(&self.node.value(&enclosing(cell, BITS))).or_else(|| if matters { in_more_bits() } else { None })
     }
 
-    /// The zeros where the part has one extremum, which is compared with zero in many bits.
+    /// The zeros around the only extremum of the part, which is compared with zero in many bits.
     fn around_extremum(&self, cell: (f64, f64), [first, last]: [Ordering; 2]) -> Option<Vec<Break>> {
         let extremum = sharpened(self.part, cell, Kind::Touching, CLOSE_BITS);
         let width = Float::with_val(CLOSE_BITS, &extremum >> (CLOSE_BITS - 16));
@@ -344,12 +346,12 @@ impl Search<'_> {
     }
 }
 
-/// All radii between two.
+/// The interval of all radii between two.
 fn enclosing((lower, upper): (f64, f64), bits: u32) -> Interval {
     Interval::new(Float::with_val(bits, lower), Float::with_val(bits, upper))
 }
 
-/// The sign of what is not zero for sure.
+/// The sign of a value that is certainly nonzero.
 fn sign(value: &Interval) -> Option<Ordering> {
     value.partial_cmp(&value.lit(0)).filter(|order| *order != Ordering::Equal)
 }

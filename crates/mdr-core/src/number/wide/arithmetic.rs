@@ -1,4 +1,4 @@
-//! The four operations, each with its error.
+//! The four operations with their error bounds.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -7,7 +7,7 @@ use num_traits::Inv;
 use super::{Wide, limbs, power_of_two, truncation};
 
 impl<const N: usize> Wide<N> {
-    /// The error of a product or quotient: the sum of both, truncation, and the terms of second order.
+    /// The error of a product or quotient: the sum of both, the truncation, and the terms of second order.
     #[inline]
     fn combined(a: f64, b: f64, inexact: bool) -> f64 {
         Self::second_order(a + b) + truncation(inexact)
@@ -19,7 +19,7 @@ impl<const N: usize> Wide<N> {
             return self.hollow_product(other);
         }
         if N == 1 {
-            // Without a branch on the leading bit, which is as good as random.
+            // Without a branch on the leading bit, which is unpredictable.
             let product = u128::from(self.limbs[0]) * u128::from(other.limbs[0]);
             let zeros = product.leading_zeros();
             let normal = product << zeros;
@@ -78,7 +78,7 @@ impl<const N: usize> Wide<N> {
         )
     }
 
-    /// self ± other, the sign of `other` being given.
+    /// self ± other, with the given sign of `other`.
     #[inline]
     fn sum(&self, other: &Self, other_negative: bool) -> Self {
         if self.is_hollow() || other.is_hollow() {
@@ -106,8 +106,8 @@ impl<const N: usize> Wide<N> {
         }
     }
 
-    /// One word: the one with the larger exponent in Q127, so that only a distance above 63 can lose a bit. Signs and order
-    /// are as good as random, hence selections instead of branches.
+    /// One word: the operand with the larger exponent in Q127, so that only a distance above 63 can lose a bit. Signs
+    /// and order are unpredictable, hence selections instead of branches.
     #[inline]
     fn sum_of_words(&self, other: &Self, other_negative: bool) -> Self {
         let distance = self.exponent - other.exponent;
@@ -155,7 +155,7 @@ impl<const N: usize> Wide<N> {
 
     #[inline]
     fn subtracted(large: &Self, small: &Self, aligned: &[u64; N], guard: u64, lost: bool, negative: bool) -> Self {
-        // What was lost below the guard makes the true difference smaller by less than one unit of the guard.
+        // The bits lost below the guard reduce the true difference by less than one unit of the guard.
         let (guard, borrow) = 0u64.overflowing_sub(guard);
         let (guard, borrow) = if lost { (guard.wrapping_sub(1), borrow || guard == 0) } else { (guard, borrow) };
         let difference = limbs::sub(&large.limbs, aligned, borrow);
@@ -167,8 +167,8 @@ impl<const N: usize> Wide<N> {
         Self::difference(large, small, difference, large.exponent - shift, negative, rounding)
     }
 
-    /// The error of a sum: a mean of both with the magnitudes as weights, hence at most the larger; and the weight of a
-    /// term with an exponent d below is less than 2^(1−d).
+    /// The error of a sum: the mean of both, weighted by the magnitudes, hence at most the larger one; the weight of a
+    /// term with an exponent lower by d is less than 2^(1−d).
     #[inline]
     fn weighted_error(x: &Self, y: &Self) -> f64 {
         let larger = x.exponent.max(y.exponent);
@@ -199,13 +199,13 @@ impl<const N: usize> Wide<N> {
         Self::from_parts(negative, difference, exponent, error)
     }
 
-    /// The errors of both are together at most 2 to this power.
+    /// An exponent e such that the errors of both together are at most 2^e.
     fn absolute_error(large: &Self, small: &Self) -> i64 {
         let units = large.error + small.error + 2.0;
         large.exponent.max(small.exponent) - Self::BITS + units.log2() as i64 + 2
     }
 
-    /// A product with zero or with something around zero.
+    /// A product with a factor that is zero or around zero.
     #[cold]
     fn hollow_product(&self, other: &Self) -> Self {
         if self.is_nothing() || other.is_nothing() {
@@ -213,7 +213,7 @@ impl<const N: usize> Wide<N> {
         } else if self.is_zero() || other.is_zero() {
             Self::ZERO
         } else {
-            // One more bit for the error of a factor that is not around zero.
+            // One more bit for the error of the other factor.
             Self::around_zero(self.exponent + other.exponent + 1)
         }
     }
@@ -248,7 +248,7 @@ impl<const N: usize> Wide<N> {
         if magnitude.is_power_of_two() || self.is_hollow() {
             return self.flipped(k < 0).scaled(-i64::from(magnitude.ilog2()));
         }
-        // The quotient has N + 1 words counted from the top: its N lower ones and the carry are those of a product with k.
+        // The quotient has N + 1 words from the top: its N lower words and the carry are those of a product with k.
         let (quotient, last, remainder) = limbs::div_word(&self.limbs, magnitude);
         let mut low = [0; N];
         low[1..].copy_from_slice(&quotient[..N - 1]);
@@ -256,7 +256,7 @@ impl<const N: usize> Wide<N> {
         self.shortened(low, quotient[N - 1], remainder, k < 0, -64)
     }
 
-    /// (over, low)·2^scale in place of the significand, where a remainder may have been dropped.
+    /// (over, low)·2^scale as the significand, after an optional `remainder` was dropped.
     #[inline]
     fn shortened(&self, low: [u64; N], over: u64, remainder: bool, flip: bool, scale: i64) -> Self {
         let bits = u64::from(64 - over.leading_zeros());
@@ -292,7 +292,7 @@ impl<const N: usize> Inv for Wide<N> {
     }
 }
 
-/// Each operator in the forms that `Real` asks for, from one function.
+/// Each operator in the forms that `Real` requires, from one function.
 macro_rules! operators {
     ($($operator:ident $method:ident $assigning:ident $assign:ident: |$a:ident, $b:ident| $value:expr;)*) => {$(
         impl<const N: usize> $operator<&Self> for Wide<N> {

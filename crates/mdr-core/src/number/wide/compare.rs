@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::{Wide, limbs};
 
-/// Certain only: overlapping numbers have no order, and only exact numbers are ever equal.
+/// Overlapping numbers have no order, and only exact numbers are ever equal.
 impl<const N: usize> PartialOrd for Wide<N> {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {

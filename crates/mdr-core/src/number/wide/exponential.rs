@@ -15,7 +15,7 @@ impl<const N: usize> Wide<N> {
         if N == 1 {
             return self.quotient(&Self::constant(LN_2)).power_of_two();
         }
-        // self = k ln2 + r with 0 ≤ r < 1; all errors together are an absolute one, |self|·(error + 6) units.
+        // self = k ln2 + r with 0 ≤ r < 1; all errors together are an absolute error of |self|·(error + 6) units.
         let ln_2 = Self::constant(LN_2).exactly();
         let mut k = self.quotient(&ln_2).whole() - i64::from(self.negative);
         let mut r = (self.exactly() - ln_2.times_int(k).exactly()).exactly();
@@ -32,8 +32,8 @@ impl<const N: usize> Wide<N> {
         let squarings = if N == 2 { 6 } else { 8 };
         let Ok(shift) = u64::try_from(squarings - self.exponent) else { return Self::NOTHING };
         let (x, ..) = limbs::shift_down(&self.limbs, shift);
-        // x ≤ 2^-s. The first omitted term, x^16/16! < 2^-140 or x^25/25! < 2^-283, is less than a unit; each product is
-        // truncated by one, and all but the last of these are multiplied by x.
+        // x ≤ 2^-s. The first omitted term, x^16/16! < 2^-140 or x^25/25! < 2^-283, is less than a unit; each product
+        // is truncated by less than one unit, and all but the last are multiplied by x.
         let terms = if N == 2 { 14 } else { 23 };
         let mut sum = [0; N];
         for factorial in INVERSE_FACTORIAL[..terms].iter().rev() {
@@ -65,7 +65,7 @@ impl<const N: usize> Wide<N> {
         if self.exponent > -4 {
             return self.exponential() - one;
         }
-        // |self| < 1/16: 64N/4 terms are more than enough, since each gains at least 4 bits.
+        // |self| < 1/16: each term gains at least 4 bits, so 64N/4 terms are enough.
         let mut sum = one;
         for k in (2..=16 * N as i64).rev() {
             sum = one + sum.product(self).over_int(k);
@@ -73,7 +73,7 @@ impl<const N: usize> Wide<N> {
         self.product(&sum).widened(1.0)
     }
 
-    /// The whole part of a number below 2⁶², towards zero.
+    /// The integer part of a number below 2⁶², towards zero.
     fn whole(&self) -> i64 {
         if self.exponent <= 0 || self.is_hollow() {
             return 0;
@@ -98,7 +98,7 @@ impl<const N: usize> Wide<N> {
         Self::power_of_two_fixed(fixed, self.error * power_of_two(self.exponent) + if dropped { 1.0 } else { 0.0 })
     }
 
-    /// 2^(fixed·2⁻⁶⁴), `fixed` being uncertain by `error` units, in one word.
+    /// 2^(fixed·2⁻⁶⁴), with `error` units of uncertainty in `fixed`, in one word.
     #[inline]
     pub(super) fn power_of_two_fixed(fixed: i128, error: f64) -> Self {
         let high = |a: u64, b: u64| ((u128::from(a) * u128::from(b)) >> 64) as u64;
@@ -111,8 +111,8 @@ impl<const N: usize> Wide<N> {
         let power = EXP2[(fraction >> 56) as usize];
         let mut limbs = [0; N];
         limbs[N - 1] = power + (high(power, high(slope, rest)) >> 8);
-        // The table is right to half a unit in the last place, the correction is truncated twice: 4 units. An error δ of
-        // the argument is one of ln2·δ < 3δ/4 of the result.
+        // The table is accurate to half a unit in the last place and the correction is truncated twice: 4 units. An
+        // error δ of the argument is one of ln2·δ < 3δ/4 of the result.
         let inexact = if fraction == 0 && error == 0.0 { 0.0 } else { 0.75 * error + 5.0 };
         Self::from_parts(false, limbs, whole + 1, inexact)
     }

@@ -1,4 +1,4 @@
-//! Unsigned integers of N words, least significant first. N is small and known, so the loops unroll.
+//! Unsigned integers of N words, least significant first. N is a small constant, so the loops unroll.
 
 use std::cmp::Ordering;
 
@@ -44,14 +44,14 @@ pub(super) fn is_zero<const N: usize>(a: &[u64; N]) -> bool {
     a.iter().all(|&word| word == 0)
 }
 
-/// Zero bits below the lowest one that is set.
+/// The number of trailing zero bits.
 #[inline]
 pub(super) fn trailing_zeros<const N: usize>(a: &[u64; N]) -> i64 {
     let words = a.iter().take_while(|&&word| word == 0).count();
     64 * words as i64 + a.get(words).map_or(0, |word| i64::from(word.trailing_zeros()))
 }
 
-/// a shifted down by `bits`, with one more word below it and whether anything was lost below that.
+/// a shifted down by `bits`, with one more word below it and whether any bit below that was lost.
 #[inline]
 pub(super) fn shift_down<const N: usize>(a: &[u64; N], bits: u64) -> ([u64; N], u64, bool) {
     if bits == 0 {
@@ -76,7 +76,7 @@ pub(super) fn shift_down<const N: usize>(a: &[u64; N], bits: u64) -> ([u64; N], 
     (shifted, guard, lost)
 }
 
-/// (a, guard) shifted up until the top bit is set: the words, what is left of the guard, and the shift. `None` for zero.
+/// (a, guard) shifted up until the top bit is set: the words, the rest of the guard, and the shift. `None` for zero.
 #[inline]
 pub(super) fn normalise<const N: usize>(mut a: [u64; N], mut guard: u64) -> Option<([u64; N], u64, i64)> {
     let mut shift = 0;
@@ -120,7 +120,7 @@ pub(super) fn mul<const N: usize>(a: &[u64; N], b: &[u64; N]) -> ([u64; N], [u64
     (high, low)
 }
 
-/// a·k: the words and the one above them.
+/// a·k: the words and the carry word.
 #[inline]
 pub(super) fn mul_word<const N: usize>(a: &[u64; N], k: u64) -> ([u64; N], u64) {
     let mut product = [0; N];
@@ -133,7 +133,7 @@ pub(super) fn mul_word<const N: usize>(a: &[u64; N], k: u64) -> ([u64; N], u64) 
     (product, carry)
 }
 
-/// a·2⁶⁴/k: N + 1 words, the lowest apart, and whether there is a remainder.
+/// a·2⁶⁴/k: the N upper words, the lowest word, and whether there is a remainder.
 #[inline]
 pub(super) fn div_word<const N: usize>(a: &[u64; N], k: u64) -> ([u64; N], u64, bool) {
     let mut quotient = [0; N];

@@ -4,7 +4,7 @@ use super::tables::{LN_2, LOG2_RECIPROCAL, LOG2_SERIES, RECIPROCAL};
 use super::{Wide, limbs, power_of_two, truncation};
 
 impl<const N: usize> Wide<N> {
-    /// ln self; nothing is known unless self > 0.
+    /// ln self; unknown unless self > 0.
     pub(super) fn logarithm(&self) -> Self {
         if self.is_hollow() || self.negative {
             return Self::NOTHING;
@@ -62,7 +62,7 @@ impl<const N: usize> Wide<N> {
     #[inline]
     fn log2_fixed(&self) -> (i128, f64) {
         let m = self.limbs[N - 1];
-        // log₂(m(1 + δ)) moves by less than 1.443 δ.
+        // log₂(m(1 + δ)) changes by less than 1.443 δ.
         let error = 1.443 * Self::second_order(self.error);
         if m == 1 << 63 {
             return (i128::from(self.exponent - 1) << 64, error);
@@ -75,7 +75,7 @@ impl<const N: usize> Wide<N> {
         ((i128::from(self.exponent) << 64) - i128::from(LOG2_RECIPROCAL[i]) + series, error + 2.0)
     }
 
-    /// fixed·2⁻⁶⁴, uncertain by `error` units, in one word.
+    /// fixed·2⁻⁶⁴ with `error` units of uncertainty, in one word.
     fn from_fixed(fixed: i128, error: f64) -> Self {
         let magnitude = fixed.unsigned_abs();
         if magnitude == 0 {
@@ -90,7 +90,7 @@ impl<const N: usize> Wide<N> {
         Self::from_parts(fixed < 0, limbs, exponent, error * power_of_two(1 - exponent) + truncated)
     }
 
-    /// self^exponent for self > 0; exact where base, exponent and result are.
+    /// self^exponent for self > 0; exact if base, exponent and result are exact.
     pub(super) fn power(&self, exponent: &Self) -> Self {
         let one = Self::from_double(1.0);
         if exponent.is_zero() || self.is_exact() && *self == one {
@@ -152,13 +152,13 @@ impl<const N: usize> Wide<N> {
         if k < 0 { Self::from_double(1.0).quotient(&power) } else { power }
     }
 
-    /// 2^(y log₂ self) in fixed point, so that a large logarithm loses nothing.
+    /// 2^(y log₂ self) in fixed point, so that a large logarithm loses no bits.
     #[inline]
     fn power_of_word(&self, y: &Self) -> Self {
         let (log2, uncertainty) = self.log2_fixed();
         let (magnitude, factor) = (log2.unsigned_abs(), y.limbs[N - 1]);
-        // The product is below 2^(bits of log2 + y.exponent) in units of 2^-64; the result's exponent must stay far from
-        // the limit, and y's own scale within a word.
+        // The product is below 2^(bits of log2 + y.exponent) in units of 2^-64; the exponent of the result must stay
+        // far from the limit, and the scale of y within a word.
         if y.exponent.abs() > 60 || 128 - i64::from(magnitude.leading_zeros()) + y.exponent > 64 + 40 {
             return Self::NOTHING;
         }

@@ -9,22 +9,20 @@ mod real;
 mod root;
 mod round;
 mod tables;
-#[cfg(all(test, feature = "mp"))]
-mod tests;
 
 /// A number of 64·N bits together with a bound on its relative error: ball arithmetic in a few machine words.
 ///
-/// * The exponent is an `i64` of its own, so that no intermediate result of a formula overflows or underflows.
-/// * Every operation adds its rounding error and the errors of its operands to [`error`](Wide::error). An operation whose
-///   result is representable is exact and adds nothing, so `0` and the sign of a difference are decided by arithmetic,
-///   never by a tolerance.
-/// * A difference of numbers whose errors are larger than it is *around zero*: a bound of its magnitude is all that is
+/// * The exponent is a separate `i64`, so intermediate results of a formula do not overflow or underflow.
+/// * Every operation adds its rounding error and the errors of its operands to [`error`](Wide::error). An operation
+///   whose result is representable is exact and adds nothing, so `0` and the sign of a difference are decided by
+///   arithmetic, never by a tolerance.
+/// * A difference of numbers that is smaller than their errors is *around zero*: only a bound of its magnitude is
 ///   known. Outside the domain of a function, or with an exponent beyond ±2⁶², nothing is known, and the value is not
-///   [finite](super::Real::is_finite). Order is certain or absent. Whoever needs more evaluates the same formula with a
-///   larger `N` (Ziv's strategy).
+///   [finite](super::Real::is_finite). Comparisons are certain or `None`. If the result is not precise enough, evaluate
+///   the same formula with a larger `N` (Ziv's strategy).
 ///
-/// `Wide<1>` is the fast one: about 2⁻⁶³ an operation with table-driven exponential and logarithm, in integer arithmetic
-/// only, so that every machine gives the same bits. N is 1, 2, 3 or 4.
+/// `Wide<1>` is the fastest: about 2⁻⁶³ per operation, with table-driven exponential and logarithm, in integer
+/// arithmetic only, so that every machine gives the same bits. N is 1, 2, 3 or 4.
 ///
 /// ```
 /// use mdr_core::number::{Real, Wide};
@@ -43,21 +41,21 @@ pub struct Wide<const N: usize> {
     limbs: [u64; N],
     /// The magnitude is 0.limbs · 2^exponent.
     exponent: i64,
-    /// |true − stored| ≤ error · 2^(−64N) · |stored|. When it is infinite the limbs are zero, and |true| ≤ 2^exponent. Sums
-    /// of errors are rounded to 53 bits; [`round`] allows for that.
+    /// |true − stored| ≤ error · 2^(−64N) · |stored|. If it is infinite the limbs are zero, and |true| ≤ 2^exponent.
+    /// Sums of errors are rounded to 53 bits; [`round`] allows for that.
     error: f64,
 }
 
 const TWO_64: f64 = (1u128 << 64) as f64;
 
-/// Exponents are kept within ± this.
+/// Exponents stay within ± this.
 const EXPONENT_LIMIT: i64 = 1 << 62;
 
 impl<const N: usize> Wide<N> {
-    /// Above this the number is given up: an eighth of its magnitude.
+    /// Above this error, an eighth of the magnitude, only a bound of the magnitude is kept.
     const ERROR_LIMIT: f64 = (1u128 << 61) as f64 * Self::UNITS;
 
-    /// 2^(64(N−1)), which makes units of 2^(−64N) of those of 2⁻⁶⁴.
+    /// 2^(64(N−1)), the number of units of 2^(−64N) in 2⁻⁶⁴.
     const UNITS: f64 = [1.0, TWO_64, TWO_64 * TWO_64, TWO_64 * TWO_64 * TWO_64][N - 1];
 
     /// Bits in the significand.
@@ -81,7 +79,7 @@ impl<const N: usize> Wide<N> {
     /// ±(0.limbs)·2^exponent with a relative error of at most `error` units of 2^(−64N). The top bit of the last limb must
     /// be set.
     ///
-    /// Made for functions that compute a significand by integer arithmetic, as the fit of a special function does.
+    /// For functions that compute a significand in integer arithmetic, such as a fit of a special function.
     #[inline]
     pub fn from_parts(negative: bool, limbs: [u64; N], exponent: i64, error: f64) -> Self {
         debug_assert!(limbs[N - 1] >> 63 == 1, "the significand is normalised");
@@ -91,7 +89,7 @@ impl<const N: usize> Wide<N> {
         Wide { negative, limbs, exponent, error }
     }
 
-    /// A number whose error is too large, or its exponent.
+    /// The result for a number whose error, or whose exponent, is too large.
     #[cold]
     fn given_up(exponent: i64, error: f64) -> Self {
         // |stored|(1 + error · 2^(−64N)).
@@ -176,15 +174,15 @@ impl<const N: usize> Wide<N> {
         self.error == 0.0
     }
 
-    /// An error together with the terms of second order that it brings: below 2δ² where δ ≤ 1/8 is the relative error,
-    /// hence below a unit for every number that is known to half its bits.
+    /// An error including the terms of second order: below 2δ² where δ ≤ 1/8 is the relative error, hence below a unit
+    /// for every number that is known to half its bits.
     #[inline]
     fn second_order(error: f64) -> f64 {
         let square = error * (1.0 / TWO_64 / Self::UNITS) * error;
         if square < 0.25 { error + if error == 0.0 { 0.0 } else { 1.0 } } else { error + 1.0 + 2.0 * square }
     }
 
-    /// The stored number taken as exact.
+    /// The stored number, regarded as exact.
     fn exactly(self) -> Self {
         if self.is_nothing() { self } else { Wide { error: 0.0, ..self } }
     }

@@ -1,4 +1,4 @@
-//! The trait of all numbers.
+//! `Real` for extended precision.
 
 use num_traits::ToPrimitive;
 
@@ -101,14 +101,14 @@ impl<const N: usize> Real for Wide<N> {
     }
 }
 
-/// Any double is a constant of this kind, exactly.
+/// Any double is represented exactly.
 impl<const N: usize> From<f64> for Wide<N> {
     fn from(value: f64) -> Self {
         Self::from_double(value)
     }
 }
 
-/// The number that the text of a [`Literal`] means. Its grammar has been checked.
+/// The value of the text of a [`Literal`], whose grammar has been checked.
 fn parse<const N: usize>(text: &str) -> Wide<N> {
     if let Some((numerator, denominator)) = text.split_once('/') {
         return parse::<N>(numerator) / parse::<N>(denominator);

@@ -3,7 +3,7 @@
 use super::{TWO_64, Wide, limbs};
 
 impl<const N: usize> Wide<N> {
-    /// √self; nothing is known for a negative number.
+    /// √self; unknown for a negative number.
     #[inline]
     pub(super) fn root(&self) -> Self {
         if self.is_hollow() || self.negative {
@@ -21,22 +21,22 @@ impl<const N: usize> Wide<N> {
         Self::from_parts(false, limbs, 0, 0.0).root_by_newton(&Wide { exponent: -odd, ..*self }).scaled(exponent)
     }
 
-    /// The root of the upper word over 2^odd to a unit in the last place, and whether it is exact: a double, and one Newton
-    /// step in integers.
+    /// The root of the upper word over 2^odd to a unit in the last place, and whether it is exact: from a double and
+    /// one Newton step in integers.
     #[inline]
     fn root_of_top(&self, odd: i64) -> (u64, bool) {
         let top = self.limbs[N - 1];
         let square = (u128::from(top) << 64) >> odd;
         let scale = if odd == 0 { TWO_64 } else { TWO_64 / 2.0 };
         let mut root = (top as f64 * scale).sqrt().min(TWO_64_BELOW) as u64;
-        // The residual is below 2^77 and the step below 2^12: what the shift drops moves it by 2^-52.
+        // The residual is below 2^77 and the step below 2^12: the bits dropped by the shift change it by 2^-52.
         let residual = square.wrapping_sub(u128::from(root) * u128::from(root)) as i128;
         let step = (residual >> 14) as i64 as f64 * (1 << 13) as f64 / root as f64;
         root = root.saturating_add_signed(step as i64);
         (root, u128::from(root) * u128::from(root) == square)
     }
 
-    /// From one word to N: each step s + (x − s²)/2s doubles the bits.
+    /// From one word to N: each step s + (x − s²)/2s doubles the number of correct bits.
     fn root_by_newton(self, square: &Self) -> Self {
         let exact_square = square.exactly();
         let mut root = self;
@@ -44,7 +44,7 @@ impl<const N: usize> Wide<N> {
             let defect = (exact_square - root.product(&root).exactly()).exactly();
             root = (root + defect.quotient(&root).scaled(-1)).exactly();
         }
-        // A root that ends 32 bits early may be the exact one.
+        // If the root has 32 trailing zero bits it may be exact.
         let short = root.rounded_to(Self::BITS - 32);
         if square.is_exact() && short.product(&short) == exact_square {
             return short;

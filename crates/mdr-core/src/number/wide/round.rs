@@ -1,9 +1,9 @@
-//! From and to doubles.
+//! Conversion from and to doubles.
 
 use super::{Wide, power_of_two};
 
 impl<const N: usize> Wide<N> {
-    /// The number that a finite double stands for; nothing is known for NaN and ∞.
+    /// The exact value of a finite double; unknown for NaN and ∞.
     #[inline]
     pub(super) fn from_double(value: f64) -> Self {
         let bits = value.to_bits();
@@ -27,11 +27,11 @@ impl<const N: usize> Wide<N> {
         Wide { negative, limbs, exponent: 64 - i64::from(zeros), error: 0.0 }
     }
 
-    /// The double nearest to the true value or next to the nearest one: within one unit in the last place, half of it from
-    /// this rounding, gradual underflow included. `None` when the error bound does not promise that.
+    /// The double nearest to the true value or next to the nearest one: within one unit in the last place, half of it
+    /// from this rounding, gradual underflow included. `None` when the error bound does not guarantee that.
     ///
-    /// ±∞ stands for a magnitude beyond the largest double, and ±0 for one at or below half the smallest
-    /// ([`log10`](Wide::log10) tells how far); an exact zero is 0.
+    /// ±∞ stands for a magnitude beyond the largest double, and ±0 for one at or below half the smallest;
+    /// [`log10`](Wide::log10) gives its order of magnitude. An exact zero is 0.
     #[inline]
     pub fn nearest_f64(&self) -> Option<f64> {
         if self.is_around_zero() {
@@ -43,11 +43,11 @@ impl<const N: usize> Wide<N> {
         (self.error * slack <= power_of_two(Self::BITS - kept - 1)).then(|| self.to_double())
     }
 
-    /// The stored value to the nearest double.
+    /// The stored value rounded to the nearest double.
     #[inline]
     pub(super) fn to_double(self) -> f64 {
         if N == 1 && (-958..=1024).contains(&self.exponent) {
-            // The conversion of the word rounds to nearest even, the scaling is exact.
+            // The conversion of the word rounds to nearest even; the scaling is exact.
             let scale = f64::from_bits(((self.exponent + (1023 - 64)) as u64) << 52);
             let magnitude = self.limbs[0] as f64 * scale;
             return if self.negative { -magnitude } else { magnitude };
@@ -69,7 +69,7 @@ impl<const N: usize> Wide<N> {
         let magnitude = if self.exponent > 1024 {
             f64::INFINITY
         } else if self.exponent >= -1021 {
-            // The carry of a rounded significand runs into the exponent by itself, up to ∞.
+            // The carry of a rounded significand increments the exponent, up to ∞.
             f64::from_bits((((self.exponent + 1022) as u64) << 52) + rounded - (1 << 52))
         } else {
             f64::from_bits(rounded)
@@ -77,7 +77,7 @@ impl<const N: usize> Wide<N> {
         if self.negative { -magnitude } else { magnitude }
     }
 
-    /// log₁₀ of the magnitude, as well as the number is known, rounded once; within an ulp where log₁₀ is above 1.
+    /// log₁₀ of the magnitude of the stored value, rounded once; within an ulp where log₁₀ is above 1.
     #[cold]
     pub fn log10(&self) -> f64 {
         let magnitude = Wide { negative: false, ..*self };

@@ -1,4 +1,4 @@
-//! The last step from good and from bad approximations of v: an answer that counts is right.
+//! The last step from good and from bad approximations of v: a trusted result is correct.
 
 use mdr_core::contact::{Equilibrium, Material};
 
@@ -6,7 +6,7 @@ use super::*;
 use crate::double::contact;
 use crate::double::pair::{Fused, Separate};
 
-/// A value of one contact with what 128 bits know about it.
+/// A value of one contact with its equilibria to 128 bits.
 struct Question {
     constants: Constants,
     x: f64,
@@ -79,7 +79,7 @@ fn check_last_step<A: Arithmetic>(arithmetic: A) {
     assert!(counted > 10_000 && refused > 10_000, "{counted} and {refused}");
 }
 
-/// From far off, the steps reach the root of the same sign or none that counts.
+/// From distant v, the steps reach the root of the same sign or no trusted result.
 fn check_branches<A: Arithmetic>(arithmetic: A) {
     let mut counted = 0;
     for question in questions() {

@@ -1,0 +1,103 @@
+//! Counting the evaluations of a transform, and stopping them.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use mdr_core::contact::{CountedTransform, Error, Evaluations, Kink, Quantity, Result, Tally, Transform};
+
+/// Returns a different value from every method, none of them the default of the trait.
+struct Peculiar;
+
+impl Transform<f64> for Peculiar {
+    fn g(&self, x: &f64) -> Result<f64> {
+        Ok(x + 1.0)
+    }
+
+    fn slope(&self, x: &f64) -> Result<f64> {
+        Ok(x + 2.0)
+    }
+
+    fn integral(&self, x: &f64) -> Result<f64> {
+        Ok(x + 3.0)
+    }
+
+    fn mean(&self, x: &f64) -> Result<f64> {
+        Ok(x + 4.0)
+    }
+
+    fn above_mean(&self, x: &f64) -> Result<f64> {
+        Ok(x + 5.0)
+    }
+
+    fn g_within(&self, x: &f64, needed: &f64) -> Result<f64> {
+        Ok(x + needed)
+    }
+
+    fn mean_within(&self, x: &f64, needed: &f64) -> Result<f64> {
+        Ok(x - needed)
+    }
+
+    fn outer_radius(&self) -> Option<f64> {
+        Some(6.0)
+    }
+
+    fn wall(&self) -> bool {
+        true
+    }
+
+    fn kinks(&self) -> Vec<f64> {
+        vec![7.0]
+    }
+
+    fn kink(&self, index: usize, margin: &f64) -> Result<Option<Kink<f64>>> {
+        Err(Error::domain(Quantity::ContactRadius, &(index as f64 + margin), "peculiar"))
+    }
+
+    fn rises(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn every_question_is_passed_on_and_counted_once() {
+    let tally = Arc::new(Tally::default());
+    let counted = CountedTransform::new(Box::new(Peculiar), &tally);
+    let spent = |work: &dyn Fn() -> Result<f64>| {
+        let before = counted.evaluations();
+        (work().unwrap(), counted.evaluations() - before)
+    };
+    let none = Evaluations::default();
+    let [g, slope] = [Evaluations { g: 1, ..none }, Evaluations { slope: 1, ..none }];
+    let integral = Evaluations { integral: 1, ..none };
+    assert_eq!(spent(&|| counted.g(&10.0)), (11.0, g));
+    assert_eq!(spent(&|| counted.slope(&10.0)), (12.0, slope));
+    assert_eq!(spent(&|| counted.integral(&10.0)), (13.0, integral));
+    assert_eq!(spent(&|| counted.mean(&10.0)), (14.0, integral));
+    assert_eq!(spent(&|| counted.above_mean(&10.0)), (15.0, integral));
+    assert_eq!(spent(&|| counted.g_within(&10.0, &0.5)), (10.5, g));
+    assert_eq!(spent(&|| counted.mean_within(&10.0, &0.5)), (9.5, integral));
+    assert_eq!((counted.outer_radius(), counted.wall(), counted.kinks()), (Some(6.0), true, vec![7.0]));
+    assert!(counted.rises());
+    let expected = Peculiar.kink(2, &0.5).unwrap_err().to_string();
+    assert_eq!(counted.kink(2, &0.5).unwrap_err().to_string(), expected);
+    assert_eq!(tally.read(), Evaluations { g: 2, slope: 1, integral: 4 });
+    assert_eq!(tally.read().total(), 7);
+}
+
+#[test]
+fn a_stop_ends_every_evaluation() {
+    let stop = Arc::new(AtomicBool::new(false));
+    let counted = CountedTransform::new(Box::new(Peculiar), &Arc::new(Tally::until(&stop)));
+    assert!(counted.g(&1.0).is_ok());
+    stop.store(true, Ordering::Relaxed);
+    assert_eq!((counted.g(&1.0), counted.mean(&1.0)), (Err(Error::Stopped), Err(Error::Stopped)));
+    assert_eq!(counted.evaluations().total(), 1);
+}
+
+#[test]
+fn a_count_can_be_shared() {
+    let tally = Arc::new(Tally::default());
+    let [one, other] = [(); 2].map(|()| CountedTransform::new(Box::new(Peculiar), &tally));
+    assert!(one.g(&1.0).is_ok() && other.g(&1.0).is_ok());
+    assert_eq!((one.evaluations().g, other.evaluations().g), (2, 2));
+}

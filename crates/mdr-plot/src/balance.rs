@@ -1,0 +1,68 @@
+//! The diagram {Δl, g − d} of equation (1.7): what scenes and figures have in common.
+
+use mdr::diagram::{Diagram, Equilibrium};
+use mdr::prelude::Stability;
+
+use crate::chart::{Colour, Layer, Mark, Point, Stroke};
+
+/// The colours of the two sides of the balance, and of jumps.
+pub(crate) const ADHESION: Colour = Colour::Blue;
+pub(crate) const ELASTICITY: Colour = Colour::Orange;
+pub(crate) const LOSS: Colour = Colour::Purple;
+
+/// A contact whose balance is drawn, with the units of radii and of lengths in m.
+#[derive(Clone, Copy)]
+pub(crate) struct Balance<'a> {
+    pub(crate) diagram: &'a Diagram,
+    pub(crate) units: [f64; 2],
+}
+
+impl Balance<'_> {
+    /// (a, Δl(a)) in the units of the axes.
+    pub(crate) fn on_elongation(&self, a: f64) -> Point {
+        // Δl grows as √a, which is exact from any sample.
+        let elongation = self
+            .diagram
+            .samples()
+            .next_back()
+            .map_or(f64::NAN, |sample| sample.elongation * (a / sample.contact_radius).sqrt());
+        [a / self.units[0], elongation / self.units[1]]
+    }
+
+    /// The points of Δl(a).
+    pub(crate) fn elongation(&self) -> Vec<Point> {
+        let [radius, length] = self.units;
+        self.diagram.samples().map(|sample| [sample.contact_radius / radius, sample.elongation / length]).collect()
+    }
+
+    /// States on Δl(a), all of one stability.
+    pub(crate) fn states<'s>(
+        &self,
+        name: impl Into<String>,
+        states: impl IntoIterator<Item = &'s Equilibrium<f64>>,
+        stability: Stability,
+    ) -> Layer {
+        let (mark, meaning) = match stability {
+            Stability::Stable => (Mark::Filled, "stable"),
+            Stability::Unstable => (Mark::Open, "unstable"),
+            Stability::Neutral => (Mark::Diamond, "fold"),
+        };
+        let points = states.into_iter().map(|state| self.on_elongation(state.contact_radius)).collect();
+        Layer::marks(name, points, mark).meaning(meaning)
+    }
+}
+
+/// The curve Δl(a).
+pub(crate) fn elongation(points: Vec<Point>) -> Layer {
+    Layer::curve("Δ*l*(*a*)", points, Stroke::Solid).coloured(ADHESION)
+}
+
+/// A curve g(a) − d.
+pub(crate) fn shifted(name: impl Into<String>, points: Vec<Point>, stroke: Stroke) -> Layer {
+    Layer::curve(name, points, stroke).coloured(ELASTICITY)
+}
+
+/// An arrow along the axis of radii: where g − d is above Δl the contact shrinks, else it grows.
+pub(crate) fn change(grows: bool, from: Point, to: Point) -> Layer {
+    Layer::arrow(if grows { "grows (1.9)" } else { "shrinks (1.8)" }, from, to)
+}

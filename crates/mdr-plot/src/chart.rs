@@ -1,0 +1,193 @@
+//! What is drawn, as plain data in physical units: a picture has panels, a panel two axes and layers.
+
+use crate::Axis;
+
+/// A point of a chart, in the units of its two axes.
+pub type Point = [f64; 2];
+
+/// Panels in rows of two, with the caption of all.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// The `<title>` of the SVG.
+    pub title: String,
+    /// Its `<desc>`: the caption, with what is seen in words and numbers.
+    pub description: String,
+    /// In the order of reading.
+    pub panels: Vec<Panel>,
+}
+
+/// One chart.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    /// Above the frame, e.g. "(a)  *d* = 0"; with [markup](crate#markup).
+    pub heading: String,
+    /// To the right.
+    pub x: Axis,
+    /// Upwards.
+    pub y: Axis,
+    /// In the order of drawing; marks lie over all lines, labels over all marks.
+    pub layers: Vec<Layer>,
+}
+
+/// Something that is drawn in a panel.
+#[derive(Clone, Debug)]
+pub struct Layer {
+    /// The series in the data; the text of a label. With [markup](crate#markup).
+    pub name: String,
+    /// Corners, points of a curve, marked points, tail and tip of an arrow, places of a label by preference.
+    pub points: Vec<Point>,
+    /// How the points are drawn.
+    pub look: Look,
+    /// Of all that is drawn.
+    pub colour: Colour,
+    /// What it means, for the legend. Layers with the same text share an entry.
+    pub legend: Option<String>,
+}
+
+/// How the points of a layer are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// A shaded area.
+    Area,
+    /// A polyline, cut at the frame.
+    Curve(Stroke),
+    /// A mark at each point within the frame.
+    Marks(Mark),
+    /// From the first point to the second.
+    Arrow,
+    /// The name beside the first point where it covers no mark and no other label.
+    Label(Side),
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stroke {
+    /// Unbroken.
+    Solid,
+    /// Long dashes.
+    Dashed,
+    /// Dots.
+    Dotted,
+    /// Dashes and dots in turn.
+    DashDotted,
+    /// Unbroken, thinner than data: a reference.
+    Thin,
+    /// Thin and dotted: drops a value to an axis. No data.
+    Guide,
+}
+
+/// A mark at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// A disc: a stable state.
+    Filled,
+    /// A ring: an unstable state.
+    Open,
+    /// A diamond: a critical state.
+    Diamond,
+    /// A cross: what failed.
+    Cross,
+}
+
+/// Where a label stands, seen from its point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Above it.
+    Above,
+    /// Below it.
+    Below,
+    /// To its left.
+    Left,
+    /// To its right.
+    Right,
+}
+
+/// A colour of the palette, which readers with any colour vision tell apart, on white and on black.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colour {
+    /// Nearly black; nearly white in the dark.
+    Ink,
+    /// Adhesion.
+    Blue,
+    /// Elasticity; failures.
+    Orange,
+    /// Jumps and the energy that they lose.
+    Purple,
+    /// What is right.
+    Green,
+    /// What is there for comparison.
+    Grey,
+    /// One more series.
+    Sky,
+    /// One more series.
+    Amber,
+}
+
+impl Colour {
+    /// The colour of a series by its number, from 0; after eight they begin again.
+    pub fn series(index: usize) -> Self {
+        use Colour::{Amber, Blue, Green, Grey, Ink, Orange, Purple, Sky};
+        [Blue, Orange, Green, Purple, Sky, Amber, Ink, Grey][index % 8]
+    }
+}
+
+impl Panel {
+    /// A panel without layers.
+    pub fn new(heading: impl Into<String>, x: Axis, y: Axis) -> Self {
+        Panel { heading: heading.into(), x, y, layers: Vec::new() }
+    }
+
+    /// Adds a series: a line with a mark at each point, and an entry in the legend.
+    pub fn series(&mut self, name: &str, points: Vec<Point>, mark: Mark, colour: Colour) {
+        self.layers.push(Layer::curve(name, points.clone(), Stroke::Solid).coloured(colour).meaning(name));
+        self.layers.push(Layer::marks(name, points, mark).coloured(colour).meaning(name));
+    }
+
+    /// Adds a text to the legend that belongs to no layer.
+    pub fn note(&mut self, text: impl Into<String>) {
+        self.layers.push(Layer::label("", Vec::new(), Side::Right).meaning(text));
+    }
+}
+
+impl Layer {
+    fn new(name: impl Into<String>, points: Vec<Point>, look: Look) -> Self {
+        Layer { name: name.into(), points, look, colour: Colour::Ink, legend: None }
+    }
+
+    /// A shaded area.
+    pub fn area(name: impl Into<String>, outline: Vec<Point>) -> Self {
+        Self::new(name, outline, Look::Area)
+    }
+
+    /// A curve.
+    pub fn curve(name: impl Into<String>, points: Vec<Point>, stroke: Stroke) -> Self {
+        Self::new(name, points, Look::Curve(stroke))
+    }
+
+    /// Marked points.
+    pub fn marks(name: impl Into<String>, points: Vec<Point>, mark: Mark) -> Self {
+        Self::new(name, points, Look::Marks(mark))
+    }
+
+    /// An arrow with its tip at `to`.
+    pub fn arrow(name: impl Into<String>, from: Point, to: Point) -> Self {
+        Self::new(name, vec![from, to], Look::Arrow)
+    }
+
+    /// A text beside one of its anchors, the first if there is room.
+    pub fn label(text: impl Into<String>, anchors: Vec<Point>, side: Side) -> Self {
+        Self::new(text, anchors, Look::Label(side))
+    }
+
+    /// The same in another colour; black without.
+    #[must_use]
+    pub fn coloured(self, colour: Colour) -> Self {
+        Layer { colour, ..self }
+    }
+
+    /// The same with an entry in the legend.
+    #[must_use]
+    pub fn meaning(self, text: impl Into<String>) -> Self {
+        Layer { legend: Some(text.into()), ..self }
+    }
+}

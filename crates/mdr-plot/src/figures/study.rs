@@ -1,0 +1,132 @@
+//! The parts of the figures: curves, states, guides and arrows of a contact under controlled indentation.
+
+use mdr::Result;
+use mdr::critical::PowerLaw;
+use mdr::diagram::{Diagram, Equilibrium, Sample};
+use mdr::prelude::*;
+
+use crate::balance::{Balance, change, elongation, shifted};
+use crate::chart::{Layer, Mark, Panel, Point, Side, Stroke};
+use crate::{Axis, Unit};
+
+/// A contact whose balance is drawn, with the lengths that its axes are measured in.
+pub(super) struct Study {
+    pub(super) diagram: Diagram,
+    units: [f64; 2],
+}
+
+/// The critical state of f = C rⁿ with E* = w = 1 under controlled indentation: κ, a_c, d_c and F_c.
+pub(super) fn critical(n: &str, c: &str) -> Result<[f64; 4]> {
+    let [n, c, work_of_adhesion] = [n.exact()?, c.exact()?, 1.exact()?];
+    let elasticity = Elasticity::effective("1")?;
+    let law = PowerLaw { n, c, elasticity, work_of_adhesion, control: Control::Indentation };
+    let answer = mdr::critical(&law, Arithmetic::Double)?;
+    let state = answer.state.ok_or_else(|| missing("folds", "there is no critical state".to_owned()))?;
+    let [a, d, force] = state.values().map(|value| value.to_f64().unwrap_or(f64::NAN));
+    Ok([answer.kappa.to_f64(), a, d, force])
+}
+
+fn missing(output: &str, why: String) -> Error {
+    Error::Scene { place: None, key: format!("output.{output}"), why }
+}
+
+impl Study {
+    /// The contact up to the radius `upper` (in units of the radius), with its equilibria at some indentations.
+    pub(super) fn new(scene: Scene, units: [f64; 2], upper: f64, depths: &[f64]) -> Result<Self> {
+        let at = depths.iter().map(|depth| depth.exact()).collect::<std::result::Result<_, _>>()?;
+        let scene = scene.want(Want::Equilibria { at }).arithmetic(Arithmetic::Double);
+        Ok(Study { diagram: scene.diagram_up_to(upper * units[0])?, units })
+    }
+
+    fn balance(&self) -> Balance<'_> {
+        Balance { diagram: &self.diagram, units: self.units }
+    }
+
+    /// The radius of the first fold.
+    pub(super) fn fold(&self) -> f64 {
+        self.diagram.folds.first().map_or(f64::NAN, |fold| fold.contact_radius)
+    }
+
+    /// All equilibria at one of the indentations, by increasing radius.
+    pub(super) fn equilibria(&self, d: f64) -> &[Equilibrium<f64>] {
+        self.diagram.held.iter().find(|held| held.value == d).map_or(&[], |held| &held.equilibria)
+    }
+
+    /// One of them, from 0.
+    pub(super) fn nth(&self, d: f64, index: usize) -> Result<&Equilibrium<f64>> {
+        let why = || format!("there is no equilibrium number {} at d = {d}", index + 1);
+        self.equilibria(d).get(index).ok_or_else(|| missing("equilibria", why()))
+    }
+
+    /// The curve Δl(a). Curves begin in the origin, nearer to it than the first sample.
+    pub(super) fn elongation(&self) -> Layer {
+        let mut points = self.balance().elongation();
+        points.insert(0, [0.0, 0.0]);
+        points.dedup();
+        elongation(points)
+    }
+
+    /// The name of Δl at its end.
+    pub(super) fn elongation_name(&self, x: &Axis, y: &Axis, side: Side) -> Layer {
+        ending(&self.elongation(), x, y, side)
+    }
+
+    /// The curve g(a) − d.
+    pub(super) fn transformed(&self, d: f64, name: &str, stroke: Stroke) -> Layer {
+        let [radius, length] = self.units;
+        let at = |sample: &Sample| [sample.contact_radius / radius, (sample.transformed - d) / length];
+        let mut points: Vec<_> = [[0.0, -d / length]].into_iter().chain(self.diagram.samples().map(at)).collect();
+        points.dedup();
+        shifted(name, points, stroke)
+    }
+
+    /// A mark at an equilibrium, and its label.
+    pub(super) fn state(&self, state: &Equilibrium<f64>, label: &str, side: Side) -> [Layer; 2] {
+        let marks = self.balance().states(label, [state], state.stability);
+        let text = Layer::label(label, marks.points.clone(), side);
+        [marks, text]
+    }
+
+    /// The critical state P, and its label.
+    pub(super) fn critical(&self) -> [Layer; 2] {
+        let at = vec![self.balance().on_elongation(self.fold())];
+        [Layer::marks("*P*", at.clone(), Mark::Diamond).meaning("critical"), Layer::label("*P*", at, Side::Below)]
+    }
+
+    /// An unnamed mark on Δl at the radius a.
+    pub(super) fn marked(&self, a: f64, mark: Mark, meaning: &str) -> Layer {
+        Layer::marks("", vec![self.balance().on_elongation(a)], mark).meaning(meaning)
+    }
+
+    /// A guide from Δl down to the axis of radii, with a label at its foot.
+    pub(super) fn dropped(&self, a: f64, label: &str, y: &Axis, side: Side) -> [Layer; 2] {
+        let [x, top] = self.balance().on_elongation(a);
+        let foot = [0.13, 0.19, 0.25].map(|height| [x, y.at(height)]).to_vec();
+        [Layer::curve(label, vec![[x, y.range().0], [x, top]], Stroke::Guide), Layer::label(label, foot, side)]
+    }
+
+    /// An arrow along the axis of radii: which way a contact of radius `a` goes at the indentation d, by (1.8) and (1.9).
+    pub(super) fn direction(&self, a: f64, d: f64, x: &Axis, y: &Axis) -> Layer {
+        let next = self.diagram.samples().find(|sample| sample.contact_radius >= a);
+        let grows = next.is_some_and(|sample| sample.transformed - d < sample.elongation);
+        let reach = (x.at(0.075) - x.at(0.0)) * if grows { 1.0 } else { -1.0 };
+        let (from, height) = (a / self.units[0], y.at(ARROW_HEIGHT));
+        change(grows, [from, height], [from + reach, height]).meaning("direction of change")
+    }
+}
+
+/// How far above the axis of radii its arrows are, as a share of the vertical axis.
+pub(super) const ARROW_HEIGHT: f64 = 0.055;
+
+/// The name of a curve at its right end, as far as it is seen.
+pub(super) fn ending(curve: &Layer, x: &Axis, y: &Axis, side: Side) -> Layer {
+    let seen = |[a, b]: &&Point| (0.03..0.9).contains(&x.fraction(*a)) && (0.03..0.93).contains(&y.fraction(*b));
+    let anchors = curve.points.iter().rev().filter(seen).copied().collect();
+    Layer::label(curve.name.clone(), anchors, side).coloured(curve.colour)
+}
+
+/// A panel with axes in units of the critical state of a power law.
+pub(super) fn critical_panel(heading: &str, upper: f64, heights: [f64; 2]) -> Panel {
+    let x = Axis::linear("contact radius *a* / *a*_{c}", Unit::One, 0.0, upper);
+    Panel::new(heading, x, Axis::linear("length / |*d*_{c}|", Unit::One, heights[0], heights[1]))
+}

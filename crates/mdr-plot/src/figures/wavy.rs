@@ -1,0 +1,125 @@
+//! Figure 4: a paraboloid with waves, whose contact jumps from crest to crest while it is pulled off.
+
+use mdr::Result;
+use mdr::diagram::Spot;
+use mdr::prelude::{Elasticity, EventKind, Scene, Shape};
+
+use super::study::{ARROW_HEIGHT, Study};
+use crate::balance::LOSS;
+use crate::chart::{Layer, Mark, Panel, Picture, Side, Stroke};
+use crate::{Axis, Unit, typographic};
+
+/// The largest radius shown, in m.
+const UPPER: f64 = 0.12;
+
+/// Amplitude and wavelength of the waves, in m: one jump, and two.
+const WAVES: [(f64, f64); 2] = [(5e-4, 0.1), (2e-4, 0.03)];
+
+/// Figure 4.
+pub(super) fn figure_4() -> Result<Picture> {
+    let mut description = "The diagram {Δl(a), g(a) − d} of the profile r²/2R + A(1 − cos 2πr/λ), R = 1 m, w/E* = 0.0001 m; \
+                           the contact is assumed to be simply connected. It rests with the radius a_0 at d = 0 and is pulled \
+                           until the curves touch."
+        .to_owned();
+    let mut panels = Vec::new();
+    for (letter, (amplitude, wavelength)) in ["a", "b"].into_iter().zip(WAVES) {
+        let tip = Shape::WavyParaboloid { radius: 1.0, amplitude, wavelength };
+        let scene = Scene::new(tip, Elasticity::effective("1")?, "1e-4")?.path(["0", "-1"])?;
+        let study = Study::new(scene, [1.0; 2], UPPER, &[])?;
+        let history = History::of(&study);
+        description.push_str(&history.told(letter, (amplitude, wavelength)));
+        panels.push(history.drawn(letter, (amplitude, wavelength), &study));
+    }
+    Ok(Picture { title: "Figure 4: a wavy paraboloid jumps from crest to crest".to_owned(), description, panels })
+}
+
+/// What happens on pulling from d = 0.
+struct History {
+    /// a_0.
+    start: f64,
+    jumps: Vec<Jump>,
+}
+
+/// What happens where the curves touch.
+struct Jump {
+    /// The radius there, in m.
+    from: f64,
+    /// The indentation, in m.
+    d: f64,
+    /// The radius at which the contact comes to rest, in m; none when it breaks.
+    to: Option<f64>,
+}
+
+impl History {
+    fn of(study: &Study) -> Self {
+        let radius = |spot: Option<Spot>| spot.map(|spot| spot.contact_radius).filter(|radius| *radius > 0.0);
+        let path = &study.diagram.path;
+        let jumps = path.iter().filter(|event| matches!(event.kind, EventKind::Jump | EventKind::Detached));
+        History {
+            start: path.first().and_then(|event| radius(event.before)).unwrap_or_default(),
+            jumps: jumps
+                .filter_map(|event| Some(Jump { from: radius(event.before)?, d: event.value, to: radius(event.after) }))
+                .collect(),
+        }
+    }
+
+    /// The history in words and numbers.
+    fn told(&self, letter: &str, (amplitude, wavelength): (f64, f64)) -> String {
+        let mut text = format!(" ({letter}) A = {amplitude} m, λ = {wavelength} m: a_0 = {:.7} m;", self.start);
+        for Jump { from, d, to } in &self.jumps {
+            let end = match to {
+                Some(to) => format!(" jumps to {to:.7} m;"),
+                None => " breaks.".to_owned(),
+            };
+            text.push_str(&format!(" at a = {from:.7} m, d = {d:.8} m the contact{end}"));
+        }
+        text
+    }
+
+    fn drawn(&self, letter: &str, (amplitude, wavelength): (f64, f64), study: &Study) -> Panel {
+        const STROKES: [Stroke; 4] = [Stroke::Dashed, Stroke::DashDotted, Stroke::Dotted, Stroke::Thin];
+        let deepest = self.jumps.iter().map(|jump| jump.d).fold(0.0, f64::min);
+        let x = Axis::linear("contact radius *a*", Unit::Si("m"), 0.0, UPPER);
+        let y = Axis::linear("length", Unit::Si("m"), 0.0, 0.0105 - deepest);
+        let mut layers = vec![study.elongation(), study.elongation_name(&x, &y, Side::Below)];
+        let depths = self.jumps.iter().enumerate().map(|(index, jump)| (jump.d, format!("*d*_{{{}}}", index + 1)));
+        for ((d, name), stroke) in [(0.0, "*d*".to_owned())].into_iter().chain(depths).zip(STROKES.into_iter().cycle())
+        {
+            let curve = study.transformed(d, &format!("*g*(*a*) − *d*, *d* = {d:.7} m"), stroke);
+            layers.push(curve.meaning(format!("{name} = {}", millimetres(d))));
+        }
+        layers.extend(self.marked(study, &y));
+        let waves = format!("*A* = {} mm, *λ* = {} mm", 1e3 * amplitude, 1e3 * wavelength);
+        Panel { layers, ..Panel::new(format!("({letter})  *g*(*a*) − *d*, {waves}"), x, y) }
+    }
+
+    /// Radii as the paper names them: a_0 at the start, then those where the curves touch, and a_2 where the first jump ends.
+    fn marked(&self, study: &Study, y: &Axis) -> Vec<Layer> {
+        let stable = |a: f64| (a, Mark::Filled, "stable");
+        let mut states = vec![stable(self.start)];
+        for Jump { from, to, .. } in &self.jumps {
+            states.push((*from, Mark::Diamond, "critical"));
+            states.extend(to.map(stable));
+        }
+        let mut layers = Vec::new();
+        let mut names = (0..).map(|number| format!("*a*_{{{number}}}")).peekable();
+        for (index, (a, mark, meaning)) in states.into_iter().enumerate() {
+            layers.push(study.marked(a, mark, meaning));
+            // The ends of later jumps have no name.
+            let named = index < 3 || mark == Mark::Diamond;
+            let name = if named { names.next() } else { names.peek().cloned() };
+            let [guide, label] = study.dropped(a, &name.unwrap_or_default(), y, Side::Right);
+            layers.push(guide);
+            layers.extend(Some(label).filter(|_| named));
+        }
+        let height = y.at(ARROW_HEIGHT);
+        let arrow = |jump: &Jump| Layer::arrow("jump", [jump.from, height], [jump.to.unwrap_or(0.0), height]);
+        layers.extend(self.jumps.iter().map(|jump| arrow(jump).coloured(LOSS).meaning("jump")));
+        layers
+    }
+}
+
+/// Three decimals, and none for zero.
+fn millimetres(length: f64) -> String {
+    if length == 0.0 { "0".to_owned() } else { typographic(&format!("{:.3} mm", 1e3 * length)) }
+}

@@ -1,0 +1,185 @@
+//! Force against indentation depth or against contact radius, with branches, folds and the events of a path.
+
+use mdr::diagram::{Branch, Diagram, Event, Sample, Spot};
+use mdr::prelude::EventKind;
+
+use crate::balance::LOSS;
+use crate::chart::{Layer, Mark, Panel, Point, Side, Stroke};
+use crate::scene::radius_axis;
+use crate::{Axis, Unit};
+
+/// What the force is drawn against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Plane {
+    Indentation,
+    Radius,
+}
+
+/// Branches, marks, and numbered events that can be told apart.
+const MOST_BRANCHES: usize = 60;
+const MOST_MARKS: usize = 16;
+const MOST_NUMBERS: usize = 14;
+
+/// The panel of one plane.
+pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
+    let states = states(data);
+    let force = Axis::around("normal force *F*", Unit::Si("N"), states.iter().map(|spot| spot.force));
+    let (heading, x) = match plane {
+        Plane::Indentation => {
+            let values = states.iter().map(|spot| spot.indentation);
+            ("(b)  force and indentation depth", Axis::around("indentation depth *d*", Unit::Si("m"), values))
+        }
+        Plane::Radius => ("(c)  force and contact radius", radius_axis(data)),
+    };
+    let mut layers = Vec::new();
+    layers.extend(loop_area(data, plane));
+    layers.extend(branches(data, plane));
+    if let Some(wall) = data.wall {
+        let points = wall.map(|spot| plane.point(&spot)).to_vec();
+        layers.push(Layer::curve("at the wall", points, Stroke::Solid).meaning("stable"));
+    }
+    if !data.folds.is_empty() && data.folds.len() <= MOST_MARKS {
+        let points = data.folds.iter().map(|spot| plane.point(spot)).collect();
+        layers.push(Layer::marks("folds", points, Mark::Diamond).meaning("fold"));
+    }
+    layers.extend(events(data, plane, &x));
+    let mut panel = Panel { layers, ..Panel::new(heading, x, force) };
+    if (1..=MOST_NUMBERS).contains(&data.path.len()) {
+        panel.note("1, 2, …  events in their order");
+    }
+    panel
+}
+
+impl Plane {
+    fn point(self, spot: &Spot) -> Point {
+        match self {
+            Plane::Indentation => [spot.indentation, spot.force],
+            Plane::Radius => [spot.contact_radius, spot.force],
+        }
+    }
+}
+
+/// The states that must be seen: in contact, with the curve between them.
+fn states(data: &Diagram) -> Vec<Spot> {
+    let reached = data.path.iter().flat_map(|event| [event.before, event.after]).flatten();
+    let mut states: Vec<Spot> = reached.filter(|spot| spot.contact_radius > 0.0).collect();
+    if states.is_empty() {
+        states.extend(data.held.iter().flat_map(|held| &held.equilibria).map(|state| Spot {
+            contact_radius: state.contact_radius,
+            indentation: state.indentation,
+            force: state.force,
+        }));
+    }
+    states.extend(data.folds.iter().copied());
+    let radii = || states.iter().map(|spot| spot.contact_radius).filter(|radius| *radius > 0.0);
+    let (least, most) = (radii().fold(f64::INFINITY, f64::min), radii().fold(0.0, f64::max));
+    let seen = |sample: &&Sample| states.is_empty() || (least..=most).contains(&sample.contact_radius);
+    let between: Vec<Spot> = data.samples().filter(seen).map(spot).collect();
+    states.extend(between);
+    states.extend(data.wall.iter().flatten());
+    states.extend(near(data, &states));
+    states
+}
+
+/// The states after the contact has come off, unless they are so far away that nothing else would be seen: a soft machine
+/// draws the body back a long way.
+fn near(data: &Diagram, states: &[Spot]) -> Vec<Spot> {
+    let depths = || states.iter().map(|spot| spot.indentation);
+    let (least, most) = (depths().fold(0.0, f64::min), depths().fold(0.0, f64::max));
+    let apart = data.path.iter().filter(|event| event.kind == EventKind::Detached).filter_map(|event| event.after);
+    apart.filter(|spot| (2.0 * least - most..=2.0 * most - least).contains(&spot.indentation)).collect()
+}
+
+fn spot(sample: &Sample) -> Spot {
+    Spot { contact_radius: sample.contact_radius, indentation: sample.indentation, force: sample.force }
+}
+
+/// Stable branches solid, unstable ones dashed; of very many, every so many.
+fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
+    let crowd = data.branches.len().div_ceil(MOST_BRANCHES);
+    // An odd step takes stable and unstable branches in turn.
+    let step = crowd + 1 - crowd % 2;
+    let every = if step == 1 { String::new() } else { format!(" (one of {step} branches shown)") };
+    let mut layers = Vec::new();
+    for (stable, name, strokes) in
+        [(true, "stable", [Stroke::Solid, Stroke::Thin]), (false, "unstable", [Stroke::Dashed, Stroke::Guide])]
+    {
+        let stroke = strokes[usize::from(step > 1)];
+        let shown = data.branches.iter().step_by(step).filter(|branch| branch.stable == stable);
+        layers.extend(shown.map(|Branch { samples, .. }| {
+            let points = samples.iter().map(|sample| plane.point(&spot(sample))).collect();
+            Layer::curve(name, points, stroke).meaning(format!("{name}{every}"))
+        }));
+    }
+    layers
+}
+
+/// The area of a closed cycle, which is the work lost in it.
+fn loop_area(data: &Diagram, plane: Plane) -> Option<Layer> {
+    if plane != Plane::Indentation || !is_cycle(&data.path) {
+        return None;
+    }
+    let mut outline: Vec<Point> = Vec::new();
+    for pair in data.path.windows(2) {
+        if let (Some(from), Some(to)) = (pair[0].after, pair[1].before) {
+            outline.extend(smooth(data, &from, &to).iter().map(|spot| plane.point(spot)));
+        }
+        outline.extend(pair[1].after.iter().map(|spot| plane.point(spot)));
+    }
+    let finite = outline.iter().flatten().all(|value| value.is_finite());
+    finite.then(|| Layer::area("hysteresis", outline).coloured(LOSS).meaning("work lost in the cycle"))
+}
+
+/// Whether a path comes back to its first state by another way.
+fn is_cycle(path: &[Event]) -> bool {
+    let jumps = path.iter().any(|event| event.before != event.after);
+    match (path.first().and_then(|event| event.after), path.last().and_then(|event| event.before)) {
+        (Some(first), Some(last)) => {
+            // The same branch at the same value: the rest is rounding.
+            let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * (a.abs() + b.abs());
+            jumps && close(first.contact_radius, last.contact_radius) && close(first.indentation, last.indentation)
+        }
+        _ => false,
+    }
+}
+
+/// The states on a branch from one to another; in a straight line where they are apart or at a wall.
+fn smooth(data: &Diagram, from: &Spot, to: &Spot) -> Vec<Spot> {
+    let between = |a: f64| {
+        (a > from.contact_radius && a < to.contact_radius) || (a < from.contact_radius && a > to.contact_radius)
+    };
+    let apart = from.contact_radius == 0.0 || to.contact_radius == 0.0;
+    let inner = data.samples().filter(|sample| !apart && between(sample.contact_radius));
+    let mut spots: Vec<Spot> = inner.map(spot).collect();
+    if from.contact_radius > to.contact_radius {
+        spots.reverse();
+    }
+    spots.insert(0, *from);
+    spots.push(*to);
+    spots
+}
+
+/// Jumps as arrows; events numbered as in the caption.
+fn events(data: &Diagram, plane: Plane, x: &Axis) -> Vec<Layer> {
+    let mut layers = Vec::new();
+    for (index, event) in data.path.iter().enumerate() {
+        let Some(from) = event.before else { continue };
+        let to = event.after.unwrap_or(from);
+        let [mut start, mut end] = [from, to].map(|spot| plane.point(&spot));
+        // Where a body that has come off goes to under its load, and how far a contact spreads, is not in the diagram.
+        match (event.kind, plane) {
+            (EventKind::Detached, _) if end[0].is_nan() => end = [x.range().0, start[1]],
+            (EventKind::CompleteContact, Plane::Radius) => end = [x.range().1, start[1]],
+            // A logarithmic axis has no zero.
+            (_, Plane::Radius) => [start, end] = [start, end].map(|[a, force]| [a.max(x.range().0), force]),
+            _ => {}
+        }
+        if start != end && start.iter().chain(&end).all(|value| value.is_finite()) {
+            layers.push(Layer::arrow(event.kind.name(), start, end).coloured(LOSS).meaning("jump"));
+        }
+        if let Some(spot) = event.in_contact().filter(|_| data.path.len() <= MOST_NUMBERS) {
+            layers.push(Layer::label((index + 1).to_string(), vec![plane.point(&spot)], Side::Left));
+        }
+    }
+    layers
+}

@@ -1,0 +1,405 @@
+//! From a picture to its SVG: one file for screens, light or dark, and for print.
+
+use crate::Axis;
+use crate::chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke};
+use crate::markup::{SIZE, escaped, plain, tspans, width};
+
+/// Width and height of the frame of a panel in points, alone and beside another.
+const ALONE: [f64; 2] = [420.0, 260.0];
+const PAIRED: [f64; 2] = [320.0, 220.0];
+
+/// Room around a frame: for the numbers of the ticks, the next panel, the name of the horizontal axis.
+const LEFT: f64 = 54.0;
+const RIGHT: f64 = 24.0;
+const BELOW: f64 = 46.0;
+const MARGIN: f64 = 14.0;
+
+/// Height of a line of text, and the width of a sample in a legend.
+const LINE: f64 = 16.0;
+const SAMPLE: f64 = 28.0;
+
+/// Between a point's mark and its label.
+const GAP: f64 = 4.0;
+
+/// Radius of a mark, length and half width of an arrow head.
+const MARK: f64 = 3.2;
+const HEAD: (f64, f64) = (8.0, 3.0);
+
+/// Points of a curve nearer to the last one than this are left out.
+const NEAR: f64 = 0.3;
+
+/// Class, colour on white, colour in the dark.
+const PALETTE: [(Colour, &str, &str, &str); 8] = [
+    (Colour::Ink, "ink", "#1c2127", "#e9ecef"),
+    (Colour::Blue, "blue", "#0b62a8", "#62b5f5"),
+    (Colour::Orange, "orange", "#b8480b", "#ff9d57"),
+    (Colour::Purple, "purple", "#ca75ba", "#c77fc3"),
+    (Colour::Green, "green", "#1f6b4a", "#6fd0a3"),
+    (Colour::Grey, "grey", "#7f8a93", "#8a96a1"),
+    (Colour::Sky, "sky", "#56b4e9", "#8fd0f5"),
+    (Colour::Amber, "amber", "#c98b00", "#e6b84a"),
+];
+
+/// All that does not depend on light and dark. Halos keep labels legible on lines.
+const STYLE: &str = "\
+text{fill:var-text}.note{fill:var-muted}.heading{font-weight:600}.end{text-anchor:end}.middle{text-anchor:middle}\
+.line,.grid,.zero{fill:none}.line{stroke:currentColor;stroke-width:1.6;stroke-linejoin:round}.grid{stroke:var-grid}\
+.zero{stroke:var-zero}.dashed{stroke-dasharray:6 3.5}.dotted{stroke-dasharray:1.6 2.8}.dashdotted{stroke-dasharray:8 3 1.6 3}\
+.thin{stroke-width:1}.guide{stroke-width:.8;stroke-dasharray:1 2.4}.full{fill:currentColor;stroke:var-page}\
+.open{fill:var-page;stroke:currentColor;stroke-width:1.4}.area{fill:currentColor;fill-opacity:.22}.page{fill:var-page}\
+.label{fill:currentColor;paint-order:stroke;stroke:var-page;stroke-width:3;stroke-linejoin:round}";
+
+/// What depends on them: name, in light, in the dark.
+const SHADES: [(&str, &str, &str); 5] = [
+    ("var-page", "#ffffff", "#1a1e23"),
+    ("var-text", "#1c2127", "#e9ecef"),
+    ("var-muted", "#59636e", "#a0aab4"),
+    ("var-grid", "#e8e6e0", "#2c343c"),
+    ("var-zero", "#a8a69f", "#59636e"),
+];
+
+impl Picture {
+    /// The SVG, well-formed XML whose sizes are in points, with the title and the description of the picture in it.
+    ///
+    /// It is a function of the picture alone: the same bytes on every run. It needs no font of its own.
+    pub fn svg(&self) -> String {
+        let columns = self.panels.len().clamp(1, 2);
+        let frame = if columns == 1 { ALONE } else { PAIRED };
+        let cell = LEFT + frame[0] + RIGHT;
+        let (mut top, mut body) = (MARGIN, String::new());
+        for row in self.panels.chunks(columns) {
+            let legends: Vec<_> = row.iter().map(|panel| Legend::new(panel, frame[0])).collect();
+            let head = legends.iter().map(Legend::height).fold(0.0, f64::max);
+            for (column, (panel, legend)) in row.iter().zip(&legends).enumerate() {
+                let corner = [column as f64 * cell + LEFT, top + head];
+                body.push_str(&format!("<g transform=\"translate({:.0} {:.0})\">\n", corner[0], corner[1]));
+                let mut frame = Frame { panel, size: frame, svg: &mut body };
+                frame.head(legend, head);
+                frame.draw();
+                body.push_str("</g>\n");
+            }
+            top += head + frame[1] + BELOW;
+        }
+        let [title, description] = [&self.title, &self.description].map(|text| escaped(text));
+        let (width, height) = (columns as f64 * cell, top);
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}pt\" height=\"{height:.0}pt\" viewBox=\"0 0 {width:.0} {height:.0}\" \
+             role=\"img\" font-family=\"Inter, Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\" font-size=\"{SIZE}\" \
+             xml:space=\"preserve\">\n<title>{title}</title>\n<desc>{description}</desc>\n<style>{}</style>\n\
+             <rect class=\"page\" width=\"100%\" height=\"100%\"/>\n{body}</svg>\n",
+            style()
+        )
+    }
+}
+
+/// The style sheet. Colours are written out, since some programs that print SVG know no variables.
+fn style() -> String {
+    let shaded = |dark: bool| {
+        let colours = PALETTE
+            .iter()
+            .map(|(_, class, light, night)| format!(".{class}{{color:{}}}", if dark { night } else { light }));
+        let rules = SHADES.iter().fold(STYLE.to_owned(), |rules, (name, light, night)| {
+            rules.replace(name, if dark { night } else { light })
+        });
+        colours.collect::<String>() + &rules
+    };
+    format!("{}@media screen and (prefers-color-scheme:dark){{{}}}", shaded(false), shaded(true))
+}
+
+fn class(colour: Colour) -> &'static str {
+    PALETTE.iter().find(|(other, ..)| *other == colour).map_or("ink", |(_, class, ..)| class)
+}
+
+/// What the lines and marks of a panel mean, in rows above its frame.
+struct Legend<'a> {
+    entries: Vec<Entry<'a>>,
+    rows: usize,
+}
+
+/// A text with the layers that share it, and its place.
+struct Entry<'a> {
+    text: &'a str,
+    layers: Vec<&'a Layer>,
+    left: f64,
+    row: usize,
+}
+
+impl Entry<'_> {
+    /// The room of the sample; a note has none.
+    fn indent(&self) -> f64 {
+        if self.layers.iter().all(|layer| matches!(layer.look, Look::Label(_))) { 0.0 } else { SAMPLE }
+    }
+}
+
+impl<'a> Legend<'a> {
+    /// Entries one after the other, in a new row where `room` is used up.
+    fn new(panel: &'a Panel, room: f64) -> Self {
+        let mut entries: Vec<Entry<'a>> = Vec::new();
+        for layer in &panel.layers {
+            let Some(text) = layer.legend.as_deref() else { continue };
+            match entries.iter_mut().find(|known| known.text == text) {
+                Some(Entry { layers, .. }) if layers.iter().any(|known| known.look == layer.look) => {}
+                Some(Entry { layers, .. }) => layers.push(layer),
+                None => entries.push(Entry { text, layers: vec![layer], left: 0.0, row: 0 }),
+            }
+        }
+        // Lines, then marks, then the rest, as they come.
+        entries.sort_by_key(|entry| match entry.layers[0].look {
+            Look::Curve(_) => 0,
+            Look::Marks(_) => 1,
+            Look::Area | Look::Arrow => 2,
+            Look::Label(_) => 3,
+        });
+        let (mut left, mut row) = (0.0, 0);
+        for entry in &mut entries {
+            let need = entry.indent() + width(entry.text);
+            if left > 0.0 && left + need > room {
+                (left, row) = (0.0, row + 1);
+            }
+            (entry.left, entry.row) = (left, row);
+            left += need + MARGIN;
+        }
+        let rows = if entries.is_empty() { 0 } else { row + 1 };
+        Legend { entries, rows }
+    }
+
+    /// With the heading above it and the name of the vertical axis below.
+    fn height(&self) -> f64 {
+        LINE * (self.rows as f64 + 2.0) + 4.0
+    }
+}
+
+/// A panel being drawn; places are in points from the upper left corner of its frame.
+struct Frame<'a> {
+    panel: &'a Panel,
+    size: [f64; 2],
+    svg: &'a mut String,
+}
+
+impl Frame<'_> {
+    fn draw(&mut self) {
+        let [width, height] = self.size;
+        self.axes();
+        // An SVG inside cuts what leaves the frame.
+        self.svg.push_str(&format!("<svg width=\"{width:.0}\" height=\"{height:.0}\">\n"));
+        for layer in &self.panel.layers {
+            let places = self.places(layer);
+            match layer.look {
+                Look::Area => self.path("area", layer.colour, &outline(&places)),
+                Look::Curve(stroke) => self.line(stroke, layer.colour, &places),
+                Look::Arrow => self.arrow(layer.colour, &places),
+                Look::Marks(_) | Look::Label(_) => {}
+            }
+        }
+        self.svg.push_str("</svg>\n");
+        let mut taken = self.marks();
+        for layer in &self.panel.layers {
+            if let Look::Label(side) = layer.look {
+                self.label(layer, side, &mut taken);
+            }
+        }
+    }
+
+    /// The heading, and the legend below it.
+    fn head(&mut self, legend: &Legend<'_>, height: f64) {
+        self.text([0.0, 12.0 - height], "heading", &self.panel.heading);
+        for entry in &legend.entries {
+            let y = LINE * (entry.row as f64 + 1.5) - height;
+            let ends = [[entry.left, y], [entry.left + SAMPLE - 6.0, y]];
+            for layer in &entry.layers {
+                match layer.look {
+                    Look::Area => self.path("area", layer.colour, &outline(&corners(ends, 4.0))),
+                    Look::Curve(stroke) => self.line(stroke, layer.colour, &ends),
+                    Look::Arrow => self.arrow(layer.colour, &ends),
+                    Look::Marks(mark) => self.mark(mark, layer.colour, [f64::midpoint(ends[0][0], ends[1][0]), y]),
+                    Look::Label(_) => {}
+                }
+            }
+            self.text([entry.left + entry.indent(), y + 4.0], "", entry.text);
+        }
+    }
+
+    /// A grid with numbers outside, a line at zero, and the names of both axes.
+    fn axes(&mut self) {
+        let (Panel { x, y, .. }, [width, height]) = (self.panel, self.size);
+        for tick in x.ticks((width / 48.0) as usize) {
+            let at = tick.fraction * width;
+            self.svg.push_str(&format!("<path class=\"grid\" d=\"M{at:.1} 0V{height:.0}\"/>\n"));
+            self.text([at, height + 14.0], "note middle", &tick.text);
+        }
+        for tick in y.ticks((height / 28.0) as usize) {
+            let at = height - tick.fraction * height;
+            self.svg.push_str(&format!("<path class=\"grid\" d=\"M0 {at:.1}H{width:.0}\"/>\n"));
+            self.text([-6.0, at + 4.0], "note end", &tick.text);
+        }
+        let zero = height - y.fraction(0.0).clamp(0.0, 1.0) * height;
+        if zero.is_finite() {
+            self.svg.push_str(&format!("<path class=\"zero\" d=\"M0 {zero:.1}H{width:.0}\"/>\n"));
+        }
+        self.text([width, height + 30.0], "end", &x.title());
+        self.text([-LEFT + 6.0, -8.0], "", &y.title());
+    }
+
+    /// The marks within the frame, and the room that they take.
+    fn marks(&mut self) -> Vec<Room> {
+        let mut taken = Vec::new();
+        for layer in &self.panel.layers {
+            let Look::Marks(mark) = layer.look else { continue };
+            for at in self.seen(layer) {
+                self.mark(mark, layer.colour, at);
+                taken.push(Room::around(at, 2.0 * MARK, 2.0 * MARK));
+            }
+        }
+        taken
+    }
+
+    /// Writes a text on the wanted side of the first of its places with room for it there, else on another side; without any
+    /// room beside the first place.
+    fn label(&mut self, layer: &Layer, side: Side, taken: &mut Vec<Room>) {
+        let anchors = self.seen(layer);
+        let size = (width(&layer.name), LINE - 2.0);
+        let sides = [side, Side::Right, Side::Left, Side::Above, Side::Below];
+        let rooms = || sides.into_iter().flat_map(|side| anchors.iter().map(move |at| Room::beside(*at, side, size)));
+        let free = |room: &Room| self.holds(room) && !taken.iter().any(|other| room.overlaps(other));
+        let Some(room) = rooms().find(free).or_else(|| rooms().next()) else { return };
+        let kind = format!("label middle {}", class(layer.colour));
+        self.text([room.centre[0], room.centre[1] + 4.0], &kind, &layer.name);
+        taken.push(room);
+    }
+
+    fn holds(&self, room: &Room) -> bool {
+        (0..2)
+            .all(|axis| room.centre[axis] >= room.half[axis] && room.centre[axis] <= self.size[axis] - room.half[axis])
+    }
+
+    /// The points of a layer within the frame.
+    fn seen(&self, layer: &Layer) -> Vec<Point> {
+        self.places(layer).into_iter().filter(|at| self.holds(&Room::around(*at, 0.0, 0.0))).collect()
+    }
+
+    /// The points of a layer on the sheet; not finite where an axis has no place for one.
+    fn places(&self, layer: &Layer) -> Vec<Point> {
+        // What is a thousand frames away is far enough.
+        let within = |axis: &Axis, value: f64| {
+            let fraction = axis.fraction(value);
+            if fraction.is_finite() { fraction.clamp(-1e3, 1e3) } else { f64::NAN }
+        };
+        let Panel { x, y, .. } = self.panel;
+        let place = |[a, b]: &Point| [within(x, *a) * self.size[0], (1.0 - within(y, *b)) * self.size[1]];
+        layer.points.iter().map(place).collect()
+    }
+
+    fn text(&mut self, [x, y]: Point, class: &str, text: &str) {
+        if !plain(text).is_empty() {
+            self.svg.push_str(&format!("<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{}</text>\n", tspans(text)));
+        }
+    }
+
+    fn path(&mut self, kind: &str, colour: Colour, path: &str) {
+        if !path.is_empty() {
+            self.svg.push_str(&format!("<path class=\"{kind} {}\" d=\"{path}\"/>\n", class(colour)));
+        }
+    }
+
+    fn line(&mut self, stroke: Stroke, colour: Colour, places: &[Point]) {
+        let kind = match stroke {
+            Stroke::Solid => "line",
+            Stroke::Dashed => "line dashed",
+            Stroke::Dotted => "line dotted",
+            Stroke::DashDotted => "line dashdotted",
+            Stroke::Thin => "line thin",
+            Stroke::Guide => "line guide",
+        };
+        self.path(kind, colour, &polyline(places));
+    }
+
+    fn arrow(&mut self, colour: Colour, places: &[Point]) {
+        let [from, to] = places else { return };
+        let reach = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let along = [(to[0] - from[0]) / reach, (to[1] - from[1]) / reach];
+        let back =
+            |by: f64, aside: f64| [to[0] - by * along[0] - aside * along[1], to[1] - by * along[1] + aside * along[0]];
+        let (length, half) = HEAD;
+        if reach > length {
+            self.line(Stroke::Thin, colour, &[*from, back(length, 0.0)]);
+            self.path("full", colour, &outline(&[*to, back(length, half), back(length, -half)]));
+        } else {
+            self.line(Stroke::Thin, colour, places);
+        }
+    }
+
+    fn mark(&mut self, mark: Mark, colour: Colour, [x, y]: Point) {
+        let class = class(colour);
+        match mark {
+            Mark::Filled | Mark::Open => {
+                let kind = if mark == Mark::Filled { "full" } else { "open" };
+                let circle = format!("<circle class=\"{kind} {class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{MARK}\"/>\n");
+                self.svg.push_str(&circle);
+            }
+            Mark::Diamond => {
+                let reach = 1.4 * MARK;
+                self.path("full", colour, &outline(&[[x, y - reach], [x + reach, y], [x, y + reach], [x - reach, y]]));
+            }
+            Mark::Cross => {
+                for rise in [-MARK, MARK] {
+                    self.line(Stroke::Solid, colour, &[[x - MARK, y - rise], [x + MARK, y + rise]]);
+                }
+            }
+        }
+    }
+}
+
+/// A rectangle that a text or a mark takes.
+struct Room {
+    centre: Point,
+    half: Point,
+}
+
+impl Room {
+    fn around(centre: Point, width: f64, height: f64) -> Self {
+        Room { centre, half: [width / 2.0, height / 2.0] }
+    }
+
+    /// On one side of a marked point.
+    fn beside([x, y]: Point, side: Side, (width, height): (f64, f64)) -> Self {
+        let (aside, up) = (width / 2.0 + MARK + GAP, height / 2.0 + MARK + GAP);
+        let centre = match side {
+            Side::Above => [x, y - up],
+            Side::Below => [x, y + up],
+            Side::Left => [x - aside, y],
+            Side::Right => [x + aside, y],
+        };
+        Self::around(centre, width, height)
+    }
+
+    fn overlaps(&self, other: &Room) -> bool {
+        (0..2).all(|axis| (self.centre[axis] - other.centre[axis]).abs() < self.half[axis] + other.half[axis])
+    }
+}
+
+/// The rectangle around a horizontal line.
+fn corners([[left, y], [right, _]]: [Point; 2], half: f64) -> [Point; 4] {
+    [[left, y - half], [right, y - half], [right, y + half], [left, y + half]]
+}
+
+/// The data of a path through the places, broken where one is not finite. Places that nobody can tell apart are one.
+fn polyline(places: &[Point]) -> String {
+    let mut path = String::new();
+    for part in places.split(|place| !place.iter().all(|x| x.is_finite())).filter(|part| part.len() > 1) {
+        let mut last = [f64::NAN; 2];
+        for (index, [x, y]) in part.iter().enumerate() {
+            // The first place, which has none before it, is not near.
+            let near = (x - last[0]).hypot(y - last[1]) < NEAR;
+            if !near || index + 1 == part.len() {
+                path.push_str(&format!("{}{x:.1} {y:.1}", if index == 0 { "M" } else { "L" }));
+                last = [*x, *y];
+            }
+        }
+    }
+    path
+}
+
+/// The same, closed.
+fn outline(places: &[Point]) -> String {
+    format!("{}Z", polyline(places))
+}

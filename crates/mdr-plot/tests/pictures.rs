@@ -1,0 +1,156 @@
+//! Pictures of contacts under every control, and the figures.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use mdr::diagram::Diagram;
+use mdr::prelude::*;
+use mdr_plot::figures::FIGURES;
+use mdr_plot::{Axis, Colour, Layer, Mark, Panel, Picture, Side, Unit, scene};
+use roxmltree::{Document, Node};
+
+/// What is drawn of a contact that follows a path.
+fn diagram(
+    tip: Shape<f64>,
+    [modulus, work]: [&str; 2],
+    control: Control<Literal>,
+    path: &[&str],
+    start: Start,
+) -> Diagram {
+    let scene = Scene::new(tip, Elasticity::effective(modulus).unwrap(), work).unwrap().control(control);
+    scene.path(path.iter().copied()).unwrap().start(start).arithmetic(Arithmetic::Double).diagram().unwrap()
+}
+
+/// An AFM tip of 50 nm on mica.
+fn afm(control: Control<Literal>, path: &[&str], start: Start) -> Diagram {
+    diagram(Shape::Paraboloid { radius: 50e-9 }, ["5e10", "0.1"], control, path, start)
+}
+
+/// The texts of a picture that is drawn the same twice, well-formed, and within its sheet.
+fn texts(picture: &Picture) -> Vec<String> {
+    let svg = picture.svg();
+    assert_eq!(svg, picture.svg());
+    let document = Document::parse(&svg).unwrap();
+    let root = document.root_element();
+    let child = |tag: &str| root.children().find(|node| node.has_tag_name(tag)).and_then(|node| node.text()).unwrap();
+    assert_eq!((child("title"), child("desc")), (&*picture.title, &*picture.description));
+    let sheet: Vec<f64> = root.attribute("viewBox").unwrap().split(' ').map(|side| side.parse().unwrap()).collect();
+    let number = |node: &Node<'_, '_>, name: &str| node.attribute(name).map(|text| text.parse::<f64>().unwrap());
+    for node in document.descendants() {
+        let (Some(x), Some(y)) =
+            (number(&node, "x").or(number(&node, "cx")), number(&node, "y").or(number(&node, "cy")))
+        else {
+            continue;
+        };
+        let moved = node.ancestors().find_map(|outer| outer.attribute("transform")).unwrap();
+        let moved: Vec<f64> =
+            moved["translate(".len()..moved.len() - 1].split(' ').map(|x| x.parse().unwrap()).collect();
+        let (x, y) = (x + moved[0], y + moved[1]);
+        assert!((0.0..=sheet[2]).contains(&x) && (0.0..=sheet[3]).contains(&y), "{x}, {y} in {node:?}");
+    }
+    assert!(!svg.contains("NaN") && !svg.contains("inf"), "a place that is no number");
+    let content =
+        |node: Node<'_, '_>| node.descendants().filter(Node::is_text).filter_map(|part| part.text()).collect();
+    document.descendants().filter(|node| node.has_tag_name("text")).map(content).collect()
+}
+
+/// How often a text is in a picture.
+fn count(picture: &Picture, text: &str) -> usize {
+    texts(picture).iter().filter(|found| *found == text).count()
+}
+
+#[test]
+fn a_cycle_of_a_sphere_under_fixed_grips() {
+    let picture = scene("cycle", &afm(Control::Indentation, &["-3e-10", "3e-10", "-3e-10"], Start::Detached));
+    assert_eq!(count(&picture, "work lost in the cycle"), 1);
+    assert_eq!(count(&picture, "contact radius a (nm)"), 2);
+    assert!(picture.description.contains("jump-in") && picture.description.contains("detached"));
+}
+
+#[test]
+fn a_sphere_under_a_dead_load_and_on_a_machine() {
+    let data = afm(Control::Force, &["0", "-1e-6"], Start::Largest);
+    let pull_off = data.path.iter().find(|event| event.kind == EventKind::Detached).unwrap().before.unwrap();
+    // Johnson, Kendall and Roberts: −(3/2)πwR.
+    assert!((pull_off.force / (-1.5 * std::f64::consts::PI * 0.1 * 50e-9) - 1.0).abs() < 1e-12);
+    assert_eq!(count(&scene("force", &data), "jump"), 2);
+    let machine = Control::Machine { stiffness: "500".exact().unwrap() };
+    assert_eq!(count(&scene("machine", &afm(machine, &["0", "-1e-7"], Start::Largest)), "jump"), 2);
+}
+
+#[test]
+fn folds_decades_apart_have_a_logarithmic_axis() {
+    let machine = Control::Machine { stiffness: 1.exact().unwrap() };
+    let data = diagram(Shape::Power { n: 0.6, c: 2.4829 }, ["1", "1"], machine, &["0", "-1e4"], Start::Largest);
+    assert_eq!(data.folds.len(), 3);
+    assert!(texts(&scene("multistable", &data)).iter().any(|text| text.starts_with("10−")));
+}
+
+#[test]
+fn jumps_from_crest_to_crest() {
+    let tip = Shape::WavyParaboloid { radius: 1.0, amplitude: 2e-4, wavelength: 0.03 };
+    let data = diagram(tip, ["1e6", "100"], Control::Indentation, &["0", "-0.01", "0.001"], Start::Largest);
+    assert_eq!(count(&scene("wavy", &data), "jump"), 2);
+    let stable = data.branches.iter().map(|branch| branch.stable);
+    let alternate = stable.clone().zip(stable.skip(1)).all(|(one, next)| one != next);
+    assert!(alternate, "stable and unstable branches alternate");
+}
+
+/// More branches than can be told apart stay a picture that can be read and sent.
+#[test]
+fn a_crowd_of_folds() {
+    let tip = Shape::WavyParaboloid { radius: 1.0, amplitude: 6e-5, wavelength: 2.2e-3 };
+    let data = diagram(tip, ["1e6", "100"], Control::Indentation, &[], Start::Largest);
+    assert!(data.folds.len() > 60, "{}", data.folds.len());
+    let picture = scene("crowd", &data);
+    assert!(texts(&picture).iter().any(|text| text.contains("branches shown")));
+    assert!(picture.svg().len() < 1_000_000, "{} bytes", picture.svg().len());
+}
+
+#[test]
+fn a_sharp_tip_to_complete_contact() {
+    let tip = Shape::Power { n: 0.25, c: 1e-6 };
+    let data = diagram(tip, ["1e9", "0.05"], Control::Indentation, &["1e-8", "3e-8"], Start::Smallest);
+    assert!(data.path.iter().any(|event| event.kind == EventKind::CompleteContact));
+    assert_eq!(count(&scene("sharp", &data), "jump"), 1, "where the contact spreads to is seen by radius only");
+}
+
+#[test]
+fn the_figures_have_their_letters() {
+    for ((name, compute), letters) in
+        FIGURES.into_iter().zip([&["O", "a1", "a2", "aO"][..], &["P"], &["P1", "P2"], &["O", "P"], &["a0", "a1", "a4"]])
+    {
+        let texts = texts(&compute().unwrap());
+        for letter in letters {
+            assert!(texts.iter().any(|text| text == letter), "{name}: {letter} in {texts:?}");
+        }
+    }
+}
+
+fn panel(layers: Vec<Layer>) -> Picture {
+    let [x, y] = ["x", "y"].map(|name| Axis::linear(name, Unit::One, 0.0, 1.0));
+    let panels = vec![Panel { layers, ..Panel::new("", x, y) }];
+    Picture { title: "A & B".to_owned(), description: "x < 1".to_owned(), panels }
+}
+
+#[test]
+fn labels_at_one_point_stand_on_different_sides() {
+    let label = |text: &str| Layer::label(text, vec![[0.5, 0.5]], Side::Right);
+    let svg = panel(["one", "two", "six"].map(label).to_vec()).svg();
+    let document = Document::parse(&svg).unwrap();
+    let labels = document.descendants().filter(|node| node.attribute("class") == Some("label middle ink"));
+    let places: std::collections::BTreeSet<_> = labels.map(|node| (node.attribute("x"), node.attribute("y"))).collect();
+    assert_eq!(places.len(), 3);
+}
+
+/// The data are what is drawn; a legend has one entry for a line with its marks.
+#[test]
+fn a_series_is_drawn_named_and_written() {
+    let mut picture = panel(Vec::new());
+    picture.panels[0].series("a, \"b\"", vec![[0.25, 0.5], [0.75, 2.0]], Mark::Open, Colour::Blue);
+    assert_eq!(count(&picture, "a, \"b\""), 1);
+    let rows: Vec<String> = picture.csv().lines().map(str::to_owned).collect();
+    assert_eq!(rows[1], "1,curve,\"a, \"\"b\"\"\",solid,x,2.500000000e-1,y,5.000000000e-1,1; 1");
+    assert_eq!(rows.len(), 5);
+    let circles = picture.svg().matches("<circle").count();
+    assert_eq!(circles, 2, "one in the legend; of the points one is beyond the frame");
+}

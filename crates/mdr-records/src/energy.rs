@@ -1,0 +1,85 @@
+//! Energies of power laws that jump under fixed grips.
+
+use mdr::answer::{Dissipation, PathEvent};
+use mdr::prelude::{Literal, Start, Want};
+use mdr_core::number::{Decimal, Real};
+use mdr_numeric::energy::Energy;
+use mdr_reference::Record;
+
+use crate::builder::RecordBuilder;
+use crate::cases::Case;
+use crate::contact::{Contact, Model};
+use crate::sensitivity::{Seeded, conditions};
+use crate::{Failure, Result, confirm, decimals, float};
+
+/// Beyond every critical state of the records.
+const FAR: &str = "-1e1000";
+
+/// The energy, and a and d of the state whose potential energy it is, up to the sign.
+struct Jump {
+    energy: Decimal,
+    state: [Decimal; 2],
+    sign: i64,
+}
+
+/// The energy lost at pull-off, when the contact forms, or needed to pass the barrier; confirmed by the potential
+/// energy as an integral over quadratures.
+pub(crate) fn record(case: &Case) -> Result<Vec<Record>> {
+    let contact = &case.contact;
+    let zero = Literal::from(0);
+    let Jump { energy, state, sign } = match case.at.as_str() {
+        "work-lost-at-pull-off" => lost(contact, [zero, exact(FAR)?], Start::Largest, false)?,
+        "work-lost-at-jump-in" => lost(contact, [exact(FAR)?, zero], Start::Detached, true)?,
+        _ => barrier(contact)?,
+    };
+    let ctx = confirm::precision(&[]);
+    let agrees = contact.float(ctx)?.integrated(|curve| {
+        let [a, d, energy] = [&state[0], &state[1], &energy].map(|value| float(ctx, value));
+        let potential = Energy::new(curve.transform(), curve.material())?.potential(&a, &d)?.times(sign);
+        let scale = a.pi() * a.square() * curve.material().work_of_adhesion();
+        Ok(confirm::agree(&potential, &energy, &scale))
+    });
+    Failure::unless("the energy", agrees?)?;
+    let [condition] = conditions(contact, None, |model: Model<Seeded>, _| {
+        let law = model.law()?;
+        Ok([match case.at.as_str() {
+            "work-lost-at-pull-off" => law.energy_lost_at_pull_off()?,
+            "work-lost-at-jump-in" => law.energy_lost_at_jump_in()?,
+            _ => law.barrier_to_complete_contact()?,
+        }])
+    })?;
+    let builder = RecordBuilder::new(case, contact.inputs()).part(&case.at);
+    Ok(vec![builder.number(("energy", "J"), &energy, condition, None)])
+}
+
+fn exact(text: &str) -> Result<Literal> {
+    text.parse().map_err(|error| Failure::Data(format!("{text}: {error}")))
+}
+
+/// What a path loses in its first event that loses energy: −Π after it where the contact `forms`, Π before it where it
+/// breaks.
+fn lost(contact: &Contact, path: [Literal; 2], start: Start, forms: bool) -> Result<Jump> {
+    let answer = contact.scene()?.path(path)?.start(start).want(Want::Path).solve()?;
+    let events = answer.path().map(|path| path.events.items.as_slice()).unwrap_or_default();
+    let loss = |event: &PathEvent| match &event.dissipated {
+        Some(Dissipation::Finite(energy)) => Some((event.clone(), energy.clone())),
+        _ => None,
+    };
+    let (event, energy) = events.iter().find_map(loss).ok_or(Failure::Missing("loss of energy"))?;
+    let (radius, depth) = match forms {
+        true => (event.to_contact_radius, event.to_indentation),
+        false => (event.contact_radius, event.indentation),
+    };
+    let (radius, depth) = radius.zip(depth).ok_or(Failure::Missing("contact"))?;
+    let [energy, a, d] = decimals([&energy, &radius, &depth])?;
+    Ok(Jump { energy, state: [a, d], sign: if forms { -1 } else { 1 } })
+}
+
+/// Π of the equilibrium at d = 0.
+fn barrier(contact: &Contact) -> Result<Jump> {
+    let answer = contact.answer([Want::Energy { states: vec![Literal::from(0)] }])?;
+    let states = answer.energy().into_iter().flat_map(|list| &list.items).flat_map(|item| &item.items);
+    let top = states.last().ok_or(Failure::Missing("equilibrium"))?;
+    let [energy, a, d] = decimals([&top.energy, &top.state.contact_radius, &top.state.indentation])?;
+    Ok(Jump { energy, state: [a, d], sign: 1 })
+}

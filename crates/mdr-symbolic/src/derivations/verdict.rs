@@ -1,0 +1,93 @@
+//! What is shown of a step, or of an entry as a whole.
+
+use super::{Claim, Entry, Step};
+use crate::statement::{Relation, Statement};
+
+/// What is shown, from the strongest to the weakest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Verdict {
+    /// A theorem that Coq's kernel has checked.
+    Theorem,
+    /// Equal normal forms: a proof for all values of the symbols.
+    Proved,
+    /// An inequality of two numbers, or at one point, in rigorous intervals: a proof.
+    Enclosed,
+    /// Two numbers, or two sides at one point, whose enclosures overlap: they agree to so many bits, and no more is known.
+    Agrees,
+    /// No random point contradicts it: no proof.
+    Sampled,
+    /// It does not hold, by normal forms and by a counter-example.
+    Refuted,
+    /// It is taken from the literature.
+    Cited,
+}
+
+impl Verdict {
+    /// All of them.
+    pub const ALL: [Verdict; 7] = [
+        Verdict::Theorem,
+        Verdict::Proved,
+        Verdict::Enclosed,
+        Verdict::Agrees,
+        Verdict::Sampled,
+        Verdict::Refuted,
+        Verdict::Cited,
+    ];
+
+    /// The verdict as one word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Theorem => "theorem",
+            Verdict::Proved => "proved",
+            Verdict::Enclosed => "enclosed",
+            Verdict::Agrees => "agrees",
+            Verdict::Sampled => "sampled",
+            Verdict::Refuted => "refuted",
+            Verdict::Cited => "cited",
+        }
+    }
+}
+
+impl Statement {
+    /// Whether it is about numbers, the same at every point.
+    pub fn is_number(&self) -> bool {
+        self.left.is_number() && self.right.is_number()
+    }
+}
+
+impl Step {
+    /// What is shown, where the step holds.
+    pub fn verdict(&self) -> Verdict {
+        let statement = self.statement().ok().flatten();
+        let single = !self.point.is_empty() || statement.as_ref().is_some_and(Statement::is_number);
+        let equal = statement.is_some_and(|statement| statement.relation == Relation::Equal);
+        match self.claim {
+            Claim::Proved => Verdict::Proved,
+            Claim::Refuted => Verdict::Refuted,
+            Claim::Cited => Verdict::Cited,
+            Claim::Enclosed if single && equal => Verdict::Agrees,
+            Claim::Enclosed if single => Verdict::Enclosed,
+            Claim::Enclosed => Verdict::Sampled,
+        }
+    }
+}
+
+impl Entry {
+    /// What is shown of the entry: refuted where the equation as printed is; a theorem where Coq has checked its claim; else the
+    /// verdict of its weakest step.
+    pub fn verdict(&self) -> Verdict {
+        if self.refuted {
+            return Verdict::Refuted;
+        }
+        if self.theorems().next().is_some() {
+            return Verdict::Theorem;
+        }
+        self.weakest()
+    }
+
+    /// The verdict of the weakest step, of what refutes the printed form apart.
+    pub fn weakest(&self) -> Verdict {
+        let steps = self.steps.iter().map(Step::verdict);
+        steps.filter(|verdict| *verdict != Verdict::Refuted).max().unwrap_or(Verdict::Refuted)
+    }
+}
