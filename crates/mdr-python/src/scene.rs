@@ -30,20 +30,33 @@ pub(crate) fn solve(
         (digits, false) => digits.map(|digits| Arithmetic::Certified { digits }),
         (Some(_), true) => return Err(PyValueError::new_err("give digits or f64, not both")),
     };
-    let at_hand =
-        |name: &str| -> io::Result<Vec<u8>> { files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok) };
     let answer = interruptible(py, |stop| {
-        let scene = match form {
-            "file" => Scene::open(text),
-            "toml" => Scene::from_toml(text, "", &at_hand),
-            _ => Scene::from_json(text, "", &at_hand),
-        }?;
-        let scene = scene.in_arithmetic(arithmetic);
+        let scene = read(form, text, &files)?.in_arithmetic(arithmetic);
         let mut answer = scene.solve_with(&mut Run::new(&mut (), stop.clone()))?;
         answer.notes.extend(scene.unused(false));
         Ok(answer.to_json())
     })?;
     answer.map_err(of_library)
+}
+
+/// The picture of a scene as SVG; arguments as those of `solve`.
+#[pyfunction]
+pub(crate) fn draw(py: Python<'_>, form: &str, text: &str, files: HashMap<String, Vec<u8>>) -> PyResult<String> {
+    let picture = interruptible(py, |_| {
+        let scene = read(form, text, &files)?;
+        Ok(mdr_plot::scene(scene.profile().name(), &scene.diagram()?).svg())
+    })?;
+    picture.map_err(of_library)
+}
+
+fn read(form: &str, text: &str, files: &HashMap<String, Vec<u8>>) -> mdr::Result<Scene> {
+    let at_hand =
+        |name: &str| -> io::Result<Vec<u8>> { files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok) };
+    match form {
+        "file" => Scene::open(text),
+        "toml" => Scene::from_toml(text, "", &at_hand),
+        _ => Scene::from_json(text, "", &at_hand),
+    }
 }
 
 /// The class `decimal.Decimal`.

@@ -7,6 +7,7 @@ import time
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -59,6 +60,13 @@ def test_a_table_goes_with_its_scene(tmp_path: Path) -> None:
     file.write_text("r,f\nnm,nm\n" + "".join(f"{x * 1e9},{x * x * 5e8}\n" for x in r))
     read = mdr.Contact(mdr.Table.read_csv(file), e_star=1, work_of_adhesion="1e-3")
     assert read.critical("force").force == pytest.approx(tip.critical("force").force, rel=1e-6)
+
+
+def test_a_solution_is_drawn(wavy: mdr.Contact, tmp_path: Path) -> None:
+    picture = mdr.solve(wavy.scene("indentation", want=["path"], path=[0, "-0.01"]), f64=True).picture()
+    picture.save(tmp_path / "wavy.svg")
+    assert ElementTree.parse(tmp_path / "wavy.svg").getroot().tag.endswith("svg")
+    assert picture._repr_svg_() == (tmp_path / "wavy.svg").read_text(encoding="utf-8")
 
 
 def test_numbers_are_exact_as_typed() -> None:

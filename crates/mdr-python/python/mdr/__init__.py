@@ -26,7 +26,7 @@ from ._profiles import (
     Hyperboloid, Paraboloid, ParabolicDimple, PowerLaw, Profile, RoundedPunch, Sphere, Sum, Table, TruncatedCone,
     TruncatedParaboloid, WavyParaboloid,
 )
-from ._scene import File, Solution, solve
+from ._scene import File, Picture, Solution, solve
 from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Status, Trace
 
 RECORDS_RELEASE: Final = 2
@@ -38,7 +38,7 @@ __all__ = [
     "FlatPunch", "Hyperboloid", "Paraboloid", "ParabolicDimple", "PowerLaw", "Profile", "RoundedPunch", "Sphere", "Sum",
     "Table", "TruncatedCone", "TruncatedParaboloid", "WavyParaboloid",
     "Equilibria", "Event", "Fold", "LoadingPath", "State", "States", "Status", "Trace",
-    "File", "Solution", "solve",
+    "File", "Picture", "Solution", "solve",
     "Answer", "AnswerLike", "Mark", "Record", "Report", "judge", "record", "records",
     "DomainError", "Error", "FilterError", "InternalError", "NoConvergenceError", "NoEquilibriumError", "OutOfRangeError",
     "SceneError", "UndecidedError",

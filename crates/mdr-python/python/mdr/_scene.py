@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Literal, TypeAlias, Union
+from typing import Any, Literal, TypeAlias, Union, final
 
 from . import _core
 from ._profiles import Files, scene_of
@@ -23,6 +23,22 @@ _NO_OUTPUTS = ("notes",)
 _TEXTS = ("why", "event", "kind", "status", "stability")
 
 
+@final
+class Picture:
+    """A drawing as SVG, which shows itself in a notebook."""
+
+    def __init__(self, svg: str) -> None:
+        self.svg = svg
+
+    def save(self, path: File) -> None:
+        """Writes the SVG to a file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.svg)
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
 class Solution(Mapping[str, list[dict[str, Any]]]):
     """The answer to a scene: each output by its name, as a list of records.
 
@@ -30,8 +46,8 @@ class Solution(Mapping[str, list[dict[str, Any]]]):
     ``status`` of its record says why. :meth:`to_json` is the answer as published.
     """
 
-    def __init__(self, text: str) -> None:
-        self._text = text
+    def __init__(self, text: str, scene: tuple[str, str, Files]) -> None:
+        self._text, self._scene = text, scene
         answer = json.loads(text)
         number = _double if answer["arithmetic"] == "f64" else _digits
         outputs = ((key, rows) for key, rows in answer.items() if isinstance(rows, list) and key not in _NO_OUTPUTS)
@@ -65,6 +81,11 @@ class Solution(Mapping[str, list[dict[str, Any]]]):
     def to_json(self) -> str:
         """The answer as one line of JSON, schema ``mdr.solve/1``, as the command line prints it."""
         return self._text
+
+    def picture(self) -> Picture:
+        """The drawing of ``mdr solve --plot``: the balance at the edge of the contact, and force against indentation and
+        contact radius. A scene that was read from a file is read again."""
+        return Picture(_core.draw(*self._scene))
 
     def __repr__(self) -> str:
         inside = ", ".join(f"{key} ({len(rows)}, {self.promise[key]})" for key, rows in self._outputs.items())
@@ -144,4 +165,4 @@ def solve(scene: Mapping[str, Any] | File, *, digits: int | None = None, f64: bo
         form, text = "toml", scene
     else:
         form, text = "file", os.fspath(scene)
-    return Solution(_core.solve(form, text, files, digits, f64))
+    return Solution(_core.solve(form, text, files, digits, f64), (form, text, files))
