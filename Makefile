@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs dist peers
+.PHONY: verify test build deps bench doc confirm proofs dist peers python
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -31,6 +31,10 @@ confirm:
 # The theorems of docs/proofs, by Coq: installs Debian's packages if it may.
 proofs:
 	@sh scripts/proofs.sh
+
+# The Python package: a wheel in target/wheels, installed below target/ and tested; skipped where pip cannot be had.
+python:
+	@sh scripts/python.sh
 
 # Times of Arb, scipy and mpmath beside those of this workspace; installs them below target/.
 peers: build

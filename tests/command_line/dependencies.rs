@@ -79,6 +79,7 @@ fn the_packages_see_only_what_the_design_lets_them_see() {
         ("mdr", &["analytic", "core", "numeric"]),
         ("plot", &["contact"]),
         ("records", &["analytic", "contact", "core", "numeric", "reference"]),
+        ("python", &["contact", "plot", "reference"]),
         ("cli", &["analytic", "contact", "core", "crosscheck", "numeric", "plot", "records", "reference", "symbolic"]),
     ];
     for (package, manifest) in manifests() {

@@ -41,6 +41,7 @@
 //! | draw it | [`Scene::diagram`] |
 //! | one power law, at a point | [`critical()`] |
 //! | many states in f64, from slices | [`batch`] |
+//! | one contact at arrays of values | [`double`] |
 //!
 //! # Features
 //! * `mp` (default): certified digits, by GMP and MPFR. Without it the crate is pure Rust, builds for `wasm32-unknown-unknown`,
@@ -57,6 +58,7 @@
 pub mod answer;
 pub mod critical;
 pub mod diagram;
+pub mod double;
 mod error;
 mod run;
 pub mod scene;
@@ -65,7 +67,8 @@ mod solve;
 pub use answer::Answer;
 pub use critical::critical;
 pub use error::{Error, Place, Result};
-pub use run::{ARITHMETICS, Cost, Observer, Run, Stop};
+pub use mdr_core::contact::Error as ContactError;
+pub use run::{ARITHMETICS, Cost, Observer, Run, Stop, free_thread_cache};
 pub use scene::{Scene, no_files};
 
 /// Critical states of many power laws in f64: slices in, slices out.

@@ -68,6 +68,19 @@ impl Stop {
     }
 }
 
+impl Stop {
+    /// What a count of evaluations looks at.
+    pub(crate) fn tally(&self) -> Arc<Tally> {
+        Arc::new(Tally::until(&self.0))
+    }
+}
+
+/// Frees the constants that the arbitrary precision keeps for the calling thread: for threads that end.
+pub fn free_thread_cache() {
+    #[cfg(feature = "mp")]
+    rug::float::free_cache(rug::float::FreeCache::Local);
+}
+
 /// How a scene is solved: who is told, and what stops it.
 pub struct Run<'a> {
     pub(crate) observer: Option<&'a mut dyn Observer>,

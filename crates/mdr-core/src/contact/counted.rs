@@ -81,13 +81,18 @@ impl Tally {
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
 pub struct CountedTransform<R> {
-    inner: Box<dyn Transform<R>>,
+    inner: Arc<dyn Transform<R>>,
     tally: Arc<Tally>,
 }
 
 impl<R: Real> CountedTransform<R> {
     /// Counts into `tally`.
     pub fn new(inner: Box<dyn Transform<R>>, tally: &Arc<Tally>) -> Self {
+        Self::sharing(Arc::from(inner), tally)
+    }
+
+    /// The same of a transform that others use, too.
+    pub fn sharing(inner: Arc<dyn Transform<R>>, tally: &Arc<Tally>) -> Self {
         CountedTransform { inner, tally: Arc::clone(tally) }
     }
 

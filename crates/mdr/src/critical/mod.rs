@@ -9,7 +9,7 @@ use mdr_core::number::Literal;
 
 use crate::answer::{Number, Value};
 use crate::error::Result;
-use crate::scene::Arithmetic;
+use crate::scene::{Arithmetic, Profile, Scene};
 
 /// A power law f = C rⁿ in contact, exactly as given.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,6 +142,19 @@ pub fn critical(law: &PowerLaw, arithmetic: Arithmetic) -> Result<CriticalAnswer
 }
 
 impl PowerLaw {
+    /// The contact of a scene, where its profile is a power law with rational constants: a power, a cone by its slope, a
+    /// paraboloid.
+    pub fn of(scene: &Scene) -> Option<PowerLaw> {
+        let [n, c] = rational_constants(&scene.profile)?;
+        Some(PowerLaw {
+            n,
+            c,
+            elasticity: Elasticity::Effective(scene.effective_modulus.clone()),
+            work_of_adhesion: scene.work_of_adhesion.clone(),
+            control: scene.control.clone(),
+        })
+    }
+
     /// The exact question.
     #[cfg(feature = "mp")]
     fn question(&self) -> mdr_core::contact::Result<mdr_analytic::certified::Question> {
@@ -211,6 +224,20 @@ fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalA
             .map(|(threshold, ratio)| Threshold { c: known(threshold), ratio: known(ratio) }),
         folds: is_machine.then(|| answer.folds.into_iter().map(fold).collect()),
     })
+}
+
+/// n and C of a power law, exactly.
+#[cfg(feature = "mp")]
+fn rational_constants(profile: &Profile) -> Option<[Literal; 2]> {
+    let [n, c] = profile.power_law(Literal::to_rational, |radius| (radius * 2u32).recip())?;
+    Some([crate::scene::exactly(&n)?, crate::scene::exactly(&c)?])
+}
+
+/// The same, with C = 1/2R in hardware arithmetic.
+#[cfg(not(feature = "mp"))]
+fn rational_constants(profile: &Profile) -> Option<[Literal; 2]> {
+    let halved = |radius: Literal| Literal::try_from(0.5 / radius.nearest_f64()).unwrap_or(radius);
+    profile.power_law(Literal::clone, halved)
 }
 
 /// An input that no double holds.

@@ -171,6 +171,22 @@ impl Profile {
         }
     }
 
+    /// n and C where the profile is a power law f = C rⁿ with rational constants. `number` takes a parameter to its arithmetic,
+    /// and `coefficient` the radius R of a paraboloid to C = 1/2R.
+    pub(crate) fn power_law<N>(
+        &self,
+        number: impl Fn(&Literal) -> N,
+        coefficient: impl FnOnce(N) -> N,
+    ) -> Option<[N; 2]> {
+        let Profile::Shape(shape) = self else { return None };
+        Some(match shape {
+            Shape::Power { n, c } => [number(n), number(c)],
+            Shape::Cone { flank: Flank::Slope(slope) } => [number(&Literal::from(1)), number(slope)],
+            Shape::Paraboloid { radius } => [number(&Literal::from(2)), coefficient(number(radius))],
+            _ => return None,
+        })
+    }
+
     /// Whether g is a closed form; otherwise it is a quadrature or measured.
     pub(crate) fn is_closed(&self) -> bool {
         match self {

@@ -46,7 +46,8 @@ use crate::error::{Error, Result};
 use crate::run::{Cost, Counts, Run, Stop};
 use crate::scene::{Scene, Start, Want};
 
-pub(crate) use path::follow;
+pub(crate) use model::transform;
+pub(crate) use path::{changes, follow};
 pub(crate) use unused::unused;
 
 /// The answer to a scene that has been checked.

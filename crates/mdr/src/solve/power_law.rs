@@ -2,7 +2,7 @@
 
 use mdr_analytic::certified::{Curve, Elasticity, Point, Question};
 use mdr_core::contact::{
-    self, Control, ControlKind, Error, Flank, FoldKind, Instability, Quantity, Regime, Result, Shape, Stability,
+    self, Control, ControlKind, Error, FoldKind, Instability, Quantity, Regime, Result, Stability,
 };
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Literal, Precision};
@@ -236,13 +236,6 @@ pub(super) fn is_power_law(profile: &Profile) -> bool {
 
 /// n and C of f = C rⁿ where the profile is one with rational constants.
 fn power_law(profile: &Profile, number: impl Fn(&Literal) -> Rational) -> Option<[Literal; 2]> {
-    let Profile::Shape(shape) = profile else { return None };
-    let law = match shape {
-        Shape::Power { n, c } => [number(n), number(c)],
-        Shape::Cone { flank: Flank::Slope(slope) } => [Rational::from(1), number(slope)],
-        Shape::Paraboloid { radius } => [Rational::from(2), (number(radius) * 2u32).recip()],
-        _ => return None,
-    };
-    let [n, c] = law.each_ref().map(exactly);
+    let [n, c] = profile.power_law(number, |radius| (radius * 2u32).recip())?.each_ref().map(exactly);
     Some([n?, c?])
 }

@@ -1,0 +1,419 @@
+"""Contacts: a profile and a material, and what may be asked of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from decimal import Decimal
+from typing import Any, Literal, TypeAlias, Union, final, overload
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._numbers import Floats, Number, array, double, exact, positive, shaped
+from ._profiles import Files, Profile
+from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Trace
+
+_Row: TypeAlias = tuple[float, float, float]
+_Happening: TypeAlias = tuple[str, float, _Row, _Row, float]
+
+
+@final
+class Machine:
+    """A spring whose far end is held at ``position = indentation + force/stiffness``: a cantilever, a testing machine.
+
+    Parameters
+    ----------
+    stiffness : Number
+        In N/m.
+    """
+
+    __slots__ = ("_stiffness",)
+
+    def __init__(self, stiffness: Number) -> None:
+        positive(stiffness, "stiffness", "the machine stiffness k")
+        self._stiffness = stiffness
+
+    @property
+    def stiffness(self) -> Number:
+        """In N/m, as given."""
+        return self._stiffness
+
+    def __repr__(self) -> str:
+        return f"Machine(stiffness={self._stiffness!r})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Machine) and self._stiffness == other._stiffness
+
+    def __hash__(self) -> int:
+        return hash(("machine", self._stiffness))
+
+    def __reduce__(self) -> tuple[type[Machine], tuple[Number]]:
+        return Machine, (self._stiffness,)
+
+
+Control: TypeAlias = Union[Literal["indentation", "force"], Machine]
+Start: TypeAlias = Literal["largest", "smallest", "detached"]
+
+
+def core_of(profile: Profile, e_star: Number, work_of_adhesion: Number) -> _core.Contact:
+    """The contact in Rust."""
+    files: Files = {}
+    scene = {
+        "profile": profile._scene(files),
+        "material": {
+            "e_star": exact(e_star, "e_star"),
+            "work_of_adhesion": exact(work_of_adhesion, "work_of_adhesion"),
+        },
+        "output": {"want": ["folds"]},
+    }
+    return _core.Contact(json.dumps(scene), files)
+
+
+@final
+class Contact:
+    """A profile in adhesive contact with a half-space; immutable, hashable, to be pickled and shared between threads.
+
+    What is held is said by the keyword that carries its values: ``indentation=``, ``force=``, or ``position=`` together with
+    ``stiffness=``. Where there are no values it is ``"indentation"``, ``"force"`` or a :class:`Machine`.
+
+    Parameters
+    ----------
+    profile : Profile
+        What is pressed.
+    e_star : Number
+        The effective modulus E* in Pa; of two bodies :func:`effective_modulus`.
+    work_of_adhesion : Number
+        w in J/m²: the full work of separation, not half of it.
+
+    Raises
+    ------
+    DomainError
+        A parameter is not positive and finite, or otherwise outside its domain.
+
+    Examples
+    --------
+    >>> import mdr
+    >>> cone = mdr.Contact(mdr.Cone(slope=0.1), e_star=1e6, work_of_adhesion=0.05)
+    >>> cone
+    Contact(Cone(slope=0.1), e_star=1000000.0, work_of_adhesion=0.05)
+    >>> [fold.kind for fold in cone.folds("force")]
+    ['minimum']
+    """
+
+    __slots__ = ("_profile", "_e_star", "_work", "_core")
+
+    def __init__(self, profile: Profile, *, e_star: Number, work_of_adhesion: Number) -> None:
+        positive(e_star, "e_star", "the effective modulus E*")
+        positive(work_of_adhesion, "work_of_adhesion", "the work of adhesion w")
+        self._profile, self._e_star, self._work = profile, e_star, work_of_adhesion
+        self._core = core_of(profile, e_star, work_of_adhesion)
+
+    @property
+    def profile(self) -> Profile:
+        """What is pressed."""
+        return self._profile
+
+    @property
+    def e_star(self) -> Number:
+        """E* in Pa, as given."""
+        return self._e_star
+
+    @property
+    def work_of_adhesion(self) -> Number:
+        """w in J/m², as given."""
+        return self._work
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _contact, (self._profile, self._e_star, self._work)
+
+    def __repr__(self) -> str:
+        return f"Contact({self._profile!r}, e_star={self._e_star!r}, work_of_adhesion={self._work!r})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Contact) and self.__reduce__() == other.__reduce__()
+
+    def __hash__(self) -> int:
+        return hash((self._profile, self._e_star, self._work))
+
+    @overload
+    def critical(self, control: Control, *, digits: None = None) -> State[float]: ...
+    @overload
+    def critical(self, control: Control, *, digits: int) -> State[Decimal]: ...
+    def critical(self, control: Control, *, digits: int | None = None) -> State[float] | State[Decimal]:
+        """The state in which the contact becomes unstable.
+
+        Of a power law, paraboloid or cone it is the critical state of the theory: where the contact breaks (n > 1/2), or
+        spreads over the whole surface (n < 1/2). Of any other profile it is where the contact comes off, as :meth:`pull_off`.
+
+        Parameters
+        ----------
+        control : {"indentation", "force"} or Machine
+            What is held. There is no default: pull-off at fixed grips and under a dead load differ.
+        digits : int, optional
+            So many certified digits as ``Decimal``; doubles without.
+
+        Raises
+        ------
+        OutOfRangeError
+            A double cannot hold the result; digits can.
+        NoEquilibriumError
+            There is none.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> ball = mdr.jkr(radius="1e-6", e_star="1e6", work_of_adhesion="0.05")
+        >>> ball.critical("force").force  # −3/2 πwR
+        -2.356194490192345e-07
+        >>> ball.critical("force", digits=30).force
+        Decimal('-2.35619449019234492884698253746E-7')
+        """
+        held, stiffness = held_by(control)
+        k = None if stiffness is None else exact(stiffness, "stiffness")
+        if digits is None:
+            return State(*self._core.critical(held, k))
+        a, d, force = self._core.certified(held, digits, k)
+        return State(a, d, force)
+
+    def pull_off(self, control: Control) -> State[float]:
+        """The state from which the contact comes off, drawn back slowly from the value 0 of what is held.
+
+        Of a rough or wavy profile the strongest pull on the way may be larger: that is ``path(…).force.min()``.
+        """
+        held, stiffness = held_by(control)
+        return State(*self._core.pull_off(held, stiffness_of(stiffness)))
+
+    def folds(self, control: Control) -> tuple[Fold, ...]:
+        """All instabilities that are found, by increasing contact radius; :func:`solve` proves that there are no others."""
+        held, stiffness = held_by(control)
+        return tuple(Fold(*fold) for fold in self._core.folds(held, stiffness_of(stiffness)))
+
+    def states(
+        self,
+        *,
+        indentation: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        position: ArrayLike | None = None,
+        stiffness: Number | None = None,
+        branch: Literal["largest", "smallest"] = "largest",
+    ) -> States:
+        """The stable equilibrium at each value, as if each were asked alone.
+
+        Parameters
+        ----------
+        indentation, force, position : array_like
+            The values of what is held, exactly one of the three, of any shape.
+        stiffness : Number
+            Of the machine, with ``position``.
+        branch : {"largest", "smallest"}
+            Which one, where there are several.
+
+        Returns
+        -------
+        States
+            NaN where nothing is in equilibrium.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> ball = mdr.jkr(radius=1e-6, e_star=1e6, work_of_adhesion=0.05)
+        >>> states = ball.states(force=[-3e-7, 0, 1e-6])
+        >>> states
+        <States of shape (3,), 2 in equilibrium>
+        >>> mdr.Status(states.status[0])
+        <Status.NO_EQUILIBRIUM: 2>
+        """
+        held, flat, shape, k = _held_values(indentation, force, position, stiffness)
+        if branch not in ("largest", "smallest"):
+            raise ValueError(f"branch must be 'largest' or 'smallest', got {branch!r}")
+        columns, status = self._core.states(flat, held, k, branch == "largest")
+        return States(*(shaped(column, shape) for column in (*columns, status)))
+
+    def equilibria(
+        self,
+        *,
+        indentation: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        position: ArrayLike | None = None,
+        stiffness: Number | None = None,
+    ) -> Equilibria:
+        """All equilibria at each value, stable or not, a column for each branch; parameters as those of :meth:`states`.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> ball = mdr.jkr(radius=1e-6, e_star=1e6, work_of_adhesion=0.05)
+        >>> both = ball.equilibria(force=[-2e-7, -1e-7])
+        >>> both.contact_radius.shape, both.stable.tolist(), both.count.tolist()
+        ((2, 2), [False, True], [2, 2])
+        """
+        held, flat, shape, k = _held_values(indentation, force, position, stiffness)
+        columns, admissible, stable, status = self._core.equilibria(flat, held, k)
+
+        def by_branch(column: Any) -> Any:
+            return np.moveaxis(column.reshape(len(stable), *shape), 0, -1)
+
+        a, d, f, reached = (by_branch(column) for column in (*columns, admissible))
+        return Equilibria(a, d, f, stable, reached, shaped(status, shape))
+
+    def curve(self, contact_radius: ArrayLike) -> States:
+        """The equilibrium with each contact radius, stable or not; ``DOMAIN_ERROR`` outside of the profile."""
+        radii, shape = array(contact_radius, "contact_radius")
+        columns, status = self._core.curve(radii)
+        return States(*(shaped(column, shape) for column in (*columns, status)))
+
+    def pressure(self, r: ArrayLike, *, contact_radius: float) -> Floats:
+        """The normal pressure in Pa within the equilibrium with this contact radius, at radii r of any shape.
+
+        NaN where it is infinite, as at the edge, and outside of the contact.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> ball = mdr.jkr(radius=1, e_star=1, work_of_adhesion=1e-3)
+        >>> a = ball.states(force=0).contact_radius
+        >>> bool(ball.pressure(0, contact_radius=a) > 0 > ball.pressure(0.99 * a, contact_radius=a))
+        True
+        """
+        return self._field("pressure", r, contact_radius)
+
+    def gap(self, r: ArrayLike, *, contact_radius: float) -> Floats:
+        """The gap in m outside of the equilibrium with this contact radius; NaN within the contact."""
+        return self._field("gap", r, contact_radius)
+
+    def displacement(self, r: ArrayLike, *, contact_radius: float) -> Floats:
+        """The displacement in m, into the half-space, of the surface outside of the equilibrium; NaN within the contact."""
+        return self._field("displacement", r, contact_radius)
+
+    def _field(self, name: str, r: ArrayLike, contact_radius: float) -> Floats:
+        radii, shape = array(r, "r")
+        field: Floats = shaped(self._core.field(name, double(contact_radius, "contact_radius"), radii), shape)
+        return field
+
+    def follow(
+        self,
+        *,
+        indentation: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        position: ArrayLike | None = None,
+        stiffness: Number | None = None,
+        start: Start = "largest",
+    ) -> Trace:
+        """What the contact does while it is moved slowly from value to value: a state for each, to be compared with a
+        measurement.
+
+        Parameters
+        ----------
+        indentation, force, position, stiffness
+            As those of :meth:`states`; values in the order of time.
+        start : {"largest", "smallest", "detached"}
+            The state at the first value.
+
+        Raises
+        ------
+        NoEquilibriumError
+            There is no such state at the first value.
+        """
+        held, flat, shape, k = _held_values(indentation, force, position, stiffness)
+        columns, status, jumps = self._core.follow(flat, held, k, start)
+        at = flat.reshape(shape) if held == "position" else None
+        a, d, f, status = (shaped(column, shape) for column in (*columns, status))
+        return Trace(a, d, f, status, at, tuple(_event(jump) for jump in jumps))
+
+    def path(
+        self,
+        *,
+        indentation: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        position: ArrayLike | None = None,
+        stiffness: Number | None = None,
+        start: Start = "largest",
+        samples: int = 200,
+    ) -> LoadingPath:
+        """What happens between way points, with its energy, and a curve to be drawn.
+
+        Parameters
+        ----------
+        indentation, force, position, stiffness, start
+            As those of :meth:`follow`; the values are way points.
+        samples : int
+            States between each two events.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> ball = mdr.jkr(radius=1e-6, e_star=1e6, work_of_adhesion=0.05)
+        >>> pulled = ball.path(position=[0, -1e-5], stiffness=0.1)
+        >>> [event.kind for event in pulled.events]
+        ['start', 'detached', 'end']
+        >>> float(pulled.force.min()) == ball.critical(mdr.Machine(0.1)).force
+        False
+        """
+        held, flat, _, k = _held_values(indentation, force, position, stiffness)
+        happenings, (a, d, f), balance = self._core.path(flat, held, k, start, samples)
+        events = tuple(_event(event) for event in happenings)
+        lost = sum(event.dissipated for event in events)
+        work, dissipated, stored = balance or (lost, lost, float("nan"))
+        at = None if k is None else d + f / k
+        return LoadingPath(events, a, d, f, at, work, dissipated, stored, held)
+
+    def scene(self, control: Control, **output: Any) -> dict[str, Any]:
+        """The scene of this contact, for :func:`solve`.
+
+        Parameters
+        ----------
+        control : {"indentation", "force"} or Machine
+            What is held.
+        **output
+            ``path`` and ``start`` of the control; all else is of the table ``[output]``, such as ``want=["folds"]``.
+        """
+        held, stiffness = held_by(control)
+        by: dict[str, Any] = {"kind": held} if stiffness is None else {"kind": "machine", "stiffness": stiffness}
+        by |= {key: output.pop(key) for key in ("path", "start") if key in output}
+        return {
+            "material": {"e_star": self._e_star, "work_of_adhesion": self._work},
+            "profile": self._profile,
+            "control": by,
+            "output": output,
+        }
+
+
+def _contact(profile: Profile, e_star: Number, work_of_adhesion: Number) -> Contact:
+    return Contact(profile, e_star=e_star, work_of_adhesion=work_of_adhesion)
+
+
+def held_by(control: Control) -> tuple[str, Number | None]:
+    """What is held, and the stiffness of a machine."""
+    if isinstance(control, Machine):
+        return "position", control.stiffness
+    if control in ("indentation", "force"):
+        return control, None
+    raise ValueError(f"control must be 'indentation', 'force' or a Machine, got {control!r}")
+
+
+def stiffness_of(stiffness: Number | None) -> float | None:
+    """That of a machine as a double."""
+    return None if stiffness is None else double(stiffness, "stiffness")
+
+
+def _held_values(
+    indentation: ArrayLike | None, force: ArrayLike | None, position: ArrayLike | None, stiffness: Number | None
+) -> tuple[str, Floats, tuple[int, ...], float | None]:
+    named: Mapping[str, ArrayLike | None] = {"indentation": indentation, "force": force, "position": position}
+    given = [(name, values) for name, values in named.items() if values is not None]
+    if len(given) != 1:
+        raise TypeError("give the values of exactly one of indentation, force and position")
+    held, values = given[0]
+    if (held == "position") != (stiffness is not None):
+        raise TypeError("position and stiffness go together: position = indentation + force/stiffness")
+    if stiffness is not None:
+        positive(stiffness, "stiffness", "the machine stiffness k")
+    flat, shape = array(values, held)
+    return held, flat, shape, stiffness_of(stiffness)
+
+
+def _event(row: _Happening) -> Event:
+    kind, value, before, after, dissipated = row
+    return Event(kind, value, State(*before), State(*after), dissipated)

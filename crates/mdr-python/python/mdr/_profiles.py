@@ -1,0 +1,390 @@
+"""Profiles f(r): what is pressed. Names and parameters are those of scenes."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from types import MappingProxyType
+from typing import Any, ClassVar
+
+from numpy.typing import ArrayLike
+
+from ._numbers import Floats, Number, array, double, exact, positive, shaped
+
+# How complaints call the parameters; those that are not here by their name.
+_QUANTITIES = {
+    "n": "the exponent n",
+    "c": "the coefficient C",
+    "radius": "the radius R",
+    "slope": "the slope tan θ",
+    "amplitude": "the amplitude A",
+    "wavelength": "the wavelength λ",
+}
+
+Files = dict[str, bytes]
+
+
+@dataclass(frozen=True)
+class Profile:
+    """A profile: immutable, hashable, to be pickled; equal to another of the same kind and parameters.
+
+    Parameters are exact as typed (``int``, ``float``, ``str``, ``Decimal``, ``Fraction``), in SI units.
+    """
+
+    kind: ClassVar[str] = ""
+
+    def __post_init__(self) -> None:
+        if not self.kind:
+            raise TypeError("a profile is one of the kinds, such as Paraboloid")
+        for name, value in self.parameters.items():
+            if name == "amplitude":  # waves may begin with a trough
+                double(value, name)
+            else:
+                positive(value, name, _QUANTITIES.get(name, f"the {name}"))
+
+    @property
+    def parameters(self) -> Mapping[str, Number]:
+        """The numbers of the profile by their names, as given."""
+        return MappingProxyType({field.name: getattr(self, field.name) for field in fields(self)})
+
+    def _scene(self, files: Files) -> dict[str, Any]:
+        """The table ``[profile]`` of a scene; what is no number goes to ``files``."""
+        return {"kind": self.kind, **{name: exact(value, name) for name, value in self.parameters.items()}}
+
+    def _transform(self, x: ArrayLike, part: int) -> Floats:
+        from ._contact import core_of
+
+        values, shape = array(x, "x")
+        result: Floats = shaped(core_of(self, 1, 1).transform(values)[part], shape)
+        return result
+
+    def g(self, x: ArrayLike) -> Floats:
+        """The MDR transform g(x) of the profile, in m, of the shape of x; NaN outside of the profile.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> mdr.Paraboloid(radius=2).g([1, 2]).tolist()
+        [0.5, 2.0]
+        """
+        return self._transform(x, 0)
+
+    def g_slope(self, x: ArrayLike) -> Floats:
+        """g'(x), of the shape of x; NaN outside of the profile."""
+        return self._transform(x, 1)
+
+    def integral(self, x: ArrayLike) -> Floats:
+        """The integral of g from 0 to x, in m², of the shape of x; NaN outside of the profile."""
+        return self._transform(x, 2)
+
+    def __add__(self, other: Profile) -> Sum:
+        if not isinstance(other, Profile):
+            return NotImplemented
+        return Sum((*_terms(self), *_terms(other)))
+
+
+@dataclass(frozen=True)
+class PowerLaw(Profile):
+    """f = c·rⁿ, with c in m^(1−n)."""
+
+    kind: ClassVar[str] = "power"
+    n: Number
+    c: Number
+
+
+@dataclass(frozen=True)
+class Paraboloid(Profile):
+    """f = r²/2R, what the JKR theory calls a sphere."""
+
+    kind: ClassVar[str] = "paraboloid"
+    radius: Number
+
+
+@dataclass(frozen=True)
+class Cone(Profile):
+    """f = r·slope; the slope is tan θ of the flank against the plane of contact."""
+
+    kind: ClassVar[str] = "cone"
+    slope: Number
+
+
+@dataclass(frozen=True)
+class Sphere(Profile):
+    """f = R − √(R² − r²), the true sphere. JKR's is a :class:`Paraboloid`."""
+
+    kind: ClassVar[str] = "sphere"
+    radius: Number
+
+
+@dataclass(frozen=True)
+class Ellipsoid(Profile):
+    """Half axes ``lateral`` in the plane of contact and ``height`` across it."""
+
+    kind: ClassVar[str] = "ellipsoid"
+    lateral: Number
+    height: Number
+
+
+@dataclass(frozen=True)
+class FlatPunch(Profile):
+    """A flat face with a vertical edge."""
+
+    kind: ClassVar[str] = "flat-punch"
+    radius: Number
+
+
+@dataclass(frozen=True)
+class TruncatedCone(Profile):
+    """A cone with a flat face of radius ``flat`` instead of its tip."""
+
+    kind: ClassVar[str] = "truncated-cone"
+    slope: Number
+    flat: Number
+
+
+@dataclass(frozen=True)
+class TruncatedParaboloid(Profile):
+    """A paraboloid with a flat face of radius ``flat`` instead of its tip."""
+
+    kind: ClassVar[str] = "truncated-paraboloid"
+    radius: Number
+    flat: Number
+
+
+@dataclass(frozen=True)
+class ConeParabolicCap(Profile):
+    """A cone that a paraboloid caps up to the radius ``cap``, with one slope where they meet."""
+
+    kind: ClassVar[str] = "cone-parabolic-cap"
+    slope: Number
+    cap: Number
+
+
+@dataclass(frozen=True)
+class ConeSphericalCap(Profile):
+    """A cone that a sphere of ``radius`` caps, with one slope where they meet."""
+
+    kind: ClassVar[str] = "cone-spherical-cap"
+    slope: Number
+    radius: Number
+
+
+@dataclass(frozen=True)
+class Hyperboloid(Profile):
+    """Asymptote of the given slope, half axis ``lateral`` in the plane of contact."""
+
+    kind: ClassVar[str] = "hyperboloid"
+    slope: Number
+    lateral: Number
+
+
+@dataclass(frozen=True)
+class RoundedPunch(Profile):
+    """A flat face of radius ``flat`` with a parabolic rounding of ``radius`` around it."""
+
+    kind: ClassVar[str] = "rounded-punch"
+    radius: Number
+    flat: Number
+
+
+@dataclass(frozen=True)
+class DisplacedParaboloid(Profile):
+    """A parabola with its vertex at the distance ``offset`` from the axis."""
+
+    kind: ClassVar[str] = "displaced-paraboloid"
+    radius: Number
+    offset: Number
+
+
+@dataclass(frozen=True)
+class ParabolicDimple(Profile):
+    """A parabolic dimple in a flat face."""
+
+    kind: ClassVar[str] = "parabolic-dimple"
+    depth: Number
+    radius: Number
+
+
+@dataclass(frozen=True)
+class EllipticalDimple(Profile):
+    """An elliptical dimple in a flat face."""
+
+    kind: ClassVar[str] = "elliptical-dimple"
+    depth: Number
+    radius: Number
+
+
+@dataclass(frozen=True)
+class WavyParaboloid(Profile):
+    """f = r²/2R + A(1 − cos(2πr/λ)), figure 4 of the paper; the amplitude A may be negative."""
+
+    kind: ClassVar[str] = "wavy-paraboloid"
+    radius: Number
+    amplitude: Number
+    wavelength: Number
+
+
+@dataclass(frozen=True)
+class Sum(Profile):
+    """The sum of several profiles; ``one + other`` makes it.
+
+    Examples
+    --------
+    >>> import mdr
+    >>> mdr.Paraboloid(radius=1) + mdr.Cone(slope="0.01")
+    Sum(terms=(Paraboloid(radius=1), Cone(slope='0.01')))
+    """
+
+    kind: ClassVar[str] = "sum"
+    terms: tuple[Profile, ...]
+
+    def __post_init__(self) -> None:
+        if not self.terms:
+            raise TypeError("a sum has one term at least")
+
+    @property
+    def parameters(self) -> Mapping[str, Number]:
+        """None: they are those of the terms."""
+        return MappingProxyType({})
+
+    def _scene(self, files: Files) -> dict[str, Any]:
+        return {"kind": self.kind, "term": [term._scene(files) for term in self.terms]}
+
+
+def _terms(profile: Profile) -> tuple[Profile, ...]:
+    return profile.terms if isinstance(profile, Sum) else (profile,)
+
+
+@dataclass(frozen=True, init=False)
+class Expression(Profile):
+    """A formula in ``r`` with f(0) = 0; what other names it has are given by keyword.
+
+    Examples
+    --------
+    >>> import mdr
+    >>> lens = mdr.Expression("r^2/(2*R) + r^4/(8*H^3)", R=1, H="1/2")
+    >>> round(float(lens.g(0.3)), 12)  # x²/R + x⁴/3H³
+    0.1116
+    """
+
+    kind: ClassVar[str] = "expression"
+    formula: str
+    values: tuple[tuple[str, Number], ...]
+
+    def __init__(self, formula: str, **parameters: Number) -> None:
+        object.__setattr__(self, "formula", formula)
+        object.__setattr__(self, "values", tuple(sorted(parameters.items())))
+        for name, value in parameters.items():
+            double(value, name)
+
+    @property
+    def parameters(self) -> Mapping[str, Number]:
+        """The values of the names in the formula."""
+        return MappingProxyType(dict(self.values))
+
+    def _scene(self, files: Files) -> dict[str, Any]:
+        values = {name: exact(value, name) for name, value in self.values}
+        return {"kind": self.kind, "formula": self.formula, "parameters": values}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _expression, (self.formula, dict(self.values))
+
+    def __repr__(self) -> str:
+        return ", ".join([f"Expression({self.formula!r}", *(f"{name}={value!r}" for name, value in self.values)]) + ")"
+
+
+def _expression(formula: str, values: dict[str, Number]) -> Expression:
+    return Expression(formula, **values)
+
+
+@dataclass(frozen=True, init=False, repr=False)
+class Table(Profile):
+    """A measured profile: at least four rows of ascending radii and of heights from the tip.
+
+    Parameters
+    ----------
+    r, f : array_like
+        Radii and heights in m.
+    offset : Number, optional
+        The height of the tip among the rows, subtracted from each.
+    smooth : Number, optional
+        A length in m over which the rows are smoothed.
+
+    Notes
+    -----
+    Noise of the rows becomes rings that adhere: see "Noise" in the documentation of scenes before drawing conclusions from
+    rows that are not smooth.
+    """
+
+    kind: ClassVar[str] = "table"
+    csv: str
+    offset: Number | None = None
+    smooth: Number | None = None
+    _name: str = field(default="", compare=False)
+
+    def __init__(
+        self, r: ArrayLike, f: ArrayLike, *, offset: Number | None = None, smooth: Number | None = None
+    ) -> None:
+        (radii, _), (heights, _) = array(r, "r"), array(f, "f")
+        if radii.shape != heights.shape:
+            raise ValueError(f"r and f differ in length: {len(radii)} and {len(heights)}")
+        rows = zip(radii.tolist(), heights.tolist())
+        self._set("r,f\n" + "".join(f"{one!r},{other!r}\n" for one, other in rows), offset, smooth)
+
+    def _set(self, csv: str, offset: Number | None, smooth: Number | None) -> None:
+        name = f"rows-{hashlib.sha256(csv.encode()).hexdigest()[:12]}.csv"
+        for key, value in {"csv": csv, "offset": offset, "smooth": smooth, "_name": name}.items():
+            object.__setattr__(self, key, value)
+
+    @classmethod
+    def read_csv(
+        cls, path: str | os.PathLike[str], *, offset: Number | None = None, smooth: Number | None = None
+    ) -> Table:
+        """Reads radii and heights from a file, in m or in the units of a row below its header, such as ``nm,nm``."""
+        with open(path, encoding="utf-8") as file:
+            return _table(file.read(), offset, smooth)
+
+    @property
+    def parameters(self) -> Mapping[str, Number]:
+        """The offset and the length of smoothing, where they are given."""
+        given = {"offset": self.offset, "smooth": self.smooth}
+        return MappingProxyType({name: value for name, value in given.items() if value is not None})
+
+    def _scene(self, files: Files) -> dict[str, Any]:
+        files[self._name] = self.csv.encode()
+        numbers = {name: exact(value, name) for name, value in self.parameters.items()}
+        return {"kind": self.kind, "file": self._name, **numbers}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _table, (self.csv, self.offset, self.smooth)
+
+    def __repr__(self) -> str:
+        return f"<Table of {self.csv.count(chr(10)) - 1} rows>"
+
+
+def _table(csv: str, offset: Number | None, smooth: Number | None) -> Table:
+    table = Table.__new__(Table)
+    table._set(csv, offset, smooth)
+    return table
+
+
+def scene_of(value: Any, files: Files) -> Any:
+    """A scene of plain values: profiles become tables, numbers stay as typed."""
+    if isinstance(value, Profile):
+        return value._scene(files)
+    if isinstance(value, Mapping):
+        return {str(key): scene_of(item, files) for key, item in value.items()}
+    if isinstance(value, (list, tuple)) or hasattr(value, "tolist") and getattr(value, "ndim", 0) > 0:
+        return [scene_of(item, files) for item in value]
+    if value is None or isinstance(value, (bool, str, int)):
+        return value
+    return exact(value, "a value of the scene")
+
+
+__all__ = [
+    "Cone", "ConeParabolicCap", "ConeSphericalCap", "DisplacedParaboloid", "Ellipsoid", "EllipticalDimple",
+    "Expression", "FlatPunch", "Hyperboloid", "Paraboloid", "ParabolicDimple", "PowerLaw", "Profile", "RoundedPunch",
+    "Sphere", "Sum", "Table", "TruncatedCone", "TruncatedParaboloid", "WavyParaboloid",
+]

@@ -1,0 +1,409 @@
+//! One contact: its critical states, and columns of states.
+
+use std::collections::HashMap;
+use std::io;
+
+use mdr::answer::Field;
+use mdr::batch;
+use mdr::critical::{PowerLaw, critical};
+use mdr::double::{self, Choice, Event, Start, State};
+use mdr::prelude::{Arithmetic, Control, Elasticity, Literal, Scene, Status, Stop, Value, Want};
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::errors::{of_contact, of_library, raise};
+use crate::interrupt::{detached, interruptible};
+use crate::scene::Digits;
+
+type Column<'py> = Bound<'py, PyArray1<f64>>;
+type Codes<'py> = Bound<'py, PyArray1<i8>>;
+type Flags<'py> = Bound<'py, PyArray1<bool>>;
+type Values<'py> = PyReadonlyArray1<'py, f64>;
+/// a, d and F.
+type Row = (f64, f64, f64);
+type Columns<'py> = (Column<'py>, Column<'py>, Column<'py>);
+/// Kind, value, before, after, dissipated.
+type Happening = (&'static str, f64, Row, Row, f64);
+
+/// Columns on all branches, admissible, stable, status.
+type Found<'py> = (Columns<'py>, Flags<'py>, Flags<'py>, Codes<'py>);
+/// Events, columns of the curve, balance.
+type Drawn<'py> = (Vec<Happening>, Columns<'py>, Option<[f64; 3]>);
+
+/// Profile and material: a scene, and the same in f64.
+#[pyclass(frozen, module = "mdr._core")]
+pub(crate) struct Contact {
+    scene: Scene,
+    law: Option<PowerLaw>,
+    double: double::Contact,
+}
+
+#[pymethods]
+impl Contact {
+    /// From a scene as JSON, with the contents of the files that it names.
+    #[new]
+    fn new(py: Python<'_>, scene: &str, files: HashMap<String, Vec<u8>>) -> PyResult<Self> {
+        let at_hand = |name: &str| files.get(name).cloned().ok_or_else(|| io::Error::from(io::ErrorKind::NotFound));
+        let read = || {
+            let scene = Scene::from_json(scene, "", &at_hand)?;
+            let (law, double) = (PowerLaw::of(&scene), double::Contact::new(&scene)?);
+            Ok(Contact { scene, law, double })
+        };
+        detached(py, read)?.map_err(of_library)
+    }
+
+    /// g, g' and ∫g at radii.
+    fn transform<'py>(&self, py: Python<'py>, x: Values<'py>) -> PyResult<Columns<'py>> {
+        let x = x.as_slice()?;
+        let [g, slope, integral] = interruptible(py, |stop| self.double.transform(x, stop))?.map_err(of_contact)?;
+        Ok((column(py, g), column(py, slope), column(py, integral)))
+    }
+
+    /// a, d and F of the critical state in f64: of a power law in closed form, else where the contact comes off.
+    #[pyo3(signature = (held, stiffness = None))]
+    fn critical(&self, py: Python<'_>, held: &str, stiffness: Option<&str>) -> PyResult<Row> {
+        let control = exact_control(held, stiffness)?;
+        match &self.law {
+            Some(law) => {
+                let law = PowerLaw { control, ..law.clone() };
+                let answer = detached(py, || critical(&law, Arithmetic::Double))?.map_err(of_library)?;
+                let [a, d, force] = state_of(&answer)?.values();
+                Ok((
+                    number("the contact radius a", a)?,
+                    number("the indentation depth d", d)?,
+                    number("the normal force F", force)?,
+                ))
+            }
+            None => self.pull_off(py, held, control.stiffness()),
+        }
+    }
+
+    /// The same in certified digits, as Decimals.
+    #[pyo3(signature = (held, digits, stiffness = None))]
+    fn certified<'py>(
+        &self,
+        py: Python<'py>,
+        held: &str,
+        digits: u32,
+        stiffness: Option<&str>,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let control = exact_control(held, stiffness)?;
+        let arithmetic = Arithmetic::Certified { digits };
+        let texts = match &self.law {
+            Some(law) => {
+                let law = PowerLaw { control, ..law.clone() };
+                let answer = detached(py, || critical(&law, arithmetic))?.map_err(of_library)?;
+                state_of(&answer)?.values().map(ToString::to_string)
+            }
+            None => {
+                let (near, ..) = self.pull_off(py, held, control.stiffness())?;
+                let scene =
+                    self.scene.clone().control(control).want(Want::Folds { range: None }).arithmetic(arithmetic);
+                let fold = interruptible(py, |stop| nearest_fold(&scene, near, stop))?.map_err(of_library)?;
+                fold.ok_or_else(|| raise("NoEquilibriumError", ("the contact comes off without a fold",)))?
+            }
+        };
+        let decimal = Digits::new(py)?;
+        texts.iter().map(|text| decimal.of(text)).collect()
+    }
+
+    /// a, d and F where the contact comes off.
+    #[pyo3(signature = (held, stiffness = None))]
+    fn pull_off(&self, py: Python<'_>, held: &str, stiffness: Option<f64>) -> PyResult<Row> {
+        let control = control(held, stiffness)?;
+        interruptible(py, |stop| self.double.pull_off(&control, stop))?.map(row).map_err(of_contact)
+    }
+
+    /// a, d, F and kind of all folds.
+    #[pyo3(signature = (held, stiffness = None))]
+    fn folds(
+        &self,
+        py: Python<'_>,
+        held: &str,
+        stiffness: Option<f64>,
+    ) -> PyResult<Vec<(f64, f64, f64, &'static str)>> {
+        let control = control(held, stiffness)?;
+        let folds = interruptible(py, |stop| self.double.folds(&control, stop))?.map_err(of_contact)?;
+        Ok(folds.iter().map(|fold| (fold.contact_radius, fold.indentation, fold.force, fold.kind.name())).collect())
+    }
+
+    /// a, d, F and status with each radius.
+    fn curve<'py>(&self, py: Python<'py>, radii: Values<'py>) -> PyResult<(Columns<'py>, Codes<'py>)> {
+        let radii = radii.as_slice()?;
+        let states = interruptible(py, |stop| self.double.curve(radii, stop))?.map_err(of_contact)?;
+        Ok(columns(py, states))
+    }
+
+    /// The pressure, gap or displacement of the equilibrium with a radius.
+    fn field<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        contact_radius: f64,
+        radii: Values<'py>,
+    ) -> PyResult<Column<'py>> {
+        let radii = radii.as_slice()?;
+        let field = match name {
+            "pressure" => Field::Pressure,
+            "gap" => Field::Gap,
+            "displacement" => Field::Displacement,
+            _ => return Err(PyValueError::new_err(format!("no field: {name}"))),
+        };
+        let values = interruptible(py, |stop| self.double.field(field, contact_radius, radii, stop))?;
+        Ok(column(py, values.map_err(of_contact)?))
+    }
+
+    /// a, d, F and status of the stable equilibrium at each value.
+    #[pyo3(signature = (values, held, stiffness, largest))]
+    fn states<'py>(
+        &self,
+        py: Python<'py>,
+        values: Values<'py>,
+        held: &str,
+        stiffness: Option<f64>,
+        largest: bool,
+    ) -> PyResult<(Columns<'py>, Codes<'py>)> {
+        let (values, control) = (values.as_slice()?, control(held, stiffness)?);
+        let choice = if largest { Choice::Largest } else { Choice::Smallest };
+        let states = self.asked(py, &control, |stop| self.double.states(&control, values, choice, stop))?;
+        Ok(columns(py, states.map_err(of_contact)?))
+    }
+
+    /// a, d, F and admissible on each branch at each value, one branch after the other; which are stable; the status.
+    #[pyo3(signature = (values, held, stiffness = None))]
+    fn equilibria<'py>(
+        &self,
+        py: Python<'py>,
+        values: Values<'py>,
+        held: &str,
+        stiffness: Option<f64>,
+    ) -> PyResult<Found<'py>> {
+        let (values, control) = (values.as_slice()?, control(held, stiffness)?);
+        let found = self.asked(py, &control, |stop| self.double.equilibria(&control, values, stop))?;
+        let found = found.map_err(of_contact)?;
+        let [a, d, force] = [found.contact_radius, found.indentation, found.force].map(|rows| column(py, rows));
+        let [admissible, stable] = [found.admissible, found.stable].map(|flags| PyArray1::from_vec(py, flags));
+        Ok(((a, d, force), admissible, stable, codes(py, &found.status)))
+    }
+
+    /// a, d, F and status in the order of values, and what happens between them.
+    #[pyo3(signature = (values, held, stiffness, start))]
+    fn follow<'py>(
+        &self,
+        py: Python<'py>,
+        values: Values<'py>,
+        held: &str,
+        stiffness: Option<f64>,
+        start: &str,
+    ) -> PyResult<(Columns<'py>, Codes<'py>, Vec<Happening>)> {
+        let (values, control, start) = (values.as_slice()?, control(held, stiffness)?, start_of(start)?);
+        let history = interruptible(py, |stop| self.double.follow(&control, values, &start, stop))?;
+        let history = history.map_err(of_contact)?;
+        let (columns, codes) = columns(py, history.states);
+        Ok((columns, codes, history.jumps.iter().map(happening).collect()))
+    }
+
+    /// Events, a curve of a, d and F, and the balance of energy.
+    #[pyo3(signature = (way, held, stiffness, start, samples))]
+    fn path<'py>(
+        &self,
+        py: Python<'py>,
+        way: Values<'py>,
+        held: &str,
+        stiffness: Option<f64>,
+        start: &str,
+        samples: usize,
+    ) -> PyResult<Drawn<'py>> {
+        let (way, control, start) = (way.as_slice()?, control(held, stiffness)?, start_of(start)?);
+        let path = interruptible(py, |stop| self.double.path(&control, way, &start, samples, stop))?;
+        let path = path.map_err(of_contact)?;
+        let curve = |of: fn(&State) -> f64| column(py, path.curve.iter().map(of).collect());
+        let curve = (curve(|s| s.contact_radius), curve(|s| s.indentation), curve(|s| s.force));
+        Ok((path.events.iter().map(happening).collect(), curve, path.balance))
+    }
+}
+
+impl Contact {
+    /// Closed forms of power laws take nanoseconds a value, and a thread is not worth its start.
+    fn asked<T: Send>(
+        &self,
+        py: Python<'_>,
+        control: &Control<f64>,
+        work: impl FnOnce(&Stop) -> T + Send,
+    ) -> PyResult<T> {
+        match (&self.law, control) {
+            (Some(_), Control::Indentation | Control::Force) => detached(py, || work(&Stop::default())),
+            _ => interruptible(py, work),
+        }
+    }
+}
+
+/// κ_n, in f64 or as a Decimal.
+#[pyfunction]
+#[pyo3(signature = (n, digits = None))]
+pub(crate) fn kappa<'py>(py: Python<'py>, n: &str, digits: Option<u32>) -> PyResult<Bound<'py, PyAny>> {
+    let one = Literal::from(1);
+    let law = PowerLaw {
+        n: literal(n)?,
+        c: one.clone(),
+        elasticity: Elasticity::Effective(one.clone()),
+        work_of_adhesion: one,
+        control: Control::Indentation,
+    };
+    let arithmetic = digits.map_or(Arithmetic::Double, |digits| Arithmetic::Certified { digits });
+    let kappa = detached(py, || critical(&law, arithmetic))?.map_err(of_library)?.kappa;
+    match digits {
+        Some(_) => Digits::new(py)?.of(&kappa.to_string()),
+        None => Ok(kappa.to_f64().into_pyobject(py)?.into_any()),
+    }
+}
+
+/// κ_n and then a, d, F and status of the critical states of many power laws.
+#[pyfunction]
+#[pyo3(signature = (n, c, e_star, work_of_adhesion, held, stiffness = None))]
+pub(crate) fn critical_states<'py>(
+    py: Python<'py>,
+    n: Values<'py>,
+    c: Values<'py>,
+    e_star: Values<'py>,
+    work_of_adhesion: Values<'py>,
+    held: &str,
+    stiffness: Option<f64>,
+) -> PyResult<(Column<'py>, Columns<'py>, Codes<'py>)> {
+    let control = control(held, stiffness)?;
+    let material = batch::Materials::Each {
+        effective_modulus: e_star.as_slice()?,
+        work_of_adhesion: work_of_adhesion.as_slice()?,
+    };
+    let points = batch::Points { exponent: n.as_slice()?, coefficient: c.as_slice()?, material };
+    let len = points.exponent.len();
+    let compute = || {
+        let [mut kappa, mut contact_radius, mut indentation, mut force] = [(); 4].map(|()| vec![0.0; len]);
+        let mut status = vec![Status::Ok; len];
+        let mut states = batch::States {
+            kappa: &mut kappa,
+            contact_radius: &mut contact_radius,
+            indentation: &mut indentation,
+            force: &mut force,
+            status: &mut status,
+        };
+        batch::critical_states(&points, &control, &mut states)?;
+        Ok((kappa, double::States { contact_radius, indentation, force, status }))
+    };
+    let (kappa, states) = detached(py, compute)?.map_err(of_contact)?;
+    let (columns, codes) = columns(py, states);
+    Ok((column(py, kappa), columns, codes))
+}
+
+/// The critical state, which there is unless n = 1/2.
+fn state_of(answer: &mdr::critical::CriticalAnswer) -> PyResult<&mdr::critical::CriticalState> {
+    let why = "there is no critical state under this control: at n = 1/2 the coefficient C decides, against a threshold, and \
+               on a machine there may be no instability";
+    answer.state.as_ref().ok_or_else(|| raise("NoEquilibriumError", (why,)))
+}
+
+/// The fold that is nearest to a radius, in certified digits.
+fn nearest_fold(scene: &Scene, radius: f64, stop: &Stop) -> mdr::Result<Option<[String; 3]>> {
+    let answer = scene.solve_with(&mut mdr::Run::new(&mut (), stop.clone()))?;
+    let folds = answer.folds().map_or(&[][..], |folds| &folds.items);
+    let distance = |value: &Value| value.to_f64().map_or(f64::INFINITY, |a| (a / radius).ln().abs());
+    let nearest =
+        folds.iter().min_by(|one, other| distance(&one.contact_radius).total_cmp(&distance(&other.contact_radius)));
+    Ok(nearest.map(|fold| [&fold.contact_radius, &fold.indentation, &fold.force].map(ToString::to_string)))
+}
+
+/// A double, or the exception that says how large the number is.
+fn number(quantity: &'static str, value: &Value) -> PyResult<f64> {
+    match (value.to_f64(), value.log10()) {
+        (Some(number), _) => Ok(number),
+        (None, log10) => {
+            let log10 = log10.unwrap_or(f64::NAN);
+            let text =
+                format!("{quantity} is out of the range of doubles: its log10 is {log10}; ask for digits instead");
+            Err(raise("OutOfRangeError", (text, quantity, log10)))
+        }
+    }
+}
+
+fn literal(text: &str) -> PyResult<Literal> {
+    text.parse().map_err(|error| PyValueError::new_err(format!("{text}: {error}")))
+}
+
+fn control(held: &str, stiffness: Option<f64>) -> PyResult<Control<f64>> {
+    match (held, stiffness) {
+        ("indentation", None) => Ok(Control::Indentation),
+        ("force", None) => Ok(Control::Force),
+        ("position", Some(stiffness)) => Control::machine(stiffness).map_err(of_contact),
+        _ => Err(PyValueError::new_err(format!("no control: {held}"))),
+    }
+}
+
+fn exact_control(held: &str, stiffness: Option<&str>) -> PyResult<Control<Literal>> {
+    match (held, stiffness) {
+        ("indentation", None) => Ok(Control::Indentation),
+        ("force", None) => Ok(Control::Force),
+        ("position", Some(stiffness)) => Ok(Control::Machine { stiffness: literal(stiffness)? }),
+        _ => Err(PyValueError::new_err(format!("no control: {held}"))),
+    }
+}
+
+fn start_of(name: &str) -> PyResult<Start<f64>> {
+    match name {
+        "largest" => Ok(Start::Largest),
+        "smallest" => Ok(Start::Smallest),
+        "detached" => Ok(Start::Detached),
+        _ => Err(PyValueError::new_err(format!("start must be 'largest', 'smallest' or 'detached', got {name:?}"))),
+    }
+}
+
+fn column(py: Python<'_>, values: Vec<f64>) -> Column<'_> {
+    PyArray1::from_vec(py, values)
+}
+
+fn columns(py: Python<'_>, states: double::States) -> (Columns<'_>, Codes<'_>) {
+    let [a, d, force] = [states.contact_radius, states.indentation, states.force].map(|values| column(py, values));
+    ((a, d, force), codes(py, &states.status))
+}
+
+/// Statuses by the numbers of `mdr.Status`.
+fn codes<'py>(py: Python<'py>, statuses: &[Status]) -> Codes<'py> {
+    let code = |status: &Status| match status {
+        Status::Ok => 0,
+        Status::Fold => 1,
+        Status::NoEquilibrium => 2,
+        Status::Overflow => 3,
+        Status::Underflow => 4,
+        Status::DomainError => 5,
+        Status::NotAdmissible => 6,
+        _ => 7,
+    };
+    PyArray1::from_vec(py, statuses.iter().map(code).collect())
+}
+
+fn row(state: State) -> Row {
+    (state.contact_radius, state.indentation, state.force)
+}
+
+fn happening(event: &Event) -> Happening {
+    (event.kind.name(), event.value, row(event.before), row(event.after), event.dissipated)
+}
+
+trait Stiffness {
+    /// That of a machine, as a double.
+    fn stiffness(&self) -> Option<f64>;
+}
+
+impl Stiffness for Control<Literal> {
+    fn stiffness(&self) -> Option<f64> {
+        match self {
+            Control::Machine { stiffness } => Some(stiffness.nearest_f64()),
+            _ => None,
+        }
+    }
+}
+
+const _: fn() = || {
+    fn shared<T: Send + Sync + 'static>() {}
+    shared::<Contact>();
+};

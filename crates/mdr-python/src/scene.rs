@@ -1,0 +1,75 @@
+//! Scenes, and numbers with their digits.
+
+use std::collections::HashMap;
+use std::io;
+
+use mdr::Run;
+use mdr::prelude::{Arithmetic, Scene};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyType;
+
+use crate::errors::of_library;
+use crate::interrupt::interruptible;
+
+/// The answer to a scene as JSON. `form` is `file`, `toml` or `json`; what a text names is looked for among `files` and then
+/// on the disk.
+#[pyfunction]
+#[pyo3(signature = (form, text, files, digits, f64))]
+pub(crate) fn solve(
+    py: Python<'_>,
+    form: &str,
+    text: &str,
+    files: HashMap<String, Vec<u8>>,
+    digits: Option<u32>,
+    f64: bool,
+) -> PyResult<String> {
+    let arithmetic = match (digits, f64) {
+        (None, true) => Some(Arithmetic::Double),
+        (digits, false) => digits.map(|digits| Arithmetic::Certified { digits }),
+        (Some(_), true) => return Err(PyValueError::new_err("give digits or f64, not both")),
+    };
+    let answer = interruptible(py, |stop| {
+        let scene = read(form, text, &files)?.in_arithmetic(arithmetic);
+        let mut answer = scene.solve_with(&mut Run::new(&mut (), stop.clone()))?;
+        answer.notes.extend(scene.unused(false));
+        Ok(answer.to_json())
+    })?;
+    answer.map_err(of_library)
+}
+
+/// The picture of a scene as SVG; arguments as those of `solve`.
+#[pyfunction]
+pub(crate) fn draw(py: Python<'_>, form: &str, text: &str, files: HashMap<String, Vec<u8>>) -> PyResult<String> {
+    let picture = interruptible(py, |_| {
+        let scene = read(form, text, &files)?;
+        Ok(mdr_plot::scene(scene.profile().name(), &scene.diagram()?).svg())
+    })?;
+    picture.map_err(of_library)
+}
+
+fn read(form: &str, text: &str, files: &HashMap<String, Vec<u8>>) -> mdr::Result<Scene> {
+    let at_hand =
+        |name: &str| -> io::Result<Vec<u8>> { files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok) };
+    match form {
+        "file" => Scene::open(text),
+        "toml" => Scene::from_toml(text, "", &at_hand),
+        _ => Scene::from_json(text, "", &at_hand),
+    }
+}
+
+/// The class `decimal.Decimal`.
+pub(crate) struct Digits<'py>(&'py Bound<'py, PyType>);
+
+impl<'py> Digits<'py> {
+    pub(crate) fn new(py: Python<'py>) -> PyResult<Self> {
+        static DECIMAL: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+        DECIMAL.import(py, "decimal", "Decimal").map(Digits)
+    }
+
+    /// Every digit of a text.
+    pub(crate) fn of(&self, text: &str) -> PyResult<Bound<'py, PyAny>> {
+        self.0.call1((text,))
+    }
+}

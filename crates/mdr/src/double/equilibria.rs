@@ -1,0 +1,182 @@
+//! Equilibria at many values of what is controlled.
+
+use std::cmp::Ordering;
+
+use mdr_analytic::double::{Branches as Rows, Inverse, Side};
+use mdr_core::contact::{Control, Equilibrium, Result, Stability, Status};
+use mdr_numeric::admissible::Verdict;
+use mdr_numeric::branch::Branched;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::folds::Completeness;
+
+use super::{Choice, Contact, Equilibria, States, numbers, status_of};
+use crate::run::Stop;
+
+impl Contact {
+    /// All equilibria at each value of what is controlled.
+    ///
+    /// At a fold both branches that end there hold the double root, and the status is `Fold`.
+    ///
+    /// # Errors
+    /// A stiffness that is not positive; errors of the transform; a fold beyond the range of f64;
+    /// [`Stopped`](crate::ContactError::Stopped).
+    pub fn equilibria(&self, control: &Control<f64>, values: &[f64], stop: &Stop) -> Result<Equilibria> {
+        if let Some(inverse) = self.inverse(control)? {
+            return by_closed_form(inverse, self.has_large_branch(), control, values);
+        }
+        self.branched(control, stop, |branches| searched(branches, values))
+    }
+
+    /// The stable equilibrium at each value of what is controlled, as if each were asked alone.
+    ///
+    /// # Errors
+    /// As [`Contact::equilibria`].
+    pub fn states(&self, control: &Control<f64>, values: &[f64], choice: Choice, stop: &Stop) -> Result<States> {
+        if let Some(inverse) = self.inverse(control)? {
+            return stable_by_closed_form(inverse, self.has_large_branch(), control, values);
+        }
+        self.branched(control, stop, |branches| {
+            let mut order: Vec<usize> = (0..=branches.folds().len()).collect();
+            order.retain(|branch| branches.is_stable(*branch) != Some(false));
+            if choice == Choice::Largest {
+                order.reverse();
+            }
+            let mut states = States::with_capacity(values.len());
+            for value in values {
+                let (numbers, status) = match stable(branches, &order, value) {
+                    Ok(Some((state, status))) => (numbers(&state, control, *value), status),
+                    Ok(None) => ([f64::NAN; 3], nothing(branches)),
+                    Err(error) => ([f64::NAN; 3], status_of(error)?),
+                };
+                states.push(numbers, status);
+            }
+            Ok(states)
+        })
+    }
+
+    /// Whether the branch with the larger radii is the stable one of a power law: n > 1/2.
+    fn has_large_branch(&self) -> bool {
+        self.law.is_some_and(|[n, _]| n > 0.5)
+    }
+}
+
+/// The state of a branch at a value: an equilibrium on it, or the fold at one of its ends.
+fn on_branch(branches: &Branches<'_, f64>, branch: usize, value: &f64) -> Result<Option<(Equilibrium<f64>, Status)>> {
+    if let Some(state) = branches.on_branch(branch, value)? {
+        let status = match branches.admissibility().of(state.contact_radius, state.indentation) {
+            Verdict::Interpenetrating { .. } => Status::NotAdmissible,
+            _ => Status::Ok,
+        };
+        return Ok(Some((state, status)));
+    }
+    let ends = [branch.checked_sub(1), Some(branch)];
+    for fold in ends.into_iter().flatten().filter_map(|index| branches.folds().get(index)) {
+        if branches.compare(value, fold)? == Ordering::Equal {
+            return Ok(Some((fold.clone().into(), Status::Fold)));
+        }
+    }
+    Ok(None)
+}
+
+/// The first state that is not unstable on the branches in their order.
+fn stable(branches: &Branches<'_, f64>, order: &[usize], value: &f64) -> Result<Option<(Equilibrium<f64>, Status)>> {
+    branches.control().check_value(value)?;
+    for branch in order {
+        let found = on_branch(branches, *branch, value)?;
+        if found.as_ref().is_some_and(|(state, _)| state.stability != Stability::Unstable) {
+            return Ok(found);
+        }
+    }
+    Ok(None)
+}
+
+/// What it means that no state was found.
+fn nothing(branches: &Branches<'_, f64>) -> Status {
+    match branches.completeness() {
+        Completeness::Doubtful => Status::Undecided,
+        _ => Status::NoEquilibrium,
+    }
+}
+
+/// All equilibria by search on each branch.
+fn searched(branches: &Branches<'_, f64>, values: &[f64]) -> Result<Equilibria> {
+    let (len, control) = (values.len(), branches.control());
+    let count = branches.folds().len() + 1;
+    let mut stable: Vec<Option<bool>> = (0..count).map(|branch| branches.is_stable(branch)).collect();
+    let [mut contact_radius, mut indentation, mut force] = [(); 3].map(|()| vec![f64::NAN; count * len]);
+    let mut admissible = vec![false; count * len];
+    let mut statuses = Vec::with_capacity(len);
+    for (i, value) in values.iter().enumerate() {
+        let mut enter = |branch: usize, state: &Equilibrium<f64>, status: Status| {
+            let at = branch * len + i;
+            [contact_radius[at], indentation[at], force[at]] = numbers(state, control, *value);
+            admissible[at] = status != Status::NotAdmissible;
+            stable[branch].get_or_insert(state.stability == Stability::Stable);
+        };
+        let found = control.check_value(value).and_then(|()| {
+            let mut whole = None;
+            for branch in 0..count {
+                if let Some((state, status)) = on_branch(branches, branch, value)? {
+                    enter(branch, &state, status);
+                    whole = Some(if status == Status::Fold { status } else { whole.unwrap_or(Status::Ok) });
+                }
+            }
+            Ok(whole.unwrap_or_else(|| nothing(branches)))
+        });
+        statuses.push(found.or_else(status_of)?);
+    }
+    let stable = stable.into_iter().map(|known| known.unwrap_or(false)).collect();
+    Ok(Equilibria { stable, contact_radius, indentation, force, admissible, status: statuses })
+}
+
+/// Both branches of a power law, whose states are all admissible.
+fn by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values: &[f64]) -> Result<Equilibria> {
+    let len = values.len();
+    let [mut contact_radius, mut uncontrolled] = [(); 2].map(|()| vec![0.0; 2 * len]);
+    let mut status = vec![Status::Ok; len];
+    let (a0, a1) = contact_radius.split_at_mut(len);
+    let (x0, x1) = uncontrolled.split_at_mut(len);
+    let smaller = Side { contact_radius: a0, uncontrolled: x0 };
+    let larger = Side { contact_radius: a1, uncontrolled: x1 };
+    inverse.branches(values, &mut Rows { smaller, larger, status: &mut status })?;
+    let twice = values.iter().chain(values);
+    let held: Vec<f64> = twice.zip(&contact_radius).map(|(value, a)| where_known(*value, *a)).collect();
+    let admissible = contact_radius.iter().map(|a| !a.is_nan()).collect();
+    let (indentation, force) = if *control == Control::Force { (uncontrolled, held) } else { (held, uncontrolled) };
+    Ok(Equilibria { stable: vec![!large, large], contact_radius, indentation, force, admissible, status })
+}
+
+/// The stable branch of a power law alone.
+fn stable_by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values: &[f64]) -> Result<States> {
+    /// Values at a time: the branch that is not wanted stays within the cache.
+    const BLOCK: usize = 1024;
+    let [mut a, mut x, mut other_a, mut other_x] = [[0.0; BLOCK]; 4];
+    let mut status = [Status::Ok; BLOCK];
+    let mut states = States::with_capacity(values.len());
+    for block in values.chunks(BLOCK) {
+        let len = block.len();
+        let stable = Side { contact_radius: &mut a[..len], uncontrolled: &mut x[..len] };
+        let unstable = Side { contact_radius: &mut other_a[..len], uncontrolled: &mut other_x[..len] };
+        let (smaller, larger) = if large { (unstable, stable) } else { (stable, unstable) };
+        inverse.branches(block, &mut Rows { smaller, larger, status: &mut status[..len] })?;
+        for (a, status) in a.iter().zip(&mut status[..len]) {
+            if a.is_nan() && matches!(status, Status::Ok | Status::Fold) {
+                *status = Status::NoEquilibrium;
+            }
+        }
+        let (held, other) = match control {
+            Control::Force => (&mut states.force, &mut states.indentation),
+            _ => (&mut states.indentation, &mut states.force),
+        };
+        held.extend(block.iter().zip(&a).map(|(value, a)| where_known(*value, *a)));
+        other.extend_from_slice(&x[..len]);
+        states.contact_radius.extend_from_slice(&a[..len]);
+        states.status.extend_from_slice(&status[..len]);
+    }
+    Ok(states)
+}
+
+/// The value that is held, unless there is no state.
+fn where_known(value: f64, a: f64) -> f64 {
+    if a.is_nan() { f64::NAN } else { value }
+}

@@ -1,0 +1,192 @@
+//! What a contact does while the controlled quantity moves slowly from value to value.
+
+use mdr_core::contact::{self, Control, Error, Result, Status};
+use mdr_numeric::branch::Branched;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::path::{self, EventKind, Ledger, Loss, Path};
+
+use super::{Contact, States, numbers};
+use crate::run::Stop;
+use crate::solve;
+
+pub use mdr_numeric::path::Start;
+
+/// A state of a history, in SI units. Surfaces that are apart have a = F = 0; surfaces that touch everywhere have no numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// a.
+    pub contact_radius: f64,
+    /// d; NaN where the surfaces are apart under a dead load.
+    pub indentation: f64,
+    /// F.
+    pub force: f64,
+}
+
+/// Something that happens.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event {
+    /// What.
+    pub kind: EventKind,
+    /// The controlled quantity.
+    pub value: f64,
+    /// The state before it.
+    pub before: State,
+    /// The state after it; the same where nothing changes.
+    pub after: State,
+    /// The energy that is lost, in J: infinite where it has no bound, NaN where its integral does not converge.
+    pub dissipated: f64,
+}
+
+/// A state for each value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct History {
+    /// The states at the values, in their order. Behind the end of a path that cannot be continued there are none.
+    pub states: States,
+    /// What happens between them: every event but the arrival at a value.
+    pub jumps: Vec<Event>,
+}
+
+/// Events, a curve to be drawn, and energy.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadingPath {
+    /// In their order.
+    pub events: Vec<Event>,
+    /// The states of the events, with a number of states between each two.
+    pub curve: Vec<State>,
+    /// Work of the control, energy lost, and energy stored at the end more than at the start, in J; none where one has no bound.
+    pub balance: Option<[f64; 3]>,
+}
+
+impl Contact {
+    /// A state for each value, in their order.
+    ///
+    /// # Errors
+    /// No value, or one that is not finite; no stable equilibrium at the first; as [`Contact::equilibria`].
+    pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>, stop: &Stop) -> Result<History> {
+        self.branched(control, stop, |branches| {
+            let path = Path::follow(branches, start, values)?;
+            let losses = Loss::of_each(&path, branches);
+            let mut states = States::with_capacity(values.len());
+            for event in path.events.iter().filter(|event| is_arrival(event)).take(values.len()) {
+                let state = State::of(&event.after, control, event.value);
+                let known = !state.contact_radius.is_nan();
+                states.push(state.row(), if known { Status::Ok } else { Status::NoEquilibrium });
+            }
+            let end = path.events.last().map_or(Status::NoEquilibrium, |event| match event.kind {
+                EventKind::NotAdmissible => Status::NotAdmissible,
+                EventKind::Undecided => Status::Undecided,
+                _ => Status::NoEquilibrium,
+            });
+            for _ in states.status.len()..values.len() {
+                states.push([f64::NAN; 3], end);
+            }
+            let mut jumps = events(&path, &losses, control)?;
+            jumps.retain(|event| !matches!(event.kind, EventKind::Start | EventKind::WayPoint | EventKind::End));
+            Ok(History { states, jumps })
+        })
+    }
+
+    /// What happens along way points, with the energy of each event, and `between` states between each two.
+    ///
+    /// # Errors
+    /// As [`Contact::follow`].
+    pub fn path(
+        &self,
+        control: &Control<f64>,
+        way: &[f64],
+        start: &Start<f64>,
+        between: usize,
+        stop: &Stop,
+    ) -> Result<LoadingPath> {
+        self.branched(control, stop, |branches| {
+            let path = Path::follow(branches, start, way)?;
+            let losses = Loss::of_each(&path, branches);
+            let balance = match Ledger::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)) {
+                Ok(balance) => balance.map(|balance| [balance.work, balance.lost, balance.stored]),
+                Err(Error::Stopped) => return Err(Error::Stopped),
+                Err(_) => Some([f64::NAN; 3]),
+            };
+            let events = events(&path, &losses, control)?;
+            Ok(LoadingPath { curve: curve(branches, &events, between)?, events, balance })
+        })
+    }
+
+    /// The state from which the contact comes off, drawn back from zero indentation, force or position. On the way there may
+    /// have been a stronger pull.
+    ///
+    /// # Errors
+    /// [`Error::NoEquilibrium`] where there is no contact to begin with, or where it does not come off; as [`Contact::follow`].
+    pub fn pull_off(&self, control: &Control<f64>, stop: &Stop) -> Result<State> {
+        self.branched(control, stop, |branches| {
+            let value = |fold: &contact::Instability<f64>| control.controlled(&fold.indentation, &fold.force);
+            let lowest = branches.folds().iter().map(value).filter(|value| value.is_finite()).fold(-1e-150, f64::min);
+            let path = Path::follow(branches, &Start::Largest, &[0.0, 2.0 * lowest])?;
+            let off = path.events.iter().rev().find(|event| event.kind == EventKind::Detached);
+            let off = off.ok_or_else(|| Error::no_equilibrium(control.quantity(), &0.0))?;
+            Ok(State::of(&off.before, control, off.value))
+        })
+    }
+}
+
+impl State {
+    fn of(state: &path::State<f64>, control: &Control<f64>, value: f64) -> Self {
+        let [contact_radius, indentation, force] = match state {
+            path::State::Contact(rest) => numbers(rest, control, value),
+            path::State::Detached if *control == Control::Force => [0.0, f64::NAN, 0.0],
+            path::State::Detached => [0.0, value, 0.0],
+            path::State::Complete => [f64::NAN; 3],
+        };
+        State { contact_radius, indentation, force }
+    }
+
+    fn row(self) -> [f64; 3] {
+        [self.contact_radius, self.indentation, self.force]
+    }
+}
+
+/// Whether an event is the arrival at a value.
+fn is_arrival(event: &path::Event<f64>) -> bool {
+    matches!(event.kind, EventKind::Start | EventKind::WayPoint | EventKind::End)
+}
+
+/// The events with the energy lost in each.
+fn events(path: &Path<f64>, losses: &[Result<Loss<f64>>], control: &Control<f64>) -> Result<Vec<Event>> {
+    let described = |(event, loss): (&path::Event<f64>, &Result<Loss<f64>>)| {
+        let dissipated = match loss {
+            _ if !solve::changes(event.kind) => 0.0,
+            Ok(Loss::Finite(lost)) => lost.value,
+            Ok(Loss::Unbounded) => f64::INFINITY,
+            Err(Error::Stopped) => return Err(Error::Stopped),
+            Err(_) => f64::NAN,
+        };
+        let [before, after] = [&event.before, &event.after].map(|state| State::of(state, control, event.value));
+        Ok(Event { kind: event.kind, value: event.value, before, after, dissipated })
+    };
+    path.events.iter().zip(losses).map(described).collect()
+}
+
+/// The states of the events, and between two of them states at equal steps of the radius.
+fn curve(branches: &Branches<'_, f64>, events: &[Event], between: usize) -> Result<Vec<State>> {
+    let mut states: Vec<State> = Vec::new();
+    let mut last: Option<State> = None;
+    for event in events {
+        let ends = last.map(|last| [last.contact_radius, event.before.contact_radius]);
+        if let Some([from, to]) = ends.filter(|[from, to]| *from > 0.0 && *to > 0.0 && from != to) {
+            for step in 1..=between {
+                let radius = from + (to - from) * (step as f64 / (between + 1) as f64);
+                match branches.curve().state(&radius) {
+                    Ok((indentation, force)) => states.push(State { contact_radius: radius, indentation, force }),
+                    Err(Error::Stopped) => return Err(Error::Stopped),
+                    // A radius at which g has no number, such as an edge, is passed by.
+                    Err(_) => {}
+                }
+            }
+        }
+        states.push(event.before);
+        if solve::changes(event.kind) {
+            states.push(event.after);
+        }
+        last = Some(event.after);
+    }
+    Ok(states)
+}

@@ -1,0 +1,257 @@
+//! One contact in f64, asked at arrays of values: all equilibria, the stable ones, and histories.
+//!
+//! Answers are columns. Where there is no state at a value its numbers are NaN and a status says why; an error concerns the
+//! whole question.
+
+mod equilibria;
+mod history;
+
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+
+use mdr_analytic::double::Inverse;
+use mdr_core::contact::{
+    Control, CountedTransform, Equilibrium, Error, Instability, Material, Quantity, Result, Status, Transform,
+};
+use mdr_core::number::Literal;
+use mdr_numeric::curve::Curve;
+use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::fields::Fields;
+use mdr_numeric::folds::{self, Folds};
+
+use crate::answer::Field;
+use crate::run::Stop;
+use crate::scene::Scene;
+use crate::solve;
+
+pub use history::{Event, History, LoadingPath, Start, State};
+
+/// States as columns of one length, in SI units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct States {
+    /// a.
+    pub contact_radius: Vec<f64>,
+    /// d.
+    pub indentation: Vec<f64>,
+    /// F.
+    pub force: Vec<f64>,
+    /// Whether there is a state. One with the status `NotAdmissible` has numbers, but the theory does not hold for it.
+    pub status: Vec<Status>,
+}
+
+/// All equilibria at some values, one branch of the curve of equilibria after the other, by increasing radius.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Equilibria {
+    /// Of each branch, whether its states are stable.
+    pub stable: Vec<bool>,
+    /// a on the first branch at every value, then on the second, and so on.
+    pub contact_radius: Vec<f64>,
+    /// d, likewise.
+    pub indentation: Vec<f64>,
+    /// F, likewise.
+    pub force: Vec<f64>,
+    /// Whether the surfaces of the state stay apart outside of the contact, likewise; false where there is no state.
+    pub admissible: Vec<bool>,
+    /// Of each value.
+    pub status: Vec<Status>,
+}
+
+/// Which of several stable equilibria is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// The one with the largest contact radius.
+    Largest,
+    /// The one with the smallest.
+    Smallest,
+}
+
+/// Profile and material in f64. It can be shared between threads.
+///
+/// ```
+/// use mdr::double::{Choice, Contact};
+/// use mdr::prelude::*;
+/// let ball = Scene::new(Shape::Paraboloid { radius: "1e-6" }, Elasticity::effective("1e6")?, "0.05")?;
+/// let ball = Contact::new(&ball)?;
+/// // The stable equilibria under three dead loads; the first pulls harder than −3/2 πwR.
+/// let states = ball.states(&Control::Force, &[-3e-7, -2e-7, 0.0], Choice::Largest, &Stop::default())?;
+/// assert_eq!(states.status, [Status::NoEquilibrium, Status::Ok, Status::Ok]);
+/// assert!(states.contact_radius[0].is_nan() && states.contact_radius[1] < states.contact_radius[2]);
+/// # Ok::<(), mdr::Error>(())
+/// ```
+pub struct Contact {
+    transform: Arc<dyn Transform<f64>>,
+    material: Material<f64>,
+    /// n and C of a power law.
+    law: Option<[f64; 2]>,
+    /// Its closed forms under fixed grips and under a dead load, once they have been needed.
+    inverses: [OnceLock<Inverse>; 2],
+    /// The folds under the control that was asked for last: a search for them takes longer than many equilibria.
+    folds: Mutex<Option<(Control<f64>, Folds<f64>)>>,
+}
+
+impl Contact {
+    /// The contact of a scene; what it wants and controls is not used.
+    ///
+    /// # Errors
+    /// A number that no double holds; a parameter out of its domain.
+    pub fn new(scene: &Scene) -> crate::Result<Self> {
+        scene.places.require_doubles("ask for certified digits")?;
+        let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(Literal::nearest_f64);
+        Ok(Contact {
+            transform: Arc::from(solve::transform::<f64>(&scene.profile, (), None)?),
+            material: Material::new(modulus, work)?,
+            law: scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius),
+            inverses: Default::default(),
+            folds: Mutex::default(),
+        })
+    }
+
+    /// g, g' and ∫₀ˣ g at radii, in this order; NaN outside of the profile.
+    ///
+    /// # Errors
+    /// A quadrature that does not converge; [`Error::Stopped`].
+    pub fn transform(&self, radii: &[f64], stop: &Stop) -> Result<[Vec<f64>; 3]> {
+        let transform = self.counted(stop);
+        let at = |part: fn(&dyn Transform<f64>, &f64) -> Result<f64>| {
+            radii.iter().map(|x| within(part(&transform, x))).collect::<Result<Vec<_>>>()
+        };
+        Ok([at(|t, x| t.g(x))?, at(|t, x| t.slope(x))?, at(|t, x| t.integral(x))?])
+    }
+
+    /// The equilibrium with each contact radius, stable or not; `DomainError` outside of the profile.
+    ///
+    /// # Errors
+    /// As [`Contact::transform`].
+    pub fn curve(&self, radii: &[f64], stop: &Stop) -> Result<States> {
+        let transform = self.counted(stop);
+        let curve = Curve::new(&transform, &self.material, &Control::Indentation);
+        let mut states = States::with_capacity(radii.len());
+        for a in radii {
+            let positive = Error::require_positive(Quantity::ContactRadius, *a);
+            match positive.and_then(|a| curve.state(&a)) {
+                Ok((d, force)) => states.push([*a, d, force], Status::Ok),
+                Err(error) => states.push([f64::NAN; 3], status_of(error)?),
+            }
+        }
+        Ok(states)
+    }
+
+    /// A field of the equilibrium with a contact radius, at radii: the pressure within the contact, in Pa, or the gap or the
+    /// displacement of the surface outside of it, in m. NaN where it is not defined or infinite.
+    ///
+    /// # Errors
+    /// A contact radius that is not positive, or outside of the profile; as [`Contact::transform`].
+    pub fn field(&self, field: Field, contact_radius: f64, radii: &[f64], stop: &Stop) -> Result<Vec<f64>> {
+        let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
+        let transform = self.counted(stop);
+        let curve = Curve::new(&transform, &self.material, &Control::Indentation);
+        let fields = Fields::new(curve, contact_radius)?;
+        let at = |r: &f64| match field {
+            Field::Pressure => fields.pressure(r),
+            Field::Gap => fields.gap(r),
+            Field::Displacement => fields.displacement(r),
+        };
+        radii.iter().map(|r| within(at(r))).collect()
+    }
+
+    /// All folds, by increasing radius.
+    ///
+    /// # Errors
+    /// A stiffness that is not positive; as [`Contact::transform`]; a fold beyond the range of f64.
+    pub fn folds(&self, control: &Control<f64>, stop: &Stop) -> Result<Vec<Instability<f64>>> {
+        self.branched(control, stop, |branches| {
+            use mdr_numeric::branch::Branched;
+            Ok(branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect())
+        })
+    }
+
+    fn counted(&self, stop: &Stop) -> CountedTransform<f64> {
+        CountedTransform::sharing(Arc::clone(&self.transform), &stop.tally())
+    }
+
+    /// What `ask` finds on the branches under a control.
+    fn branched<T>(
+        &self,
+        control: &Control<f64>,
+        stop: &Stop,
+        ask: impl FnOnce(&Branches<'_, f64>) -> Result<T>,
+    ) -> Result<T> {
+        control.check()?;
+        let transform = self.counted(stop);
+        let curve = Curve::new(&transform, &self.material, control);
+        let known = self.last_folds().take().filter(|(last, _)| last == control);
+        let found = match known {
+            Some((_, found)) => found,
+            None => folds::find(&curve)?,
+        };
+        *self.last_folds() = Some((control.clone(), found.clone()));
+        match found.beyond.first() {
+            Some(fold) => Err(fold.error.clone()),
+            None => ask(&Branches::cut_at(curve, found)),
+        }
+    }
+
+    /// The folds that are known. A thread that panicked has left them whole: they are replaced at once.
+    fn last_folds(&self) -> MutexGuard<'_, Option<(Control<f64>, Folds<f64>)>> {
+        self.folds.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Closed forms for many values at once, where there are such: of a power law under fixed grips or a dead load.
+    fn inverse(&self, control: &Control<f64>) -> Result<Option<&Inverse>> {
+        let Some([n, c]) = self.law.filter(|[n, _]| *n != 0.5) else { return Ok(None) };
+        let known = match control {
+            Control::Indentation => &self.inverses[0],
+            Control::Force => &self.inverses[1],
+            Control::Machine { .. } => return Ok(None),
+        };
+        if let Some(inverse) = known.get() {
+            return Ok(Some(inverse));
+        }
+        let inverse = Inverse::new(n, c, &self.material, control)?;
+        Ok(Some(known.get_or_init(|| inverse)))
+    }
+}
+
+impl States {
+    fn with_capacity(len: usize) -> Self {
+        let [contact_radius, indentation, force] = [(); 3].map(|()| Vec::with_capacity(len));
+        States { contact_radius, indentation, force, status: Vec::with_capacity(len) }
+    }
+
+    fn push(&mut self, [contact_radius, indentation, force]: [f64; 3], status: Status) {
+        self.contact_radius.push(contact_radius);
+        self.indentation.push(indentation);
+        self.force.push(force);
+        self.status.push(status);
+    }
+}
+
+/// NaN outside of the domain.
+fn within(value: Result<f64>) -> Result<f64> {
+    match value {
+        Err(Error::Domain { .. }) => Ok(f64::NAN),
+        value => value,
+    }
+}
+
+/// What an error at one value is in a column of statuses.
+///
+/// # Errors
+/// The error, where it concerns the whole question.
+fn status_of(error: Error) -> Result<Status> {
+    match error {
+        Error::Domain { .. } => Ok(Status::DomainError),
+        Error::OutOfRange { log10, .. } => Ok(if log10 > 0.0 { Status::Overflow } else { Status::Underflow }),
+        Error::NoConvergence { .. } | Error::Undecided { .. } => Ok(Status::Undecided),
+        error => Err(error),
+    }
+}
+
+/// a, d and F of a state that was found at a value; what is controlled has that value.
+fn numbers(state: &Equilibrium<f64>, control: &Control<f64>, value: f64) -> [f64; 3] {
+    let [a, d, force] = [state.contact_radius, state.indentation, state.force];
+    match control {
+        Control::Indentation => [a, value, force],
+        Control::Force => [a, d, value],
+        Control::Machine { .. } => [a, d, force],
+    }
+}

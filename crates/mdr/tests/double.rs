@@ -1,0 +1,83 @@
+//! One contact at arrays of values: the closed form against the search, and histories against single states.
+
+use mdr::double::{Choice, Contact, Start};
+use mdr::prelude::*;
+
+fn contact(shape: Shape<&str>) -> Contact {
+    let elasticity = Elasticity::effective("1").expect("positive");
+    Contact::new(&Scene::new(shape, elasticity, "1e-3").expect("a scene")).expect("a contact")
+}
+
+/// r²/2R as a power law, and as a sum of one term, of which no closed form is known.
+fn ball_in_two_ways() -> [Contact; 2] {
+    let scene = r#"{"profile": {"kind": "sum", "term": [{"kind": "paraboloid", "radius": 1}]},
+        "material": {"e_star": 1, "work_of_adhesion": "1e-3"}, "output": {"want": ["folds"]}}"#;
+    let sum = Scene::from_json(scene, "sum.json", &mdr::no_files).expect("a scene");
+    [contact(Shape::Paraboloid { radius: "1" }), Contact::new(&sum).expect("a contact")]
+}
+
+fn same(one: &[f64], other: &[f64]) {
+    assert_eq!(one.len(), other.len());
+    for (one, other) in one.iter().zip(other) {
+        let near = (one - other).abs() <= 1e-9 * one.abs().max(1e-6);
+        assert!(near || one.is_nan() && other.is_nan(), "{one} {other}");
+    }
+}
+
+#[test]
+fn the_closed_form_and_the_search_agree() {
+    let [law, searched] = ball_in_two_ways();
+    let stop = Stop::default();
+    let values = [-1.0, -4e-3, -1e-3, 0.0, 1e-3, f64::NAN];
+    for control in [Control::Indentation, Control::Force] {
+        let [one, other] = [&law, &searched].map(|ball| ball.equilibria(&control, &values, &stop).expect("equilibria"));
+        assert_eq!((&one.stable, &one.status), (&other.stable, &other.status));
+        assert_eq!(one.admissible, other.admissible);
+        same(&one.contact_radius, &other.contact_radius);
+        same(&one.indentation, &other.indentation);
+        same(&one.force, &other.force);
+        let [one, other] =
+            [&law, &searched].map(|ball| ball.states(&control, &values, Choice::Largest, &stop).expect("states"));
+        assert_eq!(one.status, other.status);
+        assert_eq!((one.status[0], one.status[5]), (Status::NoEquilibrium, Status::DomainError));
+        same(&one.force, &other.force);
+    }
+}
+
+#[test]
+fn a_history_is_made_of_states() {
+    let [ball, _] = ball_in_two_ways();
+    let (control, stop) = (Control::machine(0.1).expect("positive"), Stop::default());
+    let values: Vec<f64> = (0..40).map(|step| 0.1 - 0.01 * f64::from(step)).collect();
+    let history = ball.follow(&control, &values, &Start::Largest, &stop).expect("a history");
+    assert_eq!(history.jumps.iter().map(|event| event.kind).collect::<Vec<_>>(), [EventKind::Detached]);
+    let alone = ball.states(&control, &values, Choice::Largest, &stop).expect("states");
+    for (i, value) in values.iter().enumerate() {
+        if *value > history.jumps[0].value {
+            same(&history.states.force[i..=i], &alone.force[i..=i]);
+        } else {
+            assert_eq!((history.states.force[i], history.states.status[i]), (0.0, Status::Ok));
+        }
+    }
+    let off = ball.pull_off(&control, &stop).expect("it comes off");
+    assert_eq!(history.jumps[0].before.contact_radius, off.contact_radius);
+}
+
+#[test]
+fn a_path_that_cannot_go_on_has_no_more_states() {
+    // Pressed on, the surfaces touch at the next crest.
+    let waves = contact(Shape::WavyParaboloid { radius: "1", amplitude: "1e-2", wavelength: "0.1" });
+    let stop = Stop::default();
+    let history = waves.follow(&Control::Indentation, &[-1.0, 0.0, 0.1], &Start::Detached, &stop).expect("a history");
+    assert_eq!(history.states.status.last(), Some(&Status::NotAdmissible));
+    assert!(history.states.force[2].is_nan());
+}
+
+#[test]
+fn a_stopped_contact_answers_nothing() {
+    let [_, ball] = ball_in_two_ways();
+    let stop = Stop::default();
+    stop.stop();
+    let stopped = Err(mdr::ContactError::Stopped);
+    assert_eq!(ball.states(&Control::Force, &[0.0], Choice::Largest, &stop), stopped);
+}
