@@ -90,6 +90,7 @@ impl<'a, N> Row<'a, N> {
     }
 
     /// Whether a number in it is undecided, or the record as a whole.
+    #[cfg(feature = "mp")]
     pub(crate) fn is_open(&self) -> bool {
         let open = |(_, cell): &(_, Cell<'_, N>)| match cell {
             Cell::Rows(rows) => rows.iter().any(Row::is_open),
@@ -144,6 +145,7 @@ impl<N, T: Numbers<N>> Numbers<N> for Option<T> {
 }
 
 /// All values below rows, in their order.
+#[cfg(feature = "mp")]
 pub(crate) fn values<'a, N>(rows: &[Row<'a, N>]) -> Vec<&'a Value<N>> {
     let mut found = Vec::new();
     for (_, cell) in rows.iter().flat_map(|row| &row.cells) {

@@ -431,6 +431,7 @@ impl<T> List<T> {
         List { complete: Some(complete), ..self }
     }
 
+    #[cfg(feature = "mp")]
     pub(crate) fn map<S>(self, f: impl FnOnce(Vec<T>) -> Vec<S>) -> List<S> {
         List { items: f(self.items), promise: self.promise, complete: self.complete }
     }
@@ -484,6 +485,7 @@ impl LoadingPath {
     }
 
     /// The same path with the energies of another computation of it.
+    #[cfg(feature = "mp")]
     pub(crate) fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
         for (event, other) in self.events.items.iter_mut().zip(other.events) {
             event.dissipated = other.dissipated;
@@ -492,6 +494,7 @@ impl LoadingPath {
     }
 
     /// The same path where its energies are not known.
+    #[cfg(feature = "mp")]
     pub(crate) fn without_energy(mut self, why: &str) -> Self {
         let open = || Value::unknown(Status::Undecided, why);
         // Surfaces that part under a dead load, or come to touch everywhere, have no energy balance.

@@ -96,6 +96,7 @@ impl Places {
     }
 
     /// A number of the profile that no double can hold.
+    #[cfg(feature = "mp")]
     pub(crate) fn parameter_beyond_doubles(&self) -> Option<&Literal> {
         first_beyond_doubles(&self.numbers[self.parameters.clone()]).map(|(number, _)| number)
     }

@@ -14,8 +14,9 @@ use super::digits::{agree, decide, start};
 use super::model::{Model, SceneReal};
 use super::outputs;
 use super::proof::{self, FoldProof};
+use super::refine::refined;
 use super::search::{Search, not_proved};
-use super::states::{States, exact, refined};
+use super::states::{States, exact};
 use crate::answer::record::Numbers;
 use crate::answer::{
     AtValue, Completeness, EnergyState, Equilibrium, Field, FieldState, List, LoadingPath, Number, Output, Promise,

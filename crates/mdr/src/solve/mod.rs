@@ -26,6 +26,8 @@ mod path;
 mod power_law;
 #[cfg(feature = "mp")]
 mod proof;
+#[cfg(feature = "mp")]
+mod refine;
 mod roughness;
 mod sample;
 mod search;
@@ -167,7 +169,7 @@ impl<'s> Solver<'s> {
         let folds = match self.route {
             Route::Search(_) => searched.clone(),
             #[cfg(feature = "mp")]
-            Route::Certified(_) => states::refined(&model, searched)?,
+            Route::Certified(_) => refine::refined(&model, searched)?,
         };
         Ok((model, folds))
     }

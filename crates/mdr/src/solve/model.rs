@@ -87,6 +87,7 @@ impl<R: SceneReal> Model<R> {
     }
 
     /// A double, exactly.
+    #[cfg(feature = "mp")]
     pub(crate) fn double(&self, value: f64) -> R {
         R::from_f64(self.ctx, value)
     }

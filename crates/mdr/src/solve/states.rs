@@ -3,16 +3,14 @@
 use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
-use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{self, Control, Error, Instability, Quantity, Result, Stability, Status};
+use mdr_core::contact::{self, Control, Error, Result, Stability, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, Verdict};
 use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{Branches, Equilibria};
 use mdr_numeric::fields::Fields;
-use mdr_numeric::folds::{Completeness, Folds, pole};
+use mdr_numeric::folds::{Completeness, Folds};
 use mdr_numeric::path::{Path, State};
 
 use super::force_curve::force_curve;
@@ -97,6 +95,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     }
 
     /// The contact radii of the path, if there is one, and of the equilibria at the values, as far as they are found.
+    #[cfg(feature = "mp")]
     pub(crate) fn visited(&self, moved: Option<&Scene>, values: &[Literal]) -> Vec<f64> {
         let path = moved.and_then(|scene| path::follow(self.model, &self.branches, scene).ok());
         let events = path.into_iter().flat_map(|path| path.events);
@@ -257,38 +256,4 @@ pub(crate) fn branches<R: SceneReal>(model: &Model<R>, folds: Folds<R>, octaves:
     let last = folds.folds.last().map_or(&length, |fold| &fold.contact_radius);
     let [lower, upper] = [length.lit(2).powi(-octaves) * first, length.lit(2).powi(octaves) * last];
     Branches::cut_at(model.curve(), folds).within(lower, upper)
-}
-
-/// Folds that are known in f64, in another arithmetic: each is looked for near the radius that is known.
-///
-/// # Errors
-/// Those of the transform; [`Error::NoConvergence`] when a fold is not found again.
-pub(crate) fn refined<R: SceneReal>(model: &Model<R>, searched: &Folds<f64>) -> Result<Folds<R>> {
-    let curve = model.curve();
-    let folds = searched.folds.iter().map(|fold| refine(model, &curve, fold)).collect::<Result<_>>()?;
-    let kinks = model.transform().kinks();
-    let at = |radius: f64| kinks.iter().find(|kink| kink.approx() == radius).cloned();
-    let poles = searched.poles.iter().filter_map(|found| Some(pole(at(found.contact_radius)?, found.kind))).collect();
-    Ok(Folds { folds, poles, beyond: Vec::new(), completeness: searched.completeness })
-}
-
-fn refine<R: SceneReal>(model: &Model<R>, curve: &Curve<'_, R>, searched: &Instability<f64>) -> Result<Instability<R>> {
-    let centre = model.double(searched.contact_radius);
-    if let Some(wall) = curve.wall().filter(|wall| wall.approx() == searched.contact_radius) {
-        let (indentation, force) = curve.state(&wall)?;
-        return Ok(Instability { contact_radius: wall, indentation, force, kind: searched.kind });
-    }
-    let excess = |a: &R| Ok(curve.tangency(a)? - curve.threshold(a)?);
-    for halvings in [44, 36, 28, 20, 12] {
-        let margin = centre.lit(2).powi(-halvings) * &centre;
-        let (lower, mut upper) = (centre.clone() - &margin, centre.clone() + &margin);
-        if let Some(outer) = curve.transform().outer_radius().filter(|outer| upper >= *outer) {
-            upper = (centre.clone() + outer).over(2);
-        }
-        let Some(bracket) = Bracket::new(&lower, &upper, excess)? else { continue };
-        let contact_radius = roots::refine(bracket, &centre.unit_roundoff(), excess)?.value;
-        let (indentation, force) = curve.state(&contact_radius)?;
-        return Ok(Instability { contact_radius, indentation, force, kind: searched.kind });
-    }
-    Err(Error::NoConvergence { quantity: Quantity::ContactRadius, evaluations: 10, error: 2f64.powi(-12) })
 }
