@@ -37,8 +37,8 @@ sampled   at 30 random rational points with n from 2^-10 to 2^10: no proof
 refuted   by normal forms and at a point
 cited     from the literature
 
-Every step but the refuted and cited is also mutated, one sign, exponent or factor at a time: no mutant may
-hold.
+Every step that is not refuted or cited is also mutated, one sign, exponent or factor at a
+time: no mutant may hold.
 Exit status: 0 every step is what it claims to be, 1 one is not or a mutant survives, 2 bad input.";
 
 /// The derivation of every equation, each step with its verdict: theorem, proved, sampled, refuted, cited.
