@@ -75,7 +75,7 @@ impl Contact {
                     number("the normal force F", force)?,
                 ))
             }
-            None => self.pull_off(py, held, control.stiffness()),
+            None => self.pull_off(py, held, nearest_stiffness(&control)),
         }
     }
 
@@ -97,7 +97,7 @@ impl Contact {
                 state_of(&answer)?.values().map(ToString::to_string)
             }
             None => {
-                let (near, ..) = self.pull_off(py, held, control.stiffness())?;
+                let (near, ..) = self.pull_off(py, held, nearest_stiffness(&control))?;
                 let scene =
                     self.scene.clone().control(control).want(Want::Folds { range: None }).arithmetic(arithmetic);
                 let fold = interruptible(py, |stop| nearest_fold(&scene, near, stop))?.map_err(of_library)?;
@@ -331,20 +331,32 @@ fn literal(text: &str) -> PyResult<Literal> {
 }
 
 fn control(held: &str, stiffness: Option<f64>) -> PyResult<Control<f64>> {
-    match (held, stiffness) {
-        ("indentation", None) => Ok(Control::Indentation),
-        ("force", None) => Ok(Control::Force),
-        ("position", Some(stiffness)) => Control::machine(stiffness).map_err(of_contact),
-        _ => Err(PyValueError::new_err(format!("no control: {held}"))),
-    }
+    controlled(held, stiffness, |stiffness| Control::machine(stiffness).map_err(of_contact))
 }
 
 fn exact_control(held: &str, stiffness: Option<&str>) -> PyResult<Control<Literal>> {
-    match (held, stiffness) {
+    controlled(held, stiffness, |text| Ok(Control::Machine { stiffness: literal(text)? }))
+}
+
+/// The control by its name in Python; only a machine has a stiffness.
+fn controlled<S, N>(
+    name: &str,
+    stiffness: Option<S>,
+    machine: impl FnOnce(S) -> PyResult<Control<N>>,
+) -> PyResult<Control<N>> {
+    match (name, stiffness) {
         ("indentation", None) => Ok(Control::Indentation),
         ("force", None) => Ok(Control::Force),
-        ("position", Some(stiffness)) => Ok(Control::Machine { stiffness: literal(stiffness)? }),
-        _ => Err(PyValueError::new_err(format!("no control: {held}"))),
+        ("position", Some(stiffness)) => machine(stiffness),
+        _ => Err(PyValueError::new_err(format!("no control: {name}"))),
+    }
+}
+
+/// The stiffness of a machine, as a double.
+fn nearest_stiffness(control: &Control<Literal>) -> Option<f64> {
+    match control {
+        Control::Machine { stiffness } => Some(stiffness.nearest_f64()),
+        _ => None,
     }
 }
 
@@ -387,20 +399,6 @@ fn row(state: State) -> Row {
 
 fn happening(event: &Event) -> Happening {
     (event.kind.name(), event.value, row(event.before), row(event.after), event.dissipated)
-}
-
-trait Stiffness {
-    /// That of a machine, as a double.
-    fn stiffness(&self) -> Option<f64>;
-}
-
-impl Stiffness for Control<Literal> {
-    fn stiffness(&self) -> Option<f64> {
-        match self {
-            Control::Machine { stiffness } => Some(stiffness.nearest_f64()),
-            _ => None,
-        }
-    }
 }
 
 const _: fn() = || {
