@@ -66,10 +66,8 @@ impl Stop {
     pub fn is_stopped(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
-}
 
-impl Stop {
-    /// What a count of evaluations looks at.
+    /// A count of evaluations that ends with the run.
     pub(crate) fn tally(&self) -> Arc<Tally> {
         Arc::new(Tally::until(&self.0))
     }
@@ -107,7 +105,7 @@ pub(crate) struct Counts([Arc<Tally>; ARITHMETICS.len()]);
 
 impl Counts {
     pub(crate) fn until(stop: &Stop) -> Self {
-        Counts(std::array::from_fn(|_| Arc::new(Tally::until(&stop.0))))
+        Counts(std::array::from_fn(|_| stop.tally()))
     }
 
     pub(crate) fn of(&self, index: usize) -> &Arc<Tally> {

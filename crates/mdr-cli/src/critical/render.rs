@@ -1,7 +1,7 @@
 //! The answer for a reader and for a spreadsheet.
 
 use mdr::critical::{CriticalAnswer, CriticalFold, CriticalState};
-use mdr::prelude::{Arithmetic, ControlKind, Promise, Value};
+use mdr::prelude::{Arithmetic, ControlKind, Value};
 use mdr_core::contact::Regime;
 
 use crate::error::Result;
@@ -227,17 +227,13 @@ fn columns(answer: &CriticalAnswer, state: Option<&CriticalState>, fold: Option<
         Some(value) => value.to_string(),
     };
     let log10 = |value: Option<&Value>| value.and_then(Value::log10).map(|log10| log10.to_string()).unwrap_or_default();
-    let (promise, digits) = match answer.arithmetic {
-        Arithmetic::Certified { digits } => (Promise::Certified, digits.to_string()),
-        Arithmetic::Double => (Promise::Double, String::new()),
-    };
     let inputs = &answer.inputs;
     let body = |body: usize, constant: usize| text(inputs.bodies.as_ref().map(|bodies| &bodies[body][constant]));
     let [radius, indentation, force] = values(state);
     let threshold = answer.threshold.as_ref();
     let values = [
-        promise.name().to_owned(),
-        digits,
+        answer.arithmetic.promise().name().to_owned(),
+        answer.arithmetic.digits().map_or_else(String::new, |digits| digits.to_string()),
         answer.law.control.kind().name().to_owned(),
         answer.regime.to_string(),
         inputs.n.to_string(),

@@ -5,7 +5,6 @@ use serde::ser::{Error as _, SerializeMap};
 use serde::{Serialize, Serializer};
 
 use super::{Answer, Cell, Completeness, Number, Output, Promise, Row, Value, described};
-use crate::scene::Arithmetic;
 
 /// Names the keys of the answer and their meaning.
 const SCHEMA: &str = "mdr.solve/1";
@@ -23,11 +22,7 @@ impl Serialize for Answer {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("schema", SCHEMA)?;
         map.serialize_entry("arithmetic", self.promise().name())?;
-        let digits = match self.arithmetic {
-            Arithmetic::Certified { digits } => Some(digits),
-            Arithmetic::Double => None,
-        };
-        map.serialize_entry("digits", &digits)?;
+        map.serialize_entry("digits", &self.arithmetic.digits())?;
         map.serialize_entry("profile", self.profile)?;
         map.serialize_entry("control", &self.control.map(|control| control.name()))?;
         if !self.notes.is_empty() {

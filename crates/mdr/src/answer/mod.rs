@@ -289,10 +289,7 @@ impl Answer {
 
     /// The promise that was asked for.
     pub fn promise(&self) -> Promise {
-        match self.arithmetic {
-            Arithmetic::Certified { .. } => Promise::Certified,
-            Arithmetic::Double => Promise::Double,
-        }
+        self.arithmetic.promise()
     }
 }
 

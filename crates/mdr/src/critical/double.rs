@@ -1,7 +1,7 @@
 //! The critical state in f64.
 
 use mdr_analytic::double;
-use mdr_core::contact::{Control, Elasticity, Error, Instability, Material, Quantity, Ranged, Regime, Result, Status};
+use mdr_core::contact::{Control, Elasticity, Error, Material, Quantity, Ranged, Regime, Result, Status};
 use mdr_core::number::Literal;
 
 use super::{CriticalAnswer, CriticalFold, CriticalState, PowerLaw, Threshold, first_trouble, out_of_doubles};
@@ -24,7 +24,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
     let folds: Option<Vec<CriticalFold>> = match control {
         Control::Machine { stiffness } => Some(match double::machine_folds(n, c, &material, stiffness) {
             Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?.1,
-            folds => folds?.into_iter().map(fold).collect(),
+            folds => folds?.into_iter().map(|fold| CriticalFold::new(fold, ranged)).collect(),
         }),
         _ => None,
     };
@@ -88,11 +88,7 @@ fn in_digits(
     let control = control.try_map(literal)?;
     let answer = Question::new(&literal(&n)?, &literal(&c)?, &elasticity, &work, &control)?.answer(ENOUGH)?;
     let state = answer.critical.map(|c| CriticalState::new([c.contact_radius, c.indentation, c.force], rounded));
-    let fold = |fold: Instability<_>| CriticalFold {
-        state: CriticalState::new([fold.contact_radius, fold.indentation, fold.force], rounded),
-        kind: fold.kind,
-    };
-    Ok((state, answer.folds.into_iter().map(fold).collect()))
+    Ok((state, answer.folds.into_iter().map(|fold| CriticalFold::new(fold, rounded)).collect()))
 }
 
 /// Without certified digits it stays undecided.
@@ -168,12 +164,5 @@ fn rounded(decimal: mdr_core::number::Decimal) -> Value {
         None if decimal.is_zero() => Value::Known(Number::Double(0.0)),
         None => Value::out_of_range(decimal.log10_f64()),
         Some(value) => Value::Known(Number::Double(value)),
-    }
-}
-
-fn fold(fold: Instability<Ranged<f64>>) -> CriticalFold {
-    CriticalFold {
-        state: CriticalState::new([fold.contact_radius, fold.indentation, fold.force], ranged),
-        kind: fold.kind,
     }
 }

@@ -4,22 +4,17 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use super::{CriticalAnswer, CriticalFold, CriticalState, Inputs};
-use crate::answer::{Promise, Value};
-use crate::scene::Arithmetic;
+use crate::answer::Value;
 
 /// Names the keys of the answer and their meaning.
 const SCHEMA: &str = "mdr.critical/1";
 
 impl Serialize for CriticalAnswer {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let (promise, digits) = match self.arithmetic {
-            Arithmetic::Certified { digits } => (Promise::Certified, Some(digits)),
-            Arithmetic::Double => (Promise::Double, None),
-        };
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("schema", SCHEMA)?;
-        map.serialize_entry("arithmetic", promise.name())?;
-        map.serialize_entry("digits", &digits)?;
+        map.serialize_entry("arithmetic", self.arithmetic.promise().name())?;
+        map.serialize_entry("digits", &self.arithmetic.digits())?;
         map.serialize_entry("control", self.law.control.kind().name())?;
         map.serialize_entry("regime", &self.regime.to_string())?;
         map.serialize_entry("inputs", &self.inputs)?;

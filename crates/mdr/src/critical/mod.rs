@@ -4,7 +4,7 @@ mod double;
 #[cfg(feature = "serde")]
 mod json;
 
-use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Quantity, Regime, Status};
+use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Instability, Quantity, Regime, Status};
 use mdr_core::number::Literal;
 
 use crate::answer::{Number, Value};
@@ -111,6 +111,13 @@ impl CriticalState {
     }
 }
 
+impl CriticalFold {
+    fn new<N>(fold: Instability<N>, value: impl Fn(N) -> Value) -> Self {
+        let state = CriticalState::new([fold.contact_radius, fold.indentation, fold.force], value);
+        CriticalFold { state, kind: fold.kind }
+    }
+}
+
 fn first_trouble<const K: usize>(values: [&Value; K]) -> Status {
     values.map(Value::status).into_iter().find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
 }
@@ -204,10 +211,6 @@ fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalA
         None => Value::unknown(Status::Undecided, "E* of the two bodies"),
     };
     let is_machine = matches!(law.control, Control::Machine { .. });
-    let fold = |fold: mdr_core::contact::Instability<Decimal>| CriticalFold {
-        state: CriticalState::new([fold.contact_radius, fold.indentation, fold.force], known),
-        kind: fold.kind,
-    };
     Ok(CriticalAnswer {
         arithmetic: Arithmetic::Certified { digits },
         law: law.clone(),
@@ -222,7 +225,7 @@ fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalA
             .threshold
             .zip(answer.ratio)
             .map(|(threshold, ratio)| Threshold { c: known(threshold), ratio: known(ratio) }),
-        folds: is_machine.then(|| answer.folds.into_iter().map(fold).collect()),
+        folds: is_machine.then(|| answer.folds.into_iter().map(|fold| CriticalFold::new(fold, known)).collect()),
     })
 }
 

@@ -247,7 +247,7 @@ fn status_of(error: Error) -> Result<Status> {
 }
 
 /// a, d and F of a state that was found at a value; what is controlled has that value.
-fn numbers(state: &Equilibrium<f64>, control: &Control<f64>, value: f64) -> [f64; 3] {
+pub(crate) fn numbers(state: &Equilibrium<f64>, control: &Control<f64>, value: f64) -> [f64; 3] {
     let [a, d, force] = [state.contact_radius, state.indentation, state.force];
     match control {
         Control::Indentation => [a, value, force],

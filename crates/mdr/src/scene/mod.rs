@@ -194,8 +194,7 @@ impl Scene {
         self.has_control || self.has(|kind| !kind.is_of_profile())
     }
 
-    /// How the scene was read, and what of it nothing uses. A scene that is `drawn` has use for its way points and values,
-    /// wanted or not.
+    /// How the scene was read, where that may surprise.
     pub(crate) fn notes(&self) -> &[String] {
         &self.notes
     }

@@ -2,7 +2,7 @@
 
 use mdr_core::number::Literal;
 
-use crate::answer::OutputKind;
+use crate::answer::{OutputKind, Promise};
 
 /// The most digits that may be asked for.
 pub const MAX_DIGITS: u32 = 100_000;
@@ -20,6 +20,24 @@ pub enum Arithmetic {
     },
     /// Hardware numbers.
     Double,
+}
+
+impl Arithmetic {
+    /// The promise that is asked for.
+    pub fn promise(self) -> Promise {
+        match self {
+            Arithmetic::Certified { .. } => Promise::Certified,
+            Arithmetic::Double => Promise::Double,
+        }
+    }
+
+    /// The significant decimal digits that are asked for; `None` in f64.
+    pub fn digits(self) -> Option<u32> {
+        match self {
+            Arithmetic::Certified { digits } => Some(digits),
+            Arithmetic::Double => None,
+        }
+    }
 }
 
 impl Default for Arithmetic {

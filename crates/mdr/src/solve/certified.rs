@@ -8,6 +8,7 @@ use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal};
 use mdr_numeric::admissible::Admissibility;
+use mdr_numeric::folds::Folds;
 use rug::Float;
 
 use super::digits::{agree, decide, start};
@@ -72,8 +73,7 @@ impl<'s> Certified<'s> {
             Want::Gap { states, at } => self.field(Field::Gap, states, at)?,
             Want::Displacement { states, at } => self.field(Field::Displacement, states, at)?,
             Want::ForceCurve { points } => {
-                let model: Model<f64> = self.model(())?;
-                let folds = refined(&model, self.search()?.folds()?)?;
+                let (model, folds) = self.in_doubles()?;
                 let states = States::new(&model, folds, self.admissibility()?);
                 Output::ForceCurve(Box::new(states.force_curve(self.scene, *points as usize)?))
             }
@@ -106,6 +106,13 @@ impl<'s> Certified<'s> {
     /// The same contact in another arithmetic.
     pub(super) fn model<R: SceneReal>(&self, ctx: R::Ctx) -> Result<Model<R>> {
         Model::new(self.scene, ctx, self.counts)
+    }
+
+    /// The contact in f64 and SI units, with all its folds.
+    pub(super) fn in_doubles(&self) -> Result<(Model<f64>, Folds<f64>)> {
+        let model: Model<f64> = self.model(())?;
+        let folds = refined(&model, self.search()?.folds()?)?;
+        Ok((model, folds))
     }
 
     fn search_or_given_radii(&self, given: &[Literal]) -> Result<Vec<Literal>> {

@@ -1,6 +1,6 @@
 //! The output `force-curve`: the loading path as a measurement shows it, sampled, with a break at every jump.
 
-use mdr_core::contact::{self, Control, Error, Result};
+use mdr_core::contact::{Control, Error, Result};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{Event, EventKind, Loss, Path, State};
@@ -8,6 +8,7 @@ use mdr_numeric::path::{Event, EventKind, Loss, Path, State};
 use super::model::Model;
 use super::path::{changes, follow};
 use crate::answer::{CurveSummary, ForceCurve, ForceSample, List, Number, Optional, Promise, Value};
+use crate::double::numbers;
 use crate::scene::Scene;
 
 /// At least so many samples between two events.
@@ -69,13 +70,9 @@ fn between(branches: &Branches<'_, f64>, from: &State<f64>, to: &State<f64>, val
 fn sample(control: &Control<f64>, segment: usize, step: f64, value: f64, state: &State<f64>) -> Option<ForceSample> {
     let known = |value: f64| Value::Known(Number::Double(value));
     let (contact_radius, indentation, force) = match state {
-        State::Contact(contact::Equilibrium { contact_radius, indentation, force, .. }) => {
-            let (indentation, force) = match control {
-                Control::Indentation => (value, *force),
-                Control::Force => (*indentation, value),
-                Control::Machine { .. } => (*indentation, *force),
-            };
-            (Some(*contact_radius), Some(indentation), force)
+        State::Contact(state) => {
+            let [contact_radius, indentation, force] = numbers(state, control, value);
+            (Some(contact_radius), Some(indentation), force)
         }
         // A dead load leaves the position of bodies apart open.
         State::Detached if *control == Control::Force => (None, None, 0.0),

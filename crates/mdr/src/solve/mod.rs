@@ -164,14 +164,11 @@ impl<'s> Solver<'s> {
 
     /// The contact in f64 with all its folds, in SI units.
     fn in_doubles(&self) -> contact::Result<(Model<f64>, Folds<f64>)> {
-        let model: Model<f64> = Model::new(self.scene, (), self.counts)?;
-        let searched = self.search()?.folds()?;
-        let folds = match self.route {
-            Route::Search(_) => searched.clone(),
+        match &self.route {
+            Route::Search(search) => Ok((Model::new(self.scene, (), self.counts)?, search.folds()?.clone())),
             #[cfg(feature = "mp")]
-            Route::Certified(_) => refine::refined(&model, searched)?,
-        };
-        Ok((model, folds))
+            Route::Certified(certified) => certified.in_doubles(),
+        }
     }
 
     /// The contact in f64.
@@ -197,7 +194,7 @@ impl<'s> Solver<'s> {
         let Some([lower, _]) = &self.scene.range else { return Ok(()) };
         let search = self.search().map_err(|error| self.scene.places.complaint(error))?;
         match search.model().transform().outer_radius() {
-            Some(outer) if contact_begins_beyond(lower, outer) => Err(self.scene.places.range.refuse(format!(
+            Some(outer) if is_beyond(lower, outer) => Err(self.scene.places.range.refuse(format!(
                 "the range must begin within the profile, whose outer radius is {outer}, got {lower}"
             ))),
             _ => Ok(()),
@@ -249,7 +246,7 @@ impl<'s> Solver<'s> {
 }
 
 /// Whether a radius lies at or beyond the outer radius of a profile.
-fn contact_begins_beyond(lower: &mdr_core::number::Literal, outer: f64) -> bool {
+fn is_beyond(lower: &mdr_core::number::Literal, outer: f64) -> bool {
     mdr_core::number::Literal::try_from(outer)
         .map_or(lower.nearest_f64() >= outer, |outer| lower.compare(&outer).is_ge())
 }
