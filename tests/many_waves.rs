@@ -6,14 +6,12 @@ mod waves;
 
 use mdr_analytic::profiles::WavyParaboloid as Closed;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Control, FoldKind, Material, Result, Transform};
+use mdr_core::contact::{Control, FoldKind, Material, Result, Shape, Transform};
 use mdr_core::number::{Literal, Precision, Real, Special};
-
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::folds::{Completeness, find};
 use mdr_numeric::path::{Ledger, Path, Start};
-use mdr_numeric::profiles::WavyParaboloid;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -26,8 +24,12 @@ fn number<R: Real>(ctx: R::Ctx, text: &str) -> R {
 fn compare<R: Struve + Special>(ctx: R::Ctx, waves: &[&str]) -> Result<()> {
     let [radius, amplitude, wavelength] = ["1", "5e-4", "1e-3"].map(|text| number::<R>(ctx, text));
     let closed = Closed::new(radius.clone(), amplitude.clone(), wavelength.clone())?;
-    let numeric =
-        Quadrature::new(WavyParaboloid::new(radius, amplitude.clone(), wavelength.clone())?).with_waves(20_000);
+    let numeric = Quadrature::of([Shape::WavyParaboloid {
+        radius,
+        amplitude: amplitude.clone(),
+        wavelength: wavelength.clone(),
+    }])?
+    .with_waves(20_000);
     for waves in waves {
         let x = number::<R>(ctx, waves) * &wavelength;
         let phase = x.pi().times(2) * &x / &wavelength + x.lit(1);

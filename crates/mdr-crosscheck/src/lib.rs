@@ -38,7 +38,6 @@ mod trial;
 pub mod work_precision;
 
 pub use checks::checks_of;
-pub use library::Shape;
 pub use merge::MergeError;
 pub use options::{Level, Options, Shard, ShardError};
 pub use report::{Failure, Finding, Grid, Report, Row, Unit, Verdict};

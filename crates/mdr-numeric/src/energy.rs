@@ -22,9 +22,9 @@ use mean::Grade;
 /// The potential energy of a profile in contact.
 ///
 /// ```
-/// use mdr_core::contact::{Control, Material, Stability};
-/// use mdr_numeric::{energy::Energy, profiles::Paraboloid, transform::Quadrature};
-/// let (ball, glue) = (Quadrature::new(Paraboloid::new(1.0)?), Material::new(1.0, 1e-3)?);
+/// use mdr_core::contact::{Control, Material, Shape, Stability};
+/// use mdr_numeric::{energy::Energy, transform::Quadrature};
+/// let (ball, glue) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Material::new(1.0, 1e-3)?);
 /// let stationary = Energy::new(&ball, &glue)?.equilibria(&Control::Indentation, &-0.01)?;
 /// assert_eq!(stationary.len(), 2);
 /// assert_eq!(stationary[1].stability, Stability::Stable); // the minimum
@@ -139,9 +139,9 @@ impl<'a, R: Real> Energy<'a, R> {
     /// [`Energy::equilibria`]. It is accurate to a few roundings of the energy.
     ///
     /// ```
-    /// use mdr_core::contact::Material;
-    /// use mdr_numeric::{energy::Energy, profiles::Cone, transform::Quadrature};
-    /// let (cone, glue) = (Quadrature::new(Cone::new(0.3)?), Material::new(2.0, 1e-3)?);
+    /// use mdr_core::contact::{Flank, Material, Shape};
+    /// use mdr_numeric::{energy::Energy, transform::Quadrature};
+    /// let (cone, glue) = (Quadrature::of([Shape::Cone { flank: Flank::Slope(0.3) }])?, Material::new(2.0, 1e-3)?);
     /// let energy = Energy::new(&cone, &glue)?;
     /// let (at_the_end, of_the_integral) = (energy.release(&0.08, &-0.01)?, energy.release_by_variation(&0.08, &-0.01)?);
     /// assert!((at_the_end - of_the_integral).abs() < 1e-12 * at_the_end);
@@ -329,14 +329,16 @@ fn bracket<R: Real>(crossing: &Crossing<R>, mut excess: impl FnMut(&R) -> Result
 
 #[cfg(test)]
 mod tests {
+    use mdr_core::contact::{Flank, Shape};
+
     use super::*;
-    use crate::{profiles::Cone, transform::Quadrature};
+    use crate::transform::Quadrature;
 
     /// The derivative of the integral is the integrand at its end: to the tolerance of the integral, 128 roundoffs of
     /// ∫|v² + 2v x g'/Δl| < 3 max v², and v² < 10 at all x < a here.
     #[test]
     fn varied_is_released() -> Result<()> {
-        let (cone, glue) = (Quadrature::new(Cone::new(0.3)?), Material::new(2.0, 1e-3)?);
+        let (cone, glue) = (Quadrature::of([Shape::Cone { flank: Flank::Slope(0.3) }])?, Material::new(2.0, 1e-3)?);
         let energy = Energy::new(&cone, &glue)?;
         for (a, d) in [(0.08, -0.01), (0.03, 0.0), (0.05, 0.03)] {
             let (local, varied) = (energy.release(&a, &d)?, energy.varied(&a, &d, &Grade::Full)?);

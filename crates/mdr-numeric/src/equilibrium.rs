@@ -40,9 +40,9 @@ pub struct Branches<'a, R: Real> {
 /// which near a fold at relative distance ε grows as 1/√ε: half the digits are lost at ε = u.
 ///
 /// ```
-/// use mdr_core::contact::{Control, Material, Stability};
-/// use mdr_numeric::{equilibrium::equilibria, profiles::Paraboloid, transform::Quadrature};
-/// let (ball, glue) = (Quadrature::new(Paraboloid::new(1.0)?), Material::new(1.0, 1e-3)?);
+/// use mdr_core::contact::{Control, Material, Shape, Stability};
+/// use mdr_numeric::{equilibrium::equilibria, transform::Quadrature};
+/// let (ball, glue) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Material::new(1.0, 1e-3)?);
 /// let pulled = equilibria(&ball, &glue, &Control::Indentation, &-0.01)?;
 /// assert_eq!(pulled.len(), 2);
 /// assert_eq!(pulled[1].stability, Stability::Stable);

@@ -13,9 +13,9 @@ use crate::curve::{Curve, negligible};
 /// The fields of the equilibrium with a given contact radius.
 ///
 /// ```
-/// use mdr_core::contact::{Control, Material};
-/// use mdr_numeric::{curve::Curve, fields::Fields, profiles::Paraboloid, transform::Quadrature};
-/// let ball = Quadrature::new(Paraboloid::new(1.0)?);
+/// use mdr_core::contact::{Control, Material, Shape};
+/// use mdr_numeric::{curve::Curve, fields::Fields, transform::Quadrature};
+/// let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
 /// let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation);
 /// let fields = Fields::new(Curve::new(&ball, &material, &control), 0.1)?;
 /// assert!(fields.pressure(&0.0)? > 0.0);   // compressed in the middle,

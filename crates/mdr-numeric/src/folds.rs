@@ -75,10 +75,10 @@ impl<R> Deref for Folds<R> {
 /// indentation and force are more accurate.
 ///
 /// ```
-/// use mdr_core::contact::{Control, Material};
-/// use mdr_numeric::{folds::folds, profiles::Paraboloid, transform::Quadrature};
+/// use mdr_core::contact::{Control, Material, Shape};
+/// use mdr_numeric::{folds::folds, transform::Quadrature};
 /// // The pull-off force of JKR, −(3/2)πwR (Johnson, Kendall, Roberts 1971).
-/// let (ball, rubber) = (Quadrature::new(Paraboloid::new(1.0)?), Material::new(1e6, 0.05)?);
+/// let (ball, rubber) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Material::new(1e6, 0.05)?);
 /// let pull_off = &folds(&ball, &rubber, &Control::Force)?[0];
 /// assert!((pull_off.force / (-1.5 * 0.05 * std::f64::consts::PI) - 1.0).abs() < 1e-13);
 /// # Ok::<(), mdr_core::contact::Error>(())

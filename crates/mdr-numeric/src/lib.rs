@@ -4,12 +4,12 @@
 //! crest, and then breaks.
 //!
 //! ```
-//! use mdr_core::contact::{Control, Material};
+//! use mdr_core::contact::{Control, Material, Shape};
 //! use mdr_numeric::branch::Branched;
 //! use mdr_numeric::path::{EventKind, Path, Start};
-//! use mdr_numeric::{curve::Curve, equilibrium::Branches, profiles::WavyParaboloid, transform::Quadrature};
+//! use mdr_numeric::{curve::Curve, equilibrium::Branches, transform::Quadrature};
 //!
-//! let profile = Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1)?); // R, A, λ in m
+//! let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?; // R, A, λ in m
 //! let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation); // E* in Pa, w in J/m²
 //! let branches = Branches::new(Curve::new(&profile, &material, &control))?;
 //!

@@ -3,231 +3,195 @@
 //! Every height is written without cancellation near the tip and with ratios of lengths only, so that it is accurate at
 //! any scale.
 
-mod heights;
+use mdr_core::contact::{Error, Flank, Profile, Quantity, Result, Shape};
+use mdr_core::number::{Lift, Real, Special};
 
-use mdr_core::contact::{Error, Profile, Quantity, Result};
-use mdr_core::number::{Lift, Real};
-
-pub use self::heights::Heights;
-
-/// f = C rⁿ with n, C > 0: the family of the paper, (1.11).
+/// The heights of a shape, or of a sum of shapes.
 ///
 /// ```
-/// use mdr_core::contact::Profile;
-/// let f = mdr_numeric::profiles::Power::new(3.0, 2.0)?;
-/// assert_eq!(f.height(&2.0), 16.0);
+/// use mdr_core::contact::{Flank, Profile, Shape};
+/// use mdr_numeric::profiles::Heights;
+/// let sphere = Heights::new([Shape::Sphere { radius: 5.0 }])?;
+/// assert!((sphere.height(&3.0) - 1.0).abs() < 1e-15);
+/// let sum = Heights::new([Shape::Paraboloid { radius: 2.0 }, Shape::Cone { flank: Flank::Slope(0.5) }])?;
+/// assert_eq!(sum.height(&2.0), 2.0);
+/// let wedge = Heights::new([Shape::Cone { flank: Flank::HalfAngleDegrees(60.0) }])?;
+/// assert!((wedge.height(&3f64.sqrt()) - 1.0).abs() < 1e-15, "tan 30°");
+/// let punch = Heights::new([Shape::FlatPunch { radius: 2.0 }])?;
+/// assert!(punch.wall() && punch.outer_radius() == Some(2.0) && punch.height(&1.0) == 0.0);
+/// let error = Heights::new([Shape::Sphere { radius: -5.0 }]).unwrap_err();
+/// assert_eq!(error.to_string(), "radius must be positive and finite, got -5");
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct Power<R> {
-    exponent: R,
-    coefficient: R,
+#[derive(Clone, Debug)]
+pub struct Heights<R> {
+    terms: Vec<Shape<R>>,
 }
 
-impl<R: Real> Power<R> {
-    /// From the exponent n and the coefficient C (m^(1−n)).
+impl<R: Special> Heights<R> {
+    /// The sum of shapes; of none of them it is the plane.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless both are positive and finite.
-    pub fn new(exponent: R, coefficient: R) -> Result<Self> {
-        Ok(Power {
-            exponent: Error::require_positive(Quantity::Exponent, exponent)?,
-            coefficient: Error::require_positive(Quantity::Coefficient, coefficient)?,
-        })
+    /// [`Error::Domain`] unless every parameter is positive and finite; the amplitude of waves may have either sign, and
+    /// half the angle at an apex is smaller than 90°.
+    pub fn new(terms: impl Into<Vec<Shape<R>>>) -> Result<Self> {
+        let terms = terms.into();
+        for (key, value) in terms.iter().flat_map(Shape::parameters) {
+            require_in_domain(key, value)?;
+        }
+        Ok(Heights { terms })
     }
 }
 
-impl<R: Real> Profile<R> for Power<R> {
+/// Refuses a parameter with this key of a scene that is outside of its domain.
+fn require_in_domain<R: Real>(key: &'static str, value: &R) -> Result<()> {
+    let (finite, positive) = (value.is_finite(), *value > value.lit(0));
+    let (valid, requirement) = match key {
+        "amplitude" => (finite, "finite"),
+        "half_angle_degrees" => (positive && *value < value.lit(90), "positive and smaller than 90"),
+        _ => (finite && positive, "positive and finite"),
+    };
+    let quantity = match key {
+        "n" => Quantity::Exponent,
+        "c" => Quantity::Coefficient,
+        _ => Quantity::Parameter(key),
+    };
+    if valid { Ok(()) } else { Err(Error::domain(quantity, value, requirement)) }
+}
+
+impl<R: Special> Profile<R> for Heights<R> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
-        power(r, &self.exponent, &self.coefficient)
-    }
-
-    fn tip_exponent(&self) -> Option<R> {
-        Some(self.exponent.clone())
-    }
-}
-
-/// f = r tanθ: the cone.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Cone<R> {
-    slope: R,
-}
-
-impl<R: Real> Cone<R> {
-    /// From the slope tanθ of the generator against the plane.
-    ///
-    /// # Errors
-    /// [`Error::Domain`] unless it is positive and finite.
-    pub fn new(slope: R) -> Result<Self> {
-        Ok(Cone { slope: Error::require_positive(Quantity::Parameter("the slope of the cone"), slope)? })
-    }
-}
-
-impl<R: Real> Profile<R> for Cone<R> {
-    fn height<S: Lift<R>>(&self, r: &S) -> S {
-        S::lift(&self.slope) * r
-    }
-
-    fn tip_exponent(&self) -> Option<R> {
-        Some(self.slope.lit(1))
-    }
-}
-
-/// f = r²/2R: the paraboloid of the JKR theory.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Paraboloid<R> {
-    radius: R,
-}
-
-impl<R: Real> Paraboloid<R> {
-    /// From the radius of curvature R (m).
-    ///
-    /// # Errors
-    /// [`Error::Domain`] unless it is positive and finite.
-    pub fn new(radius: R) -> Result<Self> {
-        Ok(Paraboloid { radius: radius_of_curvature(radius)? })
-    }
-}
-
-impl<R: Real> Profile<R> for Paraboloid<R> {
-    fn height<S: Lift<R>>(&self, r: &S) -> S {
-        parabola(r, &self.radius)
-    }
-
-    fn tip_exponent(&self) -> Option<R> {
-        Some(self.radius.lit(2))
-    }
-}
-
-/// f = R − √(R² − r²): the true sphere, up to its equator.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sphere<R> {
-    radius: R,
-}
-
-impl<R: Real> Sphere<R> {
-    /// From the radius R (m).
-    ///
-    /// # Errors
-    /// [`Error::Domain`] unless it is positive and finite.
-    pub fn new(radius: R) -> Result<Self> {
-        Ok(Sphere { radius: radius_of_curvature(radius)? })
-    }
-}
-
-impl<R: Real> Profile<R> for Sphere<R> {
-    fn height<S: Lift<R>>(&self, r: &S) -> S {
-        spherical(r, &self.radius, &self.radius)
-    }
-
-    fn outer_radius(&self) -> Option<R> {
-        Some(self.radius.clone())
-    }
-
-    fn tip_exponent(&self) -> Option<R> {
-        Some(self.radius.lit(2))
-    }
-}
-
-/// f = 0 up to a vertical edge at r = b: the flat punch.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FlatPunch<R> {
-    radius: R,
-}
-
-impl<R: Real> FlatPunch<R> {
-    /// From the radius b of the flat face (m).
-    ///
-    /// # Errors
-    /// [`Error::Domain`] unless it is positive and finite.
-    pub fn new(radius: R) -> Result<Self> {
-        Ok(FlatPunch { radius: Error::require_positive(Quantity::Parameter("the radius of the flat face"), radius)? })
-    }
-}
-
-impl<R: Real> Profile<R> for FlatPunch<R> {
-    fn height<S: Lift<R>>(&self, r: &S) -> S {
-        r.lit(0)
-    }
-
-    fn outer_radius(&self) -> Option<R> {
-        Some(self.radius.clone())
-    }
-
-    fn wall(&self) -> bool {
-        true
-    }
-}
-
-/// f = (r−b)²/2R for r > b, else 0: the flat punch with a rounded edge.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RoundedPunch<R> {
-    radius: R,
-    flat: R,
-}
-
-impl<R: Real> RoundedPunch<R> {
-    /// From the radius R of the rounding and the radius b of the flat face (m).
-    ///
-    /// # Errors
-    /// [`Error::Domain`] unless both are positive and finite.
-    pub fn new(radius: R, flat: R) -> Result<Self> {
-        Ok(RoundedPunch {
-            radius: radius_of_curvature(radius)?,
-            flat: Error::require_positive(Quantity::Parameter("the radius of the flat face"), flat)?,
-        })
-    }
-}
-
-impl<R: Real> Profile<R> for RoundedPunch<R> {
-    fn height<S: Lift<R>>(&self, r: &S) -> S {
-        let beyond = r.clone() - S::lift(&self.flat);
-        if beyond > r.lit(0) { parabola(&beyond, &self.radius) } else { r.lit(0) }
+        let mut heights = self.terms.iter().map(|shape| height(shape, r));
+        let first = heights.next().unwrap_or_else(|| r.lit(0));
+        heights.fold(first, |sum, height| sum + height)
     }
 
     fn kinks(&self) -> Vec<R> {
-        vec![self.flat.clone()]
+        let mut kinks: Vec<R> = self.terms.iter().filter_map(kink).collect();
+        kinks.sort_by(|one, other| one.partial_cmp(other).unwrap_or(std::cmp::Ordering::Equal));
+        kinks
     }
-}
 
-/// f = r²/2R + A(1 − cos 2πr/λ): Guduru's wavy paraboloid (J. Mech. Phys. Solids 55 (2007) 445), figure 4 of the paper.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WavyParaboloid<R> {
-    radius: R,
-    amplitude: R,
-    wavelength: R,
-}
-
-impl<R: Real> WavyParaboloid<R> {
-    /// From the radius R of the paraboloid, the amplitude A of the waves and their length λ (m).
-    ///
-    /// # Errors
-    /// [`Error::Domain`] unless R and λ are positive and finite and A is finite. With A > 0 the body has the crest of a wave
-    /// on its axis, with A < 0 a trough.
-    pub fn new(radius: R, amplitude: R, wavelength: R) -> Result<Self> {
-        if !amplitude.is_finite() {
-            return Err(Error::domain(Quantity::Parameter("the amplitude of the waves"), &amplitude, "finite"));
-        }
-        Ok(WavyParaboloid {
-            radius: radius_of_curvature(radius)?,
-            amplitude,
-            wavelength: Error::require_positive(Quantity::Parameter("the wavelength"), wavelength)?,
-        })
+    fn outer_radius(&self) -> Option<R> {
+        let radii = self.terms.iter().filter_map(outer_radius).cloned();
+        radii.reduce(|one, other| if other < one { other } else { one })
     }
-}
 
-impl<R: Real> Profile<R> for WavyParaboloid<R> {
-    fn height<S: Lift<R>>(&self, r: &S) -> S {
-        parabola(r, &self.radius) + waves(r, &self.amplitude, &self.wavelength)
+    fn wall(&self) -> bool {
+        self.terms.iter().any(|shape| matches!(shape, Shape::FlatPunch { .. }))
     }
 
     fn tip_exponent(&self) -> Option<R> {
-        Some(self.radius.lit(2))
+        let exponents = self.terms.iter().filter_map(tip_exponent);
+        exponents.reduce(|one, other| if other < one { other } else { one })
     }
 }
 
-fn radius_of_curvature<R: Real>(radius: R) -> Result<R> {
-    Error::require_positive(Quantity::Parameter("the radius of curvature"), radius)
+/// f(r) of one shape.
+fn height<R: Special, S: Lift<R>>(shape: &Shape<R>, r: &S) -> S {
+    let beyond = |edge: &R| Some(r.clone() - S::lift(edge)).filter(|beyond| *beyond > r.lit(0));
+    match shape {
+        Shape::Power { n, c } => power(r, n, c),
+        Shape::Paraboloid { radius } => parabola(r, radius),
+        Shape::Cone { flank } => S::lift(&slope(flank)) * r,
+        Shape::Sphere { radius } => spherical(r, radius, radius),
+        Shape::Ellipsoid { lateral, height } => spherical(r, lateral, height),
+        Shape::FlatPunch { .. } => r.lit(0),
+        Shape::TruncatedCone { flank, flat } => {
+            beyond(flat).map_or_else(|| r.lit(0), |beyond| S::lift(&slope(flank)) * beyond)
+        }
+        Shape::TruncatedParaboloid { radius, flat } => {
+            let sum = r.clone() + S::lift(flat);
+            beyond(flat).map_or_else(|| r.lit(0), |beyond| (beyond / S::lift(radius) * sum).over(2))
+        }
+        Shape::RoundedPunch { radius, flat } => {
+            beyond(flat).map_or_else(|| r.lit(0), |beyond| parabola(&beyond, radius))
+        }
+        Shape::ConeParabolicCap { flank, cap } => {
+            let (slope, cap_radius) = (S::lift(&slope(flank)), S::lift(cap));
+            match beyond(cap) {
+                Some(_) => slope * (r.clone() - cap_radius.over(2)),
+                None => (slope * r / cap_radius * r).over(2),
+            }
+        }
+        Shape::ConeSphericalCap { flank, radius } => {
+            let edge = cap_radius(flank, radius);
+            match beyond(&edge) {
+                Some(beyond) => spherical(&S::lift(&edge), radius, radius) + S::lift(&slope(flank)) * beyond,
+                None => spherical(r, radius, radius),
+            }
+        }
+        Shape::Hyperboloid { flank, lateral } => {
+            let b = S::lift(lateral);
+            let s = r.clone() / &b;
+            S::lift(&slope(flank)) * s.clone() * r / ((s.square() + s.lit(1)).sqrt() + s.lit(1))
+        }
+        Shape::DisplacedParaboloid { radius, offset } => {
+            ((r.clone() - S::lift(offset).times(2)) / S::lift(radius) * r).over(2)
+        }
+        Shape::ParabolicDimple { depth, radius } => match beyond(radius) {
+            Some(_) => -S::lift(depth),
+            None => -((r.clone() / S::lift(radius)).square() * S::lift(depth)),
+        },
+        Shape::EllipticalDimple { depth, radius } => -spherical(r, radius, depth),
+        Shape::WavyParaboloid { radius, amplitude, wavelength } => {
+            parabola(r, radius) + waves(r, amplitude, wavelength)
+        }
+    }
+}
+
+/// tan θ: for half the angle α at the apex, cos α/sin α.
+fn slope<R: Special>(flank: &Flank<R>) -> R {
+    match flank {
+        Flank::Slope(slope) => slope.clone(),
+        Flank::HalfAngleDegrees(degrees) => {
+            let radians = (degrees.pi() * degrees).over(180);
+            radians.cos() / radians.sin()
+        }
+    }
+}
+
+/// Where the spherical cap of a cone ends: Rt/√(1 + t²), where the sphere has the slope t of the cone.
+fn cap_radius<R: Special>(flank: &Flank<R>, radius: &R) -> R {
+    let slope = slope(flank);
+    (slope.square() + slope.lit(1)).sqrt().inv() * &slope * radius
+}
+
+/// Where f or a derivative of it jumps.
+fn kink<R: Special>(shape: &Shape<R>) -> Option<R> {
+    match shape {
+        Shape::TruncatedCone { flat, .. }
+        | Shape::TruncatedParaboloid { flat, .. }
+        | Shape::RoundedPunch { flat, .. } => Some(flat.clone()),
+        Shape::ConeParabolicCap { cap, .. } => Some(cap.clone()),
+        Shape::ConeSphericalCap { flank, radius } => Some(cap_radius(flank, radius)),
+        Shape::ParabolicDimple { radius, .. } => Some(radius.clone()),
+        _ => None,
+    }
+}
+
+/// Where the shape ends.
+fn outer_radius<R>(shape: &Shape<R>) -> Option<&R> {
+    match shape {
+        Shape::Sphere { radius } | Shape::FlatPunch { radius } | Shape::EllipticalDimple { radius, .. } => Some(radius),
+        Shape::Ellipsoid { lateral, .. } => Some(lateral),
+        _ => None,
+    }
+}
+
+/// p of f ≈ c rᵖ at the tip; none for a flat face.
+fn tip_exponent<R: Special>(shape: &Shape<R>) -> Option<R> {
+    let (like, exponent) = match shape {
+        Shape::Power { n, .. } => return Some(n.clone()),
+        Shape::Cone { flank } => (flank.parameter().1, 1),
+        Shape::DisplacedParaboloid { radius, .. } => (radius, 1),
+        Shape::FlatPunch { .. }
+        | Shape::TruncatedCone { .. }
+        | Shape::TruncatedParaboloid { .. }
+        | Shape::RoundedPunch { .. } => return None,
+        other => (other.parameters().first()?.1, 2),
+    };
+    Some(like.lit(exponent))
 }
 
 /// r²/2R, by the ratio r/R.

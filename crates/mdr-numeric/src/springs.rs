@@ -20,9 +20,9 @@ use crate::curve::relative_elongation;
 /// Springs under a transformed profile.
 ///
 /// ```
-/// use mdr_core::contact::{Control, Material, Outcome};
-/// use mdr_numeric::{profiles::Paraboloid, springs::Foundation, transform::Quadrature};
-/// let (ball, glue) = (Quadrature::new(Paraboloid::new(1.0)?), Material::new(1.0, 1.0)?);
+/// use mdr_core::contact::{Control, Material, Outcome, Shape};
+/// use mdr_numeric::{springs::Foundation, transform::Quadrature};
+/// let (ball, glue) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Material::new(1.0, 1.0)?);
 /// let foundation = Foundation::new(&ball, &glue, 1e-3, 2000)?;
 /// let breaks = foundation.pull(2000, &Control::Indentation)?;
 /// assert_eq!(breaks.len(), 1);

@@ -6,9 +6,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::Profile;
+use mdr_core::contact::{Profile, Shape};
 use mdr_core::number::Lift;
-use mdr_numeric::profiles::{RoundedPunch, Sphere, WavyParaboloid};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -83,7 +83,7 @@ fn errors_beside_a_kink_of_the_profile() {
 #[test]
 fn errors_beside_a_kink_of_the_curvature() {
     let b = 0.3;
-    let punch = Quadrature::new(RoundedPunch::new(2.0, b).unwrap());
+    let punch = Quadrature::of([Shape::RoundedPunch { radius: 2.0, flat: b }]).unwrap();
     for x in above(b) {
         let [angle, leg] = angle_and_leg(b, x);
         let [g, slope, _] = estimates(&punch, x);
@@ -95,7 +95,7 @@ fn errors_beside_a_kink_of_the_curvature() {
 /// Towards the equator of a sphere the rounding of r is the whole error: g = x artanh x.
 #[test]
 fn errors_of_a_sphere() {
-    let sphere = Quadrature::new(Sphere::new(1.0).unwrap());
+    let sphere = Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap();
     for k in 0..3000 {
         let x = 1.0 - 10_f64.powf(-0.3 - f64::from(k) / 300.0);
         let [g, slope, mean] = estimates(&sphere, x);
@@ -110,12 +110,12 @@ fn errors_of_a_sphere() {
 }
 
 /// A profile known by its heights only, which are counted.
-struct Heights<P> {
+struct Counted<P> {
     profile: P,
     count: AtomicUsize,
 }
 
-impl<P: Profile<f64>> Profile<f64> for Heights<P> {
+impl<P: Profile<f64>> Profile<f64> for Counted<P> {
     fn height<S: Lift<f64>>(&self, r: &S) -> S {
         self.count.fetch_add(1, Ordering::Relaxed);
         self.profile.height(r)
@@ -130,7 +130,7 @@ impl<P: Profile<f64>> Profile<f64> for Heights<P> {
 
 /// Evaluations of g, g' and mean g are all heights, including those of rules that failed, of noise and of kinks.
 fn count<P: Profile<f64>>(profile: P, x: f64) -> [usize; 3] {
-    let transform = Quadrature::new(Heights { profile, count: AtomicUsize::new(0) });
+    let transform = Quadrature::new(Counted { profile, count: AtomicUsize::new(0) });
     let spent = || transform.profile().count.swap(0, Ordering::Relaxed);
     let one = |estimate: Estimate<f64>| {
         assert_eq!(estimate.evaluations, spent());
@@ -146,9 +146,9 @@ fn count<P: Profile<f64>>(profile: P, x: f64) -> [usize; 3] {
 #[test]
 fn all_heights_are_counted() {
     count(Bent { inner: 1.0, kink: 0.3 }, 0.5);
-    count(RoundedPunch::new(2.0, 0.3).unwrap(), 0.5);
-    count(WavyParaboloid::new(0.5, 1e-6, 1e-3).unwrap(), 0.3);
+    count(Heights::new([Shape::RoundedPunch { radius: 2.0, flat: 0.3 }]).unwrap(), 0.5);
+    count(Heights::new([Shape::WavyParaboloid { radius: 0.5, amplitude: 1e-6, wavelength: 1e-3 }]).unwrap(), 0.3);
     // If only noise remains, no integral is computed twice.
-    let [g, ..] = count(Sphere::new(1.0).unwrap(), 1.0 - 1e-6);
+    let [g, ..] = count(Heights::new([Shape::Sphere { radius: 1.0 }]).unwrap(), 1.0 - 1e-6);
     assert!(g < 2500, "{g}");
 }

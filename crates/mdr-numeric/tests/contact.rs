@@ -5,12 +5,14 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_core::contact::{Control, Equilibrium, Error, Expression, FoldKind, Material, Outcome, Stability, Transform};
+use mdr_core::contact::{
+    Control, Equilibrium, Error, Expression, Flank, FoldKind, Material, Outcome, Shape, Stability, Transform,
+};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::{Branches, equilibria};
 use mdr_numeric::folds::{Completeness, find, folds};
-use mdr_numeric::profiles::{Cone, Paraboloid, Power, RoundedPunch, WavyParaboloid};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use proptest::prelude::*;
 
@@ -26,7 +28,7 @@ fn fold_rounding(n: f64) -> f64 {
 fn jkr() {
     // K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. A 324 (1971) 301.
     let (radius, e, w) = (3.0, 7e5, 0.02);
-    let ball = Quadrature::new(Paraboloid::new(radius).unwrap());
+    let ball = Quadrature::of([Shape::Paraboloid { radius }]).unwrap();
     let material = Material::new(e, w).unwrap();
     let fixed_grips = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
     let dead_load = &folds(&ball, &material, &Control::Force).unwrap()[0];
@@ -53,7 +55,7 @@ fn rounded_punch_tends_to_kendall() {
     // K. Kendall, J. Phys. D 4 (1971) 1186: d = −√(2πbw/E*), F = −√(8πb³E*w) for a flat punch of radius b. A sharp
     // rounding of radius R moves the edge by (δ/b) ~ (R²ℓ/b³)^(1/3) at most; here 1e-4.
     let material = Material::new(1.0, 1e-6).unwrap();
-    let punch = Quadrature::new(RoundedPunch::new(1e-3, 1.0).unwrap());
+    let punch = Quadrature::of([Shape::RoundedPunch { radius: 1e-3, flat: 1.0 }]).unwrap();
     for control in [Control::Indentation, Control::Force] {
         let found = folds(&punch, &material, &control).unwrap();
         assert_eq!(found.len(), 1);
@@ -65,7 +67,8 @@ fn rounded_punch_tends_to_kendall() {
 #[test]
 fn a_soft_machine_makes_three_folds() {
     // n = 0.6, C = 2.4829, E* = w = k = 1, radii by an independent computation.
-    let (profile, material) = (Quadrature::new(Power::new(0.6, 2.4829).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let (profile, material) =
+        (Quadrature::of([Shape::Power { n: 0.6, c: 2.4829 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     let control = Control::machine(1.0).unwrap();
     let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
     let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
@@ -81,8 +84,8 @@ fn a_soft_machine_makes_three_folds() {
 }
 
 /// n = 1/2, E* = w = 1, with ρ = κC/√(2πw/E*) and κ = ϖ/2 (1.18).
-fn scale_free(rho: f64) -> Quadrature<f64, Power<f64>> {
-    Quadrature::new(Power::new(0.5, rho * f64::sqrt(2.0 * PI) / 1.311_028_777_146_059_9).unwrap())
+fn scale_free(rho: f64) -> Quadrature<f64, Heights<f64>> {
+    Quadrature::of([Shape::Power { n: 0.5, c: rho * f64::sqrt(2.0 * PI) / 1.311_028_777_146_059_9 }]).unwrap()
 }
 
 #[test]
@@ -119,8 +122,10 @@ fn at_a_threshold_of_one_half_nothing_is_decided() {
 fn folds_that_have_nearly_merged_are_still_three() {
     // n = 3/4 is just below 5/2 − √3. ln(g'/Δl') minus its critical value falls to −10⁻⁵ between radii 3 % apart, while
     // it changes by 0.02 in a panel of the search. Radii by the closed condition for a machine.
-    let (profile, material) =
-        (Quadrature::new(Power::new(0.75, 4.148093971349991e-4).unwrap()), Material::new(7e10, 0.1).unwrap());
+    let (profile, material) = (
+        Quadrature::of([Shape::Power { n: 0.75, c: 4.148093971349991e-4 }]).unwrap(),
+        Material::new(7e10, 0.1).unwrap(),
+    );
     let found = folds(&profile, &material, &Control::machine(275.4555976740107).unwrap()).unwrap();
     let radii: Vec<f64> = found.iter().map(|fold| fold.contact_radius).collect();
     assert_eq!(radii.len(), 3, "{radii:?}");
@@ -131,8 +136,11 @@ fn folds_that_have_nearly_merged_are_still_three() {
 }
 
 /// R = 1, A = 5e-4, λ = 0.1, w/E* = 1e-4: figure 4 of the paper.
-fn figure_4() -> (Quadrature<f64, WavyParaboloid<f64>>, Material<f64>) {
-    (Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1).unwrap()), Material::new(1.0, 1e-4).unwrap())
+fn figure_4() -> (Quadrature<f64, Heights<f64>>, Material<f64>) {
+    (
+        Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }]).unwrap(),
+        Material::new(1.0, 1e-4).unwrap(),
+    )
 }
 
 #[test]
@@ -155,8 +163,10 @@ fn guduru_jumps_and_breaks() {
 
 #[test]
 fn no_fold_is_missed_that_a_fine_scan_finds() {
-    let (profile, material) =
-        (Quadrature::new(WavyParaboloid::new(1.0, 5e-5, 0.01).unwrap()), Material::new(1.0, 1e-4).unwrap());
+    let (profile, material) = (
+        Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-5, wavelength: 0.01 }]).unwrap(),
+        Material::new(1.0, 1e-4).unwrap(),
+    );
     let curve = Curve::new(&profile, &material, &Control::Indentation);
     let found = find(&curve).unwrap().folds;
     // A hundred points or more per wave, up to a radius where g' exceeds Δl' by more than the waves can compensate.
@@ -168,7 +178,7 @@ fn no_fold_is_missed_that_a_fine_scan_finds() {
 
 #[test]
 fn powers_below_one_half_spread() {
-    let profile = Quadrature::new(Power::new(0.25, 1.0).unwrap());
+    let profile = Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap();
     let material = Material::new(1.0, 1.0).unwrap();
     let branches = Branches::new(Curve::new(&profile, &material, &Control::Indentation)).unwrap();
     assert_eq!(branches.folds().len(), 1);
@@ -186,7 +196,7 @@ fn one_half_has_no_fold() {
     // d = (ρ−1)·const·√a: one equilibrium of either kind, stable where C is above the threshold (1.19), 0.7628·√(2π).
     let material = Material::new(1.0, 1.0).unwrap();
     for (c, d, stability) in [(3.0, 0.7, Stability::Stable), (1.0, -0.7, Stability::Unstable)] {
-        let profile = Quadrature::new(Power::new(0.5, c).unwrap());
+        let profile = Quadrature::of([Shape::Power { n: 0.5, c }]).unwrap();
         assert!(folds(&profile, &material, &Control::Indentation).unwrap().is_empty());
         let found = equilibria(&profile, &material, &Control::Indentation, &d).unwrap();
         assert_eq!(found.iter().map(|state| state.stability).collect::<Vec<_>>(), [stability]);
@@ -196,7 +206,8 @@ fn one_half_has_no_fold() {
 
 #[test]
 fn the_fold_itself_is_one_neutral_state() {
-    let (ball, material) = (Quadrature::new(Paraboloid::new(1.0).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let (ball, material) =
+        (Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
         let fold = &folds(&ball, &material, &control).unwrap()[0];
         let value = control.controlled(&fold.indentation, &fold.force);
@@ -210,7 +221,8 @@ fn the_fold_itself_is_one_neutral_state() {
 fn half_the_digits_are_lost_at_a_fold_and_no_more() {
     // d/|d_c| = (ã² − 4√ã)/3 near ã = 1 is −1 + (ã−1)²/2·… : with d'' = 3/|…| the radii at d_c(1−ε) are 1 ± √(2ε)
     // to first order; the next order is relative √ε.
-    let (ball, material) = (Quadrature::new(Paraboloid::new(1.0).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let (ball, material) =
+        (Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
     for exponent in [4, 8, 12] {
         let epsilon = f64::powi(10.0, -exponent);
@@ -231,7 +243,8 @@ fn a_tip_of_noise_hides_no_equilibrium() {
     let formula: Expression = "r^2/(2*R) + A*(1-cos(k*r))".parse().unwrap();
     let values = [("R", "1e-2"), ("A", "1e-8"), ("k", "1e4")].map(|(name, x)| (name.to_owned(), x.parse().unwrap()));
     let noisy = Quadrature::new(formula.bind::<f64>((), &values.into()).unwrap());
-    let smooth = Quadrature::new(WavyParaboloid::new(1e-2, 1e-8, 2.0 * PI / 1e4).unwrap());
+    let smooth =
+        Quadrature::of([Shape::WavyParaboloid { radius: 1e-2, amplitude: 1e-8, wavelength: 2.0 * PI / 1e4 }]).unwrap();
     assert!(noisy.g(&1e-10).is_err());
 
     let material = Material::new(1e6, 0.05).unwrap();
@@ -269,7 +282,7 @@ proptest! {
         prop_assume!((n - 0.5).abs() > 0.05);
         let control = if which == 0 { Control::Indentation } else { Control::Force };
         // d_F changes its sign at n = 3/2, but F_F and d_c keep theirs: fractions of them are on one side.
-        let (profile, material) = (Quadrature::new(Power::new(n, 1.0).unwrap()), Material::new(2.0, 3.0).unwrap());
+        let (profile, material) = (Quadrature::of([Shape::Power { n, c: 1.0 }]).unwrap(), Material::new(2.0, 3.0).unwrap());
         let curve = Curve::new(&profile, &material, &control);
         let branches = Branches::new(curve).unwrap();
         prop_assert_eq!(branches.folds().len(), 1);
@@ -293,7 +306,7 @@ proptest! {
     /// Along the stable branch of a cone the radius grows with the indentation.
     #[test]
     fn pressing_makes_contact_larger(slope in 0.01..10.0_f64, d in -0.9..5.0_f64, more in 0.01..1.0_f64) {
-        let (cone, material) = (Quadrature::new(Cone::new(slope).unwrap()), Material::new(1.0, 0.1).unwrap());
+        let (cone, material) = (Quadrature::of([Shape::Cone { flank: Flank::Slope(slope) }]).unwrap(), Material::new(1.0, 0.1).unwrap());
         let branches = Branches::new(Curve::new(&cone, &material, &Control::Indentation)).unwrap();
         let unit = branches.folds()[0].indentation.abs();
         let stable = |d: f64| {
@@ -310,7 +323,7 @@ fn jkr_to_fifty_digits() {
     use mdr_core::number::{Precision, Real};
     use rug::Float;
     let one = Float::from_int(Precision::from_digits(50), 1);
-    let ball = Quadrature::new(Paraboloid::new(one.clone()).unwrap());
+    let ball = Quadrature::of([Shape::Paraboloid { radius: one.clone() }]).unwrap();
     let material = Material::new(one.clone(), one.clone()).unwrap();
     let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
     let relative = |value: &Float, truth: &Float| ((value.clone() - truth) / truth).abs();

@@ -1,10 +1,10 @@
 //! Pressure, displacement and gap: against each other, against (1.6), and against Johnson, Kendall and Roberts (1971).
 
 use mdr_core::calculus::quadrature::tanh_sinh;
-use mdr_core::contact::{Control, Error, Material, Profile, Result, Transform};
+use mdr_core::contact::{Control, Error, Material, Profile, Result, Shape, Transform};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::fields::Fields;
-use mdr_numeric::profiles::{Paraboloid, RoundedPunch, WavyParaboloid};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
 /// Relative error of a quadrature of f64 quadratures: 32 u from the rule and as much again from the integrand.
@@ -13,7 +13,7 @@ const QUADRATURE: f64 = 64.0 * f64::EPSILON;
 #[test]
 fn jkr_pressure() -> Result<()> {
     let (radius, e, w, a) = (2.0, 3.0, 1e-3, 0.3);
-    let ball = Quadrature::new(Paraboloid::new(radius)?);
+    let ball = Quadrature::of([Shape::Paraboloid { radius }])?;
     let material = Material::new(e, w)?;
     let fields = Fields::new(Curve::new(&ball, &material, &Control::Indentation), a)?;
     for r in [0.0, 1e-6, 0.1, 0.2, 0.29, 0.29999] {
@@ -46,8 +46,8 @@ fn force_of_pressure(fields: &Fields<'_, f64>, a: f64, kinks: &[f64]) -> Result<
 #[test]
 fn the_pressure_adds_up_to_the_force() -> Result<()> {
     let material = Material::new(1.0, 1e-4)?;
-    let wavy = Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1)?);
-    let punch = Quadrature::new(RoundedPunch::new(1.0, 0.05)?);
+    let wavy = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
+    let punch = Quadrature::of([Shape::RoundedPunch { radius: 1.0, flat: 0.05 }])?;
     let curves = [
         (Curve::new(&wavy, &material, &Control::Indentation), 0.09, vec![]),
         (Curve::new(&punch, &material, &Control::Indentation), 0.09, vec![0.05]),
@@ -65,8 +65,8 @@ fn the_pressure_adds_up_to_the_force() -> Result<()> {
 #[test]
 fn the_gap_is_what_profile_and_displacement_leave() -> Result<()> {
     let material = Material::new(1.0, 1e-4)?;
-    let profile = WavyParaboloid::new(1.0, 5e-4, 0.1)?;
-    let wavy = Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1)?);
+    let profile = Heights::new([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
+    let wavy = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
     let fields = Fields::new(Curve::new(&wavy, &material, &Control::Indentation), 0.09)?;
     for r in [0.0900001, 0.095, 0.13, 0.5, 3.0] {
         let apart = profile.height(&r) - fields.indentation() + fields.displacement(&r)?;
@@ -78,7 +78,7 @@ fn the_gap_is_what_profile_and_displacement_leave() -> Result<()> {
 
 #[test]
 fn stiffness_is_the_slope_of_force_against_indentation() -> Result<()> {
-    let ball = Quadrature::new(Paraboloid::new(1.0)?);
+    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
     let material = Material::new(1.0, 1e-3)?;
     let curve = Curve::new(&ball, &material, &Control::Indentation);
     let (a, step) = (0.2, 1e-5);

@@ -5,12 +5,12 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_core::contact::{Control, Material, Transform};
+use mdr_core::contact::{Control, Material, Shape, Transform};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{Balance, EventKind, Ledger, Loss, Path, Start, State};
-use mdr_numeric::profiles::{FlatPunch, Paraboloid, Power, RoundedPunch, WavyParaboloid};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use proptest::prelude::*;
 
@@ -61,7 +61,7 @@ fn losses_of_power_laws() {
     // At fixed grips n(2n−1)/((n+1)(2n+1)) of πa_c²w at pull-off; (2n−1)/(2n+1) at jump-in from d = 0, and from F = 0 too:
     // there d(a) is the mean of g and the integrand Δl² − (n/(n+1))²g², with (n/(n+1))g = Δl at the end.
     for n in [0.6, 1.0, 2.0, 3.5, 12.0] {
-        let profile = Quadrature::new(Power::new(n, 0.7).unwrap());
+        let profile = Quadrature::of([Shape::Power { n, c: 0.7 }]).unwrap();
         let (e, w) = (3e5, 0.04);
         let material = Material::new(e, w).unwrap();
         let unit = |a: f64| PI * a * a * w;
@@ -87,7 +87,7 @@ fn losses_of_power_laws() {
 fn the_flat_punch_gives_all_it_has() {
     // Jump-in at d = 0: πb²w. Pull-off: ∫(Δl(b)² − Δl(a)²) is πb²w as well. Pressed, it is a linear spring.
     let (b, e, w) = (0.3, 2e6, 0.05);
-    let (punch, material) = (Quadrature::new(FlatPunch::new(b).unwrap()), Material::new(e, w).unwrap());
+    let (punch, material) = (Quadrature::of([Shape::FlatPunch { radius: b }]).unwrap(), Material::new(e, w).unwrap());
     let run = Run::new(&punch, &material, &Control::Indentation, Start::Detached, &[0.0, 1e-3, -1e-3]);
     for kind in [EventKind::JumpIn, EventKind::Detached] {
         assert_relative_eq!(run.loss(kind).0, PI * b * b * w, max_relative = 256.0 * U);
@@ -100,7 +100,7 @@ fn the_flat_punch_gives_all_it_has() {
 fn a_cycle_of_jkr_loses_its_area() {
     // Fixed grips: 2/5 of π a_c² w at pull-off and 3/5 of π a₀² w at jump-in, a₀³ = 16a_c³.
     let (r, e, w) = (3.0, 7e5, 0.02);
-    let (ball, material) = (Quadrature::new(Paraboloid::new(r).unwrap()), Material::new(e, w).unwrap());
+    let (ball, material) = (Quadrature::of([Shape::Paraboloid { radius: r }]).unwrap(), Material::new(e, w).unwrap());
     let a_c = f64::cbrt(PI * w * r * r / (8.0 * e));
     let depth = 10.0 * a_c * a_c / r;
     let run = Run::new(&ball, &material, &Control::Indentation, Start::Detached, &[-depth, depth, -depth]);
@@ -125,8 +125,11 @@ fn a_cycle_of_jkr_loses_its_area() {
 }
 
 /// R = 1, A = 5e-4, λ = 0.1, w/E* = 1e-4.
-fn figure_4() -> (Quadrature<f64, WavyParaboloid<f64>>, Material<f64>) {
-    (Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1).unwrap()), Material::new(1.0, 1e-4).unwrap())
+fn figure_4() -> (Quadrature<f64, Heights<f64>>, Material<f64>) {
+    (
+        Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }]).unwrap(),
+        Material::new(1.0, 1e-4).unwrap(),
+    )
 }
 
 #[test]
@@ -153,7 +156,7 @@ fn the_hysteresis_of_figure_4() {
 #[test]
 fn a_small_force_control_jump_is_paid_by_the_load() {
     // Waves with folds under a dead load: F(d₂ − d₁) is part of the work.
-    let profile = Quadrature::new(WavyParaboloid::new(1.0, 2e-3, 0.1).unwrap());
+    let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 2e-3, wavelength: 0.1 }]).unwrap();
     let material = Material::new(1.0, 1e-4).unwrap();
     let run = Run::new(&profile, &material, &Control::Force, Start::Detached, &[0.0, 0.02]);
     let jumps: Vec<f64> = run.ledger.entries.iter().map(|entry| entry.work_in_event).collect();
@@ -164,7 +167,8 @@ fn a_small_force_control_jump_is_paid_by_the_load() {
 
 #[test]
 fn below_one_half_a_cycle_loses_nothing() {
-    let (profile, material) = (Quadrature::new(Power::new(0.25, 1.0).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let (profile, material) =
+        (Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
         let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
         let fold = &branches.folds()[0];
@@ -181,7 +185,8 @@ fn below_one_half_a_cycle_loses_nothing() {
 
 #[test]
 fn kinks_do_no_harm() {
-    let (punch, material) = (Quadrature::new(RoundedPunch::new(1.0, 0.3).unwrap()), Material::new(1.0, 1e-4).unwrap());
+    let (punch, material) =
+        (Quadrature::of([Shape::RoundedPunch { radius: 1.0, flat: 0.3 }]).unwrap(), Material::new(1.0, 1e-4).unwrap());
     Run::new(&punch, &material, &Control::Indentation, Start::Detached, &[-0.1, 0.1, -0.1]).balanced();
 }
 
@@ -194,7 +199,7 @@ proptest! {
         amplitude in 1e-4..1e-3, wavelength in 0.07..0.3, ways in prop::collection::vec(-1.0..1.0, 1..5),
         stiffness in -3.0..1.0, by_machine in any::<bool>(),
     ) {
-        let profile = Quadrature::new(WavyParaboloid::new(1.0, amplitude, wavelength).unwrap());
+        let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude, wavelength }]).unwrap();
         let material = Material::new(1.0, 1e-4).unwrap();
         let control = if by_machine {
             Control::machine(10f64.powf(stiffness)).unwrap()

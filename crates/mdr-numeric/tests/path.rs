@@ -5,13 +5,13 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_core::contact::{Control, Error, Material, Profile, Stability, Transform};
+use mdr_core::contact::{Control, Error, Material, Profile, Shape, Stability, Transform};
 use mdr_core::number::Lift;
 use mdr_numeric::branch::{Branched, Onset};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{Event, EventKind, Path, Start, State};
-use mdr_numeric::profiles::{FlatPunch, Paraboloid, Power, Sphere, WavyParaboloid};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
 use EventKind::{CompleteContact, Detached, End, Jump, JumpIn, NotAdmissible, Touch, WayPoint};
@@ -39,8 +39,11 @@ fn radius(state: &State<f64>) -> f64 {
 }
 
 /// R = 1, A = 5e-4, λ = 0.1, w/E* = 1e-4.
-fn figure_4() -> (Quadrature<f64, WavyParaboloid<f64>>, Material<f64>) {
-    (Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1).unwrap()), Material::new(1.0, 1e-4).unwrap())
+fn figure_4() -> (Quadrature<f64, Heights<f64>>, Material<f64>) {
+    (
+        Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }]).unwrap(),
+        Material::new(1.0, 1e-4).unwrap(),
+    )
 }
 
 #[test]
@@ -81,7 +84,7 @@ fn figure_4_turned_back_between_its_jumps() {
 #[test]
 fn a_cycle_of_jkr_under_every_control() {
     let (r, e, w) = (3.0, 7e5, 0.02);
-    let (ball, material) = (Quadrature::new(Paraboloid::new(r).unwrap()), Material::new(e, w).unwrap());
+    let (ball, material) = (Quadrature::of([Shape::Paraboloid { radius: r }]).unwrap(), Material::new(e, w).unwrap());
     let a_c = f64::cbrt(PI * w * r * r / (8.0 * e));
     for (control, pull_off, pull_off_radius) in
         [(Control::Indentation, -3.0 * a_c * a_c / r, a_c), (Control::Force, -1.5 * PI * w * r, a_c * f64::cbrt(9.0))]
@@ -108,7 +111,8 @@ fn a_cycle_of_jkr_under_every_control() {
 #[test]
 fn a_multistable_machine() {
     // n = 0.6, C = 2.4829, E* = w = k = 1: folds at a ≈ 0.01271 (minimum), 0.06940 (maximum), 459.2 (minimum).
-    let (profile, material) = (Quadrature::new(Power::new(0.6, 2.4829).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let (profile, material) =
+        (Quadrature::of([Shape::Power { n: 0.6, c: 2.4829 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     let control = Control::machine(1.0).unwrap();
     let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
     let values: Vec<f64> =
@@ -128,7 +132,8 @@ fn a_multistable_machine() {
 
 #[test]
 fn below_one_half_contact_begins_smoothly_and_ends_everywhere() {
-    let (profile, material) = (Quadrature::new(Power::new(0.25, 1.0).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let (profile, material) =
+        (Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
         let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
         assert_eq!(branches.onset().unwrap(), Onset::Smooth);
@@ -174,7 +179,7 @@ fn a_way_point_at_a_fold_is_a_place_to_rest() {
 #[test]
 fn the_flat_punch_jumps_onto_its_whole_face() {
     let (b, e, w) = (0.3, 2e6, 0.05);
-    let (punch, material) = (Quadrature::new(FlatPunch::new(b).unwrap()), Material::new(e, w).unwrap());
+    let (punch, material) = (Quadrature::of([Shape::FlatPunch { radius: b }]).unwrap(), Material::new(e, w).unwrap());
     let control = Control::Indentation;
     let events = follow(&punch, &material, &control, Start::Detached, &[-1e-3, 1e-3, -1e-3]).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, JumpIn, WayPoint, Detached, End]);
@@ -230,18 +235,19 @@ fn a_path_that_cannot_begin_says_so() {
     assert!(matches!(begin(Start::Nearest(-1.0), 0.0), Err(Error::Domain { .. })));
     assert!(matches!(follow(&profile, &material, &control, Start::Largest, &[]), Err(Error::Domain { .. })));
     // Without a fold: n = 1/2 below the threshold (1.19) has only unstable equilibria.
-    let (root, unit) = (Quadrature::new(Power::new(0.5, 1.0).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let (root, unit) = (Quadrature::of([Shape::Power { n: 0.5, c: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     let result = follow(&root, &unit, &control, Start::Largest, &[-0.7]);
     assert!(matches!(result, Err(Error::NoEquilibrium { .. })));
     // Above it, only stable ones.
-    let (root, way) = (Quadrature::new(Power::new(0.5, 3.0).unwrap()), [1e-30, 1e30, -1.0]);
+    let (root, way) = (Quadrature::of([Shape::Power { n: 0.5, c: 3.0 }]).unwrap(), [1e-30, 1e30, -1.0]);
     let events = follow(&root, &unit, &control, Start::Largest, &way).unwrap();
     assert_eq!(kinds(&events), [EventKind::Start, WayPoint, Detached, End]);
 }
 
 #[test]
 fn the_end_of_a_profile_ends_the_path() {
-    let (ball, material) = (Quadrature::new(Sphere::new(1.0).unwrap()), Material::new(1.0, 1e-3).unwrap());
+    let (ball, material) =
+        (Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap(), Material::new(1.0, 1e-3).unwrap());
     let events = follow(&ball, &material, &Control::Indentation, Start::Largest, &[0.0, 1.0, 1e3, 0.0]).unwrap();
     // g is infinite at the edge: there is an equilibrium at every depth, but its radius may not be a double below 1.
     assert_eq!(kinds(&events), [EventKind::Start, WayPoint, EventKind::Undecided]);
@@ -268,7 +274,12 @@ fn units_do_not_matter() {
     // Lengths in units of 2^±200 and forces in units of 2^±150, about 10^±60: every event has the same significand.
     for (length, force) in [(2f64.powi(-200), 2f64.powi(150)), (2f64.powi(200), 2f64.powi(-150))] {
         let (plain, unit) = figure_4();
-        let scaled = Quadrature::new(WavyParaboloid::new(length, 5e-4 * length, 0.1 * length).unwrap());
+        let scaled = Quadrature::of([Shape::WavyParaboloid {
+            radius: length,
+            amplitude: 5e-4 * length,
+            wavelength: 0.1 * length,
+        }])
+        .unwrap();
         let material = Material::new(force / length / length, 1e-4 * force / length).unwrap();
         let way = [-0.01, 0.01, -0.01];
         let far: Vec<f64> = way.iter().map(|d| d * length).collect();
@@ -294,12 +305,12 @@ mod arbitrary_precision {
 
     /// A paraboloid that records the largest |ln x| at which it is evaluated.
     struct Asked {
-        profile: Quadrature<Float, Paraboloid<Float>>,
+        profile: Quadrature<Float, Heights<Float>>,
         farthest: AtomicU64,
     }
 
     impl Asked {
-        fn ask(&self, x: &Float) -> &Quadrature<Float, Paraboloid<Float>> {
+        fn ask(&self, x: &Float) -> &Quadrature<Float, Heights<Float>> {
             self.farthest.fetch_max(x.ln().abs().approx() as u64, Ordering::Relaxed);
             &self.profile
         }
@@ -331,7 +342,7 @@ mod arbitrary_precision {
     #[test]
     fn walks_end_where_folds_are_searched() {
         let one = Float::with_val(64, 1);
-        let profile = Quadrature::new(Paraboloid::new(one.clone()).unwrap());
+        let profile = Quadrature::of([Shape::Paraboloid { radius: one.clone() }]).unwrap();
         let asked = Asked { profile, farthest: AtomicU64::new(0) };
         let material = Material::new(one.clone(), one.clone() / 1000).unwrap();
         let branches = Branches::new(Curve::new(&asked, &material, &Control::Indentation)).unwrap();

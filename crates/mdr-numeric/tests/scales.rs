@@ -5,13 +5,13 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_core::contact::{Control, Error, Material, Profile};
+use mdr_core::contact::{Control, Error, Material, Profile, Shape};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{Branches, equilibria};
 use mdr_numeric::folds::{find, folds};
-use mdr_numeric::profiles::{Paraboloid, Power, WavyParaboloid};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use proptest::prelude::*;
 
@@ -23,7 +23,7 @@ const ROUNDING: f64 = 80.0 * f64::EPSILON;
 fn extreme_scales() {
     // a_c³ = πwR²/(8E*) with lengths of 10^±200 and forces of order one.
     for scale in [1e-200, 1e-100, 1e100, 1e200] {
-        let ball = Quadrature::new(Paraboloid::new(scale).unwrap());
+        let ball = Quadrature::of([Shape::Paraboloid { radius: scale }]).unwrap();
         let material = Material::new(1.0 / scale, 1.0).unwrap();
         let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
         assert_relative_eq!(fold.contact_radius / scale, (PI / 8.0).cbrt(), max_relative = ROUNDING);
@@ -33,7 +33,8 @@ fn extreme_scales() {
         assert!(equilibria(&ball, &material, &Control::Indentation, &(1.1 * fold.indentation)).unwrap().is_empty());
     }
     // A force that is not representable in f64 is an error with its logarithm, not 0.
-    let (ball, material) = (Quadrature::new(Paraboloid::new(1e-200).unwrap()), Material::new(1.0, 1e-200).unwrap());
+    let (ball, material) =
+        (Quadrature::of([Shape::Paraboloid { radius: 1e-200 }]).unwrap(), Material::new(1.0, 1e-200).unwrap());
     match folds(&ball, &material, &Control::Indentation) {
         Err(Error::OutOfRange { log10, .. }) => assert_relative_eq!(log10, -399.582, epsilon = 1e-3),
         other => panic!("{other:?}"),
@@ -43,7 +44,8 @@ fn extreme_scales() {
 #[test]
 fn a_fold_whose_force_is_out_of_range_keeps_its_radius() {
     // JKR with R = w/E* = 10²⁰⁰: a = (π/8)^(1/3) 10²⁰⁰ and F of the order of −10³⁵⁰.
-    let (ball, material) = (Quadrature::new(Paraboloid::new(1e200).unwrap()), Material::new(1e-50, 1e150).unwrap());
+    let (ball, material) =
+        (Quadrature::of([Shape::Paraboloid { radius: 1e200 }]).unwrap(), Material::new(1e-50, 1e150).unwrap());
     let found = find(&Curve::new(&ball, &material, &Control::Indentation)).unwrap();
     assert!(found.folds.is_empty());
     let [fold] = found.beyond.as_slice() else { panic!("{found:?}") };
@@ -56,7 +58,8 @@ fn a_fold_whose_force_is_out_of_range_keeps_its_radius() {
 /// method by energy meets such a force at the fold, −(5/6)πwR.
 #[test]
 fn an_equilibrium_whose_force_is_out_of_range_is_refused() {
-    let (ball, material) = (Quadrature::new(Paraboloid::new(1e100).unwrap()), Material::new(1e250, 1e245).unwrap());
+    let (ball, material) =
+        (Quadrature::of([Shape::Paraboloid { radius: 1e100 }]).unwrap(), Material::new(1e250, 1e245).unwrap());
     let (control, d) = (Control::Indentation, 0.0);
     let by_forces = equilibria(&ball, &material, &control, &d).map(|found| found.equilibria);
     let by_energy = Energy::new(&ball, &material).unwrap().equilibria(&control, &d);
@@ -74,7 +77,11 @@ fn an_equilibrium_whose_force_is_out_of_range_is_refused() {
 fn a_power_may_leave_the_range_where_the_height_does_not() {
     // rⁿ is 10⁻³⁶⁴ or 10³⁶⁴; rounding 10^∓14 to f64 changes it by 26 roundings.
     for (r, c, height) in [(1e-14, 1e250, 1e-114), (1e14, 1e-250, 1e114)] {
-        assert_relative_eq!(Power::new(26.0, c).unwrap().height(&r), height, max_relative = 64.0 * f64::EPSILON);
+        assert_relative_eq!(
+            Heights::new([Shape::Power { n: 26.0, c }]).unwrap().height(&r),
+            height,
+            max_relative = 64.0 * f64::EPSILON
+        );
     }
 }
 
@@ -91,7 +98,7 @@ proptest! {
         which in 0..3,
     ) {
         let solve = |length: f64, modulus: f64| {
-            let profile = Quadrature::new(WavyParaboloid::new(length, 5e-4 * length, 0.1 * length).unwrap());
+            let profile = Quadrature::of([Shape::WavyParaboloid { radius: length, amplitude: 5e-4 * length, wavelength: 0.1 * length }]).unwrap();
             let material = Material::new(modulus, w * modulus * length).unwrap();
             let control = match which {
                 0 => Control::Indentation,

@@ -1,17 +1,17 @@
 //! Inputs without a solution are errors, and no incomplete solution is returned silently.
 
-use mdr_core::contact::{Control, Error, Material, Quantity, Result};
+use mdr_core::contact::{Control, Error, Material, Quantity, Result, Shape};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{Branches, equilibria};
 use mdr_numeric::folds::{Completeness, folds};
 use mdr_numeric::path::{Path, Start};
-use mdr_numeric::profiles::{Paraboloid, Power};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
-fn ball() -> Result<Quadrature<f64, Paraboloid<f64>>> {
-    Ok(Quadrature::new(Paraboloid::new(1.0)?))
+fn ball() -> Result<Quadrature<f64, Heights<f64>>> {
+    Ok(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?)
 }
 
 fn refused<T>(result: Result<T>) -> Option<Quantity> {
@@ -68,7 +68,7 @@ fn a_branch_that_does_not_exist_is_empty() -> Result<()> {
 /// n = 0.48, κC = 5·10⁵, E* = w = 10⁻²⁰⁰: the fold is at 10²⁸⁰, where a dead load would leave the range.
 #[test]
 fn radii_near_the_largest_numbers_are_looked_at() -> Result<()> {
-    let (blade, glue) = (Quadrature::new(Power::new(0.48, 8e5)?), Material::new(1e-200, 1e-200)?);
+    let (blade, glue) = (Quadrature::of([Shape::Power { n: 0.48, c: 8e5 }])?, Material::new(1e-200, 1e-200)?);
     let found = folds(&blade, &glue, &Control::Indentation)?;
     assert!(found.len() == 1 && found[0].contact_radius > 1e280, "{found:?}");
     let states = equilibria(&blade, &glue, &Control::Indentation, &1e130)?;

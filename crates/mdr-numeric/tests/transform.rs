@@ -6,9 +6,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use approx::assert_relative_eq;
-use mdr_core::contact::{Error, Profile, Transform};
+use mdr_core::contact::{Error, Flank, Profile, Shape, Transform};
 use mdr_core::number::Lift;
-use mdr_numeric::profiles::{Cone, Paraboloid, Power, RoundedPunch, Sphere, WavyParaboloid};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::{Quadrature, Rule};
 use proptest::prelude::*;
 
@@ -34,8 +34,8 @@ impl Profile<f64> for TruncatedCone {
 fn cone_paraboloid_and_sphere() {
     // M. Heß, Über die exakte Abbildung ausgewählter dreidimensionaler Kontakte auf Systeme mit niedrigerer räumlicher
     // Dimension, 2011; V. L. Popov, M. Heß, Method of Dimensionality Reduction, 2015, table 3.1.
-    let cone = Quadrature::new(Cone::new(0.5).unwrap());
-    let ball = Quadrature::new(Paraboloid::new(4.0).unwrap());
+    let cone = Quadrature::of([Shape::Cone { flank: Flank::Slope(0.5) }]).unwrap();
+    let ball = Quadrature::of([Shape::Paraboloid { radius: 4.0 }]).unwrap();
     for x in [1e-200, 1e-9, 0.3, 1.0, 7e5, 1e150] {
         assert_relative_eq!(cone.g(&x).unwrap(), FRAC_PI_2 * 0.5 * x, max_relative = ROUNDING);
         assert_relative_eq!(cone.slope(&x).unwrap(), FRAC_PI_2 * 0.5, max_relative = ROUNDING);
@@ -47,7 +47,7 @@ fn cone_paraboloid_and_sphere() {
     }
     assert_relative_eq!(ball.integral(&2.0).unwrap(), 2.0 / 3.0, max_relative = ROUNDING);
 
-    let sphere = Quadrature::new(Sphere::new(2.0).unwrap());
+    let sphere = Quadrature::of([Shape::Sphere { radius: 2.0 }]).unwrap();
     for s in [1e-6, 0.1, 0.5, 0.9, 0.99, 0.9999, 1.0 - 1e-9] {
         let x = 2.0 * s;
         // x g'/g bounds the effect of the rounding of x and of r near the equator; for g' it is included once more.
@@ -66,7 +66,7 @@ fn cone_paraboloid_and_sphere() {
 /// Towards the equator the accuracy of g' is x g''/g' ≈ 2ᵏ roundings of x, and no more than that is lost.
 #[test]
 fn slope_of_a_sphere_up_to_its_last_radius() {
-    let sphere = Quadrature::new(Sphere::new(1.0).unwrap());
+    let sphere = Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap();
     for k in 1..=53 {
         let to_equator = 0.5_f64.powi(k);
         let x = 1.0 - to_equator;
@@ -83,7 +83,7 @@ fn kinks_split_the_integral() {
     // g = (x/R)(√(x²−b²) − b arccos(b/x)).
     let b = 0.3;
     let cone = Quadrature::new(TruncatedCone { flat: b });
-    let punch = Quadrature::new(RoundedPunch::new(2.0, b).unwrap());
+    let punch = Quadrature::of([Shape::RoundedPunch { radius: 2.0, flat: b }]).unwrap();
     for x in [0.1, 0.3] {
         assert_eq!([cone.g(&x).unwrap(), cone.slope(&x).unwrap(), punch.g(&x).unwrap()], [0.0; 3]);
     }
@@ -102,7 +102,7 @@ fn kinks_split_the_integral() {
 #[test]
 fn twelve_nodes_are_enough_for_powers() {
     for n in [0.001, 0.25, 0.5, 1.0, 2.5, 7.0, 50.0, 1000.0] {
-        let profile = Power::new(n, 1.0).unwrap();
+        let profile = Heights::new([Shape::Power { n, c: 1.0 }]).unwrap();
         let automatic = Quadrature::new(profile.clone()).g_estimate(&1.0).unwrap();
         assert_eq!(automatic.evaluations, 27, "n = {n}"); // 4 + 8 + 12, and three for noise
         let fixed = Quadrature::new(profile).with_rule(Rule::Gauss { nodes: 12 });
@@ -112,21 +112,24 @@ fn twelve_nodes_are_enough_for_powers() {
 
 #[test]
 fn radii_outside_the_domain_are_refused() {
-    let sphere = Quadrature::new(Sphere::new(1.0).unwrap());
+    let sphere = Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap();
     for x in [0.0, -1.0, f64::NAN, f64::INFINITY, 1.0, 2.0] {
         assert!(matches!(sphere.g(&x), Err(Error::Domain { .. })), "x = {x}");
     }
-    let steep = Quadrature::new(Power::new(1000.0, 1.0).unwrap());
+    let steep = Quadrature::of([Shape::Power { n: 1000.0, c: 1.0 }]).unwrap();
     assert!(matches!(steep.g(&1e10), Err(Error::OutOfRange { .. })));
-    assert!(Quadrature::new(Cone::new(1.0).unwrap()).with_tolerance(-1.0).is_err());
-    assert!(Power::new(f64::NAN, 1.0).is_err() && Power::new(-1.0, 1.0).is_err());
+    assert!(Quadrature::of([Shape::Cone { flank: Flank::Slope(1.0) }]).unwrap().with_tolerance(-1.0).is_err());
+    assert!(
+        Heights::new([Shape::Power { n: f64::NAN, c: 1.0 }]).is_err()
+            && Heights::new([Shape::Power { n: -1.0, c: 1.0 }]).is_err()
+    );
 }
 
 proptest! {
     /// A homogeneous profile of degree n has a homogeneous transform: x g' = n g and x g = (n+1) G (Euler).
     #[test]
     fn powers_are_homogeneous(n in 0.001..20.0_f64, x in 1e-9..1e9_f64) {
-        let q = Quadrature::new(Power::new(n, 0.7).unwrap());
+        let q = Quadrature::of([Shape::Power { n, c: 0.7 }]).unwrap();
         let (g, slope, integral) = (q.g(&x).unwrap(), q.slope(&x).unwrap(), q.integral(&x).unwrap());
         // The rounding of r = xs is multiplied by n.
         let rounding = ROUNDING * (1.0 + n / 4.0);
@@ -137,9 +140,9 @@ proptest! {
     /// Two independent rules agree within their error estimates.
     #[test]
     fn rules_agree(n in 0.01..50.0_f64, x in 1e-3..1e3_f64) {
-        let gauss = Quadrature::new(Power::new(n, 1.0).unwrap()).g_estimate(&x).unwrap();
+        let gauss = Quadrature::of([Shape::Power { n, c: 1.0 }]).unwrap().g_estimate(&x).unwrap();
         let tanh_sinh =
-            Quadrature::new(Power::new(n, 1.0).unwrap()).with_rule(Rule::TanhSinh).g_estimate(&x).unwrap();
+            Quadrature::of([Shape::Power { n, c: 1.0 }]).unwrap().with_rule(Rule::TanhSinh).g_estimate(&x).unwrap();
         prop_assert!((gauss.value - tanh_sinh.value).abs() <= 2.0 * (gauss.error + tanh_sinh.error));
         // An estimate that is too large is of little use.
         prop_assert!(gauss.error <= 64.0 * f64::EPSILON * (1.0 + n) * gauss.value);
@@ -148,7 +151,7 @@ proptest! {
     /// g is linear in f: a wave added to a paraboloid adds its transform, whatever the paraboloid.
     #[test]
     fn transform_is_linear(x in 0.01..1.0_f64, first in 0.5..2.0_f64, second in 3.0..9.0_f64) {
-        let wavy = |radius| Quadrature::new(WavyParaboloid::new(radius, 1e-2, 0.2).unwrap()).g(&x).unwrap();
+        let wavy = |radius| Quadrature::of([Shape::WavyParaboloid { radius, amplitude: 1e-2, wavelength: 0.2 }]).unwrap().g(&x).unwrap();
         let wave = [first, second].map(|radius| wavy(radius) - x * x / radius);
         let scale = x * x / first + 1e-2 * PI * x / 0.1 * FRAC_PI_2;
         prop_assert!((wave[0] - wave[1]).abs() <= 4.0 * ROUNDING * scale);
@@ -161,7 +164,7 @@ proptest! {
 fn steep_slopes_at_the_end_of_the_range() {
     let (n, step) = (300.0, 1.01_f64);
     for x in [10.2_f64, 10.25, 10.3, 10.32] {
-        let steep = Quadrature::new(Power::new(n, 1.0).unwrap());
+        let steep = Quadrature::of([Shape::Power { n, c: 1.0 }]).unwrap();
         assert_eq!((n * n * x.powf(n)).is_infinite(), x > 10.26, "{x}");
         let [below, here] = [x / step, x].map(|x| steep.slope_estimate(&x).unwrap());
         // g' is of degree n − 1; both x are rounded.
@@ -177,8 +180,8 @@ fn fifty_digits() {
     use mdr_core::number::{Precision, Real};
     use rug::Float;
     let like = Float::from_int(Precision::from_digits(50), 1);
-    let cone = Quadrature::new(Cone::new(like.clone()).unwrap());
-    let sphere = Quadrature::new(Sphere::new(like.clone()).unwrap()).with_rule(Rule::TanhSinh);
+    let cone = Quadrature::of([Shape::Cone { flank: Flank::Slope(like.clone()) }]).unwrap();
+    let sphere = Quadrature::of([Shape::Sphere { radius: like.clone() }]).unwrap().with_rule(Rule::TanhSinh);
     let x = like.ratio(1, 3);
     let error = |value: Float, truth: Float| ((value - &truth) / truth).abs();
     let bound = like.unit_roundoff().times(32);
@@ -190,12 +193,12 @@ fn fifty_digits() {
 
 #[test]
 fn one_node_claims_nothing() {
-    let ball = Quadrature::new(Paraboloid::new(1.0).unwrap()).with_rule(Rule::Gauss { nodes: 1 });
+    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap().with_rule(Rule::Gauss { nodes: 1 });
     // g(1) = 1.
     let estimate = ball.g_estimate(&1.0).unwrap();
     assert!((estimate.value - 1.0).abs() > 1e-4 && (estimate.value - 1.0).abs() <= estimate.error, "{estimate:?}");
     // With a kink the integral is split into pieces.
-    let punch = Quadrature::new(RoundedPunch::new(1.0, 0.1).unwrap());
+    let punch = Quadrature::of([Shape::RoundedPunch { radius: 1.0, flat: 0.1 }]).unwrap();
     let exact = punch.g_estimate(&1.0).unwrap().value;
     let estimate = punch.with_rule(Rule::Gauss { nodes: 1 }).g_estimate(&1.0).unwrap();
     assert!((estimate.value - exact).abs() <= estimate.error, "{estimate:?} {exact}");
@@ -227,7 +230,7 @@ fn waves_cost_twenty_heights_each() {
             let estimate = transform.slope_estimate(&x).unwrap();
             let spent = transform.profile().heights.load(Ordering::Relaxed) as f64;
             assert!(spent <= 4000.0 + 20.0 * waves, "{waves} waves of {wavelength}: {spent} heights");
-            let smooth = Quadrature::new(WavyParaboloid::new(0.5, amplitude, wavelength).unwrap());
+            let smooth = Quadrature::of([Shape::WavyParaboloid { radius: 0.5, amplitude, wavelength }]).unwrap();
             let other = smooth.with_rule(Rule::Gauss { nodes: 1000 }).slope(&x).unwrap();
             // g' is 4x and waves that grow to Ak √(kx) or so; the phase kx has the rounding of r.
             let phase = 2.0 * PI * waves;
@@ -241,7 +244,7 @@ fn waves_cost_twenty_heights_each() {
 /// Rules of few nodes may agree by chance over a few waves. Eighty nodes resolve them, with rounding errors only.
 #[test]
 fn luck_is_not_convergence() {
-    let waves = || Quadrature::new(WavyParaboloid::new(1.0, 0.1, 1.0).unwrap());
+    let waves = || Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 0.1, wavelength: 1.0 }]).unwrap();
     let (automatic, fine) = (waves(), waves().with_rule(Rule::Gauss { nodes: 80 }));
     for i in 1..8000 {
         let x = f64::from(i) / 2000.0;
@@ -255,12 +258,14 @@ fn luck_is_not_convergence() {
 /// Waves of the opposite phase, a trough on the axis, subtract what the others add.
 #[test]
 fn a_negative_amplitude_is_the_opposite_phase() {
-    let g = |amplitude, x| Quadrature::new(WavyParaboloid::new(1.0, amplitude, 0.2).unwrap()).g(&x).unwrap();
+    let g = |amplitude, x| {
+        Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude, wavelength: 0.2 }]).unwrap().g(&x).unwrap()
+    };
     for x in [0.03, 0.1, 0.45] {
         let smooth: f64 = x * x;
         // Each to 32 roundoffs of |g| < x² + π²x A/λ · 2.
         let tolerance = 64.0 * f64::EPSILON * (smooth + x);
         assert!((g(1e-2, x) + g(-1e-2, x) - 2.0 * smooth).abs() < tolerance && g(-1e-2, x) != g(1e-2, x), "x = {x}");
     }
-    assert!(WavyParaboloid::new(1.0, f64::NAN, 0.2).is_err());
+    assert!(Heights::new([Shape::WavyParaboloid { radius: 1.0, amplitude: f64::NAN, wavelength: 0.2 }]).is_err());
 }

@@ -5,14 +5,13 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_core::contact::{Control, FoldKind, Material, Outcome, Profile, Stability, Transform};
+use mdr_core::contact::{Control, FoldKind, Material, Outcome, Profile, Shape, Stability, Transform};
 use mdr_core::number::{Lift, Real};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::{Branches, equilibria};
 use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::folds;
-use mdr_numeric::profiles::{FlatPunch, Sphere};
 use mdr_numeric::transform::Quadrature;
 
 /// g and Δl, and F as a product of four such factors.
@@ -26,7 +25,7 @@ fn controls() -> [Control<f64>; 3] {
 fn the_flat_punch_of_kendall() {
     // K. Kendall, J. Phys. D 4 (1971) 1186: d = −√(2πbw/E*), F = −√(8πb³E*w), under every control.
     let (b, e, w) = (0.3, 2e6, 0.05);
-    let (punch, material) = (Quadrature::new(FlatPunch::new(b).unwrap()), Material::new(e, w).unwrap());
+    let (punch, material) = (Quadrature::of([Shape::FlatPunch { radius: b }]).unwrap(), Material::new(e, w).unwrap());
     for control in controls() {
         let found = folds(&punch, &material, &control).unwrap();
         assert_eq!(found.len(), 1);
@@ -106,7 +105,8 @@ fn a_stable_contact_goes_on_along_the_wall() {
 
 #[test]
 fn equilibria_are_found_up_to_the_equator() {
-    let (ball, material) = (Quadrature::new(Sphere::new(1.0).unwrap()), Material::new(1.0, 1e-3).unwrap());
+    let (ball, material) =
+        (Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap(), Material::new(1.0, 1e-3).unwrap());
     for a in [0.3, 0.55, 0.8, 0.99] {
         let control = Control::Indentation;
         let d = Curve::new(&ball, &material, &control).indentation(&a).unwrap();
@@ -121,7 +121,7 @@ fn equilibria_are_found_up_to_the_equator() {
 #[test]
 fn the_pressure_under_a_flat_punch() {
     let (b, e, w) = (0.3, 2e6, 0.05);
-    let (punch, material) = (Quadrature::new(FlatPunch::new(b).unwrap()), Material::new(e, w).unwrap());
+    let (punch, material) = (Quadrature::of([Shape::FlatPunch { radius: b }]).unwrap(), Material::new(e, w).unwrap());
     let curve = Curve::new(&punch, &material, &Control::Force);
     for force in [500.0, -50.0] {
         let rest = equilibria(&punch, &material, &Control::Force, &force).unwrap().equilibria.pop().unwrap();

@@ -8,7 +8,6 @@ use mdr_analytic::{Contact as Law, Kappa, PowerLaw};
 use mdr_core::contact::{self, Control, Error, Material, Quantity};
 use mdr_core::number::{Precision, Real};
 use mdr_numeric::curve::Curve;
-use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -158,6 +157,6 @@ impl<R: Real> Model<R> {
 impl Model<Float> {
     /// What `f` reads off the curve of equilibria by quadrature of the heights.
     pub(crate) fn integrated<T>(self, f: impl FnOnce(&Curve<'_, Float>) -> contact::Result<T>) -> contact::Result<T> {
-        f(&Curve::new(&Quadrature::new(Heights::new(self.terms)), &self.material, &self.control))
+        f(&Curve::new(&Quadrature::of(self.terms)?, &self.material, &self.control))
     }
 }

@@ -9,7 +9,6 @@ use mdr_core::contact::{self, Control, Error, Quantity, Shape};
 use mdr_core::number::{Decimal, Dual, Real};
 use mdr_numeric::admissible::{Admissibility, Verdict};
 use mdr_numeric::curve::Curve;
-use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::Record;
 use rug::Float;
@@ -96,7 +95,7 @@ pub(crate) fn point(contact: &Contact, a: &Literal) -> Result<CurvePoint> {
 /// the range. All profiles of which this is asked are convex beyond it.
 fn is_open(contact: &Contact, a: &Literal) -> contact::Result<bool> {
     let model = contact.model(Literal::nearest_f64)?;
-    let transform = Arc::new(Quadrature::new(Heights::new(model.terms)));
+    let transform = Arc::new(Quadrature::of(model.terms)?);
     let curve = Curve::new(&*transform, &model.material, &Control::Indentation);
     let a = a.nearest_f64();
     let end = contact.range.as_ref().map_or(f64::INFINITY, |[_, end]| end.nearest_f64());

@@ -1,10 +1,10 @@
 //! Critical states: the folds that the numerical route finds by tangency, against the closed forms.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Result};
+use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Result, Shape};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::folds::folds;
-use mdr_numeric::profiles::Power;
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
 use super::machine::{Machine, part};
@@ -61,8 +61,8 @@ pub(super) const PRINTED: Check = Check {
 };
 
 /// A power law for the numerical route, which knows nothing of it but its heights.
-pub(super) fn transform<R: Arithmetic>(scene: &Scene<R>) -> Result<Quadrature<R, Power<R>>> {
-    Ok(Quadrature::new(Power::new(scene.n.clone(), scene.c.clone())?))
+pub(super) fn transform<R: Arithmetic>(scene: &Scene<R>) -> Result<Quadrature<R, Heights<R>>> {
+    Quadrature::of([Shape::Power { n: scene.n.clone(), c: scene.c.clone() }])
 }
 
 /// Errors of the quadratures at a radius.
@@ -74,7 +74,7 @@ pub(super) struct Quadratures {
 }
 
 impl Quadratures {
-    pub(super) fn at<R: Arithmetic>(transform: &Quadrature<R, Power<R>>, n: f64, a: &R) -> Result<Self> {
+    pub(super) fn at<R: Arithmetic>(transform: &Quadrature<R, Heights<R>>, n: f64, a: &R) -> Result<Self> {
         Ok(Quadratures {
             g: quadrature(&transform.g_estimate(a)?, n),
             slope: quadrature(&transform.slope_estimate(a)?, n),
@@ -86,7 +86,7 @@ impl Quadratures {
 /// The fold of a power law by its closed form, for checks of what is beside it.
 pub(super) struct ClosedFold<R> {
     /// The law for the numerical route.
-    pub(super) transform: Quadrature<R, Power<R>>,
+    pub(super) transform: Quadrature<R, Heights<R>>,
     pub(super) tangent: Tangent,
     /// The controlled quantity at the fold.
     pub(super) value: R,
@@ -125,7 +125,7 @@ impl<R: Arithmetic> ClosedFold<R> {
 /// The folds. In f64, and in every eighth case of arbitrary precision, by the search over all radii; in the others by
 /// refinement of the tangency around the planted radius, which costs a hundredth.
 pub(super) fn search<R: Arithmetic>(
-    transform: &Quadrature<R, Power<R>>,
+    transform: &Quadrature<R, Heights<R>>,
     scene: &Scene<R>,
     control: &Control<R>,
     round: usize,

@@ -1,14 +1,14 @@
 //! Loading paths and their energy ledgers.
 
 use mdr_analytic::profiles as closed;
-use mdr_core::contact::{Control, FoldKind, Material, Profile, Result, Stability, Transform};
+use mdr_core::contact::{Control, FoldKind, Material, Profile, Result, Shape, Stability, Transform};
 use mdr_core::number::Real;
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::path::{EventKind, Ledger, Loss, Path, Start};
-use mdr_numeric::profiles::{self as heights, FlatPunch};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -101,7 +101,7 @@ fn admissible(trial: &mut Trial<'_>) -> Result<()> {
         "R = {scale:e}, A = {amplitude:e}, λ = {wavelength:e}, w = {work:e}, {control:?}, {ways:?}"
     ));
     let (profile, material) = (closed::WavyParaboloid::new(scale, amplitude, wavelength)?, Material::new(1.0, work)?);
-    let height = heights::WavyParaboloid::new(scale, amplitude, wavelength)?;
+    let height = Heights::new([Shape::WavyParaboloid { radius: scale, amplitude, wavelength }])?;
     let curve = Curve::new(&profile, &material, &control);
     let branches = Branches::new(curve)?;
     let Ok(path) = Path::follow(&branches, &Start::Smallest, &ways) else { return Ok(()) };
@@ -250,7 +250,7 @@ fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
     trial.describe(format_args!("b = {b:e}, E* = {e:e}, w = {w:e}, {control:?} ({})", R::NAME));
     let material = Material::new(e_star.clone(), work.clone())?;
     let [d, f] = trial.closed.flat_punch_pull_off(&radius, &material)?;
-    let by_heights = Quadrature::new(FlatPunch::new(radius.clone())?);
+    let by_heights = Quadrature::of([Shape::FlatPunch { radius: radius.clone() }])?;
     let by_form = closed::FlatPunch::new(radius.clone())?;
     let transforms: [&dyn Transform<R>; 2] = [&by_form, &by_heights];
     let pull_off = control.controlled(&d, &f);

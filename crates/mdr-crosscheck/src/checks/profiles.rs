@@ -3,15 +3,14 @@
 use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Result, Transform};
+use mdr_core::contact::{Flank, Result, Shape, Transform};
 use mdr_core::number::{Dual, Lift, Real};
-use mdr_numeric::profiles;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
 use super::{Check, by_turns};
 use crate::arithmetic::Arithmetic;
-use crate::library::{Shape, closed_form, heights};
+use crate::library::{self, closed_form};
 use crate::report::Unit;
 use crate::subject::{LIBRARY_IDS, Part, SubjectId};
 use crate::tolerance::{TRANSFORM, quadrature};
@@ -31,12 +30,12 @@ pub(super) const LIBRARY: Check = Check {
     cases: [90, 600, 6000],
     case: |trial| {
         // All shapes in one arithmetic, then in the other.
-        let (turn, shape) = (trial.index / Shape::ALL.len(), Shape::ALL[trial.index % Shape::ALL.len()]);
+        let (turn, name) = (trial.index / library::NAMES.len(), library::NAMES[trial.index % library::NAMES.len()]);
         let precision = trial.precision;
         if turn.is_multiple_of(2) {
-            library::<f64>(trial, shape, turn, ())
+            compare_parts::<f64>(trial, name, turn, ())
         } else {
-            library::<Float>(trial, shape, turn, precision)
+            compare_parts::<Float>(trial, name, turn, precision)
         }
     },
 };
@@ -58,8 +57,8 @@ fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Re
     trial.describe(format_args!("R = {radius:e}, α = {angle:e}, x = {x:e} ({})", R::NAME));
     let [radius, angle, x] = [radius, angle, x].map(|value| R::from_f64(ctx, value));
     let slope = angle.cos() / angle.sin();
-    let ball = Quadrature::new(profiles::Paraboloid::new(radius.clone())?).g_estimate(&x)?;
-    let cone = Quadrature::new(profiles::Cone::new(slope.clone())?).g_estimate(&x)?;
+    let ball = Quadrature::of([Shape::Paraboloid { radius: radius.clone() }])?.g_estimate(&x)?;
+    let cone = Quadrature::of([Shape::Cone { flank: Flank::Slope(slope.clone()) }])?.g_estimate(&x)?;
     trial.compare(
         "paraboloid",
         &trial.closed.paraboloid(&radius, &x)?,
@@ -76,10 +75,10 @@ fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Re
 /// Roundings of a closed form of the library.
 pub(super) const ROUNDINGS: f64 = 40.0;
 
-/// A profile: its shape, a length L, a second length b = ratio·L where there is one, and a slope or height over L.
+/// A profile: its name, a length L, a second length b = ratio·L where there is one, and a slope or height over L.
 #[derive(Clone, Debug)]
 pub(super) struct Drawn<R> {
-    shape: Shape,
+    name: &'static str,
     length: R,
     second: R,
     slope: R,
@@ -87,20 +86,20 @@ pub(super) struct Drawn<R> {
 
 impl<R: Arithmetic> Drawn<R> {
     /// A profile at any scale. The cap of a cone ends where the sphere has its slope.
-    pub(super) fn draw(trial: &mut Trial<'_>, shape: Shape, ctx: R::Ctx) -> Self {
+    pub(super) fn draw(trial: &mut Trial<'_>, name: &'static str, ctx: R::Ctx) -> Self {
         let length = R::from_f64(ctx, 10_f64.powf(trial.uniform(-15.0, 15.0)));
         let ratio = R::from_f64(ctx, 2_f64.powf(trial.uniform(-2.0, 1.0)));
         let slope = R::from_f64(ctx, 2_f64.powf(trial.uniform(-4.0, 1.0)));
-        let second = match shape {
-            Shape::SphericalCapCone => (slope.square() + slope.lit(1)).sqrt().inv() * &slope * &length,
+        let second = match name {
+            "cone-spherical-cap" => (slope.square() + slope.lit(1)).sqrt().inv() * &slope * &length,
             _ => ratio * &length,
         };
-        Drawn { shape, length, second, slope }
+        Drawn { name, length, second, slope }
     }
 
     /// A radius within the profile, off its edge by a fifth or more on the given side.
     pub(super) fn radius(&self, trial: &mut Trial<'_>, beyond: bool, ctx: R::Ctx) -> R {
-        if matches!(self.shape, Shape::Sphere | Shape::Ellipsoid | Shape::EllipticalDimple) {
+        if matches!(self.name, "sphere" | "ellipsoid" | "elliptical-dimple") {
             return self.length.clone() * R::from_f64(ctx, trial.uniform(0.05, 0.8));
         }
         let octaves = trial.uniform(0.3, 2.0);
@@ -118,45 +117,39 @@ impl Drawn<f64> {
     /// The same profile, exactly, in another arithmetic.
     pub(super) fn lifted<R: Real>(&self, ctx: R::Ctx) -> Drawn<R> {
         let [length, second, slope] = [self.length, self.second, self.slope].map(|value| R::from_f64(ctx, value));
-        Drawn { shape: self.shape, length, second, slope }
+        Drawn { name: self.name, length, second, slope }
     }
 }
 
 impl<R: Real> Drawn<R> {
-    /// The parameters of the shape, over numbers in which R is a constant.
-    fn parameters<S: Lift<R>>(&self) -> Vec<S> {
+    /// Its shapes, over numbers in which R is a constant.
+    fn terms<S: Lift<R>>(&self) -> Vec<Shape<S>> {
         let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
-        match self.shape {
-            Shape::Cone => vec![t],
-            Shape::Paraboloid | Shape::Sphere => vec![l],
-            Shape::Ellipsoid => vec![l.clone(), t * &l],
-            Shape::Hyperboloid | Shape::SphericalCapCone => vec![t, l],
-            Shape::TruncatedCone | Shape::ParabolicCapCone => vec![t, b],
-            Shape::TruncatedParaboloid | Shape::RoundedPunch | Shape::DisplacedParaboloid => vec![l, b],
-            Shape::ParabolicDimple => vec![t * &b, b],
-            Shape::EllipticalDimple => vec![t * &l, l],
-            Shape::WavyParaboloid => {
-                let amplitude = b.square() / l.clone().times(32);
-                vec![l, amplitude, b]
-            }
-            Shape::Sum => vec![l, t],
-        }
+        // The edge of a dimple is where its formula changes, or where it ends.
+        let radius = if self.name == "parabolic-dimple" { &b } else { &l };
+        library::terms(self.name, |key| match key {
+            "slope" => t.clone(),
+            "flat" | "cap" | "offset" | "wavelength" => b.clone(),
+            "height" | "depth" => t.clone() * radius,
+            "amplitude" => b.square() / l.clone().times(32),
+            _ => radius.clone(),
+        })
     }
 
     /// The closed form, over numbers in which R is a constant.
     pub(super) fn closed<S: Lift<R> + Struve + Kappa>(&self) -> Result<Box<dyn Transform<S>>> {
-        closed_form(self.shape, &self.parameters::<S>())
+        closed_form(self.terms::<S>())
     }
 }
 
-fn library<R: Arithmetic>(trial: &mut Trial<'_>, shape: Shape, turn: usize, ctx: R::Ctx) -> Result<()> {
-    let profile = Drawn::<R>::draw(trial, shape, ctx);
+fn compare_parts<R: Arithmetic>(trial: &mut Trial<'_>, name: &'static str, turn: usize, ctx: R::Ctx) -> Result<()> {
+    let profile = Drawn::<R>::draw(trial, name, ctx);
     let x = profile.radius(trial, turn % 6 < 4, ctx);
     let [l, b, t, at] = [&profile.length, &profile.second, &profile.slope, &x].map(R::approx);
-    trial.describe(format_args!("{shape:?}, L = {l:e}, b = {b:e}, t = {t:e}, x = {at:e} ({})", R::NAME));
+    trial.describe(format_args!("{name}, L = {l:e}, b = {b:e}, t = {t:e}, x = {at:e} ({})", R::NAME));
     let closed = profile.closed::<R>()?;
     let with_slopes = profile.closed::<Dual<R>>()?;
-    let transform = Quadrature::new(heights(shape, &profile.parameters::<R>()));
+    let transform = Quadrature::of(profile.terms::<R>())?;
 
     let y = Dual::variable(x.clone());
     let condition = |value: Dual<R>| {
@@ -165,7 +158,7 @@ fn library<R: Arithmetic>(trial: &mut Trial<'_>, shape: Shape, turn: usize, ctx:
     };
     let forms = trial.closed;
     let mut compare = |part, closed: R, numeric: Estimate<R>, condition: f64| {
-        let closed = forms.profile(shape, part, closed, &x);
+        let closed = forms.profile(name, part, closed, &x);
         let allowed = ROUNDINGS * (1.0 + condition) + quadrature(&numeric, condition);
         trial.compare(format!("{part:?}"), &closed, &numeric.value, allowed);
     };

@@ -14,7 +14,7 @@ use super::Check;
 use super::machine::Machine;
 use super::profiles::{Drawn, ROUNDINGS};
 use crate::grid::{Family, Scene};
-use crate::library::Shape;
+use crate::library::NAMES;
 use crate::report::Unit;
 use crate::subject::SubjectId;
 use crate::trial::Trial;
@@ -129,8 +129,8 @@ struct Library {
 impl Library {
     /// A profile of the library at any scale, with w such that the state at a drawn radius is tangent or nearly so.
     fn draw(trial: &mut Trial<'_>) -> Result<Self> {
-        let (turn, shape) = (trial.index / Shape::ALL.len(), Shape::ALL[trial.index % Shape::ALL.len()]);
-        let drawn = Drawn::<f64>::draw(trial, shape, ());
+        let (turn, name) = (trial.index / NAMES.len(), NAMES[trial.index % NAMES.len()]);
+        let drawn = Drawn::<f64>::draw(trial, name, ());
         let beyond = trial.uniform(0.0, 1.0) < 0.6;
         let radius = drawn.radius(trial, beyond, ());
         let rough = drawn.closed::<f64>()?;

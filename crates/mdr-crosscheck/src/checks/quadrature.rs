@@ -1,8 +1,7 @@
 //! The MDR transform (1.1) by quadrature of the profile alone, against its closed form (1.12).
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::Result;
-use mdr_numeric::profiles::Power;
+use mdr_core::contact::{Result, Shape};
 use mdr_numeric::transform::Quadrature;
 
 use super::folds::transform;
@@ -41,7 +40,7 @@ fn kappa<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Res
     let n: R = exponent.value(ctx);
     trial.describe(format_args!("n = {exponent} ({})", R::NAME));
     let one = n.lit(1);
-    let transform = Quadrature::new(Power::new(n.clone(), one.clone())?).g_estimate(&one)?;
+    let transform = Quadrature::of([Shape::Power { n: n.clone(), c: one.clone() }])?.g_estimate(&one)?;
     let found = trial.closed.kappa(&n)?;
     let allowed = quadrature(&transform, n.approx()) + KAPPA;
     trial.compare("κ", &found, &transform.value, allowed);

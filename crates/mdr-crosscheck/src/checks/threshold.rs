@@ -1,9 +1,8 @@
 //! n = 1/2, where no length is singled out: (1.18), (1.19).
 
-use mdr_core::contact::{Control, Material, Result};
+use mdr_core::contact::{Control, Material, Result, Shape};
 use mdr_core::number::Real;
 use mdr_numeric::curve::Curve;
-use mdr_numeric::profiles::Power;
 use mdr_numeric::transform::Quadrature;
 
 use super::folds::transform;
@@ -48,7 +47,7 @@ const HALF: Exponent = Exponent::Fraction(1, 2);
 
 /// Whether a contact of radius `a` shrinks at d = 0 or F = 0.
 fn shrinks<R: Arithmetic>(c: &R, material: &Material<R>, control: &Control<R>, a: &R) -> Result<bool> {
-    let transform = Quadrature::new(Power::new(c.ratio(1, 2), c.clone())?);
+    let transform = Quadrature::of([Shape::Power { n: c.ratio(1, 2), c: c.clone() }])?;
     Ok(Curve::new(&transform, material, control).direction(a, &a.lit(0))? > a.lit(0))
 }
 
@@ -70,7 +69,7 @@ fn bisection<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) ->
     }
     let found = (low + high).over(2);
     let threshold = trial.closed.threshold(&material, &control)?;
-    let transform = Quadrature::new(Power::new(found.ratio(1, 2), found.clone())?);
+    let transform = Quadrature::of([Shape::Power { n: found.ratio(1, 2), c: found.clone() }])?;
     // g against Δl, or (force) g − Δl against the mean of g, which at the threshold is two thirds of g.
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
     let numeric = match held {

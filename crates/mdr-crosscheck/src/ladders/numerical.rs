@@ -9,6 +9,7 @@ use super::Family;
 use super::approach::{Approach, LadderCase, Reach, Steps, cross};
 use crate::subject::double::{LAW, material, planted};
 use crate::subject::numerical::*;
+use crate::subject::profiles::{POWER_QUADRATURE, PUNCH_QUADRATURE, SPHERE_QUADRATURE, WAVES_QUADRATURE};
 
 pub(super) fn cases(steps: Steps) -> Vec<LadderCase> {
     [quadratures(steps), folds(steps), equilibria(steps), fields(steps), energies(steps)].concat()
@@ -24,7 +25,7 @@ fn quadratures(steps: Steps) -> Vec<LadderCase> {
     // Steeper heights than r^1000 are known no better than their radii, which a quadrature has to step over.
     let reach = Reach { half: 50, small: -290, large: [0, 3] };
     let mut powers = Approach::of_exponent(steps, reach, |n| vec![n, 1.0, 1.0 - 0.5 / (1.0 + n)]);
-    powers.extend(Approach::of_each_input(steps, POWER[0].inputs, &[1.5, 1.0, 1.0], 1));
+    powers.extend(Approach::of_each_input(steps, POWER_QUADRATURE[0].inputs, &[1.5, 1.0, 1.0], 1));
     let mut spheres = vec![
         Approach::new(Family::Tip, "x → 0", "x", steps.decades(0, -300), |x| vec![1.0, 0.9 * x]),
         Approach::new(Family::Edge, "x → R", "1 − x/R", steps.halvings(1, 53), |t| vec![1.0, 1.0 - t]),
@@ -41,8 +42,13 @@ fn quadratures(steps: Steps) -> Vec<LadderCase> {
         // Five hundred waves are the patience of the quadrature.
         Approach::new(Family::Wavelength, "λ → 0", "λ", steps.halvings(0, 11), |t| vec![1.0, 5e-4, t, 0.17]),
     ];
-    [cross(&POWER, &powers), cross(&SPHERE, &spheres), cross(&ROUNDED_PUNCH, &punches), cross(&WAVY_PARABOLOID, &waves)]
-        .concat()
+    [
+        cross(&POWER_QUADRATURE, &powers),
+        cross(&SPHERE_QUADRATURE, &spheres),
+        cross(&PUNCH_QUADRATURE, &punches),
+        cross(&WAVES_QUADRATURE, &waves),
+    ]
+    .concat()
 }
 
 fn folds(steps: Steps) -> Vec<LadderCase> {

@@ -9,7 +9,6 @@ use rug::{Float, Rational};
 
 use super::mutation::Fault;
 use super::{Part, SubjectId};
-use crate::library::Shape;
 
 /// The closed forms of mdr-analytic, as they are or with one deliberate fault.
 ///
@@ -104,9 +103,9 @@ impl ClosedForms {
         }
     }
 
-    /// A value of the profile library at radius x.
-    pub(crate) fn profile<R: Real>(&self, shape: Shape, part: Part, value: R, x: &R) -> R {
-        self.perturb(&[SubjectId::Library(shape, part)], &[x], value)
+    /// A value of the profile with this name at radius x.
+    pub(crate) fn profile<R: Real>(&self, name: &'static str, part: Part, value: R, x: &R) -> R {
+        self.perturb(&[SubjectId::Library(name, part)], &[x], value)
     }
 
     /// A result of the function of that name in `mdr_analytic::double`.

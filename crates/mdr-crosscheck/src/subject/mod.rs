@@ -14,7 +14,7 @@ pub(crate) mod profiles;
 pub(crate) mod routine;
 pub(crate) mod textbook;
 
-use crate::library::Shape;
+use crate::library::NAMES;
 
 /// A number that a function of mdr-analytic gives.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +50,7 @@ macro_rules! subjects {
         #[non_exhaustive]
         pub enum SubjectId {
             $($id,)*
-            Library(Shape, Part),
+            Library(&'static str, Part),
             Double(&'static str),
         }
 
@@ -134,11 +134,11 @@ const PARTS: [Part; 3] = [Part::G, Part::Slope, Part::Mean];
 
 /// Every part of every profile of the library.
 pub(crate) const LIBRARY_IDS: &[SubjectId] = {
-    const IDS: [SubjectId; PARTS.len() * Shape::ALL.len()] = {
-        let mut ids = [SubjectId::Library(Shape::Cone, Part::G); PARTS.len() * Shape::ALL.len()];
+    const IDS: [SubjectId; PARTS.len() * NAMES.len()] = {
+        let mut ids = [SubjectId::Library("", Part::G); PARTS.len() * NAMES.len()];
         let mut i = 0;
         while i < ids.len() {
-            ids[i] = SubjectId::Library(Shape::ALL[i / PARTS.len()], PARTS[i % PARTS.len()]);
+            ids[i] = SubjectId::Library(NAMES[i / PARTS.len()], PARTS[i % PARTS.len()]);
             i += 1;
         }
         ids
@@ -149,7 +149,10 @@ pub(crate) const LIBRARY_IDS: &[SubjectId] = {
 /// All subjects. The constructor of a profile stands for its three parts.
 pub fn subjects() -> Vec<Subject> {
     let grouped = LIBRARY_IDS.iter().chain(DOUBLE_IDS).filter_map(|&id| match id {
-        SubjectId::Library(shape, _) => Some(Subject { id, function: shape.constructor(), inputs: &["x"] }),
+        SubjectId::Library(name, _) => {
+            let profile = profiles::PROFILES.iter().find(|profile| profile.name == name)?;
+            Some(Subject { id, function: profile.constructor, inputs: &["x"] })
+        }
         SubjectId::Double(function) => Some(Subject { id, function, inputs: &[] }),
         _ => None,
     });

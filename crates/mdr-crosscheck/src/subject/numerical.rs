@@ -1,48 +1,18 @@
-//! The numerical route in f64 against closed forms: quadratures, folds, equilibria, fields and energies.
+//! The numerical route in f64 against closed forms: folds, equilibria, fields and energies.
 
-use mdr_analytic::profiles::{self as closed, Paraboloid};
+use mdr_analytic::profiles::Paraboloid;
 use mdr_analytic::{Equilibria, Kappa, PowerLaw};
-use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Ranged, Result, Transform};
+use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Ranged, Result};
 use mdr_core::number::{Real, Special};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::equilibria;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::folds;
-use mdr_numeric::profiles;
-use mdr_numeric::transform::Quadrature;
 
 use super::double::{LAW, MACHINE, contact, machine, material};
 use super::routine::{Routine, routine, routines};
 use super::textbook;
-
-/// g, g' and the mean of g by quadrature of a height, against its closed form; the last input is x.
-macro_rules! quadrature {
-    ($name:literal, $inputs:expr, |$x:ident| $height:expr, exact $closed:expr) => {
-        [
-            quadrature!($name, "::g", g, $inputs, |$x| $height, exact $closed),
-            quadrature!($name, "::slope", slope, $inputs, |$x| $height, exact $closed),
-            quadrature!($name, "::mean", mean, $inputs, |$x| $height, exact $closed),
-        ]
-    };
-    ($name:literal, $part:literal, $method:ident, $inputs:expr, |$x:ident| $height:expr, exact $closed:expr) => {
-        routine!(
-            concat!($name, $part), $inputs,
-            |$x| Quadrature::new($height?).$method(&$x[$x.len() - 1]).map(Ranged::Value),
-            exact $closed?.$method(&$x[$x.len() - 1])
-        )
-    };
-}
-
-pub(crate) const POWER: [Routine; 3] = quadrature!("Quadrature<Power>", &["n", "C", "x"],
-    |x| profiles::Power::new(x[0], x[1]), exact PowerLaw::new(x[0].clone(), x[1].clone()));
-pub(crate) const SPHERE: [Routine; 3] = quadrature!("Quadrature<Sphere>", &["R", "x"],
-    |x| profiles::Sphere::new(x[0]), exact closed::Sphere::new(x[0].clone()));
-pub(crate) const ROUNDED_PUNCH: [Routine; 3] = quadrature!("Quadrature<RoundedPunch>", &["R", "b", "x"],
-    |x| profiles::RoundedPunch::new(x[0], x[1]), exact closed::RoundedPunch::new(x[0].clone(), x[1].clone()));
-pub(crate) const WAVY_PARABOLOID: [Routine; 3] = quadrature!("Quadrature<WavyParaboloid>", &["R", "A", "λ", "x"],
-    |x| profiles::WavyParaboloid::new(x[0], x[1], x[2]),
-    exact closed::WavyParaboloid::new(x[0].clone(), x[1].clone(), x[2].clone()));
 
 /// The only fold of a contact with n > 5/2 − √3 or n < 1/2, from the closed form of g and the numerical search.
 fn only_fold(x: &[f64], control: &Control<f64>) -> Result<Instability<f64>> {

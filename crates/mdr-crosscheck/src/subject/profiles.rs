@@ -7,10 +7,12 @@ use mdr_analytic::profiles::FlatPunch;
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Ranged, Result, Transform};
 use mdr_core::number::{Lift, Special};
+use mdr_numeric::profiles::Heights;
+use mdr_numeric::transform::Quadrature;
 
 use super::routine::{Routine, Textbook, routine, routines};
 use super::textbook;
-use crate::library::{Shape, closed_form};
+use crate::library::{closed_form, ordered};
 
 /// A function of the inputs: where a formula changes.
 type Edge = fn(&[f64]) -> f64;
@@ -18,6 +20,10 @@ type Edge = fn(&[f64]) -> f64;
 /// g, g' and ∫g of a profile; the last input is x.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ProfileRoutines {
+    /// In scenes.
+    pub(crate) name: &'static str,
+    /// The public constructor of the closed form.
+    pub(crate) constructor: &'static str,
     pub(crate) routines: [Routine; 3],
     /// An ordinary question.
     pub(crate) base: &'static [f64],
@@ -30,8 +36,8 @@ pub(crate) struct ProfileRoutines {
 }
 
 impl ProfileRoutines {
-    const fn of(routines: [Routine; 3], base: &'static [f64]) -> Self {
-        ProfileRoutines { routines, base, edge: None, flat: false, ends: false }
+    const fn of([name, constructor]: [&'static str; 2], routines: [Routine; 3], base: &'static [f64]) -> Self {
+        ProfileRoutines { name, constructor, routines, base, edge: None, flat: false, ends: false }
     }
 
     /// With another formula beyond a radius.
@@ -59,8 +65,13 @@ const fn second(x: &[f64]) -> f64 {
 }
 
 /// The profile of all inputs but the last.
-fn library<R: Struve + Lift<R> + Kappa>(shape: Shape, inputs: &[R]) -> Result<Box<dyn Transform<R>>> {
-    closed_form(shape, &inputs[..inputs.len() - 1])
+fn library<R: Struve + Lift<R> + Kappa>(name: &str, inputs: &[R]) -> Result<Box<dyn Transform<R>>> {
+    closed_form(ordered(name, &inputs[..inputs.len() - 1]))
+}
+
+/// The same by quadrature of its heights.
+fn integrated(name: &str, inputs: &[f64]) -> Result<Quadrature<f64, Heights<f64>>> {
+    Quadrature::of(ordered(name, &inputs[..inputs.len() - 1]))
 }
 
 /// The flat punch of the first input, which the library leaves out: g = 0.
@@ -98,10 +109,28 @@ macro_rules! parts {
 
 /// The same of a shape of the library.
 macro_rules! profile {
-    ($shape:ident $inputs:tt $base:tt $($formulas:tt)*) => {
+    ($shape:ident $name:literal $inputs:tt $base:tt $($formulas:tt)*) => {
         ProfileRoutines::of(
-            parts!($shape, &$inputs, |x| library(Shape::$shape, x) $($formulas)*),
+            [$name, concat!(stringify!($shape), "::new")],
+            parts!($shape, &$inputs, |x| library($name, x) $($formulas)*),
             &$base,
+        )
+    };
+}
+
+/// g, g' and the mean of g by quadrature of the heights of a shape, against its closed form; the last input is x.
+macro_rules! quadrature {
+    ($shape:ident $name:literal $inputs:tt) => {
+        [
+            quadrature!($shape $name $inputs g),
+            quadrature!($shape $name $inputs slope),
+            quadrature!($shape $name $inputs mean),
+        ]
+    };
+    ($shape:ident $name:literal $inputs:tt $part:ident) => {
+        routine!(
+            concat!("Quadrature<", stringify!($shape), ">::", stringify!($part)), &$inputs,
+            |x| integrated($name, x)?.$part(at(x)).map(Ranged::Value), exact library($name, x)?.$part(at(x))
         )
     };
 }
@@ -115,9 +144,9 @@ enum PartIndex {
 
 /// All profiles with closed forms.
 pub(crate) const PROFILES: [ProfileRoutines; 16] = [
-    profile!(Cone ["slope", "x"] [0.2, 0.5]),
-    profile!(Paraboloid ["R", "x"] [1.0, 0.5]),
-    profile!(Sphere ["R", "x"] [1.0, 0.5],
+    profile!(Cone "cone" ["slope", "x"] [0.2, 0.5]),
+    profile!(Paraboloid "paraboloid" ["R", "x"] [1.0, 0.5]),
+    profile!(Sphere "sphere" ["R", "x"] [1.0, 0.5],
     G "½x ln((R+x)/(R−x))" => |x| x[1] * textbook::artanh(x[1] / x[0]),
     Slope "artanh(x/R) + Rx/(R²−x²)" => |x| {
         textbook::artanh(x[1] / x[0]) + x[0] * x[1] / (x[0] * x[0] - x[1] * x[1])
@@ -126,29 +155,29 @@ pub(crate) const PROFILES: [ProfileRoutines; 16] = [
         0.5 * (x[1] * x[1] - x[0] * x[0]) * textbook::artanh(x[1] / x[0]) + x[0] * x[1] / 2.0
     })
     .ending_at_first(),
-    profile!(Ellipsoid ["A", "c", "x"] [2.0, 0.5, 0.7],
+    profile!(Ellipsoid "ellipsoid" ["A", "c", "x"] [2.0, 0.5, 0.7],
     Integral "(c/A)[½(x²−A²)artanh(x/A) + Ax/2]" => |x| {
         x[1] / x[0] * (0.5 * (x[2] * x[2] - x[0] * x[0]) * textbook::artanh(x[2] / x[0]) + x[0] * x[2] / 2.0)
     })
     .ending_at_first(),
-    profile!(Hyperboloid ["slope", "A", "x"] [0.7, 1.0, 0.5],
+    profile!(Hyperboloid "hyperboloid" ["slope", "A", "x"] [0.7, 1.0, 0.5],
     Integral "½cotα[(x²+A²)arctan(x/A) − Ax]" => |x| {
         0.5 * x[0] * ((x[2] * x[2] + x[1] * x[1]) * (x[2] / x[1]).atan() - x[1] * x[2])
     }),
-    profile!(Sum ["R", "slope", "x"] [1.0, 0.1, 0.5]),
-    profile!(TruncatedCone ["slope", "b", "x"] [0.5, 1.0, 1.7],
+    profile!(Sum "sum" ["R", "slope", "x"] [1.0, 0.1, 0.5]),
+    profile!(TruncatedCone "truncated-cone" ["slope", "b", "x"] [0.5, 1.0, 1.7],
     G "x t arccos(b/x)" => |x| x[2] * x[0] * (x[1] / x[2]).acos(),
     Slope "t[arccos(b/x) + b/√(x²−b²)]" => |x| x[0] * ((x[1] / x[2]).acos() + x[1] / textbook::leg(x[2], x[1])),
     Integral "½t[x² arccos(b/x) − b√(x²−b²)]" => |x| {
         0.5 * x[0] * (x[2] * x[2] * (x[1] / x[2]).acos() - x[1] * textbook::leg(x[2], x[1]))
     })
     .flat_to_second(),
-    profile!(TruncatedParaboloid ["R", "b", "x"] [5.0, 1.0, 1.7],
+    profile!(TruncatedParaboloid "truncated-paraboloid" ["R", "b", "x"] [5.0, 1.0, 1.7],
         G "(x/R)√(x²−b²)" => |x| x[2] / x[0] * textbook::leg(x[2], x[1]),
         Slope "(2x²−b²)/(R√(x²−b²))" => |x| (2.0 * x[2] * x[2] - x[1] * x[1]) / (x[0] * textbook::leg(x[2], x[1])),
         Integral "(x²−b²)^(3/2)/3R" => |x| textbook::leg(x[2], x[1]).powi(3) / (3.0 * x[0]))
     .flat_to_second(),
-    profile!(RoundedPunch ["R", "b", "x"] [5.0, 1.0, 1.7],
+    profile!(RoundedPunch "rounded-punch" ["R", "b", "x"] [5.0, 1.0, 1.7],
     G "(x/R)[√(x²−b²) − b arccos(b/x)]" => |x| {
         x[2] / x[0] * (textbook::leg(x[2], x[1]) - x[1] * (x[1] / x[2]).acos())
     },
@@ -160,13 +189,13 @@ pub(crate) const PROFILES: [ProfileRoutines; 16] = [
         (q.powi(3) / 3.0 - 0.5 * x[1] * (x[2] * x[2] * (x[1] / x[2]).acos() - x[1] * q)) / x[0]
     })
     .flat_to_second(),
-    profile!(ParabolicCapCone ["slope", "b", "x"] [0.5, 1.0, 1.7],
+    profile!(ParabolicCapCone "cone-parabolic-cap" ["slope", "b", "x"] [0.5, 1.0, 1.7],
     G "tx[(x − √(x²−b²))/b + arccos(b/x)]" => |x| {
         let (t, b, x) = (x[0], x[1], x[2]);
         if x > b { t * x * ((x - textbook::leg(x, b)) / b + (b / x).acos()) } else { t * x * x / b }
     })
     .changing_at(second),
-    profile!(ParabolicDimple ["h", "b", "x"] [0.1, 1.0, 1.7],
+    profile!(ParabolicDimple "parabolic-dimple" ["h", "b", "x"] [0.1, 1.0, 1.7],
     G "−(2hx/b²)(x − √(x²−b²))" => |x| {
         let (h, b, x) = (x[0], x[1], x[2]);
         -2.0 * h * x / (b * b) * if x > b { x - textbook::leg(x, b) } else { x }
@@ -176,7 +205,7 @@ pub(crate) const PROFILES: [ProfileRoutines; 16] = [
         -2.0 * h / (3.0 * b * b) * (x.powi(3) - if x > b { textbook::leg(x, b).powi(3) } else { 0.0 })
     })
     .changing_at(second),
-    profile!(EllipticalDimple ["h", "b", "x"] [0.1, 1.0, 1.7],
+    profile!(EllipticalDimple "elliptical-dimple" ["h", "b", "x"] [0.1, 1.0, 1.7],
     G "−(hx/b) artanh(b/x), as half a logarithm" => |x| {
         let (h, b, x) = (x[0], x[1], x[2]);
         -h * x / b * textbook::artanh(if x > b { b / x } else { x / b })
@@ -187,7 +216,7 @@ pub(crate) const PROFILES: [ProfileRoutines; 16] = [
         -h / b * 0.5 * ((x * x - b * b) * textbook::artanh(t) + b * x)
     })
     .changing_at(second),
-    profile!(SphericalCapCone ["slope", "R", "x"] [0.75, 1.0, 1.7],
+    profile!(SphericalCapCone "cone-spherical-cap" ["slope", "R", "x"] [0.75, 1.0, 1.7],
     G "x ln[(R+x)/(√(R²−b²) + √(x²−b²))] + xt arccos(b/x)" => |x| {
         let (t, r, x) = (x[0], x[1], x[2]);
         let b = r * t / (1.0 + t * t).sqrt();
@@ -195,18 +224,29 @@ pub(crate) const PROFILES: [ProfileRoutines; 16] = [
         x * ((r + x) / (textbook::leg(r, b) + textbook::leg(x, b))).ln() + x * t * (b / x).acos()
     })
     .changing_at(|x| x[1] * x[0] / (1.0 + x[0] * x[0]).sqrt()),
-    ProfileRoutines::of(parts!(FlatPunch, &["b", "x"], |x| flat_punch(x)), &[1.0, 0.5]).ending_at_first(),
+    ProfileRoutines::of(
+        ["flat-punch", "FlatPunch::new"],
+        parts!(FlatPunch, &["b", "x"], |x| flat_punch(x)),
+        &[1.0, 0.5],
+    )
+    .ending_at_first(),
     DISPLACED_PARABOLOID,
     WAVY_PARABOLOID,
 ];
 
-pub(crate) const DISPLACED_PARABOLOID: ProfileRoutines = profile!(DisplacedParaboloid ["R", "b", "x"] [2.0, 0.5, 0.4]);
+pub(crate) const DISPLACED_PARABOLOID: ProfileRoutines =
+    profile!(DisplacedParaboloid "displaced-paraboloid" ["R", "b", "x"] [2.0, 0.5, 0.4]);
 
-pub(crate) const WAVY_PARABOLOID: ProfileRoutines = profile!(WavyParaboloid ["R", "A", "λ", "x"] [1.0, 5e-4, 0.1, 0.07],
+pub(crate) const WAVY_PARABOLOID: ProfileRoutines = profile!(WavyParaboloid "wavy-paraboloid" ["R", "A", "λ", "x"] [1.0, 5e-4, 0.1, 0.07],
 G "x²/R + (π/2)Akx H₀(kx), its power series" => |x| {
     let z = 2.0 * PI / x[2] * x[3];
     x[3] * x[3] / x[0] + PI / 2.0 * x[1] * z * textbook::struve_h0(z)
 });
+
+pub(crate) const POWER_QUADRATURE: [Routine; 3] = quadrature!(Power "power" ["n", "C", "x"]);
+pub(crate) const SPHERE_QUADRATURE: [Routine; 3] = quadrature!(Sphere "sphere" ["R", "x"]);
+pub(crate) const PUNCH_QUADRATURE: [Routine; 3] = quadrature!(RoundedPunch "rounded-punch" ["R", "b", "x"]);
+pub(crate) const WAVES_QUADRATURE: [Routine; 3] = quadrature!(WavyParaboloid "wavy-paraboloid" ["R", "A", "λ", "x"]);
 
 routines! {
     STRUVE ["z"] {

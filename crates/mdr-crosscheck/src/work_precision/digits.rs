@@ -5,10 +5,9 @@
 
 use mdr_analytic::certified::{self, Elasticity};
 use mdr_analytic::{Contact, PowerLaw, kappa, kappa_enclosure};
-use mdr_core::contact::{Control, Error, Material, Quantity, Result, Transform};
+use mdr_core::contact::{Control, Error, Material, Quantity, Result, Shape, Transform};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
-use mdr_numeric::profiles::Power;
 use mdr_numeric::transform::{Quadrature, Rule};
 use rug::{Float, Rational};
 
@@ -149,7 +148,7 @@ impl Asked {
         let by = |rule: fn(u32) -> Rule| {
             let prepare = |digits: u32| {
                 let float = |value: f64| Float::with_val(working(digits).bits(), value);
-                let solver = Quadrature::new(Power::new(float(0.25), float(1.0))?).with_rule(rule(digits));
+                let solver = Quadrature::of([Shape::Power { n: float(0.25), c: float(1.0) }])?.with_rule(rule(digits));
                 let solver = solver.with_tolerance(float(10.0).powi(-i64::from(digits)))?;
                 let x = float(X);
                 Ok(move || solver.g(&x))

@@ -4,13 +4,13 @@
 use std::hint::black_box;
 use std::sync::Arc;
 
-use mdr_analytic::{double, profiles as closed};
+use mdr_analytic::double;
+use mdr_analytic::profiles::closed_form;
 use mdr_core::calculus::roots::{self, Bracket, Root};
-use mdr_core::contact::{Control, CountedTransform, Error, Material, Quantity, Ranged, Result, Transform};
+use mdr_core::contact::{Control, CountedTransform, Error, Material, Quantity, Ranged, Result, Shape};
 use mdr_core::number::{Dual, Interval, Precision, Real, Special};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::folds::folds;
-use mdr_numeric::profiles::{Power, WavyParaboloid};
 use mdr_numeric::springs::Foundation;
 use mdr_numeric::transform::Quadrature;
 
@@ -30,20 +30,12 @@ const BITS: u32 = 128;
 
 const CONTROL: Control<f64> = Control::Indentation;
 
-/// A profile; lengths in m.
-#[derive(Clone, Copy)]
-enum Shape {
-    /// n and C of C rⁿ.
-    Power([f64; 2]),
-    /// R, A and λ of r²/2R + A(1 − cos 2πr/λ).
-    Wavy([f64; 3]),
-}
-
 /// What is asked, and what a method may know beforehand.
 struct Question {
     name: &'static str,
     words: &'static str,
-    shape: Shape,
+    /// Lengths in m.
+    shape: Shape<f64>,
     /// E* in Pa and w in J/m².
     material: [f64; 2],
     /// Radii around this fold and no other one, in m.
@@ -54,7 +46,7 @@ struct Question {
 
 /// A power law with C = 1, E* = 1 and w = 1/16.
 const fn power(name: &'static str, words: &'static str, n: f64, bracket: [f64; 2], reach: f64) -> Question {
-    Question { name, words, shape: Shape::Power([n, 1.0]), material: [1.0, 0.0625], bracket, reach }
+    Question { name, words, shape: Shape::Power { n, c: 1.0 }, material: [1.0, 0.0625], bracket, reach }
 }
 
 const QUESTIONS: [Question; 5] = [
@@ -65,7 +57,7 @@ const QUESTIONS: [Question; 5] = [
     Question {
         name: "wavy",
         words: "a wavy paraboloid, the first on pulling",
-        shape: Shape::Wavy([1.0, 5e-4, 0.1]),
+        shape: Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 },
         material: [1.0, 1e-4],
         bracket: [0.058, 0.09],
         reach: 0.1,
@@ -80,54 +72,25 @@ fn comparisons(level: Level, clock: Clock) -> Result<Vec<Comparison>> {
 /// The exact radius and indentation.
 type State = [Interval; 2];
 
-impl Shape {
-    /// By quadrature of heights.
-    fn transform<R: Special>(self, ctx: R::Ctx) -> Result<Box<dyn Transform<R>>> {
-        Ok(match self {
-            Shape::Power(inputs) => {
-                let [n, c] = inputs.map(|x| R::from_f64(ctx, x));
-                Box::new(Quadrature::new(Power::new(n, c)?))
-            }
-            Shape::Wavy(inputs) => {
-                let [radius, amplitude, wavelength] = inputs.map(|x| R::from_f64(ctx, x));
-                Box::new(Quadrature::new(WavyParaboloid::new(radius, amplitude, wavelength)?))
-            }
-        })
+/// g and g' by closed forms, of power laws with the Γ of MPFR.
+fn enclosed(shape: &Shape<f64>, x: &Interval) -> Result<State> {
+    let exact = |value: &f64| Interval::from_f64(x.ctx(), *value);
+    if let Shape::Power { n, c } = shape {
+        let (n, g) = (exact(n), transform::power(&exact(n), x) * exact(c));
+        return Ok([g.clone(), g * n / x]);
     }
-
-    /// g and g' by closed forms.
-    fn enclosed(self, x: &Interval) -> Result<State> {
-        let exact = |value: f64| Interval::from_f64(x.ctx(), value);
-        match self {
-            Shape::Power(inputs) => {
-                let [n, c] = inputs.map(exact);
-                let g = transform::power(&n, x) * c;
-                Ok([g.clone(), g * n / x])
-            }
-            Shape::Wavy(inputs) => {
-                let [radius, amplitude, wavelength] = inputs.map(exact);
-                let profile = closed::WavyParaboloid::new(radius, amplitude, wavelength)?;
-                Ok([profile.g(x)?, profile.slope(x)?])
-            }
-        }
-    }
-
-    fn inputs_mut(&mut self) -> &mut [f64] {
-        match self {
-            Shape::Power(inputs) => inputs,
-            Shape::Wavy(inputs) => inputs,
-        }
-    }
+    let profile = closed_form(shape.map(|_, value| exact(value)))?;
+    Ok([profile.g(x)?, profile.slope(x)?])
 }
 
 /// Halves the bracket as long as the sign of g' − Δl' in the middle is certain.
-fn truth(shape: Shape, material: [f64; 2], bracket: [f64; 2]) -> Result<State> {
+fn truth(shape: &Shape<f64>, material: [f64; 2], bracket: [f64; 2]) -> Result<State> {
     let exact = |x| Interval::from_f64(Precision::new(BITS), x);
     let [e_star, work] = material.map(exact);
     let length = work / e_star;
     // Δl' = √(πw/(2E*a)).
     let excess = |a: &Interval| -> Result<Interval> {
-        let [_, slope] = shape.enclosed(a)?;
+        let [_, slope] = enclosed(shape, a)?;
         Ok(slope - (length.clone() * a.pi() / a.clone().times(2)).sqrt())
     };
     let [mut lower, mut upper] = bracket.map(exact);
@@ -142,7 +105,7 @@ fn truth(shape: Shape, material: [f64; 2], bracket: [f64; 2]) -> Result<State> {
         }
     }
     let radius = lower.hull(&upper);
-    let [g, _] = shape.enclosed(&radius)?;
+    let [g, _] = enclosed(shape, &radius)?;
     let indentation = g - (length * radius.pi() * &radius).times(2).sqrt();
     Ok([radius, indentation])
 }
@@ -158,7 +121,7 @@ fn nothing(near: f64) -> Error {
 impl Question {
     /// Every method gives both numbers.
     fn comparisons(&self, level: Level, clock: Clock) -> Result<[Comparison; 2]> {
-        let truth = truth(self.shape, self.material, self.bracket)?;
+        let truth = truth(&self.shape, self.material, self.bracket)?;
         let conditions = self.conditions(&truth)?;
         let methods = self.methods(level, clock, &truth);
         let numbers = [("radius", "contact radius", 0), ("indentation", "indentation", 1)];
@@ -182,11 +145,11 @@ impl Question {
         /// Exact in every input; it leaves half of the bits of the enclosures.
         const STEP: f64 = 1.0 / (1u64 << 30) as f64;
         let mut sums = [0.0; 2];
-        for index in 0.. {
-            let (mut shape, mut material) = (self.shape, self.material);
-            let Some(input) = shape.inputs_mut().iter_mut().chain(&mut material).nth(index) else { break };
-            *input *= 1.0 + STEP;
-            let beside = self::truth(shape, material, self.bracket)?;
+        for index in 0..self.shape.parameters().len() + self.material.len() {
+            let mut inputs = 0..;
+            let mut stepped = |value: f64| if inputs.next() == Some(index) { value * (1.0 + STEP) } else { value };
+            let shape = self.shape.map(|_, value| stepped(*value));
+            let beside = self::truth(&shape, self.material.map(stepped), self.bracket)?;
             for ((sum, from), to) in sums.iter_mut().zip(truth).zip(&beside) {
                 *sum += ((to.clone() / from - from.lit(1)).approx() / STEP).abs();
             }
@@ -220,7 +183,7 @@ impl Question {
             ("tangency, bisection", false, to_tolerance(Self::bisection)),
             ("extremum of d, golden section", false, to_tolerance(Self::golden_section)),
         ];
-        if let Shape::Power([n, c]) = self.shape {
+        if let Shape::Power { n, c } = self.shape {
             let shipped = answer("f64".to_owned(), &|| self.closed_form(black_box(n), c));
             let typed = answer("f64".to_owned(), &|| Ok(self.as_printed(black_box(n), c)));
             all.insert(0, ("double::critical", true, vec![shipped]));
@@ -236,7 +199,8 @@ impl Question {
 
     /// The transform, with its evaluations counted.
     fn counted<R: Special>(&self, ctx: R::Ctx) -> Result<CountedTransform<R>> {
-        Ok(CountedTransform::new(self.shape.transform(ctx)?, &Arc::default()))
+        let transform = Quadrature::of([self.shape.map(|_, value| R::from_f64(ctx, *value))])?;
+        Ok(CountedTransform::new(Box::new(transform), &Arc::default()))
     }
 
     fn closed_form(&self, n: f64, c: f64) -> Result<Found> {
@@ -336,7 +300,7 @@ impl Question {
 
     /// Whether the contact breaks there; else it spreads.
     fn breaks(&self) -> bool {
-        !matches!(self.shape, Shape::Power([n, _]) if n < 0.5)
+        !matches!(self.shape, Shape::Power { n, .. } if n < 0.5)
     }
 
     /// The procedure of the paper: so many springs on a side.
@@ -361,14 +325,14 @@ mod tests {
     #[test]
     fn the_tangency_is_the_closed_form_where_there_is_one() {
         for question in &QUESTIONS {
-            let truth = truth(question.shape, question.material, question.bracket).unwrap();
+            let truth = truth(&question.shape, question.material, question.bracket).unwrap();
             assert!(truth.iter().all(|value| value.accuracy_bits() > 90), "{}: {truth:?}", question.name);
             let [condition, _] = question.conditions(&truth).unwrap();
-            let Shape::Power(inputs) = question.shape else { continue };
+            let Shape::Power { n, c } = question.shape else { continue };
             let exact = |x: f64| Interval::from_f64(Precision::new(200), x);
             // Of a = (πw/(2E*N²))^(1/(2n−1)): 2/|2n−1| for C, half of that for w and for E*; n is the rest.
-            assert!(condition.is_finite() && condition > 4.0 / (2.0 * inputs[0] - 1.0).abs(), "{condition}");
-            let ([n, c], [e_star, work]) = (inputs.map(exact), question.material.map(exact));
+            assert!(condition.is_finite() && condition > 4.0 / (2.0 * n - 1.0).abs(), "{condition}");
+            let ([n, c], [e_star, work]) = ([n, c].map(exact), question.material.map(exact));
             let profile = mdr_analytic::PowerLaw::new(n, c).unwrap();
             let contact = mdr_analytic::Contact::new(profile, Material::new(e_star, work).unwrap());
             let state = contact.critical(&Control::Indentation).unwrap();
@@ -380,7 +344,7 @@ mod tests {
     /// The instability of the wavy paraboloid computed elsewhere, to seven digits.
     #[test]
     fn the_wavy_paraboloid() {
-        let [radius, indentation] = truth(QUESTIONS[4].shape, QUESTIONS[4].material, QUESTIONS[4].bracket).unwrap();
+        let [radius, indentation] = truth(&QUESTIONS[4].shape, QUESTIONS[4].material, QUESTIONS[4].bracket).unwrap();
         assert!((radius.approx() / 0.064_459_0 - 1.0).abs() < 1e-6, "{radius:?}");
         assert!((indentation.approx() / -0.001_848_03 - 1.0).abs() < 3e-6, "{indentation:?}");
     }

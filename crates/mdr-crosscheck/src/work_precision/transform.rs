@@ -14,15 +14,15 @@
 use std::f64::consts::FRAC_PI_2;
 use std::hint::black_box;
 
-use mdr_analytic::profiles as closed;
 use mdr_core::calculus::gauss_jacobi;
-use mdr_core::contact::{Profile, Result, Transform};
+use mdr_core::contact::{Profile, Result, Shape};
 use mdr_core::number::{Dual, Interval, Precision, Real};
-use mdr_numeric::profiles::{Power, RoundedPunch, Sphere, WavyParaboloid};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::{Quadrature, Rule};
 
 use super::{Clock, Comparison, Outcome, Point, Series, Task, kappa};
 use crate::Level;
+use crate::library::{closed_form, ordered};
 
 /// The task.
 pub(super) const TASK: Task = Task {
@@ -44,19 +44,16 @@ fn comparisons(level: Level, clock: Clock) -> Result<Vec<Comparison>> {
             truth: [power(&exact(n), &exact(0.7))],
             attainable: Outcome::attainable(n),
         };
-        all.push(question.comparison(&Power::new(n, 1.0)?, level, clock)?);
+        all.push(question.comparison(&Heights::new([Shape::Power { n, c: 1.0 }])?, level, clock)?);
     }
-    let (sphere, enclosed) = (closed::Sphere::new(1.0)?, closed::Sphere::new(exact(1.0))?);
-    let question = Question::of("sphere", "the sphere of radius 1", 0.6, &sphere, &enclosed)?;
-    all.push(question.comparison(&Sphere::new(1.0)?, level, clock)?);
-    let (punch, enclosed) = (closed::RoundedPunch::new(1.0, 0.3)?, closed::RoundedPunch::new(exact(1.0), exact(0.3))?);
-    let question = Question::of("rounded-punch", "f = (r − 0.3)²/2, flat up to r = 0.3", 0.7, &punch, &enclosed)?;
-    all.push(question.comparison(&RoundedPunch::new(1.0, 0.3)?, level, clock)?);
-    let [radius, amplitude, wavelength] = [1.0, 5e-4, 0.1];
-    let wavy = closed::WavyParaboloid::new(radius, amplitude, wavelength)?;
-    let enclosed = closed::WavyParaboloid::new(exact(radius), exact(amplitude), exact(wavelength))?;
-    let question = Question::of("wavy", "the wavy paraboloid of figure 4", 0.73, &wavy, &enclosed)?;
-    all.push(question.comparison(&WavyParaboloid::new(radius, amplitude, wavelength)?, level, clock)?);
+    for (name, words, x, parameters) in [
+        ("sphere", "the sphere of radius 1", 0.6, &[1.0][..]),
+        ("rounded-punch", "f = (r − 0.3)²/2, flat up to r = 0.3", 0.7, &[1.0, 0.3]),
+        ("wavy-paraboloid", "the wavy paraboloid of figure 4", 0.73, &[1.0, 5e-4, 0.1]),
+    ] {
+        let question = Question::of(name, words, x, parameters)?;
+        all.push(question.comparison(&Heights::new(ordered(name, parameters))?, level, clock)?);
+    }
     Ok(all)
 }
 
@@ -80,15 +77,11 @@ struct Question {
 
 impl Question {
     /// A profile by its closed form in doubles and over intervals. The condition is |x g'/g|.
-    fn of(
-        name: &str,
-        words: &str,
-        x: f64,
-        closed: &impl Transform<f64>,
-        enclosed: &impl Transform<Interval>,
-    ) -> Result<Self> {
+    fn of(name: &str, words: &str, x: f64, parameters: &[f64]) -> Result<Self> {
+        let closed = closed_form(ordered(name, parameters))?;
+        let enclosed = closed_form(ordered(name, &parameters.iter().copied().map(exact).collect::<Vec<_>>()))?;
         Ok(Question {
-            id: format!("transform-{name}"),
+            id: format!("transform-{}", name.trim_end_matches("-paraboloid")),
             title: format!("g({x}) of {words}"),
             x,
             truth: [enclosed.g(&exact(x))?],
@@ -201,7 +194,7 @@ mod tests {
             attainable: 16.0,
         };
         for n in [0.25, 0.5] {
-            let profile = Power::new(n, 1.0).unwrap();
+            let profile = Heights::new([Shape::Power { n, c: 1.0 }]).unwrap();
             let found = question(n).comparison(&profile, Level::Full, Clock::Off).unwrap();
             for (method, order) in [(3, n), (4, n), (5, 2.0 * n)] {
                 let points = &found.series[method].points;

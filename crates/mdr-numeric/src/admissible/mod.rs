@@ -34,11 +34,11 @@ pub use refine::{Ring, Touch, first_touch, last_admissible};
 ///
 /// ```
 /// use std::sync::Arc;
-/// use mdr_core::contact::{Control, Material};
+/// use mdr_core::contact::{Control, Material, Shape};
 /// use mdr_numeric::admissible::{Admissibility, Verdict};
-/// use mdr_numeric::{curve::Curve, profiles::WavyParaboloid, transform::Quadrature};
+/// use mdr_numeric::{curve::Curve, transform::Quadrature};
 /// // Waves of 10 mm on a paraboloid of 1 m: the first crest alone cannot be pressed deep.
-/// let wavy = Arc::new(Quadrature::new(WavyParaboloid::new(1.0, 1e-2, 0.1)?));
+/// let wavy = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 1e-2, wavelength: 0.1 }])?);
 /// let (material, control) = (Material::new(1.0, 1e-6)?, Control::Indentation);
 /// let admissibility = Admissibility::new(wavy.clone(), [1e-6, 0.3]);
 /// let curve = Curve::new(&*wavy, &material, &control);

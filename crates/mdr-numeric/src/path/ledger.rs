@@ -75,11 +75,11 @@ impl<R: Real> Ledger<R> {
     /// Each jump is integrated between its own two radii only, in pieces between the folds and kinks there.
     ///
     /// ```
-    /// use mdr_core::contact::{Control, Material};
+    /// use mdr_core::contact::{Control, Material, Shape};
     /// use mdr_numeric::path::{Ledger, Loss, Path, Start};
-    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, profiles::Paraboloid, transform::Quadrature};
+    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, transform::Quadrature};
     /// // The paraboloid loses 2/5 of πa²w when it is pulled off at fixed grips.
-    /// let (ball, control) = (Quadrature::new(Paraboloid::new(1.0)?), Control::Indentation);
+    /// let (ball, control) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Control::Indentation);
     /// let material = Material::new(1.0, 1e-3)?;
     /// let branches = Branches::new(Curve::new(&ball, &material, &control))?;
     /// let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.1])?;

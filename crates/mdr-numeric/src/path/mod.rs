@@ -133,11 +133,11 @@ impl<R: Real> Path<R> {
     /// The cost is one equilibrium per event and comparisons between folds, also for 10⁴ jumps.
     ///
     /// ```
-    /// use mdr_core::contact::{Control, Material};
+    /// use mdr_core::contact::{Control, Material, Shape};
     /// use mdr_numeric::path::{EventKind, Path, Start};
-    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, profiles::WavyParaboloid, transform::Quadrature};
+    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, transform::Quadrature};
     /// // Figure 4 of the paper: pulled from d = 0, it jumps once and then breaks.
-    /// let profile = Quadrature::new(WavyParaboloid::new(1.0, 5e-4, 0.1)?);
+    /// let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
     /// let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation);
     /// let branches = Branches::new(Curve::new(&profile, &material, &control))?;
     /// let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.01])?;
@@ -172,10 +172,10 @@ impl<R: Real> Path<R> {
     /// The state in which a path begins: that of the first event of [`follow`](Path::follow).
     ///
     /// ```
-    /// use mdr_core::contact::{Control, Material, Stability};
+    /// use mdr_core::contact::{Control, Material, Shape, Stability};
     /// use mdr_numeric::path::{Path, Start};
-    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, profiles::Paraboloid, transform::Quadrature};
-    /// let (ball, control) = (Quadrature::new(Paraboloid::new(1.0)?), Control::Indentation);
+    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, transform::Quadrature};
+    /// let (ball, control) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Control::Indentation);
     /// let material = Material::new(1.0, 1e-3)?;
     /// let branches = Branches::new(Curve::new(&ball, &material, &control))?;
     /// let state = Path::first(&branches, &Start::Largest, &0.0)?;

@@ -31,18 +31,17 @@ pub fn range(curve: &Curve<'_, f64>, found: &Folds<f64>, reach: f64, visited: &[
 
 #[cfg(test)]
 mod tests {
-    use mdr_core::contact::{Control, Material, Result};
+    use mdr_core::contact::{Control, Material, Result, Shape};
 
     use super::*;
     use crate::folds;
-    use crate::profiles::Paraboloid;
     use crate::transform::Quadrature;
 
     /// The fold of JKR at a³ = πwR²/8E*, whose force −(5/6)πwR is no double, is in the range nevertheless.
     #[test]
     fn folds_out_of_range_are_looked_at() -> Result<()> {
         let (material, control) = (Material::new(1e300, 1e296)?, Control::Indentation);
-        let ball = Quadrature::new(Paraboloid::new(1e20)?);
+        let ball = Quadrature::of([Shape::Paraboloid { radius: 1e20 }])?;
         let curve = Curve::new(&ball, &material, &control);
         let found = folds::find(&curve)?;
         assert_eq!((found.folds.len(), found.beyond.len()), (0, 1));
@@ -55,7 +54,7 @@ mod tests {
     #[test]
     fn visited_radii_are_within() -> Result<()> {
         let (material, control) = (Material::new(1.0, 1e-3)?, Control::Indentation);
-        let ball = Quadrature::new(Paraboloid::new(1.0)?);
+        let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
         let curve = Curve::new(&ball, &material, &control);
         let found = folds::find(&curve)?;
         let alone = range(&curve, &found, 8.0, &[]);

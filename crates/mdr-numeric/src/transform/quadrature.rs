@@ -3,12 +3,13 @@
 use std::sync::OnceLock;
 
 use mdr_core::calculus::{Estimate, roundoff_tolerance};
-use mdr_core::contact::{Error, Profile, Quantity, Result, Transform};
+use mdr_core::contact::{Error, Profile, Quantity, Result, Shape, Transform};
 use mdr_core::number::Special;
 
 use super::gauss::{self, Ladder};
 use super::integral::Integral;
 use super::integrand::Integrand;
+use crate::profiles::Heights;
 
 /// The rule for the integrals over θ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,9 +34,9 @@ pub enum Rule {
 /// transform that underflows is 0 or nearly so, with an estimated error of its own magnitude.
 ///
 /// ```
-/// use mdr_core::contact::Transform;
-/// use mdr_numeric::{profiles::Cone, transform::Quadrature};
-/// let cone = Quadrature::new(Cone::new(0.1)?);
+/// use mdr_core::contact::{Flank, Shape, Transform};
+/// use mdr_numeric::transform::Quadrature;
+/// let cone = Quadrature::of([Shape::Cone { flank: Flank::Slope(0.1) }])?;
 /// assert!((cone.g(&2.0)? / (0.1 * std::f64::consts::PI) - 1.0).abs() < 1e-14); // (π/2) x tanθ
 /// assert!(cone.g(&-1.0).is_err());
 /// # Ok::<(), mdr_core::contact::Error>(())
@@ -62,6 +63,16 @@ const PATIENCE: i64 = 500;
 pub(super) struct Fixed<R> {
     pub(super) fine: Vec<gauss::Node<R>>,
     pub(super) coarse: Vec<gauss::Node<R>>,
+}
+
+impl<R: Special> Quadrature<R, Heights<R>> {
+    /// The transform of the sum of some shapes of the library.
+    ///
+    /// # Errors
+    /// Those of [`Heights::new`].
+    pub fn of(terms: impl Into<Vec<Shape<R>>>) -> Result<Self> {
+        Heights::new(terms).map(Quadrature::new)
+    }
 }
 
 impl<R: Special, P: Profile<R>> Quadrature<R, P> {
