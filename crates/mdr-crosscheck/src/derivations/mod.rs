@@ -12,8 +12,9 @@
 //! * *refuted* fails by normal forms, and there is a point where its two sides certainly differ.
 //!
 //! Each statement that is proved or enclosed is also mutated ([`Mutants`]): with one sign, exponent or factor wrong, or with the
-//! opposite sense, it must not hold.
+//! opposite sense, it must not hold. [`Document`] writes what was judged.
 
+mod document;
 mod ends;
 mod functions;
 mod mutation;
@@ -25,6 +26,7 @@ use mdr_symbolic::derivations::{Claim, Entry, Step, entries};
 use mdr_symbolic::formula::evaluate;
 use mdr_symbolic::{Domain, Error, Relation, Statement};
 
+pub use document::{Document, summary};
 pub(crate) use functions::hypergeometric;
 pub use mutation::{Fate, Mutants};
 pub use point::{OCTAVES, Point, Points};

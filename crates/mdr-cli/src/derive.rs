@@ -1,19 +1,12 @@
 //! `mdr derive`: the derivations, each step with its verdict.
 
-mod document;
-mod errata;
-mod figures;
-mod latex;
-mod markdown;
-mod prose;
-mod text;
-
 use clap::{Args, ValueEnum};
-use mdr_crosscheck::derivations::{Judgement, judge, judge_all};
+use mdr_crosscheck::derivations::{Document, Judgement, judge, judge_all, summary};
 use mdr_symbolic::derivations::{Entry, entries, entry};
 
 use crate::error::{Failure, Result};
 use crate::output::Output;
+use crate::table::{Tone, cell, render, table};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -72,14 +65,6 @@ enum Shape {
     Latex,
 }
 
-/// What is written.
-#[derive(Clone, Copy)]
-enum Extent<'a> {
-    All(&'a [Judgement]),
-    One(&'a Judgement),
-    Errata(&'a [Judgement]),
-}
-
 impl Derive {
     /// Writes the derivations on `out`; whether every step is what it claims to be.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
@@ -88,18 +73,35 @@ impl Derive {
             None if self.errata => entries().iter().filter(|entry| entry.erratum.is_some()).map(judge).collect(),
             None => judge_all(),
         };
-        let extent = match &judgements[..] {
-            [one] if self.id.is_some() => Extent::One(one),
-            all if self.errata => Extent::Errata(all),
-            all => Extent::All(all),
+        let document = match &judgements[..] {
+            [one] if self.id.is_some() => Document::One(one),
+            all if self.errata => Document::Errata(all),
+            all => Document::All(all),
         };
-        out.text(match self.format {
-            Shape::Text => text::write(extent),
-            Shape::Markdown => markdown::write(extent),
-            Shape::Latex => latex::write(extent),
+        out.text(match (self.format, document) {
+            (Shape::Text, Document::All(judgements)) => overview(judgements),
+            (Shape::Text, document) => document.text(),
+            (Shape::Markdown, document) => document.markdown(),
+            (Shape::Latex, document) => document.latex(),
         })?;
         Ok(judgements.iter().all(Judgement::holds))
     }
+}
+
+/// All entries, a line each.
+fn overview(judgements: &[Judgement]) -> String {
+    let mut table = table(&["id", "what", "steps", "mutants", "verdict"]);
+    for judgement in judgements {
+        let tone = if judgement.holds() { Tone::Good } else { Tone::Bad };
+        table.add_row([
+            cell(judgement.entry.id, Tone::Strong),
+            cell(judgement.entry.title, Tone::Plain),
+            cell(judgement.tally(), Tone::Faint),
+            cell(judgement.mutants().len(), Tone::Faint),
+            cell(judgement.verdict(), tone),
+        ]);
+    }
+    format!("{}\n\n{}", render(&table), summary(judgements))
 }
 
 /// The entry of an id, which may stand in brackets as in the paper.

@@ -1,20 +1,20 @@
 //! Derivations as pages, with mathematics that GitHub renders.
 
-use mdr_crosscheck::derivations::{AGREEMENT, Fate, Judgement, OCTAVES, POINTS, StepJudgement};
 use mdr_symbolic::formula::Definition;
 use mdr_symbolic::{Formula, Statement, Symbol};
 
 use super::figures::{self, Figure};
-use super::{Extent, document, errata, prose};
+use super::{Document, errata, heading, hypotheses, place, prose, step_verdict, summary, theorems, witness};
+use crate::derivations::{AGREEMENT, Fate, Judgement, OCTAVES, POINTS, StepJudgement};
 
 /// The longest witness that is shown, in characters of TeX.
 const LONGEST: usize = 260;
 
-pub(super) fn write(extent: Extent<'_>) -> String {
+pub(super) fn write(extent: Document<'_>) -> String {
     match extent {
-        Extent::All(judgements) => page(judgements),
-        Extent::One(judgement) => entry(judgement, "#"),
-        Extent::Errata(judgements) => errata_page(judgements),
+        Document::All(judgements) => page(judgements),
+        Document::One(judgement) => entry(judgement, "#"),
+        Document::Errata(judgements) => errata_page(judgements),
     }
 }
 
@@ -66,14 +66,14 @@ fn page(judgements: &[Judgement]) -> String {
         page += &format!(
             "| [{}](#{}) | {} | {} | {} | {} |\n",
             judgement.entry.id,
-            anchor(&document::heading(judgement)),
+            anchor(&heading(judgement)),
             judgement.entry.title,
-            document::tally(judgement),
+            judgement.tally(),
             judgement.mutants().len(),
-            document::verdict(judgement)
+            judgement.verdict()
         );
     }
-    page += &format!("\n{}\n", document::summary(judgements));
+    page += &format!("\n{}\n", summary(judgements));
     for judgement in judgements {
         page += "\n";
         page += &entry(judgement, "##");
@@ -114,10 +114,10 @@ derive --errata --format markdown`; a test fails when it is out of date. The ful
 [derivations.md](derivations.md).
 "
     .to_owned();
-    for (judgement, erratum) in errata::items(judgements) {
-        let heading = document::heading(judgement);
+    for (judgement, erratum, evidence) in errata(judgements) {
+        let heading = heading(judgement);
         page += &format!("\n## {heading}\n\n{}\n", words(erratum.text));
-        for step in errata::evidence(judgement, erratum) {
+        for step in evidence {
             page += &format!("\n{}\n", self::step(step));
         }
         page += &format!("\nDerivation: [{}](derivations.md#{})\n", judgement.entry.id, anchor(&heading));
@@ -127,14 +127,13 @@ derive --errata --format markdown`; a test fails when it is out of date. The ful
 
 fn entry(judgement: &Judgement, level: &str) -> String {
     let entry = judgement.entry;
-    let mut section =
-        format!("{level} {}\n\nVerdict: **{}**.", document::heading(judgement), document::verdict(judgement));
+    let mut section = format!("{level} {}\n\nVerdict: **{}**.", heading(judgement), judgement.verdict());
     if !entry.assumptions.is_empty() {
         let assumptions: Vec<_> = entry.assumptions.iter().map(|text| words(text)).collect();
         section += &format!(" Assumes: {}.", assumptions.join("; "));
     }
-    section += &format!(" Where {}.", document::hypotheses(judgement));
-    let theorems = document::theorems(judgement, |theorem| {
+    section += &format!(" Where {}.", hypotheses(judgement));
+    let theorems = theorems(judgement, |theorem| {
         let (name, file) = (theorem.name, theorem.file);
         format!("* [`{name}`](proofs/{file}): {}", escaped(theorem.says))
     });
@@ -177,10 +176,10 @@ fn step(step: &StepJudgement) -> String {
     if let Ok(Some(statement)) = step.step.statement() {
         text += &format!("\n\n```math\n{}\n```\n", statement.tex());
     }
-    let place = document::place(step);
+    let place = place(step);
     let blank = if place.is_empty() { "" } else { " " };
-    text += &format!("\n**{}**{blank}{}", escaped(&document::step_verdict(step)), escaped(&place));
-    let witness = document::witness(step).map(|witness| witness.describe(&|_, tex| format!("$`{tex}`$")));
+    text += &format!("\n**{}**{blank}{}", escaped(&step_verdict(step)), escaped(&place));
+    let witness = witness(step).map(|witness| witness.describe(&|_, tex| format!("$`{tex}`$")));
     match witness.filter(|witness| witness.chars().count() <= LONGEST) {
         Some(witness) => text + &format!(": {witness}."),
         None => text + ".",

@@ -1,11 +1,53 @@
-//! What text, Markdown and LaTeX have in common.
+//! Judged derivations as documents: text for a terminal, Markdown with mathematics that GitHub renders, and LaTeX.
 
-use mdr_crosscheck::derivations::{AGREEMENT, Fate, Judgement, Mutants, StepJudgement};
-use mdr_symbolic::derivations::{Theorem, Verdict};
+mod figures;
+mod latex;
+mod markdown;
+mod prose;
+mod text;
+
+use mdr_symbolic::derivations::{Erratum, Theorem, Verdict};
 use mdr_symbolic::{Decision, Domain};
 
+use super::{AGREEMENT, Fate, Judgement, Mutants, StepJudgement};
+
+/// What is written.
+///
+/// ```
+/// use mdr_crosscheck::derivations::{Document, judge};
+/// let judgement = judge(mdr_symbolic::derivations::entry("1.4").expect("an equation of the paper"));
+/// let page = Document::One(&judgement).markdown();
+/// assert!(page.starts_with("# (1.4)") && page.contains("**proved**"));
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub enum Document<'a> {
+    /// All derivations, with an introduction and an overview.
+    All(&'a [Judgement]),
+    /// The steps of one entry.
+    One(&'a Judgement),
+    /// What is to be corrected in the paper, with the steps that show it.
+    Errata(&'a [Judgement]),
+}
+
+impl Document<'_> {
+    /// Lines of at most 100 columns; of all derivations, the entries one after the other.
+    pub fn text(self) -> String {
+        text::write(self)
+    }
+
+    /// A page, with formulas in TeX.
+    pub fn markdown(self) -> String {
+        markdown::write(self)
+    }
+
+    /// A whole document.
+    pub fn latex(self) -> String {
+        latex::write(self)
+    }
+}
+
 /// The heading of an entry: an equation by its number in brackets.
-pub(super) fn heading(judgement: &Judgement) -> String {
+fn heading(judgement: &Judgement) -> String {
     let entry = judgement.entry;
     match entry.id.starts_with(|c: char| c.is_ascii_digit()) {
         true => format!("({}) {}", entry.id, entry.title),
@@ -13,13 +55,8 @@ pub(super) fn heading(judgement: &Judgement) -> String {
     }
 }
 
-/// The verdict on an entry as one word.
-pub(super) fn verdict(judgement: &Judgement) -> &'static str {
-    if judgement.holds() { judgement.entry.verdict().word() } else { "FAILED" }
-}
-
 /// The verdict on a step: one word, and why where it failed.
-pub(super) fn step_verdict(step: &StepJudgement) -> String {
+fn step_verdict(step: &StepJudgement) -> String {
     let survivors: Vec<_> = step.mutants.with(Fate::Survives).map(|mutant| mutant.text()).collect();
     match &step.failure {
         Some(failure) => format!("FAILED: {failure}"),
@@ -29,7 +66,7 @@ pub(super) fn step_verdict(step: &StepJudgement) -> String {
 }
 
 /// Where a step holds: its domains and, for a step at one point, the values there.
-pub(super) fn place(step: &StepJudgement) -> String {
+fn place(step: &StepJudgement) -> String {
     let bits = if step.step.verdict() == Verdict::Agrees { format!(" to {AGREEMENT} bits") } else { String::new() };
     if !step.step.point.is_empty() {
         let values: Vec<_> = step.step.point.iter().map(|(name, value)| format!("{} = {value}", shown(name))).collect();
@@ -47,12 +84,12 @@ pub(super) fn place(step: &StepJudgement) -> String {
 }
 
 /// The theorems of an entry, each as `name (file): what it says`.
-pub(super) fn theorems(judgement: &Judgement, write: impl Fn(&Theorem) -> String) -> Vec<String> {
+fn theorems(judgement: &Judgement, write: impl Fn(&Theorem) -> String) -> Vec<String> {
     judgement.entry.theorems().map(|theorem| write(&theorem)).collect()
 }
 
 /// What holds for the symbols of every statement of an entry.
-pub(super) fn hypotheses(judgement: &Judgement) -> String {
+fn hypotheses(judgement: &Judgement) -> String {
     let names = |statement: &'static str| statement.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\''));
     let mut used = judgement.steps.iter().filter_map(|step| step.step.statement).flat_map(names);
     let profile = if used.any(|name| ["g", "g'", "G", "Q", "d_g", "F_g"].contains(&name)) {
@@ -69,7 +106,7 @@ fn shown(name: &str) -> &str {
 }
 
 /// What normal forms show on the first domain: the witness of a proof or of a refutation.
-pub(super) fn witness(step: &StepJudgement) -> Option<mdr_symbolic::Witness> {
+fn witness(step: &StepJudgement) -> Option<mdr_symbolic::Witness> {
     match step.step.check().ok()?.into_iter().next()?.1 {
         Decision::Proved { because } | Decision::Refuted { because } => Some(because),
         Decision::Undecided(_) => None,
@@ -77,7 +114,7 @@ pub(super) fn witness(step: &StepJudgement) -> Option<mdr_symbolic::Witness> {
 }
 
 /// Counts of everything, as one sentence.
-pub(super) fn summary(judgements: &[Judgement]) -> String {
+pub fn summary(judgements: &[Judgement]) -> String {
     let steps = || judgements.iter().flat_map(|judgement| &judgement.steps);
     let count = |verdict| steps().filter(|step| step.step.verdict() == verdict && step.holds()).count();
     let counts = Verdict::ALL.into_iter().filter(|verdict| count(*verdict) > 0);
@@ -103,7 +140,7 @@ fn fates(mutants: &Mutants, told: impl Fn(Fate) -> bool) -> String {
 }
 
 /// How many distinct mutants there were, and what became of them.
-pub(super) fn mutants(mutants: &Mutants) -> String {
+fn mutants(mutants: &Mutants) -> String {
     let occurs = |fate| mutants.count(fate) > 0;
     match (mutants.len(), &Fate::ALL.into_iter().filter(|fate| occurs(*fate)).collect::<Vec<_>>()[..]) {
         (1, [fate]) => format!("1 mutant, {}.", fate.words()),
@@ -112,9 +149,25 @@ pub(super) fn mutants(mutants: &Mutants) -> String {
     }
 }
 
-/// How many steps of each kind, briefly.
-pub(super) fn tally(judgement: &Judgement) -> String {
-    let count = |verdict| judgement.steps.iter().filter(|step| step.step.verdict() == verdict).count();
-    let counts = Verdict::ALL.into_iter().filter(|verdict| count(*verdict) > 0);
-    counts.map(|verdict| format!("{} {}", count(verdict), verdict.word())).collect::<Vec<_>>().join(", ")
+impl Judgement {
+    /// The verdict on the entry as one word.
+    pub fn verdict(&self) -> &'static str {
+        if self.holds() { self.entry.verdict().word() } else { "FAILED" }
+    }
+
+    /// How many steps of each kind, briefly.
+    pub fn tally(&self) -> String {
+        let count = |verdict| self.steps.iter().filter(|step| step.step.verdict() == verdict).count();
+        let counts = Verdict::ALL.into_iter().filter(|verdict| count(*verdict) > 0);
+        counts.map(|verdict| format!("{} {}", count(verdict), verdict.word())).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// The entries with an erratum, each with the steps that show it.
+fn errata(judgements: &[Judgement]) -> impl Iterator<Item = (&Judgement, Erratum, Vec<&StepJudgement>)> {
+    judgements.iter().filter_map(|judgement| {
+        let erratum = judgement.entry.erratum?;
+        let evidence = erratum.shown_by.iter().filter_map(|index| judgement.steps.get(*index)).collect();
+        Some((judgement, erratum, evidence))
+    })
 }

@@ -1,9 +1,8 @@
 //! Derivations as a LaTeX document.
 
-use mdr_crosscheck::derivations::{Judgement, StepJudgement};
 use mdr_symbolic::{Formula, Statement};
 
-use super::{Extent, document, errata, prose};
+use super::{Document, Judgement, StepJudgement, errata, heading, place, prose, step_verdict, summary, theorems};
 
 const BEGIN: &str = r"\documentclass{article}
 \usepackage[utf8]{inputenc}
@@ -16,16 +15,16 @@ const BEGIN: &str = r"\documentclass{article}
 ";
 const END: &str = r"\end{document}";
 
-pub(super) fn write(extent: Extent<'_>) -> String {
+pub(super) fn write(extent: Document<'_>) -> String {
     let body = match extent {
-        Extent::All(judgements) => {
+        Document::All(judgements) => {
             let entries: Vec<_> = judgements.iter().map(entry).collect();
-            format!("{}\n\n{}", entries.join("\n\n"), escaped(&document::summary(judgements)))
+            format!("{}\n\n{}", entries.join("\n\n"), escaped(&summary(judgements)))
         }
-        Extent::One(judgement) => entry(judgement),
-        Extent::Errata(judgements) => {
-            let items = errata::items(judgements).into_iter().map(|(judgement, erratum)| {
-                let steps: Vec<_> = errata::evidence(judgement, erratum).into_iter().map(step).collect();
+        Document::One(judgement) => entry(judgement),
+        Document::Errata(judgements) => {
+            let items = errata(judgements).map(|(judgement, erratum, evidence)| {
+                let steps: Vec<_> = evidence.into_iter().map(step).collect();
                 format!("{}\n{}\n\n{}", section(judgement), words(erratum.text), steps.join("\n\n"))
             });
             items.collect::<Vec<_>>().join("\n\n")
@@ -35,16 +34,16 @@ pub(super) fn write(extent: Extent<'_>) -> String {
 }
 
 fn section(judgement: &Judgement) -> String {
-    format!(r"\section*{{{}}}", escaped(&document::heading(judgement)))
+    format!(r"\section*{{{}}}", escaped(&heading(judgement)))
 }
 
 fn entry(judgement: &Judgement) -> String {
     let entry = judgement.entry;
     let mut parts = vec![section(judgement)];
     let assumptions: Vec<_> = entry.assumptions.iter().map(|text| words(text)).collect();
-    let verdict = document::verdict(judgement);
+    let verdict = judgement.verdict();
     parts.push(format!(r"Verdict: \textbf{{{verdict}}}. Assumes: {}.", assumptions.join("; ")));
-    let theorems = document::theorems(judgement, |theorem| {
+    let theorems = theorems(judgement, |theorem| {
         format!(r"\texttt{{{}}} ({}): {}", escaped(theorem.name), escaped(theorem.file), words(theorem.says))
     });
     if !theorems.is_empty() {
@@ -66,9 +65,9 @@ fn step(step: &StepJudgement) -> String {
     if let Ok(Some(statement)) = step.step.statement() {
         text += &format!("\n\\[ {} \\]\n", statement.tex());
     }
-    let place = document::place(step);
+    let place = place(step);
     let blank = if place.is_empty() { "" } else { " " };
-    text + &format!(r" \textbf{{{}}}{blank}{}.", escaped(&document::step_verdict(step)), escaped(&place))
+    text + &format!(r" \textbf{{{}}}{blank}{}.", escaped(&step_verdict(step)), escaped(&place))
 }
 
 fn words(text: &str) -> String {
