@@ -77,7 +77,7 @@ fn the_packages_see_only_what_the_design_lets_them_see() {
         ("reference", &[]),
         ("crosscheck", &["analytic", "core", "numeric", "symbolic"]),
         ("mdr", &["analytic", "core", "numeric"]),
-        ("plot", &["contact"]),
+        ("plot", &["contact", "reference"]),
         ("records", &["analytic", "contact", "core", "numeric", "reference"]),
         ("python", &["contact", "plot", "reference"]),
         ("cli", &["analytic", "contact", "core", "crosscheck", "numeric", "plot", "records", "reference", "symbolic"]),
@@ -91,5 +91,21 @@ fn the_packages_see_only_what_the_design_lets_them_see() {
         let mut found: Vec<_> = found.iter().filter_map(|name| name.strip_prefix("mdr-")).collect();
         found.sort_unstable();
         assert_eq!(found, *seen, "dependencies of {package}");
+    }
+}
+
+/// Where all tests of a package are one program, a file that is no module of it would never run.
+#[test]
+fn every_file_of_tests_is_a_module_of_their_program() {
+    for (package, manifest) in manifests() {
+        let folder = manifest.with_file_name("tests");
+        let Ok(program) = std::fs::read_to_string(folder.join("main.rs")) else { continue };
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_stem().unwrap().to_str().unwrap();
+            let is_module = path.is_dir() || path.extension().is_some_and(|extension| extension == "rs");
+            let listed = name == "main" || program.lines().any(|line| line == format!("mod {name};"));
+            assert!(listed || !is_module, "{package}: tests/{name} is not in tests/main.rs");
+        }
     }
 }

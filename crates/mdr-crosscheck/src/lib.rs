@@ -19,12 +19,14 @@
 //! * [`derivations`] evaluates the statements of `mdr-symbolic` in rigorous intervals.
 //! * [`work_precision`] has the data of error against run time.
 //! * [`ladders`] lead each function in double precision to where its question becomes hard.
+//! * [`findings`] puts both on one page.
 
 #![forbid(unsafe_code)]
 
 mod arithmetic;
 mod checks;
 pub mod derivations;
+pub mod findings;
 mod grid;
 pub mod ladders;
 mod library;
@@ -38,6 +40,7 @@ mod trial;
 pub mod work_precision;
 
 pub use checks::checks_of;
+pub use findings::Findings;
 pub use merge::MergeError;
 pub use options::{Level, Options, Shard, ShardError};
 pub use report::{Failure, Finding, Grid, Report, Row, Unit, Verdict};

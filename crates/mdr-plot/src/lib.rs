@@ -30,6 +30,8 @@
 //! |---|---|
 //! | draw a scene | [`scene()`] of [`Scene::diagram`](mdr::Scene::diagram) |
 //! | draw figures 1 to 4 of the theory | [`figures`] |
+//! | draw judged answers of another program | [`judged()`] of a [`Report`](mdr_reference::Report) |
+//! | draw methods by time and error | [`comparison()`] |
 //! | draw anything else | [`Picture`], [`Panel`], [`Axis`], [`Layer`] |
 //! | write it | [`Picture::svg`], [`Picture::csv`] |
 //!
@@ -41,8 +43,10 @@
 mod axis;
 mod balance;
 mod chart;
+mod comparison;
 mod data;
 pub mod figures;
+mod judged;
 mod loading;
 mod markup;
 mod scene;
@@ -50,5 +54,7 @@ mod svg;
 
 pub use axis::{Axis, Unit, typographic};
 pub use chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke};
+pub use comparison::{Method, Question, comparison};
 pub use data::CSV_HEADER;
+pub use judged::judged;
 pub use scene::scene;

@@ -1,18 +1,17 @@
 //! `mdr report`: error against run time, and stability, on one page.
 
-mod chart;
-mod data;
 mod footer;
-mod page;
 
 use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use mdr_crosscheck::Level;
-use mdr_crosscheck::ladders::{Ladder, ladders};
-use mdr_crosscheck::work_precision::{Clock, Comparison, TASKS, Task};
+use mdr_crosscheck::findings::LadderRow;
+use mdr_crosscheck::ladders::Ladder;
+use mdr_crosscheck::work_precision::{Clock, Comparison, Point, Series};
+use mdr_crosscheck::{Findings, Level};
+use mdr_plot::{Method, Question};
 use serde::Serialize;
 
 use crate::error::{Failure, Result};
@@ -54,18 +53,6 @@ pub(crate) struct Report {
     format: Format,
 }
 
-/// All that is found.
-struct Findings {
-    tasks: Vec<(Task, Vec<Comparison>)>,
-    ladders: Vec<Ladder>,
-}
-
-impl Findings {
-    fn comparisons(&self) -> impl Iterator<Item = &Comparison> {
-        self.tasks.iter().flat_map(|(_, comparisons)| comparisons)
-    }
-}
-
 impl Report {
     /// Writes the files, and what is in them on `out`.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
@@ -74,12 +61,15 @@ impl Report {
         let (level, runs) = if self.quick { (Level::Quick, 3) } else { (Level::Full, 9) };
         let findings = find(level, runs)?;
         for (task, comparisons) in &findings.tasks {
-            self.write(&format!("{}.svg", task.name), &chart::picture(task, comparisons).svg())?;
+            let questions: Vec<_> = comparisons.iter().map(question).collect();
+            self.write(&format!("{}.svg", task.name), &mdr_plot::comparison(task.title, &questions).svg())?;
         }
-        self.write("work-precision.csv", &data::csv(findings.comparisons().flat_map(data::points))?)?;
-        self.write("ladders.csv", &data::csv(findings.ladders.iter().map(data::ladder))?)?;
+        self.write("work-precision.csv", &csv(findings.comparisons().flat_map(Comparison::rows))?)?;
+        self.write("ladders.csv", &csv(findings.ladders.iter().map(Ladder::row))?)?;
         let command = if self.quick { "mdr report --quick" } else { "mdr report" };
-        self.write("README.md", &page::page(&findings, command, runs))?;
+        let origin =
+            format!("    {command}\n\nMedians of {runs} runs, fewer where an answer takes long. {}", footer::machine());
+        self.write("README.md", &findings.page(&origin))?;
         self.print(&findings, out)?;
         Ok(true)
     }
@@ -98,11 +88,11 @@ impl Report {
                     out.json(&Line { comparison: Some(comparison), ..line() })?;
                 }
                 for ladder in &findings.ladders {
-                    out.json(&Line { ladder: Some(data::ladder(ladder)), ..line() })?;
+                    out.json(&Line { ladder: Some(ladder.row()), ..line() })?;
                 }
                 Ok(())
             }
-            Format::Csv => out.text(data::csv(findings.comparisons().flat_map(data::points))?.trim_end()),
+            Format::Csv => out.text(csv(findings.comparisons().flat_map(Comparison::rows))?.trim_end()),
             Format::Table => {
                 let mut table =
                     crate::table::table(&["question", "methods", "most digits", "no answer", "what is asked"]);
@@ -137,23 +127,43 @@ struct Line<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     comparison: Option<&'a Comparison>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    ladder: Option<data::LadderRow<'a>>,
+    ladder: Option<LadderRow<'a>>,
 }
 
 /// Asks everything, with a bar on standard error.
 fn find(level: Level, runs: usize) -> Result<Findings> {
     let style = ProgressStyle::with_template("{bar:40.green} {pos} of {len}  {msg}  {elapsed}");
     let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-    let bar = ProgressBar::new(TASKS.len() as u64 + 1).with_style(style);
+    let bar = ProgressBar::new(Findings::PARTS as u64).with_style(style);
     bar.enable_steady_tick(Duration::from_millis(500));
-    let mut tasks = Vec::with_capacity(TASKS.len());
-    for task in TASKS {
-        bar.set_message(task.name);
-        tasks.push((task, task.comparisons(level, Clock::Runs(runs))?));
-        bar.inc(1);
-    }
-    bar.set_message("stability ladders");
-    let ladders = ladders(level);
+    let mut done = 0..;
+    let findings = Findings::new(level, Clock::Runs(runs), |part| {
+        bar.set_message(part);
+        bar.set_position(done.next().unwrap_or_default());
+    });
     bar.finish_and_clear();
-    Ok(Findings { tasks, ladders })
+    Ok(findings?)
+}
+
+/// What is drawn of a question: the answers with a time.
+fn question(comparison: &Comparison) -> Question<'_> {
+    let answer = |point: &Point| Some((point.seconds?, point.outcome.digits()));
+    let method = |series: &Series| Method {
+        name: series.method,
+        textbook: !series.ours,
+        answers: series.points.iter().filter_map(answer).collect(),
+    };
+    let (title, attainable) = (&comparison.title, comparison.attainable);
+    Question { title, attainable, methods: comparison.series.iter().map(method).collect() }
+}
+
+/// A header and rows.
+fn csv<T: Serialize>(rows: impl IntoIterator<Item = T>) -> Result<String> {
+    let failed = |error: csv::Error| Failure::file("csv", std::io::Error::from(error));
+    let mut csv = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        csv.serialize(row).map_err(failed)?;
+    }
+    let bytes = csv.into_inner().map_err(|error| Failure::file("csv", error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

@@ -160,6 +160,14 @@ impl Rung {
         }
     }
 
+    /// The error in units in the last place; none where there is no number, or none in the range of doubles.
+    pub fn ulp(&self) -> Option<f64> {
+        match self.found {
+            Found::Number { ulp, .. } => Some(ulp),
+            _ => None,
+        }
+    }
+
     /// Whether the answer is no worse than it may be.
     pub fn accepted(&self) -> bool {
         match &self.found {

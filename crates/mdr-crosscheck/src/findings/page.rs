@@ -1,24 +1,20 @@
-//! README.md: error against run time, and the stability ladders.
+//! Error against run time, and the stability ladders, in Markdown.
 
 use std::collections::BTreeSet;
 
-use mdr_crosscheck::ladders::{Family, Ladder, OPEN, Rung};
-use mdr_crosscheck::work_precision::{Comparison, Outcome, Series, Task};
-
-use super::{Findings, data, footer};
+use super::Findings;
+use crate::ladders::{Family, Ladder, OPEN, Rung};
+use crate::work_precision::{Comparison, Outcome, Series, Task};
 
 /// The page.
-pub(super) fn page(findings: &Findings, command: &str, runs: usize) -> String {
+pub(super) fn page(findings: &Findings, origin: &str) -> String {
     let mut page = HEAD.to_owned();
     for (task, comparisons) in &findings.tasks {
         page.push_str(&section(task, comparisons));
     }
     page.push_str(&failures(findings));
     page.push_str(&stability(&findings.ladders));
-    page + &format!(
-        "\n## How it was made\n\n    {command}\n\nMedians of {runs} runs, fewer where an answer takes long. {}\n",
-        footer::machine()
-    )
+    page + &format!("\n## How it was made\n\n{origin}\n")
 }
 
 const HEAD: &str = "\
@@ -70,7 +66,7 @@ fn fastest<'a>(series: impl Iterator<Item = &'a Series>, digits: f64) -> Option<
 }
 
 /// Three digits of a time with its unit.
-pub(super) fn time(seconds: f64) -> String {
+fn time(seconds: f64) -> String {
     let (scale, unit) = match seconds {
         // A rounding below a power of ten belongs to it.
         s if s < 0.9995e-6 => (1e9, "ns"),
@@ -170,7 +166,7 @@ fn function(ladder: &Ladder) -> String {
         "| `{}` | {} | {} | {} | {} | {} | {} |\n",
         escaped(&ladder.function),
         escaped(&ladder.toward),
-        told(rung.and_then(data::ulp)),
+        told(rung.and_then(Rung::ulp)),
         told(rung.and_then(|rung| rung.condition)),
         excess(ladder),
         told(ladder.worst_naive()),
@@ -211,9 +207,8 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use mdr_crosscheck::ladders::Found;
-
     use super::*;
+    use crate::ladders::Found;
 
     #[test]
     fn times_have_three_digits_and_a_unit() {

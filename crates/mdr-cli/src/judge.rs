@@ -1,7 +1,5 @@
 //! `mdr judge`: the answers of another program against the certified records.
 
-mod chart;
-
 use std::fs::File;
 use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -126,7 +124,7 @@ impl Judge {
         match &self.plot {
             // A closed standard error changes nothing.
             Some(_) if report.answered() == 0 => drop(writeln!(io::stderr(), "note: --plot: {NOTHING_TO_DRAW}")),
-            Some(to) => plot::write(&chart::picture(&report, &rules.limits), to, "--plot ")?,
+            Some(to) => plot::write(&mdr_plot::judged(&report, &rules.limits), to, "--plot ")?,
             None => {}
         }
         Ok(report.passed())

@@ -1,7 +1,8 @@
-//! `mdr judge --plot`: where answers lose their digits.
+//! Answers that were judged by certified records: where they lose their digits.
 
-use mdr_plot::{Axis, Colour, Layer, Mark, Panel, Picture, Point, Stroke, Unit, typographic};
 use mdr_reference::{Judged, Limits, Range, Report, UNIT_ROUNDOFF, Verdict};
+
+use crate::{Axis, Colour, Layer, Mark, Panel, Picture, Point, Stroke, Unit, typographic};
 
 /// Where answers stand that have no right digit, below the line of zero digits.
 const NO_DIGIT: f64 = -1.0;
@@ -17,8 +18,8 @@ const MARKS: [(Verdict, Mark, Colour); 3] = [
 ];
 
 /// Right digits against the condition of the question and the distance to a fold; excess loss against the size of the
-/// numbers in it.
-pub(super) fn picture(report: &Report<'_>, limits: &Limits) -> Picture {
+/// numbers in it. A panel without an answer is left out.
+pub fn judged(report: &Report<'_>, limits: &Limits) -> Picture {
     let panels = [by_condition(report), by_fold_distance(report), by_size(report, limits)];
     let heads = panels.into_iter().flatten().zip(["(a)", "(b)", "(c)"]);
     let panels = heads.map(|(panel, letter)| Panel { heading: format!("{letter} {}", panel.heading), ..panel });
