@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use comfy_table::ColumnConstraint;
 use indicatif::{ProgressBar, ProgressStyle};
-use mdr_crosscheck::{Finding, Level, Options, Report, Row, Shard, Verdict};
+use mdr_crosscheck::{Level, Options, Report, Row, Shard, Verdict};
 
 use crate::error::{Failure, Result};
 use crate::flags::{Flag, likely};
@@ -86,7 +86,7 @@ impl Verify {
         let report = if self.merge.is_empty() { with_progress(&self.options()?) } else { self.merged()? };
         match self.format {
             Format::Json => out.text(report.to_json_lines().trim_end())?,
-            Format::Csv => out.csv(&CSV_HEADER, report.rows.iter().map(csv_row))?,
+            Format::Csv => out.csv(&Row::CSV_HEADER, report.rows.iter().map(Row::to_csv))?,
             Format::Table => out.text(for_reader(&report))?,
         }
         Ok(report.passed())
@@ -161,7 +161,7 @@ fn with_progress(options: &Options) -> Report {
 fn for_reader(report: &Report) -> String {
     let mut table = table(&["check", "cases", "worst error", "allowed", "unit", "verdict", "worst case"]);
     for row in &report.rows {
-        let worst = shown(row);
+        let worst = row.decisive();
         let tone = match row.verdict {
             Verdict::Pass => Tone::Good,
             Verdict::Fail => Tone::Bad,
@@ -187,12 +187,7 @@ fn for_reader(report: &Report) -> String {
         .iter()
         .map(|failure| format!("\n{} #{}: {}\n  {}", failure.check, failure.index, failure.inputs, failure.reason))
         .collect();
-    format!("{}\n{}\n{}", render(&table), failures.concat(), summary(report)).replace("\n\n\n", "\n\n")
-}
-
-/// The worst error relative to what is allowed where there is one: that decides the verdict.
-fn shown(row: &Row) -> Option<&Finding> {
-    row.tightest.as_ref().or(row.worst.as_ref())
+    format!("{}\n{}\n{}", render(&table), failures.concat(), report.summary()).replace("\n\n\n", "\n\n")
 }
 
 /// Three digits are enough for an error.
@@ -202,54 +197,4 @@ fn significant(value: f64) -> String {
         1e-2..1e4 => format!("{value:.3}"),
         _ => format!("{value:.2e}"),
     }
-}
-
-fn summary(report: &Report) -> String {
-    let count = |verdict| report.rows.iter().filter(|row| row.verdict == verdict).count();
-    let (passed, failed, skipped) = (count(Verdict::Pass), count(Verdict::Fail), count(Verdict::Skipped));
-    let grid = &report.grid;
-    let skipped = if skipped == 0 { String::new() } else { format!(", {skipped} without a case") };
-    format!(
-        "{} checks, {} cases: {passed} hold, {failed} failed{skipped}. Grid {}, {} digits, seed {}, shard {}.",
-        report.rows.len(),
-        report.cases(),
-        grid.level,
-        grid.digits,
-        grid.seed,
-        report.shard
-    )
-}
-
-const CSV_HEADER: [&str; 12] = [
-    "check",
-    "claim",
-    "equations",
-    "cases",
-    "skipped",
-    "failed",
-    "worst_error",
-    "allowed_error",
-    "unit",
-    "quantity",
-    "inputs",
-    "verdict",
-];
-
-fn csv_row(row: &Row) -> [String; 12] {
-    let worst = shown(row);
-    let of = |field: fn(&Finding) -> String| worst.map(field).unwrap_or_default();
-    [
-        row.check.clone(),
-        row.claim.clone(),
-        row.equations.join(" "),
-        row.cases.to_string(),
-        row.skipped.to_string(),
-        row.failed.to_string(),
-        of(|finding| finding.error.to_string()),
-        of(|finding| finding.allowed.to_string()),
-        row.unit.to_string(),
-        of(|finding| finding.quantity.clone()),
-        of(|finding| finding.inputs.clone()),
-        row.verdict.to_string(),
-    ]
 }

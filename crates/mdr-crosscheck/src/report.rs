@@ -123,9 +123,52 @@ impl Row {
         (!self.errors.is_empty()).then(|| Data::new(self.errors.clone()).quantile(tau))
     }
 
+    /// The finding that decides the verdict: the worst error relative to what is allowed, where there is one.
+    pub fn decisive(&self) -> Option<&Finding> {
+        self.tightest.as_ref().or(self.worst.as_ref())
+    }
+
     /// The median error.
     pub fn median(&self) -> Option<f64> {
         self.quantile(0.5)
+    }
+}
+
+/// For a spreadsheet.
+impl Row {
+    /// The titles of [`Row::to_csv`].
+    pub const CSV_HEADER: [&str; 12] = [
+        "check",
+        "claim",
+        "equations",
+        "cases",
+        "skipped",
+        "failed",
+        "worst_error",
+        "allowed_error",
+        "unit",
+        "quantity",
+        "inputs",
+        "verdict",
+    ];
+
+    /// The row as text, with its decisive finding.
+    pub fn to_csv(&self) -> [String; 12] {
+        let of = |field: fn(&Finding) -> String| self.decisive().map(field).unwrap_or_default();
+        [
+            self.check.clone(),
+            self.claim.clone(),
+            self.equations.join(" "),
+            self.cases.to_string(),
+            self.skipped.to_string(),
+            self.failed.to_string(),
+            of(|finding| finding.error.to_string()),
+            of(|finding| finding.allowed.to_string()),
+            self.unit.to_string(),
+            of(|finding| finding.quantity.clone()),
+            of(|finding| finding.inputs.clone()),
+            self.verdict.to_string(),
+        ]
     }
 }
 
@@ -170,6 +213,19 @@ impl Report {
     /// Cases compared in all rows.
     pub fn cases(&self) -> usize {
         self.rows.iter().map(|row| row.cases).sum()
+    }
+
+    /// How many checks hold, on which grid, as a sentence.
+    pub fn summary(&self) -> String {
+        let count = |verdict| self.rows.iter().filter(|row| row.verdict == verdict).count();
+        let (passed, failed, skipped) = (count(Verdict::Pass), count(Verdict::Fail), count(Verdict::Skipped));
+        let skipped = if skipped == 0 { String::new() } else { format!(", {skipped} without a case") };
+        let Grid { level, digits, seed, .. } = &self.grid;
+        let (checks, cases, shard) = (self.rows.len(), self.cases(), self.shard);
+        format!(
+            "{checks} checks, {cases} cases: {passed} hold, {failed} failed{skipped}. Grid {level}, {digits} digits, seed \
+             {seed}, shard {shard}."
+        )
     }
 
     /// Enters the cases of one check, in the order of their indices.

@@ -5,18 +5,14 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, BufWriter, Read, Write};
 use std::path::Path;
 
-use mdr::critical::{CriticalAnswer, PowerLaw};
-use mdr::prelude::{Arithmetic, Control, Elasticity, Literal};
+use mdr::critical::{CriticalAnswer, CriticalRow, PowerLaw};
+use mdr::prelude::Arithmetic;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use serde_json::value::RawValue;
 
-use super::render;
 use crate::error::{Failure, Result};
 use crate::output::Output;
-
-/// The keys of a question.
-const KEYS: [&str; 6] = ["n", "c", "e_star", "work", "control", "stiffness"];
 
 /// Answers every line of the file in its format; whether all have an answer. A refused line says so in its place.
 pub(super) fn answer(file: &Path, arithmetic: Arithmetic, out: &mut Output<impl Write>) -> Result<bool> {
@@ -43,8 +39,8 @@ fn json_lines(input: impl BufRead, arithmetic: Arithmetic, out: &mut Output<impl
         let given: serde_json::Result<BTreeMap<String, Box<RawValue>>> = serde_json::from_str(&line);
         let answer = given.map_err(|error| error.to_string()).and_then(|given| {
             let text = |key: &str| given.get(key).map(|value| value.get().trim_matches('"'));
-            if let Some(unknown) = given.keys().find(|key| !KEYS.contains(&key.as_str())) {
-                return Err(format!("unknown key `{unknown}`; expected one of `{}`", KEYS.join("`, `")));
+            if let Some(unknown) = given.keys().find(|key| !PowerLaw::KEYS.contains(&key.as_str())) {
+                return Err(format!("unknown key `{unknown}`; expected one of `{}`", PowerLaw::KEYS.join("`, `")));
             }
             ask(text, arithmetic)
         });
@@ -61,12 +57,12 @@ fn json_lines(input: impl BufRead, arithmetic: Arithmetic, out: &mut Output<impl
 fn csv(input: impl Read, arithmetic: Arithmetic, out: &mut Output<impl Write>) -> std::io::Result<bool> {
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(input);
     let header = reader.headers()?.clone();
-    if let Some(unknown) = header.iter().find(|key| !KEYS.contains(key)) {
-        let why = format!("unknown column `{unknown}`; expected some of `{}`", KEYS.join("`, `"));
+    if let Some(unknown) = header.iter().find(|key| !PowerLaw::KEYS.contains(key)) {
+        let why = format!("unknown column `{unknown}`; expected some of `{}`", PowerLaw::KEYS.join("`, `"));
         return Err(std::io::Error::new(std::io::ErrorKind::InvalidData, why));
     }
     let mut writer = csv::Writer::from_writer(BufWriter::new(out));
-    writer.write_record(render::columns_of_none().iter().map(|(title, _)| *title).chain(["why"]))?;
+    writer.write_record(CriticalRow::COLUMNS.into_iter().chain(["why"]))?;
     let mut record = csv::StringRecord::new();
     let mut all = true;
     while reader.read_record(&mut record)? {
@@ -78,17 +74,13 @@ fn csv(input: impl Read, arithmetic: Arithmetic, out: &mut Output<impl Write>) -
         all &= answer.is_ok();
         match answer {
             Ok(answer) => {
-                for row in render::rows(&answer) {
-                    writer.write_record(row.iter().map(|(_, value)| value.as_str()).chain([""]))?;
+                for row in answer.rows() {
+                    writer.write_record(row.0.iter().map(String::as_str).chain([""]))?;
                 }
             }
             Err(why) => {
-                let row = render::columns_of_none();
-                let cell = |(title, _): &(&'static str, String)| match *title {
-                    "status" => "domain-error",
-                    title => text(title).unwrap_or_default(),
-                };
-                writer.write_record(row.iter().map(cell).chain([why.as_str()]))?;
+                let cell = |title| if title == "status" { "domain-error" } else { text(title).unwrap_or_default() };
+                writer.write_record(CriticalRow::COLUMNS.map(cell).into_iter().chain([why.as_str()]))?;
             }
         }
     }
@@ -100,26 +92,8 @@ fn ask<'a>(
     text: impl Fn(&str) -> Option<&'a str>,
     arithmetic: Arithmetic,
 ) -> std::result::Result<CriticalAnswer, String> {
-    let number = |key: &str| -> std::result::Result<Literal, String> {
-        let text = text(key).ok_or_else(|| format!("{key}: missing"))?;
-        let literal: Literal = text.parse().map_err(|error| format!("{key}: `{text}` is {error}"))?;
-        let positive = !literal.is_zero() && !literal.is_negative();
-        if positive { Ok(literal) } else { Err(format!("{key}: must be positive, got {literal}")) }
-    };
-    let control = match text("control").unwrap_or("indentation") {
-        "indentation" => Control::Indentation,
-        "force" => Control::Force,
-        "machine" => Control::Machine { stiffness: number("stiffness")? },
-        other => return Err(format!("control: expected indentation, force or machine, got `{other}`")),
-    };
-    let law = PowerLaw {
-        n: number("n")?,
-        c: number("c")?,
-        elasticity: Elasticity::Effective(number("e_star")?),
-        work_of_adhesion: number("work")?,
-        control,
-    };
-    mdr::critical(&law, arithmetic).map_err(|error| error.to_string())
+    let answer = PowerLaw::from_keys(text).and_then(|law| mdr::critical(&law, arithmetic));
+    answer.map_err(|error| error.to_string())
 }
 
 /// A line that is no question.

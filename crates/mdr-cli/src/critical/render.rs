@@ -1,6 +1,6 @@
 //! The answer for a reader and for a spreadsheet.
 
-use mdr::critical::{CriticalAnswer, CriticalFold, CriticalState};
+use mdr::critical::{CriticalAnswer, CriticalRow, CriticalState};
 use mdr::prelude::{Arithmetic, ControlKind, Value};
 use mdr_core::contact::Regime;
 
@@ -41,9 +41,8 @@ pub(crate) fn write_all(
             let keys = ["n", "kappa", "contact_radius", "indentation", "force", "kind", "status"];
             let titles = ["n", "kappa_n", "contact radius, m", "indentation, m", "force, N", "fold", "status"];
             let mut table = table(&titles);
-            for row in answers.iter().flat_map(rows) {
-                let value = |key: &&str| row.iter().find(|(title, _)| title == key).map_or("", |(_, value)| value);
-                table.add_row(keys.iter().map(|key| cell(value(key), Tone::Plain)));
+            for row in answers.iter().flat_map(CriticalAnswer::rows) {
+                table.add_row(keys.map(|key| cell(row.get(key).unwrap_or_default(), Tone::Plain)));
             }
             out.text(render_whole(&table))
         }
@@ -96,7 +95,7 @@ fn for_reader(answer: &CriticalAnswer) -> String {
             }
         }
     }
-    format!("{}\n\n{}\n\n{}", heading(answer), render(&table), explanation(answer))
+    format!("{}\n\n{}\n\n{}", heading(answer), render(&table), answer.explanation())
 }
 
 /// The quantities of a state, if there is one.
@@ -128,136 +127,6 @@ fn heading(answer: &CriticalAnswer) -> String {
     )
 }
 
-/// What happens there, in a sentence or two.
-fn explanation(answer: &CriticalAnswer) -> String {
-    let held = match answer.law.control.kind() {
-        ControlKind::Force => "force",
-        ControlKind::Machine => "position d + F/k",
-        ControlKind::Indentation => "indentation depth",
-    };
-    let folds = answer.folds.as_ref().map_or(1, Vec::len);
-    match answer.regime {
-        Regime::ScaleFree => scale_free(answer),
-        Regime::PullOff if folds > 1 => format!(
-            "Pull-off (n > 1/2), multistable with {folds} folds of the {held}: on unloading the one of the largest \
-             radius is met first; beyond it the contact jumps to a smaller radius or breaks."
-        ),
-        Regime::PullOff => format!(
-            "Pull-off (n > 1/2): when the {held} falls below that of this state, no equilibrium is left and the \
-             contact breaks."
-        ),
-        Regime::CompleteContact => format!(
-            "Complete contact (n < 1/2): when the {held} rises above that of this state, no equilibrium is left and \
-             the contact spreads over the whole surface."
-        ),
-    }
-}
-
-/// n = 1/2: no length in the problem but that of a machine.
-fn scale_free(answer: &CriticalAnswer) -> String {
-    match answer.law.control.kind() {
-        ControlKind::Machine => {
-            "Scale-free (n = 1/2) on a machine: below the threshold of C no contact is stable; from there to \
-                      three times the threshold a contact is stable up to the radius of a fold, beyond which it \
-                      spreads over the whole surface; above, every contact is stable."
-                .to_owned()
-        }
-        held => format!(
-            "Scale-free (n = 1/2): no radius is singled out. At zero {} a contact of any radius shrinks to \
-             nothing when C is above the threshold, and spreads over the whole surface when C is below.",
-            held.name()
-        ),
-    }
-}
-
-/// One row a critical state: one, or one a fold on a machine.
-pub(crate) fn rows(answer: &CriticalAnswer) -> Vec<Columns> {
-    match answer.folds.as_deref() {
-        Some(folds) if !folds.is_empty() => {
-            folds.iter().map(|fold| columns(answer, Some(&fold.state), Some(fold))).collect()
-        }
-        _ => vec![columns(answer, answer.state.as_ref(), None)],
-    }
-}
-
 fn for_spreadsheet(answers: &[CriticalAnswer], out: &mut Output<impl std::io::Write>) -> Result<()> {
-    let header = columns_of_none().map(|(title, _)| title);
-    let rows = answers.iter().flat_map(rows);
-    out.csv(&header, rows.map(|row| row.map(|(_, value)| value)))
-}
-
-/// Titles and values.
-pub(crate) type Columns = [(&'static str, String); 24];
-
-/// The titles without values.
-pub(crate) fn columns_of_none() -> Columns {
-    [
-        "arithmetic",
-        "digits",
-        "control",
-        "regime",
-        "n",
-        "c",
-        "e1",
-        "nu1",
-        "e2",
-        "nu2",
-        "e_star",
-        "work",
-        "stiffness",
-        "kappa",
-        "status",
-        "contact_radius",
-        "indentation",
-        "force",
-        "log10_contact_radius",
-        "log10_indentation",
-        "log10_force",
-        "kind",
-        "threshold_c",
-        "ratio",
-    ]
-    .map(|title| (title, String::new()))
-}
-
-/// The titles and values of a row.
-fn columns(answer: &CriticalAnswer, state: Option<&CriticalState>, fold: Option<&CriticalFold>) -> Columns {
-    let text = |value: Option<&Value>| match value {
-        Some(Value::Unknown { .. }) | None => String::new(),
-        Some(value) => value.to_string(),
-    };
-    let log10 = |value: Option<&Value>| value.and_then(Value::log10).map(|log10| log10.to_string()).unwrap_or_default();
-    let inputs = &answer.inputs;
-    let body = |body: usize, constant: usize| text(inputs.bodies.as_ref().map(|bodies| &bodies[body][constant]));
-    let [radius, indentation, force] = values(state);
-    let threshold = answer.threshold.as_ref();
-    let values = [
-        answer.arithmetic.promise().name().to_owned(),
-        answer.arithmetic.digits().map_or_else(String::new, |digits| digits.to_string()),
-        answer.law.control.kind().name().to_owned(),
-        answer.regime.to_string(),
-        inputs.n.to_string(),
-        inputs.c.to_string(),
-        body(0, 0),
-        body(0, 1),
-        body(1, 0),
-        body(1, 1),
-        inputs.e_star.to_string(),
-        inputs.work.to_string(),
-        text(inputs.stiffness.as_ref()),
-        answer.kappa.to_string(),
-        fold.map_or(answer.status, |fold| fold.state.status()).to_string(),
-        text(radius),
-        text(indentation),
-        text(force),
-        log10(radius),
-        log10(indentation),
-        log10(force),
-        fold.map(|fold| fold.kind.name()).unwrap_or_default().to_owned(),
-        text(threshold.map(|threshold| &threshold.c)),
-        text(threshold.map(|threshold| &threshold.ratio)),
-    ];
-    let mut row = columns_of_none();
-    row.iter_mut().zip(values).for_each(|((_, slot), value)| *slot = value);
-    row
+    out.csv(&CriticalRow::COLUMNS, answers.iter().flat_map(CriticalAnswer::rows))
 }

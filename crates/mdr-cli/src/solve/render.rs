@@ -1,6 +1,6 @@
 //! The answer for a reader and for a spreadsheet.
 
-use mdr::answer::{Balance, CurveSummary, FlatCell, FlatRow, columns, described, title};
+use mdr::answer::{FlatCell, FlatRow, columns, described, title};
 use mdr::prelude::*;
 
 use crate::error::Result;
@@ -11,7 +11,11 @@ use crate::table::{Tone, cell, render_whole, table};
 pub(crate) fn write(answer: &Answer, format: Format, out: &mut Out<impl std::io::Write>) -> Result<()> {
     match format {
         Format::Json => out.json(answer),
-        Format::Csv => for_spreadsheet(answer, out),
+        Format::Csv => {
+            let table = answer.spreadsheet();
+            let header: Vec<&str> = table[0].iter().map(String::as_str).collect();
+            out.csv(&header, &table[1..])
+        }
         Format::Table => out.text(for_reader(answer)),
     }
 }
@@ -47,10 +51,10 @@ fn output(output: &Output) -> String {
         text.push_str(&format!("\nand {} more reasons.\n", reasons.len() - SHOWN));
     }
     if let Some(balance) = output.balance() {
-        text.push_str(&format!("\n{}\n", energy(balance)));
+        text.push_str(&format!("\n{balance}\n"));
     }
     if let Output::ForceCurve(curve) = output {
-        text.push_str(&format!("\n{}\n", summary(&curve.summary)));
+        text.push_str(&format!("\n{}\n", curve.summary));
     }
     let exceptions = output.exceptions();
     if let Some((_, promise)) = exceptions.first() {
@@ -83,7 +87,7 @@ fn table_of(output: &Output, rows: &[FlatRow]) -> String {
             Some(FlatCell::Status(Status::NoEquilibrium)) if limited => {
                 cell(format!("{} within the range", Status::NoEquilibrium), Tone::Bad)
             }
-            Some(found) => cell(text_of(found), tone(found)),
+            Some(found) => cell(found, tone(found)),
             None => cell("", Tone::Plain),
         }));
     }
@@ -94,15 +98,6 @@ fn value<'a>(row: &'a FlatRow, key: &str) -> Option<&'a FlatCell> {
     row.iter().find(|(name, _)| name == key).map(|(_, cell)| cell)
 }
 
-fn text_of(cell: &FlatCell) -> String {
-    match cell {
-        FlatCell::Number(text) | FlatCell::Text(text) => text.clone(),
-        FlatCell::Magnitude(log10) => format!("about 10^{log10:.6}"),
-        FlatCell::Status(status) => status.to_string(),
-        FlatCell::Empty => String::new(),
-    }
-}
-
 fn tone(cell: &FlatCell) -> Tone {
     match cell {
         FlatCell::Number(_) => Tone::Good,
@@ -110,62 +105,4 @@ fn tone(cell: &FlatCell) -> Tone {
         FlatCell::Status(Status::Ok) | FlatCell::Empty => Tone::Faint,
         FlatCell::Magnitude(_) | FlatCell::Status(_) => Tone::Bad,
     }
-}
-
-/// The energy of a path in a sentence.
-fn energy(balance: &Balance) -> String {
-    let part = |value: &Value| match value {
-        Value::Unknown { log10: Some(log10), .. } => format!("about 10^{log10:.6} J"),
-        Value::Unknown { status, why, .. } => {
-            why.as_ref().map_or_else(|| status.to_string(), |why| format!("{status} ({why})"))
-        }
-        value => format!("{value} J"),
-    };
-    let [work, dissipated, stored] = [&balance.work, &balance.dissipated, &balance.stored].map(part);
-    format!("Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start.")
-}
-
-/// What is read off a force curve, in a sentence.
-fn summary(summary: &CurveSummary) -> String {
-    let part = |(name, value, unit): (&str, &Option<Value>, &str)| match value {
-        Some(value) => format!("{name} {value} {unit}"),
-        None => format!("no {name}"),
-    };
-    let parts = [
-        ("pull-off force", &summary.pull_off_force, "N"),
-        ("force after jump-in", &summary.jump_in_force, "N"),
-        ("minimum force", &summary.minimum_force, "N"),
-        ("hysteresis", &summary.hysteresis, "J"),
-    ];
-    format!("Summary: {}.", parts.map(part).join(", "))
-}
-
-/// One table for all outputs: the first columns say which output, and its promise. A column of numbers has numbers only, and
-/// log10 of what is out of range has a column of its own.
-fn for_spreadsheet(answer: &Answer, out: &mut Out<impl std::io::Write>) -> Result<()> {
-    let separated = |row: FlatRow| -> FlatRow {
-        row.into_iter()
-            .flat_map(|(key, cell)| match cell {
-                FlatCell::Magnitude(log10) => {
-                    let magnitude = (format!("log10_{key}").into(), FlatCell::Number(log10.to_string()));
-                    vec![(key, FlatCell::Empty), magnitude]
-                }
-                cell => vec![(key, cell)],
-            })
-            .collect()
-    };
-    let tables: Vec<(&Output, Vec<FlatRow>)> =
-        answer.outputs.iter().map(|output| (output, output.table().into_iter().map(separated).collect())).collect();
-    let keys = columns(tables.iter().flat_map(|(_, rows)| rows));
-    let header: Vec<&str> = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref)).collect();
-    let rows = tables.iter().flat_map(|(output, rows)| {
-        rows.iter().map(|row| {
-            let first = [output.kind().name().to_owned(), output.promise().name().to_owned()];
-            first
-                .into_iter()
-                .chain(keys.iter().map(|key| value(row, key).map(text_of).unwrap_or_default()))
-                .collect::<Vec<_>>()
-        })
-    });
-    out.csv(&header, rows)
 }

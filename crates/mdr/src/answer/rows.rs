@@ -1,10 +1,11 @@
 //! An output as a table: one flat row for each innermost record, with the cells of the records around it.
 
 use std::borrow::Cow;
+use std::fmt;
 
 use mdr_core::contact::Status;
 
-use super::{Cell, Output, Row, Value};
+use super::{Answer, Balance, Cell, CurveSummary, Output, Row, Value};
 
 /// A cell of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +24,17 @@ pub enum FlatCell {
 
 /// The cells of a row with their keys.
 pub type FlatRow = Vec<(Cow<'static, str>, FlatCell)>;
+
+impl fmt::Display for FlatCell {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            FlatCell::Number(text) | FlatCell::Text(text) => f.write_str(text),
+            FlatCell::Magnitude(log10) => write!(f, "about 10^{log10:.6}"),
+            FlatCell::Status(status) => status.fmt(f),
+            FlatCell::Empty => Ok(()),
+        }
+    }
+}
 
 impl FlatCell {
     fn of(cell: &Cell<'_>) -> Self {
@@ -125,6 +137,37 @@ fn collect_reasons(rows: &[Row<'_>], reasons: &mut Vec<(Status, String)>) {
     }
 }
 
+impl Answer {
+    /// One table for all outputs, the titles first: the first two columns say which output, and its promise. A column of
+    /// numbers has numbers only, and log₁₀ of what is out of range has a column of its own.
+    pub fn spreadsheet(&self) -> Vec<Vec<String>> {
+        let separated = |row: FlatRow| -> FlatRow {
+            row.into_iter()
+                .flat_map(|(key, cell)| match cell {
+                    FlatCell::Magnitude(log10) => {
+                        let magnitude = (format!("log10_{key}").into(), FlatCell::Number(log10.to_string()));
+                        vec![(key, FlatCell::Empty), magnitude]
+                    }
+                    cell => vec![(key, cell)],
+                })
+                .collect()
+        };
+        let rows = self.outputs.iter().flat_map(|output| {
+            let names = [output.kind().name(), output.promise().name()];
+            output.table().into_iter().map(move |row| (names, separated(row)))
+        });
+        let rows: Vec<([&str; 2], FlatRow)> = rows.collect();
+        let keys = columns(rows.iter().map(|(_, row)| row));
+        let header = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref));
+        let rows = rows.iter().map(|(names, row)| {
+            let value =
+                |key| row.iter().find(|(name, _)| name == key).map_or_else(String::new, |(_, cell)| cell.to_string());
+            names.iter().map(|name| (*name).to_owned()).chain(keys.iter().map(value)).collect()
+        });
+        std::iter::once(header.map(str::to_owned).collect()).chain(rows).collect()
+    }
+}
+
 /// The heading of a column, with its unit.
 pub fn title(key: &str) -> &str {
     match key {
@@ -146,5 +189,39 @@ pub fn title(key: &str) -> &str {
         "x" => "x, m",
         "r" => "r, m",
         key => key,
+    }
+}
+
+/// The energy of a path in a sentence.
+impl fmt::Display for Balance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let part = |value: &Value| match value {
+            Value::Unknown { log10: Some(log10), .. } => format!("about 10^{log10:.6} J"),
+            Value::Unknown { status, why: Some(why), .. } => format!("{status} ({why})"),
+            Value::Unknown { status, .. } => status.to_string(),
+            value => format!("{value} J"),
+        };
+        let [work, dissipated, stored] = [&self.work, &self.dissipated, &self.stored].map(part);
+        write!(
+            f,
+            "Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start."
+        )
+    }
+}
+
+/// What is read off a force curve, in a sentence.
+impl fmt::Display for CurveSummary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let part = |(name, value, unit): (&str, &Option<Value>, &str)| match value {
+            Some(value) => format!("{name} {value} {unit}"),
+            None => format!("no {name}"),
+        };
+        let parts = [
+            ("pull-off force", &self.pull_off_force, "N"),
+            ("force after jump-in", &self.jump_in_force, "N"),
+            ("minimum force", &self.minimum_force, "N"),
+            ("hysteresis", &self.hysteresis, "J"),
+        ];
+        write!(f, "Summary: {}.", parts.map(part).join(", "))
     }
 }

@@ -3,6 +3,7 @@
 mod double;
 #[cfg(feature = "serde")]
 mod json;
+mod rows;
 
 use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Instability, Quantity, Regime, Status};
 use mdr_core::number::Literal;
@@ -10,6 +11,8 @@ use mdr_core::number::Literal;
 use crate::answer::{Number, Value};
 use crate::error::Result;
 use crate::scene::{Arithmetic, Profile, Scene};
+
+pub use rows::CriticalRow;
 
 /// A power law f = C rⁿ in contact, exactly as given.
 #[derive(Clone, Debug, PartialEq)]
@@ -159,6 +162,39 @@ impl PowerLaw {
             elasticity: Elasticity::Effective(scene.effective_modulus.clone()),
             work_of_adhesion: scene.work_of_adhesion.clone(),
             control: scene.control.clone(),
+        })
+    }
+
+    /// The keys of a question, as in a scene or in the header of a table.
+    pub const KEYS: [&str; 6] = ["n", "c", "e_star", "work", "control", "stiffness"];
+
+    /// A question by its [`KEYS`](PowerLaw::KEYS): numbers as text, and the control by its name, by default the
+    /// indentation depth; the stiffness is that of a machine.
+    ///
+    /// # Errors
+    /// [`Error::Scene`](crate::Error::Scene) with the key of what is missing, no number, or not positive.
+    pub fn from_keys<'a>(text: impl Fn(&str) -> Option<&'a str>) -> Result<PowerLaw> {
+        let refuse = |key: &str, why: String| crate::Error::Scene { place: None, key: key.to_owned(), why };
+        let number = |key: &str| -> Result<Literal> {
+            let text = text(key).ok_or_else(|| refuse(key, "missing".to_owned()))?;
+            let literal: Literal = text.parse().map_err(|error| refuse(key, format!("`{text}` is {error}")))?;
+            let positive = !literal.is_zero() && !literal.is_negative();
+            if positive { Ok(literal) } else { Err(refuse(key, format!("must be positive, got {literal}"))) }
+        };
+        let control = match text("control").unwrap_or("indentation") {
+            "indentation" => Control::Indentation,
+            "force" => Control::Force,
+            "machine" => Control::Machine { stiffness: number("stiffness")? },
+            other => {
+                return Err(refuse("control", format!("expected indentation, force or machine, got `{other}`")));
+            }
+        };
+        Ok(PowerLaw {
+            n: number("n")?,
+            c: number("c")?,
+            elasticity: Elasticity::Effective(number("e_star")?),
+            work_of_adhesion: number("work")?,
+            control,
         })
     }
 
