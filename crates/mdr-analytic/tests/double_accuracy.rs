@@ -4,16 +4,14 @@
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
-mod common;
-
 use mdr_analytic::{Critical, double};
 use mdr_core::contact::{Control, Material, Ranged};
 use proptest::prelude::*;
 use rug::Float;
 use rug::float::Constant;
 
-use self::common::coefficient_for;
-use self::common::mpfr::{ln_kappa, ulps};
+use crate::common::coefficient_for;
+use crate::common::mpfr::{ln_kappa, ulps};
 
 const BITS: u32 = 700;
 

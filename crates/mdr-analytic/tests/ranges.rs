@@ -1,14 +1,12 @@
 //! Closed forms in f64 at the ends of its range: a number where the result is one, else an error with its log10.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
 use mdr_analytic::{
     Contact, Fate, PowerLaw, detachment_elongation, double, threshold, universal_force, universal_indentation,
 };
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Ranged, Result, Transform};
 
-use self::common::contact;
+use crate::common::contact;
 
 /// Against the double nearest to the true value, or its log10. A formula is a few dozen roundings; the exponent
 /// 2/|2n−1| ≤ 5 of a length scale is rounded to half an ε of itself, which a magnitude of |ln x| ≤ 710 turns into 1775

@@ -4,10 +4,8 @@
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests do")]
 
-mod number_support;
-
+use crate::number_support::{PRECISIONS, float, interval_of, right_and_sharp, samples, signed};
 use mdr_core::number::{Gamma, Interval, Precision, Real, Special};
-use number_support::{PRECISIONS, float, interval_of, right_and_sharp, samples, signed};
 use proptest::prelude::*;
 use rug::Float;
 use rug::float::Constant;

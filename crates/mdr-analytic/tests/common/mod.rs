@@ -1,5 +1,4 @@
 //! Helpers of several tests.
-#![allow(dead_code, reason = "no test needs all of it")]
 
 #[cfg(feature = "mp")]
 pub(crate) mod mpfr;

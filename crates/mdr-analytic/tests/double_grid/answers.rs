@@ -5,7 +5,7 @@ use mdr_analytic::{Contact, Kappa, PowerLaw};
 use mdr_core::contact::{Control, Material, Status};
 use mdr_core::number::{Real, Wide};
 
-use crate::points::{Point, columns};
+use super::points::{Point, columns};
 
 pub(crate) const PROMISE: f64 = 2.0;
 

@@ -4,8 +4,8 @@ use mdr_analytic::double::grid::{Path, Tally};
 use mdr_core::contact::Control;
 use mdr_core::number::{Real, Wide};
 
-use crate::answers::{answers, truth, ulps, worst};
-use crate::points::{CONTROLS, Draw, Point, in_range, loaded};
+use super::answers::{answers, truth, ulps, worst};
+use super::points::{CONTROLS, Draw, Point, in_range, loaded};
 
 /// κ, a, d, F in ulp.
 const BOUNDS: [f64; 4] = [1.8, 1.6, 1.3, 1.9];
@@ -107,7 +107,7 @@ fn constants_of_the_logarithm_have_no_preference() {
     }
 }
 
-/// `cargo test --release -p mdr-analytic --test double_grid -- --ignored --nocapture`
+/// `cargo test --release -p mdr-analytic double_grid:: -- --ignored --nocapture`
 #[test]
 #[ignore = "minutes"]
 fn errors_of_many_points() {

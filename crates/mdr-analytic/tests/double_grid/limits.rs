@@ -2,8 +2,8 @@
 
 use mdr_analytic::double::grid::Path;
 
-use crate::answers::{answers, worst};
-use crate::points::{CONTROLS, Point, loaded, representable};
+use super::answers::{answers, worst};
+use super::points::{CONTROLS, Point, loaded, representable};
 
 #[test]
 fn ladder_towards_one_half() {

@@ -5,9 +5,6 @@
 #![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 #![allow(clippy::print_stdout, reason = "the errors measured are worth reading")]
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod answers;
 mod errors;
 mod limits;

@@ -6,8 +6,8 @@ use mdr_analytic::double::grid::{Materials, Path, Points, States, Tally, critica
 use mdr_analytic::{Critical, double};
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Status};
 
-use crate::answers::{Answers, answers};
-use crate::points::{CONTROLS, Draw, Point, columns};
+use super::answers::{Answers, answers};
+use super::points::{CONTROLS, Draw, Point, columns};
 
 /// Points outside the guarantee of the kernel: the scalar result, or its status and no value.
 #[test]

@@ -5,9 +5,9 @@ use mdr_analytic::double::grid::Path;
 use mdr_core::contact::{Ranged, Stability};
 use proptest::prelude::*;
 
-use crate::bisection::{Scene, float};
+use super::bisection::{Scene, float};
+use super::rows::{Many, check_many};
 use crate::common::mpfr::ulps;
-use crate::rows::{Many, check_many};
 
 /// The functions for f64 against bisection: every quantity within an ulp, or beyond the range with its logarithm.
 #[track_caller]

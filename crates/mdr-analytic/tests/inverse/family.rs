@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use rug::Float;
 use rug::ops::Pow;
 
-use crate::bisection::{BITS, Scene, float};
+use super::bisection::{BITS, Scene, float};
 use crate::common::mpfr::ulps;
 
 proptest! {

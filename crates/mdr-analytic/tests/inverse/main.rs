@@ -3,9 +3,6 @@
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod bisection;
 mod doubles;
 mod family;

@@ -6,7 +6,7 @@ use mdr_analytic::double::{Branches, Side};
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Status};
 use rug::Float;
 
-use crate::bisection::{Scene, Truth};
+use super::bisection::{Scene, Truth};
 use crate::common::mpfr::ulps;
 
 /// The results of [`double::Inverse::branches`]: a and d or F of the smaller and of the larger equilibrium.

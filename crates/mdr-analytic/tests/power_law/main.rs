@@ -1,9 +1,6 @@
 //! The closed forms of power laws: published numbers, one function in several arithmetics, and properties.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "../common/mod.rs"]
-mod common;
-
 #[cfg(feature = "mp")]
 mod arithmetics;
 mod properties;

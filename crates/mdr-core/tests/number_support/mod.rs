@@ -1,5 +1,7 @@
 //! Random numbers and intervals at random precision, and the criteria for a correct and sharp enclosure.
 
+#![cfg(feature = "mp")]
+
 use std::ops::RangeInclusive;
 
 use mdr_core::number::Interval;

@@ -5,7 +5,7 @@ use mdr_core::number::{Precision, Real};
 use mdr_numeric::table::MeasuredProfile;
 use rug::Float;
 
-use crate::sample::{Points, magnitude, radii, sampled, with_noise};
+use super::sample::{Points, magnitude, radii, sampled, with_noise};
 
 fn exact(points: &Points) -> MeasuredProfile<Float> {
     let precision = Precision::from_digits(60);

@@ -6,7 +6,7 @@ use mdr_core::contact::Transform;
 use mdr_core::number::Real;
 use mdr_numeric::table::{MeasuredProfile, Table};
 
-use crate::sample::{Points, magnitude, radii, sampled};
+use super::sample::{Points, magnitude, radii, sampled};
 
 #[test]
 fn a_paraboloid_is_reproduced() {

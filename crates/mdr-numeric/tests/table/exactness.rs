@@ -6,7 +6,7 @@ use mdr_numeric::table::MeasuredProfile;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
-use crate::sample::{Points, magnitude, radii, sampled, with_noise};
+use super::sample::{Points, magnitude, radii, sampled, with_noise};
 
 const BITS: u32 = 136;
 

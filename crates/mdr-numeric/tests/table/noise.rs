@@ -2,7 +2,7 @@
 
 use mdr_numeric::table::Table;
 
-use crate::sample::{noise, radii};
+use super::sample::{noise, radii};
 
 /// A table of doubles.
 fn table(points: impl IntoIterator<Item = (f64, f64)>) -> Table {

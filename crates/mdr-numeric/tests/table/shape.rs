@@ -6,7 +6,7 @@ use mdr_core::number::{Dual, Real};
 use mdr_numeric::table::MeasuredProfile;
 use proptest::prelude::*;
 
-use crate::sample::Points;
+use super::sample::Points;
 
 /// Points from steps in r and f, the tip first when `tip`.
 fn points(steps: &[(f64, f64)], tip: bool) -> Points {

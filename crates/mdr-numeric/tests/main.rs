@@ -1,0 +1,16 @@
+//! The numerical route as a user calls it.
+//! One program, which is compiled and linked once; `cargo test -p mdr-numeric NAME::` runs the tests of a file.
+
+mod admissible;
+mod claims;
+mod contact;
+mod fields;
+mod ledger;
+mod path;
+mod routes;
+mod scales;
+mod states;
+#[path = "table/main.rs"]
+mod table;
+mod transform;
+mod wall;
