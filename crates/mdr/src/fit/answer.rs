@@ -48,8 +48,10 @@ pub struct Invariant {
     pub name: String,
     /// Its value, in SI units.
     pub value: f64,
-    /// Its standard error.
-    pub stderr: Option<f64>,
+    /// Its standard error: from the stated σ, or scaled by the residuals where none is stated.
+    pub stderr: f64,
+    /// Its standard error scaled by the residuals.
+    pub scaled_stderr: f64,
 }
 
 /// A row of the data beside the fitted curve.

@@ -32,9 +32,19 @@
 //! Estimates in f64, converged to the rounding of the residuals. Standard errors are those of the linearised model.
 
 mod answer;
+mod arcs;
+mod contact;
 mod data;
+mod drive;
+mod events;
+mod judge;
+mod labels;
+mod minimise;
+mod objective;
 mod problem;
 mod read;
+mod start;
+mod warnings;
 
 pub use answer::{Estimate, Event, Fit, FitStatus, FittedRow, Invariant, RunsTest};
 pub use problem::{Leg, Loss, Observation, Problem};

@@ -334,7 +334,7 @@ impl Problem {
     /// A problem that cannot be fitted: nothing free, no more rows than unknowns, a missing number, all rows out of contact. What
     /// the data cannot tell is no error, but the [status](Fit::status) of the answer.
     pub fn fit(&self) -> Result<Fit> {
-        todo!("{self:?}")
+        super::drive::fit(self)
     }
 
     fn parameter_mut(&mut self, name: &str, key: &str) -> Result<&mut Parameter> {
