@@ -70,7 +70,9 @@ pub(super) fn turns(contact: &Contact<'_, f64>) -> Result<Vec<Turn>> {
         (_, None) => Control::Indentation,
     };
     let found = folds::find(&Curve::new(contact.tip.transform(), &material, &control))?;
-    let turn = |is_fold: bool| move |fold: &mdr_core::contact::Instability<f64>| Turn { s: fold.contact_radius, kind: fold.kind, is_fold };
+    let turn = |is_fold: bool| {
+        move |fold: &mdr_core::contact::Instability<f64>| Turn { s: fold.contact_radius, kind: fold.kind, is_fold }
+    };
     let mut turns: Vec<Turn> = found.folds.iter().map(turn(true)).chain(found.poles.iter().map(turn(false))).collect();
     turns.sort_by(|one, other| one.s.total_cmp(&other.s));
     Ok(turns)
@@ -150,7 +152,8 @@ impl Arc {
         // A pole and the end of a profile have no value.
         let inner = |turn: &Turn| if turn.is_fold { turn.s } else { turn.s * (1.0 + 1e-12) };
         let outer = |turn: &Turn| if turn.is_fold { turn.s } else { turn.s * (1.0 - 1e-12) };
-        let end = contact.tip.transform().outer_radius().filter(|_| contact.edge.is_none()).map(|end| end * (1.0 - 1e-12));
+        let end =
+            contact.tip.transform().outer_radius().filter(|_| contact.edge.is_none()).map(|end| end * (1.0 - 1e-12));
         let last = match (upper.map(outer), end) {
             (Some(upper), Some(end)) => Some(upper.min(end)),
             (upper, end) => upper.or(end),

@@ -67,7 +67,8 @@ fn transform<R: Struve + Kappa>(
     ctx: R::Ctx,
     numbers: &mut dyn Iterator<Item = R>,
 ) -> Result<Box<dyn Transform<R>>> {
-    let mut next = |literal: &mdr_core::number::Literal| numbers.next().unwrap_or_else(|| R::from_literal(ctx, literal));
+    let mut next =
+        |literal: &mdr_core::number::Literal| numbers.next().unwrap_or_else(|| R::from_literal(ctx, literal));
     Ok(match profile {
         Profile::Shape(shape) => closed_form(shape.map(|_, literal| next(literal)))?,
         Profile::Sum(terms) => {

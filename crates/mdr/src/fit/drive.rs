@@ -69,19 +69,29 @@ fn check(problem: &Problem) -> Result<()> {
             Kind::Stiffness => "[control]",
             _ => "[material]",
         };
-        return refuse("fit.free", format!("`{name}` is neither free nor given: add it to `free`, or give it in {where_to}"));
+        return refuse(
+            "fit.free",
+            format!("`{name}` is neither free nor given: add it to `free`, or give it in {where_to}"),
+        );
     }
     let has_sigma = problem.sigma[1].is_some() || problem.rows.iter().all(|row| row.sigma[1].is_some());
     if !has_sigma && (priors > 0 || problem.loss == Loss::Huber) {
         let what = if priors > 0 { "a prior is weighed against the rows" } else { "the loss `huber` counts in σ" };
-        return refuse("data.sigma", format!("{what}, so it needs the standard deviation of y: sigma = {{ y = \"…\" }}"));
+        return refuse(
+            "data.sigma",
+            format!("{what}, so it needs the standard deviation of y: sigma = {{ y = \"…\" }}"),
+        );
     }
-    let of_profile = |parameter: &super::problem::Parameter| parameter.free && matches!(parameter.kind, Kind::Profile(_));
+    let of_profile =
+        |parameter: &super::problem::Parameter| parameter.free && matches!(parameter.kind, Kind::Profile(_));
     if let Profile::Formula(formula) = &problem.profile
         && !formula.expression.is_smooth()
         && problem.parameters.iter().any(of_profile)
     {
-        return refuse("fit.free", "a number of a formula with `abs`, `min` or `max` cannot be free: its kinks move".to_owned());
+        return refuse(
+            "fit.free",
+            "a number of a formula with `abs`, `min` or `max` cannot be free: its kinks move".to_owned(),
+        );
     }
     Ok(())
 }
@@ -94,7 +104,6 @@ struct Noise {
     beyond: f64,
     /// As it shows in the second differences of Y.
     seen: f64,
-    range: f64,
 }
 
 impl Noise {
@@ -109,14 +118,16 @@ impl Noise {
             .filter(|three| three[0].leg == three[2].leg)
             .map(|three| (three[0].y - 2.0 * three[1].y + three[2].y).abs())
             .collect();
-        let range = rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.y), high.max(row.y)]);
+        let range =
+            rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.y), high.max(row.y)]);
         let range = range[1] - range[0];
         let seen = judge::median(seconds) / (0.6745 * 6f64.sqrt());
         let own = rows.iter().all(|row| row.sigma[1].is_some());
-        let y = problem.sigma[1].unwrap_or_else(|| if seen.is_finite() { seen.max(1e-4 * range) } else { 1e-2 * range });
+        let y =
+            problem.sigma[1].unwrap_or_else(|| if seen.is_finite() { seen.max(1e-4 * range) } else { 1e-2 * range });
         let stated_x = problem.sigma[0].filter(|sigma| *sigma > 0.0);
         let beyond = stated_x.unwrap_or(spacing / 12f64.sqrt());
-        Noise { y, stated: own || problem.sigma[1].is_some(), beyond, seen, range }
+        Noise { y, stated: own || problem.sigma[1].is_some(), beyond, seen }
     }
 
     /// Refuses rows that are nothing but noise.
@@ -162,8 +173,10 @@ fn least(objective: &mut Objective<'_>) -> Result<Minimum> {
                 .filter(|parameter| parameter.start.or(parameter.value).is_none())
                 .map(|parameter| parameter.name.as_str())
                 .collect();
-            Location::built("fit.start")
-                .refuse(format!("no values to begin from were found in the data: give a start for `{}`", names.join("`, `")))
+            Location::built("fit.start").refuse(format!(
+                "no values to begin from were found in the data: give a start for `{}`",
+                names.join("`, `")
+            ))
         }
     })
 }
@@ -172,25 +185,22 @@ fn least(objective: &mut Objective<'_>) -> Result<Minimum> {
 fn from(objective: &mut Objective<'_>, start: &[f64]) -> mdr_core::contact::Result<Minimum> {
     let (scale, all) = (objective.x_scale, objective.rows.clone());
     let last = scale.filter(|scale| *scale > 0.0).unwrap_or(objective.beyond);
-    let mut fitted = start.to_vec();
-    let mut evaluations = 0;
+    let mut end = (start.to_vec(), 0);
     objective.rows = all.iter().copied().step_by(all.len().div_ceil(150).max(1)).collect();
     for factor in CONTINUATION {
         objective.x_scale = Some(factor * last);
-        if let Ok((found, more)) = minimise::descend(objective, &fitted, 1e-5, 30) {
-            (fitted, evaluations) = (found, evaluations + more);
+        // A step of the continuation that fails leaves its start to the next.
+        if let Ok((fitted, evaluations)) = minimise::descend(objective, &end.0, 1e-5, 30) {
+            end = (fitted, end.1 + evaluations);
         }
     }
-    objective.rows = all;
-    objective.x_scale = Some(scale.unwrap_or(last));
-    let (found, more) = minimise::descend(objective, &fitted, 1e-8, 100)?;
-    (fitted, evaluations) = (found, evaluations + more);
-    objective.x_scale = scale;
-    if scale.is_none() {
-        let (found, more) = minimise::descend(objective, &fitted, 1e-10, 100)?;
-        (fitted, evaluations) = (found, evaluations + more);
+    (objective.rows, objective.x_scale) = (all, Some(last));
+    if let Ok((fitted, evaluations)) = minimise::descend(objective, &end.0, 1e-8, 100) {
+        end = (fitted, end.1 + evaluations);
     }
-    minimise::polish(objective, &fitted, evaluations)
+    objective.x_scale = scale;
+    let (fitted, evaluations) = minimise::descend(objective, &end.0, 1e-12, 100)?;
+    minimise::polish(objective, &fitted, end.1 + evaluations)
 }
 
 /// The answer at a minimum.
@@ -199,14 +209,15 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     let problem = objective.problem;
     let held = minimise::held(objective, fitted, jacobian, evaluation);
     let priors = problem.parameters.iter().filter(|parameter| parameter.prior.is_some()).count();
-    let used = held.iter().filter(|held| !**held).count();
-    let dof = (problem.rows.len() + priors + usize::from(problem.pull_off.is_some())).saturating_sub(used);
-    let cost = evaluation.cost();
-    let by_residuals = (cost / dof.max(1) as f64).sqrt();
-    let scales = [if noise.stated { 1.0 } else { by_residuals }, by_residuals];
     let kept: Vec<usize> = (0..fitted.len()).filter(|place| !held[*place]).collect();
     let information = objective.information(fitted, evaluation)?;
     let spectrum = Spectrum::new(&information.select_columns(&kept));
+    let cost = evaluation.cost();
+    // Of what the data do not determine nothing is used up.
+    let counted = problem.rows.len() + priors + usize::from(problem.pull_off.is_some());
+    let dof = counted.saturating_sub(kept.len() - spectrum.nullity());
+    let by_residuals = (cost / dof.max(1) as f64).sqrt();
+    let scales = [if noise.stated { 1.0 } else { by_residuals }, by_residuals];
     let errors = Errors { objective, fitted, kept: &kept, spectrum: &spectrum, scales };
     let determined = spectrum.nullity() == 0;
     let converged = minimum.gradient < CONVERGED || is_exact(objective, minimum);
@@ -228,7 +239,10 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
         ),
     };
     let vertical = objective.x_scale.is_none();
-    let alike = vertical && problem.rows.iter().all(|row| row.sigma[1].is_none()) && problem.loss == Loss::LeastSquares && priors == 0;
+    let alike = vertical
+        && problem.rows.iter().all(|row| row.sigma[1].is_none())
+        && problem.loss == Loss::LeastSquares
+        && priors == 0;
     let unit = match problem.observation.units()[1] {
         "N" => "N^2",
         _ => "m^2",
@@ -353,7 +367,8 @@ impl Errors<'_> {
             self.kept.iter().map(|place| problem.parameters[self.objective.free[*place]].name.as_str()).collect();
         let fitted: Vec<f64> = self.kept.iter().map(|place| self.fitted[*place]).collect();
         let undetermined = self.spectrum.undetermined();
-        let lost: Vec<&str> = names.iter().zip(&undetermined).filter(|(_, lost)| **lost).map(|(name, _)| *name).collect();
+        let lost: Vec<&str> =
+            names.iter().zip(&undetermined).filter(|(_, lost)| **lost).map(|(name, _)| *name).collect();
         let offsets = self.kept.iter().zip(&undetermined).any(|(place, lost)| *lost && self.kind(*place).is_offset());
         let (exponents, pivots) = self.spectrum.exponents();
         let give: Vec<&str> = pivots.iter().map(|place| names[*place]).collect();
@@ -381,7 +396,13 @@ fn correlation(covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let deviation = |index: usize| covariance[index][index].sqrt();
     let of = |row: usize, column: usize| {
         let scale = deviation(row) * deviation(column);
-        if row == column { 1.0 } else if scale > 0.0 { covariance[row][column] / scale } else { 0.0 }
+        if row == column {
+            1.0
+        } else if scale > 0.0 {
+            covariance[row][column] / scale
+        } else {
+            0.0
+        }
     };
     (0..covariance.len()).map(|row| (0..covariance.len()).map(|column| of(row, column)).collect()).collect()
 }

@@ -20,8 +20,8 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
     let breaks = (1..rows.len())
         .find(|index| pair(Leg::Retract, *index) && rows[*index].label < 0 && rows[*index - 1].label >= 0)
         .map(|index| index - 1);
-    let touches =
-        (1..rows.len()).find(|index| pair(Leg::Approach, *index) && rows[*index].label >= 0 && rows[*index - 1].label < 0);
+    let touches = (1..rows.len())
+        .find(|index| pair(Leg::Approach, *index) && rows[*index].label >= 0 && rows[*index - 1].label < 0);
     let [pull_off, jump_in] =
         [breaks, touches].map(|index| index.map(|index| measured(errors, minimum, [rows[index].x, rows[index].y])));
     (fit.measured_pull_off, fit.measured_jump_in) = (pull_off, jump_in);
@@ -64,7 +64,8 @@ fn first_touch(errors: &Errors<'_>, minimum: &Minimum) -> Event {
     let numbers = &minimum.evaluation.numbers;
     let kinds = errors.kinds();
     let of = |kind: Kind| {
-        let gradient = DVector::from_iterator(kinds.len(), kinds.iter().map(|known| if *known == kind { 1.0 } else { 0.0 }));
+        let gradient =
+            DVector::from_iterator(kinds.len(), kinds.iter().map(|known| if *known == kind { 1.0 } else { 0.0 }));
         errors.stderr(&gradient)
     };
     let stderr = Some([of(Kind::ContactPoint), of(Kind::Baseline), 0.0, 0.0, 0.0]);

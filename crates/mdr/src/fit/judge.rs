@@ -105,9 +105,8 @@ impl Spectrum {
             if done == nullity {
                 break;
             }
-            let column = (done..nullity).max_by(|one, other| {
-                reduced[(place, *one)].abs().total_cmp(&reduced[(place, *other)].abs())
-            });
+            let column = (done..nullity)
+                .max_by(|one, other| reduced[(place, *one)].abs().total_cmp(&reduced[(place, *other)].abs()));
             let Some(column) = column.filter(|column| reduced[(place, *column)].abs() > 1e-5) else { continue };
             reduced.swap_columns(done, column);
             let pivot = reduced[(place, done)];
@@ -173,7 +172,8 @@ pub(super) fn invariant(
 
 /// The test of Wald and Wolfowitz; none where all residuals have one sign or there are fewer than ten.
 pub(super) fn runs_test(residuals: &[f64]) -> Option<RunsTest> {
-    let signs: Vec<bool> = residuals.iter().filter(|residual| **residual != 0.0).map(|residual| *residual > 0.0).collect();
+    let signs: Vec<bool> =
+        residuals.iter().filter(|residual| **residual != 0.0).map(|residual| *residual > 0.0).collect();
     let count = signs.len() as f64;
     let above = signs.iter().filter(|sign| **sign).count() as f64;
     let product = 2.0 * above * (count - above);

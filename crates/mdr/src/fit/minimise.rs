@@ -59,8 +59,7 @@ pub(super) fn descend(
     patience: usize,
 ) -> mdr_core::contact::Result<(Vec<f64>, usize)> {
     objective.evaluate(start, None)?;
-    let mut place =
-        Place { objective, fitted: DVector::from_column_slice(start), evaluation: None, evaluations: 1 };
+    let mut place = Place { objective, fitted: DVector::from_column_slice(start), evaluation: None, evaluations: 1 };
     place.set_params(&DVector::from_column_slice(start));
     let method = LevenbergMarquardt::new().with_tol(tolerance).with_patience(patience).with_stepbound(1.0);
     let (place, _) = method.minimize(place);
@@ -70,7 +69,11 @@ pub(super) fn descend(
 /// Values beyond their bounds come back to them.
 fn inside_bounds(objective: &Objective<'_>, fitted: &[f64]) -> Vec<f64> {
     let inside = |(place, fitted): (usize, &f64)| {
-        if objective.at_bound(place, *fitted) { objective.to_fitted(place, objective.value(place, *fitted)) } else { *fitted }
+        if objective.at_bound(place, *fitted) {
+            objective.to_fitted(place, objective.value(place, *fitted))
+        } else {
+            *fitted
+        }
     };
     fitted.iter().enumerate().map(inside).collect()
 }
@@ -94,6 +97,7 @@ pub(super) fn polish(
         let next: Vec<f64> = fitted.iter().zip(step.iter()).map(|(value, step)| value - step).collect();
         let next = inside_bounds(objective, &next);
         let size = (&jacobian * &step).norm() / evaluation.residuals.norm().max(f64::MIN_POSITIVE);
+        eprintln!("polish size {size:e} cost {:e} held {held:?} step {step:?}", evaluation.cost());
         // Steps that no longer become smaller are rounding; larger ones lead away.
         if size == 0.0 || !size.is_finite() || size >= last {
             break;

@@ -77,7 +77,10 @@ impl<'p> Objective<'p> {
 
     fn of_profile(&self, value: &dyn Fn(usize) -> f64) -> Vec<f64> {
         let parameters = self.problem.parameters.iter().enumerate();
-        parameters.filter(|(_, parameter)| matches!(parameter.kind, Kind::Profile(_))).map(|(index, _)| value(index)).collect()
+        parameters
+            .filter(|(_, parameter)| matches!(parameter.kind, Kind::Profile(_)))
+            .map(|(index, _)| value(index))
+            .collect()
     }
 
     /// The value of a free parameter as it is fitted: its logarithm, or itself for an offset.
@@ -109,9 +112,7 @@ impl<'p> Objective<'p> {
             Some(place) => self.value(place, fitted[place]),
             None => self.problem.parameters[index].value.unwrap_or(f64::NAN),
         };
-        let of = |kind: Kind| {
-            self.problem.parameters.iter().position(|parameter| parameter.kind == kind).map(value)
-        };
+        let of = |kind: Kind| self.problem.parameters.iter().position(|parameter| parameter.kind == kind).map(value);
         Numbers {
             e_star: of(Kind::EffectiveModulus).unwrap_or(f64::NAN),
             work: of(Kind::WorkOfAdhesion).unwrap_or(f64::NAN),
@@ -143,9 +144,10 @@ impl<'p> Objective<'p> {
             None => arcs::turns(&contact)?,
         };
         let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.beyond);
-        let range = self.rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| {
-            [low.min(row.x), high.max(row.x)]
-        });
+        let range = self
+            .rows
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.x), high.max(row.x)]);
         let arcs = arcs::arcs(&contact, &turns, [range[0], range[1] + margin])?;
         let (labels, feet) = self.label(&contact, &arcs)?;
         let mut residuals: Vec<f64> = self
@@ -202,7 +204,9 @@ impl<'p> Objective<'p> {
                 costs.push(cost);
                 found.push(feet);
             }
-            for (level, feet_of_row) in cheapest(&costs, leg.first().map_or(Leg::Retract, |row| row.leg)).into_iter().zip(found) {
+            for (level, feet_of_row) in
+                cheapest(&costs, leg.first().map_or(Leg::Retract, |row| row.leg)).into_iter().zip(found)
+            {
                 labels.push(level);
                 feet.push(feet_of_row[level]);
             }
@@ -287,7 +291,8 @@ impl<'p> Objective<'p> {
             let [along_x, along_y] = [foot.weights[0] * scales[0], foot.weights[1] * scales[1]];
             let arc = &evaluation.arcs[evaluation.labels[index] - 1];
             let mut row = vec![0.0; self.free.len()];
-            for (place, value) in row.iter_mut().enumerate().filter(|(place, _)| !self.outside(*place, fitted[*place])) {
+            for (place, value) in row.iter_mut().enumerate().filter(|(place, _)| !self.outside(*place, fitted[*place]))
+            {
                 let [x, y] = arc.partial(&contact, self.problem.parameters[self.free[place]].kind, foot, &point)?;
                 *value = along_x * y / scales[1] - along_y * x / scales[0];
             }

@@ -1,7 +1,5 @@
 //! What is fitted: a profile, an observation, rows, and what is unknown.
 
-use mdr_core::number::Literal;
-
 use super::answer::Fit;
 use crate::error::{Error, Result};
 use crate::scene::{IntoProfile, Location, Profile};
@@ -402,9 +400,4 @@ fn number_repeated_names(parameters: &mut [Parameter]) {
             parameter.name = format!("{}.{}", names[index], before + 1);
         }
     }
-}
-
-/// A double as the exact decimal that is printed for it.
-pub(super) fn exact(value: f64) -> Option<Literal> {
-    Literal::try_from(value).ok()
 }

@@ -15,15 +15,29 @@ impl Problem {
     /// # Errors
     /// With file, line and key.
     pub fn open(file: impl AsRef<Path>) -> Result<Problem> {
-        let path = file.as_ref();
+        Problem::open_with(file.as_ref(), None)
+    }
+
+    /// The same with another curve in place of its data.
+    ///
+    /// # Errors
+    /// As [`Problem::open`].
+    pub fn open_for(file: impl AsRef<Path>, curve: impl AsRef<Path>) -> Result<Problem> {
+        let curve = curve.as_ref();
+        let absolute =
+            std::path::absolute(curve).map_err(|source| Error::Io { name: curve.display().to_string(), source })?;
+        Problem::open_with(file.as_ref(), absolute.to_str())
+    }
+
+    fn open_with(path: &Path, curve: Option<&str>) -> Result<Problem> {
         let name = path.display().to_string();
         let text = std::fs::read_to_string(path).map_err(|source| Error::Io { name: name.clone(), source })?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let files = |file: &str| std::fs::read(folder.join(file));
         match path.extension() {
             #[cfg(feature = "serde")]
-            Some(extension) if extension.eq_ignore_ascii_case("json") => Problem::from_json(&text, &name, &files),
-            _ => Problem::from_toml(&text, &name, &files),
+            Some(extension) if extension.eq_ignore_ascii_case("json") => Problem::json(&text, &name, &files, curve),
+            _ => Problem::toml(&text, &name, &files, curve),
         }
     }
 
@@ -31,19 +45,19 @@ impl Problem {
     ///
     /// # Errors
     /// With name, line and key.
-    #[cfg(feature = "toml")]
     pub fn from_toml(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
-        let document = Document::new(name, text, "TOML", files);
-        let root = parse::toml(&document)?;
-        read(&document, &root)
+        Problem::toml(text, name, files, None)
     }
 
-    /// Without the feature `toml` no TOML is read.
-    ///
-    /// # Errors
-    /// Always.
+    #[cfg(feature = "toml")]
+    fn toml(text: &str, name: &str, files: Files<'_>, curve: Option<&str>) -> Result<Problem> {
+        let document = Document::new(name, text, "TOML", files);
+        let root = parse::toml(&document)?;
+        read(&document, &root, curve)
+    }
+
     #[cfg(not(feature = "toml"))]
-    pub fn from_toml(_: &str, name: &str, _: Files<'_>) -> Result<Problem> {
+    fn toml(_: &str, name: &str, _: Files<'_>, _: Option<&str>) -> Result<Problem> {
         let source = std::io::Error::new(std::io::ErrorKind::Unsupported, "this build is without the feature `toml`");
         Err(Error::Io { name: name.to_owned(), source })
     }
@@ -54,16 +68,21 @@ impl Problem {
     /// As [`Problem::from_toml`].
     #[cfg(feature = "serde")]
     pub fn from_json(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
+        Problem::json(text, name, files, None)
+    }
+
+    #[cfg(feature = "serde")]
+    fn json(text: &str, name: &str, files: Files<'_>, curve: Option<&str>) -> Result<Problem> {
         let document = Document::new(name, text, "JSON", files);
         let root = parse::json(&document)?;
-        read(&document, &root)
+        read(&document, &root, curve)
     }
 }
 
 /// A setter of a problem that can refuse what it is given.
 type Setter<'s> = &'s dyn Fn(Problem, &str, f64) -> Result<Problem>;
 
-fn read(document: &Document<'_>, root: &Node) -> Result<Problem> {
+fn read(document: &Document<'_>, root: &Node, curve: Option<&str>) -> Result<Problem> {
     let top = Section::top(document, root)?;
     let shape = top.section("profile")?;
     let profile = Profile::read(&shape)?;
@@ -72,7 +91,7 @@ fn read(document: &Document<'_>, root: &Node) -> Result<Problem> {
     }
     let data = top.section("data")?;
     let observation = data.required("observation")?.choice("observation", &Observation::NAMES)?;
-    let (rows, sigma) = rows_of(&data, observation)?;
+    let (rows, sigma) = rows_of(&data, observation, curve)?;
     data.finish()?;
     let mut problem = Problem::with(profile, observation, rows, data.place())?;
     problem.sigma = sigma;
@@ -99,8 +118,12 @@ fn read(document: &Document<'_>, root: &Node) -> Result<Problem> {
     Ok(problem)
 }
 
-/// The table `[data]`: rows in a file beside it or in it, and their standard deviations.
-fn rows_of(data: &Section<'_>, observation: Observation) -> Result<(Vec<DataRow>, [Option<f64>; 2])> {
+/// The table `[data]`: rows in a file beside it, or of the `curve` instead, or in it; and their standard deviations.
+fn rows_of(
+    data: &Section<'_>,
+    observation: Observation,
+    curve: Option<&str>,
+) -> Result<(Vec<DataRow>, [Option<f64>; 2])> {
     let bases = observation.units();
     let mut columns = Columns::default();
     if let Some(value) = data.optional("columns") {
@@ -127,7 +150,7 @@ fn rows_of(data: &Section<'_>, observation: Observation) -> Result<(Vec<DataRow>
     let (which, value) = data.one_of(&["file", "rows", "x"])?;
     let rows = match which {
         0 => {
-            let name = value.text()?;
+            let name = curve.map_or_else(|| value.text(), Ok)?;
             let refuse = |why: &dyn std::fmt::Display| value.refuse(format!("{}: {why}", data.document().beside(name)));
             let bytes = (data.document().files)(name).map_err(|error| refuse(&error))?;
             let text = String::from_utf8(bytes).map_err(|error| refuse(&error))?;

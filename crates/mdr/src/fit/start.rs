@@ -102,12 +102,8 @@ fn from_data(problem: &Problem) -> Vec<[f64; 4]> {
 /// Depth and force of the rows of the last leg, the one that retracts where there is one.
 fn record(problem: &Problem) -> Record {
     let retracts = problem.rows.iter().any(|row| row.leg == Leg::Retract);
-    let rows: Vec<[f64; 2]> = problem
-        .rows
-        .iter()
-        .filter(|row| !retracts || row.leg == Leg::Retract)
-        .map(|row| [row.x, row.y])
-        .collect();
+    let rows: Vec<[f64; 2]> =
+        problem.rows.iter().filter(|row| !retracts || row.leg == Leg::Retract).map(|row| [row.x, row.y]).collect();
     let baseline = if is_free(problem, Kind::Baseline) && problem.observation != Observation::IndentationOfForce {
         tail(&rows).or(known(problem, Kind::Baseline)).unwrap_or(0.0)
     } else {
@@ -136,7 +132,10 @@ fn tail(rows: &[[f64; 2]]) -> Option<f64> {
 impl Record {
     /// The state of the smallest force.
     fn lowest(&self) -> [f64; 2] {
-        self.states.iter().copied().fold([0.0, f64::INFINITY], |best, state| if state[1] < best[1] { state } else { best })
+        self.states
+            .iter()
+            .copied()
+            .fold([0.0, f64::INFINITY], |best, state| if state[1] < best[1] { state } else { best })
     }
 
     /// The depth at which the force vanishes, deeper than where it is smallest; the deepest row where it never does.

@@ -27,7 +27,8 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
     }
     let is_free = |kind: Kind| problem.parameters.iter().any(|parameter| parameter.kind == kind && parameter.free);
     let detached = fit.rows.iter().any(|row| row.label < 0);
-    let sees_jump = detached || problem.observation.sees_radius() || problem.observation == Observation::IndentationOfForce;
+    let sees_jump =
+        detached || problem.observation.sees_radius() || problem.observation == Observation::IndentationOfForce;
     if !sees_jump && is_free(Kind::Baseline) {
         warnings.push("the baseline is free, and no detached row pins it: record the tail after pull-off".to_owned());
     } else if !sees_jump {
@@ -59,7 +60,8 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
     if let (Some(chi2), Some(p)) = (fit.chi2, fit.chi2_p)
         && !(1e-3..=1.0 - 1e-3).contains(&p)
     {
-        let verdict = if p < 0.5 { "larger than the stated σ explains" } else { "smaller than the stated σ explains" };
+        let verdict =
+            if p < 0.5 { "larger than the stated σ explains" } else { "smaller than the stated σ explains" };
         warnings.push(format!("χ² = {chi2:.4} for {} degrees of freedom is {verdict} (p = {p:.1e})", fit.dof));
     }
     fit.warnings = warnings;
