@@ -29,6 +29,7 @@
 //! | task | where |
 //! |---|---|
 //! | draw a scene | [`scene()`] of [`Scene::diagram`](mdr::Scene::diagram) |
+//! | draw a fit | `fit()`, with the feature `fit` |
 //! | draw figures 1 to 4 of the theory | [`figures`] |
 //! | draw judged answers of another program | [`judged()`] of a [`Report`](mdr_reference::Report) |
 //! | draw methods by time and error | [`comparison()`] |
@@ -47,6 +48,8 @@ mod comparison;
 mod data;
 pub mod figures;
 mod judged;
+#[cfg(feature = "fit")]
+mod fit;
 mod loading;
 mod markup;
 mod scene;
@@ -57,4 +60,6 @@ pub use chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke};
 pub use comparison::{Method, Question, comparison};
 pub use data::CSV_HEADER;
 pub use judged::judged;
+#[cfg(feature = "fit")]
+pub use fit::fit;
 pub use scene::scene;
