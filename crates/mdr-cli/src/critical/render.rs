@@ -1,11 +1,16 @@
 //! The answer for a reader and for a spreadsheet.
 
+use std::borrow::Cow;
+
+use mdr::answer::columns;
 use mdr::critical::{CriticalAnswer, CriticalFold, CriticalState};
 use mdr::prelude::{Arithmetic, ControlKind, Value};
 use mdr_core::contact::Regime;
 
 use crate::error::Result;
 use crate::output::{Format, Output};
+use crate::solve::render::text_of;
+use crate::validity;
 use crate::table::{Tone, cell, render, render_whole, table};
 
 const QUANTITIES: [(&str, &str); 3] =
@@ -96,7 +101,10 @@ fn for_reader(answer: &CriticalAnswer) -> String {
             }
         }
     }
-    format!("{}\n\n{}\n\n{}", heading(answer), render(&table), explanation(answer))
+    let validity = answer.validity.as_ref().map_or_else(String::new, |validity| {
+        format!("\n\n{}", validity::text(validity, answer.validity_promise()))
+    });
+    format!("{}\n\n{}\n\n{}{validity}", heading(answer), render(&table), explanation(answer))
 }
 
 /// The quantities of a state, if there is one.
@@ -174,16 +182,26 @@ fn scale_free(answer: &CriticalAnswer) -> String {
 pub(crate) fn rows(answer: &CriticalAnswer) -> Vec<Columns> {
     match answer.folds.as_deref() {
         Some(folds) if !folds.is_empty() => {
-            folds.iter().map(|fold| columns(answer, Some(&fold.state), Some(fold))).collect()
+            folds.iter().map(|fold| columns_of(answer, Some(&fold.state), Some(fold))).collect()
         }
-        _ => vec![columns(answer, answer.state.as_ref(), None)],
+        _ => vec![columns_of(answer, answer.state.as_ref(), None)],
     }
 }
 
 fn for_spreadsheet(answers: &[CriticalAnswer], out: &mut Output<impl std::io::Write>) -> Result<()> {
-    let header = columns_of_none().map(|(title, _)| title);
-    let rows = answers.iter().flat_map(rows);
-    out.csv(&header, rows.map(|row| row.map(|(_, value)| value)))
+    let validity = |answer: &CriticalAnswer| answer.validity.as_ref().map(|validity| validity.table()).unwrap_or_default();
+    let keys = columns(&answers.iter().map(validity).collect::<Vec<_>>());
+    let more = if answers.iter().any(|answer| answer.validity.is_some()) { keys } else { Vec::new() };
+    let titles: Vec<String> = more.iter().map(|key| format!("validity_{key}")).collect();
+    let own = columns_of_none().map(|(title, _)| title);
+    let header: Vec<&str> = own.into_iter().chain(titles.iter().map(String::as_str)).collect();
+    let rows = answers.iter().flat_map(|answer| {
+        let cells = validity(answer);
+        let text = |key: &Cow<'_, str>| cells.iter().find(|(name, _)| name == key).map(|(_, cell)| text_of(cell));
+        let added: Vec<String> = more.iter().map(|key| text(key).unwrap_or_default()).collect();
+        rows(answer).into_iter().map(move |row| row.into_iter().map(|(_, value)| value).chain(added.clone()).collect::<Vec<_>>())
+    });
+    out.csv(&header, rows)
 }
 
 /// Titles and values.
@@ -221,7 +239,7 @@ pub(crate) fn columns_of_none() -> Columns {
 }
 
 /// The titles and values of a row.
-fn columns(answer: &CriticalAnswer, state: Option<&CriticalState>, fold: Option<&CriticalFold>) -> Columns {
+fn columns_of(answer: &CriticalAnswer, state: Option<&CriticalState>, fold: Option<&CriticalFold>) -> Columns {
     let text = |value: Option<&Value>| match value {
         Some(Value::Unknown { .. }) | None => String::new(),
         Some(value) => value.to_string(),

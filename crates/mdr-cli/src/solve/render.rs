@@ -5,6 +5,7 @@ use mdr::prelude::*;
 
 use crate::error::Result;
 use crate::output::{Format, Output as Out};
+use crate::validity;
 use crate::table::{Tone, cell, render_whole, table};
 
 /// Writes `answer` in the `format` asked for.
@@ -27,7 +28,8 @@ fn for_reader(answer: &Answer) -> String {
     let parts = answer.outputs.iter().map(output);
     let basis = answer.admissibility.map(|basis| format!("Admissible: {}.", described(basis)));
     let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
-    std::iter::once(heading).chain(notes).chain(parts).chain(basis).collect::<Vec<_>>().join("\n\n")
+    let validity = answer.validity.as_ref().map(|validity| validity::text(validity, answer.validity_promise()));
+    std::iter::once(heading).chain(notes).chain(parts).chain(basis).chain(validity).collect::<Vec<_>>().join("\n\n")
 }
 
 fn output(output: &Output) -> String {
@@ -94,7 +96,7 @@ fn value<'a>(row: &'a FlatRow, key: &str) -> Option<&'a FlatCell> {
     row.iter().find(|(name, _)| name == key).map(|(_, cell)| cell)
 }
 
-fn text_of(cell: &FlatCell) -> String {
+pub(crate) fn text_of(cell: &FlatCell) -> String {
     match cell {
         FlatCell::Number(text) | FlatCell::Text(text) => text.clone(),
         FlatCell::Magnitude(log10) => format!("about 10^{log10:.6}"),
@@ -103,7 +105,7 @@ fn text_of(cell: &FlatCell) -> String {
     }
 }
 
-fn tone(cell: &FlatCell) -> Tone {
+pub(crate) fn tone(cell: &FlatCell) -> Tone {
     match cell {
         FlatCell::Number(_) => Tone::Good,
         FlatCell::Text(_) => Tone::Plain,
@@ -154,13 +156,15 @@ fn for_spreadsheet(answer: &Answer, out: &mut Out<impl std::io::Write>) -> Resul
             })
             .collect()
     };
-    let tables: Vec<(&Output, Vec<FlatRow>)> =
-        answer.outputs.iter().map(|output| (output, output.table().into_iter().map(separated).collect())).collect();
-    let keys = columns(tables.iter().flat_map(|(_, rows)| rows));
+    let all = |rows: Vec<FlatRow>| -> Vec<FlatRow> { rows.into_iter().map(separated).collect() };
+    let outputs = answer.outputs.iter().map(|output| (output.kind().name(), output.promise(), all(output.table())));
+    let validity = answer.validity.iter().map(|validity| ("validity", answer.validity_promise(), all(vec![validity.table()])));
+    let tables: Vec<(&str, Promise, Vec<FlatRow>)> = outputs.chain(validity).collect();
+    let keys = columns(tables.iter().flat_map(|(_, _, rows)| rows));
     let header: Vec<&str> = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref)).collect();
-    let rows = tables.iter().flat_map(|(output, rows)| {
+    let rows = tables.iter().flat_map(|(output, promise, rows)| {
         rows.iter().map(|row| {
-            let first = [output.kind().name().to_owned(), output.promise().name().to_owned()];
+            let first = [(*output).to_owned(), promise.name().to_owned()];
             first
                 .into_iter()
                 .chain(keys.iter().map(|key| value(row, key).map(text_of).unwrap_or_default()))

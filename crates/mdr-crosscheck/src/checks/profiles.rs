@@ -5,7 +5,7 @@ use mdr_analytic::struve::Struve;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Result, Transform};
 use mdr_core::number::{Dual, Lift, Real};
-use mdr_numeric::profiles;
+use mdr_numeric::profiles::{self, Heights};
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -141,6 +141,14 @@ impl<R: Real> Drawn<R> {
             }
             Shape::Sum => vec![l, t],
         }
+    }
+
+    /// The profile by its heights.
+    pub(super) fn heights(&self) -> Heights<R>
+    where
+        R: Lift<R>,
+    {
+        heights(self.shape, &self.parameters::<R>())
     }
 
     /// The closed form, over numbers in which R is a constant.
