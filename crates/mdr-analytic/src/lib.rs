@@ -29,6 +29,7 @@
 //! | energy dissipated in a jump | | [`Contact::energy_lost_at_pull_off`], [`Contact::energy_lost_at_jump_in`] |
 //! | all power laws as one family | | [`universal_indentation`], [`universal_force`] |
 //! | paraboloid, cone, flat punch | | [`PowerLaw::paraboloid`], [`PowerLaw::cone`], [`flat_punch_pull_off`] |
+//! | range of adhesion: Tabor's number, Maugis's states of a paraboloid | | [`tabor_number`], [`maugis_state`] |
 //! | `f64` within 1 ulp; batches | | [`double`], [`double::grid`] |
 //! | any number of proved digits | | `certified` |
 //!
@@ -68,6 +69,7 @@ mod inverse;
 mod jump;
 mod kappa;
 mod machine;
+mod maugis;
 mod power_law;
 pub mod profiles;
 mod range;
@@ -82,6 +84,7 @@ pub use inverse::Equilibria;
 pub use kappa::{Kappa, kappa};
 #[cfg(feature = "mp")]
 pub use kappa::{free_cache, kappa_enclosure};
+pub use maugis::{MaugisState, maugis_state, tabor_number};
 pub use power_law::PowerLaw;
 pub use special::flat_punch_pull_off;
 pub use threshold::{Fate, lemniscate_constant, threshold};

@@ -40,6 +40,15 @@ impl<'a> Flag<'a> {
         Ok(value)
     }
 
+    /// A positive length in metres, plain or with its unit: `0.3nm`.
+    pub(crate) fn length(self) -> Result<Literal> {
+        let Some(length) = mdr_numeric::table::length(self.text) else { return self.positive() };
+        if length.is_zero() || length.is_negative() {
+            return Err(self.refuse("must be positive and finite"));
+        }
+        Ok(length)
+    }
+
     /// A Poisson's ratio: within (−1, 1/2].
     pub(crate) fn poissons_ratio(self) -> Result<Literal> {
         let value = self.number()?;

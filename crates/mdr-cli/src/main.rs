@@ -15,6 +15,7 @@ mod reference;
 mod report;
 mod solve;
 mod table;
+mod validity;
 mod verify;
 
 use std::process::ExitCode;

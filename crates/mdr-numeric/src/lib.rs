@@ -38,6 +38,7 @@
 //! | loading paths, their work and dissipation | [`path`] |
 //! | whether the surfaces are separated outside the contact, as the theory assumes | [`admissible`] |
 //! | pressure, displacement, gap | [`fields`] |
+//! | adhesion of finite range: Tabor's number, Maugis–Dugdale states | [`dugdale`] |
 //! | the same equilibria from the potential energy (Griffith) | [`energy`] |
 //! | the elastic foundation of discrete springs, the procedure of the paper | [`springs`] |
 //! | folds and equilibria with a proof of completeness | `proof` |
@@ -57,6 +58,7 @@
 pub mod admissible;
 pub mod branch;
 pub mod curve;
+pub mod dugdale;
 pub mod energy;
 pub mod equilibrium;
 pub mod fields;

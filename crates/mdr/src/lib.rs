@@ -41,6 +41,7 @@
 //! | draw it | [`Scene::diagram`] |
 //! | fit a measured curve | `fit::Problem` |
 //! | one power law, at a point | [`critical()`] |
+//! | whether the theory holds | [`Scene::range_of_adhesion`], [`validity`] |
 //! | many states in f64, from slices | [`batch`] |
 //! | one contact at arrays of values | [`double`] |
 //!
@@ -67,6 +68,7 @@ pub mod fit;
 mod run;
 pub mod scene;
 mod solve;
+pub mod validity;
 
 pub use answer::Answer;
 pub use critical::critical;
@@ -74,6 +76,7 @@ pub use error::{Error, Place, Result};
 pub use mdr_core::contact::Error as ContactError;
 pub use run::{ARITHMETICS, Cost, Observer, Run, Stop, free_thread_cache};
 pub use scene::{Scene, no_files};
+pub use validity::Validity;
 
 /// Critical states of many power laws in f64: slices in, slices out.
 pub mod batch {

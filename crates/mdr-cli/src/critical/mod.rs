@@ -32,6 +32,9 @@ Examples:
   A steel cone on rubber, given as two bodies, in hardware arithmetic:
     mdr critical --n 1 --c 0.1 --e1 1e6 --nu1 0.5 --e2 2.1e11 --nu2 0.3 --work 0.05 --f64
 
+  Does the theory hold for a tip of 10 nm whose adhesion has a range of 0.3 nm?
+    mdr critical --sphere 1e-8 --e-star 5e9 --work 0.05 --control force --range-of-adhesion 0.3nm
+
   All instabilities on a machine of finite stiffness (N/m):
     mdr critical --n 0.6 --c 2.4829 --e-star 1 --work 1 --control machine --stiffness 1
 
@@ -85,6 +88,10 @@ pub(crate) struct Critical {
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     stiffness: Option<String>,
 
+    /// Range z0 > 0 of the adhesion, in m or with a unit (0.3nm): says whether the theory holds
+    #[arg(long, value_name = "Z0", allow_hyphen_values = true, conflicts_with = "batch")]
+    range_of_adhesion: Option<String>,
+
     #[command(flatten)]
     arithmetic: ArithmeticFlags,
 
@@ -116,7 +123,14 @@ impl Critical {
             return batch::answer(file, arithmetic, out);
         }
         let laws = self.laws(arithmetic)?;
-        let answer = |law: &PowerLaw| mdr::critical(law, arithmetic).map_err(Failure::of_flag);
+        let range = self.range_of_adhesion.as_deref().map(|text| Flag::new("--range-of-adhesion", text).length()).transpose()?;
+        let answer = |law: &PowerLaw| {
+            let answer = mdr::critical(law, arithmetic).map_err(Failure::of_flag)?;
+            match &range {
+                Some(range) => answer.with_range(range).map_err(Failure::of_flag),
+                None => Ok(answer),
+            }
+        };
         let answers = laws.iter().map(answer).collect::<Result<Vec<_>>>()?;
         match &answers[..] {
             [one] => render::write(one, self.sibling(one)?.as_ref(), self.format, out)?,

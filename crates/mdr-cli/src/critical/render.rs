@@ -1,11 +1,13 @@
 //! The answer for a reader and for a spreadsheet.
 
-use mdr::critical::{CriticalAnswer, CriticalRow, CriticalState};
+use mdr::critical::{CriticalAnswer, CriticalState, spreadsheet};
 use mdr::prelude::{Arithmetic, ControlKind, Value};
 use mdr_core::contact::Regime;
 
 use crate::error::Result;
 use crate::output::{Format, Output};
+use crate::solve::render::text_of;
+use crate::validity;
 use crate::table::{Tone, cell, render, render_whole, table};
 
 const QUANTITIES: [(&str, &str); 3] =
@@ -95,7 +97,10 @@ fn for_reader(answer: &CriticalAnswer) -> String {
             }
         }
     }
-    format!("{}\n\n{}\n\n{}", heading(answer), render(&table), answer.explanation())
+    let validity = answer.validity.as_ref().map_or_else(String::new, |validity| {
+        format!("\n\n{}", validity::text(validity, answer.validity_promise()))
+    });
+    format!("{}\n\n{}\n\n{}{validity}", heading(answer), render(&table), answer.explanation())
 }
 
 /// The quantities of a state, if there is one.
@@ -128,5 +133,7 @@ fn heading(answer: &CriticalAnswer) -> String {
 }
 
 fn for_spreadsheet(answers: &[CriticalAnswer], out: &mut Output<impl std::io::Write>) -> Result<()> {
-    out.csv(&CriticalRow::COLUMNS, answers.iter().flat_map(CriticalAnswer::rows))
+    let table = spreadsheet(answers);
+    let header: Vec<&str> = table[0].iter().map(String::as_str).collect();
+    out.csv(&header, &table[1..])
 }

@@ -1,7 +1,7 @@
 //! `mdr solve`: whatever a scene asks for, and nothing else.
 
 mod explain;
-mod render;
+pub(crate) mod render;
 
 use std::io::Read;
 use std::path::{Path, PathBuf};

@@ -5,6 +5,7 @@ use mdr::prelude::*;
 
 use crate::error::Result;
 use crate::output::{Format, Output as Out};
+use crate::validity;
 use crate::table::{Tone, cell, render_whole, table};
 
 /// Writes `answer` in the `format` asked for.
@@ -31,7 +32,8 @@ fn for_reader(answer: &Answer) -> String {
     let parts = answer.outputs.iter().map(output);
     let basis = answer.admissibility.map(|basis| format!("Admissible: {}.", described(basis)));
     let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
-    std::iter::once(heading).chain(notes).chain(parts).chain(basis).collect::<Vec<_>>().join("\n\n")
+    let validity = answer.validity.as_ref().map(|validity| validity::text(validity, answer.validity_promise()));
+    std::iter::once(heading).chain(notes).chain(parts).chain(basis).chain(validity).collect::<Vec<_>>().join("\n\n")
 }
 
 fn output(output: &Output) -> String {
@@ -98,7 +100,7 @@ fn value<'a>(row: &'a FlatRow, key: &str) -> Option<&'a FlatCell> {
     row.iter().find(|(name, _)| name == key).map(|(_, cell)| cell)
 }
 
-fn tone(cell: &FlatCell) -> Tone {
+pub(crate) fn tone(cell: &FlatCell) -> Tone {
     match cell {
         FlatCell::Number(_) => Tone::Good,
         FlatCell::Text(_) => Tone::Plain,

@@ -3,6 +3,7 @@
 mod bodies;
 mod certified;
 mod double;
+mod dugdale;
 mod energy;
 mod equilibria;
 mod folds;
@@ -119,6 +120,9 @@ pub(crate) fn registry() -> &'static [Check] {
         path::LOSSES,
         path::ADMISSIBLE,
         machine::FOLDS,
+        dugdale::PARABOLOID,
+        dugdale::PROFILES,
+        dugdale::PULL_OFF,
         printed::DIMENSIONS,
         known::JKR,
         known::KENDALL,

@@ -4,7 +4,8 @@ use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Flank, Result, Shape, Transform};
-use mdr_core::number::{Dual, Lift, Real};
+use mdr_core::number::{Dual, Lift, Real, Special};
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -134,6 +135,14 @@ impl<R: Real> Drawn<R> {
             "amplitude" => b.square() / l.clone().times(32),
             _ => radius.clone(),
         })
+    }
+
+    /// The profile by its heights.
+    pub(super) fn heights(&self) -> Result<Heights<R>>
+    where
+        R: Lift<R> + Special,
+    {
+        Heights::new(self.terms::<R>())
     }
 
     /// The closed form, over numbers in which R is a constant.

@@ -1,7 +1,7 @@
 //! The closed forms under test, reached through one type so that a deliberate fault can be put into any of them.
 
 use mdr_analytic::certified::Question;
-use mdr_analytic::{Contact, Critical, Fate, Kappa, PowerLaw};
+use mdr_analytic::{Contact, Critical, Fate, Kappa, MaugisState, PowerLaw};
 use mdr_core::contact::{Control, Equilibrium, Instability, Material, Result, Transform};
 use mdr_core::number::certify::Decimal;
 use mdr_core::number::{Precision, Real, Special};
@@ -35,6 +35,13 @@ impl<R: Real> Numbers<R> for [R; 2] {
     fn map(self, change: impl Fn(usize, R) -> R) -> Self {
         let [d, f] = self;
         [change(0, d), change(1, f)]
+    }
+}
+
+impl<R: Real> Numbers<R> for MaugisState<R> {
+    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
+        let MaugisState { balance, indentation, force } = self;
+        MaugisState { balance: change(0, balance), indentation: change(1, indentation), force: change(2, force) }
     }
 }
 
@@ -209,6 +216,13 @@ closed_forms! {
     fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> [R; 2] =
         mdr_analytic::flat_punch_pull_off(radius, material).map(|state| [state.indentation, state.force]),
         [FlatPunchIndentation, FlatPunchForce] of [radius, material.effective_modulus(), material.work_of_adhesion()];
+    fn tabor_number<R: Special>(radius: &R, material: &Material<R>, range: &R) -> R =
+        mdr_analytic::tabor_number(radius, material, range),
+        [TaborNumber] of [radius, material.effective_modulus(), material.work_of_adhesion(), range];
+    fn maugis_state<R: Special>(radius: &R, material: &Material<R>, separation: &R, ring: [&R; 2]) -> MaugisState<R> =
+        mdr_analytic::maugis_state(radius, material, separation, ring[0], ring[1]),
+        [MaugisBalance, MaugisIndentation, MaugisForce]
+        of [radius, material.effective_modulus(), material.work_of_adhesion(), separation, ring[0], ring[1]];
     fn flat_punch_limit<R: Real>(contact: &Contact<R>) -> R =
         contact.flat_punch_limit().map(|state| state.contact_radius),
         [FlatPunchLimit] of [contact.profile().coefficient()];

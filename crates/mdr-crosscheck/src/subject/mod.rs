@@ -64,6 +64,8 @@ macro_rules! subjects {
 const GIVEN: &[&str] = &["C", "E*", "w"];
 const ALONG: &[&str] = &["a", "C", "E*", "w"];
 
+const MAUGIS: &[&str] = &["R", "E*", "w", "h0", "a", "c"];
+
 subjects! {
     named {
         Kappa: "kappa" &["n"];
@@ -106,6 +108,10 @@ subjects! {
         FlatPunchIndentation: "flat_punch_pull_off" &["b", "E*", "w"];
         FlatPunchForce: "flat_punch_pull_off" &["b", "E*", "w"];
         FlatPunchLimit: "Contact::flat_punch_limit" &["C"];
+        TaborNumber: "tabor_number" &["R", "E*", "w", "z0"];
+        MaugisBalance: "maugis_state" MAUGIS;
+        MaugisIndentation: "maugis_state" MAUGIS;
+        MaugisForce: "maugis_state" MAUGIS;
         ParaboloidProfile: "PowerLaw::paraboloid" &["R"];
         ConeProfile: "PowerLaw::cone" &["tan θ"];
         ConeAngleProfile: "PowerLaw::cone_with_half_angle" &["α"];

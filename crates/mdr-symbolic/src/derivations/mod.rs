@@ -4,6 +4,7 @@
 //! Claims that normal forms decide are checked here ([`Step::check`]); claims that need an integral or a number are
 //! checked by rigorous intervals elsewhere, through the evaluation of the statement.
 
+mod dugdale;
 mod energy;
 mod equilibrium;
 mod force;
@@ -201,6 +202,7 @@ pub fn entries() -> &'static [Entry] {
         thresholds::THRESHOLD,
         thresholds::UNDER_FORCE,
         force::CRITICAL,
+        dugdale::STATES,
         machine::CRITICAL,
         machine_folds::FOLDS,
         machine_folds::HALF,

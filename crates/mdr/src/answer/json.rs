@@ -39,6 +39,9 @@ impl Serialize for Answer {
         if let Some(basis) = self.admissibility {
             map.serialize_entry("admissibility", described(basis))?;
         }
+        if let Some(validity) = &self.validity {
+            map.serialize_entry("validity", &validity.row())?;
+        }
         map.end()
     }
 }
@@ -58,6 +61,9 @@ impl Serialize for Promises<'_> {
         if let Some(basis) = self.0.admissibility {
             let promise = if basis == Basis::Bound { self.0.promise() } else { Promise::Double };
             map.serialize_entry("admissible", promise.name())?;
+        }
+        if self.0.validity.is_some() {
+            map.serialize_entry("validity", self.0.validity_promise().name())?;
         }
         map.end()
     }

@@ -20,6 +20,7 @@ pub use types::{
 pub use value::{Number, Promise, Value};
 
 use crate::run::Cost;
+use crate::validity::Validity;
 use crate::scene::{Arithmetic, Want};
 use record::Numbers;
 
@@ -239,6 +240,8 @@ pub struct Answer {
     pub outputs: Vec<Output>,
     /// How it was decided which states are admissible, where there are states.
     pub admissibility: Option<Basis>,
+    /// Whether the theory holds, where the scene has a range of adhesion.
+    pub validity: Option<Box<Validity>>,
     /// What each output cost.
     pub costs: Vec<Cost>,
 }
@@ -287,9 +290,22 @@ impl Answer {
         self.outputs.iter().find(|output| output.kind() == want.kind())
     }
 
+    /// How far the numbers of its validity can be trusted: in certified digits two precisions agree on them.
+    pub fn validity_promise(&self) -> Promise {
+        validity_promise(self.arithmetic)
+    }
+
     /// The promise that was asked for.
     pub fn promise(&self) -> Promise {
         self.arithmetic.promise()
+    }
+}
+
+/// That of a validity in an arithmetic.
+pub(crate) fn validity_promise(arithmetic: Arithmetic) -> Promise {
+    match arithmetic {
+        Arithmetic::Certified { .. } => Promise::Estimated,
+        Arithmetic::Double => Promise::Double,
     }
 }
 

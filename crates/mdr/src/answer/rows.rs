@@ -71,6 +71,13 @@ impl Output {
     }
 }
 
+impl crate::Validity {
+    /// Its flat row; the last cell is its status.
+    pub fn table(&self) -> FlatRow {
+        flat(&[self.row()]).remove(0)
+    }
+}
+
 fn flat(rows: &[Row<'_>]) -> Vec<FlatRow> {
     let mut table = Vec::new();
     for row in rows {
@@ -156,7 +163,11 @@ impl Answer {
             let names = [output.kind().name(), output.promise().name()];
             output.table().into_iter().map(move |row| (names, separated(row)))
         });
-        let rows: Vec<([&str; 2], FlatRow)> = rows.collect();
+        let validity = self
+            .validity
+            .iter()
+            .map(|validity| (["validity", self.validity_promise().name()], separated(validity.table())));
+        let rows: Vec<([&str; 2], FlatRow)> = rows.chain(validity).collect();
         let keys = columns(rows.iter().map(|(_, row)| row));
         let header = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref));
         let rows = rows.iter().map(|(names, row)| {
@@ -188,6 +199,15 @@ pub fn title(key: &str) -> &str {
         "integral" => "integral, m²",
         "x" => "x, m",
         "r" => "r, m",
+        "range_of_adhesion" => "range of adhesion, m",
+        "tabor" => "Tabor number",
+        "jkr_pull_off" => "JKR pull-off force, N",
+        "maugis_dugdale_pull_off" => "Maugis-Dugdale pull-off force, N",
+        "correction" => "Maugis-Dugdale / JKR - 1",
+        "maugis_dugdale_contact_radius" => "Maugis-Dugdale contact radius, m",
+        "maugis_dugdale_outer_radius" => "radius of the attraction, m",
+        "maugis_dugdale_indentation" => "Maugis-Dugdale indentation, m",
+        "a_over_r" => "a/R",
         key => key,
     }
 }

@@ -64,6 +64,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
         state,
         threshold,
         folds,
+        validity: None,
     })
 }
 

@@ -28,6 +28,11 @@ impl Serialize for CriticalAnswer {
         if let Some(folds) = &self.folds {
             map.serialize_entry("folds", folds)?;
         }
+        if let Some(validity) = &self.validity {
+            let promise = self.validity_promise().name();
+            map.serialize_entry("promise", &std::collections::BTreeMap::from([("validity", promise)]))?;
+            map.serialize_entry("validity", &validity.row())?;
+        }
         map.end()
     }
 }

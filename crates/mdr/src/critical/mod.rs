@@ -5,14 +5,15 @@ mod double;
 mod json;
 mod rows;
 
-use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Instability, Quantity, Regime, Status};
+use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Instability, Quantity, Regime, Shape, Status};
 use mdr_core::number::Literal;
 
-use crate::answer::{Number, Value};
+use crate::answer::{Number, Promise, Value, validity_promise};
 use crate::error::Result;
 use crate::scene::{Arithmetic, Profile, Scene};
+use crate::validity::Validity;
 
-pub use rows::CriticalRow;
+pub use rows::{CriticalRow, spreadsheet};
 
 /// A power law f = C rⁿ in contact, exactly as given.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,6 +97,26 @@ pub struct CriticalAnswer {
     pub threshold: Option<Threshold>,
     /// On a machine: all folds, by increasing radius.
     pub folds: Option<Vec<CriticalFold>>,
+    /// Whether the theory holds, where a [range of adhesion](CriticalAnswer::with_range) was given.
+    pub validity: Option<Box<Validity>>,
+}
+
+impl CriticalAnswer {
+    /// The same with what the range z₀ of adhesion, in m, says of the contact under a dead load.
+    ///
+    /// # Errors
+    /// As [`Scene::range_of_adhesion`] and [`Scene::validity`].
+    pub fn with_range(self, range: &Literal) -> Result<Self> {
+        let PowerLaw { n, c, elasticity, work_of_adhesion, .. } = self.law.clone();
+        let scene = Scene::new(Profile::Shape(Shape::Power { n, c }), elasticity, work_of_adhesion)?;
+        let validity = scene.range_of_adhesion(range.clone())?.arithmetic(self.arithmetic).validity()?;
+        Ok(CriticalAnswer { validity: Some(Box::new(validity)), ..self })
+    }
+
+    /// How far the numbers of its validity can be trusted: in certified digits two precisions agree on them.
+    pub fn validity_promise(&self) -> Promise {
+        validity_promise(self.arithmetic)
+    }
 }
 
 impl CriticalState {
@@ -262,6 +283,7 @@ fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalA
             .zip(answer.ratio)
             .map(|(threshold, ratio)| Threshold { c: known(threshold), ratio: known(ratio) }),
         folds: is_machine.then(|| answer.folds.into_iter().map(|fold| CriticalFold::new(fold, known)).collect()),
+        validity: None,
     })
 }
 

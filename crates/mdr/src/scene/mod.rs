@@ -14,8 +14,9 @@ use mdr_core::number::{Exact, Literal};
 
 use crate::answer::{Answer, OutputKind};
 use crate::error::{Error, Result};
-use crate::run::Run;
+use crate::run::{Counts, Run, Stop};
 use crate::solve;
+use crate::validity::{self, Validity};
 
 pub use measured::Measured;
 pub(crate) use place::{Location, Places};
@@ -66,6 +67,8 @@ pub struct Scene {
     pub(crate) effective_modulus: Literal,
     /// w, likewise.
     pub(crate) work_of_adhesion: Literal,
+    /// z₀, where the scene asks whether the theory holds.
+    pub(crate) range_of_adhesion: Option<Literal>,
     has_material: bool,
     has_control: bool,
     pub(crate) profile: Profile,
@@ -107,6 +110,7 @@ impl Scene {
         Ok(Scene {
             effective_modulus: modulus,
             work_of_adhesion: work,
+            range_of_adhesion: None,
             has_material: true,
             has_control: false,
             profile,
@@ -126,6 +130,46 @@ impl Scene {
     /// The same under another control; its stiffness in N/m.
     pub fn control(self, control: Control<Literal>) -> Self {
         Scene { control, has_control: true, ..self }
+    }
+
+    /// The same with the range z₀ of the attraction, in m: the answer then says whether the theory holds, as its
+    /// [`Validity`].
+    ///
+    /// ```
+    /// use mdr::prelude::*;
+    /// // An AFM tip of 10 nm on a stiff solid is no JKR contact.
+    /// let scene = Scene::new(Shape::Paraboloid { radius: "1e-8" }, Elasticity::effective("5e9")?, "0.05")?
+    ///     .range_of_adhesion("0.3e-9")?
+    ///     .want(Want::Folds { range: None })
+    ///     .arithmetic(Arithmetic::Double);
+    /// let validity = scene.solve()?.validity.expect("asked for");
+    /// assert_eq!(validity.regime.name(), "transition");
+    /// assert!((validity.tabor.to_f64().expect("a number") - 0.3333).abs() < 1e-4);
+    /// assert!((validity.correction.and_then(|ratio| ratio.to_f64()).expect("a number") - 0.179).abs() < 1e-3);
+    /// # Ok::<(), mdr::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A range that is no number, or not positive.
+    pub fn range_of_adhesion(mut self, range: impl Exact) -> Result<Self> {
+        let (range, place) = (range.exact()?, Location::built("material.range_of_adhesion"));
+        if range.is_zero() || range.is_negative() {
+            return Err(place.refuse(format!("must be positive, got {range}")));
+        }
+        self.places.add(range.clone(), place);
+        Ok(Scene { range_of_adhesion: Some(range), ..self })
+    }
+
+    /// Whether the theory holds for the contact, without any other output.
+    ///
+    /// # Errors
+    /// A scene without a range of adhesion; as [`Scene::solve`].
+    pub fn validity(&self) -> Result<Validity> {
+        self.check_arithmetic()?;
+        let found = validity::of(self, &Counts::until(&Stop::default()));
+        found.map_err(|error| self.places.complaint_about_profile(error))?.ok_or_else(|| {
+            Location::built("material.range_of_adhesion").refuse("missing: the range of adhesion in m")
+        })
     }
 
     /// The same moved along way points of the controlled quantity.
@@ -233,6 +277,11 @@ impl Scene {
                 return Err(self.places.want.refuse(format!("`{}` needs {missing}", want.name())));
             }
         }
+        self.check_arithmetic()
+    }
+
+    /// Whether this build can answer in the arithmetic that is asked for.
+    fn check_arithmetic(&self) -> Result<()> {
         match self.arithmetic {
             Arithmetic::Certified { digits } if !(1..=MAX_DIGITS).contains(&digits) => {
                 Err(Location::built("output.digits")

@@ -65,6 +65,11 @@ impl Places {
         }
     }
 
+    /// One more number of the scene.
+    pub(super) fn add(&mut self, number: Literal, place: Location) {
+        self.numbers.push((number, place));
+    }
+
     /// A complaint about an input, at its place; the error itself when it is about something else.
     pub(crate) fn complaint(&self, error: contact::Error) -> Error {
         use contact::Error::Domain;

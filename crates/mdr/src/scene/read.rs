@@ -113,7 +113,7 @@ fn read(document: &Document<'_>, root: &Node) -> Result<Scene> {
     let outputs = top.section("output");
     top.finish()?;
     let (held, start_place) = held.unwrap_or_else(|| (Held::default(), None));
-    let wanted = Wanted::read(&outputs?, &held, given.is_some())?;
+    let wanted = Wanted::read(&outputs?, &held, given.as_ref())?;
     let place_of = |section: &Option<Section<'_>>, keys: &[&'static str]| {
         section.as_ref().map_or_else(|| top.place(), |section| section.place_of(keys))
     };
@@ -136,7 +136,7 @@ fn read(document: &Document<'_>, root: &Node) -> Result<Scene> {
         notes.push(DOUBLES_OF_TABLES.to_owned());
     }
     let (has_material, has_control) = (given.is_some(), control.is_some());
-    let (effective_modulus, work_of_adhesion) = given.unwrap_or_else(|| (1.into(), 1.into()));
+    let (effective_modulus, work_of_adhesion, range_of_adhesion) = given.unwrap_or_else(|| (1.into(), 1.into(), None));
     let Held { control, path, start } = held;
     let mut keys = wanted.keys;
     keys.extend((!path.is_empty()).then_some("[control] path"));
@@ -144,6 +144,7 @@ fn read(document: &Document<'_>, root: &Node) -> Result<Scene> {
     Ok(Scene {
         effective_modulus,
         work_of_adhesion,
+        range_of_adhesion: range_of_adhesion.or(wanted.range_of_adhesion),
         has_material,
         has_control,
         profile,
@@ -160,8 +161,11 @@ fn read(document: &Document<'_>, root: &Node) -> Result<Scene> {
     })
 }
 
-/// E* and w.
-fn material_of(section: &Section<'_>) -> Result<(Literal, Literal)> {
+/// E*, w and the range of adhesion.
+type Contacting = (Literal, Literal, Option<Literal>);
+
+/// The table `[material]`.
+fn material_of(section: &Section<'_>) -> Result<Contacting> {
     let work = section.required("work_of_adhesion")?.positive()?;
     let modulus = match section.one_of(&["e_star", "body"])? {
         (0, e_star) => e_star.positive()?,
@@ -172,8 +176,9 @@ fn material_of(section: &Section<'_>) -> Result<(Literal, Literal)> {
             material::combined(&bodies).ok_or_else(|| list.refuse("E* has more digits than can be meant"))?
         }
     };
+    let range = section.optional("range_of_adhesion").map(|range| range.positive_length()).transpose()?;
     section.finish()?;
-    Ok((modulus, work))
+    Ok((modulus, work, range))
 }
 
 fn body(value: &Value<'_>) -> Result<Body<Literal>> {
@@ -241,10 +246,12 @@ struct Wanted {
     keys: Vec<&'static str>,
     place: Location,
     range_place: Option<Location>,
+    range_of_adhesion: Option<Literal>,
 }
 
 impl Wanted {
-    fn read(section: &Section<'_>, held: &Held, has_material: bool) -> Result<Wanted> {
+    fn read(section: &Section<'_>, held: &Held, material: Option<&Contacting>) -> Result<Wanted> {
+        let has_material = material.is_some();
         let list = section.required("want")?;
         let kinds = kinds(&list)?;
         let stated = arithmetic(section)?;
@@ -285,9 +292,16 @@ impl Wanted {
                 return Err(list.refuse(format!("`{}` needs {missing}", want.name())));
             }
         }
+        let range_of_adhesion = section.optional("range_of_adhesion");
+        match (&range_of_adhesion, material) {
+            (Some(range), None) => return Err(range.refuse("needs a material: [material] e_star, work_of_adhesion")),
+            (Some(range), Some((.., Some(_)))) => return Err(range.refuse("is given in [material], too")),
+            _ => {}
+        }
+        let range_of_adhesion = range_of_adhesion.map(|range| range.positive_length()).transpose()?;
         section.finish()?;
         let keys = given.into_iter().filter_map(|(key, is_given)| is_given.then_some(key)).collect();
-        Ok(Wanted { wants, values, range, stated, keys, place: list.place(), range_place })
+        Ok(Wanted { wants, values, range, stated, keys, place: list.place(), range_place, range_of_adhesion })
     }
 }
 

@@ -227,9 +227,17 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// A [length](Value::length) above zero.
+    pub(super) fn positive_length(&self) -> Result<Literal> {
+        self.length().and_then(|length| self.require_positive(length))
+    }
+
     /// A number above zero.
     pub(crate) fn positive(&self) -> Result<Literal> {
-        let number = self.number()?;
+        self.number().and_then(|number| self.require_positive(number))
+    }
+
+    fn require_positive(&self, number: Literal) -> Result<Literal> {
         if number.is_zero() || number.is_negative() {
             return Err(self.refuse(format!("must be positive, got {number}")));
         }

@@ -17,7 +17,7 @@ pub(crate) mod digits;
 mod force_curve;
 #[cfg(feature = "mp")]
 mod law_path;
-mod model;
+pub(crate) mod model;
 #[cfg(feature = "mp")]
 mod out_of_range;
 mod outputs;
@@ -27,11 +27,11 @@ mod power_law;
 #[cfg(feature = "mp")]
 mod proof;
 #[cfg(feature = "mp")]
-mod refine;
+pub(crate) mod refine;
 mod roughness;
 mod sample;
-mod search;
-mod states;
+pub(crate) mod search;
+pub(crate) mod states;
 mod unused;
 
 use std::sync::Arc;
@@ -47,6 +47,7 @@ use crate::answer::{Answer, Output, OutputKind};
 use crate::error::{Error, Result};
 use crate::run::{Cost, Counts, Run, Stop};
 use crate::scene::{Scene, Start, Want};
+use crate::validity;
 
 pub(crate) use model::transform;
 pub(crate) use path::{changes, follow};
@@ -78,6 +79,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
         outputs.push(output);
         costs.push(cost);
     }
+    let validity = validity::of(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let mut notes = scene.notes().to_vec();
     notes.extend(roughness::note(scene, solver.search().ok()));
     let has_states = scene.has(|kind| !kind.is_of_profile());
@@ -92,6 +94,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
         notes,
         outputs,
         admissibility,
+        validity: validity.map(Box::new),
         costs,
     })
 }

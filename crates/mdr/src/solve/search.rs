@@ -164,7 +164,7 @@ pub(crate) fn not_proved(why: &str) -> Completeness {
 }
 
 /// Doubles as they are printed; one that is no number is out of range.
-fn doubles<T: Numbers<Estimate<f64>>>(records: T) -> T::With<Number> {
+pub(crate) fn doubles<T: Numbers<Estimate<f64>>>(records: T) -> T::With<Number> {
     records.map_values(&mut |value| {
         value.and_then(|Estimate { value, .. }| {
             if value.is_finite() {

@@ -1,0 +1,330 @@
+//! Adhesion of finite range: the Maugis–Dugdale theory for any profile, and when the short-range theory of the other modules holds.
+//!
+//! The surfaces attract each other with the constant stress σ₀ = w/h₀ wherever the gap is below h₀: in a ring a < r < c
+//! around the contact (D. Maugis, J. Colloid Interface Sci. 150 (1992) 243). For h₀ → 0 this is the rule of Heß (1.4).
+//! With s = 2σ₀/E*, q = √(c² − a²) and θ = arccos(a/c), where the pressure is continuous at r = a,
+//!
+//! * d = g(a) − s q,
+//! * (π/2) h₀ = ∫₀^θ (g(c cos φ) − g(a)) dφ + s (q θ − (c − a)), the gap at r = c,
+//! * F = 2E*a [g(a) − mean of g − (s/2a)(c²θ + a q)].
+//!
+//! Along these states the force is stationary where ∫₀^θ x g'(x) dφ = s (c²θ²/a + c − a), x = c cos φ; h₀ → 0 gives the
+//! fold under a dead load, g'(a) = 3√(πw/2E*a).
+
+use mdr_core::calculus::quadrature::tanh_sinh_pieces;
+use mdr_core::calculus::roots::{self, Bracket, bracket_geometric};
+use mdr_core::calculus::{Tolerance, roundoff_tolerance};
+use mdr_core::contact::{Error, Material, Quantity, Result};
+use mdr_core::number::{Special, order};
+
+use crate::curve::{Curve, negligible};
+
+/// The range of adhesion, for errors.
+const RANGE: Quantity = Quantity::Parameter("the range of adhesion");
+
+/// The separation h₀ = 0.974 z₀ up to which the stress of Dugdale acts, for the range z₀ of a Lennard-Jones attraction with
+/// the same strength and the same work (Maugis 1992), in m.
+pub fn separation<R: Special>(range: &R) -> R {
+    range.clone().times(487).over(500)
+}
+
+/// The generalised Tabor number μ = Δl(a)/(c_T z₀), c_T = √(2π(9π/8)^(1/3)), of a contact of radius `a`: the elongation at
+/// its edge over the range z₀ of adhesion. At the pull-off of a paraboloid under a dead load it is Tabor's own
+/// (Rw²/(E*²z₀³))^(1/3).
+///
+/// # Errors
+/// [`Error::Domain`] unless a and z₀ are positive and finite.
+pub fn tabor_number<R: Special>(curve: &Curve<'_, R>, a: &R, range: &R) -> Result<R> {
+    let range = Error::require_positive(RANGE, range.clone())?;
+    let constant = (a.pi().times(9).over(8).ln().over(3).exp() * a.pi()).times(2).sqrt();
+    Ok(curve.detachment_elongation(a)? / range / constant)
+}
+
+/// A profile in contact whose surfaces attract each other up to a finite separation.
+///
+/// ```
+/// use mdr_core::contact::{Control, Material};
+/// use mdr_numeric::{curve::Curve, dugdale::{Dugdale, separation}, folds::folds};
+/// use mdr_numeric::{profiles::Paraboloid, transform::Quadrature};
+/// // A ball of 10 nm with z₀ = 0.3 nm: its pull-off force is between 3/2 πwR (JKR) and 2πwR (DMT).
+/// let ball = Quadrature::new(Paraboloid::new(10e-9)?);
+/// let material = Material::new(5e9, 0.05)?;
+/// let contact = Dugdale::new(Curve::new(&ball, &material, &Control::Force), &separation(&0.3e-9))?;
+/// let jkr = folds(&ball, &material, &Control::Force)?[0].contact_radius;
+/// let pull_off = contact.pull_off(&[jkr])?.expect("it breaks");
+/// let share = -pull_off.force / (std::f64::consts::PI * 0.05 * 10e-9);
+/// assert!(1.5 < share && share < 2.0);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+pub struct Dugdale<'a, R: Special> {
+    curve: Curve<'a, R>,
+    separation: R,
+    /// s = 2σ₀/E*, without a unit.
+    strength: R,
+}
+
+/// A state with a ring of attraction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CohesiveState<R> {
+    /// a, within which the surfaces touch, in m.
+    pub contact_radius: R,
+    /// c, up to which they attract each other, in m.
+    pub outer_radius: R,
+    /// d, in m.
+    pub indentation: R,
+    /// F, in N.
+    pub force: R,
+}
+
+/// The ring of attraction: its width y = c − a, which may be far below a.
+#[derive(Clone)]
+struct Ring<R> {
+    a: R,
+    width: R,
+    c: R,
+    /// q.
+    leg: R,
+    /// θ.
+    angle: R,
+}
+
+impl<R: Special> Ring<R> {
+    fn new(a: &R, width: &R) -> Self {
+        let leg = width.sqrt() * (a.clone().times(2) + width).sqrt();
+        Ring { a: a.clone(), width: width.clone(), c: a.clone() + width, angle: (leg.clone() / a).atan(), leg }
+    }
+
+    /// q θ − (c − a).
+    fn opening(&self) -> R {
+        self.leg.clone() * &self.angle - &self.width
+    }
+}
+
+impl<'a, R: Special> Dugdale<'a, R> {
+    /// A contact with the separation h₀ up to which the surfaces attract each other, in m; [`separation`] takes it from the
+    /// range of adhesion. The control of the curve is not used.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless h₀ is positive and finite; [`Error::OutOfRange`] if w/(E*h₀) is not representable.
+    pub fn new(curve: Curve<'a, R>, separation: &R) -> Result<Self> {
+        let separation = Error::require_positive(RANGE, separation.clone())?;
+        let strength = (curve.material_length() / &separation).times(2);
+        if !(strength > strength.lit(0) && strength.is_finite()) {
+            let log10 = curve.material_length().ln() - separation.ln();
+            return Err(Error::OutOfRange { quantity: RANGE, log10: log10.approx() / std::f64::consts::LN_10 });
+        }
+        Ok(Dugdale { curve, separation, strength })
+    }
+
+    /// E* and w.
+    pub fn material(&self) -> &'a Material<R> {
+        self.curve.material()
+    }
+
+    /// The state with the contact radius `a`. Outside a contact whose gap is not monotonic the ring ends where the gap first
+    /// reaches h₀.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless a is positive and finite, and where the ring would reach beyond the profile; as
+    /// [`Transform::g`](mdr_core::contact::Transform::g); [`Error::OutOfRange`] if the force is not representable.
+    pub fn state(&self, a: &R) -> Result<CohesiveState<R>> {
+        let ring = self.ring(&Error::require_positive(Quantity::ContactRadius, a.clone())?, None)?;
+        self.state_of(&ring)
+    }
+
+    /// The state of greatest tension at which a contact breaks under a dead load that is lowered step by step: the lowest
+    /// of the minima of the force along the states. `None` where there is no minimum, because the contact spreads by itself.
+    ///
+    /// The minima are looked for among contact radii an octave apart, from four times the largest of the `folds` of the
+    /// short-range theory under a dead load downwards, and around each of them.
+    ///
+    /// # Errors
+    /// As [`Dugdale::state`].
+    pub fn pull_off(&self, folds: &[R]) -> Result<Option<CohesiveState<R>>> {
+        let mut lowest: Option<CohesiveState<R>> = None;
+        for state in self.minima(folds)? {
+            if lowest.as_ref().is_none_or(|known| state.force < known.force) {
+                lowest = Some(state);
+            }
+        }
+        Ok(lowest)
+    }
+
+    /// The minimum of the force whose contact radius is known to `bits` bits, as from another arithmetic.
+    ///
+    /// # Errors
+    /// [`Error::NoConvergence`] where there is none nearby; as [`Dugdale::state`].
+    pub fn pull_off_near(&self, radius: &R, bits: i64) -> Result<CohesiveState<R>> {
+        if let Some(state) = self.at_wall()?
+            && (state.contact_radius.clone() / radius - radius.lit(1)).abs() <= radius.lit(2).powi(-bits)
+        {
+            return Ok(state);
+        }
+        for doublings in 0..bits {
+            let margin = radius.lit(2).powi(doublings - bits) * radius;
+            let [lower, upper] = [radius.clone() - &margin, radius.clone() + margin];
+            let excess = |a: &R| self.excess(&self.ring(a, None)?);
+            if let Some(bracket) = Bracket::new(&lower, &upper, excess)? {
+                return self.state(&roots::refine(bracket, &radius.unit_roundoff(), excess)?.value);
+            }
+        }
+        Err(Error::NoConvergence { quantity: Quantity::ContactRadius, evaluations: 2 * bits as usize, error: 0.5 })
+    }
+
+    /// The minima of the force, by decreasing contact radius.
+    fn minima(&self, folds: &[R]) -> Result<Vec<CohesiveState<R>>> {
+        let mut minima: Vec<_> = self.at_wall()?.into_iter().collect();
+        let natural = self.separation.clone() / &self.strength;
+        let top = folds.iter().cloned().reduce(|top, fold| top.greater(&fold)).unwrap_or_else(|| natural.clone().times(4));
+        let mut radii: Vec<R> = folds.iter().flat_map(|fold| [9, 10, 11].map(|k| fold.clone().times(k).over(10))).collect();
+        radii.sort_by(order);
+        let (mut next, mut above, mut width) = (top.times(4), None, None);
+        loop {
+            let a = match radii.pop_if(|radius| *radius >= next) {
+                Some(radius) => radius,
+                None => {
+                    let half = next.clone().over(2);
+                    std::mem::replace(&mut next, half)
+                }
+            };
+            let ring = match self.ring(&a, width.as_ref()) {
+                Ok(ring) => ring,
+                // A ring that ends beyond the profile, or a contact radius there or where g is not resolved.
+                Err(Error::Domain { .. } | Error::NoConvergence { .. }) if above.is_none() && a > natural.clone() * a.unit_roundoff() => continue,
+                Err(Error::Domain { .. }) if !minima.is_empty() => return Ok(minima),
+                Err(error) => return Err(error),
+            };
+            let rises = self.excess(&ring)? > a.lit(0);
+            if let Some((upper, true)) = above.replace((a.clone(), rises))
+                && !rises
+                && let Some(minimum) = self.minimum(&a, &upper, &ring.width)?
+            {
+                minima.push(minimum);
+            }
+            // From here on the condition is linear in a: the force falls with a growing contact.
+            if !rises && radii.is_empty() && ring.c > a.times(8) {
+                return Ok(minima);
+            }
+            width = Some(ring.width);
+        }
+    }
+
+    /// The minimum between two radii, the force falling at the lower one and rising at the upper.
+    fn minimum(&self, lower: &R, upper: &R, width: &R) -> Result<Option<CohesiveState<R>>> {
+        let excess = |a: &R| self.excess(&self.ring(a, Some(width))?);
+        let Some(bracket) = Bracket::new(lower, upper, excess)? else { return Ok(None) };
+        let a = roots::refine(bracket, &lower.unit_roundoff(), excess)?.value;
+        self.state_of(&self.ring(&a, Some(width))?).map(Some)
+    }
+
+    /// At a vertical edge of radius b: the ring can reach it and not beyond, so that the state with c = b is a minimum if the
+    /// force falls with a growing contact up to there.
+    fn at_wall(&self) -> Result<Option<CohesiveState<R>>> {
+        let Some(wall) = self.curve.wall() else { return Ok(None) };
+        let gap = |a: &R| self.excess_gap(&Ring::new(a, &(wall.clone() - a)));
+        // A contact as wide as the edge has no ring, one far narrower has one that opens as far as it can.
+        let narrow = wall.unit_roundoff() * &wall;
+        let wide = wall.clone() - wall.unit_roundoff().times(4) * &wall;
+        let a = match Bracket::new(&narrow, &wide, gap)? {
+            Some(bracket) => roots::refine(bracket, &wall.unit_roundoff(), gap)?.value,
+            None if gap(&narrow)? < wall.lit(0) => narrow,
+            None => wide,
+        };
+        let ring = Ring::new(&a, &(wall - &a));
+        Ok(if self.excess(&ring)? < a.lit(0) { Some(self.state_of(&ring)?) } else { None })
+    }
+
+    /// The ring around a contact, found from the width of a similar one.
+    fn ring(&self, a: &R, width: Option<&R>) -> Result<Ring<R>> {
+        let transform = self.curve.transform();
+        let gap = |width: &R| self.excess_gap(&Ring::new(a, width));
+        let limit = transform.outer_radius().map(|outer| (outer - a).steer());
+        if let Some(limit) = &limit {
+            let open = *limit > a.lit(0) && gap(limit)? >= a.lit(0);
+            if !open {
+                return Err(Error::domain(RANGE, &self.separation, "so short that the ring of attraction ends within the profile"));
+            }
+        }
+        let within = |width: &R| match &limit {
+            Some(limit) if width >= limit => Ok(a.lit(1)),
+            _ => gap(width),
+        };
+        // The width that the opening of the ring alone would have where a is far larger.
+        let guess = width.cloned().unwrap_or_else(|| self.separation.clone() / &self.strength * a.pi().over(2));
+        let Some(mut bracket) = bracket_geometric(&guess, within)? else {
+            return Err(Error::domain(RANGE, &self.separation, "one at which the gap outside the contact passes"));
+        };
+        if !transform.rises() {
+            bracket = first_crossing(bracket, within)?;
+        }
+        let width = roots::refine(bracket, &a.unit_roundoff(), within)?.value;
+        Ok(Ring::new(a, &width))
+    }
+
+    /// The gap at the end of a ring minus h₀, times π/2.
+    fn excess_gap(&self, ring: &Ring<R>) -> Result<R> {
+        let elastic = self.strength.clone() * ring.opening();
+        let limit = (self.separation.clone() * elastic.pi()).over(2);
+        let needed = negligible(&(elastic.clone() + &limit));
+        let level = self.curve.transform().g_within(&ring.a, &needed)?;
+        // g(x) − g(a) cannot be better than its terms.
+        let rounding = roundoff_tolerance(&level).times(4) * level.abs() * &ring.angle + &needed;
+        let tolerance = tolerance(&ring.a).or_error_below(&rounding);
+        let shape = tanh_sinh_pieces(&ring.a.lit(0), &ring.angle, &self.breaks(ring), tolerance, |angle| {
+            Ok(self.curve.transform().g_within(&on(ring, angle), &needed)? - &level)
+        })?;
+        Ok(shape.value + elastic - limit)
+    }
+
+    /// ∫₀^θ x g'(x) dφ − s (c²θ²/a + c − a): positive where the force grows with the contact.
+    fn excess(&self, ring: &Ring<R>) -> Result<R> {
+        let Ring { a, c, angle, width, .. } = ring;
+        let elastic = (c.clone() / a * angle * (c.clone() * angle) + width) * &self.strength;
+        let half = a.unit_roundoff().sqrt();
+        let tolerance = tolerance(a).or_finest_below(half.clone().times(16)).or_error_below(&(elastic.clone() * half.square()));
+        let weighted = |angle: &R| {
+            let x = on(ring, angle);
+            Ok(self.curve.transform().slope(&x)? * x)
+        };
+        Ok(tanh_sinh_pieces(&a.lit(0), angle, &self.breaks(ring), tolerance, weighted)?.value - elastic)
+    }
+
+    fn state_of(&self, ring: &Ring<R>) -> Result<CohesiveState<R>> {
+        let Ring { a, c, leg, angle, .. } = ring;
+        let depth = self.strength.clone() * leg;
+        let indentation = self.curve.transform().g_within(a, &negligible(&depth))? - depth;
+        let attraction = (c.clone() / a * c * angle + leg).over(2) * &self.strength;
+        let force = self.curve.force_of(a, &(self.curve.transform().above_mean(a)? - attraction))?;
+        Ok(CohesiveState { contact_radius: a.clone(), outer_radius: c.clone(), indentation, force })
+    }
+
+    /// The angles of the kinks of g under the ring.
+    fn breaks(&self, ring: &Ring<R>) -> Vec<R> {
+        let kinks = self.curve.transform().kinks().into_iter().filter(|kink| *kink > ring.a && *kink < ring.c);
+        kinks.map(|kink| (((ring.c.clone() - &kink) * (kink.clone() + &ring.c)).sqrt() / kink).atan()).collect()
+    }
+}
+
+/// c cos φ, within the ring.
+fn on<R: Special>(ring: &Ring<R>, angle: &R) -> R {
+    (angle.cos() * &ring.c).greater(&ring.a).lesser(&ring.c)
+}
+
+/// The lowest of the zeros that sixteen steps up to the bracket show.
+fn first_crossing<R: Special>(bracket: Bracket<R>, mut f: impl FnMut(&R) -> Result<R>) -> Result<Bracket<R>> {
+    let mut lower = bracket.lower.x.clone();
+    for step in 1..=16 {
+        let x = bracket.lower.x.clone().times(step).over(16);
+        if f(&x)? > x.lit(0) {
+            let lower = if step == 1 { bracket.lower.x.lit(2).powi(-16) * &x } else { lower };
+            return Ok(Bracket::new(&lower, &x, f)?.unwrap_or(bracket));
+        }
+        lower = x;
+    }
+    Ok(bracket)
+}
+
+fn tolerance<R: Special>(like: &R) -> Tolerance<R> {
+    let goal = roundoff_tolerance(like);
+    Tolerance::new(&goal).or_noise_below(goal.times(4096))
+}

@@ -1,0 +1,290 @@
+//! Whether the theory holds for a contact: Tabor's number, the correction by Maugis and Dugdale, and the slope at the edge.
+//!
+//! The theory of this library is that of adhesion of short range (JKR). It is for a contact whose edge opens, before it breaks,
+//! by far more than the range z₀ of the attraction: the generalised Tabor number μ = Δl(a)/(c_T z₀), c_T = √(2π(9π/8)^(1/3)), is
+//! large. For a paraboloid it is Tabor's own (Rw²/(E*²z₀³))^(1/3). Formulas and sources are in [`mdr_numeric::dugdale`].
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{Control, Error, FoldKind, Instability, Result, Shape, Status};
+use mdr_core::number::{Literal, Real};
+use mdr_numeric::admissible::Admissibility;
+use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
+use mdr_numeric::folds::Folds;
+
+use crate::answer::record::{Numbers, Part, Row, record};
+use crate::answer::{Admission, Number, Optional, Value};
+use crate::run::Counts;
+use crate::scene::{Profile, Scene};
+use crate::solve::model::{Model, SceneReal};
+use crate::solve::search::{Search, doubles};
+use crate::solve::states::exact;
+
+/// The theory of adhesion that a Tabor number calls for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum AdhesionRegime {
+    /// μ > 5: short range, the theory of this library.
+    Jkr,
+    /// 0.1 ≤ μ ≤ 5: neither limit; Maugis–Dugdale.
+    Transition,
+    /// μ < 0.1: long range, the attraction does not deform the bodies.
+    Dmt,
+    /// There is no instability under a dead load, and no Tabor number.
+    Unknown,
+}
+
+impl AdhesionRegime {
+    /// As answers name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            AdhesionRegime::Jkr => "JKR",
+            AdhesionRegime::Transition => "transition",
+            AdhesionRegime::Dmt => "DMT",
+            AdhesionRegime::Unknown => "unknown",
+        }
+    }
+
+    fn of(tabor: f64) -> Self {
+        match tabor {
+            mu if mu > 5.0 => AdhesionRegime::Jkr,
+            mu if mu < 0.1 => AdhesionRegime::Dmt,
+            mu if mu.is_nan() => AdhesionRegime::Unknown,
+            _ => AdhesionRegime::Transition,
+        }
+    }
+
+    /// What it means for the numbers of the short-range theory, in a sentence.
+    pub fn advice(self) -> &'static str {
+        match self {
+            AdhesionRegime::Jkr => "the theory of short range holds: the Tabor number is above 5",
+            AdhesionRegime::Transition => {
+                "neither limit holds: between Tabor numbers of 0.1 and 5 take the pull-off force by Maugis and Dugdale"
+            }
+            AdhesionRegime::Dmt => {
+                "the theory of short range does not hold: the Tabor number is below 0.1, the attraction acts around the contact \
+                 and hardly deforms the bodies (DMT)"
+            }
+            AdhesionRegime::Unknown => {
+                "there is no instability under a dead load, whose contact radius a Tabor number could be taken at"
+            }
+        }
+    }
+}
+
+record! {
+    /// What the range of adhesion z₀ says of a contact, all of it under a dead load.
+    Validity {
+        /// z₀, in m.
+        range_of_adhesion: Literal,
+        /// The generalised Tabor number μ at `contact_radius`.
+        tabor: Value<N>,
+        /// What μ calls for.
+        regime: AdhesionRegime,
+        /// a at the pull-off of the short-range theory; where there is none, at the fold beyond which the contact spreads.
+        contact_radius: Value<N>,
+        /// The pull-off force F of the short-range theory: exactly 0 where a contact shrinks to nothing first (n < 1/2); none
+        /// where the contact never breaks.
+        jkr_pull_off: Option<Value<N>>,
+        /// The pull-off force F by Maugis and Dugdale.
+        maugis_dugdale_pull_off: Value<N>,
+        /// Their ratio less one; none where the short-range pull-off force is 0 or there is none.
+        correction: Option<Value<N>>,
+        /// a of that state, within which the surfaces touch.
+        maugis_dugdale_contact_radius: Value<N>,
+        /// c of that state, up to which they attract each other.
+        maugis_dugdale_outer_radius: Value<N>,
+        /// d of that state.
+        maugis_dugdale_indentation: Value<N>,
+        /// g'(a) at `contact_radius`: the half-space asks for slopes far below 1. For a paraboloid it is 2a/R.
+        slope: Value<N>,
+        /// a/R at `contact_radius`, of a profile with a radius of curvature R.
+        a_over_r: Optional<N>,
+        /// Whether the state at `contact_radius` is admissible.
+        admissible: Option<Admission<N>>,
+    }
+}
+
+impl<N> Part<N> for AdhesionRegime {
+    type With<M> = Self;
+
+    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
+        self
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        row.cells.push((key, crate::answer::Cell::Word(self.name())));
+    }
+}
+
+impl Validity {
+    /// Its row, whose cells have the keys of an answer.
+    pub fn row(&self) -> Row<'_> {
+        self.rows().remove(0)
+    }
+
+    /// What it means, in sentences.
+    pub fn advice(&self) -> String {
+        let change = self.correction.as_ref().and_then(Value::to_f64).map_or_else(String::new, |correction| {
+            format!("; adhesion of finite range changes the pull-off force by {:+.2} %", 100.0 * correction)
+        });
+        let steep = self.slope.to_f64().filter(|slope| *slope > STEEP).map_or_else(String::new, |slope| {
+            format!("; the slope g'(a) = {slope:.2} is not small, as the theory of the half-space assumes")
+        });
+        format!("{}{change}{steep}", self.regime.advice())
+    }
+}
+
+/// The slope of a paraboloid at a/R = 0.3, above which a contact is not small.
+const STEEP: f64 = 0.6;
+
+/// What the range of adhesion of a scene says; none without one.
+///
+/// # Errors
+/// A number of the scene that is out of its domain; [`Error::Stopped`].
+pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
+    let Some(range) = &scene.range_of_adhesion else { return Ok(None) };
+    // Pull-off is that of a dead load, whatever the scene controls.
+    let scene = &scene.clone().control(Control::Force);
+    Ok(Some(match scene.arithmetic {
+        #[cfg(feature = "mp")]
+        crate::scene::Arithmetic::Certified { digits } => in_digits(scene, range, digits, counts)?,
+        _ => {
+            let search = Search::new(scene, counts)?;
+            let folds = lack(search.folds().cloned())?;
+            let pull_off = |dugdale: &Dugdale<'_, f64>| dugdale.pull_off(&radii(&folds));
+            doubles(record(scene, search.model(), range, &folds, &search.admissibility(), pull_off)?)
+        }
+    }))
+}
+
+/// Digits on which two precisions agree; f64 tells where to look.
+#[cfg(feature = "mp")]
+fn in_digits(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Result<Validity> {
+    use rug::Float;
+
+    use crate::solve::digits::agree;
+    use crate::solve::refine::refined;
+    /// Bits of a contact radius at which f64 finds the force stationary.
+    const KNOWN: i64 = 24;
+    let search = Search::of_lengths(scene, counts)?;
+    let folds = lack(search.folds().cloned())?;
+    let model = search.model();
+    let curve = model.curve();
+    let start = Dugdale::new(curve, &separation(&model.number(range))).and_then(|dugdale| dugdale.pull_off(&radii(&folds)));
+    agree(digits, |precision| {
+        let model = Model::<Float>::new(scene, precision, counts)?;
+        let folds = lack(folds.as_ref().map_err(Clone::clone).and_then(|folds| refined(&model, folds)))?;
+        record(scene, &model, range, &folds, &search.admissibility(), |dugdale| match &start {
+            Ok(Some(state)) => dugdale.pull_off_near(&model.double(state.contact_radius), KNOWN).map(Some),
+            Ok(None) => Ok(None),
+            Err(error) => Err(error.clone()),
+        })
+    })
+}
+
+/// A result that an answer can do without; a stop cannot be.
+fn lack<T>(result: Result<T>) -> Result<Result<T>> {
+    match result {
+        Err(Error::Stopped) => Err(Error::Stopped),
+        result => Ok(result),
+    }
+}
+
+/// Where the search for the pull-off begins.
+fn radii<R: Real>(folds: &Result<Folds<R>>) -> Vec<R> {
+    folds.iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius.clone())).collect()
+}
+
+fn record<R: SceneReal>(
+    scene: &Scene,
+    model: &Model<R>,
+    range: &Literal,
+    folds: &Result<Folds<R>>,
+    admissibility: &Admissibility<'_>,
+    pull_off: impl FnOnce(&Dugdale<'_, R>) -> Result<Option<CohesiveState<R>>>,
+) -> Result<Validity<Estimate<R>>> {
+    let (curve, z0) = (model.curve(), model.number(range));
+    let fold = lack(folds.as_ref().map_err(Clone::clone).and_then(|folds| instability(folds)))?;
+    let at = |of: &dyn Fn(&R) -> Result<R>| value(fold.as_ref().map_err(Clone::clone).and_then(|fold| of(&fold.contact_radius)));
+    let tabor = at(&|a| tabor_number(&curve, a, &z0))?;
+    let regime = match &tabor {
+        Value::Known(tabor) => AdhesionRegime::of(tabor.approx()),
+        _ => AdhesionRegime::Unknown,
+    };
+    let jkr = match &fold {
+        Ok(fold) if fold.kind == FoldKind::Minimum => Some(Value::Known(fold.force.clone())),
+        _ => vanishes(model, fold.as_ref().ok())?.then(|| Value::Given(0.into())),
+    };
+    let state = lack(Dugdale::new(curve, &separation(&z0)).and_then(|dugdale| pull_off(&dugdale)))?;
+    let part = |part: fn(&CohesiveState<R>) -> &R| match &state {
+        Ok(Some(state)) => Ok(Value::Known(part(state).clone())),
+        Ok(None) => Ok(Value::unknown(Status::NoEquilibrium, "the contact spreads by itself and does not break")),
+        Err(error) => value(Err(error.clone())),
+    };
+    let force = part(|state| &state.force)?;
+    let correction = match (&force, &jkr) {
+        (Value::Known(force), Some(Value::Known(jkr))) => Some(Value::Known(force.clone() / jkr - jkr.lit(1))),
+        _ => None,
+    };
+    let a_over_r = curvature(scene.profile()).map(|radius| at(&|a| Ok(a.clone() / model.number(radius)))).transpose()?;
+    let admissible =
+        fold.as_ref().ok().map(|fold| Admission::of(admissibility.of(fold.contact_radius.approx(), fold.indentation.approx())));
+    let validity = Validity {
+        range_of_adhesion: range.clone(),
+        tabor,
+        regime,
+        contact_radius: at(&|a| Ok(a.clone()))?,
+        jkr_pull_off: jkr,
+        maugis_dugdale_pull_off: force,
+        correction,
+        maugis_dugdale_contact_radius: part(|state| &state.contact_radius)?,
+        maugis_dugdale_outer_radius: part(|state| &state.outer_radius)?,
+        maugis_dugdale_indentation: part(|state| &state.indentation)?,
+        slope: at(&|a| model.transform().slope(a))?,
+        a_over_r: Optional(a_over_r),
+        admissible,
+    };
+    Ok(validity.convert(exact))
+}
+
+/// The state at which the contact breaks under a dead load: the lowest minimum of the force; else the fold beyond which it
+/// spreads.
+fn instability<R: Real>(folds: &Folds<R>) -> Result<Instability<R>> {
+    let mut minima: Vec<_> = folds.iter().filter(|fold| fold.kind == FoldKind::Minimum).collect();
+    minima.sort_by(|one, other| mdr_core::number::order(&one.force, &other.force));
+    let found = minima.first().copied().or(folds.last()).cloned();
+    found.ok_or(Error::NoEquilibrium { quantity: mdr_core::contact::Quantity::Force, value: "a fold".to_owned() })
+}
+
+/// Whether a contact without a minimum of the force is stable under a dead load down to the smallest radii: the force then tends
+/// to zero as the contact does.
+fn vanishes<R: SceneReal>(model: &Model<R>, fold: Option<&Instability<R>>) -> Result<bool> {
+    let curve = model.curve();
+    let scale = fold.map_or_else(|| curve.material_length(), |fold| fold.contact_radius.clone());
+    let near = scale.lit(2).powi(-30) * scale;
+    Ok(lack(curve.tangency(&near))?.is_ok_and(|ratio| ratio > near.lit(3)))
+}
+
+/// The radius of curvature of a profile of the library, where it has one.
+fn curvature(profile: &Profile) -> Option<&Literal> {
+    match profile {
+        Profile::Shape(
+            Shape::Paraboloid { radius }
+            | Shape::Sphere { radius }
+            | Shape::ConeSphericalCap { radius, .. }
+            | Shape::RoundedPunch { radius, .. }
+            | Shape::TruncatedParaboloid { radius, .. }
+            | Shape::DisplacedParaboloid { radius, .. }
+            | Shape::WavyParaboloid { radius, .. },
+        ) => Some(radius),
+        _ => None,
+    }
+}
+
+/// A number that may be lacking; what concerns the whole computation is an error.
+fn value<R>(result: Result<R>) -> Result<Value<R>> {
+    match result {
+        Err(Error::Undecided { what, .. }) => Ok(Value::unknown(Status::Undecided, what)),
+        Err(Error::NoEquilibrium { .. }) => Ok(Value::unknown(Status::NoEquilibrium, AdhesionRegime::Unknown.advice())),
+        result => Value::from_result(result),
+    }
+}
