@@ -33,6 +33,15 @@ fn the_closed_form_and_the_search_agree() {
         let [one, other] = [&law, &searched].map(|ball| ball.equilibria(&control, &values, &stop).expect("equilibria"));
         assert_eq!((&one.stable, &one.status), (&other.stable, &other.status));
         assert_eq!(one.admissible, other.admissible);
+        for (i, value) in values[..5].iter().enumerate() {
+            let at_value = law.equilibria_at(&control, *value, &stop).expect("equilibria");
+            let known: Vec<_> =
+                one.contact_radius.iter().skip(i).step_by(values.len()).filter(|a| !a.is_nan()).collect();
+            assert_eq!(known.len(), at_value.len());
+            for (state, a) in at_value.iter().zip(known) {
+                same(&[state.contact_radius], &[*a]);
+            }
+        }
         same(&one.contact_radius, &other.contact_radius);
         same(&one.indentation, &other.indentation);
         same(&one.force, &other.force);
