@@ -21,9 +21,8 @@ command -v cargo >/dev/null || skip "there is no cargo, see https://rustup.rs"
 cd web
 if has_target || { command -v rustup >/dev/null && rustup target add $target >/dev/null 2>&1 && has_target; }; then
     cargo build --locked --release --target $target
-elif [ -x /usr/bin/rustc ] && [ -d /usr/lib/rustlib/src ] || [ -d "$(/usr/bin/rustc --print sysroot 2>/dev/null)/lib/rustlib/src" ]; then
-    command -v wasm-ld >/dev/null || skip "apt-get install lld"
-    # The allowance for unstable features is for the standard library alone: the crates use none.
+elif [ -d "$(/usr/bin/rustc --print sysroot 2>/dev/null)/lib/rustlib/src/rust" ] && command -v wasm-ld >/dev/null; then
+    # Unstable features are allowed for the standard library alone: the crates use none.
     RUSTFLAGS="-C linker=wasm-ld" RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo build --locked --release \
         --target $target -Zbuild-std=std,panic_abort
 else
@@ -35,12 +34,16 @@ cd ..
 parts=target/web/parts
 page=target/book/explorer.html
 mkdir -p $parts target/book
-{ echo '<style>'; cat web/explorer/explorer.css; echo '</style>'; } >$parts/style
+for sheet in page figures; do
+    echo "<style id=\"$sheet\">"
+    cat web/explorer/$sheet.css
+    echo '</style>'
+done >$parts/style
 {
     printf '<script>window.MDR_ENGINE="'
     gzip -9 -n -c $CARGO_TARGET_DIR/$target/release/mdr_wasm.wasm | base64 | tr -d '\n'
     printf '";</script>\n<script>\n"use strict";\n'
-    for part in engine scene model pictures page; do cat web/explorer/$part.js; done
+    for part in engine scene parameters model plot pictures hysteresis body own page; do cat web/explorer/$part.js; done
     echo '</script>'
 } >$parts/script
 sed -e "/^<!-- style -->$/{r $parts/style" -e 'd;}' -e "/^<!-- script -->$/{r $parts/script" -e 'd;}' \

@@ -93,7 +93,13 @@ impl Engine {
                 Stability::Neutral => 0.0,
                 Stability::Unstable => -1.0,
             };
-            [state.contact_radius, state.indentation, state.force, sign]
+            // What is held has the value, to the last bit.
+            let (d, force) = match self.control {
+                Control::Indentation => (value, state.force),
+                Control::Force => (state.indentation, value),
+                Control::Machine { .. } => (state.indentation, state.force),
+            };
+            [state.contact_radius, d, force, sign]
         };
         Ok(self.contact.equilibria_at(&self.control, value, &self.stop)?.into_iter().map(row).collect())
     }
@@ -118,8 +124,10 @@ impl Engine {
     pub(crate) fn surface(&self, a: f64, d: f64, high: f64, count: u32) -> Rows<3> {
         let high = high.min(self.outer_radius());
         let edge = a.clamp(0.0, high);
-        let inside = picture::radii(0.0, edge, count / 3, 2.0).into_iter().map(|r| (r, 0.0));
-        let beyond = picture::radii(edge, high, count - count / 3, 2.0);
+        // Most within the contact, where each costs one height.
+        let outside = count / 3;
+        let inside = picture::radii(0.0, edge, count - outside, 2.0).into_iter().map(|r| (r, 0.0));
+        let beyond = picture::radii(edge, high, outside, 2.0);
         let gaps = if a > 0.0 { self.gaps(a, d, high, &beyond)? } else { vec![0.0; beyond.len()] };
         let all = inside.chain(beyond.into_iter().zip(gaps));
         Ok(all.map(|(r, gap)| [r, self.height(r), gap]).filter(known).collect())

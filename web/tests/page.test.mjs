@@ -302,6 +302,23 @@ test('SI units say the same: the pull-off force of an AFM tip is −(3/2)πwR', 
   await page.close();
 });
 
+test('one picture and its control fit into a frame of another page', async () => {
+  for (const [width, height] of [
+    [360, 420],
+    [900, 420],
+  ]) {
+    const page = await open(browser, '#only=balance', { viewport: { width, height } });
+    await move(page, -0.6);
+    assert.equal((await data(page)).state, 'detached');
+    const [w, h] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+    assert.ok(w <= width && h <= height, `${w} × ${h} in ${width} × ${height}`);
+    assert.ok(await page.isHidden('#force'));
+    assert.match(await page.evaluate(() => location.hash), /only=balance/);
+    assert.deepEqual(page.problems, []);
+    await page.close();
+  }
+});
+
 test('five hundred random operations: no complaint, no number that is none', async () => {
   const page = await open(browser);
   const bad = await page.evaluate(async () => {
