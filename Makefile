@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs dist peers python
+.PHONY: verify test build deps bench doc confirm proofs dist peers python site site-test
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -35,6 +35,14 @@ proofs:
 # The Python package: a wheel in target/wheels, installed below target/ and tested; skipped where pip cannot be had.
 python:
 	@sh scripts/python.sh
+
+# The explorer, target/book/explorer.html: the library as WebAssembly in one page; says what is missing where it cannot be built.
+site:
+	@sh scripts/site.sh
+
+# The explorer in a browser without a window, its numbers against those of the program; skipped where there is no browser.
+site-test:
+	@sh scripts/site_test.sh
 
 # Times of Arb, scipy and mpmath beside those of this workspace; installs them below target/.
 peers: build

@@ -33,6 +33,15 @@ fn the_closed_form_and_the_search_agree() {
         let [one, other] = [&law, &searched].map(|ball| ball.equilibria(&control, &values, &stop).expect("equilibria"));
         assert_eq!((&one.stable, &one.status), (&other.stable, &other.status));
         assert_eq!(one.admissible, other.admissible);
+        for (i, value) in values[..5].iter().enumerate() {
+            let at_value = law.equilibria_at(&control, *value, &stop).expect("equilibria");
+            let known: Vec<_> =
+                one.contact_radius.iter().skip(i).step_by(values.len()).filter(|a| !a.is_nan()).collect();
+            assert_eq!(known.len(), at_value.len());
+            for (state, a) in at_value.iter().zip(known) {
+                same(&[state.contact_radius], &[*a]);
+            }
+        }
         same(&one.contact_radius, &other.contact_radius);
         same(&one.indentation, &other.indentation);
         same(&one.force, &other.force);
@@ -80,4 +89,37 @@ fn a_stopped_contact_answers_nothing() {
     stop.stop();
     let stopped = Err(mdr::ContactError::Stopped);
     assert_eq!(ball.states(&Control::Force, &[0.0], Choice::Largest, &stop), stopped);
+}
+
+#[test]
+fn the_edge_is_in_balance_in_the_equilibria_and_nowhere_else() {
+    let ball = contact(Shape::Paraboloid { radius: "1" });
+    let stop = Stop::default();
+    for control in [Control::Indentation, Control::Force, Control::machine(0.1).expect("positive")] {
+        let found = ball.equilibria(&control, &[1e-3], &stop).expect("equilibria");
+        for (branch, a) in found.contact_radius.iter().enumerate().filter(|(_, a)| !a.is_nan()) {
+            let around = [0.99 * a, *a, 1.01 * a];
+            let balance = ball.balance(&control, 1e-3, &around, &stop).expect("a balance");
+            let beyond = |i: usize| balance.excess[i] - balance.elongation[i];
+            assert!(beyond(1).abs() < 1e-12 * balance.elongation[1], "{control:?}");
+            same(&balance.indentation[1..2], &found.indentation[branch..=branch]);
+            // A stable contact shrinks when it is too large (1.8), and grows when it is too small (1.9).
+            let stable = found.stable[branch];
+            assert_eq!([beyond(0) < 0.0, beyond(2) > 0.0], [stable; 2], "{control:?}");
+            let stability = ball.stability(&control, &[*a], &stop).expect("stability");
+            assert_eq!(stability, [Some(if stable { Stability::Stable } else { Stability::Unstable })]);
+        }
+    }
+}
+
+#[test]
+fn outside_of_the_profile_there_is_no_balance() {
+    let ball = contact(Shape::Sphere { radius: "1" });
+    let (control, stop) = (Control::Indentation, Stop::default());
+    let radii = [-1.0, 0.0, 0.5, 1.5];
+    let balance = ball.balance(&control, 0.0, &radii, &stop).expect("a balance");
+    assert_eq!(balance.excess.iter().map(|x| !x.is_nan()).collect::<Vec<_>>(), [false, false, true, false]);
+    let stability = ball.stability(&control, &radii, &stop).expect("stability");
+    assert_eq!(stability.iter().map(Option::is_some).collect::<Vec<_>>(), [false, false, true, false]);
+    assert!(ball.balance(&control, f64::NAN, &radii, &stop).is_err());
 }

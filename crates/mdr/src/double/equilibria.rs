@@ -27,6 +27,15 @@ impl Contact {
         self.branched(control, stop, |branches| searched(branches, values))
     }
 
+    /// All equilibria at one value by increasing radius, admissible or not, by search along every branch: as a scene in f64 is
+    /// answered, and without the code of the closed forms, which a web page need not load.
+    ///
+    /// # Errors
+    /// A value out of its domain; as [`Contact::equilibria`].
+    pub fn equilibria_at(&self, control: &Control<f64>, value: f64, stop: &Stop) -> Result<Vec<Equilibrium<f64>>> {
+        self.branched(control, stop, |branches| branches.equilibria(&value))
+    }
+
     /// The stable equilibrium at each value of what is controlled, as if each were asked alone.
     ///
     /// # Errors

@@ -4,6 +4,7 @@
 //! whole question.
 
 mod equilibria;
+mod held;
 mod history;
 
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -23,6 +24,7 @@ use crate::run::Stop;
 use crate::scene::Scene;
 use crate::solve;
 
+pub use held::Balance;
 pub use history::{Event, History, LoadingPath, Start, State};
 
 /// States as columns of one length, in SI units.

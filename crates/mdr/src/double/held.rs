@@ -1,0 +1,70 @@
+//! The balance at the edge of a contact of any radius, in equilibrium or not, and the stability of equilibria.
+
+use mdr_core::contact::{Control, Error, Quantity, Result, Stability, Transform};
+use mdr_numeric::curve::Curve;
+
+use super::{Contact, within};
+use crate::run::Stop;
+
+/// What acts at the edge of a contact at each radius while the controlled quantity is held, as columns in m.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Balance {
+    /// g(a) − d: the elongation of the spring at the edge, which elasticity asks for.
+    pub excess: Vec<f64>,
+    /// Δl(a) = √(2πaw/E*): the elongation that adhesion can hold.
+    pub elongation: Vec<f64>,
+    /// d: what is held under fixed grips; under a dead load and on a machine it depends on a.
+    pub indentation: Vec<f64>,
+}
+
+impl Contact {
+    /// Both sides of the condition of equilibrium g(a) − d = Δl(a) (1.5) at contact radii, while the controlled quantity is
+    /// held at a value: the contact shrinks where the excess is the larger (1.8), and grows where it is the smaller (1.9). NaN
+    /// outside of the profile.
+    ///
+    /// # Errors
+    /// A value or a stiffness out of its domain; as [`Contact::transform`].
+    pub fn balance(&self, control: &Control<f64>, value: f64, radii: &[f64], stop: &Stop) -> Result<Balance> {
+        control.check()?;
+        control.check_value(&value)?;
+        let transform = self.counted(stop);
+        let curve = Curve::new(&transform, &self.material, control);
+        let mut balance = Balance::default();
+        for a in radii {
+            let sides = Error::require_positive(Quantity::ContactRadius, *a).and_then(|a| {
+                let elongation = curve.detachment_elongation(&a)?;
+                let excess = curve.direction(&a, &value)? + elongation;
+                Ok([excess, elongation, transform.g(&a)? - excess])
+            });
+            let [excess, elongation, indentation] = match sides {
+                Err(Error::Domain { .. }) => [f64::NAN; 3],
+                sides => sides?,
+            };
+            balance.excess.push(excess);
+            balance.elongation.push(elongation);
+            balance.indentation.push(indentation);
+        }
+        Ok(balance)
+    }
+
+    /// Whether the equilibrium with each contact radius is stable under a control: g'/Δl' above its value at a fold (1.10), which
+    /// is neutral. None outside of the profile.
+    ///
+    /// # Errors
+    /// A stiffness that is not positive; as [`Contact::transform`].
+    pub fn stability(&self, control: &Control<f64>, radii: &[f64], stop: &Stop) -> Result<Vec<Option<Stability>>> {
+        control.check()?;
+        let transform = self.counted(stop);
+        let curve = Curve::new(&transform, &self.material, control);
+        let at = |a: &f64| {
+            let positive = Error::require_positive(Quantity::ContactRadius, *a);
+            let margin = within(positive.and_then(|a| Ok(curve.tangency(&a)? - curve.threshold(&a)?)))?;
+            Ok(margin.partial_cmp(&0.0).map(|order| match order {
+                std::cmp::Ordering::Greater => Stability::Stable,
+                std::cmp::Ordering::Equal => Stability::Neutral,
+                std::cmp::Ordering::Less => Stability::Unstable,
+            }))
+        };
+        radii.iter().map(at).collect()
+    }
+}

@@ -1,0 +1,52 @@
+#!/bin/sh
+# The explorer in a browser, without a window: what a reader sees and does, its numbers against `mdr solve --f64`, frames and
+# sizes. playwright-core and axe-core are installed below target/, Chromium by the system's packages where that may be done.
+# Where one of them cannot be had nothing is checked, and that is said. CHROMIUM and MDR name other programs.
+set -eu
+cd "$(dirname "$0")/.."
+
+skip() {
+    echo "skipped: $1"
+    exit 0
+}
+
+[ -f target/book/explorer.html ] || skip "there is no target/book/explorer.html: make site"
+command -v node >/dev/null || skip "there is no node"
+node -e 'process.exit(Number.parseInt(process.versions.node) < 20 ? 1 : 0)' || skip "node is older than 20"
+
+modules=target/browser
+if [ ! -d $modules/node_modules/axe-core ] || [ ! -d $modules/node_modules/playwright-core ]; then
+    command -v npm >/dev/null || skip "there is no npm"
+    npm install --silent --no-fund --no-audit --prefix $modules playwright-core@1 axe-core@4 ||
+        skip "npm cannot install playwright-core and axe-core; there may be no network"
+fi
+
+find_browser() {
+    for name in "${CHROMIUM:-chromium}" chromium-browser google-chrome google-chrome-stable chrome; do
+        command -v "$name" && return 0
+    done
+    [ -x /Applications/Google\ Chrome.app/Contents/MacOS/Google\ Chrome ] &&
+        echo /Applications/Google\ Chrome.app/Contents/MacOS/Google\ Chrome
+}
+if ! CHROMIUM=$(find_browser); then
+    sudo=
+    [ "$(id -u)" -eq 0 ] || sudo="sudo -n"
+    if command -v apt-get >/dev/null && $sudo true 2>/dev/null; then
+        echo "site-test: apt-get install chromium" >&2
+        $sudo apt-get update -qq >/dev/null 2>&1 || true
+        $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends chromium >/dev/null 2>&1 || true
+    fi
+    CHROMIUM=$(find_browser) || skip "there is no Chromium; on Debian, as root: apt-get install chromium"
+fi
+
+for program in "${MDR:-}" target/release/mdr target/debug/mdr; do
+    [ -n "$program" ] && [ -x "$program" ] && break
+done
+if [ ! -x "$program" ]; then
+    cargo build --locked --package mdr-cli
+    program=target/debug/mdr
+fi
+
+MDR=$(cd "$(dirname "$program")" && pwd)/$(basename "$program")
+export CHROMIUM MDR
+exec node --test --test-concurrency=1 --test-reporter=spec web/tests/physics.test.mjs web/tests/page.test.mjs

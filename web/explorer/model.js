@@ -1,0 +1,340 @@
+// The model: the state of the contact, and what it does when something moves.
+
+let P = { ...DEFAULTS };
+let value = 0;
+let folds = [];
+let range = [-1, 1];
+let reach = 2;
+let degenerate = false;
+let dimple = false; // whether a part of the profile is below its tip
+let S = { kind: 1, a: 1, d: 0, F: 0 }; // kind: 0 apart, 1 in contact, 2 in contact everywhere; poised: on an unstable equilibrium
+let trail = []; // {points: [d, F, a], jump, area, lost, kind}
+let lostTotal = 0;
+let jumps = 0;
+let unbounded = false;
+let way = { start: S, points: [0] }; // from where, and the values at which the control turned round
+let anim = null;
+let probe = null; // the radius at which the edge is held by hand
+let playing = 0;
+let spent = 0; // time of the moves since the last frame, ms
+let note = '';
+let trouble = '';
+const redraw = { curve: true };
+const reduced = matchMedia('(prefers-reduced-motion: reduce)');
+const controlled = (d, F) => (P.control === 'd' ? d : P.control === 'F' ? F : d + F / P.k);
+const heldKind = () => (P.control === 'F' ? 'F' : 'd');
+const within = (x, [lo, hi]) => Math.min(hi, Math.max(lo, x));
+
+/** The contact from scratch: its folds, the range of the control, how far to look. False where the profile is refused. */
+function rebuild() {
+  const table = P.shape === 'table' ? tableFile(system('none')) : '';
+  let found = engine.open(sceneForEngine(), table);
+  degenerate = found.failure === UNDECIDED;
+  if (degenerate) {
+    // n = 1/2 at a threshold: step off it by a hair
+    const kept = P.rho;
+    P.rho *= 1 + 1e-7;
+    found = engine.open(sceneForEngine(), table);
+    P.rho = kept;
+  }
+  trouble = found.failure ? found.message.replace(/^.*profile\.csv: |^profile\.file: /, '') : '';
+  if (found.failure) return false;
+  const cap = P.shape === 'wavy' ? WAVES_SHOWN : Infinity;
+  folds = found.folds.map(([a, d, F, kind]) => ({ a, d, F, max: kind === 1, v: controlled(d, F) }));
+  const seen = folds.filter((f) => f.a < cap);
+  const values = seen.map((f) => f.v);
+  const size = Math.max(...values.map(Math.abs), P.shape === 'wavy' ? 0.4 : 0.25);
+  range = [Math.min(0, ...values) * 1.3 - 0.3 * size, Math.max(0, ...values) * 1.25 + 1.1 * size];
+  const edge = engine.outer() * (1 - 1e-7);
+  const largest =
+    engine
+      .equilibria(range[1])
+      .filter((e) => e[3] > 0)
+      .map((e) => e[0])
+      .pop() || 0;
+  reach = Math.min(Math.max(1.25, 1.2 * Math.min(largest, 5), ...seen.map((f) => Math.min(1.3 * f.a, 6))), edge);
+  dimple = P.shape === 'table' && engine.surface(0, 0, edge, 200).some((r) => r[1] < 0);
+  redraw.curve = true;
+  return true;
+}
+
+// ---------------------------------------------------------------- states
+const contactState = ([a, d, F]) => ({ kind: 1, a, d, F });
+const away = () => ({ kind: 0, a: 0, d: P.control === 'F' ? NaN : value, F: 0 });
+const complete = (d = NaN, F = NaN) => ({ kind: 2, a: Infinity, d, F });
+/** A state as the engine tells it: a = 0 apart, NaN in contact everywhere. */
+const told = (a, d, F) => ({ kind: Number.isNaN(a) ? 2 : a > 0 ? 1 : 0, a: Number.isNaN(a) ? Infinity : a, d, F });
+const restingStates = () => engine.equilibria(value).filter((e) => e[3] > 0);
+const forceAt = (a) => (engine.curve(a, a, 1)[0] || [])[4];
+
+/** Where the contact is when it has been let alone at a value. */
+function settle(how, near = 1) {
+  const stable = restingStates();
+  const now = how === 'nearest' && engine.at(value, near);
+  if (now && Math.abs(now[1] - now[2]) < 1e-6 * now[2]) {
+    // at rest; unstable unless it is one of those
+    const firm = stable.find((e) => Math.abs(e[0] / near - 1) < 1e-4);
+    return firm ? contactState(firm) : { kind: 1, a: near, d: now[3], F: forceAt(near), poised: true };
+  }
+  if (now) return relaxed(near, now[1] - now[2]); // where the direction of change leads, not the nearest
+  const pick = how === 'smallest' ? stable[0] : how === 'detached' ? null : stable[stable.length - 1];
+  return pick ? contactState(pick) : away();
+}
+/** Let go at radius a, where g − d exceeds Δl by `excess`: (1.8), (1.9). */
+function relaxed(a, excess) {
+  const rest = restingStates();
+  const next =
+    rest.find((e) => Math.abs(e[0] / a - 1) < 1e-6) ||
+    (excess > 0 ? rest.filter((e) => e[0] < a).pop() : rest.find((e) => e[0] > a));
+  if (next) return contactState(next);
+  return excess > 0 ? away() : complete();
+}
+function clearTrail() {
+  trail = [];
+  lostTotal = 0;
+  jumps = 0;
+  unbounded = false;
+  way = { start: S, points: [value] };
+}
+/** The curve of equilibria between two radii, as points [d, F, a]. */
+function along(from, to) {
+  const count = Math.round(within((120 * Math.abs(Math.sqrt(to) - Math.sqrt(from))) / Math.sqrt(reach), [2, 90]));
+  const points = engine.curve(Math.max(Math.min(from, to), 1e-9), Math.max(from, to), count).map((r) => [r[3], r[4], r[0]]);
+  return from < to ? points : points.reverse();
+}
+function smooth(points) {
+  const last = trail[trail.length - 1];
+  if (!last || last.jump) return void trail.push({ points });
+  last.points.push(...points);
+  if (last.points.length > 4000) last.points.splice(0, 1000);
+}
+/** The control has come to a value: a way point where it turns round. */
+function walk(from, to) {
+  const points = way.points;
+  const forward = points.length > 1 && Math.sign(to - from) === Math.sign(points[points.length - 1] - points[points.length - 2]);
+  if (forward) points[points.length - 1] = to;
+  else points.push(to);
+}
+
+// ---------------------------------------------------------------- moves
+/** Moves the control to `to`; its time counts with that of the next frame. */
+function move(to) {
+  const start = performance.now();
+  moveTo(to);
+  spent += performance.now() - start;
+}
+/** The same, event by event. */
+function moveTo(to) {
+  to = within(to, range);
+  finish();
+  probe = null;
+  if (S.kind === 2 || to === value) {
+    value = to;
+    return request();
+  }
+  if (S.poised) return nudge(to);
+  const next = quiet(to);
+  if (next) {
+    if (next.kind) smooth(along(S.a, next.a));
+    else if (P.control !== 'F') smooth([value, to].map((v) => [v, 0, 0]));
+    walk(value, to);
+    value = to;
+    S = next.kind ? next : away();
+    return request();
+  }
+  const events = engine.advance(S.kind ? S.a : -1, value, to);
+  if (!events) {
+    value = to;
+    S = settle('nearest', S.a || 1e-3);
+    clearTrail();
+    return request();
+  }
+  const [at, arrived, jumpedFrom] = follow(events, to);
+  walk(value, arrived);
+  value = arrived;
+  if (jumpedFrom && !reduced.matches) anim = { from: { ...jumpedFrom }, to: at, start: performance.now(), time: 420 };
+  S = at.kind === 0 ? away() : at;
+  request();
+}
+/** The state at `to` where nothing happens on the way: apart before the first touch; or on the same branch, where no fold is
+ * passed, and g stays above d beyond the edge, so that the surfaces are apart there. Null where the engine has to follow. */
+function quiet(to) {
+  if (S.kind === 0 && Math.max(value, to) < 0 && !dimple) return S;
+  if (S.kind !== 1 || redraw.curve || folds.some((f) => (f.v - value) * (f.v - to) <= 0)) return null;
+  const below = (a) => folds.filter((f) => f.a < a).length;
+  const next = engine.equilibria(to).find((e) => e[3] > 0 && below(e[0]) === below(S.a));
+  if (!next || equilibriumCurve.some((r) => r[0] > Math.min(next[0], S.a) && r[1] < Math.max(next[1], S.d))) return null;
+  return contactState(next);
+}
+/** The events of a path: the last state, the value it is reached at, and the state that the first jump left. */
+function follow(events, to) {
+  let at = { ...S };
+  let jumpedFrom = null;
+  for (const [number, v, a, d, F, a1, d1, F1, lost] of events) {
+    const kind = KINDS[number];
+    const before = told(a, d, F);
+    const after = told(a1, d1, F1);
+    if (kind === 'touch') after.kind = 1; // at a point, a = 0
+    if (at.kind === 1 && before.kind === 1) smooth(along(at.a, before.a));
+    else if (at.kind === 0 && P.control !== 'F')
+      smooth([
+        [Math.min(value, 0), 0, 0],
+        [Math.min(v, 0), 0, 0],
+      ]);
+    if (['jump', 'jump-in', 'detached', 'complete'].includes(kind)) {
+      leap(kind, v, before, after, lost);
+      jumpedFrom = jumpedFrom || before;
+    }
+    at = after.kind === 2 ? complete(before.d, before.F) : after;
+    if (ENDS[kind]) {
+      note = ENDS[kind];
+      return [at, v, jumpedFrom];
+    }
+  }
+  return [at, to, jumpedFrom];
+}
+const ENDS = {
+  'end-of-profile': 'The edge of the contact has come to the end of the profile: what is beyond is not known.',
+  undecided: 'Beyond this value no state was found.',
+  'not-admissible': 'Outside of the contact the surfaces touch on a ring. The theory of one simple contact ends here.',
+};
+/** From an unstable equilibrium, the smallest change decides. */
+function nudge(to) {
+  const from = S;
+  value = to;
+  const here = engine.at(to, S.a);
+  S = relaxed(from.a, here[1] - here[2]);
+  if (!reduced.matches) anim = { from, to: S, start: performance.now(), time: 700 };
+  clearTrail();
+  request();
+}
+/** Records a jump, the area that it loses in the plane of force and depth, and says what happened. */
+function leap(kind, v, before, after, lost) {
+  const [from, to] = [kind === 'jump-in' ? 0 : before.a, after.kind === 1 ? after.a : 0];
+  const start = kind === 'jump-in' ? [0, 0, 0] : [before.d, before.F, before.a];
+  const end = after.kind === 1 ? [after.d, after.F, after.a] : P.control === 'F' ? [-Infinity, v, 0] : [v, 0, 0];
+  const bounded = after.kind === 1 || (Number.isFinite(lost) && after.kind !== 2 && P.control !== 'F');
+  const area = bounded && before.a + to > 0 ? [...along(from, to), ...(after.kind === 0 ? [[0, 0, 0]] : []), end] : null;
+  trail.push({ jump: true, points: after.kind === 2 ? [start] : [start, end], area, lost, kind });
+  jumps += 1;
+  if (Number.isFinite(lost)) lostTotal += lost;
+  else unbounded = true;
+  note = {
+    jump: `The curves touched. The contact jumped from a = ${len(before.a)} to ${len(after.a)}.`,
+    'jump-in': `They touched, and the contact jumped to a = ${len(to)}.`,
+    detached:
+      before.a > 0
+        ? `The curves touched for the last time at a = ${len(before.a)}: the contact broke.`
+        : 'The contact has shrunk to nothing.',
+    complete: `At a = ${len(before.a)} the last equilibrium is gone: the surfaces come into complete contact. Here the theory ends.`,
+  }[kind];
+}
+function finish() {
+  anim = null;
+}
+/** The edge is let go. */
+function release() {
+  if (!probe) return;
+  const here = engine.at(value, probe);
+  const from = { kind: 1, a: probe, d: value, F: 0 };
+  S = here ? relaxed(probe, here[1] - here[2]) : S;
+  probe = null;
+  clearTrail();
+  if (!reduced.matches) anim = { from, to: S, start: performance.now(), time: 520 };
+  request();
+}
+
+// ---------------------------------------------------------------- changes
+/** New parameters, the control held: the contact goes where the direction of change takes it. What is refused is taken back. */
+function change(parameters) {
+  const before = S;
+  const kept = { ...P };
+  stop();
+  finish();
+  probe = null;
+  note = '';
+  Object.assign(P, parameters);
+  if (!rebuild()) {
+    const words = trouble;
+    P = kept;
+    rebuild();
+    trouble = words;
+    sync();
+    return request();
+  }
+  if (P.control !== kept.control)
+    value = controlled(Number.isFinite(before.d) ? before.d : 0, Number.isFinite(before.F) ? before.F : 0);
+  value = within(value, range);
+  if (before.kind === 1) S = settle('nearest', Math.min(before.a, reach));
+  else if (before.kind === 0) S = value >= 0 ? settle('largest') : away();
+  else S = settle(value > 0 && P.n < 0.5 ? 'smallest' : 'largest');
+  clearTrail();
+  sync();
+  request();
+}
+let origin = { value: 0, start: 'largest' };
+function preset(index) {
+  const [, { v, start = 'largest', ...parameters }, text] = PRESETS[index];
+  stop();
+  finish();
+  probe = null;
+  note = '';
+  const kept = PRESETS.some(([, { unit }]) => unit === P.unit) ? {} : { unit: P.unit };
+  const graph = P.graph;
+  P = { ...DEFAULTS, ...kept, uR: P.uR, uE: P.uE, uw: P.uw, view: P.view, ...parameters };
+  if (P.graph !== graph) turn(P.graph);
+  rebuild();
+  value = v;
+  S = settle(start);
+  clearTrail();
+  origin = { value, start };
+  $('note').textContent = text;
+  [...$('presets').children].forEach((b, i) => set(b, { 'aria-pressed': i === index }));
+  sync();
+  request();
+}
+function startAgain() {
+  stop();
+  finish();
+  probe = null;
+  note = '';
+  value = within(origin.value, range);
+  S = settle(origin.start);
+  clearTrail();
+  request();
+}
+
+// ---------------------------------------------------------------- the state of the page is its address
+function address() {
+  const written = (k) => (typeof P[k] === 'number' ? +P[k].toPrecision(6) : P[k]);
+  const skipped = (k) => P[k] === DEFAULTS[k] || (k === 'table' && P.shape !== 'table') || (k in OWN && P.unit !== 'own');
+  const parts = Object.keys(DEFAULTS)
+    .filter((k) => !skipped(k))
+    .map((k) => `${k}=${written(k)}`);
+  if (document.body.dataset.only) parts.push(`only=${document.body.dataset.only}`);
+  parts.push(`v=${+value.toPrecision(5)}`, `a=${S.kind === 1 ? +S.a.toPrecision(5) : S.kind === 2 ? 'all' : 0}`);
+  return '#' + parts.join('&');
+}
+/** Rubbish is left out or clipped. */
+function restore(hash) {
+  const query = new URLSearchParams(hash.slice(1));
+  if (query.get('only') === 'balance') document.body.dataset.only = 'balance';
+  if (!query.has('v')) return preset(0);
+  P = { ...DEFAULTS };
+  for (const [key, text] of query) {
+    const span = SLIDERS[key] ? SLIDERS[key].slice(2, 4) : OWN[key];
+    if (span && text !== '' && Number.isFinite(+text)) P[key] = within(+text, span);
+    else if (CHOICES[key] && CHOICES[key].includes(text)) P[key] = text;
+    else if (key === 'table' && unpackTable(text).length >= 4) P.table = packTable(unpackTable(text));
+  }
+  if (!rebuild()) {
+    P = { ...DEFAULTS };
+    rebuild();
+  }
+  value = within(+query.get('v') || 0, range);
+  const a = query.get('a');
+  S = a === '0' ? away() : a === 'all' ? complete() : +a > 0 ? settle('nearest', +a) : settle('largest');
+  clearTrail();
+  origin = { value, start: 'largest' };
+  sync();
+}

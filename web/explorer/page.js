@@ -1,0 +1,448 @@
+// The page: words, controls, the pointer and the keys.
+
+const PARTS = ['balance', 'energy', 'body', 'force'];
+
+function tell() {
+  const broken = degenerate
+    ? 'At n = ½ and ρ at its threshold the two curves are one: at d = 0 every radius is an equilibrium (1.19). '
+    : '';
+  let [text, tone] = [note, jumps ? 'jump' : 'stable'];
+  if (trouble) [text, tone] = [`This profile is refused: ${trouble}`, 'over'];
+  else if (probe) [text, tone] = tellProbe();
+  else if (!text) [text, tone] = tellState(tone);
+  const story = $('story');
+  if (story.textContent === broken + text) return;
+  story.textContent = broken + text;
+  story.dataset.tone = tone;
+}
+function tellProbe() {
+  const here = engine.at(value, probe);
+  const grows = here && here[2] > here[1];
+  const words = grows
+    ? 'Δl exceeds g − d: let go, and the contact grows (1.9).'
+    : 'g − d exceeds Δl: let go, and it shrinks (1.8).';
+  return [`You hold the edge at a = ${len(probe)}. ${words}`, grows ? 'stable' : 'over'];
+}
+function tellState(tone) {
+  if (S.kind === 2)
+    return [
+      'Complete contact: the surfaces touch everywhere, and no pulling within this theory parts them. Start again.',
+      'over',
+    ];
+  if (S.kind === 0) return ['The surfaces are apart.' + (value < 0 ? ' Press to bring them together.' : ''), 'over'];
+  if (S.poised)
+    return [
+      'Poised on an unstable equilibrium. Drag the edge ▲ a little, or the depth: it shrinks to nothing, or spreads over the whole surface.',
+      tone,
+    ];
+  const stable = restingStates().length;
+  return [
+    `Stable contact of radius a = ${len(S.a)}${stable > 1 ? `, one of ${stable} that are stable here: which one it is depends on the past` : ''}.`,
+    tone,
+  ];
+}
+
+function readout() {
+  const known = S.kind !== 2;
+  const table = [
+    ['contact radius a', S.kind === 1 ? len(S.a) : known ? '0' : '∞'],
+    ['depth d', known ? show(S.d, 'd') : '—'],
+    ['force F', known ? show(S.F, 'F') : '—'],
+    ['energy lost', unbounded ? '∞' : show(lostTotal, 'E', 4)],
+    ['folds', String(folds.length)],
+  ];
+  if (P.control === 'D') table.splice(3, 0, ['stiffness k', show(P.k, 'k')]);
+  $('readout').innerHTML = table.map(([k, v]) => `<tr><th scope="row">${k}</th><td>${v}</td></tr>`).join('');
+  const text = show(value, heldKind());
+  $('value-out').textContent = text;
+  const state = S.kind === 1 ? 'contact radius ' + len(S.a) : S.kind ? 'complete contact' : 'apart';
+  set($('value'), { min: range[0], max: range[1], 'aria-valuetext': `${CONTROLS[P.control][1]} ${text}; ${state}` });
+  $('value').value = value;
+  const checked = S.kind === 1 && S.a > 1e-9 && S.a < 0.999 * engine.outer() ? engine.verify(S.a) : null;
+  const differ = checked && (checked[2] < 1e-16 ? 'nothing' : checked[2].toExponential(0));
+  $('check').textContent = checked ? `Checked live: g(a) by its closed form and by quadrature of (1.1) differ by ${differ}.` : '';
+  Object.assign($('explorer').dataset, {
+    control: P.control,
+    shape: P.shape,
+    value: String(value),
+    state: ['detached', 'contact', 'complete'][S.kind],
+    a: String(S.a),
+    d: String(S.d),
+    force: String(S.F),
+    lost: String(lostTotal),
+    unbounded,
+    jumps,
+    folds: folds.length,
+    degenerate,
+    check: checked ? checked[2] : '',
+  });
+  const scene = $('scene');
+  if (scene.closest('details').open) scene.textContent = sceneFile();
+}
+
+// ---------------------------------------------------------------- frames
+let pending = false;
+let frames = [];
+let lastSlow = 0;
+let slowInARow = 0;
+/** Half the samples on a processor that needs more than 24 ms for a frame, three times in a row. */
+let detail = 1;
+function request() {
+  if (pending || !wasm) return;
+  pending = true;
+  requestAnimationFrame(frame);
+}
+function frame(now) {
+  pending = false;
+  const start = performance.now();
+  const before = spent;
+  if (playing) play(now);
+  spent = 0;
+  const moving = draw();
+  if (start - lastSlow > 60 || (!moving && !playing)) {
+    readout();
+    tell();
+    saveSoon();
+    lastSlow = start;
+  }
+  const took = performance.now() - start + before;
+  slowInARow = took > 24 ? slowInARow + 1 : 0;
+  if (slowInARow === 3) detail = 0.5;
+  frames.push(took);
+  if (frames.length > 240) frames.shift();
+  $('explorer').dataset.frameMs = Math.max(...frames.slice(-120)).toFixed(2);
+  if (moving || playing) request();
+}
+/** A slow cycle, to and fro. */
+function play(now) {
+  if (playing === 1) return void (playing = now);
+  const seconds = Math.min(40, now - playing) / 1000;
+  playing = now;
+  const to = value + (play.way * (range[1] - range[0]) * seconds) / 4.5;
+  if (to < range[0]) play.way = 1;
+  else if (to > range[1]) play.way = -1;
+  if (anim) return;
+  note = '';
+  move(to);
+  if (S.kind === 2) stop();
+}
+play.way = -1;
+function stop() {
+  playing = 0;
+  $('play').textContent = '▶ Press and pull';
+  set($('play'), { 'aria-pressed': 'false' });
+}
+let saving = 0;
+let ownAddress = '';
+function saveSoon() {
+  if (!saving) saving = setTimeout(save, 300);
+}
+function save() {
+  saving = 0;
+  const hash = address();
+  if (hash === location.hash) return;
+  ownAddress = hash;
+  try {
+    history.replaceState(null, '', hash);
+  } catch {
+    location.replace(hash);
+  }
+}
+
+// ---------------------------------------------------------------- controls
+/** A row of buttons of which one is chosen, with the keys of a radio group. */
+function segment(id, options, get, pick) {
+  const root = $(id);
+  const steps = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
+  options.forEach(([key, label], i) => {
+    const button = document.createElement('button');
+    Object.assign(button, { type: 'button', textContent: label });
+    set(button, { role: 'radio', 'data-key': key });
+    button.onclick = () => {
+      pick(key);
+      sync();
+    };
+    button.onkeydown = (e) => {
+      if (!steps[e.key]) return;
+      e.preventDefault();
+      const next = root.children[(i + steps[e.key] + options.length) % options.length];
+      next.focus();
+      next.click();
+    };
+    root.appendChild(button);
+  });
+  root.sync = () => {
+    for (const button of root.children) {
+      const on = button.dataset.key === get();
+      set(button, { 'aria-checked': on, tabindex: on ? 0 : -1 });
+    }
+  };
+}
+const toSlider = (s, x) => (s[4] ? Math.log(x / s[2]) / Math.log(s[3] / s[2]) : (x - s[2]) / (s[3] - s[2]));
+const fromSlider = (s, t) => (s[4] ? s[2] * (s[3] / s[2]) ** t : s[2] + t * (s[3] - s[2]));
+function tickMark(s, [at, text]) {
+  const end = text.length > 4 && [0, 1].includes(toSlider(s, at));
+  const shift = end ? `;transform:translateX(${at === s[2] ? '-11px' : 'calc(11px - 100%)'})` : '';
+  return `<span style="left:${100 * toSlider(s, at)}%${shift}">${text}</span>`;
+}
+function sliders() {
+  for (const [key, s] of Object.entries(SLIDERS)) {
+    const row = document.createElement('div');
+    row.className = 'slider';
+    row.id = `row-${key}`;
+    row.innerHTML = `<label for="s-${key}"><span><i>${s[1]}</i> ${s[0]}</span><output for="s-${key}" id="o-${key}"></output></label>
+      <input type="range" id="s-${key}" min="0" max="1" step="0.002"><div class="ticks" aria-hidden="true">${s[5].map((tick) => tickMark(s, tick)).join('')}</div>`;
+    $('sliders').appendChild(row);
+    $(`s-${key}`).oninput = (e) => {
+      const mark = s[5].find(([at]) => Math.abs(toSlider(s, at) - e.target.value) < 0.006); // marks hold
+      change({ [key]: mark ? mark[0] : fromSlider(s, +e.target.value) });
+    };
+  }
+  const half = 100 * toSlider(SLIDERS.n, 0.5);
+  const [soft, firm] = ['--ela) 60%', '--adh) 55%'].map((colour) => `color-mix(in srgb, var(${colour}, var(--panel))`);
+  $('s-n').style.setProperty(
+    '--track',
+    `linear-gradient(90deg, ${soft} calc(${half}% - 2px), var(--ink) 0 calc(${half}% + 2px), ${firm} 0)`,
+  );
+}
+/** The controls show the parameters. */
+function sync() {
+  for (const [key, s] of Object.entries(SLIDERS)) {
+    $(`row-${key}`).style.display = s[6]() ? '' : 'none';
+    $(`s-${key}`).value = toSlider(s, P[key]);
+    const text = key === 'n' && P.n === 0.5 ? '½' : P[key].toFixed(P[key] < 10 ? 3 : 1);
+    const regime = P.n > 0.5 ? ' · pull-off' : P.n < 0.5 ? ' · complete contact' : ' · no length';
+    $(`o-${key}`).textContent = text + (key === 'n' ? regime : '');
+    set($(`s-${key}`), { 'aria-valuetext': $(`o-${key}`).textContent });
+  }
+  ['control', 'shape', 'view', 'graph'].forEach((id) => $(id).sync());
+  $('axis').value = P.axis;
+  $('unit').value = P.unit;
+  $('own-units').hidden = P.unit !== 'own';
+  for (const key in OWN) if (document.activeElement !== $(key)) $(key).value = P[key];
+  $('table-editor').hidden = P.shape !== 'table';
+  if (P.shape === 'table') pad.show();
+  $('value-label').textContent = CONTROLS[P.control][1];
+  redraw.curve = true;
+  request();
+}
+/** Shows a graph from its own range, without gliding. */
+function turn(graph) {
+  P.graph = graph;
+  force.now = null;
+}
+
+// ---------------------------------------------------------------- by hand
+function drag(node, begin, step, end) {
+  node.addEventListener('pointerdown', (e) => {
+    e.preventDefault();
+    node.setPointerCapture(e.pointerId);
+    stop();
+    note = '';
+    const memory = begin(e);
+    const go = (m) => {
+      note = '';
+      step(m, memory);
+    };
+    node.addEventListener('pointermove', go);
+    const done = (m) => {
+      node.removeEventListener('pointermove', go);
+      node.removeEventListener('pointerup', done);
+      node.removeEventListener('pointercancel', done);
+      if (end) end(m, memory);
+    };
+    node.addEventListener('pointerup', done);
+    node.addEventListener('pointercancel', done);
+  });
+}
+function pointers() {
+  const share = () => (range[1] - range[0]) / 260; // of the control for a pixel, where it is no length
+  const vertical = (plot) => (e, m) => move(m.value + (e.clientY - m.y) * (P.control === 'd' ? plot.perY() : share()));
+  const grip = (e) => ({ x: e.clientX, y: e.clientY, value });
+  drag(balance.hit, grip, vertical(balance));
+  drag(body.solid, grip, vertical(body));
+  drag(force.hit, grip, (e, m) => {
+    const up = -(e.clientY - m.y) * force.perY();
+    if (P.graph === 'fold') return move(m.value + up);
+    const across = ((e.clientX - m.x) * (force.now[1] - force.now[0])) / (force.box[2] - force.box[0]);
+    move(m.value + controlled(across, up));
+  });
+  const hold = (e) => {
+    if (S.kind !== 1) return;
+    probe = Math.min(reach, balance.radius(e.clientX - balance.svg.getBoundingClientRect().left));
+    request();
+  };
+  drag(balance.handle, () => ({}), hold, release);
+  balance.handle.onkeydown = (e) => {
+    const step = { ArrowLeft: -1, ArrowRight: 1, ArrowDown: -1, ArrowUp: 1 }[e.key];
+    if (step && S.kind === 1) probe = within((probe || S.a) + step * reach * 0.02, [1e-5, reach]);
+    else if (e.key === 'Enter' || e.key === ' ') release();
+    else if (e.key === 'Escape') probe = null;
+    else return;
+    e.preventDefault();
+    request();
+  };
+  balance.handle.onblur = release;
+}
+
+// ---------------------------------------------------------------- all together
+function page() {
+  PRESETS.forEach(([name], i) => {
+    const button = document.createElement('button');
+    Object.assign(button, { type: 'button', textContent: name, onclick: () => preset(i) });
+    button.dataset.preset = i;
+    $('presets').appendChild(button);
+  });
+  segment(
+    'control',
+    Object.entries(CONTROLS).map(([k, [t]]) => [k, t]),
+    () => P.control,
+    (key) => change({ control: key }),
+  );
+  const shapes = [
+    ['power', 'power law'],
+    ['sphere', 'sphere'],
+    ['wavy', 'wavy'],
+    ['table', 'drawn'],
+  ];
+  segment(
+    'shape',
+    shapes,
+    () => P.shape,
+    (key) => change({ shape: key, ...(key === 'power' ? {} : { rho: 1 }) }),
+  );
+  segment(
+    'view',
+    [
+      ['body', 'as it is'],
+      ['springs', 'as springs'],
+    ],
+    () => P.view,
+    (key) => (P.view = key),
+  );
+  segment(
+    'graph',
+    [
+      ['force', 'F over d'],
+      ['fold', 'folds over a'],
+    ],
+    () => P.graph,
+    turn,
+  );
+  sliders();
+  $('axis').onchange = (e) => {
+    P.axis = e.target.value;
+    sync();
+  };
+  $('unit').innerHTML = Object.entries(UNITS)
+    .map(([k, [t]]) => `<option value="${k}">${t}</option>`)
+    .join('');
+  $('unit').onchange = (e) => {
+    P.unit = e.target.value;
+    sync();
+  };
+  for (const key in OWN) {
+    $(key).onchange = (e) => {
+      const x = Number(e.target.value);
+      const good = e.target.value.trim() !== '' && x >= OWN[key][0] && x <= OWN[key][1];
+      set(e.target, { 'aria-invalid': !good });
+      if (good) P[key] = x;
+      sync();
+    };
+  }
+  $('value').oninput = (e) => {
+    stop();
+    note = '';
+    move(+e.target.value);
+  };
+  $('value').onkeydown = (e) => {
+    // steps of 1 %, as step="any" gives none
+    const step = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10, Home: -1e6, End: 1e6 }[
+      e.key
+    ];
+    if (!step) return;
+    e.preventDefault();
+    stop();
+    note = '';
+    move(value + (step * (range[1] - range[0])) / (e.shiftKey ? 1000 : 100));
+  };
+  $('play').onclick = () => {
+    if (playing) return stop();
+    if (S.kind === 2) startAgain();
+    playing = 1;
+    $('play').textContent = '❚❚ Pause';
+    set($('play'), { 'aria-pressed': 'true' });
+    request();
+  };
+  $('reset').onclick = startAgain;
+  $('theme').onclick = () => {
+    const root = document.documentElement;
+    const dark = root.dataset.theme ? root.dataset.theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+    root.dataset.theme = dark ? 'light' : 'dark';
+  };
+  pointers();
+  drag(
+    $('pad'),
+    (e) => (pad.begin(), pad.draw(e)),
+    (e) => pad.draw(e),
+    () => {
+      pad.dragging = false;
+      pad.show();
+    },
+  );
+  $('table-use').onclick = () => pad.paste($('table-text').value);
+  $('save-svg').onclick = () => download('contact.svg', 'image/svg+xml', picture());
+  $('scene').closest('details').ontoggle = request;
+  $('copy-scene').onclick = () => navigator.clipboard?.writeText(sceneFile());
+  $('save-scene').onclick = () => {
+    download('scene.toml', 'text/plain', sceneFile());
+    if (P.shape === 'table') download('profile.csv', 'text/csv', tableFile(system()));
+  };
+  addEventListener('hashchange', () => {
+    if (location.hash !== ownAddress) restore(location.hash);
+  });
+}
+
+load()
+  .then(() => {
+    pictures();
+    page();
+    restore(location.hash);
+    // For tests: what a reader can do, without a pointer.
+    const state = () => ({
+      P: { ...P },
+      value,
+      S: { ...S },
+      folds,
+      range,
+      reach,
+      lostTotal,
+      jumps,
+      unbounded,
+      trouble,
+      way,
+      frames: [...frames],
+    });
+    const hold = (a) => {
+      probe = a;
+      request();
+    };
+    const files = () => ({ scene: sceneFile(), table: P.shape === 'table' ? tableFile(system()) : '' });
+    window.explorer = {
+      move,
+      change,
+      preset,
+      probe: hold,
+      release,
+      state,
+      files,
+      picture,
+      paste: (text) => pad.paste(text),
+      units: system,
+    };
+    Object.assign($('explorer').dataset, { ready: 'true', readyMs: performance.now().toFixed(0) });
+  })
+  .catch((error) => {
+    $('note').textContent = `The engine did not start: ${error.message}`;
+    $('explorer').dataset.ready = 'failed';
+  });

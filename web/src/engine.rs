@@ -1,0 +1,194 @@
+//! A contact, the control that is held, and the heights of its profile.
+
+use std::cell::RefCell;
+
+use mdr::double::{Contact, Start};
+use mdr::prelude::*;
+use mdr::{Error, scene};
+use mdr_core::contact::{Profile as Heights, Transform};
+use mdr_numeric::profiles;
+use mdr_numeric::table::{MeasuredProfile, Table};
+use mdr_numeric::transform::Quadrature;
+
+use crate::picture::{self, Sampled};
+
+/// Rows of results.
+type Rows<const N: usize> = Result<Vec<[f64; N]>, Error>;
+
+/// What the page asks about.
+pub(crate) struct Engine {
+    contact: Contact,
+    control: Control<f64>,
+    profile: Profile,
+    /// For the gap, which needs g at more radii than can be computed for every frame.
+    sampled: RefCell<Option<Sampled>>,
+    stop: Stop,
+}
+
+/// The heights f(r), for the picture of the body and for the independent route.
+enum Profile {
+    Shape(profiles::Heights<f64>),
+    Table(MeasuredProfile<f64>),
+}
+
+impl Engine {
+    /// Reads a scene; `table` is the file that it names, if it names one.
+    pub(crate) fn open(text: &str, table: &[u8]) -> Result<Engine, Error> {
+        let scene = Scene::from_toml(text, "scene.toml", &|_| Ok(table.to_vec()))?;
+        let profile = match scene.profile() {
+            scene::Profile::Shape(shape) => {
+                let shape = shape.clone().map(|_, literal| literal.nearest_f64());
+                Profile::Shape(profiles::Heights::new(vec![shape]))
+            }
+            _ => Profile::Table(Table::from_csv(table).map_err(refused)?.profile(())?),
+        };
+        let control = scene.controlled().try_map(|stiffness| Ok::<_, Error>(stiffness.nearest_f64()))?;
+        Ok(Engine {
+            contact: Contact::new(&scene)?,
+            control,
+            profile,
+            sampled: RefCell::default(),
+            stop: Stop::default(),
+        })
+    }
+
+    pub(crate) fn folds(&self) -> Rows<4> {
+        let row = |fold: mdr_core::contact::Instability<f64>| {
+            let kind = f64::from(u8::from(fold.kind == FoldKind::Maximum));
+            [fold.contact_radius, fold.indentation, fold.force, kind]
+        };
+        Ok(self.contact.folds(&self.control, &self.stop)?.into_iter().map(row).collect())
+    }
+
+    pub(crate) fn outer_radius(&self) -> f64 {
+        let outer = match &self.profile {
+            Profile::Shape(shape) => shape.outer_radius(),
+            Profile::Table(table) => Heights::outer_radius(table),
+        };
+        outer.unwrap_or(f64::INFINITY)
+    }
+
+    pub(crate) fn curve(&self, radii: &[f64]) -> Rows<6> {
+        let [g, ..] = self.contact.transform(radii, &self.stop)?;
+        let states = self.contact.curve(radii, &self.stop)?;
+        let stability = self.contact.stability(&self.control, radii, &self.stop)?;
+        let row = |i: usize| {
+            let [d, force] = [states.indentation[i], states.force[i]];
+            let stable = f64::from(u8::from(stability[i] == Some(Stability::Stable)));
+            [radii[i], g[i], g[i] - d, d, force, stable]
+        };
+        Ok((0..radii.len()).map(row).filter(known).collect())
+    }
+
+    pub(crate) fn balance(&self, value: f64, radii: &[f64]) -> Rows<4> {
+        let balance = self.contact.balance(&self.control, value, radii, &self.stop)?;
+        let row = |i: usize| [radii[i], balance.excess[i], balance.elongation[i], balance.indentation[i]];
+        Ok((0..radii.len()).map(row).filter(known).collect())
+    }
+
+    pub(crate) fn equilibria(&self, value: f64) -> Rows<4> {
+        let row = |state: mdr_core::contact::Equilibrium<f64>| {
+            let sign = match state.stability {
+                Stability::Stable => 1.0,
+                Stability::Neutral => 0.0,
+                Stability::Unstable => -1.0,
+            };
+            // What is held has the value, to the last bit.
+            let (d, force) = match self.control {
+                Control::Indentation => (value, state.force),
+                Control::Force => (state.indentation, value),
+                Control::Machine { .. } => (state.indentation, state.force),
+            };
+            [state.contact_radius, d, force, sign]
+        };
+        Ok(self.contact.equilibria_at(&self.control, value, &self.stop)?.into_iter().map(row).collect())
+    }
+
+    pub(crate) fn advance(&self, a: f64, from: f64, to: f64) -> Rows<9> {
+        let start = if a < 0.0 { Start::Detached } else { Start::Nearest(a) };
+        let history = self.contact.follow(&self.control, &[from, to], &start, &self.stop)?;
+        let mut rows: Vec<[f64; 9]> = Vec::new();
+        for event in &history.jumps {
+            let [before, after] = [event.before, event.after].map(|s| [s.contact_radius, s.indentation, s.force]);
+            let [[a, d, force], [to_a, to_d, to_force]] = [before, after];
+            rows.push([number(event.kind), event.value, a, d, force, to_a, to_d, to_force, event.dissipated]);
+        }
+        let states = &history.states;
+        if states.status.get(1) == Some(&Status::Ok) {
+            let [a, d, force] = [states.contact_radius[1], states.indentation[1], states.force[1]];
+            rows.push([number(EventKind::End), to, a, d, force, a, d, force, 0.0]);
+        }
+        Ok(rows)
+    }
+
+    pub(crate) fn surface(&self, a: f64, d: f64, high: f64, count: u32) -> Rows<3> {
+        let high = high.min(self.outer_radius());
+        let edge = a.clamp(0.0, high);
+        // Most within the contact, where each costs one height.
+        let outside = count / 3;
+        let inside = picture::radii(0.0, edge, count - outside, 2.0).into_iter().map(|r| (r, 0.0));
+        let beyond = picture::radii(edge, high, outside, 2.0);
+        let gaps = if a > 0.0 { self.gaps(a, d, high, &beyond)? } else { vec![0.0; beyond.len()] };
+        let all = inside.chain(beyond.into_iter().zip(gaps));
+        Ok(all.map(|(r, gap)| [r, self.height(r), gap]).filter(known).collect())
+    }
+
+    fn gaps(&self, a: f64, d: f64, high: f64, radii: &[f64]) -> Result<Vec<f64>, Error> {
+        let mut sampled = self.sampled.borrow_mut();
+        if sampled.as_ref().is_none_or(|sampled| sampled.high() != high) {
+            let [g, ..] = self.contact.transform(&Sampled::radii(high), &self.stop)?;
+            *sampled = Some(Sampled::new(high, g));
+        }
+        let g = sampled.as_ref().map(|sampled| move |x| sampled.at(x));
+        Ok(g.map(|g| radii.iter().map(|r| picture::gap(a, d, *r, &g)).collect()).unwrap_or_default())
+    }
+
+    fn height(&self, r: f64) -> f64 {
+        match &self.profile {
+            _ if r == 0.0 => 0.0,
+            Profile::Shape(shape) => shape.height(&r),
+            Profile::Table(table) => table.height(&r),
+        }
+    }
+
+    pub(crate) fn verify(&self, a: f64) -> Result<[f64; 3], Error> {
+        let [g, ..] = self.contact.transform(&[a], &self.stop)?;
+        let quadrature = match &self.profile {
+            Profile::Shape(shape) => Quadrature::new(shape.clone()).g(&a)?,
+            Profile::Table(table) => Quadrature::new(table.clone()).g(&a)?,
+        };
+        Ok([g[0], quadrature, (g[0] - quadrature).abs() / g[0].abs()])
+    }
+}
+
+/// κ_n, as the transform of xⁿ at 1.
+pub(crate) fn kappa(n: f64) -> Result<f64, Error> {
+    let law = Scene::new(Shape::Power { n, c: 1.0 }, Elasticity::effective(1)?, 1)?;
+    let [g, ..] = Contact::new(&law)?.transform(&[1.0], &Stop::default())?;
+    Ok(g[0])
+}
+
+/// A row of numbers that all are known.
+fn known<const N: usize>(row: &[f64; N]) -> bool {
+    !row.iter().any(|x| x.is_nan())
+}
+
+fn refused(error: impl std::fmt::Display) -> Error {
+    Error::Scene { place: None, key: "profile.file".to_owned(), why: error.to_string() }
+}
+
+fn number(kind: EventKind) -> f64 {
+    f64::from(match kind {
+        EventKind::Start => 0u8,
+        EventKind::Touch => 1,
+        EventKind::JumpIn => 2,
+        EventKind::Jump => 3,
+        EventKind::Detached => 4,
+        EventKind::CompleteContact => 5,
+        EventKind::EndOfProfile => 6,
+        EventKind::Undecided => 7,
+        EventKind::NotAdmissible => 8,
+        EventKind::WayPoint => 9,
+        EventKind::End => 10,
+    })
+}

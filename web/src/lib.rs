@@ -1,0 +1,184 @@
+//! The engine of the explorer page: one contact of the library `mdr` in f64, behind a plain C ABI.
+//!
+//! A contact comes in as the text of a scene, the same that `mdr solve` reads, so that the page shows the numbers of the program.
+//! Numbers go in as arguments. Results come out as rows of doubles in one buffer, [`out`], and every function returns how many
+//! rows there are, or a negative [`Failure`], of which [`message`] says more. No other thing crosses the border: no objects, no
+//! generated glue.
+
+mod engine;
+mod picture;
+
+use std::cell::RefCell;
+
+use engine::Engine;
+
+thread_local! {
+    static ENGINE: RefCell<Option<Engine>> = const { RefCell::new(None) };
+    static INPUT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
+    static OUT: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
+    static MESSAGE: RefCell<String> = const { RefCell::new(String::new()) };
+}
+
+/// What a negative number of rows says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Failure {
+    /// The scene is refused, or a number is outside of its domain.
+    Refused = -1,
+    /// Every radius is an equilibrium, or none: n = 1/2 at the threshold (1.19).
+    Undecided = -2,
+    /// No contact is open.
+    Empty = -3,
+    /// No stable state to start from, out of range, no convergence.
+    Unanswered = -4,
+}
+
+/// The kind of failure; its words are kept as the message.
+fn failure(error: &mdr::Error) -> Failure {
+    MESSAGE.set(error.to_string());
+    match error {
+        mdr::Error::Contact(mdr::ContactError::Domain { .. }) | mdr::Error::Scene { .. } => Failure::Refused,
+        mdr::Error::Contact(mdr::ContactError::Undecided { .. }) => Failure::Undecided,
+        _ => Failure::Unanswered,
+    }
+}
+
+/// Fills the buffer of results; the number of rows.
+fn rows<const N: usize>(found: Result<Vec<[f64; N]>, mdr::Error>) -> i32 {
+    match found {
+        Ok(found) => OUT.with_borrow_mut(|out| {
+            out.clear();
+            out.extend(found.as_flattened());
+            i32::try_from(found.len()).unwrap_or(i32::MAX)
+        }),
+        Err(error) => failure(&error) as i32,
+    }
+}
+
+/// The same of the contact that is open.
+fn ask<const N: usize>(question: impl FnOnce(&Engine) -> Result<Vec<[f64; N]>, mdr::Error>) -> i32 {
+    ENGINE.with_borrow(|engine| engine.as_ref().map_or(Failure::Empty as i32, |engine| rows(question(engine))))
+}
+
+/// Where the rows are.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn out() -> *const f64 {
+    OUT.with_borrow(|out| out.as_ptr())
+}
+
+/// Where the words of the last failure are, in UTF-8; [`message_length`] says how many bytes.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn message() -> *const u8 {
+    MESSAGE.with_borrow(|message| message.as_ptr())
+}
+
+/// The bytes of [`message`].
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn message_length() -> usize {
+    MESSAGE.with_borrow(String::len)
+}
+
+/// Room for `length` bytes of text, to be written before [`open`].
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn input(length: usize) -> *mut u8 {
+    INPUT.with_borrow_mut(|input| {
+        input.clear();
+        input.resize(length, 0);
+        input.as_mut_ptr()
+    })
+}
+
+/// The first numbers of the buffer of results, for a caller in Rust: a page reads the memory itself.
+pub fn read(length: usize) -> Vec<f64> {
+    OUT.with_borrow(|out| out[..length.min(out.len())].to_vec())
+}
+
+/// Fills the room for text, for a caller in Rust.
+pub fn write(text: &[u8]) {
+    INPUT.with_borrow_mut(|input| text.clone_into(input));
+}
+
+/// Opens a contact and finds its folds: rows of a, d, F, kind (0 minimum, 1 maximum). The input is a scene as TOML of `scene`
+/// bytes, and after it the table of a measured profile as CSV, if the scene names one.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn open(scene: usize) -> i32 {
+    let opened = INPUT.with_borrow(|input| {
+        let (scene, table) = input.split_at(scene.min(input.len()));
+        Engine::open(&String::from_utf8_lossy(scene), table)
+    });
+    let opened = opened.and_then(|engine| Ok((engine.folds()?, engine)));
+    rows(opened.map(|(folds, engine)| {
+        ENGINE.set(Some(engine));
+        folds
+    }))
+}
+
+/// κ_n (1.12): g = κ_n C xⁿ of a power law; NaN where n is not positive.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn kappa(n: f64) -> f64 {
+    engine::kappa(n).unwrap_or(f64::NAN)
+}
+
+/// The outer radius of the profile; infinite where it has none.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn outer_radius() -> f64 {
+    ENGINE.with_borrow(|engine| engine.as_ref().map_or(f64::NAN, Engine::outer_radius))
+}
+
+/// The curve of equilibria: rows of a, g, Δl, d, F, stable. Radii where g is not known are left out. `power` as in
+/// [`balance`].
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn curve(low: f64, high: f64, count: u32, power: f64) -> i32 {
+    ask(|engine| engine.curve(&picture::radii(low, high, count, power)))
+}
+
+/// The balance at the edge while the control is held at `value`: rows of a, g − d, Δl, and d. The radii are evenly spaced in
+/// a^(1/power), or in ln a for power 0.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn balance(value: f64, low: f64, high: f64, count: u32, power: f64) -> i32 {
+    ask(|engine| engine.balance(value, &picture::radii(low, high, count, power)))
+}
+
+/// All equilibria at a value of the control: rows of a, d, F, stability (1 stable, −1 unstable), by increasing radius.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn equilibria(value: f64) -> i32 {
+    ask(|engine| engine.equilibria(value))
+}
+
+/// Moves the control from `from` to `to`, starting at the equilibrium next to the radius `a`, or detached for a < 0: rows of
+/// kind, value, a, d, F before, a, d, F after, and the energy lost, infinite where it has no bound.
+///
+/// Kinds: 1 touch, 2 jump-in, 3 jump, 4 detached, 5 complete contact, 6 end of the profile, 7 undecided, 8 not admissible;
+/// 10, the last row, is the arrival at `to`, if the path gets there. Surfaces that are apart have a = 0, and those that touch
+/// everywhere NaN.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn advance(a: f64, from: f64, to: f64) -> i32 {
+    ask(|engine| engine.advance(a, from, to))
+}
+
+/// The profile and the gap outside of a contact of radius `a` at indentation `d`, in equilibrium or not: rows of r, f(r) and the
+/// gap, which is 0 within the contact and where `a` is not positive.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn surface(a: f64, d: f64, high: f64, count: u32) -> i32 {
+    ask(|engine| engine.surface(a, d, high, count))
+}
+
+/// Two routes that share no formula, at one radius: a row of g by the closed form, g by quadrature of (1.1) over the heights,
+/// and their relative difference.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn verify(a: f64) -> i32 {
+    ask(|engine| engine.verify(a).map(|row| vec![row]))
+}

@@ -1,0 +1,111 @@
+//! The engine as the page calls it, by its exported functions, without a browser.
+
+use std::f64::consts::PI;
+
+use mdr_wasm::{Failure, advance, curve, equilibria, input, kappa, message_length, open, surface, verify};
+
+/// Reads the rows of the last answer as the page does: by copying `count` rows from the buffer. Here through `read`, as a
+/// test has no view of the memory.
+fn rows<const N: usize>(count: i32) -> Vec<[f64; N]> {
+    let count = usize::try_from(count).expect("an answer");
+    mdr_wasm::read(count * N).as_chunks().0.to_vec()
+}
+
+/// Opens a contact with E* = 1 and w = 1/2π, where Δl(a) = √a.
+fn opened(profile: &str, control: &str, table: &str) -> i32 {
+    let work = PI.recip() / 2.0;
+    let scene = format!(
+        "[material]\ne_star = 1\nwork_of_adhesion = {work}\n[control]\n{control}\n[profile]\n{profile}\n[output]\nwant = [\"folds\"]\n"
+    );
+    input(scene.len() + table.len());
+    mdr_wasm::write(&[scene.as_bytes(), table.as_bytes()].concat());
+    open(scene.len())
+}
+
+fn close(x: f64, y: f64, tolerance: f64) {
+    assert!((x - y).abs() <= tolerance * y.abs().max(1e-300), "{x} is not {y}");
+}
+
+const SPHERE: &str = "kind = \"paraboloid\"\nradius = 1";
+const DEPTH: &str = "kind = \"indentation\"";
+const FORCE: &str = "kind = \"force\"";
+
+#[test]
+fn a_sphere_comes_off_at_the_fold_and_the_loop_is_the_sum_of_both_losses() {
+    let folds: Vec<[f64; 4]> = rows(opened(SPHERE, DEPTH, ""));
+    assert_eq!(folds.len(), 1);
+    // (1.13): g' = Δl', 2a = 1/(2√a).
+    let a = 0.25f64.powf(2.0 / 3.0);
+    close(folds[0][0], a, 1e-14);
+    close(folds[0][1], a * a - a.sqrt(), 1e-13);
+    let off: Vec<[f64; 9]> = rows(advance(1.0, 0.0, -0.6));
+    assert_eq!(off.iter().map(|row| row[0]).collect::<Vec<_>>(), [4.0, 10.0]);
+    close(off[0][8], a * a / 5.0, 1e-12); // (2/5)πa²w
+    let on: Vec<[f64; 9]> = rows(advance(-1.0, -0.6, 0.2));
+    assert_eq!(on.iter().map(|row| row[0]).collect::<Vec<_>>(), [2.0, 10.0]);
+    close(on[0][8], 0.3, 1e-12);
+}
+
+#[test]
+fn a_dead_load_pulls_the_sphere_off_at_three_quarters() {
+    // −(3/2)πwR with w = 1/2π and R = 1.
+    let folds: Vec<[f64; 4]> = rows(opened(SPHERE, FORCE, ""));
+    close(folds[0][2], -0.75, 1e-14);
+    let off: Vec<[f64; 9]> = rows(advance(1.0, 0.0, -0.8));
+    assert_eq!((off[0][0], off[0][8]), (4.0, f64::INFINITY));
+}
+
+#[test]
+fn three_folds_come_and_go_with_the_stiffness_of_the_machine() {
+    let c = 1.82 / kappa(0.65);
+    for (stiffness, count) in [(0.03, 1), (0.891, 3), (100.0, 1)] {
+        let control = format!("kind = \"machine\"\nstiffness = {stiffness}");
+        assert_eq!(opened(&format!("kind = \"power\"\nn = 0.65\nc = {c}"), &control, ""), count, "k = {stiffness}");
+    }
+}
+
+#[test]
+fn waves_make_it_jump_and_both_routes_agree() {
+    let folds = opened("kind = \"wavy-paraboloid\"\nradius = 1\namplitude = 0.06816\nwavelength = 1.16754", DEPTH, "");
+    assert!(folds > 2);
+    let jumps: Vec<[f64; 9]> = rows(advance(1.0, 0.0, -0.4));
+    assert_eq!(jumps.iter().map(|row| row[0]).collect::<Vec<_>>(), [3.0, 4.0, 10.0]);
+    for a in [0.1, 0.7, 1.3] {
+        let [[_, _, difference]] = rows::<3>(verify(a))[..] else { panic!("one row") };
+        assert!(difference < 1e-13, "{difference}");
+    }
+}
+
+#[test]
+fn a_table_is_a_profile_like_any_other_and_a_bad_one_is_refused_in_words() {
+    let parabola: String = (0..60).map(|i| f64::from(i) / 20.0).map(|r| format!("{r},{}\n", r * r / 2.0)).collect();
+    let of_table: Vec<[f64; 4]> = rows(opened("kind = \"table\"\nfile = \"profile.csv\"", DEPTH, &parabola));
+    close(of_table[0][0], 0.25f64.powf(2.0 / 3.0), 1e-2);
+    assert_eq!(mdr_wasm::outer_radius(), 2.95);
+    let refused = opened("kind = \"table\"\nfile = \"profile.csv\"", DEPTH, "0,0\n1,x\n2,3\n3,4\n");
+    assert_eq!(refused, Failure::Refused as i32);
+    assert!(message_length() > 10);
+    assert_eq!(equilibria(-0.2), 2, "the contact that was open stays so");
+}
+
+#[test]
+fn at_the_threshold_of_one_half_nothing_is_decided() {
+    assert_eq!(curve(0.1, 1.0, 5, 1.0), Failure::Empty as i32, "each test has an engine of its own");
+    let c = 1.0 / kappa(0.5);
+    assert_eq!(opened(&format!("kind = \"power\"\nn = 0.5\nc = {c}"), DEPTH, ""), Failure::Undecided as i32);
+}
+
+#[test]
+fn stable_states_lie_beyond_the_fold_and_the_surfaces_meet_at_the_edge() {
+    opened(SPHERE, DEPTH, "");
+    for [a, g, elongation, d, _, stable] in rows::<6>(curve(0.01, 2.0, 50, 2.0)) {
+        close(g - elongation, d, 1e-12);
+        assert_eq!(stable == 1.0, a > 0.25f64.powf(2.0 / 3.0), "a = {a}");
+    }
+    // Of a sphere without adhesion the gap is that of Hertz: a = 1, d = 1, gap(r) = r²/2 − 1 + u(r).
+    let hertz = |r: f64| (r * r - 2.0) / 2.0 + ((2.0 - r * r) * (1.0 / r).asin() + (r * r - 1.0).sqrt()) / PI;
+    for [r, height, gap] in rows::<3>(surface(1.0, 1.0, 2.0, 60)) {
+        close(height, r * r / 2.0, 1e-12);
+        assert!((gap - if r > 1.0 { hertz(r) } else { 0.0 }).abs() < 1e-4, "r = {r}: {gap}");
+    }
+}

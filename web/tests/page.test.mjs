@@ -1,0 +1,368 @@
+// The page as a reader meets it: alone, by keys, by hand, small, dark, printed as SVG; and how fast it is.
+import test, { after, before } from 'node:test';
+import assert from 'node:assert/strict';
+import { gzipSync } from 'node:zlib';
+import { readFileSync } from 'node:fs';
+import { axe, change, close, data, file, launch, move, open, preset } from './browser.mjs';
+
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser.close());
+
+test('starts from a file, alone and without complaint, within a second', async () => {
+  const times = [];
+  for (let i = 0; i < 3; i++) {
+    const page = await open(browser);
+    assert.deepEqual(page.problems, []);
+    assert.deepEqual(
+      page.requests.filter((u) => !u.startsWith('data:') && u !== file.href),
+      [],
+    );
+    const d = await data(page);
+    assert.equal(d.state, 'contact');
+    times.push(+d.readyMs);
+    await page.close();
+  }
+  console.log(`# ready after ${times.join(', ')} ms`);
+  assert.ok(Math.min(...times) < 1000);
+});
+
+test('is smaller than 500 kB, compressed', () => {
+  const size = gzipSync(readFileSync(file), { level: 9 }).length;
+  console.log(`# ${size} bytes compressed`);
+  assert.ok(size < 500_000);
+});
+
+test('a frame takes less than 16 ms while dragging (95 of 100)', async () => {
+  const page = await open(browser, '', { reducedMotion: 'no-preference' });
+  for (const name of ['JKR sphere', 'Three folds', 'Short waves', 'Your own tip']) {
+    let best = Infinity;
+    // A machine that is busy with other things may be slow once.
+    for (let attempt = 0; attempt < 8 && best >= 16; attempt++) {
+      await preset(page, name);
+      await page.waitForTimeout(600);
+      const frames = await page.evaluate(async () => {
+        const [lo, hi] = explorer.state().range;
+        for (let i = 0; i < 120; i++) {
+          explorer.move(lo + (hi - lo) * (0.5 + 0.45 * Math.sin(i / 8)));
+          await new Promise(requestAnimationFrame);
+        }
+        return explorer
+          .state()
+          .frames.slice(-110)
+          .sort((a, b) => a - b);
+      });
+      const [median, p95, largest] = [0.5, 0.95, 1].map(
+        (q) => frames[Math.min(frames.length - 1, Math.floor(frames.length * q))],
+      );
+      console.log(`# ${name}: median ${median.toFixed(1)} ms, p95 ${p95.toFixed(1)} ms, largest ${largest.toFixed(1)} ms`);
+      best = Math.min(best, p95);
+    }
+    assert.ok(best < 16, `${name}: ${best} ms`);
+  }
+  await page.close();
+});
+
+test('the address holds the state', async () => {
+  const page = await open(browser, '#n=0.25&axis=sqrt&v=0.12&a=0.0016');
+  const d = await data(page);
+  assert.equal(d.state, 'contact');
+  close(+d.value, 0.12);
+  await move(page, 0.2);
+  await page.waitForFunction(() => location.hash.includes('v=0.2'));
+  const again = await open(browser, new URL(page.url()).hash);
+  close(+(await data(again)).a, +(await data(page)).a, 1e-3);
+  await again.close();
+  await page.close();
+  for (const bad of [
+    '#v=NaN&n=-3&shape=cube&k=1e99',
+    '#n=&v=',
+    '#%%%',
+    '#a=all&v=0.2',
+    '#a=-1&v=1e9',
+    '#v=0&shape=table&table=0,0;1,1',
+    '#v=0&shape=table&table=0,0;1,1;0.5,2;3,x;4,4;5,5',
+  ]) {
+    const p = await open(browser, bad);
+    assert.deepEqual(p.problems, [], bad);
+    await p.close();
+  }
+});
+
+test('a profile drawn or pasted is in the address, and a bad one is refused in words', async () => {
+  const page = await open(browser);
+  await preset(page, 'Your own tip');
+  const box = await page.locator('#pad').boundingBox();
+  const before = await page.evaluate(() => explorer.state().P.table);
+  await page.mouse.move(box.x + 0.4 * box.width, box.y + 0.7 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.3 * box.height, { steps: 8 });
+  await page.mouse.up();
+  assert.notEqual(await page.evaluate(() => explorer.state().P.table), before);
+  assert.deepEqual(page.problems, []);
+
+  const rows = Array.from({ length: 30 }, (_, i) => `${i * 2},${(i * 2) ** 2 / 40}`).join('\n');
+  await page.fill('#table-text', `r,f\nnm,nm\n${rows}\n`);
+  await page.click('#table-use');
+  const d = await data(page);
+  assert.equal(await page.textContent('#table-note'), '');
+  assert.equal(d.shape, 'table');
+  assert.equal(await page.inputValue('#unit'), 'own');
+  await page.waitForFunction(() => location.hash.includes('table='));
+  const again = await open(browser, new URL(page.url()).hash);
+  assert.equal((await data(again)).folds, d.folds);
+  await again.close();
+
+  const kept = await page.evaluate(() => explorer.state().P.table);
+  for (const [bad, words] of [
+    ['1,2\n2,3', /at least four rows/],
+    ['0,0\n1,1\n2,x\n3,3\n4,4', /no row of two numbers/],
+    ['0,0\n1,-1\n2,-3\n3,-5', /fall outward/],
+  ]) {
+    await page.fill('#table-text', bad);
+    await page.click('#table-use');
+    assert.match(await page.textContent('#table-note'), words);
+    assert.equal(await page.evaluate(() => explorer.state().P.table), kept);
+  }
+  await page.close();
+});
+
+test('keyboard: the slider pulls it off, the edge can be held and let go', async () => {
+  const page = await open(browser);
+  await page.focus('#value');
+  for (let i = 0; i < 9; i++) await page.keyboard.press('PageDown');
+  assert.equal((await data(page)).state, 'detached');
+  for (let i = 0; i < 8; i++) await page.keyboard.press('PageUp');
+  assert.equal((await data(page)).state, 'contact');
+  const rest = +(await data(page)).a;
+  await page.focus('#balance .probe');
+  for (let i = 0; i < 8; i++) await page.keyboard.press('ArrowLeft');
+  await page.waitForTimeout(150);
+  assert.match(await page.textContent('#story'), /You hold the edge/);
+  await page.keyboard.press('Enter');
+  close(+(await data(page)).a, rest);
+  await page.focus('#value');
+  await page.keyboard.press('Home');
+  assert.equal((await data(page)).state, 'detached');
+  await page.focus('#control [aria-checked="true"]');
+  await page.keyboard.press('ArrowRight');
+  assert.equal((await data(page)).control, 'F');
+  await page.close();
+});
+
+test('every control is reached by Tab, and none holds the focus', async () => {
+  const page = await open(browser);
+  const seen = new Set();
+  for (let i = 0; i < 60; i++) {
+    await page.keyboard.press('Tab');
+    seen.add(
+      await page.evaluate(
+        () =>
+          document.activeElement.id ||
+          document.activeElement.dataset.preset ||
+          document.activeElement.dataset.key ||
+          document.activeElement.dataset.part ||
+          document.activeElement.tagName,
+      ),
+    );
+  }
+  for (const id of [
+    'skip',
+    'value',
+    'play',
+    'reset',
+    's-n',
+    's-rho',
+    'axis',
+    'unit',
+    'probe',
+    'save-svg',
+    'theme',
+    '0',
+    'power',
+    'd',
+  ])
+    assert.ok(seen.has(id), `${id} of ${[...seen]}`);
+  await page.close();
+});
+
+test('pointer and finger: dragging the orange curve changes the depth', async () => {
+  const middle = () => {
+    const hit = document.querySelector('#balance .hit');
+    const at = hit.getPointAtLength(hit.getTotalLength() * 0.5);
+    const box = document.querySelector('#balance').getBoundingClientRect();
+    return [box.left + at.x, box.top + at.y];
+  };
+  const page = await open(browser);
+  const before = +(await data(page)).value;
+  const [x, y] = await page.evaluate(middle);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y - 60, { steps: 6 });
+  await page.mouse.up();
+  assert.ok(+(await data(page)).value < before - 0.1);
+  await page.close();
+
+  const phone = await open(browser, '', { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true });
+  const [u, v] = await phone.evaluate(middle);
+  const client = await phone.context().newCDPSession(phone);
+  const touch = (type, y) =>
+    client.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: u, y }] });
+  await touch('touchStart', v);
+  for (let i = 1; i <= 6; i++) await touch('touchMove', v - 10 * i);
+  await touch('touchEnd');
+  assert.ok(+(await data(phone)).value < before - 0.1);
+  assert.deepEqual(phone.problems, []);
+  await phone.close();
+});
+
+test('reduced motion: a jump is over at once, and nothing glides', async () => {
+  for (const [reducedMotion, moving] of [
+    ['reduce', false],
+    ['no-preference', true],
+  ]) {
+    const page = await open(browser, '', { reducedMotion });
+    const radii = await page.evaluate(async () => {
+      explorer.move(-0.6);
+      const seen = [];
+      for (let i = 0; i < 8; i++) {
+        await new Promise(requestAnimationFrame);
+        seen.push(document.querySelector('#energy .ball').getAttribute('opacity'));
+      }
+      return seen;
+    });
+    assert.equal(radii.slice(1).includes('1'), moving, reducedMotion);
+    await page.close();
+  }
+});
+
+test('no overflow from 360 to 1600 pixels, light and dark', async () => {
+  for (const width of [360, 390, 600, 768, 1024, 1280, 1600])
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await open(browser, '#shape=table&v=0.2&control=D&unit=own', {
+        viewport: { width, height: 900 },
+        colorScheme,
+      });
+      const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      assert.ok(over <= 0, `${width} ${colorScheme}: ${over} px too wide`);
+      const cut = await page.$$eval('.panel', (all) =>
+        all.filter((e) => e.scrollWidth > e.clientWidth + 1).map((e) => e.className),
+      );
+      assert.deepEqual(cut, [], `${width} ${colorScheme}`);
+      await page.close();
+    }
+});
+
+test('axe finds nothing, light and dark', async () => {
+  for (const colorScheme of ['light', 'dark'])
+    for (const hash of ['', '#shape=table&v=0.2&control=D&unit=own']) {
+      const page = await open(browser, hash, { colorScheme });
+      await page.click('summary');
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => globalThis.axe.run(document));
+      assert.deepEqual(
+        violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(' ')).slice(0, 3)}`),
+        [],
+      );
+      await page.close();
+    }
+});
+
+test('the picture to take away is an SVG on its own, in the colours that are shown', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    const page = await open(browser, '', { colorScheme });
+    await move(page, -0.6);
+    const svg = await page.evaluate(() => explorer.picture());
+    const told = await page.evaluate((text) => {
+      const document_ = new DOMParser().parseFromString(text, 'image/svg+xml');
+      return {
+        errors: document_.querySelectorAll('parsererror').length,
+        panels: document_.querySelectorAll('svg > svg').length,
+        paths: document_.querySelectorAll('path').length,
+      };
+    }, svg);
+    assert.deepEqual([told.errors, told.panels], [0, 4]);
+    assert.ok(told.paths > 30);
+    assert.match(svg, colorScheme === 'dark' ? /--panel:#1a1e23/ : /--panel:#ffffff|--panel:#fff/);
+    assert.ok(!/https?:(?!\/\/www\.w3\.org)/.test(svg));
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-svg')]);
+    assert.equal(download.suggestedFilename(), 'contact.svg');
+    await page.close();
+  }
+});
+
+test('SI units say the same: the pull-off force of an AFM tip is −(3/2)πwR', async () => {
+  const page = await open(browser);
+  await preset(page, 'Dead load');
+  await change(page, { unit: 'afm' });
+  await page.evaluate(() => explorer.move(-0.75 + 1e-9));
+  await data(page);
+  // w = 0.05 J/m², R = 20 nm
+  assert.match(await page.textContent('#readout'), /−4\.71 nN/);
+  await page.close();
+});
+
+test('one picture and its control fit into a frame of another page', async () => {
+  for (const [width, height] of [
+    [360, 420],
+    [900, 420],
+  ]) {
+    const page = await open(browser, '#only=balance', { viewport: { width, height } });
+    await move(page, -0.6);
+    assert.equal((await data(page)).state, 'detached');
+    const [w, h] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+    assert.ok(w <= width && h <= height, `${w} × ${h} in ${width} × ${height}`);
+    assert.ok(await page.isHidden('#force'));
+    assert.match(await page.evaluate(() => location.hash), /only=balance/);
+    assert.deepEqual(page.problems, []);
+    await page.close();
+  }
+});
+
+test('five hundred random operations: no complaint, no number that is none', async () => {
+  const page = await open(browser);
+  const bad = await page.evaluate(async () => {
+    let seed = 12345;
+    const random = () => (seed = (seed * 1103515245 + 12345) % 2147483648) / 2147483648;
+    const pick = (all) => all[Math.floor(random() * all.length)];
+    const bad = [];
+    const parameters = {
+      n: () => pick([0.1, 0.25, 0.5, 1, 2, 4, 0.1 * 40 ** random()]),
+      rho: () => 0.4 * 10 ** random(),
+      R: () => 1.05 + 5 * random(),
+      A: () => 0.2 * random(),
+      L: () => 0.25 + 1.75 * random(),
+      k: () => 0.03 * 3333 ** random(),
+      control: () => pick(['d', 'F', 'D']),
+      shape: () => pick(['power', 'sphere', 'wavy', 'table']),
+      axis: () => pick(['lin', 'sqrt', 'log']),
+      view: () => pick(['body', 'springs']),
+      graph: () => pick(['force', 'fold']),
+      unit: () => pick(['none', 'afm', 'gel', 'paper', 'own']),
+    };
+    for (let i = 0; i < 500; i++) {
+      const op = random();
+      const { range, reach } = explorer.state();
+      let what = ['move', random() < 0.1 ? pick([...range, 0]) : range[0] + (range[1] - range[0]) * random()];
+      if (op < 0.05) what = ['preset', Math.floor(random() * 11)];
+      else if (op < 0.3) {
+        const key = pick(Object.keys(parameters));
+        what = ['change', { [key]: parameters[key]() }];
+      } else if (op < 0.36) what = ['probe', random() * reach];
+      try {
+        explorer[what[0]](what[1]);
+        if (what[0] === 'probe') explorer.release();
+      } catch (error) {
+        bad.push([what, error.stack.slice(0, 200)]);
+      }
+      if (i % 3 === 0) await new Promise(requestAnimationFrame);
+      const { S, range: now, P } = explorer.state();
+      const known = S.kind !== 1 || (S.a > 0 && Number.isFinite(S.d) && Number.isFinite(S.F));
+      if (!known || !(now[0] < now[1])) bad.push([what, JSON.stringify(S), JSON.stringify(P)]);
+    }
+    return bad.slice(0, 5);
+  });
+  assert.deepEqual(bad, []);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
