@@ -24,7 +24,8 @@ impl Bibliography {
         let text = read(root, file)?;
         let works = text.lines().filter(|line| !line.starts_with('#') && !line.is_empty()).map(|line| {
             let cells: Vec<_> = line.split('\t').map(str::to_owned).collect();
-            let [key, part, text, identifier] = <[String; 4]>::try_from(cells).map_err(|_| Error::page(file, format!("four cells: {line}")))?;
+            let [key, part, text, identifier] =
+                <[String; 4]>::try_from(cells).map_err(|_| Error::page(file, format!("four cells: {line}")))?;
             Ok(Work { key, part, text, identifier: Some(identifier).filter(|identifier| identifier != "-") })
         });
         works.collect::<Result<_>>().map(Bibliography)

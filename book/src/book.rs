@@ -82,7 +82,8 @@ impl Book<'_> {
 
     /// A reference, with a link to the bibliography if it is there.
     pub(crate) fn reference(&self, text: &str) -> Result<String> {
-        let key = self.bibliography.key(text).ok_or_else(|| Error::page("book/bibliography.tsv", format!("lacks {text}")))?;
+        let key =
+            self.bibliography.key(text).ok_or_else(|| Error::page("book/bibliography.tsv", format!("lacks {text}")))?;
         Ok(format!("{} <a href=\"bibliography.html#{key}\">[{key}]</a>", escaped(text)))
     }
 
@@ -148,7 +149,13 @@ impl Book<'_> {
                 @if let Some(badges) = badges { p.badges { (badges) a href={ (entry.id) ".html#proof" } { "why, proof, numbers" } } }
             } }
         };
-        Ok(Sheet { name: chapter.page.to_owned(), title: chapter.title.to_owned(), main, words: page.words, entry: None })
+        Ok(Sheet {
+            name: chapter.page.to_owned(),
+            title: chapter.title.to_owned(),
+            main,
+            words: page.words,
+            entry: None,
+        })
     }
 
     /// The documents of a shelf that are there.
@@ -160,7 +167,9 @@ impl Book<'_> {
             }
             let page = self.markdown(file, &read(self.root, file)?, Math::Fences)?;
             let extra = match name {
-                "conformance" => html! { p { input type="search" data-filter="document" placeholder="Filter: 1.15, kappa, certified …" aria-label="Filter the tables"; } },
+                "conformance" => {
+                    html! { p { input type="search" data-filter="document" placeholder="Filter: 1.15, kappa, certified …" aria-label="Filter the tables"; } }
+                }
                 "errata" => citation(),
                 _ => html! {},
             };
@@ -207,7 +216,8 @@ impl Book<'_> {
     /// The files to which some page leads, as pages or as they are.
     fn sources(&mut self, contents: &Contents, files: &mut Files) -> Result<()> {
         for path in &self.wanted {
-            let bytes = std::fs::read(self.root.join(path)).map_err(|source| Error::Io { file: path.clone(), source })?;
+            let bytes =
+                std::fs::read(self.root.join(path)).map_err(|source| Error::Io { file: path.clone(), source })?;
             let page = format!("{}.html", published(path));
             match String::from_utf8(bytes) {
                 Ok(text) if !is_picture(path) && text.len() < 250_000 => {
@@ -239,13 +249,19 @@ fn source_page(path: &str, text: &str) -> Markup {
 
 /// A page that is made of records or of other markup.
 fn plain(name: &str, title: &str, main: Markup) -> Sheet {
-    Sheet { name: name.to_owned(), title: title.to_owned(), main: html! { @if !name.starts_with("source-") { h1 { (title) } } (main) }, words: String::new(), entry: None }
+    Sheet {
+        name: name.to_owned(),
+        title: title.to_owned(),
+        main: html! { @if !name.starts_with("source-") { h1 { (title) } } (main) },
+        words: String::new(),
+        entry: None,
+    }
 }
 
 /// How to cite the errata.
 fn citation() -> Markup {
     html! { p.cite { "To cite: the mdr developers, " i { "Errata of V. L. Popov, Surface profiles with zero and finite adhesion force and adhesion instabilities" }
-        ", mdr " (env!("CARGO_PKG_VERSION")) ", errata.html." } }
+    ", mdr " (env!("CARGO_PKG_VERSION")) ", errata.html." } }
 }
 
 /// The entries in a table.
@@ -281,8 +297,11 @@ fn overview(judgements: &[Judgement]) -> Markup {
 }
 
 fn contents(sheets: &[Sheet], explorer: bool) -> Contents {
-    let find = |name: &str| sheets.iter().find(|sheet| sheet.name == name).map(|sheet| (sheet.name.clone(), sheet.title.clone()));
-    let shelf = |shelf: Shelf| DOCUMENTS.iter().filter(move |(_, _, of)| *of == shelf).filter_map(|(_, name, _)| find(name));
+    let find = |name: &str| {
+        sheets.iter().find(|sheet| sheet.name == name).map(|sheet| (sheet.name.clone(), sheet.title.clone()))
+    };
+    let shelf =
+        |shelf: Shelf| DOCUMENTS.iter().filter(move |(_, _, of)| *of == shelf).filter_map(|(_, name, _)| find(name));
     Contents {
         front: shelf(Shelf::Front).chain(["notation", "verdicts", "contents"].into_iter().filter_map(find)).collect(),
         numbers: find("values").into_iter().chain(shelf(Shelf::Numbers)).collect(),
@@ -300,7 +319,12 @@ fn index(sheets: &[Sheet]) -> String {
     };
     let row = |sheet: &Sheet| {
         let words: String = sheet.words.chars().take(3000).collect();
-        format!("{{\"u\":{},\"t\":{},\"w\":{}}}", quoted(&format!("{}.html", sheet.name)), quoted(&sheet.title), quoted(&words))
+        format!(
+            "{{\"u\":{},\"t\":{},\"w\":{}}}",
+            quoted(&format!("{}.html", sheet.name)),
+            quoted(&sheet.title),
+            quoted(&words)
+        )
     };
     format!("window.BOOK=[{}];\n", sheets.iter().map(row).collect::<Vec<_>>().join(",\n"))
 }

@@ -18,8 +18,8 @@ const LONGEST: usize = 400;
 
 /// Names that depend on n.
 const WITH_N: [&str; 20] = [
-    "n", "κ", "κ_Γ", "kappa", "N", "C", "d_n", "F_n", "U_n", "a_c", "d_c", "F_c", "a_F", "d_F", "F_F", "a_0", "a_z", "C_ρ",
-    "μ", "turn",
+    "n", "κ", "κ_Γ", "kappa", "N", "C", "d_n", "F_n", "U_n", "a_c", "d_c", "F_c", "a_F", "d_F", "F_F", "a_0", "a_z",
+    "C_ρ", "μ", "turn",
 ];
 
 /// A small link to a part of a page.
@@ -78,7 +78,8 @@ impl Book<'_> {
         let why = self.markdown(&name, &text.why, Math::Dollars)?;
         let assumptions = entry.assumptions.iter().map(|text| self.prose(text)).collect::<Result<Vec<_>>>()?.join("; ");
         let erratum = entry.erratum.map(|erratum| self.prose(erratum.text)).transpose()?;
-        let steps = self.steps(judgement)?;
+        let steps = self.steps(judgement, false)?;
+        let against = self.steps(judgement, true)?;
         let rows = self.conformance.iter().filter(|row| row.is_about(entry)).cloned().collect::<Vec<_>>();
         let code = self.code(&rows)?;
         let numbers = values::of_entry(entry, &text.numbers)?;
@@ -100,7 +101,10 @@ impl Book<'_> {
             section #proof {
                 h2 { "The proof, step by step" (permalink("proof", "the proof")) }
                 p.hint { "The sentence is the argument, the formula is what a program has checked. " a href="verdicts.html" { "What the marks promise." } }
-                ol.steps { (steps) }
+                (steps)
+            }
+            @if !against.0.is_empty() {
+                section #refutation { h2 { "Why the printed form fails" (permalink("refutation", "the refutation")) } (against) }
             }
             @if !theorems.is_empty() {
                 section #coq { h2 { "Checked by Coq’s kernel" (permalink("coq", "the theorems")) } (proofs) }
@@ -134,12 +138,11 @@ impl Book<'_> {
         })
     }
 
-    /// The steps: those that prove the corrected form first, then why the printed form fails. Each keeps its number.
-    fn steps(&self, judgement: &Judgement) -> Result<Markup> {
-        let mut order: Vec<_> = judgement.steps.iter().enumerate().collect();
-        order.sort_by_key(|(_, step)| step.step.verdict() == Verdict::Refuted);
-        let items = order.into_iter().map(|(i, step)| self.step(i + 1, step)).collect::<Result<Vec<_>>>()?;
-        Ok(html! { @for item in items { (item) } })
+    /// The steps of the proof, or those that show why the printed form fails. Each keeps its number.
+    fn steps(&self, judgement: &Judgement, against: bool) -> Result<Markup> {
+        let steps = judgement.steps.iter().enumerate().filter(|(_, step)| is_against(judgement, step) == against);
+        let items = steps.map(|(i, step)| self.step(i + 1, step)).collect::<Result<Vec<_>>>()?;
+        Ok(html! { @if !items.is_empty() { ol.steps { @for item in items { (item) } } } })
     }
 
     fn step(&self, number: usize, step: &StepJudgement) -> Result<Markup> {
@@ -171,7 +174,9 @@ impl Book<'_> {
 
     /// What normal forms show, in words and formulas.
     fn witness(&self, step: &StepJudgement) -> Result<Option<String>> {
-        let Some((_, decision)) = step.step.check().ok().and_then(|found| found.into_iter().next()) else { return Ok(None) };
+        let Some((_, decision)) = step.step.check().ok().and_then(|found| found.into_iter().next()) else {
+            return Ok(None);
+        };
         let (Decision::Proved { because } | Decision::Refuted { because }) = decision else { return Ok(None) };
         let text = because.describe(&|_, tex| format!("${tex}$"));
         if text.chars().count() > LONGEST { Ok(None) } else { self.typed(&text).map(Some) }
@@ -183,7 +188,9 @@ impl Book<'_> {
             let target = self.source(&format!("docs/proofs/{}", theorem.file))?;
             items.push((format!("{target}#{}", theorem.name), theorem.name, self.typed(theorem.says)?));
         }
-        Ok(html! { ul.theorems { @for (target, name, says) in items { li { a href=(target) { code { (name) } } " " (PreEscaped(says)) } } } })
+        Ok(
+            html! { ul.theorems { @for (target, name, says) in items { li { a href=(target) { code { (name) } } " " (PreEscaped(says)) } } } },
+        )
     }
 
     fn code(&mut self, rows: &[Row]) -> Result<Markup> {
@@ -206,10 +213,16 @@ impl Book<'_> {
     }
 }
 
+/// Whether a step is about the form that is printed and wrong: it is refuted, or a counter-example at a point.
+fn is_against(judgement: &Judgement, step: &StepJudgement) -> bool {
+    step.step.verdict() == Verdict::Refuted || (judgement.entry.refuted && !step.step.point.is_empty())
+}
+
 /// Where a step holds: its domains if n occurs, the values at a point, or how many points there are.
 fn place(step: &StepJudgement) -> String {
     if !step.step.point.is_empty() {
-        let values: Vec<_> = step.step.point.iter().map(|(name, value)| format!("{} = {value}", modulus(name))).collect();
+        let values: Vec<_> =
+            step.step.point.iter().map(|(name, value)| format!("{} = {value}", modulus(name))).collect();
         return format!("at {}", values.join(", "));
     }
     let domains: Vec<_> = step.step.domains.iter().copied().map(Domain::text).collect();
@@ -218,7 +231,12 @@ fn place(step: &StepJudgement) -> String {
     let everywhere = !names.any(|name| WITH_N.contains(&name));
     match step.step.verdict() {
         Verdict::Enclosed | Verdict::Agrees => "in rigorous intervals".to_owned(),
-        Verdict::Sampled => format!("for {}, certain at {} of {} random points: no proof", domains.join(" and "), step.certain, step.points),
+        Verdict::Sampled => format!(
+            "for {}, certain at {} of {} random points: no proof",
+            domains.join(" and "),
+            step.certain,
+            step.points
+        ),
         Verdict::Refuted => format!("for {}, by exact algebra and at a point", domains.join(" and ")),
         _ if everywhere => "by exact algebra".to_owned(),
         _ => format!("by exact algebra, for {}", domains.join(" and ")),

@@ -25,7 +25,10 @@ impl Figures {
         let mut figures = Vec::new();
         for (file, entry) in PLACES {
             let svg = read(root, &format!("docs/figures/{file}"))?;
-            let title = svg.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>")).map_or(file, |(title, _)| title);
+            let title = svg
+                .split_once("<title>")
+                .and_then(|(_, rest)| rest.split_once("</title>"))
+                .map_or(file, |(title, _)| title);
             figures.push((file, entry, title.to_owned()));
         }
         Ok(Figures(figures))

@@ -67,7 +67,11 @@ impl<'a> Links<'a> {
 
     /// Where a link leads in the book; `None` for a folder, which the book has not.
     pub(crate) fn resolve(&mut self, target: &str) -> Result<Option<String>> {
-        if target.starts_with('#') || target.contains("://") || target.starts_with("mailto:") || target.contains(".html") {
+        if target.starts_with('#')
+            || target.contains("://")
+            || target.starts_with("mailto:")
+            || target.contains(".html")
+        {
             return Ok(Some(target.to_owned()));
         }
         let (path, fragment) = target.split_once('#').map_or((target, None), |(path, fragment)| (path, Some(fragment)));
@@ -96,7 +100,11 @@ impl<'a> Links<'a> {
     /// The page of a file of the project, if the text is the path of one.
     pub(crate) fn source(&mut self, text: &str) -> Result<Option<String>> {
         let file = text.contains('/') && text.rsplit('/').next().is_some_and(|name| name.contains('.'));
-        if file && !text.contains([' ', '*', ':']) && !text.starts_with(['/', '.', '~']) { self.file(text) } else { Ok(None) }
+        if file && !text.contains([' ', '*', ':']) && !text.starts_with(['/', '.', '~']) {
+            self.file(text)
+        } else {
+            Ok(None)
+        }
     }
 
     fn file(&mut self, path: &str) -> Result<Option<String>> {
@@ -105,7 +113,11 @@ impl<'a> Links<'a> {
             return Ok(None);
         }
         self.wanted.insert(path.to_owned());
-        Ok(Some(if is_picture(path) || about.len() > LONGEST { published(path) } else { format!("{}.html", published(path)) }))
+        Ok(Some(if is_picture(path) || about.len() > LONGEST {
+            published(path)
+        } else {
+            format!("{}.html", published(path))
+        }))
     }
 }
 
@@ -126,7 +138,10 @@ fn derivation(fragment: &str) -> String {
         let heading = if is_equation(entry) { heading(entry) } else { format!("{} ({})", entry.title, entry.id) };
         anchor(&heading) == fragment
     };
-    entries().iter().find(anchored).map_or_else(|| format!("contents.html#{fragment}"), |entry| format!("{}.html", entry.id))
+    entries()
+        .iter()
+        .find(anchored)
+        .map_or_else(|| format!("contents.html#{fragment}"), |entry| format!("{}.html", entry.id))
 }
 
 /// A path without `.` and `..`.

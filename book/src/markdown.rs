@@ -67,8 +67,9 @@ fn take_out(text: &str, math: Math, tex: &Tex) -> Result<(String, Formulas)> {
 fn between(text: &str, open: &str, close: &str, mut with: impl FnMut(&str) -> Result<String>) -> Result<String> {
     let (mut out, mut rest) = (String::new(), text);
     while let Some((before, after)) = rest.split_once(open) {
-        let (inside, after) =
-            after.split_once(close).ok_or_else(|| Error::page("a text", format!("{open} without {close}: {after:.60}")))?;
+        let (inside, after) = after
+            .split_once(close)
+            .ok_or_else(|| Error::page("a text", format!("{open} without {close}: {after:.60}")))?;
         out += before;
         out += &with(inside)?;
         rest = after;

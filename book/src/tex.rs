@@ -16,7 +16,9 @@ pub(crate) struct Tex(LatexToMathML);
 impl Tex {
     pub(crate) fn new() -> Result<Self> {
         let config = MathCoreConfig { annotation: true, ..Default::default() };
-        LatexToMathML::new(config).map(Tex).map_err(|error| Error::Formula { tex: String::new(), why: format!("{error:?}") })
+        LatexToMathML::new(config)
+            .map(Tex)
+            .map_err(|error| Error::Formula { tex: String::new(), why: format!("{error:?}") })
     }
 
     fn convert(&self, tex: &str, display: MathDisplay) -> Result<String> {
@@ -40,8 +42,8 @@ impl Tex {
     pub(crate) fn display(&self, tex: &str) -> Result<String> {
         let math = self.convert(tex, MathDisplay::Block)?;
         Ok(format!(
-            "<div class=\"eq\" tabindex=\"0\" role=\"group\" aria-label=\"Formula\">{math}</div>\
-             <button class=\"copy\" type=\"button\" hidden>copy TeX</button>"
+            "<div class=\"formula\"><div class=\"eq\" tabindex=\"0\" role=\"group\" aria-label=\"Formula\">{math}</div>\
+             <button class=\"copy\" type=\"button\" hidden>copy TeX</button></div>"
         ))
     }
 }
