@@ -7,13 +7,13 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs dist peers python site site-test
+.PHONY: verify test build deps bench doc confirm proofs dist peers python book site site-test
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
 
 test: deps
-	cargo test --locked --workspace
+	cargo test --locked
 
 build: deps
 	cargo build --locked --release --package mdr-cli
@@ -23,6 +23,11 @@ bench: deps
 
 doc: deps
 	cargo doc --locked --workspace --no-deps
+
+# The theory as a static site, target/book/index.html: checked without a browser, and written.
+book: deps
+	cargo test --locked --package mdr-book
+	cargo run --locked --package mdr-book
 
 # The certified values once more, by Arb: installs python-flint below target/ if it can.
 confirm:

@@ -19,6 +19,7 @@ fn manifests() -> Vec<(String, PathBuf)> {
     let short = |folder: &Path| folder.file_name().unwrap().to_str().unwrap().trim_start_matches("mdr-").to_owned();
     let mut found: Vec<_> = crates.map(|folder| (short(&folder), folder.join("Cargo.toml"))).collect();
     found.push(("example".to_owned(), root().join("examples/jkr/Cargo.toml")));
+    found.push(("book".to_owned(), root().join("book/Cargo.toml")));
     found.push(("tests".to_owned(), root().join("tests/Cargo.toml")));
     found
 }
@@ -80,6 +81,7 @@ fn the_packages_see_only_what_the_design_lets_them_see() {
         ("plot", &["contact", "reference"]),
         ("records", &["analytic", "contact", "core", "numeric", "reference"]),
         ("python", &["contact", "plot", "reference"]),
+        ("book", &["crosscheck", "reference", "symbolic"]),
         ("cli", &["analytic", "contact", "core", "crosscheck", "numeric", "plot", "records", "reference", "symbolic"]),
     ];
     for (package, manifest) in manifests() {

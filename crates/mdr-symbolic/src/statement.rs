@@ -9,6 +9,7 @@ use crate::dimension::Dimension;
 use crate::domain::Domain;
 use crate::error::{Error, Result};
 use crate::formula::Formula;
+use crate::print::square;
 use crate::quotient::Quotient;
 use crate::symbol::Symbol;
 
@@ -251,7 +252,7 @@ impl Statement {
             Relation::Equal => format!("{left} = {right}"),
             Relation::Less => format!(r"{left} \lt {right}"),
             Relation::Greater => format!(r"{left} \gt {right}"),
-            Relation::SameDimension => format!(r"\left[{left}\right]_{{\dim}} = \left[{right}\right]_{{\dim}}"),
+            Relation::SameDimension => format!(r"{}_{{\dim}} = {}_{{\dim}}", square(&left), square(&right)),
         }
     }
 }

@@ -131,9 +131,13 @@ fn printing() {
     };
     let (text, tex) = shown("-2*(2*n + 1)/(n + 1)*E*sqrt(B)*a_c^(3/2)");
     assert_eq!(text, "−2·(2·n + 1)/(n + 1)·E*·√B·a_c^(3/2)");
-    assert_eq!(tex, r"-\frac{2 \left(2 n + 1\right)}{n + 1} E^* \sqrt{B} a_c^{3/2}");
+    assert_eq!(tex, r"-\frac{2 (2 n + 1)}{n + 1} E^* \sqrt{B} a_c^{3/2}");
     assert_eq!(shown("0.7628").0, "0.7628");
-    assert_eq!(shown("g'^2").1, r"\left(g'(a)\right)^{2}");
+    assert_eq!(shown("g'^2").1, r"(g'(a))^{2}");
+    // Brackets grow around what is tall only, exponents stay on a line, and repeated operators are one.
+    assert_eq!(shown("(B/N^2)^(1/(2*n - 1))").1, r"\left(\frac{B}{N^{2}}\right)^{1/(2 n - 1)}");
+    assert_eq!(shown("diff(diff(d_n, a), a)").1, r"\frac{d^2}{da^2} \, d_n(a)");
+    assert_eq!(shown("at(at(F_c, n, 2), C, 1/(2*R))").1, r"[F_c]_{n = 2,\; C = 1/(2 R)}");
 }
 
 /// The crate uses rational arithmetic only.

@@ -3,6 +3,8 @@
 mod tex;
 mod text;
 
+pub(crate) use tex::square;
+
 use rug::Rational;
 
 use crate::formula::Formula;

@@ -19,26 +19,20 @@ impl Formula {
             Formula::Quotient(above, below) => format!(r"\frac{{{}}}{{{}}}", above.tex(), below.tex()),
             Formula::Power(base, exponent) => power(base, exponent),
             Formula::Root(inner) => format!(r"\sqrt{{{}}}", inner.tex()),
-            Formula::Derivative(inner, variable) => {
-                let d = if is_of_two_variables(inner) { r"\partial " } else { "d" };
-                let inner = if is_named(inner) { inner.tex() } else { within(inner, Strength::Atom) };
-                format!(r"\frac{{{}}}{{{d}{}}} {inner}", d.trim_end(), variable.tex())
-            }
+            Formula::Derivative(inner, variable) => derivative(inner, variable.tex()),
             Formula::Integral(inner, variable, upper) => {
                 let integrand = within(inner, Strength::Product);
                 format!(r"\int_0^{{{}}} {integrand} \, d{}", upper.tex(), variable.tex())
             }
-            Formula::At(inner, variable, value) => {
-                format!(r"\left[ {} \right]_{{{} = {}}}", inner.tex(), of(*variable), value.tex())
-            }
+            Formula::At(inner, variable, value) => at(inner, format!("{} = {}", of(*variable), small(value))),
             Formula::Function(Function::Hypergeometric, arguments) => {
                 let [b, c] = [&arguments[0], &arguments[1]].map(Formula::tex);
-                format!(r"{{}}_2F_1\left(1, {b}; {c}; \tfrac12\right)")
+                format!("{{}}_2F_1{}", round(&format!(r"1, {b}; {c}; \tfrac12")))
             }
             Formula::Function(Function::Kappa, arguments) => format!(r"\kappa_{{{}}}", small(&arguments[0])),
             Formula::Function(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(Formula::tex).collect();
-                format!(r"{}\left({}\right)", name(*function), arguments.join(", "))
+                format!("{}{}", name(*function), round(&arguments.join(", ")))
             }
             Formula::QuarterTurn(inner) => {
                 format!(r"\int_0^{{\pi/2}} {} \, d\theta", within(inner, Strength::Product))
@@ -84,7 +78,7 @@ fn decorated(symbol: Symbol) -> bool {
 }
 
 fn within(formula: &Formula, needed: Strength) -> String {
-    if formula.tex_strength() < needed { format!(r"\left({}\right)", formula.tex()) } else { formula.tex() }
+    if formula.tex_strength() < needed { round(&formula.tex()) } else { formula.tex() }
 }
 
 fn tex_number(text: &str) -> String {
@@ -126,16 +120,54 @@ fn power(base: &Formula, exponent: &Formula) -> String {
     format!("{}^{{{}}}", within(base, Strength::Atom), small(exponent))
 }
 
-/// An exponent or index: a fraction of two short parts is easier to read on one line.
+/// An exponent or index: a fraction of two flat parts is easier to read on one line.
 fn small(formula: &Formula) -> String {
     match formula {
-        Formula::Quotient(above, below) if plain(above) && plain(below) => format!("{}/{}", above.tex(), below.tex()),
+        Formula::Negative(inner) if matches!(**inner, Formula::Quotient(..)) => format!("-{}", small(inner)),
+        Formula::Quotient(above, below) => {
+            let line = format!("{}/{}", within(above, Strength::Product), within(below, Strength::Atom));
+            if is_tall(&line) { formula.tex() } else { line }
+        }
         formula => formula.tex(),
     }
 }
 
-fn plain(formula: &Formula) -> bool {
-    matches!(formula, Formula::Number(_) | Formula::N)
+/// Whether a formula is higher than a line, so that its brackets have to grow.
+fn is_tall(tex: &str) -> bool {
+    [r"\frac", r"\int", r"\sqrt", r"\left"].iter().any(|part| tex.contains(part))
+}
+
+/// In round brackets. Those that need not grow do not: browsers set a gap on both sides of brackets that may.
+fn round(tex: &str) -> String {
+    if is_tall(tex) { format!(r"\left({tex}\right)") } else { format!("({tex})") }
+}
+
+/// In square brackets.
+pub(crate) fn square(tex: &str) -> String {
+    if is_tall(tex) { format!(r"\left[{tex}\right]") } else { format!("[{tex}]") }
+}
+
+/// A derivative, repeated ones as one.
+fn derivative(inner: &Formula, variable: &str) -> String {
+    let (mut inner, mut order) = (inner, 1);
+    while let Formula::Derivative(deeper, again) = inner
+        && again.tex() == variable
+    {
+        (inner, order) = (deeper, order + 1);
+    }
+    let d = if is_of_two_variables(inner) { r"\partial" } else { "d" };
+    let blank = if d == "d" { "" } else { " " };
+    let power = if order == 1 { String::new() } else { format!("^{order}") };
+    let inner = if is_named(inner) { inner.tex() } else { within(inner, Strength::Atom) };
+    format!(r"\frac{{{d}{power}}}{{{d}{blank}{variable}{power}}} \, {inner}")
+}
+
+/// A formula at a value, and at those that were put in before.
+fn at(inner: &Formula, value: String) -> String {
+    match inner {
+        Formula::At(deeper, variable, first) => at(deeper, format!(r"{} = {},\; {value}", of(*variable), small(first))),
+        inner => format!("{}_{{{value}}}", square(&inner.tex())),
+    }
 }
 
 fn of(variable: Variable) -> &'static str {
@@ -149,7 +181,7 @@ fn name(function: Function) -> &'static str {
     match function {
         Function::Gamma => r"\Gamma",
         Function::Kappa => r"\kappa",
-        Function::Agm => r"\mathrm{agm}",
+        Function::Agm => r"\operatorname{agm}",
         Function::Sine => r"\sin",
         Function::StruveH0 => r"\mathbf{H}_0",
         Function::Hypergeometric => "f",

@@ -1,0 +1,206 @@
+//! The book as it would be published, read without a browser.
+
+#![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::OnceLock;
+
+use mdr_book::{Files, build};
+use mdr_symbolic::derivations::{entries, entry};
+
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+fn book() -> &'static Files {
+    static BOOK: OnceLock<Files> = OnceLock::new();
+    BOOK.get_or_init(|| build(root(), false).unwrap())
+}
+
+/// The pages, as text.
+fn pages() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let pages = book().iter().filter(|(name, _)| name.ends_with(".html"));
+    pages.map(|(name, bytes)| (name.as_str(), std::str::from_utf8(bytes).unwrap()))
+}
+
+/// The values of an attribute in the order of a page.
+fn attributes<'a>(page: &'a str, name: &str) -> impl Iterator<Item = &'a str> {
+    let open = format!(" {name}=\"");
+    page.split('<').filter_map(move |tag| {
+        let (tag, _) = tag.split_once('>')?;
+        let (_, rest) = tag.split_once(&open)?;
+        rest.split_once('"').map(|(value, _)| value)
+    })
+}
+
+/// What a reader sees of a page: without tags, sources of formulas and code.
+fn words(page: &str) -> String {
+    let mut text = page.to_owned();
+    for (open, close) in [("<math", "</math>"), ("<code", "</code>"), ("<pre", "</pre>"), ("<script", "</script>")] {
+        while let Some((before, rest)) = text.split_once(open) {
+            text = format!("{before} {}", rest.split_once(close).unwrap().1);
+        }
+    }
+    text.split('<').map(|part| part.split_once('>').map_or(part, |(_, words)| words)).collect()
+}
+
+/// The part of a page between two marks.
+fn part<'a>(page: &'a str, open: &str, close: &str) -> &'a str {
+    page.split_once(open).and_then(|(_, rest)| rest.split_once(close)).map_or("", |(part, _)| part)
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    let mut seen = 0;
+    for (name, page) in pages() {
+        let here: BTreeSet<_> = attributes(page, "id").collect();
+        for link in attributes(page, "href").chain(attributes(page, "src")) {
+            if link.starts_with("https://") || link.starts_with("http://") {
+                continue;
+            }
+            let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() {
+                page
+            } else {
+                assert!(book().contains_key(file), "{name}: {link}");
+                std::str::from_utf8(&book()[file]).unwrap_or("")
+            };
+            let found = anchor.is_empty()
+                || (file.is_empty() && here.contains(anchor))
+                || attributes(target, "id").any(|id| id == anchor);
+            assert!(found, "{name}: {link}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 5000, "{seen} links");
+}
+
+#[test]
+fn an_identifier_occurs_once() {
+    for (name, page) in pages() {
+        let mut seen = BTreeSet::new();
+        for id in attributes(page, "id") {
+            assert!(seen.insert(id), "{name}: two of {id}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_asked_from_anywhere() {
+    for (name, page) in pages() {
+        for source in attributes(page, "src") {
+            assert!(!source.contains("//"), "{name}: {source}");
+        }
+        for tag in page.split("<link").skip(1) {
+            assert!(!tag.split_once('>').unwrap().0.contains("//"), "{name}: a style from elsewhere");
+        }
+    }
+    for name in ["book.css", "book.js", "theme.js", "search.js"] {
+        let text = std::str::from_utf8(&book()[name]).unwrap();
+        assert!(!text.contains("http://") && !text.contains("https://") && !text.contains("@import"), "{name}");
+    }
+}
+
+#[test]
+fn every_entry_has_its_page_with_its_anchors_and_prose() {
+    for entry in entries() {
+        let page = std::str::from_utf8(&book()[&format!("{}.html", entry.id)]).unwrap();
+        assert!(page.contains(&format!("data-entry=\"{}\"", entry.id)), "{}", entry.id);
+        let ids: BTreeSet<_> = attributes(page, "id").collect();
+        for anchor in ["why", "proof", "numbers", "code"] {
+            assert!(ids.contains(anchor), "{}: no {anchor}", entry.id);
+        }
+        assert!(ids.contains("printed") != ids.contains("result"), "{}", entry.id);
+        assert!(!entry.refuted || ids.contains("corrected"), "{}", entry.id);
+        for step in 1..=entry.steps.len() {
+            assert!(ids.contains(format!("step-{step}").as_str()), "{}: no step {step}", entry.id);
+        }
+        let why = words(part(page, "<section id=\"why\">", "</section>"));
+        assert!(why.split_whitespace().count() > 30, "{}: too few words: {why}", entry.id);
+    }
+}
+
+#[test]
+fn every_formula_is_set() {
+    let mut formulas = 0;
+    for (name, page) in pages() {
+        formulas += page.matches("<math").count();
+        let text = words(page);
+        for mark in ["$`", "`$", "$$", "\\frac", "\\sqrt", "\u{e000}", "\u{e001}", "```"] {
+            assert!(!text.contains(mark), "{name}: {mark} in {text}");
+        }
+    }
+    assert!(formulas > 1500, "{formulas} formulas");
+}
+
+/// Mathematics beside typeset formulas looks broken; what is meant as a formula is one.
+#[test]
+fn no_formula_is_typed_as_text_on_the_page_of_an_entry() {
+    for entry in entries() {
+        let page = std::str::from_utf8(&book()[&format!("{}.html", entry.id)]).unwrap();
+        for part in [
+            part(page, "<section id=\"why\">", "</section>"),
+            part(page, "<section id=\"proof\">", "</section>"),
+            part(page, "<section id=\"refutation\">", "</section>"),
+        ] {
+            let text = words(part);
+            let typed = ['^', '√', '∫', '_', '²', 'ⁿ', '₀'];
+            assert!(!text.contains(typed), "{}: {text}", entry.id);
+        }
+    }
+}
+
+#[test]
+fn a_correction_is_marked_on_both_forms() {
+    for id in ["1.15", "1.17"] {
+        let page = std::str::from_utf8(&book()[&format!("{id}.html")]).unwrap();
+        assert!(part(page, "id=\"printed\"", "</figure>").contains("class=\"wrong\""), "{id}");
+        assert!(part(page, "id=\"corrected\"", "</figure>").contains("class=\"right\""), "{id}");
+        assert!(entry(id).unwrap().erratum.is_some());
+    }
+}
+
+#[test]
+fn certified_values_have_all_their_digits() {
+    let page = std::str::from_utf8(&book()["1.17.html"]).unwrap();
+    let record = mdr_reference::record("critical/jkr-unit/indentation/force").unwrap();
+    let digits = record.value.as_ref().unwrap().mid.trim_start_matches('-');
+    assert!(digits.len() > 50 && page.contains(digits), "{digits}");
+    let shown: usize = mdr_reference::records()
+        .iter()
+        .filter(|record| {
+            let id = format!("id=\"{}\"", record.id);
+            pages().any(|(name, page)| name.starts_with("values-") && page.contains(&id))
+        })
+        .count();
+    assert_eq!(shown, mdr_reference::records().len());
+}
+
+#[test]
+fn pages_are_small() {
+    let total: usize = book().values().map(Vec::len).sum();
+    assert!(total < 8_000_000, "{total} bytes");
+    for (name, page) in pages() {
+        assert!(page.len() < 260_000, "{name}: {} bytes", page.len());
+    }
+}
+
+#[test]
+fn the_book_is_the_same_twice_and_leads_to_the_explorer_where_it_is() {
+    let again = build(root(), true).unwrap();
+    assert_eq!(again.keys().collect::<Vec<_>>(), book().keys().collect::<Vec<_>>());
+    for (name, bytes) in &again {
+        let text = String::from_utf8_lossy(bytes);
+        let link = text.contains("href=\"explorer.html\"");
+        assert_eq!(link, name.ends_with(".html"), "{name}");
+        let without = text.replace("<a class=\"explorer\" href=\"explorer.html\">Explorer: move a contact</a>", "");
+        assert!(without.as_bytes() == String::from_utf8_lossy(&book()[name]).as_bytes(), "{name}");
+    }
+}
+
+#[test]
+fn a_missing_source_is_named() {
+    let error = build(Path::new("nowhere"), false).unwrap_err().to_string();
+    assert!(error.contains("docs/conformance.md"), "{error}");
+}
