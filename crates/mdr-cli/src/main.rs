@@ -12,6 +12,7 @@ mod output;
 mod plot;
 mod reference;
 mod report;
+mod short;
 mod solve;
 mod table;
 mod verify;

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "serde")]
 mod json;
+mod reader;
 pub(crate) mod record;
 mod rows;
 pub(crate) mod types;
@@ -10,6 +11,7 @@ mod value;
 use mdr_core::contact::ControlKind;
 use mdr_numeric::admissible::Basis;
 
+pub use reader::{Notation, Reader, UnitError, Units};
 pub use record::{Cell, Row};
 pub use rows::{FlatCell, FlatRow, columns, title};
 pub use types::{

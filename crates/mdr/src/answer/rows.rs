@@ -125,26 +125,19 @@ fn collect_reasons(rows: &[Row<'_>], reasons: &mut Vec<(Status, String)>) {
     }
 }
 
-/// The heading of a column, with its unit.
-pub fn title(key: &str) -> &str {
+/// The heading of a column and its unit; without one where the column has none.
+pub fn title(key: &str) -> (&str, &'static str) {
     match key {
-        "contact_radius" => "contact radius, m",
-        "to_contact_radius" => "to radius, m",
-        "indentation" => "indentation, m",
-        "force" => "force, N",
-        "to_indentation" => "to indentation, m",
-        "position" => "position, m",
-        "to_force" => "to force, N",
-        "dissipated" => "dissipated, J",
-        "energy" => "energy, J",
-        "stiffness" => "stiffness, N/m",
-        "pressure" => "pressure, Pa",
-        "gap" => "gap, m",
-        "displacement" => "displacement, m",
-        "g" => "g, m",
-        "integral" => "integral, m²",
-        "x" => "x, m",
-        "r" => "r, m",
-        key => key,
+        "contact_radius" => ("contact radius", "m"),
+        "to_contact_radius" => ("to radius", "m"),
+        "to_indentation" => ("to indentation", "m"),
+        "indentation" | "position" | "gap" | "displacement" | "g" | "x" | "r" => (key, "m"),
+        "force" => ("force", "N"),
+        "to_force" => ("to force", "N"),
+        "dissipated" | "energy" => (key, "J"),
+        "stiffness" => ("stiffness", "N/m"),
+        "pressure" => ("pressure", "Pa"),
+        "integral" => ("integral", "m²"),
+        key => (key, ""),
     }
 }

@@ -1,5 +1,6 @@
 //! Scenes: what is pressed, what is controlled, and what is wanted; built in Rust, or read from TOML or JSON.
 
+mod inputs;
 mod material;
 mod measured;
 mod parse;
