@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs dist peers python
+.PHONY: verify test build deps bench doc confirm proofs dist peers python oracle
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -35,6 +35,10 @@ proofs:
 # The Python package: a wheel in target/wheels, installed below target/ and tested; skipped where pip cannot be had.
 python:
 	@sh scripts/python.sh
+
+# The ready tests of examples/oracle in C++, for Lethe and for LAMMPS, against small codes and against LAMMPS itself.
+oracle:
+	@sh scripts/oracle.sh
 
 # Times of Arb, scipy and mpmath beside those of this workspace; installs them below target/.
 peers: build
