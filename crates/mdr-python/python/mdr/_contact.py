@@ -235,7 +235,9 @@ class Contact:
         stiffness: Number | None = None,
     ) -> Floats:
         """The potential energy in J of the states of :meth:`states`: elastic energy less work of adhesion times contact area,
-        less the work of a dead load or plus the energy of the spring of a machine; NaN where nothing is in equilibrium.
+        of the contact alone, without a dead load or the spring of a machine; NaN where nothing is in equilibrium.
+
+        In f64, for hundreds of values rather than for millions.
 
         Examples
         --------
