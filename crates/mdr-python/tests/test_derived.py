@@ -77,3 +77,17 @@ def test_cases_by_their_inputs() -> None:
         testing.records("formula=critical", n=2.0625)
     assert mdr.record("critical/afm-tip/force/force").physical
     assert not mdr.record("critical/jkr-unit/force/force").physical
+
+
+def test_one_value_is_answered_as_an_array_of_one() -> None:
+    waves = mdr.Contact(mdr.WavyParaboloid("1", "5e-4", "0.1"), e_star="1", work_of_adhesion="1e-4")
+    for contact, unit in ((BALL, 1e-7), (waves, 1e-3)):
+        for held in ("force", "indentation"):
+            for value in (0.0, unit, -0.5 * unit, -1e3 * unit, float("nan")):
+                for branch in ("largest", "smallest"):
+                    one = contact.states(**{held: value}, branch=branch)
+                    row = contact.states(**{held: [value]}, branch=branch)
+                    for name, column in row.to_dict().items():
+                        found = getattr(one, name)
+                        assert type(found) is column.dtype.type
+                        np.testing.assert_array_equal(found, column[0], err_msg=f"{held}={value} {branch}")

@@ -347,9 +347,14 @@ class Contact:
         >>> mdr.Status(states.status[0])
         <Status.NO_EQUILIBRIUM: 2>
         """
-        held, flat, shape, k = _held_values(indentation, force, position, stiffness)
         if branch not in ("largest", "smallest"):
             raise ValueError(f"branch must be 'largest' or 'smallest', got {branch!r}")
+        # One double needs no arrays on its way.
+        if type(force) is float and indentation is position is stiffness is None:
+            return _scalar(self._core.state(force, "force", branch == "largest"))
+        if type(indentation) is float and force is position is stiffness is None:
+            return _scalar(self._core.state(indentation, "indentation", branch == "largest"))
+        held, flat, shape, k = _held_values(indentation, force, position, stiffness)
         columns, status = self._core.states(flat, held, k, branch == "largest")
         return States(*(shaped(column, shape) for column in (*columns, status)))
 
@@ -534,6 +539,12 @@ def _held_values(
         positive(stiffness, "stiffness", "the machine stiffness k")
     flat, shape = array(values, held)
     return held, flat, shape, stiffness_of(stiffness)
+
+
+def _scalar(state: tuple[_Row, int]) -> States:
+    (a, d, force), status = state
+    numbers: Any = np.float64(a), np.float64(d), np.float64(force), np.int8(status)
+    return States(*numbers)
 
 
 def _event(row: _Happening) -> Event:
