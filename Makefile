@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs dist peers python book site site-test
+.PHONY: verify test build deps bench doc confirm proofs dist peers python oracle book site site-test
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -48,6 +48,10 @@ site:
 # The explorer in a browser without a window, its numbers against those of the program; skipped where there is no browser.
 site-test:
 	@sh scripts/site_test.sh
+
+# The ready tests of examples/oracle in C++, for Lethe and for LAMMPS, against small codes and against LAMMPS itself.
+oracle:
+	@sh scripts/oracle.sh
 
 # Times of Arb, scipy and mpmath beside those of this workspace; installs them below target/.
 peers: build

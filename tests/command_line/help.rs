@@ -43,10 +43,15 @@ fn each_command_has_flags_examples_and_exit_statuses() {
                 "--digits",
                 "--f64",
                 "--format",
+                "--units",
+                "--notation",
             ],
         ),
         ("fit", &["<FIT.toml>", "[CURVE.csv]...", "--batch", "--format", "--plot"]),
-        ("solve", &["<SCENE.toml>", "--digits", "--f64", "--format", "--plot", "--explain"]),
+        (
+            "solve",
+            &["<SCENE.toml>", "--digits", "--f64", "--format", "--plot", "--explain", "--out", "--units", "--notation"],
+        ),
     ];
     for (command, flags) in cases {
         let help = output(&format!("{command} --help"));

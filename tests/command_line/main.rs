@@ -15,6 +15,7 @@ mod judge;
 mod plot;
 mod power_laws;
 mod precision;
+mod reader;
 mod readme;
 mod records;
 mod reference;

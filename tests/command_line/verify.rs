@@ -27,7 +27,16 @@ fn every_check_holds() {
 #[test]
 fn a_table_with_the_verdict() {
     let table = output("verify --quick --shard 1/16");
-    for part in ["check", "cases", "worst error", "allowed", "verdict", "pass", " 0 failed"] {
+    for part in [
+        "check",
+        "cases",
+        "worst error",
+        "allowed",
+        "verdict",
+        "pass",
+        " 0 failed",
+        "  u         relative error 2^-p at p bits",
+    ] {
         assert!(table.contains(part), "{part:?} in\n{table}");
     }
     assert!(!table.contains('\u{1b}'), "no colours in a pipe");

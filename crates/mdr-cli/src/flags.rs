@@ -1,7 +1,9 @@
 //! The values of flags: numbers as they were typed, checked against their domain, with messages that name the flag.
 
+use std::io::IsTerminal;
 use std::num::IntErrorKind;
 
+use mdr::answer::{Notation, Reader};
 use mdr::prelude::{Arithmetic, Literal};
 use mdr::scene::MAX_DIGITS;
 
@@ -108,6 +110,36 @@ impl ArithmeticFlags {
             (None, true) => Ok(Some(Arithmetic::Double)),
             (None, false) => Ok(None),
         }
+    }
+}
+
+/// How a table writes its numbers.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ReaderFlags {
+    /// Units of tables in place of SI units, such as nm,nN: m, N, Pa, J and N/m with prefixes
+    #[arg(long, value_name = "UNITS")]
+    units: Option<String>,
+
+    /// Notation of tables; powers of a thousand on a terminal and with --units, else plain
+    #[arg(long, value_parser = ["plain", "engineering", "scientific"])]
+    notation: Option<String>,
+}
+
+impl ReaderFlags {
+    /// The writer of numbers. Other formats than tables are for programs, and their units are fixed.
+    pub(crate) fn reader(&self, has_units: bool) -> Result<Reader> {
+        let units = self.units.as_deref().map(|text| Flag::new("--units", text));
+        if let Some(flag) = units.filter(|_| !has_units) {
+            return Err(flag.refuse("JSON and CSV for programs are in SI units; drop the flag or --format"));
+        }
+        let notation = match self.notation.as_deref() {
+            Some("engineering") => Notation::Engineering,
+            Some("scientific") => Notation::Scientific,
+            None if units.is_some() || std::io::stdout().is_terminal() => Notation::Engineering,
+            _ => Notation::Plain,
+        };
+        let units = units.map(|flag| flag.text.parse().map_err(|error| flag.refuse(error))).transpose()?;
+        Ok(Reader { notation, units: units.unwrap_or_default() })
     }
 }
 

@@ -13,6 +13,7 @@ mod output;
 mod plot;
 mod reference;
 mod report;
+mod short;
 mod solve;
 mod table;
 mod validity;

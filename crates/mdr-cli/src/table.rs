@@ -29,7 +29,7 @@ pub(crate) fn cell(content: impl ToString, tone: Tone) -> Cell {
 
 /// An empty table: framed and fitted to a terminal, in colour unless NO_COLOR is set (<https://no-color.org>); bare
 /// columns of text elsewhere.
-pub(crate) fn table(header: &[&str]) -> Table {
+pub(crate) fn table(header: &[impl std::fmt::Display]) -> Table {
     let mut table = Table::new();
     table.set_header(header.iter().map(|title| cell(title, Tone::Strong)));
     if !std::io::stdout().is_terminal() {

@@ -1,23 +1,32 @@
 //! Whether the theory holds, for a reader.
 
 use mdr::Validity;
-use mdr::answer::{FlatCell, Promise, title};
+use mdr::answer::{FlatCell, Promise, Reader, title};
 use mdr::prelude::Status;
 
 use crate::solve::render::tone;
 use crate::table::{Tone, cell, render, table};
 
 /// A table of its numbers, and what they mean in a sentence.
-pub(crate) fn text(validity: &Validity, promise: Promise) -> String {
+pub(crate) fn text(validity: &Validity, promise: Promise, reader: &Reader) -> String {
     let mut table = table(&["quantity", "value"]);
     for (key, value) in validity.table() {
         if value != FlatCell::Empty && value != FlatCell::Status(Status::Ok) {
-            let name = if key == "slope" { "slope g'(a)" } else { title(&key) };
-            table.add_row([cell(name, Tone::Plain), cell(&value, tone(&value))]);
+            let (name, unit) = title(&key, None);
+            let text = match &value {
+                FlatCell::Number(text) => reader.number(text, unit),
+                value => value.to_string(),
+            };
+            table.add_row([cell(reader.titled(name, unit), Tone::Plain), cell(text, tone(&value))]);
         }
     }
     let why = validity.row().why().map_or_else(String::new, |why| format!("\n\nNot known: {why}."));
-    format!("validity ({})\n\n{}{why}\n\nDoes the theory hold? {}.", promise.name(), render(&table), capital(&validity.advice()))
+    format!(
+        "validity ({})\n\n{}{why}\n\nDoes the theory hold? {}.",
+        promise.name(),
+        render(&table),
+        capital(&validity.advice())
+    )
 }
 
 fn capital(text: &str) -> String {

@@ -5,11 +5,12 @@ use std::path::PathBuf;
 use clap::Args;
 use comfy_table::ColumnConstraint;
 use indicatif::{ProgressBar, ProgressStyle};
-use mdr_crosscheck::{Level, Options, Report, Row, Shard, Verdict};
+use mdr_crosscheck::{Level, Options, Report, Row, Shard, Unit, Verdict};
 
 use crate::error::{Failure, Result};
 use crate::flags::{Flag, likely};
 use crate::output::{Format, Output};
+use crate::short;
 use crate::table::{Tone, cell, render, table};
 
 const EXAMPLES: &str = "\
@@ -175,7 +176,9 @@ fn for_reader(report: &Report) -> String {
             cell(row.unit, Tone::Faint),
             cell(row.verdict, tone),
             cell(
-                worst.map(|finding| format!("{}: {}", finding.quantity, finding.inputs)).unwrap_or_default(),
+                worst
+                    .map(|finding| format!("{}: {}", finding.quantity, short::numbers(&finding.inputs)))
+                    .unwrap_or_default(),
                 Tone::Faint,
             ),
         ]);
@@ -187,7 +190,13 @@ fn for_reader(report: &Report) -> String {
         .iter()
         .map(|failure| format!("\n{} #{}: {}\n  {}", failure.check, failure.index, failure.inputs, failure.reason))
         .collect();
-    format!("{}\n{}\n{}", render(&table), failures.concat(), report.summary()).replace("\n\n\n", "\n\n")
+    let parts = [&render(&table), &failures.concat(), &units(report), &report.summary()];
+    parts
+        .map(|part| part.trim_matches('\n'))
+        .into_iter()
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join("\n\n")
 }
 
 /// Three digits are enough for an error.
@@ -197,4 +206,15 @@ fn significant(value: f64) -> String {
         1e-2..1e4 => format!("{value:.3}"),
         _ => format!("{value:.2e}"),
     }
+}
+
+/// What the units of the table mean.
+fn units(report: &Report) -> String {
+    let is_used = |unit: &Unit| report.rows.iter().any(|row| row.unit == *unit);
+    let lines =
+        Unit::ALL.into_iter().filter(is_used).map(|unit| format!("  {:<8}  {}", unit.to_string(), unit.description()));
+    format!(
+        "Units of the errors; the numbers of a case are rounded here, and exact in JSON and CSV:\n{}",
+        lines.collect::<Vec<_>>().join("\n")
+    )
 }

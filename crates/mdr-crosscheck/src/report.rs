@@ -21,6 +21,21 @@ pub enum Unit {
     Mismatch,
 }
 
+impl Unit {
+    /// All of them.
+    pub const ALL: [Unit; 4] = [Unit::Roundoffs, Unit::Ulp, Unit::Relative, Unit::Mismatch];
+
+    /// What an error of 1 is, in a sentence.
+    pub fn description(self) -> &'static str {
+        match self {
+            Unit::Roundoffs => "relative error 2^-p at p bits: 1.1e-16 in f64, where 9 u are an error of 1e-15",
+            Unit::Ulp => "a unit in the last place of the correctly rounded result",
+            Unit::Relative => "relative error 1, where truncation and not roundoff limits the comparison",
+            Unit::Mismatch => "an answer that differs where two must be equal",
+        }
+    }
+}
+
 impl fmt::Display for Unit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

@@ -175,8 +175,10 @@ impl<'a, R: Special> Dugdale<'a, R> {
     fn minima(&self, folds: &[R]) -> Result<Vec<CohesiveState<R>>> {
         let mut minima: Vec<_> = self.at_wall()?.into_iter().collect();
         let natural = self.separation.clone() / &self.strength;
-        let top = folds.iter().cloned().reduce(|top, fold| top.greater(&fold)).unwrap_or_else(|| natural.clone().times(4));
-        let mut radii: Vec<R> = folds.iter().flat_map(|fold| [9, 10, 11].map(|k| fold.clone().times(k).over(10))).collect();
+        let top =
+            folds.iter().cloned().reduce(|top, fold| top.greater(&fold)).unwrap_or_else(|| natural.clone().times(4));
+        let mut radii: Vec<R> =
+            folds.iter().flat_map(|fold| [9, 10, 11].map(|k| fold.clone().times(k).over(10))).collect();
         radii.sort_by(order);
         let (mut next, mut above, mut width) = (top.times(4), None, None);
         loop {
@@ -190,7 +192,11 @@ impl<'a, R: Special> Dugdale<'a, R> {
             let ring = match self.ring(&a, width.as_ref()) {
                 Ok(ring) => ring,
                 // A ring that ends beyond the profile, or a contact radius there or where g is not resolved.
-                Err(Error::Domain { .. } | Error::NoConvergence { .. }) if above.is_none() && a > natural.clone() * a.unit_roundoff() => continue,
+                Err(Error::Domain { .. } | Error::NoConvergence { .. })
+                    if above.is_none() && a > natural.clone() * a.unit_roundoff() =>
+                {
+                    continue;
+                }
                 Err(Error::Domain { .. }) if !minima.is_empty() => return Ok(minima),
                 Err(error) => return Err(error),
             };
@@ -242,7 +248,11 @@ impl<'a, R: Special> Dugdale<'a, R> {
         if let Some(limit) = &limit {
             let open = *limit > a.lit(0) && gap(limit)? >= a.lit(0);
             if !open {
-                return Err(Error::domain(RANGE, &self.separation, "so short that the ring of attraction ends within the profile"));
+                return Err(Error::domain(
+                    RANGE,
+                    &self.separation,
+                    "so short that the ring of attraction ends within the profile",
+                ));
             }
         }
         let within = |width: &R| match &limit {
@@ -281,7 +291,8 @@ impl<'a, R: Special> Dugdale<'a, R> {
         let Ring { a, c, angle, width, .. } = ring;
         let elastic = (c.clone() / a * angle * (c.clone() * angle) + width) * &self.strength;
         let half = a.unit_roundoff().sqrt();
-        let tolerance = tolerance(a).or_finest_below(half.clone().times(16)).or_error_below(&(elastic.clone() * half.square()));
+        let tolerance =
+            tolerance(a).or_finest_below(half.clone().times(16)).or_error_below(&(elastic.clone() * half.square()));
         let weighted = |angle: &R| {
             let x = on(ring, angle);
             Ok(self.curve.transform().slope(&x)? * x)

@@ -47,9 +47,9 @@ mod chart;
 mod comparison;
 mod data;
 pub mod figures;
-mod judged;
 #[cfg(feature = "fit")]
 mod fit;
+mod judged;
 mod loading;
 mod markup;
 mod scene;
@@ -59,7 +59,7 @@ pub use axis::{Axis, Unit, typographic};
 pub use chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke};
 pub use comparison::{Method, Question, comparison};
 pub use data::CSV_HEADER;
-pub use judged::judged;
 #[cfg(feature = "fit")]
 pub use fit::fit;
+pub use judged::judged;
 pub use scene::scene;

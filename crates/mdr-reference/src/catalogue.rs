@@ -45,7 +45,7 @@ pub fn record(id: &str) -> Option<&'static Record> {
 /// A selection of records: terms separated by blanks or commas, all of which must be satisfied.
 ///
 /// A term is `key=value`, `key!=value` or `key~part` (contains). Keys: `id`, `profile`, `formula`, `quantity`, `unit`,
-/// `control` (`none` if there is none), `status`, `difficulty`, `flag`. A value or a part that no record has is an
+/// `control` (`none` if there is none), `status`, `difficulty`, `flag` (also `physical`: [`Record::is_physical`]). A value or a part that no record has is an
 /// error, and so are terms that no record satisfies together: an empty selection due to a typing error would pass every
 /// test.
 ///
@@ -199,7 +199,8 @@ impl Key {
             Key::Flag => None,
         };
         let flags = if self == Key::Flag { record.flags.as_slice() } else { &[] };
-        one.into_iter().chain(flags.iter().map(String::as_str))
+        let physical = (self == Key::Flag && record.is_physical()).then_some("physical");
+        one.into_iter().chain(flags.iter().map(String::as_str)).chain(physical)
     }
 }
 

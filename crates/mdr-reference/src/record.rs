@@ -135,6 +135,12 @@ pub struct Record {
 }
 
 impl Record {
+    /// Whether the contact is a real one in SI units, such as the tip of a force microscope, a PDMS bead, the spatula of a gecko,
+    /// a grain of glass or a wheel on a rail: published as the flag `si`, and for filters also `physical`.
+    pub fn is_physical(&self) -> bool {
+        self.flags.iter().any(|flag| flag == "si")
+    }
+
     /// The text of an input.
     pub fn input(&self, name: &str) -> Option<&str> {
         self.inputs.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())

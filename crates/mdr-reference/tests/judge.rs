@@ -206,3 +206,22 @@ fn a_class_of_exact_answers_has_a_bound() {
         assert!(!class.cells().contains(&"exact".to_owned()), "{class:?}");
     }
 }
+
+/// Of wrong answers those about real contacts come first, however far the others are off; and they are counted.
+#[test]
+fn real_contacts_first() {
+    let questions = records().iter().filter(|record| record.formula == "critical" && record.status == Status::Ok);
+    let far = |record: &mdr_reference::Record| if record.is_physical() { 2.0 } else { 1e6 };
+    let report = judge(questions, |record| Some(Answer::from(record.nearest() * far(record))));
+    let physical: Vec<bool> = report.judged.iter().map(|judged| judged.record.is_physical()).collect();
+    let [right, inaccurate, wrong] = report.physical();
+    assert_eq!((right, inaccurate + wrong), (0, physical.iter().filter(|physical| **physical).count()));
+    assert!(wrong > 10 && physical[..wrong].iter().all(|physical| *physical) && !physical[wrong], "{physical:?}");
+    assert!(report.to_string().contains(&format!("of real contacts: 0 right, {inaccurate} inaccurate, {wrong} wrong")));
+    assert!(report.to_json_lines().contains(&format!("\"physical\":[0,{inaccurate},{wrong}]")));
+    let filter: mdr_reference::Filter = "flag=physical".parse().unwrap();
+    for name in ["afm-tip", "pdms-bead", "gecko-spatula", "glass-bead", "wheel-on-rail"] {
+        assert!(filter.select().any(|record| record.id.contains(name)), "{name}");
+    }
+    assert!(filter.select().all(|record| !record.id.contains("unit")));
+}

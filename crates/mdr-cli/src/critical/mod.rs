@@ -11,7 +11,7 @@ use mdr::critical::{CriticalAnswer, PowerLaw};
 use mdr::prelude::{Arithmetic, Body, Control, Elasticity, Literal};
 
 use crate::error::{Failure, Result};
-use crate::flags::{ArithmeticFlags, Flag};
+use crate::flags::{ArithmeticFlags, Flag, ReaderFlags};
 use crate::output::{Format, Output};
 
 const EXAMPLES: &str = "\
@@ -37,6 +37,9 @@ Examples:
 
   All instabilities on a machine of finite stiffness (N/m):
     mdr critical --n 0.6 --c 2.4829 --e-star 1 --work 1 --control machine --stiffness 1
+
+  The pull-off of a force microscope's tip of 20 nm, in nanometres and nanonewtons:
+    mdr critical --sphere 20e-9 --e-star 1e9 --work 0.05 --control force --units nm,nN
 
   Many questions in hardware arithmetic, CSV or JSON lines in and the same out:
     mdr critical --batch examples/questions.csv --f64
@@ -102,6 +105,9 @@ pub(crate) struct Critical {
     /// Shape of the answer
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
+
+    #[command(flatten)]
+    reader: ReaderFlags,
 }
 
 /// The controlled quantity, by its name on the command line.
@@ -119,11 +125,16 @@ impl Critical {
     /// Answers on `out`; whether every question has an answer.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         let arithmetic = self.arithmetic.chosen()?;
+        let reader = self.reader.reader(self.format == Format::Table && self.batch.is_none())?;
         if let Some(file) = &self.batch {
             return batch::answer(file, arithmetic, out);
         }
         let laws = self.laws(arithmetic)?;
-        let range = self.range_of_adhesion.as_deref().map(|text| Flag::new("--range-of-adhesion", text).length()).transpose()?;
+        let range = self
+            .range_of_adhesion
+            .as_deref()
+            .map(|text| Flag::new("--range-of-adhesion", text).length())
+            .transpose()?;
         let answer = |law: &PowerLaw| {
             let answer = mdr::critical(law, arithmetic).map_err(Failure::of_flag)?;
             match &range {
@@ -133,8 +144,8 @@ impl Critical {
         };
         let answers = laws.iter().map(answer).collect::<Result<Vec<_>>>()?;
         match &answers[..] {
-            [one] => render::write(one, self.sibling(one)?.as_ref(), self.format, out)?,
-            all => render::write_all(all, self.format, out)?,
+            [one] => render::write(one, self.sibling(one)?.as_ref(), self.format, &reader, out)?,
+            all => render::write_all(all, self.format, &reader, out)?,
         }
         Ok(true)
     }

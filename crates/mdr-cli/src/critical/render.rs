@@ -1,14 +1,14 @@
 //! The answer for a reader and for a spreadsheet.
 
+use mdr::answer::Reader;
 use mdr::critical::{CriticalAnswer, CriticalState, spreadsheet};
 use mdr::prelude::{Arithmetic, ControlKind, Value};
 use mdr_core::contact::Regime;
 
 use crate::error::Result;
 use crate::output::{Format, Output};
-use crate::solve::render::text_of;
-use crate::validity;
 use crate::table::{Tone, cell, render, render_whole, table};
+use crate::validity;
 
 const QUANTITIES: [(&str, &str); 3] =
     [("contact radius a", "m"), ("indentation depth d", "m"), ("normal force F", "N")];
@@ -18,14 +18,17 @@ pub(crate) fn write(
     answer: &CriticalAnswer,
     sibling: Option<&CriticalAnswer>,
     format: Format,
+    reader: &Reader,
     out: &mut Output<impl std::io::Write>,
 ) -> Result<()> {
     match format {
         Format::Json => out.json(answer),
         Format::Csv => for_spreadsheet(std::slice::from_ref(answer), out),
         Format::Table => {
-            let sibling = sibling.and_then(in_a_line).map_or_else(String::new, |line| format!("\n{line}"));
-            out.text(format!("{}{sibling}", for_reader(answer)))
+            let sibling = sibling
+                .and_then(|sibling| in_a_line(sibling, reader))
+                .map_or_else(String::new, |line| format!("\n{line}"));
+            out.text(format!("{}{sibling}", for_reader(answer, reader)))
         }
     }
 }
@@ -34,6 +37,7 @@ pub(crate) fn write(
 pub(crate) fn write_all(
     answers: &[CriticalAnswer],
     format: Format,
+    reader: &Reader,
     out: &mut Output<impl std::io::Write>,
 ) -> Result<()> {
     match format {
@@ -41,10 +45,17 @@ pub(crate) fn write_all(
         Format::Csv => for_spreadsheet(answers, out),
         Format::Table => {
             let keys = ["n", "kappa", "contact_radius", "indentation", "force", "kind", "status"];
-            let titles = ["n", "kappa_n", "contact radius, m", "indentation, m", "force, N", "fold", "status"];
+            let names = ["n", "kappa_n", "contact radius", "indentation", "force", "fold", "status"];
+            let units = ["", "", "m", "m", "N", "", ""];
+            let titles: Vec<_> = names.iter().zip(units).map(|(name, unit)| reader.titled(name, unit)).collect();
             let mut table = table(&titles);
             for row in answers.iter().flat_map(CriticalAnswer::rows) {
-                table.add_row(keys.map(|key| cell(row.get(key).unwrap_or_default(), Tone::Plain)));
+                let columns = keys.iter().zip(units).enumerate();
+                table.add_row(columns.map(|(column, (key, unit))| {
+                    let text = row.get(key).unwrap_or_default();
+                    let text = if (1..=4).contains(&column) { reader.number(text, unit) } else { text.to_owned() };
+                    cell(text, Tone::Plain)
+                }));
             }
             out.text(render_whole(&table))
         }
@@ -52,7 +63,7 @@ pub(crate) fn write_all(
 }
 
 /// The sibling of an answer: what the other control would make of the same contact.
-fn in_a_line(sibling: &CriticalAnswer) -> Option<String> {
+fn in_a_line(sibling: &CriticalAnswer, reader: &Reader) -> Option<String> {
     let state = sibling.state.as_ref()?;
     let control = match sibling.law.control.kind() {
         ControlKind::Force => "Under a dead load",
@@ -60,23 +71,23 @@ fn in_a_line(sibling: &CriticalAnswer) -> Option<String> {
     };
     let jkr = sibling.law.control.kind() == ControlKind::Force && sibling.law.n.small_integer() == Some(2);
     let closed = if jkr { " = -3/2 pi w R" } else { "" };
-    Some(format!(
-        "{control}: F = {} N{closed} at d = {} m, a = {} m.",
-        state.force, state.indentation, state.contact_radius
-    ))
+    let of = |value: &Value, unit| reader.quantity(&value.to_string(), unit);
+    let [a, d, force] = [of(&state.contact_radius, "m"), of(&state.indentation, "m"), of(&state.force, "N")];
+    Some(format!("{control}: F = {force}{closed} at d = {d}, a = {a}."))
 }
 
-fn for_reader(answer: &CriticalAnswer) -> String {
+fn for_reader(answer: &CriticalAnswer, reader: &Reader) -> String {
     let mut table = table(&["quantity", "value", "unit"]);
-    table.add_row([cell("kappa_n", Tone::Plain), cell(&answer.kappa, Tone::Good), cell("", Tone::Faint)]);
+    let kappa = reader.number(&answer.kappa.to_string(), "");
+    table.add_row([cell("kappa_n", Tone::Plain), cell(kappa, Tone::Good), cell("", Tone::Faint)]);
     let mut add = |name: &str, value: Option<&Value>, unit: &str| {
         let tone = match value {
             Some(Value::Unknown { .. }) => Tone::Bad,
             Some(_) => Tone::Good,
             None => Tone::Faint,
         };
-        let text = value.map_or("none".to_owned(), Value::to_string);
-        table.add_row([cell(name, Tone::Plain), cell(text, tone), cell(unit, Tone::Faint)]);
+        let text = value.map_or("none".to_owned(), |value| reader.number(&value.to_string(), unit));
+        table.add_row([cell(name, Tone::Plain), cell(text, tone), cell(reader.unit(unit), Tone::Faint)]);
     };
     if let Some(threshold) = &answer.threshold {
         add("threshold of C", Some(&threshold.c), "m^(1/2)");
@@ -98,7 +109,7 @@ fn for_reader(answer: &CriticalAnswer) -> String {
         }
     }
     let validity = answer.validity.as_ref().map_or_else(String::new, |validity| {
-        format!("\n\n{}", validity::text(validity, answer.validity_promise()))
+        format!("\n\n{}", validity::text(validity, answer.validity_promise(), reader))
     });
     format!("{}\n\n{}\n\n{}{validity}", heading(answer), render(&table), answer.explanation())
 }

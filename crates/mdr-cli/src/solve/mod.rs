@@ -13,7 +13,7 @@ use mdr::prelude::*;
 use mdr::{Cost, Result as Solved};
 
 use crate::error::{Failure, Result};
-use crate::flags::ArithmeticFlags;
+use crate::flags::{ArithmeticFlags, ReaderFlags};
 use crate::output::{Format, Output as Out};
 use crate::plot;
 
@@ -31,6 +31,9 @@ Examples:
 
   With a picture of the branches, the path and its jumps, and the data of the picture as CSV:
     mdr solve examples/scenes/figure-4.toml --plot figure-4.svg
+
+  For a spreadsheet, one file an output, in nanometres and nanonewtons:
+    mdr solve examples/scenes/force-curve.toml --out curve --units nm,nN
 
 A scene is a TOML file with the tables [profile] and [output], and with [material] and [control]
 where what is wanted needs them; examples/scenes has one for every kind of profile and control.
@@ -65,6 +68,13 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
 
+    /// Write one CSV file an output into a folder, with units in the headers and a column an input
+    #[arg(long, value_name = "DIR", conflicts_with = "format")]
+    out: Option<PathBuf>,
+
+    #[command(flatten)]
+    reader: ReaderFlags,
+
     /// Tell on standard error what each output cost: evaluations of g, its slope and its integral, and time
     #[arg(long)]
     explain: bool,
@@ -74,6 +84,7 @@ impl Solve {
     /// Answers on `out`.
     pub(crate) fn run(&self, out: &mut Out<impl std::io::Write>) -> Result<()> {
         self.plot.as_deref().map_or(Ok(()), plot::check)?;
+        let reader = self.reader.reader(self.out.is_some() || self.format == Format::Table)?;
         let scene = open(&self.scene)?.in_arithmetic(self.arithmetic.given()?);
         if self.plot.is_some() && !scene.has_material() {
             let why = "a picture shows equilibria, and needs [material] in the scene".to_owned();
@@ -82,7 +93,10 @@ impl Solve {
         let mut progress = Progress::default();
         let mut answer = scene.solve_with(&mut Run::new(&mut progress, Stop::default()))?;
         answer.notes.extend(scene.unused(self.plot.is_some()));
-        render::write(&answer, self.format, out)?;
+        match &self.out {
+            Some(folder) => render::write_files(&scene, &answer, folder, &reader, out)?,
+            None => render::write(&answer, self.format, &reader, out)?,
+        }
         if let Some(file) = &self.plot {
             draw(&scene, &self.scene, file).map_err(not_drawn)?;
         }

@@ -1,27 +1,30 @@
 //! The answer for a reader and for a spreadsheet.
 
-use mdr::answer::{FlatCell, FlatRow, columns, described, title};
+use std::path::Path;
+
+use mdr::answer::{FlatCell, FlatRow, Notation, Reader, columns, described, title};
 use mdr::prelude::*;
 
-use crate::error::Result;
+use crate::error::{Failure, Result};
 use crate::output::{Format, Output as Out};
-use crate::validity;
 use crate::table::{Tone, cell, render_whole, table};
+use crate::validity;
 
 /// Writes `answer` in the `format` asked for.
-pub(crate) fn write(answer: &Answer, format: Format, out: &mut Out<impl std::io::Write>) -> Result<()> {
+pub(crate) fn write(
+    answer: &Answer,
+    format: Format,
+    reader: &Reader,
+    out: &mut Out<impl std::io::Write>,
+) -> Result<()> {
     match format {
         Format::Json => out.json(answer),
-        Format::Csv => {
-            let table = answer.spreadsheet();
-            let header: Vec<&str> = table[0].iter().map(String::as_str).collect();
-            out.csv(&header, &table[1..])
-        }
-        Format::Table => out.text(for_reader(answer)),
+        Format::Csv => csv(&answer.spreadsheet(), out),
+        Format::Table => out.text(for_reader(answer, reader)),
     }
 }
 
-fn for_reader(answer: &Answer) -> String {
+fn for_reader(answer: &Answer, reader: &Reader) -> String {
     let digits = match answer.arithmetic {
         Arithmetic::Certified { digits: 1 } => "1 digit".to_owned(),
         Arithmetic::Certified { digits } => format!("{digits} digits"),
@@ -29,20 +32,20 @@ fn for_reader(answer: &Answer) -> String {
     };
     let control = answer.control.map_or_else(String::new, |control| format!("; controlled: {}", control.name()));
     let heading = format!("Profile: {}{control}; {digits}", answer.profile);
-    let parts = answer.outputs.iter().map(output);
+    let parts = answer.outputs.iter().map(|part| output(part, answer.control, reader));
     let basis = answer.admissibility.map(|basis| format!("Admissible: {}.", described(basis)));
     let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
-    let validity = answer.validity.as_ref().map(|validity| validity::text(validity, answer.validity_promise()));
+    let validity = answer.validity.as_ref().map(|validity| validity::text(validity, answer.validity_promise(), reader));
     std::iter::once(heading).chain(notes).chain(parts).chain(basis).chain(validity).collect::<Vec<_>>().join("\n\n")
 }
 
-fn output(output: &Output) -> String {
+fn output(output: &Output, control: Option<ControlKind>, reader: &Reader) -> String {
     let rows = output.table();
     let mut text = format!("{} ({})\n\n", output.kind().name(), output.promise().name());
     if rows.is_empty() {
         text.push_str(" none\n");
     } else {
-        text.push_str(&table_of(output, &rows));
+        text.push_str(&table_of(output, &rows, control, reader));
         text.push('\n');
     }
     let reasons = output.reasons();
@@ -53,10 +56,10 @@ fn output(output: &Output) -> String {
         text.push_str(&format!("\nand {} more reasons.\n", reasons.len() - SHOWN));
     }
     if let Some(balance) = output.balance() {
-        text.push_str(&format!("\n{balance}\n"));
+        text.push_str(&format!("\n{}\n", balance.sentence(reader)));
     }
     if let Output::ForceCurve(curve) = output {
-        text.push_str(&format!("\n{}\n", curve.summary));
+        text.push_str(&format!("\n{}\n", curve.summary.sentence(reader)));
     }
     let exceptions = output.exceptions();
     if let Some((_, promise)) = exceptions.first() {
@@ -79,16 +82,22 @@ fn output(output: &Output) -> String {
 /// Reasons that are shown of one output.
 const SHOWN: usize = 5;
 
-fn table_of(output: &Output, rows: &[FlatRow]) -> String {
+fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, reader: &Reader) -> String {
     let keys = columns(rows);
-    let mut table = table(&keys.iter().map(|key| title(key)).collect::<Vec<_>>());
+    let unit = |key| title(key, control).1;
+    let titles = keys.iter().map(|key| title(key, control)).map(|(name, unit)| reader.titled(name, unit));
+    let mut table = table(&titles.collect::<Vec<_>>());
     // Where the list is that of a range, its end is no end of the equilibria.
     let limited = output.rows().iter().any(|row| row.status() == Status::NoEquilibrium && row.why().is_some());
+    let typed = Reader { notation: Notation::Plain, ..reader.clone() };
     for row in rows {
         table.add_row(keys.iter().map(|key| match value(row, key) {
             Some(FlatCell::Status(Status::NoEquilibrium)) if limited => {
                 cell(format!("{} within the range", Status::NoEquilibrium), Tone::Bad)
             }
+            Some(FlatCell::Number(text)) => cell(reader.number(text, unit(key)), Tone::Good),
+            // What was typed keeps its notation.
+            Some(FlatCell::Text(text)) => cell(typed.number(text, unit(key)), Tone::Plain),
             Some(found) => cell(found, tone(found)),
             None => cell("", Tone::Plain),
         }));
@@ -107,4 +116,32 @@ pub(crate) fn tone(cell: &FlatCell) -> Tone {
         FlatCell::Status(Status::Ok) | FlatCell::Empty => Tone::Faint,
         FlatCell::Magnitude(_) | FlatCell::Status(_) => Tone::Bad,
     }
+}
+
+/// One file an output in `folder`: the inputs of the scene, a column each, then its columns with their units. The files are
+/// listed on `out`.
+pub(crate) fn write_files(
+    scene: &Scene,
+    answer: &Answer,
+    folder: &Path,
+    reader: &Reader,
+    out: &mut Out<impl std::io::Write>,
+) -> Result<()> {
+    let failed = |error| Failure::file(format!("--out {}", folder.display()), error);
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    for output in &answer.outputs {
+        let file = folder.join(format!("{}.csv", output.kind().name()));
+        csv(
+            &answer.spreadsheet_of(output, scene, reader),
+            &mut Out::new(std::fs::File::create(&file).map_err(failed)?),
+        )?;
+        out.text(file.display())?;
+    }
+    Ok(())
+}
+
+/// A table with its titles first.
+fn csv(table: &[Vec<String>], out: &mut Out<impl std::io::Write>) -> Result<()> {
+    let header: Vec<&str> = table[0].iter().map(String::as_str).collect();
+    out.csv(&header, &table[1..])
 }

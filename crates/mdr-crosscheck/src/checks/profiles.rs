@@ -77,7 +77,7 @@ fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Re
 pub(super) const ROUNDINGS: f64 = 40.0;
 
 /// A profile: its name, a length L, a second length b = ratio·L where there is one, and a slope or height over L.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Drawn<R> {
     name: &'static str,
     length: R,
@@ -111,6 +111,13 @@ impl<R: Arithmetic> Drawn<R> {
     /// The slope or height over L.
     pub(super) fn steepness(&self) -> R {
         self.slope.clone()
+    }
+}
+
+impl std::fmt::Display for Drawn<f64> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Drawn { shape, length, second, slope } = self;
+        write!(f, "{shape:?}, L = {length:e}, b = {second:e}, t = {slope:e}")
     }
 }
 

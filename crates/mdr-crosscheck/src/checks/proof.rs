@@ -143,10 +143,11 @@ impl Library {
         let work = (slope / lambda).powi(2) * 2.0 * e_star * radius / std::f64::consts::PI;
         let stiffness = (turn % 3 == 2).then(|| 2.0 * e_star * radius * 10_f64.powf(trial.uniform(-2.0, 2.0)));
         let setting = Setting { e_star, work, stiffness, force: turn % 3 == 1 };
-        trial.describe(format_args!(
-            "{drawn:?}, E* = {e_star:e}, w = {work:e}, control {}, k = {stiffness:?}",
-            turn % 3
-        ));
+        let control = match stiffness {
+            Some(stiffness) => format!("k = {stiffness:e}"),
+            None => if turn % 3 == 1 { "force" } else { "indentation" }.to_owned(),
+        };
+        trial.describe(format_args!("{drawn}, E* = {e_star:e}, w = {work:e}, {control}"));
         let ctx = Precision::new(BITS);
         let lifted = drawn.lifted::<Interval>(ctx);
         Ok(Library {

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
+import math
 from collections.abc import Mapping
 from decimal import Decimal
+from fractions import Fraction
 from typing import Any, Literal, TypeAlias, Union, final, overload
 
 import numpy as np
@@ -52,6 +55,10 @@ class Machine:
     def __reduce__(self) -> tuple[type[Machine], tuple[Number]]:
         return Machine, (self._stiffness,)
 
+
+# Differences over this relative step are exact to its square, and lose ten of the digits.
+_STEP = Fraction(1, 10**10)
+_DIGITS = 30
 
 Control: TypeAlias = Union[Literal["indentation", "force"], Machine]
 Start: TypeAlias = Literal["largest", "smallest", "detached"]
@@ -185,10 +192,125 @@ class Contact:
         held, stiffness = held_by(control)
         return State(*self._core.pull_off(held, stiffness_of(stiffness)))
 
-    def folds(self, control: Control) -> tuple[Fold, ...]:
-        """All instabilities that are found, by increasing contact radius; :func:`solve` proves that there are no others."""
+    @overload
+    def folds(self, control: Control, *, digits: None = None) -> tuple[Fold[float], ...]: ...
+    @overload
+    def folds(self, control: Control, *, digits: int) -> tuple[Fold[Decimal], ...]: ...
+    def folds(
+        self, control: Control, *, digits: int | None = None
+    ) -> tuple[Fold[float], ...] | tuple[Fold[Decimal], ...]:
+        """All instabilities that are found, by increasing contact radius.
+
+        Parameters
+        ----------
+        control : {"indentation", "force"} or Machine
+            What is held.
+        digits : int, optional
+            So many certified digits as ``Decimal``, each proved; whether it is proved, too, that there are no other folds is
+            said by ``solve(contact.scene(control, want=["folds"])).complete``.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> tip = mdr.Contact(mdr.WavyParaboloid("1", "5e-4", "0.1"), e_star=1, work_of_adhesion="1e-4")
+        >>> [(fold.kind, fold.force) for fold in tip.folds("indentation", digits=6)][0]
+        ('minimum', Decimal('-0.000106943'))
+        """
         held, stiffness = held_by(control)
-        return tuple(Fold(*fold) for fold in self._core.folds(held, stiffness_of(stiffness)))
+        if digits is None:
+            return tuple(Fold(*fold) for fold in self._core.folds(held, stiffness_of(stiffness)))
+        from ._scene import solve
+
+        rows = solve(self.scene(control, want=["folds"]), digits=digits)["folds"]
+        return tuple(
+            Fold(row["contact_radius"], row["indentation"], row["force"], row["kind"]) for row in rows if "kind" in row
+        )
+
+    def energy(
+        self,
+        *,
+        indentation: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        position: ArrayLike | None = None,
+        stiffness: Number | None = None,
+    ) -> Floats:
+        """The potential energy in J of the states of :meth:`states`: elastic energy less work of adhesion times contact area,
+        of the contact alone, without a dead load or the spring of a machine; NaN where nothing is in equilibrium.
+
+        In f64, for hundreds of values rather than for millions.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> ball = mdr.jkr(radius=1e-6, e_star=1e6, work_of_adhesion=0.05)
+        >>> down, up = ball.energy(indentation=[2e-7 - 1e-12, 2e-7 + 1e-12]).tolist()
+        >>> force = ball.states(indentation=2e-7).force
+        >>> abs((up - down) / 2e-12 / force - 1) < 1e-3  # the force is the slope of the energy
+        True
+        """
+        held, flat, shape, k = _held_values(indentation, force, position, stiffness)
+        from ._scene import solve
+
+        control: Control = "force" if held == "force" else "indentation"
+        if stiffness is not None:
+            control = Machine(stiffness)
+        known = np.isfinite(flat)
+        energies = np.full(len(flat), np.nan)
+        if known.any():
+            values = [float(value) for value in flat[known]]
+            output = {"want": ["energy"], "equilibria": {"at": values}, "path": values[:1]}
+            rows = solve(self.scene(control, **output), f64=True)["energy"]
+            found = [[state["energy"] for state in row["states"] if state["stable"]] for row in rows]
+            energies[known] = [states[-1] if states and states[-1] is not None else np.nan for states in found]
+        result: Floats = shaped(energies, shape)
+        return result
+
+    def sensitivity(self, control: Control) -> dict[str, State[float]]:
+        """How the critical state depends on each input: d ln(result)/d ln(input), to about twelve digits.
+
+        An error of 1 % in an input moves a result by so many percent. Central differences of certified digits, so that
+        nothing cancels; an integer exponent n has none. NaN for a result that is 0.
+
+        Raises
+        ------
+        TypeError
+            The profile is a sum, a formula or a table.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> ball = mdr.jkr(radius=1e-6, e_star=1e6, work_of_adhesion=0.05)
+        >>> found = ball.sensitivity("force")
+        >>> {name: round(state.force, 9) + 0 for name, state in found.items()}  # F = −3/2 πwR
+        {'radius': 1.0, 'e_star': 0.0, 'work_of_adhesion': 1.0}
+        >>> round(found["e_star"].contact_radius, 9)
+        -0.333333333
+        """
+        held, stiffness = held_by(control)
+        inputs: dict[str, Number] = {name: value for name, value in self._profile.parameters.items() if name != "n"}
+        if not inputs or set(self._profile.parameters) != {field.name for field in dataclasses.fields(self._profile)}:
+            raise TypeError(f"no sensitivity to the parameters of {self._profile!r}")
+        inputs |= {"e_star": self._e_star, "work_of_adhesion": self._work}
+        if stiffness is not None:
+            inputs["stiffness"] = stiffness
+
+        def state(name: str, factor: Fraction) -> State[Decimal]:
+            values = inputs | {name: Fraction(exact(inputs[name], name)) * factor}
+            shape = dataclasses.replace(self._profile, **{key: values[key] for key in self._profile.parameters if key != "n"})
+            contact = Contact(shape, e_star=values["e_star"], work_of_adhesion=values["work_of_adhesion"])
+            return contact.critical(Machine(values["stiffness"]) if "stiffness" in values else control, digits=_DIGITS)
+
+        def slope(lower: Decimal, upper: Decimal) -> float:
+            above, below = Fraction(upper), Fraction(lower)
+            middle = (above + below) / 2
+            return float((above - below) / middle / (2 * _STEP)) if middle else math.nan
+
+        found = {}
+        for name in inputs:
+            low, high = state(name, 1 - _STEP), state(name, 1 + _STEP)
+            pairs = zip(low.to_dict().values(), high.to_dict().values())
+            found[name] = State(*(slope(lower, upper) for lower, upper in pairs))
+        return found
 
     def states(
         self,
@@ -225,9 +347,14 @@ class Contact:
         >>> mdr.Status(states.status[0])
         <Status.NO_EQUILIBRIUM: 2>
         """
-        held, flat, shape, k = _held_values(indentation, force, position, stiffness)
         if branch not in ("largest", "smallest"):
             raise ValueError(f"branch must be 'largest' or 'smallest', got {branch!r}")
+        # One double needs no arrays on its way.
+        if type(force) is float and indentation is position is stiffness is None:
+            return _scalar(self._core.state(force, "force", branch == "largest"))
+        if type(indentation) is float and force is position is stiffness is None:
+            return _scalar(self._core.state(indentation, "indentation", branch == "largest"))
+        held, flat, shape, k = _held_values(indentation, force, position, stiffness)
         columns, status = self._core.states(flat, held, k, branch == "largest")
         return States(*(shaped(column, shape) for column in (*columns, status)))
 
@@ -412,6 +539,12 @@ def _held_values(
         positive(stiffness, "stiffness", "the machine stiffness k")
     flat, shape = array(values, held)
     return held, flat, shape, stiffness_of(stiffness)
+
+
+def _scalar(state: tuple[_Row, int]) -> States:
+    (a, d, force), status = state
+    numbers: Any = np.float64(a), np.float64(d), np.float64(force), np.int8(status)
+    return States(*numbers)
 
 
 def _event(row: _Happening) -> Event:

@@ -116,6 +116,11 @@ class Record:
             raise KeyError(self.id)
         return found
 
+    @property
+    def physical(self) -> bool:
+        """Whether the contact is a real one in SI units, such as the tip of a force microscope: ``flag=physical`` in a filter."""
+        return "si" in self.flags
+
     def mark(self, answer: AnswerLike) -> Mark:
         """Judges one answer."""
         return judge({self.id: answer}, f"id={self.id}").marks[0]

@@ -53,7 +53,7 @@ class State(Generic[N]):
 
 
 @dataclass(frozen=True, slots=True)
-class Fold(State[float]):
+class Fold(State[N]):
     """An instability: a minimum or a maximum of what is held, along increasing contact radii."""
 
     kind: Literal["minimum", "maximum"]

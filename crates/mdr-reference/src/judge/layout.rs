@@ -71,13 +71,14 @@ impl Report<'_> {
         let hypotheses: Vec<_> = self.explanations().iter().map(hypothesis).collect();
         format!(
             "{{{SCHEMA},\"summary\":{{\"questions\":{},\"answered\":{},\"unanswered\":{},\"set_aside\":{},{},\
-             \"classes\":{{{}}},\"failures\":[{}],\"passed\":{},\"hypotheses\":[{}]}}}}",
+             \"classes\":{{{}}},\"physical\":[{}],\"failures\":[{}],\"passed\":{},\"hypotheses\":[{}]}}}}",
             self.questions(),
             self.answered(),
             self.unanswered(),
             self.set_aside,
             refused.join(","),
             classes.join(","),
+            self.physical().map(|count| count.to_string()).join(","),
             failures.join(","),
             self.passed(),
             hypotheses.join(",")
@@ -140,6 +141,10 @@ impl Report<'_> {
             1 => "; 1 answer to another record set aside".to_owned(),
             many => format!("; {many} answers to other records set aside"),
         });
+        let [right, inaccurate, wrong] = self.physical();
+        if inaccurate + wrong > 0 {
+            text.push_str(&format!("\nof real contacts: {right} right, {inaccurate} inaccurate, {wrong} wrong"));
+        }
         for explanation in self.explanations() {
             text.push_str(&format!("\n{explanation}"));
         }

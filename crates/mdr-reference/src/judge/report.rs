@@ -48,7 +48,7 @@ pub struct Class {
 pub struct Report<'a> {
     pub(crate) questions: Vec<&'a Record>,
     pub(crate) rules: Rules,
-    /// All answers, the worst first.
+    /// All answers, by verdict with the wrong ones first; of each verdict those about real contacts first, then the worst.
     pub judged: Vec<Judged<'a>>,
     /// Lines that are not answers.
     pub malformed: Refused,
@@ -74,7 +74,11 @@ impl Refused {
 impl<'a> Report<'a> {
     /// A report of these answers to these questions.
     pub(crate) fn new(questions: Vec<&'a Record>, mut judged: Vec<Judged<'a>>, rules: Rules) -> Self {
-        let badness = |judged: &Judged<'_>| judged.mark.badness();
+        // Of answers with the same verdict those about real contacts matter most.
+        let badness = |Judged { record, mark, .. }: &Judged<'_>| {
+            let (verdict, severity) = mark.badness();
+            (verdict, record.is_physical(), severity)
+        };
         judged.sort_by(|a, b| badness(b).partial_cmp(&badness(a)).unwrap_or(std::cmp::Ordering::Equal));
         let none = Refused::default;
         Report { questions, rules, judged, malformed: none(), unknown: none(), repeated: none(), set_aside: 0 }
@@ -122,6 +126,15 @@ impl<'a> Report<'a> {
     /// The answers with this verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.judged.iter().filter(|judged| judged.mark.verdict == verdict).count()
+    }
+
+    /// The answers about real contacts that are right, inaccurate and wrong.
+    pub fn physical(&self) -> [usize; 3] {
+        let count = |verdict| {
+            let has = |judged: &&Judged<'_>| judged.record.is_physical() && judged.mark.verdict == verdict;
+            self.judged.iter().filter(has).count()
+        };
+        [Verdict::Right, Verdict::Inaccurate, Verdict::Wrong].map(count)
     }
 
     /// The answers by class.

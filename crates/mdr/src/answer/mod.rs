@@ -2,14 +2,17 @@
 
 #[cfg(feature = "serde")]
 mod json;
+mod reader;
 pub(crate) mod record;
 mod rows;
+mod spreadsheet;
 pub(crate) mod types;
 mod value;
 
 use mdr_core::contact::ControlKind;
 use mdr_numeric::admissible::Basis;
 
+pub use reader::{Notation, Reader, UnitError, Units};
 pub use record::{Cell, Row};
 pub use rows::{FlatCell, FlatRow, columns, title};
 pub use types::{
@@ -20,8 +23,8 @@ pub use types::{
 pub use value::{Number, Promise, Value};
 
 use crate::run::Cost;
-use crate::validity::Validity;
 use crate::scene::{Arithmetic, Want};
+use crate::validity::Validity;
 use record::Numbers;
 
 /// The kinds of output, by their names in scenes and answers.

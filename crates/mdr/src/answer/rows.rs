@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use mdr_core::contact::Status;
+use mdr_core::contact::{ControlKind, Status};
 
-use super::{Answer, Balance, Cell, CurveSummary, Output, Row, Value};
+use super::{Balance, Cell, CurveSummary, Output, Reader, Row, Value};
 
 /// A cell of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -144,96 +144,54 @@ fn collect_reasons(rows: &[Row<'_>], reasons: &mut Vec<(Status, String)>) {
     }
 }
 
-impl Answer {
-    /// One table for all outputs, the titles first: the first two columns say which output, and its promise. A column of
-    /// numbers has numbers only, and log₁₀ of what is out of range has a column of its own.
-    pub fn spreadsheet(&self) -> Vec<Vec<String>> {
-        let separated = |row: FlatRow| -> FlatRow {
-            row.into_iter()
-                .flat_map(|(key, cell)| match cell {
-                    FlatCell::Magnitude(log10) => {
-                        let magnitude = (format!("log10_{key}").into(), FlatCell::Number(log10.to_string()));
-                        vec![(key, FlatCell::Empty), magnitude]
-                    }
-                    cell => vec![(key, cell)],
-                })
-                .collect()
-        };
-        let rows = self.outputs.iter().flat_map(|output| {
-            let names = [output.kind().name(), output.promise().name()];
-            output.table().into_iter().map(move |row| (names, separated(row)))
-        });
-        let validity = self
-            .validity
-            .iter()
-            .map(|validity| (["validity", self.validity_promise().name()], separated(validity.table())));
-        let rows: Vec<([&str; 2], FlatRow)> = rows.chain(validity).collect();
-        let keys = columns(rows.iter().map(|(_, row)| row));
-        let header = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref));
-        let rows = rows.iter().map(|(names, row)| {
-            let value =
-                |key| row.iter().find(|(name, _)| name == key).map_or_else(String::new, |(_, cell)| cell.to_string());
-            names.iter().map(|name| (*name).to_owned()).chain(keys.iter().map(value)).collect()
-        });
-        std::iter::once(header.map(str::to_owned).collect()).chain(rows).collect()
-    }
-}
-
-/// The heading of a column, with its unit.
-pub fn title(key: &str) -> &str {
+/// The heading of a column and its unit in an answer under `control`; without one where the column has none.
+pub fn title(key: &str, control: Option<ControlKind>) -> (&str, &'static str) {
     match key {
-        "contact_radius" => "contact radius, m",
-        "to_contact_radius" => "to radius, m",
-        "indentation" => "indentation, m",
-        "force" => "force, N",
-        "to_indentation" => "to indentation, m",
-        "position" => "position, m",
-        "to_force" => "to force, N",
-        "dissipated" => "dissipated, J",
-        "energy" => "energy, J",
-        "stiffness" => "stiffness, N/m",
-        "pressure" => "pressure, Pa",
-        "gap" => "gap, m",
-        "displacement" => "displacement, m",
-        "g" => "g, m",
-        "integral" => "integral, m²",
-        "x" => "x, m",
-        "r" => "r, m",
-        "range_of_adhesion" => "range of adhesion, m",
-        "tabor" => "Tabor number",
-        "jkr_pull_off" => "JKR pull-off force, N",
-        "maugis_dugdale_pull_off" => "Maugis-Dugdale pull-off force, N",
-        "correction" => "Maugis-Dugdale / JKR - 1",
-        "maugis_dugdale_contact_radius" => "Maugis-Dugdale contact radius, m",
-        "maugis_dugdale_outer_radius" => "radius of the attraction, m",
-        "maugis_dugdale_indentation" => "Maugis-Dugdale indentation, m",
-        "a_over_r" => "a/R",
-        key => key,
+        "value" if control == Some(ControlKind::Force) => (key, "N"),
+        "value" if control.is_some() => (key, "m"),
+        "contact_radius" => ("contact radius", "m"),
+        "to_contact_radius" => ("to radius", "m"),
+        "to_indentation" => ("to indentation", "m"),
+        "indentation" | "position" | "gap" | "displacement" | "g" | "x" | "r" => (key, "m"),
+        "force" => ("force", "N"),
+        "to_force" => ("to force", "N"),
+        "dissipated" | "energy" => (key, "J"),
+        "stiffness" => ("stiffness", "N/m"),
+        "pressure" => ("pressure", "Pa"),
+        "integral" => ("integral", "m²"),
+        "range_of_adhesion" => ("range of adhesion", "m"),
+        "tabor" => ("Tabor number", ""),
+        "jkr_pull_off" => ("JKR pull-off force", "N"),
+        "maugis_dugdale_pull_off" => ("Maugis-Dugdale pull-off force", "N"),
+        "correction" => ("Maugis-Dugdale / JKR - 1", ""),
+        "maugis_dugdale_contact_radius" => ("Maugis-Dugdale contact radius", "m"),
+        "maugis_dugdale_outer_radius" => ("radius of the attraction", "m"),
+        "maugis_dugdale_indentation" => ("Maugis-Dugdale indentation", "m"),
+        "slope" => ("slope g'(a)", ""),
+        "a_over_r" => ("a/R", ""),
+        key => (key, ""),
     }
 }
 
-/// The energy of a path in a sentence.
-impl fmt::Display for Balance {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Balance {
+    /// The energy of a path in a sentence.
+    pub fn sentence(&self, reader: &Reader) -> String {
         let part = |value: &Value| match value {
             Value::Unknown { log10: Some(log10), .. } => format!("about 10^{log10:.6} J"),
             Value::Unknown { status, why: Some(why), .. } => format!("{status} ({why})"),
             Value::Unknown { status, .. } => status.to_string(),
-            value => format!("{value} J"),
+            value => reader.quantity(&value.to_string(), "J"),
         };
         let [work, dissipated, stored] = [&self.work, &self.dissipated, &self.stored].map(part);
-        write!(
-            f,
-            "Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start."
-        )
+        format!("Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start.")
     }
 }
 
-/// What is read off a force curve, in a sentence.
-impl fmt::Display for CurveSummary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl CurveSummary {
+    /// What is read off a force curve, in a sentence.
+    pub fn sentence(&self, reader: &Reader) -> String {
         let part = |(name, value, unit): (&str, &Option<Value>, &str)| match value {
-            Some(value) => format!("{name} {value} {unit}"),
+            Some(value) => format!("{name} {}", reader.quantity(&value.to_string(), unit)),
             None => format!("no {name}"),
         };
         let parts = [
@@ -242,6 +200,6 @@ impl fmt::Display for CurveSummary {
             ("minimum force", &self.minimum_force, "N"),
             ("hysteresis", &self.hysteresis, "J"),
         ];
-        write!(f, "Summary: {}.", parts.map(part).join(", "))
+        format!("Summary: {}.", parts.map(part).join(", "))
     }
 }

@@ -158,10 +158,12 @@ pub fn spreadsheet(answers: &[CriticalAnswer]) -> Vec<Vec<String>> {
     let validity = |answer: &CriticalAnswer| answer.validity.as_ref().map(Validity::table);
     let tables: Vec<FlatRow> = answers.iter().filter_map(validity).collect();
     let keys = if tables.is_empty() { Vec::new() } else { columns(&tables) };
-    let header = CriticalRow::COLUMNS.map(str::to_owned).into_iter().chain(keys.iter().map(|key| format!("validity_{key}")));
+    let header =
+        CriticalRow::COLUMNS.map(str::to_owned).into_iter().chain(keys.iter().map(|key| format!("validity_{key}")));
     let rows = answers.iter().flat_map(|answer| {
         let cells = validity(answer).unwrap_or_default();
-        let text = |key| cells.iter().find(|(name, _)| name == key).map_or_else(String::new, |(_, cell)| cell.to_string());
+        let text =
+            |key| cells.iter().find(|(name, _)| name == key).map_or_else(String::new, |(_, cell)| cell.to_string());
         let added: Vec<String> = keys.iter().map(text).collect();
         answer.rows().into_iter().map(move |row| row.0.into_iter().chain(added.clone()).collect())
     });

@@ -1,0 +1,272 @@
+//! Numbers for a reader: units with prefixes, engineering notation, digits in groups. Only the decimal point moves, so that a
+//! certified digit stays certified.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+/// How the digits of a number are laid out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Notation {
+    /// As in JSON, to be copied.
+    #[default]
+    Plain,
+    /// Powers of a thousand, and the decimals in groups of five: `260.46985 39339e-6`.
+    Engineering,
+    /// One digit before the point, and the decimals in groups of five: `2.60469 85393 39e-4`.
+    Scientific,
+}
+
+/// Units that take the place of SI units, such as `nm,nN`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Units(Vec<Unit>);
+
+/// A unit with its prefixes, and 10^power of it in one unit of the SI.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Unit {
+    name: String,
+    base: &'static str,
+    power: i64,
+}
+
+/// A unit that nothing in an answer has.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnitError(String);
+
+impl fmt::Display for UnitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` is no unit of m, N, Pa, J or N/m with prefixes from q to Q, such as nm,nN,kPa,aJ,nN/nm", self.0)
+    }
+}
+
+impl std::error::Error for UnitError {}
+
+/// Prefixes and their powers of ten.
+const PREFIXES: [(&str, i64); 22] = [
+    ("q", -30),
+    ("r", -27),
+    ("y", -24),
+    ("z", -21),
+    ("a", -18),
+    ("f", -15),
+    ("p", -12),
+    ("n", -9),
+    ("u", -6),
+    ("µ", -6),
+    ("m", -3),
+    ("c", -2),
+    ("", 0),
+    ("k", 3),
+    ("M", 6),
+    ("G", 9),
+    ("T", 12),
+    ("P", 15),
+    ("E", 18),
+    ("Z", 21),
+    ("Y", 24),
+    ("Q", 30),
+];
+
+/// The power of ten of `name` in units of `base`.
+fn power(name: &str, base: &str) -> Option<i64> {
+    let prefix = name.strip_suffix(base)?;
+    PREFIXES.iter().find(|(known, _)| *known == prefix).map(|(_, power)| -power)
+}
+
+impl FromStr for Unit {
+    type Err = UnitError;
+
+    fn from_str(name: &str) -> Result<Self, UnitError> {
+        let found = match name.split_once('/') {
+            Some((over, under)) => power(over, "N").zip(power(under, "m")).map(|(over, under)| ("N/m", over - under)),
+            None => ["m", "N", "Pa", "J"].iter().find_map(|base| Some((*base, power(name, base)?))),
+        };
+        let (base, power) = found.ok_or_else(|| UnitError(name.to_owned()))?;
+        Ok(Unit { name: name.to_owned(), base, power })
+    }
+}
+
+/// Separated by commas. Where a quantity has two units the last one counts.
+impl FromStr for Units {
+    type Err = UnitError;
+
+    fn from_str(text: &str) -> Result<Self, UnitError> {
+        text.split(',').map(|name| name.trim().parse()).collect::<Result<_, _>>().map(Units)
+    }
+}
+
+impl Units {
+    /// The unit shown for a unit of the SI, and the power of ten by which its numbers grow; areas follow lengths.
+    fn shown<'a>(&'a self, si: &'a str) -> (Cow<'a, str>, i64) {
+        let of = |base: &str| self.0.iter().rev().find(|unit| unit.base == base);
+        match (of(si), si) {
+            (Some(unit), _) => (Cow::Borrowed(unit.name.as_str()), unit.power),
+            (None, "m²") => of("m").map_or((si.into(), 0), |unit| (format!("{}²", unit.name).into(), 2 * unit.power)),
+            (None, _) => (si.into(), 0),
+        }
+    }
+}
+
+/// Writes the numbers of answers for a reader.
+///
+/// ```
+/// use mdr::answer::{Notation, Reader};
+/// let reader = Reader { notation: Notation::Engineering, units: "um,mN".parse()? };
+/// assert_eq!(reader.quantity("0.00026046985393390224962", "m"), "260.46985 39339 02249 62 um");
+/// assert_eq!(reader.quantity("-0.0023561944901923449288", "N"), "-2.35619 44901 92344 9288 mN");
+/// assert_eq!(reader.number("3.9e-8", "J"), "39e-9");
+/// assert_eq!(reader.titled("integral", "m²"), "integral, um²");
+/// # Ok::<(), mdr::answer::UnitError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Reader {
+    /// How the digits are laid out.
+    pub notation: Notation,
+    /// In place of SI units.
+    pub units: Units,
+}
+
+impl Reader {
+    /// A number of an answer, given as text in the SI unit `si`. A text that is no decimal, such as `1/3`, stays as it is.
+    pub fn number(&self, text: &str, si: &str) -> String {
+        let (_, power) = self.units.shown(si);
+        match Digits::of(text) {
+            Some(digits) if power != 0 || self.notation != Notation::Plain => digits.write(power, self.notation),
+            _ => text.to_owned(),
+        }
+    }
+
+    /// The same with its unit.
+    pub fn quantity(&self, text: &str, si: &str) -> String {
+        format!("{} {}", self.number(text, si), self.unit(si))
+    }
+
+    /// What is shown for a unit of the SI.
+    pub fn unit<'a>(&'a self, si: &'a str) -> Cow<'a, str> {
+        self.units.shown(si).0
+    }
+
+    /// `name, unit`; the name alone for a number without unit.
+    pub fn titled(&self, name: &str, si: &str) -> String {
+        if si.is_empty() { name.to_owned() } else { format!("{name}, {}", self.unit(si)) }
+    }
+}
+
+/// ± d.ddd… · 10^exponent, as the digits that were written.
+struct Digits<'a> {
+    sign: &'a str,
+    digits: String,
+    exponent: i64,
+}
+
+impl<'a> Digits<'a> {
+    /// None where the text is no decimal, or its exponent is beyond 64 bits.
+    fn of(text: &'a str) -> Option<Self> {
+        let (sign, rest) = text.strip_prefix('-').map_or(("", text), |rest| ("-", rest));
+        let (mantissa, exponent) = rest.split_once('e').unwrap_or((rest, "0"));
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let all = format!("{whole}{fraction}");
+        if all.is_empty() || !all.bytes().all(|byte| byte.is_ascii_digit()) {
+            return None;
+        }
+        let leading = all.bytes().take_while(|digit| *digit == b'0').count();
+        let exponent = exponent.parse::<i64>().ok()?.checked_add(whole.len() as i64 - 1 - leading as i64)?;
+        Some(Digits { sign, digits: all[leading..].to_owned(), exponent })
+    }
+
+    fn write(&self, power: i64, notation: Notation) -> String {
+        /// Longer runs of zeros are a power of ten.
+        const ZEROS: i64 = 6;
+        let Some(exponent) = self.exponent.checked_add(power).filter(|_| !self.digits.is_empty()) else {
+            return "0".to_owned();
+        };
+        let count = self.digits.len() as i64;
+        // A zero that is no digit of the number is never put before its point.
+        let before = match notation {
+            Notation::Plain if (0..count).contains(&exponent) => exponent,
+            Notation::Plain if (-ZEROS..0).contains(&exponent) => exponent,
+            // A unit that was chosen is meant to need no power of ten.
+            Notation::Engineering if power != 0 && (-3..count.min(6)).contains(&exponent) => exponent,
+            Notation::Engineering if exponent.rem_euclid(3) < count => exponent.rem_euclid(3),
+            _ => 0,
+        };
+        let (whole, fraction) = match usize::try_from(before) {
+            Ok(before) => (self.digits[..=before].to_owned(), self.digits[before + 1..].to_owned()),
+            Err(_) => ("0".to_owned(), format!("{}{}", "0".repeat((-before - 1) as usize), self.digits)),
+        };
+        let fraction = if notation == Notation::Plain { fraction } else { grouped(&fraction) };
+        let point = if fraction.is_empty() { "" } else { "." };
+        let times = if exponent == before { String::new() } else { format!("e{}", exponent - before) };
+        format!("{}{whole}{point}{fraction}{times}", self.sign)
+    }
+}
+
+/// Groups of five digits.
+fn grouped(digits: &str) -> String {
+    let groups: Vec<&str> = (0..digits.len()).step_by(5).map(|at| &digits[at..digits.len().min(at + 5)]).collect();
+    groups.join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(text: &str, si: &str, units: &str, notation: Notation) -> String {
+        let units = if units.is_empty() { Units::default() } else { units.parse().expect("units") };
+        Reader { notation, units }.number(text, si)
+    }
+
+    #[test]
+    fn only_the_point_moves() {
+        use Notation::{Engineering, Plain, Scientific};
+        for (text, si, units, notation, expected) in [
+            ("-0.0000022614848269449457740", "m", "", Plain, "-0.0000022614848269449457740"),
+            ("-0.0000022614848269449457740", "m", "", Engineering, "-2.26148 48269 44945 7740e-6"),
+            ("-0.0000022614848269449457740", "m", "", Scientific, "-2.26148 48269 44945 7740e-6"),
+            ("-0.0000022614848269449457740", "m", "nm", Plain, "-2261.4848269449457740"),
+            ("-0.0000022614848269449457740", "m", "m", Engineering, "-2.26148 48269 44945 7740e-6"),
+            ("0.2500", "N", "nm,nN", Plain, "2.500e8"),
+            ("0.2500", "N", "nm,nN", Engineering, "250.0e6"),
+            ("-0.00028492923374", "m", "mm", Engineering, "-0.28492 92337 4"),
+            ("0.0189447", "m", "um", Engineering, "18944.7"),
+            ("0.2500", "N", "kN", Plain, "0.0002500"),
+            ("6.1810e+23", "N", "", Engineering, "618.10e21"),
+            // One digit is no three.
+            ("5e-7", "m", "", Engineering, "5e-7"),
+            ("12", "", "nm", Engineering, "12"),
+            ("0", "m", "nm", Engineering, "0"),
+            ("-0.0", "m", "nm", Plain, "0"),
+            ("1/3", "m", "nm", Engineering, "1/3"),
+            ("undecided", "m", "nm", Engineering, "undecided"),
+            ("2.5e-17", "m²", "nm", Plain, "25"),
+            ("0.2", "N/m", "nN/nm", Plain, "0.2"),
+            ("0.2", "N/m", "mN/m", Plain, "2e2"),
+            ("1e99999999999999999999", "m", "nm", Plain, "1e99999999999999999999"),
+        ] {
+            assert_eq!(written(text, si, units, notation), expected, "{text} {si} {units} {notation:?}");
+        }
+    }
+
+    /// Every number that a plain table shows is the same number in every other notation, in its unit.
+    #[test]
+    fn values_stay() {
+        for text in ["0.00026046985393390224962", "-5.0000e-7", "123456.789", "1e-300", "-0.001"] {
+            for notation in [Notation::Plain, Notation::Engineering, Notation::Scientific] {
+                let value = |text: &str| text.replace(' ', "").parse::<f64>().expect("a number");
+                let same = value(&written(text, "m", "", notation));
+                assert_eq!(same, value(text), "{text} {notation:?}");
+                let nanometres = value(&written(text, "m", "nm", notation)) / 1e9;
+                // One rounding of each decimal, one of the quotient.
+                assert!((nanometres / value(text) - 1.0).abs() <= 4.0 * f64::EPSILON, "{text} {notation:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn units_that_are_none() {
+        for text in ["", "nm,", "parsec", "xm", "N/s", "kg", "mm/N"] {
+            assert!(text.parse::<Units>().is_err(), "{text}");
+        }
+        assert!("furlong".parse::<Units>().unwrap_err().to_string().contains("`furlong` is no unit of m, N, Pa"));
+    }
+}

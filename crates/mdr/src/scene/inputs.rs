@@ -1,0 +1,56 @@
+//! The inputs of a scene as columns of a spreadsheet.
+
+use mdr_core::contact::Control;
+
+use super::{Profile, Scene};
+
+impl Scene {
+    /// What the states depend on, as written: name, SI unit (empty for a pure number) and value. The terms of a sum are counted
+    /// from 1; the rows of a table stay in their file.
+    pub fn inputs(&self) -> Vec<(String, &'static str, String)> {
+        let mut inputs = Vec::new();
+        of_profile(&self.profile, "", &mut inputs);
+        let mut add = |name: &str, unit, value: String| inputs.push((name.to_owned(), unit, value));
+        if self.has_material {
+            add("e_star", "Pa", self.effective_modulus.to_string());
+            add("work_of_adhesion", "J/m²", self.work_of_adhesion.to_string());
+        }
+        if self.names_control() {
+            add("control", "", self.control.kind().name().to_owned());
+        }
+        if let Control::Machine { stiffness } = &self.control {
+            add("stiffness", "N/m", stiffness.to_string());
+        }
+        inputs
+    }
+}
+
+fn of_profile(profile: &Profile, prefix: &str, inputs: &mut Vec<(String, &'static str, String)>) {
+    inputs.push((format!("{prefix}profile"), "", profile.name().to_owned()));
+    match profile {
+        Profile::Shape(shape) => {
+            let parameters = shape.parameters().into_iter();
+            inputs.extend(parameters.map(|(key, value)| (format!("{prefix}{key}"), unit_of(key), value.to_string())));
+        }
+        Profile::Sum(terms) => {
+            for (index, term) in terms.iter().enumerate() {
+                of_profile(term, &format!("{prefix}term{}.", index + 1), inputs);
+            }
+        }
+        Profile::Formula(formula) => {
+            let parameters = formula.parameters.iter();
+            inputs.extend(parameters.map(|(name, value)| (format!("{prefix}{name}"), "", value.to_string())));
+        }
+        Profile::Table(_) => {}
+    }
+}
+
+/// The unit of a parameter of a shape; that of C depends on n.
+fn unit_of(key: &str) -> &'static str {
+    match key {
+        "n" | "slope" => "",
+        "c" => "m^(1-n)",
+        "half_angle_degrees" => "°",
+        _ => "m",
+    }
+}
