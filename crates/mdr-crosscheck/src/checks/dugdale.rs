@@ -129,7 +129,7 @@ fn profile<R: Arithmetic>(trial: &mut Trial<'_>, name: &'static str, ctx: R::Ctx
     let strength = height / &a * R::from_f64(ctx, 10_f64.powf(trial.uniform(-1.0, 0.5)));
     let work = strength.clone() * &e_star * &h0 / e_star.lit(2);
     let [at, opening, s] = [&a, &h0, &strength].map(R::approx);
-    trial.describe(format_args!("{profile:?}, a = {at:e}, h0 = {opening:e}, s = {s:e} ({})", R::NAME));
+    trial.describe(format_args!("{profile}, a = {at:e}, h0 = {opening:e}, s = {s:e} ({})", R::NAME));
     let material = Material::new(e_star.clone(), work)?;
     let contact = Dugdale::new(Curve::new(&*transform, &material, &Control::Force), &h0)?;
     let state = match contact.state(&a) {

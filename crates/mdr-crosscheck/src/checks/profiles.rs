@@ -114,10 +114,10 @@ impl<R: Arithmetic> Drawn<R> {
     }
 }
 
-impl std::fmt::Display for Drawn<f64> {
+impl<R: Real> std::fmt::Display for Drawn<R> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Drawn { shape, length, second, slope } = self;
-        write!(f, "{shape:?}, L = {length:e}, b = {second:e}, t = {slope:e}")
+        let [length, second, slope] = [&self.length, &self.second, &self.slope].map(R::approx);
+        write!(f, "{}, L = {length:e}, b = {second:e}, t = {slope:e}", self.name)
     }
 }
 

@@ -4,7 +4,6 @@ use mdr_core::contact::{ControlKind, Regime};
 
 use super::{CriticalAnswer, CriticalFold, CriticalState};
 use crate::answer::{FlatRow, Value, columns};
-use crate::validity::Validity;
 
 /// A row of the table of critical states: what stands below each of [`CriticalRow::COLUMNS`], empty where there is nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -155,7 +154,7 @@ impl CriticalAnswer {
 /// One table for several answers, the titles first: [`CriticalRow::COLUMNS`], then those of [`Validity`](crate::Validity) with
 /// `validity_` before their keys where an answer has one.
 pub fn spreadsheet(answers: &[CriticalAnswer]) -> Vec<Vec<String>> {
-    let validity = |answer: &CriticalAnswer| answer.validity.as_ref().map(Validity::table);
+    let validity = |answer: &CriticalAnswer| answer.validity.as_ref().map(|validity| validity.table());
     let tables: Vec<FlatRow> = answers.iter().filter_map(validity).collect();
     let keys = if tables.is_empty() { Vec::new() } else { columns(&tables) };
     let header =
