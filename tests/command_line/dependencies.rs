@@ -96,7 +96,8 @@ fn the_packages_see_only_what_the_design_lets_them_see() {
     }
 }
 
-/// Where all tests of a package are one program, a file that is no module of it would never run.
+/// Where all tests of a package are one program, a file that is no module of it would never run. The folder `private` has
+/// modules of the source.
 #[test]
 fn every_file_of_tests_is_a_module_of_their_program() {
     for (package, manifest) in manifests() {
@@ -106,7 +107,8 @@ fn every_file_of_tests_is_a_module_of_their_program() {
             let path = entry.unwrap().path();
             let name = path.file_stem().unwrap().to_str().unwrap();
             let is_module = path.is_dir() || path.extension().is_some_and(|extension| extension == "rs");
-            let listed = name == "main" || program.lines().any(|line| line == format!("mod {name};"));
+            let listed =
+                ["main", "private"].contains(&name) || program.lines().any(|line| line == format!("mod {name};"));
             assert!(listed || !is_module, "{package}: tests/{name} is not in tests/main.rs");
         }
     }

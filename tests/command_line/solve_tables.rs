@@ -188,7 +188,7 @@ fn rounded_heights() {
         notes(&solved(&scene(&file, "", "want = [\"folds\"]"), "--f64"))
     };
     assert!(!said(20).contains("scatter"), "{}", said(20));
-    let many = said(2000);
+    let many = said(800);
     assert!(
         many.contains("as the rounding of their last digit does") && many.contains("folds come from that"),
         "{many}"

@@ -1,6 +1,6 @@
 //! The derivations hold, and the judge can say no.
 
-use mdr_crosscheck::derivations::{Fate, Judgement, Mutants, Points, judge, judge_all};
+use mdr_crosscheck::derivations::{Document, Fate, Judgement, Mutants, Points, judge, judge_all};
 use mdr_symbolic::derivations::{Claim, Entry, Step};
 use mdr_symbolic::{Domain, Statement};
 
@@ -12,6 +12,9 @@ fn every_entry_holds() {
     assert_eq!(Fate::ALL.map(count).iter().sum::<usize>(), mutants.len());
     assert!(count(Fate::NormalForm) > 1500 && count(Fate::Enclosure) > 100, "{:?}", Fate::ALL.map(count));
     assert!(count(Fate::Meaningless) < 20 && count(Fate::Undecided) == 0, "{:?}", Fate::ALL.map(count));
+    let latex = Document::All(&judgements).latex();
+    assert_eq!(latex.matches('{').count(), latex.matches('}').count(), "{latex}");
+    assert!(latex.chars().all(|c| (c as u32) < 0x180), "beyond Latin letters everything is TeX: {latex}");
     for judgement in judgements {
         for step in &judgement.steps {
             let survivors: Vec<_> = step.mutants.with(Fate::Survives).map(|mutant| mutant.text()).collect();

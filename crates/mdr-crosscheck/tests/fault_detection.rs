@@ -39,9 +39,10 @@ fn every_subject_is_in_the_table_and_watched() {
     assert_eq!(distinct.len(), subjects().len(), "a subject is in the table twice");
 }
 
+/// As many cases as a fault is looked for in; `mdr verify --quick` has them all.
 #[test]
-fn without_a_fault_the_quick_level_passes() {
-    let report = run(&Options::at(Level::Quick), &|_| ());
+fn without_a_fault_every_check_passes() {
+    let report = run(&Options { limit: Some(16), ..Options::at(Level::Quick) }, &|_| ());
     for row in &report.rows {
         assert_eq!(row.verdict, Verdict::Pass, "{}", row.check);
     }

@@ -1,28 +1,40 @@
 //! A run is a pure function of its options; shards partition it.
 
+use std::sync::LazyLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use mdr_crosscheck::{Level, MergeError, Options, Report, Shard, Verdict, run};
 
 fn few(shard: Shard) -> Options {
     Options { shard, limit: Some(5), ..Options::at(Level::Quick) }
 }
 
+/// A few cases of every check, and how often progress was told.
+static WHOLE: LazyLock<(Report, usize)> = LazyLock::new(|| {
+    let told = AtomicUsize::new(0);
+    let report = run(&few(Shard::WHOLE), &|progress| {
+        assert!(progress.done <= progress.total);
+        told.fetch_add(1, Ordering::Relaxed);
+    });
+    (report, told.into_inner())
+});
+
 #[test]
 fn shards_make_the_whole_bit_for_bit() {
-    let whole = run(&few(Shard::WHOLE), &|_| ());
     // In reverse order: the order of the lines must not matter.
     let lines: String = (1..=3).rev().map(|i| run(&few(Shard::new(i, 3).unwrap()), &|_| ()).to_json_lines()).collect();
-    assert_eq!(Report::from_json_lines(&lines).unwrap(), whole);
+    assert_eq!(Report::from_json_lines(&lines).unwrap(), WHOLE.0);
 }
 
 #[test]
 fn lines_read_back_as_the_report() {
-    let report = run(&few(Shard::WHOLE), &|_| ());
-    assert_eq!(Report::from_json_lines(&report.to_json_lines()).unwrap(), report);
+    assert_eq!(Report::from_json_lines(&WHOLE.0.to_json_lines()).unwrap(), WHOLE.0);
 }
 
 #[test]
 fn a_missing_a_repeated_and_a_foreign_shard_are_told() {
-    let part = |i, n| run(&few(Shard::new(i, n).unwrap()), &|_| ()).to_json_lines();
+    let only = || vec!["jkr".to_owned(), "kappa-gamma".to_owned()];
+    let part = |i, n| run(&Options { only: only(), ..few(Shard::new(i, n).unwrap()) }, &|_| ()).to_json_lines();
     let merged = |lines: String| Report::from_json_lines(&lines);
     assert!(matches!(merged(part(1, 2)), Err(MergeError::Incomplete { got: 1, count: 2, .. })));
     assert!(matches!(merged(part(1, 2) + &part(1, 2)), Err(MergeError::Repeated { .. })));
@@ -35,9 +47,10 @@ fn a_missing_a_repeated_and_a_foreign_shard_are_told() {
 fn the_seed_and_nothing_else_decides() {
     let options = few(Shard::WHOLE);
     let again = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(|| run(&options, &|_| ()));
-    assert_eq!(run(&options, &|_| ()), again);
-    let other = run(&Options { seed: 1, ..options }, &|_| ());
-    assert_ne!(other.rows, again.rows);
+    assert_eq!(WHOLE.0, again);
+    let only = vec!["jkr".to_owned()];
+    let [one, other] = [0, 1].map(|seed| run(&Options { seed, only: only.clone(), ..options.clone() }, &|_| ()));
+    assert_ne!(other.rows, one.rows);
 }
 
 #[test]
@@ -49,10 +62,6 @@ fn a_check_without_cases_is_skipped() {
 
 #[test]
 fn progress_counts_every_case() {
-    let seen = std::sync::atomic::AtomicUsize::new(0);
-    let report = run(&few(Shard::WHOLE), &|progress| {
-        assert!(progress.done <= progress.total);
-        seen.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-    });
-    assert_eq!(seen.into_inner(), report.rows.iter().map(|row| row.cases + row.skipped).sum::<usize>());
+    let (report, told) = &*WHOLE;
+    assert_eq!(*told, report.rows.iter().map(|row| row.cases + row.skipped).sum::<usize>());
 }

@@ -93,12 +93,12 @@ fn height<R: Special, S: Lift<R>>(shape: &Shape<R>, r: &S) -> S {
     match shape {
         Shape::Power { n, c } => power(r, n, c),
         Shape::Paraboloid { radius } => parabola(r, radius),
-        Shape::Cone { flank } => S::lift(&slope(flank)) * r,
+        Shape::Cone { flank } => S::lift(&flank.slope()) * r,
         Shape::Sphere { radius } => spherical(r, radius, radius),
         Shape::Ellipsoid { lateral, height } => spherical(r, lateral, height),
         Shape::FlatPunch { .. } => r.lit(0),
         Shape::TruncatedCone { flank, flat } => {
-            beyond(flat).map_or_else(|| r.lit(0), |beyond| S::lift(&slope(flank)) * beyond)
+            beyond(flat).map_or_else(|| r.lit(0), |beyond| S::lift(&flank.slope()) * beyond)
         }
         Shape::TruncatedParaboloid { radius, flat } => {
             let sum = r.clone() + S::lift(flat);
@@ -108,7 +108,7 @@ fn height<R: Special, S: Lift<R>>(shape: &Shape<R>, r: &S) -> S {
             beyond(flat).map_or_else(|| r.lit(0), |beyond| parabola(&beyond, radius))
         }
         Shape::ConeParabolicCap { flank, cap } => {
-            let (slope, cap_radius) = (S::lift(&slope(flank)), S::lift(cap));
+            let (slope, cap_radius) = (S::lift(&flank.slope()), S::lift(cap));
             match beyond(cap) {
                 Some(_) => slope * (r.clone() - cap_radius.over(2)),
                 None => (slope * r / cap_radius * r).over(2),
@@ -117,14 +117,14 @@ fn height<R: Special, S: Lift<R>>(shape: &Shape<R>, r: &S) -> S {
         Shape::ConeSphericalCap { flank, radius } => {
             let edge = cap_radius(flank, radius);
             match beyond(&edge) {
-                Some(beyond) => spherical(&S::lift(&edge), radius, radius) + S::lift(&slope(flank)) * beyond,
+                Some(beyond) => spherical(&S::lift(&edge), radius, radius) + S::lift(&flank.slope()) * beyond,
                 None => spherical(r, radius, radius),
             }
         }
         Shape::Hyperboloid { flank, lateral } => {
             let b = S::lift(lateral);
             let s = r.clone() / &b;
-            S::lift(&slope(flank)) * s.clone() * r / ((s.square() + s.lit(1)).sqrt() + s.lit(1))
+            S::lift(&flank.slope()) * s.clone() * r / ((s.square() + s.lit(1)).sqrt() + s.lit(1))
         }
         Shape::DisplacedParaboloid { radius, offset } => {
             ((r.clone() - S::lift(offset).times(2)) / S::lift(radius) * r).over(2)
@@ -140,20 +140,9 @@ fn height<R: Special, S: Lift<R>>(shape: &Shape<R>, r: &S) -> S {
     }
 }
 
-/// tan θ: for half the angle α at the apex, cos α/sin α.
-fn slope<R: Special>(flank: &Flank<R>) -> R {
-    match flank {
-        Flank::Slope(slope) => slope.clone(),
-        Flank::HalfAngleDegrees(degrees) => {
-            let radians = (degrees.pi() * degrees).over(180);
-            radians.cos() / radians.sin()
-        }
-    }
-}
-
 /// Where the spherical cap of a cone ends: Rt/√(1 + t²), where the sphere has the slope t of the cone.
 fn cap_radius<R: Special>(flank: &Flank<R>, radius: &R) -> R {
-    let slope = slope(flank);
+    let slope = flank.slope();
     (slope.square() + slope.lit(1)).sqrt().inv() * &slope * radius
 }
 

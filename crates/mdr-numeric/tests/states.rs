@@ -11,7 +11,7 @@ use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
 fn ball() -> Result<Quadrature<f64, Heights<f64>>> {
-    Ok(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?)
+    Quadrature::of([Shape::Paraboloid { radius: 1.0 }])
 }
 
 fn refused<T>(result: Result<T>) -> Option<Quantity> {

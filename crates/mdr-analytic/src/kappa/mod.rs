@@ -122,4 +122,5 @@ impl Kappa for mdr_core::number::Interval {
 }
 
 #[cfg(all(test, feature = "mp"))]
+#[path = "../../tests/private/kappa.rs"]
 mod tests;

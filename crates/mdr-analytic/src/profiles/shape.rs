@@ -1,7 +1,6 @@
 //! The closed form of a shape by its name.
 
-use mdr_core::contact::{Flank, Result, Shape, Transform};
-use mdr_core::number::Special;
+use mdr_core::contact::{Result, Shape, Transform};
 
 use super::{
     Cone, DisplacedParaboloid, Ellipsoid, EllipticalDimple, FlatPunch, Hyperboloid, ParabolicCapCone, ParabolicDimple,
@@ -26,15 +25,15 @@ pub fn closed_form<R: Struve + Kappa>(shape: Shape<R>) -> Result<Box<dyn Transfo
     Ok(match shape {
         Shape::Power { n, c } => Box::new(PowerLaw::new(n, c)?),
         Shape::Paraboloid { radius } => Box::new(Paraboloid::new(radius)?),
-        Shape::Cone { flank } => Box::new(Cone::new(slope(flank))?),
+        Shape::Cone { flank } => Box::new(Cone::new(flank.slope())?),
         Shape::Sphere { radius } => Box::new(Sphere::new(radius)?),
         Shape::Ellipsoid { lateral, height } => Box::new(Ellipsoid::new(lateral, height)?),
         Shape::FlatPunch { radius } => Box::new(FlatPunch::new(radius)?),
-        Shape::TruncatedCone { flank, flat } => Box::new(TruncatedCone::new(slope(flank), flat)?),
+        Shape::TruncatedCone { flank, flat } => Box::new(TruncatedCone::new(flank.slope(), flat)?),
         Shape::TruncatedParaboloid { radius, flat } => Box::new(TruncatedParaboloid::new(radius, flat)?),
-        Shape::ConeParabolicCap { flank, cap } => Box::new(ParabolicCapCone::new(slope(flank), cap)?),
-        Shape::ConeSphericalCap { flank, radius } => Box::new(SphericalCapCone::new(slope(flank), radius)?),
-        Shape::Hyperboloid { flank, lateral } => Box::new(Hyperboloid::new(slope(flank), lateral)?),
+        Shape::ConeParabolicCap { flank, cap } => Box::new(ParabolicCapCone::new(flank.slope(), cap)?),
+        Shape::ConeSphericalCap { flank, radius } => Box::new(SphericalCapCone::new(flank.slope(), radius)?),
+        Shape::Hyperboloid { flank, lateral } => Box::new(Hyperboloid::new(flank.slope(), lateral)?),
         Shape::RoundedPunch { radius, flat } => Box::new(RoundedPunch::new(radius, flat)?),
         Shape::DisplacedParaboloid { radius, offset } => Box::new(DisplacedParaboloid::new(radius, offset)?),
         Shape::ParabolicDimple { depth, radius } => Box::new(ParabolicDimple::new(depth, radius)?),
@@ -43,15 +42,4 @@ pub fn closed_form<R: Struve + Kappa>(shape: Shape<R>) -> Result<Box<dyn Transfo
             Box::new(WavyParaboloid::new(radius, amplitude, wavelength)?)
         }
     })
-}
-
-/// tan θ of a flank: the cotangent of half the angle at its apex.
-fn slope<R: Special>(flank: Flank<R>) -> R {
-    match flank {
-        Flank::Slope(slope) => slope,
-        Flank::HalfAngleDegrees(degrees) => {
-            let radians = (degrees.pi() * &degrees).over(180);
-            radians.cos() / radians.sin()
-        }
-    }
 }

@@ -1,4 +1,5 @@
 //! Helpers of several tests.
+#![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
 #[cfg(feature = "mp")]
 pub(crate) mod mpfr;

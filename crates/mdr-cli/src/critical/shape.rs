@@ -2,8 +2,9 @@
 
 use clap::Args;
 use mdr::prelude::{Arithmetic, Literal};
+use mdr_core::contact::Flank;
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Precision, Real, Special};
+use mdr_core::number::{Interval, Precision, Real};
 
 use crate::error::{Failure, Result};
 use crate::flags::Flag;
@@ -113,8 +114,7 @@ fn cotangent(flag: Flag<'_>, arithmetic: Arithmetic) -> Result<Literal> {
     };
     let slope = (1..=8).find_map(|attempt| {
         let angle = Interval::from_literal(Precision::from_digits(attempt * (digits + MORE)), &degrees);
-        let radians = (angle.pi() * &angle).over(180);
-        Enclosure::from(radians.cos() / radians.sin()).round(digits)
+        Enclosure::from(Flank::HalfAngleDegrees(angle).slope()).round(digits)
     });
     let slope = slope.and_then(|decimal| decimal.to_string().parse().ok());
     slope.ok_or_else(|| Failure::refused(flag.name, "the slope of this cone cannot be rounded"))

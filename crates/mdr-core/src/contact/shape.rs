@@ -1,5 +1,7 @@
 //! The profiles of the library by name, with parameters of any type.
 
+use crate::number::Special;
+
 /// A profile f(r) of the library with parameters of type `N`: [`Literal`](crate::number::Literal)s in a scene, numbers of an
 /// arithmetic in a formula. Lengths are in metres.
 ///
@@ -137,6 +139,20 @@ impl<N> Flank<N> {
         match self {
             Flank::Slope(slope) => ("slope", slope),
             Flank::HalfAngleDegrees(angle) => ("half_angle_degrees", angle),
+        }
+    }
+
+    /// tan θ: for half the angle α at the apex, cos α/sin α.
+    pub fn slope(&self) -> N
+    where
+        N: Special,
+    {
+        match self {
+            Flank::Slope(slope) => slope.clone(),
+            Flank::HalfAngleDegrees(degrees) => {
+                let radians = (degrees.pi() * degrees).over(180);
+                radians.cos() / radians.sin()
+            }
         }
     }
 

@@ -291,4 +291,5 @@ fn parameter(held: Held, above: bool, n: f64) -> Pair {
 }
 
 #[cfg(test)]
+#[path = "../../../tests/private/inverse_kernel.rs"]
 mod tests;
