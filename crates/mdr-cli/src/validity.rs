@@ -17,7 +17,12 @@ pub(crate) fn text(validity: &Validity, promise: Promise) -> String {
         }
     }
     let why = validity.row().why().map_or_else(String::new, |why| format!("\n\nNot known: {why}."));
-    format!("validity ({})\n\n{}{why}\n\nDoes the theory hold? {}.", promise.name(), render(&table), capital(&validity.advice()))
+    format!(
+        "validity ({})\n\n{}{why}\n\nDoes the theory hold? {}.",
+        promise.name(),
+        render(&table),
+        capital(&validity.advice())
+    )
 }
 
 fn capital(text: &str) -> String {

@@ -175,8 +175,10 @@ impl<'a, R: Special> Dugdale<'a, R> {
     fn minima(&self, folds: &[R]) -> Result<Vec<CohesiveState<R>>> {
         let mut minima: Vec<_> = self.at_wall()?.into_iter().collect();
         let natural = self.separation.clone() / &self.strength;
-        let top = folds.iter().cloned().reduce(|top, fold| top.greater(&fold)).unwrap_or_else(|| natural.clone().times(4));
-        let mut radii: Vec<R> = folds.iter().flat_map(|fold| [9, 10, 11].map(|k| fold.clone().times(k).over(10))).collect();
+        let top =
+            folds.iter().cloned().reduce(|top, fold| top.greater(&fold)).unwrap_or_else(|| natural.clone().times(4));
+        let mut radii: Vec<R> =
+            folds.iter().flat_map(|fold| [9, 10, 11].map(|k| fold.clone().times(k).over(10))).collect();
         radii.sort_by(order);
         let (mut next, mut above, mut width) = (top.times(4), None, None);
         loop {
@@ -190,7 +192,11 @@ impl<'a, R: Special> Dugdale<'a, R> {
             let ring = match self.ring(&a, width.as_ref()) {
                 Ok(ring) => ring,
                 // A ring that ends beyond the profile, or a contact radius there or where g is not resolved.
-                Err(Error::Domain { .. } | Error::NoConvergence { .. }) if above.is_none() && a > natural.clone() * a.unit_roundoff() => continue,
+                Err(Error::Domain { .. } | Error::NoConvergence { .. })
+                    if above.is_none() && a > natural.clone() * a.unit_roundoff() =>
+                {
+                    continue;
+                }
                 Err(Error::Domain { .. }) if !minima.is_empty() => return Ok(minima),
                 Err(error) => return Err(error),
             };
@@ -242,7 +248,11 @@ impl<'a, R: Special> Dugdale<'a, R> {
         if let Some(limit) = &limit {
             let open = *limit > a.lit(0) && gap(limit)? >= a.lit(0);
             if !open {
-                return Err(Error::domain(RANGE, &self.separation, "so short that the ring of attraction ends within the profile"));
+                return Err(Error::domain(
+                    RANGE,
+                    &self.separation,
+                    "so short that the ring of attraction ends within the profile",
+                ));
             }
         }
         let within = |width: &R| match &limit {
@@ -269,9 +279,10 @@ impl<'a, R: Special> Dugdale<'a, R> {
         let level = self.curve.transform().g_within(&ring.a, &needed)?;
         // g(x) − g(a) cannot be better than its terms.
         let rounding = roundoff_tolerance(&level).times(4) * level.abs() * &ring.angle + &needed;
-        let tolerance = tolerance(&ring.a).or_error_below(&rounding);
+        let half = rounding.unit_roundoff().sqrt().times(16);
+        let tolerance = tolerance(&ring.a).or_finest_below(half).or_error_below(&rounding);
         let shape = tanh_sinh_pieces(&ring.a.lit(0), &ring.angle, &self.breaks(ring), tolerance, |angle| {
-            Ok(self.curve.transform().g_within(&on(ring, angle), &needed)? - &level)
+            Ok(beside_singular(on(ring, angle), |x| self.curve.transform().g_within(x, &needed))? - &level)
         })?;
         Ok(shape.value + elastic - limit)
     }
@@ -281,10 +292,11 @@ impl<'a, R: Special> Dugdale<'a, R> {
         let Ring { a, c, angle, width, .. } = ring;
         let elastic = (c.clone() / a * angle * (c.clone() * angle) + width) * &self.strength;
         let half = a.unit_roundoff().sqrt();
-        let tolerance = tolerance(a).or_finest_below(half.clone().times(16)).or_error_below(&(elastic.clone() * half.square()));
+        let tolerance =
+            tolerance(a).or_finest_below(half.clone().times(16)).or_error_below(&(elastic.clone() * half.square()));
         let weighted = |angle: &R| {
             let x = on(ring, angle);
-            Ok(self.curve.transform().slope(&x)? * x)
+            Ok(beside_singular(x.clone(), |x| self.curve.transform().slope(x))? * x)
         };
         Ok(tanh_sinh_pieces(&a.lit(0), angle, &self.breaks(ring), tolerance, weighted)?.value - elastic)
     }
@@ -308,6 +320,14 @@ impl<'a, R: Special> Dugdale<'a, R> {
 /// c cos φ, within the ring.
 fn on<R: Special>(ring: &Ring<R>, angle: &R) -> R {
     (angle.cos() * &ring.c).greater(&ring.a).lesser(&ring.c)
+}
+
+/// A function of the profile at x, or beside it where x is rounded to a kink at which it has no value.
+fn beside_singular<R: Special>(x: R, f: impl Fn(&R) -> Result<R>) -> Result<R> {
+    match f(&x) {
+        Err(Error::Domain { .. }) => f(&(x.clone() - x.unit_roundoff().times(8) * &x)),
+        value => value,
+    }
 }
 
 /// The lowest of the zeros that sixteen steps up to the bracket show.

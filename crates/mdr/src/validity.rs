@@ -129,7 +129,13 @@ impl Validity {
         let steep = self.slope.to_f64().filter(|slope| *slope > STEEP).map_or_else(String::new, |slope| {
             format!("; the slope g'(a) = {slope:.2} is not small, as the theory of the half-space assumes")
         });
-        format!("{}{change}{steep}", self.regime.advice())
+        let sharp = match &self.jkr_pull_off {
+            Some(Value::Given(_)) => {
+                "; a pull-off force of exactly 0 is the limit of short range, take that by Maugis and Dugdale"
+            }
+            _ => "",
+        };
+        format!("{}{change}{sharp}{steep}", self.regime.advice())
     }
 }
 
@@ -169,7 +175,8 @@ fn in_digits(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Re
     let folds = lack(search.folds().cloned())?;
     let model = search.model();
     let curve = model.curve();
-    let start = Dugdale::new(curve, &separation(&model.number(range))).and_then(|dugdale| dugdale.pull_off(&radii(&folds)));
+    let start =
+        Dugdale::new(curve, &separation(&model.number(range))).and_then(|dugdale| dugdale.pull_off(&radii(&folds)));
     agree(digits, |precision| {
         let model = Model::<Float>::new(scene, precision, counts)?;
         let folds = lack(folds.as_ref().map_err(Clone::clone).and_then(|folds| refined(&model, folds)))?;
@@ -204,7 +211,9 @@ fn record<R: SceneReal>(
 ) -> Result<Validity<Estimate<R>>> {
     let (curve, z0) = (model.curve(), model.number(range));
     let fold = lack(folds.as_ref().map_err(Clone::clone).and_then(|folds| instability(folds)))?;
-    let at = |of: &dyn Fn(&R) -> Result<R>| value(fold.as_ref().map_err(Clone::clone).and_then(|fold| of(&fold.contact_radius)));
+    let at = |of: &dyn Fn(&R) -> Result<R>| {
+        value(fold.as_ref().map_err(Clone::clone).and_then(|fold| of(&fold.contact_radius)))
+    };
     let tabor = at(&|a| tabor_number(&curve, a, &z0))?;
     let regime = match &tabor {
         Value::Known(tabor) => AdhesionRegime::of(tabor.approx()),
@@ -225,9 +234,12 @@ fn record<R: SceneReal>(
         (Value::Known(force), Some(Value::Known(jkr))) => Some(Value::Known(force.clone() / jkr - jkr.lit(1))),
         _ => None,
     };
-    let a_over_r = curvature(scene.profile()).map(|radius| at(&|a| Ok(a.clone() / model.number(radius)))).transpose()?;
-    let admissible =
-        fold.as_ref().ok().map(|fold| Admission::of(admissibility.of(fold.contact_radius.approx(), fold.indentation.approx())));
+    let a_over_r =
+        curvature(scene.profile()).map(|radius| at(&|a| Ok(a.clone() / model.number(radius)))).transpose()?;
+    let admissible = fold
+        .as_ref()
+        .ok()
+        .map(|fold| Admission::of(admissibility.of(fold.contact_radius.approx(), fold.indentation.approx())));
     let validity = Validity {
         range_of_adhesion: range.clone(),
         tabor,

@@ -123,7 +123,11 @@ impl Critical {
             return batch::answer(file, arithmetic, out);
         }
         let laws = self.laws(arithmetic)?;
-        let range = self.range_of_adhesion.as_deref().map(|text| Flag::new("--range-of-adhesion", text).length()).transpose()?;
+        let range = self
+            .range_of_adhesion
+            .as_deref()
+            .map(|text| Flag::new("--range-of-adhesion", text).length())
+            .transpose()?;
         let answer = |law: &PowerLaw| {
             let answer = mdr::critical(law, arithmetic).map_err(Failure::of_flag)?;
             match &range {

@@ -1,8 +1,6 @@
 //! The answer for a reader and for a spreadsheet.
 
-use std::borrow::Cow;
-
-use mdr::answer::columns;
+use mdr::answer::{FlatRow, columns, title};
 use mdr::critical::{CriticalAnswer, CriticalFold, CriticalState};
 use mdr::prelude::{Arithmetic, ControlKind, Value};
 use mdr_core::contact::Regime;
@@ -10,8 +8,8 @@ use mdr_core::contact::Regime;
 use crate::error::Result;
 use crate::output::{Format, Output};
 use crate::solve::render::text_of;
-use crate::validity;
 use crate::table::{Tone, cell, render, render_whole, table};
+use crate::validity;
 
 const QUANTITIES: [(&str, &str); 3] =
     [("contact radius a", "m"), ("indentation depth d", "m"), ("normal force F", "N")];
@@ -28,7 +26,10 @@ pub(crate) fn write(
         Format::Csv => for_spreadsheet(std::slice::from_ref(answer), out),
         Format::Table => {
             let sibling = sibling.and_then(in_a_line).map_or_else(String::new, |line| format!("\n{line}"));
-            out.text(format!("{}{sibling}", for_reader(answer)))
+            let validity = answer.validity.as_ref().map_or_else(String::new, |validity| {
+                format!("\n\n{}", validity::text(validity, answer.validity_promise()))
+            });
+            out.text(format!("{}{sibling}{validity}", for_reader(answer)))
         }
     }
 }
@@ -45,10 +46,17 @@ pub(crate) fn write_all(
         Format::Table => {
             let keys = ["n", "kappa", "contact_radius", "indentation", "force", "kind", "status"];
             let titles = ["n", "kappa_n", "contact radius, m", "indentation, m", "force, N", "fold", "status"];
-            let mut table = table(&titles);
-            for row in answers.iter().flat_map(rows) {
+            let asked = answers.iter().any(|answer| answer.validity.is_some());
+            let more: &[&str] = if asked { &["tabor", "regime", "maugis_dugdale_pull_off"] } else { &[] };
+            let mut table = table(&titles.into_iter().chain(more.iter().map(|key| title(key))).collect::<Vec<_>>());
+            for (answer, row) in
+                answers.iter().flat_map(|answer| rows(answer).into_iter().map(move |row| (answer, row)))
+            {
                 let value = |key: &&str| row.iter().find(|(title, _)| title == key).map_or("", |(_, value)| value);
-                table.add_row(keys.iter().map(|key| cell(value(key), Tone::Plain)));
+                let validity = validity_of(answer);
+                let own = keys.iter().map(|key| value(key).to_owned());
+                let added = more.iter().map(|key| text_at(&validity, key));
+                table.add_row(own.chain(added).map(|text| cell(text, Tone::Plain)));
             }
             out.text(render_whole(&table))
         }
@@ -101,10 +109,7 @@ fn for_reader(answer: &CriticalAnswer) -> String {
             }
         }
     }
-    let validity = answer.validity.as_ref().map_or_else(String::new, |validity| {
-        format!("\n\n{}", validity::text(validity, answer.validity_promise()))
-    });
-    format!("{}\n\n{}\n\n{}{validity}", heading(answer), render(&table), explanation(answer))
+    format!("{}\n\n{}\n\n{}", heading(answer), render(&table), explanation(answer))
 }
 
 /// The quantities of a state, if there is one.
@@ -188,18 +193,27 @@ pub(crate) fn rows(answer: &CriticalAnswer) -> Vec<Columns> {
     }
 }
 
+/// The cells of a validity; none where it was not asked for.
+fn validity_of(answer: &CriticalAnswer) -> FlatRow {
+    answer.validity.as_ref().map(|validity| validity.table()).unwrap_or_default()
+}
+
+fn text_at(row: &FlatRow, key: &str) -> String {
+    row.iter().find(|(name, _)| name == key).map(|(_, cell)| text_of(cell)).unwrap_or_default()
+}
+
 fn for_spreadsheet(answers: &[CriticalAnswer], out: &mut Output<impl std::io::Write>) -> Result<()> {
-    let validity = |answer: &CriticalAnswer| answer.validity.as_ref().map(|validity| validity.table()).unwrap_or_default();
-    let keys = columns(&answers.iter().map(validity).collect::<Vec<_>>());
+    let keys = columns(&answers.iter().map(validity_of).collect::<Vec<_>>());
     let more = if answers.iter().any(|answer| answer.validity.is_some()) { keys } else { Vec::new() };
     let titles: Vec<String> = more.iter().map(|key| format!("validity_{key}")).collect();
     let own = columns_of_none().map(|(title, _)| title);
     let header: Vec<&str> = own.into_iter().chain(titles.iter().map(String::as_str)).collect();
     let rows = answers.iter().flat_map(|answer| {
-        let cells = validity(answer);
-        let text = |key: &Cow<'_, str>| cells.iter().find(|(name, _)| name == key).map(|(_, cell)| text_of(cell));
-        let added: Vec<String> = more.iter().map(|key| text(key).unwrap_or_default()).collect();
-        rows(answer).into_iter().map(move |row| row.into_iter().map(|(_, value)| value).chain(added.clone()).collect::<Vec<_>>())
+        let cells = validity_of(answer);
+        let added: Vec<String> = more.iter().map(|key| text_at(&cells, key)).collect();
+        rows(answer)
+            .into_iter()
+            .map(move |row| row.into_iter().map(|(_, value)| value).chain(added.clone()).collect::<Vec<_>>())
     });
     out.csv(&header, rows)
 }

@@ -5,8 +5,8 @@ use mdr::prelude::*;
 
 use crate::error::Result;
 use crate::output::{Format, Output as Out};
-use crate::validity;
 use crate::table::{Tone, cell, render_whole, table};
+use crate::validity;
 
 /// Writes `answer` in the `format` asked for.
 pub(crate) fn write(answer: &Answer, format: Format, out: &mut Out<impl std::io::Write>) -> Result<()> {
@@ -158,7 +158,8 @@ fn for_spreadsheet(answer: &Answer, out: &mut Out<impl std::io::Write>) -> Resul
     };
     let all = |rows: Vec<FlatRow>| -> Vec<FlatRow> { rows.into_iter().map(separated).collect() };
     let outputs = answer.outputs.iter().map(|output| (output.kind().name(), output.promise(), all(output.table())));
-    let validity = answer.validity.iter().map(|validity| ("validity", answer.validity_promise(), all(vec![validity.table()])));
+    let validity =
+        answer.validity.iter().map(|validity| ("validity", answer.validity_promise(), all(vec![validity.table()])));
     let tables: Vec<(&str, Promise, Vec<FlatRow>)> = outputs.chain(validity).collect();
     let keys = columns(tables.iter().flat_map(|(_, _, rows)| rows));
     let header: Vec<&str> = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref)).collect();

@@ -20,8 +20,8 @@ pub use types::{
 pub use value::{Number, Promise, Value};
 
 use crate::run::Cost;
-use crate::validity::Validity;
 use crate::scene::{Arithmetic, Want};
+use crate::validity::Validity;
 use record::Numbers;
 
 /// The kinds of output, by their names in scenes and answers.

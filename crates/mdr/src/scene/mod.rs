@@ -167,9 +167,9 @@ impl Scene {
     pub fn validity(&self) -> Result<Validity> {
         self.check_arithmetic()?;
         let found = validity::of(self, &Counts::until(&Stop::default()));
-        found.map_err(|error| self.places.complaint_about_profile(error))?.ok_or_else(|| {
-            Location::built("material.range_of_adhesion").refuse("missing: the range of adhesion in m")
-        })
+        found
+            .map_err(|error| self.places.complaint_about_profile(error))?
+            .ok_or_else(|| Location::built("material.range_of_adhesion").refuse("missing: the range of adhesion in m"))
     }
 
     /// The same moved along way points of the controlled quantity.
