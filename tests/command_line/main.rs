@@ -9,6 +9,7 @@ mod dependencies;
 mod derive;
 mod doubles;
 mod figures;
+mod fit;
 mod help;
 mod judge;
 mod plot;

@@ -6,6 +6,7 @@ mod critical;
 mod derive;
 mod error;
 mod figures;
+mod fit;
 mod flags;
 mod judge;
 mod output;
@@ -40,6 +41,7 @@ struct Program {
 enum Command {
     Critical(Box<critical::Critical>),
     Solve(solve::Solve),
+    Fit(fit::Fit),
     Reference(reference::Reference),
     Judge(judge::Judge),
     Verify(verify::Verify),
@@ -77,6 +79,7 @@ impl Command {
             Command::Verify(verify) => verify.run(out),
             Command::Critical(critical) => critical.run(out),
             Command::Solve(solve) => solve.run(out).map(|()| true),
+            Command::Fit(fit) => fit.run(out),
             Command::Report(report) => report.run(out),
             Command::Figures(figures) => figures.run(out).map(|()| true),
             Command::Reference(reference) => reference.run(out),

@@ -29,6 +29,7 @@
 //! | task | where |
 //! |---|---|
 //! | draw a scene | [`scene()`] of [`Scene::diagram`](mdr::Scene::diagram) |
+//! | draw a fit | `fit()`, with the feature `fit` |
 //! | draw figures 1 to 4 of the theory | [`figures`] |
 //! | draw anything else | [`Picture`], [`Panel`], [`Axis`], [`Layer`] |
 //! | write it | [`Picture::svg`], [`Picture::csv`] |
@@ -43,6 +44,8 @@ mod balance;
 mod chart;
 mod data;
 pub mod figures;
+#[cfg(feature = "fit")]
+mod fit;
 mod loading;
 mod markup;
 mod scene;
@@ -51,4 +54,6 @@ mod svg;
 pub use axis::{Axis, Unit, typographic};
 pub use chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke};
 pub use data::CSV_HEADER;
+#[cfg(feature = "fit")]
+pub use fit::fit;
 pub use scene::scene;

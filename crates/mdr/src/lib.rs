@@ -39,6 +39,7 @@
 //! | use the answer | [`Answer`], its [`folds`](Answer::folds), [`path`](Answer::path), … |
 //! | print it | `Answer::to_json`, [`Output::table`](answer::Output::table) |
 //! | draw it | [`Scene::diagram`] |
+//! | fit a measured curve | `fit::Problem` |
 //! | one power law, at a point | [`critical()`] |
 //! | whether the theory holds | [`Scene::range_of_adhesion`], [`validity`] |
 //! | many states in f64, from slices | [`batch`] |
@@ -48,6 +49,7 @@
 //! * `mp` (default): certified digits, by GMP and MPFR. Without it the crate is pure Rust, builds for `wasm32-unknown-unknown`,
 //!   and answers in f64; certified digits are [`Error::NeedsMp`]. E* of two bodies and f(0) = 0 of a formula are then decided in
 //!   doubles, formulas with `abs`, `min` or `max` are refused, and numbers out of range have their log₁₀ where f64 knows it.
+//! * `fit` (default): fits of measured curves, by `levenberg-marquardt` and `nalgebra`.
 //! * `toml`, `serde` (default): scenes as TOML; scenes and answers as JSON.
 //!
 //! # Accuracy
@@ -61,6 +63,8 @@ pub mod critical;
 pub mod diagram;
 pub mod double;
 mod error;
+#[cfg(feature = "fit")]
+pub mod fit;
 mod run;
 pub mod scene;
 mod solve;

@@ -121,7 +121,7 @@ impl Measured {
     }
 
     /// Refuses heights that are measured the wrong way.
-    pub(super) fn require_rising(&self, place: &Location) -> Result<()> {
+    pub(crate) fn require_rising(&self, place: &Location) -> Result<()> {
         if !self.table.falls_outward() {
             return Ok(());
         }

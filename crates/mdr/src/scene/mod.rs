@@ -2,11 +2,11 @@
 
 mod material;
 mod measured;
-mod parse;
+pub(crate) mod parse;
 mod place;
 mod profile;
 mod read;
-mod tree;
+pub(crate) mod tree;
 mod want;
 
 use mdr_core::contact::{Control, Elasticity};

@@ -5,7 +5,7 @@ use crate::error::Result;
 
 /// TOML, whose numbers keep their text.
 #[cfg(feature = "toml")]
-pub(super) fn toml(document: &Document<'_>) -> Result<Node> {
+pub(crate) fn toml(document: &Document<'_>) -> Result<Node> {
     use toml::de::{DeTable, DeValue};
 
     use super::tree::{Content, Entry};
@@ -43,7 +43,7 @@ pub(super) fn toml(document: &Document<'_>) -> Result<Node> {
 
 /// JSON with the keys of a TOML scene; numbers keep their text.
 #[cfg(feature = "serde")]
-pub(super) fn json(document: &Document<'_>) -> Result<Node> {
+pub(crate) fn json(document: &Document<'_>) -> Result<Node> {
     json::parse(document.text()).map_err(|error| {
         let before: usize =
             document.text().split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
@@ -90,7 +90,7 @@ mod json {
         }
     }
 
-    pub(super) fn parse(text: &str) -> serde_json::Result<Node> {
+    pub(crate) fn parse(text: &str) -> serde_json::Result<Node> {
         node(text, serde_json::from_str(text)?)
     }
 

@@ -29,27 +29,27 @@ impl Location {
 /// The places of a scene that a complaint about its contact can point at.
 #[derive(Clone, Debug)]
 pub(crate) struct Places {
-    pub(super) modulus: Location,
-    pub(super) work: Location,
-    pub(super) stiffness: Location,
+    pub(crate) modulus: Location,
+    pub(crate) work: Location,
+    pub(crate) stiffness: Location,
     /// The table `[control]`.
     pub(crate) control: Location,
     /// The key `start` in it, where it is given.
     pub(crate) start: Option<Location>,
     /// The list of what is wanted.
-    pub(super) want: Location,
+    pub(crate) want: Location,
     /// The range of contact radii for the proof of folds.
     pub(crate) range: Location,
-    pub(super) profile: Location,
+    pub(crate) profile: Location,
     /// All numbers, in the order in which they were read.
-    pub(super) numbers: Vec<(Literal, Location)>,
+    pub(crate) numbers: Vec<(Literal, Location)>,
     /// Those of the profile among them.
-    pub(super) parameters: Range<usize>,
+    pub(crate) parameters: Range<usize>,
 }
 
 impl Places {
     /// Of a scene that was built.
-    pub(super) fn built(numbers: Vec<(Literal, Location)>, parameters: Range<usize>) -> Self {
+    pub(crate) fn built(numbers: Vec<(Literal, Location)>, parameters: Range<usize>) -> Self {
         let at = Location::built;
         Places {
             modulus: at("material.e_star"),

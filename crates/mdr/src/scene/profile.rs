@@ -222,7 +222,7 @@ impl Profile {
     }
 
     /// Its numbers, with the keys they have in a scene.
-    pub(super) fn numbers(&self) -> Vec<(Literal, Location)> {
+    pub(crate) fn numbers(&self) -> Vec<(Literal, Location)> {
         let at = |(key, number): (&str, &Literal)| (number.clone(), Location::built(&format!("profile.{key}")));
         match self {
             Profile::Shape(shape) => shape.parameters().into_iter().map(at).collect(),
@@ -234,7 +234,7 @@ impl Profile {
         }
     }
 
-    pub(super) fn read(section: &Section<'_>) -> Result<Profile> {
+    pub(crate) fn read(section: &Section<'_>) -> Result<Profile> {
         let read = section.required("kind")?.choice("profile", kinds())?;
         let profile = read(section)?;
         section.finish()?;

@@ -15,15 +15,15 @@ pub type Files<'f> = &'f dyn Fn(&str) -> io::Result<Vec<u8>>;
 
 /// A value with its bytes in the text.
 #[derive(Debug)]
-pub(super) struct Node {
-    pub(super) span: Range<usize>,
-    pub(super) content: Content,
+pub(crate) struct Node {
+    pub(crate) span: Range<usize>,
+    pub(crate) content: Content,
     /// The name of its type: `string`, `integer`.
-    pub(super) type_name: &'static str,
+    pub(crate) type_name: &'static str,
 }
 
 #[derive(Debug)]
-pub(super) enum Content {
+pub(crate) enum Content {
     Text(String),
     /// As it is written.
     Number(String),
@@ -34,48 +34,48 @@ pub(super) enum Content {
 
 /// A key of a table with its value.
 #[derive(Debug)]
-pub(super) struct Entry {
-    pub(super) key: String,
-    pub(super) span: Range<usize>,
-    pub(super) value: Node,
+pub(crate) struct Entry {
+    pub(crate) key: String,
+    pub(crate) span: Range<usize>,
+    pub(crate) value: Node,
 }
 
 /// A scene file, and the numbers that have been read from it.
-pub(super) struct Document<'f> {
+pub(crate) struct Document<'f> {
     name: String,
     text: String,
     /// `TOML` or `JSON`.
     format: &'static str,
-    pub(super) files: Files<'f>,
+    pub(crate) files: Files<'f>,
     numbers: RefCell<Vec<(Literal, Location)>>,
 }
 
 impl<'f> Document<'f> {
-    pub(super) fn new(name: &str, text: &str, format: &'static str, files: Files<'f>) -> Self {
+    pub(crate) fn new(name: &str, text: &str, format: &'static str, files: Files<'f>) -> Self {
         Document { name: name.to_owned(), text: text.to_owned(), format, files, numbers: RefCell::default() }
     }
 
-    pub(super) fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         &self.text
     }
 
     /// How a file that the scene names is called in complaints: with the folder of the scene.
-    pub(super) fn beside(&self, file: &str) -> String {
+    pub(crate) fn beside(&self, file: &str) -> String {
         let folder = std::path::Path::new(&self.name).parent().unwrap_or(std::path::Path::new(""));
         folder.join(file).display().to_string()
     }
 
     /// How many numbers have been read.
-    pub(super) fn numbers_read(&self) -> usize {
+    pub(crate) fn numbers_read(&self) -> usize {
         self.numbers.borrow().len()
     }
 
     /// The numbers that have been read, each with its place.
-    pub(super) fn take_numbers(&self) -> Vec<(Literal, Location)> {
+    pub(crate) fn take_numbers(&self) -> Vec<(Literal, Location)> {
         self.numbers.take()
     }
 
-    pub(super) fn place(&self, span: Range<usize>, key: &str) -> Location {
+    pub(crate) fn place(&self, span: Range<usize>, key: &str) -> Location {
         let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
         let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
         Location { place: Some(Place { file: self.name.clone(), line }), key: key.to_owned() }
@@ -83,7 +83,7 @@ impl<'f> Document<'f> {
 }
 
 /// A table of the document, from which keys are taken by name. [`finish`](Section::finish) refuses what nobody took.
-pub(super) struct Section<'a> {
+pub(crate) struct Section<'a> {
     document: &'a Document<'a>,
     /// `profile` or `profile.term`; empty at the top.
     name: String,
@@ -93,29 +93,29 @@ pub(super) struct Section<'a> {
 }
 
 impl<'a> Section<'a> {
-    pub(super) fn top(document: &'a Document<'a>, root: &'a Node) -> Result<Self> {
+    pub(crate) fn top(document: &'a Document<'a>, root: &'a Node) -> Result<Self> {
         let value = Value { document, key: String::new(), node: root };
         let mut section = value.section()?;
         section.span = 0..0;
         Ok(section)
     }
 
-    pub(super) fn document(&self) -> &'a Document<'a> {
+    pub(crate) fn document(&self) -> &'a Document<'a> {
         self.document
     }
 
-    pub(super) fn optional(&self, key: &'static str) -> Option<Value<'a>> {
+    pub(crate) fn optional(&self, key: &'static str) -> Option<Value<'a>> {
         self.asked.borrow_mut().push(key);
         let entry = self.entries.iter().find(|entry| entry.key == key)?;
         Some(Value { document: self.document, key: self.full(key), node: &entry.value })
     }
 
-    pub(super) fn required(&self, key: &'static str) -> Result<Value<'a>> {
+    pub(crate) fn required(&self, key: &'static str) -> Result<Value<'a>> {
         self.optional(key).ok_or_else(|| self.missing(&[key]))
     }
 
     /// Exactly one of several keys that say the same in different ways; its position in `keys` with its value.
-    pub(super) fn one_of(&self, keys: &[&'static str]) -> Result<(usize, Value<'a>)> {
+    pub(crate) fn one_of(&self, keys: &[&'static str]) -> Result<(usize, Value<'a>)> {
         let mut given = keys.iter().enumerate().filter_map(|(index, key)| Some((index, self.optional(key)?)));
         match (given.next(), given.next()) {
             (Some(found), None) => Ok(found),
@@ -126,28 +126,28 @@ impl<'a> Section<'a> {
         }
     }
 
-    pub(super) fn section(&self, key: &'static str) -> Result<Section<'a>> {
+    pub(crate) fn section(&self, key: &'static str) -> Result<Section<'a>> {
         self.required(key)?.section()
     }
 
     /// A table that may be left out.
-    pub(super) fn optional_section(&self, key: &'static str) -> Result<Option<Section<'a>>> {
+    pub(crate) fn optional_section(&self, key: &'static str) -> Result<Option<Section<'a>>> {
         self.optional(key).map(|table| table.section()).transpose()
     }
 
     /// Where the table begins.
-    pub(super) fn place(&self) -> Location {
+    pub(crate) fn place(&self) -> Location {
         self.document.place(self.span.clone(), &self.name)
     }
 
     /// The place of the first of these keys that is there, else of the table.
-    pub(super) fn place_of(&self, keys: &[&'static str]) -> Location {
+    pub(crate) fn place_of(&self, keys: &[&'static str]) -> Location {
         let given = keys.iter().find_map(|key| self.optional(key));
         given.map_or_else(|| self.place(), |value| value.place())
     }
 
     /// Every entry of the table, for tables whose keys are the user's own names.
-    pub(super) fn entries(&self) -> impl Iterator<Item = (String, Value<'a>)> {
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (String, Value<'a>)> {
         self.entries.iter().map(|entry| {
             let value = Value { document: self.document, key: self.full(&entry.key), node: &entry.value };
             (entry.key.clone(), value)
@@ -155,7 +155,7 @@ impl<'a> Section<'a> {
     }
 
     /// Refuses the first key that was never asked for, with the nearest name that was.
-    pub(super) fn finish(&self) -> Result<()> {
+    pub(crate) fn finish(&self) -> Result<()> {
         let asked = self.asked.borrow();
         match self.entries.iter().find(|entry| !asked.iter().any(|known| *known == entry.key)) {
             None => Ok(()),
@@ -183,7 +183,7 @@ impl<'a> Section<'a> {
 }
 
 /// A value with the key it stands under.
-pub(super) struct Value<'a> {
+pub(crate) struct Value<'a> {
     document: &'a Document<'a>,
     key: String,
     node: &'a Node,
@@ -191,11 +191,11 @@ pub(super) struct Value<'a> {
 
 impl<'a> Value<'a> {
     /// This value is refused.
-    pub(super) fn refuse(&self, why: impl Into<String>) -> Error {
+    pub(crate) fn refuse(&self, why: impl Into<String>) -> Error {
         self.place().refuse(why)
     }
 
-    pub(super) fn place(&self) -> Location {
+    pub(crate) fn place(&self) -> Location {
         self.document.place(self.node.span.clone(), &self.key)
     }
 
@@ -205,7 +205,7 @@ impl<'a> Value<'a> {
     }
 
     /// An exact number: a number, whose decimals are kept, or a string such as "1e-4" or "1/3".
-    pub(super) fn number(&self) -> Result<Literal> {
+    pub(crate) fn number(&self) -> Result<Literal> {
         let (Content::Text(text) | Content::Number(text)) = &self.node.content else {
             return Err(self.expected("a number"));
         };
@@ -215,7 +215,7 @@ impl<'a> Value<'a> {
     }
 
     /// A length: a number, or one with its unit, `"2 nm"`, in metres.
-    pub(super) fn length(&self) -> Result<Literal> {
+    pub(crate) fn length(&self) -> Result<Literal> {
         match &self.node.content {
             Content::Text(text) if text.ends_with(|c: char| !c.is_ascii_digit() && c != '.') => {
                 let unit = "expected a number, alone or with a unit of length, such as \"2 nm\"";
@@ -228,12 +228,12 @@ impl<'a> Value<'a> {
     }
 
     /// A [length](Value::length) above zero.
-    pub(super) fn positive_length(&self) -> Result<Literal> {
+    pub(crate) fn positive_length(&self) -> Result<Literal> {
         self.length().and_then(|length| self.require_positive(length))
     }
 
     /// A number above zero.
-    pub(super) fn positive(&self) -> Result<Literal> {
+    pub(crate) fn positive(&self) -> Result<Literal> {
         self.number().and_then(|number| self.require_positive(number))
     }
 
@@ -245,7 +245,7 @@ impl<'a> Value<'a> {
     }
 
     /// Zero or a number above it.
-    pub(super) fn not_negative(&self) -> Result<Literal> {
+    pub(crate) fn not_negative(&self) -> Result<Literal> {
         let number = self.number()?;
         if number.is_negative() {
             return Err(self.refuse(format!("must not be negative, got {number}")));
@@ -254,11 +254,11 @@ impl<'a> Value<'a> {
     }
 
     /// A list of numbers, each read by `read`.
-    pub(super) fn numbers(&self, read: fn(&Value<'a>) -> Result<Literal>) -> Result<Vec<Literal>> {
+    pub(crate) fn numbers(&self, read: fn(&Value<'a>) -> Result<Literal>) -> Result<Vec<Literal>> {
         self.list()?.iter().map(read).collect()
     }
 
-    pub(super) fn text(&self) -> Result<&'a str> {
+    pub(crate) fn text(&self) -> Result<&'a str> {
         match &self.node.content {
             Content::Text(text) => Ok(text),
             _ => Err(self.expected("a string")),
@@ -266,7 +266,7 @@ impl<'a> Value<'a> {
     }
 
     /// One of several names.
-    pub(super) fn choice<T: Copy>(&self, what: &str, choices: &[(&'static str, T)]) -> Result<T> {
+    pub(crate) fn choice<T: Copy>(&self, what: &str, choices: &[(&'static str, T)]) -> Result<T> {
         let text = self.text()?;
         choices.iter().find(|(name, _)| *name == text).map(|(_, choice)| *choice).ok_or_else(|| {
             let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
@@ -274,20 +274,20 @@ impl<'a> Value<'a> {
         })
     }
 
-    pub(super) fn whole(&self, least: u32, most: u32) -> Result<u32> {
+    pub(crate) fn whole(&self, least: u32, most: u32) -> Result<u32> {
         let number = self.number()?;
         let whole = number.to_string().parse::<u32>().ok().filter(|value| (least..=most).contains(value));
         whole.ok_or_else(|| self.refuse(format!("must be a whole number from {least} to {most}, got {number}")))
     }
 
-    pub(super) fn list(&self) -> Result<Vec<Value<'a>>> {
+    pub(crate) fn list(&self) -> Result<Vec<Value<'a>>> {
         match &self.node.content {
             Content::List(items) => Ok(items.iter().map(|item| self.item(item)).collect()),
             _ => Err(self.expected("a list")),
         }
     }
 
-    pub(super) fn section(&self) -> Result<Section<'a>> {
+    pub(crate) fn section(&self) -> Result<Section<'a>> {
         match &self.node.content {
             Content::Table(entries) => Ok(Section {
                 document: self.document,
@@ -306,7 +306,7 @@ impl<'a> Value<'a> {
 }
 
 /// "unknown key `wavelenght`; did you mean `wavelength`?", or the list of names when none is near.
-fn unknown_name(what: &str, name: &str, known: &[&str]) -> String {
+pub(crate) fn unknown_name(what: &str, name: &str, known: &[&str]) -> String {
     match nearest(name, known) {
         Some(candidate) => format!("unknown {what} `{name}`; did you mean `{candidate}`?"),
         None => format!("unknown {what} `{name}`; expected one of `{}`", known.join("`, `")),

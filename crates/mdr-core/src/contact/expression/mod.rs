@@ -225,6 +225,26 @@ impl Expression {
         Ok(ExpressionProfile { root, kinks: Vec::new(), outer: None, known_to: None })
     }
 
+    /// The same with the values of its parameters in that arithmetic, such as dual numbers of an unknown.
+    ///
+    /// # Errors
+    /// As [`Expression::bind`].
+    pub fn bind_numbers<R: Special>(
+        &self,
+        ctx: R::Ctx,
+        values: &BTreeMap<String, R>,
+    ) -> Result<ExpressionProfile<R>, ExpressionError> {
+        let root = self.root.map(&mut |constant| match constant {
+            Constant::Literal(literal) => Ok(R::from_literal(ctx, literal)),
+            Constant::Pi => Ok(R::from_int(ctx, 1).pi()),
+            Constant::Parameter { name, column } => values
+                .get(name)
+                .cloned()
+                .ok_or_else(|| ExpressionError { column: *column, reason: unknown_name(name, values.keys()) }),
+        })?;
+        Ok(ExpressionProfile { root, kinks: Vec::new(), outer: None, known_to: None })
+    }
+
     /// Whether it is free of `abs`, `min` and `max`, which have kinks where their arguments change sign or order.
     pub fn is_smooth(&self) -> bool {
         self.root.is_smooth()

@@ -1,0 +1,206 @@
+//! What a fit tells: estimates with their errors, or what the data cannot tell.
+
+use super::{Leg, Observation};
+
+/// How a fit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FitStatus {
+    /// The estimates are a minimum of the objective, and the data determine all of them.
+    Fitted,
+    /// The data determine only the [invariants](Fit::invariants).
+    Unidentifiable,
+    /// The iteration ended before its tolerance was met.
+    NotConverged,
+}
+
+impl FitStatus {
+    /// `fitted`, `unidentifiable` or `not-converged`.
+    pub fn name(self) -> &'static str {
+        match self {
+            FitStatus::Fitted => "fitted",
+            FitStatus::Unidentifiable => "unidentifiable",
+            FitStatus::NotConverged => "not-converged",
+        }
+    }
+}
+
+/// A free number with its estimate; nothing where the data do not determine it.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Estimate {
+    /// `e_star`, `work_of_adhesion`, `stiffness`, `contact_point`, `baseline`, or a key of the profile.
+    pub name: String,
+    /// The estimate.
+    pub value: Option<f64>,
+    /// Its standard error: from the stated σ, or scaled by the residuals where none is stated.
+    pub stderr: Option<f64>,
+    /// Its standard error scaled by the residuals: from JᵀJ and the residual variance.
+    pub scaled_stderr: Option<f64>,
+    /// `Pa`, `J/m^2`, `N/m`, `m`, `N`, `1`.
+    pub unit: &'static str,
+}
+
+/// A product of powers of the free numbers that the data determine although they do not determine its factors.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Invariant {
+    /// Such as `e_star * radius^(1/2)`.
+    pub name: String,
+    /// Its value, in SI units.
+    pub value: f64,
+    /// Its standard error: from the stated σ, or scaled by the residuals where none is stated.
+    pub stderr: f64,
+    /// Its standard error scaled by the residuals.
+    pub scaled_stderr: f64,
+}
+
+/// A row of the data beside the fitted curve.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FittedRow {
+    /// What was given, in SI units.
+    pub x: f64,
+    /// What was measured, in SI units.
+    pub y: f64,
+    /// Approach or retract.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "leg"))]
+    pub leg: Leg,
+    /// The arc it lies on, 0 the outermost; −1 detached.
+    pub label: i32,
+    /// Its residual as it counts in the objective, curve minus datum, in units of σ.
+    pub residual: f64,
+    /// The nearest point of the curve.
+    pub fitted: [f64; 2],
+    /// The contact radius there, in m; none of a detached row.
+    pub contact_radius: Option<f64>,
+}
+
+/// A jump into or out of contact.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Event {
+    /// X as it is recorded, offsets included.
+    pub x: f64,
+    /// Y as it is recorded.
+    pub y: f64,
+    /// F, in N.
+    pub force: f64,
+    /// d, in m.
+    pub indentation: f64,
+    /// a, in m; none of what was measured.
+    pub contact_radius: Option<f64>,
+    /// Standard errors of x, y, force, indentation and contact radius; none of what was measured.
+    pub stderr: Option<[f64; 5]>,
+}
+
+/// Whether the signs of the residuals are in a random order (Wald and Wolfowitz 1940).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct RunsTest {
+    /// How many runs of equal sign there are.
+    pub runs: usize,
+    /// How many are expected.
+    pub expected: f64,
+    /// The deviation in standard deviations.
+    pub z: f64,
+    /// The probability of at least this deviation.
+    pub p: f64,
+}
+
+/// The answer to a [`Problem`](super::Problem).
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Fit {
+    /// How it ended.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "status"))]
+    pub status: FitStatus,
+    /// What the status means for these data, in words; empty when all is well.
+    pub reason: String,
+    /// The name of the profile.
+    pub profile: &'static str,
+    /// What was measured.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "observation"))]
+    pub observation: Observation,
+    /// In the order in which they were made free.
+    pub parameters: Vec<Estimate>,
+    /// Of the estimates, with the standard errors of [`Estimate::stderr`]; empty unless all are determined.
+    pub covariance: Vec<Vec<f64>>,
+    /// Of the estimates; empty unless all are determined.
+    pub correlation: Vec<Vec<f64>>,
+    /// What the data determine instead, where they do not determine the free numbers.
+    pub invariants: Vec<Invariant>,
+    /// Singular values of the Jacobian with columns of unit length, descending.
+    pub singular_values: Vec<f64>,
+    /// The sum of squares: of Y in its unit squared where all rows count alike and vertically, else in units of σ.
+    pub rss: f64,
+    /// The unit of `rss`: `N^2`, `m^2` or `1`.
+    pub rss_unit: &'static str,
+    /// Rows and priors less free numbers.
+    pub dof: usize,
+    /// The sum of squares in units of σ, where σ is given.
+    pub chi2: Option<f64>,
+    /// The probability of at least this χ².
+    pub chi2_p: Option<f64>,
+    /// σ_X and σ_Y as they were used.
+    pub sigma: [f64; 2],
+    /// `vertical` or `orthogonal`.
+    pub distance: &'static str,
+    /// The order of the signs of the residuals.
+    pub runs_test: Option<RunsTest>,
+    /// Each row beside the curve.
+    pub rows: Vec<FittedRow>,
+    /// The arcs of the fitted curve as points (X, Y, a), the outermost first.
+    pub arcs: Vec<Vec<[f64; 3]>>,
+    /// Where the contact breaks, by the fitted curve.
+    pub predicted_pull_off: Option<Event>,
+    /// The last row in contact before the first detached one.
+    pub measured_pull_off: Option<Event>,
+    /// Where the surfaces touch, by the fitted curve.
+    pub predicted_jump_in: Option<Event>,
+    /// The first row in contact after the last detached one.
+    pub measured_jump_in: Option<Event>,
+    /// Whether the theory holds: Tabor's parameter and its verdict, where the range of adhesion is given.
+    pub validity: Option<String>,
+    /// What may mislead.
+    pub warnings: Vec<String>,
+    /// Evaluations of the whole curve.
+    pub evaluations: usize,
+}
+
+impl Fit {
+    /// The estimate of a free number.
+    pub fn estimate(&self, name: &str) -> Option<&Estimate> {
+        let bare = name.strip_prefix("profile.").unwrap_or(name);
+        self.parameters.iter().find(|estimate| estimate.name == bare)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl Fit {
+    /// JSON of the schema `mdr.fit/1`.
+    pub fn to_json(&self) -> String {
+        #[derive(serde::Serialize)]
+        struct Document<'f> {
+            schema: &'static str,
+            #[serde(flatten)]
+            fit: &'f Fit,
+        }
+        // Every key is a string and every number is finite or null, so that nothing can fail.
+        serde_json::to_string(&Document { schema: "mdr.fit/1", fit: self }).unwrap_or_default()
+    }
+}
+
+#[cfg(feature = "serde")]
+fn status<S: serde::Serializer>(status: &FitStatus, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(status.name())
+}
+
+#[cfg(feature = "serde")]
+fn observation<S: serde::Serializer>(observation: &Observation, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(observation.name())
+}
+
+#[cfg(feature = "serde")]
+fn leg<S: serde::Serializer>(leg: &Leg, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(leg.name())
+}

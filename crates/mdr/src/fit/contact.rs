@@ -1,0 +1,297 @@
+//! The curve of a contact as it is observed, and its exact derivatives, in any arithmetic.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use mdr_analytic::Kappa;
+use mdr_analytic::profiles::{Sum, closed_form};
+use mdr_analytic::struve::Struve;
+use mdr_core::contact::{Error, Quantity, Result, Transform};
+use mdr_core::number::{Dual, Real};
+use mdr_numeric::transform::Quadrature;
+
+use super::problem::{Kind, Observation};
+use crate::scene::Profile;
+
+/// The numbers of a problem in one arithmetic.
+#[derive(Clone, Debug)]
+pub(super) struct Numbers<R> {
+    pub(super) e_star: R,
+    pub(super) work: R,
+    pub(super) stiffness: Option<R>,
+    pub(super) contact_point: R,
+    pub(super) baseline: R,
+    pub(super) profile: Vec<R>,
+}
+
+/// A profile for one set of its numbers: its transform, and what derivatives need.
+pub(super) struct Tip<R: Real> {
+    transform: Arc<dyn Transform<R>>,
+    /// With no number seeded: for g''.
+    curvature: Arc<dyn Transform<Dual<R>>>,
+    /// With the logarithm of one number seeded, by its index.
+    seeded: Vec<(usize, Arc<dyn Transform<Dual<R>>>)>,
+}
+
+impl<R: Struve + Kappa> Tip<R> {
+    /// With derivatives with respect to the numbers of these indices.
+    ///
+    /// # Errors
+    /// A number out of its domain.
+    pub(super) fn new(profile: &Profile, ctx: R::Ctx, numbers: &[R], free: &[usize]) -> Result<Self>
+    where
+        Dual<R>: Struve + Kappa + Real<Ctx = R::Ctx>,
+    {
+        let dual = |index: Option<usize>| {
+            let number = |(place, number): (usize, &R)| {
+                let slope = if Some(place) == index { number.clone() } else { number.lit(0) };
+                Dual { value: number.clone(), slope }
+            };
+            let numbers: Vec<Dual<R>> = numbers.iter().enumerate().map(number).collect();
+            transform::<Dual<R>>(profile, ctx, &mut numbers.into_iter()).map(Arc::from)
+        };
+        let seeded = free.iter().map(|index| Ok((*index, dual(Some(*index))?))).collect::<Result<_>>()?;
+        let transform = transform::<R>(profile, ctx, &mut numbers.iter().cloned())?;
+        Ok(Tip { transform: Arc::from(transform), curvature: dual(None)?, seeded })
+    }
+
+    /// g and its relatives.
+    pub(super) fn transform(&self) -> &dyn Transform<R> {
+        &*self.transform
+    }
+}
+
+/// The transform of a profile with the next numbers in the order of [`Profile::numbers`].
+fn transform<R: Struve + Kappa>(
+    profile: &Profile,
+    ctx: R::Ctx,
+    numbers: &mut dyn Iterator<Item = R>,
+) -> Result<Box<dyn Transform<R>>> {
+    let mut next =
+        |literal: &mdr_core::number::Literal| numbers.next().unwrap_or_else(|| R::from_literal(ctx, literal));
+    Ok(match profile {
+        Profile::Shape(shape) => closed_form(shape.map(|_, literal| next(literal)))?,
+        Profile::Sum(terms) => {
+            let terms = terms.iter().map(|term| transform(term, ctx, numbers)).collect::<Result<_>>()?;
+            Box::new(Sum::new(terms))
+        }
+        Profile::Formula(formula) => {
+            let values: BTreeMap<String, R> =
+                formula.parameters.iter().map(|(name, literal)| (name.clone(), next(literal))).collect();
+            let profile = formula.expression.bind_numbers::<R>(ctx, &values).map_err(|error| Error::Domain {
+                quantity: Quantity::Parameter("the formula"),
+                value: error.to_string(),
+                requirement: "one whose names all have values",
+            })?;
+            #[cfg(feature = "mp")]
+            let profile = profile.broken_at(ctx, &formula.breaks);
+            Box::new(Quadrature::new(profile))
+        }
+        Profile::Table(measured) => Box::new(measured.table().profile::<R>(ctx)?),
+    })
+}
+
+/// A state of the curve with its observed place and its tangent.
+#[derive(Clone, Debug)]
+pub(super) struct Point<R> {
+    /// The contact radius, or the outer radius of a vertical edge, where the contact stays.
+    pub(super) a: R,
+    pub(super) d: R,
+    pub(super) f: R,
+    /// Δl(a).
+    elongation: R,
+    /// d less the mean of g.
+    above_mean: R,
+    /// (X, Y), offsets included.
+    pub(super) at: [R; 2],
+    /// Derivatives of d, F and a with respect to the parameter of the curve.
+    pub(super) slopes: [R; 3],
+    /// Those of X and Y.
+    pub(super) tangent: [R; 2],
+    beyond_edge: bool,
+}
+
+/// A contact and how it is seen. The curve is parametrised by the contact radius; beyond a vertical edge the contact stays there,
+/// and the parameter grows with the indentation.
+pub(super) struct Contact<'t, R: Real> {
+    pub(super) tip: &'t Tip<R>,
+    pub(super) numbers: Numbers<R>,
+    pub(super) observation: Observation,
+    pub(super) edge: Option<R>,
+}
+
+impl<'t, R: Struve + Kappa> Contact<'t, R> {
+    pub(super) fn new(tip: &'t Tip<R>, numbers: Numbers<R>, observation: Observation) -> Self {
+        let edge = tip.transform.outer_radius().filter(|_| tip.transform.wall());
+        Contact { tip, numbers, observation, edge }
+    }
+
+    /// A linear map of (d, F, a): what is observed of them, without offsets.
+    fn observe(&self, d: R, f: R, a: R) -> [R; 2] {
+        let bent = |f: &R| self.numbers.stiffness.as_ref().map_or_else(|| f.lit(0), |k| f.clone() / k);
+        match self.observation {
+            Observation::ForceOfIndentation => [d, f],
+            Observation::ForceOfPosition => [d + bent(&f), f],
+            Observation::DeflectionOfPosition => [d + bent(&f), bent(&f)],
+            Observation::IndentationOfForce => [f, d],
+            Observation::ForceOfRadius => [a, f],
+            Observation::RadiusOfForce => [f, a],
+        }
+    }
+
+    /// What the contact point and the baseline add to X and Y.
+    fn offsets(&self) -> [R; 2] {
+        let Numbers { contact_point, baseline, .. } = &self.numbers;
+        let (point, line) = (contact_point.clone(), baseline.clone());
+        match self.observation {
+            Observation::IndentationOfForce => [line, point],
+            Observation::ForceOfRadius => [point.lit(0), line],
+            Observation::RadiusOfForce => [line, point.lit(0)],
+            _ => [point, line],
+        }
+    }
+
+    /// The state at a parameter of the curve.
+    ///
+    /// # Errors
+    /// Those of the transform.
+    pub(super) fn point(&self, s: &R) -> Result<Point<R>> {
+        let edge = self.edge.as_ref().filter(|edge| s > *edge);
+        let a = edge.unwrap_or(s).clone();
+        let transform = &self.tip.transform;
+        let Numbers { e_star, work, .. } = &self.numbers;
+        let elongation = (a.pi().times(2) * &a * work / e_star).sqrt();
+        let mut d = transform.g(&a)? - &elongation;
+        // d' = g' − Δl/2a, and F' = 2E*(a d' − Δl) along the curve; at an edge d' = 1 and F' = 2E*a.
+        let (d_slope, a_slope, lag) = match edge {
+            None => (transform.slope(&a)? - elongation.clone() / &a.clone().times(2), a.lit(1), elongation.clone()),
+            Some(edge) => {
+                d += &(s.clone() - edge);
+                (a.lit(1), a.lit(0), a.lit(0))
+            }
+        };
+        let above_mean = d.clone() - transform.mean(&a)?;
+        let double = e_star.clone().times(2);
+        let f = double.clone() * &a * &above_mean;
+        let f_slope = double * &(a.clone() * &d_slope - lag);
+        let [x, y] = self.observe(d.clone(), f.clone(), a.clone());
+        let [x0, y0] = self.offsets();
+        let slopes = [d_slope.clone(), f_slope.clone(), a_slope.clone()];
+        let tangent = self.observe(d_slope, f_slope, a_slope);
+        let beyond_edge = edge.is_some();
+        Ok(Point { a, d, f, elongation, above_mean, at: [x + x0, y + y0], slopes, tangent, beyond_edge })
+    }
+
+    /// ∂(X, Y) at a fixed parameter of the curve, with respect to an offset or to the logarithm of another number.
+    ///
+    /// # Errors
+    /// Those of the transform.
+    pub(super) fn partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 2]> {
+        let zero = || point.a.lit(0);
+        match kind {
+            Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::Profile(_) => {
+                let [d, f, a] = self.state_partial(kind, point)?;
+                Ok(self.observe(d, f, a))
+            }
+            Kind::Stiffness => {
+                let [x, y] = self.observe(zero(), point.f.clone(), zero());
+                // Only what is divided by k depends on it.
+                let y = if self.observation == Observation::DeflectionOfPosition { -y } else { zero() };
+                Ok([-x, y])
+            }
+            Kind::ContactPoint | Kind::Baseline => {
+                let one = |mine: Kind| if mine == kind { point.a.lit(1) } else { zero() };
+                let (point, line) = (one(Kind::ContactPoint), one(Kind::Baseline));
+                Ok(match self.observation {
+                    Observation::IndentationOfForce | Observation::RadiusOfForce => [line, point],
+                    _ => [point, line],
+                })
+            }
+        }
+    }
+
+    /// ∂(d, F, a) at a fixed parameter of the curve.
+    pub(super) fn state_partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 3]> {
+        let Point { a, elongation, above_mean, .. } = point;
+        let half = elongation.clone().over(2);
+        let e_star = &self.numbers.e_star;
+        let lever = e_star.clone() * a * elongation;
+        Ok(match kind {
+            Kind::EffectiveModulus => [half, lever + &point.f, a.lit(0)],
+            Kind::WorkOfAdhesion => [-half, -lever, a.lit(0)],
+            Kind::Profile(index) => {
+                let Some((_, dual)) = self.tip.seeded.iter().find(|(seed, _)| *seed == index) else {
+                    return Ok([a.lit(0), a.lit(0), a.lit(0)]);
+                };
+                // At a vertical edge the contact radius is a number of the profile.
+                let at_edge = if point.beyond_edge { dual.outer_radius() } else { None };
+                let radius = at_edge.unwrap_or_else(|| Dual::constant(a.clone()));
+                let moved = radius.slope.clone();
+                let d = dual.g(&radius)?.slope - half / a * &moved;
+                let f = (moved.clone() * above_mean + a.clone() * &(d.clone() - &dual.mean(&radius)?.slope)) * e_star;
+                [d, f.times(2), moved]
+            }
+            Kind::Stiffness | Kind::ContactPoint | Kind::Baseline => [a.lit(0), a.lit(0), a.lit(0)],
+        })
+    }
+
+    /// d(X')/ds, at a point before a vertical edge.
+    pub(super) fn x_curvature(&self, point: &Point<R>) -> Result<R> {
+        let Point { a, elongation, .. } = point;
+        let slope = self.tip.curvature.slope(&Dual::variable(a.clone()))?;
+        let d_slope = slope.value - elongation.clone() / &a.clone().times(2);
+        let d_curvature = slope.slope + elongation.clone() / &a.square().times(4);
+        let f_curvature = (d_slope + a.clone() * &d_curvature - elongation.clone() / &a.clone().times(2))
+            * &self.numbers.e_star.clone().times(2);
+        let [x, _] = self.observe(d_curvature, f_curvature, a.lit(0));
+        Ok(x)
+    }
+
+    /// ∂X' at a fixed contact radius, before a vertical edge.
+    pub(super) fn x_slope_partial(&self, kind: Kind, point: &Point<R>) -> Result<R> {
+        let Point { a, elongation, .. } = point;
+        let e_star = self.numbers.e_star.clone().times(2);
+        let quarter = elongation.clone() / &a.clone().times(4);
+        let half = elongation.clone().over(2);
+        let [d, f] = match kind {
+            Kind::EffectiveModulus => {
+                // F' = 2E*(a d' − Δl) grows with E* itself, too.
+                let slope = self.tip.transform.slope(a)? - elongation.clone() / &a.clone().times(2);
+                let own = a.clone() * &slope - elongation;
+                [quarter.clone(), (own + a.clone() * &quarter + half) * &e_star]
+            }
+            Kind::WorkOfAdhesion => [-quarter.clone(), -(a.clone() * &quarter + half) * &e_star],
+            Kind::Profile(index) => match self.tip.seeded.iter().find(|(seed, _)| *seed == index) {
+                Some((_, dual)) => {
+                    let d = dual.slope(&Dual::constant(a.clone()))?.slope;
+                    [d.clone(), a.clone() * &d * &e_star]
+                }
+                None => [a.lit(0), a.lit(0)],
+            },
+            Kind::Stiffness => {
+                let slope = self.tip.transform.slope(a)? - elongation.clone() / &a.clone().times(2);
+                let f_slope = (a.clone() * &slope - elongation) * &e_star;
+                let [x, _] = self.observe(a.lit(0), f_slope, a.lit(0));
+                return Ok(-x);
+            }
+            Kind::ContactPoint | Kind::Baseline => [a.lit(0), a.lit(0)],
+        };
+        let [x, _] = self.observe(d, f, a.lit(0));
+        Ok(x)
+    }
+
+    /// How fast the radius of a vertical edge grows with a number of the profile.
+    pub(super) fn edge_partial(&self, kind: Kind) -> R {
+        let Kind::Profile(index) = kind else { return self.numbers.e_star.lit(0) };
+        let dual = self.tip.seeded.iter().find(|(seed, _)| *seed == index);
+        dual.and_then(|(_, dual)| dual.outer_radius()).map_or_else(|| self.numbers.e_star.lit(0), |edge| edge.slope)
+    }
+
+    /// How fast a kink of the profile at this radius moves with a number of it.
+    pub(super) fn kink_partial(&self, kind: Kind, radius: &R) -> R {
+        let Kind::Profile(index) = kind else { return radius.lit(0) };
+        let dual = self.tip.seeded.iter().find(|(seed, _)| *seed == index);
+        let kinks = dual.map(|(_, dual)| dual.kinks()).unwrap_or_default();
+        kinks.into_iter().find(|kink| kink.value == *radius).map_or_else(|| radius.lit(0), |kink| kink.slope)
+    }
+}

@@ -1,0 +1,87 @@
+//! Pull-off and jump-in, as the fitted curve predicts them and as the record has them.
+
+use nalgebra::DVector;
+
+use super::answer::{Event, Fit};
+use super::arcs::end_speed;
+use super::drive::Errors;
+use super::minimise::Minimum;
+use super::problem::{Kind, Leg, Observation};
+use crate::error::Result;
+
+/// Adds the events that the record can have.
+pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Result<()> {
+    if errors.objective.problem.observation.sees_radius() {
+        return Ok(());
+    }
+    fit.predicted_pull_off = pull_off(errors, minimum)?;
+    let rows = &fit.rows;
+    let pair = |leg: Leg, index: usize| rows[index].leg == leg && rows[index - 1].leg == leg;
+    let breaks = (1..rows.len())
+        .find(|index| pair(Leg::Retract, *index) && rows[*index].label < 0 && rows[*index - 1].label >= 0)
+        .map(|index| index - 1);
+    let touches = (1..rows.len())
+        .find(|index| pair(Leg::Approach, *index) && rows[*index].label >= 0 && rows[*index - 1].label < 0);
+    let [pull_off, jump_in] =
+        [breaks, touches].map(|index| index.map(|index| measured(errors, minimum, [rows[index].x, rows[index].y])));
+    (fit.measured_pull_off, fit.measured_jump_in) = (pull_off, jump_in);
+    if touches.is_some() {
+        fit.predicted_jump_in = Some(first_touch(errors, minimum));
+    }
+    Ok(())
+}
+
+/// The fold where the contact breaks, with standard errors: it moves along the curve, and with the curve.
+fn pull_off(errors: &Errors<'_>, minimum: &Minimum) -> Result<Option<Event>> {
+    let evaluation = &minimum.evaluation;
+    let Some(s) = evaluation.last_fold() else { return Ok(None) };
+    let contact = evaluation.contact(errors.objective.problem.observation);
+    let point = contact.point(&s)?;
+    let kinds = errors.kinds();
+    let mut gradients = vec![DVector::zeros(kinds.len()); 5];
+    for (index, kind) in kinds.iter().enumerate() {
+        let speed = end_speed(&contact, *kind, &point)?;
+        let [x, y] = contact.partial(*kind, &point)?;
+        let [d, f, a] = contact.state_partial(*kind, &point)?;
+        let along = [point.tangent[0], point.tangent[1], point.slopes[1], point.slopes[0], point.slopes[2]];
+        for ((gradient, fixed), along) in gradients.iter_mut().zip([x, y, f, d, a]).zip(along) {
+            gradient[index] = fixed + along * speed;
+        }
+    }
+    let stderr = [0, 1, 2, 3, 4].map(|index: usize| errors.stderr(&gradients[index]));
+    Ok(Some(Event {
+        x: point.at[0],
+        y: point.at[1],
+        force: point.f,
+        indentation: point.d,
+        contact_radius: Some(point.a),
+        stderr: Some(stderr),
+    }))
+}
+
+/// The surfaces touch at d = 0 without force.
+fn first_touch(errors: &Errors<'_>, minimum: &Minimum) -> Event {
+    let numbers = &minimum.evaluation.numbers;
+    let kinds = errors.kinds();
+    let of = |kind: Kind| {
+        let gradient =
+            DVector::from_iterator(kinds.len(), kinds.iter().map(|known| if *known == kind { 1.0 } else { 0.0 }));
+        errors.stderr(&gradient)
+    };
+    let stderr = Some([of(Kind::ContactPoint), of(Kind::Baseline), 0.0, 0.0, 0.0]);
+    Event { x: numbers.contact_point, y: numbers.baseline, force: 0.0, indentation: 0.0, contact_radius: None, stderr }
+}
+
+/// A row as a state.
+fn measured(errors: &Errors<'_>, minimum: &Minimum, [x, y]: [f64; 2]) -> Event {
+    let numbers = &minimum.evaluation.numbers;
+    let stiffness = numbers.stiffness.unwrap_or(f64::INFINITY);
+    let [given, seen] = [x - numbers.contact_point, y - numbers.baseline];
+    let (indentation, force) = match errors.objective.problem.observation {
+        Observation::DeflectionOfPosition => (given - seen, stiffness * seen),
+        Observation::ForceOfPosition => (given - seen / stiffness, seen),
+        Observation::IndentationOfForce => (y - numbers.contact_point, x - numbers.baseline),
+        _ => (given, seen),
+    };
+    Event { x, y, force, indentation, contact_radius: None, stderr: None }
+}

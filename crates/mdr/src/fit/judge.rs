@@ -1,0 +1,224 @@
+//! What a minimum says: standard errors, what the data cannot tell, tests of the residuals.
+
+use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
+
+use super::answer::{Invariant, RunsTest};
+
+/// Singular values below this share of the largest are zero: the data say nothing of their direction.
+const NULL: f64 = 1e-8;
+
+/// The Jacobian by its singular values, with columns of unit length.
+pub(super) struct Spectrum {
+    /// Lengths of the columns.
+    lengths: Vec<f64>,
+    /// Descending.
+    pub(super) values: Vec<f64>,
+    /// The right singular vectors, one a column, in the same order.
+    vectors: DMatrix<f64>,
+}
+
+impl Spectrum {
+    pub(super) fn new(jacobian: &DMatrix<f64>) -> Self {
+        let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
+        let mut scaled = jacobian.clone();
+        for (mut column, length) in scaled.column_iter_mut().zip(&lengths) {
+            if *length > 0.0 {
+                column /= *length;
+            }
+        }
+        let svd = scaled.svd(false, true);
+        let mut order: Vec<usize> = (0..svd.singular_values.len()).collect();
+        order.sort_by(|one, other| svd.singular_values[*other].total_cmp(&svd.singular_values[*one]));
+        let rows = svd.v_t.unwrap_or_else(|| DMatrix::zeros(lengths.len(), lengths.len()));
+        let vectors = DMatrix::from_fn(lengths.len(), order.len(), |row, column| rows[(order[column], row)]);
+        Spectrum { lengths, values: order.iter().map(|index| svd.singular_values[*index]).collect(), vectors }
+    }
+
+    fn is_null(&self, index: usize) -> bool {
+        !(self.values[index] > NULL * self.values[0])
+    }
+
+    /// How many directions the data say nothing of.
+    pub(super) fn nullity(&self) -> usize {
+        (0..self.values.len()).filter(|index| self.is_null(*index)).count()
+    }
+
+    /// The smallest singular value against the largest.
+    pub(super) fn smallest(&self) -> f64 {
+        self.values.last().copied().unwrap_or(0.0) / self.values[0]
+    }
+
+    /// The covariance of two linear combinations, in units of the variance of a residual; directions of which nothing is known
+    /// do not count.
+    pub(super) fn covariance(&self, one: &DVector<f64>, other: &DVector<f64>) -> f64 {
+        let along = |index: usize, combination: &DVector<f64>| -> f64 {
+            let vector = self.vectors.column(index);
+            (0..self.lengths.len())
+                .map(|place| {
+                    let length = self.lengths[place];
+                    if length > 0.0 { vector[place] * combination[place] / length } else { 0.0 }
+                })
+                .sum::<f64>()
+                / self.values[index]
+        };
+        let known = (0..self.values.len()).filter(|index| !self.is_null(*index));
+        known.map(|index| along(index, one) * along(index, other)).sum()
+    }
+
+    /// Directions of which the data say nothing, one a column, in the fitted values.
+    fn null_directions(&self) -> DMatrix<f64> {
+        let null: Vec<usize> = (0..self.values.len()).filter(|index| self.is_null(*index)).collect();
+        let longest = self.lengths.iter().copied().fold(0.0, f64::max);
+        DMatrix::from_fn(self.lengths.len(), null.len(), |place, column| {
+            // A number without any effect is a direction by itself.
+            let length = if self.lengths[place] > 0.0 { self.lengths[place] } else { longest * f64::EPSILON };
+            self.vectors[(place, null[column])] / length
+        })
+    }
+
+    /// Which numbers the data do not determine: those with a share in a null direction.
+    pub(super) fn undetermined(&self) -> Vec<bool> {
+        let directions = self.unit_directions();
+        (0..self.lengths.len()).map(|place| directions.row(place).iter().any(|share| share.abs() > 1e-5)).collect()
+    }
+
+    fn unit_directions(&self) -> DMatrix<f64> {
+        let mut directions = self.null_directions();
+        for mut column in directions.column_iter_mut() {
+            let length = column.norm();
+            column /= length;
+        }
+        directions
+    }
+
+    /// Exponents of products that the data determine, in reduced form: each of the numbers that stay carries one power of itself
+    /// and powers of the last ones, as many as there are null directions. Also the places of those last ones.
+    pub(super) fn exponents(&self) -> (Vec<DVector<f64>>, Vec<usize>) {
+        let directions = self.unit_directions();
+        let (numbers, nullity) = (directions.nrows(), directions.ncols());
+        // Eliminate from the last number on: each pivot is a number that would have to be given.
+        let mut reduced = directions.clone();
+        let mut pivots: Vec<usize> = Vec::new();
+        for place in (0..numbers).rev() {
+            let done = pivots.len();
+            if done == nullity {
+                break;
+            }
+            let column = (done..nullity)
+                .max_by(|one, other| reduced[(place, *one)].abs().total_cmp(&reduced[(place, *other)].abs()));
+            let Some(column) = column.filter(|column| reduced[(place, *column)].abs() > 1e-5) else { continue };
+            reduced.swap_columns(done, column);
+            let pivot = reduced[(place, done)];
+            reduced.column_mut(done).scale_mut(1.0 / pivot);
+            for other in (0..nullity).filter(|other| *other != done) {
+                let share = reduced[(place, other)];
+                let direction = reduced.column(done).clone_owned();
+                reduced.column_mut(other).axpy(-share, &direction, 1.0);
+            }
+            pivots.push(place);
+        }
+        let stays = (0..numbers).filter(|place| !pivots.contains(place));
+        let involved = stays.filter(|place| reduced.row(*place).iter().any(|share| share.abs() > 1e-5));
+        let exponents = involved.map(|place| {
+            let mut exponents = DVector::zeros(numbers);
+            exponents[place] = 1.0;
+            for (column, pivot) in pivots.iter().enumerate() {
+                exponents[*pivot] = simple(-reduced[(place, column)]);
+            }
+            exponents
+        });
+        (exponents.collect(), pivots)
+    }
+}
+
+/// The nearest fraction with a denominator up to four, if it is near.
+fn simple(exponent: f64) -> f64 {
+    let near = (1..=4).map(f64::from).map(|whole| (exponent * whole).round() / whole);
+    near.into_iter().find(|simple| (simple - exponent).abs() < 1e-4).unwrap_or(exponent)
+}
+
+/// A product of powers as it is printed.
+pub(super) fn product(names: &[&str], exponents: &DVector<f64>) -> String {
+    let factor = |(name, exponent): (&&str, &f64)| match *exponent {
+        0.0 => None,
+        1.0 => Some((*name).to_owned()),
+        exponent if exponent.fract() == 0.0 && exponent > 0.0 => Some(format!("{name}^{exponent}")),
+        exponent => {
+            let whole = (1..=4).find(|whole| (exponent * f64::from(*whole)).fract() == 0.0);
+            Some(match whole {
+                Some(1) => format!("{name}^({exponent})"),
+                Some(whole) => format!("{name}^({}/{whole})", exponent * f64::from(whole)),
+                None => format!("{name}^({exponent:.4})"),
+            })
+        }
+    };
+    names.iter().zip(exponents.iter()).filter_map(factor).collect::<Vec<_>>().join(" * ")
+}
+
+/// A product of powers with its value and its standard errors; `scales` are those of the residuals: as stated, and by the
+/// residuals.
+pub(super) fn invariant(
+    spectrum: &Spectrum,
+    names: &[&str],
+    fitted: &[f64],
+    exponents: &DVector<f64>,
+    scales: [f64; 2],
+) -> Invariant {
+    let value = exponents.iter().zip(fitted).map(|(exponent, ln)| exponent * ln).sum::<f64>().exp();
+    let [stderr, scaled_stderr] = scales.map(|scale| value * scale * spectrum.covariance(exponents, exponents).sqrt());
+    Invariant { name: product(names, exponents), value, stderr, scaled_stderr }
+}
+
+/// The test of Wald and Wolfowitz; none where all residuals have one sign or there are fewer than ten.
+pub(super) fn runs_test(residuals: &[f64]) -> Option<RunsTest> {
+    let signs: Vec<bool> =
+        residuals.iter().filter(|residual| **residual != 0.0).map(|residual| *residual > 0.0).collect();
+    let count = signs.len() as f64;
+    let above = signs.iter().filter(|sign| **sign).count() as f64;
+    let product = 2.0 * above * (count - above);
+    if signs.len() < 10 || product == 0.0 {
+        return None;
+    }
+    let runs = 1 + signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
+    let expected = product / count + 1.0;
+    let variance = product * (product - count) / (count * count * (count - 1.0));
+    let z = (runs as f64 - expected) / variance.sqrt();
+    let p = 2.0 * Normal::standard().sf(z.abs());
+    (variance > 0.0).then_some(RunsTest { runs, expected, z, p })
+}
+
+/// The probability of at least this χ².
+pub(super) fn chi2_p(chi2: f64, dof: usize) -> Option<f64> {
+    ChiSquared::new(dof as f64).ok().map(|distribution| distribution.sf(chi2))
+}
+
+/// The median; NaN of nothing.
+pub(super) fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    match values.len() {
+        0 => f64::NAN,
+        len if len % 2 == 1 => values[len / 2],
+        len => 0.5 * (values[len / 2 - 1] + values[len / 2]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_are_written_as_in_a_formula() {
+        let names = ["e_star", "work_of_adhesion", "radius"];
+        let product = |exponents: [f64; 3]| product(&names, &DVector::from_column_slice(&exponents));
+        assert_eq!(product([1.0, 0.0, 0.5]), "e_star * radius^(1/2)");
+        assert_eq!(product([0.0, 1.0, 1.0]), "work_of_adhesion * radius");
+        assert_eq!(product([-2.0, 1.0, -0.5]), "e_star^(-2) * work_of_adhesion * radius^(-1/2)");
+    }
+
+    #[test]
+    fn alternating_signs_are_no_noise() {
+        let residuals: Vec<f64> = (0..40).map(|index| if index % 2 == 0 { 1.0 } else { -1.0 }).collect();
+        assert!(runs_test(&residuals).is_some_and(|test| test.runs == 40 && test.p < 1e-8));
+    }
+}

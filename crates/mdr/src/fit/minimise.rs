@@ -1,0 +1,159 @@
+//! Levenberg–Marquardt on an objective, and the Gauss–Newton steps that end it.
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use nalgebra::{DMatrix, DVector, Dyn, Owned};
+
+use super::objective::{Evaluation, Objective};
+
+/// An end of the minimisation.
+pub(super) struct Minimum {
+    pub(super) fitted: Vec<f64>,
+    pub(super) evaluation: Evaluation,
+    pub(super) jacobian: DMatrix<f64>,
+    /// The largest cosine between the residuals and a column of the Jacobian that is not held by a bound.
+    pub(super) gradient: f64,
+    pub(super) evaluations: usize,
+}
+
+/// The objective at the place where Levenberg–Marquardt is.
+struct Place<'o, 'p> {
+    objective: &'o Objective<'p>,
+    fitted: DVector<f64>,
+    evaluation: Option<Evaluation>,
+    evaluations: usize,
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Place<'_, '_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, fitted: &DVector<f64>) {
+        self.fitted.clone_from(fitted);
+        let before = self.evaluation.take();
+        self.evaluation = self.objective.evaluate(fitted.as_slice(), before.as_ref()).ok();
+        self.evaluations += 1;
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.fitted.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        self.evaluation.as_ref().map(|evaluation| evaluation.residuals.clone())
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        self.objective.jacobian(self.fitted.as_slice(), self.evaluation.as_ref()?).ok()
+    }
+}
+
+/// Descends from `start`; `tolerance` is that of the sum of squares and of the step.
+///
+/// # Errors
+/// Where the objective has no value at the start.
+pub(super) fn descend(
+    objective: &Objective<'_>,
+    start: &[f64],
+    tolerance: f64,
+    patience: usize,
+) -> mdr_core::contact::Result<(Vec<f64>, usize)> {
+    objective.evaluate(start, None)?;
+    let mut place = Place { objective, fitted: DVector::from_column_slice(start), evaluation: None, evaluations: 1 };
+    place.set_params(&DVector::from_column_slice(start));
+    let method = LevenbergMarquardt::new().with_tol(tolerance).with_patience(patience).with_stepbound(1.0);
+    let (place, _) = method.minimize(place);
+    Ok((inside_bounds(objective, place.fitted.as_slice()), place.evaluations))
+}
+
+/// Values beyond their bounds come back to them.
+fn inside_bounds(objective: &Objective<'_>, fitted: &[f64]) -> Vec<f64> {
+    let inside = |(place, fitted): (usize, &f64)| {
+        if objective.at_bound(place, *fitted) {
+            objective.to_fitted(place, objective.value(place, *fitted))
+        } else {
+            *fitted
+        }
+    };
+    fitted.iter().enumerate().map(inside).collect()
+}
+
+/// Gauss–Newton steps from near a minimum until they are of the size of rounding.
+///
+/// # Errors
+/// Where the objective has no value.
+pub(super) fn polish(
+    objective: &Objective<'_>,
+    start: &[f64],
+    evaluations: usize,
+) -> mdr_core::contact::Result<Minimum> {
+    let (mut fitted, mut evaluations) = (start.to_vec(), evaluations + 1);
+    let mut evaluation = objective.evaluate(&fitted, None)?;
+    let mut jacobian = objective.jacobian(&fitted, &evaluation)?;
+    let mut last = f64::INFINITY;
+    for _ in 0..40 {
+        let held = held(objective, &fitted, &jacobian, &evaluation);
+        let step = step(&jacobian, &evaluation.residuals, &held);
+        let next: Vec<f64> = fitted.iter().zip(step.iter()).map(|(value, step)| value - step).collect();
+        let next = inside_bounds(objective, &next);
+        let size = (&jacobian * &step).norm() / evaluation.residuals.norm().max(f64::MIN_POSITIVE);
+        eprintln!("polish size {size:e} cost {:e} held {held:?} step {step:?}", evaluation.cost());
+        // Steps that no longer become smaller are rounding; larger ones lead away.
+        if size == 0.0 || !size.is_finite() || size >= last {
+            break;
+        }
+        let Ok(candidate) = objective.evaluate(&next, Some(&evaluation)) else { break };
+        evaluations += 1;
+        if candidate.cost() > evaluation.cost() * (1.0 + 1e-9) {
+            break;
+        }
+        last = size;
+        jacobian = objective.jacobian(&next, &candidate)?;
+        (fitted, evaluation) = (next, candidate);
+        if size < 1e-15 {
+            break;
+        }
+    }
+    let held = held(objective, &fitted, &jacobian, &evaluation);
+    let gradient = gradient(&jacobian, &evaluation.residuals, &held);
+    Ok(Minimum { fitted, evaluation, jacobian, gradient, evaluations })
+}
+
+/// Which free numbers a bound holds: those at a bound that the objective falls towards.
+pub(super) fn held(
+    objective: &Objective<'_>,
+    fitted: &[f64],
+    jacobian: &DMatrix<f64>,
+    evaluation: &Evaluation,
+) -> Vec<bool> {
+    let presses = |place: usize| {
+        let Some([lower, _]) = objective.problem.parameters[objective.free[place]].bounds else { return false };
+        let towards = jacobian.column(place).dot(&evaluation.residuals);
+        let rises = objective.value(place, fitted[place]) <= lower;
+        objective.at_bound(place, fitted[place]) && (if rises { towards >= 0.0 } else { towards <= 0.0 })
+    };
+    (0..fitted.len()).map(presses).collect()
+}
+
+/// The least-squares solution of J·step = residuals over the numbers that are not held, with columns of unit length.
+fn step(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, held: &[bool]) -> DVector<f64> {
+    let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
+    let mut scaled = jacobian.clone();
+    for (place, mut column) in scaled.column_iter_mut().enumerate() {
+        if held[place] || lengths[place] == 0.0 { column.fill(0.0) } else { column /= lengths[place] }
+    }
+    let solution = scaled.svd(true, true).solve(residuals, 1e-11).unwrap_or_else(|_| DVector::zeros(held.len()));
+    DVector::from_iterator(
+        held.len(),
+        solution.iter().zip(&lengths).map(|(value, length)| if *length > 0.0 { value / length } else { 0.0 }),
+    )
+}
+
+fn gradient(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, held: &[bool]) -> f64 {
+    let norm = residuals.norm();
+    let cosine = |(place, column): (usize, nalgebra::DVectorView<'_, f64>)| {
+        let length = column.norm() * norm;
+        if held[place] || length == 0.0 { 0.0 } else { column.dot(residuals).abs() / length }
+    };
+    jacobian.column_iter().enumerate().map(cosine).fold(0.0, f64::max)
+}

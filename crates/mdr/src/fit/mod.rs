@@ -1,0 +1,50 @@
+//! Fits of measured curves: E*, w and other unknowns of a contact from force, depth or contact radius, with their errors.
+//!
+//! A [`Problem`] says what was pressed, what was measured and what is unknown; its [`Fit`] has estimates with standard errors, or
+//! says what the data cannot tell. The theory decides on which branch a row lies and where the contact jumps: no row is clipped,
+//! and none is compared with a curve beyond its fold.
+//!
+//! ```
+//! use mdr::fit::{Observation, Problem};
+//! use mdr::prelude::*;
+//! // A sphere of 10 µm: force against depth, in newtons and metres (a paraboloid with E* = 2 MPa and w = 50 mJ/m²).
+//! let depth = [2e-6, 1.5e-6, 1e-6, 5e-7, 0.0, -2e-7];
+//! let force = [2.2156574e-5, 1.3629571e-5, 6.5836622e-6, 1.3344293e-6, -1.3962634e-6, -1.4928871e-6];
+//! let tip = Shape::Paraboloid { radius: "1e-5" };
+//! let fit = Problem::new(tip, Observation::ForceOfIndentation, &depth, &force)?
+//!     .free(["e_star", "work_of_adhesion"])?
+//!     .fit()?;
+//! assert!(fit.estimate("e_star").and_then(|e_star| e_star.value).is_some());
+//! # Ok::<(), mdr::Error>(())
+//! ```
+//!
+//! # The model
+//! A state is a function of its contact radius a: d = g(a) − Δl(a) (1.5), F = 2E*(a d − ∫₀ᵃ g) (1.6). What is given, X, and what
+//! is measured, Y, are listed at [`Observation`]. Stable arcs lie between the folds of X(a). Every row has a label: its arc, or
+//! detached; the labels of a leg are those of least cost that are monotone along it.
+//!
+//! # The objective
+//! A row in contact has its orthogonal distance to its arc, the end of the arc included, in units of (σ_X, σ_Y); with σ_X = 0 the
+//! vertical distance. A detached row has (Y − baseline)/σ_Y. Levenberg–Marquardt minimises the sum of squares with exact
+//! derivatives: at fixed a, ∂d/∂ln E* = Δl/2 and ∂F/∂ln E* = F + E*aΔl; for numbers of the profile by dual numbers.
+//!
+//! # Accuracy
+//! Estimates in f64, converged to the rounding of the residuals. Standard errors are those of the linearised model.
+
+mod answer;
+mod arcs;
+mod contact;
+mod data;
+mod drive;
+mod events;
+mod judge;
+mod labels;
+mod minimise;
+mod objective;
+mod problem;
+mod read;
+mod start;
+mod warnings;
+
+pub use answer::{Estimate, Event, Fit, FitStatus, FittedRow, Invariant, RunsTest};
+pub use problem::{Leg, Loss, Observation, Problem};

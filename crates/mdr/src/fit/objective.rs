@@ -1,0 +1,327 @@
+//! The residuals of a problem and their derivatives, at given numbers.
+
+use std::sync::Arc as Shared;
+
+use mdr_core::contact::Result;
+use nalgebra::{DMatrix, DVector};
+
+use super::arcs::{self, Arc, Foot, Scales, Turn};
+use super::contact::{Contact, Numbers, Tip};
+use super::labels::cheapest;
+use super::problem::{DataRow, Kind, Leg, Loss, Observation, Problem};
+
+/// The distance up to which Huber's loss is a square: 95 % efficient for normal noise.
+const HUBER: f64 = 1.345;
+
+/// A problem with σ for all rows, and which rows count.
+pub(super) struct Objective<'p> {
+    pub(super) problem: &'p Problem,
+    /// Indices of the free parameters.
+    pub(super) free: Vec<usize>,
+    /// σ_X and σ_Y where a row has none of its own; σ_X of `None` asks for vertical distances.
+    pub(super) x_scale: Option<f64>,
+    pub(super) y_scale: f64,
+    /// The scale of X for what lies beyond the end of an arc.
+    pub(super) beyond: f64,
+    /// Which rows count.
+    pub(super) rows: Vec<DataRow>,
+    /// The profile, where all its numbers are known.
+    tip: Option<Shared<Tip<f64>>>,
+}
+
+/// The residuals at one set of numbers.
+pub(super) struct Evaluation {
+    pub(super) tip: Shared<Tip<f64>>,
+    pub(super) numbers: Numbers<f64>,
+    pub(super) turns: Vec<Turn>,
+    /// The innermost first.
+    pub(super) arcs: Vec<Arc>,
+    /// The level of each row: 0 detached, else one more than the index of its arc.
+    pub(super) labels: Vec<usize>,
+    /// Those of rows in contact.
+    pub(super) feet: Vec<Option<Foot>>,
+    /// Residuals of the rows, of priors and of the pull-off.
+    pub(super) residuals: DVector<f64>,
+}
+
+impl Evaluation {
+    pub(super) fn contact(&self, observation: Observation) -> Contact<'_, f64> {
+        Contact::new(&*self.tip, self.numbers.clone(), observation)
+    }
+
+    /// Half of what is minimised.
+    pub(super) fn cost(&self) -> f64 {
+        self.residuals.norm_squared()
+    }
+}
+
+impl<'p> Objective<'p> {
+    pub(super) fn new(problem: &'p Problem, x_scale: Option<f64>, y_scale: f64, beyond: f64) -> Result<Self> {
+        let free: Vec<usize> = (0..problem.parameters.len()).filter(|index| problem.parameters[*index].free).collect();
+        let mut objective =
+            Objective { problem, free, x_scale, y_scale, beyond, rows: problem.rows.clone(), tip: None };
+        if objective.free_of_profile().is_empty() {
+            let numbers: Vec<f64> = objective.of_profile(&|index| problem.parameters[index].value.unwrap_or(f64::NAN));
+            objective.tip = Some(Shared::new(Tip::new(&problem.profile, (), &numbers, &[])?));
+        }
+        Ok(objective)
+    }
+
+    fn free_of_profile(&self) -> Vec<usize> {
+        let of_profile = |index: &usize| match self.problem.parameters[*index].kind {
+            Kind::Profile(place) => Some(place),
+            _ => None,
+        };
+        self.free.iter().filter_map(of_profile).collect()
+    }
+
+    fn of_profile(&self, value: &dyn Fn(usize) -> f64) -> Vec<f64> {
+        let parameters = self.problem.parameters.iter().enumerate();
+        parameters
+            .filter(|(_, parameter)| matches!(parameter.kind, Kind::Profile(_)))
+            .map(|(index, _)| value(index))
+            .collect()
+    }
+
+    /// The value of a free parameter as it is fitted: its logarithm, or itself for an offset.
+    pub(super) fn to_fitted(&self, place: usize, value: f64) -> f64 {
+        if self.problem.parameters[self.free[place]].kind.is_offset() { value } else { value.abs().ln() }
+    }
+
+    /// The value of a free parameter, kept between its bounds.
+    pub(super) fn value(&self, place: usize, fitted: f64) -> f64 {
+        let parameter = &self.problem.parameters[self.free[place]];
+        let value = if parameter.kind.is_offset() {
+            fitted
+        } else {
+            let sign = if parameter.start.or(parameter.value).is_some_and(|value| value < 0.0) { -1.0 } else { 1.0 };
+            sign * fitted.exp()
+        };
+        parameter.bounds.map_or(value, |[lower, upper]| value.clamp(lower, upper))
+    }
+
+    /// Whether a bound holds a free parameter.
+    pub(super) fn at_bound(&self, place: usize, fitted: f64) -> bool {
+        let value = self.value(place, fitted);
+        self.problem.parameters[self.free[place]].bounds.is_some_and(|[lower, upper]| value <= lower || value >= upper)
+    }
+
+    /// All numbers of the problem at these fitted values.
+    fn numbers(&self, fitted: &[f64]) -> Numbers<f64> {
+        let value = |index: usize| match self.free.iter().position(|free| *free == index) {
+            Some(place) => self.value(place, fitted[place]),
+            None => self.problem.parameters[index].value.unwrap_or(f64::NAN),
+        };
+        let of = |kind: Kind| self.problem.parameters.iter().position(|parameter| parameter.kind == kind).map(value);
+        Numbers {
+            e_star: of(Kind::EffectiveModulus).unwrap_or(f64::NAN),
+            work: of(Kind::WorkOfAdhesion).unwrap_or(f64::NAN),
+            stiffness: of(Kind::Stiffness),
+            contact_point: of(Kind::ContactPoint).unwrap_or(0.0),
+            baseline: of(Kind::Baseline).unwrap_or(0.0),
+            profile: self.of_profile(&value),
+        }
+    }
+
+    pub(super) fn scales(&self, row: &DataRow) -> Scales {
+        let y = row.sigma[1].unwrap_or(self.y_scale);
+        Scales { x: self.x_scale.map(|x| row.sigma[0].map_or(x, |own| own.max(x))), y, beyond: self.beyond }
+    }
+
+    /// The residuals at these fitted values; folds are followed from an earlier evaluation where there is one.
+    ///
+    /// # Errors
+    /// A number out of its domain; those of the transform.
+    pub(super) fn evaluate(&self, fitted: &[f64], before: Option<&Evaluation>) -> Result<Evaluation> {
+        let numbers = self.numbers(fitted);
+        let tip = match &self.tip {
+            Some(tip) => Shared::clone(tip),
+            None => Shared::new(Tip::new(&self.problem.profile, (), &numbers.profile, &self.free_of_profile())?),
+        };
+        let contact = Contact::new(&*tip, numbers.clone(), self.problem.observation);
+        let turns = match before.and_then(|before| arcs::followed(&contact, &before.turns)) {
+            Some(turns) => turns,
+            None => arcs::turns(&contact)?,
+        };
+        let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.beyond);
+        let range = self
+            .rows
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.x), high.max(row.x)]);
+        let arcs = arcs::arcs(&contact, &turns, [range[0], range[1] + margin])?;
+        let (labels, feet) = self.label(&contact, &arcs)?;
+        let mut residuals: Vec<f64> = self
+            .rows
+            .iter()
+            .zip(&feet)
+            .map(|(row, foot)| self.loss(foot.map_or_else(|| self.detached(&numbers, row), |foot| foot.residual))[0])
+            .collect();
+        residuals.extend(self.prior_residuals(fitted));
+        let mut evaluation =
+            Evaluation { tip: Shared::clone(&tip), numbers, turns, arcs, labels, feet, residuals: DVector::zeros(0) };
+        if let Some([place, sd]) = self.problem.pull_off {
+            let end = evaluation.last_fold().map(|s| contact.point(&s)).transpose()?;
+            residuals.push(end.map_or(0.0, |end| (end.at[0] - place) / sd));
+        }
+        evaluation.residuals = DVector::from_vec(residuals);
+        Ok(evaluation)
+    }
+
+    fn detached(&self, numbers: &Numbers<f64>, row: &DataRow) -> f64 {
+        (numbers.baseline - row.y) / row.sigma[1].unwrap_or(self.y_scale)
+    }
+
+    /// Whether a row can be detached: where the contact radius is given, one of radius zero must be.
+    fn can_be(&self, row: &DataRow, detached: bool) -> bool {
+        match self.problem.observation {
+            Observation::ForceOfRadius => detached == (row.x <= 0.0),
+            Observation::IndentationOfForce | Observation::RadiusOfForce => !detached,
+            _ => true,
+        }
+    }
+
+    /// Labels and feet of all rows.
+    fn label(&self, contact: &Contact<'_, f64>, arcs: &[Arc]) -> Result<(Vec<usize>, Vec<Option<Foot>>)> {
+        let mut labels = Vec::with_capacity(self.rows.len());
+        let mut feet = Vec::with_capacity(self.rows.len());
+        for leg in self.rows.chunk_by(|one, other| one.leg == other.leg) {
+            let mut costs = Vec::with_capacity(leg.len());
+            let mut found: Vec<Vec<Option<Foot>>> = Vec::with_capacity(leg.len());
+            for row in leg {
+                let scales = self.scales(row);
+                let mut cost = vec![f64::INFINITY; arcs.len() + 1];
+                let mut feet = vec![None; arcs.len() + 1];
+                if self.can_be(row, true) || arcs.is_empty() {
+                    cost[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
+                }
+                if self.can_be(row, false) {
+                    for (index, arc) in arcs.iter().enumerate() {
+                        let foot = arc.foot(contact, [row.x, row.y], &scales)?;
+                        cost[index + 1] = self.loss(foot.residual)[0].powi(2);
+                        feet[index + 1] = Some(foot);
+                    }
+                }
+                costs.push(cost);
+                found.push(feet);
+            }
+            for (level, feet_of_row) in
+                cheapest(&costs, leg.first().map_or(Leg::Retract, |row| row.leg)).into_iter().zip(found)
+            {
+                labels.push(level);
+                feet.push(feet_of_row[level]);
+            }
+        }
+        Ok((labels, feet))
+    }
+
+    /// A residual as it counts, and its derivative with respect to the distance.
+    fn loss(&self, residual: f64) -> [f64; 2] {
+        if self.problem.loss == Loss::LeastSquares || residual.abs() <= HUBER {
+            return [residual, 1.0];
+        }
+        let counted = (2.0 * HUBER * residual.abs() - HUBER * HUBER).sqrt();
+        [counted.copysign(residual), HUBER / counted]
+    }
+
+    fn priors(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
+        let prior = |(place, index): (usize, &usize)| Some((place, self.problem.parameters[*index].prior?));
+        self.free.iter().enumerate().filter_map(prior)
+    }
+
+    fn prior_residuals(&self, fitted: &[f64]) -> Vec<f64> {
+        self.priors().map(|(place, [mean, sd])| (self.value(place, fitted[place]) - mean) / sd).collect()
+    }
+
+    /// The derivatives of the residuals with respect to the fitted values. A number at a bound that it presses against has none.
+    ///
+    /// # Errors
+    /// Those of the transform.
+    pub(super) fn jacobian(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
+        let contact = evaluation.contact(self.problem.observation);
+        let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), self.free.len());
+        let moving: Vec<(usize, Kind)> = (0..self.free.len())
+            .filter(|place| !self.outside(*place, fitted[*place]))
+            .map(|place| (place, self.problem.parameters[self.free[place]].kind))
+            .collect();
+        for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
+            let Some(foot) = foot else {
+                let y = row.sigma[1].unwrap_or(self.y_scale);
+                let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / y;
+                for (place, _) in moving.iter().filter(|(_, kind)| *kind == Kind::Baseline) {
+                    jacobian[(index, *place)] = slope;
+                }
+                continue;
+            };
+            let point = contact.point(&foot.s)?;
+            let slope = self.loss(foot.residual)[1];
+            let arc = &evaluation.arcs[evaluation.labels[index] - 1];
+            for (place, kind) in &moving {
+                let [x, y] = arc.partial(&contact, *kind, foot, &point)?;
+                jacobian[(index, *place)] = slope * (foot.weights[0] * x + foot.weights[1] * y);
+            }
+        }
+        let mut index = self.rows.len();
+        for (place, [_, sd]) in self.priors() {
+            let value = self.value(place, fitted[place]);
+            let offset = self.problem.parameters[self.free[place]].kind.is_offset();
+            jacobian[(index, place)] = if offset { 1.0 / sd } else { value / sd };
+            index += 1;
+        }
+        if let (Some([_, sd]), Some(s)) = (self.problem.pull_off, evaluation.last_fold()) {
+            let point = contact.point(&s)?;
+            for (place, kind) in &moving {
+                let speed = arcs::end_speed(&contact, *kind, &point)?;
+                jacobian[(index, *place)] = (contact.partial(*kind, &point)?[0] + point.tangent[0] * speed) / sd;
+            }
+        }
+        Ok(jacobian)
+    }
+
+    /// The Jacobian for standard errors: a row that is compared to the end of an arc tells in both directions, along the distance
+    /// and across it, where its residual is zero.
+    ///
+    /// # Errors
+    /// Those of the transform.
+    pub(super) fn information(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
+        let contact = evaluation.contact(self.problem.observation);
+        let across = |(index, foot): (usize, &Foot)| {
+            let point = contact.point(&foot.s)?;
+            let scales = self.scales(&self.rows[index]);
+            let scales = [scales.x.unwrap_or(scales.beyond), scales.y];
+            let [along_x, along_y] = [foot.weights[0] * scales[0], foot.weights[1] * scales[1]];
+            let arc = &evaluation.arcs[evaluation.labels[index] - 1];
+            let mut row = vec![0.0; self.free.len()];
+            for (place, value) in row.iter_mut().enumerate().filter(|(place, _)| !self.outside(*place, fitted[*place]))
+            {
+                let [x, y] = arc.partial(&contact, self.problem.parameters[self.free[place]].kind, foot, &point)?;
+                *value = along_x * y / scales[1] - along_y * x / scales[0];
+            }
+            Ok(row)
+        };
+        let feet = evaluation.feet.iter().enumerate();
+        let ends = feet.filter_map(|(index, foot)| Some((index, foot.as_ref().filter(|foot| foot.is_end)?)));
+        let rows: Vec<Vec<f64>> = ends.map(across).collect::<Result<_>>()?;
+        let jacobian = self.jacobian(fitted, evaluation)?;
+        let known = jacobian.nrows();
+        let mut information = jacobian.resize_vertically(known + rows.len(), 0.0);
+        for (index, row) in rows.iter().enumerate() {
+            information.row_mut(known + index).copy_from_slice(row);
+        }
+        Ok(information)
+    }
+
+    /// Whether a fitted value lies beyond a bound, so that its number does not follow it.
+    fn outside(&self, place: usize, fitted: f64) -> bool {
+        let parameter = &self.problem.parameters[self.free[place]];
+        let value = self.value(place, fitted);
+        parameter.bounds.is_some() && self.to_fitted(place, value) != fitted && self.at_bound(place, fitted)
+    }
+}
+
+impl Evaluation {
+    /// The parameter of the fold where the contact breaks: of the inner ends of arcs, that with the smallest X.
+    pub(super) fn last_fold(&self) -> Option<f64> {
+        let ends = self.arcs.iter().filter_map(|arc| Some((arc.inner_fold()?, arc.samples[0].at[0])));
+        ends.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(s, _)| s)
+    }
+}

@@ -1,0 +1,403 @@
+//! What is fitted: a profile, an observation, rows, and what is unknown.
+
+use super::answer::Fit;
+use crate::error::{Error, Result};
+use crate::scene::{IntoProfile, Location, Profile};
+
+/// What is given of a row, X, and what is measured, Y. `contact_point` and `baseline` are offsets of what is recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Observation {
+    /// `F(d)`: X = d + contact_point, Y = F + baseline.
+    ForceOfIndentation,
+    /// `F(D)`: X = d + F/k + contact_point, Y = F + baseline.
+    ForceOfPosition,
+    /// `delta(D)`: X = d + F/k + contact_point, Y = F/k + baseline, the deflection of a cantilever of stiffness k.
+    DeflectionOfPosition,
+    /// `d(F)`: X = F + baseline, Y = d + contact_point.
+    IndentationOfForce,
+    /// `F(a)`: X = a, Y = F + baseline.
+    ForceOfRadius,
+    /// `a(F)`: X = F + baseline, Y = a.
+    RadiusOfForce,
+}
+
+impl Observation {
+    /// Each with its name.
+    pub const NAMES: [(&'static str, Observation); 6] = [
+        ("F(d)", Observation::ForceOfIndentation),
+        ("F(D)", Observation::ForceOfPosition),
+        ("delta(D)", Observation::DeflectionOfPosition),
+        ("d(F)", Observation::IndentationOfForce),
+        ("F(a)", Observation::ForceOfRadius),
+        ("a(F)", Observation::RadiusOfForce),
+    ];
+
+    /// Its name in a file, such as `delta(D)`.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name)
+    }
+
+    /// The units of X and Y.
+    pub fn units(self) -> [&'static str; 2] {
+        match self {
+            Observation::ForceOfIndentation | Observation::ForceOfPosition | Observation::ForceOfRadius => ["m", "N"],
+            Observation::DeflectionOfPosition => ["m", "m"],
+            Observation::IndentationOfForce | Observation::RadiusOfForce => ["N", "m"],
+        }
+    }
+
+    /// Whether the machine position D is given.
+    pub fn has_machine(self) -> bool {
+        matches!(self, Observation::ForceOfPosition | Observation::DeflectionOfPosition)
+    }
+
+    /// Whether the contact radius is seen, so that depth has no offset and no row is detached.
+    pub(super) fn sees_radius(self) -> bool {
+        matches!(self, Observation::ForceOfRadius | Observation::RadiusOfForce)
+    }
+}
+
+/// Whether the surfaces approach or retract.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Leg {
+    /// X grows: detached, then outward from arc to arc.
+    Approach,
+    /// X falls: inward from arc to arc, then detached.
+    Retract,
+}
+
+impl Leg {
+    /// `approach` or `retract`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Leg::Approach => "approach",
+            Leg::Retract => "retract",
+        }
+    }
+}
+
+/// How residuals count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Loss {
+    /// By their squares.
+    #[default]
+    LeastSquares,
+    /// By their squares up to 1.345 σ, linearly beyond (Huber): a few wild rows have little weight. Needs σ_Y.
+    Huber,
+}
+
+/// The numbers of a problem that can be unknown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Kind {
+    EffectiveModulus,
+    WorkOfAdhesion,
+    Stiffness,
+    ContactPoint,
+    Baseline,
+    /// A number of the profile, by its place among them.
+    Profile(usize),
+}
+
+impl Kind {
+    /// Whether it is an offset, fitted as it is. All others are fitted by their logarithm.
+    pub(super) fn is_offset(self) -> bool {
+        matches!(self, Kind::ContactPoint | Kind::Baseline)
+    }
+}
+
+/// One number of a problem, unknown or given.
+#[derive(Clone, Debug)]
+pub(super) struct Parameter {
+    pub(super) kind: Kind,
+    pub(super) name: String,
+    pub(super) unit: &'static str,
+    pub(super) value: Option<f64>,
+    pub(super) start: Option<f64>,
+    pub(super) free: bool,
+    /// Mean and standard deviation.
+    pub(super) prior: Option<[f64; 2]>,
+    pub(super) bounds: Option<[f64; 2]>,
+}
+
+/// One row of the data, in SI units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DataRow {
+    pub(super) x: f64,
+    pub(super) y: f64,
+    pub(super) leg: Leg,
+    /// Its own σ_X and σ_Y.
+    pub(super) sigma: [Option<f64>; 2],
+}
+
+/// A measured curve and what is to be found from it. All numbers are in SI units.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    pub(super) profile: Profile,
+    pub(super) observation: Observation,
+    pub(super) parameters: Vec<Parameter>,
+    pub(super) rows: Vec<DataRow>,
+    /// σ_X and σ_Y of all rows, where they are given.
+    pub(super) sigma: [Option<f64>; 2],
+    pub(super) loss: Loss,
+    /// The place of the jump out of contact and its standard deviation, where it is a datum.
+    pub(super) pull_off: Option<[f64; 2]>,
+    pub(super) range_of_adhesion: Option<f64>,
+    /// Certified digits that are asked for.
+    pub(super) digits: Option<u32>,
+    pub(super) place: Location,
+}
+
+impl Problem {
+    /// The curve of a tip, `x` given and `y` measured, in the order in which they were recorded. Nothing is free yet.
+    ///
+    /// # Errors
+    /// A profile with a number that is none; slices that differ in length, fewer than three rows, numbers that are not finite.
+    pub fn new(profile: impl IntoProfile, observation: Observation, x: &[f64], y: &[f64]) -> Result<Problem> {
+        let rows = super::data::rows(x, y, None)?;
+        Problem::with(profile.into_profile()?, observation, rows, Location::built("data"))
+    }
+
+    pub(super) fn with(
+        profile: Profile,
+        observation: Observation,
+        rows: Vec<DataRow>,
+        place: Location,
+    ) -> Result<Problem> {
+        super::data::check(&rows).map_err(|why| place.refuse(why))?;
+        let parameter = |kind, name: &str, unit, value| Parameter {
+            kind,
+            name: name.to_owned(),
+            unit,
+            value,
+            start: None,
+            free: false,
+            prior: None,
+            bounds: None,
+        };
+        let mut parameters = vec![
+            parameter(Kind::EffectiveModulus, "e_star", "Pa", None),
+            parameter(Kind::WorkOfAdhesion, "work_of_adhesion", "J/m^2", None),
+        ];
+        if observation.has_machine() {
+            parameters.push(parameter(Kind::Stiffness, "stiffness", "N/m", None));
+        }
+        if !observation.sees_radius() {
+            parameters.push(parameter(Kind::ContactPoint, "contact_point", "m", Some(0.0)));
+        }
+        let of_baseline = if observation == Observation::DeflectionOfPosition { "m" } else { "N" };
+        parameters.push(parameter(Kind::Baseline, "baseline", of_baseline, Some(0.0)));
+        for (index, (number, location)) in profile.numbers().into_iter().enumerate() {
+            let name = location.key.trim_start_matches("profile.").to_owned();
+            let unit = unit_of(&name);
+            parameters.push(parameter(Kind::Profile(index), &name, unit, Some(number.nearest_f64())));
+        }
+        number_repeated_names(&mut parameters);
+        Ok(Problem {
+            profile,
+            observation,
+            parameters,
+            rows,
+            sigma: [None; 2],
+            loss: Loss::default(),
+            pull_off: None,
+            range_of_adhesion: None,
+            digits: None,
+            place,
+        })
+    }
+
+    /// The same with these numbers unknown: `e_star`, `work_of_adhesion`, `stiffness`, `contact_point`, `baseline`, and the
+    /// numbers of the profile by their keys, such as `radius`.
+    ///
+    /// # Errors
+    /// A name that the problem does not have.
+    pub fn free<'n>(mut self, names: impl IntoIterator<Item = &'n str>) -> Result<Self> {
+        for name in names {
+            self.parameter_mut(name, "fit.free")?.free = true;
+        }
+        Ok(self)
+    }
+
+    /// The same with a known number: `stiffness`, or E* or w where they are not free.
+    ///
+    /// # Errors
+    /// As [`Problem::free`]; a number that is not finite, or not positive where it must be.
+    pub fn fixed(mut self, name: &str, value: f64) -> Result<Self> {
+        let parameter = self.parameter_mut(name, "fit.fixed")?;
+        parameter.value = Some(parameter.checked(value, "fit.fixed")?);
+        Ok(self)
+    }
+
+    /// The same with a value to begin from. Without it the program finds one.
+    ///
+    /// # Errors
+    /// As [`Problem::fixed`].
+    pub fn start(mut self, name: &str, value: f64) -> Result<Self> {
+        let parameter = self.parameter_mut(name, "fit.start")?;
+        parameter.start = Some(parameter.checked(value, "fit.start")?);
+        Ok(self)
+    }
+
+    /// The same with what is known of a number beforehand: its mean and standard deviation. The number becomes free.
+    ///
+    /// # Errors
+    /// As [`Problem::fixed`]; a standard deviation that is not positive.
+    pub fn prior(mut self, name: &str, mean: f64, sd: f64) -> Result<Self> {
+        let parameter = self.parameter_mut(name, "fit.prior")?;
+        let mean = parameter.checked(mean, "fit.prior")?;
+        parameter.prior = Some([mean, positive("fit.prior", name, sd)?]);
+        parameter.free = true;
+        Ok(self)
+    }
+
+    /// The same with a number kept between two bounds.
+    ///
+    /// # Errors
+    /// As [`Problem::fixed`]; bounds that do not ascend.
+    pub fn bounds(mut self, name: &str, [lower, upper]: [f64; 2]) -> Result<Self> {
+        let parameter = self.parameter_mut(name, "fit.bounds")?;
+        let bounds = [parameter.checked(lower, "fit.bounds")?, parameter.checked(upper, "fit.bounds")?];
+        if bounds[0] >= bounds[1] {
+            return Err(refuse("fit.bounds", format!("the bounds of `{name}` must ascend, got {lower} to {upper}")));
+        }
+        parameter.bounds = Some(bounds);
+        Ok(self)
+    }
+
+    /// The same with the standard deviation of what is given, for all rows; 0 for vertical distances. Without it: the spacing
+    /// of the rows over √12 where a jump is in the data, else 0.
+    ///
+    /// # Errors
+    /// A number that is negative or not finite.
+    pub fn sigma_x(mut self, sigma: f64) -> Result<Self> {
+        self.sigma[0] = Some(not_negative("data.sigma.x", sigma)?);
+        Ok(self)
+    }
+
+    /// The same with the standard deviation of what is measured, for all rows. Without it, or with 0, standard errors are scaled
+    /// by the residuals.
+    ///
+    /// # Errors
+    /// A number that is negative or not finite.
+    pub fn sigma_y(mut self, sigma: f64) -> Result<Self> {
+        self.sigma[1] = Some(not_negative("data.sigma.y", sigma)?).filter(|sigma| *sigma > 0.0);
+        Ok(self)
+    }
+
+    /// The same with the leg of each row. Without it legs end where X turns.
+    ///
+    /// # Errors
+    /// Another number of legs than of rows.
+    pub fn legs(mut self, legs: &[Leg]) -> Result<Self> {
+        if legs.len() != self.rows.len() {
+            return Err(refuse("data.leg", format!("{} given for {} rows", legs.len(), self.rows.len())));
+        }
+        for (row, leg) in self.rows.iter_mut().zip(legs) {
+            row.leg = *leg;
+        }
+        Ok(self)
+    }
+
+    /// The same with another loss.
+    pub fn loss(self, loss: Loss) -> Self {
+        Problem { loss, ..self }
+    }
+
+    /// The same with the measured place of the jump out of contact, a value of X, as a datum with its standard deviation. It
+    /// is reported beside its prediction in any case.
+    ///
+    /// # Errors
+    /// Numbers that are not finite; a standard deviation that is not positive.
+    pub fn pull_off(mut self, place: f64, sd: f64) -> Result<Self> {
+        if !place.is_finite() {
+            return Err(refuse("events.pull_off", format!("must be finite, got {place}")));
+        }
+        self.pull_off = Some([place, positive("events.sigma", "sigma", sd)?]);
+        Ok(self)
+    }
+
+    /// What was measured.
+    pub fn observation(&self) -> Observation {
+        self.observation
+    }
+
+    /// The rows (X, Y), in SI units.
+    pub fn data(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.rows.iter().map(|row| [row.x, row.y])
+    }
+
+    /// The estimates, with their standard errors and what else the data tell.
+    ///
+    /// # Errors
+    /// A problem that cannot be fitted: nothing free, no more rows than unknowns, a missing number, all rows out of contact. What
+    /// the data cannot tell is no error, but the [status](Fit::status) of the answer.
+    pub fn fit(&self) -> Result<Fit> {
+        super::drive::fit(self)
+    }
+
+    fn parameter_mut(&mut self, name: &str, key: &str) -> Result<&mut Parameter> {
+        let bare = name.strip_prefix("profile.").unwrap_or(name);
+        match self.parameters.iter().position(|parameter| parameter.name == bare) {
+            Some(index) => Ok(&mut self.parameters[index]),
+            None => {
+                let known: Vec<&str> = self.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+                Err(refuse(key, crate::scene::tree::unknown_name("name", name, &known)))
+            }
+        }
+    }
+}
+
+impl Parameter {
+    /// The number, if it can be one of this parameter.
+    fn checked(&self, value: f64, key: &str) -> Result<f64> {
+        if self.kind.is_offset() || self.name == "amplitude" || self.name.ends_with(".amplitude") {
+            if value.is_finite() {
+                return Ok(value);
+            }
+            return Err(refuse(key, format!("`{}` must be finite, got {value}", self.name)));
+        }
+        positive(key, &self.name, value)
+    }
+}
+
+fn refuse(key: &str, why: impl Into<String>) -> Error {
+    Location::built(key).refuse(why)
+}
+
+fn positive(key: &str, name: &str, value: f64) -> Result<f64> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(refuse(key, format!("`{name}` must be positive and finite, got {value}")))
+    }
+}
+
+fn not_negative(key: &str, value: f64) -> Result<f64> {
+    if value >= 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(refuse(key, format!("must be a finite number, zero or above, got {value}")))
+    }
+}
+
+/// The unit of a number of a profile.
+fn unit_of(name: &str) -> &'static str {
+    match name {
+        "n" | "slope" => "1",
+        "c" => "m^(1-n)",
+        "half_angle_degrees" => "degree",
+        name if name.starts_with("parameters.") => "SI",
+        _ => "m",
+    }
+}
+
+/// Terms of a sum may have the same keys: `radius`, `radius.2`, `radius.3`.
+fn number_repeated_names(parameters: &mut [Parameter]) {
+    let names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
+    for (index, parameter) in parameters.iter_mut().enumerate() {
+        let before = names[..index].iter().filter(|name| **name == names[index]).count();
+        if before > 0 {
+            parameter.name = format!("{}.{}", names[index], before + 1);
+        }
+    }
+}

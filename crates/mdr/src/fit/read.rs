@@ -1,0 +1,312 @@
+//! Reading a fit: the tables `[profile]`, `[material]`, `[control]`, `[data]`, `[fit]`, `[events]` and `[output]`.
+
+use std::path::Path;
+
+use super::data::{self, Columns};
+use super::problem::{DataRow, Loss, Observation, Problem};
+use crate::error::{Error, Result};
+use crate::scene::Profile;
+use crate::scene::tree::{Document, Files, Node, Section, Value};
+use crate::scene::{MAX_DIGITS, parse};
+
+impl Problem {
+    /// Reads a `.toml` or `.json` file; the data are read from a file beside it, or are in it.
+    ///
+    /// # Errors
+    /// With file, line and key.
+    pub fn open(file: impl AsRef<Path>) -> Result<Problem> {
+        Problem::open_with(file.as_ref(), None)
+    }
+
+    /// The same with another curve in place of its data.
+    ///
+    /// # Errors
+    /// As [`Problem::open`].
+    pub fn open_for(file: impl AsRef<Path>, curve: impl AsRef<Path>) -> Result<Problem> {
+        let curve = curve.as_ref();
+        let absolute =
+            std::path::absolute(curve).map_err(|source| Error::Io { name: curve.display().to_string(), source })?;
+        Problem::open_with(file.as_ref(), absolute.to_str())
+    }
+
+    fn open_with(path: &Path, curve: Option<&str>) -> Result<Problem> {
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|source| Error::Io { name: name.clone(), source })?;
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        let files = |file: &str| std::fs::read(folder.join(file));
+        match path.extension() {
+            #[cfg(feature = "serde")]
+            Some(extension) if extension.eq_ignore_ascii_case("json") => Problem::json(&text, &name, &files, curve),
+            _ => Problem::toml(&text, &name, &files, curve),
+        }
+    }
+
+    /// Reads a fit as TOML. `name` stands in complaints; `files` reads what it names.
+    ///
+    /// # Errors
+    /// With name, line and key.
+    pub fn from_toml(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
+        Problem::toml(text, name, files, None)
+    }
+
+    #[cfg(feature = "toml")]
+    fn toml(text: &str, name: &str, files: Files<'_>, curve: Option<&str>) -> Result<Problem> {
+        let document = Document::new(name, text, "TOML", files);
+        let root = parse::toml(&document)?;
+        read(&document, &root, curve)
+    }
+
+    #[cfg(not(feature = "toml"))]
+    fn toml(_: &str, name: &str, _: Files<'_>, _: Option<&str>) -> Result<Problem> {
+        let source = std::io::Error::new(std::io::ErrorKind::Unsupported, "this build is without the feature `toml`");
+        Err(Error::Io { name: name.to_owned(), source })
+    }
+
+    /// Reads a fit as JSON, with the keys of a TOML file.
+    ///
+    /// # Errors
+    /// As [`Problem::from_toml`].
+    #[cfg(feature = "serde")]
+    pub fn from_json(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
+        Problem::json(text, name, files, None)
+    }
+
+    #[cfg(feature = "serde")]
+    fn json(text: &str, name: &str, files: Files<'_>, curve: Option<&str>) -> Result<Problem> {
+        let document = Document::new(name, text, "JSON", files);
+        let root = parse::json(&document)?;
+        read(&document, &root, curve)
+    }
+}
+
+/// A setter of a problem that can refuse what it is given.
+type Setter<'s> = &'s dyn Fn(Problem, &str, f64) -> Result<Problem>;
+
+fn read(document: &Document<'_>, root: &Node, curve: Option<&str>) -> Result<Problem> {
+    let top = Section::top(document, root)?;
+    let shape = top.section("profile")?;
+    let profile = Profile::read(&shape)?;
+    if let Profile::Table(measured) = &profile {
+        measured.require_rising(&shape.place())?;
+    }
+    let data = top.section("data")?;
+    let observation = data.required("observation")?.choice("observation", &Observation::NAMES)?;
+    let (rows, sigma) = rows_of(&data, observation, curve)?;
+    data.finish()?;
+    let mut problem = Problem::with(profile, observation, rows, data.place())?;
+    problem.sigma = sigma;
+    if let Some(material) = top.optional_section("material")? {
+        problem = set(problem, &material, &["e_star", "work_of_adhesion"], &|problem, name, value| {
+            problem.fixed(name, value)
+        })?;
+        material.finish()?;
+    }
+    problem = control(problem, top.optional_section("control")?)?;
+    problem = unknowns(problem, &top.section("fit")?)?;
+    if let Some(events) = top.optional_section("events")? {
+        let [place, sigma] = [number(&events.required("pull_off")?)?, number(&events.required("sigma")?)?];
+        problem = problem.pull_off(place, sigma).map_err(|error| placed(error, &events))?;
+        events.finish()?;
+    }
+    if let Some(output) = top.optional_section("output")? {
+        problem.digits = output.optional("digits").map(|digits| digits.whole(1, MAX_DIGITS)).transpose()?;
+        let range = output.optional("range_of_adhesion").map(|range| range.length()).transpose()?;
+        problem.range_of_adhesion = range.map(|range| range.nearest_f64());
+        output.finish()?;
+    }
+    top.finish()?;
+    Ok(problem)
+}
+
+/// The table `[data]`: rows in a file beside it, or of the `curve` instead, or in it; and their standard deviations.
+fn rows_of(
+    data: &Section<'_>,
+    observation: Observation,
+    curve: Option<&str>,
+) -> Result<(Vec<DataRow>, [Option<f64>; 2])> {
+    let bases = observation.units();
+    let mut columns = Columns::default();
+    if let Some(value) = data.optional("columns") {
+        let names = value.section()?;
+        let name = |key| names.optional(key).map(|value| value.text().map(str::to_owned)).transpose();
+        (columns.x, columns.y, columns.leg) = (name("x")?, name("y")?, name("leg")?);
+        names.finish()?;
+    }
+    columns.units = data.optional("units").map(|units| pair_of_units(&units)).transpose()?;
+    let mut sigma = [None; 2];
+    if let Some(value) = data.optional("sigma") {
+        let section = value.section()?;
+        for (axis, key) in ["x", "y"].into_iter().enumerate() {
+            let Some(value) = section.optional(key) else { continue };
+            match value.text().ok().filter(|text| text.starts_with(|c: char| c.is_alphabetic())) {
+                Some(name) => columns.sigma[axis] = Some(name.to_owned()),
+                None => sigma[axis] = Some(standard_deviation(&value, bases[axis])?),
+            }
+        }
+        section.finish()?;
+        // Zero says that nothing is known of it; σ_X = 0 asks for vertical distances.
+        sigma[1] = sigma[1].filter(|sigma| *sigma > 0.0);
+    }
+    let (which, value) = data.one_of(&["file", "rows", "x"])?;
+    let rows = match which {
+        0 => {
+            let name = curve.map_or_else(|| value.text(), Ok)?;
+            let refuse = |why: &dyn std::fmt::Display| value.refuse(format!("{}: {why}", data.document().beside(name)));
+            let bytes = (data.document().files)(name).map_err(|error| refuse(&error))?;
+            let text = String::from_utf8(bytes).map_err(|error| refuse(&error))?;
+            data::read(&text, &columns, bases).map_err(|why| refuse(&why))?
+        }
+        1 => inline(&value, &columns, bases)?,
+        _ => {
+            let list = |value: &Value<'_>, axis: usize| -> Result<Vec<f64>> {
+                value.list()?.iter().map(|item| in_si(item, &columns, axis, bases)).collect()
+            };
+            data::rows(&list(&value, 0)?, &list(&data.required("y")?, 1)?, None)?
+        }
+    };
+    Ok((rows, sigma))
+}
+
+/// Rows `[[x, y], …]`, or with their leg `[x, y, "approach"]`.
+fn inline(value: &Value<'_>, columns: &Columns, bases: [&str; 2]) -> Result<Vec<DataRow>> {
+    let (mut points, mut legs) = (Vec::new(), Vec::new());
+    for row in value.list()? {
+        let items = row.list()?;
+        let [x, y, rest @ ..] = items.as_slice() else {
+            return Err(row.refuse(format!("a row is [x, y], got {} numbers", items.len())));
+        };
+        points.push([in_si(x, columns, 0, bases)?, in_si(y, columns, 1, bases)?]);
+        if let [leg] = rest {
+            legs.push(data::leg_of(leg.text()?).ok_or_else(|| leg.refuse("a leg is `approach` or `retract`"))?);
+        }
+    }
+    let axis = |axis: usize| points.iter().map(|point| point[axis]).collect::<Vec<f64>>();
+    data::rows(&axis(0), &axis(1), Some(legs.as_slice()).filter(|legs| legs.len() == points.len()))
+}
+
+/// A number of the data, in SI.
+fn in_si(value: &Value<'_>, columns: &Columns, axis: usize, bases: [&str; 2]) -> Result<f64> {
+    let literal = value.number()?;
+    match &columns.units {
+        None => Ok(literal.nearest_f64()),
+        Some(units) => data::si(&literal.to_string(), &units[axis], bases[axis])
+            .ok_or_else(|| value.refuse(format!("`{}` is no unit of it", units[axis]))),
+    }
+}
+
+/// `units = ["nm", "nN"]` or `units = { x = "nm", y = "nN" }`.
+fn pair_of_units(value: &Value<'_>) -> Result<[String; 2]> {
+    if let Ok(section) = value.section() {
+        let pair = [section.required("x")?.text()?.to_owned(), section.required("y")?.text()?.to_owned()];
+        section.finish()?;
+        return Ok(pair);
+    }
+    let units: Vec<String> = value.list()?.iter().map(|unit| unit.text().map(str::to_owned)).collect::<Result<_>>()?;
+    <[String; 2]>::try_from(units).map_err(|units| value.refuse(format!("expected two units, got {}", units.len())))
+}
+
+/// σ in SI, as a number or with its unit.
+fn standard_deviation(value: &Value<'_>, base: &str) -> Result<f64> {
+    let with_unit = value.text().ok().and_then(|text| {
+        let (number, unit) = text.split_once(' ')?;
+        data::si(number, unit, base)
+    });
+    match with_unit {
+        Some(sigma) if sigma > 0.0 => Ok(sigma),
+        _ => Ok(value.not_negative()?.nearest_f64()),
+    }
+}
+
+/// The table `[control]`, which has the stiffness of the machine.
+fn control(problem: Problem, section: Option<Section<'_>>) -> Result<Problem> {
+    let Some(section) = section else { return Ok(problem) };
+    let kinds = [("indentation", false), ("force", false), ("machine", true)];
+    let has_machine = match section.optional("kind") {
+        Some(kind) => kind.choice("control", &kinds)?,
+        None => problem.observation().has_machine(),
+    };
+    let stiffness = section.optional("stiffness");
+    section.finish()?;
+    match stiffness {
+        Some(stiffness) if has_machine && problem.observation().has_machine() => {
+            let value = stiffness.positive()?.nearest_f64();
+            problem.fixed("stiffness", value)
+        }
+        Some(stiffness) => {
+            let name = problem.observation().name();
+            Err(stiffness.refuse(format!("only a machine has a stiffness: `{name}` is not seen through one")))
+        }
+        None => Ok(problem),
+    }
+}
+
+/// The table `[fit]`.
+fn unknowns(mut problem: Problem, section: &Section<'_>) -> Result<Problem> {
+    let free = section.required("free")?;
+    for name in free.list()? {
+        problem = problem.free([name.text()?]).map_err(|error| at(error, &name))?;
+    }
+    problem = each(problem, section.optional("fixed"), &|problem, name, value| problem.fixed(name, value))?;
+    problem = each(problem, section.optional("start"), &|problem, name, value| problem.start(name, value))?;
+    if let Some(priors) = section.optional("prior") {
+        for (name, value) in priors.section()?.entries() {
+            let prior = value.section()?;
+            let [mean, sd] = [number(&prior.required("mean")?)?, number(&prior.required("sd")?)?];
+            prior.finish()?;
+            problem = problem.prior(&name, mean, sd).map_err(|error| at(error, &value))?;
+        }
+    }
+    if let Some(bounds) = section.optional("bounds") {
+        for (name, value) in bounds.section()?.entries() {
+            let ends: Vec<f64> = value.list()?.iter().map(number).collect::<Result<_>>()?;
+            let ends = <[f64; 2]>::try_from(ends)
+                .map_err(|ends| value.refuse(format!("expected two bounds, got {}", ends.len())))?;
+            problem = problem.bounds(&name, ends).map_err(|error| at(error, &value))?;
+        }
+    }
+    if let Some(loss) = section.optional("loss") {
+        let losses = [("least-squares", Loss::LeastSquares), ("huber", Loss::Huber)];
+        problem = problem.loss(loss.choice("loss", &losses)?);
+    }
+    section.finish()?;
+    Ok(problem)
+}
+
+/// A number for each name of a table.
+fn each(mut problem: Problem, table: Option<Value<'_>>, setter: Setter<'_>) -> Result<Problem> {
+    let Some(table) = table else { return Ok(problem) };
+    for (name, value) in table.section()?.entries() {
+        problem = setter(problem, &name, number(&value)?).map_err(|error| at(error, &value))?;
+    }
+    Ok(problem)
+}
+
+/// The numbers of a section under these keys.
+fn set(mut problem: Problem, section: &Section<'_>, keys: &[&'static str], setter: Setter<'_>) -> Result<Problem> {
+    for key in keys {
+        if let Some(value) = section.optional(key) {
+            problem = setter(problem, key, number(&value)?).map_err(|error| at(error, &value))?;
+        }
+    }
+    Ok(problem)
+}
+
+fn number(value: &Value<'_>) -> Result<f64> {
+    Ok(value.number()?.nearest_f64())
+}
+
+/// The same complaint at the place of a value.
+fn at(error: Error, value: &Value<'_>) -> Error {
+    match error {
+        Error::Scene { why, .. } => value.refuse(why),
+        error => error,
+    }
+}
+
+/// The same complaint at the place of a section.
+fn placed(error: Error, section: &Section<'_>) -> Error {
+    match error {
+        Error::Scene { why, .. } => section.place().refuse(why),
+        error => error,
+    }
+}

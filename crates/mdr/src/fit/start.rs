@@ -1,0 +1,281 @@
+//! Values to begin from: by the two-point method, or by a search.
+
+use mdr_core::contact::{Control, Flank, Material, Shape};
+use mdr_numeric::curve::Curve;
+use mdr_numeric::folds;
+use nalgebra::{DMatrix, DVector};
+
+use super::contact::Tip;
+use super::objective::Objective;
+use super::problem::{Kind, Leg, Observation, Problem};
+use crate::scene::Profile;
+
+/// Materials to try, w/E* against the span of depths: three in a decade.
+const LENGTHS: std::ops::RangeInclusive<i32> = -27..=6;
+
+/// What the record says of E*, w and the offsets without a fit.
+struct Record {
+    /// Rows as (d, F), without baseline, and up to the contact point.
+    states: Vec<[f64; 2]>,
+    baseline: f64,
+}
+
+/// Fitted values to begin from, in the order of the free numbers: from what is given, and from the data for the rest.
+///
+/// The candidates come in the order of preference.
+pub(super) fn candidates(objective: &Objective<'_>) -> Vec<Vec<f64>> {
+    let problem = objective.problem;
+    let given: Vec<Option<f64>> = objective
+        .free
+        .iter()
+        .map(|index| {
+            let parameter = &problem.parameters[*index];
+            let of_data = matches!(
+                parameter.kind,
+                Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::ContactPoint | Kind::Baseline
+            );
+            let prior = parameter.prior.map(|[mean, _]| mean);
+            parameter.start.or(prior).or(if of_data { None } else { parameter.value })
+        })
+        .collect();
+    let complete = |found: &dyn Fn(Kind) -> Option<f64>, keep: bool| -> Option<Vec<f64>> {
+        let value = |(place, given): (usize, &Option<f64>)| {
+            let kind = problem.parameters[objective.free[place]].kind;
+            let value = if keep { given.or_else(|| found(kind)) } else { found(kind).or(*given) };
+            value.filter(|value| value.is_finite()).map(|value| objective.to_fitted(place, value))
+        };
+        given.iter().enumerate().map(value).collect()
+    };
+    let mut candidates: Vec<Vec<f64>> = Vec::new();
+    candidates.extend(complete(&|_| None, true));
+    for found in from_data(problem) {
+        let of = |kind: Kind| match kind {
+            Kind::EffectiveModulus => Some(found[0]),
+            Kind::WorkOfAdhesion => Some(found[1]),
+            Kind::ContactPoint => Some(found[2]),
+            Kind::Baseline => Some(found[3]),
+            _ => None,
+        };
+        candidates.extend(complete(&of, true));
+        candidates.extend(complete(&of, false));
+    }
+    candidates.dedup();
+    candidates
+}
+
+/// The value of a number that is not sought: what is given, else what the problem starts from.
+fn known(problem: &Problem, kind: Kind) -> Option<f64> {
+    let parameter = problem.parameters.iter().find(|parameter| parameter.kind == kind)?;
+    if parameter.free {
+        parameter.start.or(parameter.prior.map(|[mean, _]| mean)).or(parameter.value)
+    } else {
+        parameter.value
+    }
+}
+
+fn is_free(problem: &Problem, kind: Kind) -> bool {
+    problem.parameters.iter().any(|parameter| parameter.kind == kind && parameter.free)
+}
+
+/// E*, w, contact point and baseline by the record.
+fn from_data(problem: &Problem) -> Vec<[f64; 4]> {
+    let numbers: Vec<f64> = problem
+        .parameters
+        .iter()
+        .filter(|parameter| matches!(parameter.kind, Kind::Profile(_)))
+        .map(|parameter| {
+            let start = if parameter.free { parameter.start.or(parameter.prior.map(|[mean, _]| mean)) } else { None };
+            start.or(parameter.value).unwrap_or(f64::NAN)
+        })
+        .collect();
+    let Ok(tip) = Tip::<f64>::new(&problem.profile, (), &numbers, &[]) else { return Vec::new() };
+    if problem.observation.sees_radius() {
+        return by_regression(problem, &tip).into_iter().collect();
+    }
+    let record = record(problem);
+    let mut found = Vec::new();
+    found.extend(two_points(problem, &record, &numbers));
+    found.extend(by_search(problem, &record, &tip));
+    found
+}
+
+/// Depth and force of the rows of the last leg, the one that retracts where there is one.
+fn record(problem: &Problem) -> Record {
+    let retracts = problem.rows.iter().any(|row| row.leg == Leg::Retract);
+    let rows: Vec<[f64; 2]> =
+        problem.rows.iter().filter(|row| !retracts || row.leg == Leg::Retract).map(|row| [row.x, row.y]).collect();
+    let baseline = if is_free(problem, Kind::Baseline) && problem.observation != Observation::IndentationOfForce {
+        tail(&rows).or(known(problem, Kind::Baseline)).unwrap_or(0.0)
+    } else {
+        known(problem, Kind::Baseline).unwrap_or(0.0)
+    };
+    let stiffness = known(problem, Kind::Stiffness).unwrap_or(f64::INFINITY);
+    let states = rows
+        .iter()
+        .map(|[x, y]| match problem.observation {
+            Observation::DeflectionOfPosition => [x - (y - baseline), stiffness * (y - baseline)],
+            Observation::ForceOfPosition => [x - (y - baseline) / stiffness, y - baseline],
+            Observation::IndentationOfForce => [*y, x - baseline],
+            _ => [*x, y - baseline],
+        })
+        .collect();
+    Record { states, baseline }
+}
+
+/// The median of the rows that come after the smallest Y, where there are some: the detached tail.
+fn tail(rows: &[[f64; 2]]) -> Option<f64> {
+    let lowest = (0..rows.len()).min_by(|one, other| rows[*one][1].total_cmp(&rows[*other][1]))?;
+    let beyond: Vec<f64> = rows.iter().filter(|row| row[0] < rows[lowest][0]).map(|row| row[1]).collect();
+    (beyond.len() >= 3).then(|| super::judge::median(beyond))
+}
+
+impl Record {
+    /// The state of the smallest force.
+    fn lowest(&self) -> [f64; 2] {
+        self.states
+            .iter()
+            .copied()
+            .fold([0.0, f64::INFINITY], |best, state| if state[1] < best[1] { state } else { best })
+    }
+
+    /// The depth at which the force vanishes, deeper than where it is smallest; the deepest row where it never does.
+    fn depth_without_force(&self) -> Option<f64> {
+        let lowest = self.lowest();
+        let mut inside: Vec<[f64; 2]> = self.states.iter().copied().filter(|state| state[0] > lowest[0]).collect();
+        inside.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        let crossing = inside.windows(2).find(|pair| pair[0][1] < 0.0 && pair[1][1] >= 0.0)?;
+        let share = crossing[0][1] / (crossing[0][1] - crossing[1][1]);
+        Some(crossing[0][0] + share * (crossing[1][0] - crossing[0][0]))
+    }
+}
+
+/// The two-point method of a power law: the smallest force F_ad, and how much deeper the force vanishes.
+fn two_points(problem: &Problem, record: &Record, numbers: &[f64]) -> Option<[f64; 4]> {
+    let [n, c] = match &problem.profile {
+        Profile::Shape(Shape::Power { .. }) => [numbers[0], numbers[1]],
+        Profile::Shape(Shape::Cone { flank: Flank::Slope(_) }) => [1.0, numbers[0]],
+        Profile::Shape(Shape::Paraboloid { .. }) => [2.0, 0.5 / numbers[0]],
+        _ => return None,
+    };
+    let [lowest_depth, lowest] = record.lowest();
+    if !(n > 0.5 && lowest < 0.0) {
+        return None;
+    }
+    let width = record.depth_without_force()? - lowest_depth;
+    let q = (2.0 * (2.0 * (n + 1.0) / 3.0).powf(1.0 / (2.0 * n - 1.0)) + 2.0 * n - 3.0) / n;
+    let scale = n * mdr_analytic::kappa(&n).ok()? * c;
+    let radius = (3.0 * width / (q * scale)).powf(1.0 / n);
+    let e_star = -lowest * (n + 1.0) * q / (2.0 * (2.0 * n - 1.0) * width * radius);
+    let work = 2.0 * e_star * width * width / (std::f64::consts::PI * q * q * radius);
+    // The depth at the smallest force is ((3 − 2n)/n) √(B a_F), B = πw/2E*.
+    let depth = (3.0 - 2.0 * n) / n * (std::f64::consts::PI * work * radius / (2.0 * e_star)).sqrt();
+    Some([e_star, work, lowest_depth - depth, record.baseline])
+}
+
+/// A search over w/E*: E* follows from the smallest force, and the contact point from where it is.
+fn by_search(problem: &Problem, record: &Record, tip: &Tip<f64>) -> Option<[f64; 4]> {
+    let depths = record.states.iter().map(|state| state[0]);
+    let (low, high) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)));
+    let span = high - low;
+    let mut best: Option<(f64, [f64; 4])> = None;
+    for power in LENGTHS {
+        let length = span * 10f64.powf(f64::from(power) / 3.0);
+        let Some(found) = with_length(problem, record, tip, length) else { continue };
+        if best.as_ref().is_none_or(|(cost, _)| found.0 < *cost) {
+            best = Some(found);
+        }
+    }
+    let (_, coarse) = best?;
+    // Once more, finer, around the best.
+    for step in -10..=10 {
+        let length = coarse[1] / coarse[0] * 10f64.powf(f64::from(step) / 30.0);
+        if let Some(found) = with_length(problem, record, tip, length)
+            && best.as_ref().is_none_or(|(cost, _)| found.0 < *cost)
+        {
+            best = Some(found);
+        }
+    }
+    best.map(|(_, found)| found)
+}
+
+/// The material with this w/E* that has the smallest force of the record there, and how far the rows are from its curve.
+fn with_length(problem: &Problem, record: &Record, tip: &Tip<f64>, length: f64) -> Option<(f64, [f64; 4])> {
+    let material = Material::new(1.0, length).ok()?;
+    let curve = Curve::new(tip.transform(), &material, &Control::Force);
+    let folds = folds::find(&curve).ok()?;
+    let lowest = folds.folds.iter().min_by(|one, other| one.force.total_cmp(&other.force))?;
+    let [at, smallest] = record.lowest();
+    let free = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| is_free(problem, kind));
+    let stated = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| known(problem, kind));
+    let e_star = match (free, stated) {
+        ([true, true], _) if smallest < 0.0 && lowest.force < 0.0 => Some(smallest / lowest.force),
+        // No adhesion is seen: the deepest row tells E*.
+        ([true, true], _) => {
+            let [depth, force] = record.states.iter().copied().max_by(|one, other| one[0].total_cmp(&other[0]))?;
+            let target = depth - known(problem, Kind::ContactPoint).unwrap_or(0.0);
+            let radius = radius_at(&curve, lowest.contact_radius, target)?;
+            Some(force / curve.force(&radius).ok()?)
+        }
+        ([false, _], [e_star, _]) => e_star,
+        ([true, false], [_, work]) => work.map(|work| work / length),
+    }
+    .filter(|e_star| *e_star > 0.0)?;
+    let contact_point = if is_free(problem, Kind::ContactPoint) && smallest < 0.0 {
+        at - lowest.indentation
+    } else {
+        known(problem, Kind::ContactPoint).unwrap_or(0.0)
+    };
+    // How far the rows in contact are from the curve in force, as a share of the largest.
+    let mut radius = lowest.contact_radius;
+    let mut cost = 0.0;
+    let mut states: Vec<[f64; 2]> = record.states.iter().copied().filter(|state| state[0] >= at).collect();
+    states.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let stride = states.len().div_ceil(60).max(1);
+    for [d, f] in states.into_iter().step_by(stride) {
+        radius = radius_at(&curve, radius, d - contact_point)?;
+        let error = e_star * curve.force(&radius).ok()? - f;
+        cost += error * error;
+    }
+    Some((cost, [e_star, e_star * length, contact_point, record.baseline]))
+}
+
+/// The first radius from `radius` outward at which the contact is this deep, to a hundredth.
+fn radius_at(curve: &Curve<'_, f64>, mut radius: f64, depth: f64) -> Option<f64> {
+    for _ in 0..2000 {
+        if curve.indentation(&radius).ok()? >= depth {
+            return Some(radius);
+        }
+        radius *= 1.01;
+    }
+    None
+}
+
+/// With the contact radius known, force is linear in E*, √(E*w) and the baseline.
+fn by_regression(problem: &Problem, tip: &Tip<f64>) -> Option<[f64; 4]> {
+    let rows: Vec<[f64; 2]> = problem
+        .rows
+        .iter()
+        .map(|row| if problem.observation == Observation::ForceOfRadius { [row.x, row.y] } else { [row.y, row.x] })
+        .filter(|[radius, _]| *radius > 0.0)
+        .collect();
+    let with_baseline = is_free(problem, Kind::Baseline);
+    let columns = if with_baseline { 3 } else { 2 };
+    let mut matrix = DMatrix::zeros(rows.len(), columns);
+    let mut forces = DVector::zeros(rows.len());
+    for (index, [radius, force]) in rows.iter().enumerate() {
+        matrix[(index, 0)] = 2.0 * radius * tip.transform().above_mean(radius).ok()?;
+        matrix[(index, 1)] = -(8.0 * std::f64::consts::PI * radius.powi(3)).sqrt();
+        if with_baseline {
+            matrix[(index, 2)] = 1.0;
+        }
+        forces[index] = *force;
+    }
+    let lengths: Vec<f64> = matrix.column_iter().map(|column| column.norm()).collect();
+    for (mut column, length) in matrix.column_iter_mut().zip(&lengths) {
+        column /= *length;
+    }
+    let solution = matrix.svd(true, true).solve(&forces, 1e-12).ok()?;
+    let [e_star, root] = [solution[0] / lengths[0], solution[1] / lengths[1]];
+    let baseline = if with_baseline { solution[2] / lengths[2] } else { 0.0 };
+    (e_star > 0.0 && root > 0.0).then_some([e_star, root * root / e_star, 0.0, baseline])
+}

@@ -1,0 +1,303 @@
+//! Fits of the published data sets, whose estimates are certified by another program in 60 digits.
+#![cfg(feature = "fit")]
+
+use mdr::fit::{Fit, FitStatus, Loss, Observation, Problem};
+use mdr::prelude::*;
+use serde_json::Value as Json;
+use std::f64::consts::PI;
+
+/// A data set by its name.
+fn set(id: &str) -> Json {
+    let sets: Json = serde_json::from_str(include_str!("fits/public.json")).unwrap();
+    sets["sets"].as_array().unwrap().iter().find(|set| set["id"] == id).unwrap().clone()
+}
+
+fn number(value: &Json) -> f64 {
+    value.as_str().unwrap().parse().unwrap()
+}
+
+fn numbers(values: &Json) -> Vec<f64> {
+    values.as_array().unwrap().iter().map(number).collect()
+}
+
+/// The problem of a data set, without start.
+fn problem(set: &Json) -> Problem {
+    let given = set["generated_with"].as_object().unwrap();
+    let shape = Shape::by_name(set["profile"].as_str().unwrap()).unwrap();
+    let shape = shape.map(|key, ()| given[key].as_str().unwrap());
+    let (_, observation) = Observation::NAMES.into_iter().find(|(name, _)| set["observation"] == *name).unwrap();
+    let units = set["units"].as_array().unwrap();
+    let column = |key: &str, axis: usize| -> Vec<f64> {
+        // Scaling the decimal text is exact.
+        let nano = units[axis] == "nm";
+        let values = set[key].as_array().unwrap().iter();
+        values
+            .map(|text| format!("{}{}", text.as_str().unwrap(), if nano { "e-9" } else { "" }).parse().unwrap())
+            .collect()
+    };
+    let mut problem = Problem::new(shape, observation, &column("x", 0), &column("y", 1)).unwrap();
+    let free: Vec<&str> = set["free"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+    for name in ["stiffness", "contact_point", "baseline"] {
+        if let Some(value) = given.get(name).filter(|_| !free.contains(&name)) {
+            problem = problem.fixed(name, number(value)).unwrap();
+        }
+    }
+    problem.free(free).unwrap().sigma_x(number(&set["sigma_x"])).unwrap().sigma_y(number(&set["sigma_y"])).unwrap()
+}
+
+fn started(set: &Json, start: usize) -> Problem {
+    let start = set["starts"][start].as_object().unwrap();
+    start.iter().fold(problem(set), |problem, (name, value)| problem.start(name, number(value)).unwrap())
+}
+
+fn digits(value: f64, expected: f64) -> f64 {
+    -((value - expected).abs() / expected.abs()).max(1e-17).log10()
+}
+
+/// Digits of estimates and of standard errors.
+fn agreement(set: &Json, fit: &Fit) -> [f64; 2] {
+    let certified = &set["certified"];
+    let least = |values: Vec<f64>, key: &str| {
+        values
+            .iter()
+            .zip(numbers(&certified[key]))
+            .map(|(value, expected)| digits(*value, expected))
+            .fold(17.0, f64::min)
+    };
+    [
+        least(fit.parameters.iter().map(|estimate| estimate.value.unwrap()).collect(), "estimate"),
+        least(fit.parameters.iter().map(|estimate| estimate.scaled_stderr.unwrap()).collect(), "sd_scaled"),
+    ]
+}
+
+fn check(id: &str, expected: [f64; 2]) {
+    let set = set(id);
+    let generated: Vec<i64> = set["labels"].as_array().unwrap().iter().map(|label| label.as_i64().unwrap()).collect();
+    for start in 0..2 {
+        let fit = started(&set, start).fit().unwrap();
+        assert_eq!(fit.status, FitStatus::Fitted, "{id}: {}", fit.reason);
+        let found = agreement(&set, &fit);
+        assert!(found[0] >= expected[0] && found[1] >= expected[1], "{id} from start {start}: {found:?} digits");
+        let labels: Vec<i64> = fit.rows.iter().map(|row| i64::from(row.label)).collect();
+        assert_eq!(labels, generated, "{id} from start {start}");
+        check_sums(&set, &fit);
+    }
+}
+
+/// Sums of squares, correlations and the pull-off, beside the certified ones.
+fn check_sums(set: &Json, fit: &Fit) {
+    let certified = &set["certified"];
+    assert_eq!(fit.dof as u64, certified["dof"].as_u64().unwrap());
+    // The residuals of noise-free data are rounding.
+    let exact = set["id"] == "Rounded1";
+    let least = if exact { 2.5 } else { 9.0 };
+    assert!(digits(fit.rss, number(&certified["rss"])) > least, "{}: rss {:e}", set["id"], fit.rss);
+    for (row, expected) in fit.correlation.iter().zip(certified["correlation"].as_array().unwrap()) {
+        for (value, expected) in row.iter().zip(numbers(expected)) {
+            assert!((value - expected).abs() < 1e-8, "{}: correlation {value}, {expected}", set["id"]);
+        }
+    }
+    let (Some(pull_off), Some(fold)) = (&fit.predicted_pull_off, certified.get("fold")) else { return };
+    let scale = fit.parameters[0].scaled_stderr.unwrap() / fit.parameters[0].stderr.unwrap();
+    let stderr = pull_off.stderr.unwrap();
+    let found = [pull_off.contact_radius.unwrap(), pull_off.x, pull_off.y];
+    for ((value, stderr), key) in found.iter().zip([stderr[4], stderr[0], stderr[1]]).zip(["fold_radius", "fold_given", "fold_measured"]) {
+        let expected = numbers(&fold[key]);
+        assert!(digits(*value, expected[0]) > 9.0, "{}: {key} {value:e}", set["id"]);
+        assert!(digits(stderr * scale, expected[1]) > least.min(7.0), "{}: error of {key} {:e}", set["id"], stderr * scale);
+    }
+}
+
+#[test]
+fn sphere() {
+    check("Sphere1", [10.0, 8.0]);
+}
+
+#[test]
+fn cone_on_a_cantilever() {
+    check("Cone1", [10.0, 8.0]);
+}
+
+#[test]
+fn hyperboloid_with_both_legs() {
+    check("Hyper1", [10.0, 8.0]);
+}
+
+#[test]
+fn wavy_with_two_branches() {
+    check("Wavy1", [10.0, 8.0]);
+}
+
+#[test]
+fn rounded_punch_without_noise() {
+    check("Rounded1", [10.0, 3.0]);
+}
+
+#[test]
+fn sphere_under_a_microscope() {
+    check("JKRtest1", [10.0, 8.0]);
+}
+
+#[test]
+fn beyond_the_fold() {
+    check("Beyond1", [6.0, 5.0]);
+}
+
+#[test]
+fn degenerate_is_refused_with_what_the_data_fix() {
+    let set = set("Degenerate1");
+    for start in 0..2 {
+        let fit = started(&set, start).fit().unwrap();
+        assert_eq!(fit.status, FitStatus::Unidentifiable);
+        let expected = set["certified"]["invariants"].as_object().unwrap();
+        assert_eq!(fit.invariants.len(), expected.len());
+        for invariant in &fit.invariants {
+            let known = &expected[&invariant.name];
+            assert!(digits(invariant.value, number(&known["value"])) > 10.0);
+            assert!(digits(invariant.scaled_stderr, number(&known["stderr"])) > 8.0);
+        }
+        assert!(fit.parameters.iter().all(|estimate| estimate.value.is_none() && estimate.stderr.is_none()));
+    }
+}
+
+/// g and its integral, by hand.
+type Formula = fn(f64) -> [f64; 2];
+
+/// Five tips with lengths of their own, and the radii between which they are seen.
+fn tips() -> Vec<(Shape<&'static str>, Formula, [f64; 2])> {
+    vec![
+        (Shape::Paraboloid { radius: "1e-5" }, |x| [x * x / 1e-5, x.powi(3) / 3e-5], [1e-6, 6e-6]),
+        (Shape::Cone { flank: Flank::Slope("0.4") }, |x| [0.2 * PI * x, 0.1 * PI * x * x], [0.1e-6, 3e-6]),
+        (Shape::Sphere { radius: "1e-5" }, |x| [x * (x / 1e-5).atanh(), 0.5 * (x * x - 1e-10) * (x / 1e-5).atanh() + 0.5e-5 * x], [1e-6, 5e-6]),
+        (
+            Shape::Hyperboloid { flank: Flank::Slope("0.36"), lateral: "1e-6" },
+            |x| [0.36 * x * (x / 1e-6).atan(), 0.18 * ((x * x + 1e-12) * (x / 1e-6).atan() - 1e-6 * x)],
+            [0.3e-6, 3e-6],
+        ),
+        (
+            Shape::TruncatedParaboloid { radius: "1e-5", flat: "1e-6" },
+            |x| [x / 1e-5 * (x * x - 1e-12).sqrt(), (x * x - 1e-12).powf(1.5) / 3e-5],
+            [1.3e-6, 6e-6],
+        ),
+    ]
+}
+
+const E_STAR: f64 = 2e6;
+const WORK: f64 = 0.05;
+
+/// Normal numbers that are the same on every machine.
+struct Normal(u64);
+
+impl Normal {
+    fn uniform(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        ((self.0 >> 11) as f64 + 0.5) / (1u64 << 53) as f64
+    }
+
+    fn next(&mut self) -> f64 {
+        (-2.0 * self.uniform().ln()).sqrt() * (2.0 * PI * self.uniform()).cos()
+    }
+}
+
+/// A curve on retraction from states at given radii, all of them stable, with noise in F of this share of the largest force, an
+/// offset of depth, and a detached tail.
+fn curve(formula: Formula, [from, to]: [f64; 2], rows: usize, noise: f64, normal: &mut Normal) -> (Vec<f64>, Vec<f64>, f64) {
+    let state = |index: usize| {
+        let a = to + (from - to) * index as f64 / rows as f64;
+        let elongation = (2.0 * PI * a * WORK / E_STAR).sqrt();
+        let [g, integral] = formula(a);
+        [g - elongation, 2.0 * E_STAR * (a * (g - elongation) - integral)]
+    };
+    let states: Vec<[f64; 2]> = (0..rows).map(state).collect();
+    let stable = states.windows(2).position(|pair| pair[1][0] >= pair[0][0]).map_or(rows, |last| last + 1);
+    let sigma = noise * states.iter().map(|state| state[1]).fold(f64::INFINITY, f64::min).abs();
+    let last = states[stable - 1][0];
+    let step = (states[0][0] - last) / rows as f64;
+    let tail = (1..rows / 4).map(|index| [last - 3e-7 - step * index as f64, 0.0]);
+    let all: Vec<[f64; 2]> = states[..stable].iter().copied().chain(tail).collect();
+    let x = all.iter().map(|state| state[0] + 1e-7).collect();
+    let y = all.iter().map(|state| state[1] + sigma * normal.next()).collect();
+    (x, y, sigma)
+}
+
+/// Curves that were made by formulas of this file, without a start and from starts ten times off.
+#[test]
+fn tips_are_recovered_from_anywhere() {
+    for (tip, formula, range) in tips() {
+        let (x, y, sigma) = curve(formula, range, 150, 1e-2, &mut Normal(7));
+        let problem = || {
+            let problem = Problem::new(tip.clone(), Observation::ForceOfIndentation, &x, &y).unwrap();
+            problem.free(["e_star", "work_of_adhesion", "contact_point"]).unwrap().sigma_y(sigma).unwrap()
+        };
+        let plain = problem().fit().unwrap();
+        let values: Vec<f64> = plain.parameters.iter().map(|estimate| estimate.value.unwrap()).collect();
+        for (estimate, made) in plain.parameters.iter().zip([E_STAR, WORK, 1e-7]) {
+            let pull = (estimate.value.unwrap() - made) / estimate.stderr.unwrap();
+            assert!(pull.abs() < 4.5, "{}: {estimate:?}", tip.name());
+        }
+        for [e_star, work] in [[10.0, 0.1], [0.1, 10.0], [10.0, 10.0]] {
+            let started = problem().start("e_star", e_star * E_STAR).and_then(|problem| problem.start("work_of_adhesion", work * WORK));
+            let fit = started.unwrap().fit().unwrap();
+            for (estimate, value) in fit.parameters.iter().zip(&values) {
+                assert!(digits(estimate.value.unwrap(), *value) > 8.0, "{}: {estimate:?}, {value:e}", tip.name());
+            }
+        }
+    }
+}
+
+/// How often the intervals of 68.3 and 95.4 % contain what the curves were made from.
+fn coverage(curves: u64) -> [f64; 2] {
+    let (mut inside, mut count) = ([0.0; 2], 0.0);
+    for (tip, formula, range) in tips() {
+        for seed in 1..=curves {
+            let (x, y, sigma) = curve(formula, range, 80, 1e-2, &mut Normal(0x9e37_79b9_7f4a_7c15 ^ (seed * 7919)));
+            let problem = Problem::new(tip.clone(), Observation::ForceOfIndentation, &x, &y).unwrap();
+            let fit = problem.free(["e_star", "work_of_adhesion"]).unwrap().fixed("contact_point", 1e-7).unwrap();
+            let fit = fit.sigma_y(sigma).unwrap().sigma_x(0.0).unwrap().fit().unwrap();
+            for (estimate, made) in fit.parameters.iter().zip([E_STAR, WORK]) {
+                let pull = ((estimate.value.unwrap() - made) / estimate.stderr.unwrap()).abs();
+                inside[0] += f64::from(u8::from(pull < 1.0));
+                inside[1] += f64::from(u8::from(pull < 2.0));
+                count += 1.0;
+            }
+        }
+    }
+    inside.map(|inside| inside / count)
+}
+
+#[test]
+fn intervals_cover_as_often_as_they_say() {
+    let [one, two] = coverage(20);
+    // Of 200 numbers: three standard deviations of a binomial share.
+    assert!((one - 0.683).abs() < 0.1 && (two - 0.954).abs() < 0.045, "{one} {two}");
+}
+
+#[test]
+#[ignore = "a minute in a release build"]
+fn intervals_of_a_thousand_curves_cover_as_often_as_they_say() {
+    let [one, two] = coverage(1000);
+    assert!((one - 0.683).abs() < 0.015 && (two - 0.954).abs() < 0.007, "{one} {two}");
+}
+
+/// A few wild rows: least squares follow them, Huber's loss does not; priors and bounds are kept.
+#[test]
+fn wild_rows_priors_and_bounds() {
+    let (tip, formula, range) = tips().remove(0);
+    let (x, mut y, sigma) = curve(formula, range, 150, 1e-2, &mut Normal(11));
+    for index in [10, 40, 70] {
+        y[index] += 200.0 * sigma;
+    }
+    let problem = || {
+        let problem = Problem::new(tip.clone(), Observation::ForceOfIndentation, &x, &y).unwrap().sigma_y(sigma).unwrap();
+        problem.fixed("contact_point", 1e-7).unwrap().free(["e_star", "work_of_adhesion"]).unwrap()
+    };
+    let error = |fit: &Fit| (fit.estimate("e_star").unwrap().value.unwrap() / E_STAR - 1.0).abs();
+    let [squares, huber] = [Loss::LeastSquares, Loss::Huber].map(|loss| error(&problem().loss(loss).fit().unwrap()));
+    assert!(huber < 0.2 * squares, "{huber} {squares}");
+    let bounded = problem().bounds("e_star", [3e6, 4e6]).unwrap().fit().unwrap();
+    assert_eq!((bounded.parameters[0].value, bounded.parameters[0].stderr), (Some(3e6), None));
+    let prior = problem().prior("e_star", 1.9e6, 1.0).unwrap().fit().unwrap();
+    assert!((prior.parameters[0].value.unwrap() - 1.9e6).abs() < 10.0);
+}
