@@ -28,6 +28,7 @@ mod solve_costs;
 mod solve_paths;
 mod solve_statuses;
 mod solve_tables;
+mod validity;
 mod verify;
 
 use std::path::{Path, PathBuf};

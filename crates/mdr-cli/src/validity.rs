@@ -1,7 +1,7 @@
 //! Whether the theory holds, for a reader.
 
 use mdr::Validity;
-use mdr::answer::{FlatCell, Promise, Reader, title};
+use mdr::answer::{FlatCell, FlatRow, Promise, Reader, title};
 use mdr::prelude::Status;
 
 use crate::solve::render::tone;
@@ -10,14 +10,11 @@ use crate::table::{Tone, cell, render, table};
 /// A table of its numbers, and what they mean in a sentence.
 pub(crate) fn text(validity: &Validity, promise: Promise, reader: &Reader) -> String {
     let mut table = table(&["quantity", "value"]);
-    for (key, value) in validity.table() {
-        if value != FlatCell::Empty && value != FlatCell::Status(Status::Ok) {
-            let (name, unit) = title(&key, None);
-            let text = match &value {
-                FlatCell::Number(text) => reader.number(text, unit),
-                value => value.to_string(),
-            };
-            table.add_row([cell(reader.titled(name, unit), Tone::Plain), cell(text, tone(&value))]);
+    let row = validity.table();
+    for (key, value) in &row {
+        if *value != FlatCell::Empty && *value != FlatCell::Status(Status::Ok) {
+            let (name, unit) = title(key, None);
+            table.add_row([cell(reader.titled(name, unit), Tone::Plain), cell(number(&row, key, reader), tone(value))]);
         }
     }
     let why = validity.row().why().map_or_else(String::new, |why| format!("\n\nNot known: {why}."));
@@ -27,6 +24,15 @@ pub(crate) fn text(validity: &Validity, promise: Promise, reader: &Reader) -> St
         render(&table),
         capital(&validity.advice())
     )
+}
+
+/// What stands below a key, in the units of `reader`.
+pub(crate) fn number(row: &FlatRow, key: &str, reader: &Reader) -> String {
+    match row.iter().find(|(name, _)| name == key) {
+        Some((_, FlatCell::Number(text))) => reader.number(text, title(key, None).1),
+        Some((_, other)) => other.to_string(),
+        None => String::new(),
+    }
 }
 
 fn capital(text: &str) -> String {

@@ -279,9 +279,10 @@ impl<'a, R: Special> Dugdale<'a, R> {
         let level = self.curve.transform().g_within(&ring.a, &needed)?;
         // g(x) − g(a) cannot be better than its terms.
         let rounding = roundoff_tolerance(&level).times(4) * level.abs() * &ring.angle + &needed;
-        let tolerance = tolerance(&ring.a).or_error_below(&rounding);
+        let half = rounding.unit_roundoff().sqrt().times(16);
+        let tolerance = tolerance(&ring.a).or_finest_below(half).or_error_below(&rounding);
         let shape = tanh_sinh_pieces(&ring.a.lit(0), &ring.angle, &self.breaks(ring), tolerance, |angle| {
-            Ok(self.curve.transform().g_within(&on(ring, angle), &needed)? - &level)
+            Ok(beside_singular(on(ring, angle), |x| self.curve.transform().g_within(x, &needed))? - &level)
         })?;
         Ok(shape.value + elastic - limit)
     }
@@ -295,7 +296,7 @@ impl<'a, R: Special> Dugdale<'a, R> {
             tolerance(a).or_finest_below(half.clone().times(16)).or_error_below(&(elastic.clone() * half.square()));
         let weighted = |angle: &R| {
             let x = on(ring, angle);
-            Ok(self.curve.transform().slope(&x)? * x)
+            Ok(beside_singular(x.clone(), |x| self.curve.transform().slope(x))? * x)
         };
         Ok(tanh_sinh_pieces(&a.lit(0), angle, &self.breaks(ring), tolerance, weighted)?.value - elastic)
     }
@@ -319,6 +320,14 @@ impl<'a, R: Special> Dugdale<'a, R> {
 /// c cos φ, within the ring.
 fn on<R: Special>(ring: &Ring<R>, angle: &R) -> R {
     (angle.cos() * &ring.c).greater(&ring.a).lesser(&ring.c)
+}
+
+/// A function of the profile at x, or beside it where x is rounded to a kink at which it has no value.
+fn beside_singular<R: Special>(x: R, f: impl Fn(&R) -> Result<R>) -> Result<R> {
+    match f(&x) {
+        Err(Error::Domain { .. }) => f(&(x.clone() - x.unit_roundoff().times(8) * &x)),
+        value => value,
+    }
 }
 
 /// The lowest of the zeros that sixteen steps up to the bracket show.

@@ -129,7 +129,13 @@ impl Validity {
         let steep = self.slope.to_f64().filter(|slope| *slope > STEEP).map_or_else(String::new, |slope| {
             format!("; the slope g'(a) = {slope:.2} is not small, as the theory of the half-space assumes")
         });
-        format!("{}{change}{steep}", self.regime.advice())
+        let sharp = match &self.jkr_pull_off {
+            Some(Value::Given(_)) => {
+                "; a pull-off force of exactly 0 is the limit of short range, take that by Maugis and Dugdale"
+            }
+            _ => "",
+        };
+        format!("{}{change}{sharp}{steep}", self.regime.advice())
     }
 }
 

@@ -1,6 +1,6 @@
 //! The answer for a reader and for a spreadsheet.
 
-use mdr::answer::Reader;
+use mdr::answer::{Reader, title};
 use mdr::critical::{CriticalAnswer, CriticalState, spreadsheet};
 use mdr::prelude::{Arithmetic, ControlKind, Value};
 use mdr_core::contact::Regime;
@@ -28,7 +28,10 @@ pub(crate) fn write(
             let sibling = sibling
                 .and_then(|sibling| in_a_line(sibling, reader))
                 .map_or_else(String::new, |line| format!("\n{line}"));
-            out.text(format!("{}{sibling}", for_reader(answer, reader)))
+            let validity = answer.validity.as_ref().map_or_else(String::new, |validity| {
+                format!("\n\n{}", validity::text(validity, answer.validity_promise(), reader))
+            });
+            out.text(format!("{}{sibling}{validity}", for_reader(answer, reader)))
         }
     }
 }
@@ -47,15 +50,21 @@ pub(crate) fn write_all(
             let keys = ["n", "kappa", "contact_radius", "indentation", "force", "kind", "status"];
             let names = ["n", "kappa_n", "contact radius", "indentation", "force", "fold", "status"];
             let units = ["", "", "m", "m", "N", "", ""];
-            let titles: Vec<_> = names.iter().zip(units).map(|(name, unit)| reader.titled(name, unit)).collect();
-            let mut table = table(&titles);
-            for row in answers.iter().flat_map(CriticalAnswer::rows) {
-                let columns = keys.iter().zip(units).enumerate();
-                table.add_row(columns.map(|(column, (key, unit))| {
-                    let text = row.get(key).unwrap_or_default();
-                    let text = if (1..=4).contains(&column) { reader.number(text, unit) } else { text.to_owned() };
-                    cell(text, Tone::Plain)
-                }));
+            let asked = answers.iter().any(|answer| answer.validity.is_some());
+            let added: &[&str] = if asked { &["tabor", "regime", "maugis_dugdale_pull_off"] } else { &[] };
+            let titles = names.into_iter().zip(units).chain(added.iter().map(|key| title(key, None)));
+            let mut table = table(&titles.map(|(name, unit)| reader.titled(name, unit)).collect::<Vec<_>>());
+            for answer in answers {
+                let validity = answer.validity.as_ref().map(|validity| validity.table()).unwrap_or_default();
+                let added = added.iter().map(|key| validity::number(&validity, key, reader));
+                let added: Vec<String> = added.collect();
+                for row in answer.rows() {
+                    let own = keys.iter().zip(units).enumerate().map(|(column, (key, unit))| {
+                        let text = row.get(key).unwrap_or_default();
+                        if (1..=4).contains(&column) { reader.number(text, unit) } else { text.to_owned() }
+                    });
+                    table.add_row(own.chain(added.iter().cloned()).map(|text| cell(text, Tone::Plain)));
+                }
             }
             out.text(render_whole(&table))
         }
@@ -108,10 +117,7 @@ fn for_reader(answer: &CriticalAnswer, reader: &Reader) -> String {
             }
         }
     }
-    let validity = answer.validity.as_ref().map_or_else(String::new, |validity| {
-        format!("\n\n{}", validity::text(validity, answer.validity_promise(), reader))
-    });
-    format!("{}\n\n{}\n\n{}{validity}", heading(answer), render(&table), answer.explanation())
+    format!("{}\n\n{}\n\n{}", heading(answer), render(&table), answer.explanation())
 }
 
 /// The quantities of a state, if there is one.

@@ -486,6 +486,40 @@ class Contact:
         at = None if k is None else d + f / k
         return LoadingPath(events, a, d, f, at, work, dissipated, stored, held)
 
+    def validity(self, range_of_adhesion: Number | str, *, digits: int | None = None) -> dict[str, Any]:
+        """Whether the theory, which is that of adhesion of short range, holds for this contact.
+
+        Parameters
+        ----------
+        range_of_adhesion : Number or str
+            The range z₀ of the attraction in m, or with its unit: ``"0.3 nm"``. There is no default: 0.16 nm and 0.3 nm are
+            both in use.
+        digits : int, optional
+            So many digits on which two precisions agree, as ``Decimal``; doubles without.
+
+        Returns
+        -------
+        dict
+            With the keys of ``validity`` in an answer: Tabor's number ``tabor`` at the pull-off under a dead load, ``regime``
+            (``"JKR"`` above 5, ``"transition"``, ``"DMT"`` below 0.1), ``maugis_dugdale_pull_off`` and its ``correction``,
+            that force over the one of short range less 1, ``slope`` and ``a_over_r``, which should be small, ``admissible``.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> tip = mdr.jkr(radius="1e-8", e_star="5e9", work_of_adhesion="0.05")
+        >>> holds = tip.validity("0.3 nm")
+        >>> holds["regime"], round(holds["tabor"], 3), round(holds["correction"], 3)
+        ('transition', 0.333, 0.179)
+        """
+        from ._scene import solve
+
+        scene = self.scene("force", want=["folds"])
+        scene["material"]["range_of_adhesion"] = range_of_adhesion
+        validity = solve(scene, digits=digits, f64=digits is None).validity
+        assert validity is not None
+        return validity
+
     def scene(self, control: Control, **output: Any) -> dict[str, Any]:
         """The scene of this contact, for :func:`solve`.
 

@@ -20,7 +20,7 @@ Promise: TypeAlias = Literal["certified", "mp", "f64"]
 # Lists of an answer that are no output.
 _NO_OUTPUTS = ("notes",)
 # What is text, though it may look like a number.
-_TEXTS = ("why", "event", "kind", "status", "stability")
+_TEXTS = ("why", "event", "kind", "status", "stability", "regime")
 
 
 @final
@@ -62,6 +62,9 @@ class Solution(Mapping[str, list[dict[str, Any]]]):
         """The energy balance of a path: ``work``, ``dissipated`` and ``stored``, where it is finite."""
         self.force_curve_summary: dict[str, Any] | None = _numbers(answer.get("force-curve-summary"), number)
         """What is read off a force curve: pull-off force, minimum force, hysteresis."""
+        self.validity: dict[str, Any] | None = _numbers(answer.get("validity"), number)
+        """Whether the theory holds, where ``material`` has a ``range_of_adhesion``: Tabor's number ``tabor``, ``regime``, the
+        pull-off force by Maugis and Dugdale and its ``correction``."""
 
     def __getitem__(self, output: str) -> list[dict[str, Any]]:
         return self._outputs[output]

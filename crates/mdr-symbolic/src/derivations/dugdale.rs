@@ -9,16 +9,15 @@ pub(super) const STATES: Entry = Entry {
     assumptions: &[
         "the surfaces attract each other with the stress σ₀ = w/δ in a ring a < r < c, at the end of which the gap is δ",
         "a = c cosθ, so that the ring has 0 < θ < π/2; s = 2σ₀/E*",
+        "the pressure is finite at r = a: d = g(a) − sc sinθ",
+        "the gap at c is that of g beyond a and of the ring: πδ/2 = ∫ (g(c cosφ) − g(a)) dφ over 0 < φ < θ, plus \
+         sc (θ sinθ + cosθ − 1)",
+        "the force is that of the contact and of the ring: F = 2E* (a g(a) − ∫g) − E*sc² (θ + sinθ cosθ)",
     ],
     steps: &[
-        Step::cited(
-            "A pressure that is finite at r = a: d = g(a) − sc sinθ. The gap at c, from g beyond a and from the ring: \
-             πδ/2 = ∫ (g(c cosφ) − g(a)) dφ over 0 < φ < θ, plus sc(θ sinθ + cosθ − 1). The force: \
-             F = 2E*(a g(a) − ∫g) − E*sc²(θ + sinθ cosθ).",
-        ),
         Step::proved(
             POSITIVE,
-            "diff(θ*sinθ + cosθ - 1, θ) = θ*cosθ",
+            "diff(θ*sinθ + cosθ, θ) = θ*cosθ",
             "At a fixed c the opening of the ring grows with θ, and as −a changes by c sinθ dθ, its derivative along a is \
              −θ cosθ/sinθ.",
         ),

@@ -228,7 +228,7 @@ impl<'a> Value<'a> {
     }
 
     /// A [length](Value::length) above zero.
-    pub(super) fn positive_length(&self) -> Result<Literal> {
+    pub(crate) fn positive_length(&self) -> Result<Literal> {
         self.length().and_then(|length| self.require_positive(length))
     }
 
