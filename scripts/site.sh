@@ -23,7 +23,7 @@ if has_target || { command -v rustup >/dev/null && rustup target add $target >/d
     cargo build --locked --release --target $target
 elif [ -d "$(/usr/bin/rustc --print sysroot 2>/dev/null)/lib/rustlib/src/rust" ] && command -v wasm-ld >/dev/null; then
     # Unstable features are allowed for the standard library alone: the crates use none.
-    RUSTFLAGS="-C linker=wasm-ld" RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo build --locked --release \
+    RUSTFLAGS="-C linker=wasm-ld" RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo build --release \
         --target $target -Zbuild-std=std,panic_abort
 else
     skip "rustup target add $target, or on Debian: apt-get install rustc-web cargo-web rust-web-src lld"

@@ -156,11 +156,12 @@ function moveTo(to) {
   S = at.kind === 0 ? away() : at;
   request();
 }
-/** The state at `to` where nothing happens on the way: apart before the first touch; or on the same branch, where no fold is
- * passed, and g stays above d beyond the edge, so that the surfaces are apart there. Null where the engine has to follow. */
+/** The state at `to` where nothing happens on the way: apart before the first touch; or on the same branch between two folds,
+ * on which a value comes once, where g stays above d beyond the edge, so that the surfaces are apart there. Null where the
+ * engine has to follow. */
 function quiet(to) {
   if (S.kind === 0 && Math.max(value, to) < 0 && !dimple) return S;
-  if (S.kind !== 1 || redraw.curve || folds.some((f) => (f.v - value) * (f.v - to) <= 0)) return null;
+  if (S.kind !== 1 || redraw.curve) return null;
   const below = (a) => folds.filter((f) => f.a < a).length;
   const next = engine.equilibria(to).find((e) => e[3] > 0 && below(e[0]) === below(S.a));
   if (!next || equilibriumCurve.some((r) => r[0] > Math.min(next[0], S.a) && r[1] < Math.max(next[1], S.d))) return null;

@@ -25,11 +25,6 @@ const PRESETS = [
     'A sphere, n = 2, held at a depth. Pull: at P the curves touch, and the contact breaks from a finite radius.',
   ],
   [
-    'Cone',
-    { n: 1, v: 0.25 },
-    'n = 1. The same story with another end: the force is never as strong as for the sphere, and it breaks at a smaller radius.',
-  ],
-  [
     'Through n = ½',
     { n: 0.8, axis: 'sqrt', v: 0 },
     'At zero depth the curves cross at R₀ for every n. Drag n down through ½: stable becomes unstable, and pull-off becomes complete contact.',
@@ -60,14 +55,19 @@ const PRESETS = [
     'Shorter waves: more jumps, and each costs energy. Guduru’s toughening. Watch the lost energy add up.',
   ],
   [
-    'AFM cantilever',
-    { control: 'D', k: 0.2, v: 0.5, unit: 'afm' },
-    'A tip of 20 nm on a polymer, on a cantilever of 1 N/m: the base is moved, and the tip jumps in and off. Read the force in nN.',
-  ],
-  [
     'True sphere',
     { shape: 'sphere', R: 1.25, v: 0.3 },
     'No parabola: the contact can never pass the equator, and g grows without bound towards it.',
+  ],
+  [
+    'Cone',
+    { n: 1, v: 0.25 },
+    'n = 1. The same story with another end: the force is never as strong as for the sphere, and it breaks at a smaller radius.',
+  ],
+  [
+    'AFM cantilever',
+    { control: 'D', k: 0.2, v: 0.5, unit: 'afm' },
+    'A tip of 20 nm on a polymer, on a cantilever of 1 N/m: the base is moved, and the tip jumps in and off. Read the force in nN.',
   ],
   ['Your own tip', { shape: 'table', v: 0.3 }, 'A profile of your own: draw it, or paste a table of radius and height.'],
 ];

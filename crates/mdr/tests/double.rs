@@ -80,6 +80,14 @@ fn a_path_that_cannot_go_on_has_no_more_states() {
     let history = waves.follow(&Control::Indentation, &[-1.0, 0.0, 0.1], &Start::Detached, &stop).expect("a history");
     assert_eq!(history.states.status.last(), Some(&Status::NotAdmissible));
     assert!(history.states.force[2].is_nan());
+    // What is known of the contact by now serves the same question, and no other control.
+    for control in [Control::Indentation, Control::Force, Control::Indentation] {
+        let ask =
+            |waves: &Contact| waves.follow(&control, &[-1.0, 0.0, 0.1], &Start::Detached, &stop).expect("a history");
+        let anew = contact(Shape::WavyParaboloid { radius: "1", amplitude: "1e-2", wavelength: "0.1" });
+        assert_eq!(ask(&waves).jumps, ask(&anew).jumps);
+        assert_eq!(ask(&waves).states.status, ask(&anew).states.status);
+    }
 }
 
 #[test]

@@ -24,7 +24,7 @@ impl Contact {
         if let Some(inverse) = self.inverse(control)? {
             return by_closed_form(inverse, self.has_large_branch(), control, values);
         }
-        self.branched(control, stop, |branches| searched(branches, values))
+        self.judged(control, stop, |branches| searched(branches, values))
     }
 
     /// All equilibria at one value by increasing radius, admissible or not, by search along every branch: as a scene in f64 is
@@ -44,7 +44,7 @@ impl Contact {
         if let Some(inverse) = self.inverse(control)? {
             return stable_by_closed_form(inverse, self.has_large_branch(), control, values);
         }
-        self.branched(control, stop, |branches| {
+        self.judged(control, stop, |branches| {
             let mut order: Vec<usize> = (0..=branches.folds().len()).collect();
             order.retain(|branch| branches.is_stable(*branch) != Some(false));
             if choice == Choice::Largest {

@@ -63,7 +63,7 @@ impl Contact {
     /// # Errors
     /// No value, or one that is not finite; no stable equilibrium at the first; as [`Contact::equilibria`].
     pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>, stop: &Stop) -> Result<History> {
-        self.branched(control, stop, |branches| {
+        self.judged(control, stop, |branches| {
             let path = Path::follow(branches, start, values)?;
             let losses = Loss::of_each(&path, branches);
             let mut states = States::with_capacity(values.len());
@@ -98,7 +98,7 @@ impl Contact {
         between: usize,
         stop: &Stop,
     ) -> Result<LoadingPath> {
-        self.branched(control, stop, |branches| {
+        self.judged(control, stop, |branches| {
             let path = Path::follow(branches, start, way)?;
             let losses = Loss::of_each(&path, branches);
             let balance = match Ledger::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)) {
@@ -117,7 +117,7 @@ impl Contact {
     /// # Errors
     /// [`Error::NoEquilibrium`] where there is no contact to begin with, or where it does not come off; as [`Contact::follow`].
     pub fn pull_off(&self, control: &Control<f64>, stop: &Stop) -> Result<State> {
-        self.branched(control, stop, |branches| {
+        self.judged(control, stop, |branches| {
             let value = |fold: &contact::Instability<f64>| control.controlled(&fold.indentation, &fold.force);
             let lowest = branches.folds().iter().map(value).filter(|value| value.is_finite()).fold(-1e-150, f64::min);
             let path = Path::follow(branches, &Start::Largest, &[0.0, 2.0 * lowest])?;

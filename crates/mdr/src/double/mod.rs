@@ -14,6 +14,8 @@ use mdr_core::contact::{
     Control, CountedTransform, Equilibrium, Error, Instability, Material, Quantity, Result, Status, Transform,
 };
 use mdr_core::number::Literal;
+use mdr_numeric::admissible::{Admissibility, search_range};
+use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::fields::Fields;
@@ -86,8 +88,16 @@ pub struct Contact {
     law: Option<[f64; 2]>,
     /// Its closed forms under fixed grips and under a dead load, once they have been needed.
     inverses: [OnceLock<Inverse>; 2],
-    /// The folds under the control that was asked for last: a search for them takes longer than many equilibria.
-    folds: Mutex<Option<(Control<f64>, Folds<f64>)>>,
+    /// What was found under the control that was asked for last: a search for it takes longer than many equilibria.
+    known: Mutex<Option<Known>>,
+}
+
+/// What is known of a contact under one control.
+struct Known {
+    control: Control<f64>,
+    folds: Folds<f64>,
+    /// Once it has been needed.
+    admissibility: Option<Arc<Admissibility<'static>>>,
 }
 
 impl Contact {
@@ -103,7 +113,7 @@ impl Contact {
             material: Material::new(modulus, work)?,
             law: scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius),
             inverses: Default::default(),
-            folds: Mutex::default(),
+            known: Mutex::default(),
         })
     }
 
@@ -161,7 +171,6 @@ impl Contact {
     /// A stiffness that is not positive; as [`Contact::transform`]; a fold beyond the range of f64.
     pub fn folds(&self, control: &Control<f64>, stop: &Stop) -> Result<Vec<Instability<f64>>> {
         self.branched(control, stop, |branches| {
-            use mdr_numeric::branch::Branched;
             Ok(branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect())
         })
     }
@@ -175,26 +184,55 @@ impl Contact {
         &self,
         control: &Control<f64>,
         stop: &Stop,
-        ask: impl FnOnce(&Branches<'_, f64>) -> Result<T>,
+        ask: impl FnOnce(Branches<'_, f64>) -> Result<T>,
     ) -> Result<T> {
         control.check()?;
         let transform = self.counted(stop);
         let curve = Curve::new(&transform, &self.material, control);
-        let known = self.last_folds().take().filter(|(last, _)| last == control);
-        let found = match known {
-            Some((_, found)) => found,
-            None => folds::find(&curve)?,
+        let known = self.last_known().take().filter(|last| last.control == *control);
+        let known = match known {
+            Some(known) => known,
+            None => Known { control: control.clone(), folds: folds::find(&curve)?, admissibility: None },
         };
-        *self.last_folds() = Some((control.clone(), found.clone()));
-        match found.beyond.first() {
-            Some(fold) => Err(fold.error.clone()),
-            None => ask(&Branches::cut_at(curve, found)),
+        let (found, admissibility) = (known.folds.clone(), known.admissibility.clone());
+        *self.last_known() = Some(known);
+        if let Some(fold) = found.beyond.first() {
+            return Err(fold.error.clone());
         }
+        let branches = Branches::cut_at(curve, found);
+        ask(match admissibility {
+            Some(admissibility) => branches.with_admissibility(admissibility),
+            None => branches,
+        })
     }
 
-    /// The folds that are known. A thread that panicked has left them whole: they are replaced at once.
-    fn last_folds(&self) -> MutexGuard<'_, Option<(Control<f64>, Folds<f64>)>> {
-        self.folds.lock().unwrap_or_else(PoisonError::into_inner)
+    /// The same where it matters which states are admissible.
+    fn judged<T>(
+        &self,
+        control: &Control<f64>,
+        stop: &Stop,
+        ask: impl FnOnce(&Branches<'_, f64>) -> Result<T>,
+    ) -> Result<T> {
+        self.branched(control, stop, |branches| {
+            let last = self.last_known();
+            let known = last.as_ref().is_some_and(|last| last.control == *control && last.admissibility.is_some());
+            drop(last);
+            if known {
+                return ask(&branches);
+            }
+            let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
+            let range = search_range(branches.curve().material_length(), &radii);
+            let admissibility = Arc::new(Admissibility::new(Arc::clone(&self.transform), range));
+            if let Some(last) = self.last_known().as_mut().filter(|last| last.control == *control) {
+                last.admissibility = Some(Arc::clone(&admissibility));
+            }
+            ask(&branches.with_admissibility(admissibility))
+        })
+    }
+
+    /// What is known. A thread that panicked has left it whole: it is replaced at once.
+    fn last_known(&self) -> MutexGuard<'_, Option<Known>> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Closed forms for many values at once, where there are such: of a power law under fixed grips or a dead load.
