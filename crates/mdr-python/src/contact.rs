@@ -5,7 +5,7 @@ use std::io;
 
 use mdr::answer::Field;
 use mdr::batch;
-use mdr::critical::{PowerLaw, critical};
+use mdr::critical::{CriticalAnswer, CriticalState, PowerLaw, critical};
 use mdr::double::{self, Choice, Event, Start, State};
 use mdr::prelude::{Arithmetic, Control, Elasticity, Literal, Scene, Status, Stop, Value, Want};
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -13,7 +13,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::errors::{of_contact, of_library, raise};
-use crate::interrupt::{detached, interruptible};
+use crate::interrupt::{abandonable, detached, interruptible};
 use crate::scene::Digits;
 
 type Column<'py> = Bound<'py, PyArray1<f64>>;
@@ -93,7 +93,7 @@ impl Contact {
         let texts = match &self.law {
             Some(law) => {
                 let law = PowerLaw { control, ..law.clone() };
-                let answer = detached(py, || critical(&law, arithmetic))?.map_err(of_library)?;
+                let answer = certified_answer(py, law, digits)?;
                 state_of(&answer)?.values().map(ToString::to_string)
             }
             None => {
@@ -260,11 +260,12 @@ pub(crate) fn kappa<'py>(py: Python<'py>, n: &str, digits: Option<u32>) -> PyRes
         work_of_adhesion: one,
         control: Control::Indentation,
     };
-    let arithmetic = digits.map_or(Arithmetic::Double, |digits| Arithmetic::Certified { digits });
-    let kappa = detached(py, || critical(&law, arithmetic))?.map_err(of_library)?.kappa;
     match digits {
-        Some(_) => Digits::new(py)?.of(&kappa.to_string()),
-        None => Ok(kappa.to_f64().into_pyobject(py)?.into_any()),
+        Some(digits) => Digits::new(py)?.of(&certified_answer(py, law, digits)?.kappa.to_string()),
+        None => {
+            let answer = detached(py, || critical(&law, Arithmetic::Double))?.map_err(of_library)?;
+            Ok(answer.kappa.to_f64().into_pyobject(py)?.into_any())
+        }
     }
 }
 
@@ -305,8 +306,16 @@ pub(crate) fn critical_states<'py>(
     Ok((column(py, kappa), columns, codes))
 }
 
+/// The answer in certified digits; of many, which take long, until a signal.
+fn certified_answer(py: Python<'_>, law: PowerLaw, digits: u32) -> PyResult<CriticalAnswer> {
+    /// They take a tenth of a millisecond, no more than a thread.
+    const FEW: u32 = 1000;
+    let work = move || critical(&law, Arithmetic::Certified { digits });
+    if digits <= FEW { detached(py, work) } else { abandonable(py, work) }?.map_err(of_library)
+}
+
 /// The critical state, which there is unless n = 1/2.
-fn state_of(answer: &mdr::critical::CriticalAnswer) -> PyResult<&mdr::critical::CriticalState> {
+fn state_of(answer: &CriticalAnswer) -> PyResult<&CriticalState> {
     let why = "there is no critical state under this control: at n = 1/2 the coefficient C decides, against a threshold, and \
                on a machine there may be no instability";
     answer.state.as_ref().ok_or_else(|| raise("NoEquilibriumError", (why,)))

@@ -47,6 +47,30 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) ->
     })
 }
 
+/// The result of `work` that cannot be stopped: after a signal it is left to end by itself.
+///
+/// # Errors
+/// As [`interruptible`].
+pub(crate) fn abandonable<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
+    let (done, result) = mpsc::channel();
+    let run = move || {
+        let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work));
+        mdr::free_thread_cache();
+        // After a signal nobody waits for it.
+        let _ = done.send(result);
+    };
+    py.detach(move || {
+        thread::Builder::new().stack_size(STACK).spawn(run)?;
+        loop {
+            match result.recv_timeout(PERIOD) {
+                Ok(result) => return result.map_err(|panic| internal(&*panic)),
+                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+                Err(RecvTimeoutError::Disconnected) => return Err(internal(&"a thread without a result")),
+            }
+        }
+    })
+}
+
 /// The result of short work without the GIL.
 ///
 /// # Errors
