@@ -45,7 +45,7 @@ fn each_command_has_flags_examples_and_exit_statuses() {
                 "--format",
             ],
         ),
-        ("fit", &["<FIT.toml>", "[CURVE.csv]...", "--batch", "--format", "--plot"]),
+        ("fit", &["<FIT.toml>", "[CURVE.csv]...", "--batch", "--digits", "--format", "--plot"]),
         ("solve", &["<SCENE.toml>", "--digits", "--f64", "--format", "--plot", "--explain"]),
     ];
     for (command, flags) in cases {
