@@ -47,7 +47,7 @@ fn each_command_has_flags_examples_and_exit_statuses() {
                 "--notation",
             ],
         ),
-        ("fit", &["<FIT.toml>", "[CURVE.csv]...", "--batch", "--format", "--plot"]),
+        ("fit", &["<FIT.toml>", "[CURVE.csv]...", "--batch", "--digits", "--format", "--plot"]),
         (
             "solve",
             &["<SCENE.toml>", "--digits", "--f64", "--format", "--plot", "--explain", "--out", "--units", "--notation"],

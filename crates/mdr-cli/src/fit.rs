@@ -21,6 +21,9 @@ Examples:
     mdr fit examples/fits/tip.toml --format json
     mdr fit examples/fits/tip.toml --plot tip.svg
 
+  With proved digits of the estimates:
+    mdr fit examples/fits/tip.toml --digits 15
+
   The same fit of many curves, on all cores, one row for each number of each curve:
     mdr fit examples/fits/tip.toml --batch curves --format csv
 
@@ -48,6 +51,10 @@ pub(crate) struct Fit {
     #[arg(long, value_name = "DIR")]
     batch: Option<PathBuf>,
 
+    /// Certify estimates, standard errors and sum of squares to this many significant digits, too
+    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    digits: Option<u32>,
+
     /// Shape of the answer
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
@@ -69,7 +76,7 @@ impl Fit {
         self.plot.as_deref().map_or(Ok(()), plot::check)?;
         let curves = self.curves()?;
         if curves.is_empty() {
-            let answer = Problem::open(&self.fit)?.fit()?;
+            let answer = self.asked(Problem::open(&self.fit)?).fit()?;
             self.draw(&answer)?;
             let fitted = answer.status == FitStatus::Fitted;
             let name = self.fit.display().to_string();
@@ -87,7 +94,10 @@ impl Fit {
             .par_iter()
             .progress_with(bar.clone())
             .map(|curve| {
-                (curve.display().to_string(), Problem::open_for(&self.fit, curve).and_then(|problem| problem.fit()))
+                (
+                    curve.display().to_string(),
+                    Problem::open_for(&self.fit, curve).and_then(|problem| self.asked(problem).fit()),
+                )
             })
             .collect();
         bar.finish_and_clear();
@@ -96,6 +106,13 @@ impl Fit {
         }
         write(&fitted, self.format, out)?;
         Ok(fitted.iter().all(|(_, answer)| answer.as_ref().is_ok_and(|answer| answer.status == FitStatus::Fitted)))
+    }
+
+    fn asked(&self, problem: Problem) -> Problem {
+        match self.digits {
+            Some(digits) => problem.digits(digits),
+            None => problem,
+        }
     }
 
     /// The curves that are named, and those of the folder.
@@ -215,6 +232,14 @@ fn for_reader(answer: &Answer) -> String {
         parts.push(format!("Reason: {}.", answer.reason));
     }
     parts.push(estimates(answer));
+    if let Some(certified) = &answer.certified {
+        let mut table = table(&["certified", "estimate", "scaled by residuals", "unique within"]);
+        for estimate in &certified.parameters {
+            let [name, value, stderr] = [&estimate.name, &estimate.value, &estimate.scaled_stderr].map(String::clone);
+            table.add_row([name, value, stderr, format!("± {}", digits(estimate.unique_within, 1))]);
+        }
+        parts.push(render_whole(&table));
+    }
     if !answer.invariants.is_empty() {
         let mut table = table(&["what the data determine", "value, SI", "standard error"]);
         for invariant in &answer.invariants {

@@ -167,6 +167,25 @@ fn degenerate_is_refused_with_what_the_data_fix() {
     }
 }
 
+/// Digits of another program, proved here: estimates, standard errors and sums of squares.
+#[test]
+#[cfg(feature = "mp")]
+fn certified_digits_are_those_of_another_program() {
+    for (id, digits) in [("Sphere1", 17), ("Rounded1", 17), ("JKRtest1", 17), ("Cone1", 15)] {
+        let set = set(id);
+        let fit = problem(&set).digits(digits).fit().unwrap();
+        let certified = fit.certified.unwrap_or_else(|| panic!("{id}: {:?}", fit.warnings));
+        let pairs = |key: &str, found: Vec<&String>| {
+            for (found, expected) in found.iter().zip(numbers(&set["certified"][key])) {
+                assert!(self::digits(found.parse().unwrap(), expected) > 14.5, "{id} {key}: {found}, {expected:e}");
+            }
+        };
+        pairs("estimate", certified.parameters.iter().map(|estimate| &estimate.value).collect());
+        pairs("sd_scaled", certified.parameters.iter().map(|estimate| &estimate.scaled_stderr).collect());
+        assert!(self::digits(certified.rss.parse().unwrap(), number(&set["certified"]["rss"])) > 14.5, "{id}");
+    }
+}
+
 /// g and its integral, by hand.
 type Formula = fn(f64) -> [f64; 2];
 

@@ -107,6 +107,32 @@ pub struct RunsTest {
     pub p: f64,
 }
 
+/// Estimates in digits that are proved, for the labels of the fit.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Certified {
+    /// How many significant digits.
+    pub digits: u32,
+    /// In the order of the free numbers.
+    pub parameters: Vec<CertifiedEstimate>,
+    /// The sum of squares.
+    pub rss: String,
+}
+
+/// A free number whose digits are all proved.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct CertifiedEstimate {
+    /// Its name.
+    pub name: String,
+    /// The estimate.
+    pub value: String,
+    /// Its standard error scaled by the residuals.
+    pub scaled_stderr: String,
+    /// No other stationary point lies within this distance in each number at once.
+    pub unique_within: f64,
+}
+
 /// The answer to a [`Problem`](super::Problem).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -163,6 +189,8 @@ pub struct Fit {
     pub validity: Option<String>,
     /// What may mislead.
     pub warnings: Vec<String>,
+    /// Proved digits, where they were asked for and are given; a warning says why they are not.
+    pub certified: Option<Certified>,
     /// Evaluations of the whole curve.
     pub evaluations: usize,
 }

@@ -277,10 +277,20 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
         measured_jump_in: None,
         validity: None,
         warnings: Vec::new(),
+        certified: None,
         evaluations: minimum.evaluations,
     };
     super::events::add(&mut fit, &errors, minimum)?;
     super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
+    if let Some(digits) = problem.digits.filter(|_| fit.status == FitStatus::Fitted) {
+        #[cfg(feature = "mp")]
+        match super::certified::certified(objective, minimum, digits, dof) {
+            Ok(certified) => fit.certified = Some(certified),
+            Err(why) => fit.warnings.push(why),
+        }
+        #[cfg(not(feature = "mp"))]
+        return Err(Error::NeedsMp { what: if digits > 0 { "a fit in certified digits" } else { "" } });
+    }
     Ok(fit)
 }
 

@@ -78,38 +78,47 @@ fn inside_bounds(objective: &Objective<'_>, fitted: &[f64]) -> Vec<f64> {
     fitted.iter().enumerate().map(inside).collect()
 }
 
-/// Gauss–Newton steps from near a minimum until they are of the size of rounding.
+/// Gauss–Newton steps from near a minimum until they are of the size of rounding; Newton steps where the curvature of the curve
+/// beside a fold keeps the others from converging.
 ///
 /// # Errors
 /// Where the objective has no value.
 pub(super) fn polish(
     objective: &Objective<'_>,
     start: &[f64],
-    evaluations: usize,
+    mut evaluations: usize,
 ) -> mdr_core::contact::Result<Minimum> {
-    let (mut fitted, mut evaluations) = (start.to_vec(), evaluations + 1);
+    let mut fitted = start.to_vec();
     let mut evaluation = objective.evaluate(&fitted, None)?;
     let mut jacobian = objective.jacobian(&fitted, &evaluation)?;
+    let mut hessian: Option<DMatrix<f64>> = None;
     let mut last = f64::INFINITY;
-    for _ in 0..40 {
+    for _ in 0..60 {
+        evaluations += 1;
         let held = held(objective, &fitted, &jacobian, &evaluation);
-        let step = step(&jacobian, &evaluation.residuals, &held);
+        let step = match &hessian {
+            None => step(&jacobian, &evaluation.residuals, &held),
+            Some(hessian) => newton_step(hessian, &jacobian, &evaluation.residuals, &held),
+        };
         let next: Vec<f64> = fitted.iter().zip(step.iter()).map(|(value, step)| value - step).collect();
         let next = inside_bounds(objective, &next);
         let size = (&jacobian * &step).norm() / evaluation.residuals.norm().max(f64::MIN_POSITIVE);
-        eprintln!("polish size {size:e} cost {:e} held {held:?} step {step:?}", evaluation.cost());
         // Steps that no longer become smaller are rounding; larger ones lead away.
-        if size == 0.0 || !size.is_finite() || size >= last {
-            break;
+        let candidate = if size < last { objective.evaluate(&next, Some(&evaluation)).ok() } else { None };
+        match candidate.filter(|candidate| candidate.cost() <= evaluation.cost() * (1.0 + 1e-9)) {
+            Some(candidate) => {
+                jacobian = objective.jacobian(&next, &candidate)?;
+                (fitted, evaluation, last) = (next, candidate, size);
+            }
+            None if hessian.is_none() && size > 1e-13 => {
+                hessian = curvature(objective, &fitted, &evaluation, &jacobian);
+                last = f64::INFINITY;
+                if hessian.is_none() {
+                    break;
+                }
+            }
+            None => break,
         }
-        let Ok(candidate) = objective.evaluate(&next, Some(&evaluation)) else { break };
-        evaluations += 1;
-        if candidate.cost() > evaluation.cost() * (1.0 + 1e-9) {
-            break;
-        }
-        last = size;
-        jacobian = objective.jacobian(&next, &candidate)?;
-        (fitted, evaluation) = (next, candidate);
         if size < 1e-15 {
             break;
         }
@@ -117,6 +126,54 @@ pub(super) fn polish(
     let held = held(objective, &fitted, &jacobian, &evaluation);
     let gradient = gradient(&jacobian, &evaluation.residuals, &held);
     Ok(Minimum { fitted, evaluation, jacobian, gradient, evaluations })
+}
+
+/// The second derivatives of half the sum of squares, as differences of its exact gradient, in units in which the columns of the
+/// Jacobian have length one; `None` where the objective has no value nearby.
+fn curvature(
+    objective: &Objective<'_>,
+    fitted: &[f64],
+    evaluation: &Evaluation,
+    jacobian: &DMatrix<f64>,
+) -> Option<DMatrix<f64>> {
+    let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
+    let slope = |fitted: &[f64]| -> Option<DVector<f64>> {
+        let evaluation = objective.evaluate(fitted, Some(evaluation)).ok()?;
+        let slope = objective.jacobian(fitted, &evaluation).ok()?.tr_mul(&evaluation.residuals);
+        Some(DVector::from_iterator(lengths.len(), slope.iter().zip(&lengths).map(|(slope, length)| slope / length)))
+    };
+    let size = 1e-4 * evaluation.residuals.norm() / (evaluation.residuals.len() as f64).sqrt();
+    let mut hessian = DMatrix::zeros(fitted.len(), fitted.len());
+    for (place, length) in lengths.iter().enumerate() {
+        let mut ends = [fitted.to_vec(), fitted.to_vec()];
+        ends[0][place] += size / length;
+        ends[1][place] -= size / length;
+        let difference = slope(&ends[0])? - slope(&ends[1])?;
+        hessian.set_column(place, &(difference / (2.0 * size)));
+    }
+    Some((&hessian + hessian.transpose()) * 0.5)
+}
+
+/// Newton's step by second derivatives; none along directions of which nothing is known.
+fn newton_step(
+    hessian: &DMatrix<f64>,
+    jacobian: &DMatrix<f64>,
+    residuals: &DVector<f64>,
+    held: &[bool],
+) -> DVector<f64> {
+    let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
+    let mut slope = jacobian.tr_mul(residuals);
+    let mut kept = hessian.clone();
+    for (place, length) in lengths.iter().enumerate() {
+        slope[place] /= *length;
+        if held[place] {
+            slope[place] = 0.0;
+            kept.row_mut(place).fill(0.0);
+            kept.column_mut(place).fill(0.0);
+        }
+    }
+    let step = kept.svd(true, true).solve(&slope, 1e-9).unwrap_or_else(|_| DVector::zeros(held.len()));
+    DVector::from_iterator(held.len(), step.iter().zip(&lengths).map(|(step, length)| step / length))
 }
 
 /// Which free numbers a bound holds: those at a bound that the objective falls towards.

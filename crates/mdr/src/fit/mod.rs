@@ -33,6 +33,8 @@
 
 mod answer;
 mod arcs;
+#[cfg(feature = "mp")]
+mod certified;
 mod contact;
 mod data;
 mod drive;
@@ -46,5 +48,5 @@ mod read;
 mod start;
 mod warnings;
 
-pub use answer::{Estimate, Event, Fit, FitStatus, FittedRow, Invariant, RunsTest};
+pub use answer::{Certified, CertifiedEstimate, Estimate, Event, Fit, FitStatus, FittedRow, Invariant, RunsTest};
 pub use problem::{Leg, Loss, Observation, Problem};

@@ -316,6 +316,11 @@ impl Problem {
         Ok(self)
     }
 
+    /// The same with estimates in so many certified digits, too (feature `mp`).
+    pub fn digits(self, digits: u32) -> Self {
+        Problem { digits: Some(digits.max(1)), ..self }
+    }
+
     /// What was measured.
     pub fn observation(&self) -> Observation {
         self.observation
