@@ -38,8 +38,13 @@ fn fits(criterion: &mut Criterion) {
     let (x, y) = rows(&sphere, 2.8e-7, 4e-7);
     criterion.bench_function("fit/paraboloid/1000 rows, 4 free", |bencher| {
         bencher.iter(|| {
-            let problem = Problem::new(sphere.clone(), Observation::ForceOfIndentation, black_box(&x), &y).expect("rows");
-            problem.free(["e_star", "work_of_adhesion", "contact_point", "baseline"]).expect("names").fit().expect("fitted")
+            let problem =
+                Problem::new(sphere.clone(), Observation::ForceOfIndentation, black_box(&x), &y).expect("rows");
+            problem
+                .free(["e_star", "work_of_adhesion", "contact_point", "baseline"])
+                .expect("names")
+                .fit()
+                .expect("fitted")
         });
     });
 }

@@ -101,10 +101,17 @@ fn check_sums(set: &Json, fit: &Fit) {
     let scale = fit.parameters[0].scaled_stderr.unwrap() / fit.parameters[0].stderr.unwrap();
     let stderr = pull_off.stderr.unwrap();
     let found = [pull_off.contact_radius.unwrap(), pull_off.x, pull_off.y];
-    for ((value, stderr), key) in found.iter().zip([stderr[4], stderr[0], stderr[1]]).zip(["fold_radius", "fold_given", "fold_measured"]) {
+    for ((value, stderr), key) in
+        found.iter().zip([stderr[4], stderr[0], stderr[1]]).zip(["fold_radius", "fold_given", "fold_measured"])
+    {
         let expected = numbers(&fold[key]);
         assert!(digits(*value, expected[0]) > 9.0, "{}: {key} {value:e}", set["id"]);
-        assert!(digits(stderr * scale, expected[1]) > least.min(7.0), "{}: error of {key} {:e}", set["id"], stderr * scale);
+        assert!(
+            digits(stderr * scale, expected[1]) > least.min(7.0),
+            "{}: error of {key} {:e}",
+            set["id"],
+            stderr * scale
+        );
     }
 }
 
@@ -168,7 +175,11 @@ fn tips() -> Vec<(Shape<&'static str>, Formula, [f64; 2])> {
     vec![
         (Shape::Paraboloid { radius: "1e-5" }, |x| [x * x / 1e-5, x.powi(3) / 3e-5], [1e-6, 6e-6]),
         (Shape::Cone { flank: Flank::Slope("0.4") }, |x| [0.2 * PI * x, 0.1 * PI * x * x], [0.1e-6, 3e-6]),
-        (Shape::Sphere { radius: "1e-5" }, |x| [x * (x / 1e-5).atanh(), 0.5 * (x * x - 1e-10) * (x / 1e-5).atanh() + 0.5e-5 * x], [1e-6, 5e-6]),
+        (
+            Shape::Sphere { radius: "1e-5" },
+            |x| [x * (x / 1e-5).atanh(), 0.5 * (x * x - 1e-10) * (x / 1e-5).atanh() + 0.5e-5 * x],
+            [1e-6, 5e-6],
+        ),
         (
             Shape::Hyperboloid { flank: Flank::Slope("0.36"), lateral: "1e-6" },
             |x| [0.36 * x * (x / 1e-6).atan(), 0.18 * ((x * x + 1e-12) * (x / 1e-6).atan() - 1e-6 * x)],
@@ -203,7 +214,13 @@ impl Normal {
 
 /// A curve on retraction from states at given radii, all of them stable, with noise in F of this share of the largest force, an
 /// offset of depth, and a detached tail.
-fn curve(formula: Formula, [from, to]: [f64; 2], rows: usize, noise: f64, normal: &mut Normal) -> (Vec<f64>, Vec<f64>, f64) {
+fn curve(
+    formula: Formula,
+    [from, to]: [f64; 2],
+    rows: usize,
+    noise: f64,
+    normal: &mut Normal,
+) -> (Vec<f64>, Vec<f64>, f64) {
     let state = |index: usize| {
         let a = to + (from - to) * index as f64 / rows as f64;
         let elongation = (2.0 * PI * a * WORK / E_STAR).sqrt();
@@ -238,7 +255,9 @@ fn tips_are_recovered_from_anywhere() {
             assert!(pull.abs() < 4.5, "{}: {estimate:?}", tip.name());
         }
         for [e_star, work] in [[10.0, 0.1], [0.1, 10.0], [10.0, 10.0]] {
-            let started = problem().start("e_star", e_star * E_STAR).and_then(|problem| problem.start("work_of_adhesion", work * WORK));
+            let started = problem()
+                .start("e_star", e_star * E_STAR)
+                .and_then(|problem| problem.start("work_of_adhesion", work * WORK));
             let fit = started.unwrap().fit().unwrap();
             for (estimate, value) in fit.parameters.iter().zip(&values) {
                 assert!(digits(estimate.value.unwrap(), *value) > 8.0, "{}: {estimate:?}, {value:e}", tip.name());
@@ -290,7 +309,8 @@ fn wild_rows_priors_and_bounds() {
         y[index] += 200.0 * sigma;
     }
     let problem = || {
-        let problem = Problem::new(tip.clone(), Observation::ForceOfIndentation, &x, &y).unwrap().sigma_y(sigma).unwrap();
+        let problem =
+            Problem::new(tip.clone(), Observation::ForceOfIndentation, &x, &y).unwrap().sigma_y(sigma).unwrap();
         problem.fixed("contact_point", 1e-7).unwrap().free(["e_star", "work_of_adhesion"]).unwrap()
     };
     let error = |fit: &Fit| (fit.estimate("e_star").unwrap().value.unwrap() / E_STAR - 1.0).abs();

@@ -31,7 +31,7 @@ impl Serialize for CriticalAnswer {
         if let Some(validity) = &self.validity {
             let promise = self.validity_promise().name();
             map.serialize_entry("promise", &std::collections::BTreeMap::from([("validity", promise)]))?;
-            map.serialize_entry("validity", &validity.row())?;
+            map.serialize_entry("validity", validity)?;
         }
         map.end()
     }

@@ -281,6 +281,7 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     };
     super::events::add(&mut fit, &errors, minimum)?;
     super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
+    super::validity::add(&mut fit, problem, &minimum.evaluation.numbers)?;
     Ok(fit)
 }
 

@@ -44,6 +44,7 @@ mod objective;
 mod problem;
 mod read;
 mod start;
+mod validity;
 mod warnings;
 
 pub use answer::{Estimate, Event, Fit, FitStatus, FittedRow, Invariant, RunsTest};
