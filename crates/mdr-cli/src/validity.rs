@@ -1,14 +1,14 @@
 //! Whether the theory holds, for a reader.
 
 use mdr::Validity;
-use mdr::answer::{FlatCell, Promise, title};
+use mdr::answer::{FlatCell, title};
 use mdr::prelude::Status;
 
 use crate::solve::render::{text_of, tone};
 use crate::table::{Tone, cell, render, table};
 
 /// A table of its numbers, and what they mean in a sentence.
-pub(crate) fn text(validity: &Validity, promise: Promise) -> String {
+pub(crate) fn text(validity: &Validity) -> String {
     let mut table = table(&["quantity", "value"]);
     for (key, value) in validity.table() {
         if value != FlatCell::Empty && value != FlatCell::Status(Status::Ok) {
@@ -19,7 +19,7 @@ pub(crate) fn text(validity: &Validity, promise: Promise) -> String {
     let why = validity.row().why().map_or_else(String::new, |why| format!("\n\nNot known: {why}."));
     format!(
         "validity ({})\n\n{}{why}\n\nDoes the theory hold? {}.",
-        promise.name(),
+        validity.promise().name(),
         render(&table),
         capital(&validity.advice())
     )

@@ -26,9 +26,10 @@ pub(crate) fn write(
         Format::Csv => for_spreadsheet(std::slice::from_ref(answer), out),
         Format::Table => {
             let sibling = sibling.and_then(in_a_line).map_or_else(String::new, |line| format!("\n{line}"));
-            let validity = answer.validity.as_ref().map_or_else(String::new, |validity| {
-                format!("\n\n{}", validity::text(validity, answer.validity_promise()))
-            });
+            let validity = answer
+                .validity
+                .as_ref()
+                .map_or_else(String::new, |validity| format!("\n\n{}", validity::text(validity)));
             out.text(format!("{}{sibling}{validity}", for_reader(answer)))
         }
     }

@@ -28,7 +28,7 @@ fn for_reader(answer: &Answer) -> String {
     let parts = answer.outputs.iter().map(output);
     let basis = answer.admissibility.map(|basis| format!("Admissible: {}.", described(basis)));
     let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
-    let validity = answer.validity.as_ref().map(|validity| validity::text(validity, answer.validity_promise()));
+    let validity = answer.validity.as_ref().map(|validity| validity::text(validity));
     std::iter::once(heading).chain(notes).chain(parts).chain(basis).chain(validity).collect::<Vec<_>>().join("\n\n")
 }
 
@@ -158,8 +158,7 @@ fn for_spreadsheet(answer: &Answer, out: &mut Out<impl std::io::Write>) -> Resul
     };
     let all = |rows: Vec<FlatRow>| -> Vec<FlatRow> { rows.into_iter().map(separated).collect() };
     let outputs = answer.outputs.iter().map(|output| (output.kind().name(), output.promise(), all(output.table())));
-    let validity =
-        answer.validity.iter().map(|validity| ("validity", answer.validity_promise(), all(vec![validity.table()])));
+    let validity = answer.validity.iter().map(|validity| ("validity", validity.promise(), all(vec![validity.table()])));
     let tables: Vec<(&str, Promise, Vec<FlatRow>)> = outputs.chain(validity).collect();
     let keys = columns(tables.iter().flat_map(|(_, _, rows)| rows));
     let header: Vec<&str> = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref)).collect();

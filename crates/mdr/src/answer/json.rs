@@ -62,8 +62,8 @@ impl Serialize for Promises<'_> {
             let promise = if basis == Basis::Bound { self.0.promise() } else { Promise::Double };
             map.serialize_entry("admissible", promise.name())?;
         }
-        if self.0.validity.is_some() {
-            map.serialize_entry("validity", self.0.validity_promise().name())?;
+        if let Some(validity) = &self.0.validity {
+            map.serialize_entry("validity", validity.promise().name())?;
         }
         map.end()
     }
