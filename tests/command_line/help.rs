@@ -40,6 +40,7 @@ fn each_command_has_flags_examples_and_exit_statuses() {
                 "--work",
                 "--control",
                 "--stiffness",
+                "--range-of-adhesion",
                 "--digits",
                 "--f64",
                 "--format",

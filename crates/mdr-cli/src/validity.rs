@@ -1,14 +1,14 @@
 //! Whether the theory holds, for a reader.
 
 use mdr::Validity;
-use mdr::answer::{FlatCell, FlatRow, Promise, Reader, title};
+use mdr::answer::{FlatCell, FlatRow, Reader, title};
 use mdr::prelude::Status;
 
 use crate::solve::render::tone;
 use crate::table::{Tone, cell, render, table};
 
 /// A table of its numbers, and what they mean in a sentence.
-pub(crate) fn text(validity: &Validity, promise: Promise, reader: &Reader) -> String {
+pub(crate) fn text(validity: &Validity, reader: &Reader) -> String {
     let mut table = table(&["quantity", "value"]);
     let row = validity.table();
     for (key, value) in &row {
@@ -20,7 +20,7 @@ pub(crate) fn text(validity: &Validity, promise: Promise, reader: &Reader) -> St
     let why = validity.row().why().map_or_else(String::new, |why| format!("\n\nNot known: {why}."));
     format!(
         "validity ({})\n\n{}{why}\n\nDoes the theory hold? {}.",
-        promise.name(),
+        validity.promise().name(),
         render(&table),
         capital(&validity.advice())
     )

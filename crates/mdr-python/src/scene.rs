@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::io;
 
 use mdr::Run;
+use mdr::fit::Problem;
 use mdr::prelude::{Arithmetic, Scene};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -47,6 +48,25 @@ pub(crate) fn draw(py: Python<'_>, form: &str, text: &str, files: HashMap<String
         Ok(mdr_plot::scene(scene.profile().name(), &scene.diagram()?).svg())
     })?;
     picture.map_err(of_library)
+}
+
+/// The fit of a problem as JSON, with its picture as SVG where it is asked for.
+#[pyfunction]
+#[pyo3(signature = (problem, files, drawn))]
+pub(crate) fn fit(
+    py: Python<'_>,
+    problem: &str,
+    files: HashMap<String, Vec<u8>>,
+    drawn: bool,
+) -> PyResult<(String, Option<String>)> {
+    let fitted = interruptible(py, |_| {
+        let at_hand =
+            |name: &str| -> io::Result<Vec<u8>> { files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok) };
+        let fit = Problem::from_json(problem, "", &at_hand)?.fit()?;
+        let picture = drawn.then(|| mdr_plot::fit(fit.profile, &fit).svg());
+        Ok((fit.to_json(), picture))
+    })?;
+    fitted.map_err(of_library)
 }
 
 fn read(form: &str, text: &str, files: &HashMap<String, Vec<u8>>) -> mdr::Result<Scene> {

@@ -12,7 +12,7 @@ use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::Folds;
 
 use crate::answer::record::{Numbers, Part, Row, record};
-use crate::answer::{Admission, Number, Optional, Value};
+use crate::answer::{Admission, Number, Optional, Promise, Value};
 use crate::run::Counts;
 use crate::scene::{Profile, Scene};
 use crate::solve::model::{Model, SceneReal};
@@ -121,6 +121,13 @@ impl Validity {
         self.rows().remove(0)
     }
 
+    /// How far its numbers can be trusted: in certified digits two precisions agree on them, but of formulas and tables, whose
+    /// numbers are always doubles.
+    pub fn promise(&self) -> Promise {
+        let numbers = [&self.tabor, &self.contact_radius, &self.maugis_dugdale_pull_off, &self.slope];
+        numbers.into_iter().find_map(Value::promise).unwrap_or(Promise::Double)
+    }
+
     /// What it means, in sentences.
     pub fn advice(&self) -> String {
         let change = self.correction.as_ref().and_then(Value::to_f64).map_or_else(String::new, |correction| {
@@ -152,7 +159,9 @@ pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
     let scene = &scene.clone().control(Control::Force);
     Ok(Some(match scene.arithmetic {
         #[cfg(feature = "mp")]
-        crate::scene::Arithmetic::Certified { digits } => in_digits(scene, range, digits, counts)?,
+        crate::scene::Arithmetic::Certified { digits } if scene.profile.is_closed() => {
+            in_digits(scene, range, digits, counts)?
+        }
         _ => {
             let search = Search::new(scene, counts)?;
             let folds = lack(search.folds().cloned())?;

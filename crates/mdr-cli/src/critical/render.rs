@@ -28,9 +28,10 @@ pub(crate) fn write(
             let sibling = sibling
                 .and_then(|sibling| in_a_line(sibling, reader))
                 .map_or_else(String::new, |line| format!("\n{line}"));
-            let validity = answer.validity.as_ref().map_or_else(String::new, |validity| {
-                format!("\n\n{}", validity::text(validity, answer.validity_promise(), reader))
-            });
+            let validity = answer
+                .validity
+                .as_ref()
+                .map_or_else(String::new, |validity| format!("\n\n{}", validity::text(validity, reader)));
             out.text(format!("{}{sibling}{validity}", for_reader(answer, reader)))
         }
     }

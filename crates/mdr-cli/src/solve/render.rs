@@ -35,7 +35,7 @@ fn for_reader(answer: &Answer, reader: &Reader) -> String {
     let parts = answer.outputs.iter().map(|part| output(part, answer.control, reader));
     let basis = answer.admissibility.map(|basis| format!("Admissible: {}.", described(basis)));
     let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
-    let validity = answer.validity.as_ref().map(|validity| validity::text(validity, answer.validity_promise(), reader));
+    let validity = answer.validity.as_ref().map(|validity| validity::text(validity, reader));
     std::iter::once(heading).chain(notes).chain(parts).chain(basis).chain(validity).collect::<Vec<_>>().join("\n\n")
 }
 

@@ -18,6 +18,7 @@ from ._errors import (
     DomainError, Error, FilterError, InternalError, NoConvergenceError, NoEquilibriumError, OutOfRangeError, SceneError,
     UndecidedError,
 )
+from ._fit import Estimate, Fit, fit
 from ._functions import context, critical_states, effective_modulus, jkr, kappa
 from ._numbers import Floats, Number
 from ._oracle import Answer, AnswerLike, Mark, Record, Report, judge, record, records
@@ -39,6 +40,7 @@ __all__ = [
     "Table", "TruncatedCone", "TruncatedParaboloid", "WavyParaboloid",
     "Equilibria", "Event", "Fold", "LoadingPath", "State", "States", "Status", "Trace",
     "File", "Picture", "Solution", "solve",
+    "Estimate", "Fit", "fit",
     "Answer", "AnswerLike", "Mark", "Record", "Report", "judge", "record", "records",
     "DomainError", "Error", "FilterError", "InternalError", "NoConvergenceError", "NoEquilibriumError", "OutOfRangeError",
     "SceneError", "UndecidedError",

@@ -40,7 +40,7 @@ impl Serialize for Answer {
             map.serialize_entry("admissibility", described(basis))?;
         }
         if let Some(validity) = &self.validity {
-            map.serialize_entry("validity", &validity.row())?;
+            map.serialize_entry("validity", validity)?;
         }
         map.end()
     }
@@ -62,8 +62,8 @@ impl Serialize for Promises<'_> {
             let promise = if basis == Basis::Bound { self.0.promise() } else { Promise::Double };
             map.serialize_entry("admissible", promise.name())?;
         }
-        if self.0.validity.is_some() {
-            map.serialize_entry("validity", self.0.validity_promise().name())?;
+        if let Some(validity) = &self.0.validity {
+            map.serialize_entry("validity", validity.promise().name())?;
         }
         map.end()
     }
@@ -87,6 +87,12 @@ impl Serialize for Completeness {
         map.serialize_entry("to", &self.to)?;
         map.serialize_entry("why", &self.why)?;
         map.end()
+    }
+}
+
+impl Serialize for crate::Validity {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.row().serialize(serializer)
     }
 }
 

@@ -293,22 +293,9 @@ impl Answer {
         self.outputs.iter().find(|output| output.kind() == want.kind())
     }
 
-    /// How far the numbers of its validity can be trusted: in certified digits two precisions agree on them.
-    pub fn validity_promise(&self) -> Promise {
-        validity_promise(self.arithmetic)
-    }
-
     /// The promise that was asked for.
     pub fn promise(&self) -> Promise {
         self.arithmetic.promise()
-    }
-}
-
-/// That of a validity in an arithmetic.
-pub(crate) fn validity_promise(arithmetic: Arithmetic) -> Promise {
-    match arithmetic {
-        Arithmetic::Certified { .. } => Promise::Estimated,
-        Arithmetic::Double => Promise::Double,
     }
 }
 

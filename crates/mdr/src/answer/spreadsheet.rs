@@ -27,10 +27,8 @@ impl Answer {
             let names = [output.kind().name(), output.promise().name()];
             output.table().into_iter().map(move |row| (names, separated(row)))
         });
-        let validity = self
-            .validity
-            .iter()
-            .map(|validity| (["validity", self.validity_promise().name()], separated(validity.table())));
+        let validity =
+            self.validity.iter().map(|validity| (["validity", validity.promise().name()], separated(validity.table())));
         let rows: Vec<([&str; 2], FlatRow)> = rows.chain(validity).collect();
         let keys = columns(rows.iter().map(|(_, row)| row));
         let header = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref));

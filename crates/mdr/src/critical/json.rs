@@ -29,9 +29,9 @@ impl Serialize for CriticalAnswer {
             map.serialize_entry("folds", folds)?;
         }
         if let Some(validity) = &self.validity {
-            let promise = self.validity_promise().name();
+            let promise = validity.promise().name();
             map.serialize_entry("promise", &std::collections::BTreeMap::from([("validity", promise)]))?;
-            map.serialize_entry("validity", &validity.row())?;
+            map.serialize_entry("validity", validity)?;
         }
         map.end()
     }

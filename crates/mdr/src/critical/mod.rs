@@ -8,7 +8,7 @@ mod rows;
 use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Instability, Quantity, Regime, Shape, Status};
 use mdr_core::number::Literal;
 
-use crate::answer::{Number, Promise, Value, validity_promise};
+use crate::answer::{Number, Value};
 use crate::error::Result;
 use crate::scene::{Arithmetic, Profile, Scene};
 use crate::validity::Validity;
@@ -111,11 +111,6 @@ impl CriticalAnswer {
         let scene = Scene::new(Profile::Shape(Shape::Power { n, c }), elasticity, work_of_adhesion)?;
         let validity = scene.range_of_adhesion(range.clone())?.arithmetic(self.arithmetic).validity()?;
         Ok(CriticalAnswer { validity: Some(Box::new(validity)), ..self })
-    }
-
-    /// How far the numbers of its validity can be trusted: in certified digits two precisions agree on them.
-    pub fn validity_promise(&self) -> Promise {
-        validity_promise(self.arithmetic)
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a fit tells: estimates with their errors, or what the data cannot tell.
 
 use super::{Leg, Observation};
+use crate::validity::Validity;
 
 /// How a fit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -185,8 +186,8 @@ pub struct Fit {
     pub predicted_jump_in: Option<Event>,
     /// The first row in contact after the last detached one.
     pub measured_jump_in: Option<Event>,
-    /// Whether the theory holds: Tabor's parameter and its verdict, where the range of adhesion is given.
-    pub validity: Option<String>,
+    /// Whether the theory holds for the fitted contact, where the range of adhesion is given and the data determine it.
+    pub validity: Option<Box<Validity>>,
     /// What may mislead.
     pub warnings: Vec<String>,
     /// Proved digits, where they were asked for and are given; a warning says why they are not.

@@ -282,6 +282,7 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     };
     super::events::add(&mut fit, &errors, minimum)?;
     super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
+    super::validity::add(&mut fit, problem, &minimum.evaluation.numbers)?;
     if let Some(digits) = problem.digits.filter(|_| fit.status == FitStatus::Fitted) {
         #[cfg(feature = "mp")]
         match super::certified::certified(objective, minimum, digits, dof) {

@@ -46,6 +46,7 @@ mod objective;
 mod problem;
 mod read;
 mod start;
+mod validity;
 mod warnings;
 
 pub use answer::{Certified, CertifiedEstimate, Estimate, Event, Fit, FitStatus, FittedRow, Invariant, RunsTest};

@@ -321,6 +321,15 @@ impl Problem {
         Problem { digits: Some(digits.max(1)), ..self }
     }
 
+    /// The same with the range of adhesion, in m: the answer then says whether the theory holds for the fitted contact.
+    ///
+    /// # Errors
+    /// A range that is not positive and finite.
+    pub fn range_of_adhesion(mut self, range: f64) -> Result<Self> {
+        self.range_of_adhesion = Some(positive("output.range_of_adhesion", "range_of_adhesion", range)?);
+        Ok(self)
+    }
+
     /// What was measured.
     pub fn observation(&self) -> Observation {
         self.observation

@@ -110,7 +110,7 @@ fn read(document: &Document<'_>, root: &Node, curve: Option<&str>) -> Result<Pro
     }
     if let Some(output) = top.optional_section("output")? {
         problem.digits = output.optional("digits").map(|digits| digits.whole(1, MAX_DIGITS)).transpose()?;
-        let range = output.optional("range_of_adhesion").map(|range| range.length()).transpose()?;
+        let range = output.optional("range_of_adhesion").map(|range| range.positive_length()).transpose()?;
         problem.range_of_adhesion = range.map(|range| range.nearest_f64());
         output.finish()?;
     }

@@ -234,6 +234,23 @@ impl Profile {
         }
     }
 
+    /// The same profile with other numbers, in the order of [`Profile::numbers`]; those that are not given stay.
+    #[cfg(feature = "fit")]
+    pub(crate) fn with_numbers(&self, numbers: &mut impl Iterator<Item = Literal>) -> Profile {
+        match self {
+            Profile::Shape(shape) => {
+                Profile::Shape(shape.map(|_, number| numbers.next().unwrap_or_else(|| number.clone())))
+            }
+            Profile::Sum(terms) => Profile::Sum(terms.iter().map(|term| term.with_numbers(numbers)).collect()),
+            Profile::Formula(formula) => {
+                let mut formula = formula.clone();
+                formula.parameters.values_mut().zip(numbers).for_each(|(number, other)| *number = other);
+                Profile::Formula(formula)
+            }
+            Profile::Table(_) => self.clone(),
+        }
+    }
+
     pub(crate) fn read(section: &Section<'_>) -> Result<Profile> {
         let read = section.required("kind")?.choice("profile", kinds())?;
         let profile = read(section)?;

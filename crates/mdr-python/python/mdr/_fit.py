@@ -1,0 +1,234 @@
+"""Fits of measured curves: E*, w and other unknowns of a contact, with their errors."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, TypeAlias, final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._numbers import Floats, Number, array, exact
+from ._profiles import Files, Profile
+from ._scene import Picture
+from ._states import html_table
+
+Observation: TypeAlias = Literal["F(d)", "F(D)", "delta(D)", "d(F)", "F(a)", "a(F)"]
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """A free number: its estimate, its standard error and its unit; None where the data do not determine it."""
+
+    name: str
+    value: float | None
+    stderr: float | None
+    scaled_stderr: float | None
+    unit: str
+
+
+@final
+class Fit:
+    """The answer of :func:`fit`. Its ``repr`` is a table; a notebook shows it with its picture."""
+
+    def __init__(self, text: str, problem: str, files: Files) -> None:
+        self._text, self._problem, self._files = text, problem, files
+        answer: dict[str, Any] = json.loads(text)
+        self._answer = answer
+        self.status: Literal["fitted", "unidentifiable", "not-converged"] = answer["status"]
+        """How it ended. Where it is ``"unidentifiable"``, :attr:`invariants` are what the data determine."""
+        self.reason: str = answer["reason"]
+        """What the status means for these data; empty when all is well."""
+        self.estimates: tuple[Estimate, ...] = tuple(
+            Estimate(*(each[key] for key in Estimate.__slots__)) for each in answer["parameters"]
+        )
+        """The free numbers with their errors, in the order in which they were named."""
+        self.parameters: dict[str, float | None] = {each.name: each.value for each in self.estimates}
+        """The estimates by name, in SI units."""
+        self.stderr: dict[str, float | None] = {each.name: each.stderr for each in self.estimates}
+        """Their standard errors: from the stated sigma; scaled by the residuals where none is stated."""
+        self.covariance: Floats = _matrix(answer["covariance"])
+        """Of the estimates, in their order; of shape (0, 0) unless all are determined."""
+        self.correlation: Floats = _matrix(answer["correlation"])
+        """Of the estimates, likewise."""
+        self.residuals: Floats = np.array([row["residual"] for row in answer["rows"]], dtype=np.float64)
+        """Curve minus datum of each row, in units of sigma."""
+        self.labels = np.array([row["label"] for row in answer["rows"]], dtype=np.int64)
+        """The arc of each row, 0 the outermost; −1 detached."""
+        self.contact_radius: Floats = np.array(
+            [np.nan if row["contact_radius"] is None else row["contact_radius"] for row in answer["rows"]]
+        )
+        """The contact radius of each row in m; NaN where the surfaces are apart."""
+        self.invariants: list[dict[str, Any]] = answer["invariants"]
+        """Products of powers that the data determine although they do not determine their factors."""
+        self.rss: float = answer["rss"]
+        """The sum of squares."""
+        self.dof: int = answer["dof"]
+        """Rows and priors less free numbers."""
+        self.chi2: float | None = answer["chi2"]
+        """The sum of squares in units of sigma, where sigma is given."""
+        self.predicted_pull_off: dict[str, Any] | None = answer["predicted_pull_off"]
+        """Where the contact breaks, by the fitted curve: ``x``, ``y``, ``force``, ``indentation``, ``contact_radius``."""
+        self.measured_pull_off: dict[str, Any] | None = answer["measured_pull_off"]
+        """The last row in contact before the first detached one."""
+        self.validity: dict[str, Any] | None = answer["validity"]
+        """Whether the theory holds for the fitted contact, where ``range_of_adhesion`` is given."""
+        self.warnings: tuple[str, ...] = tuple(answer["warnings"])
+        """What may mislead."""
+
+    def __getitem__(self, name: str) -> Estimate:
+        for each in self.estimates:
+            if each.name == name.removeprefix("profile."):
+                return each
+        raise KeyError(name)
+
+    def plot(self) -> Picture:
+        """Data with their labels and the fitted curve, residuals, and contact radius, as SVG."""
+        svg = _core.fit(self._problem, self._files, True)[1]
+        assert svg is not None
+        return Picture(svg)
+
+    def to_json(self) -> str:
+        """The answer as one line of JSON, schema ``mdr.fit/1``, as the command line prints it."""
+        return self._text
+
+    def _rows(self) -> list[tuple[str, ...]]:
+        rows = []
+        for each in self.estimates:
+            number = [f"{x:.6g}" if x is not None else "-" for x in (each.value, each.stderr)]
+            share = "-" if not each.value or each.stderr is None else f"{abs(each.stderr / each.value):.2%}"
+            rows.append((each.name, *number, share, each.unit))
+        return rows
+
+    def _notes(self) -> list[str]:
+        known = [f"determined: {each['name']} = {each['value']:.6g} ± {each['stderr']:.2g}" for each in self.invariants]
+        return [*filter(None, [self.reason]), *known, *(f"warning: {warning}" for warning in self.warnings)]
+
+    def __repr__(self) -> str:
+        lines = [f"<Fit: {self.status}, {len(self.residuals)} rows, {self.dof} degrees of freedom>"]
+        rows = [_TITLES, *self._rows()]
+        widths = [max(len(row[column]) for row in rows) for column in range(len(_TITLES))]
+        lines += ["  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows]
+        return "\n".join(lines + self._notes())
+
+    def _repr_html_(self) -> str:
+        notes = "".join(f"<p>{note}</p>" for note in self._notes())
+        picture = self.plot()._repr_svg_()
+        return f"<h4>{self.status}</h4>" + html_table(_TITLES, self._rows()) + notes + picture
+
+
+_TITLES = ("name", "value", "stderr", "share", "unit")
+
+
+def _matrix(rows: list[list[float]]) -> Floats:
+    return np.array(rows, dtype=np.float64).reshape(len(rows), len(rows))
+
+
+def fit(
+    x: ArrayLike,
+    y: ArrayLike,
+    *,
+    profile: Profile,
+    observation: Observation,
+    free: Sequence[str] = ("e_star", "work_of_adhesion"),
+    e_star: Number | None = None,
+    work_of_adhesion: Number | None = None,
+    stiffness: Number | None = None,
+    sigma_x: Number | None = None,
+    sigma_y: Number | None = None,
+    leg: Sequence[Literal["approach", "retract"]] | None = None,
+    start: Mapping[str, Number] | None = None,
+    fixed: Mapping[str, Number] | None = None,
+    prior: Mapping[str, tuple[Number, Number]] | None = None,
+    bounds: Mapping[str, tuple[Number, Number]] | None = None,
+    loss: Literal["least-squares", "huber"] = "least-squares",
+    range_of_adhesion: Number | str | None = None,
+) -> Fit:
+    """Fits a measured curve. The theory decides on which branch a row lies and where the contact jumps: no row is clipped.
+
+    Parameters
+    ----------
+    x, y : array_like
+        What is given and what is measured of each row, in SI units and in the order of the record.
+    profile : Profile
+        What was pressed. Its numbers are starts where they are free.
+    observation : {"F(d)", "F(D)", "delta(D)", "d(F)", "F(a)", "a(F)"}
+        What x and y are: force F, depth d, position D of a machine, deflection delta of a cantilever, contact radius a.
+    free : sequence of str
+        The unknowns: ``"e_star"``, ``"work_of_adhesion"``, ``"stiffness"``, ``"contact_point"`` (an offset of x),
+        ``"baseline"`` (an offset of the force or the deflection), and numbers of the profile, such as ``"radius"``.
+    e_star, work_of_adhesion, stiffness : Number, optional
+        Where they are known: Pa, J/m², N/m.
+    sigma_x, sigma_y : Number, optional
+        Standard deviations. Without ``sigma_y`` the residuals tell it.
+    leg : sequence of {"approach", "retract"}, optional
+        Of each row; legs end where x turns without it.
+    start, fixed : mapping, optional
+        Values to begin from, and values of offsets that are not free.
+    prior, bounds : mapping, optional
+        ``(mean, standard deviation)`` and ``(lower, upper)`` by name. A number with a prior is free.
+    loss : {"least-squares", "huber"}
+        Huber counts wild rows less, and needs ``sigma_y``.
+    range_of_adhesion : Number or str, optional
+        In m, or with its unit, ``"0.3 nm"``: the answer says whether the theory holds.
+
+    Returns
+    -------
+    Fit
+        Also where the data do not determine the unknowns, which its ``status`` says.
+
+    Raises
+    ------
+    SceneError
+        What cannot be fitted: nothing free, fewer rows than unknowns, numbers that are none.
+
+    Examples
+    --------
+    >>> import mdr, numpy as np
+    >>> ball = mdr.jkr(radius=1e-5, e_star=2e6, work_of_adhesion=0.05)
+    >>> depth = np.linspace(2e-6, -2e-7, 12)
+    >>> force = ball.states(indentation=depth).force
+    >>> found = mdr.fit(depth, force, profile=mdr.Paraboloid(radius=1e-5), observation="F(d)")
+    >>> found.status, [float(f"{value:.8g}") for value in found.parameters.values()]
+    ('fitted', [2000000.0, 0.05])
+    """
+    (xs, _), (ys, _) = array(x, "x"), array(y, "y")
+    if len(xs) != len(ys):
+        raise ValueError(f"x and y must have as many rows, got {len(xs)} and {len(ys)}")
+    if leg is not None and len(leg) != len(xs):
+        raise ValueError(f"leg must have as many rows as x, got {len(leg)} and {len(xs)}")
+    if not (np.isfinite(xs).all() and np.isfinite(ys).all()):
+        raise ValueError("x and y must be finite: leave out rows that were not measured")
+    files: Files = {}
+    rows: list[list[Any]] = [list(row) for row in zip(xs.tolist(), ys.tolist())]
+    if leg is not None:
+        rows = [[*row, of] for row, of in zip(rows, leg)]
+    problem: dict[str, Any] = {
+        "profile": profile._scene(files),
+        "data": {"observation": observation, "rows": rows},
+        "fit": {"free": list(free), "loss": loss},
+    }
+    sigma = {"x": sigma_x, "y": sigma_y}
+    if given := {axis: exact(value, f"sigma_{axis}") for axis, value in sigma.items() if value is not None}:
+        problem["data"]["sigma"] = given
+    material = {"e_star": e_star, "work_of_adhesion": work_of_adhesion}
+    if known := {name: exact(value, name) for name, value in material.items() if value is not None}:
+        problem["material"] = known
+    if stiffness is not None:
+        problem["control"] = {"kind": "machine", "stiffness": exact(stiffness, "stiffness")}
+    for key, numbers in (("start", start), ("fixed", fixed)):
+        if numbers:
+            problem["fit"][key] = {name: exact(value, name) for name, value in numbers.items()}
+    if prior:
+        problem["fit"]["prior"] = {
+            name: {"mean": exact(mean, name), "sd": exact(sd, name)} for name, (mean, sd) in prior.items()
+        }
+    if bounds:
+        problem["fit"]["bounds"] = {name: [exact(end, name) for end in ends] for name, ends in bounds.items()}
+    if range_of_adhesion is not None:
+        problem["output"] = {"range_of_adhesion": exact(range_of_adhesion, "range_of_adhesion")}
+    text = json.dumps(problem)
+    return Fit(_core.fit(text, files, False)[0], text, files)

@@ -1,0 +1,84 @@
+"""Fits, and whether the theory holds."""
+
+import json
+
+import numpy as np
+import pytest
+
+import mdr
+
+RADIUS, E_STAR, WORK = 1e-5, 2e6, 0.05
+
+
+@pytest.fixture
+def curve() -> tuple[mdr.Floats, mdr.Floats]:
+    """A retraction with noise of 1 % of the pull-off force."""
+    ball = mdr.jkr(radius=RADIUS, e_star=E_STAR, work_of_adhesion=WORK)
+    depth = np.linspace(2e-6, -1e-6, 150)
+    force = ball.follow(indentation=depth).force
+    noise = np.random.default_rng(1).normal(0, 0.01 * 1.5 * np.pi * WORK * RADIUS, len(depth))
+    return depth, np.nan_to_num(force) + noise
+
+
+def test_estimates_are_within_their_errors(curve: tuple[mdr.Floats, mdr.Floats]) -> None:
+    found = mdr.fit(
+        *curve, profile=mdr.Paraboloid(radius=RADIUS), observation="F(d)", free=["e_star", "work_of_adhesion", "baseline"]
+    )
+    assert found.status == "fitted"
+    for name, truth in {"e_star": E_STAR, "work_of_adhesion": WORK, "baseline": 0.0}.items():
+        each = found[name]
+        assert each.value is not None and each.stderr is not None
+        assert abs(each.value - truth) < 4 * each.stderr, name
+        assert (found.parameters[name], found.stderr[name]) == (each.value, each.stderr)
+    assert found.covariance.shape == found.correlation.shape == (3, 3)
+    assert np.diag(found.covariance) == pytest.approx([each.stderr**2 for each in found.estimates if each.stderr])
+    assert np.diag(found.correlation) == pytest.approx(1)
+    assert found.residuals.shape == found.labels.shape == found.contact_radius.shape == curve[0].shape
+    assert (found.labels == -1).any() and (np.isnan(found.contact_radius) == (found.labels == -1)).all()
+    assert json.loads(found.to_json())["schema"] == "mdr.fit/1"
+    assert "e_star" in repr(found) and "fitted, 150 rows" in repr(found)
+    assert "<svg" in found.plot().svg and "<table" in found._repr_html_()
+    assert found.validity is None
+
+
+def test_what_data_cannot_tell_has_no_number(curve: tuple[mdr.Floats, mdr.Floats]) -> None:
+    free = ["e_star", "work_of_adhesion", "radius"]
+    found = mdr.fit(*curve, profile=mdr.Paraboloid(radius=RADIUS), observation="F(d)", free=free)
+    assert found.status == "unidentifiable" and found.reason
+    assert set(found.parameters.values()) == {None} and len(found.invariants) == 2
+    assert found.covariance.shape == (0, 0)
+    assert "determined: " in repr(found)
+
+
+def test_a_fit_says_whether_the_theory_holds(curve: tuple[mdr.Floats, mdr.Floats]) -> None:
+    profile = mdr.Paraboloid(radius=RADIUS)
+    found = mdr.fit(*curve, profile=profile, observation="F(d)", range_of_adhesion="0.3 nm")
+    assert found.validity is not None and found.validity["regime"] == "JKR"
+    alone = mdr.jkr(radius=RADIUS, e_star=E_STAR, work_of_adhesion=WORK).validity(0.3e-9)
+    assert found.validity["tabor"] == pytest.approx(alone["tabor"], rel=0.05)
+
+
+def test_bad_data_are_refused(curve: tuple[mdr.Floats, mdr.Floats]) -> None:
+    x, y = curve
+    tip = mdr.Paraboloid(radius=RADIUS)
+    with pytest.raises(ValueError, match="as many rows"):
+        mdr.fit(x, y[:-1], profile=tip, observation="F(d)")
+    with pytest.raises(ValueError, match="finite"):
+        mdr.fit(x, np.full_like(y, np.nan), profile=tip, observation="F(d)")
+    with pytest.raises(mdr.SceneError):
+        mdr.fit(x[:1], y[:1], profile=tip, observation="F(d)")
+    with pytest.raises(mdr.SceneError, match="e_star"):
+        mdr.fit(x, y, profile=tip, observation="F(d)", free=["e_sta"])
+
+
+def test_a_scene_and_a_contact_say_it() -> None:
+    tip = mdr.jkr(radius="1e-8", e_star="5e9", work_of_adhesion="0.05")
+    holds = tip.validity("0.3 nm", digits=20)
+    assert str(holds["tabor"]) == "0.33333333333333333333" and holds["regime"] == "transition"
+    scene = tip.scene("indentation", want=["folds"])
+    scene["material"]["range_of_adhesion"] = 3e-10
+    answer = mdr.solve(scene, f64=True)
+    assert answer.validity == tip.validity(3e-10) and answer.promise["validity"] == "f64"
+    assert mdr.solve(tip.scene("force", want=["folds"])).validity is None
+    with pytest.raises(mdr.SceneError, match="range_of_adhesion"):
+        tip.validity(0)

@@ -1,0 +1,26 @@
+//! Whether the theory holds for the fitted contact.
+
+use mdr_core::contact::Elasticity;
+use mdr_core::number::{Exact, Literal};
+
+use super::answer::{Fit, FitStatus};
+use super::contact::Numbers;
+use super::problem::Problem;
+use crate::error::Result;
+use crate::scene::{Arithmetic, Scene};
+
+/// Adds what the range of adhesion says of the contact with these numbers, and a warning where the theory does not hold; nothing
+/// without a range, or where the data do not determine the contact.
+pub(super) fn add(fit: &mut Fit, problem: &Problem, numbers: &Numbers<f64>) -> Result<()> {
+    let Some(range) = problem.range_of_adhesion.filter(|_| fit.status == FitStatus::Fitted) else { return Ok(()) };
+    let fitted: Vec<Literal> =
+        numbers.profile.iter().map(|number| number.exact()).collect::<std::result::Result<_, _>>()?;
+    let profile = problem.profile.with_numbers(&mut fitted.into_iter());
+    let scene = Scene::new(profile, Elasticity::effective(numbers.e_star)?, numbers.work)?;
+    let validity = scene.range_of_adhesion(range)?.arithmetic(Arithmetic::Double).validity()?;
+    if validity.regime != crate::validity::AdhesionRegime::Jkr {
+        fit.warnings.push(validity.advice());
+    }
+    fit.validity = Some(Box::new(validity));
+    Ok(())
+}
