@@ -1,8 +1,10 @@
 """Check docs/proofs with Coq and print the table entry, theorem, assumptions.
 
-The files are copied to target/proofs and compiled there. Then, from docs/proofs and, for the first, crates/mdr-symbolic/data, where `mdr derive` reads it:
+The files are copied to target/proofs and compiled there. Then, from docs/proofs and, for theorems.tsv and left_out.tsv,
+crates/mdr-symbolic/data, where `mdr derive` reads it:
   theorems.tsv     every theorem it names exists and has been checked; every theorem of the files is named
   assumptions.txt  no theorem rests on anything that is not listed there
+  left_out.tsv     every statement of Statements.v that normal forms prove is proved in Steps.v or named here
   mutants.tsv      a statement with one change in it is refused, at that statement and not elsewhere
 """
 
@@ -22,7 +24,7 @@ FORBIDDEN = r"\b(Admitted|admit|Axioms?|Parameters?|Conjectures?|give_up|bypass_
 
 
 def table(name):
-    folder = THEOREMS if name == "theorems.tsv" else SOURCE
+    folder = THEOREMS if (THEOREMS / name).exists() else SOURCE
     lines = (folder / name).read_text().splitlines()
     return [line.split("\t") for line in lines if line and not line.startswith("#")]
 
@@ -100,6 +102,16 @@ def assumptions(theorems, files):
         return {name: axioms for half in halves for name, axioms in half.items()}
 
 
+def steps_rest_on(lemmas):
+    """The axioms that the lemmas of Steps.v rest on together."""
+    asked = f"Require Import MDR.Steps.\nDefinition steps := ({', '.join(lemmas)}).\nPrint Assumptions steps.\n"
+    (BUILD / "AssumptionsOfSteps.v").write_text(asked)
+    answer = coqc("AssumptionsOfSteps.v")
+    if answer.returncode:
+        stop(f"a lemma of Steps.v is not there\n{answer.stderr}")
+    return {match[1] for match in re.finditer(r"^([A-Za-z][\w.]*)(?: :|$)", answer.stdout, re.M)}
+
+
 def rest_on(theorems, files, stem):
     lines = ["Require Import " + " ".join(f"MDR.{f.stem}" for f in files) + "."]
     for _, name, file, _ in theorems:
@@ -117,11 +129,34 @@ def rest_on(theorems, files, stem):
     return found
 
 
+def steps():
+    """The lemmas of Steps.v, which prove the statements of Statements.v that normal forms prove, but for what is left out."""
+    stated = set(re.findall(r"^\(\* (?:proved|definition) \*\)\nDefinition (\w+)", (SOURCE / "Statements.v").read_text(), re.M))
+    proved = re.findall(r"^Lemma prove_(\w+) : \1\.$", code((SOURCE / "Steps.v").read_text()), re.M)
+    left_out = {name for name, _ in table("left_out.tsv")}
+    if stated != set(proved) | left_out or left_out & set(proved):
+        stop(f"neither proved in Steps.v nor left out, or both: {sorted(stated ^ (set(proved) | left_out))}")
+    return [f"prove_{name}" for name in proved]
+
+
+def step_mutant(text, old, new):
+    """Statements.v with a change, reduced to the changed step and its proof: text, and where both begin."""
+    begin = text.rindex("Definition step_", 0, text.index(old))
+    changed = text[begin : text.index(".\n", text.index(old)) + 2].replace(old, new)
+    name = re.match(r"Definition (\w+)", changed)[1]
+    proofs = (SOURCE / "Steps.v").read_text()
+    head = proofs[: proofs.index("\nLemma ")]
+    lemma = re.search(rf"^Lemma prove_{name} .*?Qed\.\n", proofs, re.M | re.S)[0]
+    return f"{head}\n{changed}{lemma}"
+
+
 def mutant(file, old, new):
     """None when Coq refuses the mutated statement, otherwise what is wrong."""
     text = (SOURCE / file).read_text()
     if text.count(old) != 1:
         return f"{file}: {old!r} occurs {text.count(old)} times"
+    if file == "Statements.v":
+        text, file = step_mutant(text, old, old), "Steps.v"
     # What it is refused with: the mutated text and all that the file requires. Once refused, it stays refused.
     key = hashlib.sha1((text.replace(old, new) + "".join(code(f.read_text()) for f in required(file))).encode()).hexdigest()
     if (BUILD / f"refused_{key}").exists():
@@ -165,10 +200,12 @@ def main():
     if stated - named:
         stop(f"theorems.tsv lacks {sorted(stated - named)}")
 
+    lemmas = steps()
     allowed = table("assumptions.txt")
     found = assumptions(theorems, files)
+    found["steps"] = steps_rest_on(lemmas)
     width = max(len(entry) for entry, *_ in theorems), max(len(name) for _, name, *_ in theorems)
-    for entry, name, _, _ in theorems:
+    for entry, name, _, _ in [*theorems, ("all", "steps", "Steps.v", "")]:
         groups = {}
         for axiom in found[name]:
             row = next((r for r in allowed if re.fullmatch(r[0], axiom) and (r[1] == "all" or name in r[1].split())), None)
@@ -184,7 +221,7 @@ def main():
         wrong = [answer for answer in pool.map(lambda row: mutant(*row), mutants) if answer]
     if wrong:
         stop("\n".join(wrong))
-    print(f"{len(named)} theorems in {len(files)} files checked by Coq {version}; {len(mutants)} mutated statements refused")
+    print(f"{len(named)} theorems and {len(lemmas)} steps in {len(files)} files checked by Coq {version}; {len(mutants)} mutated statements refused")
 
 
 if __name__ == "__main__":

@@ -91,6 +91,36 @@ Proof.
   apply Rmult_eq_reg_l in H; [|lra]. apply sqrt_inj in H; lra.
 Qed.
 
+(* How often a multiple c m of a function that is one to one between the positive numbers has a value. *)
+Lemma multiple (m : R -> R) c d :
+  (forall a, 0 < a -> 0 < m a) -> (forall y, 0 < y -> exists a, 0 < a /\ m a = y) ->
+  (forall a b, 0 < a -> 0 < b -> m a = m b -> a = b) ->
+  forall P : R -> Prop, (forall a, P a <-> 0 < a /\ c * m a = d) ->
+  (0 < c -> (one P <-> 0 < d) /\ (none P <-> d <= 0)) /\
+  (c < 0 -> (one P <-> d < 0) /\ (none P <-> 0 <= d)) /\
+  (c = 0 -> forall a, P a <-> 0 < a /\ d = 0).
+Proof.
+  intros Hpos Honto Hinj P HP.
+  assert (Hone : 0 < d / c -> c <> 0 -> one P).
+  { intros H Hc. destruct (Honto _ H) as [a [Ha Ea]]. exists a. split.
+    - apply HP. split; auto. rewrite Ea. field. lra.
+    - intros b Hb. apply HP in Hb. destruct Hb as [Hb Eb]. apply Hinj; auto. rewrite Ea, <- Eb. field. lra. }
+  assert (Hsign : forall a, P a -> 0 < d * c \/ c = 0).
+  { intros a Ha. apply HP in Ha. destruct Ha as [Ha E1]. specialize (Hpos a Ha). destruct (Req_dec c 0) as [L|L]; auto. left.
+    rewrite <- E1. replace (c * m a * c) with (m a * c^2) by ring. apply Rmult_lt_0_compat; auto. apply pow2_gt_0; lra. }
+  split; [|split]; intros Hc.
+  - assert (Hn : d <= 0 -> none P). { intros H a Ha. destruct (Hsign a Ha) as [K|K]; nra. }
+    assert (Ho : 0 < d -> one P). { intros H. apply Hone; [apply Rdiv_lt_0_compat|]; lra. }
+    split; split; auto; intros H; apply Rnot_le_lt || apply Rnot_lt_le; intro K.
+    destruct H as [a [Ha _]]. apply (Hn K a Ha). destruct (Ho K) as [a [Ha _]]. apply (H a Ha).
+  - assert (Hn : 0 <= d -> none P). { intros H a Ha. destruct (Hsign a Ha) as [K|K]; nra. }
+    assert (Ho : d < 0 -> one P).
+    { intros H. apply Hone; [|lra]. replace (d/c) with ((- d)/(- c)) by (field; lra). apply Rdiv_lt_0_compat; lra. }
+    split; split; auto; intros H; apply Rnot_le_lt || apply Rnot_lt_le; intro K.
+    destruct H as [a [Ha _]]. apply (Hn K a Ha). destruct (Ho K) as [a [Ha _]]. apply (H a Ha).
+  - intros a. rewrite HP, Hc. split; intros [Ha H]; split; auto; lra.
+Qed.
+
 (** At n = 1/2 the number of equilibria, for every indentation: above the threshold one at every d > 0 and none at d <= 0; below
     it one at every d < 0 and none at d >= 0; at the threshold all radii at d = 0 and no other. *)
 Theorem eq_1_18_equilibria d : let P a := 0 < a /\ dn a = d in
@@ -98,27 +128,35 @@ Theorem eq_1_18_equilibria d : let P a := 0 < a /\ dn a = d in
   (rho < 1 -> (one P <-> d < 0) /\ (none P <-> 0 <= d)) /\
   (rho = 1 -> forall a, P a <-> 0 < a /\ d = 0).
 Proof.
-  intros P. set (r := rho) in *.
-  assert (Hd : forall a, 0 < a -> 0 < dl a) by (intros a Ha; rewrite dl_half by auto; pose proof unit_pos; pos).
-  assert (HP : forall a, P a <-> 0 < a /\ (r - 1) * dl a = d).
-  { intros a. unfold P. split; intros [Ha H]; split; auto; rewrite eq_1_18 in * by auto; auto. }
-  assert (Hone : 0 < d / (r - 1) -> r <> 1 -> one P).
-  { intros H Hr. destruct (dl_half_onto _ H) as [a [Ha Ea]]. exists a. split.
-    - apply HP. split; auto. rewrite Ea. field. lra.
-    - intros b Hb. apply HP in Hb. destruct Hb as [Hb Eb]. apply dl_half_injective; auto. rewrite Ea, <- Eb. field. lra. }
-  assert (Hsign : forall a, P a -> 0 < d * (r - 1) \/ r = 1).
-  { intros a Ha. apply HP in Ha. destruct Ha as [Ha E1]. specialize (Hd a Ha). destruct (Req_dec r 1) as [L|L]; auto. left.
-    rewrite <- E1. replace ((r-1) * dl a * (r-1)) with (dl a * (r-1)^2) by ring. apply Rmult_lt_0_compat; auto. apply pow2_gt_0; lra. }
-  split; [|split]; intros Hr.
-  - assert (Hn : d <= 0 -> none P). { intros H a Ha. destruct (Hsign a Ha) as [K|K]; nra. }
-    assert (Ho : 0 < d -> one P). { intros H. apply Hone; [apply Rdiv_lt_0_compat|]; lra. }
-    split; split; auto; intros H; apply Rnot_le_lt || apply Rnot_lt_le; intro K.
-    destruct H as [a [Ha _]]. apply (Hn K a Ha). destruct (Ho K) as [a [Ha _]]. apply (H a Ha).
-  - assert (Hn : 0 <= d -> none P). { intros H a Ha. destruct (Hsign a Ha) as [K|K]; nra. }
-    assert (Ho : d < 0 -> one P).
-    { intros H. apply Hone; [|lra]. replace (d/(r-1)) with ((- d)/(1 - r)) by (field; lra). apply Rdiv_lt_0_compat; lra. }
-    split; split; auto; intros H; apply Rnot_le_lt || apply Rnot_lt_le; intro K.
-    destruct H as [a [Ha _]]. apply (Hn K a Ha). destruct (Ho K) as [a [Ha _]]. apply (H a Ha).
-  - intros a. rewrite HP, Hr. split; intros [Ha H]; split; auto; lra.
+  intros P. destruct (multiple dl (rho - 1) d) with (P := P) as [H1 [H2 H3]]; auto.
+  - intros a Ha. rewrite dl_half by auto. pose proof unit_pos. pos.
+  - apply dl_half_onto.
+  - apply dl_half_injective.
+  - intros a. unfold P. split; intros [Ha H]; split; auto; rewrite eq_1_18 in * by auto; auto.
+  - split; [|split]; intros Hr; [apply H1 | apply H2 | apply H3]; lra.
+Qed.
+
+(** The same for every force: for ρ > 3 one equilibrium at every F > 0 and none at F <= 0; for ρ < 3 one at every F < 0 and none
+    at F >= 0; at ρ = 3 all radii at F = 0 and no other. *)
+Theorem threshold_force_equilibria F : let P a := 0 < a /\ Fn a = F in
+  (3 < rho -> (one P <-> 0 < F) /\ (none P <-> F <= 0)) /\
+  (rho < 3 -> (one P <-> F < 0) /\ (none P <-> 0 <= F)) /\
+  (rho = 3 -> forall a, P a <-> 0 < a /\ F = 0).
+Proof.
+  intros P. pose proof unit_pos as Hu. set (u := sqrt (2*PI*w/E)) in *.
+  set (m a := 2 * E / 3 * (a * dl a)). assert (Hv : 0 < 2 * E / 3 * u) by pos.
+  assert (Hm : forall a, 0 < a -> m a = 2 * E / 3 * u * Rpower a (3/2)).
+  { intros a Ha. unfold m. rewrite dl_half by auto. fold u. replace (3/2) with (1 + /2) by field.
+    rewrite Rpower_plus, Rpower_1, Rpower_sqrt by auto. ring. }
+  destruct (multiple m (rho - 3) F) with (P := P) as [H1 [H2 H3]].
+  - intros a Ha. rewrite Hm by auto. pose proof (Rp_pos a (3/2)). pos.
+  - intros y Hy. set (v := 2 * E / 3 * u) in *. exists (Rpower (y / v) (2/3)). split. apply Rp_pos.
+    rewrite Hm by apply Rp_pos. rewrite Rpower_mult. replace (2/3 * (3/2)) with 1 by field.
+    rewrite Rpower_1 by (apply Rdiv_lt_0_compat; auto). field. lra.
+  - intros a b Ha Hb H. rewrite !Hm in H by auto. apply Rmult_eq_reg_l in H; [|lra].
+    apply (f_equal ln) in H. rewrite !ln_Rpower in H. apply ln_inv; auto. lra.
+  - intros a. unfold P. split; intros [Ha H]; split; auto; rewrite Fn_half in * by auto.
+    rewrite <- H. unfold m. field. rewrite <- H. unfold m. field.
+  - split; [|split]; intros Hr; [apply H1 | apply H2 | apply H3]; lra.
 Qed.
 End Half.

@@ -68,6 +68,17 @@ fn shapes() {
     assert!(latex.starts_with(r"\documentclass") && latex.ends_with("\\end{document}\n"), "{latex}");
 }
 
+/// The statements for Coq: of all entries those that are checked in, of one those of its steps.
+#[test]
+fn statements_for_coq() {
+    let all = output("derive --format coq");
+    assert!(all == include_str!("../../docs/proofs/Statements.v"), "docs/proofs/Statements.v is stale");
+    let one = output("derive 1.4 --format coq");
+    assert!(one.contains("\nDefinition step_1_4_2 : Prop :=\n  forall (E w a d : R) (g g1 G Q : R -> R), "), "{one}");
+    assert!(!one.contains("step_1_5_1"), "{one}");
+    assert!(output("derive 1.4").contains("2. proved for n > 0, in Coq step_1_4_2\n"));
+}
+
 #[test]
 fn an_unknown_id_has_a_nearest_one() {
     let cases = [("1.99", "1.19"), ("kendal", "kendall"), ("machine-fold", "machine-folds")];

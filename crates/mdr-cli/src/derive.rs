@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 use mdr_crosscheck::derivations::{Document, Judgement, judge, judge_all, summary};
-use mdr_symbolic::derivations::{Entry, entries, entry};
+use mdr_symbolic::derivations::{Entry, entries, entry, statements_in_coq};
 
 use crate::error::{Failure, Result};
 use crate::output::Output;
@@ -19,6 +19,10 @@ Examples:
   A result beyond the paper, in TeX:
     mdr derive machine-folds --format latex
 
+  The statements of its steps for Coq, and of all (docs/proofs/Statements.v):
+    mdr derive 1.15 --format coq
+    mdr derive --format coq
+
   The pages docs/derivations.md and docs/errata.md:
     mdr derive --format markdown
     mdr derive --errata --format markdown
@@ -29,6 +33,7 @@ enclosed  an inequality of numbers, or at one point, in rigorous intervals; an e
 sampled   at 30 random rational points with n from 2^-10 to 2^10: no proof
 refuted   by normal forms and at a point
 cited     from the literature
+A step of which both sides are one formula once written out is a definition, and does not count.
 
 Every step that is not refuted or cited is also mutated, one sign, exponent or factor at a
 time: no mutant may hold.
@@ -63,15 +68,20 @@ enum Shape {
     Markdown,
     /// A whole document
     Latex,
+    /// The statements of the steps, which docs/proofs proves; nothing is checked
+    Coq,
 }
 
 impl Derive {
     /// Writes the derivations on `out`; whether every step is what it claims to be.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
+        if self.format == Shape::Coq {
+            out.text(statements_in_coq(self.entries()?).trim_end())?;
+            return Ok(true);
+        }
         let judgements = match &self.id {
-            Some(id) => vec![judge(find(id)?)],
-            None if self.errata => entries().iter().filter(|entry| entry.erratum.is_some()).map(judge).collect(),
-            None => judge_all(),
+            None if !self.errata => judge_all(),
+            _ => self.entries()?.into_iter().map(judge).collect(),
         };
         let document = match &judgements[..] {
             [one] if self.id.is_some() => Document::One(one),
@@ -83,8 +93,18 @@ impl Derive {
             (Shape::Text, document) => document.text(),
             (Shape::Markdown, document) => document.markdown(),
             (Shape::Latex, document) => document.latex(),
+            (Shape::Coq, _) => String::new(),
         })?;
         Ok(judgements.iter().all(Judgement::holds))
+    }
+
+    /// What is asked for.
+    fn entries(&self) -> Result<Vec<&'static Entry>> {
+        let asked = |entry: &&Entry| !self.errata || entry.erratum.is_some();
+        match &self.id {
+            Some(id) => Ok(vec![find(id)?]),
+            None => Ok(entries().iter().filter(asked).collect()),
+        }
     }
 }
 

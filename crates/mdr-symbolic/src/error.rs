@@ -53,6 +53,14 @@ pub enum Error {
         /// The domain.
         domain: &'static str,
     },
+    /// A value in the place of a symbol while another one occurs that is determined by it.
+    #[error("a value in the place of {symbol} while {relative} occurs, which belongs to it: give both, in one formula")]
+    Related {
+        /// The replaced symbol.
+        symbol: &'static str,
+        /// The one that belongs to it.
+        relative: &'static str,
+    },
     /// A value of n outside the domain on which the rest was simplified.
     #[error("n = {n} lies outside of the domain {domain}")]
     OutsideDomain {

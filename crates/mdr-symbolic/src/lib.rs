@@ -65,7 +65,10 @@
 //! derivation gives a value: t, s, ρ, μ, y, Λ. The value is substituted with `at` where it is used.
 //!
 //! **A divisor whose normal form is 0** is 0 on the whole domain: a formula that divides by it has a value nowhere,
-//! whatever the rest of it is ([`Statement::divides_by_zero`]). Then nothing can be proved or refuted.
+//! whatever the rest of it is ([`Statement::divides_by_zero`]). Then nothing can be proved or refuted. The divisors are
+//! those of the formula as written: x²/x² has no value at x = 0, although its normal form is 1.
+//!
+//! **A value for one of several that belong together**, for g while g' or ∫g occurs, is refused ([`Error::Related`]).
 //!
 //! A sign ([`Expression::sign_on`]) is proved if the coefficients of all terms have it on the whole domain, and is
 //! undecided otherwise.

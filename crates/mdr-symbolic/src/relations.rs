@@ -11,6 +11,17 @@ use crate::expression::Expression;
 use crate::rational_function::RationalFunction;
 use crate::symbol::Symbol;
 
+/// What belongs to one function of the radius, and to one angle.
+const FAMILIES: [&[&str]; 2] = [&["g", "g'", "G", "Q"], &["θ", "sinθ", "cosθ"]];
+
+impl Symbol {
+    /// The other symbols that belong to the same profile or angle.
+    pub(crate) fn relatives(self) -> impl Iterator<Item = Symbol> {
+        let family = FAMILIES.into_iter().find(|family| family.contains(&self.name())).unwrap_or_default();
+        family.iter().filter_map(|name| Symbol::named(name)).filter(move |other| *other != self)
+    }
+}
+
 impl Expression {
     /// An expression with the same zeros: cos²θ is replaced by 1 − sin²θ where the powers of the cosine differ by
     /// integers.

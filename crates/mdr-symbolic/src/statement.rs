@@ -150,7 +150,7 @@ impl Statement {
     fn try_decide(&self, domain: Domain) -> Result<Decision> {
         let (left, right) = (self.left.normalise(domain)?, self.right.normalise(domain)?);
         if self.relation == Relation::SameDimension {
-            return Ok(same_dimension(&left, &right));
+            return Ok(same_dimension(self.left.dimension(domain), self.right.dimension(domain)));
         }
         let difference = left.minus(&right)?;
         if self.relation == Relation::Equal {
@@ -271,8 +271,7 @@ fn equality(left: Quotient, right: &Quotient, difference: Quotient, domain: Doma
     })
 }
 
-fn same_dimension(left: &Quotient, right: &Quotient) -> Decision {
-    let (left, right) = (left.dimension(), right.dimension());
+fn same_dimension(left: Option<Dimension>, right: Option<Dimension>) -> Decision {
     let same = left.is_some() && left == right;
     let because = Witness::Dimensions(left, right);
     if same { Decision::Proved { because } } else { Decision::Refuted { because } }

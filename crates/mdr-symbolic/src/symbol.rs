@@ -78,6 +78,7 @@ const ENTRIES: &[Entry] = &[
     length("r", "r", 1, "polar radius"),
     pure("Λ", r"\Lambda", "value of λ at a fold"),
     pure("ε", r"\varepsilon", "a positive number"),
+    elastic("F", "F", "F", 0, "dead load"),
 ];
 
 impl Symbol {

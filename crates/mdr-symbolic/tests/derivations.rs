@@ -4,8 +4,8 @@
 
 use std::collections::BTreeSet;
 
-use mdr_symbolic::Decision;
-use mdr_symbolic::derivations::{Claim, Step, Verdict, entries, entry};
+use mdr_symbolic::derivations::{Claim, Entry, Step, Verdict, entries, entry};
+use mdr_symbolic::{Decision, Domain};
 
 #[test]
 fn ids_are_unique_and_every_equation_is_there() {
@@ -65,6 +65,51 @@ fn claims_fit_their_steps() {
             assert_eq!(step.statement.is_none(), step.claim == Claim::Cited, "{}: {}", entry.id, step.why);
             assert!(step.claim == Claim::Cited || !step.domains.is_empty(), "{}: {}", entry.id, step.why);
         }
+    }
+}
+
+/// What only repeats a definition is called that, and carries no verdict.
+#[test]
+fn definitions_do_not_count() {
+    let repeats: Vec<_> =
+        entries().iter().flat_map(|entry| entry.steps).filter(|step| step.verdict() == Verdict::Definition).collect();
+    let statements: Vec<_> = repeats.iter().filter_map(|step| step.statement).collect();
+    let expected = ["at(d_g, g,", "kappa(n) = sqrt(π)", "at(C_ρ, ρ, 1)"];
+    for begin in expected {
+        assert!(statements.iter().any(|statement| statement.starts_with(begin)), "{begin}: {statements:?}");
+    }
+    assert_eq!(statements.len(), expected.len(), "{statements:?}");
+    static ONLY: [Step; 1] = [Step {
+        claim: Claim::Proved,
+        domains: &[Domain::Positive],
+        statement: Some("N = n*κ*C"),
+        point: &[],
+        why: "",
+    }];
+    let probe = Entry {
+        id: "probe",
+        title: "",
+        refuted: false,
+        assumptions: &[],
+        steps: &ONLY,
+        erratum: None,
+        references: &[],
+    };
+    assert_eq!(probe.verdict(), Verdict::Definition);
+}
+
+/// Energy and stability are tied under every control, and (1.9) covers tension, compression and relaxed springs.
+#[test]
+fn steps_that_must_be_there() {
+    let has = |id: &str, begin: &str| {
+        let steps = entry(id).unwrap().steps.iter().filter_map(|step| step.statement);
+        assert!(steps.clone().any(|statement| statement.starts_with(begin)), "{id}: {begin}");
+    };
+    has("critical-machine", "at(diff(E*(((k*δ + 2*E*G)/(k + 2*E*a) - g)^2 - Δl^2), a), δ,");
+    has("critical-force", "at(diff(E*(((F + 2*E*G)/(2*E*a) - g)^2 - Δl^2), a), F,");
+    has("1.16", "2*E*(a*d_n - int(κ*C*x^n, x, a)) = F_n");
+    for begin in ["at(at(diff(U, a), d, g - y), w,", "at(at(diff(U, a), d, g + y), w,", "at(diff(U, a), d, g) <"] {
+        has("1.9", begin);
     }
 }
 

@@ -147,6 +147,72 @@ fn divisors_that_are_zero() {
     assert!(divides("H0(a)/(2*n - 1) = 1", Domain::Half) && !divides("d_c = 1", Domain::Positive));
 }
 
+/// A divisor that cancels before the value is put in is one nevertheless.
+#[test]
+fn cancelled_divisors() {
+    let cases = [
+        ("at(x^2/x^2, x, 0) = 1", Domain::Positive),
+        ("at((x - a)/(x - a), x, a) = 1", Domain::Positive),
+        ("at(at((x - y)/(x - y), x, a), y, a) = 1", Domain::Positive),
+        ("at(diff(x^2/x, x), x, 0) = 1", Domain::Positive),
+        ("at(x*x^(-1), x, 0) = 1", Domain::Positive),
+        ("at((2*n - 1)/(2*n - 1), n, 1/2) = 1", Domain::Positive),
+        ("at(at(d/(d - g)*(d - g), d, y), y, g) = g", Domain::Positive),
+        ("(2*n - 1)/(2*n - 1) = 1", Domain::Half),
+        ("a/(n - n) ~ a", Domain::Positive),
+        ("0/(a - a) = 0", Domain::Positive),
+        ("a - a/(a - a) < a", Domain::Positive),
+    ];
+    for (text, domain) in cases {
+        let error = refusal(text, domain);
+        assert!(matches!(error, Error::DivisionByZero), "{text}: {error}");
+    }
+    proved("at(x^2/x^2, x, a) = 1", Domain::Positive);
+    proved("at((x - a)/(x - a), x, 2*a) = 1", Domain::Positive);
+    proved("at((2*n - 1)/(2*n - 1), n, 1/2 + 1) = 1", Domain::Positive);
+}
+
+/// A value for g leaves its slope and its integrals those of another function; so does one for the sine of an angle.
+#[test]
+fn values_for_one_of_a_family() {
+    let cases = [
+        "at(g + g', g, C*a) = C*a + g'",
+        "at(F_g, g, κ*C*a^n) = F_n",
+        "at(U, g, d) = U",
+        "at(diff(g^2, a), g, C*a) = 2*C*a*g'",
+        "at(a*G - Q, G, x^2) = a*x^2 - Q",
+        "at(g*G/G, g, x) = x",
+        "at(sinθ^2 + cosθ^2, sinθ, x) = x^2 + cosθ^2",
+    ];
+    for text in cases {
+        let error = refusal(text, Domain::Positive);
+        assert!(matches!(error, Error::Related { .. }), "{text}: {error}");
+    }
+    proved("at(d_g, g, κ*C*a^n) = d_n", Domain::Positive);
+}
+
+/// A dimension is that of the formula as written, not of what is left of it.
+#[test]
+fn dimensions_are_those_of_what_is_written() {
+    for text in [
+        "x + a^2 - a^2 ~ x",
+        "x*(a + 1)/(a + 1) ~ x",
+        "a^(a/a - x + x) ~ a",
+        "sin(a)*x/sin(a) ~ x",
+        "at(x + y, y, E) - E ~ x",
+    ] {
+        let decision = decide(text, Domain::Positive);
+        assert!(!matches!(decision, Decision::Proved { .. }), "{text}: {}", decision.text());
+    }
+    refuted("x + a^2 - a^2 ~ x", Domain::Positive);
+    proved("diff(C*a^n, a)*a ~ d", Domain::Positive);
+    proved("at(C*a^n, n, 2) ~ at(C*x^n, n, 2)", Domain::Above);
+    proved("at(at(a_c, n, 2), C, 1/(2*R)) ~ a", Domain::Above);
+    proved("int(int(E, x, a), a, d) ~ k*a", Domain::Positive);
+    proved("C*sqrt(a) ~ a", Domain::Half);
+    refuted("at(x, x, E) ~ x", Domain::Positive);
+}
+
 /// Expanded, these would take hours.
 #[test]
 fn absurd_exponents() {

@@ -3,8 +3,8 @@
 //!
 //! Values are enclosed in intervals of [`BITS`] bits. A step that is
 //!
-//! * *proved* holds by normal forms; as an independent check of the algebra both sides, evaluated as they are written,
-//!   have to overlap at [`SPOT_CHECKS`] points;
+//! * *proved* holds by normal forms; as an independent check of the algebra both sides, evaluated as they are written
+//!   without its help (derivatives by dual numbers, integrals by quadrature), have to overlap at [`SPOT_CHECKS`] points;
 //! * *enclosed* is an inequality of numbers, or at one point, that intervals prove; an equality there *agrees*: the two sides
 //!   overlap to [`AGREEMENT`] bits;
 //! * *sampled* is false at none of [`POINTS`] random points and certain at one of them at least, which proves nothing.
@@ -14,6 +14,7 @@
 //! Each statement that is proved or enclosed is also mutated ([`Mutants`]): with one sign, exponent or factor wrong, or with the
 //! opposite sense, it must not hold. [`Document`] writes what was judged.
 
+mod direct;
 mod document;
 mod ends;
 mod functions;
@@ -26,6 +27,7 @@ use mdr_symbolic::derivations::{Claim, Entry, Step, entries};
 use mdr_symbolic::formula::evaluate;
 use mdr_symbolic::{Domain, Error, Relation, Statement};
 
+use direct::Direct;
 pub use document::{Document, summary};
 pub(crate) use functions::hypergeometric;
 pub use mutation::{Fate, Mutants};
@@ -140,7 +142,7 @@ impl StepJudgement {
         };
         let mut truths = Vec::new();
         for point in points(self.step, statement, domain).take(count as usize) {
-            truths.push(truth(statement, domain, &point)?);
+            truths.push(truth_as_written(statement, domain, &point)?);
         }
         self.points += count;
         self.certain += truths.iter().map(|truth| u32::from(*truth == Truth::Certain)).sum::<u32>();
@@ -161,7 +163,14 @@ fn points(step: &Step, statement: &Statement, domain: Domain) -> Points {
     Points::new(&statement.text(), domain, step.point)
 }
 
-/// What intervals say about a statement at a point.
+/// What intervals say about a statement at a point, without normal forms.
+fn truth_as_written(statement: &Statement, domain: Domain, point: &Point) -> Result<Truth, Error> {
+    let side = |side| evaluate(side, domain, &Direct::<Interval>::new(point, []));
+    let (left, right) = (side(&statement.left)?, side(&statement.right)?);
+    Ok(if point.is_undefined() { Truth::Undefined } else { compare(&left, statement.relation, &right) })
+}
+
+/// What intervals say about a statement at a point, after normal forms have carried out its derivatives and integrals.
 fn truth(statement: &Statement, domain: Domain, point: &Point) -> Result<Truth, Error> {
     let sides = |statement: &Statement| -> Result<_, Error> {
         Ok((evaluate(&statement.left, domain, point)?, evaluate(&statement.right, domain, point)?))

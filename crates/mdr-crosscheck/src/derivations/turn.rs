@@ -6,11 +6,11 @@
 //! the power with which the integrand goes there ([`tail`]). An integral that diverges there, or an integrand without a real
 //! value, makes the formula one without meaning.
 
-use mdr_core::number::{Dual, Interval, Real, Special};
-use mdr_symbolic::formula::{Arithmetic, Function, evaluate};
-use mdr_symbolic::{Domain, Formula, Symbol};
-use rug::Rational;
+use mdr_core::number::{Dual, Interval, Real};
+use mdr_symbolic::formula::{Arithmetic, evaluate};
+use mdr_symbolic::{Domain, Formula};
 
+use super::direct::{Direct, Level};
 use super::ends::{End, Tail, tail};
 use super::point::Point;
 
@@ -65,84 +65,11 @@ fn midpoint(integrand: &Formula, point: &Point, end: End, left: &Interval, width
 }
 
 /// The integrand at a distance from an end.
-fn at<R: FromInterval>(integrand: &Formula, point: &Point, end: End, distance: R) -> Option<R> {
+fn at<R: Level>(integrand: &Formula, point: &Point, end: End, distance: R) -> Option<R> {
     let (sine, cosine) = (distance.sin(), distance.cos());
-    let arithmetic = match end {
-        End::Left => AtAngle { point, sine, cosine, angle: distance },
-        End::Right => AtAngle { point, sine: cosine, cosine: sine, angle: distance.pi().over(2) - &distance },
+    let values = match end {
+        End::Left => [("sinθ", sine), ("cosθ", cosine), ("θ", distance)],
+        End::Right => [("sinθ", cosine), ("cosθ", sine), ("θ", distance.pi().over(2) - &distance)],
     };
-    evaluate(integrand, Domain::Positive, &arithmetic).ok()
-}
-
-/// Numbers that can hold an interval as a constant.
-trait FromInterval: Special {
-    fn from_interval(value: Interval) -> Self;
-}
-
-impl FromInterval for Interval {
-    fn from_interval(value: Interval) -> Self {
-        value
-    }
-}
-
-impl<R: FromInterval> FromInterval for Dual<R> {
-    fn from_interval(value: Interval) -> Self {
-        Dual::constant(R::from_interval(value))
-    }
-}
-
-/// A point and an angle.
-struct AtAngle<'a, R> {
-    point: &'a Point,
-    angle: R,
-    sine: R,
-    cosine: R,
-}
-
-impl<R: FromInterval> Arithmetic for AtAngle<'_, R> {
-    type Value = R;
-
-    fn rational(&self, value: &Rational) -> R {
-        R::from_interval(self.point.rational(value))
-    }
-    fn pi(&self) -> R {
-        R::from_interval(self.point.pi())
-    }
-    fn n(&self) -> R {
-        R::from_interval(self.point.n())
-    }
-    fn symbol(&self, symbol: Symbol) -> R {
-        match symbol.name() {
-            "θ" => self.angle.clone(),
-            "sinθ" => self.sine.clone(),
-            "cosθ" => self.cosine.clone(),
-            _ => R::from_interval(self.point.symbol(symbol)),
-        }
-    }
-    fn add(&self, left: &R, right: &R) -> R {
-        left.clone() + right
-    }
-    fn multiply(&self, left: &R, right: &R) -> R {
-        left.clone() * right
-    }
-    fn divide(&self, left: &R, right: &R) -> R {
-        left.clone() / right
-    }
-    fn integer_power(&self, base: &R, exponent: i32) -> R {
-        base.powi(i64::from(exponent))
-    }
-    fn power(&self, base: &R, exponent: &R) -> R {
-        self.point.note(*base < base.lit(0));
-        base.pow(exponent)
-    }
-    /// Of the functions only the sine occurs under an integral.
-    fn function(&self, function: Function, arguments: &[R]) -> R {
-        match (function, arguments) {
-            (Function::Sine, [z]) => z.sin(),
-            _ => R::from_interval(Interval::entire(self.point.pi().ctx())),
-        }
-    }
-    fn quarter_turn(&self, _: &Formula) -> R {
-        R::from_interval(Interval::entire(self.point.pi().ctx()))
-    }
+    evaluate(integrand, Domain::Positive, &Direct::new(point, values)).ok()
 }

@@ -10,6 +10,11 @@ pub(super) const PULL_OFF: Entry = Entry {
     steps: &[
         Step::proved(
             BOTH,
+            "E*(a*d^2 - 2*d*int(κ*C*x^n, x, a) + int((κ*C*x^n)^2, x, a)) - π*a^2*w = U_n",
+            "The energy of any profile, `U`, for a power law.",
+        ),
+        Step::proved(
+            BOTH,
             "diff(U_n, a) = E*((d - κ*C*a^n)^2 - Δl^2)",
             "The energy `U_n = E*int((d - κ*C*x^n)^2, x, a) - π*a^2*w` of a power law, and its slope: the integral, taken \
              exactly, agrees with the general result in 1.4.",

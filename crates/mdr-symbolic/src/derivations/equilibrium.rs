@@ -85,13 +85,25 @@ pub(super) const GROWS: Entry = Entry {
     id: "1.9",
     title: "Where the contact grows",
     refuted: false,
-    assumptions: ANY,
-    steps: &[Step::proved(
-        POSITIVE,
-        "at(at(diff(U, a), d, g - y), w, E*(y + δ)^2/(2*π*a)) < 0",
-        "Where the elongation y = g(a) − d falls short of Δl(a), by δ > 0, the energy falls with the contact radius: the contact \
-         grows. Here d is g(a) − y, and Δl(a) = y + δ is put in as the work of adhesion that belongs to it.",
-    )],
+    assumptions: &["any profile g"],
+    steps: &[
+        Step::proved(
+            POSITIVE,
+            "at(at(diff(U, a), d, g - y), w, E*(y + δ)^2/(2*π*a)) < 0",
+            "Where the elongation y = g(a) − d falls short of Δl(a), by δ > 0, the energy falls with the contact radius: the contact \
+             grows. Here d is g(a) − y, and Δl(a) = y + δ is put in as the work of adhesion that belongs to it.",
+        ),
+        Step::proved(
+            POSITIVE,
+            "at(at(diff(U, a), d, g + y), w, E*(y + δ)^2/(2*π*a)) < 0",
+            "The same where the outer springs are compressed by y, less than Δl(a),",
+        ),
+        Step::proved(
+            POSITIVE,
+            "at(diff(U, a), d, g) < 0",
+            "and where they are relaxed: the contact grows wherever |g(a) − d| is less than Δl(a).",
+        ),
+    ],
     erratum: None,
     references: &[],
 };

@@ -10,6 +10,18 @@ pub(super) const CRITICAL: Entry = Entry {
     steps: &[
         Step::proved(
             POSITIVE,
+            "diff(at(U - F*d, d, (F + 2*E*G)/(2*E*a)), a) = E*(((F + 2*E*G)/(2*E*a) - g)^2 - Δl^2)",
+            "For any profile under a load `F`: the slope of the energy of contact and load over the radius, at the indentation \
+             that balances the load. It is that of 1.4.",
+        ),
+        Step::proved(
+            POSITIVE,
+            "at(diff(E*(((F + 2*E*G)/(2*E*a) - g)^2 - Δl^2), a), F, (g - Δl)*2*E*a - 2*E*G) = Δl/a*diff(F_g, a)",
+            "Its second derivative in an equilibrium has the sign of the slope of the force along the equilibria: the \
+             equilibrium is stable where the force grows with the radius.",
+        ),
+        Step::proved(
+            POSITIVE,
             "diff(F_g, a) = 2*E*a*(g' - 3*sqrt(B/a))",
             "For any profile: stability ends where F'(a) = 0, that is where g' is three times the slope of Δl.",
         ),

@@ -4,6 +4,7 @@
 //! Claims that normal forms decide are checked here ([`Step::check`]); claims that need an integral or a number are
 //! checked by rigorous intervals elsewhere, through the evaluation of the statement.
 
+mod coq;
 mod dugdale;
 mod energy;
 mod equilibrium;
@@ -20,6 +21,7 @@ mod transform;
 mod universal;
 mod verdict;
 
+pub use coq::statements_in_coq;
 pub use theorem::{Theorem, theorems};
 pub use verdict::Verdict;
 

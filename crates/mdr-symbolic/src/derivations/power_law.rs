@@ -115,6 +115,11 @@ pub(super) const FORCE: Entry = Entry {
             "2*E*n/(n + 1)*κ*C*a^(n + 1) - sqrt(8*π*a^3*E*w) = F_n",
             "Written with a common factor: `F_n = 2*E*a*(n/(n + 1)*κ*C*a^n - Δl)`, the force of a power law from here on.",
         ),
+        Step::proved(
+            POSITIVE,
+            "2*E*(a*d_n - int(κ*C*x^n, x, a)) = F_n",
+            "It is `F_g = 2*E*(a*d_g - G)`, the force of any profile, for this one: with `d_n` and with the integral of its g.",
+        ),
         Step::proved(POSITIVE, "diff(F_n, a) = 2*E*a*(N*a^(n - 1) - 3*sqrt(B/a))", "Its slope along the equilibria."),
     ],
     erratum: None,

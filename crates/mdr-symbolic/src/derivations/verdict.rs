@@ -20,11 +20,13 @@ pub enum Verdict {
     Refuted,
     /// It is taken from the literature.
     Cited,
+    /// It repeats a definition, and shows nothing.
+    Definition,
 }
 
 impl Verdict {
     /// All of them.
-    pub const ALL: [Verdict; 7] = [
+    pub const ALL: [Verdict; 8] = [
         Verdict::Theorem,
         Verdict::Proved,
         Verdict::Enclosed,
@@ -32,6 +34,7 @@ impl Verdict {
         Verdict::Sampled,
         Verdict::Refuted,
         Verdict::Cited,
+        Verdict::Definition,
     ];
 
     /// The verdict as one word.
@@ -44,6 +47,7 @@ impl Verdict {
             Verdict::Sampled => "sampled",
             Verdict::Refuted => "refuted",
             Verdict::Cited => "cited",
+            Verdict::Definition => "definition",
         }
     }
 }
@@ -53,6 +57,18 @@ impl Statement {
     pub fn is_number(&self) -> bool {
         self.left.is_number() && self.right.is_number()
     }
+
+    /// Whether both sides are one formula once all names are written out.
+    ///
+    /// ```
+    /// use mdr_symbolic::Statement;
+    /// assert!("B = π*w/(2*E)".parse::<Statement>()?.repeats_a_definition());
+    /// assert!(!"Δl = 2*sqrt(B*a)".parse::<Statement>()?.repeats_a_definition());
+    /// # Ok::<(), mdr_symbolic::Error>(())
+    /// ```
+    pub fn repeats_a_definition(&self) -> bool {
+        self.relation == Relation::Equal && self.left.unfolded() == self.right.unfolded()
+    }
 }
 
 impl Step {
@@ -60,8 +76,10 @@ impl Step {
     pub fn verdict(&self) -> Verdict {
         let statement = self.statement().ok().flatten();
         let single = !self.point.is_empty() || statement.as_ref().is_some_and(Statement::is_number);
+        let repeats = statement.as_ref().is_some_and(Statement::repeats_a_definition);
         let equal = statement.is_some_and(|statement| statement.relation == Relation::Equal);
         match self.claim {
+            Claim::Proved if repeats => Verdict::Definition,
             Claim::Proved => Verdict::Proved,
             Claim::Refuted => Verdict::Refuted,
             Claim::Cited => Verdict::Cited,
@@ -85,9 +103,11 @@ impl Entry {
         self.weakest()
     }
 
-    /// The verdict of the weakest step, of what refutes the printed form apart.
+    /// The verdict of the weakest step that counts: what refutes the printed form, or repeats a definition, does not. An
+    /// entry of which no step counts shows nothing: its verdict is that of a definition.
     pub fn weakest(&self) -> Verdict {
         let steps = self.steps.iter().map(Step::verdict);
-        steps.filter(|verdict| *verdict != Verdict::Refuted).max().unwrap_or(Verdict::Refuted)
+        let counts = |verdict: &Verdict| !matches!(verdict, Verdict::Refuted | Verdict::Definition);
+        steps.filter(counts).max().unwrap_or(Verdict::Definition)
     }
 }

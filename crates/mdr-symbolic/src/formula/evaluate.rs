@@ -39,12 +39,24 @@ pub trait Arithmetic {
     fn function(&self, function: Function, arguments: &[Self::Value]) -> Self::Value;
     /// ∫₀^{π/2} integrand dθ.
     fn quarter_turn(&self, integrand: &Formula) -> Self::Value;
+
+    /// The value of a derivative, an integral or a formula with a value substituted. By default the operation is first
+    /// carried out exactly, by normal forms.
+    ///
+    /// # Errors
+    /// Those of [`Formula::normalise`].
+    fn operation(&self, formula: &Formula, domain: Domain) -> Result<Self::Value>
+    where
+        Self: Sized,
+    {
+        Ok(evaluate_quotient(&formula.normalise(domain)?, self))
+    }
 }
 
-/// The value of a formula. Derivatives, integrals and substitutions are first carried out exactly.
+/// The value of a formula, part by part as it is written.
 ///
 /// # Errors
-/// Those of [`Formula::normalise`] for these operations.
+/// Those of [`Arithmetic::operation`].
 pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A) -> Result<A::Value> {
     let of = |formula: &Formula| evaluate(formula, domain, arithmetic);
     let combine = |parts: &[Formula], start: i32, join: fn(&A, &A::Value, &A::Value) -> A::Value| {
@@ -62,14 +74,12 @@ pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A
         Formula::Sum(terms) => combine(terms, 0, A::add)?,
         Formula::Product(factors) => combine(factors, 1, A::multiply)?,
         Formula::Quotient(above, below) => arithmetic.divide(&of(above)?, &of(below)?),
-        Formula::Power(base, exponent) => match exponent.integer(domain) {
+        Formula::Power(base, exponent) => match exponent.written_integer() {
             Some(exponent) => arithmetic.integer_power(&of(base)?, exponent),
             None => arithmetic.power(&of(base)?, &of(exponent)?),
         },
         Formula::Root(inner) => arithmetic.power(&of(inner)?, &arithmetic.rational(&Rational::from((1, 2)))),
-        Formula::Derivative(..) | Formula::Integral(..) | Formula::At(..) => {
-            evaluate_quotient(&formula.normalise(domain)?, arithmetic)
-        }
+        Formula::Derivative(..) | Formula::Integral(..) | Formula::At(..) => arithmetic.operation(formula, domain)?,
         Formula::Function(function, arguments) => {
             let arguments = arguments.iter().map(of).collect::<Result<Vec<_>>>()?;
             arithmetic.function(*function, &arguments)
@@ -79,6 +89,26 @@ pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A
 }
 
 impl Formula {
+    /// The rational number that is written here, by the four operations alone.
+    pub fn number(&self) -> Option<Rational> {
+        let all = |parts: &[Formula]| parts.iter().map(Formula::number).collect::<Option<Vec<_>>>();
+        match self {
+            Formula::Number(value) => Some(value.clone()),
+            Formula::Negative(inner) => Some(-inner.number()?),
+            Formula::Sum(terms) => Some(all(terms)?.iter().sum()),
+            Formula::Product(factors) => Some(all(factors)?.iter().product()),
+            Formula::Quotient(above, below) => {
+                below.number().filter(|below| !below.is_zero()).and_then(|below| Some(above.number()? / below))
+            }
+            _ => None,
+        }
+    }
+
+    /// The integer that is written here.
+    pub(crate) fn written_integer(&self) -> Option<i32> {
+        self.number().filter(Rational::is_integer)?.numer().to_i32()
+    }
+
     /// The integer value of an exponent, if it is an integer.
     pub(super) fn integer(&self, domain: Domain) -> Option<i32> {
         self.normalise(domain).ok()?.as_function()?.as_integer()?.to_i32()

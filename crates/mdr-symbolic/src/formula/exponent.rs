@@ -1,19 +1,16 @@
-//! Formulas at one value of n.
+//! Formulas at one value of n, and formulas in which all abbreviations are written out.
 
 use rug::Rational;
 
-use super::{Formula, Variable};
+use super::{Definition, Formula, Function, Variable};
 
 impl Formula {
-    /// The formula at a positive n: the number is substituted for n before anything else. κ_n and the other symbols
-    /// stay symbols.
-    pub(crate) fn at_exponent(&self, n: &Rational) -> Formula {
-        let boxed = |formula: &Formula| Box::new(formula.at_exponent(n));
-        let all = |parts: &[Formula]| parts.iter().map(|part| part.at_exponent(n)).collect::<Vec<_>>();
+    /// The formula with each of its immediate parts replaced.
+    fn rebuilt(&self, part: impl Fn(&Formula) -> Formula) -> Formula {
+        let boxed = |formula: &Formula| Box::new(part(formula));
+        let all = |parts: &[Formula]| parts.iter().map(&part).collect::<Vec<_>>();
         match self {
-            Formula::N => Formula::Number(n.clone()),
-            Formula::Number(_) | Formula::Pi | Formula::Symbol(_) => self.clone(),
-            Formula::Name(definition) => definition.formula().map_or_else(|_| self.clone(), |it| it.at_exponent(n)),
+            Formula::N | Formula::Number(_) | Formula::Pi | Formula::Symbol(_) | Formula::Name(_) => self.clone(),
             Formula::Negative(inner) => Formula::Negative(boxed(inner)),
             Formula::Sum(terms) => Formula::Sum(all(terms)),
             Formula::Product(factors) => Formula::Product(all(factors)),
@@ -22,11 +19,47 @@ impl Formula {
             Formula::Root(inner) => Formula::Root(boxed(inner)),
             Formula::Derivative(inner, along) => Formula::Derivative(boxed(inner), *along),
             Formula::Integral(inner, along, to) => Formula::Integral(boxed(inner), *along, boxed(to)),
-            // n already has a value there.
-            Formula::At(inner, Variable::N, value) => Formula::At(inner.clone(), Variable::N, boxed(value)),
             Formula::At(inner, variable, value) => Formula::At(boxed(inner), *variable, boxed(value)),
             Formula::Function(function, arguments) => Formula::Function(*function, all(arguments)),
             Formula::QuarterTurn(inner) => Formula::QuarterTurn(boxed(inner)),
+        }
+    }
+
+    /// The formula at a positive n: the number is substituted for n before anything else. κ_n and the other symbols
+    /// stay symbols.
+    pub(crate) fn at_exponent(&self, n: &Rational) -> Formula {
+        match self {
+            Formula::N => Formula::Number(n.clone()),
+            Formula::Name(definition) => definition.formula().map_or_else(|_| self.clone(), |it| it.at_exponent(n)),
+            // n already has a value there.
+            Formula::At(inner, Variable::N, value) => {
+                Formula::At(inner.clone(), Variable::N, Box::new(value.at_exponent(n)))
+            }
+            other => other.rebuilt(|part| part.at_exponent(n)),
+        }
+    }
+
+    /// The formula with what its names abbreviate in their place, κ of a number too, and values put in where nothing has
+    /// to be calculated.
+    pub(crate) fn unfolded(&self) -> Formula {
+        let inner = |definition: Definition| definition.formula().map_or_else(|_| self.clone(), |it| it.unfolded());
+        match (self, Definition::named("κ_Γ")) {
+            (Formula::Name(definition), _) => inner(*definition),
+            (Formula::Function(Function::Kappa, n), Some(kappa)) => inner(kappa).with(Variable::N, &n[0].unfolded()),
+            (Formula::At(formula, variable, value), _) => formula.unfolded().with(*variable, &value.unfolded()),
+            (other, _) => other.rebuilt(Formula::unfolded),
+        }
+    }
+
+    /// The formula with a value in the place of a variable; below a derivative or an integral it stays to be substituted.
+    fn with(&self, variable: Variable, value: &Formula) -> Formula {
+        match (self, variable) {
+            (Formula::N, Variable::N) => value.clone(),
+            (Formula::Symbol(symbol), Variable::Symbol(other)) if *symbol == other => value.clone(),
+            (Formula::Derivative(..) | Formula::Integral(..) | Formula::At(..) | Formula::QuarterTurn(_), _) => {
+                Formula::At(Box::new(self.clone()), variable, Box::new(value.clone()))
+            }
+            (other, _) => other.rebuilt(|part| part.with(variable, value)),
         }
     }
 }

@@ -14,11 +14,12 @@ impl Formula {
     /// The normal form on a domain.
     ///
     /// A value substituted for a symbol must be positive on the domain, as is assumed of the symbol, unless only the
-    /// four operations and integer powers act on the symbol. A value of n must lie in the domain.
+    /// four operations and integer powers act on the symbol. A value of n must lie in the domain. At neither may a divisor,
+    /// as written, be 0. What belongs to the symbol, as g' does to g, must not occur beside it.
     ///
     /// # Errors
-    /// [`Error::Substitution`] and [`Error::OutsideDomain`] for such values, [`Error::Transcendental`] for functions
-    /// outside the algebra, and the other limits of the algebra.
+    /// [`Error::Substitution`], [`Error::OutsideDomain`], [`Error::DivisionByZero`] and [`Error::Related`] for such values,
+    /// [`Error::Transcendental`] for functions outside the algebra, and the other limits of the algebra.
     pub fn normalise(&self, domain: Domain) -> Result<Quotient> {
         let of = |formula: &Formula| formula.normalise(domain);
         match self {
@@ -48,15 +49,22 @@ impl Formula {
                 integral.substitute(*variable, &inner.admitted(*variable, upper, domain)?, domain)
             }
             Formula::At(inner, Variable::Symbol(symbol), value) => {
-                of(inner)?.substitute(*symbol, &inner.admitted(*symbol, value, domain)?, domain)
+                inner.refuse_relatives(*symbol, domain)?;
+                let value = inner.admitted(*symbol, value, domain)?;
+                let put_in = |normal: &Quotient| normal.substitute(*symbol, &value, domain);
+                inner.refuse_poles(domain, put_in)?;
+                put_in(&of(inner)?)
             }
             Formula::At(inner, Variable::N, value) => {
-                let value = of(value)?.as_function().and_then(|function| function.as_constant());
-                match value.ok_or_else(|| Error::Exponent(self.text()))? {
-                    // It has already been substituted.
-                    n if domain.is_point() && domain.contains(&n) => of(inner),
-                    n => of(inner)?.at_n(&n, domain),
-                }
+                let n = of(value)?.as_function().and_then(|function| function.as_constant());
+                let n = n.ok_or_else(|| Error::Exponent(self.text()))?;
+                // On a domain of one point it has already been substituted.
+                let put_in = |normal: &Quotient| match domain.is_point() && domain.contains(&n) {
+                    true => Ok(normal.clone()),
+                    false => normal.at_n(&n, domain),
+                };
+                inner.refuse_poles(domain, put_in)?;
+                put_in(&of(inner)?)
             }
             Formula::Function(Function::Gamma, arguments) => gamma(&of(&arguments[0])?, domain),
             Formula::Function(Function::Kappa, arguments) => kappa(&of(&arguments[0])?, domain),

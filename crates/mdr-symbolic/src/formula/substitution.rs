@@ -24,6 +24,24 @@ impl Formula {
         Err(Error::Substitution { symbol: symbol.text(), value: value.text(), domain: domain.text() })
     }
 
+    /// Refuses to replace a symbol while another occurs that belongs to it, as g' and ∫g do to g: a value for one of them
+    /// would leave the others those of another function. Both the formula as written and its normal form are searched,
+    /// as only the latter has the derivatives.
+    ///
+    /// # Errors
+    /// [`Error::Related`]; as [`Formula::normalise`].
+    pub(super) fn refuse_relatives(&self, symbol: Symbol, domain: Domain) -> Result<()> {
+        let mut relatives = symbol.relatives().peekable();
+        if relatives.peek().is_none() {
+            return Ok(());
+        }
+        let normal = Formula::from(&self.normalise(domain)?);
+        match relatives.find(|relative| self.contains(*relative) || normal.contains(*relative)) {
+            Some(relative) => Err(Error::Related { symbol: symbol.text(), relative: relative.text() }),
+            None => Ok(()),
+        }
+    }
+
     /// Whether only the four operations and integer powers act on a symbol.
     fn is_rational_in(&self, symbol: Symbol, domain: Domain) -> bool {
         let rational = |formula: &Formula| formula.is_rational_in(symbol, domain);

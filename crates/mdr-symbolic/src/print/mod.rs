@@ -1,5 +1,6 @@
 //! Output of formulas: as text, and in TeX for Markdown and LaTeX.
 
+mod coq;
 mod tex;
 mod text;
 

@@ -41,7 +41,10 @@ $`n`$ &lt; 1/2 every octave of $`n`$ or of $`\\frac12 - n`$), and the symbols li
 integral is summed by the midpoint rule with its error; beside an end it is that of the power of the distance with which the \
 integrand goes there, times an enclosed factor;
 * **refuted**: the normal forms differ, and intervals show it at a point;
-* **cited**: taken from the literature.
+* **cited**: taken from the literature;
+* **definition**: both sides are the same formula once all names are written out. It shows nothing, and does not count.
+
+Where a step names its statement in Coq ([statements](proofs/Statements.v)), Coq's kernel has checked it too ([proofs](proofs/Steps.v)).
 
 An entry is a **theorem** where Coq's kernel has checked its claim, by the theorems that it names ([proofs](proofs/README.md)); it is \
 **refuted** where the equation as printed is; else its verdict is that of its weakest step.

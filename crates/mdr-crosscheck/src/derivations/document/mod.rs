@@ -74,12 +74,15 @@ fn place(step: &StepJudgement) -> String {
     }
     let domains: Vec<_> = step.step.domains.iter().copied().map(Domain::text).collect();
     match step.step.verdict() {
-        Verdict::Cited => String::new(),
+        Verdict::Cited | Verdict::Definition => String::new(),
         Verdict::Enclosed | Verdict::Agrees => format!("in numbers{bits}"),
         Verdict::Sampled => {
             format!("for {}, certain at {} of {} points", domains.join(" and "), step.certain, step.points)
         }
-        _ => format!("for {}", domains.join(" and ")),
+        _ => {
+            let coq = step.step.proved_in_coq().map(|name| format!(", in Coq {name}")).unwrap_or_default();
+            format!("for {}{coq}", domains.join(" and "))
+        }
     }
 }
 

@@ -1,0 +1,84 @@
+//! The statements of all steps in Coq.
+
+use super::{Claim, Entry, Step, entries};
+use crate::formula::Definition;
+
+const BEGIN: &str = "\
+(** The statement of every step of `mdr derive`, as the program reads it. This file is written by `mdr derive --format coq`;
+    a test compares the two. `Steps.v` proves the statements that normal forms decide.
+
+    Every symbol is a positive real number, kap any of them: it is κ_n where the step is about numbers. A step holds where no
+    divisor is 0. A refuted step is false as it stands here. *)
+From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
+Require MDR.Definitions MDR.Agm MDR.Profiles MDR.KappaSeries.
+Open Scope R_scope.
+
+(** g with its slope g1, its integral G, and the integral Q of its square, up to constants. *)
+Definition profile (g g1 G Q : R -> R) : Prop :=
+  forall x, 0 < x -> is_derive g x (g1 x) /\\ is_derive G x (g x) /\\ is_derive Q x (g x ^ 2).
+
+(** Euler's function, by the theorem of Bohr and Mollerup. *)
+Definition is_Gamma (Gamma : R -> R) : Prop :=
+  Gamma 1 = 1 /\\ (forall z, 0 < z -> 0 < Gamma z) /\\ (forall z, 0 < z -> Gamma (z + 1) = z * Gamma z) /\\
+  (forall x y t, 0 < x -> 0 < y -> 0 <= t <= 1 ->
+    ln (Gamma (t * x + (1 - t) * y)) <= t * ln (Gamma x) + (1 - t) * ln (Gamma y)).
+";
+
+impl Step {
+    /// The statement as a proposition of Coq; `None` for a step that only cites.
+    pub fn coq(&self) -> Option<String> {
+        let statement = self.statement().ok()??;
+        Some(statement.coq(self.domains, self.claim, self.point))
+    }
+}
+
+impl Entry {
+    /// The name of a step in Coq, which counts from 1 as the pages do.
+    pub fn step_in_coq(&self, index: usize) -> String {
+        let id: String = self.id.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+        format!("step_{id}_{}", index + 1)
+    }
+
+    fn coq(&self) -> String {
+        let step = |(i, step): (usize, &Step)| {
+            let word = step.verdict().word();
+            let name = self.step_in_coq(i);
+            match step.coq() {
+                Some(statement) => format!("(* {word} *)\nDefinition {name} : Prop :=\n  {statement}.\n"),
+                None => format!("(* {name}: {word} *)\n"),
+            }
+        };
+        let steps: String = self.steps.iter().enumerate().map(step).collect();
+        format!("\n(** ** {}: {} *)\n{steps}", self.id, self.title)
+    }
+}
+
+/// The statements of entries, after the formulas that have a name: those of all entries are docs/proofs/Statements.v.
+///
+/// ```
+/// let coq = mdr_symbolic::derivations::statements_in_coq(mdr_symbolic::derivations::entry("1.4"));
+/// assert!(coq.contains("Definition step_1_4_4 : Prop :=\n  forall (E w a : R), 0 < E -> "));
+/// ```
+pub fn statements_in_coq(entries: impl IntoIterator<Item = &'static Entry>) -> String {
+    let named = Definition::all().filter_map(Definition::coq_definition).collect::<Vec<_>>().join("\n");
+    let steps: String = entries.into_iter().map(Entry::coq).collect();
+    format!("{BEGIN}\n(** ** The formulas that have a name *)\n{named}\n{steps}")
+}
+
+/// What docs/proofs/Steps.v leaves out, with the reason: the table that `make proofs` compares with it.
+const LEFT_OUT: &str = include_str!("../../data/left_out.tsv");
+
+impl Step {
+    /// The name of the statement in Coq, where docs/proofs/Steps.v proves it: that of every step of the entries that normal
+    /// forms decide, but for those of `left_out.tsv`.
+    pub fn proved_in_coq(&self) -> Option<String> {
+        let steps =
+            entries().iter().flat_map(|entry| entry.steps.iter().enumerate().map(move |(i, step)| (entry, i, step)));
+        let (entry, i, _) =
+            steps.filter(|(.., step)| step.claim == Claim::Proved).find(|(.., step)| std::ptr::eq(*step, self))?;
+        let name = entry.step_in_coq(i);
+        let left_out = LEFT_OUT.lines().any(|line| line.split('\t').next() == Some(&name));
+        (!left_out).then_some(name)
+    }
+}

@@ -1,0 +1,39 @@
+//! The statements in Coq are those of the program.
+
+#![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
+
+use mdr_symbolic::derivations::{Claim, entries, statements_in_coq};
+
+const PROOFS: &str = include_str!("../../../docs/proofs/Steps.v");
+const STATEMENTS: &str = include_str!("../../../docs/proofs/Statements.v");
+
+/// Regenerate with `mdr derive --format coq > docs/proofs/Statements.v`, or with MDR_GOLDENS=overwrite.
+#[test]
+fn the_statements_in_coq_are_those_of_the_steps() {
+    let written = statements_in_coq(entries());
+    if std::env::var("MDR_GOLDENS").as_deref() == Ok("overwrite") {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/proofs/Statements.v");
+        std::fs::write(path, &written).unwrap();
+        return;
+    }
+    assert!(written == STATEMENTS, "docs/proofs/Statements.v is stale");
+    let steps = entries().iter().flat_map(|entry| entry.steps).filter(|step| step.statement.is_some()).count();
+    assert_eq!(STATEMENTS.matches("\nDefinition step_").count(), steps);
+}
+
+/// What the pages call proved in Coq has a proof there, under the statement of that name; what has none is listed.
+#[test]
+fn proved_steps_have_proofs() {
+    let proved = |name: &str| PROOFS.contains(&format!("Lemma prove_{name} : {name}.\nProof."));
+    let steps: Vec<_> = entries()
+        .iter()
+        .flat_map(|entry| entry.steps.iter().enumerate().map(move |(i, step)| (entry.step_in_coq(i), step)))
+        .collect();
+    for (name, step) in &steps {
+        assert_eq!(step.proved_in_coq().is_some(), proved(name), "{name}");
+        assert!(step.claim == Claim::Proved || !proved(name), "{name}");
+    }
+    let count = steps.iter().filter(|(_, step)| step.proved_in_coq().is_some()).count();
+    assert!(count > 125, "{count}");
+    assert!(!["Admitted", "admit", "Abort", "Axiom"].iter().any(|word| PROOFS.contains(word)));
+}
