@@ -307,7 +307,10 @@ function startAgain() {
 
 // ---------------------------------------------------------------- the state of the page is its address
 function address() {
-  const written = (k) => (typeof P[k] === 'number' ? +P[k].toPrecision(6) : P[k]);
+  const written = (k) => {
+    if (k === 'table') return packTable(unpackTable(P.table), 6);
+    return typeof P[k] === 'number' ? +P[k].toPrecision(6) : P[k];
+  };
   const skipped = (k) => P[k] === DEFAULTS[k] || (k === 'table' && P.shape !== 'table') || (k in OWN && P.unit !== 'own');
   const parts = Object.keys(DEFAULTS)
     .filter((k) => !skipped(k))

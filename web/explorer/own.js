@@ -29,7 +29,7 @@ const pad = {
       const t = high > low ? within((point[0] - from[0]) / (to[0] - from[0]), [0, 1]) : 1;
       point[1] = from[1] + t * (to[1] - from[1]);
     });
-    change({ table: packTable(this.points) });
+    change({ table: packTable(this.points, 6) });
   },
   begin() {
     this.dragging = true;
@@ -52,8 +52,11 @@ const pad = {
     } catch (error) {
       return this.refuse(error.message);
     }
-    // A table in metres needs units to be shown in.
-    if (table.metric && P.unit === 'none') Object.assign(P, { unit: 'own', uR: 2 * Math.max(...table.points.map(([r]) => r)) });
+    // A table in metres needs units to be shown in, and so small radii are metres without saying so.
+    const widest = Math.max(...table.points.map(([r]) => r));
+    if (P.unit === 'none' && (table.metric || widest < 1e-3)) {
+      Object.assign(P, { unit: 'own', uR: 2 * widest, uE: widest < 1e-6 ? 1e9 : P.uE });
+    }
     const { radius, height } = system();
     const points = table.points.map(([r, f]) => [r / radius, f / height]);
     change({ shape: 'table', table: packTable(points) });

@@ -35,9 +35,12 @@ function tellState(tone) {
       'Poised on an unstable equilibrium. Drag the edge ▲ a little, or the depth: it shrinks to nothing, or spreads over the whole surface.',
       tone,
     ];
+  // Without numbers: a screen reader reads it out whenever it changes.
   const stable = restingStates().length;
   return [
-    `Stable contact of radius a = ${len(S.a)}${stable > 1 ? `, one of ${stable} that are stable here: which one it is depends on the past` : ''}.`,
+    stable > 1
+      ? `Stable contact, one of ${stable} that are stable here: which one it is depends on the past.`
+      : 'Stable contact.',
     tone,
   ];
 }
@@ -210,7 +213,8 @@ function sync() {
   for (const [key, s] of Object.entries(SLIDERS)) {
     $(`row-${key}`).style.display = s[6]() ? '' : 'none';
     $(`s-${key}`).value = toSlider(s, P[key]);
-    const text = key === 'n' && P.n === 0.5 ? '½' : P[key].toFixed(P[key] < 10 ? 3 : 1);
+    const plain = key === 'n' && P.n === 0.5 ? '½' : P[key].toFixed(P[key] < 10 ? 3 : 1);
+    const text = SHOWN_AS[key] && P.unit !== 'none' ? show(P[key], SHOWN_AS[key]) : plain;
     const regime = P.n > 0.5 ? ' · pull-off' : P.n < 0.5 ? ' · complete contact' : ' · no length';
     $(`o-${key}`).textContent = text + (key === 'n' ? regime : '');
     set($(`s-${key}`), { 'aria-valuetext': $(`o-${key}`).textContent });

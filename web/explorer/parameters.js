@@ -156,6 +156,8 @@ const SLIDERS = {
     () => P.control === 'D',
   ],
 };
+/** What the sliders stand for, where units are shown: see scale(). */
+const SHOWN_AS = { R: 'a', A: 'd', L: 'a', k: 'k' };
 const CHOICES = {
   shape: ['power', 'sphere', 'wavy', 'table'],
   control: ['d', 'F', 'D'],

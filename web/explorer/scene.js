@@ -121,8 +121,8 @@ function readTable(text) {
   if (points.length < 4) throw new Error(`a profile needs at least four rows of radius and height, got ${points.length}`);
   return { points: units ? points.map(([r, f]) => [r * units[0], f * units[1]]) : points, metric: Boolean(units) };
 }
-/** A table in the address: r,f;r,f;… */
-const packTable = (points) => points.map(([r, f]) => `${+r.toPrecision(5)},${+f.toPrecision(5)}`).join(';');
+/** A table as r,f;r,f;… as it is, or with six digits for the address. */
+const packTable = (points, digits = 17) => points.map((row) => row.map((x) => +x.toPrecision(digits)).join(',')).join(';');
 const unpackTable = (text) =>
   text
     .split(';')
@@ -132,10 +132,11 @@ const unpackTable = (text) =>
 const tableFile = ({ radius, height }) =>
   'r,f\n' +
   unpackTable(P.table)
-    .map(([r, f]) => `${r * radius},${f * height}\n`)
+    .map(([r, f]) => `${+(r * radius).toPrecision(15)},${+(f * height).toPrecision(15)}\n`)
     .join('')
     .replace(/e\+/g, 'e');
 /** A tip on a shoulder: f = 0.3 r² + 0.3 (1 − exp(−(r/0.4)⁴)) comes off in two jumps. */
 const EXAMPLE_TABLE = packTable(
   Array.from({ length: 33 }, (_, i) => i / 11).map((r) => [r, 0.3 * r * r - 0.3 * Math.expm1(-((r / 0.4) ** 4))]),
+  6,
 );

@@ -113,6 +113,18 @@ test('a profile drawn or pasted is in the address, and a bad one is refused in w
   assert.equal((await data(again)).folds, d.folds);
   await again.close();
 
+  // The rows are kept as they are, not as the address rounds them; small radii are metres without a row of units.
+  const fine = Array.from({ length: 200 }, (_, i) => `${i * 1.2345678e-10},${(i * 1.2345678e-10) ** 2 / 4e-8}`).join('\n');
+  await page.evaluate(() => explorer.change({ unit: 'none' }));
+  const took = await page.evaluate((text) => {
+    const start = performance.now();
+    explorer.paste(text);
+    return performance.now() - start;
+  }, fine);
+  console.log(`# a table of 200 rows is opened in ${took.toFixed(0)} ms`);
+  assert.equal(await page.inputValue('#unit'), 'own');
+  assert.match(await page.evaluate(() => explorer.files().table), /^1\.2345678e-10,/m);
+
   const kept = await page.evaluate(() => explorer.state().P.table);
   for (const [bad, words] of [
     ['1,2\n2,3', /at least four rows/],

@@ -82,11 +82,13 @@ fn a_path_that_cannot_go_on_has_no_more_states() {
     assert!(history.states.force[2].is_nan());
     // What is known of the contact by now serves the same question, and no other control.
     for control in [Control::Indentation, Control::Force, Control::Indentation] {
-        let ask =
-            |waves: &Contact| waves.follow(&control, &[-1.0, 0.0, 0.1], &Start::Detached, &stop).expect("a history");
+        let ask = |waves: &Contact| {
+            let history = waves.follow(&control, &[-1.0, 0.0, 0.1], &Start::Detached, &stop).expect("a history");
+            // As text: a depth that is not known is NaN, which is not equal to itself.
+            format!("{:?}", (history.jumps, history.states))
+        };
         let anew = contact(Shape::WavyParaboloid { radius: "1", amplitude: "1e-2", wavelength: "0.1" });
-        assert_eq!(ask(&waves).jumps, ask(&anew).jumps);
-        assert_eq!(ask(&waves).states.status, ask(&anew).states.status);
+        assert_eq!(ask(&waves), ask(&anew));
     }
 }
 
