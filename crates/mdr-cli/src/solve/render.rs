@@ -196,7 +196,7 @@ fn separated(output: &Output) -> Vec<FlatRow> {
 }
 
 /// One file an output in `folder`: the inputs of the scene, a column each, then its columns with their units. The files are
-/// listed on `out`.
+/// listed on `out`, with what is no row: the energy of a path, the summary of a force curve, the notes.
 pub(crate) fn write_files(
     scene: &Scene,
     answer: &Answer,
@@ -229,6 +229,10 @@ pub(crate) fn write_files(
         });
         Out::new(file).csv(&header.iter().map(String::as_str).collect::<Vec<_>>(), rows)?;
         out.text(folder.join(&name).display())?;
+        output.balance().map_or(Ok(()), |balance| out.text(energy(balance, reader)))?;
+        if let Output::ForceCurve(curve) = output {
+            out.text(summary(&curve.summary, reader))?;
+        }
     }
-    Ok(())
+    answer.notes.iter().try_for_each(|note| out.text(format_args!("Note: {note}.")))
 }
