@@ -53,11 +53,14 @@ fn a_file_an_output() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("files-of-a-scene");
     let flags = format!("--out {} --units nm,nN", folder.display());
     let list = output(&format!("solve examples/scenes/force-curve.toml {flags}"));
-    let names: Vec<_> = list.lines().map(|line| line.rsplit('/').next().unwrap()).collect();
-    assert_eq!(names, ["force-curve.csv", "folds.csv"]);
+    let lines: Vec<_> = list.lines().map(|line| line.rsplit('/').next().unwrap()).collect();
+    let [curve_file, summary, folds_file] = lines[..] else { panic!("{list}") };
+    assert_eq!((curve_file, folds_file), ("force-curve.csv", "folds.csv"));
+    assert!(summary.starts_with("Summary: pull-off force -4.705231695326158 nN, "), "{summary}");
     let mut folds = csv::Reader::from_path(folder.join("folds.csv")).unwrap();
     let header: Vec<_> = folds.headers().unwrap().iter().map(str::to_owned).collect();
-    let inputs = ["profile", "radius (nm)", "e_star (Pa)", "work_of_adhesion (J/m²)", "control", "stiffness (N/m)"];
+    let inputs =
+        ["profile", "radius (nm)", "e_star (Pa)", "work_of_adhesion (J/m²)", "control", "machine_stiffness (N/m)"];
     assert_eq!(header[..6], inputs);
     assert_eq!(header[6..], ["contact_radius (nm)", "indentation (nm)", "force (nN)", "kind", "status"]);
     let row = folds.records().next().unwrap().unwrap();

@@ -18,6 +18,9 @@ Examples:
   A family:
     mdr reference --filter id~guduru
 
+  Real contacts, such as the tip of a force microscope or a wheel on its rail:
+    mdr reference --filter flag=physical
+
   The hard questions about power laws under a dead load:
     mdr reference --filter \"profile=power control=force difficulty=higher\"
 

@@ -119,7 +119,7 @@ pub(crate) fn tone(cell: &FlatCell) -> Tone {
 }
 
 /// One file an output in `folder`: the inputs of the scene, a column each, then its columns with their units. The files are
-/// listed on `out`.
+/// listed on `out`, with what is no row: the energy of a path, the summary of a force curve, the notes.
 pub(crate) fn write_files(
     scene: &Scene,
     answer: &Answer,
@@ -136,8 +136,12 @@ pub(crate) fn write_files(
             &mut Out::new(std::fs::File::create(&file).map_err(failed)?),
         )?;
         out.text(file.display())?;
+        output.balance().map_or(Ok(()), |balance| out.text(balance.sentence(reader)))?;
+        if let Output::ForceCurve(curve) = output {
+            out.text(curve.summary.sentence(reader))?;
+        }
     }
-    Ok(())
+    answer.notes.iter().try_for_each(|note| out.text(format_args!("Note: {note}.")))
 }
 
 /// A table with its titles first.

@@ -19,7 +19,8 @@ impl Scene {
             add("control", "", self.control.kind().name().to_owned());
         }
         if let Control::Machine { stiffness } = &self.control {
-            add("stiffness", "N/m", stiffness.to_string());
+            // That of a contact is a result.
+            add("machine_stiffness", "N/m", stiffness.to_string());
         }
         inputs
     }
