@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::{ParallelProgressIterator, ProgressBar, ProgressStyle};
+use mdr::answer::Reader;
 use mdr::fit::{Event, Fit as Answer, FitStatus, Problem};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
@@ -11,6 +12,7 @@ use crate::error::{Failure, Result};
 use crate::output::{Format, Output as Out};
 use crate::plot;
 use crate::table::{Tone, cell, render_whole, table};
+use crate::validity;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -262,7 +264,7 @@ fn for_reader(answer: &Answer) -> String {
             parts.push(format!("{title}: {}", of_event(event, [unit(0), unit(1)])));
         }
     }
-    parts.extend(answer.validity.iter().cloned());
+    parts.extend(answer.validity.iter().map(|validity| validity::text(validity, &Reader::default())));
     parts.extend(answer.warnings.iter().map(|warning| format!("Warning: {warning}.")));
     parts.join("\n\n")
 }
