@@ -8,7 +8,7 @@ use super::judge::{self, Spectrum};
 use super::minimise::{self, Minimum};
 use super::objective::Objective;
 use super::problem::{Kind, Loss, Problem};
-use super::start;
+use super::start::{self, Source};
 use crate::error::{Error, Result};
 use crate::scene::{Location, Profile};
 
@@ -144,23 +144,28 @@ impl Noise {
     }
 }
 
-/// The minimum of least cost that is found from the candidates.
+/// The minimum of least cost that is found from the starts, until one fits as well as noise lets it.
 fn least(objective: &mut Objective<'_>) -> Result<Minimum> {
-    let candidates = start::candidates(objective);
-    let dof = (objective.rows.len() - objective.free.len().min(objective.rows.len() - 1)) as f64;
+    let dof = objective.rows.len().saturating_sub(objective.free.len()).max(1) as f64;
     let mut best: Option<Minimum> = None;
     let mut failure = None;
-    for start in &candidates {
-        match from(objective, start) {
-            Ok(minimum) => {
-                if best.as_ref().is_none_or(|best| minimum.evaluation.cost() < best.evaluation.cost()) {
-                    best = Some(minimum);
+    let has_start = objective.problem.parameters.iter().any(|parameter| parameter.start.is_some());
+    for source in Source::ALL {
+        // What the data say themselves is near enough.
+        let scales: &[f64] = if source == Source::Given || has_start { &CONTINUATION } else { &CONTINUATION[2..] };
+        for start in start::candidates(objective, source) {
+            match from(objective, &start, scales) {
+                Ok(minimum) => {
+                    if best.as_ref().is_none_or(|best| minimum.evaluation.cost() < best.evaluation.cost()) {
+                        best = Some(minimum);
+                    }
                 }
+                Err(error) => failure = Some(error),
             }
-            Err(error) => failure = Some(error),
-        }
-        if best.as_ref().is_some_and(|best| best.evaluation.cost() < GOOD * dof && best.gradient < CONVERGED) {
-            break;
+            let good = |best: &Minimum| best.evaluation.cost() < GOOD * dof && best.gradient < CONVERGED;
+            if let Some(best) = best.take_if(|best| good(best)) {
+                return Ok(best);
+            }
         }
     }
     best.ok_or_else(|| match failure {
@@ -181,13 +186,13 @@ fn least(objective: &mut Objective<'_>) -> Result<Minimum> {
     })
 }
 
-/// The minimum that is reached from one start: the scale of X falls to its value, on a part of the rows; then all rows.
-fn from(objective: &mut Objective<'_>, start: &[f64]) -> mdr_core::contact::Result<Minimum> {
+/// The minimum that is reached from one start: the scale of X falls through `scales` to its value, on a part of the rows; then all rows.
+fn from(objective: &mut Objective<'_>, start: &[f64], scales: &[f64]) -> mdr_core::contact::Result<Minimum> {
     let (scale, all) = (objective.x_scale, objective.rows.clone());
     let last = scale.filter(|scale| *scale > 0.0).unwrap_or(objective.beyond);
     let mut end = (start.to_vec(), 0);
     objective.rows = all.iter().copied().step_by(all.len().div_ceil(150).max(1)).collect();
-    for factor in CONTINUATION {
+    for factor in scales {
         objective.x_scale = Some(factor * last);
         // A step of the continuation that fails leaves its start to the next.
         if let Ok((fitted, evaluations)) = minimise::descend(objective, &end.0, 1e-5, 30) {

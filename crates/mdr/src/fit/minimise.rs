@@ -58,9 +58,8 @@ pub(super) fn descend(
     tolerance: f64,
     patience: usize,
 ) -> mdr_core::contact::Result<(Vec<f64>, usize)> {
-    objective.evaluate(start, None)?;
     let mut place = Place { objective, fitted: DVector::from_column_slice(start), evaluation: None, evaluations: 1 };
-    place.set_params(&DVector::from_column_slice(start));
+    place.evaluation = Some(objective.evaluate(start, None)?);
     let method = LevenbergMarquardt::new().with_tol(tolerance).with_patience(patience).with_stepbound(1.0);
     let (place, _) = method.minimize(place);
     Ok((inside_bounds(objective, place.fitted.as_slice()), place.evaluations))

@@ -325,3 +325,49 @@ impl Evaluation {
         ends.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(s, _)| s)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mdr_core::contact::Shape;
+
+    /// A sphere on a cantilever with rows on its curve, beyond its fold, and detached.
+    fn problem() -> Problem {
+        let (e_star, work, radius, stiffness) = (8e5, 0.04, 5e-6, 1.2);
+        let row = |index: i32| {
+            let a = 1e-6 * (2.6 - 0.1 * f64::from(index));
+            let elongation = (2.0 * std::f64::consts::PI * a * work / e_star).sqrt();
+            let d = a * a / radius - elongation;
+            let bent = 2.0 * e_star * (a * d - a.powi(3) / (3.0 * radius)) / stiffness;
+            [d + bent + 1e-8 * f64::from(index % 3), bent + 2e-9 * f64::from(index % 2)]
+        };
+        let rows: Vec<[f64; 2]> =
+            (0..13).map(row).chain([[-1.09e-6, -7.4e-7], [-1.3e-6, 0.0], [-1.4e-6, 1e-9]]).collect();
+        let [x, y] = [0, 1].map(|axis| rows.iter().map(|row| row[axis]).collect::<Vec<f64>>());
+        let tip = Shape::Paraboloid { radius: "5e-6" };
+        let problem = Problem::new(tip, Observation::DeflectionOfPosition, &x, &y).unwrap();
+        problem.free(["e_star", "work_of_adhesion", "stiffness", "contact_point", "baseline", "radius"]).unwrap()
+    }
+
+    #[test]
+    fn derivatives_are_those_of_differences() {
+        let problem = problem();
+        for x_scale in [None, Some(3e-8)] {
+            let objective = Objective::new(&problem, x_scale, 4e-9, 3e-8).unwrap();
+            let fitted = [8.1e5f64.ln(), 0.0401f64.ln(), 1.21f64.ln(), 1e-9, 1e-10, 5.02e-6f64.ln()];
+            let evaluation = objective.evaluate(&fitted, None).unwrap();
+            assert!(evaluation.feet.iter().flatten().any(|foot| foot.is_end) && evaluation.labels.contains(&0));
+            let jacobian = objective.jacobian(&fitted, &evaluation).unwrap();
+            for (place, step) in [1e-6, 1e-6, 1e-6, 1e-13, 1e-13, 1e-6].into_iter().enumerate() {
+                let residuals = [step, -step].map(|step| {
+                    let mut moved = fitted;
+                    moved[place] += step;
+                    objective.evaluate(&moved, None).unwrap().residuals
+                });
+                let difference = (&residuals[0] - &residuals[1]) / (2.0 * step);
+                let error = (&difference - jacobian.column(place)).norm() / difference.norm();
+                assert!(error < 1e-6, "{place}: {error:e} with σ_X {x_scale:?}");
+            }
+        }
+    }
+}

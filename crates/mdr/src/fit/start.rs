@@ -20,24 +20,31 @@ struct Record {
     baseline: f64,
 }
 
-/// Fitted values to begin from, in the order of the free numbers: from what is given, and from the data for the rest.
-///
-/// The candidates come in the order of preference.
-pub(super) fn candidates(objective: &Objective<'_>) -> Vec<Vec<f64>> {
+/// Where a start comes from, the cheapest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Source {
+    /// The problem.
+    Given,
+    /// The two-point method of a power law; linear regression where the contact radius is known.
+    Formula,
+    /// A search over w/E*.
+    Search,
+}
+
+impl Source {
+    pub(super) const ALL: [Source; 3] = [Source::Given, Source::Formula, Source::Search];
+}
+
+/// Fitted values to begin from, in the order of the free numbers: what is given, completed from the data; then the data alone.
+pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<Vec<f64>> {
     let problem = objective.problem;
-    let given: Vec<Option<f64>> = objective
-        .free
-        .iter()
-        .map(|index| {
-            let parameter = &problem.parameters[*index];
-            let of_data = matches!(
-                parameter.kind,
-                Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::ContactPoint | Kind::Baseline
-            );
-            let prior = parameter.prior.map(|[mean, _]| mean);
-            parameter.start.or(prior).or(if of_data { None } else { parameter.value })
-        })
-        .collect();
+    let given = objective.free.iter().map(|index| {
+        let parameter = &problem.parameters[*index];
+        let is_profile = matches!(parameter.kind, Kind::Profile(_) | Kind::Stiffness);
+        let prior = parameter.prior.map(|[mean, _]| mean);
+        parameter.start.or(prior).or(parameter.value.filter(|_| is_profile))
+    });
+    let given: Vec<Option<f64>> = given.collect();
     let complete = |found: &dyn Fn(Kind) -> Option<f64>, keep: bool| -> Option<Vec<f64>> {
         let value = |(place, given): (usize, &Option<f64>)| {
             let kind = problem.parameters[objective.free[place]].kind;
@@ -46,19 +53,18 @@ pub(super) fn candidates(objective: &Objective<'_>) -> Vec<Vec<f64>> {
         };
         given.iter().enumerate().map(value).collect()
     };
-    let mut candidates: Vec<Vec<f64>> = Vec::new();
-    candidates.extend(complete(&|_| None, true));
-    for found in from_data(problem) {
-        let of = |kind: Kind| match kind {
-            Kind::EffectiveModulus => Some(found[0]),
-            Kind::WorkOfAdhesion => Some(found[1]),
-            Kind::ContactPoint => Some(found[2]),
-            Kind::Baseline => Some(found[3]),
-            _ => None,
-        };
-        candidates.extend(complete(&of, true));
-        candidates.extend(complete(&of, false));
+    if source == Source::Given {
+        return complete(&|_| None, true).into_iter().collect();
     }
+    let Some([e_star, work, contact_point, baseline]) = from_data(problem, source) else { return Vec::new() };
+    let of = |kind: Kind| match kind {
+        Kind::EffectiveModulus => Some(e_star),
+        Kind::WorkOfAdhesion => Some(work),
+        Kind::ContactPoint => Some(contact_point),
+        Kind::Baseline => Some(baseline),
+        _ => None,
+    };
+    let mut candidates: Vec<Vec<f64>> = complete(&of, true).into_iter().chain(complete(&of, false)).collect();
     candidates.dedup();
     candidates
 }
@@ -78,7 +84,7 @@ fn is_free(problem: &Problem, kind: Kind) -> bool {
 }
 
 /// E*, w, contact point and baseline by the record.
-fn from_data(problem: &Problem) -> Vec<[f64; 4]> {
+fn from_data(problem: &Problem, source: Source) -> Option<[f64; 4]> {
     let numbers: Vec<f64> = problem
         .parameters
         .iter()
@@ -88,15 +94,13 @@ fn from_data(problem: &Problem) -> Vec<[f64; 4]> {
             start.or(parameter.value).unwrap_or(f64::NAN)
         })
         .collect();
-    let Ok(tip) = Tip::<f64>::new(&problem.profile, (), &numbers, &[]) else { return Vec::new() };
-    if problem.observation.sees_radius() {
-        return by_regression(problem, &tip).into_iter().collect();
+    let tip = Tip::<f64>::new(&problem.profile, (), &numbers, &[]).ok()?;
+    match (problem.observation.sees_radius(), source) {
+        (true, Source::Formula) => by_regression(problem, &tip),
+        (false, Source::Formula) => two_points(problem, &record(problem), &numbers),
+        (false, Source::Search) => by_search(problem, &record(problem), &tip),
+        _ => None,
     }
-    let record = record(problem);
-    let mut found = Vec::new();
-    found.extend(two_points(problem, &record, &numbers));
-    found.extend(by_search(problem, &record, &tip));
-    found
 }
 
 /// Depth and force of the rows of the last leg, the one that retracts where there is one.
