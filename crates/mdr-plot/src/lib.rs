@@ -31,7 +31,7 @@
 //! | draw a scene | [`scene()`] of [`Scene::diagram`](mdr::Scene::diagram) |
 //! | draw figures 1 to 4 of the theory | [`figures`] |
 //! | draw anything else | [`Picture`], [`Panel`], [`Axis`], [`Layer`] |
-//! | write it | [`Picture::svg`], [`Picture::csv`] |
+//! | write it | [`Picture::svg`], [`Picture::svg_in`] a [`Theme`], [`Picture::csv`] |
 //!
 //! # Markup
 //! Names and texts may have `*a*` for slanted letters, `_{c}` for an index below and `^{1/4}` for one above the line.
@@ -49,6 +49,6 @@ mod scene;
 mod svg;
 
 pub use axis::{Axis, Unit, typographic};
-pub use chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke};
+pub use chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke, Theme};
 pub use data::CSV_HEADER;
 pub use scene::scene;

@@ -1,7 +1,6 @@
 //! Derivations as a LaTeX document.
 
 use mdr_crosscheck::derivations::{Judgement, StepJudgement};
-use mdr_symbolic::{Formula, Statement};
 
 use super::{Extent, document, errata, prose};
 
@@ -72,9 +71,7 @@ fn step(step: &StepJudgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    let formula = |formula: &Formula| format!("${}$", formula.tex());
-    let statement = |statement: &Statement| format!("${}$", statement.tex());
-    prose::render(text, escaped, formula, statement)
+    prose::render(text, escaped, |math| format!("${}$", math.tex()))
 }
 
 /// Characters that TeX reads in another way or does not have.

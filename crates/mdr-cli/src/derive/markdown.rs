@@ -1,8 +1,8 @@
 //! Derivations as pages, with mathematics that GitHub renders.
 
 use mdr_crosscheck::derivations::{AGREEMENT, Fate, Judgement, OCTAVES, POINTS, StepJudgement};
+use mdr_symbolic::Symbol;
 use mdr_symbolic::formula::Definition;
-use mdr_symbolic::{Formula, Statement, Symbol};
 
 use super::figures::{self, Figure};
 use super::{Extent, document, errata, prose};
@@ -188,9 +188,7 @@ fn step(step: &StepJudgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    let formula = |formula: &Formula| format!("$`{}`$", formula.tex());
-    let statement = |statement: &Statement| format!("$`{}`$", statement.tex());
-    prose::render(text, escaped, formula, statement)
+    prose::render(text, escaped, |math| format!("$`{}`$", math.tex()))
 }
 
 /// Stars, underscores and signs of less than are no markup here.

@@ -1,7 +1,6 @@
 //! Derivations for a terminal.
 
 use mdr_crosscheck::derivations::{Fate, Judgement};
-use mdr_symbolic::{Formula, Statement};
 
 use super::{Extent, document, errata, prose};
 use crate::table::{Tone, cell, render, table};
@@ -74,7 +73,7 @@ fn entry(judgement: &Judgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    prose::render(text, str::to_owned, Formula::text, Statement::text)
+    prose::render(text, str::to_owned, |math| math.text())
 }
 
 /// The text broken into indented lines.

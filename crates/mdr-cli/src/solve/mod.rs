@@ -65,6 +65,10 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
 
+    /// Colours of the picture
+    #[arg(long, value_enum, default_value_t)]
+    theme: plot::Colours,
+
     /// Tell on standard error what each output cost: evaluations of g, its slope and its integral, and time
     #[arg(long)]
     explain: bool,
@@ -84,7 +88,7 @@ impl Solve {
         answer.notes.extend(scene.unused(self.plot.is_some()));
         render::write(&answer, self.format, out)?;
         if let Some(file) = &self.plot {
-            draw(&scene, &self.scene, file).map_err(not_drawn)?;
+            draw(&scene, &self.scene, file, self.theme).map_err(not_drawn)?;
         }
         if self.explain { explain::write(&progress.costs) } else { Ok(()) }
     }
@@ -106,11 +110,11 @@ fn open(path: &Path) -> Solved<Scene> {
 }
 
 /// Draws the scene that was read from the file `from` to the SVG file `to`, and its data to a CSV file beside it.
-fn draw(scene: &Scene, from: &Path, to: &Path) -> Result<()> {
+fn draw(scene: &Scene, from: &Path, to: &Path, colours: plot::Colours) -> Result<()> {
     let name =
         from.file_stem().filter(|stem| *stem != "-").map_or_else(String::new, |stem| format!(": {}", stem.display()));
     let title = format!("{} under controlled {}{name}", scene.profile().name(), scene.controlled().kind().name());
-    plot::write(&mdr_plot::scene(&title, &scene.diagram()?), to, "--plot ")
+    plot::write(&mdr_plot::scene(&title, &scene.diagram()?), colours, to, "--plot ")
 }
 
 /// A picture that cannot be drawn names its flag.
