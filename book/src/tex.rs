@@ -28,7 +28,7 @@ impl Tex {
             math = math.replace(&format!("mathcolor=\"{colour}\""), &format!("class=\"{class}\""));
             math = math.replace(&format!("style=\"color:{colour};\""), &format!("class=\"{class}\""));
         }
-        Ok(math.replace('\n', " "))
+        Ok(primes(&math).replace('\n', " "))
     }
 
     /// A formula in a line of text.
@@ -46,4 +46,20 @@ impl Tex {
              <button class=\"copy\" type=\"button\" hidden>copy TeX</button></div>"
         ))
     }
+}
+
+/// A prime beside its letter instead of above it: fonts draw it raised already, and browsers raise it once more.
+fn primes(math: &str) -> String {
+    const RAISED: &str = "<mo>′</mo></msup>";
+    let (mut out, mut rest) = (String::new(), math);
+    while let Some((before, after)) = rest.split_once(RAISED) {
+        match before.rsplit_once("<msup>") {
+            Some((before, base)) => {
+                out += &format!("{before}<mrow>{base}<mo lspace=\"0.05em\" rspace=\"0.05em\">′</mo></mrow>");
+            }
+            None => out += &format!("{before}{RAISED}"),
+        }
+        rest = after;
+    }
+    out + rest
 }

@@ -68,7 +68,7 @@ fn quantity(record: &Record) -> String {
 
 /// The value, or why there is none.
 fn value(record: &Record) -> Markup {
-    let unit = if record.unit == "1" { "" } else { record.unit.as_str() };
+    let unit = if record.unit == "1" { String::new() } else { record.unit.replace("^2", "²") };
     html! {
         @match &record.value {
             Some(value) => { span.digits { (minus(&value.mid)) } @if !unit.is_empty() { " " (unit) } @if record.status != Status::Ok { " (" (record.status) ")" } }
@@ -97,12 +97,13 @@ pub(crate) fn of_entry(entry: &Entry, ids: &[String]) -> Result<Markup> {
             p.hint { "Every digit is proved by enclosures and confirmed by a method that shares no formula with them." }
             div.table tabindex="0" role="group" aria-label="Certified values" { table.values {
                 thead { tr { th { "question" } th { "quantity" } th { "value" } } }
-                tbody { @for record in shown { tr {
+                tbody { @for record in &shown { tr {
                     td { (question(record)) }
                     td { (quantity(record)) }
                     td { a href={ (page(record)) "#" (record.id) } { (value(record)) } }
                 } } }
             } }
+            @if let Some(first) = shown.first() { p.ask { "All that is known of a value, on a terminal: " code { "mdr reference --filter id=" (first.id) " --format json" } } }
         }
         @if !rest.is_empty() {
             p { (rest.len()) " certified records rest on this entry: "

@@ -21,6 +21,10 @@ Examples:
   Into another one, which is made when it is not there:
     mdr figures --out /tmp/popov
 
+  For a talk on a dark background, and as PNG by a program that draws SVG:
+    mdr figures --theme dark
+    rsvg-convert -w 1600 figures/figure-4.svg -o figure-4.png
+
   The caption of each figure, with the computed numbers:
     mdr figures --format json
 
@@ -40,6 +44,10 @@ pub(crate) struct Figures {
     /// Directory of the files
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
+
+    /// Colours of the figures
+    #[arg(long, value_enum, default_value_t)]
+    theme: plot::Colours,
 
     /// Shape of the list of files
     #[arg(long, value_enum, default_value_t = Format::Table)]
@@ -68,7 +76,7 @@ impl Figures {
         let mut written = Vec::with_capacity(FIGURES.len());
         for (figure, compute) in FIGURES {
             bar.set_message(figure);
-            written.push(write(figure, compute()?, &self.out)?);
+            written.push(write(figure, compute()?, self.theme, &self.out)?);
             bar.inc(1);
         }
         bar.finish_and_clear();
@@ -100,10 +108,10 @@ impl Figures {
 }
 
 /// Writes one figure and its data.
-fn write(figure: &'static str, picture: Picture, directory: &Path) -> Result<Written> {
+fn write(figure: &'static str, picture: Picture, colours: plot::Colours, directory: &Path) -> Result<Written> {
     let path = |extension: &str| directory.join(format!("{figure}.{extension}"));
     let svg = path("svg");
-    plot::write(&picture, &svg, "")?;
+    plot::write(&picture, colours, &svg, "")?;
     Ok(Written {
         schema: "mdr.figures/1",
         figure,

@@ -82,6 +82,10 @@ pub(crate) struct Judge {
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
 
+    /// Colours of the picture
+    #[arg(long, value_enum, default_value_t)]
+    theme: plot::Colours,
+
     /// Show all answers in the table, not only the worst
     #[arg(long)]
     all: bool,
@@ -124,7 +128,7 @@ impl Judge {
         match &self.plot {
             // A closed standard error changes nothing.
             Some(_) if report.answered() == 0 => drop(writeln!(io::stderr(), "note: --plot: {NOTHING_TO_DRAW}")),
-            Some(to) => plot::write(&mdr_plot::judged(&report, &rules.limits), to, "--plot ")?,
+            Some(to) => plot::write(&mdr_plot::judged(&report, &rules.limits), self.theme, to, "--plot ")?,
             None => {}
         }
         Ok(report.passed())

@@ -4,9 +4,35 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use mdr_plot::{CSV_HEADER, Picture};
+use clap::ValueEnum;
+use mdr_plot::{CSV_HEADER, Picture, Theme};
 
 use crate::error::{Failure, Result};
+
+/// The colours of a picture: the flag `--theme`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Colours {
+    /// Light or dark as the reader's system is
+    #[default]
+    Auto,
+    /// For a light page
+    Light,
+    /// For a dark page
+    Dark,
+    /// Black and grey, for print
+    Paper,
+}
+
+impl From<Colours> for Theme {
+    fn from(colours: Colours) -> Self {
+        match colours {
+            Colours::Auto => Theme::Auto,
+            Colours::Light => Theme::Light,
+            Colours::Dark => Theme::Dark,
+            Colours::Paper => Theme::Paper,
+        }
+    }
+}
 
 /// Refuses a file whose name would be that of its own data, or whose data would take the place of another file.
 ///
@@ -38,8 +64,8 @@ fn is_data(file: impl Read) -> bool {
 ///
 /// # Errors
 /// When a file cannot be written.
-pub(crate) fn write(picture: &Picture, to: &Path, flag: &str) -> Result<()> {
-    for (file, text) in [(to.to_owned(), picture.svg()), (to.with_extension("csv"), picture.csv())] {
+pub(crate) fn write(picture: &Picture, colours: Colours, to: &Path, flag: &str) -> Result<()> {
+    for (file, text) in [(to.to_owned(), picture.svg_in(colours.into())), (to.with_extension("csv"), picture.csv())] {
         std::fs::write(&file, text).map_err(|error| Failure::file(format!("{flag}{}", file.display()), error))?;
     }
     Ok(())

@@ -5,7 +5,7 @@ use crate::Axis;
 /// A point of a chart, in the units of its two axes.
 pub type Point = [f64; 2];
 
-/// Panels in rows of two, with the caption of all.
+/// Panels side by side, three in a row, else two, with the caption of all.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// The `<title>` of the SVG.
@@ -14,6 +14,20 @@ pub struct Picture {
     pub description: String,
     /// In the order of reading.
     pub panels: Vec<Panel>,
+}
+
+/// The colours of a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Theme {
+    /// Light or dark as the reader's system is, light in print.
+    #[default]
+    Auto,
+    /// For a light page.
+    Light,
+    /// For a dark page.
+    Dark,
+    /// Black and grey on white.
+    Paper,
 }
 
 /// One chart.

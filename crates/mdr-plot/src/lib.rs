@@ -34,7 +34,7 @@
 //! | draw judged answers of another program | [`judged()`] of a [`Report`](mdr_reference::Report) |
 //! | draw methods by time and error | [`comparison()`] |
 //! | draw anything else | [`Picture`], [`Panel`], [`Axis`], [`Layer`] |
-//! | write it | [`Picture::svg`], [`Picture::csv`] |
+//! | write it | [`Picture::svg`], [`Picture::svg_in`] a [`Theme`], [`Picture::csv`] |
 //!
 //! # Markup
 //! Names and texts may have `*a*` for slanted letters, `_{c}` for an index below and `^{1/4}` for one above the line.
@@ -56,7 +56,7 @@ mod scene;
 mod svg;
 
 pub use axis::{Axis, Unit, typographic};
-pub use chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke};
+pub use chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke, Theme};
 pub use comparison::{Method, Question, comparison};
 pub use data::CSV_HEADER;
 #[cfg(feature = "fit")]

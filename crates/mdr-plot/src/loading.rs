@@ -81,12 +81,13 @@ fn states(data: &Diagram) -> Vec<Spot> {
     states
 }
 
-/// The states after the contact has come off, unless they are so far away that nothing else would be seen: a soft machine
+/// The states before there is a contact and after it has come off, unless they are so far away that nothing else would be seen: a soft machine
 /// draws the body back a long way.
 fn near(data: &Diagram, states: &[Spot]) -> Vec<Spot> {
     let depths = || states.iter().map(|spot| spot.indentation);
     let (least, most) = (depths().fold(0.0, f64::min), depths().fold(0.0, f64::max));
-    let apart = data.path.iter().filter(|event| event.kind == EventKind::Detached).filter_map(|event| event.after);
+    let apart = data.path.iter().filter(|event| matches!(event.kind, EventKind::Detached | EventKind::Start));
+    let apart = apart.filter_map(|event| event.after);
     apart.filter(|spot| (2.0 * least - most..=2.0 * most - least).contains(&spot.indentation)).collect()
 }
 
@@ -177,7 +178,9 @@ fn events(data: &Diagram, plane: Plane, x: &Axis) -> Vec<Layer> {
         if start != end && start.iter().chain(&end).all(|value| value.is_finite()) {
             layers.push(Layer::arrow(event.kind.name(), start, end).coloured(LOSS).meaning("jump"));
         }
-        if let Some(spot) = event.in_contact().filter(|_| data.path.len() <= MOST_NUMBERS) {
+        // Out of contact the radius tells nothing.
+        let apart = event.after.filter(|_| plane == Plane::Indentation);
+        if let Some(spot) = event.in_contact().or(apart).filter(|_| data.path.len() <= MOST_NUMBERS) {
             layers.push(Layer::label((index + 1).to_string(), vec![plane.point(&spot)], Side::Left));
         }
     }

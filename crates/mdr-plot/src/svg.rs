@@ -1,12 +1,13 @@
 //! From a picture to its SVG: one file for screens, light or dark, and for print.
 
 use crate::Axis;
-use crate::chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke};
+use crate::chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke, Theme};
 use crate::markup::{SIZE, escaped, plain, tspans, width};
 
-/// Width and height of the frame of a panel in points, alone and beside another.
+/// Width and height of the frame of a panel in points: alone, one of two or more, one of three.
 const ALONE: [f64; 2] = [420.0, 260.0];
 const PAIRED: [f64; 2] = [320.0, 220.0];
+const ONE_OF_THREE: [f64; 2] = [250.0, 210.0];
 
 /// Room around a frame: for the numbers of the ticks, the next panel, the name of the horizontal axis.
 const LEFT: f64 = 54.0;
@@ -24,6 +25,9 @@ const GAP: f64 = 4.0;
 /// Radius of a mark, length and half width of an arrow head.
 const MARK: f64 = 3.2;
 const HEAD: (f64, f64) = (8.0, 3.0);
+
+/// Curves of a panel that can be told by their names beside them; more have a legend.
+const MOST_NAMED: usize = 4;
 
 /// Points of a curve nearer to the last one than this are left out.
 const NEAR: f64 = 0.3;
@@ -63,19 +67,27 @@ impl Picture {
     ///
     /// It is a function of the picture alone: the same bytes on every run. It needs no font of its own.
     pub fn svg(&self) -> String {
-        let columns = self.panels.len().clamp(1, 2);
-        let frame = if columns == 1 { ALONE } else { PAIRED };
+        self.svg_in(Theme::Auto)
+    }
+
+    /// The same in fixed colours, for a page that is light or dark whatever the reader's system is, or for print.
+    pub fn svg_in(&self, theme: Theme) -> String {
+        // Three panels fill a row; of other numbers two do.
+        let columns = if self.panels.len() == 3 { 3 } else { self.panels.len().clamp(1, 2) };
+        let frame = [ALONE, PAIRED, ONE_OF_THREE][columns - 1];
         let cell = LEFT + frame[0] + RIGHT;
         let (mut top, mut body) = (MARGIN, String::new());
         for row in self.panels.chunks(columns) {
-            let legends: Vec<_> = row.iter().map(|panel| Legend::new(panel, frame[0])).collect();
+            let named: Vec<_> = row.iter().map(|panel| named(panel, frame)).collect();
+            let legends: Vec<_> =
+                row.iter().zip(&named).map(|(panel, named)| Legend::new(panel, frame[0], named)).collect();
             let head = legends.iter().map(Legend::height).fold(0.0, f64::max);
-            for (column, (panel, legend)) in row.iter().zip(&legends).enumerate() {
+            for (column, ((panel, legend), named)) in row.iter().zip(&legends).zip(named).enumerate() {
                 let corner = [column as f64 * cell + LEFT, top + head];
                 body.push_str(&format!("<g transform=\"translate({:.0} {:.0})\">\n", corner[0], corner[1]));
                 let mut frame = Frame { panel, size: frame, svg: &mut body };
                 frame.head(legend, head);
-                frame.draw();
+                frame.draw(named);
                 body.push_str("</g>\n");
             }
             top += head + frame[1] + BELOW;
@@ -87,13 +99,13 @@ impl Picture {
              role=\"img\" font-family=\"Inter, Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\" font-size=\"{SIZE}\" \
              xml:space=\"preserve\">\n<title>{title}</title>\n<desc>{description}</desc>\n<style>{}</style>\n\
              <rect class=\"page\" width=\"100%\" height=\"100%\"/>\n{body}</svg>\n",
-            style()
+            style(theme)
         )
     }
 }
 
 /// The style sheet. Colours are written out, since some programs that print SVG know no variables.
-fn style() -> String {
+fn style(theme: Theme) -> String {
     let shaded = |dark: bool| {
         let colours = PALETTE
             .iter()
@@ -103,7 +115,16 @@ fn style() -> String {
         });
         colours.collect::<String>() + &rules
     };
-    format!("{}@media screen and (prefers-color-scheme:dark){{{}}}", shaded(false), shaded(true))
+    match theme {
+        Theme::Auto => format!("{}@media screen and (prefers-color-scheme:dark){{{}}}", shaded(false), shaded(true)),
+        Theme::Light => shaded(false),
+        Theme::Dark => shaded(true),
+        Theme::Paper => PALETTE.iter().fold(shaded(false), |style, (_, class, light, _)| {
+            // Lines of a black and white print differ by their strokes.
+            let black = if matches!(*class, "purple" | "grey" | "sky" | "amber") { "#6a6a6a" } else { "#000000" };
+            style.replace(&format!(".{class}{{color:{light}}}"), &format!(".{class}{{color:{black}}}"))
+        }),
+    }
 }
 
 fn class(colour: Colour) -> &'static str {
@@ -132,11 +153,14 @@ impl Entry<'_> {
 }
 
 impl<'a> Legend<'a> {
-    /// Entries one after the other, in a new row where `room` is used up.
-    fn new(panel: &'a Panel, room: f64) -> Self {
+    /// Entries one after the other, in a new row where `room` is used up. Curves that are named beside them need none.
+    fn new(panel: &'a Panel, room: f64, named: &[Name<'_>]) -> Self {
         let mut entries: Vec<Entry<'a>> = Vec::new();
         for layer in &panel.layers {
             let Some(text) = layer.legend.as_deref() else { continue };
+            if named.iter().any(|name| name.text == text) {
+                continue;
+            }
             match entries.iter_mut().find(|known| known.text == text) {
                 Some(Entry { layers, .. }) if layers.iter().any(|known| known.look == layer.look) => {}
                 Some(Entry { layers, .. }) => layers.push(layer),
@@ -176,8 +200,78 @@ struct Frame<'a> {
     svg: &'a mut String,
 }
 
+/// The name of a curve beside it.
+struct Name<'a> {
+    text: &'a str,
+    colour: Colour,
+    room: Room,
+}
+
+/// The curves that can be named beside them: those that alone have their entry of the legend, where there is room that no
+/// line crosses.
+fn named(panel: &Panel, size: [f64; 2]) -> Vec<Name<'_>> {
+    let mut svg = String::new();
+    let frame = Frame { panel, size, svg: &mut svg };
+    let alone = |layer: &Layer| panel.layers.iter().filter(|other| other.legend == layer.legend).count() == 1;
+    let is_curve =
+        |layer: &Layer| layer.legend.is_some() && matches!(layer.look, Look::Curve(stroke) if stroke != Stroke::Guide);
+    if panel.layers.iter().filter(|layer| is_curve(layer)).count() > MOST_NAMED {
+        return Vec::new();
+    }
+    // Marks, labels at their first place, and lines as rows of small rooms, are in the way; each with its layer.
+    let mut taken = Vec::new();
+    for (index, layer) in panel.layers.iter().enumerate() {
+        let places = frame.places(layer);
+        let rooms: Vec<Room> = match layer.look {
+            Look::Marks(_) => places.iter().map(|at| Room::around(*at, 4.0 * MARK, 4.0 * MARK)).collect(),
+            Look::Label(side) => {
+                let size = (width(&layer.name), LINE);
+                places.first().map(|at| Room::beside(*at, side, size)).into_iter().collect()
+            }
+            Look::Curve(_) | Look::Arrow => places.windows(2).flat_map(|ends| along(ends[0], ends[1])).collect(),
+            Look::Area => Vec::new(),
+        };
+        taken.extend(rooms.into_iter().map(|room| (index, room)));
+    }
+    let mut names: Vec<Name<'_>> = Vec::new();
+    for (index, layer) in panel.layers.iter().enumerate().filter(|(_, layer)| is_curve(layer) && alone(layer)) {
+        let Some(text) = layer.legend.as_deref() else { continue };
+        let size = (width(text), LINE - 3.0);
+        let seen = frame.seen(layer);
+        // From the outer end inwards, since there curves lie apart.
+        let anchors = (1..40).rev().filter_map(|part| seen.get(part * seen.len() / 40));
+        // Nothing is under the name, and no other line between it and its curve.
+        let free = |(at, room): &(Point, Room)| {
+            let bridge = Room::between(*at, room);
+            frame.holds(room)
+                && !taken.iter().any(|(_, other)| room.overlaps(other))
+                && !taken.iter().any(|(of, other)| *of != index && bridge.overlaps(other))
+                && !names.iter().any(|name| room.overlaps(&name.room))
+        };
+        let sides = [Side::Right, Side::Left, Side::Above, Side::Below];
+        let mut rooms = anchors.flat_map(|at| sides.map(|side| (*at, Room::beside(*at, side, size))));
+        if let Some((_, room)) = rooms.find(free) {
+            names.push(Name { text, colour: layer.colour, room });
+        }
+    }
+    names
+}
+
+/// Small rooms along a line, near enough to each other that no text slips between them.
+fn along(from: Point, to: Point) -> Vec<Room> {
+    const STEP: f64 = 4.0;
+    let reach = (to[0] - from[0]).hypot(to[1] - from[1]);
+    if !reach.is_finite() {
+        return Vec::new();
+    }
+    let steps = (reach / STEP).ceil().clamp(1.0, 400.0) as usize;
+    let at = |step: usize| step as f64 / steps as f64;
+    let point = |step| [from[0] + at(step) * (to[0] - from[0]), from[1] + at(step) * (to[1] - from[1])];
+    (0..=steps).map(|step| Room::around(point(step), 2.0, 2.0)).collect()
+}
+
 impl Frame<'_> {
-    fn draw(&mut self) {
+    fn draw(&mut self, named: Vec<Name<'_>>) {
         let [width, height] = self.size;
         self.axes();
         // An SVG inside cuts what leaves the frame.
@@ -193,6 +287,11 @@ impl Frame<'_> {
         }
         self.svg.push_str("</svg>\n");
         let mut taken = self.marks();
+        for Name { text, colour, room } in named {
+            let kind = format!("label middle {}", class(colour));
+            self.text([room.centre[0], room.centre[1] + 4.0], &kind, text);
+            taken.push(room);
+        }
         for layer in &self.panel.layers {
             if let Look::Label(side) = layer.look {
                 self.label(layer, side, &mut taken);
@@ -370,6 +469,14 @@ impl Room {
             Side::Right => [x + aside, y],
         };
         Self::around(centre, width, height)
+    }
+
+    /// What lies between a place and the middle of a room beside it.
+    fn between([x, y]: Point, room: &Room) -> Self {
+        let [u, v] = room.centre;
+        let reach = |from: f64, to: f64, half: f64| ((to - from).abs() - half).max(1.0);
+        let (wide, high) = (reach(x, u, room.half[0]), reach(y, v, room.half[1]));
+        Self::around([x + (u - x).signum() * wide / 2.0, y + (v - y).signum() * high / 2.0], wide, high)
     }
 
     fn overlaps(&self, other: &Room) -> bool {

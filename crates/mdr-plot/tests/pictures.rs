@@ -5,7 +5,7 @@
 use mdr::diagram::Diagram;
 use mdr::prelude::*;
 use mdr_plot::figures::FIGURES;
-use mdr_plot::{Axis, Colour, Layer, Mark, Panel, Picture, Side, Unit, scene};
+use mdr_plot::{Axis, Colour, Layer, Mark, Panel, Picture, Side, Stroke, Theme, Unit, scene};
 use roxmltree::{Document, Node};
 
 /// What is drawn of a contact that follows a path.
@@ -48,9 +48,38 @@ fn texts(picture: &Picture) -> Vec<String> {
         assert!((0.0..=sheet[2]).contains(&x) && (0.0..=sheet[3]).contains(&y), "{x}, {y} in {node:?}");
     }
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "a place that is no number");
+    apart(&document, &sheet);
     let content =
         |node: Node<'_, '_>| node.descendants().filter(Node::is_text).filter_map(|part| part.text()).collect();
     document.descendants().filter(|node| node.has_tag_name("text")).map(content).collect()
+}
+
+/// All texts are within the sheet and beside each other, in a narrow font; a wide one is what their places are chosen for.
+fn apart(document: &Document<'_>, sheet: &[f64]) {
+    const EM: f64 = 0.46 * 11.0;
+    let boxes: Vec<_> = document
+        .descendants()
+        .filter(|node| node.has_tag_name("text"))
+        .map(|node| {
+            let text: String = node.descendants().filter(Node::is_text).filter_map(|part| part.text()).collect();
+            let number = |name: &str| node.attribute(name).unwrap().parse::<f64>().unwrap();
+            let moved = node.ancestors().find_map(|outer| outer.attribute("transform")).unwrap();
+            let moved: Vec<f64> =
+                moved["translate(".len()..moved.len() - 1].split(' ').map(|x| x.parse().unwrap()).collect();
+            let class = node.attribute("class").unwrap_or_default();
+            let width = EM * text.chars().count() as f64;
+            let shift = if class.contains("middle") { 0.5 } else { f64::from(u8::from(class.contains("end"))) };
+            let left = number("x") + moved[0] - shift * width;
+            (left, left + width, number("y") + moved[1], text)
+        })
+        .collect();
+    for (i, (left, right, y, text)) in boxes.iter().enumerate() {
+        assert!(*left >= -0.5 && *right <= sheet[2] + 0.5 && (8.0..=sheet[3]).contains(y), "{text} leaves the sheet");
+        for (other_left, other_right, other_y, other) in &boxes[..i] {
+            let overlap = left < other_right && other_left < right && (y - other_y).abs() < 8.0;
+            assert!(!overlap, "{text:?} and {other:?} overlap at {left:.0}, {y:.0}");
+        }
+    }
 }
 
 /// How often a text is in a picture.
@@ -130,6 +159,39 @@ fn panel(layers: Vec<Layer>) -> Picture {
     let [x, y] = ["x", "y"].map(|name| Axis::linear(name, Unit::One, 0.0, 1.0));
     let panels = vec![Panel { layers, ..Panel::new("", x, y) }];
     Picture { title: "A & B".to_owned(), description: "x < 1".to_owned(), panels }
+}
+
+/// A curve is named where there is room, else in the legend; never twice.
+#[test]
+fn curves_are_named_beside_them() {
+    let line = |height: f64, text: &str| {
+        Layer::curve(text, vec![[0.0, height], [0.5, height], [1.0, height]], Stroke::Solid).meaning(text)
+    };
+    let picture = panel(vec![line(0.2, "below"), line(0.8, "above")]);
+    let svg = picture.svg();
+    for name in ["below", "above"] {
+        assert_eq!(count(&picture, name), 1);
+        assert!(svg.lines().any(|line| line.contains("label middle") && line.contains(name)), "{svg}");
+    }
+    // A comb of lines leaves no room: they have a legend.
+    let comb = (0..4).map(|i| line(0.5 + 0.01 * f64::from(i), ["one", "two", "three", "four"][i as usize]));
+    let comb = panel(comb.chain((0..60).map(|i| Layer { legend: None, ..line(f64::from(i) / 60.0, "") })).collect());
+    assert!(!comb.svg().contains("label middle"));
+    assert_eq!(count(&comb, "one"), 1);
+}
+
+#[test]
+fn themes_fix_the_colours() {
+    let picture = panel(vec![Layer::curve("a", vec![[0.0, 0.0], [1.0, 1.0]], Stroke::Solid).coloured(Colour::Blue)]);
+    let blue = |theme| picture.svg_in(theme).split_once(".blue{color:").unwrap().1[..7].to_owned();
+    assert_eq!(
+        [Theme::Auto, Theme::Light, Theme::Dark, Theme::Paper].map(blue),
+        ["#0b62a8", "#0b62a8", "#62b5f5", "#000000"]
+    );
+    for theme in [Theme::Light, Theme::Dark, Theme::Paper] {
+        assert!(!picture.svg_in(theme).contains("@media"), "{theme:?}");
+    }
+    assert_eq!(picture.svg(), picture.svg_in(Theme::Auto));
 }
 
 #[test]

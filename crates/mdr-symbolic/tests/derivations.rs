@@ -173,3 +173,24 @@ fn entries_with_their_verdict<'a>(row: &[&'a str]) -> Vec<&'a str> {
     }
     found
 }
+
+/// What is meant as a formula in a text is one: between backquotes in the grammar of the algebra, between dollars in TeX.
+#[test]
+fn no_formula_is_typed_as_text() {
+    let typed = |c: char| "^_=<>√∫∞≤≥≠≈·πκλμθφδεΔΓΛΠΣ₀₁₂²³⁴ⁿᵏ⁻".contains(c);
+    for entry in entries() {
+        let texts = entry.steps.iter().map(|step| step.why).chain(entry.assumptions.iter().copied());
+        for text in texts.chain(entry.erratum.map(|erratum| erratum.text)) {
+            for (i, part) in text.split('`').enumerate() {
+                if i % 2 == 1 {
+                    let statement = part.parse::<mdr_symbolic::Statement>().is_ok();
+                    assert!(statement || part.parse::<mdr_symbolic::Formula>().is_ok(), "{}: {part}", entry.id);
+                    continue;
+                }
+                let words: String = part.split('$').step_by(2).collect();
+                assert!(!words.contains(typed), "{}: {words}", entry.id);
+            }
+            assert_eq!(text.matches('$').count() % 2, 0, "{}: {text}", entry.id);
+        }
+    }
+}

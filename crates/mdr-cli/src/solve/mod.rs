@@ -68,6 +68,10 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
 
+    /// Colours of the picture
+    #[arg(long, value_enum, default_value_t)]
+    theme: plot::Colours,
+
     /// Write one CSV file an output into a folder, with units in the headers and a column an input
     #[arg(long, value_name = "DIR", conflicts_with = "format")]
     out: Option<PathBuf>,
@@ -98,7 +102,7 @@ impl Solve {
             None => render::write(&answer, self.format, &reader, out)?,
         }
         if let Some(file) = &self.plot {
-            draw(&scene, &self.scene, file).map_err(not_drawn)?;
+            draw(&scene, &self.scene, file, self.theme).map_err(not_drawn)?;
         }
         if self.explain { explain::write(&progress.costs) } else { Ok(()) }
     }
@@ -120,11 +124,11 @@ fn open(path: &Path) -> Solved<Scene> {
 }
 
 /// Draws the scene that was read from the file `from` to the SVG file `to`, and its data to a CSV file beside it.
-fn draw(scene: &Scene, from: &Path, to: &Path) -> Result<()> {
+fn draw(scene: &Scene, from: &Path, to: &Path, colours: plot::Colours) -> Result<()> {
     let name =
         from.file_stem().filter(|stem| *stem != "-").map_or_else(String::new, |stem| format!(": {}", stem.display()));
     let title = format!("{} under controlled {}{name}", scene.profile().name(), scene.controlled().kind().name());
-    plot::write(&mdr_plot::scene(&title, &scene.diagram()?), to, "--plot ")
+    plot::write(&mdr_plot::scene(&title, &scene.diagram()?), colours, to, "--plot ")
 }
 
 /// A picture that cannot be drawn names its flag.

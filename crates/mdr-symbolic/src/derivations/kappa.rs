@@ -6,17 +6,17 @@ pub(super) const RECURRENCES: Entry = Entry {
     id: "kappa-recurrences",
     title: "Recurrences of κ",
     refuted: false,
-    assumptions: &["n > 0"],
+    assumptions: &["`n > 0`"],
     steps: &[
         Step::proved(POSITIVE, "kappa(n) = sqrt(π)/2*n*Γ(n/2)/Γ((n + 1)/2)", "The definition (1.12)."),
-        Step::proved(POSITIVE, "kappa(n)*kappa(n + 1) = π*(n + 1)/2", "By Γ(z + 1) = z Γ(z)."),
+        Step::proved(POSITIVE, "kappa(n)*kappa(n + 1) = π*(n + 1)/2", "By $\\Gamma(z + 1) = z \\, \\Gamma(z)$."),
         Step::proved(
             POSITIVE,
             "kappa(n + 2) = kappa(n)*(n + 2)/(n + 1)",
-            "By the same rule, or by the equality of integrals in 1.1: it carries κ through all exponents that differ by 2.",
+            "By the same rule, or by the equality of integrals in 1.1: it carries `κ` through all exponents that differ by 2.",
         ),
-        Step::proved(POSITIVE, "kappa(4) = 8/3", "That is κ_2·4/3."),
-        Step::proved(POSITIVE, "kappa(3) = 3*π/4", "That is κ_1·3/2."),
+        Step::proved(POSITIVE, "kappa(4) = 8/3", "That is `kappa(2)*4/3`."),
+        Step::proved(POSITIVE, "kappa(3) = 3*π/4", "That is `kappa(1)*3/2`."),
     ],
     erratum: None,
     references: &[],
@@ -26,19 +26,19 @@ pub(super) const GROWTH: Entry = Entry {
     id: "kappa-growth",
     title: "κ grows with n",
     refuted: false,
-    assumptions: &["n > 0"],
+    assumptions: &["`n > 0`"],
     steps: &[
         Step::proved(
             POSITIVE,
             "diff(sinθ^n, θ) = n*sinθ^(n - 1)*cosθ",
-            "By 1.1 and 1.12, κ_n = n ∫ sin^(n−1)θ dθ over a quarter turn. With x = sin^nθ that is κ_n = ∫ dx/cosθ from 0 to 1, \
-             where cosθ = √(1 − x^(2/n)).",
+            "By 1.1 and 1.12, `κ = n*turn(sinθ^(n - 1))`. With `x = sinθ^n` that is $\\kappa_n = \\int_0^1 dx/\\cos\\theta$, \
+             where `cosθ = sqrt(1 - x^(2/n))`.",
         ),
         Step::proved(
             POSITIVE,
             "2/n - 2/(n + ε) > 0",
-            "The exponent 2/n falls when n grows, by any ε > 0. As 0 < x < 1, x^(2/n) grows at every x, and the integrand with it: \
-             κ_n grows with n.",
+            "The exponent $2/n$ falls when `n` grows, by any `ε > 0`. As $0 \\lt x \\lt 1$, `x^(2/n)` grows at every `x`, and the integrand with it: \
+             `κ` grows with `n`.",
         ),
         Step::enclosed(POSITIVE, "kappa(n + 1) > kappa(n)", "A check in numbers."),
     ],
@@ -50,7 +50,7 @@ pub(super) const SERIES: Entry = Entry {
     id: "kappa-series",
     title: "Series for κ without the Gamma function",
     refuted: false,
-    assumptions: &["f(b, c) = ₂F₁(1, b; c; 1/2) is the sum of terms t_j with t_0 = 1", "n > 0"],
+    assumptions: &["$f(b, c) = {}_2F_1(1, b; c; \\tfrac12)$ is the sum of terms $t_j$ with $t_0 = 1$", "`n > 0`"],
     steps: &[
         Step::enclosed(
             POSITIVE,
@@ -60,45 +60,45 @@ pub(super) const SERIES: Entry = Entry {
         Step::proved(
             POSITIVE,
             "at(q, j, 0) = b/(2*c)",
-            "The ratio t_{j+1}/t_j is `q = (b + j)/(2*(c + j))`. So t_1 = b/2c,",
+            "The ratio $t_{j+1}/t_j$ is `q = (b + j)/(2*(c + j))`. So $t_1 = b/2c$,",
         ),
         Step::proved(
             POSITIVE,
             "at(q, j, j + 1) = at(at(q, b, b + 1), c, c + 1)",
-            "and from there on the ratios are those of f(b+1, c+1): f(b,c) = 1 + (b/2c) f(b+1,c+1).",
+            "and from there on the ratios are those of $f(b+1, c+1)$: $f(b,c) = 1 + \\frac{b}{2c} f(b+1,c+1)$.",
         ),
         Step::proved(
             POSITIVE,
             "at(c/(c + j), j, j + 1)*(c + j)/c = at(q, c, c + 1)/q",
-            "The terms of f(b, c+1) are c/(c+j) times those of f(b, c): both are 1 at j = 0, and the ratios agree.",
+            "The terms of $f(b, c+1)$ are `c/(c + j)` times those of $f(b, c)$: both are 1 at `j = 0`, and the ratios agree.",
         ),
         Step::proved(
             POSITIVE,
             "1 + (c - b)/c*c/(c + j) = 2*(1 - q)",
-            "So the terms of f(b,c) + ((c−b)/c) f(b,c+1) are 2t_j − 2t_{j+1}, and their sum is 2t_0: \
-             f(b,c) = 2 − ((c−b)/c) f(b,c+1).",
+            "So the terms of $f(b,c) + \\frac{c-b}{c} f(b,c+1)$ are $2t_j - 2t_{j+1}$, and their sum is $2t_0$: \
+             $f(b,c) = 2 - \\frac{c-b}{c} f(b,c+1)$.",
         ),
         Step::proved(
             POSITIVE,
             "1 + b/(2*c)*(2 - (c - b)/(c + 1)*z) = (b + c)/c - b*(c - b)/(2*c*(c + 1))*z",
-            "Both in turn, with z for f(b+1, c+2).",
+            "Both in turn, with `z` for $f(b+1, c+2)$.",
         ),
         Step::proved(
             POSITIVE,
             "at(at((b + c)/c, b, n + m), c, 1 + n/2 + 2*m) = (3*n/2 + 1 + 3*m)/(n/2 + 1 + 2*m)",
-            "Started at b = n, c = 1 + n/2, the m-th turn has b = n + m, c = 1 + n/2 + 2m, and contributes this,",
+            "Started at `b = n`, `c = 1 + n/2`, the turn $m$ has `b = n + m`, `c = 1 + n/2 + 2*m`, and contributes this,",
         ),
         Step::proved(
             POSITIVE,
             "at(at(b*(c - b)/(2*c*(c + 1)), b, n + m), c, 1 + n/2 + 2*m) \
              = (n + m)*(1 - n/2 + m)/(2*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m))",
-            "times the product of these with alternating sign, which tends to 1/8: three bits a turn. For even n the series ends.",
+            "times the product of these with alternating sign, which tends to 1/8: three bits a turn. For even `n` the series ends.",
         ),
         Step::proved(
             POSITIVE,
             "1/8 - (n + m)*(1 - n/2 + m)/(2*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m)) \
              = ((3*n/2 - 5/6)^2 + 47/36 + 2*m)/(8*(n/2 + 1 + 2*m)*(n/2 + 2 + 2*m))",
-            "From the turn m ≥ n/2 − 1 on, where the ratio is not negative, it is below 1/8;",
+            "From the turn $m \\ge n/2 - 1$ on, where the ratio is not negative, it is below 1/8;",
         ),
         Step::proved(
             POSITIVE,
@@ -109,13 +109,13 @@ pub(super) const SERIES: Entry = Entry {
         Step::proved(
             POSITIVE,
             "1/2 - q = (c - b)/(2*(c + j))",
-            "Where b ≤ c no term of f(b, c) exceeds half of the one before, so that 0 < f ≤ 2.",
+            "Where $b \\le c$ no term of $f(b, c)$ exceeds half of the one before, so that $0 \\lt f \\le 2$.",
         ),
         Step::proved(
             POSITIVE,
             "at(at(c - b, b, n + m), c, 1 + n/2 + 2*m) = 1 - n/2 + m",
-            "What m turns leave over is f for these b and c times the product of m factors: for m ≥ n/2 − 1 at most twice that \
-             product, and at most 2·8⁻ᵏ when k of the turns came after the first that is ≥ n/2 − 1.",
+            "What $m$ turns leave over is $f$ for these `b` and `c` times the product of $m$ factors: for $m \\ge n/2 - 1$ at most twice that \
+             product, and at most $2 \\cdot 8^{-j}$ when $j$ of the turns came after the first that is $\\ge n/2 - 1$.",
         ),
     ],
     erratum: None,
@@ -126,45 +126,53 @@ pub(super) const ELLIPTIC: Entry = Entry {
     id: "kappa-elliptic",
     title: "κ by an arithmetic-geometric mean",
     refuted: false,
-    assumptions: &["n = p/q with q ≤ 4"],
+    assumptions: &["$n = p/q$ with $q \\le 4$"],
     steps: &[
         Step::cited(
-            "By kappa-growth κ_n is ∫ dx/√(1 − x^(2/n)) from 0 to 1. For n = 1/2, 1/3 and 1/4 it is a complete elliptic \
+            "By kappa-growth $\\kappa_n = \\int_0^1 dx/\\sqrt{1 - x^{2/n}}$. For $n = \\tfrac12, \\tfrac13, \\tfrac14$ it is a complete elliptic \
              integral up to square roots: that of the first, third and second singular modulus.",
         ),
         Step::enclosed(
             POSITIVE,
             "turn(1/sqrt(cosθ^2 + n^2*sinθ^2)) = π/(2*agm(1, n))",
-            "A complete elliptic integral is a mean, by Gauss. Here n is any positive number.",
+            "A complete elliptic integral is a mean, by Gauss. Here `n` is any positive number.",
         ),
         Step::enclosed(
             HALF,
             "kappa(1/2) = π/(2*agm(1, sqrt(2)))",
-            "The first modulus, 1/√2: half the lemniscate constant.",
+            "The first modulus, `1/sqrt(2)`: half the lemniscate constant.",
         ),
-        Step::enclosed(HALF, "kappa(1/3) = π/(3^(1/4)*agm(2, sqrt(2 + sqrt(3))))", "The third, (√6 − √2)/4."),
+        Step::enclosed(
+            HALF,
+            "kappa(1/3) = π/(3^(1/4)*agm(2, sqrt(2 + sqrt(3))))",
+            "The third, `(sqrt(6) - sqrt(2))/4`.",
+        ),
         Step::enclosed(
             HALF,
             "kappa(1/4) = π*(1 + sqrt(2))/(4*agm(1, 1 + sqrt(2)))",
-            "The second, √2 − 1, after one step of the mean.",
+            "The second, `sqrt(2) - 1`, after one step of the mean.",
         ),
         Step::enclosed(
             BELOW,
             "kappa(1 - n) = kappa(n)*(1 - n)/n*sin(π*n)/(2 - 2*sin(π*n/2)^2)",
-            "The reflection Γ(z) Γ(1 − z) = π/sin πz at z = n/2 and z = (1 − n)/2, divided: what stands at the end is tan(πn/2).",
+            "The reflection $\\Gamma(z) \\, \\Gamma(1 - z) = \\pi/\\sin \\pi z$ at `z = n/2` and `z = (1 - n)/2`, divided: what stands at the end is $\\tan(\\pi n/2)$.",
         ),
-        Step::enclosed(HALF, "kappa(2/3) = 2*kappa(1/3)/sqrt(3)", "In thirds, tan(π/6) = 1/√3."),
-        Step::enclosed(HALF, "kappa(3/4) = 3*kappa(1/4)/(1 + sqrt(2))", "In quarters, tan(π/8) = 1/(1 + √2)."),
+        Step::enclosed(HALF, "kappa(2/3) = 2*kappa(1/3)/sqrt(3)", "In thirds, $\\tan(\\pi/6) = 1/\\sqrt3$."),
+        Step::enclosed(
+            HALF,
+            "kappa(3/4) = 3*kappa(1/4)/(1 + sqrt(2))",
+            "In quarters, $\\tan(\\pi/8) = 1/(1 + \\sqrt2)$.",
+        ),
         Step::proved(
             POSITIVE,
             "kappa(n + 1) = π*(n + 1)/(2*kappa(n))",
-            "This, and κ_{n+2} = κ_n (n+2)/(n+1), carry them to all n of the same denominators; integers start from 1 and π/2.",
+            "This, and `kappa(n + 2) = kappa(n)*(n + 2)/(n + 1)`, carry them to all `n` of the same denominators; integers start from 1 and `π/2`.",
         ),
         Step::enclosed(
             BELOW,
             "agm(1 + n, 1 - n) < 1 - n^2/4",
-            "How a mean is cut short: when its two numbers have become m(1 ± e) with e < 1/2, it is m times that of 1 ± e. With n \
-             in the place of e, that is below this,",
+            "How a mean is cut short: when its two numbers have become $m (1 \\pm e)$ with $e \\lt \\tfrac12$, it is $m$ times that of $1 \\pm e$. With `n` \
+             in the place of $e$, that is below this,",
         ),
         Step::enclosed(BELOW, "agm(1 + n, 1 - n) > 1 - n^2/4 - n^4/4", "And it is above this."),
     ],

@@ -6,7 +6,7 @@ pub(super) const CRITICAL: Entry = Entry {
     id: "critical-machine",
     title: "The instability on a machine of finite stiffness",
     refuted: false,
-    assumptions: &["the position d + F/k of a machine of stiffness k > 0 is controlled"],
+    assumptions: &["the position $d + F/k$ of a machine of stiffness `k > 0` is controlled"],
     steps: &[
         Step::proved(
             POSITIVE,
@@ -34,21 +34,21 @@ pub(super) const CRITICAL: Entry = Entry {
         Step::proved(
             POSITIVE,
             "k*diff(d_g + F_g/k, a) = (k + 2*E*a)*(g' - λ*sqrt(B/a))",
-            "So g' is λ(a) times the slope of Δl there, with `λ = (k + 6*E*a)/(k + 2*E*a)`.",
+            "So `g'` is `λ` times the slope of `Δl` there, with `λ = (k + 6*E*a)/(k + 2*E*a)`.",
         ),
         Step::proved(POSITIVE, "at(λ, k, 0) = 3", "A very compliant machine is a dead load."),
-        Step::proved(POSITIVE, "λ - 1 = 4*E*a/(k + 2*E*a)", "A very stiff one is fixed grips: λ tends to 1."),
-        Step::proved(POSITIVE, "3 - λ = 2*k/(k + 2*E*a)", "So λ lies between 1 and 3."),
-        Step::proved(POSITIVE, "diff(λ, a) > 0", "Between the two limits λ grows with the contact radius."),
+        Step::proved(POSITIVE, "λ - 1 = 4*E*a/(k + 2*E*a)", "A very stiff one is fixed grips: `λ` tends to 1."),
+        Step::proved(POSITIVE, "3 - λ = 2*k/(k + 2*E*a)", "So `λ` lies between 1 and 3."),
+        Step::proved(POSITIVE, "diff(λ, a) > 0", "Between the two limits `λ` grows with the contact radius."),
         Step::proved(
             POSITIVE,
             "k*diff(d_n + F_n/k, a) = (k + 2*E*a)*(N*a^(n - 1) - λ*sqrt(B/a))",
-            "For a power law the folds are the roots of N a^(n−1/2) = λ(a) √B.",
+            "For a power law the folds are the roots of `N*a^(n - 1/2) = λ*sqrt(B)`.",
         ),
         Step::proved(
             POSITIVE,
             "at(d_n, C, Λ*sqrt(B)*a^(1/2 - n)/(n*κ)) = (Λ - 2*n)/n*sqrt(B*a)",
-            "The indentation at a fold at which λ has the value Λ. Λ = 1 and Λ = 3 are the cases of fixed grips and dead load.",
+            "The indentation at a fold at which `λ` has the value `Λ`. `Λ = 1` and `Λ = 3` are the cases of fixed grips and dead load.",
         ),
         Step::proved(
             POSITIVE,

@@ -12,13 +12,15 @@ pub(super) const SPRINGS: Entry = Entry {
     refuted: false,
     assumptions: &["linear elastic half-spaces"],
     steps: &[
-        Step::cited("Each spring of the width Δx has the stiffness E*Δx: this is the foundation of the method."),
+        Step::cited(
+            "Each spring of the width $\\Delta x$ has the stiffness $E^* \\Delta x$: this is the foundation of the method.",
+        ),
         Step::proved(
             POSITIVE,
             "2*int(E, x, a) = 2*E*a",
-            "All springs from −a to a together have the stiffness of a flat punch of radius a.",
+            "All springs from `-a` to `a` together have the stiffness of a flat punch of radius `a`.",
         ),
-        Step::proved(POSITIVE, "E*x ~ k", "E*Δx is a stiffness."),
+        Step::proved(POSITIVE, "E*x ~ k", "$E^* \\Delta x$ is a stiffness."),
     ],
     erratum: None,
     references: &["I. N. Sneddon, International Journal of Engineering Science 3 (1965) 47–57"],
@@ -50,11 +52,11 @@ pub(super) const HESS: Entry = Entry {
     id: "1.4",
     title: "The rule of Heß, from the balance of energy",
     refuted: false,
-    assumptions: &["any profile g", "the outer springs are stretched: g(a) > d"],
+    assumptions: &["any profile $g$", "the outer springs are stretched: `g > d`"],
     steps: &[
         Step::cited(
             "The potential energy of a contact is the elastic energy of the springs less the work of adhesion: `U`, with \
-             `U = E*(a*d^2 - 2*d*G + Q) - π*a^2*w`, which is E* ∫ (d − g)² dx − πa²w from 0 to a.",
+             `U = E*(a*d^2 - 2*d*G + Q) - π*a^2*w`, which is $E^* \\int_0^a (d - g)^2 \\, dx - \\pi a^2 w$.",
         ),
         Step::proved(
             POSITIVE,
@@ -65,11 +67,11 @@ pub(super) const HESS: Entry = Entry {
         Step::proved(
             POSITIVE,
             "diff(U, a) = E*(g - d - Δl)*(g - d + Δl)",
-            "Griffith's balance: as g(a) > d, the energy is stationary where the elongation g(a) − d of the outer springs is Δl(a). The \
+            "Griffith's balance: as `g > d`, the energy is stationary where the elongation `g - d` of the outer springs is `Δl`. The \
              rule of Heß is this balance.",
         ),
         Step::proved(POSITIVE, "Δl = 2*sqrt(B*a)", "With the length `B = π*w/(2*E)`, used from here on."),
-        Step::proved(POSITIVE, "Δl ~ a", "Δl is a length."),
+        Step::proved(POSITIVE, "Δl ~ a", "`Δl` is a length."),
     ],
     erratum: None,
     references: &[HESS_2010, GRIFFITH],

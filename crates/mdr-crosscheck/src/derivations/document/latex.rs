@@ -1,7 +1,5 @@
 //! Derivations as a LaTeX document.
 
-use mdr_symbolic::{Formula, Statement};
-
 use super::{Document, Judgement, StepJudgement, errata, heading, place, prose, step_verdict, summary, theorems};
 
 const BEGIN: &str = r"\documentclass{article}
@@ -71,9 +69,7 @@ fn step(step: &StepJudgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    let formula = |formula: &Formula| format!("${}$", formula.tex());
-    let statement = |statement: &Statement| format!("${}$", statement.tex());
-    prose::render(text, escaped, formula, statement)
+    prose::render(text, escaped, |math| format!("${}$", math.tex()))
 }
 
 /// Characters that TeX reads in another way or does not have.

@@ -1,7 +1,7 @@
 //! Derivations as pages, with mathematics that GitHub renders.
 
+use mdr_symbolic::Symbol;
 use mdr_symbolic::formula::Definition;
-use mdr_symbolic::{Formula, Statement, Symbol};
 
 use super::figures::{self, Figure};
 use super::{Document, errata, heading, hypotheses, place, prose, step_verdict, summary, theorems, witness};
@@ -190,9 +190,7 @@ fn step(step: &StepJudgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    let formula = |formula: &Formula| format!("$`{}`$", formula.tex());
-    let statement = |statement: &Statement| format!("$`{}`$", statement.tex());
-    prose::render(text, escaped, formula, statement)
+    prose::render(text, escaped, |math| format!("$`{}`$", math.tex()))
 }
 
 /// Stars, underscores and signs of less than are no markup here.

@@ -1,40 +1,148 @@
-//! Prose with formulas between backquotes.
+//! Prose with formulas: between backquotes in the grammar of the algebra, between dollars in TeX.
 
 use mdr_symbolic::{Formula, Statement};
 
-/// A piece of prose.
-pub(super) enum Piece<'a> {
-    Words(&'a str),
+/// A formula in prose.
+pub(super) enum Math<'a> {
     Formula(Box<Formula>),
     Statement(Box<Statement>),
+    /// What the grammar does not have.
+    Tex(&'a str),
 }
 
-/// The pieces of a text. What stands between backquotes is a statement or a formula.
-pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
-    text.split('`')
-        .enumerate()
-        .filter(|(_, part)| !part.is_empty())
+impl Math<'_> {
+    /// In TeX.
+    pub(super) fn tex(&self) -> String {
+        match self {
+            Math::Formula(formula) => formula.tex(),
+            Math::Statement(statement) => statement.tex(),
+            Math::Tex(tex) => (*tex).to_owned(),
+        }
+    }
+
+    /// As a line of text.
+    pub(super) fn text(&self) -> String {
+        match self {
+            Math::Formula(formula) => formula.text(),
+            Math::Statement(statement) => statement.text(),
+            Math::Tex(tex) => plain(tex),
+        }
+    }
+}
+
+/// The text with words and formulas rendered.
+pub(super) fn render(text: &str, words: impl Fn(&str) -> String, math: impl Fn(&Math<'_>) -> String) -> String {
+    let typed = |part: &str| {
+        let pieces = part.split('$').enumerate();
+        pieces.map(|(i, piece)| if i % 2 == 1 { math(&Math::Tex(piece)) } else { words(piece) }).collect::<String>()
+    };
+    let parts = text.split('`').enumerate();
+    parts
         .map(|(i, part)| match (i % 2, part.parse::<Statement>(), part.parse::<Formula>()) {
-            (1, Ok(statement), _) => Piece::Statement(Box::new(statement)),
-            (1, _, Ok(formula)) => Piece::Formula(Box::new(formula)),
-            _ => Piece::Words(part),
+            (1, Ok(statement), _) => math(&Math::Statement(Box::new(statement))),
+            (1, _, Ok(formula)) => math(&Math::Formula(Box::new(formula))),
+            _ => typed(part),
         })
         .collect()
 }
 
-/// The text with each kind of piece rendered.
-pub(super) fn render(
-    text: &str,
-    words: impl Fn(&str) -> String,
-    formula: impl Fn(&Formula) -> String,
-    statement: impl Fn(&Statement) -> String,
-) -> String {
-    pieces(text)
-        .into_iter()
-        .map(|piece| match piece {
-            Piece::Words(part) => words(part),
-            Piece::Formula(part) => formula(&part),
-            Piece::Statement(part) => statement(&part),
-        })
-        .collect()
+/// Commands of TeX and what stands for them in a line of text.
+const PLAIN: &[(&str, &str)] = &[
+    (r"\cdot", "·"),
+    (r"\ldots", "…"),
+    (r"\ne", " ≠ "),
+    (r"\le", " ≤ "),
+    (r"\ge", " ≥ "),
+    (r"\lt", " < "),
+    (r"\gt", " > "),
+    (r"\pm", " ± "),
+    (r"\approx", " ≈ "),
+    (r"\infty", "∞"),
+    (r"\int", "∫"),
+    (r"\sqrt", "√"),
+    (r"\sin", "sin "),
+    (r"\cos", "cos "),
+    (r"\tan", "tan"),
+    (r"\ln", "ln"),
+    (r"\pi", "π"),
+    (r"\theta", "θ"),
+    (r"\kappa", "κ"),
+    (r"\lambda", "λ"),
+    (r"\varphi", "φ"),
+    (r"\mu", "μ"),
+    (r"\rho", "ρ"),
+    (r"\delta", "δ"),
+    (r"\Delta", "Δ"),
+    (r"\Gamma", "Γ"),
+];
+
+/// TeX as a line of text: fractions on a line, commands as signs, without braces.
+fn plain(tex: &str) -> String {
+    let mut text = tex.replace(r"\,", "").replace(r"\text", "").replace(r"\mathbf", "").replace("{}_2", "₂");
+    for digits in ["12", "14", "34", "52"] {
+        let (above, below) = digits.split_at(1);
+        text = text.replace(&format!(r"\tfrac{digits}"), &format!("{above}/{below}"));
+    }
+    let text_of = |part: &str| if part.chars().count() == 1 { part.to_owned() } else { format!("({part})") };
+    while let Some((before, rest)) = text.split_once(r"\frac{")
+        && let Some((above, rest)) = rest.split_once("}{")
+        && let Some((below, after)) = rest.split_once('}')
+    {
+        text = format!("{before}{}/{}{after}", text_of(above), text_of(below));
+    }
+    for (command, sign) in PLAIN {
+        text = text.replace(&format!("{command} "), sign).replace(command, sign);
+    }
+    let text = text.replace("^{", "^(").replace("_{", "_(").replace("√{", "√(");
+    // Braces of an exponent or index become brackets if they hold more than a sign.
+    let mut out = String::new();
+    let mut open = Vec::new();
+    for c in text.chars() {
+        match c {
+            '{' => open.push('{'),
+            '(' => {
+                open.push('(');
+                out.push('(');
+            }
+            '}' => {
+                if open.pop() == Some('(') {
+                    out.push(')');
+                }
+            }
+            ')' => {
+                open.pop();
+                out.push(')');
+            }
+            c => out.push(if c == '-' { '−' } else { c }),
+        }
+    }
+    out.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No command of TeX is left in what a terminal shows.
+    #[test]
+    fn every_text_is_plain_on_a_terminal() {
+        for entry in mdr_symbolic::derivations::entries() {
+            let texts = entry.steps.iter().map(|step| step.why).chain(entry.assumptions.iter().copied());
+            for text in texts.chain(entry.erratum.map(|erratum| erratum.text)) {
+                let shown = render(text, str::to_owned, |math| math.text());
+                assert!(!shown.contains(['\\', '{', '}', '$', '`']), "{}: {shown}", entry.id);
+            }
+        }
+    }
+
+    #[test]
+    fn tex_becomes_a_line_of_text() {
+        for (tex, text) in [
+            (r"\kappa_n = \int_0^1 dx/\sqrt{1 - x^{2/n}}", "κ_n = ∫_0^1 dx/√(1 − x^(2/n))"),
+            (r"f(b,c) = 1 + \frac{b}{2c} f(b+1,c+1)", "f(b,c) = 1 + b/(2c) f(b+1,c+1)"),
+            (r"\tfrac12 \lt n \ne \tfrac34", "1/2 < n ≠ 3/4"),
+        ] {
+            assert_eq!(plain(tex), text);
+        }
+    }
 }

@@ -1,7 +1,5 @@
 //! Derivations for a terminal.
 
-use mdr_symbolic::{Formula, Statement};
-
 use super::{
     Document, Fate, Judgement, errata, heading, hypotheses, mutants, place, prose, step_verdict, theorems, witness,
 };
@@ -59,7 +57,7 @@ fn entry(judgement: &Judgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    prose::render(text, str::to_owned, Formula::text, Statement::text)
+    prose::render(text, str::to_owned, |math| math.text())
 }
 
 /// The text broken into indented lines.
