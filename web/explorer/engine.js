@@ -51,6 +51,8 @@ const engine = {
   outer: () => wasm.outer_radius(),
   curve: (low, high, count, power = 2) => rows(wasm.curve(low, high, count, power), 6) || [],
   balance: (value, low, high, count) => rows(wasm.balance(value, low, high, count, spacing()), 4) || [],
+  /** The same at equal ratios of the radius. */
+  around: (value, low, high, count) => rows(wasm.balance(value, low, high, count, 0), 4) || [],
   at: (value, a) => (rows(wasm.balance(value, a, a, 1, 1), 4) || [])[0],
   /** The last answer is kept: a frame asks several times. */
   equilibria(value) {

@@ -23,6 +23,7 @@ function pictures() {
     ['arrows', 'g', ''],
     ['bar', 'path', 'probe-bar'],
     ['handle', 'path', 'probe'],
+    ['inset', 'g', 'inset'],
   ];
   balance = new RadiusPlot('balance', [26, 14, 42, 44], [...edge, ...edgeTop.map((layer) => [...layer, true])]);
   energy = new RadiusPlot(
@@ -185,6 +186,7 @@ function drawBalance(sides, rest, state) {
   const visible = folds.filter((f) => p.shareX(f.a) <= 1);
   drawMarks(visible, rest);
   const here = drawEdge(state);
+  drawInset(state, visible);
   const pixels = (points) => points.map(([x, y]) => [p.x(x), p.y(y)]);
   const thin = (points) => pixels(points.filter((_, i) => i % 5 === 0));
   const curves = [thin(adhesion), thin(elasticity), thin(undeformed)];
@@ -246,6 +248,46 @@ function drawEdge(state) {
   const covered = (tick) => here && S.kind === 1 && Math.abs(tick.getAttribute('x') - x) < 20; // by the handle
   (p.pools.tx || []).forEach((tick) => set(tick, { opacity: covered(tick) ? 0 : 1 }));
   return [x, y];
+}
+
+/** The least magnification that an inset is worth. */
+const MAGNIFIED = 4;
+/** Where both curves run along each other: what g − d exceeds Δl by, magnified, around the state or the nearest fold. */
+function drawInset(state, visible) {
+  const p = balance;
+  const focus = state.kind === 1 && state.a > 0 ? state.a : visible.length ? visible[0].a : 0;
+  const [l, t, right, b] = p.box;
+  const [width, height] = [0.34 * (right - l), 0.2 * (b - t)];
+  const [x0, middle] = [l + 12, t + 12 + height / 2];
+  const excess = focus && p.w > 420 ? engine.around(value, focus / 3, Math.min(3 * focus, reach), 60) : [];
+  // Scaled to the smaller half of the differences; the others leave the frame.
+  const differences = excess.map((r) => Math.abs(r[1] - r[2])).sort((u, v) => u - v);
+  const size = 1.4 * differences[differences.length >> 1];
+  const magnified = ((height / 2 - 4) / size) * p.perY();
+  if (!(magnified >= MAGNIFIED && magnified < 1e9)) return set(p.inset, { display: 'none' });
+  const [low, high] = [excess[0][0], excess[excess.length - 1][0]];
+  const x = (a) => x0 + (width * Math.log(a / low)) / Math.log(high / low);
+  const y = (r) => middle - ((r[1] - r[2]) / size) * (height / 2 - 4);
+  const framed = (r) => r && Math.abs(r[1] - r[2]) <= size;
+  const curve = excess
+    .map((r, i) => (framed(r) ? `${framed(excess[i - 1]) ? 'L' : 'M'}${x(r[0]).toFixed(1)} ${y(r).toFixed(1)}` : ''))
+    .join('');
+  const near = visible.filter((f) => f.a > low && f.a < high).map((f) => `M${x(f.a)} ${middle - 4}l4 4l-4 4l-4 -4Z`);
+  const here = state.kind === 1 ? engine.at(value, focus) : null;
+  const parts = [
+    ['panel-fill', `M${x0} ${middle - height / 2}h${width}v${height}h${-width}Z`],
+    ['adh', `M${x0} ${middle}h${width}`],
+    ['ela', curve],
+    ['m-fold', near.join('')],
+    ['m-now', here ? `M${x(focus) - 6} ${y(here)}a6 6 0 1 0 12 0a6 6 0 1 0 -12 0` : ''],
+  ];
+  set(p.inset, { display: 'inline' });
+  p.pool('inset', 'path', p.inset, parts, (node, [style, d]) => set(node, { class: style, d }));
+  p.pool('insetName', 'text', p.inset, [magnified], (node) => {
+    set(node, { x: x0 + 6, y: middle + height / 2 + 15 });
+    node.textContent = `g − d − Δl, × ${(+magnified.toPrecision(1)).toLocaleString('en')}`;
+  });
+  return p.inset;
 }
 
 // ---------------------------------------------------------------- the energy

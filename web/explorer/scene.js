@@ -34,6 +34,8 @@ function show(x, what, digits = 3) {
   const [factor, unit] = scale(what);
   if (Number.isNaN(x)) return '—';
   if (!Number.isFinite(x)) return x > 0 ? '∞' : '−∞';
+  if (!unit && what === 'E' && x > 1e-12 && x < 5e-5)
+    return minus(x.toExponential(1).replace(/e(.*)/, (_, e) => ' · 10' + [...e].map((c) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c] || '⁻').join('')));
   if (!unit) return minus(Math.abs(x) < 5e-5 ? '0' : x.toFixed(Math.abs(x) < 0.1 ? digits + 1 : digits));
   const y = x * factor;
   if (y === 0) return `0 ${unit}`;

@@ -124,10 +124,10 @@ impl Engine {
     pub(crate) fn surface(&self, a: f64, d: f64, high: f64, count: u32) -> Rows<3> {
         let high = high.min(self.outer_radius());
         let edge = a.clamp(0.0, high);
-        // Most within the contact, where each costs one height.
-        let outside = count / 3;
+        let outside = count / 2;
         let inside = picture::radii(0.0, edge, count - outside, 2.0).into_iter().map(|r| (r, 0.0));
-        let beyond = picture::radii(edge, high, outside, 2.0);
+        // Closest to the edge, where the neck is steep.
+        let beyond: Vec<f64> = picture::radii(0.0, high - edge, outside, 2.0).iter().map(|from| edge + from).collect();
         let gaps = if a > 0.0 { self.gaps(a, d, high, &beyond)? } else { vec![0.0; beyond.len()] };
         let all = inside.chain(beyond.into_iter().zip(gaps));
         Ok(all.map(|(r, gap)| [r, self.height(r), gap]).filter(known).collect())

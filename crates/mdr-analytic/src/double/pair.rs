@@ -20,6 +20,7 @@ pub(super) trait Arithmetic: Copy {
 
 /// One rounding for ab + c.
 #[derive(Clone, Copy)]
+#[cfg_attr(target_arch = "wasm32", allow(dead_code, reason = "this target has no such instruction"))]
 pub(super) struct Fused;
 
 /// Two roundings for ab + c.
