@@ -245,7 +245,7 @@ class Contact:
         >>> ball = mdr.jkr(radius=1e-6, e_star=1e6, work_of_adhesion=0.05)
         >>> down, up = ball.energy(indentation=[2e-7 - 1e-12, 2e-7 + 1e-12]).tolist()
         >>> force = ball.states(indentation=2e-7).force
-        >>> abs((up - down) / 2e-12 / force - 1) < 1e-3  # the force is the slope of the energy
+        >>> bool(abs((up - down) / 2e-12 / force - 1) < 1e-3)  # the force is the slope of the energy
         True
         """
         held, flat, shape, k = _held_values(indentation, force, position, stiffness)
