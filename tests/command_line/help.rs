@@ -48,7 +48,7 @@ fn each_command_has_flags_examples_and_exit_statuses() {
                 "--notation",
             ],
         ),
-        ("fit", &["<FIT.toml>", "[CURVE.csv]...", "--batch", "--digits", "--format", "--plot"]),
+        ("fit", &["<FIT.toml>", "[CURVE.csv]...", "--batch", "--digits", "--format", "--plot", "--theme"]),
         (
             "solve",
             &["<SCENE.toml>", "--digits", "--f64", "--format", "--plot", "--explain", "--out", "--units", "--notation"],

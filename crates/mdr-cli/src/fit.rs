@@ -64,6 +64,10 @@ pub(crate) struct Fit {
     /// Draw data, fitted curve, residuals and contact radius as SVG, and write the data as CSV beside it
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
+
+    /// Colours of the picture
+    #[arg(long, value_enum, default_value_t)]
+    theme: plot::Colours,
 }
 
 /// A curve with its answer.
@@ -140,6 +144,7 @@ impl Fit {
         let name = self.fit.file_stem().map_or_else(String::new, |stem| format!(": {}", stem.display()));
         plot::write(
             &mdr_plot::fit(&format!("{} of a {}{name}", answer.observation.name(), answer.profile), answer),
+            self.theme,
             file,
             "--plot ",
         )
