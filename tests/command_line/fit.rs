@@ -39,6 +39,13 @@ fn what_the_data_cannot_tell_is_said_with_status_one() {
     assert!(text.contains("work_of_adhesion * radius") && text.contains("not determined"), "{text}");
 }
 
+/// Digits of another program, from the file of the fit.
+#[test]
+fn digits_are_proved_on_request() {
+    let text = output(&format!("fit {} --digits 12", example("tip.toml")));
+    assert!(text.contains("4991617.81812") && text.contains("unique within"), "{text}");
+}
+
 #[test]
 fn a_batch_has_rows_for_every_curve() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fit-batch");

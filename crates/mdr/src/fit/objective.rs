@@ -97,7 +97,16 @@ impl<'p> Objective<'p> {
             let sign = if parameter.start.or(parameter.value).is_some_and(|value| value < 0.0) { -1.0 } else { 1.0 };
             sign * fitted.exp()
         };
-        parameter.bounds.map_or(value, |[lower, upper]| value.clamp(lower, upper))
+        let Some([lower, upper]) = parameter.bounds else { return value };
+        // The logarithm of a bound is rounded.
+        let at = |bound: f64| (value - bound).abs() <= 1e-12 * bound.abs();
+        if at(lower) {
+            lower
+        } else if at(upper) {
+            upper
+        } else {
+            value.clamp(lower, upper)
+        }
     }
 
     /// Whether a bound holds a free parameter.
@@ -312,9 +321,8 @@ impl<'p> Objective<'p> {
 
     /// Whether a fitted value lies beyond a bound, so that its number does not follow it.
     fn outside(&self, place: usize, fitted: f64) -> bool {
-        let parameter = &self.problem.parameters[self.free[place]];
         let value = self.value(place, fitted);
-        parameter.bounds.is_some() && self.to_fitted(place, value) != fitted && self.at_bound(place, fitted)
+        self.at_bound(place, fitted) && self.to_fitted(place, value) != fitted
     }
 }
 
