@@ -24,10 +24,11 @@ bench: deps
 doc: deps
 	cargo doc --locked --workspace --no-deps
 
-# The theory as a static site, target/book/index.html: checked without a browser, and written.
+# The theory as a static site, target/book/index.html: checked without a browser, and written. Asked of the whole workspace, so
+# that its libraries are compiled with the same features, once. Needs Rust 1.91.
 book: deps
-	cargo test --locked --package mdr-book
-	cargo run --locked --package mdr-book
+	cargo test --locked --workspace --test book
+	$${CARGO_TARGET_DIR:-target}/debug/mdr-book
 
 # The certified values once more, by Arb: installs python-flint below target/ if it can.
 confirm:

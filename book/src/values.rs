@@ -141,7 +141,10 @@ pub(crate) fn index() -> Markup {
 pub(crate) fn family_page(name: &str) -> Markup {
     let mut cases: Vec<(String, Vec<&Record>)> = Vec::new();
     for record in members(name) {
-        let case = record.id.rsplit_once('/').map_or(record.id.as_str(), |(case, _)| case).to_owned();
+        // What a function did worst on is a question of its own, whatever it is called.
+        let worst = record.flags.iter().any(|flag| flag == "worst");
+        let shared = record.id.rsplit_once('/').filter(|_| !worst).map(|(case, _)| case);
+        let case = shared.unwrap_or(&record.id).to_owned();
         match cases.last_mut() {
             Some((last, found)) if *last == case => found.push(record),
             _ => cases.push((case, vec![record])),
@@ -150,8 +153,8 @@ pub(crate) fn family_page(name: &str) -> Markup {
     html! {
         p { (members(name).len()) " certified values. The condition is the factor by which a relative error of the inputs grows at least; f64 is the nearest double, hexadecimal. " a href="values.html" { "All families" } }
         p { input type="search" data-filter="values" placeholder="Filter: n = 2, force, higher …" aria-label="Filter the questions"; }
-        div #values { @for (case, found) in &cases { section.case id=(case) {
-            h3 { (case) (permalink(case, "this question")) }
+        div #values { @for (case, found) in &cases { section.case {
+            h3 { (case) @if let Some(first) = found.first() { (permalink(&first.id, "this question")) } }
             @if let Some(first) = found.first() { p.hint { (question(first)) } }
             div.table tabindex="0" role="group" aria-label="Values" { table.values {
                 thead { tr { th { "quantity" } th { "value" } th { "f64" } th { "condition" } th { "difficulty" } } }

@@ -96,7 +96,7 @@ fn nothing_is_asked_from_anywhere() {
             assert!(!tag.split_once('>').unwrap().0.contains("//"), "{name}: a style from elsewhere");
         }
     }
-    for name in ["book.css", "book.js", "theme.js", "search.js"] {
+    for name in ["book.css", "book.js", "theme.js"] {
         let text = std::str::from_utf8(&book()[name]).unwrap();
         assert!(!text.contains("http://") && !text.contains("https://") && !text.contains("@import"), "{name}");
     }
@@ -131,7 +131,7 @@ fn every_formula_is_set() {
             assert!(!text.contains(mark), "{name}: {mark} in {text}");
         }
     }
-    assert!(formulas > 1500, "{formulas} formulas");
+    assert!(formulas > 1000, "{formulas} formulas");
 }
 
 /// Mathematics beside typeset formulas looks broken; what is meant as a formula is one.
