@@ -41,7 +41,7 @@ const engine = {
     const room = new Uint8Array(wasm.memory.buffer, at, head.length + tail.length);
     room.set(head);
     room.set(tail, head.length);
-    const count = wasm.open(head.length);
+    const count = wasm.contact(head.length);
     this.restKnown = null;
     if (count >= 0) return { folds: rows(count, 4) };
     const words = new Uint8Array(wasm.memory.buffer, wasm.message(), wasm.message_length());

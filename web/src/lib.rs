@@ -81,7 +81,7 @@ pub extern "C" fn message_length() -> usize {
     MESSAGE.with_borrow(String::len)
 }
 
-/// Room for `length` bytes of text, to be written before [`open`].
+/// Room for `length` bytes of text, to be written before [`contact`].
 #[allow(unsafe_code, reason = "an exported name")]
 #[unsafe(no_mangle)]
 pub extern "C" fn input(length: usize) -> *mut u8 {
@@ -106,7 +106,7 @@ pub fn write(text: &[u8]) {
 /// bytes, and after it the table of a measured profile as CSV, if the scene names one.
 #[allow(unsafe_code, reason = "an exported name")]
 #[unsafe(no_mangle)]
-pub extern "C" fn open(scene: usize) -> i32 {
+pub extern "C" fn contact(scene: usize) -> i32 {
     let opened = INPUT.with_borrow(|input| {
         let (scene, table) = input.split_at(scene.min(input.len()));
         Engine::open(&String::from_utf8_lossy(scene), table)

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use mdr_wasm::{Failure, advance, curve, equilibria, input, kappa, message_length, open, surface, verify};
+use mdr_wasm::{Failure, advance, contact, curve, equilibria, input, kappa, message_length, surface, verify};
 
 /// Reads the rows of the last answer as the page does: by copying `count` rows from the buffer. Here through `read`, as a
 /// test has no view of the memory.
@@ -19,7 +19,7 @@ fn opened(profile: &str, control: &str, table: &str) -> i32 {
     );
     input(scene.len() + table.len());
     mdr_wasm::write(&[scene.as_bytes(), table.as_bytes()].concat());
-    open(scene.len())
+    contact(scene.len())
 }
 
 fn close(x: f64, y: f64, tolerance: f64) {

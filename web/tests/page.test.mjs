@@ -108,7 +108,7 @@ test('a profile drawn or pasted is in the address, and a bad one is refused in w
   assert.equal(await page.textContent('#table-note'), '');
   assert.equal(d.shape, 'table');
   assert.equal(await page.inputValue('#unit'), 'own');
-  await page.waitForFunction(() => location.hash.includes('table='));
+  await page.waitForFunction(() => location.hash.includes('unit=own') && location.hash.includes('table='));
   const again = await open(browser, new URL(page.url()).hash);
   assert.equal((await data(again)).folds, d.folds);
   await again.close();
