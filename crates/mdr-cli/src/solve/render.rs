@@ -80,6 +80,9 @@ fn output(output: &Output, control: Option<ControlKind>, reader: &Reader) -> Str
 /// Reasons that are shown of one output.
 const SHOWN: usize = 5;
 
+/// log10 of what is out of range has a column of its own in a spreadsheet.
+const LOG10: &str = "log10_";
+
 /// The title of a column and its unit; values of the controlled quantity have that of the control.
 fn titled(key: &str, control: Option<ControlKind>) -> (&str, &'static str) {
     match (key, control) {
@@ -101,6 +104,9 @@ fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, rea
         table.add_row(keys.iter().map(|key| match value(row, key) {
             Some(FlatCell::Status(Status::NoEquilibrium)) if limited => {
                 cell(format!("{} within the range", Status::NoEquilibrium), Tone::Bad)
+            }
+            Some(FlatCell::Magnitude(log10)) => {
+                cell(format!("about 10^{:.6}", reader.magnitude(*log10, unit(key))), Tone::Bad)
             }
             Some(FlatCell::Number(text)) => cell(reader.number(text, unit(key)), Tone::Good),
             // What was typed keeps its notation.
@@ -166,7 +172,7 @@ fn summary(summary: &CurveSummary, reader: &Reader) -> String {
 /// log10 of what is out of range has a column of its own.
 fn for_spreadsheet(answer: &Answer, out: &mut Out<impl std::io::Write>) -> Result<()> {
     let tables: Vec<(&Output, Vec<FlatRow>)> =
-        answer.outputs.iter().map(|output| (output, separated(output))).collect();
+        answer.outputs.iter().map(|output| (output, separated(output, |log10, _| log10))).collect();
     let keys = columns(tables.iter().flat_map(|(_, rows)| rows));
     let header: Vec<&str> = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref)).collect();
     let rows = tables.iter().flat_map(|(output, rows)| {
@@ -182,11 +188,12 @@ fn for_spreadsheet(answer: &Answer, out: &mut Out<impl std::io::Write>) -> Resul
 }
 
 /// The rows of an output with log10 of what is out of range in columns of its own.
-fn separated(output: &Output) -> Vec<FlatRow> {
+fn separated(output: &Output, magnitude: impl Fn(f64, &str) -> f64) -> Vec<FlatRow> {
     let cells = |row: FlatRow| {
         row.into_iter().flat_map(|(key, cell)| match cell {
             FlatCell::Magnitude(log10) => {
-                let magnitude = (format!("log10_{key}").into(), FlatCell::Number(log10.to_string()));
+                let log10 = magnitude(log10, &key).to_string();
+                let magnitude = (format!("{LOG10}{key}").into(), FlatCell::Number(log10));
                 vec![(key, FlatCell::Empty), magnitude]
             }
             cell => vec![(key, cell)],
@@ -213,18 +220,20 @@ pub(crate) fn write_files(
     };
     let inputs = scene.inputs();
     for output in &answer.outputs {
-        let rows = separated(output);
+        let unit = |key: &str| titled(key.strip_prefix(LOG10).unwrap_or(key), answer.control).1;
+        let rows = separated(output, |log10, key| reader.magnitude(log10, unit(key)));
         let keys = columns(&rows);
-        let unit = |key| titled(key, answer.control).1;
+        let shown = |key: &str, cell: &FlatCell| match key.starts_with(LOG10) {
+            true => text_of(cell),
+            false => reader.number(&text_of(cell), unit(key)),
+        };
         let name = format!("{}.csv", output.kind().name());
         let file = std::fs::File::create(folder.join(&name)).map_err(failed)?;
         let given = inputs.iter().map(|(name, unit, _)| with_unit(name, unit));
         let header: Vec<String> = given.chain(keys.iter().map(|key| with_unit(key, unit(key)))).collect();
         let rows = rows.iter().map(|row| {
             let given = inputs.iter().map(|(_, unit, value)| reader.number(value, unit));
-            let found = keys.iter().map(|key| {
-                value(row, key).map(text_of).map_or_else(String::new, |text| reader.number(&text, unit(key)))
-            });
+            let found = keys.iter().map(|key| value(row, key).map_or_else(String::new, |cell| shown(key, cell)));
             given.chain(found).collect::<Vec<_>>()
         });
         Out::new(file).csv(&header.iter().map(String::as_str).collect::<Vec<_>>(), rows)?;
