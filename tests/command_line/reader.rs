@@ -69,3 +69,25 @@ fn a_file_an_output() {
     assert!(curve.lines().count() > 40 && curve.contains(",retract,"), "{curve}");
     mdr("solve examples/scenes/cone.toml --out target --format csv").assert().code(2);
 }
+
+/// What no double holds is told by log10 in the unit of its column.
+#[test]
+fn magnitudes_are_in_the_unit_of_their_column() {
+    let contact = "critical --n 1.2 --c 1e-300 --e-star 1e-300 --work 1e300 --f64";
+    let log10 = |table: &str| -> f64 {
+        let (_, rest) = table.split_once("contact radius a     overflow: about 10^").unwrap();
+        rest.split_whitespace().next().unwrap().parse().unwrap()
+    };
+    let [si, nanometres] = ["", " --units nm"].map(|flag| log10(&output(&format!("{contact}{flag}"))));
+    assert!((nanometres - si - 9.0).abs() < 1e-5, "{si} {nanometres}");
+    let scene = "profile = { kind = \"power\", n = 1.2, c = 1e-300 }\n\
+                 material = { e_star = 1e-300, work_of_adhesion = 1e300 }\n\
+                 output = { want = [\"folds\"], arithmetic = \"f64\" }\n";
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("out-of-range");
+    let flags = format!("solve - --out {} --units nm", folder.display());
+    mdr(&flags).stdin(scene).assert().success();
+    let mut folds = csv::Reader::from_path(folder.join("folds.csv")).unwrap();
+    let column = folds.headers().unwrap().iter().position(|title| title == "log10_contact_radius (nm)").unwrap();
+    let found: f64 = folds.records().next().unwrap().unwrap()[column].parse().unwrap();
+    assert!((found - nanometres).abs() < 1e-5, "{found} {nanometres}");
+}

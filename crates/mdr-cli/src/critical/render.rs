@@ -81,7 +81,7 @@ fn in_a_line(sibling: &CriticalAnswer, reader: &Reader) -> Option<String> {
     };
     let jkr = sibling.law.control.kind() == ControlKind::Force && sibling.law.n.small_integer() == Some(2);
     let closed = if jkr { " = -3/2 pi w R" } else { "" };
-    let of = |value: &Value, unit| reader.quantity(&value.to_string(), unit);
+    let of = |value: &Value, unit| format!("{} {}", reader.value(value, unit), reader.unit(unit));
     let [a, d, force] = [of(&state.contact_radius, "m"), of(&state.indentation, "m"), of(&state.force, "N")];
     Some(format!("{control}: F = {force}{closed} at d = {d}, a = {a}."))
 }
@@ -96,7 +96,7 @@ fn for_reader(answer: &CriticalAnswer, reader: &Reader) -> String {
             Some(_) => Tone::Good,
             None => Tone::Faint,
         };
-        let text = value.map_or("none".to_owned(), |value| reader.number(&value.to_string(), unit));
+        let text = value.map_or("none".to_owned(), |value| reader.value(value, unit));
         table.add_row([cell(name, Tone::Plain), cell(text, tone), cell(reader.unit(unit), Tone::Faint)]);
     };
     if let Some(threshold) = &answer.threshold {

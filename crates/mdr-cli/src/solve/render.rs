@@ -95,6 +95,9 @@ fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, rea
             Some(FlatCell::Status(Status::NoEquilibrium)) if limited => {
                 cell(format!("{} within the range", Status::NoEquilibrium), Tone::Bad)
             }
+            Some(FlatCell::Magnitude(log10)) => {
+                cell(format!("about 10^{:.6}", reader.magnitude(*log10, unit(key))), Tone::Bad)
+            }
             Some(FlatCell::Number(text)) => cell(reader.number(text, unit(key)), Tone::Good),
             // What was typed keeps its notation.
             Some(FlatCell::Text(text)) => cell(typed.number(text, unit(key)), Tone::Plain),

@@ -350,9 +350,9 @@ class Contact:
         if branch not in ("largest", "smallest"):
             raise ValueError(f"branch must be 'largest' or 'smallest', got {branch!r}")
         # One double needs no arrays on its way.
-        if type(force) is float and indentation is position is stiffness is None:
+        if isinstance(force, float) and indentation is position is stiffness is None:
             return _scalar(self._core.state(force, "force", branch == "largest"))
-        if type(indentation) is float and force is position is stiffness is None:
+        if isinstance(indentation, float) and force is position is stiffness is None:
             return _scalar(self._core.state(indentation, "indentation", branch == "largest"))
         held, flat, shape, k = _held_values(indentation, force, position, stiffness)
         columns, status = self._core.states(flat, held, k, branch == "largest")

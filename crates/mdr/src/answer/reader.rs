@@ -5,6 +5,8 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use super::Value;
+
 /// How the digits of a number are laid out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Notation {
@@ -141,6 +143,21 @@ impl Reader {
         format!("{} {}", self.number(text, si), self.unit(si))
     }
 
+    /// A number of an answer in the SI unit `si`, or what is known of it.
+    pub fn value(&self, value: &Value, si: &str) -> String {
+        match (value.status(), value.log10()) {
+            (status, Some(log10)) if log10.is_finite() => {
+                format!("{status}: about 10^{:.6}", self.magnitude(log10, si))
+            }
+            _ => self.number(&value.to_string(), si),
+        }
+    }
+
+    /// log₁₀ of a number that is out of range, given in the SI unit `si`.
+    pub fn magnitude(&self, log10: f64, si: &str) -> f64 {
+        log10 + self.units.shown(si).1 as f64
+    }
+
     /// What is shown for a unit of the SI.
     pub fn unit<'a>(&'a self, si: &'a str) -> Cow<'a, str> {
         self.units.shown(si).0
@@ -260,6 +277,15 @@ mod tests {
                 assert!((nanometres / value(text) - 1.0).abs() <= 4.0 * f64::EPSILON, "{text} {notation:?}");
             }
         }
+    }
+
+    #[test]
+    fn magnitudes_are_in_the_unit_shown() {
+        let reader = Reader { units: "nm".parse().expect("a unit"), ..Reader::default() };
+        let huge = Value::out_of_range(400.25);
+        assert_eq!(reader.value(&huge, "m"), "overflow: about 10^409.250000");
+        assert_eq!(reader.value(&huge, "N"), huge.to_string());
+        assert_eq!(reader.value(&Value::Given("0.5".parse().expect("a number")), "m"), "5e8");
     }
 
     #[test]

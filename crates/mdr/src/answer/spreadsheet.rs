@@ -3,12 +3,16 @@
 use super::{Answer, FlatCell, FlatRow, Notation, Output, Reader, columns, title};
 use crate::scene::Scene;
 
-/// log₁₀ of what is out of range in a column of its own.
-fn separated(row: FlatRow) -> FlatRow {
+/// log₁₀ of what is out of range has a column of its own.
+const LOG10: &str = "log10_";
+
+/// The same with such columns; `magnitude` gets log₁₀ in the unit of the SI and the key of the number.
+fn separated(row: FlatRow, magnitude: impl Fn(f64, &str) -> f64) -> FlatRow {
     row.into_iter()
         .flat_map(|(key, cell)| match cell {
             FlatCell::Magnitude(log10) => {
-                let magnitude = (format!("log10_{key}").into(), FlatCell::Number(log10.to_string()));
+                let log10 = magnitude(log10, &key).to_string();
+                let magnitude = (format!("{LOG10}{key}").into(), FlatCell::Number(log10));
                 vec![(key, FlatCell::Empty), magnitude]
             }
             cell => vec![(key, cell)],
@@ -25,10 +29,12 @@ impl Answer {
     pub fn spreadsheet(&self) -> Vec<Vec<String>> {
         let rows = self.outputs.iter().flat_map(|output| {
             let names = [output.kind().name(), output.promise().name()];
-            output.table().into_iter().map(move |row| (names, separated(row)))
+            output.table().into_iter().map(move |row| (names, separated(row, |log10, _| log10)))
         });
-        let validity =
-            self.validity.iter().map(|validity| (["validity", validity.promise().name()], separated(validity.table())));
+        let validity = self
+            .validity
+            .iter()
+            .map(|validity| (["validity", validity.promise().name()], separated(validity.table(), |log10, _| log10)));
         let rows: Vec<([&str; 2], FlatRow)> = rows.chain(validity).collect();
         let keys = columns(rows.iter().map(|(_, row)| row));
         let header = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref));
@@ -46,14 +52,19 @@ impl Answer {
             "" => name.to_owned(),
             unit => format!("{name} ({})", reader.unit(unit)),
         };
-        let rows: Vec<FlatRow> = output.table().into_iter().map(separated).collect();
+        let unit = |key: &str| title(key.strip_prefix(LOG10).unwrap_or(key), self.control).1;
+        let in_units = |row| separated(row, |log10, key| reader.magnitude(log10, unit(key)));
+        let rows: Vec<FlatRow> = output.table().into_iter().map(in_units).collect();
         let (inputs, keys) = (scene.inputs(), columns(&rows));
-        let unit = |key| title(key, self.control).1;
         let header = inputs.iter().map(|(name, unit, _)| with_unit(name, unit));
         let header = header.chain(keys.iter().map(|key| with_unit(key, unit(key)))).collect();
         let rows = rows.iter().map(|row| {
             let given = inputs.iter().map(|(_, unit, value)| reader.number(value, unit));
-            given.chain(keys.iter().map(|key| reader.number(&text(row, key), unit(key)))).collect()
+            let found = keys.iter().map(|key| match key.starts_with(LOG10) {
+                true => text(row, key),
+                false => reader.number(&text(row, key), unit(key)),
+            });
+            given.chain(found).collect()
         });
         std::iter::once(header).chain(rows).collect()
     }
