@@ -98,7 +98,9 @@ function clearTrail() {
 }
 /** The curve of equilibria between two radii, as points [d, F, a]. */
 function along(from, to) {
-  const count = Math.round(within((120 * Math.abs(Math.sqrt(to) - Math.sqrt(from))) / Math.sqrt(reach), [2, 90]));
+  const count = Math.round(
+    within((120 * Math.abs(Math.sqrt(to) - Math.sqrt(from))) / Math.sqrt(reach), [2, P.shape === 'table' ? 40 : 90]),
+  );
   const points = engine.curve(Math.max(Math.min(from, to), 1e-9), Math.max(from, to), count).map((r) => [r[3], r[4], r[0]]);
   return from < to ? points : points.reverse();
 }

@@ -105,14 +105,15 @@ function shown() {
 function draw() {
   const state = shown();
   const low = P.axis === 'log' ? reach / DECADES : reach * 1e-6;
+  const samples = P.shape === 'table' ? 0.6 * detail : detail; // a table takes longer than a formula
   if (redraw.curve) {
-    equilibriumCurve = engine.curve(low, reach, 300 * detail, spacing());
+    equilibriumCurve = engine.curve(low, reach, 300 * samples, spacing());
     version += 1;
     aim();
     redraw.curve = false;
   }
   const gliding = [balance, body, force].map((p) => p.glide());
-  const sides = engine.balance(value, low, balance.now[1], (balance.w < 500 ? 160 : 240) * detail);
+  const sides = engine.balance(value, low, balance.now[1], (balance.w < 500 ? 160 : 240) * samples);
   const rest = engine.equilibria(value);
   gliding.push(drawEnergy(sides, rest, state));
   drawBalance(sides, rest, state);
