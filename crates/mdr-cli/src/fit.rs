@@ -29,8 +29,9 @@ Examples:
   The same fit of many curves, on all cores, one row for each number of each curve:
     mdr fit examples/fits/tip.toml --batch curves --format csv
 
-A fit is a TOML file with the tables [profile], [data] and [fit], and with [control] where the curve
-is seen through a cantilever; docs/fit.md lists the keys. Data are a CSV file: a header, units, rows.
+A fit is a TOML file with the tables [profile], [data] and [fit], and with [control] where the
+curve is seen through a cantilever; docs/fit.md lists the keys. Data are a CSV file: a header, a
+row of units, rows.
 JSON: schema mdr.fit/1, one line for each curve.
 Exit status: 0 fitted, 1 not determined by the data or not converged, 2 bad input.";
 

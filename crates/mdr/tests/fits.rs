@@ -1,5 +1,6 @@
 //! Fits of the published data sets, whose estimates are certified by another program in 60 digits.
 #![cfg(feature = "fit")]
+#![allow(clippy::unwrap_used)]
 
 use mdr::fit::{Fit, FitStatus, Loss, Observation, Problem};
 use mdr::prelude::*;

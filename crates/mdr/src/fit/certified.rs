@@ -373,9 +373,9 @@ fn solve(mut matrix: Vec<Vec<Interval>>, mut right: Vec<Vec<Interval>>) -> Optio
         }
         for row in (0..count).filter(|row| *row != place) {
             let factor = matrix[row][place].clone() / &matrix[place][place];
-            for column in place..count {
-                let change = factor.clone() * &matrix[place][column];
-                matrix[row][column] -= &change;
+            let pivot = matrix[place].clone();
+            for (entry, pivot) in matrix[row].iter_mut().zip(&pivot).skip(place) {
+                *entry -= &(factor.clone() * pivot);
             }
             for right in &mut right {
                 let change = factor.clone() * &right[place];

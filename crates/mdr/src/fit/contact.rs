@@ -24,13 +24,16 @@ pub(super) struct Numbers<R> {
     pub(super) profile: Vec<R>,
 }
 
+/// g with its derivatives with respect to one number.
+type DualTransform<R> = Arc<dyn Transform<Dual<R>>>;
+
 /// A profile for one set of its numbers: its transform, and what derivatives need.
 pub(super) struct Tip<R: Real> {
     transform: Arc<dyn Transform<R>>,
     /// With no number seeded: for g''.
-    curvature: Arc<dyn Transform<Dual<R>>>,
+    curvature: DualTransform<R>,
     /// With the logarithm of one number seeded, by its index.
-    seeded: Vec<(usize, Arc<dyn Transform<Dual<R>>>)>,
+    seeded: Vec<(usize, DualTransform<R>)>,
 }
 
 impl<R: Struve + Kappa> Tip<R> {

@@ -286,6 +286,14 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
         evaluations: minimum.evaluations,
     };
     super::events::add(&mut fit, &errors, minimum)?;
+    if fit.status == FitStatus::Unidentifiable {
+        // Where not even the numbers are determined, no contact radius is told.
+        fit.rows.iter_mut().for_each(|row| row.contact_radius = None);
+        if let Some(pull_off) = &mut fit.predicted_pull_off {
+            (pull_off.contact_radius, pull_off.stderr) =
+                (None, pull_off.stderr.map(|[x, y, f, d, _]| [x, y, f, d, f64::NAN]));
+        }
+    }
     super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
     super::validity::add(&mut fit, problem, &minimum.evaluation.numbers)?;
     if let Some(digits) = problem.digits.filter(|_| fit.status == FitStatus::Fitted) {
