@@ -17,9 +17,9 @@ use crate::values;
 const LONGEST: usize = 400;
 
 /// Names that depend on n.
-const WITH_N: [&str; 20] = [
+const WITH_N: [&str; 18] = [
     "n", "κ", "κ_Γ", "kappa", "N", "C", "d_n", "F_n", "U_n", "a_c", "d_c", "F_c", "a_F", "d_F", "F_F", "a_0", "a_z",
-    "C_ρ", "μ", "turn",
+    "C_ρ",
 ];
 
 /// A small link to a part of a page.
@@ -231,12 +231,10 @@ fn place(step: &StepJudgement) -> String {
     let everywhere = !names.any(|name| WITH_N.contains(&name));
     match step.step.verdict() {
         Verdict::Enclosed | Verdict::Agrees => "in rigorous intervals".to_owned(),
-        Verdict::Sampled => format!(
-            "for {}, certain at {} of {} random points: no proof",
-            domains.join(" and "),
-            step.certain,
-            step.points
-        ),
+        Verdict::Sampled => {
+            let place = if everywhere { String::new() } else { format!("for {}, ", domains.join(" and ")) };
+            format!("{place}certain at {} of {} random points: no proof", step.certain, step.points)
+        }
         Verdict::Refuted => format!("for {}, by exact algebra and at a point", domains.join(" and ")),
         _ if everywhere => "by exact algebra".to_owned(),
         _ => format!("by exact algebra, for {}", domains.join(" and ")),
