@@ -11,6 +11,7 @@ use crate::error::{Failure, Result};
 use crate::output::{Format, Output as Out};
 use crate::plot;
 use crate::table::{Tone, cell, render_whole, table};
+use crate::validity;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -237,7 +238,7 @@ fn for_reader(answer: &Answer) -> String {
             parts.push(format!("{title}: {}", of_event(event, [unit(0), unit(1)])));
         }
     }
-    parts.extend(answer.validity.iter().cloned());
+    parts.extend(answer.validity.iter().map(|validity| validity::text(validity)));
     parts.extend(answer.warnings.iter().map(|warning| format!("Warning: {warning}.")));
     parts.join("\n\n")
 }
