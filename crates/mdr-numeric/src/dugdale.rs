@@ -180,7 +180,7 @@ impl<'a, R: Special> Dugdale<'a, R> {
         let mut radii: Vec<R> =
             folds.iter().flat_map(|fold| [9, 10, 11].map(|k| fold.clone().times(k).over(10))).collect();
         radii.sort_by(order);
-        let (mut next, mut above, mut width) = (top.times(4), None, None);
+        let (mut next, mut above, mut width, mut lost) = (top.times(4), None, None, None);
         loop {
             let a = match radii.pop_if(|radius| *radius >= next) {
                 Some(radius) => radius,
@@ -189,18 +189,23 @@ impl<'a, R: Special> Dugdale<'a, R> {
                     std::mem::replace(&mut next, half)
                 }
             };
-            let ring = match self.ring(&a, width.as_ref()) {
-                Ok(ring) => ring,
+            let sampled = self.ring(&a, width.as_ref()).and_then(|ring| Ok((self.excess(&ring)?, ring)));
+            let (excess, ring) = match sampled {
+                Ok(sampled) => sampled,
                 // A ring that ends beyond the profile, or a contact radius there or where g is not resolved.
-                Err(Error::Domain { .. } | Error::NoConvergence { .. })
-                    if above.is_none() && a > natural.clone() * a.unit_roundoff() =>
+                Err(error @ (Error::Domain { .. } | Error::NoConvergence { .. }))
+                    if a > natural.clone() * a.unit_roundoff() =>
                 {
+                    above = None;
+                    if matches!(error, Error::NoConvergence { .. }) {
+                        lost.get_or_insert(error);
+                    }
                     continue;
                 }
                 Err(Error::Domain { .. }) if !minima.is_empty() => return Ok(minima),
                 Err(error) => return Err(error),
             };
-            let rises = self.excess(&ring)? > a.lit(0);
+            let rises = excess > a.lit(0);
             if let Some((upper, true)) = above.replace((a.clone(), rises))
                 && !rises
                 && let Some(minimum) = self.minimum(&a, &upper, &ring.width)?
@@ -209,7 +214,7 @@ impl<'a, R: Special> Dugdale<'a, R> {
             }
             // From here on the condition is linear in a: the force falls with a growing contact.
             if !rises && radii.is_empty() && ring.c > a.times(8) {
-                return Ok(minima);
+                return lost.filter(|_| minima.is_empty()).map_or(Ok(minima), Err);
             }
             width = Some(ring.width);
         }
@@ -291,9 +296,9 @@ impl<'a, R: Special> Dugdale<'a, R> {
     fn excess(&self, ring: &Ring<R>) -> Result<R> {
         let Ring { a, c, angle, width, .. } = ring;
         let elastic = (c.clone() / a * angle * (c.clone() * angle) + width) * &self.strength;
-        let half = a.unit_roundoff().sqrt();
-        let tolerance =
-            tolerance(a).or_finest_below(half.clone().times(16)).or_error_below(&(elastic.clone() * half.square()));
+        // Where g' has an inverse root half of the digits are left, and as the force is stationary that is enough for it.
+        let half = a.unit_roundoff().sqrt().times(4096);
+        let tolerance = tolerance(a).or_finest_below(half).or_error_below(&(elastic.clone() * a.unit_roundoff()));
         let weighted = |angle: &R| {
             let x = on(ring, angle);
             Ok(beside_singular(x.clone(), |x| self.curve.transform().slope(x))? * x)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._numbers import Floats, Number, array, exact
 from ._profiles import Files, Profile
-from ._scene import Picture
+from ._scene import Picture, _double, _numbers
 from ._states import html_table
 
 Observation: TypeAlias = Literal["F(d)", "F(D)", "delta(D)", "d(F)", "F(a)", "a(F)"]
@@ -74,7 +74,7 @@ class Fit:
         """Where the contact breaks, by the fitted curve: ``x``, ``y``, ``force``, ``indentation``, ``contact_radius``."""
         self.measured_pull_off: dict[str, Any] | None = answer["measured_pull_off"]
         """The last row in contact before the first detached one."""
-        self.validity: dict[str, Any] | None = answer["validity"]
+        self.validity: dict[str, Any] | None = _numbers(answer["validity"], _double)
         """Whether the theory holds for the fitted contact, where ``range_of_adhesion`` is given."""
         self.warnings: tuple[str, ...] = tuple(answer["warnings"])
         """What may mislead."""

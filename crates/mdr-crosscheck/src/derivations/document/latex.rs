@@ -88,6 +88,7 @@ const CHARACTERS: &[(char, &str)] = &[
     ('ν', r"$\nu$"),
     ('ρ', r"$\rho$"),
     ('π', r"$\pi$"),
+    ('σ', r"$\sigma$"),
     ('θ', r"$\theta$"),
     ('φ', r"$\varphi$"),
     ('δ', r"$\delta$"),
