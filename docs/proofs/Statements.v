@@ -469,36 +469,33 @@ Definition step_critical_machine_1 : Prop :=
   forall (E w a k delta : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < E -> 0 < w -> 0 < a -> 0 < k -> 0 < delta -> (let d := (k * delta + 2 * E * (G a)) / (k + 2 * E * a) in Derive (fun d => (U E w a d G Q) + k * (delta - d) ^ 2 / 2) d) = 0.
 (* proved *)
 Definition step_critical_machine_2 : Prop :=
-  forall (E w a k delta : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < E -> 0 < w -> 0 < a -> 0 < k -> 0 < delta -> Derive (fun a => let d := (k * delta + 2 * E * (G a)) / (k + 2 * E * a) in (U E w a d G Q) + k * (delta - d) ^ 2 / 2) a = E * (((k * delta + 2 * E * (G a)) / (k + 2 * E * a) - (g a)) ^ 2 - (dl E w a) ^ 2).
+  forall (E w a k : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < E -> 0 < w -> 0 < a -> 0 < k -> (let delta := (((g a) - (dl E w a)) * (k + 2 * E * a) - 2 * E * (G a)) * (/ k ^ 1) in Derive (fun a => E * (((k * delta + 2 * E * (G a)) / (k + 2 * E * a) - (g a)) ^ 2 - (dl E w a) ^ 2)) a) = 2 * E * (dl E w a) / (k + 2 * E * a) * k * Derive (fun a => (d_g E w a g) + (F_g E w a g G) / k) a.
 (* proved *)
 Definition step_critical_machine_3 : Prop :=
-  forall (E w a k : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < E -> 0 < w -> 0 < a -> 0 < k -> (let delta := (((g a) - (dl E w a)) * (k + 2 * E * a) - 2 * E * (G a)) / k in Derive (fun a => E * (((k * delta + 2 * E * (G a)) / (k + 2 * E * a) - (g a)) ^ 2 - (dl E w a) ^ 2)) a) = 2 * E * (dl E w a) / (k + 2 * E * a) * k * Derive (fun a => (d_g E w a g) + (F_g E w a g G) / k) a.
-(* proved *)
-Definition step_critical_machine_4 : Prop :=
   forall (E w a k : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < E -> 0 < w -> 0 < a -> 0 < k -> k * Derive (fun a => (d_g E w a g) + (F_g E w a g G) / k) a = (k + 2 * E * a) * Derive (fun a => (d_g E w a g)) a - 2 * E * (dl E w a).
 (* proved *)
-Definition step_critical_machine_5 : Prop :=
+Definition step_critical_machine_4 : Prop :=
   forall (E w a k : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < E -> 0 < w -> 0 < a -> 0 < k -> k * Derive (fun a => (d_g E w a g) + (F_g E w a g G) / k) a = (k + 2 * E * a) * ((g1 a) - (lam E a k) * sqrt ((B E w) / a)).
 (* proved *)
-Definition step_critical_machine_6 : Prop :=
+Definition step_critical_machine_5 : Prop :=
   forall (E a : R), 0 < E -> 0 < a -> (let k := 0 in (lam E a k)) = 3.
 (* proved *)
-Definition step_critical_machine_7 : Prop :=
+Definition step_critical_machine_6 : Prop :=
   forall (E a k : R), 0 < E -> 0 < a -> 0 < k -> (lam E a k) - 1 = 4 * E * a / (k + 2 * E * a).
 (* proved *)
-Definition step_critical_machine_8 : Prop :=
+Definition step_critical_machine_7 : Prop :=
   forall (E a k : R), 0 < E -> 0 < a -> 0 < k -> 3 - (lam E a k) = 2 * k / (k + 2 * E * a).
 (* proved *)
-Definition step_critical_machine_9 : Prop :=
+Definition step_critical_machine_8 : Prop :=
   forall (E a k : R), 0 < E -> 0 < a -> 0 < k -> Derive (fun a => (lam E a k)) a > 0.
 (* proved *)
-Definition step_critical_machine_10 : Prop :=
+Definition step_critical_machine_9 : Prop :=
   forall (n E w C kap a k : R), 0 < n -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> 0 < a -> 0 < k -> k * Derive (fun a => (d_n n E w C kap a) + (F_n n E w C kap a) / k) a = (k + 2 * E * a) * ((N n C kap) * Rpower a (n - 1) - (lam E a k) * sqrt ((B E w) / a)).
 (* proved *)
-Definition step_critical_machine_11 : Prop :=
+Definition step_critical_machine_10 : Prop :=
   forall (n E w kap a Lambda : R), 0 < n -> 0 < E -> 0 < w -> 0 < kap -> 0 < a -> 0 < Lambda -> (let C := Lambda * sqrt (B E w) * Rpower a (1 / 2 - n) / (n * kap) in (d_n n E w C kap a)) = (Lambda - 2 * n) / n * sqrt ((B E w) * a).
 (* proved *)
-Definition step_critical_machine_12 : Prop :=
+Definition step_critical_machine_11 : Prop :=
   forall (n E w kap a Lambda : R), 0 < n -> 0 < E -> 0 < w -> 0 < kap -> 0 < a -> 0 < Lambda -> (let C := Lambda * sqrt (B E w) * Rpower a (1 / 2 - n) / (n * kap) in (F_n n E w C kap a)) = 2 * (Lambda - 2 * (n + 1)) / (n + 1) * E * a * sqrt ((B E w) * a).
 
 (** ** machine-folds: Up to three folds on a machine *)

