@@ -1,6 +1,6 @@
 //! Fits of the published data sets, whose estimates are certified by another program in 60 digits.
 #![cfg(feature = "fit")]
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
 use mdr::fit::{Fit, FitStatus, Loss, Observation, Problem};
 use mdr::prelude::*;
