@@ -90,8 +90,10 @@ fn every_profile_has_an_answer() {
         let found = validity(shape, "1", "1e-4", "1e-4");
         let [tabor, force] = [&found.tabor, &found.maugis_dugdale_pull_off].map(Value::to_f64);
         assert!(tabor.is_some_and(|tabor| tabor > 0.0), "{name}: {:?}", found.tabor);
-        // A contact over the whole of an elliptical dimple breaks only by a ring over its edge, where g has no value.
-        let known = force.is_some_and(|force| force < 0.0) || name == "elliptical-dimple";
+        // At a sharp edge g' has an inverse root, and of a dimple g has no value: a ring over it may stay undecided.
+        let sharp = name.starts_with("truncated") || name.ends_with("dimple");
+        let undecided = sharp && found.maugis_dugdale_pull_off.status() == Status::Undecided;
+        let known = undecided || force.is_some_and(|force| force < 0.0);
         assert!(known, "{name}: {:?}", found.maugis_dugdale_pull_off);
     }
 }
