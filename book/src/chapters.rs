@@ -33,7 +33,7 @@ pub(crate) const CHAPTERS: [Chapter; 11] = [
     chapter("waviness", "Waviness", &["wavy"]),
     chapter("energy", "Energy and hysteresis", &["work-pull-off", "work-jump-in"]),
     chapter("profiles", "The library of profiles", &["kendall"]),
-    chapter("limits", "Limits of the theory", &[]),
+    chapter("limits", "Limits of the theory", &["maugis-dugdale"]),
 ];
 
 impl Chapter {

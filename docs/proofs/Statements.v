@@ -463,6 +463,29 @@ Definition step_critical_force_12 : Prop :=
 Definition step_critical_force_13 : Prop :=
   forall (n E w C kap : R), 0 < n < 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> (let a := (a_F n E w C kap) in Derive (fun a => Derive (fun a => (F_n n E w C kap a)) a) a) < 0.
 
+(** ** maugis-dugdale: Adhesion of finite range, and its limit *)
+(* proved *)
+Definition step_maugis_dugdale_1 : Prop :=
+  forall (theta : R), 0 < theta < PI / 2 -> Derive (fun theta => theta * (sin theta) + (cos theta)) theta = theta * (cos theta).
+(* proved *)
+Definition step_maugis_dugdale_2 : Prop :=
+  forall (theta : R), 0 < theta < PI / 2 -> Derive (fun theta => theta + (sin theta) * (cos theta)) theta = 2 * (cos theta) ^ 2.
+(* proved *)
+Definition step_maugis_dugdale_3 : Prop :=
+  forall (theta : R), 0 < theta < PI / 2 -> theta * (theta + (cos theta) / (sin theta)) - (cos theta) * (theta / (sin theta) + (cos theta) - 1) = theta ^ 2 + (cos theta) - (cos theta) ^ 2.
+(* proved *)
+Definition step_maugis_dugdale_4 : Prop :=
+  forall (theta : R), 0 < theta < PI / 2 -> (cos theta) ^ 2 * ((sin theta) / (cos theta) + (1 / (cos theta) ^ 2 - 2) * theta) = theta + (sin theta) * (cos theta) - 2 * theta * (cos theta) ^ 2.
+(* proved *)
+Definition step_maugis_dugdale_5 : Prop :=
+  forall (E w a delta : R), 0 < E -> 0 < w -> 0 < a -> 0 < delta -> 2 * w / (E * delta) * a * sqrt (PI * delta / (2 * w / (E * delta) * a)) = (dl E w a).
+(* proved *)
+Definition step_maugis_dugdale_6 : Prop :=
+  forall (E w a delta : R), 0 < E -> 0 < w -> 0 < a -> 0 < delta -> 3 / 2 * (2 * w / (E * delta)) * sqrt (PI * delta / (2 * w / (E * delta) * a)) = 3 * sqrt ((B E w) / a).
+(* proved *)
+Definition step_maugis_dugdale_7 : Prop :=
+  forall (E w Rad : R), 0 < E -> 0 < w -> 0 < Rad -> (let C := 1 / (2 * Rad) in let n := 2 in let kap := Definitions.kappa n in let a := (a_F n E w C kap) in (dl E w a)) = sqrt (2 * PI * Rpower (9 * PI / 8) (1 / 3)) * Rpower (Rad * w ^ 2 / E ^ 2) (1 / 3).
+
 (** ** critical-machine: The instability on a machine of finite stiffness *)
 (* proved *)
 Definition step_critical_machine_1 : Prop :=

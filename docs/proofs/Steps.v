@@ -347,6 +347,32 @@ Proof.
   unfold step_critical_force_13. begin. negative (3 * E * (1 - 2 * n) * sqrt (PI * w / (2 * E)) / sqrt a).
 Qed.
 
+Lemma prove_step_maugis_dugdale_1 : step_maugis_dugdale_1.
+Proof. unfold step_maugis_dugdale_1. step. Qed.
+
+Lemma prove_step_maugis_dugdale_2 : step_maugis_dugdale_2.
+Proof.
+  unfold step_maugis_dugdale_2. begin. slopes. pose proof (sin2_cos2 theta). unfold Rsqr in *. nra.
+Qed.
+
+Lemma prove_step_maugis_dugdale_3 : step_maugis_dugdale_3.
+Proof. unfold step_maugis_dugdale_3. step. Qed.
+
+Lemma prove_step_maugis_dugdale_4 : step_maugis_dugdale_4.
+Proof. unfold step_maugis_dugdale_4. step. Qed.
+
+Lemma prove_step_maugis_dugdale_5 : step_maugis_dugdale_5.
+Proof. unfold step_maugis_dugdale_5. step. Qed.
+
+Lemma prove_step_maugis_dugdale_6 : step_maugis_dugdale_6.
+Proof. unfold step_maugis_dugdale_6. step. Qed.
+
+Lemma prove_step_maugis_dugdale_7 : step_maugis_dugdale_7.
+Proof.
+  unfold step_maugis_dugdale_7. intros. cbv zeta. replace (Definitions.kappa 2) with 2 by (symmetry; apply
+    Kappa.kappa_values). unfold dl, a_F, B, N. mono.
+Qed.
+
 Lemma prove_step_critical_machine_1 : step_critical_machine_1.
 Proof. unfold step_critical_machine_1. step. Qed.
 

@@ -43,11 +43,11 @@ pub fn tabor_number<R: Special>(curve: &Curve<'_, R>, a: &R, range: &R) -> Resul
 /// A profile in contact whose surfaces attract each other up to a finite separation.
 ///
 /// ```
-/// use mdr_core::contact::{Control, Material};
+/// use mdr_core::contact::{Control, Material, Shape};
 /// use mdr_numeric::{curve::Curve, dugdale::{Dugdale, separation}, folds::folds};
-/// use mdr_numeric::{profiles::Paraboloid, transform::Quadrature};
+/// use mdr_numeric::transform::Quadrature;
 /// // A ball of 10 nm with z₀ = 0.3 nm: its pull-off force is between 3/2 πwR (JKR) and 2πwR (DMT).
-/// let ball = Quadrature::new(Paraboloid::new(10e-9)?);
+/// let ball = Quadrature::of([Shape::Paraboloid { radius: 10e-9 }])?;
 /// let material = Material::new(5e9, 0.05)?;
 /// let contact = Dugdale::new(Curve::new(&ball, &material, &Control::Force), &separation(&0.3e-9))?;
 /// let jkr = folds(&ball, &material, &Control::Force)?[0].contact_radius;

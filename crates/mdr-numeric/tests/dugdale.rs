@@ -5,11 +5,10 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_core::contact::{Control, Error, Material, Transform};
+use mdr_core::contact::{Control, Error, Material, Shape, Transform};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::folds;
-use mdr_numeric::profiles::{FlatPunch, Paraboloid, Power, Sphere};
 use mdr_numeric::transform::Quadrature;
 
 fn pull_off(profile: &dyn Transform<f64>, e_star: f64, work: f64, range: f64) -> CohesiveState<f64> {
@@ -23,7 +22,7 @@ fn pull_off(profile: &dyn Transform<f64>, e_star: f64, work: f64, range: f64) ->
 #[test]
 fn a_paraboloid_is_between_jkr_and_dmt() {
     // Units of πwR: 3/2 for a short range, 2 for a long one, and in between as in the table of Maugis.
-    let ball = Quadrature::new(Paraboloid::new(1.0).unwrap());
+    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap();
     let share = |range: f64| -pull_off(&ball, 1.0, 1e-6, range).force / (PI * 1e-6);
     let shares: Vec<f64> = [1e-8, 1e-5, 1e-4, 1e-3, 1e-1].map(share).to_vec();
     assert!(shares.is_sorted(), "{shares:?}");
@@ -34,7 +33,7 @@ fn a_paraboloid_is_between_jkr_and_dmt() {
 
 #[test]
 fn results_do_not_depend_on_units() {
-    let ball = |radius: f64| Quadrature::new(Paraboloid::new(radius).unwrap());
+    let ball = |radius: f64| Quadrature::of([Shape::Paraboloid { radius: radius }]).unwrap();
     let nature = pull_off(&ball(1.0), 1.0, 1e-6, 3e-4);
     // Lengths times 10⁻⁸ and forces times 10⁻⁷.
     for (length, force) in [(1e-8, 1e-7), (1e40, 1e-60)] {
@@ -49,7 +48,7 @@ fn results_do_not_depend_on_units() {
 fn a_sharp_tip_has_a_finite_pull_off_force() {
     // n = 1/4: with a short range the force is that of the stress w/h₀ on the disc on which the gap of the rigid tip is
     // below h₀.
-    let tip = Quadrature::new(Power::new(0.25, 1.0).unwrap());
+    let tip = Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap();
     let range = 1e-3;
     let opening = separation(&range);
     let state = pull_off(&tip, 1.0, 1e-4, range);
@@ -60,7 +59,7 @@ fn a_sharp_tip_has_a_finite_pull_off_force() {
 
 #[test]
 fn a_flat_punch_goes_from_kendall_to_the_full_stress() {
-    let punch = Quadrature::new(FlatPunch::new(1.0).unwrap());
+    let punch = Quadrature::of([Shape::FlatPunch { radius: 1.0 }]).unwrap();
     let kendall = -f64::sqrt(8.0 * PI * 1e-4);
     // The ring is at most as wide as the punch, and the correction falls with the range.
     let changes = [1e-6, 1e-4].map(|range| pull_off(&punch, 1.0, 1e-4, range).force / kendall - 1.0);
@@ -70,7 +69,7 @@ fn a_flat_punch_goes_from_kendall_to_the_full_stress() {
 
 #[test]
 fn tabors_own_number() {
-    let ball = Quadrature::new(Paraboloid::new(10e-9).unwrap());
+    let ball = Quadrature::of([Shape::Paraboloid { radius: 10e-9 }]).unwrap();
     let material = Material::new(5e9, 0.05).unwrap();
     let curve = Curve::new(&ball, &material, &Control::Force);
     let fold = folds(&ball, &material, &Control::Force).unwrap()[0].contact_radius;
@@ -80,7 +79,7 @@ fn tabors_own_number() {
 
 #[test]
 fn inputs_out_of_their_domain() {
-    let ball = Quadrature::new(Sphere::new(1.0).unwrap());
+    let ball = Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap();
     let material = Material::new(1.0, 1e-6).unwrap();
     let curve = || Curve::new(&ball, &material, &Control::Force);
     for bad in [0.0, -1e-9, f64::NAN, f64::INFINITY] {

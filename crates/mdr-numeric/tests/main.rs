@@ -4,6 +4,7 @@
 mod admissible;
 mod claims;
 mod contact;
+mod dugdale;
 mod fields;
 mod ledger;
 mod path;

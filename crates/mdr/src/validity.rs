@@ -243,8 +243,11 @@ fn record<R: SceneReal>(
         (Value::Known(force), Some(Value::Known(jkr))) => Some(Value::Known(force.clone() / jkr - jkr.lit(1))),
         _ => None,
     };
-    let a_over_r =
-        curvature(scene.profile()).map(|radius| at(&|a| Ok(a.clone() / model.number(radius)))).transpose()?;
+    let curvature = match scene.profile() {
+        Profile::Shape(shape) => shape.curvature_radius(),
+        _ => None,
+    };
+    let a_over_r = curvature.map(|radius| at(&|a| Ok(a.clone() / model.number(radius)))).transpose()?;
     let admissible = fold
         .as_ref()
         .ok()
@@ -283,22 +286,6 @@ fn vanishes<R: SceneReal>(model: &Model<R>, fold: Option<&Instability<R>>) -> Re
     let scale = fold.map_or_else(|| curve.material_length(), |fold| fold.contact_radius.clone());
     let near = scale.lit(2).powi(-30) * scale;
     Ok(lack(curve.tangency(&near))?.is_ok_and(|ratio| ratio > near.lit(3)))
-}
-
-/// The radius of curvature of a profile of the library, where it has one.
-fn curvature(profile: &Profile) -> Option<&Literal> {
-    match profile {
-        Profile::Shape(
-            Shape::Paraboloid { radius }
-            | Shape::Sphere { radius }
-            | Shape::ConeSphericalCap { radius, .. }
-            | Shape::RoundedPunch { radius, .. }
-            | Shape::TruncatedParaboloid { radius, .. }
-            | Shape::DisplacedParaboloid { radius, .. }
-            | Shape::WavyParaboloid { radius, .. },
-        ) => Some(radius),
-        _ => None,
-    }
 }
 
 /// A number that may be lacking; what concerns the whole computation is an error.

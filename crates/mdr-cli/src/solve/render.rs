@@ -131,6 +131,7 @@ pub(crate) fn write_files(
     out: &mut Out<impl std::io::Write>,
 ) -> Result<()> {
     let failed = |error| Failure::file(format!("--out {}", folder.display()), error);
+    let plain = Reader { notation: Notation::Plain, ..reader.clone() };
     std::fs::create_dir_all(folder).map_err(failed)?;
     for output in &answer.outputs {
         let file = folder.join(format!("{}.csv", output.kind().name()));
@@ -139,9 +140,9 @@ pub(crate) fn write_files(
             &mut Out::new(std::fs::File::create(&file).map_err(failed)?),
         )?;
         out.text(file.display())?;
-        output.balance().map_or(Ok(()), |balance| out.text(balance.sentence(reader)))?;
+        output.balance().map_or(Ok(()), |balance| out.text(balance.sentence(&plain)))?;
         if let Output::ForceCurve(curve) = output {
-            out.text(curve.summary.sentence(reader))?;
+            out.text(curve.summary.sentence(&plain))?;
         }
     }
     answer.notes.iter().try_for_each(|note| out.text(format_args!("Note: {note}.")))

@@ -199,6 +199,20 @@ impl Shape<()> {
 }
 
 impl<N> Shape<N> {
+    /// The radius of curvature of its spherical or parabolic part, where it has one.
+    pub fn curvature_radius(&self) -> Option<&N> {
+        match self {
+            Shape::Paraboloid { radius }
+            | Shape::Sphere { radius }
+            | Shape::TruncatedParaboloid { radius, .. }
+            | Shape::ConeSphericalCap { radius, .. }
+            | Shape::RoundedPunch { radius, .. }
+            | Shape::DisplacedParaboloid { radius, .. }
+            | Shape::WavyParaboloid { radius, .. } => Some(radius),
+            _ => None,
+        }
+    }
+
     /// The name in scenes and records: `rounded-punch`.
     pub fn name(&self) -> &'static str {
         let blank = self.map(|_, _| ());

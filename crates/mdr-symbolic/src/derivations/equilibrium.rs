@@ -101,7 +101,7 @@ pub(super) const GROWS: Entry = Entry {
         Step::proved(
             POSITIVE,
             "at(diff(U, a), d, g) < 0",
-            "and where they are relaxed: the contact grows wherever $|g - d| \\lt \\Delta l$.",
+            "and where they are relaxed: the contact grows wherever $|g(a) - d| \\lt \\Delta l(a)$.",
         ),
     ],
     erratum: None,

@@ -71,6 +71,7 @@ const PLAIN: &[(&str, &str)] = &[
     (r"\varphi", "φ"),
     (r"\mu", "μ"),
     (r"\rho", "ρ"),
+    (r"\sigma", "σ"),
     (r"\delta", "δ"),
     (r"\Delta", "Δ"),
     (r"\Gamma", "Γ"),
@@ -79,7 +80,7 @@ const PLAIN: &[(&str, &str)] = &[
 /// TeX as a line of text: fractions on a line, commands as signs, without braces.
 fn plain(tex: &str) -> String {
     let mut text = tex.replace(r"\,", "").replace(r"\text", "").replace(r"\mathbf", "").replace("{}_2", "₂");
-    for digits in ["12", "14", "34", "52"] {
+    for digits in ["12", "13", "14", "34", "52"] {
         let (above, below) = digits.split_at(1);
         text = text.replace(&format!(r"\tfrac{digits}"), &format!("{above}/{below}"));
     }
