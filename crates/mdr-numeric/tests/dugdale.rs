@@ -33,7 +33,7 @@ fn a_paraboloid_is_between_jkr_and_dmt() {
 
 #[test]
 fn results_do_not_depend_on_units() {
-    let ball = |radius: f64| Quadrature::of([Shape::Paraboloid { radius: radius }]).unwrap();
+    let ball = |radius: f64| Quadrature::of([Shape::Paraboloid { radius }]).unwrap();
     let nature = pull_off(&ball(1.0), 1.0, 1e-6, 3e-4);
     // Lengths times 10⁻⁸ and forces times 10⁻⁷.
     for (length, force) in [(1e-8, 1e-7), (1e40, 1e-60)] {

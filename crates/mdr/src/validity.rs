@@ -5,7 +5,7 @@
 //! large. For a paraboloid it is Tabor's own (Rw²/(E*²z₀³))^(1/3). Formulas and sources are in [`mdr_numeric::dugdale`].
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Result, Shape, Status};
+use mdr_core::contact::{Control, Error, FoldKind, Instability, Result, Status};
 use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
