@@ -11,7 +11,7 @@ pub(super) const CRITICAL: Entry = Entry {
         Step::proved(
             POSITIVE,
             "at(diff(U + k*(δ - d)^2/2, d), d, (k*δ + 2*E*G)/(k + 2*E*a)) = 0",
-            "For any profile: at a given position δ of the machine, the energy of contact and machine is least over the indentation, \
+            "For any profile: at a given position $\\delta$ of the machine, the energy of contact and machine is least over the indentation, \
              at any contact radius, where the two forces balance. Its slope over the radius is that of 1.4 there.",
         ),
         Step::proved(
