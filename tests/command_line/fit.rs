@@ -21,8 +21,7 @@ fn the_example_is_fitted() {
         serde_json::from_str(&output(&format!("fit {} --format json", example("tip.toml")))).unwrap();
     assert_eq!(answer["schema"], "mdr.fit/1");
     assert_eq!(answer["status"], "fitted");
-    let expected =
-        [4.99161781811737e6, 1.997673595287969e-2, 2.4888331252893856e-8, 1.069650594469785e-9];
+    let expected = [4.99161781811737e6, 1.997673595287969e-2, 2.4888331252893856e-8, 1.069650594469785e-9];
     for (estimate, expected) in answer["parameters"].as_array().unwrap().iter().zip(expected) {
         assert!((estimate["value"].as_f64().unwrap() / expected - 1.0).abs() < 1e-10, "{estimate}");
     }
