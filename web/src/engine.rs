@@ -38,7 +38,7 @@ impl Engine {
         let profile = match scene.profile() {
             scene::Profile::Shape(shape) => {
                 let shape = shape.clone().map(|_, literal| literal.nearest_f64());
-                Profile::Shape(profiles::Heights::new(vec![shape]))
+                Profile::Shape(profiles::Heights::new([shape])?)
             }
             _ => Profile::Table(Table::from_csv(table).map_err(refused)?.profile(())?),
         };
