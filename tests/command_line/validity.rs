@@ -18,6 +18,9 @@ fn a_critical_state_with_a_range() {
     assert!((number(&validity["correction"]) - correction).abs() < 1e-12);
     assert!(critical(TIP).get("validity").is_none(), "without the range nothing changes");
 
+    let in_units = output(&format!("critical {TIP} --range-of-adhesion 3e-10 --f64 --units nm,nN"));
+    let range = in_units.lines().find(|line| line.contains("range of adhesion, nm")).unwrap();
+    assert!(range.ends_with(" 0.3"), "{range}");
     let table = output(&format!("critical {TIP} --range-of-adhesion 3e-10 --f64"));
     assert!(table.contains("Tabor number") && table.contains("Does the theory hold? Neither limit holds"), "{table}");
     let csv = output(&format!("critical {TIP} --range-of-adhesion 3e-10 --f64 --format csv"));

@@ -1,7 +1,7 @@
 //! Whether the theory holds, for a reader.
 
 use mdr::Validity;
-use mdr::answer::{FlatCell, FlatRow, Reader, title};
+use mdr::answer::{FlatCell, FlatRow, Notation, Reader, title};
 use mdr::prelude::Status;
 
 use crate::solve::render::tone;
@@ -30,6 +30,10 @@ pub(crate) fn text(validity: &Validity, reader: &Reader) -> String {
 pub(crate) fn number(row: &FlatRow, key: &str, reader: &Reader) -> String {
     match row.iter().find(|(name, _)| name == key) {
         Some((_, FlatCell::Number(text))) => reader.number(text, title(key, None).1),
+        // What was typed keeps its notation.
+        Some((_, FlatCell::Text(text))) => {
+            Reader { notation: Notation::Plain, ..reader.clone() }.number(text, title(key, None).1)
+        }
         Some((_, other)) => other.to_string(),
         None => String::new(),
     }
