@@ -117,20 +117,7 @@ impl<'a> Proof<'a> {
                 }
             }
         };
-        let of = |kind: Kind| self.problem.parameters.iter().position(|parameter| parameter.kind == kind).map(value);
-        let zero = || Dual::constant(Interval::from_int(self.precision, 0));
-        let profile = (0..self.problem.parameters.len())
-            .filter(|index| matches!(self.problem.parameters[*index].kind, Kind::Profile(_)))
-            .map(value)
-            .collect();
-        Numbers {
-            e_star: of(Kind::EffectiveModulus).unwrap_or_else(zero),
-            work: of(Kind::WorkOfAdhesion).unwrap_or_else(zero),
-            stiffness: of(Kind::Stiffness),
-            contact_point: of(Kind::ContactPoint).unwrap_or_else(zero),
-            baseline: of(Kind::Baseline).unwrap_or_else(zero),
-            profile,
-        }
+        Numbers::of(self.problem, value, || Dual::constant(Interval::from_int(self.precision, 0)))
     }
 
     fn kind(&self, place: usize) -> Kind {

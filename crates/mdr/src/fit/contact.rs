@@ -10,7 +10,7 @@ use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::{Dual, Real};
 use mdr_numeric::transform::Quadrature;
 
-use super::problem::{Kind, Observation};
+use super::problem::{Kind, Observation, Problem};
 use crate::scene::Profile;
 
 /// The numbers of a problem in one arithmetic.
@@ -22,6 +22,23 @@ pub(super) struct Numbers<R> {
     pub(super) contact_point: R,
     pub(super) baseline: R,
     pub(super) profile: Vec<R>,
+}
+
+impl<R> Numbers<R> {
+    /// Those of a problem: `value` gets the index of a parameter; an offset that the problem lacks is `zero`.
+    pub(super) fn of(problem: &Problem, value: impl Fn(usize) -> R, zero: impl Fn() -> R) -> Self {
+        let parameters = &problem.parameters;
+        let of = |kind: Kind| parameters.iter().position(|parameter| parameter.kind == kind).map(&value);
+        let is_of_profile = |index: &usize| matches!(parameters[*index].kind, Kind::Profile(_));
+        Numbers {
+            e_star: of(Kind::EffectiveModulus).unwrap_or_else(&zero),
+            work: of(Kind::WorkOfAdhesion).unwrap_or_else(&zero),
+            stiffness: of(Kind::Stiffness),
+            contact_point: of(Kind::ContactPoint).unwrap_or_else(&zero),
+            baseline: of(Kind::Baseline).unwrap_or_else(&zero),
+            profile: (0..parameters.len()).filter(is_of_profile).map(&value).collect(),
+        }
+    }
 }
 
 /// g with its derivatives with respect to one number.

@@ -296,14 +296,15 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     }
     super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
     super::validity::add(&mut fit, problem, &minimum.evaluation.numbers)?;
-    if let Some(digits) = problem.digits.filter(|_| fit.status == FitStatus::Fitted) {
+    match problem.digits.filter(|_| fit.status == FitStatus::Fitted) {
+        None => {}
         #[cfg(feature = "mp")]
-        match super::certified::certified(objective, minimum, digits, dof) {
+        Some(digits) => match super::certified::certified(objective, minimum, digits, dof) {
             Ok(certified) => fit.certified = Some(certified),
             Err(why) => fit.warnings.push(why),
-        }
+        },
         #[cfg(not(feature = "mp"))]
-        return Err(Error::NeedsMp { what: if digits > 0 { "a fit in certified digits" } else { "" } });
+        Some(_) => return Err(Error::NeedsMp { what: "a fit in certified digits" }),
     }
     Ok(fit)
 }

@@ -61,7 +61,10 @@ impl<'p> Objective<'p> {
         let mut objective =
             Objective { problem, free, x_scale, y_scale, beyond, rows: problem.rows.clone(), tip: None };
         if objective.free_of_profile().is_empty() {
-            let numbers: Vec<f64> = objective.of_profile(&|index| problem.parameters[index].value.unwrap_or(f64::NAN));
+            let numbers: Vec<f64> = {
+                let given = |index: usize| problem.parameters[index].value.unwrap_or(f64::NAN);
+                Numbers::of(problem, given, || 0.0).profile
+            };
             objective.tip = Some(Shared::new(Tip::new(&problem.profile, (), &numbers, &[])?));
         }
         Ok(objective)
@@ -73,14 +76,6 @@ impl<'p> Objective<'p> {
             _ => None,
         };
         self.free.iter().filter_map(of_profile).collect()
-    }
-
-    fn of_profile(&self, value: &dyn Fn(usize) -> f64) -> Vec<f64> {
-        let parameters = self.problem.parameters.iter().enumerate();
-        parameters
-            .filter(|(_, parameter)| matches!(parameter.kind, Kind::Profile(_)))
-            .map(|(index, _)| value(index))
-            .collect()
     }
 
     /// The value of a free parameter as it is fitted: its logarithm, or itself for an offset.
@@ -121,15 +116,7 @@ impl<'p> Objective<'p> {
             Some(place) => self.value(place, fitted[place]),
             None => self.problem.parameters[index].value.unwrap_or(f64::NAN),
         };
-        let of = |kind: Kind| self.problem.parameters.iter().position(|parameter| parameter.kind == kind).map(value);
-        Numbers {
-            e_star: of(Kind::EffectiveModulus).unwrap_or(f64::NAN),
-            work: of(Kind::WorkOfAdhesion).unwrap_or(f64::NAN),
-            stiffness: of(Kind::Stiffness),
-            contact_point: of(Kind::ContactPoint).unwrap_or(0.0),
-            baseline: of(Kind::Baseline).unwrap_or(0.0),
-            profile: self.of_profile(&value),
-        }
+        Numbers::of(self.problem, value, || 0.0)
     }
 
     pub(super) fn scales(&self, row: &DataRow) -> Scales {
