@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::{ParallelProgressIterator, ProgressBar, ProgressStyle};
-use mdr::answer::Reader;
+use mdr::answer::NumberStyle;
 use mdr::fit::{Event, Fit as Answer, FitStatus, Problem};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
@@ -270,7 +270,7 @@ fn for_reader(answer: &Answer) -> String {
             parts.push(format!("{title}: {}", of_event(event, [unit(0), unit(1)])));
         }
     }
-    parts.extend(answer.validity.iter().map(|validity| validity::text(validity, &Reader::default())));
+    parts.extend(answer.validity.iter().map(|validity| validity::text(validity, &NumberStyle::default())));
     parts.extend(answer.warnings.iter().map(|warning| format!("Warning: {warning}.")));
     parts.join("\n\n")
 }

@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 use std::num::IntErrorKind;
 
-use mdr::answer::{Notation, Reader};
+use mdr::answer::{Notation, NumberStyle};
 use mdr::prelude::{Arithmetic, Literal};
 use mdr::scene::MAX_DIGITS;
 
@@ -115,7 +115,7 @@ impl ArithmeticFlags {
 
 /// How a table writes its numbers.
 #[derive(Debug, clap::Args)]
-pub(crate) struct ReaderFlags {
+pub(crate) struct StyleFlags {
     /// Units of tables in place of SI units, such as nm,nN: m, N, Pa, J and N/m with prefixes
     #[arg(long, value_name = "UNITS")]
     units: Option<String>,
@@ -125,9 +125,9 @@ pub(crate) struct ReaderFlags {
     notation: Option<String>,
 }
 
-impl ReaderFlags {
+impl StyleFlags {
     /// The writer of numbers. Other formats than tables are for programs, and their units are fixed.
-    pub(crate) fn reader(&self, has_units: bool) -> Result<Reader> {
+    pub(crate) fn style(&self, has_units: bool) -> Result<NumberStyle> {
         let units = self.units.as_deref().map(|text| Flag::new("--units", text));
         if let Some(flag) = units.filter(|_| !has_units) {
             return Err(flag.refuse("JSON and CSV for programs are in SI units; drop the flag or --format"));
@@ -139,7 +139,7 @@ impl ReaderFlags {
             _ => Notation::Plain,
         };
         let units = units.map(|flag| flag.text.parse().map_err(|error| flag.refuse(error))).transpose()?;
-        Ok(Reader { notation, units: units.unwrap_or_default() })
+        Ok(NumberStyle { notation, units: units.unwrap_or_default() })
     }
 }
 

@@ -63,6 +63,12 @@ impl<W: Write> Output<W> {
         })
     }
 
+    /// A table with its titles first.
+    pub(crate) fn spreadsheet(&mut self, table: &[Vec<String>]) -> Result<()> {
+        let header: Vec<&str> = table[0].iter().map(String::as_str).collect();
+        self.csv(&header, &table[1..])
+    }
+
     fn finish(&mut self, write: impl FnOnce(&mut Self) -> io::Result<()>) -> Result<()> {
         write(self).and_then(|()| self.flush()).map_err(|error| Failure::file("standard output", error))
     }

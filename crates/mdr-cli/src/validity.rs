@@ -1,20 +1,20 @@
 //! Whether the theory holds, for a reader.
 
 use mdr::Validity;
-use mdr::answer::{FlatCell, FlatRow, Notation, Reader, title};
+use mdr::answer::{FlatCell, FlatRow, NumberStyle, title};
 use mdr::prelude::Status;
 
 use crate::solve::render::tone;
 use crate::table::{Tone, cell, render, table};
 
 /// A table of its numbers, and what they mean in a sentence.
-pub(crate) fn text(validity: &Validity, reader: &Reader) -> String {
+pub(crate) fn text(validity: &Validity, style: &NumberStyle) -> String {
     let mut table = table(&["quantity", "value"]);
     let row = validity.table();
     for (key, value) in &row {
         if *value != FlatCell::Empty && *value != FlatCell::Status(Status::Ok) {
             let (name, unit) = title(key, None);
-            table.add_row([cell(reader.titled(name, unit), Tone::Plain), cell(number(&row, key, reader), tone(value))]);
+            table.add_row([cell(style.titled(name, unit), Tone::Plain), cell(number(&row, key, style), tone(value))]);
         }
     }
     let why = validity.row().why().map_or_else(String::new, |why| format!("\n\nNot known: {why}."));
@@ -26,17 +26,10 @@ pub(crate) fn text(validity: &Validity, reader: &Reader) -> String {
     )
 }
 
-/// What stands below a key, in the units of `reader`.
-pub(crate) fn number(row: &FlatRow, key: &str, reader: &Reader) -> String {
-    match row.iter().find(|(name, _)| name == key) {
-        Some((_, FlatCell::Number(text))) => reader.number(text, title(key, None).1),
-        // What was typed keeps its notation.
-        Some((_, FlatCell::Text(text))) => {
-            Reader { notation: Notation::Plain, ..reader.clone() }.number(text, title(key, None).1)
-        }
-        Some((_, other)) => other.to_string(),
-        None => String::new(),
-    }
+/// What stands below a key, in the units of `style`.
+pub(crate) fn number(row: &FlatRow, key: &str, style: &NumberStyle) -> String {
+    let found = row.iter().find(|(name, _)| name == key);
+    found.map_or_else(String::new, |(_, cell)| style.cell(cell, title(key, None).1))
 }
 
 fn capital(text: &str) -> String {

@@ -37,7 +37,7 @@
 //! | read it from a file | [`Scene::open`], [`Scene::from_toml`], `Scene::from_json` |
 //! | solve it | [`Scene::solve`]; with progress, or until stopped: [`Scene::solve_with`] |
 //! | use the answer | [`Answer`], its [`folds`](Answer::folds), [`path`](Answer::path), … |
-//! | print it | `Answer::to_json`, [`Output::table`](answer::Output::table); in units and notations [`Reader`](answer::Reader) |
+//! | print it | `Answer::to_json`, [`Output::table`](answer::Output::table); in units and notations [`NumberStyle`](answer::NumberStyle) |
 //! | draw it | [`Scene::diagram`] |
 //! | fit a measured curve | `fit::Problem` |
 //! | one power law, at a point | [`critical()`] |

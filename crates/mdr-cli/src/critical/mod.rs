@@ -11,7 +11,7 @@ use mdr::critical::{CriticalAnswer, PowerLaw};
 use mdr::prelude::{Arithmetic, Body, Control, Elasticity, Literal};
 
 use crate::error::{Failure, Result};
-use crate::flags::{ArithmeticFlags, Flag, ReaderFlags};
+use crate::flags::{ArithmeticFlags, Flag, StyleFlags};
 use crate::output::{Format, Output};
 
 const EXAMPLES: &str = "\
@@ -107,7 +107,7 @@ pub(crate) struct Critical {
     format: Format,
 
     #[command(flatten)]
-    reader: ReaderFlags,
+    style: StyleFlags,
 }
 
 /// The controlled quantity, by its name on the command line.
@@ -125,7 +125,7 @@ impl Critical {
     /// Answers on `out`; whether every question has an answer.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         let arithmetic = self.arithmetic.chosen()?;
-        let reader = self.reader.reader(self.format == Format::Table && self.batch.is_none())?;
+        let style = self.style.style(self.format == Format::Table && self.batch.is_none())?;
         if let Some(file) = &self.batch {
             return batch::answer(file, arithmetic, out);
         }
@@ -144,8 +144,8 @@ impl Critical {
         };
         let answers = laws.iter().map(answer).collect::<Result<Vec<_>>>()?;
         match &answers[..] {
-            [one] => render::write(one, self.sibling(one)?.as_ref(), self.format, &reader, out)?,
-            all => render::write_all(all, self.format, &reader, out)?,
+            [one] => render::write(one, self.sibling(one)?.as_ref(), self.format, &style, out)?,
+            all => render::write_all(all, self.format, &style, out)?,
         }
         Ok(true)
     }

@@ -1,6 +1,6 @@
 //! The answer for a reader and for a spreadsheet.
 
-use mdr::answer::{Reader, title};
+use mdr::answer::{NumberStyle, title};
 use mdr::critical::{CriticalAnswer, CriticalState, spreadsheet};
 use mdr::prelude::{Arithmetic, ControlKind, Value};
 use mdr_core::contact::Regime;
@@ -18,21 +18,21 @@ pub(crate) fn write(
     answer: &CriticalAnswer,
     sibling: Option<&CriticalAnswer>,
     format: Format,
-    reader: &Reader,
+    style: &NumberStyle,
     out: &mut Output<impl std::io::Write>,
 ) -> Result<()> {
     match format {
         Format::Json => out.json(answer),
-        Format::Csv => for_spreadsheet(std::slice::from_ref(answer), out),
+        Format::Csv => out.spreadsheet(&spreadsheet(std::slice::from_ref(answer))),
         Format::Table => {
             let sibling = sibling
-                .and_then(|sibling| in_a_line(sibling, reader))
+                .and_then(|sibling| in_a_line(sibling, style))
                 .map_or_else(String::new, |line| format!("\n{line}"));
             let validity = answer
                 .validity
                 .as_ref()
-                .map_or_else(String::new, |validity| format!("\n\n{}", validity::text(validity, reader)));
-            out.text(format!("{}{sibling}{validity}", for_reader(answer, reader)))
+                .map_or_else(String::new, |validity| format!("\n\n{}", validity::text(validity, style)));
+            out.text(format!("{}{sibling}{validity}", for_reader(answer, style)))
         }
     }
 }
@@ -41,12 +41,12 @@ pub(crate) fn write(
 pub(crate) fn write_all(
     answers: &[CriticalAnswer],
     format: Format,
-    reader: &Reader,
+    style: &NumberStyle,
     out: &mut Output<impl std::io::Write>,
 ) -> Result<()> {
     match format {
         Format::Json => answers.iter().try_for_each(|answer| out.json(answer)),
-        Format::Csv => for_spreadsheet(answers, out),
+        Format::Csv => out.spreadsheet(&spreadsheet(answers)),
         Format::Table => {
             let keys = ["n", "kappa", "contact_radius", "indentation", "force", "kind", "status"];
             let names = ["n", "kappa_n", "contact radius", "indentation", "force", "fold", "status"];
@@ -54,15 +54,15 @@ pub(crate) fn write_all(
             let asked = answers.iter().any(|answer| answer.validity.is_some());
             let added: &[&str] = if asked { &["tabor", "regime", "maugis_dugdale_pull_off"] } else { &[] };
             let titles = names.into_iter().zip(units).chain(added.iter().map(|key| title(key, None)));
-            let mut table = table(&titles.map(|(name, unit)| reader.titled(name, unit)).collect::<Vec<_>>());
+            let mut table = table(&titles.map(|(name, unit)| style.titled(name, unit)).collect::<Vec<_>>());
             for answer in answers {
                 let validity = answer.validity.as_ref().map(|validity| validity.table()).unwrap_or_default();
-                let added = added.iter().map(|key| validity::number(&validity, key, reader));
+                let added = added.iter().map(|key| validity::number(&validity, key, style));
                 let added: Vec<String> = added.collect();
                 for row in answer.rows() {
                     let own = keys.iter().zip(units).enumerate().map(|(column, (key, unit))| {
                         let text = row.get(key).unwrap_or_default();
-                        if (1..=4).contains(&column) { reader.number(text, unit) } else { text.to_owned() }
+                        if (1..=4).contains(&column) { style.number(text, unit) } else { text.to_owned() }
                     });
                     table.add_row(own.chain(added.iter().cloned()).map(|text| cell(text, Tone::Plain)));
                 }
@@ -73,7 +73,7 @@ pub(crate) fn write_all(
 }
 
 /// The sibling of an answer: what the other control would make of the same contact.
-fn in_a_line(sibling: &CriticalAnswer, reader: &Reader) -> Option<String> {
+fn in_a_line(sibling: &CriticalAnswer, style: &NumberStyle) -> Option<String> {
     let state = sibling.state.as_ref()?;
     let control = match sibling.law.control.kind() {
         ControlKind::Force => "Under a dead load",
@@ -81,14 +81,14 @@ fn in_a_line(sibling: &CriticalAnswer, reader: &Reader) -> Option<String> {
     };
     let jkr = sibling.law.control.kind() == ControlKind::Force && sibling.law.n.small_integer() == Some(2);
     let closed = if jkr { " = -3/2 pi w R" } else { "" };
-    let of = |value: &Value, unit| format!("{} {}", reader.value(value, unit), reader.unit(unit));
+    let of = |value: &Value, unit| format!("{} {}", style.value(value, unit), style.unit(unit));
     let [a, d, force] = [of(&state.contact_radius, "m"), of(&state.indentation, "m"), of(&state.force, "N")];
     Some(format!("{control}: F = {force}{closed} at d = {d}, a = {a}."))
 }
 
-fn for_reader(answer: &CriticalAnswer, reader: &Reader) -> String {
+fn for_reader(answer: &CriticalAnswer, style: &NumberStyle) -> String {
     let mut table = table(&["quantity", "value", "unit"]);
-    let kappa = reader.number(&answer.kappa.to_string(), "");
+    let kappa = style.number(&answer.kappa.to_string(), "");
     table.add_row([cell("kappa_n", Tone::Plain), cell(kappa, Tone::Good), cell("", Tone::Faint)]);
     let mut add = |name: &str, value: Option<&Value>, unit: &str| {
         let tone = match value {
@@ -96,8 +96,8 @@ fn for_reader(answer: &CriticalAnswer, reader: &Reader) -> String {
             Some(_) => Tone::Good,
             None => Tone::Faint,
         };
-        let text = value.map_or("none".to_owned(), |value| reader.value(value, unit));
-        table.add_row([cell(name, Tone::Plain), cell(text, tone), cell(reader.unit(unit), Tone::Faint)]);
+        let text = value.map_or("none".to_owned(), |value| style.value(value, unit));
+        table.add_row([cell(name, Tone::Plain), cell(text, tone), cell(style.unit(unit), Tone::Faint)]);
     };
     if let Some(threshold) = &answer.threshold {
         add("threshold of C", Some(&threshold.c), "m^(1/2)");
@@ -148,10 +148,4 @@ fn heading(answer: &CriticalAnswer) -> String {
         "Profile f(r) = C r^n, n = {}, C = {}; E* = {} Pa{bodies}; w = {} J/m²; {control}; {promise}",
         inputs.n, inputs.c, inputs.e_star, inputs.work
     )
-}
-
-fn for_spreadsheet(answers: &[CriticalAnswer], out: &mut Output<impl std::io::Write>) -> Result<()> {
-    let table = spreadsheet(answers);
-    let header: Vec<&str> = table[0].iter().map(String::as_str).collect();
-    out.csv(&header, &table[1..])
 }

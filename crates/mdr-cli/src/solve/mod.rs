@@ -13,7 +13,7 @@ use mdr::prelude::*;
 use mdr::{Cost, Result as Solved};
 
 use crate::error::{Failure, Result};
-use crate::flags::{ArithmeticFlags, ReaderFlags};
+use crate::flags::{ArithmeticFlags, StyleFlags};
 use crate::output::{Format, Output as Out};
 use crate::plot;
 
@@ -77,7 +77,7 @@ pub(crate) struct Solve {
     out: Option<PathBuf>,
 
     #[command(flatten)]
-    reader: ReaderFlags,
+    style: StyleFlags,
 
     /// Tell on standard error what each output cost: evaluations of g, its slope and its integral, and time
     #[arg(long)]
@@ -88,7 +88,7 @@ impl Solve {
     /// Answers on `out`.
     pub(crate) fn run(&self, out: &mut Out<impl std::io::Write>) -> Result<()> {
         self.plot.as_deref().map_or(Ok(()), plot::check)?;
-        let reader = self.reader.reader(self.out.is_some() || self.format == Format::Table)?;
+        let style = self.style.style(self.out.is_some() || self.format == Format::Table)?;
         let scene = open(&self.scene)?.in_arithmetic(self.arithmetic.given()?);
         if self.plot.is_some() && !scene.has_material() {
             let why = "a picture shows equilibria, and needs [material] in the scene".to_owned();
@@ -98,8 +98,8 @@ impl Solve {
         let mut answer = scene.solve_with(&mut Run::new(&mut progress, Stop::default()))?;
         answer.notes.extend(scene.unused(self.plot.is_some()));
         match &self.out {
-            Some(folder) => render::write_files(&scene, &answer, folder, &reader, out)?,
-            None => render::write(&answer, self.format, &reader, out)?,
+            Some(folder) => render::write_files(&scene, &answer, folder, &style, out)?,
+            None => render::write(&answer, self.format, &style, out)?,
         }
         if let Some(file) = &self.plot {
             draw(&scene, &self.scene, file, self.theme).map_err(not_drawn)?;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use mdr::answer::{FlatCell, FlatRow, Notation, Reader, columns, described, title};
+use mdr::answer::{FlatCell, FlatRow, NumberStyle, columns, described, title};
 use mdr::prelude::*;
 
 use crate::error::{Failure, Result};
@@ -14,17 +14,17 @@ use crate::validity;
 pub(crate) fn write(
     answer: &Answer,
     format: Format,
-    reader: &Reader,
+    style: &NumberStyle,
     out: &mut Out<impl std::io::Write>,
 ) -> Result<()> {
     match format {
         Format::Json => out.json(answer),
-        Format::Csv => csv(&answer.spreadsheet(), out),
-        Format::Table => out.text(for_reader(answer, reader)),
+        Format::Csv => out.spreadsheet(&answer.spreadsheet()),
+        Format::Table => out.text(for_reader(answer, style)),
     }
 }
 
-fn for_reader(answer: &Answer, reader: &Reader) -> String {
+fn for_reader(answer: &Answer, style: &NumberStyle) -> String {
     let digits = match answer.arithmetic {
         Arithmetic::Certified { digits: 1 } => "1 digit".to_owned(),
         Arithmetic::Certified { digits } => format!("{digits} digits"),
@@ -32,20 +32,20 @@ fn for_reader(answer: &Answer, reader: &Reader) -> String {
     };
     let control = answer.control.map_or_else(String::new, |control| format!("; controlled: {}", control.name()));
     let heading = format!("Profile: {}{control}; {digits}", answer.profile);
-    let parts = answer.outputs.iter().map(|part| output(part, answer.control, reader));
+    let parts = answer.outputs.iter().map(|part| output(part, answer.control, style));
     let basis = answer.admissibility.map(|basis| format!("Admissible: {}.", described(basis)));
     let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
-    let validity = answer.validity.as_ref().map(|validity| validity::text(validity, reader));
+    let validity = answer.validity.as_ref().map(|validity| validity::text(validity, style));
     std::iter::once(heading).chain(notes).chain(parts).chain(basis).chain(validity).collect::<Vec<_>>().join("\n\n")
 }
 
-fn output(output: &Output, control: Option<ControlKind>, reader: &Reader) -> String {
+fn output(output: &Output, control: Option<ControlKind>, style: &NumberStyle) -> String {
     let rows = output.table();
     let mut text = format!("{} ({})\n\n", output.kind().name(), output.promise().name());
     if rows.is_empty() {
         text.push_str(" none\n");
     } else {
-        text.push_str(&table_of(output, &rows, control, reader));
+        text.push_str(&table_of(output, &rows, control, style));
         text.push('\n');
     }
     let reasons = output.reasons();
@@ -56,10 +56,10 @@ fn output(output: &Output, control: Option<ControlKind>, reader: &Reader) -> Str
         text.push_str(&format!("\nand {} more reasons.\n", reasons.len() - SHOWN));
     }
     if let Some(balance) = output.balance() {
-        text.push_str(&format!("\n{}\n", balance.sentence(reader)));
+        text.push_str(&format!("\n{}\n", balance.sentence(style)));
     }
     if let Output::ForceCurve(curve) = output {
-        text.push_str(&format!("\n{}\n", curve.summary.sentence(reader)));
+        text.push_str(&format!("\n{}\n", curve.summary.sentence(style)));
     }
     let exceptions = output.exceptions();
     if let Some((_, promise)) = exceptions.first() {
@@ -82,26 +82,19 @@ fn output(output: &Output, control: Option<ControlKind>, reader: &Reader) -> Str
 /// Reasons that are shown of one output.
 const SHOWN: usize = 5;
 
-fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, reader: &Reader) -> String {
+fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, style: &NumberStyle) -> String {
     let keys = columns(rows);
     let unit = |key| title(key, control).1;
-    let titles = keys.iter().map(|key| title(key, control)).map(|(name, unit)| reader.titled(name, unit));
+    let titles = keys.iter().map(|key| title(key, control)).map(|(name, unit)| style.titled(name, unit));
     let mut table = table(&titles.collect::<Vec<_>>());
     // Where the list is that of a range, its end is no end of the equilibria.
     let limited = output.rows().iter().any(|row| row.status() == Status::NoEquilibrium && row.why().is_some());
-    let typed = Reader { notation: Notation::Plain, ..reader.clone() };
     for row in rows {
         table.add_row(keys.iter().map(|key| match value(row, key) {
             Some(FlatCell::Status(Status::NoEquilibrium)) if limited => {
                 cell(format!("{} within the range", Status::NoEquilibrium), Tone::Bad)
             }
-            Some(FlatCell::Magnitude(log10)) => {
-                cell(format!("about 10^{:.6}", reader.magnitude(*log10, unit(key))), Tone::Bad)
-            }
-            Some(FlatCell::Number(text)) => cell(reader.number(text, unit(key)), Tone::Good),
-            // What was typed keeps its notation.
-            Some(FlatCell::Text(text)) => cell(typed.number(text, unit(key)), Tone::Plain),
-            Some(found) => cell(found, tone(found)),
+            Some(found) => cell(style.cell(found, unit(key)), tone(found)),
             None => cell("", Tone::Plain),
         }));
     }
@@ -127,18 +120,16 @@ pub(crate) fn write_files(
     scene: &Scene,
     answer: &Answer,
     folder: &Path,
-    reader: &Reader,
+    style: &NumberStyle,
     out: &mut Out<impl std::io::Write>,
 ) -> Result<()> {
     let failed = |error| Failure::file(format!("--out {}", folder.display()), error);
-    let plain = Reader { notation: Notation::Plain, ..reader.clone() };
+    let plain = style.plain();
     std::fs::create_dir_all(folder).map_err(failed)?;
     for output in &answer.outputs {
         let file = folder.join(format!("{}.csv", output.kind().name()));
-        csv(
-            &answer.spreadsheet_of(output, scene, reader),
-            &mut Out::new(std::fs::File::create(&file).map_err(failed)?),
-        )?;
+        let mut csv = Out::new(std::fs::File::create(&file).map_err(failed)?);
+        csv.spreadsheet(&answer.spreadsheet_of(output, scene, style))?;
         out.text(file.display())?;
         output.balance().map_or(Ok(()), |balance| out.text(balance.sentence(&plain)))?;
         if let Output::ForceCurve(curve) = output {
@@ -146,10 +137,4 @@ pub(crate) fn write_files(
         }
     }
     answer.notes.iter().try_for_each(|note| out.text(format_args!("Note: {note}.")))
-}
-
-/// A table with its titles first.
-fn csv(table: &[Vec<String>], out: &mut Out<impl std::io::Write>) -> Result<()> {
-    let header: Vec<&str> = table[0].iter().map(String::as_str).collect();
-    out.csv(&header, &table[1..])
 }

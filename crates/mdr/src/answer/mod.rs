@@ -2,19 +2,19 @@
 
 #[cfg(feature = "serde")]
 mod json;
-mod reader;
 pub(crate) mod record;
 mod rows;
 mod spreadsheet;
+mod style;
 pub(crate) mod types;
 mod value;
 
 use mdr_core::contact::ControlKind;
 use mdr_numeric::admissible::Basis;
 
-pub use reader::{Notation, Reader, UnitError, Units};
 pub use record::{Cell, Row};
 pub use rows::{FlatCell, FlatRow, columns, title};
+pub use style::{Notation, NumberStyle, UnitError, Units};
 pub use types::{
     Admission, AtValue, Balance, Completeness, CurvePoint, CurveStability, CurveSummary, Dissipation, EnergyState,
     Equilibrium, Field, FieldSample, FieldState, Fold, ForceCurve, ForceSample, List, LoadingPath, Optional, Overlap,

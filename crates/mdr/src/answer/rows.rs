@@ -5,7 +5,7 @@ use std::fmt;
 
 use mdr_core::contact::{ControlKind, Status};
 
-use super::{Balance, Cell, CurveSummary, Output, Reader, Row, Value};
+use super::{Balance, Cell, CurveSummary, NumberStyle, Output, Row, Value};
 
 /// A cell of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -175,12 +175,12 @@ pub fn title(key: &str, control: Option<ControlKind>) -> (&str, &'static str) {
 
 impl Balance {
     /// The energy of a path in a sentence.
-    pub fn sentence(&self, reader: &Reader) -> String {
+    pub fn sentence(&self, style: &NumberStyle) -> String {
         let part = |value: &Value| match value {
             Value::Unknown { log10: Some(log10), .. } => format!("about 10^{log10:.6} J"),
             Value::Unknown { status, why: Some(why), .. } => format!("{status} ({why})"),
             Value::Unknown { status, .. } => status.to_string(),
-            value => reader.quantity(&value.to_string(), "J"),
+            value => style.quantity(&value.to_string(), "J"),
         };
         let [work, dissipated, stored] = [&self.work, &self.dissipated, &self.stored].map(part);
         format!("Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start.")
@@ -189,9 +189,9 @@ impl Balance {
 
 impl CurveSummary {
     /// What is read off a force curve, in a sentence.
-    pub fn sentence(&self, reader: &Reader) -> String {
+    pub fn sentence(&self, style: &NumberStyle) -> String {
         let part = |(name, value, unit): (&str, &Option<Value>, &str)| match value {
-            Some(value) => format!("{name} {}", reader.quantity(&value.to_string(), unit)),
+            Some(value) => format!("{name} {}", style.quantity(&value.to_string(), unit)),
             None => format!("no {name}"),
         };
         let parts = [

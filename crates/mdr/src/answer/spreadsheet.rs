@@ -1,6 +1,6 @@
 //! Answers as tables of a spreadsheet: a column of numbers has numbers only.
 
-use super::{Answer, FlatCell, FlatRow, Notation, Output, Reader, columns, title};
+use super::{Answer, FlatCell, FlatRow, NumberStyle, Output, columns, title};
 use crate::scene::Scene;
 
 /// log₁₀ of what is out of range has a column of its own.
@@ -45,24 +45,24 @@ impl Answer {
     }
 
     /// A table of one output, the titles first, with units in them: the inputs of its `scene`, a column each, then the columns of
-    /// the output. Numbers are in the units of `reader`.
-    pub fn spreadsheet_of(&self, output: &Output, scene: &Scene, reader: &Reader) -> Vec<Vec<String>> {
-        let reader = &Reader { notation: Notation::Plain, ..reader.clone() };
+    /// the output. Numbers are in the units of `style`.
+    pub fn spreadsheet_of(&self, output: &Output, scene: &Scene, style: &NumberStyle) -> Vec<Vec<String>> {
+        let style = &style.plain();
         let with_unit = |name: &str, unit: &str| match unit {
             "" => name.to_owned(),
-            unit => format!("{name} ({})", reader.unit(unit)),
+            unit => format!("{name} ({})", style.unit(unit)),
         };
         let unit = |key: &str| title(key.strip_prefix(LOG10).unwrap_or(key), self.control).1;
-        let in_units = |row| separated(row, |log10, key| reader.magnitude(log10, unit(key)));
+        let in_units = |row| separated(row, |log10, key| style.magnitude(log10, unit(key)));
         let rows: Vec<FlatRow> = output.table().into_iter().map(in_units).collect();
         let (inputs, keys) = (scene.inputs(), columns(&rows));
         let header = inputs.iter().map(|(name, unit, _)| with_unit(name, unit));
         let header = header.chain(keys.iter().map(|key| with_unit(key, unit(key)))).collect();
         let rows = rows.iter().map(|row| {
-            let given = inputs.iter().map(|(_, unit, value)| reader.number(value, unit));
+            let given = inputs.iter().map(|(_, unit, value)| style.number(value, unit));
             let found = keys.iter().map(|key| match key.starts_with(LOG10) {
                 true => text(row, key),
-                false => reader.number(&text(row, key), unit(key)),
+                false => style.number(&text(row, key), unit(key)),
             });
             given.chain(found).collect()
         });

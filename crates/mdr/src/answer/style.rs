@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
-use super::Value;
+use super::{FlatCell, Value};
 
 /// How the digits of a number are laid out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -112,23 +112,23 @@ impl Units {
 /// Writes the numbers of answers for a reader.
 ///
 /// ```
-/// use mdr::answer::{Notation, Reader};
-/// let reader = Reader { notation: Notation::Engineering, units: "um,mN".parse()? };
-/// assert_eq!(reader.quantity("0.00026046985393390224962", "m"), "260.46985 39339 02249 62 um");
-/// assert_eq!(reader.quantity("-0.0023561944901923449288", "N"), "-2.35619 44901 92344 9288 mN");
-/// assert_eq!(reader.number("3.9e-8", "J"), "39e-9");
-/// assert_eq!(reader.titled("integral", "m²"), "integral, um²");
+/// use mdr::answer::{Notation, NumberStyle};
+/// let style = NumberStyle { notation: Notation::Engineering, units: "um,mN".parse()? };
+/// assert_eq!(style.quantity("0.00026046985393390224962", "m"), "260.46985 39339 02249 62 um");
+/// assert_eq!(style.quantity("-0.0023561944901923449288", "N"), "-2.35619 44901 92344 9288 mN");
+/// assert_eq!(style.number("3.9e-8", "J"), "39e-9");
+/// assert_eq!(style.titled("integral", "m²"), "integral, um²");
 /// # Ok::<(), mdr::answer::UnitError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Reader {
+pub struct NumberStyle {
     /// How the digits are laid out.
     pub notation: Notation,
     /// In place of SI units.
     pub units: Units,
 }
 
-impl Reader {
+impl NumberStyle {
     /// A number of an answer, given as text in the SI unit `si`. A text that is no decimal, such as `1/3`, stays as it is.
     pub fn number(&self, text: &str, si: &str) -> String {
         let (_, power) = self.units.shown(si);
@@ -138,7 +138,22 @@ impl Reader {
         }
     }
 
-    /// The same with its unit.
+    /// A cell in the SI unit `si`: what was typed keeps its notation.
+    pub fn cell(&self, cell: &FlatCell, si: &str) -> String {
+        match cell {
+            FlatCell::Number(text) => self.number(text, si),
+            FlatCell::Text(text) => self.plain().number(text, si),
+            FlatCell::Magnitude(log10) => FlatCell::Magnitude(self.magnitude(*log10, si)).to_string(),
+            cell => cell.to_string(),
+        }
+    }
+
+    /// The same units in the notation to be copied.
+    pub fn plain(&self) -> Self {
+        NumberStyle { notation: Notation::Plain, units: self.units.clone() }
+    }
+
+    /// A number with its unit.
     pub fn quantity(&self, text: &str, si: &str) -> String {
         format!("{} {}", self.number(text, si), self.unit(si))
     }
@@ -230,7 +245,7 @@ mod tests {
 
     fn written(text: &str, si: &str, units: &str, notation: Notation) -> String {
         let units = if units.is_empty() { Units::default() } else { units.parse().expect("units") };
-        Reader { notation, units }.number(text, si)
+        NumberStyle { notation, units }.number(text, si)
     }
 
     #[test]
@@ -281,11 +296,11 @@ mod tests {
 
     #[test]
     fn magnitudes_are_in_the_unit_shown() {
-        let reader = Reader { units: "nm".parse().expect("a unit"), ..Reader::default() };
+        let style = NumberStyle { units: "nm".parse().expect("a unit"), ..NumberStyle::default() };
         let huge = Value::out_of_range(400.25);
-        assert_eq!(reader.value(&huge, "m"), "overflow: about 10^409.250000");
-        assert_eq!(reader.value(&huge, "N"), huge.to_string());
-        assert_eq!(reader.value(&Value::Given("0.5".parse().expect("a number")), "m"), "5e8");
+        assert_eq!(style.value(&huge, "m"), "overflow: about 10^409.250000");
+        assert_eq!(style.value(&huge, "N"), huge.to_string());
+        assert_eq!(style.value(&Value::Given("0.5".parse().expect("a number")), "m"), "5e8");
     }
 
     #[test]
