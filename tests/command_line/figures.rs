@@ -56,6 +56,26 @@ fn each_figure_is_written_with_its_data_and_the_same_every_time() {
     assert!(first == second, "two runs differ");
 }
 
+/// A theme fixes the colours of every command that draws; without one they follow the reader's screen.
+#[test]
+fn a_theme_fixes_the_colours() {
+    let folder = directory("themes");
+    std::fs::create_dir(&folder).unwrap();
+    let drawn = folder.join("drawn.svg");
+    for (theme, page) in
+        [("light", Some("#ffffff")), ("dark", Some("#1a1e23")), ("paper", Some("#ffffff")), ("auto", None)]
+    {
+        output(&format!("figures --theme {theme} --out {}", folder.display()));
+        output(&format!("solve docs/figures/cycle.toml --theme {theme} --plot {}", drawn.display()));
+        for file in ["figure-1a.svg", "drawn.svg"] {
+            let svg = std::fs::read_to_string(folder.join(file)).unwrap();
+            assert_eq!(svg.contains("@media screen and (prefers-color-scheme:dark)"), page.is_none(), "{theme} {file}");
+            assert!(page.is_none_or(|colour| svg.contains(&format!(".page{{fill:{colour}}}"))), "{theme} {file}");
+        }
+        let _ = std::fs::remove_file(drawn.with_extension("csv"));
+    }
+}
+
 /// The pictures in docs/figures are those of this program.
 #[test]
 fn the_figures_of_the_documents_are_current() {

@@ -64,5 +64,5 @@ pub(crate) fn shifted(name: impl Into<String>, points: Vec<Point>, stroke: Strok
 
 /// An arrow along the axis of radii: where g − d is above Δl the contact shrinks, else it grows.
 pub(crate) fn change(grows: bool, from: Point, to: Point) -> Layer {
-    Layer::arrow(if grows { "grows (1.9)" } else { "shrinks (1.8)" }, from, to)
+    Layer::arrow(if grows { "grows (1.9)" } else { "shrinks (1.8)" }, [from, to])
 }

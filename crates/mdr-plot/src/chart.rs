@@ -67,7 +67,7 @@ pub enum Look {
     Curve(Stroke),
     /// A mark at each point within the frame.
     Marks(Mark),
-    /// From the first point to the second.
+    /// A thin polyline with a tip at its last point.
     Arrow,
     /// The name beside the first point where it covers no mark and no other label.
     Label(Side),
@@ -183,9 +183,9 @@ impl Layer {
         Self::new(name, points, Look::Marks(mark))
     }
 
-    /// An arrow with its tip at `to`.
-    pub fn arrow(name: impl Into<String>, from: Point, to: Point) -> Self {
-        Self::new(name, vec![from, to], Look::Arrow)
+    /// An arrow through some points, with its tip at the last.
+    pub fn arrow(name: impl Into<String>, points: impl Into<Vec<Point>>) -> Self {
+        Self::new(name, points.into(), Look::Arrow)
     }
 
     /// A text beside one of its anchors, the first if there is room.

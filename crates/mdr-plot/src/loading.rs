@@ -34,6 +34,7 @@ pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
     let mut layers = Vec::new();
     layers.extend(loop_area(data, plane));
     layers.extend(branches(data, plane));
+    layers.extend(travelled(data, plane));
     if let Some(wall) = data.wall {
         let points = wall.map(|spot| plane.point(&spot)).to_vec();
         layers.push(Layer::curve("at the wall", points, Stroke::Solid).meaning("stable"));
@@ -95,7 +96,7 @@ fn spot(sample: &Sample) -> Spot {
     Spot { contact_radius: sample.contact_radius, indentation: sample.indentation, force: sample.force }
 }
 
-/// Stable branches solid, unstable ones dashed; of very many, every so many.
+/// Stable branches solid, thin beside a path, unstable ones dashed; of very many, every so many.
 fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
     let crowd = data.branches.len().div_ceil(MOST_BRANCHES);
     // An odd step takes stable and unstable branches in turn.
@@ -105,7 +106,7 @@ fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
     for (stable, name, strokes) in
         [(true, "stable", [Stroke::Solid, Stroke::Thin]), (false, "unstable", [Stroke::Dashed, Stroke::Guide])]
     {
-        let stroke = strokes[usize::from(step > 1)];
+        let stroke = strokes[usize::from(step > 1 || (stable && !data.path.is_empty()))];
         let shown = data.branches.iter().step_by(step).filter(|branch| branch.stable == stable);
         layers.extend(shown.map(|Branch { samples, .. }| {
             let points = samples.iter().map(|sample| plane.point(&spot(sample))).collect();
@@ -113,6 +114,14 @@ fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
         }));
     }
     layers
+}
+
+/// The states that a path goes through, at rest all the way.
+fn travelled(data: &Diagram, plane: Plane) -> Vec<Layer> {
+    let legs = data.path.windows(2).filter_map(|pair| Some((pair[0].after?, pair[1].before?)));
+    let legs = legs.filter(|(from, to)| from != to && from.contact_radius > 0.0 && to.contact_radius > 0.0);
+    let points = |(from, to)| smooth(data, &from, &to).iter().map(|spot| plane.point(spot)).collect();
+    legs.map(|leg| Layer::curve("path", points(leg), Stroke::Solid).meaning("path")).collect()
 }
 
 /// The area of a closed cycle, which is the work lost in it.
@@ -166,17 +175,25 @@ fn events(data: &Diagram, plane: Plane, x: &Axis) -> Vec<Layer> {
     for (index, event) in data.path.iter().enumerate() {
         let Some(from) = event.before else { continue };
         let to = event.after.unwrap_or(from);
-        let [mut start, mut end] = [from, to].map(|spot| plane.point(&spot));
+        let mut points: Vec<Point> = match plane {
+            // The line of the control.
+            Plane::Indentation => vec![plane.point(&from), plane.point(&to)],
+            Plane::Radius => {
+                data.jump(event).unwrap_or_else(|| vec![from, to]).iter().map(|spot| plane.point(spot)).collect()
+            }
+        };
         // Where a body that has come off goes to under its load, and how far a contact spreads, is not in the diagram.
+        let [start, end] = [points[0], points[points.len() - 1]];
         match (event.kind, plane) {
-            (EventKind::Detached, _) if end[0].is_nan() => end = [x.range().0, start[1]],
-            (EventKind::CompleteContact, Plane::Radius) => end = [x.range().1, start[1]],
+            (EventKind::Detached, _) if end[0].is_nan() => points = vec![start, [x.range().0, start[1]]],
+            (EventKind::CompleteContact, Plane::Radius) => points = vec![start, [x.range().1, start[1]]],
             // A logarithmic axis has no zero.
-            (_, Plane::Radius) => [start, end] = [start, end].map(|[a, force]| [a.max(x.range().0), force]),
+            (_, Plane::Radius) => points.iter_mut().for_each(|point| point[0] = point[0].max(x.range().0)),
             _ => {}
         }
-        if start != end && start.iter().chain(&end).all(|value| value.is_finite()) {
-            layers.push(Layer::arrow(event.kind.name(), start, end).coloured(LOSS).meaning("jump"));
+        let moves = points.iter().any(|point| *point != points[0]);
+        if moves && points.iter().flatten().all(|value| value.is_finite()) {
+            layers.push(Layer::arrow(event.kind.name(), points).coloured(LOSS).meaning("jump"));
         }
         // Out of contact the radius tells nothing.
         let apart = event.after.filter(|_| plane == Plane::Indentation);

@@ -413,18 +413,21 @@ impl Frame<'_> {
     }
 
     fn arrow(&mut self, colour: Colour, places: &[Point]) {
-        let [from, to] = places else { return };
-        let reach = (to[0] - from[0]).hypot(to[1] - from[1]);
-        let along = [(to[0] - from[0]) / reach, (to[1] - from[1]) / reach];
+        let (length, half) = HEAD;
+        let Some(to) = places.last() else { return };
+        let reach = |from: &Point| (to[0] - from[0]).hypot(to[1] - from[1]);
+        // Nearer to the tip than its own length, a direction is not seen.
+        let Some(last) = places.iter().rposition(|place| reach(place) > length) else {
+            return self.line(Stroke::Thin, colour, places);
+        };
+        let from = places[last];
+        let along = [(to[0] - from[0]) / reach(&from), (to[1] - from[1]) / reach(&from)];
         let back =
             |by: f64, aside: f64| [to[0] - by * along[0] - aside * along[1], to[1] - by * along[1] + aside * along[0]];
-        let (length, half) = HEAD;
-        if reach > length {
-            self.line(Stroke::Thin, colour, &[*from, back(length, 0.0)]);
-            self.path("full", colour, &outline(&[*to, back(length, half), back(length, -half)]));
-        } else {
-            self.line(Stroke::Thin, colour, places);
-        }
+        let mut line = places[..=last].to_vec();
+        line.push(back(length, 0.0));
+        self.line(Stroke::Thin, colour, &line);
+        self.path("full", colour, &outline(&[*to, back(length, half), back(length, -half)]));
     }
 
     fn mark(&mut self, mark: Mark, colour: Colour, [x, y]: Point) {

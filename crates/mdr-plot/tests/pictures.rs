@@ -107,6 +107,30 @@ fn a_sphere_under_a_dead_load_and_on_a_machine() {
 }
 
 #[test]
+fn a_jump_goes_through_states_that_its_control_leaves() {
+    // The force (1.6) of a paraboloid: 2E*(a d − a³/3R).
+    let force = |a: f64, d: f64| 2.0 * 5e10 * (a * d - a.powi(3) / (3.0 * 50e-9));
+    let near = |left: f64, right: f64| (left - right).abs() <= 1e-12 * (left.abs() + right.abs());
+    let held = |spot: &mdr::diagram::Spot, control: &Control<f64>| match control {
+        Control::Indentation => spot.indentation,
+        Control::Force => spot.force,
+        Control::Machine { stiffness } => spot.indentation + spot.force / stiffness,
+    };
+    let machine = Control::Machine { stiffness: "30".exact().unwrap() };
+    for (control, ends) in [(Control::Indentation, ["1e-10", "-2e-10"]), (machine, ["1e-9", "-2e-9"])] {
+        let diagram = afm(control, &ends, Start::Largest);
+        let event = diagram.path.iter().find(|event| event.kind == EventKind::Detached).unwrap();
+        let jump = diagram.jump(event).unwrap();
+        assert!(jump.len() > 20, "{}", jump.len());
+        for spot in &jump[1..jump.len() - 1] {
+            assert!(near(spot.force, force(spot.contact_radius, spot.indentation)), "{spot:?}");
+            assert!(near(held(spot, &diagram.control), event.value), "{spot:?}");
+        }
+        assert!(jump.windows(2).all(|pair| pair[0].contact_radius > pair[1].contact_radius));
+    }
+}
+
+#[test]
 fn folds_decades_apart_have_a_logarithmic_axis() {
     let machine = Control::Machine { stiffness: 1.exact().unwrap() };
     let data = diagram(Shape::Power { n: 0.6, c: 2.4829 }, ["1", "1"], machine, &["0", "-1e4"], Start::Largest);

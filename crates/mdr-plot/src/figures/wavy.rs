@@ -113,7 +113,7 @@ impl History {
             layers.extend(Some(label).filter(|_| named));
         }
         let height = y.at(ARROW_HEIGHT);
-        let arrow = |jump: &Jump| Layer::arrow("jump", [jump.from, height], [jump.to.unwrap_or(0.0), height]);
+        let arrow = |jump: &Jump| Layer::arrow("jump", [[jump.from, height], [jump.to.unwrap_or(0.0), height]]);
         layers.extend(self.jumps.iter().map(|jump| arrow(jump).coloured(LOSS).meaning("jump")));
         layers
     }

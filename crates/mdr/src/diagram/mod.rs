@@ -67,6 +67,8 @@ pub struct HeldCurve {
 pub struct Diagram {
     /// What is controlled.
     pub control: Control<f64>,
+    /// E*.
+    pub effective_modulus: f64,
     /// By increasing radius; neighbours share the point of their fold.
     pub branches: Vec<Branch>,
     /// Where the contact rests at a wall: from the first state on, along a straight line.
@@ -132,6 +134,31 @@ impl Diagram {
         self.branches.iter().flat_map(|branch| &branch.samples)
     }
 
+    /// The states between the two ends of a jump, out of equilibrium: at each contact radius, the indentation depth and the force
+    /// (1.6), 2E*(a d − ∫g), that the control leaves. None where the surfaces touch everywhere.
+    pub fn jump(&self, event: &Event) -> Option<Vec<Spot>> {
+        let (from, to) = (event.before?, event.after?);
+        let (lower, upper) = (from.contact_radius.min(to.contact_radius), from.contact_radius.max(to.contact_radius));
+        let between = self.samples().filter(|sample| sample.contact_radius > lower && sample.contact_radius < upper);
+        let mut spots: Vec<Spot> = between.map(|sample| self.out_of_equilibrium(sample, event.value)).collect();
+        if from.contact_radius > to.contact_radius {
+            spots.reverse();
+        }
+        Some([from].into_iter().chain(spots).chain([to]).collect())
+    }
+
+    /// The state at the contact radius of an equilibrium, with the controlled quantity at `value`.
+    fn out_of_equilibrium(&self, sample: &Sample, value: f64) -> Spot {
+        let Sample { contact_radius, indentation: depth, force: rest, .. } = *sample;
+        let slope = 2.0 * self.effective_modulus * contact_radius;
+        let indentation = match &self.control {
+            Control::Indentation => value,
+            Control::Force => depth + (value - rest) / slope,
+            Control::Machine { stiffness } => (stiffness * value - rest + slope * depth) / (slope + stiffness),
+        };
+        Spot { contact_radius, indentation, force: rest + slope * (indentation - depth) }
+    }
+
     /// The diagram of a contact with the events of its path, if it has one, and its equilibria at some values of the controlled
     /// quantity, up to a contact radius or where it is worth a look.
     fn new(
@@ -165,6 +192,7 @@ impl Diagram {
             .collect::<contact::Result<_>>()?;
         Ok(Diagram {
             control: curve.control().clone(),
+            effective_modulus: *curve.effective_modulus(),
             branches: cut(branches, &nodes, &all),
             wall: wall(curve, upper)?,
             folds: folds.into_iter().filter(|fold| fold.indentation.is_finite()).map(fold_spot).collect(),
