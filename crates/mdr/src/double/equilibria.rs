@@ -138,27 +138,36 @@ fn searched(branches: &Branches<'_, f64>, values: &[f64]) -> Result<Equilibria> 
     Ok(Equilibria { stable, contact_radius, indentation, force, admissible, status: statuses })
 }
 
+/// Values at a time: what is computed of them stays within the cache.
+const BLOCK: usize = 1024;
+
 /// Both branches of a power law, whose states are all admissible.
 fn by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values: &[f64]) -> Result<Equilibria> {
     let len = values.len();
-    let [mut contact_radius, mut uncontrolled] = [(); 2].map(|()| vec![0.0; 2 * len]);
+    let [mut contact_radius, mut uncontrolled, mut held] = [(); 3].map(|()| vec![0.0; 2 * len]);
+    let mut admissible = vec![false; 2 * len];
     let mut status = vec![Status::Ok; len];
-    let (a0, a1) = contact_radius.split_at_mut(len);
-    let (x0, x1) = uncontrolled.split_at_mut(len);
-    let smaller = Side { contact_radius: a0, uncontrolled: x0 };
-    let larger = Side { contact_radius: a1, uncontrolled: x1 };
-    inverse.branches(values, &mut Rows { smaller, larger, status: &mut status })?;
-    let twice = values.iter().chain(values);
-    let held: Vec<f64> = twice.zip(&contact_radius).map(|(value, a)| where_known(*value, *a)).collect();
-    let admissible = contact_radius.iter().map(|a| !a.is_nan()).collect();
+    for (index, block) in values.chunks(BLOCK).enumerate() {
+        let rows = index * BLOCK..index * BLOCK + block.len();
+        let (a0, a1) = contact_radius.split_at_mut(len);
+        let (x0, x1) = uncontrolled.split_at_mut(len);
+        let smaller = Side { contact_radius: &mut a0[rows.clone()], uncontrolled: &mut x0[rows.clone()] };
+        let larger = Side { contact_radius: &mut a1[rows.clone()], uncontrolled: &mut x1[rows.clone()] };
+        inverse.branches(block, &mut Rows { smaller, larger, status: &mut status[rows.clone()] })?;
+        for branch in [rows.clone(), rows.start + len..rows.end + len] {
+            let states = block.iter().zip(&contact_radius[branch.clone()]);
+            let filled = held[branch.clone()].iter_mut().zip(&mut admissible[branch]);
+            for ((value, a), (held, admissible)) in states.zip(filled) {
+                (*held, *admissible) = (where_known(*value, *a), !a.is_nan());
+            }
+        }
+    }
     let (indentation, force) = if *control == Control::Force { (uncontrolled, held) } else { (held, uncontrolled) };
     Ok(Equilibria { stable: vec![!large, large], contact_radius, indentation, force, admissible, status })
 }
 
 /// The stable branch of a power law alone.
 fn stable_by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values: &[f64]) -> Result<States> {
-    /// Values at a time: the branch that is not wanted stays within the cache.
-    const BLOCK: usize = 1024;
     let [mut a, mut x, mut other_a, mut other_x] = [[0.0; BLOCK]; 4];
     let mut status = [Status::Ok; BLOCK];
     let mut states = States::with_capacity(values.len());
