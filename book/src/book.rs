@@ -17,6 +17,7 @@ use crate::error::{Error, Result};
 use crate::figures::Figures;
 use crate::links::{DOCUMENTS, Links, Shelf, heading, is_equation, is_picture, published};
 use crate::markdown::{self, Math, Page, escaped};
+use crate::moving;
 use crate::shell::{Contents, Sheet, raw};
 use crate::tex::Tex;
 use crate::text::{Text, read};
@@ -184,7 +185,7 @@ impl Book<'_> {
         let file = format!("book/text/{name}.md");
         let page = self.markdown(&file, &read(self.root, &file)?, Math::Dollars)?;
         let extra = match name {
-            "index" => overview(judgements),
+            "index" => html! { (moving::picture()?) (overview(judgements)) },
             "notation" => self.symbols()?,
             "contents" => table(judgements),
             "cite" => html! { pre { (read(self.root, "CITATION.cff")?) } },

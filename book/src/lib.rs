@@ -14,6 +14,7 @@ mod error;
 mod figures;
 mod links;
 mod markdown;
+mod moving;
 mod shell;
 mod tex;
 mod text;

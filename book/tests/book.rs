@@ -121,6 +121,26 @@ fn every_entry_has_its_page_with_its_anchors_and_prose() {
     }
 }
 
+/// In units in which Δl = √a and g = a², an equilibrium solves a² − √a = d, and the contact breaks at d = −3/4^{4/3}.
+#[test]
+fn the_picture_that_moves_goes_through_equilibria() {
+    let page = pages().find(|(name, _)| *name == "index.html").unwrap().1;
+    let frames = part(page, "data-frames=\"[[", "]]\"");
+    let frames: Vec<Vec<f64>> =
+        frames.split("],[").map(|frame| frame.split(',').map(|number| number.parse().unwrap()).collect()).collect();
+    assert_eq!(frames.len(), 121);
+    let breaks = -3.0 / 4_f64.powf(4.0 / 3.0);
+    for (i, frame) in frames.iter().enumerate() {
+        let (d, a) = (frame[0], frame[1]);
+        // Brought near, the surfaces touch at d = 0; pulled, they hold on.
+        let touching = if i <= 60 { d >= 0.0 } else { d > breaks };
+        assert_eq!(a > 0.0, touching, "{frame:?}");
+        if touching {
+            assert!((a * a - a.sqrt() - d).abs() < 3e-4, "{frame:?}");
+        }
+    }
+}
+
 #[test]
 fn every_formula_is_set() {
     let mut formulas = 0;
