@@ -23,6 +23,9 @@ Examples:
     mdr fit examples/fits/tip.toml --format json
     mdr fit examples/fits/tip.toml --plot tip.svg
 
+  With intervals that need no linearised model:
+    mdr fit examples/fits/tip.toml --profile-likelihood
+
   With proved digits of the estimates:
     mdr fit examples/fits/tip.toml --digits 15
 
@@ -57,6 +60,10 @@ pub(crate) struct Fit {
     /// Certify estimates, standard errors and sum of squares to this many significant digits, too
     #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(1..=1000))]
     digits: Option<u32>,
+
+    /// Give intervals of 68 % and 95 % by profile likelihood, too
+    #[arg(long)]
+    profile_likelihood: bool,
 
     /// Shape of the answer
     #[arg(long, value_enum, default_value_t = Format::Table)]
@@ -116,6 +123,7 @@ impl Fit {
     }
 
     fn asked(&self, problem: Problem) -> Problem {
+        let problem = if self.profile_likelihood { problem.profile_likelihood() } else { problem };
         match self.digits {
             Some(digits) => problem.digits(digits),
             None => problem,
@@ -240,11 +248,14 @@ fn for_reader(answer: &Answer) -> String {
         parts.push(format!("Reason: {}.", answer.reason));
     }
     parts.push(estimates(answer));
+    if !answer.intervals.is_empty() {
+        parts.push(intervals(answer));
+    }
     if let Some(certified) = &answer.certified {
         let mut table = table(&["certified", "estimate", "scaled by residuals", "unique within"]);
         for estimate in &certified.parameters {
-            let [name, value, stderr] = [&estimate.name, &estimate.value, &estimate.scaled_stderr].map(String::clone);
-            table.add_row([name, value, stderr, format!("± {}", digits(estimate.unique_within, 1))]);
+            let [value, stderr] = [&estimate.value, &estimate.scaled_stderr].map(ToString::to_string);
+            table.add_row([estimate.name.clone(), value, stderr, format!("± {}", digits(estimate.unique_within, 1))]);
         }
         parts.push(render_whole(&table));
     }
@@ -289,6 +300,16 @@ fn estimates(answer: &Answer) -> String {
             number(estimate.scaled_stderr, 3),
             cell(estimate.unit, Tone::Plain),
         ]);
+    }
+    render_whole(&table)
+}
+
+fn intervals(answer: &Answer) -> String {
+    let mut table = table(&["by profile likelihood", "level", "from", "to"]);
+    for interval in &answer.intervals {
+        let end = |end: Option<f64>| end.map_or_else(|| "open".to_owned(), |end| digits(end, 6));
+        let level = format!("{:.0} %", 100.0 * interval.level);
+        table.add_row([interval.name.clone(), level, end(interval.lower), end(interval.upper)]);
     }
     render_whole(&table)
 }
