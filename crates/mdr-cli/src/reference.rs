@@ -36,6 +36,10 @@ Examples:
     mdr reference --table jkr-sphere --language python
     mdr reference --table
 
+  Measured curves whose fits are certified:
+    mdr reference --data-sets curves
+    mdr reference --filter formula=fit
+
 A filter has terms key=value, key!=value or key~part, separated by blanks or commas; all must
 hold. Keys: id, profile, formula, quantity, unit, control (none where there is none), status,
 difficulty (lower, average, higher), flag.
@@ -65,6 +69,10 @@ pub(crate) struct Reference {
     #[arg(long, value_name = "FILE")]
     export: Option<PathBuf>,
 
+    /// Write the data sets of the certified fits into this folder: what is fitted (.toml) and the curve (.csv)
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["filter", "table", "export", "generate"])]
+    data_sets: Option<PathBuf>,
+
     /// Compute all records anew and write the files of the release into this folder
     #[arg(long, value_name = "DIR", conflicts_with_all = ["filter", "export"])]
     generate: Option<PathBuf>,
@@ -88,6 +96,9 @@ impl Reference {
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         if let Some(folder) = &self.generate {
             return generate(folder, out);
+        }
+        if let Some(folder) = &self.data_sets {
+            return data_sets(folder, out).map(|()| true);
         }
         match &self.table {
             Some(Some(name)) => return self.table(name, out).map(|()| true),
@@ -146,6 +157,24 @@ fn generate(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<bool
         out.text(format_args!("{}: {} records", path.display(), content.lines().count()))?;
     }
     Ok(true)
+}
+
+fn data_sets(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<()> {
+    let name = |path: &Path| format!("--data-sets {}", path.display());
+    fs::create_dir_all(folder).map_err(|error| Failure::file(name(folder), error))?;
+    for set in mdr_reference::data_sets() {
+        for (extension, content) in [("toml", set.fit), ("csv", set.curve)] {
+            let path = folder.join(set.name).with_extension(extension);
+            fs::write(&path, content).map_err(|error| Failure::file(name(&path), error))?;
+        }
+        let rows = set.curve.lines().count() - 2;
+        out.text(format_args!(
+            "{}: {rows} rows, {}",
+            folder.join(set.name).with_extension("toml").display(),
+            set.level
+        ))?;
+    }
+    Ok(())
 }
 
 fn export(file: &Path, chosen: &[&Record], out: &mut Output<impl std::io::Write>) -> Result<()> {
