@@ -1,43 +1,61 @@
 (** κ at 1/3 and 1/4 by arithmetic-geometric means: κ_(1/p) is the integral of 1/sqrt (1 - x^(2p)) from 0 to 1, and a substitution
-    makes it a complete elliptic integral. *)
+    makes it a complete elliptic integral. Then κ at 2/3 and 3/4 from these. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 Require Import MDR.Definitions MDR.Powers MDR.Kappa MDR.Transform MDR.Stability MDR.Agm.
 Open Scope R_scope.
 
-(* x = X(t) carries the integral of 1/sqrt (1 - x^(2p)) into that of k over 0 < t < T *)
-Lemma kappa_substitution (p : nat) (X X1 k : R -> R) T : (0 < p)%nat -> 0 < T ->
-  (forall t, 0 <= t <= T -> continuous X t) -> X 0 = 0 -> X T = 1 -> (forall t, continuous k t) ->
-  (forall t, 0 < t < T -> 0 < X t < 1 /\ is_derive X t (X1 t) /\ X1 t = k t * sqrt (1 - X t ^ (2*p))) ->
-  (forall t, 0 <= t <= T -> 0 <= X t <= 1) -> kappa (/ INR p) = RInt k 0 T.
+(* the antiderivative of Transform.v for κ_n, n = m/p, at x = X^p: with m = 1 that of 1/sqrt (1 - X^(2p)) *)
+Lemma Phi_pow (i j : nat) (X : R -> R) X1 t : let p := S j in let n := INR (S i) / INR p in 0 < X t < 1 -> is_derive X t X1 ->
+  is_derive (fun t => Phi 1 1 n (X t ^ p)) t (INR (S i) * X t ^ i * X1 / sqrt (1 - X t ^ (2*p))).
 Proof.
-  intros Hp HT HX X0 XT Hk HD HR. assert (Hn : 0 < INR p) by (apply lt_0_INR; auto). assert (Hi : 0 < / INR p) by (apply Rinv_0_lt_compat; auto).
-  set (n := / INR p) in *. set (P := Phi 1 1 n). destruct p as [|j]. lia.
-  assert (HP : forall t, 0 < t < T -> is_derive (fun t => P (X t ^ S j)) t (k t)).
-  { intros t Ht. destruct (HD t Ht) as [HX1 [Hd E]]. assert (Hr : 0 < X t ^ S j < 1).
-    { split. apply pow_lt; lra. apply pow_lt_1_compat. lra. lia. }
-    evar_last. apply (is_derive_comp P (fun t => X t ^ S j)). apply (Phi_derive 1 Rlt_0_1 1 n Hi _ Hr). apply is_derive_pow, Hd.
-    unfold integrand, scal; simpl pred. change (INR (S j) * X1 t * X t ^ j * (n * 1 * Rpower (X t ^ S j) (n-1) / sqrt (1^2 - (X t ^ S j)^2)) = k t).
-    rewrite E. replace (2 * S j)%nat with (S j * 2)%nat by lia. rewrite pow_mult.
-    replace (Rpower (X t ^ S j) (n-1)) with (/ X t ^ j).
-    2:{ rewrite <- (Rpower_pow (S j)), Rpower_mult by lra. replace (INR (S j) * (n-1)) with (- INR j).
-        rewrite Rpower_Ropp, Rpower_pow by lra. auto. unfold n. rewrite S_INR in *. field. lra. }
-    replace (1^2 - (X t ^ S j)^2) with (1 - (X t ^ S j)^2) by ring.
-    assert (0 < sqrt (1 - (X t ^ S j)^2)) by (apply sqrt_lt_R0; nra). assert (0 < X t ^ j) by (apply pow_lt; lra).
-    unfold n. field. repeat split; lra. }
-  destruct (MVT_gen (fun t => P (X t ^ S j) - RInt k 0 t) 0 T (fun _ => 0)) as [c [_ Hc]].
-  - intros t Ht. rewrite Rmin_left, Rmax_right in Ht by lra. evar_last.
-    apply (is_derive_minus (K := R_AbsRing) (V := R_NormedModule) (fun t => P (X t ^ S j)) (fun t => RInt k 0 t)).
-    apply HP; auto. apply RInt_derive; auto. unfold minus, plus, opp; simpl. ring.
+  intros p n HX Hd. assert (Hp : 0 < INR p) by (apply lt_0_INR; unfold p; lia). assert (Hm : 0 < INR (S i)) by (apply lt_0_INR; lia).
+  assert (Hn : 0 < n) by (apply Rdiv_lt_0_compat; auto).
+  assert (Hr : 0 < X t ^ p < 1) by (split; [apply pow_lt; lra | apply pow_lt_1_compat; [lra | unfold p; lia]]).
+  evar_last. apply (is_derive_comp (Phi 1 1 n) (fun t => X t ^ p)). apply (Phi_derive 1 Rlt_0_1 1 n Hn _ Hr). apply is_derive_pow, Hd.
+  change (INR p * X1 * X t ^ j * (n * 1 * Rpower (X t ^ p) (n-1) / sqrt (1^2 - (X t ^ p)^2)) = INR (S i) * X t ^ i * X1 / sqrt (1 - X t ^ (2*p))).
+  replace (2 * p)%nat with (p * 2)%nat by lia. rewrite pow_mult. assert (Hj : 0 < X t ^ j) by (apply pow_lt; lra).
+  replace (Rpower (X t ^ p) (n-1)) with (X t ^ i / X t ^ j).
+  2:{ rewrite <- (Rpower_pow p), Rpower_mult by lra. replace (INR p * (n-1)) with (INR i + - INR j).
+      rewrite Rpower_plus, Rpower_Ropp, !Rpower_pow by lra. auto.
+      replace (INR p * (n-1)) with (INR (S i) - INR p) by (unfold n; field; lra). unfold p. rewrite !S_INR. ring. }
+  replace (1^2 - (X t ^ p)^2) with (1 - (X t ^ p)^2) by ring.
+  assert (0 < sqrt (1 - (X t ^ p)^2)) by (apply sqrt_lt_R0; nra). unfold n. field. repeat split; lra.
+Qed.
+
+Lemma Phi_pow_continuous (i j : nat) (X : R -> R) t : let p := S j in let n := INR (S i) / INR p in 0 <= X t <= 1 -> continuous X t ->
+  continuous (fun t => Phi 1 1 n (X t ^ p)) t.
+Proof.
+  intros p n HR HX. assert (Hn : 0 < n) by (apply Rdiv_lt_0_compat; apply lt_0_INR; unfold p; lia).
+  apply (continuous_comp (fun t => X t ^ p) (Phi 1 1 n)). apply (continuous_comp X (fun x => x ^ p)); auto.
+  apply (ex_derive_continuous (V := R_NormedModule)). auto_derive. auto.
+  apply Phi_continuous; auto; try lra. split. apply pow_le; lra. rewrite <- (pow1 p). apply pow_incr. lra.
+Qed.
+
+Lemma Phi_ends (n : R) (j : nat) : Phi 1 1 n (1 ^ S j) = kappa n /\ Phi 1 1 n (0 ^ S j) = 0.
+Proof.
+  rewrite pow1, pow_i by lia. unfold Phi. rewrite angle_x, angle_0, H_end, H_0 by lra. unfold Rpower. rewrite ln_1, Rmult_0_r, exp_0. lra.
+Qed.
+
+(* x = X(t)^m carries the integral of 1/sqrt (1 - x^(2p/m)) into that of m X^(m-1) k over 0 < t < T *)
+Lemma kappa_substitution (i j : nat) (X X1 k : R -> R) T : let p := S j in 0 < T ->
+  (forall t, 0 <= t <= T -> 0 <= X t <= 1 /\ continuous X t) -> X 0 = 0 -> X T = 1 ->
+  (forall t, continuous (fun t => INR (S i) * X t ^ i * k t) t) ->
+  (forall t, 0 < t < T -> 0 < X t < 1 /\ is_derive X t (X1 t) /\ X1 t = k t * sqrt (1 - X t ^ (2*p))) ->
+  kappa (INR (S i) / INR p) = RInt (fun t => INR (S i) * X t ^ i * k t) 0 T.
+Proof.
+  intros p HT HX X0 XT Hk HD. set (n := INR (S i) / INR p). set (K := fun t => INR (S i) * X t ^ i * k t) in *.
+  destruct (MVT_gen (fun t => Phi 1 1 n (X t ^ p) - RInt K 0 t) 0 T (fun _ => 0)) as [c [_ Hc]].
+  - intros t Ht. rewrite Rmin_left, Rmax_right in Ht by lra. destruct (HD t Ht) as [HX1 [Hd E]]. evar_last.
+    apply (is_derive_minus (K := R_AbsRing) (V := R_NormedModule) (fun t => Phi 1 1 n (X t ^ p)) (fun t => RInt K 0 t)).
+    apply (Phi_pow i j X (X1 t) t HX1 Hd). apply RInt_derive; auto. rewrite E.
+    assert (Hr : 0 <= X t ^ (2*p) < 1) by (apply pow_lt_1_compat; [lra | unfold p; lia]).
+    assert (0 < sqrt (1 - X t ^ (2*p))) by (apply sqrt_lt_R0; lra).
+    change (INR (S i) * X t ^ i * (k t * sqrt (1 - X t ^ (2*p))) / sqrt (1 - X t ^ (2*p)) - INR (S i) * X t ^ i * k t = 0). field. lra.
   - intros t Ht. rewrite Rmin_left, Rmax_right in Ht by lra. apply continuity_pt_filterlim.
-    apply (continuous_minus (V := R_NormedModule) (fun t => P (X t ^ S j)) (fun t => RInt k 0 t)).
-    + apply (continuous_comp (fun t => X t ^ S j) P). apply (continuous_comp X (fun x => x ^ S j)). auto.
-      apply (ex_derive_continuous (V := R_NormedModule)). auto_derive. auto.
-      apply Phi_continuous; auto; try lra. specialize (HR t Ht). split. apply pow_le; lra. rewrite <- (pow1 (S j)). apply pow_incr. lra.
-    + apply (ex_derive_continuous (V := R_NormedModule)). eexists. apply RInt_derive; auto.
-  - rewrite XT, X0, pow1, pow_i, RInt_point in Hc by lia. unfold P, Phi in Hc.
-    rewrite angle_x, angle_0, H_end, H_0, Rpower_1 in Hc || rewrite angle_x, angle_0, H_end, H_0 in Hc; try lra.
-    unfold Rpower in Hc. rewrite ln_1, Rmult_0_r, exp_0 in Hc. unfold zero in Hc; simpl in Hc. lra.
+    apply (continuous_minus (V := R_NormedModule) (fun t => Phi 1 1 n (X t ^ p)) (fun t => RInt K 0 t)).
+    apply Phi_pow_continuous; apply HX; auto. apply (ex_derive_continuous (V := R_NormedModule)). eexists. apply RInt_derive; auto.
+  - destruct (Phi_ends n j) as [E1 E0]. rewrite XT, X0, RInt_point in Hc. fold p in E1, E0. rewrite E1, E0 in Hc. unfold zero in Hc; simpl in Hc. lra.
 Qed.
 
 Lemma sqrt_is x y : 0 <= y -> y * y = x -> sqrt x = y.
@@ -83,15 +101,21 @@ Proof.
     - unfold X. apply Rmult_lt_reg_r with (sqrt (w t)); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. rewrite Rmult_1_r, Rmult_1_l.
       apply Rsqr_incrst_0; try lra. unfold Rsqr. rewrite Hss. unfold w. assert (0 < q * cos (t/2)^2) by (apply Rmult_lt_0_compat; auto; apply pow_lt; auto). nra.
     - unfold X. set (y := sqrt (w t)) in *. rewrite <- Hss. field. lra. }
-  replace 3 with (INR 3) by (simpl; ring).
-  rewrite (kappa_substitution 3 X (fun t => q * cos (t/2) / (2 * (w t * sqrt (w t)))) k PI); try lia; auto.
-  - unfold k. rewrite (RInt_scal (V := R_CompleteNormedModule) (fun t => 1 / D 2 b t)) by (apply ex_elliptic; lra).
+  replace (/3) with (INR 1 / INR 3) by (simpl; field).
+  rewrite (kappa_substitution 0 2 X (fun t => q * cos (t/2) / (2 * (w t * sqrt (w t)))) k PI); auto.
+  - rewrite (RInt_ext _ k) by (intros; simpl; match goal with |- @eq _ ?l ?r => change (@eq R l r) end; ring).
+    unfold k. rewrite (RInt_scal (V := R_CompleteNormedModule) (fun t => 1 / D 2 b t)) by (apply ex_elliptic; lra).
     rewrite elliptic_agm by lra. unfold scal; simpl; unfold mult; simpl. field. lra.
-  - intros t _. apply (ex_derive_continuous (V := R_NormedModule)). eexists. apply Xd.
+  - intros t Ht. split. 2: apply (ex_derive_continuous (V := R_NormedModule)); eexists; apply Xd.
+    destruct (Req_dec t 0) as [->|N0]; [|destruct (Req_dec t PI) as [->|N1]].
+    + unfold X. replace (0/2) with 0 by field. rewrite sin_0. unfold Rdiv. lra.
+    + unfold X, w. rewrite cos_PI2, sin_PI2. replace (1^2 + q*0^2) with 1 by ring. rewrite sqrt_1. lra.
+    + destruct (Hrange t ltac:(lra)). lra.
   - unfold X. replace (0/2) with 0 by field. rewrite sin_0. unfold Rdiv. ring.
   - unfold X, w. rewrite cos_PI2, sin_PI2. replace (1^2 + q*0^2) with 1 by ring. rewrite sqrt_1. field.
-  - intros t. apply (continuous_scal_r (K := R_AbsRing) (V := R_NormedModule) (/h) (fun t => 1 / D 2 b t)). apply D_continuous; lra.
-  - intros t Ht. destruct (Hrange t Ht) as [R1 R2]. split; auto. split. apply Xd. change (2*3)%nat with 6%nat. rewrite R2.
+  - intros t. apply (continuous_ext k). intros u. simpl. match goal with |- @eq _ ?l ?r => change (@eq R l r) end. ring.
+    apply (continuous_scal_r (K := R_AbsRing) (V := R_NormedModule) (/h) (fun t => 1 / D 2 b t)). apply D_continuous; lra.
+  - intros t Ht. destruct (Hrange t Ht) as [R1 R2]. split; auto. split. apply Xd. change (X t ^ (2*3)) with (X t ^ 6). rewrite R2.
     pose proof (Hw t) as W0. pose proof (sqrt_lt_R0 _ W0) as Hs. pose proof (sqrt_sqrt _ (Rlt_le _ _ W0)) as Hss.
     assert (C0 : 0 < cos (t/2)) by (apply cos_gt_0; lra). pose proof (D_pos 2 b ltac:(lra) Hb t) as HD. pose proof (D_sq 2 b ltac:(lra) Hb t) as HDD.
     replace (cos t) with (cos (2*(t/2))) in HDD by (f_equal; field). replace (sin t) with (sin (2*(t/2))) in HDD by (f_equal; field).
@@ -104,10 +128,6 @@ Proof.
       rewrite Hss, HDD, Hqq, Hhh. replace ((b*(2*s*c))^2) with (4*(b*b)*(s*s)*(c*c)) by ring. rewrite Hbb.
       assert (Ew : w t * w t * w t - s^6 = 3*q*(c*c)*((c*c-s*s)^2 + (2+q)*(s*s)*(c*c)) + q*c^6*(q*q-3)) by (unfold w; fold s c; ring).
       rewrite Hqq in Ew. replace (1 - s^6/(w t*w t*w t)) with ((w t * w t * w t - s^6)/(w t*w t*w t)) by (field; lra). rewrite Ew. field. lra.
-  - intros t Ht. destruct (Req_dec t 0) as [->|N0]; [|destruct (Req_dec t PI) as [->|N1]].
-    + unfold X. replace (0/2) with 0 by field. rewrite sin_0. unfold Rdiv. lra.
-    + unfold X, w. rewrite cos_PI2, sin_PI2. replace (1^2 + q*0^2) with 1 by ring. rewrite sqrt_1. lra.
-    + destruct (Hrange t ltac:(lra)). lra.
 Qed.
 
 (* an integrand that changes its sign when t is reflected at the middle has no integral *)
@@ -266,46 +286,128 @@ Proof.
   apply (is_derive_comp (fun s => (2 + p) / 4 * (1 - q * s)) sigma t). auto_derive; [auto | reflexivity]. apply sigma_derive.
 Qed.
 
-(** κ_¼ = π(1 + sqrt 2)/(4 agm(1, 1 + sqrt 2)). *)
-Theorem kappa_quarter : kappa (/4) = PI * (1 + sqrt 2) / (4 * agm 1 (1 + sqrt 2)).
+Lemma quarter_kappa i : kappa (INR (S i) / INR 4) = RInt (fun t => INR (S i) * X t ^ i * k t) 0 PI.
 Proof.
-  pose proof PI_RGT_0 as Hpi. replace 4 with (INR 4) at 1 by (simpl; ring).
-  rewrite (kappa_substitution 4 X (fun t => k t * sqrt (1 - X t ^ (2*4))) k PI); try lia; auto.
-  - assert (Co : forall t, continuous (fun t => sigma t / D a b t) t).
-    { intros t. apply (continuous_ext (fun t => sigma t * (1 / D a b t))).
-      intros u. unfold Rdiv. match goal with |- @eq _ ?l ?r => change (@eq R l r) end. ring.
-      apply (continuous_mult (K := R_AbsRing) sigma). 2: apply D_continuous; auto.
-      apply (ex_derive_continuous (V := R_NormedModule)). eexists. apply sigma_derive. }
-    assert (Hodd : RInt (fun t => sigma t / D a b t) 0 PI = 0).
-    { apply RInt_odd; auto. intros t. unfold sigma, r, D. rewrite sin_PI_x, cos_minus, cos_PI, sin_PI.
-      replace (a * (-1 * cos t + 0 * sin t)) with (- (a * cos t)) by ring. replace ((- (a * cos t))^2) with ((a * cos t)^2) by ring.
-      unfold Rdiv. ring. }
-    pose proof (agm_pos a b Ha Hb) as Hm.
-    assert (Em : agm a b = agm 1 (1 + sqrt 2)).
-    { rewrite agm_swap, <- (agm_step 1 (1 + sqrt 2)) by auto. f_equal. unfold b, p. field. unfold a, p. f_equal. ring. }
-    apply (is_RInt_unique (V := R_CompleteNormedModule)).
-    apply (is_RInt_ext (fun t => (2 + p) / 4 * (1 / D a b t) + - ((2 + p) / 4 * q) * (sigma t / D a b t))).
-    { intros t _. unfold k. pose proof (D_pos a b Ha Hb t). match goal with |- @eq _ ?l ?r => change (@eq R l r) end. field. lra. }
-    replace (PI * (1 + sqrt 2) / (4 * agm 1 (1 + sqrt 2))) with ((2 + p) / 4 * (PI / agm a b) + - ((2 + p) / 4 * q) * 0).
-    2:{ rewrite <- Em. unfold p. field. lra. }
-    apply (is_RInt_plus (V := R_NormedModule) (fun t => (2 + p) / 4 * (1 / D a b t))).
-    + rewrite <- (elliptic_agm a b Ha Hb). apply (is_RInt_scal (V := R_NormedModule) (fun t => 1 / D a b t)).
-      apply (RInt_correct (V := R_CompleteNormedModule)), ex_elliptic; auto.
-    + apply (is_RInt_scal (V := R_NormedModule) (fun t => sigma t / D a b t)). rewrite <- Hodd at 2.
-      apply (RInt_correct (V := R_CompleteNormedModule)). apply (ex_RInt_continuous (V := R_CompleteNormedModule)). auto.
+  pose proof PI_RGT_0 as Hpi. apply (kappa_substitution i 3 X (fun t => k t * sqrt (1 - X t ^ (2*4))) k PI); auto.
   - intros t _. apply X_range.
   - unfold X, y, sigma, r. rewrite sin_0, cos_0. replace (1 + q*0^2) with 1 by ring. rewrite sqrt_1.
     replace (p * (1 + - (1) / 1) / (1 - q * (- (1) / 1))) with 0 by (field; lra). apply sqrt_0.
   - unfold X, y, sigma, r. rewrite sin_PI, cos_PI. replace (1 + q*0^2) with 1 by ring. rewrite sqrt_1.
     replace (p * (1 + - (-1) / 1) / (1 - q * (- (-1) / 1))) with 1. apply sqrt_1. rewrite Hq. field. lra.
-  - apply k_continuous.
-  - intros t Ht. pose proof (v_pos t) as V. destruct (sigma_inside t Ht) as [S1 S2]. destruct (X_range t) as [R1 _].
+  - intros t. apply (continuous_mult (K := R_AbsRing) (fun t => INR (S i) * X t ^ i) k). 2: apply k_continuous.
+    apply (continuous_comp X (fun x => INR (S i) * x ^ i)). apply X_range. apply (ex_derive_continuous (V := R_NormedModule)). auto_derive. auto.
+  - intros t Ht. pose proof (v_pos t) as V. destruct (sigma_inside t Ht) as [S1 S2].
     assert (P2 : p^2 = 1 - 2*p) by (rewrite <- Hq; unfold q; ring).
     assert (Y0 : 0 < y t) by (unfold y; apply Rdiv_lt_0_compat; auto; nra).
     assert (Y1 : y t < 1).
     { unfold y. apply Rmult_lt_reg_r with (1 - q * sigma t); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra.
       assert (0 < (1 - p) * (1 - sigma t)) by (apply Rmult_lt_0_compat; lra). nra. }
     split; [split|]. apply sqrt_lt_R0; auto. unfold X. rewrite <- sqrt_1. apply sqrt_lt_1; lra. split; auto. apply X_derive; auto.
-  - intros t _. apply X_range.
+Qed.
+
+(* σ has no share in the integral *)
+Lemma quarter_integral c e : is_RInt (fun t => c * (1 / D a b t) + e * (sigma t / D a b t)) 0 PI (c * (PI / agm 1 (1 + sqrt 2))).
+Proof.
+  assert (Co : forall t, continuous (fun t => sigma t / D a b t) t).
+  { intros t. apply (continuous_ext (fun t => sigma t * (1 / D a b t))).
+    intros u. unfold Rdiv. match goal with |- @eq _ ?l ?r => change (@eq R l r) end. ring.
+    apply (continuous_mult (K := R_AbsRing) sigma). 2: apply D_continuous; auto.
+    apply (ex_derive_continuous (V := R_NormedModule)). eexists. apply sigma_derive. }
+  assert (Hodd : RInt (fun t => sigma t / D a b t) 0 PI = 0).
+  { apply RInt_odd; auto. intros t. unfold sigma, r, D. rewrite sin_PI_x, cos_minus, cos_PI, sin_PI.
+    replace (a * (-1 * cos t + 0 * sin t)) with (- (a * cos t)) by ring. replace ((- (a * cos t))^2) with ((a * cos t)^2) by ring.
+    unfold Rdiv. ring. }
+  assert (Em : agm a b = agm 1 (1 + sqrt 2)).
+  { rewrite agm_swap, <- (agm_step 1 (1 + sqrt 2)) by auto. f_equal. unfold b, p. field. unfold a, p. f_equal. ring. }
+  replace (c * (PI / agm 1 (1 + sqrt 2))) with (c * (PI / agm a b) + e * 0) by (rewrite <- Em; ring).
+  apply (is_RInt_plus (V := R_NormedModule) (fun t => c * (1 / D a b t))).
+  - rewrite <- (elliptic_agm a b Ha Hb). apply (is_RInt_scal (V := R_NormedModule) (fun t => 1 / D a b t)).
+    apply (RInt_correct (V := R_CompleteNormedModule)), ex_elliptic; auto.
+  - apply (is_RInt_scal (V := R_NormedModule) (fun t => sigma t / D a b t)). rewrite <- Hodd at 2.
+    apply (RInt_correct (V := R_CompleteNormedModule)). apply (ex_RInt_continuous (V := R_CompleteNormedModule)). auto.
+Qed.
+
+(** κ_¼ = π(1 + sqrt 2)/(4 agm(1, 1 + sqrt 2)), *)
+Theorem kappa_quarter : kappa (/4) = PI * (1 + sqrt 2) / (4 * agm 1 (1 + sqrt 2)).
+Proof.
+  replace (/4) with (INR 1 / INR 4) by (simpl; field). rewrite (quarter_kappa 0). apply (is_RInt_unique (V := R_CompleteNormedModule)).
+  pose proof (agm_pos 1 (1 + sqrt 2) ltac:(lra) ltac:(pose proof (sqrt_pos 2); lra)) as Hm.
+  replace (PI * (1 + sqrt 2) / (4 * agm 1 (1 + sqrt 2))) with ((2 + p) / 4 * (PI / agm 1 (1 + sqrt 2))) by (unfold p; field; lra).
+  apply (is_RInt_ext (fun t => (2 + p) / 4 * (1 / D a b t) + - ((2 + p) / 4 * q) * (sigma t / D a b t))). 2: apply quarter_integral.
+  intros t _. unfold k. pose proof (D_pos a b Ha Hb t). simpl INR. simpl pow. match goal with |- @eq _ ?l ?r => change (@eq R l r) end. field. lra.
+Qed.
+
+(** and κ_¾ by the same substitution: 3 κ_¼/(1 + sqrt 2). *)
+Theorem kappa_three_quarters : kappa (3/4) = 3 * kappa (/4) / (1 + sqrt 2).
+Proof.
+  pose proof (agm_pos 1 (1 + sqrt 2) ltac:(lra) ltac:(pose proof (sqrt_pos 2); lra)) as Hm. pose proof (sqrt_pos 2) as Hs.
+  assert (P2 : p * (1 + sqrt 2) = 1) by (replace (1 + sqrt 2) with (2 + p) by (unfold p; ring); unfold q in Hq; lra).
+  rewrite kappa_quarter. replace (3/4) with (INR 3 / INR 4) by (simpl; field).
+  rewrite (quarter_kappa 2). apply (is_RInt_unique (V := R_CompleteNormedModule)).
+  replace (3 * (PI * (1 + sqrt 2) / (4 * agm 1 (1 + sqrt 2))) / (1 + sqrt 2)) with (3 / 4 * (p * (1 + sqrt 2)) * (PI / agm 1 (1 + sqrt 2)))
+    by (rewrite P2; field; lra).
+  replace (1 + sqrt 2) with (2 + p) at 1 by (unfold p; ring).
+  apply (is_RInt_ext (fun t => 3/4 * (p * (2 + p)) * (1 / D a b t) + 3/4 * (p * (2 + p)) * (sigma t / D a b t))). 2: apply quarter_integral.
+  intros t _. pose proof (v_pos t) as V. pose proof (D_pos a b Ha Hb t). destruct (X_range t) as [[X0 _] _].
+  assert (XX : X t ^ 2 = y t).
+  { replace (X t ^ 2) with (X t * X t) by ring. apply sqrt_sqrt. unfold y. destruct (sigma_factors t) as [_ [_ [_ S1]]].
+    apply Rmult_le_pos. apply Rmult_le_pos; lra. left. apply Rinv_0_lt_compat; auto. }
+  rewrite XX. unfold k, y. simpl INR. match goal with |- @eq _ ?l ?r => change (@eq R l r) end. field. lra.
 Qed.
 End Quarter.
+
+(** κ_⅔ = 2 κ_⅓/sqrt 3, by x² = 3z⁴/(4 - z⁶). *)
+Theorem kappa_two_thirds : kappa (2/3) = 2 * kappa (/3) / sqrt 3.
+Proof.
+  set (h := sqrt 3). assert (Hh : 0 < h) by (apply sqrt_lt_R0; lra). assert (Hhh : h * h = 3) by (apply sqrt_sqrt; lra).
+  set (X := fun z => h * z^2 / sqrt (4 - z^6)). replace (2/3) with (INR 2 / INR 3) by (simpl; field).
+  replace (/3) with (INR 1 / INR 3) by (simpl; field).
+  assert (Z : forall z, 0 <= z <= 1 -> 0 <= z^6 <= 1).
+  { intros z Hz. split. apply pow_le; lra. rewrite <- (pow1 6). apply pow_incr; lra. }
+  assert (Xd : forall z, 0 <= z <= 1 -> is_derive X z (h * z * (8 + z^6) / ((4 - z^6) * sqrt (4 - z^6)))).
+  { intros z Hz. specialize (Z z Hz). assert (W0 : 0 < 4 - z^6) by lra. pose proof (sqrt_lt_R0 _ W0) as Hs.
+    pose proof (sqrt_sqrt _ (Rlt_le _ _ W0)) as Hss. unfold X. auto_derive.
+    - replace (4 + - (z*(z*(z*(z*(z*(z*1))))))) with (4 - z^6) by ring. repeat split; auto. lra.
+    - replace (4 + - (z*(z*(z*(z*(z*(z*1))))))) with (4 - z^6) by ring. set (s := sqrt (4 - z^6)) in *.
+      assert (E : 4 - z^6 = s * s) by auto. assert (E6 : z^6 = 4 - s*s) by lra. rewrite E.
+      transitivity (h * z * (2 * (s*s) + 3 * z^6) / (s*s*s)). field. lra. rewrite E6. field. lra. }
+  assert (XR : forall z, 0 < z < 1 -> 0 < X z < 1 /\ sqrt (1 - X z ^ 6) = (8 + z^6) * sqrt (1 - z^6) / ((4 - z^6) * sqrt (4 - z^6))).
+  { intros z Hz. assert (Z1 : 0 < z^6 < 1) by (split; [apply pow_lt; lra | apply pow_lt_1_compat; [lra | lia]]).
+    assert (W0 : 0 < 4 - z^6) by lra. pose proof (sqrt_lt_R0 _ W0) as Hs. pose proof (sqrt_sqrt _ (Rlt_le _ _ W0)) as Hss.
+    pose proof (sqrt_lt_R0 (1 - z^6) ltac:(lra)) as Hu. pose proof (sqrt_sqrt (1 - z^6) ltac:(lra)) as Huu.
+    assert (X0 : 0 < X z) by (unfold X; apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto; apply pow_lt; lra).
+    assert (XX : X z * X z = 3 * z^4 / (4 - z^6)).
+    { unfold X. set (s := sqrt (4 - z^6)) in *. rewrite <- Hss, <- Hhh. field. lra. }
+    assert (E6 : 1 - X z ^ 6 = (8 + z^6)^2 * (1 - z^6) / (4 - z^6)^3).
+    { replace (X z ^ 6) with ((X z * X z)^3) by ring. rewrite XX. field. lra. }
+    split.
+    - split; auto. assert (0 < 1 - X z ^ 6) by (rewrite E6; apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [apply pow_lt|]; lra | apply pow_lt; lra]).
+      apply Rnot_le_lt. intro L. pose proof (pow_R1_Rle (X z) 6 L). lra.
+    - apply sqrt_is. left. apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; lra. rewrite E6. set (u := sqrt (1 - z^6)) in *.
+      set (s := sqrt (4 - z^6)) in *. transitivity ((8 + z^6)^2 * (u*u) / ((4 - z^6)^2 * (s*s))). field. lra. rewrite Huu, Hss. field. lra. }
+  set (K1 := fun z => Phi 1 1 (INR 1 / INR 3) (X z ^ 3)). set (K2 := fun z => Phi 1 1 (INR 2 / INR 3) (z ^ 3)).
+  destruct (MVT_gen (fun z => K1 z - h / 2 * K2 z) 0 1 (fun _ => 0)) as [c [_ Hc]].
+  - intros z Hz. rewrite Rmin_left, Rmax_right in Hz by lra. destruct (XR z Hz) as [R1 R2]. specialize (Z z ltac:(lra)). evar_last.
+    apply (is_derive_minus (K := R_AbsRing) (V := R_NormedModule) K1 (fun z => h / 2 * K2 z)).
+    apply (Phi_pow 0 2 X _ z R1 (Xd z ltac:(lra))). apply (is_derive_scal K2). apply (Phi_pow 1 2 (fun z => z) 1 z Hz).
+    apply (is_derive_id (K := R_AbsRing)). change (X z ^ (2*3)) with (X z ^ 6). change (z ^ (2*3)) with (z ^ 6). rewrite R2.
+    assert (z^6 < 1) by (apply pow_lt_1_compat; [lra | lia]). pose proof (sqrt_lt_R0 (1 - z^6) ltac:(lra)) as Hu.
+    pose proof (sqrt_lt_R0 (4 - z^6) ltac:(lra)) as Hs.
+    set (u := sqrt (1 - z^6)) in *. set (s := sqrt (4 - z^6)) in *. unfold minus, plus, opp; simpl INR. simpl (_ ^ 0). simpl (_ ^ 1).
+    change (1 * 1 * (h * z * (8 + z^6) / ((4 - z^6) * s)) / ((8 + z^6) * u / ((4 - z^6) * s)) + - (h/2 * ((1 + 1) * (z * 1) * 1 / u)) = 0).
+    field. repeat split; lra.
+  - intros z Hz. rewrite Rmin_left, Rmax_right in Hz by lra. apply continuity_pt_filterlim.
+    apply (continuous_minus (V := R_NormedModule) K1 (fun z => h / 2 * K2 z)).
+    + apply (Phi_pow_continuous 0 2 X).
+      * destruct (Req_dec z 0) as [->|N0]; [|destruct (Req_dec z 1) as [->|N1]].
+        unfold X. rewrite pow_i by lia. unfold Rdiv. lra.
+        unfold X. rewrite !pow1. replace (4 - 1) with 3 by ring. fold h. replace (h * 1 / h) with 1 by (field; lra). lra.
+        destruct (XR z ltac:(lra)). lra.
+      * apply (ex_derive_continuous (V := R_NormedModule)). eexists. apply Xd; auto.
+    + apply (continuous_scal_r (K := R_AbsRing) (V := R_NormedModule) (h / 2) K2). apply (Phi_pow_continuous 1 2 (fun z => z)); auto.
+      apply continuous_id.
+  - unfold K1, K2 in Hc. replace (X 1) with 1 in Hc by (unfold X; rewrite !pow1; replace (4 - 1) with 3 by ring; fold h; field; lra).
+    replace (X 0) with 0 in Hc by (unfold X; rewrite pow_i by lia; unfold Rdiv; ring).
+    destruct (Phi_ends (INR 1 / INR 3) 2) as [E1 E2]. destruct (Phi_ends (INR 2 / INR 3) 2) as [E3 E4]. rewrite E1, E2, E3, E4 in Hc.
+    apply Rmult_eq_reg_r with h; [|lra]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+Qed.

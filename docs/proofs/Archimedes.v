@@ -60,7 +60,7 @@ Proof.
       assert (H3 : 2 * M <= q * (x - y)^2).
       { unfold q. apply Rle_trans with (2 * M / d^2 * d^2). right. field. lra. apply Rmult_le_compat_l; auto. }
       apply Rle_trans with (2 * M). 2: lra. pose proof (Hm x Hx) as M1. pose proof (Hm y Hy) as M2. simpl in M1, M2. fold M in M1, M2.
-      apply Rle_trans with (1 := Rabs_triang_minus _ _) || apply Rle_trans with (Rabs (h x) + Rabs (h y)); [|lra].
+      apply Rle_trans with (Rabs (h x) + Rabs (h y)); [|lra].
       unfold Rminus. rewrite <- (Rabs_Ropp (h y)). apply Rabs_triang. }
   destruct (nfloor_ex (2 * q / eps)) as [N [_ HN]].
   { apply Rmult_le_pos. lra. left. apply Rinv_0_lt_compat, cond_pos. }
