@@ -39,7 +39,7 @@ mod table;
 mod text;
 mod write;
 
-pub use catalogue::{Filter, FilterError, lines, record, records};
+pub use catalogue::{Family, Filter, FilterError, families, lines, record, records};
 pub use decimal::{Decimal, DecimalError};
 pub use difficulty::{Difficulty, Hardness};
 pub use judge::{

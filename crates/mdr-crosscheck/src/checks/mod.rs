@@ -58,6 +58,11 @@ impl Check {
     }
 }
 
+/// The names of all checks, in the order of the report.
+pub fn check_names() -> Vec<&'static str> {
+    registry().iter().map(|check| check.name).collect()
+}
+
 /// The names of the checks that would catch a mistake in a closed form.
 pub fn checks_of(id: SubjectId) -> Vec<&'static str> {
     registry().iter().filter(|check| check.subjects.contains(&id)).map(|check| check.name).collect()
