@@ -17,6 +17,7 @@ struct Entry {
     name: &'static str,
     text: &'static str,
     tex: &'static str,
+    coq: &'static str,
     meaning: &'static str,
     /// Powers of length: the constant, and the factor of n.
     length: [i64; 2],
@@ -25,9 +26,9 @@ struct Entry {
 
 /// Those of `data/symbols.tsv`.
 static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
-    let entry = |[name, text, tex, constant, slope, force, meaning]: [&'static str; 7]| {
+    let entry = |[name, text, tex, coq, constant, slope, force, meaning]: [&'static str; 8]| {
         let length = [constant.parse().ok()?, slope.parse().ok()?];
-        Some(Entry { name, text, tex, meaning, length, force: force.parse().ok()? })
+        Some(Entry { name, text, tex, coq, meaning, length, force: force.parse().ok()? })
     };
     rows(include_str!("../data/symbols.tsv")).filter_map(entry).collect()
 });
@@ -69,6 +70,11 @@ impl Symbol {
     /// In TeX.
     pub fn tex(self) -> &'static str {
         self.entry().tex
+    }
+
+    /// In Coq.
+    pub(crate) fn coq(self) -> &'static str {
+        self.entry().coq
     }
 
     /// Its meaning.

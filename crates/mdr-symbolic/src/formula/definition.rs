@@ -14,12 +14,13 @@ struct Entry {
     name: &'static str,
     text: &'static str,
     tex: &'static str,
+    coq: &'static str,
     formula: &'static str,
 }
 
 /// Those of `data/definitions.tsv`.
 static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
-    let entry = |[name, text, tex, formula]: [&'static str; 4]| Entry { name, text, tex, formula };
+    let entry = |[name, text, tex, coq, formula]: [&'static str; 5]| Entry { name, text, tex, coq, formula };
     rows(include_str!("../../data/definitions.tsv")).map(entry).collect()
 });
 
@@ -42,6 +43,11 @@ impl Definition {
     /// In TeX.
     pub fn tex(self) -> &'static str {
         ENTRIES[self.0].tex
+    }
+
+    /// In Coq.
+    pub(crate) fn coq(self) -> &'static str {
+        ENTRIES[self.0].coq
     }
 
     /// The defining formula.
