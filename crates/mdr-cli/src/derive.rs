@@ -5,46 +5,16 @@ use mdr_crosscheck::derivations::{Document, Judgement, judge, judge_all, summary
 use mdr_symbolic::derivations::{Entry, entries, entry, statements_in_coq};
 
 use crate::error::{Failure, Result};
+use crate::flags::nearest;
 use crate::output::Output;
 use crate::table::{Tone, cell, render, table};
-
-const EXAMPLES: &str = "\
-Examples:
-  A table of all equations with their verdicts:
-    mdr derive
-
-  The critical contact radius, refuted as printed and proved as corrected:
-    mdr derive 1.15
-
-  A result beyond the paper, in TeX:
-    mdr derive machine-folds --format latex
-
-  The statements of its steps for Coq, and of all (docs/proofs/Statements.v):
-    mdr derive 1.15 --format coq
-    mdr derive --format coq
-
-  The pages docs/derivations.md and docs/errata.md:
-    mdr derive --format markdown
-    mdr derive --errata --format markdown
-
-theorem   checked by Coq's kernel; the entry names it, docs/proofs has it
-proved    by equal normal forms in an exact algebra over Q(n)
-enclosed  an inequality of numbers, or at one point, in rigorous intervals; an equality agrees
-sampled   at 30 random rational points with n from 2^-10 to 2^10: no proof
-refuted   by normal forms and at a point
-cited     from the literature
-A step of which both sides are one formula once written out is a definition, and does not count.
-
-Every step that is not refuted or cited is also mutated, one sign, exponent or factor at a
-time: no mutant may hold.
-Exit status: 0 every step is what it claims to be, 1 one is not or a mutant survives, 2 bad input.";
 
 /// The derivation of every equation, each step with its verdict: theorem, proved, sampled, refuted, cited.
 ///
 /// Without an id: all of them. Every statement is parsed, proved, evaluated, mutated and printed from one and the same
 /// formula.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../help/derive.txt"))]
 pub(crate) struct Derive {
     /// Number of an equation, or name of a result
     #[arg(value_name = "ID", allow_hyphen_values = true, conflicts_with = "errata")]
@@ -128,8 +98,7 @@ fn overview(judgements: &[Judgement]) -> String {
 fn find(id: &str) -> Result<&'static Entry> {
     let bare = id.trim_start_matches('(').trim_end_matches(')');
     entry(bare).ok_or_else(|| {
-        let likeness = |entry: &&Entry| (strsim::normalized_damerau_levenshtein(bare, entry.id) * 1e6) as i64;
-        let nearest = entries().iter().max_by_key(likeness).map_or("1.1", |entry| entry.id);
+        let nearest = nearest(bare, entries().iter().map(|entry| entry.id)).map_or("1.1", |(id, _)| id);
         Failure::flag("ID", format_args!("no such derivation; the nearest is {nearest}, `mdr derive` lists all"), id)
     })
 }

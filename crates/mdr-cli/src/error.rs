@@ -19,10 +19,8 @@ pub(crate) enum Failure {
         /// As it was typed; `None` when the flag is missing or the reason names the value.
         got: Option<String>,
     },
-    /// A computation without an answer.
-    Contact(ContactError),
-    /// A scene without one.
-    Scene(mdr::Error),
+    /// A scene, or another computation, without an answer.
+    Answer(mdr::Error),
     /// A file could not be read or written.
     File {
         /// Its name; standard output has one, too.
@@ -50,9 +48,12 @@ impl Failure {
 
     /// A question that was asked by flags: a refused input is a refused flag.
     pub(crate) fn of_flag(error: mdr::Error) -> Self {
-        match error {
-            mdr::Error::Contact(error) => error.into(),
-            error => Failure::Scene(error),
+        match &error {
+            mdr::Error::Contact(ContactError::Domain { quantity, value, requirement }) => match flag_of(*quantity) {
+                Some(flag) => Failure::flag(flag, format_args!("must be {requirement}"), value),
+                None => Failure::Answer(error),
+            },
+            _ => Failure::Answer(error),
         }
     }
 
@@ -64,20 +65,13 @@ impl Failure {
 
 impl From<mdr::Error> for Failure {
     fn from(error: mdr::Error) -> Self {
-        Failure::Scene(error)
+        Failure::Answer(error)
     }
 }
 
-/// A refused input is a refused flag.
 impl From<ContactError> for Failure {
     fn from(error: ContactError) -> Self {
-        match error {
-            ContactError::Domain { quantity, value, requirement } => match flag_of(quantity) {
-                Some(flag) => Failure::flag(flag, format_args!("must be {requirement}"), &value),
-                None => Failure::Contact(ContactError::Domain { quantity, value, requirement }),
-            },
-            error => Failure::Contact(error),
-        }
+        Failure::of_flag(error.into())
     }
 }
 
@@ -100,8 +94,7 @@ impl fmt::Display for Failure {
         match self {
             Failure::Flag { flag, why, got: None } => write!(f, "{flag}: {why}"),
             Failure::Flag { flag, why, got: Some(got) } => write!(f, "{flag}: {why}, got {}", abridged(got)),
-            Failure::Contact(error) => error.fmt(f),
-            Failure::Scene(error) => error.fmt(f),
+            Failure::Answer(error) => error.fmt(f),
             Failure::File { name, source } => write!(f, "{name}: {source}"),
         }
     }

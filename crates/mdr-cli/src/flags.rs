@@ -23,6 +23,11 @@ impl<'a> Flag<'a> {
         Flag { name, text }
     }
 
+    /// A flag that may be left out.
+    pub(crate) fn given(name: &'static str, text: &'a Option<String>) -> Option<Self> {
+        text.as_deref().map(|text| Flag { name, text })
+    }
+
     /// This value is refused.
     pub(crate) fn refuse(self, why: impl std::fmt::Display) -> Failure {
         Failure::flag(self.name, why, self.text)
@@ -104,7 +109,7 @@ impl ArithmeticFlags {
 
     /// As given, if one is.
     pub(crate) fn given(&self) -> Result<Option<Arithmetic>> {
-        match (self.digits.as_deref().map(|text| Flag::new("--digits", text)), self.f64) {
+        match (Flag::given("--digits", &self.digits), self.f64) {
             (Some(flag), true) => Err(flag.refuse("cannot be combined with --f64")),
             (Some(flag), false) => Ok(Some(Arithmetic::Certified { digits: flag.digits()? })),
             (None, true) => Ok(Some(Arithmetic::Double)),
@@ -128,7 +133,7 @@ pub(crate) struct StyleFlags {
 impl StyleFlags {
     /// The writer of numbers. Other formats than tables are for programs, and their units are fixed.
     pub(crate) fn style(&self, has_units: bool) -> Result<NumberStyle> {
-        let units = self.units.as_deref().map(|text| Flag::new("--units", text));
+        let units = Flag::given("--units", &self.units);
         if let Some(flag) = units.filter(|_| !has_units) {
             return Err(flag.refuse("JSON and CSV for programs are in SI units; drop the flag or --format"));
         }
@@ -143,11 +148,11 @@ impl StyleFlags {
     }
 }
 
-/// The known name that is most like one that is not known, where it is a likely slip; for "did you mean".
-pub(crate) fn likely<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+/// The known name that is most like one that is not known, and whether it is a likely slip; for "did you mean".
+pub(crate) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<(&'a str, bool)> {
     /// Names that share so much are meant for each other.
     const ALIKE: f64 = 0.6;
     let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
     let best = known.into_iter().max_by(|one, other| likeness(one).total_cmp(&likeness(other)))?;
-    (likeness(best) >= ALIKE).then_some(best)
+    Some((best, likeness(best) >= ALIKE))
 }

@@ -33,11 +33,6 @@ impl<W: Write> Output<W> {
         Output(writer)
     }
 
-    /// The writer, with all that was written.
-    pub(crate) fn into_inner(self) -> W {
-        self.0
-    }
-
     /// One line of text, or several.
     pub(crate) fn text(&mut self, text: impl std::fmt::Display) -> Result<()> {
         self.finish(|out| writeln!(out, "{text}"))
@@ -52,7 +47,11 @@ impl<W: Write> Output<W> {
     }
 
     /// A header and rows, quoted where needed.
-    pub(crate) fn csv<R: AsRef<[String]>>(&mut self, header: &[&str], rows: impl IntoIterator<Item = R>) -> Result<()> {
+    pub(crate) fn csv<R: AsRef<[String]>>(
+        &mut self,
+        header: &[impl AsRef<[u8]>],
+        rows: impl IntoIterator<Item = R>,
+    ) -> Result<()> {
         self.finish(|out| {
             let mut csv = csv::Writer::from_writer(out);
             csv.write_record(header)?;
@@ -63,10 +62,18 @@ impl<W: Write> Output<W> {
         })
     }
 
+    /// Records of a type, titled by its fields.
+    pub(crate) fn records(&mut self, records: impl IntoIterator<Item: Serialize>) -> Result<()> {
+        self.finish(|out| {
+            let mut csv = csv::Writer::from_writer(out);
+            records.into_iter().try_for_each(|record| csv.serialize(record))?;
+            csv.flush()
+        })
+    }
+
     /// A table with its titles first.
     pub(crate) fn spreadsheet(&mut self, table: &[Vec<String>]) -> Result<()> {
-        let header: Vec<&str> = table[0].iter().map(String::as_str).collect();
-        self.csv(&header, &table[1..])
+        self.csv(&table[0], &table[1..])
     }
 
     fn finish(&mut self, write: impl FnOnce(&mut Self) -> io::Result<()>) -> Result<()> {

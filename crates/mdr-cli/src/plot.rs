@@ -1,50 +1,71 @@
 //! A picture as a file, with its data beside it: the flag `--plot`.
 
 use std::fs::File;
-use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use clap::ValueEnum;
-use mdr_plot::{CSV_HEADER, Picture, Theme};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use mdr_plot::{Picture, Theme};
 
 use crate::error::{Failure, Result};
+use crate::files;
 
-/// The colours of a picture: the flag `--theme`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Colours {
-    /// Light or dark as the reader's system is
-    #[default]
-    Auto,
-    /// For a light page
-    Light,
-    /// For a dark page
-    Dark,
-    /// Black and grey, for print
-    Paper,
+/// The flags of a command that draws its answer; what is drawn, each command tells in its help.
+#[derive(Debug, Args)]
+pub(crate) struct PictureFlags {
+    #[arg(long, value_name = "OUT.svg")]
+    plot: Option<PathBuf>,
+
+    /// Colours of the picture
+    #[arg(long, value_parser = theme(), default_value = THEMES[0].0)]
+    theme: Theme,
 }
 
-impl From<Colours> for Theme {
-    fn from(colours: Colours) -> Self {
-        match colours {
-            Colours::Auto => Theme::Auto,
-            Colours::Light => Theme::Light,
-            Colours::Dark => Theme::Dark,
-            Colours::Paper => Theme::Paper,
-        }
+impl PictureFlags {
+    /// Whether a picture is asked for, into a file that may be written.
+    ///
+    /// # Errors
+    /// As [`check`].
+    pub(crate) fn wanted(&self) -> Result<bool> {
+        self.plot.as_deref().map_or(Ok(()), check)?;
+        Ok(self.plot.is_some())
     }
+
+    /// Draws what is asked for, and computes it only then.
+    ///
+    /// # Errors
+    /// When a file cannot be written, or nothing can be drawn.
+    pub(crate) fn draw(&self, picture: impl FnOnce() -> Result<Picture>) -> Result<()> {
+        self.plot.as_deref().map_or(Ok(()), |to| write(&picture()?, self.theme, to, "--plot"))
+    }
+}
+
+/// The values of the flag `--theme`, each with what it is for.
+const THEMES: [(&str, Theme, &str); 4] = [
+    ("auto", Theme::Auto, "Light or dark as the reader's system is"),
+    ("light", Theme::Light, "For a light page"),
+    ("dark", Theme::Dark, "For a dark page"),
+    ("paper", Theme::Paper, "Black and grey, for print"),
+];
+
+/// Reads the flag `--theme`.
+pub(crate) fn theme() -> impl TypedValueParser<Value = Theme> {
+    let values = THEMES.map(|(name, _, help)| PossibleValue::new(name).help(help));
+    PossibleValuesParser::new(values)
+        .map(|given| THEMES.into_iter().find(|(name, ..)| *name == given).map_or(Theme::Auto, |(_, theme, _)| theme))
 }
 
 /// Refuses a file whose name would be that of its own data, or whose data would take the place of another file.
 ///
 /// # Errors
 /// Unless the name ends in `.svg`, and the CSV file beside it is not there, or is the data of a picture.
-pub(crate) fn check(to: &Path) -> Result<()> {
+fn check(to: &Path) -> Result<()> {
     let refuse = |why: &str| Err(Failure::flag("--plot", why, &to.display().to_string()));
     if !to.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg")) {
         return refuse("must be the name of an .svg file");
     }
     let beside = to.with_extension("csv");
-    if File::open(&beside).is_ok_and(|file| !is_data(file)) {
+    if File::open(&beside).is_ok_and(|file| !mdr_plot::is_data(file)) {
         return refuse(&format!(
             "the data of the picture would replace {}, which was not written with a picture: choose another name",
             beside.display()
@@ -53,20 +74,13 @@ pub(crate) fn check(to: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Whether this begins as the data of a picture do.
-fn is_data(file: impl Read) -> bool {
-    let mut start = Vec::new();
-    let read = file.take(CSV_HEADER.len() as u64).read_to_end(&mut start);
-    read.is_ok() && start == CSV_HEADER.as_bytes()
-}
-
-/// Writes the SVG file `to`, and a CSV file of the data beside it; names in complaints follow `flag`.
+/// Writes the SVG file `to`, and a CSV file of the data beside it; names in complaints follow the `flag` that asked for it.
 ///
 /// # Errors
 /// When a file cannot be written.
-pub(crate) fn write(picture: &Picture, colours: Colours, to: &Path, flag: &str) -> Result<()> {
-    for (file, text) in [(to.to_owned(), picture.svg_in(colours.into())), (to.with_extension("csv"), picture.csv())] {
-        std::fs::write(&file, text).map_err(|error| Failure::file(format!("{flag}{}", file.display()), error))?;
+pub(crate) fn write(picture: &Picture, theme: Theme, to: &Path, flag: &str) -> Result<()> {
+    for (file, text) in [(to.to_owned(), picture.svg_in(theme)), (to.with_extension("csv"), picture.csv())] {
+        files::write(flag, &file, text)?;
     }
     Ok(())
 }

@@ -1,57 +1,18 @@
 //! `mdr reference`: the certified records.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use mdr_reference::{Filter, Record, Table, TableFormat};
 
 use crate::error::{Failure, Result};
+use crate::files;
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, render_whole, table};
-
-const EXAMPLES: &str = "\
-Examples:
-  How many there are, by family:
-    mdr reference
-
-  A family:
-    mdr reference --filter id~guduru
-
-  Real contacts, such as the tip of a force microscope or a wheel on its rail:
-    mdr reference --filter flag=physical
-
-  The hard questions about power laws under a dead load:
-    mdr reference --filter \"profile=power control=force difficulty=higher\"
-
-  One of them, with all that is known about it:
-    mdr reference --filter id=critical/jkr-unit/force/force --format json
-
-  For a program in another language: one JSON object a line, or a spreadsheet:
-    mdr reference --export records.jsonl
-    mdr reference --filter status=ok --export records.csv
-
-  A small table of JKR spheres to copy into a test, and its name among all:
-    mdr reference --table jkr-sphere --export jkr_sphere.h
-    mdr reference --table jkr-sphere --language python
-    mdr reference --table
-
-  Measured curves whose fits are certified:
-    mdr reference --data-sets curves
-    mdr reference --filter formula=fit
-
-A filter has terms key=value, key!=value or key~part, separated by blanks or commas; all must
-hold. Keys: id, profile, formula, quantity, unit, control (none where there is none), status,
-difficulty (lower, average, higher), flag.
-Every number is certified to 50 digits and confirmed by a second method; docs/reference/README.md
-describes the fields.
-Answers go to `mdr judge`.
-Exit status: 0 listed, 1 with --generate, a digit was not certain; 2 bad input, or a filter that
-chooses nothing.";
+use crate::table::{Tone, cell, render, render_whole, table, text_table};
 
 /// List or export certified reference values, for the tests of other programs.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../help/reference.txt"))]
 pub(crate) struct Reference {
     /// Only the records for which all these terms hold
     #[arg(long, value_name = "EXPR", default_value = "", hide_default_value = true)]
@@ -133,8 +94,7 @@ impl Reference {
 
     fn list(&self, chosen: &[&Record], out: &mut Output<impl std::io::Write>) -> Result<()> {
         match self.format {
-            Format::Json => out.text(chosen.iter().map(|record| record.to_json()).collect::<Vec<_>>().join("\n")),
-            Format::Csv => out.csv(&Record::CSV_HEADER, chosen.iter().map(|record| record.to_csv())),
+            Format::Json | Format::Csv => write(self.format, chosen, out),
             Format::Table if self.filter.trim().is_empty() => out.text(families(chosen)),
             Format::Table => out.text(for_reader(chosen)),
         }
@@ -142,54 +102,53 @@ impl Reference {
 }
 
 fn generate(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<bool> {
-    let files = match mdr_records::generate() {
-        Ok(files) => files,
+    let records = match mdr_records::generate() {
+        Ok(records) => records,
         Err(error) => {
             out.text(error)?;
             return Ok(false);
         }
     };
-    let name = |path: &Path| format!("--generate {}", path.display());
-    fs::create_dir_all(folder).map_err(|error| Failure::file(name(folder), error))?;
-    for (file, content) in files {
+    files::make_folder("--generate", folder)?;
+    for (file, content) in records {
         let path = folder.join(file);
-        fs::write(&path, &content).map_err(|error| Failure::file(name(&path), error))?;
+        files::write("--generate", &path, &content)?;
         out.text(format_args!("{}: {} records", path.display(), content.lines().count()))?;
     }
     Ok(true)
 }
 
+/// Writes the data sets into a folder.
 fn data_sets(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<()> {
-    let name = |path: &Path| format!("--data-sets {}", path.display());
-    fs::create_dir_all(folder).map_err(|error| Failure::file(name(folder), error))?;
+    const FLAG: &str = "--data-sets";
+    files::make_folder(FLAG, folder)?;
     for set in mdr_reference::data_sets() {
-        for (extension, content) in [("toml", set.fit), ("csv", set.curve)] {
-            let path = folder.join(set.name).with_extension(extension);
-            fs::write(&path, content).map_err(|error| Failure::file(name(&path), error))?;
-        }
-        let rows = set.curve.lines().count() - 2;
-        out.text(format_args!(
-            "{}: {rows} rows, {}",
-            folder.join(set.name).with_extension("toml").display(),
-            set.level
-        ))?;
+        let [fit, curve] = ["toml", "csv"].map(|extension| folder.join(set.name).with_extension(extension));
+        files::write(FLAG, &fit, set.fit)?;
+        files::write(FLAG, &curve, set.curve)?;
+        out.text(format_args!("{}: {} rows, {}", fit.display(), set.curve.lines().count() - 2, set.level))?;
     }
     Ok(())
 }
 
+/// Writes records in the format that the extension of the file names.
 fn export(file: &Path, chosen: &[&Record], out: &mut Output<impl std::io::Write>) -> Result<()> {
     let name = file.display().to_string();
-    let content = match file.extension().and_then(|extension| extension.to_str()) {
-        Some("jsonl") => chosen.iter().map(|record| record.to_json() + "\n").collect::<String>().into_bytes(),
-        Some("csv") => {
-            let mut rows = Output::new(Vec::new());
-            rows.csv(&Record::CSV_HEADER, chosen.iter().map(|record| record.to_csv()))?;
-            rows.into_inner()
-        }
+    let format = match file.extension().and_then(|extension| extension.to_str()) {
+        Some("jsonl") => Format::Json,
+        Some("csv") => Format::Csv,
         _ => return Err(Failure::flag("--export", "must end in .jsonl or .csv", &name)),
     };
-    fs::write(file, content).map_err(|error| Failure::file(format!("--export {name}"), error))?;
+    write(format, chosen, &mut files::create("--export", file)?)?;
     out.text(format_args!("{name}: {} records", chosen.len()))
+}
+
+/// Writes records for a program or a spreadsheet.
+fn write(format: Format, chosen: &[&Record], out: &mut Output<impl std::io::Write>) -> Result<()> {
+    match format {
+        Format::Csv => out.csv(&Record::CSV_HEADER, chosen.iter().map(|record| record.to_csv())),
+        _ => out.text(chosen.iter().map(|record| record.to_json()).collect::<Vec<_>>().join("\n")),
+    }
 }
 
 /// Writes a table in the format that the extension of the file names.
@@ -198,7 +157,7 @@ fn export_table(file: &Path, table: &Table, out: &mut Output<impl std::io::Write
     let extension = file.extension().and_then(|extension| extension.to_str());
     let format = TableFormat::ALL.into_iter().find(|(_, known)| Some(*known) == extension);
     let (format, _) = format.ok_or_else(|| Failure::flag("--export", "must end in .csv, .json, .h or .py", &name))?;
-    fs::write(file, table.write(format)).map_err(|error| Failure::file(format!("--export {name}"), error))?;
+    files::write("--export", file, table.write(format))?;
     out.text(format_args!("{name}: {} rows", table.rows().count()))
 }
 
@@ -217,10 +176,8 @@ fn table_for_reader(wanted: &Table) -> String {
     const SHOWN: [&str; 6] = ["id", "status", "contact_radius", "indentation", "force", "tolerance"];
     let header = wanted.header();
     let places: Vec<_> = SHOWN.iter().filter_map(|name| header.iter().position(|known| known == name)).collect();
-    let mut list = table(&SHOWN);
-    for row in wanted.rows() {
-        list.add_row(places.iter().map(|&place| cell(&row[place], Tone::Plain)));
-    }
+    let rows = wanted.rows().map(|row| places.iter().map(|&place| row[place].clone()).collect::<Vec<_>>());
+    let list = text_table(&SHOWN, rows);
     format!("{}\n\n{}. All columns: --format csv", render_whole(&list), wanted.title)
 }
 
@@ -231,22 +188,23 @@ pub(crate) fn size(condition: f64) -> String {
 
 /// How many records there are, by the first part of their ids.
 fn families(all: &[&Record]) -> String {
-    let mut counts: Vec<(&str, [usize; 4])> = Vec::new();
+    let mut families: Vec<(&str, &Record, [usize; 4])> = Vec::new();
     for record in all {
         let family = record.id.split('/').next().unwrap_or_default();
-        if counts.last().is_none_or(|(last, _)| *last != family) && !counts.iter().any(|(known, _)| *known == family) {
-            counts.push((family, [0; 4]));
-        }
-        let Some((_, counts)) = counts.iter_mut().find(|(known, _)| *known == family) else { continue };
+        let known = families.iter().position(|(known, ..)| *known == family);
+        let place = known.unwrap_or_else(|| {
+            families.push((family, record, [0; 4]));
+            families.len() - 1
+        });
+        let counts = &mut families[place].2;
         counts[0] += 1;
         counts[1 + record.difficulty as usize] += 1;
     }
     let mut table = table(&["family", "records", "lower", "average", "higher", "for example"]);
-    for (family, counts) in &counts {
-        let example = all.iter().find(|record| record.id.starts_with(&format!("{family}/")));
+    for (family, example, counts) in &families {
         let numbers = counts.iter().map(|count| cell(count, Tone::Plain));
         let row = std::iter::once(cell(family, Tone::Strong)).chain(numbers);
-        table.add_row(row.chain([cell(example.map_or("", |record| record.id.as_str()), Tone::Faint)]));
+        table.add_row(row.chain([cell(&example.id, Tone::Faint)]));
     }
     format!(
         "{}\n\n{} records of 50 certified digits, by difficulty. List some: mdr reference --filter \"id~jkr-unit\"",

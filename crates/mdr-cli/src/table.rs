@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 
 use comfy_table::presets::{NOTHING, UTF8_BORDERS_ONLY};
-use comfy_table::{Attribute, Cell, Color, ContentArrangement, Table};
+use comfy_table::{Attribute, Cell, Color, ContentArrangement, Row, Table};
 
 /// How a cell is set off on a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,6 +46,13 @@ pub(crate) fn table(header: &[impl std::fmt::Display]) -> Table {
     table
 }
 
+/// A table of texts, none of which is set off.
+pub(crate) fn text_table(header: &[impl std::fmt::Display], rows: impl IntoIterator<Item: Into<Row>>) -> Table {
+    let mut table = table(header);
+    table.add_rows(rows);
+    table
+}
+
 /// The text of a table whose cells stay in one piece: where it is wider than the terminal, one cell a line.
 pub(crate) fn render_whole(table: &Table) -> String {
     let natural: usize = table.column_max_content_widths().iter().map(|width| usize::from(*width) + 3).sum();
@@ -59,7 +66,7 @@ pub(crate) fn render_whole(table: &Table) -> String {
 fn vertical(table: &Table) -> String {
     let titles: Vec<String> = table.header().into_iter().flat_map(|row| row.cell_iter().map(Cell::content)).collect();
     let longest = titles.iter().map(|title| title.chars().count()).max().unwrap_or(0);
-    let row = |row: &comfy_table::Row| {
+    let row = |row: &Row| {
         let cells = titles.iter().zip(row.cell_iter().map(Cell::content)).filter(|(_, text)| !text.is_empty());
         cells.map(|(title, text)| format!(" {title:<longest$}  {text}")).collect::<Vec<_>>().join("\n")
     };

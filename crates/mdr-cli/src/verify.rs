@@ -4,46 +4,19 @@ use std::path::PathBuf;
 
 use clap::Args;
 use comfy_table::ColumnConstraint;
-use indicatif::{ProgressBar, ProgressStyle};
-use mdr_crosscheck::{Level, Options, Report, Row, Shard, Unit, Verdict};
+use mdr_crosscheck::{Finding, Level, Options, Report, Row, Shard, Verdict};
 
 use crate::error::{Failure, Result};
-use crate::flags::{Flag, likely};
+use crate::flags::{Flag, nearest};
 use crate::output::{Format, Output};
-use crate::short;
 use crate::table::{Tone, cell, render, table};
-
-const EXAMPLES: &str = "\
-Examples:
-  The whole grid, with a table of the results:
-    mdr verify
-
-  In under a minute, or in half an hour with many more cases:
-    mdr verify --quick
-    mdr verify --full
-
-  Two checks alone, by the names in the table:
-    mdr verify --only kappa-gamma,jkr
-
-  At 200 digits, with another seed for the random part of the grid:
-    mdr verify --digits 200 --seed 7
-
-  Over four processes or machines, then the verdict on the whole:
-    mdr verify --full --shard 1/4 --format json > 1.jsonl
-    mdr verify --full --shard 2/4 --format json > 2.jsonl    # and so on
-    mdr verify --merge 1.jsonl 2.jsonl 3.jsonl 4.jsonl
-
-A run is a pure function of level, digits, seed and shard. The allowed errors are derived from
-error bounds and condition numbers, never from what was found.
-JSON: schema mdr.verify/1, one line a check and one a failing case; the lines of shards
-concatenate.
-Exit status: 0 all checks hold, 1 a check failed, 2 bad input.";
+use crate::{files, progress};
 
 /// Verify the theory: closed forms against an independent numerical computation, over a grid of cases.
 ///
 /// Each row is a check: how many cases were compared, the worst error found, the error allowed there, and the verdict.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../help/verify.txt"))]
 pub(crate) struct Verify {
     /// Fewer cases: under a minute
     #[arg(long, conflicts_with = "full")]
@@ -115,27 +88,21 @@ impl Verify {
     }
 
     fn only(&self) -> Result<Vec<String>> {
-        if self.only.is_empty() {
-            return Ok(Vec::new());
-        }
-        // A run without cases tells the names of the checks.
-        let nothing = mdr_crosscheck::run(&Options { limit: Some(0), ..Options::default() }, &|_| ());
-        let names: Vec<_> = nothing.rows.iter().map(|row| row.check.as_str()).collect();
-        match self.only.iter().find(|name| !names.contains(&name.as_str())) {
-            Some(name) => Err(match likely(name, names.iter().copied()) {
-                Some(meant) => Failure::flag("--only", format_args!("no such check; did you mean `{meant}`?"), name),
-                None => Failure::flag("--only", format_args!("must be one of {}", names.join(", ")), name),
-            }),
-            None => Ok(self.only.clone()),
-        }
+        let names = mdr_crosscheck::check_names();
+        let Some(name) = self.only.iter().find(|name| !names.contains(&name.as_str())) else {
+            return Ok(self.only.clone());
+        };
+        let why = match nearest(name, names.iter().copied()) {
+            Some((meant, true)) => format!("no such check; did you mean `{meant}`?"),
+            _ => format!("must be one of {}", names.join(", ")),
+        };
+        Err(Failure::flag("--only", why, name))
     }
 
     fn merged(&self) -> Result<Report> {
         let mut lines = String::new();
         for path in &self.merge {
-            let name = path.display().to_string();
-            let text =
-                std::fs::read_to_string(path).map_err(|error| Failure::file(format!("--merge {name}"), error))?;
+            let text = std::fs::read_to_string(path).map_err(|error| files::of_flag("--merge", path, error))?;
             lines.push_str(&text);
             lines.push('\n');
         }
@@ -148,8 +115,7 @@ impl Verify {
 
 /// Runs with a progress bar on standard error when that is a terminal.
 fn with_progress(options: &Options) -> Report {
-    let style = ProgressStyle::with_template("{bar:40.green} {percent:>3} %  {elapsed} / {duration}  {msg}");
-    let bar = ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let bar = progress::bar(0);
     let report = mdr_crosscheck::run(options, &|progress| {
         bar.set_length(progress.total as u64);
         bar.set_position(progress.done as u64);
@@ -162,7 +128,7 @@ fn with_progress(options: &Options) -> Report {
 fn for_reader(report: &Report) -> String {
     let mut table = table(&["check", "cases", "worst error", "allowed", "unit", "verdict", "worst case"]);
     for row in &report.rows {
-        let worst = row.decisive();
+        let [error, allowed, case] = row.decisive().map(Finding::in_short).unwrap_or_default();
         let tone = match row.verdict {
             Verdict::Pass => Tone::Good,
             Verdict::Fail => Tone::Bad,
@@ -171,50 +137,17 @@ fn for_reader(report: &Report) -> String {
         table.add_row([
             cell(&row.check, Tone::Plain),
             cell(row.cases, Tone::Plain),
-            cell(worst.map(|finding| significant(finding.error)).unwrap_or_default(), Tone::Plain),
-            cell(worst.map(|finding| significant(finding.allowed)).unwrap_or_default(), Tone::Plain),
+            cell(error, Tone::Plain),
+            cell(allowed, Tone::Plain),
             cell(row.unit, Tone::Faint),
             cell(row.verdict, tone),
-            cell(
-                worst
-                    .map(|finding| format!("{}: {}", finding.quantity, short::numbers(&finding.inputs)))
-                    .unwrap_or_default(),
-                Tone::Faint,
-            ),
+            cell(case, Tone::Faint),
         ]);
     }
     // The name of a check stays in one piece, to be copied.
     table.set_constraints([ColumnConstraint::ContentWidth]);
-    let failures: Vec<_> = report
-        .failures
-        .iter()
-        .map(|failure| format!("\n{} #{}: {}\n  {}", failure.check, failure.index, failure.inputs, failure.reason))
-        .collect();
-    let parts = [&render(&table), &failures.concat(), &units(report), &report.summary()];
-    parts
-        .map(|part| part.trim_matches('\n'))
-        .into_iter()
-        .filter(|part| !part.is_empty())
-        .collect::<Vec<_>>()
-        .join("\n\n")
-}
-
-/// Three digits are enough for an error.
-fn significant(value: f64) -> String {
-    match value.abs() {
-        0.0 => "0".to_owned(),
-        1e-2..1e4 => format!("{value:.3}"),
-        _ => format!("{value:.2e}"),
-    }
-}
-
-/// What the units of the table mean.
-fn units(report: &Report) -> String {
-    let is_used = |unit: &Unit| report.rows.iter().any(|row| row.unit == *unit);
-    let lines =
-        Unit::ALL.into_iter().filter(is_used).map(|unit| format!("  {:<8}  {}", unit.to_string(), unit.description()));
-    format!(
-        "Units of the errors; the numbers of a case are rounded here, and exact in JSON and CSV:\n{}",
-        lines.collect::<Vec<_>>().join("\n")
-    )
+    let failures: Vec<_> = report.failures.iter().map(ToString::to_string).collect();
+    let mut parts = vec![render(&table), failures.join("\n"), report.units(), report.summary()];
+    parts.retain(|part| !part.is_empty());
+    parts.join("\n\n")
 }

@@ -34,12 +34,13 @@ mod merge;
 mod options;
 mod report;
 mod run;
+mod short;
 mod subject;
 mod tolerance;
 mod trial;
 pub mod work_precision;
 
-pub use checks::checks_of;
+pub use checks::{check_names, checks_of};
 pub use findings::Findings;
 pub use merge::MergeError;
 pub use options::{Level, Options, Shard, ShardError};

@@ -5,6 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{Level, Options, Shard};
+use crate::short;
 use crate::trial::{Case, Outcome};
 
 /// What an error is measured in.
@@ -85,9 +86,24 @@ pub struct Finding {
 }
 
 impl Finding {
+    /// Error, allowed error, and quantity with inputs for a reader, with the numbers rounded.
+    pub fn in_short(&self) -> [String; 3] {
+        let case = format!("{}: {}", self.quantity, short::numbers(&self.inputs));
+        [significant(self.error), significant(self.allowed), case]
+    }
+
     /// error/allowed; an exact agreement is 0 also where nothing is allowed.
     pub fn share(&self) -> f64 {
         if self.error == 0.0 { 0.0 } else { self.error / self.allowed }
+    }
+}
+
+/// Three digits are enough for an error.
+fn significant(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        1e-2..1e4 => format!("{value:.3}"),
+        _ => format!("{value:.2e}"),
     }
 }
 
@@ -102,6 +118,13 @@ pub struct Failure {
     pub inputs: String,
     /// What went wrong.
     pub reason: String,
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Failure { check, index, inputs, reason } = self;
+        write!(f, "{check} #{index}: {inputs}\n  {reason}")
+    }
 }
 
 /// The result of one check.
@@ -241,6 +264,16 @@ impl Report {
             "{checks} checks, {cases} cases: {passed} hold, {failed} failed{skipped}. Grid {level}, {digits} digits, seed \
              {seed}, shard {shard}."
         )
+    }
+
+    /// What the units of the rows mean, in lines.
+    pub fn units(&self) -> String {
+        let mut text =
+            "Units of the errors; the numbers of a case are rounded here, and exact in JSON and CSV:".to_owned();
+        for unit in Unit::ALL.into_iter().filter(|unit| self.rows.iter().any(|row| row.unit == *unit)) {
+            text.push_str(&format!("\n  {:<8}  {}", unit.to_string(), unit.description()));
+        }
+        text
     }
 
     /// Enters the cases of one check, in the order of their indices.

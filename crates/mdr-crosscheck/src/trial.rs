@@ -6,6 +6,7 @@ use mdr_core::contact::Result;
 use mdr_core::number::{Precision, Real};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
+use rug::Float;
 
 use crate::subject::closed::ClosedForms;
 
@@ -152,4 +153,14 @@ pub(crate) fn roundoffs<R: Real>(found: &R, expected: &R) -> f64 {
         return 0.0;
     }
     ((found.clone() - expected) / expected / expected.unit_roundoff()).abs().approx()
+}
+
+/// The error of a double in units in the last place of the correctly rounded `exact`; infinite where it is no number.
+pub(crate) fn ulps(found: f64, exact: &Float) -> f64 {
+    if !found.is_finite() {
+        return f64::INFINITY;
+    }
+    let nearest = exact.to_f64();
+    let spacing = nearest.abs().next_up() - nearest.abs();
+    (Float::with_val(exact.prec(), found) - exact).abs().approx() / spacing
 }

@@ -1,10 +1,19 @@
 //! The data of a picture as a table: what is drawn, in base units, before it is scaled, cut and thinned out.
 
+use std::io::Read;
+
 use crate::chart::{Layer, Look, Mark, Panel, Picture, Stroke};
 use crate::markup::plain;
 
 /// The first line of the data of every picture.
 pub const CSV_HEADER: &str = "panel,element,series,style,x_quantity,x,y_quantity,y,units";
+
+/// Whether what is read begins as the data of a picture do.
+pub fn is_data(from: impl Read) -> bool {
+    let mut start = Vec::new();
+    let read = from.take(CSV_HEADER.len() as u64).read_to_end(&mut start);
+    read.is_ok() && start == CSV_HEADER.as_bytes()
+}
 
 impl Picture {
     /// The points of all areas, curves, marks and arrows as CSV, one a row, with the header [`CSV_HEADER`].

@@ -38,6 +38,32 @@ pub fn lines() -> impl Iterator<Item = &'static str> {
     FILES.iter().flat_map(|file| file.lines())
 }
 
+/// Records whose ids begin alike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Family<'a> {
+    /// What their ids begin with, up to the first slash.
+    pub name: &'a str,
+    /// The first of them.
+    pub example: &'a Record,
+    /// How many there are of each [difficulty](crate::Difficulty::ALL).
+    pub counts: [usize; 3],
+}
+
+/// The families of these records, in the order of their first records.
+pub fn families<'a>(records: &[&'a Record]) -> Vec<Family<'a>> {
+    let mut families: Vec<Family<'_>> = Vec::new();
+    for &example in records {
+        let name = example.id.split('/').next().unwrap_or_default();
+        let known = families.iter().position(|family| family.name == name);
+        let place = known.unwrap_or_else(|| {
+            families.push(Family { name, example, counts: [0; 3] });
+            families.len() - 1
+        });
+        families[place].counts[example.difficulty as usize] += 1;
+    }
+    families
+}
+
 /// The record with this identifier.
 pub fn record(id: &str) -> Option<&'static Record> {
     records().iter().find(|record| record.id == id)

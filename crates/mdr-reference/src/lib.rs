@@ -41,7 +41,7 @@ mod table;
 mod text;
 mod write;
 
-pub use catalogue::{Filter, FilterError, lines, record, records};
+pub use catalogue::{Family, Filter, FilterError, families, lines, record, records};
 pub use data_set::{DataSet, data_sets};
 pub use decimal::{Decimal, DecimalError};
 pub use difficulty::{Difficulty, Hardness};

@@ -93,6 +93,17 @@ pub struct Certified {
     pub digits: u32,
 }
 
+impl Certified {
+    /// The first significant digits of the number, with an ellipsis where there are more.
+    pub fn abridged(&self, digits: usize) -> String {
+        let (mantissa, exponent) = self.mid.split_at(self.mid.find('e').unwrap_or(self.mid.len()));
+        match mantissa.char_indices().nth(digits + 2) {
+            Some((end, _)) => format!("{}…{exponent}", &mantissa[..end]),
+            None => self.mid.clone(),
+        }
+    }
+}
+
 /// A certified value of one quantity for one set of inputs, or the certain absence of one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {

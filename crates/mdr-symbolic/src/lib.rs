@@ -92,6 +92,7 @@ mod rational_function;
 mod relations;
 mod statement;
 mod symbol;
+mod table;
 
 pub use dimension::Dimension;
 pub use domain::Domain;

@@ -1,6 +1,9 @@
 //! The symbols of the theory. All represent positive real numbers.
 
+use std::sync::LazyLock;
+
 use crate::dimension::Dimension;
+use crate::table::rows;
 
 /// A symbol: a positive real number, independent of all others.
 ///
@@ -14,72 +17,21 @@ struct Entry {
     name: &'static str,
     text: &'static str,
     tex: &'static str,
+    coq: &'static str,
     meaning: &'static str,
     /// Powers of length: the constant, and the factor of n.
     length: [i64; 2],
     force: i64,
 }
 
-const fn pure(name: &'static str, tex: &'static str, meaning: &'static str) -> Entry {
-    Entry { name, text: name, tex, meaning, length: [0, 0], force: 0 }
-}
-
-const fn length(name: &'static str, tex: &'static str, power: i64, meaning: &'static str) -> Entry {
-    Entry { name, text: name, tex, meaning, length: [power, 0], force: 0 }
-}
-
-const fn elastic(
-    name: &'static str,
-    text: &'static str,
-    tex: &'static str,
-    power: i64,
-    meaning: &'static str,
-) -> Entry {
-    Entry { name, text, tex, meaning, length: [power, 0], force: 1 }
-}
-
-const ENTRIES: &[Entry] = &[
-    elastic("E", "E*", "E^*", -2, "effective modulus"),
-    elastic("w", "w", "w", -1, "work of adhesion per area, the Δγ of the paper"),
-    Entry {
-        name: "C", text: "C", tex: "C", meaning: "coefficient of the profile f = C rⁿ", length: [1, -1], force: 0
-    },
-    pure("κ", r"\kappa_n", "factor between profile and MDR-transformed profile"),
-    length("a", "a", 1, "contact radius"),
-    length("d", "d", 1, "indentation depth"),
-    elastic("k", "k", "k", -1, "stiffness of the machine"),
-    length("R", "R", 1, "radius of curvature, or of a punch"),
-    length("x", "x", 1, "coordinate of the springs"),
-    length("y", "y", 1, "elongation g(a) − d of the outer springs"),
-    length("δ", r"\delta", 1, "a positive length"),
-    length("g", "g(a)", 1, "MDR-transformed profile at the edge"),
-    pure("g'", "g'(a)", "its slope"),
-    length("G", r"\textstyle\int_0^a g", 2, "its integral"),
-    length("Q", r"\textstyle\int_0^a g^2", 3, "the integral of its square"),
-    pure("t", "t", "contact radius in units of the critical one"),
-    pure("s", "s", "contact stiffness 2E*a over machine stiffness k"),
-    pure("ρ", r"\rho", "C over its threshold at n = 1/2"),
-    pure("μ", r"\mu", "n − 1/2"),
-    pure("θ", r"\theta", "angle between 0 and π/2, x sinθ = r"),
-    pure("sinθ", r"\sin\theta", "sine of θ"),
-    pure("cosθ", r"\cos\theta", "cosine of θ"),
-    pure("b", "b", "second parameter of ₂F₁(1, b; c; 1/2)"),
-    pure("c", "c", "third parameter of ₂F₁(1, b; c; 1/2)"),
-    pure("j", "j", "index of a term"),
-    pure("m", "m", "index of a term"),
-    pure("z", "z", "argument of a function"),
-    elastic("E1", "E₁", "E_1", -2, "modulus of the first body"),
-    elastic("E2", "E₂", "E_2", -2, "modulus of the second body"),
-    pure("ν1", r"\nu_1", "Poisson's ratio of the first body"),
-    pure("ν2", r"\nu_2", "Poisson's ratio of the second body"),
-    pure("Γ(n/2)", r"\Gamma\left(\frac{n}{2}\right)", "Euler's Gamma function"),
-    pure("Γ((n+1)/2)", r"\Gamma\left(\frac{n+1}{2}\right)", "Euler's Gamma function"),
-    pure("Γ(3/4)", r"\Gamma\left(\frac34\right)", "Euler's Gamma function"),
-    length("r", "r", 1, "polar radius"),
-    pure("Λ", r"\Lambda", "value of λ at a fold"),
-    pure("ε", r"\varepsilon", "a positive number"),
-    elastic("F", "F", "F", 0, "dead load"),
-];
+/// Those of `data/symbols.tsv`.
+static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
+    let entry = |[name, text, tex, coq, constant, slope, force, meaning]: [&'static str; 8]| {
+        let length = [constant.parse().ok()?, slope.parse().ok()?];
+        Some(Entry { name, text, tex, coq, meaning, length, force: force.parse().ok()? })
+    };
+    rows(include_str!("../data/symbols.tsv")).filter_map(entry).collect()
+});
 
 impl Symbol {
     /// κ_n, treated as an independent positive number.
@@ -118,6 +70,11 @@ impl Symbol {
     /// In TeX.
     pub fn tex(self) -> &'static str {
         self.entry().tex
+    }
+
+    /// In Coq.
+    pub(crate) fn coq(self) -> &'static str {
+        self.entry().coq
     }
 
     /// Its meaning.

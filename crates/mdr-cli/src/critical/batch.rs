@@ -1,31 +1,26 @@
 //! `--batch`: many questions, one a line, CSV or JSON lines.
 
 use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::{BufRead, BufReader, BufWriter, Read, Write};
+use std::io::{BufRead, BufWriter, Read, Write};
 use std::path::Path;
 
 use mdr::critical::{CriticalAnswer, CriticalRow, PowerLaw};
 use mdr::prelude::Arithmetic;
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use serde_json::value::RawValue;
 
-use crate::error::{Failure, Result};
+use crate::error::Result;
+use crate::files;
 use crate::output::Output;
 
 /// Answers every line of the file in its format; whether all have an answer. A refused line says so in its place.
 pub(super) fn answer(file: &Path, arithmetic: Arithmetic, out: &mut Output<impl Write>) -> Result<bool> {
-    let name = file.display().to_string();
-    let input: Box<dyn Read> = match file == Path::new("-") {
-        true => Box::new(std::io::stdin()),
-        false => Box::new(File::open(file).map_err(|error| Failure::file(name.clone(), error))?),
-    };
-    let mut input = BufReader::new(input);
-    let start = input.fill_buf().map_err(|error| Failure::file(name.clone(), error))?;
+    let failed = |error| files::of_flag("", file, error);
+    let mut input = files::open(file)?;
+    let start = input.fill_buf().map_err(failed)?;
     let is_json = start.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'{');
     let all = if is_json { json_lines(input, arithmetic, out) } else { csv(input, arithmetic, out) };
-    all.map_err(|error| Failure::file(name, error))
+    all.map_err(failed)
 }
 
 fn json_lines(input: impl BufRead, arithmetic: Arithmetic, out: &mut Output<impl Write>) -> std::io::Result<bool> {
@@ -47,7 +42,9 @@ fn json_lines(input: impl BufRead, arithmetic: Arithmetic, out: &mut Output<impl
         all &= answer.is_ok();
         match &answer {
             Ok(answer) => serde_json::to_writer(&mut out, answer)?,
-            Err(why) => serde_json::to_writer(&mut out, &Refused(why))?,
+            Err(why) => {
+                serde_json::to_writer(&mut out, &Refused { schema: "mdr.critical/1", status: "domain-error", why })?
+            }
         }
         out.write_all(b"\n")?;
     }
@@ -97,14 +94,9 @@ fn ask<'a>(
 }
 
 /// A line that is no question.
-struct Refused<'a>(&'a str);
-
-impl Serialize for Refused<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("schema", "mdr.critical/1")?;
-        map.serialize_entry("status", "domain-error")?;
-        map.serialize_entry("why", self.0)?;
-        map.end()
-    }
+#[derive(Serialize)]
+struct Refused<'a> {
+    schema: &'static str,
+    status: &'static str,
+    why: &'a str,
 }

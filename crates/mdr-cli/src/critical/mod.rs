@@ -7,54 +7,19 @@ mod shape;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use mdr::critical::{CriticalAnswer, PowerLaw};
+use mdr::critical::PowerLaw;
 use mdr::prelude::{Arithmetic, Body, Control, Elasticity, Literal};
 
 use crate::error::{Failure, Result};
 use crate::flags::{ArithmeticFlags, Flag, StyleFlags};
 use crate::output::{Format, Output};
 
-const EXAMPLES: &str = "\
-Examples:
-  A sphere of 1 cm radius in JKR's theory, f = r²/2R, pulled off under a dead load:
-    mdr critical --sphere 0.01 --e-star 1e6 --work 0.05 --control force
-
-  The same as a power law, f = C r^n:
-    mdr critical --n 2 --c 50 --e-star 1e6 --work 0.05 --control force
-
-  A cone of 85 degrees half angle; five exponents at once:
-    mdr critical --cone 85 --e-star 1e6 --work 0.05
-    mdr critical --n 0.5:1.5:0.25 --c 1 --e-star 1e6 --work 0.05
-
-  50 certified digits of a sharp tip that jumps to complete contact, for another program:
-    mdr critical --n 0.25 --c 1e-6 --e-star 1e9 --work 0.05 --digits 50 --format json
-
-  A steel cone on rubber, given as two bodies, in hardware arithmetic:
-    mdr critical --n 1 --c 0.1 --e1 1e6 --nu1 0.5 --e2 2.1e11 --nu2 0.3 --work 0.05 --f64
-
-  Does the theory hold for a tip of 10 nm whose adhesion has a range of 0.3 nm?
-    mdr critical --sphere 1e-8 --e-star 5e9 --work 0.05 --control force --range-of-adhesion 0.3nm
-
-  All instabilities on a machine of finite stiffness (N/m):
-    mdr critical --n 0.6 --c 2.4829 --e-star 1 --work 1 --control machine --stiffness 1
-
-  The pull-off of a force microscope's tip of 20 nm, in nanometres and nanonewtons:
-    mdr critical --sphere 20e-9 --e-star 1e9 --work 0.05 --control force --units nm,nN
-
-  Many questions in hardware arithmetic, CSV or JSON lines in and the same out:
-    mdr critical --batch examples/questions.csv --f64
-
-A batch has the columns (or keys) n, c, e_star, work and, where needed, control and stiffness.
-Numbers are exact as typed: 0.3, 1e-9 or 1/3. Quantities are in SI units; so is C, in m^(1-n).
-JSON: schema mdr.critical/1; numbers are strings in certified answers and JSON numbers with --f64.
-Exit status: 0 answered, 1 a line of a batch has no answer, 2 bad input.";
-
 /// Critical contact radius, indentation depth and force of the profile f(r) = C r^n.
 ///
 /// The state at which the equilibrium is lost: by pull-off when n > 1/2, by a jump to complete contact when n < 1/2.
 /// At n = 1/2 there is no such state but a threshold of C. Every certified digit is proved.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../../help/critical.txt"))]
 pub(crate) struct Critical {
     #[command(flatten)]
     shape: shape::ShapeFlags,
@@ -130,38 +95,17 @@ impl Critical {
             return batch::answer(file, arithmetic, out);
         }
         let laws = self.laws(arithmetic)?;
-        let range = self
-            .range_of_adhesion
-            .as_deref()
-            .map(|text| Flag::new("--range-of-adhesion", text).length())
-            .transpose()?;
+        let range = Flag::given("--range-of-adhesion", &self.range_of_adhesion).map(Flag::length).transpose()?;
         let answer = |law: &PowerLaw| {
-            let answer = mdr::critical(law, arithmetic).map_err(Failure::of_flag)?;
-            match &range {
-                Some(range) => answer.with_range(range).map_err(Failure::of_flag),
-                None => Ok(answer),
-            }
+            let answer = mdr::critical(law, arithmetic)?;
+            range.as_ref().map_or(Ok(answer.clone()), |range| answer.with_range(range))
         };
-        let answers = laws.iter().map(answer).collect::<Result<Vec<_>>>()?;
-        match &answers[..] {
-            [one] => render::write(one, self.sibling(one)?.as_ref(), self.format, &style, out)?,
-            all => render::write_all(all, self.format, &style, out)?,
-        }
-        Ok(true)
-    }
-
-    /// The same under the other of the two controls of a test by hand: fixed grips and a dead load.
-    fn sibling(&self, answer: &CriticalAnswer) -> Result<Option<CriticalAnswer>> {
-        let control = match answer.law.control {
-            Control::Indentation => Control::Force,
-            Control::Force => Control::Indentation,
-            Control::Machine { .. } => return Ok(None),
+        let answers = laws.iter().map(answer).collect::<mdr::Result<Vec<_>>>().map_err(Failure::of_flag)?;
+        let sibling = match (self.format, &answers[..]) {
+            (Format::Table, [one]) => one.sibling().map_err(Failure::of_flag)?,
+            _ => None,
         };
-        if self.format != Format::Table || answer.state.is_none() {
-            return Ok(None);
-        }
-        let law = PowerLaw { control, ..answer.law.clone() };
-        mdr::critical(&law, answer.arithmetic).map(Some).map_err(Failure::of_flag)
+        render::write(&answers, sibling.as_ref(), self.format, &style, out).map(|()| true)
     }
 
     fn laws(&self, arithmetic: Arithmetic) -> Result<Vec<PowerLaw>> {
@@ -180,7 +124,7 @@ impl Critical {
 
     fn elasticity(&self) -> Result<Elasticity> {
         let bodies = [("--e1", &self.e1), ("--nu1", &self.nu1), ("--e2", &self.e2), ("--nu2", &self.nu2)]
-            .map(|(name, text)| text.as_deref().map(|text| Flag::new(name, text)).ok_or(name));
+            .map(|(name, text)| Flag::given(name, text).ok_or(name));
         let given = bodies.iter().flatten().next();
         match (&self.e_star, given) {
             (Some(e_star), None) => Ok(Elasticity::Effective(Flag::new("--e-star", e_star).positive()?)),
@@ -199,7 +143,7 @@ impl Critical {
     }
 
     fn controlled(&self) -> Result<Control<Literal>> {
-        match (self.control, self.stiffness.as_deref().map(|text| Flag::new("--stiffness", text))) {
+        match (self.control, Flag::given("--stiffness", &self.stiffness)) {
             (ControlKind::Machine, Some(flag)) => Ok(Control::Machine { stiffness: flag.positive()? }),
             (ControlKind::Machine, None) => {
                 Err(Failure::missing("--stiffness", "--control machine needs the stiffness of the machine, in N/m"))

@@ -1,10 +1,8 @@
 //! Which power law: by exponent and coefficient, several at once, or by the name of a body.
 
 use clap::Args;
+use mdr::critical::PowerLaw;
 use mdr::prelude::{Arithmetic, Literal};
-use mdr_core::contact::Flank;
-use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Precision, Real};
 
 use crate::error::{Failure, Result};
 use crate::flags::Flag;
@@ -42,12 +40,18 @@ impl ShapeFlags {
         let round = [("--sphere", &self.sphere), ("--paraboloid", &self.paraboloid)];
         if let Some((name, Some(radius))) = round.into_iter().find(|(_, radius)| radius.is_some()) {
             let flag = Flag::new(name, radius);
-            let exact = (flag.positive()?.to_rational() * 2u32).recip();
-            let c = exact.to_string().parse().map_err(|error| flag.refuse(error))?;
-            return Ok(vec![[2.into(), c]]);
+            let law = PowerLaw::paraboloid(&flag.positive()?);
+            return law.map(|law| vec![law]).ok_or_else(|| flag.refuse("has too many digits"));
         }
         if let Some(angle) = &self.cone {
-            return Ok(vec![[1.into(), cotangent(Flag::new("--cone", angle), arithmetic)?]]);
+            let flag = Flag::new("--cone", angle);
+            let degrees = flag.positive()?;
+            if degrees.compare(&Literal::from(90)).is_ge() {
+                return Err(flag.refuse("must be below 90 degrees"));
+            }
+            let law = PowerLaw::cone(&degrees, arithmetic);
+            let why = "the slope of this cone cannot be rounded";
+            return law.map(|law| vec![law]).ok_or_else(|| Failure::refused(flag.name, why));
         }
         let c = Flag::new("--c", self.c.as_deref().unwrap_or_default()).positive()?;
         let exponents = exponents(Flag::new("--n", self.n.as_deref().unwrap_or_default()))?;
@@ -77,7 +81,10 @@ fn exponents(flag: Flag<'_>) -> Result<Vec<Literal>> {
                     if all.len() == MOST {
                         return Err(flag.refuse(format!("at most {MOST} exponents")));
                     }
-                    all.push(decimal(&n).ok_or_else(|| flag.refuse("a number of the range has too many digits"))?);
+                    all.push(
+                        mdr::scene::decimal(&n)
+                            .ok_or_else(|| flag.refuse("a number of the range has too many digits"))?,
+                    );
                     n += &step;
                 }
             }
@@ -85,37 +92,4 @@ fn exponents(flag: Flag<'_>) -> Result<Vec<Literal>> {
         }
     }
     if all.is_empty() { Err(flag.refuse("an empty range")) } else { Ok(all) }
-}
-
-/// A rational as a short decimal where it is one, else as a fraction.
-fn decimal(value: &rug::Rational) -> Option<Literal> {
-    let short: Option<Literal> = Enclosure::Exact(value.clone()).round(17).and_then(|decimal| {
-        let text = decimal.to_string();
-        let text = if text.contains('.') && !text.contains('e') {
-            text.trim_end_matches('0').trim_end_matches('.')
-        } else {
-            &text
-        };
-        text.parse().ok()
-    });
-    short.filter(|literal| literal.to_rational() == *value).or_else(|| value.to_string().parse().ok())
-}
-
-/// The slope of a cone to some digits more than are asked for; it is what the answer says of C.
-fn cotangent(flag: Flag<'_>, arithmetic: Arithmetic) -> Result<Literal> {
-    const MORE: u32 = 10;
-    let degrees = flag.positive()?;
-    if degrees.compare(&Literal::from(90)).is_ge() {
-        return Err(flag.refuse("must be below 90 degrees"));
-    }
-    let digits = match arithmetic {
-        Arithmetic::Certified { digits } => digits + MORE,
-        Arithmetic::Double => 17,
-    };
-    let slope = (1..=8).find_map(|attempt| {
-        let angle = Interval::from_literal(Precision::from_digits(attempt * (digits + MORE)), &degrees);
-        Enclosure::from(Flank::HalfAngleDegrees(angle).slope()).round(digits)
-    });
-    let slope = slope.and_then(|decimal| decimal.to_string().parse().ok());
-    slope.ok_or_else(|| Failure::refused(flag.name, "the slope of this cone cannot be rounded"))
 }

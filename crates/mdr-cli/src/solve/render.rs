@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use mdr::answer::{FlatCell, FlatRow, NumberStyle, columns, described, title};
+use mdr::answer::{FlatCell, FlatRow, NumberStyle, columns, described, find, title};
 use mdr::prelude::*;
 
-use crate::error::{Failure, Result};
+use crate::error::Result;
 use crate::output::{Format, Output as Out};
 use crate::table::{Tone, cell, render_whole, table};
-use crate::validity;
+use crate::{files, validity};
 
 /// Writes `answer` in the `format` asked for.
 pub(crate) fn write(
@@ -41,46 +41,10 @@ fn for_reader(answer: &Answer, style: &NumberStyle) -> String {
 
 fn output(output: &Output, control: Option<ControlKind>, style: &NumberStyle) -> String {
     let rows = output.table();
-    let mut text = format!("{} ({})\n\n", output.kind().name(), output.promise().name());
-    if rows.is_empty() {
-        text.push_str(" none\n");
-    } else {
-        text.push_str(&table_of(output, &rows, control, style));
-        text.push('\n');
-    }
-    let reasons = output.reasons();
-    for (status, why) in reasons.iter().take(SHOWN) {
-        text.push_str(&format!("\n{status}: {why}.\n"));
-    }
-    if reasons.len() > SHOWN {
-        text.push_str(&format!("\nand {} more reasons.\n", reasons.len() - SHOWN));
-    }
-    if let Some(balance) = output.balance() {
-        text.push_str(&format!("\n{}\n", balance.sentence(style)));
-    }
-    if let Output::ForceCurve(curve) = output {
-        text.push_str(&format!("\n{}\n", curve.summary.sentence(style)));
-    }
-    let exceptions = output.exceptions();
-    if let Some((_, promise)) = exceptions.first() {
-        let fields: Vec<&str> = exceptions.iter().map(|(field, _)| *field).collect();
-        text.push_str(&format!("\nWith the promise {}: {}.\n", promise.name(), fields.join(", ")));
-    }
-    if let Some(complete) = output.complete() {
-        let range = match (&complete.from, &complete.to) {
-            (Some(from), Some(to)) => format!(" for contact radii from {from} to {to} m"),
-            (Some(_), None) => " for all contact radii".to_owned(),
-            _ => String::new(),
-        };
-        text.push('\n');
-        let proved = if complete.proved { "Proved complete" } else { "Not proved complete" };
-        text.push_str(&format!("{proved}{range}: {}.", complete.why));
-    }
-    text.trim_end().to_owned()
+    let table = if rows.is_empty() { " none".to_owned() } else { table_of(output, &rows, control, style) };
+    let heading = format!("{} ({})", output.kind().name(), output.promise().name());
+    [heading, table].into_iter().chain(output.remarks(style)).collect::<Vec<_>>().join("\n\n")
 }
-
-/// Reasons that are shown of one output.
-const SHOWN: usize = 5;
 
 fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, style: &NumberStyle) -> String {
     let keys = columns(rows);
@@ -90,7 +54,7 @@ fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, sty
     // Where the list is that of a range, its end is no end of the equilibria.
     let limited = output.rows().iter().any(|row| row.status() == Status::NoEquilibrium && row.why().is_some());
     for row in rows {
-        table.add_row(keys.iter().map(|key| match value(row, key) {
+        table.add_row(keys.iter().map(|key| match find(row, key) {
             Some(FlatCell::Status(Status::NoEquilibrium)) if limited => {
                 cell(format!("{} within the range", Status::NoEquilibrium), Tone::Bad)
             }
@@ -99,10 +63,6 @@ fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, sty
         }));
     }
     render_whole(&table)
-}
-
-fn value<'a>(row: &'a FlatRow, key: &str) -> Option<&'a FlatCell> {
-    row.iter().find(|(name, _)| name == key).map(|(_, cell)| cell)
 }
 
 pub(crate) fn tone(cell: &FlatCell) -> Tone {
@@ -123,18 +83,13 @@ pub(crate) fn write_files(
     style: &NumberStyle,
     out: &mut Out<impl std::io::Write>,
 ) -> Result<()> {
-    let failed = |error| Failure::file(format!("--out {}", folder.display()), error);
+    files::make_folder("--out", folder)?;
     let plain = style.plain();
-    std::fs::create_dir_all(folder).map_err(failed)?;
     for output in &answer.outputs {
         let file = folder.join(format!("{}.csv", output.kind().name()));
-        let mut csv = Out::new(std::fs::File::create(&file).map_err(failed)?);
-        csv.spreadsheet(&answer.spreadsheet_of(output, scene, style))?;
+        files::create("--out", &file)?.spreadsheet(&answer.spreadsheet_of(output, scene, style))?;
         out.text(file.display())?;
-        output.balance().map_or(Ok(()), |balance| out.text(balance.sentence(&plain)))?;
-        if let Output::ForceCurve(curve) = output {
-            out.text(curve.summary.sentence(&plain))?;
-        }
+        output.sentences(&plain).iter().try_for_each(|sentence| out.text(sentence))?;
     }
     answer.notes.iter().try_for_each(|note| out.text(format_args!("Note: {note}.")))
 }

@@ -4,22 +4,13 @@ use mdr_core::contact::{Body, Material, Result};
 use mdr_core::number::Real;
 use rug::{Float, Rational};
 
-use super::Check;
-use crate::report::Unit;
+use super::Run;
 use crate::trial::Trial;
 
 /// 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂ in floating point against exact rational arithmetic.
 ///
 /// Seven roundings a path at most: 1−ν, 1+ν, their product, the quotient, the sum of positive terms, the reciprocal.
-pub(super) const BODIES: Check = Check {
-    name: "effective-modulus",
-    claim: "E* of two bodies against exact rational arithmetic",
-    equations: &["1.3"],
-    subjects: &[],
-    unit: Unit::Roundoffs,
-    cases: [200, 2000, 20_000],
-    case,
-};
+pub(super) const BODIES: Run = ("effective-modulus", case);
 
 const ROUNDINGS: f64 = 7.0;
 

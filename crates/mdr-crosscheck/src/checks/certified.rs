@@ -8,53 +8,20 @@ use mdr_core::number::{Literal, Precision, Real};
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
 
-use super::Check;
+use super::Run;
 use crate::grid::{Exponent, Family, Held, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::subject::closed::Digits;
 use crate::trial::Trial;
 
 /// Certified decimals against the closed forms in arbitrary precision, in units of the last decimal: half of one, for a
 /// correctly rounded decimal, and the 2⁻⁴⁰ that the reference may be off.
-pub(super) const ROUNDING: Check = Check {
-    name: "certified-rounding",
-    claim: "certified κ, a_c, d_c, F_c, threshold: within half a unit of the last digit",
-    equations: &["1.12", "1.15", "1.17", "1.19"],
-    subjects: &[
-        SubjectId::CertifiedKappa,
-        SubjectId::CertifiedRadius,
-        SubjectId::CertifiedIndentation,
-        SubjectId::CertifiedForce,
-        SubjectId::CertifiedThreshold,
-        SubjectId::CertifiedRatio,
-    ],
-    unit: Unit::Ulp,
-    cases: [60, 600, 6000],
-    case: rounding,
-};
+pub(super) const ROUNDING: Run = ("certified-rounding", rounding);
 
 /// D digits against 2D digits of the same question: the longer answer, rounded, is the shorter.
-pub(super) const PREFIX: Check = Check {
-    name: "certified-prefix",
-    claim: "D certified digits are the rounding of 2D certified digits",
-    equations: &["1.12", "1.15", "1.17"],
-    subjects: &[],
-    unit: Unit::Mismatch,
-    cases: [40, 400, 4000],
-    case: prefix,
-};
+pub(super) const PREFIX: Run = ("certified-prefix", prefix);
 
 /// The enclosure of κ_n for rational n contains κ_n by Γ and is a few units wide.
-pub(super) const ENCLOSURE: Check = Check {
-    name: "kappa-enclosure",
-    claim: "the enclosure of κ_n contains κ_n by Γ, and is tight",
-    equations: &["1.12"],
-    subjects: &[SubjectId::KappaEnclosure],
-    unit: Unit::Mismatch,
-    cases: [60, 600, 6000],
-    case: enclosure,
-};
+pub(super) const ENCLOSURE: Run = ("kappa-enclosure", enclosure);
 
 /// A question and its exact inputs.
 struct Exact {

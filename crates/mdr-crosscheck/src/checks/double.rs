@@ -7,25 +7,14 @@ use mdr_core::contact::{Error, Ranged, Result, Status};
 use mdr_core::number::{Precision, Real};
 use rug::Float;
 
-use super::Check;
-use super::gamma::ulps;
+use super::Run;
 use crate::grid::{Exponent, Family, Held, Scene};
-use crate::report::Unit;
-use crate::subject::DOUBLE_IDS;
 use crate::subject::double::*;
 use crate::subject::routine::Routine;
-use crate::trial::Trial;
+use crate::trial::{Trial, ulps};
 
 /// Every function of `mdr_analytic::double`, also where its result is out of the range of f64.
-pub(super) const DOUBLE_PRECISION: Check = Check {
-    name: "double-precision",
-    claim: "f64 functions against 400 bits: an ulp, two for many points at once; also of the log10 of what f64 cannot hold",
-    equations: &["1.4", "1.5", "1.6", "1.10", "1.12", "1.13", "1.15", "1.16", "1.17", "1.19"],
-    subjects: DOUBLE_IDS,
-    unit: Unit::Ulp,
-    cases: [120, 1200, 12_000],
-    case,
-};
+pub(super) const DOUBLE_PRECISION: Run = ("double-precision", case);
 
 /// What a function promises.
 fn promised_ulp(name: &str) -> f64 {

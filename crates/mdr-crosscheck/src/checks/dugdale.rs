@@ -13,12 +13,10 @@ use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
 use super::profiles::Drawn;
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Held};
 use crate::library;
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::trial::Trial;
 
 /// The ring of attraction by quadrature put into the closed equations, which are enclosed, too: over intervals of twice the
@@ -26,43 +24,19 @@ use crate::trial::Trial;
 ///
 /// * The closed equations do 40 roundings; they cancel by 1/(m − 1), and so does c − a.
 /// * The quadrature errs by 32 roundings of its terms, of which g(a)θ is the largest beside h₀.
-pub(super) const PARABOLOID: Check = Check {
-    name: "maugis-dugdale-paraboloid",
-    claim: "ring, d and F by quadrature in the closed equations of Maugis 1992, and enclosed; μ at a_F is Tabor's",
-    equations: &[],
-    subjects: &[SubjectId::TaborNumber, SubjectId::MaugisBalance, SubjectId::MaugisIndentation, SubjectId::MaugisForce],
-    unit: Unit::Roundoffs,
-    cases: [40, 400, 4000],
-    case: |trial| by_turns!(trial, paraboloid),
-};
+pub(super) const PARABOLOID: Run = ("maugis-dugdale-paraboloid", |trial| by_turns!(trial, paraboloid));
 
 /// The same states of fifteen profiles, from closed forms of g over a < x < c, against the heights: the gap at c is
 /// f(c) − d + u(c), with u of the contact and of the ring, and F is the sum of both. It errs by 32 roundings of its terms.
-pub(super) const PROFILES: Check = Check {
-    name: "maugis-dugdale-profiles",
-    claim: "gap f(c) − d + u(c) = h₀ from heights, F = contact + ring, for fifteen profiles",
-    equations: &[],
-    subjects: &[],
-    unit: Unit::Roundoffs,
-    cases: [60, 600, 6000],
-    case: |trial| {
-        let (turn, name) = (trial.index / library::NAMES.len(), library::NAMES[trial.index % library::NAMES.len()]);
-        let precision = trial.precision;
-        if turn.is_multiple_of(2) { profile::<f64>(trial, name, ()) } else { profile::<Float>(trial, name, precision) }
-    },
-};
+pub(super) const PROFILES: Run = ("maugis-dugdale-profiles", |trial| {
+    let (turn, name) = (trial.index / library::NAMES.len(), library::NAMES[trial.index % library::NAMES.len()]);
+    let precision = trial.precision;
+    if turn.is_multiple_of(2) { profile::<f64>(trial, name, ()) } else { profile::<Float>(trial, name, precision) }
+});
 
 /// The pull-off force of power laws n > 1/2: least among its neighbours, where a parabola through three of them has its
 /// vertex, and that of short range but for the term of first order in h₀ when μ is large.
-pub(super) const PULL_OFF: Check = Check {
-    name: "maugis-dugdale-pull-off",
-    claim: "F is least at the pull-off of power laws; F → F of (1.17) for μ → ∞, and −2πwR for μ → 0 at n = 2",
-    equations: &[],
-    subjects: &[],
-    unit: Unit::Relative,
-    cases: [16, 120, 1200],
-    case: pull_off,
-};
+pub(super) const PULL_OFF: Run = ("maugis-dugdale-pull-off", pull_off);
 
 fn paraboloid<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
     let [radius, e_star, work] = [(); 3].map(|()| 10_f64.powf(trial.uniform(-9.0, 9.0)));

@@ -5,14 +5,11 @@ use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::Branches;
-use rug::Float;
 
-use super::Check;
 use super::folds::transform;
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::trial::Trial;
 
 /// Π, the energy release rate and the work lost in jumps.
@@ -20,36 +17,13 @@ use crate::trial::Trial;
 /// With V = (|d|+g)/Δl the integrands v² and v² + 2v x g'/Δl are below V²(1+2n), on the scale where πa²w is ½ and the
 /// release rate of an equilibrium is 1. The rate is the derivative of the integral, not the integrand at its end, which
 /// would be (1.5) once more.
-pub(super) const POTENTIAL: Check = Check {
-    name: "energy-quadrature",
-    claim: "Π, release rate 1 at d(a), work lost at pull-off against quadrature of the energy",
-    equations: &["1.5", "1.6", "1.13"],
-    subjects: &[SubjectId::Energy, SubjectId::Indentation, SubjectId::PullOffLoss, SubjectId::CriticalIndentation],
-    unit: Unit::Roundoffs,
-    cases: [32, 200, 2000],
-    // Quadrature of quadrature: one case in eight is in arbitrary precision.
-    case: |trial| {
-        let (round, precision) = (trial.index / 8, trial.precision);
-        match trial.index % 8 {
-            7 => potential::<Float>(trial, round, precision),
-            turn => potential::<f64>(trial, 7 * round + turn, ()),
-        }
-    },
-};
+pub(super) const POTENTIAL: Run = ("energy-quadrature", |trial| by_turns!(every 8, trial, potential));
 
 /// Equilibria as stationary points of the energy against those by the rule of Heß.
 ///
 /// From d_c/100, where for n < 1/2 the contact is nearly Hertzian, Δl a thousandth of d and less, and the energy a small
 /// difference, to beside d_c. The first are known to the tolerance above over the derivative of the release rate, d ln/d ln a of ((g−d)/Δl)².
-pub(super) const ROUTES: Check = Check {
-    name: "energy-route-against-force-route",
-    claim: "stationary points of Π against equilibria by the rule of Heß: number, stability, radii",
-    equations: &["1.5", "1.7", "1.8", "1.9"],
-    subjects: &[],
-    unit: Unit::Roundoffs,
-    cases: [12, 60, 600],
-    case: routes,
-};
+pub(super) const ROUTES: Run = ("energy-route-against-force-route", routes);
 
 /// What the numerical energy meets, in u of its integrand: 128 is its goal. g and g' are known to 32, the square to twice
 /// that, and where this noise ends the refinement, its last changes may be four times as large.

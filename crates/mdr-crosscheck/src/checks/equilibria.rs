@@ -4,14 +4,11 @@ use mdr_core::contact::{Outcome, Result, Stability};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
-use rug::Float;
 
-use super::Check;
 use super::folds::{ClosedFold, Quadratures};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Held, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
@@ -21,22 +18,7 @@ use crate::trial::Trial;
 ///
 /// k is as large as the errors of both routes in v_c allow. The residual is compared and not the radius: a − a_c grows as
 /// the root of the distance, so half the digits of a radius are lost at the fold in any route.
-pub(super) const BESIDE: Check = Check {
-    name: "equilibria-beside-the-fold",
-    claim: "two equilibria, one stable, at v_c(1 − 2^-k), none at v_c(1 + 2^-k); each in (1.13), (1.16)",
-    equations: &["1.5", "1.6", "1.8", "1.9", "1.13", "1.16"],
-    subjects: &[SubjectId::CriticalIndentation, SubjectId::CriticalForce, SubjectId::Indentation, SubjectId::Force],
-    unit: Unit::Roundoffs,
-    cases: [30, 200, 2000],
-    // Each case is a search over all radii; one in five is in arbitrary precision.
-    case: |trial| {
-        let (round, precision) = (trial.index / 5, trial.precision);
-        match trial.index % 5 {
-            4 => beside::<Float>(trial, round, precision),
-            turn => beside::<f64>(trial, 4 * round + turn, ()),
-        }
-    },
-};
+pub(super) const BESIDE: Run = ("equilibria-beside-the-fold", |trial| by_turns!(every 5, trial, beside));
 
 fn beside<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, Family { least: 1e-2, most: 1e2, nearest: 20 });

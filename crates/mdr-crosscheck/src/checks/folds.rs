@@ -8,57 +8,23 @@ use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
 use super::machine::{Machine, part};
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Held, Scene};
-use crate::report::Unit;
-use crate::subject::{CRITICAL_IDS, SubjectId};
 use crate::tolerance::{Tangent, quadrature};
 use crate::trial::Trial;
 
 /// a_c, d_c, F_c under controlled indentation.
-pub(super) const INDENTATION: Check = Check {
-    name: "critical-indentation",
-    claim: "a_c, d_c, F_c under controlled indentation against the fold by quadrature and tangency",
-    equations: &["1.1", "1.4", "1.5", "1.6", "1.10", "1.15", "1.17"],
-    subjects: CRITICAL_IDS,
-    unit: Unit::Roundoffs,
-    cases: [50, 300, 3000],
-    case: |trial| by_turns!(trial, critical, Held::Indentation),
-};
+pub(super) const INDENTATION: Run = ("critical-indentation", |trial| by_turns!(trial, critical, Held::Indentation));
 
 /// The same under controlled force.
-pub(super) const FORCE: Check = Check {
-    name: "critical-force",
-    claim: "a_F, d_F, F_F under controlled force against the fold by quadrature and tangency",
-    equations: &["1.1", "1.4", "1.5", "1.6"],
-    subjects: CRITICAL_IDS,
-    unit: Unit::Roundoffs,
-    cases: [50, 300, 3000],
-    case: |trial| by_turns!(trial, critical, Held::Force),
-};
+pub(super) const FORCE: Run = ("critical-force", |trial| by_turns!(trial, critical, Held::Force));
 
 /// All folds of a machine, up to three.
-pub(super) const MACHINE: Check = Check {
-    name: "critical-machine",
-    claim: "every fold of a machine (up to three) against quadrature and tangency",
-    equations: &["1.1", "1.4", "1.5", "1.6"],
-    subjects: &[SubjectId::MachineFoldRadius, SubjectId::MachineFoldIndentation, SubjectId::MachineFoldForce],
-    unit: Unit::Roundoffs,
-    cases: [30, 200, 2000],
-    case: |trial| by_turns!(trial, machine),
-};
+pub(super) const MACHINE: Run = ("critical-machine", |trial| by_turns!(trial, machine));
 
 /// (1.15) as printed against the fold: it is the reciprocal, so it must miss wherever a_c is not 1 m.
-pub(super) const PRINTED: Check = Check {
-    name: "printed-1.15-numerically",
-    claim: "the fold by quadrature is at a_c, and not at (1.15) as printed: refuted",
-    equations: &["1.15"],
-    subjects: &[SubjectId::CriticalRadius],
-    unit: Unit::Roundoffs,
-    cases: [20, 100, 1000],
-    case: |trial| by_turns!(trial, printed),
-};
+pub(super) const PRINTED: Run = ("printed-1.15-numerically", |trial| by_turns!(trial, printed));
 
 /// A power law for the numerical route, which knows nothing of it but its heights.
 pub(super) fn transform<R: Arithmetic>(scene: &Scene<R>) -> Result<Quadrature<R, Heights<R>>> {

@@ -3,40 +3,17 @@
 use mdr_core::contact::{Control, Result};
 use mdr_core::number::Dual;
 
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
 /// ∂Π/∂d = F (1.16) and ∂Π/∂a = 0 at d(a) (1.13), by dual numbers.
-pub(super) const CLOSED: Check = Check {
-    name: "energy-closed-form",
-    claim: "∂Π/∂d = F (1.16) and ∂Π/∂a = 0 at d(a) (1.13)",
-    equations: &["1.5", "1.6", "1.13", "1.16"],
-    subjects: &[SubjectId::Energy, SubjectId::Indentation, SubjectId::Force],
-    unit: Unit::Roundoffs,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, stationary),
-};
+pub(super) const CLOSED: Run = ("energy-closed-form", |trial| by_turns!(trial, stationary));
 
 /// The work lost in jumps and the barrier before complete contact as differences of Π, and d(a₀) = 0.
-pub(super) const JUMPS: Check = Check {
-    name: "jump-work-closed-form",
-    claim: "work lost at pull-off and jump-in, barrier to complete contact: differences of Π; d(a₀) = 0",
-    equations: &["1.13"],
-    subjects: &[
-        SubjectId::PullOffLoss,
-        SubjectId::JumpInLoss,
-        SubjectId::CompleteContactBarrier,
-        SubjectId::ZeroIndentationRadius,
-    ],
-    unit: Unit::Roundoffs,
-    cases: [100, 1000, 10_000],
-    case: |trial| by_turns!(trial, jumps),
-};
+pub(super) const JUMPS: Run = ("jump-work-closed-form", |trial| by_turns!(trial, jumps));
 
 fn jumps<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, Family { least: 1e-2, ..Family::up_to(50) });

@@ -3,54 +3,20 @@
 use mdr_core::contact::{Control, Result};
 use mdr_core::number::Dual;
 
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
 /// (1.17) against (1.16) at a_c, d_c against (1.13), and the condition (1.10), (1.14) with its analogue for a dead load.
-pub(super) const CRITICAL: Check = Check {
-    name: "critical-state-in-its-equations",
-    claim: "d_c, F_c (1.17) against (1.13), (1.16) at a_c; tangency (1.14) at a_c; both controls",
-    equations: &["1.4", "1.5", "1.10", "1.13", "1.14", "1.15", "1.16", "1.17"],
-    subjects: &[
-        SubjectId::CriticalRadius,
-        SubjectId::CriticalIndentation,
-        SubjectId::CriticalForce,
-        SubjectId::Indentation,
-        SubjectId::Force,
-        SubjectId::TransformSlope,
-        SubjectId::DetachmentElongation,
-    ],
-    unit: Unit::Roundoffs,
-    cases: [400, 4000, 40_000],
-    case: |trial| by_turns!(trial, critical),
-};
+pub(super) const CRITICAL: Run = ("critical-state-in-its-equations", |trial| by_turns!(trial, critical));
 
 /// The slopes along the equilibria against derivatives by dual numbers, and F' = 2E*(a d' − Δl).
-pub(super) const SLOPES: Check = Check {
-    name: "slopes-of-equilibria",
-    claim: "d'(a), F'(a), g', G against dual numbers",
-    equations: &["1.10", "1.13", "1.16"],
-    subjects: &[SubjectId::IndentationSlope, SubjectId::ForceSlope, SubjectId::Transform, SubjectId::TransformIntegral],
-    unit: Unit::Roundoffs,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, slopes),
-};
+pub(super) const SLOPES: Run = ("slopes-of-equilibria", |trial| by_turns!(trial, slopes));
 
 /// Logarithms of a critical state against the state.
-pub(super) const LOGARITHMS: Check = Check {
-    name: "logarithms-of-critical-states",
-    claim: "ln a, ln|d|, ln|F| against a, d, F",
-    equations: &["1.15", "1.17"],
-    subjects: &[SubjectId::LnCriticalRadius, SubjectId::LnCriticalIndentation, SubjectId::LnCriticalForce],
-    unit: Unit::Roundoffs,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, logarithms),
-};
+pub(super) const LOGARITHMS: Run = ("logarithms-of-critical-states", |trial| by_turns!(trial, logarithms));
 
 fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let (exponent, held) = (trial.exponent(round, Family::up_to(50)), trial.held());

@@ -5,14 +5,11 @@ use mdr_core::contact::{Control, Equilibrium, Result, Transform};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::equilibrium::Branches;
-use rug::Float;
 
-use super::Check;
 use super::folds::{ClosedFold, Quadratures, transform};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Held, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
@@ -21,29 +18,7 @@ use crate::trial::Trial;
 ///
 /// Half of the cases are at x_fold(1 − 2^−k), with k as large as the errors of both routes in x_fold allow; the others
 /// beyond zero, or at n = 1/2.
-pub(super) const EQUILIBRIA: Check = Check {
-    name: "equilibria-at-a-value",
-    claim: "all equilibria at a given d or F, and at a distance from the fold, against branches by quadrature",
-    equations: &["1.5", "1.6", "1.8", "1.9", "1.13", "1.16", "1.18"],
-    subjects: &[
-        SubjectId::EquilibriumRadius,
-        SubjectId::EquilibriumIndentation,
-        SubjectId::EquilibriumForce,
-        SubjectId::DistanceRadius,
-        SubjectId::DistanceIndentation,
-        SubjectId::DistanceForce,
-    ],
-    unit: Unit::Roundoffs,
-    cases: [30, 200, 2000],
-    // Each case is a search over all radii; one in five is in arbitrary precision.
-    case: |trial| {
-        let (round, precision) = (trial.index / 5, trial.precision);
-        match trial.index % 5 {
-            4 => case::<Float>(trial, round, precision),
-            turn => case::<f64>(trial, 4 * round + turn, ()),
-        }
-    },
-};
+pub(super) const EQUILIBRIA: Run = ("equilibria-at-a-value", |trial| by_turns!(every 5, trial, case));
 
 fn case<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     if round % 7 == 6 { scale_free::<R>(trial, round, ctx) } else { folded::<R>(trial, round, ctx) }

@@ -4,58 +4,24 @@ use mdr_core::contact::Result;
 use mdr_core::number::{Interval, Real};
 use rug::Float;
 
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::derivations::hypergeometric;
 use crate::grid::{Exponent, Family};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::{KAPPA, ROUNDED};
 use crate::trial::Trial;
 
 /// κ_n = √π Γ(1+n/2)/Γ((n+1)/2), by the Γ of MPFR.
-pub(super) const GAMMA: Check = Check {
-    name: "kappa-gamma",
-    claim: "κ_n against its definition by Γ (MPFR)",
-    equations: &["1.12"],
-    subjects: &[SubjectId::Kappa],
-    unit: Unit::Roundoffs,
-    cases: [400, 4000, 40_000],
-    case: |trial| by_turns!(trial, against, by_gamma),
-};
+pub(super) const GAMMA: Run = ("kappa-gamma", |trial| by_turns!(trial, against, by_gamma));
 
 /// κ_n = ₂F₁(1, n; 1+n/2; 1/2) = Σ_k Π_{j<k} (n+j)/(n+2+2j), Gauss's second theorem.
-pub(super) const SERIES: Check = Check {
-    name: "kappa-series",
-    claim: "κ_n against the hypergeometric series of positive terms",
-    equations: &["1.12"],
-    subjects: &[SubjectId::Kappa],
-    unit: Unit::Roundoffs,
-    cases: [100, 1000, 10_000],
-    case: |trial| by_turns!(trial, against, middle_of_series),
-};
+pub(super) const SERIES: Run = ("kappa-series", |trial| by_turns!(trial, against, middle_of_series));
 
 /// κ_{1/2} and κ_{1/3} by the arithmetic-geometric mean, carried up by κ_{n+2} = κ_n (n+2)/(n+1).
-pub(super) const AGM: Check = Check {
-    name: "kappa-agm",
-    claim: "κ at 1/2 + 2j and 1/3 + 2j against the arithmetic-geometric mean",
-    equations: &["1.12", "1.18"],
-    subjects: &[SubjectId::Kappa],
-    unit: Unit::Roundoffs,
-    cases: [80, 200, 800],
-    case: |trial| by_turns!(trial, agm),
-};
+pub(super) const AGM: Run = ("kappa-agm", |trial| by_turns!(trial, agm));
 
 /// κ_n κ_{n+1} = π(n+1)/2. The rounding of n + 1 counts half: ∂ln κ/∂ln n ≤ 1/2.
-pub(super) const PRODUCT: Check = Check {
-    name: "kappa-product",
-    claim: "κ_n κ_{n+1} = π(n+1)/2",
-    equations: &["1.12"],
-    subjects: &[SubjectId::Kappa],
-    unit: Unit::Roundoffs,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, product),
-};
+pub(super) const PRODUCT: Run = ("kappa-product", |trial| by_turns!(trial, product));
 
 /// All of the grid, up to 1/2 ± 2⁻⁵⁰.
 const FAMILY: Family = Family::up_to(50);
@@ -83,8 +49,8 @@ pub(crate) fn by_gamma(n: &Float) -> Float {
     (quotient + n.pi().ln() * half).exp()
 }
 
-/// By Gauss's second theorem, enclosed.
-pub(super) fn by_series(n: &Interval) -> Interval {
+/// By Gauss's second theorem (DLMF 15.4.28), enclosed.
+pub(crate) fn by_series(n: &Interval) -> Interval {
     hypergeometric(n, &(n.clone().over(2) + n.lit(1)))
 }
 

@@ -3,49 +3,23 @@
 use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::Real;
 
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Held, Scene};
-use crate::report::Unit;
-use crate::subject::{CRITICAL_IDS, SubjectId};
 use crate::trial::Trial;
 
 /// The paraboloid r²/2R: F = −(5/6)πwR and a³ = πwR²/(8E*) under fixed grips, F = −(3/2)πwR and nine times that a³
 /// under a dead load.
-pub(super) const JKR: Check = Check {
-    name: "jkr",
-    claim: "n = 2, C = 1/2R: −5/6 πwR, −3/2 πwR, a_c³ = πwR²/(8E*)",
-    equations: &["1.15", "1.17"],
-    subjects: CRITICAL_IDS,
-    unit: Unit::Roundoffs,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, jkr),
-};
+pub(super) const JKR: Run = ("jkr", |trial| by_turns!(trial, jkr));
 
 /// n → ∞ with C = R^{1−n}: Kendall's flat punch, F → −√(8πR³E*w).
 ///
 /// From κ_nκ_{n+1} = π(n+1)/2 and κ growing: πn/2 < κ_n² < π(n+1)/2. Hence the logarithm of the ratio is
 /// ln((2n−1)/(2n+2)) + 3/(4n−2)·ln(18B/(πRn²√(n(n+1)))) within ±3/(8n−4)·ln(1+1/n): the rate, and how far it is known.
-pub(super) const KENDALL: Check = Check {
-    name: "kendall-limit",
-    claim: "F_F → −√(8πR³E*w) as n → ∞, at the known rate",
-    equations: &["1.17"],
-    subjects: &[SubjectId::CriticalForce, SubjectId::FlatPunchLimit],
-    unit: Unit::Relative,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, kendall),
-};
+pub(super) const KENDALL: Run = ("kendall-limit", |trial| by_turns!(trial, kendall));
 
 /// A flat cylinder of radius b: −√(2πwb/E*) and −√(8πE*wb³).
-pub(super) const PUNCH: Check = Check {
-    name: "kendall-flat-punch",
-    claim: "d = −√(2πwb/E*), F = −√(8πE*wb³)",
-    equations: &["1.4", "1.6"],
-    subjects: &[SubjectId::FlatPunchIndentation, SubjectId::FlatPunchForce],
-    unit: Unit::Roundoffs,
-    cases: [100, 1000, 10_000],
-    case: |trial| by_turns!(trial, punch),
-};
+pub(super) const PUNCH: Run = ("kendall-flat-punch", |trial| by_turns!(trial, punch));
 
 fn punch<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
     let [radius, e_star, work] = decades::<R>(trial, ctx);

@@ -4,30 +4,14 @@ use mdr_core::contact::{Error, FoldKind, Quantity, Result};
 use mdr_core::number::Real;
 use rug::Float;
 
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::machine_balance;
 use crate::trial::Trial;
 
 /// Each fold put back into k d' + F' = 0, (1.13) and (1.16); a fold is known to be there, three where three are due.
-pub(super) const FOLDS: Check = Check {
-    name: "machine-folds-in-their-equations",
-    claim: "k d' + F' = 0, d and F at every fold of a machine; three folds where they are due",
-    equations: &["1.10", "1.13", "1.16"],
-    subjects: &[
-        SubjectId::MachineFoldRadius,
-        SubjectId::MachineFoldIndentation,
-        SubjectId::MachineFoldForce,
-        SubjectId::IndentationSlope,
-        SubjectId::ForceSlope,
-    ],
-    unit: Unit::Roundoffs,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, folds),
-};
+pub(super) const FOLDS: Run = ("machine-folds-in-their-equations", |trial| by_turns!(trial, folds));
 
 /// A contact on a machine with a fold at a planted radius.
 pub(super) struct Machine<R> {

@@ -10,83 +10,35 @@ use mdr_numeric::fields::Fields;
 use mdr_numeric::path::{EventKind, Ledger, Loss, Path, Start};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
-use rug::Float;
 
 use super::folds::{Quadratures, transform};
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Held, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
 
 /// work − lost = Π(end) − Π(start) along random paths of power laws, by quadrature, and of wavy paraboloids.
 ///
 /// The bound is that of the ledger: errors of its quadratures, and the rounding of their integrands.
-pub(super) const BALANCE: Check = Check {
-    name: "path-energy-balance",
-    claim: "along random paths: work of the control less the energy lost in jumps against the difference of Π",
-    equations: &["1.5", "1.6", "1.8", "1.9"],
-    subjects: &[],
-    unit: Unit::Roundoffs,
-    cases: [16, 80, 800],
-    // One case in eight is in arbitrary precision.
-    case: |trial| {
-        let (round, precision) = (trial.index / 8, trial.precision);
-        match trial.index % 8 {
-            7 => balance::<Float>(trial, round, precision),
-            turn => balance::<f64>(trial, 7 * round + turn, ()),
-        }
-    },
-};
+pub(super) const BALANCE: Run = ("path-energy-balance", |trial| by_turns!(every 8, trial, balance));
 
 /// Work lost at jump-in and pull-off, on the scale πa²w.
 ///
 /// The integrands vanish at the radius of a fold or an equilibrium, so its error δ enters through πa²w only: 2δ times the
 /// loss.
-pub(super) const LOSSES: Check = Check {
-    name: "path-losses",
-    claim: "work lost at jump-in from d = 0 and from F = 0 and at pull-off against the ledger of a path by quadrature",
-    equations: &["1.5", "1.8", "1.9"],
-    subjects: &[SubjectId::PullOffLoss, SubjectId::JumpInLoss],
-    unit: Unit::Roundoffs,
-    cases: [16, 80, 800],
-    case: |trial| {
-        let (round, precision) = (trial.index / 8, trial.precision);
-        match trial.index % 8 {
-            7 => losses::<Float>(trial, round, precision),
-            turn => losses::<f64>(trial, 7 * round + turn, ()),
-        }
-    },
-};
+pub(super) const LOSSES: Run = ("path-losses", |trial| by_turns!(every 8, trial, losses));
 
 /// The flat punch with its contact at the wall, under every control: jump-in, linear compression, pull-off; πb²w lost in
 /// either, and F²/2k of the machine.
-pub(super) const FLAT_PUNCH: Check = Check {
-    name: "flat-punch",
-    claim: "d, F at pull-off and πb²w against a path of the flat punch, by closed form and by quadrature",
-    equations: &["1.4", "1.6"],
-    subjects: &[SubjectId::FlatPunchIndentation, SubjectId::FlatPunchForce],
-    unit: Unit::Roundoffs,
-    cases: [12, 60, 600],
-    case: |trial| by_turns!(trial, flat_punch),
-};
+pub(super) const FLAT_PUNCH: Run = ("flat-punch", |trial| by_turns!(trial, flat_punch));
 
 /// Paths over waves so steep that the next crest is touched. Whatever the path does, no event of it gains energy; where it
 /// ends because the surfaces meet, the gap f − d + u vanishes on the ring, with u an integral over the contact and not, as in
 /// the search, over what is outside.
 ///
 /// The bound is that of the quadratures, which stop at the noise of their integrands, on the scale of f, d and A.
-pub(super) const ADMISSIBLE: Check = Check {
-    name: "path-admissible",
-    claim: "no event of a path over steep waves gains energy, and where it ends the gap f − d + u against zero",
-    equations: &["1.5", "1.8", "1.9"],
-    subjects: &[],
-    unit: Unit::Roundoffs,
-    cases: [12, 60, 600],
-    case: admissible,
-};
+pub(super) const ADMISSIBLE: Run = ("path-admissible", admissible);
 
 fn admissible(trial: &mut Trial<'_>) -> Result<()> {
     const NOISE: f64 = 3.0 * 4096.0;

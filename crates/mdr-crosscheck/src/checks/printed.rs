@@ -3,26 +3,16 @@
 use mdr_core::contact::{Control, Result};
 use mdr_core::number::Real;
 
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::trial::Trial;
 
 /// The exponent of (1.15) must be 1/(2n−1); printed is 1/(1−2n).
 ///
 /// Dimensions: in a unit of length s times smaller a radius is s times larger. The corrected form scales with s¹, the
 /// printed one with s⁻¹, for every n.
-pub(super) const DIMENSIONS: Check = Check {
-    name: "printed-1.15-dimensions",
-    claim: "a_c scales as a length; (1.15) as printed scales as 1/length: refuted",
-    equations: &["1.15"],
-    subjects: &[SubjectId::CriticalRadius],
-    unit: Unit::Roundoffs,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, dimensions),
-};
+pub(super) const DIMENSIONS: Run = ("printed-1.15-dimensions", |trial| by_turns!(trial, dimensions));
 
 /// (πw/(2E*n²κ_n²C²))^{1/(1−2n)}: (1.15) as printed.
 pub(super) fn printed_radius<R: Arithmetic>(scene: &Scene<R>) -> Result<R> {

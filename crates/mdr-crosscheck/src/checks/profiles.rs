@@ -9,11 +9,10 @@ use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::library::{self, closed_form};
-use crate::report::Unit;
-use crate::subject::{LIBRARY_IDS, Part, SubjectId};
+use crate::subject::Part;
 use crate::tolerance::{TRANSFORM, quadrature};
 use crate::trial::Trial;
 
@@ -22,35 +21,19 @@ use crate::trial::Trial;
 /// Each closed form does at most forty roundings and cancels no more than the question does: with the condition
 /// c = |d ln(·)/d ln x| it may err by 40(1 + c), as by homogeneity the conditions in the other lengths are not larger
 /// than 1 + c. x stays a fifth away from the edge.
-pub(super) const LIBRARY: Check = Check {
-    name: "profile-library",
-    claim: "g, g', ∫g of fourteen profiles against quadrature of (1.1)",
-    equations: &["1.1", "1.6"],
-    subjects: LIBRARY_IDS,
-    unit: Unit::Roundoffs,
-    cases: [90, 600, 6000],
-    case: |trial| {
-        // All shapes in one arithmetic, then in the other.
-        let (turn, name) = (trial.index / library::NAMES.len(), library::NAMES[trial.index % library::NAMES.len()]);
-        let precision = trial.precision;
-        if turn.is_multiple_of(2) {
-            compare_parts::<f64>(trial, name, turn, ())
-        } else {
-            compare_parts::<Float>(trial, name, turn, precision)
-        }
-    },
-};
+pub(super) const LIBRARY: Run = ("profile-library", |trial| {
+    // All shapes in one arithmetic, then in the other.
+    let (turn, name) = (trial.index / library::NAMES.len(), library::NAMES[trial.index % library::NAMES.len()]);
+    let precision = trial.precision;
+    if turn.is_multiple_of(2) {
+        compare_parts::<f64>(trial, name, turn, ())
+    } else {
+        compare_parts::<Float>(trial, name, turn, precision)
+    }
+});
 
 /// The power laws with a name.
-pub(super) const NAMED: Check = Check {
-    name: "named-power-laws",
-    claim: "paraboloid r²/2R, cone r tanθ, cone of half angle α against quadrature of (1.1)",
-    equations: &["1.1", "1.12"],
-    subjects: &[SubjectId::ParaboloidProfile, SubjectId::ConeProfile, SubjectId::ConeAngleProfile],
-    unit: Unit::Roundoffs,
-    cases: [40, 400, 4000],
-    case: |trial| by_turns!(trial, named),
-};
+pub(super) const NAMED: Run = ("named-power-laws", |trial| by_turns!(trial, named));
 
 fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
     let [radius, x] = [(); 2].map(|()| 10_f64.powf(trial.uniform(-30.0, 30.0)));

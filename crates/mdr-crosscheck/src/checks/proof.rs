@@ -10,13 +10,11 @@ use mdr_numeric::folds;
 use mdr_numeric::proof::{self, EnclosedBranches, EnclosedCurve, ProvedFolds};
 use rug::Float;
 
-use super::Check;
+use super::Run;
 use super::machine::Machine;
 use super::profiles::{Drawn, ROUNDINGS};
 use crate::grid::{Family, Scene};
 use crate::library::NAMES;
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::trial::Trial;
 
 /// Bits of the enclosures.
@@ -30,47 +28,16 @@ const REACH: f64 = 1_048_576.0;
 ///
 /// The search errs by the error of g', 40(1 + c) roundoffs with the condition c of g', over the steepness
 /// |d ln(g'/Δl'λ)/d ln a| of the tangency condition; at an edge it finds the edge to two roundoffs.
-pub(super) const SEARCH: Check = Check {
-    name: "proved-folds-against-search",
-    claim: "all folds proved for every profile and control; number, kinds and radii by the search in f64",
-    equations: &["1.10"],
-    subjects: &[],
-    unit: Unit::Roundoffs,
-    cases: [90, 600, 6000],
-    case: search,
-};
+pub(super) const SEARCH: Run = ("proved-folds-against-search", search);
 
 /// The proved folds of power laws against a_c, d_c, F_c and the folds of machines in closed form, as enclosures.
-pub(super) const CLOSED: Check = Check {
-    name: "proved-folds-closed-form",
-    claim: "proved folds of power laws: the enclosures overlap those of the closed forms, none more, none less",
-    equations: &["1.10", "1.15", "1.17"],
-    subjects: &[
-        SubjectId::CriticalRadius,
-        SubjectId::CriticalIndentation,
-        SubjectId::CriticalForce,
-        SubjectId::MachineFoldRadius,
-        SubjectId::MachineFoldIndentation,
-        SubjectId::MachineFoldForce,
-    ],
-    unit: Unit::Mismatch,
-    cases: [30, 200, 2000],
-    case: closed,
-};
+pub(super) const CLOSED: Run = ("proved-folds-closed-form", closed);
 
 /// All equilibria proved, as many as the branches in f64 hold, each where they hold it and as stable.
 ///
 /// The radius errs by the rounding of the direction of change, 100(1 + c) roundoffs of its terms with the condition c of
 /// g, over the slope of that direction.
-pub(super) const EQUILIBRIA: Check = Check {
-    name: "proved-equilibria",
-    claim: "all equilibria proved at a value for every profile and control; number, stability and radii by Branches in f64",
-    equations: &["1.5", "1.6", "1.8", "1.9"],
-    subjects: &[],
-    unit: Unit::Roundoffs,
-    cases: [90, 600, 6000],
-    case: equilibria,
-};
+pub(super) const EQUILIBRIA: Run = ("proved-equilibria", equilibria);
 
 /// A number of f64, exactly.
 fn exact<R: Real>(ctx: R::Ctx, value: f64) -> R {

@@ -5,35 +5,17 @@ use mdr_core::contact::{Result, Shape};
 use mdr_numeric::transform::Quadrature;
 
 use super::folds::transform;
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::{KAPPA, TRANSFORM, quadrature};
 use crate::trial::Trial;
 
 /// κ_n as the ratio of the quadrature to the profile.
-pub(super) const KAPPA_RATIO: Check = Check {
-    name: "kappa-quadrature",
-    claim: "κ_n against quadrature of (1.1)",
-    equations: &["1.1", "1.12"],
-    subjects: &[SubjectId::Kappa],
-    unit: Unit::Roundoffs,
-    cases: [100, 1000, 10_000],
-    case: |trial| by_turns!(trial, kappa),
-};
+pub(super) const KAPPA_RATIO: Run = ("kappa-quadrature", |trial| by_turns!(trial, kappa));
 
 /// g, g' and G = ∫₀ˣ g over many decades of x and C.
-pub(super) const POWER: Check = Check {
-    name: "transform-quadrature",
-    claim: "g, g', ∫g of a power law against quadrature of (1.1)",
-    equations: &["1.1", "1.6", "1.12"],
-    subjects: &[SubjectId::Transform, SubjectId::TransformSlope, SubjectId::TransformIntegral],
-    unit: Unit::Roundoffs,
-    cases: [100, 1000, 10_000],
-    case: |trial| by_turns!(trial, power),
-};
+pub(super) const POWER: Run = ("transform-quadrature", |trial| by_turns!(trial, power));
 
 fn kappa<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, Family::up_to(50));

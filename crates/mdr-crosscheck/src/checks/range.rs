@@ -11,33 +11,16 @@ use mdr_core::number::certify::{Decimal, Enclosure};
 use mdr_core::number::{Gamma, Interval, Literal, Precision, Real};
 use rug::{Float, Integer, Rational};
 
-use super::Check;
+use super::Run;
 use super::kappa::by_series;
 use crate::grid::Held;
-use crate::report::Unit;
 use crate::trial::Trial;
 
 /// Digits against the second algorithm, in units of the last decimal: half of one, and what the reference is uncertain by.
-pub(super) const DIGITS: Check = Check {
-    name: "certified-range",
-    claim: "certified κ, a_c, d_c, F_c for n from 1e-300 to 1e300: within half a unit of 20 to 3000 digits",
-    equations: &["1.12", "1.15", "1.17"],
-    subjects: &[],
-    unit: Unit::Ulp,
-    cases: [36, 360, 3600],
-    case: digits,
-};
+pub(super) const DIGITS: Run = ("certified-range", digits);
 
 /// Enclosures at p bits and at 2p bits, and that of κ_n against the second algorithm.
-pub(super) const ENCLOSURES: Check = Check {
-    name: "enclosure-range",
-    claim: "for such n the enclosures of κ, g, a_c, d_c, F_c at p and at 2p bits agree and are tight",
-    equations: &["1.12", "1.15", "1.17"],
-    subjects: &[],
-    unit: Unit::Mismatch,
-    cases: [36, 360, 3600],
-    case: enclosures,
-};
+pub(super) const ENCLOSURES: Run = ("enclosure-range", enclosures);
 
 /// A contact with exact inputs.
 struct Exact {

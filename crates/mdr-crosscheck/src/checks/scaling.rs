@@ -2,35 +2,17 @@
 
 use mdr_core::contact::Result;
 
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
-use crate::report::Unit;
-use crate::subject::CRITICAL_IDS;
 use crate::trial::Trial;
 
 /// E* and w in a unit of force 4^m times smaller: B does not change, so that a and d are the same bits and F is
 /// exactly 4^m times as large.
-pub(super) const FORCE: Check = Check {
-    name: "unit-of-force",
-    claim: "powers of two in the unit of force: a, d bit-identical, F scaled exactly",
-    equations: &["1.13", "1.15", "1.16", "1.17"],
-    subjects: CRITICAL_IDS,
-    unit: Unit::Mismatch,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, unit_of_force),
-};
+pub(super) const FORCE: Run = ("unit-of-force", |trial| by_turns!(trial, unit_of_force));
 
 /// C, E* and w in a unit of length 2^m times smaller, for exponents where 2^{m(1−n)} is a power of two.
-pub(super) const LENGTH: Check = Check {
-    name: "unit-of-length",
-    claim: "powers of two in the unit of length: a and d scale as lengths, F stays",
-    equations: &["1.13", "1.15", "1.16", "1.17"],
-    subjects: CRITICAL_IDS,
-    unit: Unit::Roundoffs,
-    cases: [200, 2000, 20_000],
-    case: |trial| by_turns!(trial, unit_of_length),
-};
+pub(super) const LENGTH: Run = ("unit-of-length", |trial| by_turns!(trial, unit_of_length));
 
 fn unit_of_force<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let (exponent, held) = (trial.exponent(round, Family::up_to(50)), trial.held());

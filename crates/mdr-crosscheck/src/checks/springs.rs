@@ -3,11 +3,9 @@
 use mdr_core::contact::{Control, Outcome, Result};
 use mdr_numeric::springs::Foundation;
 
-use super::Check;
+use super::Run;
 use super::folds::transform;
 use crate::grid::{Exponent, Scene};
-use crate::report::Unit;
-use crate::subject::CRITICAL_IDS;
 use crate::trial::Trial;
 
 /// Critical states of a foundation of springs at spacing Δx = a_c/N against the closed forms, at their order.
@@ -16,15 +14,7 @@ use crate::trial::Trial;
 /// * d: the extremum of d(a) sampled within Δx/2 of it, d''a² = ¼(2n−1)Δl there: |2n−1|/32N² of Δl;
 /// * F: the two half strips at the edge, and F'(a)|_d = −2E*Δl over Δx/2: together 1/N of 2E*aΔl;
 /// * each times (1 + (n+3)/N)², for the derivatives one order higher across Δx.
-pub(super) const SPRINGS: Check = Check {
-    name: "spring-foundation",
-    claim: "springs of spacing a_c/N, rule of Heß: a_c to 1/2N, d_c to |2n-1|/32N² of Δl, F_c to 1/N",
-    equations: &["1.2", "1.4", "1.5", "1.6", "1.15", "1.17"],
-    subjects: CRITICAL_IDS,
-    unit: Unit::Relative,
-    cases: [24, 120, 1200],
-    case,
-};
+pub(super) const SPRINGS: Run = ("spring-foundation", case);
 
 fn case(trial: &mut Trial<'_>) -> Result<()> {
     let round = trial.index;

@@ -6,42 +6,18 @@ use mdr_numeric::curve::Curve;
 use mdr_numeric::transform::Quadrature;
 
 use super::folds::transform;
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Held, Scales, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, KAPPA, TRANSFORM, quadrature};
 use crate::trial::Trial;
 
 /// The C at which the fate of a contact at d = 0 (or F = 0) changes, by bisection on the direction of change (1.8), (1.9)
 /// over quadratures, against 2/ϖ·√(2πw/E*) with ϖ = π/agm(1, √2).
-pub(super) const BISECTION: Check = Check {
-    name: "threshold-by-bisection",
-    claim: "n = 1/2: C of the change of fate by bisection on the numerics, against 2/ϖ (AGM)",
-    equations: &["1.8", "1.9", "1.18", "1.19"],
-    subjects: &[SubjectId::Threshold],
-    unit: Unit::Roundoffs,
-    cases: [10, 40, 400],
-    case: |trial| by_turns!(trial, bisection),
-};
+pub(super) const BISECTION: Run = ("threshold-by-bisection", |trial| by_turns!(trial, bisection));
 
 /// States, ratio and fate at n = 1/2, and ϖ = Γ(1/4)²/√(8π).
-pub(super) const STATES: Check = Check {
-    name: "scale-free-states",
-    claim: "n = 1/2: ϖ against Γ(1/4); ρ, d, F and the fate against quadrature",
-    equations: &["1.5", "1.6", "1.18", "1.19"],
-    subjects: &[
-        SubjectId::LemniscateConstant,
-        SubjectId::ScaleFreeRatio,
-        SubjectId::ScaleFreeIndentation,
-        SubjectId::ScaleFreeForce,
-        SubjectId::Fate,
-    ],
-    unit: Unit::Roundoffs,
-    cases: [60, 600, 6000],
-    case: |trial| by_turns!(trial, states),
-};
+pub(super) const STATES: Run = ("scale-free-states", |trial| by_turns!(trial, states));
 
 const HALF: Exponent = Exponent::Fraction(1, 2);
 

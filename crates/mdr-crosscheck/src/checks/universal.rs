@@ -4,11 +4,9 @@ use mdr_core::contact::{Control, Result};
 use mdr_numeric::curve::Curve;
 
 use super::folds::transform;
-use super::{Check, by_turns};
+use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
-use crate::report::Unit;
-use crate::subject::SubjectId;
 use crate::tolerance::{ELONGATION, quadrature};
 use crate::trial::Trial;
 
@@ -16,21 +14,7 @@ use crate::trial::Trial;
 ///
 /// With a_c off by δ the term g is off by (n−½)δ of itself against the others: ½|2n−1|·δ, where δ is magnified by
 /// 1/|2n−1|.
-pub(super) const CURVES: Check = Check {
-    name: "universal-curves",
-    claim: "d/|d_c| and F/|F_c| of a/a_c against quadrature of (1.1) in (1.5), (1.6)",
-    equations: &["1.5", "1.6", "1.13", "1.16"],
-    subjects: &[
-        SubjectId::UniversalIndentation,
-        SubjectId::UniversalForce,
-        SubjectId::CriticalRadius,
-        SubjectId::CriticalIndentation,
-        SubjectId::CriticalForce,
-    ],
-    unit: Unit::Roundoffs,
-    cases: [60, 600, 6000],
-    case: |trial| by_turns!(trial, curves),
-};
+pub(super) const CURVES: Run = ("universal-curves", |trial| by_turns!(trial, curves));
 
 fn curves<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, Family::up_to(50));

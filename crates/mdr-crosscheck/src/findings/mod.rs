@@ -13,7 +13,7 @@ mod rows;
 
 use mdr_core::contact::Result;
 
-pub use self::rows::{LadderRow, PointRow};
+pub use self::rows::{LadderRow, Line, PointRow};
 use crate::Level;
 use crate::ladders::{Ladder, ladders};
 use crate::work_precision::{Clock, Comparison, TASKS, Task};

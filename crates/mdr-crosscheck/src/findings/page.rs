@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Findings;
 use crate::ladders::{Family, Ladder, OPEN, Rung};
-use crate::work_precision::{Comparison, Outcome, Series, Task};
+use crate::work_precision::{Comparison, Series, Task};
 
 /// The page.
 pub(super) fn page(findings: &Findings, origin: &str) -> String {
@@ -87,14 +87,9 @@ fn time(seconds: f64) -> String {
 fn failures(findings: &Findings) -> String {
     let mut rows = String::new();
     for comparison in findings.comparisons() {
-        for series in &comparison.series {
-            for point in &series.points {
-                if let Outcome::Failed { failed } = &point.outcome {
-                    let Series { method, .. } = series;
-                    let (id, reason) = (&comparison.id, escaped(failed));
-                    rows.push_str(&format!("| {id} | {method} | {} | {reason} |\n", point.setting));
-                }
-            }
+        for (Series { method, .. }, point, failed) in comparison.failures() {
+            let (id, reason) = (&comparison.id, escaped(failed));
+            rows.push_str(&format!("| {id} | {method} | {} | {reason} |\n", point.setting));
         }
     }
     if rows.is_empty() {

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::Findings;
 use crate::ladders::{Found, Ladder, Rung};
 use crate::work_precision::{Comparison, Outcome};
 
@@ -36,6 +37,25 @@ impl Comparison {
             evaluations: point.evaluations,
             seconds: point.seconds.map(|seconds| format!("{seconds:.3e}")),
         })
+    }
+}
+
+/// A line of JSON, schema mdr.report/3: a question or a ladder.
+#[derive(Serialize)]
+pub struct Line<'a> {
+    schema: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    comparison: Option<&'a Comparison>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ladder: Option<LadderRow<'a>>,
+}
+
+impl Findings {
+    /// A line for each question, then for each ladder.
+    pub fn lines(&self) -> impl Iterator<Item = Line<'_>> {
+        let line = |comparison, ladder| Line { schema: "mdr.report/3", comparison, ladder };
+        let comparisons = self.comparisons().map(move |comparison| line(Some(comparison), None));
+        comparisons.chain(self.ladders.iter().map(move |ladder| line(None, Some(ladder.row()))))
     }
 }
 

@@ -7,6 +7,7 @@ use rug::Float;
 
 use super::{Found, Rung};
 use crate::subject::routine::Routine;
+use crate::trial::ulps;
 
 /// Where the precision starts.
 const START: u32 = 192;
@@ -96,20 +97,6 @@ fn condition(routine: &Routine, inputs: &[f64], bits: u32) -> Result<f64> {
         sum += (slope / value).approx().abs();
     }
     Ok(sum)
-}
-
-/// The unit in the last place of the double nearest to a number.
-fn ulp(nearest: f64) -> f64 {
-    nearest.abs().next_up() - nearest.abs()
-}
-
-/// |found − exact| in ulp.
-fn ulps(found: f64, exact: &Float) -> f64 {
-    let nearest = exact.to_f64();
-    if !found.is_finite() {
-        return f64::INFINITY;
-    }
-    (Float::with_val(exact.prec(), found) - exact).abs().approx() / ulp(nearest)
 }
 
 /// log₁₀ of the error over u·max(1, condition)·|exact|; for subnormal results over half their spacing.

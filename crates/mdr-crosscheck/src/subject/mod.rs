@@ -132,10 +132,6 @@ subjects! {
     }
 }
 
-/// The numbers of a critical state.
-pub(crate) const CRITICAL_IDS: &[SubjectId] =
-    &[SubjectId::CriticalRadius, SubjectId::CriticalIndentation, SubjectId::CriticalForce];
-
 const PARTS: [Part; 3] = [Part::G, Part::Slope, Part::Mean];
 
 /// Every part of every profile of the library.
@@ -151,6 +147,17 @@ pub(crate) const LIBRARY_IDS: &[SubjectId] = {
     };
     &IDS
 };
+
+impl SubjectId {
+    /// Those of a word of `data/checks.tsv`: one by its name, or all of the library or of the functions for f64.
+    pub(crate) fn named(word: &str) -> Option<Vec<SubjectId>> {
+        match word {
+            "Library" => Some(LIBRARY_IDS.to_vec()),
+            "Double" => Some(DOUBLE_IDS.to_vec()),
+            name => NAMED.iter().find(|subject| format!("{:?}", subject.id) == name).map(|subject| vec![subject.id]),
+        }
+    }
+}
 
 /// All subjects. The constructor of a profile stands for its three parts.
 pub fn subjects() -> Vec<Subject> {

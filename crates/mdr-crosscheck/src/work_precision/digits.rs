@@ -15,6 +15,7 @@ use super::kappa::by_gamma;
 use super::outcome::Answer;
 use super::{Clock, Comparison, Point, Series, Task, transform};
 use crate::Level;
+use crate::checks::by_series;
 
 /// The task.
 pub(super) const TASK: Task = Task {
@@ -80,7 +81,7 @@ impl Asked {
 
     fn kappa(&self) -> Result<Comparison> {
         let n = literal(&format!("{}/{}", N.0, N.1))?;
-        let truths = [kappa_by_series(&Interval::from_rational(self.enough(), &Rational::from(N)))];
+        let truths = [by_series(&Interval::from_rational(self.enough(), &Rational::from(N)))];
         let enclosed = |digits| Ok(move || Ok(kappa_enclosure(working(digits), &Rational::from(N))));
         let decimals = |digits| {
             let n = &n;
@@ -199,25 +200,10 @@ fn state(n: Float, kappa: Float, [c, e, w]: [Float; 3]) -> Result<Vec<Float>> {
     Ok(vec![kappa, critical.contact_radius, critical.indentation, critical.force])
 }
 
-/// κ_n = Σ_k Π_{j<k} (n+j)/(n+2+2j) for 0 < n ≤ 2, Gauss's second theorem (DLMF 15.4.28). A term is then at most half the
-/// one before, so that all that follow the last are together no larger.
-fn kappa_by_series(n: &Interval) -> Interval {
-    let least = n.unit_roundoff();
-    let (mut sum, mut term) = (n.lit(1), n.lit(1));
-    for j in 0.. {
-        term = term * (n.lit(j) + n) / (n.lit(2 + 2 * j) + n);
-        sum += &term;
-        if term < least {
-            break;
-        }
-    }
-    sum.inflate(&term)
-}
-
 /// κ, a, d, F at the fold under fixed grips: a from the tangency (1.14) in logarithms, d and F from (1.13) and (1.16) there.
 fn critical(precision: Precision) -> Result<Vec<Interval>> {
     let n = Interval::from_rational(precision, &Rational::from(N));
-    let kappa = kappa_by_series(&n);
+    let kappa = by_series(&n);
     let [c, e, w] = SCALES.map(literal);
     let [c, e, w] = [c?, e?, w?].map(|value| Interval::from_literal(precision, &value));
     // ln g' = ln Δl' is (n − 1/2) ln a = ½ ln(πw/2E*) − ln(nκC).
@@ -242,7 +228,7 @@ mod tests {
         let precision = Precision::new(1000);
         for n in [0.3, 1.75] {
             let n = Interval::from_f64(precision, n);
-            let found = kappa_by_series(&n);
+            let found = by_series(&n);
             assert!(found.overlaps(&by_gamma(&n)) && found.accuracy_bits() > 980);
         }
         let asked = Asked { digits: &[50], clock: Clock::Off };

@@ -9,6 +9,7 @@ use mdr_core::number::{Gamma, Interval, Precision, Real, Wide};
 
 use super::{Clock, Comparison, Outcome, Point, Series, Task};
 use crate::Level;
+use crate::subject::textbook::kappa_by_logarithms;
 
 /// The task.
 pub(super) const TASK: Task = Task {
@@ -50,7 +51,7 @@ fn comparison(n: f64, name: &str, level: Level, clock: Clock) -> Comparison {
             Series::ours("double::kappa", vec![point("f64", &|n| mdr_analytic::double::kappa(n).unwrap_or(f64::NAN))]),
             Series::ours("fixed words", words.into()),
             Series::textbook("quotient of Γ", vec![point("f64", &|n| by_gamma(&n))]),
-            Series::textbook("exp of a difference of ln Γ", vec![point("f64", &by_logarithms)]),
+            Series::textbook("exp of a difference of ln Γ", vec![point("f64", &kappa_by_logarithms)]),
             Series::textbook("Gauss's series", growing("terms", by_series)),
             Series::textbook("Brouncker's continued fraction", growing("levels", by_fraction)),
         ],
@@ -61,11 +62,6 @@ fn comparison(n: f64, name: &str, level: Level, clock: Clock) -> Comparison {
 pub(super) fn by_gamma<R: Gamma>(n: &R) -> R {
     let half = n.clone().over(2);
     (half.clone() + n.lit(1)).gamma() / (half + n.ratio(1, 2)).gamma() * n.pi().sqrt()
-}
-
-/// The same where Γ overflows: a difference of logarithms.
-fn by_logarithms(n: f64) -> f64 {
-    PI.sqrt() * (pxfm::f_lgamma(1.0 + n / 2.0) - pxfm::f_lgamma(f64::midpoint(n, 1.0))).exp()
 }
 
 /// κ_n = ₂F₁(1, n; 1+n/2; 1/2), Gauss's second theorem (DLMF 15.4.28), by its power series: one bit a term in the end.

@@ -97,6 +97,23 @@ pub struct Point {
     pub seconds: Option<f64>,
 }
 
+impl Comparison {
+    /// The answers without a number, with their methods and why.
+    pub fn failures(&self) -> impl Iterator<Item = (&Series, &Point, &str)> {
+        let points = self.series.iter().flat_map(|series| series.points.iter().map(move |point| (series, point)));
+        points.filter_map(|(series, point)| match &point.outcome {
+            Outcome::Failed { failed } => Some((series, point, failed.as_str())),
+            _ => None,
+        })
+    }
+
+    /// The most digits that any method reached; not a number where none has any.
+    pub fn most_digits(&self) -> f64 {
+        let points = self.series.iter().flat_map(|series| &series.points);
+        points.filter_map(|point| point.outcome.digits()).fold(f64::NAN, f64::max)
+    }
+}
+
 impl Series {
     /// A method of this workspace.
     fn ours(method: &'static str, points: Vec<Point>) -> Self {

@@ -21,8 +21,8 @@ pub(crate) struct Convention {
 /// What a convention does to an answer.
 #[derive(Clone, Copy)]
 enum Change {
-    /// An input is taken to be this many times as large.
-    Input(Input, f64),
+    /// An input, `w`, `E*` or `R`, is taken to be this many times as large.
+    Input(&'static str, f64),
     /// Answers with this unit, to this power for areas, are this many times as large.
     Unit(&'static str, f64),
     /// Answers of this quantity have the other sign.
@@ -35,93 +35,42 @@ enum Change {
     OtherEquilibrium,
 }
 
-#[derive(Clone, Copy)]
-enum Input {
-    WorkOfAdhesion,
-    Modulus,
-    Radius,
-}
-
 /// Poisson's ratios that examples and tests are written with.
 const POISSON: [&str; 10] = ["0.2", "0.25", "0.28", "0.3", "0.33", "0.35", "0.4", "0.45", "0.49", "0.5"];
 
-/// Units of force, and of length, that programs print in place of N and m.
-const UNITS: [(&str, &str, f64); 7] = [
-    ("N", "mN", 1e3),
-    ("N", "µN", 1e6),
-    ("N", "nN", 1e9),
-    ("N", "pN", 1e12),
-    ("m", "mm", 1e3),
-    ("m", "µm", 1e6),
-    ("m", "nm", 1e9),
-];
-
 impl Convention {
-    fn new(name: impl Into<String>, statement: impl Into<String>, change: Change) -> Self {
-        Convention { name: name.into(), statement: statement.into(), change }
-    }
-
-    /// All that are tested.
+    /// All that are tested: those of `data/conventions.tsv`, the ones with a Poisson's ratio last and for each ratio.
     pub(crate) fn all() -> Vec<Convention> {
-        use Change::{Control, Input as Scaled, MaugisUnits, OtherEquilibrium, Sign};
-        use Input::{Modulus, Radius, WorkOfAdhesion};
-        let mut all = vec![
-            Convention::new("work-halved", "your work of adhesion is w/2 (γ taken for w)", Scaled(WorkOfAdhesion, 0.5)),
-            Convention::new("work-doubled", "your work of adhesion is 2w (w taken for γ)", Scaled(WorkOfAdhesion, 2.0)),
-            Convention::new("modulus-k", "your E* is 4E*/3 (K taken for E*)", Scaled(Modulus, 4.0 / 3.0)),
-            Convention::new("modulus-from-k", "your E* is 3E*/4 (E* taken for K = 4E*/3)", Scaled(Modulus, 0.75)),
-            Convention::new("radius-doubled", "your radius is 2R (a diameter taken for a radius)", Scaled(Radius, 2.0)),
-            Convention::new(
-                "radius-halved",
-                "your radius is R/2 (R taken for the radius of two equal spheres, or for a diameter)",
-                Scaled(Radius, 0.5),
-            ),
-            Convention::new("force-sign", "your force is positive in tension", Sign("force")),
-            Convention::new("indentation-sign", "your indentation is positive when pulled out", Sign("indentation")),
-            Convention::new(
-                "maugis-units",
-                "your answers are in the units of Maugis, πwR, (πwR²/K)^(1/3) and (π²w²R/K²)^(1/3)",
-                MaugisUnits,
-            ),
-            Convention::new("control-force", "your folds are those under controlled force", Control("force")),
-            Convention::new(
-                "control-indentation",
-                "your folds are those under controlled indentation",
-                Control("indentation"),
-            ),
-            Convention::new("other-equilibrium", "your equilibria are the other ones of the two", OtherEquilibrium),
-        ];
-        all.extend(UNITS.into_iter().map(|(unit, printed, factor)| {
-            let quantity = if unit == "N" { "forces" } else { "lengths" };
-            Convention::new(printed, format!("your {quantity} are in {printed}"), Change::Unit(unit, factor))
-        }));
-        all.push(Convention::new(
-            "modulus-two-bodies",
-            "your modulus is E*/2 (E* taken for E of two equal bodies, ν = 0)",
-            Scaled(Modulus, 0.5),
-        ));
-        all.push(Convention::new(
-            "modulus-one-of-two",
-            "your modulus is 2E* (E of one of two equal bodies taken for E*, ν = 0)",
-            Scaled(Modulus, 2.0),
-        ));
-        all.extend(POISSON.into_iter().flat_map(Convention::of_poisson));
-        all
+        let table = include_str!("../../data/conventions.tsv");
+        let (of_poisson, plain): (Vec<_>, Vec<_>) =
+            table.lines().filter(|line| !line.starts_with('#')).partition(|line| line.contains("{ν}"));
+        let plain = plain.into_iter().map(|line| (line, "0"));
+        let of_poisson = POISSON.into_iter().flat_map(|ratio| of_poisson.iter().map(move |&line| (line, ratio)));
+        plain.chain(of_poisson).filter_map(|(line, ratio)| Convention::read(line, ratio)).collect()
     }
 
-    /// E and E* of one body on a rigid one, or of two equal bodies, in place of each other.
-    fn of_poisson(ratio: &str) -> [Convention; 4] {
-        let flat = ratio.parse().map_or(f64::NAN, |ratio: f64| 1.0 - ratio * ratio);
-        let of = |name: &str, what: &str, factor: f64| {
-            let change = Change::Input(Input::Modulus, factor);
-            Convention::new(format!("{name}-{ratio}"), format!("your modulus is {what}, ν = {ratio})"), change)
+    /// The convention of a line of the table for a Poisson's ratio; none for a line that cannot be read.
+    fn read(line: &'static str, ratio: &str) -> Option<Convention> {
+        let cells: [&str; 6] = line.split('\t').collect::<Vec<_>>().try_into().ok()?;
+        let [name, statement, change, of, factor, power] = cells;
+        let (factor, nu): (f64, f64) = (factor.parse().ok()?, ratio.parse().ok()?);
+        let flat = 1.0 - nu * nu;
+        let factor = match power {
+            "1" => factor * flat,
+            "-1" => factor / flat,
+            _ => factor,
         };
-        [
-            of("modulus-one-body", "E*/(1−ν²) (E* taken for E of one body", 1.0 / flat),
-            of("modulus-two-bodies", "E*/(2(1−ν²)) (E* taken for E of two equal bodies", 0.5 / flat),
-            of("modulus-of-one", "E = (1−ν²)E* (E of one body taken for E*", flat),
-            of("modulus-one-of-two", "E = 2(1−ν²)E* (E of one of two equal bodies taken for E*", 2.0 * flat),
-        ]
+        let change = match change {
+            "input" => Change::Input(of, factor),
+            "unit" => Change::Unit(of, factor),
+            "sign" => Change::Sign(of),
+            "maugis-units" => Change::MaugisUnits,
+            "control" => Change::Control(of),
+            "other-equilibrium" => Change::OtherEquilibrium,
+            _ => return None,
+        };
+        let [name, statement] = [name, statement].map(|text| text.replace("{ν}", ratio));
+        Some(Convention { name, statement, change })
     }
 
     /// What a program with this convention answers where the certified value is `value`; none where this cannot be told
@@ -152,11 +101,12 @@ pub(crate) fn normal(record: &Record) -> Option<f64> {
 ///
 /// With p = 1/(2n − 1), a state of a power law at a given share of the critical one has a ∝ (w/(E*C²))^p, d ∝ √(wa/E*),
 /// F ∝ √(E*w) a^(3/2) and an energy ∝ wa² (1.15 to 1.17, exponent of (1.15) corrected).
-fn exponent(record: &Record, input: Input) -> Option<f64> {
+fn exponent(record: &Record, input: &str) -> Option<f64> {
     let pick = |radius: Option<f64>, modulus: f64, work: f64| match input {
-        Input::Radius => radius,
-        Input::Modulus => Some(modulus),
-        Input::WorkOfAdhesion => Some(work),
+        "R" => radius,
+        "E*" => Some(modulus),
+        "w" => Some(work),
+        _ => None,
     };
     let quantity = record.quantity.as_str();
     match (record.formula.as_str(), record.profile.as_str()) {
@@ -262,7 +212,7 @@ mod tests {
         let mut compared = 0;
         for record in records().iter().filter(|record| normal(record).is_some()) {
             let radius = if record.profile == "power" { "C" } else { "radius" };
-            for (input, name) in [(Input::WorkOfAdhesion, "w"), (Input::Modulus, "E*"), (Input::Radius, radius)] {
+            for (input, name) in [("w", "w"), ("E*", "E*"), ("R", radius)] {
                 let known = record.condition.iter().find(|(known, _)| known == name);
                 let (Some((_, condition)), Some(exponent)) = (known, exponent(record, input)) else { continue };
                 let difference = (exponent.abs() - condition).abs();
@@ -272,5 +222,12 @@ mod tests {
             }
         }
         assert!(compared > 1000, "{compared}");
+    }
+
+    #[test]
+    fn every_line_of_the_table_is_a_convention() {
+        let table = include_str!("../../data/conventions.tsv").lines().filter(|line| !line.starts_with('#'));
+        assert!(table.clone().all(|line| Convention::read(line, "0.5").is_some()));
+        assert_eq!((table.count(), Convention::all().len()), (25, 21 + 4 * POISSON.len()));
     }
 }

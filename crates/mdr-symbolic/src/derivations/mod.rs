@@ -1,29 +1,21 @@
 //! The derivations: every equation of the paper and its consequences, step by step.
 //!
-//! An [`Entry`] has a stable id, assumptions, steps and references. A [`Step`] makes a [`Claim`] about a statement.
-//! Claims that normal forms decide are checked here ([`Step::check`]); claims that need an integral or a number are
+//! They are written in `data/derivations.txt`. An [`Entry`] has a stable id, assumptions, steps and references. A [`Step`]
+//! makes a [`Claim`] about a statement. Claims that normal forms decide are checked here ([`Step::check`]); claims that need an integral or a number are
 //! checked by rigorous intervals elsewhere, through the evaluation of the statement.
 
 mod coq;
-mod dugdale;
-mod energy;
-mod equilibrium;
-mod force;
-mod kappa;
-mod limits;
-mod machine;
-mod machine_folds;
-mod power_law;
-mod springs;
+mod read;
 mod theorem;
-mod thresholds;
-mod transform;
-mod universal;
 mod verdict;
 
 pub use coq::statements_in_coq;
 pub use theorem::{Theorem, theorems};
 pub use verdict::Verdict;
+
+use std::sync::LazyLock;
+
+use read::read;
 
 use crate::domain::Domain;
 use crate::error::Result;
@@ -85,42 +77,7 @@ pub struct Erratum {
     pub shown_by: &'static [usize],
 }
 
-const POSITIVE: &[Domain] = &[Domain::Positive];
-const BOTH: &[Domain] = &[Domain::Above, Domain::Below];
-const ABOVE: &[Domain] = &[Domain::Above];
-const BELOW: &[Domain] = &[Domain::Below];
-const HALF: &[Domain] = &[Domain::Half];
-
 impl Step {
-    const fn new(claim: Claim, domains: &'static [Domain], statement: &'static str, why: &'static str) -> Self {
-        Step { claim, domains, statement: Some(statement), point: &[], why }
-    }
-
-    const fn proved(domains: &'static [Domain], statement: &'static str, why: &'static str) -> Self {
-        Self::new(Claim::Proved, domains, statement, why)
-    }
-
-    const fn enclosed(domains: &'static [Domain], statement: &'static str, why: &'static str) -> Self {
-        Self::new(Claim::Enclosed, domains, statement, why)
-    }
-
-    const fn refuted(domains: &'static [Domain], statement: &'static str, why: &'static str) -> Self {
-        Self::new(Claim::Refuted, domains, statement, why)
-    }
-
-    const fn cited(why: &'static str) -> Self {
-        Step { claim: Claim::Cited, domains: &[], statement: None, point: &[], why }
-    }
-
-    const fn at(
-        point: &'static [(&'static str, &'static str)],
-        domains: &'static [Domain],
-        statement: &'static str,
-        why: &'static str,
-    ) -> Self {
-        Step { claim: Claim::Enclosed, domains, statement: Some(statement), point, why }
-    }
-
     /// The statement, parsed; `None` for a step that only cites.
     ///
     /// # Errors
@@ -175,46 +132,13 @@ impl Step {
     }
 }
 
+/// The entries, or the line of the file that cannot be read.
+static ENTRIES: LazyLock<std::result::Result<Vec<Entry>, String>> =
+    LazyLock::new(|| read(include_str!("../../data/derivations.txt")));
+
 /// All entries, in the order of the paper; further results follow the equation they belong to.
 pub fn entries() -> &'static [Entry] {
-    static ENTRIES: &[Entry] = &[
-        transform::TRANSFORM,
-        springs::SPRINGS,
-        springs::MODULUS,
-        springs::HESS,
-        equilibrium::INDENTATION,
-        equilibrium::FORCE,
-        equilibrium::BALANCE,
-        equilibrium::SHRINKS,
-        equilibrium::GROWS,
-        equilibrium::TANGENCY,
-        equilibrium::REGIMES,
-        transform::POWER,
-        kappa::RECURRENCES,
-        kappa::GROWTH,
-        kappa::SERIES,
-        kappa::ELLIPTIC,
-        power_law::INDENTATION,
-        power_law::TANGENCY,
-        power_law::RADIUS,
-        power_law::FORCE,
-        power_law::PULL_OFF,
-        power_law::CRITICAL,
-        thresholds::HALF,
-        thresholds::THRESHOLD,
-        thresholds::UNDER_FORCE,
-        force::CRITICAL,
-        dugdale::STATES,
-        machine::CRITICAL,
-        machine_folds::FOLDS,
-        machine_folds::HALF,
-        universal::CURVES,
-        energy::PULL_OFF,
-        energy::JUMP_IN,
-        limits::KENDALL,
-        limits::WAVY,
-    ];
-    ENTRIES
+    ENTRIES.as_deref().unwrap_or_default()
 }
 
 /// The entry with this id.

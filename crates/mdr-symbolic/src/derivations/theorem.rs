@@ -1,6 +1,7 @@
 //! The theorems of docs/proofs, which Coq's kernel has checked.
 
 use super::Entry;
+use crate::table::rows;
 
 /// A theorem, with its statement in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,10 +21,7 @@ const TABLE: &str = include_str!("../../data/theorems.tsv");
 
 /// All of them, in the order of the paper.
 pub fn theorems() -> impl Iterator<Item = Theorem> {
-    TABLE.lines().filter(|line| !line.starts_with('#')).filter_map(|line| {
-        let mut cells = line.split('\t');
-        Some(Theorem { entry: cells.next()?, name: cells.next()?, file: cells.next()?, says: cells.next()? })
-    })
+    rows(TABLE).map(|[entry, name, file, says]| Theorem { entry, name, file, says })
 }
 
 impl Entry {

@@ -18,46 +18,12 @@ use crate::symbol::Symbol;
 const PROFILE: [&str; 4] = ["g", "g'", "G", "Q"];
 
 impl Symbol {
-    /// Its name in Coq, where R is the type of the real numbers and R0 the number 0.
-    fn coq(self) -> &'static str {
-        match self.name() {
-            "κ" => "kap",
-            "R" => "Rad",
-            "δ" => "delta",
-            "ε" => "eps",
-            "g'" => "g1",
-            "ρ" => "rho",
-            "μ" => "mu",
-            "ν1" => "nu1",
-            "ν2" => "nu2",
-            "Λ" => "Lambda",
-            "θ" | "sinθ" | "cosθ" => "theta",
-            "F" => "load",
-            name => name,
-        }
-    }
-
     fn is_of_the_profile(self) -> bool {
         PROFILE.contains(&self.name())
     }
 }
 
 impl Definition {
-    /// Its name in Coq.
-    fn coq(self) -> String {
-        match self.text() {
-            "Δl(a)" => "dl".to_owned(),
-            "λ(a)" => "lam".to_owned(),
-            "C(ρ)" => "C_rho".to_owned(),
-            "d(a)" => "d_g".to_owned(),
-            "F(a)" => "F_g".to_owned(),
-            "κ_n" => "kappa_gamma".to_owned(),
-            "a₀" => "a_0".to_owned(),
-            "q_j" => "q_j".to_owned(),
-            text => text.split('(').next().unwrap_or(text).to_owned(),
-        }
-    }
-
     /// Its definition in Coq, a function of n and of the symbols in it.
     pub(crate) fn coq_definition(self) -> Option<String> {
         let formula = self.formula().ok()?;
@@ -180,7 +146,7 @@ impl Formula {
             },
             Formula::Name(definition) => {
                 let names = definition.formula().map(|formula| Free::of(&formula).names()).unwrap_or_default();
-                let call = std::iter::once(definition.coq()).chain(names.into_iter().map(str::to_owned));
+                let call = std::iter::once(definition.coq()).chain(names);
                 format!("({})", call.collect::<Vec<_>>().join(" "))
             }
             Formula::Negative(inner) => format!("- {}", at_least(inner, Strength::Power)),

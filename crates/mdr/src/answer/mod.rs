@@ -8,12 +8,13 @@ mod spreadsheet;
 mod style;
 pub(crate) mod types;
 mod value;
+mod words;
 
 use mdr_core::contact::ControlKind;
 use mdr_numeric::admissible::Basis;
 
 pub use record::{Cell, Row};
-pub use rows::{FlatCell, FlatRow, columns, title};
+pub use rows::{FlatCell, FlatRow, columns, find, title};
 pub use style::{Notation, NumberStyle, UnitError, Units};
 pub use types::{
     Admission, AtValue, Balance, Completeness, CurvePoint, CurveStability, CurveSummary, Dissipation, EnergyState,

@@ -144,6 +144,11 @@ fn collect_reasons(rows: &[Row<'_>], reasons: &mut Vec<(Status, String)>) {
     }
 }
 
+/// What stands below a key.
+pub fn find<'r>(row: &'r FlatRow, key: &str) -> Option<&'r FlatCell> {
+    row.iter().find(|(name, _)| name == key).map(|(_, cell)| cell)
+}
+
 /// The heading of a column and its unit in an answer under `control`; without one where the column has none.
 pub fn title(key: &str, control: Option<ControlKind>) -> (&str, &'static str) {
     match key {

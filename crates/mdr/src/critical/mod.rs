@@ -4,6 +4,7 @@ mod double;
 #[cfg(feature = "serde")]
 mod json;
 mod rows;
+mod words;
 
 use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Instability, Quantity, Regime, Shape, Status};
 use mdr_core::number::Literal;
@@ -13,7 +14,8 @@ use crate::error::Result;
 use crate::scene::{Arithmetic, Profile, Scene};
 use crate::validity::Validity;
 
-pub use rows::{CriticalRow, spreadsheet};
+pub use rows::{CriticalRow, overview, spreadsheet};
+pub use words::NamedQuantity;
 
 /// A power law f = C rⁿ in contact, exactly as given.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,6 +104,21 @@ pub struct CriticalAnswer {
 }
 
 impl CriticalAnswer {
+    /// The critical state of the same contact under the other of the two controls of a test by hand, fixed grips and a dead
+    /// load; none on a machine, and where there is no critical state.
+    ///
+    /// # Errors
+    /// As [`critical`].
+    pub fn sibling(&self) -> Result<Option<CriticalAnswer>> {
+        let control = match self.law.control {
+            Control::Indentation => Control::Force,
+            Control::Force => Control::Indentation,
+            Control::Machine { .. } => return Ok(None),
+        };
+        let law = PowerLaw { control, ..self.law.clone() };
+        self.state.as_ref().map(|_| critical(&law, self.arithmetic)).transpose()
+    }
+
     /// The same with what the range z₀ of adhesion, in m, says of the contact under a dead load.
     ///
     /// # Errors
@@ -212,6 +229,31 @@ impl PowerLaw {
             work_of_adhesion: number("work")?,
             control,
         })
+    }
+
+    /// n and C of a paraboloid of radius of curvature R, f = r²/2R, exactly; none for a number of absurd length.
+    #[cfg(feature = "mp")]
+    pub fn paraboloid(radius: &Literal) -> Option<[Literal; 2]> {
+        Some([2.into(), crate::scene::exactly(&(radius.to_rational() * 2u32).recip())?])
+    }
+
+    /// n and C of a cone by the half angle at its apex, f = r cot α, to some digits more than are asked for; none where
+    /// they cannot be decided.
+    #[cfg(feature = "mp")]
+    pub fn cone(degrees: &Literal, arithmetic: Arithmetic) -> Option<[Literal; 2]> {
+        use mdr_core::contact::Flank;
+        use mdr_core::number::certify::Enclosure;
+        use mdr_core::number::{Interval, Precision, Real};
+        const MORE: u32 = 10;
+        let digits = match arithmetic {
+            Arithmetic::Certified { digits } => digits + MORE,
+            Arithmetic::Double => 17,
+        };
+        let slope = (1..=8).find_map(|attempt| {
+            let angle = Interval::from_literal(Precision::from_digits(attempt * (digits + MORE)), degrees);
+            Enclosure::from(Flank::HalfAngleDegrees(angle).slope()).round(digits)
+        })?;
+        Some([1.into(), slope.to_string().parse().ok()?])
     }
 
     /// The exact question.

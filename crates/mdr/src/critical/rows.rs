@@ -1,9 +1,7 @@
-//! A critical state as rows of a table, and in a sentence.
-
-use mdr_core::contact::{ControlKind, Regime};
+//! A critical state as rows of a table.
 
 use super::{CriticalAnswer, CriticalFold, CriticalState};
-use crate::answer::{FlatRow, Value, columns};
+use crate::answer::{FlatRow, NumberStyle, Value, columns, find, title};
 
 /// A row of the table of critical states: what stands below each of [`CriticalRow::COLUMNS`], empty where there is nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -113,42 +111,6 @@ impl CriticalAnswer {
             text(threshold.map(|threshold| &threshold.ratio)),
         ])
     }
-
-    /// What happens at the critical state, in a sentence or two.
-    pub fn explanation(&self) -> String {
-        let kind = self.law.control.kind();
-        let controlled = match kind {
-            ControlKind::Force => "force",
-            ControlKind::Machine => "position d + F/k",
-            ControlKind::Indentation => "indentation depth",
-        };
-        let folds = self.folds.as_ref().map_or(1, Vec::len);
-        match self.regime {
-            Regime::ScaleFree if kind == ControlKind::Machine => {
-                "Scale-free (n = 1/2) on a machine: below the threshold of C no contact is stable; from there to three times \
-                 the threshold a contact is stable up to the radius of a fold, beyond which it spreads over the whole \
-                 surface; above, every contact is stable."
-                    .to_owned()
-            }
-            Regime::ScaleFree => format!(
-                "Scale-free (n = 1/2): no radius is singled out. At zero {} a contact of any radius shrinks to nothing \
-                 when C is above the threshold, and spreads over the whole surface when C is below.",
-                kind.name()
-            ),
-            Regime::PullOff if folds > 1 => format!(
-                "Pull-off (n > 1/2), multistable with {folds} folds of the {controlled}: on unloading the one of the \
-                 largest radius is met first; beyond it the contact jumps to a smaller radius or breaks."
-            ),
-            Regime::PullOff => format!(
-                "Pull-off (n > 1/2): when the {controlled} falls below that of this state, no equilibrium is left and \
-                 the contact breaks."
-            ),
-            Regime::CompleteContact => format!(
-                "Complete contact (n < 1/2): when the {controlled} rises above that of this state, no equilibrium is \
-                 left and the contact spreads over the whole surface."
-            ),
-        }
-    }
 }
 
 /// One table for several answers, the titles first: [`CriticalRow::COLUMNS`], then those of [`Validity`](crate::Validity) with
@@ -161,10 +123,45 @@ pub fn spreadsheet(answers: &[CriticalAnswer]) -> Vec<Vec<String>> {
         CriticalRow::COLUMNS.map(str::to_owned).into_iter().chain(keys.iter().map(|key| format!("validity_{key}")));
     let rows = answers.iter().flat_map(|answer| {
         let cells = validity(answer).unwrap_or_default();
-        let text =
-            |key| cells.iter().find(|(name, _)| name == key).map_or_else(String::new, |(_, cell)| cell.to_string());
-        let added: Vec<String> = keys.iter().map(text).collect();
+        let added = keys.iter().map(|key| find(&cells, key).map_or_else(String::new, ToString::to_string));
+        let added: Vec<String> = added.collect();
         answer.rows().into_iter().map(move |row| row.0.into_iter().chain(added.clone()).collect())
     });
     std::iter::once(header.collect()).chain(rows).collect()
+}
+
+/// The columns of [`overview`]: key, title, unit, and whether it is a number.
+const OVERVIEW: [(&str, &str, &str, bool); 7] = [
+    ("n", "n", "", false),
+    ("kappa", "kappa_n", "", true),
+    ("contact_radius", "contact radius", "m", true),
+    ("indentation", "indentation", "m", true),
+    ("force", "force", "N", true),
+    ("kind", "fold", "", false),
+    ("status", "status", "", false),
+];
+
+/// What [`overview`] tells of [`Validity`](crate::Validity) where an answer has one.
+const OF_VALIDITY: [&str; 3] = ["tabor", "regime", "maugis_dugdale_pull_off"];
+
+/// The main columns of [`spreadsheet`] for a reader, in the units of `style`; the titles first.
+pub fn overview(answers: &[CriticalAnswer], style: &NumberStyle) -> Vec<Vec<String>> {
+    let asked = answers.iter().any(|answer| answer.validity.is_some());
+    let added = if asked { &OF_VALIDITY[..] } else { &[] };
+    let own = OVERVIEW.iter().map(|(_, name, unit, _)| (*name, *unit));
+    let titles = own.chain(added.iter().map(|key| title(key, None)));
+    let mut table = vec![titles.map(|(name, unit)| style.titled(name, unit)).collect()];
+    for answer in answers {
+        let validity = answer.validity.as_ref().map(|validity| validity.table()).unwrap_or_default();
+        let added = added.iter().map(|key| find(&validity, key).map(|cell| style.cell(cell, title(key, None).1)));
+        let added: Vec<String> = added.map(Option::unwrap_or_default).collect();
+        for row in answer.rows() {
+            let own = OVERVIEW.iter().map(|(key, _, unit, is_number)| {
+                let text = row.get(key).unwrap_or_default();
+                if *is_number { style.number(text, unit) } else { text.to_owned() }
+            });
+            table.push(own.chain(added.iter().cloned()).collect());
+        }
+    }
+    table
 }

@@ -62,3 +62,19 @@ pub(super) fn combined(bodies: &[Body<Literal>; 2]) -> Option<Literal> {
 pub(crate) fn exactly(value: &rug::Rational) -> Option<Literal> {
     value.to_string().parse().ok()
 }
+
+/// A rational as a short decimal where it is one, else as a fraction; none for one of absurd length.
+#[cfg(feature = "mp")]
+pub fn decimal(value: &rug::Rational) -> Option<Literal> {
+    let short: Option<Literal> =
+        mdr_core::number::certify::Enclosure::Exact(value.clone()).round(17).and_then(|decimal| {
+            let text = decimal.to_string();
+            let text = if text.contains('.') && !text.contains('e') {
+                text.trim_end_matches('0').trim_end_matches('.')
+            } else {
+                &text
+            };
+            text.parse().ok()
+        });
+    short.filter(|literal| literal.to_rational() == *value).or_else(|| exactly(value))
+}

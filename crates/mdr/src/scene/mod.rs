@@ -27,6 +27,8 @@ pub use tree::Files;
 pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, POINTS, Want};
 
 #[cfg(feature = "mp")]
+pub use material::decimal;
+#[cfg(feature = "mp")]
 pub(crate) use material::exactly;
 #[cfg(feature = "mp")]
 pub(crate) use place::double;

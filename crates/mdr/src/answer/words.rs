@@ -1,0 +1,109 @@
+//! What is said of an answer beside its tables: reasons, sums, promises, completeness; how good a fit is.
+
+use super::{Completeness, NumberStyle, Output};
+#[cfg(feature = "fit")]
+use crate::fit::{Event, Fit};
+
+/// Reasons that are told of one output.
+const MOST_REASONS: usize = 5;
+
+impl Output {
+    /// What is no row of its list, in a sentence each: the energy of a path, the summary of a force curve.
+    pub fn sentences(&self, style: &NumberStyle) -> Vec<String> {
+        match self {
+            Output::Path(path) => path.balance.iter().map(|balance| balance.sentence(style)).collect(),
+            Output::ForceCurve(curve) => vec![curve.summary.sentence(style)],
+            _ => Vec::new(),
+        }
+    }
+
+    /// All that belongs below its table, a paragraph each: why numbers are missing, its [sentences](Output::sentences),
+    /// numbers with a promise of their own, and whether the list is complete.
+    pub fn remarks(&self, style: &NumberStyle) -> Vec<String> {
+        let reasons = self.reasons();
+        let mut remarks: Vec<String> =
+            reasons.iter().take(MOST_REASONS).map(|(status, why)| format!("{status}: {why}.")).collect();
+        if reasons.len() > MOST_REASONS {
+            remarks.push(format!("and {} more reasons.", reasons.len() - MOST_REASONS));
+        }
+        remarks.extend(self.sentences(style));
+        let exceptions = self.exceptions();
+        if let Some((_, promise)) = exceptions.first() {
+            let fields: Vec<&str> = exceptions.iter().map(|(field, _)| *field).collect();
+            remarks.push(format!("With the promise {}: {}.", promise.name(), fields.join(", ")));
+        }
+        remarks.extend(self.complete().map(Completeness::sentence));
+        remarks
+    }
+}
+
+impl Completeness {
+    /// Whether the list is complete, where, and why, in a sentence.
+    pub fn sentence(&self) -> String {
+        let range = match (&self.from, &self.to) {
+            (Some(from), Some(to)) => format!(" for contact radii from {from} to {to} m"),
+            (Some(_), None) => " for all contact radii".to_owned(),
+            _ => String::new(),
+        };
+        let proved = if self.proved { "Proved complete" } else { "Not proved complete" };
+        format!("{proved}{range}: {}.", self.why)
+    }
+}
+
+#[cfg(feature = "fit")]
+impl Fit {
+    /// What was fitted to what, and how it ended, in a line; the reason below it where something is amiss.
+    pub fn heading(&self) -> String {
+        let Fit { profile, observation, distance, .. } = self;
+        let (rows, status) = (self.rows.len(), self.status.name());
+        let line = format!(
+            "Profile: {profile}; observed: {}; {rows} rows, {distance} distances: {status}",
+            observation.name()
+        );
+        if self.reason.is_empty() { line } else { format!("{line}\n\nReason: {}.", self.reason) }
+    }
+
+    /// How well the curve goes through the data, in a few sentences.
+    pub fn quality(&self) -> String {
+        let Fit { rss, dof, .. } = self;
+        let unit = if self.rss_unit == "1" { String::new() } else { format!(" {}", self.rss_unit) };
+        let mut text = format!("Residual sum of squares: {rss:.5e}{unit}; degrees of freedom: {dof}.");
+        if let (Some(chi2), Some(p)) = (self.chi2, self.chi2_p) {
+            text.push_str(&format!(" χ² = {chi2:.2}, p = {p:.3}."));
+        }
+        if let Some(test) = self.runs_test {
+            let (runs, expected, p) = (test.runs, test.expected, test.p);
+            text.push_str(&format!(" Runs of equal sign: {runs}, expected {expected:.1}, p = {p:.3}."));
+        }
+        text
+    }
+
+    /// Pull-off and first touch, predicted and measured, a sentence for each that is known.
+    pub fn events(&self) -> Vec<String> {
+        let named = [
+            ("Pull-off, predicted", &self.predicted_pull_off),
+            ("Pull-off, measured", &self.measured_pull_off),
+            ("First touch, predicted", &self.predicted_jump_in),
+            ("Jump into contact, measured", &self.measured_jump_in),
+        ];
+        let units = self.observation.units();
+        let known = named.into_iter().filter_map(|(title, event)| Some((title, event.as_ref()?)));
+        known.map(|(title, event)| format!("{title}: {}", event.sentence(&units))).collect()
+    }
+}
+
+#[cfg(feature = "fit")]
+impl Event {
+    /// Its numbers, with their standard errors where they are known; X and Y are in the first two `units`.
+    fn sentence(&self, units: &[&str]) -> String {
+        // The standard errors are in the order of the numbers.
+        let number = |index: usize, value: f64| match self.stderr {
+            Some(stderr) => format!("{value:.4e} ± {:.1e}", stderr[index]),
+            None => format!("{value:.4e}"),
+        };
+        let [x, y] = [number(0, self.x), number(1, self.y)];
+        let [force, indentation] = [number(2, self.force), number(3, self.indentation)];
+        let radius = self.contact_radius.map_or_else(String::new, |radius| format!(", a = {} m", number(4, radius)));
+        format!("x = {x} {}, y = {y} {}; F = {force} N, d = {indentation} m{radius}", units[0], units[1])
+    }
+}
