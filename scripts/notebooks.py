@@ -47,6 +47,8 @@ def run(source, namespace, count):
     pyplot.close("all")
     if value is not None:
         data = {"text/plain": lines(repr(value))}
+        if hasattr(value, "_repr_svg_"):
+            data["image/svg+xml"] = lines(value._repr_svg_())
         outputs.append({"data": data, "execution_count": count, "metadata": {}, "output_type": "execute_result"})
     return outputs
 
