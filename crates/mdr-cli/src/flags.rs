@@ -102,11 +102,6 @@ pub(crate) struct ArithmeticFlags {
 }
 
 impl ArithmeticFlags {
-    /// As given; certified to 20 digits when neither is.
-    pub(crate) fn chosen(&self) -> Result<Arithmetic> {
-        Ok(self.given()?.unwrap_or_default())
-    }
-
     /// As given, if one is.
     pub(crate) fn given(&self) -> Result<Option<Arithmetic>> {
         match (Flag::given("--digits", &self.digits), self.f64) {

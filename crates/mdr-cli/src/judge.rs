@@ -106,7 +106,7 @@ impl Judge {
             text = format!("{heading}{}\n\n", answers(&report.judged[..shown.min(report.answered())]));
         }
         let classes = text_table(&Class::HEADER, report.classes().iter().map(Class::cells));
-        format!("{text}{}\n\n{}", render(&classes), report.summary())
+        format!("{text}{classes}\n\n{}", report.summary())
     }
 }
 
