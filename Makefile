@@ -24,10 +24,9 @@ bench: deps
 doc: deps
 	cargo doc --locked --workspace --no-deps
 
-# The theory as a static site, target/book/index.html: checked without a browser, and written. Asked of the whole workspace, so
-# that its libraries are compiled with the same features, once. Needs Rust 1.91.
+# The theory as a static site, target/book/index.html: checked without a browser, and written.
 book: deps
-	cargo test --locked --workspace --test book
+	cargo test --locked --test book
 	$${CARGO_TARGET_DIR:-target}/debug/mdr-book
 
 # The certified values once more, by Arb: installs python-flint below target/ if it can.
@@ -46,7 +45,8 @@ python:
 site:
 	@sh scripts/site.sh
 
-# The explorer in a browser without a window, its numbers against those of the program; skipped where there is no browser.
+# The explorer and the book in a browser without a window, the numbers of the explorer against those of the program; skipped where
+# there is no browser.
 site-test:
 	@sh scripts/site_test.sh
 

@@ -1,7 +1,8 @@
 #!/bin/sh
-# The explorer in a browser, without a window: what a reader sees and does, its numbers against `mdr solve --f64`, frames and
-# sizes. playwright-core and axe-core are installed below target/, Chromium by the system's packages where that may be done.
-# Where one of them cannot be had nothing is checked, and that is said. CHROMIUM and MDR name other programs.
+# The explorer and the book in a browser, without a window: what a reader sees and does, the numbers of the explorer against
+# `mdr solve --f64`, frames and sizes; axe on both. playwright-core and axe-core are installed below target/, Chromium by the
+# system's packages where that may be done. Where one of them cannot be had nothing is checked, and that is said. CHROMIUM and
+# MDR name other programs.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -49,4 +50,4 @@ fi
 
 MDR=$(cd "$(dirname "$program")" && pwd)/$(basename "$program")
 export CHROMIUM MDR
-exec node --test --test-concurrency=1 --test-reporter=spec web/tests/physics.test.mjs web/tests/page.test.mjs
+exec node --test --test-concurrency=1 --test-reporter=spec web/tests/physics.test.mjs web/tests/page.test.mjs web/tests/book.test.mjs

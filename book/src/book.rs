@@ -15,6 +15,7 @@ use crate::conformance::{self, Row};
 use crate::entry::{badges, title};
 use crate::error::{Error, Result};
 use crate::figures::Figures;
+use crate::fits;
 use crate::links::{DOCUMENTS, Links, Shelf, heading, is_equation, is_picture, published};
 use crate::markdown::{self, Math, Page, escaped};
 use crate::moving;
@@ -107,6 +108,9 @@ impl Book<'_> {
         sheets.push(plain("values", "Certified values", values::index()));
         for (family, title) in values::FAMILIES {
             sheets.push(plain(&format!("values-{family}"), title, values::family_page(family)));
+        }
+        for set in mdr_reference::data_sets() {
+            sheets.push(plain(&format!("fit-{}", set.name), &format!("Data set {}", set.name), fits::page(set)?));
         }
         sheets.extend(self.documents(Shelf::Numbers)?);
         sheets.extend(self.documents(Shelf::Program)?);

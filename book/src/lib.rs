@@ -12,6 +12,7 @@ mod conformance;
 mod entry;
 mod error;
 mod figures;
+mod fits;
 mod links;
 mod markdown;
 mod moving;

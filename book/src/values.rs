@@ -10,7 +10,7 @@ use crate::entry::permalink;
 use crate::error::{Error, Result};
 
 /// The families, in the order of the theory: the formula of the records, what is asked.
-pub(crate) const FAMILIES: [(&str, &str); 14] = [
+pub(crate) const FAMILIES: [(&str, &str); 15] = [
     ("kappa", "The factor κ of a power law"),
     ("critical", "Critical states of power laws"),
     ("machine-folds", "Folds of power laws on a machine"),
@@ -25,7 +25,11 @@ pub(crate) const FAMILIES: [(&str, &str); 14] = [
     ("equilibria", "Equilibria of other profiles"),
     ("landing", "Where a jump ends"),
     ("flat-punch-pull-off", "Pull-off of a flat punch"),
+    (FIT, "Fits of measured curves"),
 ];
+
+/// Records of fits, which have a page for each data set.
+const FIT: &str = "fit";
 
 /// Records of the states, which stand with the equilibria.
 const STATE: &str = "state";
@@ -154,16 +158,23 @@ pub(crate) fn family_page(name: &str) -> Markup {
         p { (members(name).len()) " certified values. The condition is the factor by which a relative error of the inputs grows at least; f64 is the nearest double, hexadecimal. " a href="values.html" { "All families" } }
         p { input type="search" data-filter="values" placeholder="Filter: n = 2, force, higher …" aria-label="Filter the questions"; }
         div #values { @for (case, found) in &cases { section.case {
-            h3 { (case) @if let Some(first) = found.first() { (permalink(&first.id, "this question")) } }
-            @if let Some(first) = found.first() { p.hint { (question(first)) } }
-            div.table tabindex="0" role="group" aria-label="Values" { table.values {
-                thead { tr { th { "quantity" } th { "value" } th { "f64" } th { "condition" } th { "difficulty" } } }
-                tbody { @for record in found { tr id=(record.id) {
-                    td { (quantity(record)) } td { (value(record)) }
-                    td { @if let Some(double) = record.hexadecimal() { code { (double) } } }
-                    td { (format!("{:.3}", record.total_condition())) } td { (record.difficulty.name()) }
-                } } }
-            } }
+            h2 { (case) @if let Some(first) = found.first() { (permalink(&first.id, "this question")) } }
+            @if let Some(first) = found.first() { p.hint { (question(first)) @if name == FIT { ". " a href={ (case.replace('/', "-")) ".html" } { "The data" } } } }
+            (table(found))
         } } }
+    }
+}
+
+/// Values with their doubles, conditions and difficulties.
+pub(crate) fn table(found: &[&Record]) -> Markup {
+    html! {
+        div.table tabindex="0" role="group" aria-label="Values" { table.values {
+            thead { tr { th { "quantity" } th { "value" } th { "f64" } th { "condition" } th { "difficulty" } } }
+            tbody { @for record in found { tr id=(record.id) {
+                td { (quantity(record)) } td { (value(record)) }
+                td { @if let Some(double) = record.hexadecimal() { code { (double) } } }
+                td { (format!("{:.3}", record.total_condition())) } td { (record.difficulty.name()) }
+            } } }
+        } }
     }
 }

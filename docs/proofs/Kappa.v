@@ -379,9 +379,9 @@ Proof.
   destruct (kappa_small n H0). change (Rabs (kappa n - 1) < eps). rewrite Rabs_pos_eq in Hn by lra. apply Rabs_def1; lra.
 Qed.
 
-(** (1.12) with Gamma functions, as it is printed and without its 0·∞ at n = 0. By the theorem of Bohr and Mollerup (not proved
-    here) Euler's Γ is the one function on the positive numbers that is positive, has Γ(z+1) = zΓ(z), a convex logarithm and
-    Γ(1) = 1; here any function G with the first three will do. *)
+(** (1.12) with Gamma functions, as it is printed and without its 0·∞ at n = 0. By the theorem of Bohr and Mollerup
+    ([gamma_unique], [gamma_exists]) Euler's Γ is the one function on the positive numbers that is positive, has Γ(z+1) = zΓ(z), a
+    convex logarithm and Γ(1) = 1; here any function G with the first three will do. *)
 Theorem eq_1_12_gamma (G : R -> R) :
   (forall z, 0 < z -> 0 < G z) ->
   (forall z, 0 < z -> G (z+1) = z * G z) ->

@@ -41,6 +41,10 @@ pub(crate) struct Fit {
     #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(1..=1000))]
     digits: Option<u32>,
 
+    /// Give intervals of 68 % and 95 % by profile likelihood, too
+    #[arg(long)]
+    profile_likelihood: bool,
+
     /// Shape of the answer
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
@@ -87,6 +91,7 @@ impl Fit {
     }
 
     fn asked(&self, problem: Problem) -> Problem {
+        let problem = if self.profile_likelihood { problem.profile_likelihood() } else { problem };
         match self.digits {
             Some(digits) => problem.digits(digits),
             None => problem,
@@ -183,10 +188,13 @@ fn cells(file: &str, answer: &mdr::Result<Answer>) -> Vec<[String; 7]> {
 fn for_reader(answer: &Answer) -> String {
     let mut parts = vec![answer.heading()];
     parts.push(estimates(answer));
+    if !answer.intervals.is_empty() {
+        parts.push(intervals(answer));
+    }
     if let Some(certified) = &answer.certified {
         let rows = certified.parameters.iter().map(|estimate| {
-            let [name, value, stderr] = [&estimate.name, &estimate.value, &estimate.scaled_stderr].map(String::clone);
-            [name, value, stderr, format!("± {:.0e}", estimate.unique_within)]
+            let [value, stderr] = [&estimate.value, &estimate.scaled_stderr].map(ToString::to_string);
+            [estimate.name.clone(), value, stderr, format!("± {:.0e}", estimate.unique_within)]
         });
         let header = ["certified", "estimate", "scaled by residuals", "unique within"];
         parts.push(text_table(&header, rows));
@@ -224,6 +232,15 @@ fn estimates(answer: &Answer) -> String {
         ]);
     }
     render_whole(&table)
+}
+
+fn intervals(answer: &Answer) -> String {
+    let end = |end: Option<f64>| end.map_or_else(|| "open".to_owned(), |end| format!("{end:.5e}"));
+    let rows = answer.intervals.iter().map(|interval| {
+        let level = format!("{:.0} %", 100.0 * interval.level);
+        [interval.name.clone(), level, end(interval.lower), end(interval.upper)]
+    });
+    render_whole(&text_table(&["by profile likelihood", "level", "from", "to"], rows))
 }
 
 fn correlations(answer: &Answer) -> String {

@@ -30,6 +30,10 @@ pub(crate) struct Reference {
     #[arg(long, value_name = "FILE")]
     export: Option<PathBuf>,
 
+    /// Write the data sets of the certified fits into this folder: what is fitted (.toml) and the curve (.csv)
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["filter", "table", "export", "generate"])]
+    data_sets: Option<PathBuf>,
+
     /// Compute all records anew and write the files of the release into this folder
     #[arg(long, value_name = "DIR", conflicts_with_all = ["filter", "export"])]
     generate: Option<PathBuf>,
@@ -53,6 +57,9 @@ impl Reference {
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         if let Some(folder) = &self.generate {
             return generate(folder, out);
+        }
+        if let Some(folder) = &self.data_sets {
+            return data_sets(folder, out).map(|()| true);
         }
         match &self.table {
             Some(Some(name)) => return self.table(name, out).map(|()| true),
@@ -109,6 +116,19 @@ fn generate(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<bool
         out.text(format_args!("{}: {} records", path.display(), content.lines().count()))?;
     }
     Ok(true)
+}
+
+/// Writes the data sets into a folder.
+fn data_sets(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<()> {
+    const FLAG: &str = "--data-sets";
+    files::make_folder(FLAG, folder)?;
+    for set in mdr_reference::data_sets() {
+        let [fit, curve] = ["toml", "csv"].map(|extension| folder.join(set.name).with_extension(extension));
+        files::write(FLAG, &fit, set.fit)?;
+        files::write(FLAG, &curve, set.curve)?;
+        out.text(format_args!("{}: {} rows, {}", fit.display(), set.curve.lines().count() - 2, set.level))?;
+    }
+    Ok(())
 }
 
 /// Writes records in the format that the extension of the file names.

@@ -58,6 +58,33 @@ def test_a_fit_says_whether_the_theory_holds(curve: tuple[mdr.Floats, mdr.Floats
     assert found.validity["tabor"] == pytest.approx(alone["tabor"], rel=0.05)
 
 
+def test_intervals_by_profile_likelihood(curve: tuple[mdr.Floats, mdr.Floats]) -> None:
+    tip = mdr.Paraboloid(radius=RADIUS)
+    found = mdr.fit(*curve, profile=tip, observation="F(d)", profile_likelihood=True)
+    assert [(each.name, each.level) for each in found.intervals] == [
+        (name, level) for name in ("e_star", "work_of_adhesion") for level in (0.68, 0.95)
+    ]
+    for each in found.intervals:
+        estimate = found[each.name]
+        assert estimate.value and estimate.stderr and each.lower and each.upper
+        quantile = 0.998 if each.level == 0.68 else 1.976  # Student's t with 148 degrees of freedom
+        # Nearly linear: the ends are those of the standard errors, to a few per cent.
+        assert each.upper - estimate.value == pytest.approx(quantile * estimate.stderr, rel=0.05)
+        assert estimate.value - each.lower == pytest.approx(quantile * estimate.stderr, rel=0.05)
+    assert mdr.fit(*curve, profile=tip, observation="F(d)").intervals == ()
+
+
+@pytest.mark.skipif(not mdr.CERTIFIED, reason="a build without certified digits")
+def test_certified_digits_of_a_fit(curve: tuple[mdr.Floats, mdr.Floats]) -> None:
+    tip = mdr.Paraboloid(radius=RADIUS)
+    found = mdr.fit(*curve, profile=tip, observation="F(d)", sigma_x=0, digits=25)
+    assert found.certified, found.warnings
+    for each in found.certified:
+        assert len(each.value.as_tuple().digits) == 25
+        assert float(each.value) == pytest.approx(found[each.name].value, rel=1e-9)
+        assert float(each.scaled_stderr) == pytest.approx(found[each.name].scaled_stderr, rel=1e-6)
+
+
 def test_bad_data_are_refused(curve: tuple[mdr.Floats, mdr.Floats]) -> None:
     x, y = curve
     tip = mdr.Paraboloid(radius=RADIUS)

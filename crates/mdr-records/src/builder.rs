@@ -151,7 +151,7 @@ impl<'a> RecordBuilder<'a> {
 }
 
 /// What a double can say of this number.
-fn status(value: &Decimal) -> Status {
+pub(crate) fn status(value: &Decimal) -> Status {
     match value.to_f64().abs() {
         f64::INFINITY => Status::Overflow,
         size if size < f64::MIN_POSITIVE && !value.is_zero() => Status::Underflow,
@@ -160,14 +160,14 @@ fn status(value: &Decimal) -> Status {
 }
 
 /// The correctly rounded decimal with half a unit of its last digit.
-fn certified(value: &Decimal) -> Certified {
+pub(crate) fn certified(value: &Decimal) -> Certified {
     let last = value.exponent() - (value.digits().len() as u32);
     let rad = if value.is_zero() { "0".to_owned() } else { format!("5e{last}") };
     Certified { mid: value.to_string(), rad, digits: DIGITS }
 }
 
 /// Conditions are orders of magnitude: three digits.
-fn three_digits(x: f64) -> f64 {
+pub(crate) fn three_digits(x: f64) -> f64 {
     /// What rounding leaves of a condition that is zero is below this.
     const NOTHING: f64 = 1e-30;
     if x.abs() < NOTHING { 0.0 } else { format!("{:.2e}", x.abs()).parse().unwrap_or(x) }

@@ -12,6 +12,8 @@
 //! # Ok::<(), mdr_records::RecordError>(())
 //! ```
 //!
+//! Fits of data sets are proved by the normal equations, and confirmed by residuals from quadrature.
+//!
 //! Two kinds of answers are no scene: equilibria at a share of the critical value, which is no decimal, come from
 //! `mdr-analytic`; and where surfaces would overlap an enclosure of the gap is written here.
 
@@ -24,6 +26,7 @@ mod contact;
 mod edges;
 mod energy;
 mod equilibria;
+mod fits;
 mod folds;
 mod profiles;
 mod sensitivity;
@@ -90,6 +93,12 @@ pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordErro
             content.extend(records?.iter().map(|record| record.to_json() + "\n"));
         }
     }
+    let fits: Vec<_> = mdr_reference::data_sets().par_iter().map(fits::records).collect();
+    let mut content = String::new();
+    for records in fits {
+        content.extend(records?.iter().map(|record| record.to_json() + "\n"));
+    }
+    files.push((fits::FILE, content));
     Ok(files)
 }
 

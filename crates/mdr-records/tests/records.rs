@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
 use mdr_records::generate;
+use mdr_reference::{Decimal, data_sets};
+use serde_json::Value as Json;
 
 /// As `mdr reference --generate` does it: the whole set costs some thirty seconds of one processor.
 #[test]
@@ -27,4 +29,31 @@ fn proofs_are_derivations() {
         let entry = mdr_symbolic::derivations::entry(id).unwrap_or_else(|| panic!("no derivation {id}"));
         assert!(entry.steps.iter().all(|step| step.holds().unwrap()), "{id}");
     }
+}
+
+/// Six data sets were fitted by another program, in sixty digits of which twenty are printed.
+#[test]
+fn fits_are_those_of_another_program() {
+    let other: Json = serde_json::from_str(include_str!("../../mdr/tests/fits/public.json")).unwrap();
+    let mut compared = 0;
+    for set in data_sets() {
+        let same = |other: &&Json| other["id"].as_str().unwrap().eq_ignore_ascii_case(set.name);
+        let Some(other) = other["sets"].as_array().unwrap().iter().find(same) else { continue };
+        let certified = &other["certified"];
+        for record in set.records() {
+            let name = record.quantity.trim_end_matches("_stderr");
+            let published = match other["free"].as_array().unwrap().iter().position(|free| free == name) {
+                None => &certified["rss"],
+                Some(place) if name == record.quantity => &certified["estimate"][place],
+                Some(place) => &certified["sd_scaled"][place],
+            };
+            let published: Decimal = published.as_str().unwrap().parse().unwrap();
+            let value = record.decimal().unwrap();
+            // Half a unit of the twentieth digit.
+            let error = (&published - &value).abs();
+            assert!(error.is_zero() || error.log10() < value.log10() - 19.0, "{}: {published:?}", record.id);
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 5 + 9 + 9 + 7 + 7 + 7);
 }

@@ -8,12 +8,13 @@ use crate::record::Record;
 use crate::text::excerpt;
 
 /// The files of the release, in order.
-const FILES: [&str; 5] = [
+const FILES: [&str; 6] = [
     include_str!("../data/critical.jsonl"),
     include_str!("../data/equilibria.jsonl"),
     include_str!("../data/profiles.jsonl"),
     include_str!("../data/edges.jsonl"),
     include_str!("../data/worst.jsonl"),
+    include_str!("../data/fits.jsonl"),
 ];
 
 /// All records of this release, parsed once.

@@ -6,6 +6,7 @@
 //! published thresholds ([`Hardness`]). The judge marks answers and separates the error of an algorithm from the
 //! condition of the question. Where wrong answers follow a mistaken convention, such as γ for w, it names that
 //! ([`Explanation`]). A [`Table`] is a few dozen rows to copy.
+//! A [`DataSet`] is a measured curve whose fit is certified.
 //!
 //! The crate is data and a judge, without dependencies and without numerical methods of its own. As a dev-dependency:
 //!
@@ -27,6 +28,7 @@
 #![forbid(unsafe_code)]
 
 mod catalogue;
+mod data_set;
 mod decimal;
 mod difficulty;
 mod hexadecimal;
@@ -40,6 +42,7 @@ mod text;
 mod write;
 
 pub use catalogue::{Family, Filter, FilterError, families, lines, record, records};
+pub use data_set::{DataSet, data_sets};
 pub use decimal::{Decimal, DecimalError};
 pub use difficulty::{Difficulty, Hardness};
 pub use judge::{

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_reference::{Decimal, Difficulty, Filter, Hardness, Record, Status, lines, record, records};
+use mdr_reference::{Decimal, Difficulty, Filter, Hardness, Record, Status, data_sets, lines, record, records};
 
 #[test]
 fn every_line_is_a_record() {
@@ -130,11 +130,12 @@ fn filters() {
     }
 }
 
-/// Condition, distance to a fold, decades and |n − 1/2|, computed from the records, give the published difficulty.
+/// Condition, distance to a fold, decades and |n − 1/2|, computed from the records, give the published difficulty; a fit has the
+/// level of its data set.
 #[test]
 fn difficulties_are_those_of_their_measures() {
     let mut near = 0;
-    for record in records() {
+    for record in records().iter().filter(|record| record.formula != "fit") {
         let half = record.input_f64("n").map_or(f64::INFINITY, |n| (n - 0.5).abs());
         let measured = Hardness {
             condition: record.total_condition(),
@@ -159,6 +160,24 @@ fn a_whole_exponent_costs_nothing() {
     assert_eq!((tip.total_condition(), tip.difficulty.name()), (2.0, "lower"));
     let near = of("critical/half+2^-10/force/force");
     assert!(near.condition.iter().any(|(name, condition)| name == "n" && near.total_condition() > *condition));
+}
+
+/// Every data set has certified values, and every fit its data.
+#[test]
+fn fits_have_their_data() {
+    let mut count = 0;
+    for set in data_sets() {
+        let records: Vec<_> = set.records().collect();
+        count += records.len();
+        assert!(records.len() >= 5 && records.len() % 2 == 1, "{}", set.name);
+        assert!(records.iter().all(|record| record.difficulty == set.level), "{}", set.name);
+        assert!(
+            set.fit.contains(&format!("file = \"{}.csv\"", set.name)) && set.curve.lines().count() > 30,
+            "{}",
+            set.name
+        );
+    }
+    assert_eq!(count, records().iter().filter(|record| record.formula == "fit").count());
 }
 
 /// A row contains everything of a line of JSON, in the same order.

@@ -176,14 +176,38 @@ fn certified_digits_are_those_of_another_program() {
         let set = set(id);
         let fit = problem(&set).digits(digits).fit().unwrap();
         let certified = fit.certified.unwrap_or_else(|| panic!("{id}: {:?}", fit.warnings));
-        let pairs = |key: &str, found: Vec<&String>| {
+        let pairs = |key: &str, found: Vec<f64>| {
             for (found, expected) in found.iter().zip(numbers(&set["certified"][key])) {
-                assert!(self::digits(found.parse().unwrap(), expected) > 14.5, "{id} {key}: {found}, {expected:e}");
+                assert!(self::digits(*found, expected) > 14.5, "{id} {key}: {found:e}, {expected:e}");
             }
         };
-        pairs("estimate", certified.parameters.iter().map(|estimate| &estimate.value).collect());
-        pairs("sd_scaled", certified.parameters.iter().map(|estimate| &estimate.scaled_stderr).collect());
-        assert!(self::digits(certified.rss.parse().unwrap(), number(&set["certified"]["rss"])) > 14.5, "{id}");
+        pairs("estimate", certified.parameters.iter().map(|estimate| estimate.value.to_f64()).collect());
+        pairs("sd_scaled", certified.parameters.iter().map(|estimate| estimate.scaled_stderr.to_f64()).collect());
+        assert!(self::digits(certified.rss.to_f64(), number(&set["certified"]["rss"])) > 14.5, "{id}");
+    }
+}
+
+/// An end of an interval is where the sum of squares, fitted anew with the number given, has risen by the quantile of χ².
+#[test]
+fn intervals_end_where_the_sum_of_squares_has_risen() {
+    for id in ["JKRtest1", "Cone1"] {
+        let set = set(id);
+        let fit = problem(&set).profile_likelihood().fit().unwrap();
+        assert_eq!(fit.intervals.len(), 2 * fit.parameters.len(), "{id}: {:?}", fit.warnings);
+        for interval in &fit.intervals {
+            let quantile = if interval.level == 0.68 { 0.994_457_883_209_753_1 } else { 1.959_963_984_540_054 };
+            let mut others = set.clone();
+            others["free"].as_array_mut().unwrap().retain(|name| *name != interval.name);
+            let estimate = fit.estimate(&interval.name).unwrap();
+            for end in [interval.lower, interval.upper].map(Option::unwrap) {
+                let given = problem(&others).fixed(&interval.name, end).unwrap().fit().unwrap();
+                let risen = given.chi2.unwrap() - fit.chi2.unwrap();
+                assert!((risen / (quantile * quantile) - 1.0).abs() < 1e-4, "{id} {interval:?}: χ² rises by {risen}");
+                // The models are nearly linear within these errors.
+                let length = (end - estimate.value.unwrap()).abs() / (quantile * estimate.stderr.unwrap());
+                assert!((length - 1.0).abs() < 0.1, "{id} {interval:?}: {length} standard errors");
+            }
+        }
     }
 }
 

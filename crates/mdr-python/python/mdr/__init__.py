@@ -18,7 +18,7 @@ from ._errors import (
     DomainError, Error, FilterError, InternalError, NoConvergenceError, NoEquilibriumError, OutOfRangeError, SceneError,
     UndecidedError,
 )
-from ._fit import Estimate, Fit, fit
+from ._fit import CertifiedEstimate, Estimate, Fit, Interval, fit
 from ._functions import context, critical_states, effective_modulus, jkr, kappa
 from ._numbers import Floats, Number
 from ._oracle import Answer, AnswerLike, Mark, Record, Report, judge, record, records
@@ -30,7 +30,7 @@ from ._profiles import (
 from ._scene import File, Picture, Solution, solve
 from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Status, Trace
 
-RECORDS_RELEASE: Final = 2
+RECORDS_RELEASE: Final = 3
 
 __all__ = [
     "CERTIFIED", "RECORDS_RELEASE", "__version__",
@@ -40,7 +40,7 @@ __all__ = [
     "Table", "TruncatedCone", "TruncatedParaboloid", "WavyParaboloid",
     "Equilibria", "Event", "Fold", "LoadingPath", "State", "States", "Status", "Trace",
     "File", "Picture", "Solution", "solve",
-    "Estimate", "Fit", "fit",
+    "CertifiedEstimate", "Estimate", "Fit", "Interval", "fit",
     "Answer", "AnswerLike", "Mark", "Record", "Report", "judge", "record", "records",
     "DomainError", "Error", "FilterError", "InternalError", "NoConvergenceError", "NoEquilibriumError", "OutOfRangeError",
     "SceneError", "UndecidedError",

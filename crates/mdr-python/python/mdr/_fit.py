@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any, Literal, TypeAlias, final
 
 import numpy as np
@@ -28,6 +29,26 @@ class Estimate:
     stderr: float | None
     scaled_stderr: float | None
     unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Interval:
+    """What the data do not contradict of a free number at a level, by profile likelihood; None where an end is open."""
+
+    name: str
+    level: float
+    lower: float | None
+    upper: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class CertifiedEstimate:
+    """A free number whose digits are all proved. No other stationary point is within ``unique_within`` in each number at once."""
+
+    name: str
+    value: Decimal
+    scaled_stderr: Decimal
+    unique_within: float
 
 
 @final
@@ -78,6 +99,17 @@ class Fit:
         """Whether the theory holds for the fitted contact, where ``range_of_adhesion`` is given."""
         self.warnings: tuple[str, ...] = tuple(answer["warnings"])
         """What may mislead."""
+
+        self.intervals: tuple[Interval, ...] = tuple(Interval(**each) for each in answer.get("intervals", []))
+        """Of the free numbers at 0.68 and 0.95, where ``profile_likelihood`` asks for them."""
+        proved = answer["certified"] or {"parameters": []}
+        self.certified: tuple[CertifiedEstimate, ...] = tuple(
+            CertifiedEstimate(
+                each["name"], Decimal(each["value"]), Decimal(each["scaled_stderr"]), float(each["unique_within"])
+            )
+            for each in proved["parameters"]
+        )
+        """The estimates where ``digits`` asks for them; empty where they cannot be proved, and a warning says why."""
 
     def __getitem__(self, name: str) -> Estimate:
         for each in self.estimates:
@@ -146,6 +178,8 @@ def fit(
     bounds: Mapping[str, tuple[Number, Number]] | None = None,
     loss: Literal["least-squares", "huber"] = "least-squares",
     range_of_adhesion: Number | str | None = None,
+    profile_likelihood: bool = False,
+    digits: int | None = None,
 ) -> Fit:
     """Fits a measured curve. The theory decides on which branch a row lies and where the contact jumps: no row is clipped.
 
@@ -174,6 +208,10 @@ def fit(
         Huber counts wild rows less, and needs ``sigma_y``.
     range_of_adhesion : Number or str, optional
         In m, or with its unit, ``"0.3 nm"``: the answer says whether the theory holds.
+    profile_likelihood : bool
+        Intervals of 68 % and 95 % without a linearised model, too: each takes some ten further fits.
+    digits : int, optional
+        Estimates in so many proved digits, too.
 
     Returns
     -------
@@ -228,7 +266,14 @@ def fit(
         }
     if bounds:
         problem["fit"]["bounds"] = {name: [exact(end, name) for end in ends] for name, ends in bounds.items()}
+    output: dict[str, Any] = {}
     if range_of_adhesion is not None:
-        problem["output"] = {"range_of_adhesion": exact(range_of_adhesion, "range_of_adhesion")}
+        output["range_of_adhesion"] = exact(range_of_adhesion, "range_of_adhesion")
+    if profile_likelihood:
+        output["intervals"] = "profile-likelihood"
+    if digits is not None:
+        output["digits"] = digits
+    if output:
+        problem["output"] = output
     text = json.dumps(problem)
     return Fit(_core.fit(text, files, False)[0], text, files)

@@ -1,5 +1,7 @@
 //! What a fit tells: estimates with their errors, or what the data cannot tell.
 
+use mdr_core::number::Decimal;
+
 use super::{Leg, Observation};
 use crate::validity::Validity;
 
@@ -53,6 +55,21 @@ pub struct Invariant {
     pub stderr: f64,
     /// Its standard error scaled by the residuals.
     pub scaled_stderr: f64,
+}
+
+/// The values of a free number that the data do not contradict at a level, by profile likelihood: the other numbers are fitted again
+/// at each.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Interval {
+    /// Its name.
+    pub name: String,
+    /// 0.68 or 0.95.
+    pub level: f64,
+    /// Its smallest value; none where the data exclude none.
+    pub lower: Option<f64>,
+    /// Its largest value; none where the data exclude none.
+    pub upper: Option<f64>,
 }
 
 /// A row of the data beside the fitted curve.
@@ -117,7 +134,8 @@ pub struct Certified {
     /// In the order of the free numbers.
     pub parameters: Vec<CertifiedEstimate>,
     /// The sum of squares.
-    pub rss: String,
+    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    pub rss: Decimal,
 }
 
 /// A free number whose digits are all proved.
@@ -127,9 +145,11 @@ pub struct CertifiedEstimate {
     /// Its name.
     pub name: String,
     /// The estimate.
-    pub value: String,
+    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    pub value: Decimal,
     /// Its standard error scaled by the residuals.
-    pub scaled_stderr: String,
+    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    pub scaled_stderr: Decimal,
     /// No other stationary point lies within this distance in each number at once.
     pub unique_within: f64,
 }
@@ -194,6 +214,9 @@ pub struct Fit {
     pub certified: Option<Certified>,
     /// Evaluations of the whole curve.
     pub evaluations: usize,
+    /// Intervals of the free numbers, where [`profile_likelihood`](super::Problem::profile_likelihood) asks for them.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub intervals: Vec<Interval>,
 }
 
 impl Fit {
@@ -227,6 +250,11 @@ fn status<S: serde::Serializer>(status: &FitStatus, serializer: S) -> Result<S::
 #[cfg(feature = "serde")]
 fn observation<S: serde::Serializer>(observation: &Observation, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(observation.name())
+}
+
+#[cfg(feature = "serde")]
+fn text<S: serde::Serializer>(digits: &Decimal, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(digits)
 }
 
 #[cfg(feature = "serde")]

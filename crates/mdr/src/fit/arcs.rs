@@ -5,7 +5,8 @@ use mdr_numeric::curve::Curve;
 use mdr_numeric::folds;
 
 use super::contact::{Contact, Point};
-use super::problem::{Kind, Observation};
+use super::observation::Observation;
+use super::problem::Kind;
 
 /// How many points of an arc a search begins with.
 const SAMPLES: usize = 48;

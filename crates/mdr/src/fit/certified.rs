@@ -13,7 +13,8 @@ use super::answer::{Certified, CertifiedEstimate};
 use super::contact::{Contact, Numbers, Tip};
 use super::minimise::Minimum;
 use super::objective::Objective;
-use super::problem::{Kind, Loss, Problem};
+use super::observation::Loss;
+use super::problem::{Kind, Problem};
 use crate::scene::Profile;
 
 /// The largest working precision, against that of the digits.
@@ -265,7 +266,7 @@ impl<'a> Proof<'a> {
             let mut reach: Vec<f64> = lengths.iter().map(|length| scale / length).collect();
             let stated = reach.clone();
             let mut found: Option<Vec<Interval>> = None;
-            for _ in 0..6 {
+            for _ in 0..24 {
                 let zone: Vec<Interval> = middle
                     .iter()
                     .zip(&reach)
@@ -294,7 +295,7 @@ impl<'a> Proof<'a> {
                     .zip(middle)
                     .map(|(image, middle)| (image.clone() - middle).abs().upper().to_f64() * 2.0)
                     .collect();
-                let shrinks = next.iter().zip(&reach).any(|(next, reach)| *next < 0.1 * reach);
+                let shrinks = next.iter().zip(&reach).any(|(next, reach)| *next < 0.7 * reach);
                 (found, reach) = (Some(images), next);
                 if !shrinks {
                     break;
@@ -317,7 +318,7 @@ impl<'a> Proof<'a> {
             return Ok(None);
         };
         let variance = normal.rss.clone().over(dof.max(1) as i64);
-        let text = |value: Interval| Enclosure::from(value).round(digits).map(|decimal| decimal.to_string());
+        let text = |value: Interval| Enclosure::from(value).round(digits);
         let numbers = self.numbers(fitted, usize::MAX);
         let mut parameters = Vec::with_capacity(count);
         for (place, reach) in reach.iter().enumerate() {

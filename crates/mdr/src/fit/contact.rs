@@ -10,7 +10,8 @@ use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::{Dual, Real};
 use mdr_numeric::transform::Quadrature;
 
-use super::problem::{Kind, Observation, Problem};
+use super::observation::Observation;
+use super::problem::{Kind, Problem};
 use crate::scene::Profile;
 
 /// The numbers of a problem in one arithmetic.

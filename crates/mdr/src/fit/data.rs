@@ -3,7 +3,8 @@
 use csv::{ReaderBuilder, StringRecord, Trim};
 use mdr_numeric::table;
 
-use super::problem::{DataRow, Leg};
+use super::observation::Leg;
+use super::problem::DataRow;
 use crate::error::Result;
 use crate::scene::Location;
 

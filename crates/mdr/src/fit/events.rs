@@ -4,9 +4,10 @@ use nalgebra::DVector;
 
 use super::answer::{Event, Fit};
 use super::arcs::end_speed;
-use super::drive::Errors;
+use super::errors::Errors;
 use super::minimise::Minimum;
-use super::problem::{Kind, Leg, Observation};
+use super::observation::{Leg, Observation};
+use super::problem::Kind;
 use crate::error::Result;
 
 /// Adds the events that the record can have.

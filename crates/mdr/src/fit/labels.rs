@@ -1,6 +1,6 @@
 //! Labels of least cost that are monotone along a leg.
 
-use super::problem::Leg;
+use super::observation::Leg;
 
 /// The label of each row of one leg: the level of least total cost, where level 0 is detached and the others are arcs from the
 /// inside out. Levels never fall on an approach and never rise on a retract.

@@ -39,16 +39,22 @@ mod certified;
 mod contact;
 mod data;
 mod drive;
+mod errors;
 mod events;
 mod judge;
 mod labels;
 mod minimise;
 mod objective;
+mod observation;
 mod problem;
+mod profile;
 mod read;
 mod start;
 mod validity;
 mod warnings;
 
-pub use answer::{Certified, CertifiedEstimate, Estimate, Event, Fit, FitStatus, FittedRow, Invariant, RunsTest};
-pub use problem::{Leg, Loss, Observation, Problem};
+pub use answer::{
+    Certified, CertifiedEstimate, Estimate, Event, Fit, FitStatus, FittedRow, Interval, Invariant, RunsTest,
+};
+pub use observation::{Leg, Loss, Observation};
+pub use problem::Problem;

@@ -8,7 +8,8 @@ use nalgebra::{DMatrix, DVector};
 use super::arcs::{self, Arc, Foot, Scales, Turn};
 use super::contact::{Contact, Numbers, Tip};
 use super::labels::cheapest;
-use super::problem::{DataRow, Kind, Leg, Loss, Observation, Problem};
+use super::observation::{Leg, Loss, Observation};
+use super::problem::{DataRow, Kind, Problem};
 
 /// The distance up to which Huber's loss is a square: 95 % efficient for normal noise.
 const HUBER: f64 = 1.345;

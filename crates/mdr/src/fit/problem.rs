@@ -1,90 +1,9 @@
 //! What is fitted: a profile, an observation, rows, and what is unknown.
 
 use super::answer::Fit;
+use super::observation::{Leg, Loss, Observation};
 use crate::error::{Error, Result};
 use crate::scene::{IntoProfile, Location, Profile};
-
-/// What is given of a row, X, and what is measured, Y. `contact_point` and `baseline` are offsets of what is recorded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Observation {
-    /// `F(d)`: X = d + contact_point, Y = F + baseline.
-    ForceOfIndentation,
-    /// `F(D)`: X = d + F/k + contact_point, Y = F + baseline.
-    ForceOfPosition,
-    /// `delta(D)`: X = d + F/k + contact_point, Y = F/k + baseline, the deflection of a cantilever of stiffness k.
-    DeflectionOfPosition,
-    /// `d(F)`: X = F + baseline, Y = d + contact_point.
-    IndentationOfForce,
-    /// `F(a)`: X = a, Y = F + baseline.
-    ForceOfRadius,
-    /// `a(F)`: X = F + baseline, Y = a.
-    RadiusOfForce,
-}
-
-impl Observation {
-    /// Each with its name.
-    pub const NAMES: [(&'static str, Observation); 6] = [
-        ("F(d)", Observation::ForceOfIndentation),
-        ("F(D)", Observation::ForceOfPosition),
-        ("delta(D)", Observation::DeflectionOfPosition),
-        ("d(F)", Observation::IndentationOfForce),
-        ("F(a)", Observation::ForceOfRadius),
-        ("a(F)", Observation::RadiusOfForce),
-    ];
-
-    /// Its name in a file, such as `delta(D)`.
-    pub fn name(self) -> &'static str {
-        Self::NAMES.iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name)
-    }
-
-    /// The units of X and Y.
-    pub fn units(self) -> [&'static str; 2] {
-        match self {
-            Observation::ForceOfIndentation | Observation::ForceOfPosition | Observation::ForceOfRadius => ["m", "N"],
-            Observation::DeflectionOfPosition => ["m", "m"],
-            Observation::IndentationOfForce | Observation::RadiusOfForce => ["N", "m"],
-        }
-    }
-
-    /// Whether the machine position D is given.
-    pub fn has_machine(self) -> bool {
-        matches!(self, Observation::ForceOfPosition | Observation::DeflectionOfPosition)
-    }
-
-    /// Whether the contact radius is seen, so that depth has no offset and no row is detached.
-    pub(super) fn sees_radius(self) -> bool {
-        matches!(self, Observation::ForceOfRadius | Observation::RadiusOfForce)
-    }
-}
-
-/// Whether the surfaces approach or retract.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Leg {
-    /// X grows: detached, then outward from arc to arc.
-    Approach,
-    /// X falls: inward from arc to arc, then detached.
-    Retract,
-}
-
-impl Leg {
-    /// `approach` or `retract`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Leg::Approach => "approach",
-            Leg::Retract => "retract",
-        }
-    }
-}
-
-/// How residuals count.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Loss {
-    /// By their squares.
-    #[default]
-    LeastSquares,
-    /// By their squares up to 1.345 σ, linearly beyond (Huber): a few wild rows have little weight. Needs σ_Y.
-    Huber,
-}
 
 /// The numbers of a problem that can be unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -144,6 +63,8 @@ pub struct Problem {
     pub(super) range_of_adhesion: Option<f64>,
     /// Certified digits that are asked for.
     pub(super) digits: Option<u32>,
+    /// Whether intervals by the profile of the sum of squares are asked for.
+    pub(super) profile_likelihood: bool,
     pub(super) place: Location,
 }
 
@@ -202,6 +123,7 @@ impl Problem {
             pull_off: None,
             range_of_adhesion: None,
             digits: None,
+            profile_likelihood: false,
             place,
         })
     }
@@ -319,6 +241,12 @@ impl Problem {
     /// The same with estimates in so many certified digits, too (feature `mp`).
     pub fn digits(self, digits: u32) -> Self {
         Problem { digits: Some(digits.max(1)), ..self }
+    }
+
+    /// The same with [intervals](Fit::intervals) of 68 % and 95 % by profile likelihood, too. They need no linearised model; each
+    /// takes some ten further fits.
+    pub fn profile_likelihood(self) -> Self {
+        Problem { profile_likelihood: true, ..self }
     }
 
     /// The same with the range of adhesion, in m: the answer then says whether the theory holds for the fitted contact.

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::data::{self, Columns};
-use super::problem::{DataRow, Loss, Observation, Problem};
+use super::observation::{Loss, Observation};
+use super::problem::{DataRow, Problem};
 use crate::error::{Error, Result};
 use crate::scene::Profile;
 use crate::scene::tree::{Document, Files, Node, Section, Value};
@@ -110,6 +111,10 @@ fn read(document: &Document<'_>, root: &Node, curve: Option<&str>) -> Result<Pro
     }
     if let Some(output) = top.optional_section("output")? {
         problem.digits = output.optional("digits").map(|digits| digits.whole(1, MAX_DIGITS)).transpose()?;
+        if let Some(intervals) = output.optional("intervals") {
+            problem.profile_likelihood =
+                intervals.choice("intervals", &[("standard-errors", false), ("profile-likelihood", true)])?;
+        }
         let range = output.optional("range_of_adhesion").map(|range| range.positive_length()).transpose()?;
         problem.range_of_adhesion = range.map(|range| range.nearest_f64());
         output.finish()?;

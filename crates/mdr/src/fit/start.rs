@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::contact::Tip;
 use super::objective::Objective;
-use super::problem::{Kind, Leg, Observation, Problem};
+use super::observation::{Leg, Observation};
+use super::problem::{Kind, Problem};
 use crate::scene::Profile;
 
 /// Materials to try, w/E* against the span of depths: three in a decade.

@@ -5,7 +5,8 @@ use mdr_core::contact::Shape;
 use super::answer::{Fit, FitStatus};
 use super::minimise::Minimum;
 use super::objective::Objective;
-use super::problem::{Kind, Observation, Problem};
+use super::observation::Observation;
+use super::problem::{Kind, Problem};
 use crate::scene::Profile;
 
 /// A singular value below this share of the largest leaves a direction nearly open.

@@ -19,8 +19,8 @@ from typing import Any
 
 __all__ = ["RELEASE", "Vector", "load", "table"]
 
-RELEASE = 2
-_FILES = ("critical", "equilibria", "profiles", "edges", "worst")
+RELEASE = 3
+_FILES = ("critical", "equilibria", "profiles", "edges", "worst", "fits")
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ def load(**where: str) -> list[Vector]:
     Examples
     --------
     >>> len(load()), len(load(formula="critical", control="force", n="2")) > 20
-    (1719, True)
+    (1825, True)
     """
 
     def has(vector: Vector, key: str, value: str) -> bool:

@@ -1,0 +1,109 @@
+//! Errors of the free numbers, and what the data determine where they do not determine all.
+
+use nalgebra::DVector;
+
+use super::answer::{Estimate, FitStatus};
+use super::judge::{self, Spectrum};
+use super::objective::Objective;
+use super::problem::Kind;
+
+/// Errors of the free numbers and of what follows from them.
+pub(super) struct Errors<'a> {
+    pub(super) objective: &'a Objective<'a>,
+    pub(super) fitted: &'a [f64],
+    /// The free numbers that no bound holds, by their place.
+    pub(super) kept: &'a [usize],
+    pub(super) spectrum: &'a Spectrum,
+    /// The standard deviation of a residual: as stated, and by the residuals.
+    pub(super) scales: [f64; 2],
+}
+
+impl Errors<'_> {
+    fn kind(&self, place: usize) -> Kind {
+        self.objective.problem.parameters[self.objective.free[place]].kind
+    }
+
+    pub(super) fn kinds(&self) -> Vec<Kind> {
+        self.kept.iter().map(|place| self.kind(*place)).collect()
+    }
+
+    /// The standard error of what depends so on the fitted values, from the stated σ where there is one.
+    pub(super) fn stderr(&self, gradient: &DVector<f64>) -> f64 {
+        self.scales[0] * self.spectrum.covariance(gradient, gradient).sqrt()
+    }
+
+    /// How a free number grows with its fitted value.
+    fn slope(&self, place: usize) -> f64 {
+        if self.kind(place).is_offset() { 1.0 } else { self.objective.value(place, self.fitted[place]) }
+    }
+
+    fn gradient(&self, index: usize) -> DVector<f64> {
+        let mut gradient = DVector::zeros(self.kept.len());
+        gradient[index] = self.slope(self.kept[index]);
+        gradient
+    }
+
+    pub(super) fn estimates(&self, status: FitStatus) -> Vec<Estimate> {
+        let undetermined = self.spectrum.undetermined();
+        let estimate = |place: usize| {
+            let parameter = &self.objective.problem.parameters[self.objective.free[place]];
+            let index = self.kept.iter().position(|kept| *kept == place);
+            let known = index.is_none_or(|index| status != FitStatus::Unidentifiable || !undetermined[index]);
+            let stderr = |scale: f64| {
+                let gradient = self.gradient(index.filter(|_| known)?);
+                Some(scale * self.spectrum.covariance(&gradient, &gradient).sqrt())
+            };
+            Estimate {
+                name: parameter.name.clone(),
+                value: known.then(|| self.objective.value(place, self.fitted[place])),
+                stderr: stderr(self.scales[0]),
+                scaled_stderr: stderr(self.scales[1]),
+                unit: parameter.unit,
+            }
+        };
+        (0..self.fitted.len()).map(estimate).collect()
+    }
+
+    /// Of all free numbers; zero for one that a bound holds.
+    pub(super) fn covariance(&self) -> Vec<Vec<f64>> {
+        let mut covariance = vec![vec![0.0; self.fitted.len()]; self.fitted.len()];
+        for (one, row) in self.kept.iter().enumerate() {
+            for (other, column) in self.kept.iter().enumerate() {
+                let value = self.spectrum.covariance(&self.gradient(one), &self.gradient(other));
+                covariance[*row][*column] = value * self.scales[0] * self.scales[0];
+            }
+        }
+        covariance
+    }
+
+    /// What the data determine instead, and that in words.
+    pub(super) fn invariants(&self) -> (Vec<super::Invariant>, String) {
+        let problem = self.objective.problem;
+        let names: Vec<&str> =
+            self.kept.iter().map(|place| problem.parameters[self.objective.free[*place]].name.as_str()).collect();
+        let fitted: Vec<f64> = self.kept.iter().map(|place| self.fitted[*place]).collect();
+        let undetermined = self.spectrum.undetermined();
+        let lost: Vec<&str> =
+            names.iter().zip(&undetermined).filter(|(_, lost)| **lost).map(|(name, _)| *name).collect();
+        let offsets = self.kept.iter().zip(&undetermined).any(|(place, lost)| *lost && self.kind(*place).is_offset());
+        let (exponents, pivots) = self.spectrum.exponents();
+        let give: Vec<&str> = pivots.iter().map(|place| names[*place]).collect();
+        let remedy = format!("give {}, a prior for it, or contact radii", listed(&give));
+        if offsets {
+            return (Vec::new(), format!("these data do not determine {}: {remedy}", listed(&lost)));
+        }
+        let invariant = |exponents| judge::invariant(self.spectrum, &names, &fitted, exponents, self.scales);
+        let invariants: Vec<super::Invariant> = exponents.iter().map(invariant).collect();
+        let fixed: Vec<&str> = invariants.iter().map(|invariant| invariant.name.as_str()).collect();
+        let what = if fixed.is_empty() { "nothing".to_owned() } else { format!("only {}", listed(&fixed)) };
+        (invariants, format!("of {} these data determine {what}: {remedy}", listed(&lost)))
+    }
+}
+
+fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [before @ .., last] => format!("{} and {last}", before.join(", ")),
+    }
+}

@@ -1,0 +1,135 @@
+//! Intervals of the free numbers by the profile of the sum of squares.
+//!
+//! With one number given, the others are fitted again: S(p) is the least sum of squares at p. An interval of the level 1 − α holds
+//! the p with S(p) − S ≤ q·s², s² being the variance of a residual and q the quantile of χ² with one degree of freedom, or of
+//! F(1, dof) where s² is that of the residuals (Bates and Watts, *Nonlinear Regression Analysis*, 1988, § 6.1; Venzon and
+//! Moolgavkar 1988). For a linear model the ends are the estimate ± √q standard errors.
+
+use mdr_core::calculus::roots::{self, Bracket, Sample};
+use mdr_core::contact;
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
+
+use super::answer::{Fit, Interval};
+use super::minimise::{self, Minimum};
+use super::objective::Objective;
+use super::problem::Problem;
+
+/// The levels that are given.
+const LEVELS: [f64; 2] = [0.68, 0.95];
+
+/// The relative tolerance of the distance from the estimate to an end.
+const TOLERANCE: f64 = 1e-7;
+
+/// How often the distance from the estimate doubles before the interval is open.
+const DOUBLINGS: i32 = 7;
+
+/// Adds the intervals of the `kept` numbers. `deviation` is the standard deviation of a residual, and whether it is stated.
+pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, kept: &[usize], deviation: (f64, bool)) {
+    let (deviation, stated) = deviation;
+    for place in kept {
+        let index = objective.free[*place];
+        let Some(stderr) = fit.parameters[*place].stderr.filter(|stderr| *stderr > 0.0) else { continue };
+        let slope = if objective.problem.parameters[index].kind.is_offset() {
+            1.0
+        } else {
+            objective.value(*place, minimum.fitted[*place]).abs()
+        };
+        for level in LEVELS {
+            let tail = 0.5 * (1.0 + level);
+            let quantile = match StudentsT::new(0.0, 1.0, fit.dof as f64).ok().filter(|_| !stated) {
+                Some(student) => student.inverse_cdf(tail),
+                None => Normal::standard().inverse_cdf(tail),
+            };
+            let mut ends = [-1.0, 1.0].map(|direction| {
+                let mut profile = Profile::new(objective, minimum, *place, deviation * quantile);
+                let end = profile.end(direction * stderr / slope, quantile);
+                if profile.lowest < minimum.evaluation.cost() * (1.0 - 1e-6) - 1e-6 * (deviation * quantile).powi(2) {
+                    fit.warnings.push(format!(
+                        "the sum of squares is smaller at other values of `{}`: the estimates are a local minimum; give a start",
+                        objective.problem.parameters[index].name
+                    ));
+                }
+                end
+            });
+            if ends.iter().flatten().count() == 2 && ends[0] > ends[1] {
+                ends.swap(0, 1);
+            }
+            let name = objective.problem.parameters[index].name.clone();
+            fit.intervals.push(Interval { name, level, lower: ends[0], upper: ends[1] });
+        }
+    }
+    fit.warnings.dedup();
+}
+
+/// The sum of squares as a function of one number, the others fitted.
+struct Profile<'o, 'p> {
+    objective: &'o Objective<'p>,
+    minimum: &'o Minimum,
+    /// The problem with the number given.
+    problem: Problem,
+    place: usize,
+    /// √(S(p) − S) at an end.
+    rise: f64,
+    /// Where the others were last, from which they go on.
+    others: Vec<f64>,
+    lowest: f64,
+}
+
+impl<'o, 'p> Profile<'o, 'p> {
+    fn new(objective: &'o Objective<'p>, minimum: &'o Minimum, place: usize, rise: f64) -> Self {
+        let mut problem = objective.problem.clone();
+        problem.parameters[objective.free[place]].free = false;
+        let mut others = minimum.fitted.clone();
+        others.remove(place);
+        Profile { objective, minimum, problem, place, rise, others, lowest: f64::INFINITY }
+    }
+
+    /// The end of the interval in steps of `step` from the fitted value, the first of them `quantile` long; none where the sum of
+    /// squares does not rise enough, or has no value.
+    fn end(&mut self, step: f64, quantile: f64) -> Option<f64> {
+        let mut last = self.sample(step, quantile).ok()?;
+        let outwards = last.f < 0.0;
+        for _ in 0..DOUBLINGS {
+            let next = self.sample(step, if outwards { 2.0 * last.x } else { 0.5 * last.x }).ok()?;
+            let nearest = if outwards { last.clone() } else { next.clone() };
+            if let Some(bracket) = Bracket::between(last, next.clone(), 0) {
+                let root = roots::refine(bracket, &TOLERANCE, |distance| Ok(self.sample(step, *distance)?.f)).ok()?;
+                return Some(self.value(step, root.value));
+            }
+            // Beyond a bound there is nothing.
+            if outwards && self.value(step, nearest.x) == self.value(step, next.x) {
+                return Some(self.value(step, next.x));
+            }
+            last = next;
+        }
+        None
+    }
+
+    /// The number at this distance from its estimate.
+    fn value(&self, step: f64, distance: f64) -> f64 {
+        self.objective.value(self.place, self.minimum.fitted[self.place] + step * distance)
+    }
+
+    /// √(S(p) − S) less that of an end, relative to it.
+    fn sample(&mut self, step: f64, distance: f64) -> contact::Result<Sample<f64>> {
+        let value = self.value(step, distance);
+        let index = self.objective.free[self.place];
+        self.problem.parameters[index].value = Some(value);
+        let given = &self.objective;
+        let objective = Objective::new(&self.problem, given.x_scale, given.y_scale, given.beyond)?;
+        let mut cost = match self.problem.parameters[index].prior {
+            Some([mean, sd]) => ((value - mean) / sd).powi(2),
+            None => 0.0,
+        };
+        if self.others.is_empty() {
+            cost += objective.evaluate(&[], None)?.cost();
+        } else {
+            let (others, _) = minimise::descend(&objective, &self.others, 1e-13, 100)?;
+            cost += objective.evaluate(&others, None)?.cost();
+            self.others = others;
+        }
+        self.lowest = self.lowest.min(cost);
+        let rise = (cost - self.minimum.evaluation.cost()).max(0.0).sqrt();
+        Ok(Sample { x: distance, f: rise / self.rise - 1.0 })
+    }
+}
