@@ -240,7 +240,7 @@ fn intervals(answer: &Answer) -> String {
         let level = format!("{:.0} %", 100.0 * interval.level);
         [interval.name.clone(), level, end(interval.lower), end(interval.upper)]
     });
-    render_whole(&text_table(&["by profile likelihood", "level", "from", "to"], rows))
+    text_table(&["by profile likelihood", "level", "from", "to"], rows)
 }
 
 fn correlations(answer: &Answer) -> String {

@@ -111,8 +111,7 @@ impl Judge {
 }
 
 fn answers(judged: &[Judged<'_>]) -> String {
-    let header = ["id", "line", "digits", "excess loss", "condition", "claim", "difficulty", "verdict"];
-    let mut table = table(&header);
+    let mut table = table(&["id", "line", "digits", "excess loss", "condition", "claim", "difficulty", "verdict"]);
     let range = |range: Option<Range>| range.map_or_else(String::new, |range| range.to_string());
     for Judged { record, line, mark, .. } in judged {
         let tone = match mark.verdict {
