@@ -154,7 +154,7 @@ fn write(fitted: &[Fitted], format: Format, out: &mut Out<impl std::io::Write>) 
             let rows =
                 rows.map(|[file, status, name, value, stderr, _, unit]| [file, status, name, value, stderr, unit]);
             let header = ["file", "status", "number", "estimate", "standard error", "unit"];
-            out.text(render_whole(&text_table(&header, rows)))
+            out.text(text_table(&header, rows))
         }
     }
 }
@@ -197,14 +197,14 @@ fn for_reader(answer: &Answer) -> String {
             [estimate.name.clone(), value, stderr, format!("± {:.0e}", estimate.unique_within)]
         });
         let header = ["certified", "estimate", "scaled by residuals", "unique within"];
-        parts.push(render_whole(&text_table(&header, rows)));
+        parts.push(text_table(&header, rows));
     }
     if !answer.invariants.is_empty() {
         let rows = answer.invariants.iter().map(|invariant| {
             [invariant.name.clone(), format!("{:.9e}", invariant.value), format!("{:.2e}", invariant.stderr)]
         });
         let header = ["what the data determine", "value, SI", "standard error"];
-        parts.push(render_whole(&text_table(&header, rows)));
+        parts.push(text_table(&header, rows));
     }
     if answer.status == FitStatus::Fitted && answer.parameters.len() > 1 {
         parts.push(correlations(answer));
@@ -240,7 +240,7 @@ fn intervals(answer: &Answer) -> String {
         let level = format!("{:.0} %", 100.0 * interval.level);
         [interval.name.clone(), level, end(interval.lower), end(interval.upper)]
     });
-    render_whole(&text_table(&["by profile likelihood", "level", "from", "to"], rows))
+    text_table(&["by profile likelihood", "level", "from", "to"], rows)
 }
 
 fn correlations(answer: &Answer) -> String {
@@ -248,5 +248,5 @@ fn correlations(answer: &Answer) -> String {
     let rows = names.iter().zip(&answer.correlation).map(|(name, row)| {
         std::iter::once((*name).to_owned()).chain(row.iter().map(|value| format!("{value:.3}"))).collect::<Vec<_>>()
     });
-    render_whole(&text_table(&[&["correlation"], names.as_slice()].concat(), rows))
+    text_table(&[&["correlation"], names.as_slice()].concat(), rows)
 }

@@ -40,20 +40,17 @@ impl<'a> Flag<'a> {
 
     /// A positive number.
     pub(crate) fn positive(self) -> Result<Literal> {
-        let value = self.number()?;
-        if value.is_zero() || value.is_negative() {
-            return Err(self.refuse("must be positive and finite"));
-        }
-        Ok(value)
+        self.require_positive(self.number()?)
     }
 
     /// A positive length in metres, plain or with its unit: `0.3nm`.
     pub(crate) fn length(self) -> Result<Literal> {
-        let Some(length) = mdr_numeric::table::length(self.text) else { return self.positive() };
-        if length.is_zero() || length.is_negative() {
-            return Err(self.refuse("must be positive and finite"));
-        }
-        Ok(length)
+        mdr_numeric::table::length(self.text).map_or_else(|| self.positive(), |length| self.require_positive(length))
+    }
+
+    fn require_positive(self, value: Literal) -> Result<Literal> {
+        let positive = !value.is_zero() && !value.is_negative();
+        if positive { Ok(value) } else { Err(self.refuse("must be positive and finite")) }
     }
 
     /// A Poisson's ratio: within (−1, 1/2].
@@ -66,11 +63,8 @@ impl<'a> Flag<'a> {
 
     /// A whole number from `least` to `most`.
     pub(crate) fn whole(self, least: u32, most: u32) -> Result<u32> {
-        let requirement = || format!("must be a whole number from {least} to {most}");
-        match self.text.trim().parse::<u32>() {
-            Ok(value) if (least..=most).contains(&value) => Ok(value),
-            _ => Err(self.refuse(requirement())),
-        }
+        let value = self.text.trim().parse().ok().filter(|value| (least..=most).contains(value));
+        value.ok_or_else(|| self.refuse(format_args!("must be a whole number from {least} to {most}")))
     }
 
     /// A number of decimal digits.
@@ -102,11 +96,6 @@ pub(crate) struct ArithmeticFlags {
 }
 
 impl ArithmeticFlags {
-    /// As given; certified to 20 digits when neither is.
-    pub(crate) fn chosen(&self) -> Result<Arithmetic> {
-        Ok(self.given()?.unwrap_or_default())
-    }
-
     /// As given, if one is.
     pub(crate) fn given(&self) -> Result<Option<Arithmetic>> {
         match (Flag::given("--digits", &self.digits), self.f64) {

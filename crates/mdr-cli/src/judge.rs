@@ -106,13 +106,12 @@ impl Judge {
             text = format!("{heading}{}\n\n", answers(&report.judged[..shown.min(report.answered())]));
         }
         let classes = text_table(&Class::HEADER, report.classes().iter().map(Class::cells));
-        format!("{text}{}\n\n{}", render(&classes), report.summary())
+        format!("{text}{classes}\n\n{}", report.summary())
     }
 }
 
 fn answers(judged: &[Judged<'_>]) -> String {
-    let header = ["id", "line", "digits", "excess loss", "condition", "claim", "difficulty", "verdict"];
-    let mut table = table(&header);
+    let mut table = table(&["id", "line", "digits", "excess loss", "condition", "claim", "difficulty", "verdict"]);
     let range = |range: Option<Range>| range.map_or_else(String::new, |range| range.to_string());
     for Judged { record, line, mark, .. } in judged {
         let tone = match mark.verdict {

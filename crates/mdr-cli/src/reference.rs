@@ -177,8 +177,7 @@ fn table_for_reader(wanted: &Table) -> String {
     let header = wanted.header();
     let places: Vec<_> = SHOWN.iter().filter_map(|name| header.iter().position(|known| known == name)).collect();
     let rows = wanted.rows().map(|row| places.iter().map(|&place| row[place].clone()).collect::<Vec<_>>());
-    let list = text_table(&SHOWN, rows);
-    format!("{}\n\n{}. All columns: --format csv", render_whole(&list), wanted.title)
+    format!("{}\n\n{}. All columns: --format csv", text_table(&SHOWN, rows), wanted.title)
 }
 
 /// A condition, of which the size matters.

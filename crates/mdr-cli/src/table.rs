@@ -46,11 +46,9 @@ pub(crate) fn table(header: &[impl std::fmt::Display]) -> Table {
     table
 }
 
-/// A table of texts, none of which is set off.
-pub(crate) fn text_table(header: &[impl std::fmt::Display], rows: impl IntoIterator<Item: Into<Row>>) -> Table {
-    let mut table = table(header);
-    table.add_rows(rows);
-    table
+/// The text of a table of texts, none of which is set off; each stays in one piece.
+pub(crate) fn text_table(header: &[impl std::fmt::Display], rows: impl IntoIterator<Item: Into<Row>>) -> String {
+    render_whole(table(header).add_rows(rows))
 }
 
 /// The text of a table whose cells stay in one piece: where it is wider than the terminal, one cell a line.
@@ -79,15 +77,5 @@ pub(crate) fn render(table: &Table) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_table_that_is_too_wide_has_one_cell_a_line() {
-        let mut wide = table(&["radius, m", "force, N", "why"]);
-        wide.add_row(["0.1234567890123456789", "-1", ""]).add_row(["2", "", "none"]);
-        let tall = " radius, m  0.1234567890123456789\n force, N   -1\n\n radius, m  2\n why        none";
-        assert_eq!(render_whole(wide.set_width(30)), tall);
-        assert_eq!(render_whole(wide.set_width(80)).lines().count(), 3);
-    }
-}
+#[path = "../tests/private/table.rs"]
+mod tests;

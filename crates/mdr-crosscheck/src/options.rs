@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use mdr_core::number::Precision;
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 /// How many cases each check takes. The cases of a level are the first ones of the next level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -48,16 +49,9 @@ pub struct Shard {
 }
 
 /// A text that is no part `I/N` with 1 ≤ I ≤ N.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("a shard must be I/N with 1 <= I <= N, got {0:?}")]
 pub struct ShardError(String);
-
-impl fmt::Display for ShardError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "a shard must be I/N with 1 <= I <= N, got {:?}", self.0)
-    }
-}
-
-impl std::error::Error for ShardError {}
 
 impl Shard {
     /// All cases.

@@ -44,14 +44,8 @@ const PALETTE: [(Colour, &str, &str, &str); 8] = [
     (Colour::Amber, "amber", "#c98b00", "#e6b84a"),
 ];
 
-/// All that does not depend on light and dark. Halos keep labels legible on lines.
-const STYLE: &str = "\
-text{fill:var-text}.note{fill:var-muted}.heading{font-weight:600}.end{text-anchor:end}.middle{text-anchor:middle}\
-.line,.grid,.zero{fill:none}.line{stroke:currentColor;stroke-width:1.6;stroke-linejoin:round}.grid{stroke:var-grid}\
-.zero{stroke:var-zero}.dashed{stroke-dasharray:6 3.5}.dotted{stroke-dasharray:1.6 2.8}.dashdotted{stroke-dasharray:8 3 1.6 3}\
-.thin{stroke-width:1}.guide{stroke-width:.8;stroke-dasharray:1 2.4}.full{fill:currentColor;stroke:var-page}\
-.open{fill:var-page;stroke:currentColor;stroke-width:1.4}.area{fill:currentColor;fill-opacity:.22}.page{fill:var-page}\
-.label{fill:currentColor;paint-order:stroke;stroke:var-page;stroke-width:3;stroke-linejoin:round}";
+/// All that does not depend on light and dark, a rule a line. Halos keep labels legible on lines.
+const STYLE: &str = include_str!("style.css");
 
 /// What depends on them: name, in light, in the dark.
 const SHADES: [(&str, &str, &str); 5] = [
@@ -110,7 +104,7 @@ fn style(theme: Theme) -> String {
         let colours = PALETTE
             .iter()
             .map(|(_, class, light, night)| format!(".{class}{{color:{}}}", if dark { night } else { light }));
-        let rules = SHADES.iter().fold(STYLE.to_owned(), |rules, (name, light, night)| {
+        let rules = SHADES.iter().fold(STYLE.replace('\n', ""), |rules, (name, light, night)| {
             rules.replace(name, if dark { night } else { light })
         });
         colours.collect::<String>() + &rules

@@ -89,7 +89,7 @@ enum ControlKind {
 impl Critical {
     /// Answers on `out`; whether every question has an answer.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
-        let arithmetic = self.arithmetic.chosen()?;
+        let arithmetic = self.arithmetic.given()?.unwrap_or_default();
         let style = self.style.style(self.format == Format::Table && self.batch.is_none())?;
         if let Some(file) = &self.batch {
             return batch::answer(file, arithmetic, out);

@@ -6,7 +6,7 @@ use mdr::prelude::Value;
 
 use crate::error::Result;
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, render_whole, table, text_table};
+use crate::table::{Tone, cell, render, table, text_table};
 use crate::validity;
 
 /// Writes answers in the `format` asked for; a single one for a reader with its sibling under the other control.
@@ -29,7 +29,7 @@ pub(crate) fn write(
         }
         (Format::Table, _) => {
             let table = overview(answers, style);
-            out.text(render_whole(&text_table(&table[0], table[1..].to_vec())))
+            out.text(text_table(&table[0], table[1..].to_vec()))
         }
     }
 }

@@ -12,21 +12,16 @@ use crate::table::{Tone, cell, render, table};
 pub(crate) fn write(costs: &[(Cost, Duration)]) -> Result<()> {
     let mut table = table(&["output", "arithmetic", "g", "slope", "integral", "time"]);
     for (cost, time) in costs {
-        let time = format!("{:.3} s", time.as_secs_f64());
-        let mut rows: Vec<_> = cost.used().collect();
-        if rows.is_empty() {
-            rows.push(("none", Default::default()));
-        }
-        for (index, (arithmetic, evaluations)) in rows.into_iter().enumerate() {
-            let first = index == 0;
-            table.add_row([
-                cell(if first { cost.output.name() } else { "" }, Tone::Strong),
-                cell(arithmetic, Tone::Plain),
-                cell(evaluations.g, Tone::Plain),
-                cell(evaluations.slope, Tone::Plain),
-                cell(evaluations.integral, Tone::Plain),
-                cell(if first { time.as_str() } else { "" }, Tone::Faint),
-            ]);
+        let used: Vec<_> = cost.used().collect();
+        let rows = if used.is_empty() { vec![("none", Default::default())] } else { used };
+        // The first row has the output and its time.
+        let mut ends = [cost.output.name().to_owned(), format!("{:.3} s", time.as_secs_f64())];
+        for (arithmetic, evaluations) in rows {
+            let [output, time] = std::mem::take(&mut ends);
+            let counts = [evaluations.g, evaluations.slope, evaluations.integral];
+            let names = [cell(output, Tone::Strong), cell(arithmetic, Tone::Plain)].into_iter();
+            let counts = counts.map(|count| cell(count, Tone::Plain));
+            table.add_row(names.chain(counts).chain([cell(time, Tone::Faint)]));
         }
     }
     writeln!(std::io::stderr(), "{}", render(&table)).map_err(|error| Failure::file("standard error", error))

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Findings;
-use crate::ladders::{Family, Ladder, OPEN, Rung};
+use crate::ladders::{Family, Ladder, Rung};
 use crate::work_precision::{Comparison, Series, Task};
 
 /// The page.
@@ -17,19 +17,7 @@ pub(super) fn page(findings: &Findings, origin: &str) -> String {
     page + &format!("\n## How it was made\n\n{origin}\n")
 }
 
-const HEAD: &str = "\
-# Error against run time, and stability
-
-Several methods answer the same questions with growing effort: those of this workspace, and those that one would type from
-a textbook. Every answer is compared with an enclosure of the exact result that shares no code with any of them. All answers
-are in [work-precision.csv](work-precision.csv), all ladders in [ladders.csv](ladders.csv). Times belong to the machine that is
-named at the end; digits and evaluations do not, and a test compares them with the source.
-
-## Error against run time
-
-The tables tell the cheapest answer that has so many right digits, of this workspace (bold) and of textbooks. Nothing is
-interpolated; a dash is where no method arrives.
-";
+const HEAD: &str = include_str!("../../text/report.md");
 
 fn section(task: &Task, comparisons: &[Comparison]) -> String {
     let Task { name, title, .. } = task;
@@ -98,17 +86,7 @@ fn failures(findings: &Findings) -> String {
     format!("\n### No answer\n\n| question | method | setting | why |\n|---|---|---|---|\n{rows}")
 }
 
-const LADDERS: &str = "
-## Stability ladders
-
-Every function of double precision is led, step by step, towards where it is in danger. The excess loss
-log₁₀(error/(u·max(1, condition))), u = 2⁻⁵³, counts the digits that an algorithm loses beyond what the question costs any of
-them; below 0 nothing is lost, and one digit is accepted. The condition is Σ|xᵢ ∂f/∂xᵢ|/|f| over the inputs. Beside it stands
-the largest error, in units in the last place, of the formula as textbooks write it, in the same arithmetic.
-
-| limit | ladders | not accepted | largest excess loss, digits | where | textbook formula, largest error in ulp | where |
-|---|---|---|---|---|---|---|
-";
+const LADDERS: &str = include_str!("../../text/ladders.md");
 
 fn stability(ladders: &[Ladder]) -> String {
     let mut text = LADDERS.to_owned();
@@ -130,12 +108,7 @@ fn stability(ladders: &[Ladder]) -> String {
     text + "\n</details>\n"
 }
 
-const FUNCTIONS: &str = "
-<details><summary>The worst ladder of each function</summary>
-
-| function | direction | error, ulp | condition there | excess loss | textbook formula, ulp | |
-|---|---|---|---|---|---|---|
-";
+const FUNCTIONS: &str = include_str!("../../text/functions.md");
 
 /// All ladders in one kind of limit.
 fn limit(family: Family, ladders: &[&Ladder]) -> String {
@@ -152,11 +125,7 @@ fn limit(family: Family, ladders: &[&Ladder]) -> String {
 fn function(ladder: &Ladder) -> String {
     let rung = ladder.worst();
     let told = |x: Option<f64>| x.map_or_else(|| "—".to_owned(), size);
-    let verdict = match OPEN.iter().find(|open| open.is(ladder)) {
-        _ if ladder.accepted() => String::new(),
-        Some(open) => format!("open: {}", open.why),
-        None => "open, not yet explained".to_owned(),
-    };
+    let verdict = if ladder.accepted() { "" } else { "open, not yet explained" };
     format!(
         "| `{}` | {} | {} | {} | {} | {} | {} |\n",
         escaped(&ladder.function),
@@ -165,7 +134,7 @@ fn function(ladder: &Ladder) -> String {
         told(rung.and_then(|rung| rung.condition)),
         excess(ladder),
         told(ladder.worst_naive()),
-        escaped(&verdict)
+        verdict
     )
 }
 

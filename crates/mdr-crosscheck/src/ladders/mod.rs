@@ -13,7 +13,6 @@ mod approach;
 mod double;
 mod measure;
 mod numerical;
-mod open;
 mod profiles;
 mod worst;
 
@@ -23,7 +22,6 @@ use serde::Serialize;
 use self::approach::{LadderCase, Steps};
 use crate::Level;
 
-pub use open::{OPEN, Open};
 pub use worst::{Worst, WorstError, worst_inputs};
 
 /// Declares the families with their names and titles.

@@ -18,65 +18,49 @@ pub struct ClosedForms {
     fault: Option<Fault>,
 }
 
-/// A result with one number or more, in the order of the ids of its subject.
-trait Numbers<R>: Sized {
-    /// The result with every number changed.
-    fn map(self, change: impl Fn(usize, R) -> R) -> Self;
+/// A result with one number or more.
+trait Numbers<R> {
+    /// Each number, with the place of its id among those of its subject.
+    fn numbers(&mut self) -> Vec<(usize, &mut R)>;
 }
 
 impl<R: Real> Numbers<R> for R {
-    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
-        change(0, self)
+    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
+        vec![(0, self)]
     }
 }
 
 /// d and F of a state whose radius is an input.
 impl<R: Real> Numbers<R> for [R; 2] {
-    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
-        let [d, f] = self;
-        [change(0, d), change(1, f)]
+    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
+        self.iter_mut().enumerate().collect()
     }
 }
 
 impl<R: Real> Numbers<R> for MaugisState<R> {
-    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
-        let MaugisState { balance, indentation, force } = self;
-        MaugisState { balance: change(0, balance), indentation: change(1, indentation), force: change(2, force) }
+    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
+        vec![(0, &mut self.balance), (1, &mut self.indentation), (2, &mut self.force)]
     }
 }
 
 impl<R: Real> Numbers<R> for Critical<R> {
-    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
-        let Critical { contact_radius, indentation, force } = self;
-        Critical {
-            contact_radius: change(0, contact_radius),
-            indentation: change(1, indentation),
-            force: change(2, force),
-        }
+    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
+        vec![(0, &mut self.contact_radius), (1, &mut self.indentation), (2, &mut self.force)]
     }
 }
 
 impl<R: Real> Numbers<R> for Vec<Instability<R>> {
-    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
-        let changed = |fold: Instability<R>| Instability {
-            contact_radius: change(0, fold.contact_radius),
-            indentation: change(1, fold.indentation),
-            force: change(2, fold.force),
-            kind: fold.kind,
-        };
-        self.into_iter().map(changed).collect()
+    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
+        let numbers = self.iter_mut().map(|fold| [&mut fold.contact_radius, &mut fold.indentation, &mut fold.force]);
+        numbers.flat_map(|numbers| (0..).zip(numbers)).collect()
     }
 }
 
 impl<R: Real> Numbers<R> for Vec<Equilibrium<R>> {
-    fn map(self, change: impl Fn(usize, R) -> R) -> Self {
-        let changed = |state: Equilibrium<R>| Equilibrium {
-            contact_radius: change(0, state.contact_radius),
-            indentation: change(1, state.indentation),
-            force: change(2, state.force),
-            stability: state.stability,
-        };
-        self.into_iter().map(changed).collect()
+    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
+        let numbers =
+            self.iter_mut().map(|state| [&mut state.contact_radius, &mut state.indentation, &mut state.force]);
+        numbers.flat_map(|numbers| (0..).zip(numbers)).collect()
     }
 }
 
@@ -102,12 +86,13 @@ impl ClosedForms {
 
     /// The result, with the number that the fault is meant for changed. `ids` are those of its numbers; `inputs` are the
     /// ones that the table of subjects names.
-    fn perturb<R: Real, T: Numbers<R>>(&self, ids: &[SubjectId], inputs: &[&R], result: T) -> T {
-        match &self.fault {
-            Some(fault) if ids.contains(&fault.id) => result
-                .map(|index, value| if ids[index] == fault.id { fault.mutation.apply(value, inputs) } else { value }),
-            _ => result,
+    fn perturb<R: Real, T: Numbers<R>>(&self, ids: &[SubjectId], inputs: &[&R], mut result: T) -> T {
+        if let Some(Fault { id, mutation }) = &self.fault {
+            for (_, number) in result.numbers().into_iter().filter(|(place, _)| ids[*place] == *id) {
+                *number = mutation.apply(number.clone(), inputs);
+            }
         }
+        result
     }
 
     /// A value of the profile with this name at radius x.

@@ -1,6 +1,8 @@
 //! Derivations as a LaTeX document.
 
-use super::{Document, Judgement, StepJudgement, errata, heading, place, prose, step_verdict, summary, theorems};
+use super::{
+    Document, Judgement, StepJudgement, errata, heading, joined, place, prose, step_verdict, summary, theorems,
+};
 
 const BEGIN: &str = r"\documentclass{article}
 \usepackage[utf8]{inputenc}
@@ -38,9 +40,8 @@ fn section(judgement: &Judgement) -> String {
 fn entry(judgement: &Judgement) -> String {
     let entry = judgement.entry;
     let mut parts = vec![section(judgement)];
-    let assumptions: Vec<_> = entry.assumptions.iter().map(|text| words(text)).collect();
-    let verdict = judgement.verdict();
-    parts.push(format!(r"Verdict: \textbf{{{verdict}}}. Assumes: {}.", assumptions.join("; ")));
+    let (verdict, assumptions) = (judgement.verdict(), joined(entry.assumptions, words));
+    parts.push(format!(r"Verdict: \textbf{{{verdict}}}. Assumes: {assumptions}."));
     let theorems = theorems(judgement, |theorem| {
         format!(r"\texttt{{{}}} ({}): {}", escaped(theorem.name), escaped(theorem.file), words(theorem.says))
     });
@@ -52,8 +53,7 @@ fn entry(judgement: &Judgement) -> String {
     parts.push(r"\end{enumerate}".to_owned());
     parts.extend(entry.erratum.map(|erratum| format!(r"\textbf{{Erratum.}} {}", words(erratum.text))));
     if !entry.references.is_empty() {
-        let references: Vec<_> = entry.references.iter().map(|reference| escaped(reference)).collect();
-        parts.push(format!("\nReferences: {}.", references.join("; ")));
+        parts.push(format!("\nReferences: {}.", joined(entry.references, escaped)));
     }
     parts.join("\n")
 }
@@ -63,65 +63,15 @@ fn step(step: &StepJudgement) -> String {
     if let Ok(Some(statement)) = step.step.statement() {
         text += &format!("\n\\[ {} \\]\n", statement.tex());
     }
-    let place = place(step);
-    let blank = if place.is_empty() { "" } else { " " };
-    text + &format!(r" \textbf{{{}}}{blank}{}.", escaped(&step_verdict(step)), escaped(&place))
+    text + &format!(r" \textbf{{{}}}{}.", escaped(&step_verdict(step)), escaped(&place(step)))
 }
 
 fn words(text: &str) -> String {
     prose::render(text, escaped, |math| format!("${}$", math.tex()))
 }
 
-/// Characters that TeX reads in another way or does not have.
-const CHARACTERS: &[(char, &str)] = &[
-    ('_', r"\_"),
-    ('^', r"\textasciicircum{}"),
-    ('{', r"\{"),
-    ('}', r"\}"),
-    ('<', "$<$"),
-    ('>', "$>$"),
-    ('ε', r"$\varepsilon$"),
-    ('κ', r"$\kappa$"),
-    ('λ', r"$\lambda$"),
-    ('Λ', r"$\Lambda$"),
-    ('μ', r"$\mu$"),
-    ('ν', r"$\nu$"),
-    ('ρ', r"$\rho$"),
-    ('π', r"$\pi$"),
-    ('σ', r"$\sigma$"),
-    ('θ', r"$\theta$"),
-    ('φ', r"$\varphi$"),
-    ('δ', r"$\delta$"),
-    ('γ', r"$\gamma$"),
-    ('Δ', r"$\Delta$"),
-    ('Γ', r"$\Gamma$"),
-    ('Π', r"$\Pi$"),
-    ('Σ', r"$\Sigma$"),
-    ('√', r"$\surd$"),
-    ('∫', r"$\int$"),
-    ('∞', r"$\infty$"),
-    ('≤', r"$\le$"),
-    ('≥', r"$\ge$"),
-    ('≈', r"$\approx$"),
-    ('≠', r"$\ne$"),
-    ('−', "$-$"),
-    ('·', r"$\cdot$"),
-    ('…', r"\dots{}"),
-    ('“', "``"),
-    ('”', "''"),
-    ('–', "--"),
-    ('ⁿ', "$^n$"),
-    ('²', "$^2$"),
-    ('³', "$^3$"),
-    ('⁴', "$^4$"),
-    ('⁻', "$^-$"),
-    ('ᵏ', "$^k$"),
-    ('₀', "$_0$"),
-    ('₁', "$_1$"),
-    ('₂', "$_2$"),
-];
-
+/// With TeX for the characters that it reads in another way or does not have.
 fn escaped(text: &str) -> String {
-    let of = |c: char| CHARACTERS.iter().find(|(known, _)| *known == c).map(|(_, tex)| *tex);
+    let of = |c: char| prose::signs().find(|sign| sign.character.starts_with(c)).map(|sign| sign.tex);
     text.chars().map(|c| of(c).map_or_else(|| c.to_string(), str::to_owned)).collect()
 }

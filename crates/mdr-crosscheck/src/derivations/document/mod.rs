@@ -65,25 +65,30 @@ fn step_verdict(step: &StepJudgement) -> String {
     }
 }
 
-/// Where a step holds: its domains and, for a step at one point, the values there.
+/// Where a step holds, with a blank before it: its domains and, for a step at one point, the values there.
 fn place(step: &StepJudgement) -> String {
     let bits = if step.step.verdict() == Verdict::Agrees { format!(" to {AGREEMENT} bits") } else { String::new() };
     if !step.step.point.is_empty() {
         let values: Vec<_> = step.step.point.iter().map(|(name, value)| format!("{} = {value}", shown(name))).collect();
-        return format!("at {}{bits}", values.join(", "));
+        return format!(" at {}{bits}", values.join(", "));
     }
     let domains: Vec<_> = step.step.domains.iter().copied().map(Domain::text).collect();
     match step.step.verdict() {
         Verdict::Cited | Verdict::Definition => String::new(),
-        Verdict::Enclosed | Verdict::Agrees => format!("in numbers{bits}"),
+        Verdict::Enclosed | Verdict::Agrees => format!(" in numbers{bits}"),
         Verdict::Sampled => {
-            format!("for {}, certain at {} of {} points", domains.join(" and "), step.certain, step.points)
+            format!(" for {}, certain at {} of {} points", domains.join(" and "), step.certain, step.points)
         }
         _ => {
             let coq = step.step.proved_in_coq().map(|name| format!(", in Coq {name}")).unwrap_or_default();
-            format!("for {}{coq}", domains.join(" and "))
+            format!(" for {}{coq}", domains.join(" and "))
         }
     }
+}
+
+/// Several texts in a sentence.
+fn joined(texts: &[&str], write: impl Fn(&str) -> String) -> String {
+    texts.iter().map(|text| write(text)).collect::<Vec<_>>().join("; ")
 }
 
 /// The theorems of an entry, each as `name (file): what it says`.

@@ -46,36 +46,25 @@ pub(super) fn render(text: &str, words: impl Fn(&str) -> String, math: impl Fn(&
         .collect()
 }
 
-/// Commands of TeX and what stands for them in a line of text.
-const PLAIN: &[(&str, &str)] = &[
-    (r"\cdot", "·"),
-    (r"\ldots", "…"),
-    (r"\ne", " ≠ "),
-    (r"\le", " ≤ "),
-    (r"\ge", " ≥ "),
-    (r"\lt", " < "),
-    (r"\gt", " > "),
-    (r"\pm", " ± "),
-    (r"\approx", " ≈ "),
-    (r"\infty", "∞"),
-    (r"\int", "∫"),
-    (r"\sqrt", "√"),
-    (r"\sin", "sin "),
-    (r"\cos", "cos "),
-    (r"\tan", "tan"),
-    (r"\ln", "ln"),
-    (r"\pi", "π"),
-    (r"\theta", "θ"),
-    (r"\kappa", "κ"),
-    (r"\lambda", "λ"),
-    (r"\varphi", "φ"),
-    (r"\mu", "μ"),
-    (r"\rho", "ρ"),
-    (r"\sigma", "σ"),
-    (r"\delta", "δ"),
-    (r"\Delta", "Δ"),
-    (r"\Gamma", "Γ"),
-];
+/// A row of `data/signs.tsv`; what there is not is empty.
+pub(super) struct Sign {
+    /// In prose.
+    pub(super) character: &'static str,
+    /// The character in a document of TeX.
+    pub(super) tex: &'static str,
+    /// Of TeX, in a formula.
+    command: &'static str,
+    /// What stands for the command in a line of text.
+    text: &'static str,
+}
+
+/// The signs that TeX and a line of text write in different ways.
+pub(super) fn signs() -> impl Iterator<Item = Sign> {
+    include_str!("../../../data/signs.tsv").lines().filter(|line| !line.starts_with("# ")).filter_map(|line| {
+        let [character, tex, command, text]: [&str; 4] = line.split('\t').collect::<Vec<_>>().try_into().ok()?;
+        Some(Sign { character, tex, command, text })
+    })
+}
 
 /// TeX as a line of text: fractions on a line, commands as signs, without braces.
 fn plain(tex: &str) -> String {
@@ -91,7 +80,7 @@ fn plain(tex: &str) -> String {
     {
         text = format!("{before}{}/{}{after}", text_of(above), text_of(below));
     }
-    for (command, sign) in PLAIN {
+    for Sign { command, text: sign, .. } in signs().filter(|sign| !sign.command.is_empty()) {
         text = text.replace(&format!("{command} "), sign).replace(command, sign);
     }
     let text = text.replace("^{", "^(").replace("_{", "_(").replace("√{", "√(");

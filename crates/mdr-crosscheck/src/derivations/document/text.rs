@@ -29,9 +29,7 @@ fn entry(judgement: &Judgement) -> String {
         wrapped(&format!("theorem {} ({}): {}", theorem.name, theorem.file, theorem.says), "  ")
     }));
     for (i, step) in judgement.steps.iter().enumerate() {
-        let place = place(step);
-        let blank = if place.is_empty() { "" } else { " " };
-        lines.push(format!("\n{}. {}{blank}{place}", i + 1, step_verdict(step)));
+        lines.push(format!("\n{}. {}{}", i + 1, step_verdict(step), place(step)));
         if let Ok(Some(statement)) = step.step.statement() {
             lines.push(format!("     {}", statement.text()));
         }
