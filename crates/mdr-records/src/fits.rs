@@ -96,6 +96,8 @@ impl Known {
             .map(|(name, number)| (if name == "c" { "C" } else { name }.to_owned(), number.to_string()))
             .collect();
         inputs.extend(self.numbers.iter().map(|(name, number)| (name.clone(), number.to_string())));
+        let rows = set.curve.lines().count() - 2;
+        inputs.push(("rows".to_owned(), rows.to_string()));
         let method = |name: &str, rigorous| Method { name: name.to_owned(), rigorous };
         Record {
             id: format!("fit/{}/{quantity}", set.name),
