@@ -189,9 +189,9 @@ fn inverse_diagonal(mut matrix: Vec<Vec<Float>>, place: usize) -> Float {
     for pivot in (0..matrix.len()).filter(|pivot| *pivot != place) {
         for row in (0..matrix.len()).filter(|row| *row != pivot) {
             let factor = matrix[row][pivot].clone() / &matrix[pivot][pivot];
-            for column in 0..matrix.len() {
-                let change = factor.clone() * &matrix[pivot][column];
-                matrix[row][column] -= change;
+            let subtracted = matrix[pivot].clone();
+            for (entry, other) in matrix[row].iter_mut().zip(subtracted) {
+                *entry -= factor.clone() * other;
             }
         }
     }
