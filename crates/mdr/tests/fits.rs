@@ -169,6 +169,26 @@ fn degenerate_is_refused_with_what_the_data_fix() {
 }
 
 /// Digits of another program, proved here: estimates, standard errors and sums of squares.
+/// Deflection on a cantilever tells neither the scale of forces nor that of lateral lengths. No force is told then, and steps of the
+/// iteration that leave the range of numbers do not end it.
+#[test]
+fn two_scales_that_a_cantilever_does_not_tell() {
+    let mut set = set("Hyper1");
+    let scales = ["e_star", "work_of_adhesion", "stiffness", "slope", "lateral"];
+    for offsets in [&[][..], &["contact_point", "baseline"]] {
+        set["free"] = [&scales[..], offsets].concat().into();
+        let fit = problem(&set).fixed("stiffness", 0.4).unwrap().fit().unwrap();
+        assert_eq!(fit.status, FitStatus::Unidentifiable, "{offsets:?}: {}", fit.reason);
+        let (predicted, measured) = (fit.predicted_pull_off.unwrap(), fit.measured_pull_off.unwrap());
+        assert_eq!([predicted.force, measured.force, predicted.contact_radius], [None; 3], "{offsets:?}");
+        if offsets.is_empty() {
+            let names: Vec<&str> = fit.invariants.iter().map(|invariant| invariant.name.as_str()).collect();
+            let lengths = "work_of_adhesion * stiffness^(-1) * lateral^2";
+            assert_eq!(names, ["e_star * stiffness^(-1) * lateral", lengths, "slope * lateral"]);
+        }
+    }
+}
+
 #[test]
 #[cfg(feature = "mp")]
 fn certified_digits_are_those_of_another_program() {

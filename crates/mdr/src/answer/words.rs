@@ -98,12 +98,18 @@ impl Event {
     fn sentence(&self, units: &[&str]) -> String {
         // The standard errors are in the order of the numbers.
         let number = |index: usize, value: f64| match self.stderr {
-            Some(stderr) => format!("{value:.4e} ± {:.1e}", stderr[index]),
-            None => format!("{value:.4e}"),
+            Some(stderr) if stderr[index] > 0.0 => format!("{value:.4e} ± {:.1e}", stderr[index]),
+            _ if value == 0.0 => "0".to_owned(),
+            _ => format!("{value:.4e}"),
         };
         let [x, y] = [number(0, self.x), number(1, self.y)];
-        let [force, indentation] = [number(2, self.force), number(3, self.indentation)];
-        let radius = self.contact_radius.map_or_else(String::new, |radius| format!(", a = {} m", number(4, radius)));
-        format!("x = {x} {}, y = {y} {}; F = {force} N, d = {indentation} m{radius}", units[0], units[1])
+        let mut sentence = format!("x = {x} {}, y = {y} {}", units[0], units[1]);
+        let state = [("F", self.force, "N"), ("d", self.indentation, "m"), ("a", self.contact_radius, "m")];
+        let known = (2..).zip(state).filter_map(|(index, (symbol, value, unit))| Some((index, symbol, value?, unit)));
+        for (place, (index, symbol, value, unit)) in known.enumerate() {
+            let separator = if place == 0 { "; " } else { ", " };
+            sentence += &format!("{separator}{symbol} = {} {unit}", number(index, value));
+        }
+        sentence
     }
 }

@@ -101,11 +101,11 @@ pub struct Event {
     pub x: f64,
     /// Y as it is recorded.
     pub y: f64,
-    /// F, in N.
-    pub force: f64,
-    /// d, in m.
-    pub indentation: f64,
-    /// a, in m; none of what was measured.
+    /// F, in N; none where the data do not determine it.
+    pub force: Option<f64>,
+    /// d, in m; none where the data do not determine it.
+    pub indentation: Option<f64>,
+    /// a, in m; none where the data do not determine it, and of what was measured.
     pub contact_radius: Option<f64>,
     /// Standard errors of x, y, force, indentation and contact radius; none of what was measured.
     pub stderr: Option<[f64; 5]>,

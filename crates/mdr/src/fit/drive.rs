@@ -9,7 +9,7 @@ use super::objective::Objective;
 use super::observation::Loss;
 use super::problem::{Kind, Problem};
 use super::start::{self, Source};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::scene::{Location, Profile};
 
 /// Scales of X, in its last scale, from which the labels of a bad start find their way.
@@ -169,7 +169,9 @@ fn least(objective: &mut Objective<'_>) -> Result<Minimum> {
         }
     }
     best.ok_or_else(|| match failure {
-        Some(error) => Error::from(error),
+        Some(error) => objective.problem.place.refuse(format!(
+            "no minimum was found from any start: {error} on the way; give a start, bounds, or fewer free numbers"
+        )),
         None => {
             let names: Vec<&str> = objective
                 .free
@@ -290,10 +292,6 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     if fit.status == FitStatus::Unidentifiable {
         // Where not even the numbers are determined, no contact radius is told.
         fit.rows.iter_mut().for_each(|row| row.contact_radius = None);
-        if let Some(pull_off) = &mut fit.predicted_pull_off {
-            (pull_off.contact_radius, pull_off.stderr) =
-                (None, pull_off.stderr.map(|[x, y, f, d, _]| [x, y, f, d, f64::NAN]));
-        }
     }
     super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
     if problem.profile_likelihood && fit.status == FitStatus::Fitted {
@@ -308,7 +306,7 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
             Err(why) => fit.warnings.push(why),
         },
         #[cfg(not(feature = "mp"))]
-        Some(_) => return Err(Error::NeedsMp { what: "a fit in certified digits" }),
+        Some(_) => return Err(crate::Error::NeedsMp { what: "a fit in certified digits" }),
     }
     Ok(fit)
 }

@@ -49,15 +49,16 @@ fn pull_off(errors: &Errors<'_>, minimum: &Minimum) -> Result<Option<Event>> {
             gradient[index] = fixed + along * speed;
         }
     }
-    let stderr = [0, 1, 2, 3, 4].map(|index: usize| errors.stderr(&gradients[index]));
-    Ok(Some(Event {
-        x: point.at[0],
-        y: point.at[1],
-        force: point.f,
-        indentation: point.d,
-        contact_radius: Some(point.a),
-        stderr: Some(stderr),
-    }))
+    let values = [point.at[0], point.at[1], point.f, point.d, point.a];
+    let known = |index: usize| errors.spectrum.determines(&gradients[index], values[index]).then_some(values[index]);
+    // X and Y are seen.
+    let state = [2, 3, 4].map(known);
+    let stderr = [0, 1, 2, 3, 4].map(|index: usize| match index.checked_sub(2) {
+        Some(of_state) if state[of_state].is_none() => f64::NAN,
+        _ => errors.stderr(&gradients[index]),
+    });
+    let [force, indentation, contact_radius] = state;
+    Ok(Some(Event { x: values[0], y: values[1], force, indentation, contact_radius, stderr: Some(stderr) }))
 }
 
 /// The surfaces touch at d = 0 without force.
@@ -70,7 +71,9 @@ fn first_touch(errors: &Errors<'_>, minimum: &Minimum) -> Event {
         errors.stderr(&gradient)
     };
     let stderr = Some([of(Kind::ContactPoint), of(Kind::Baseline), 0.0, 0.0, 0.0]);
-    Event { x: numbers.contact_point, y: numbers.baseline, force: 0.0, indentation: 0.0, contact_radius: None, stderr }
+    let nothing = Some(0.0);
+    let [x, y] = [numbers.contact_point, numbers.baseline];
+    Event { x, y, force: nothing, indentation: nothing, contact_radius: None, stderr }
 }
 
 /// A row as a state.
@@ -78,11 +81,19 @@ fn measured(errors: &Errors<'_>, minimum: &Minimum, [x, y]: [f64; 2]) -> Event {
     let numbers = &minimum.evaluation.numbers;
     let stiffness = numbers.stiffness.unwrap_or(f64::INFINITY);
     let [given, seen] = [x - numbers.contact_point, y - numbers.baseline];
-    let (indentation, force) = match errors.objective.problem.observation {
+    let observation = errors.objective.problem.observation;
+    let (indentation, force) = match observation {
         Observation::DeflectionOfPosition => (given - seen, stiffness * seen),
         Observation::ForceOfPosition => (given - seen / stiffness, seen),
         Observation::IndentationOfForce => (y - numbers.contact_point, x - numbers.baseline),
         _ => (given, seen),
     };
+    let undetermined = errors.spectrum.undetermined();
+    let is_known = |kind: Kind| errors.kinds().iter().zip(&undetermined).all(|(known, lost)| *known != kind || !lost);
+    let by_machine = is_known(Kind::Stiffness) || observation == Observation::ForceOfPosition;
+    let force = Some(force).filter(|_| by_machine && is_known(Kind::Baseline));
+    let by_force = is_known(Kind::Stiffness) || observation == Observation::DeflectionOfPosition;
+    let indentation =
+        Some(indentation).filter(|_| by_force && is_known(Kind::Baseline) && is_known(Kind::ContactPoint));
     Event { x, y, force, indentation, contact_radius: None, stderr: None }
 }

@@ -83,6 +83,11 @@ impl Spectrum {
         (0..self.lengths.len()).map(|place| directions.row(place).iter().any(|share| share.abs() > 1e-5)).collect()
     }
 
+    /// Whether the data determine a number that depends so on the fitted values: it hardly changes along null directions.
+    pub(super) fn determines(&self, gradient: &DVector<f64>, value: f64) -> bool {
+        self.unit_directions().column_iter().all(|direction| direction.dot(gradient).abs() <= 1e-5 * value.abs())
+    }
+
     fn unit_directions(&self) -> DMatrix<f64> {
         let mut directions = self.null_directions();
         for mut column in directions.column_iter_mut() {
@@ -135,7 +140,7 @@ impl Spectrum {
 /// The nearest fraction with a denominator up to four, if it is near.
 fn simple(exponent: f64) -> f64 {
     let near = (1..=4).map(f64::from).map(|whole| (exponent * whole).round() / whole);
-    near.into_iter().find(|simple| (simple - exponent).abs() < 1e-4).unwrap_or(exponent)
+    near.into_iter().find(|simple| (simple - exponent).abs() < 1e-3).unwrap_or(exponent)
 }
 
 /// A product of powers as it is printed.

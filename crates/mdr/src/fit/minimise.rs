@@ -15,11 +15,22 @@ pub(super) struct Minimum {
     pub(super) evaluations: usize,
 }
 
+/// What residuals grow by where the objective has no value: far above any that is a sum of squares of data, so that the step is
+/// refused and shortened.
+const REFUSED: f64 = 1e12;
+
+/// The factor by which a number may change in one descent: further off there is no minimum that the start leads to, but a direction
+/// of which the data say nothing.
+const FARTHEST: f64 = 1e3;
+
 /// The objective at the place where Levenberg–Marquardt is.
 struct Place<'o, 'p> {
     objective: &'o Objective<'p>,
+    start: &'o [f64],
     fitted: DVector<f64>,
-    evaluation: Option<Evaluation>,
+    /// The last that has a value.
+    evaluation: Evaluation,
+    has_value: bool,
     evaluations: usize,
 }
 
@@ -30,8 +41,11 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Place<'_, '_> {
 
     fn set_params(&mut self, fitted: &DVector<f64>) {
         self.fitted.clone_from(fitted);
-        let before = self.evaluation.take();
-        self.evaluation = self.objective.evaluate(fitted.as_slice(), before.as_ref()).ok();
+        let found = self.objective.evaluate(fitted.as_slice(), Some(&self.evaluation)).ok().filter(|_| self.is_near());
+        self.has_value = found.is_some();
+        if let Some(evaluation) = found {
+            self.evaluation = evaluation;
+        }
         self.evaluations += 1;
     }
 
@@ -40,11 +54,24 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Place<'_, '_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        self.evaluation.as_ref().map(|evaluation| evaluation.residuals.clone())
+        let residuals = &self.evaluation.residuals;
+        Some(if self.has_value {
+            residuals.clone()
+        } else {
+            residuals.map(|residual| REFUSED * (1.0 + residual.abs()))
+        })
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        self.objective.jacobian(self.fitted.as_slice(), self.evaluation.as_ref()?).ok()
+        self.objective.jacobian(self.fitted.as_slice(), &self.evaluation).ok()
+    }
+}
+
+impl Place<'_, '_> {
+    /// Whether no number that is fitted by its logarithm has left its start by more than the farthest.
+    fn is_near(&self) -> bool {
+        let distances = self.fitted.iter().zip(self.start).map(|(fitted, start)| (fitted - start).abs());
+        distances.enumerate().all(|(place, distance)| self.objective.is_offset(place) || distance < FARTHEST.ln())
     }
 }
 
@@ -58,8 +85,8 @@ pub(super) fn descend(
     tolerance: f64,
     patience: usize,
 ) -> mdr_core::contact::Result<(Vec<f64>, usize)> {
-    let mut place = Place { objective, fitted: DVector::from_column_slice(start), evaluation: None, evaluations: 1 };
-    place.evaluation = Some(objective.evaluate(start, None)?);
+    let (fitted, evaluation) = (DVector::from_column_slice(start), objective.evaluate(start, None)?);
+    let place = Place { objective, start, fitted, evaluation, has_value: true, evaluations: 1 };
     let method = LevenbergMarquardt::new().with_tol(tolerance).with_patience(patience).with_stepbound(1.0);
     let (place, _) = method.minimize(place);
     Ok((inside_bounds(objective, place.fitted.as_slice()), place.evaluations))

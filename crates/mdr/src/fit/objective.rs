@@ -79,9 +79,14 @@ impl<'p> Objective<'p> {
         self.free.iter().filter_map(of_profile).collect()
     }
 
+    /// Whether a free parameter is an offset, and fitted as it is.
+    pub(super) fn is_offset(&self, place: usize) -> bool {
+        self.problem.parameters[self.free[place]].kind.is_offset()
+    }
+
     /// The value of a free parameter as it is fitted: its logarithm, or itself for an offset.
     pub(super) fn to_fitted(&self, place: usize, value: f64) -> f64 {
-        if self.problem.parameters[self.free[place]].kind.is_offset() { value } else { value.abs().ln() }
+        if self.is_offset(place) { value } else { value.abs().ln() }
     }
 
     /// The value of a free parameter, kept between its bounds.
