@@ -27,12 +27,13 @@ impl Spectrum {
                 column /= *length;
             }
         }
-        let svd = scaled.svd(false, true);
-        let mut order: Vec<usize> = (0..svd.singular_values.len()).collect();
-        order.sort_by(|one, other| svd.singular_values[*other].total_cmp(&svd.singular_values[*one]));
-        let rows = svd.v_t.unwrap_or_else(|| DMatrix::zeros(lengths.len(), lengths.len()));
+        let rows = scaled.clone().svd(false, true).v_t.unwrap_or_else(|| DMatrix::zeros(lengths.len(), lengths.len()));
+        // Where a column depends on others, the vectors of nalgebra are right, its values in the fifth digit only.
+        let values: Vec<f64> = rows.row_iter().map(|vector| (&scaled * vector.transpose()).norm()).collect();
+        let mut order: Vec<usize> = (0..values.len()).collect();
+        order.sort_by(|one, other| values[*other].total_cmp(&values[*one]));
         let vectors = DMatrix::from_fn(lengths.len(), order.len(), |row, column| rows[(order[column], row)]);
-        Spectrum { lengths, values: order.iter().map(|index| svd.singular_values[*index]).collect(), vectors }
+        Spectrum { lengths, values: order.iter().map(|index| values[*index]).collect(), vectors }
     }
 
     fn is_null(&self, index: usize) -> bool {

@@ -21,7 +21,7 @@ const REFUSED: f64 = 1e12;
 
 /// The factor by which a number may change in one descent: further off there is no minimum that the start leads to, but a direction
 /// of which the data say nothing.
-const FARTHEST: f64 = 1e3;
+const FARTHEST: f64 = 1e2;
 
 /// The objective at the place where Levenberg–Marquardt is.
 struct Place<'o, 'p> {
