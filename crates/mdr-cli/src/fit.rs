@@ -189,7 +189,12 @@ fn for_reader(answer: &Answer) -> String {
     let mut parts = vec![answer.heading()];
     parts.push(estimates(answer));
     if !answer.intervals.is_empty() {
-        parts.push(intervals(answer));
+        let header = ["by profile likelihood", "level", "from", "to"];
+        parts.push(text_table(&header, answer.interval_rows()));
+    }
+    if !answer.smoothing.is_empty() {
+        let (header, rows) = answer.smoothing_table();
+        parts.push(text_table(&header, rows));
     }
     if let Some(certified) = &answer.certified {
         let rows = certified.parameters.iter().map(|estimate| {
@@ -232,15 +237,6 @@ fn estimates(answer: &Answer) -> String {
         ]);
     }
     render_whole(&table)
-}
-
-fn intervals(answer: &Answer) -> String {
-    let end = |end: Option<f64>| end.map_or_else(|| "open".to_owned(), |end| format!("{end:.5e}"));
-    let rows = answer.intervals.iter().map(|interval| {
-        let level = format!("{:.0} %", 100.0 * interval.level);
-        [interval.name.clone(), level, end(interval.lower), end(interval.upper)]
-    });
-    text_table(&["by profile likelihood", "level", "from", "to"], rows)
 }
 
 fn correlations(answer: &Answer) -> String {

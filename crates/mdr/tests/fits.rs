@@ -385,3 +385,34 @@ fn wild_rows_priors_and_bounds() {
     let prior = problem().prior("e_star", 1.9e6, 1.0).unwrap().fit().unwrap();
     assert!((prior.parameters[0].value.unwrap() - 1.9e6).abs() < 10.0);
 }
+
+/// A ball of 10 µm that was measured with heights wrong by a nanometre: smoothing takes that away, and the fit shows what it does.
+#[test]
+fn noise_of_a_measured_tip_moves_the_estimates() {
+    let mut noise = Normal(5);
+    let heights = (0..60).map(|row| {
+        let r = 5e-8 * f64::from(row);
+        format!("{r:e},{:e}\n", r * r / 2e-5 + if row == 0 { 0.0 } else { 1e-9 * noise.next() })
+    });
+    let tip = format!("r,f\nm,m\n{}", heights.collect::<String>());
+    let rows = (0..60).map(|row| {
+        let a = 1.2e-6 + 2e-8 * f64::from(row);
+        let elongation = (2.0 * PI * a * WORK / E_STAR).sqrt();
+        let d = a * a / 1e-5 - elongation;
+        format!("[{d:e}, {:e}]", 2.0 * E_STAR * (a * d - a.powi(3) / 3e-5))
+    });
+    let text = format!(
+        "[profile]\nkind = \"table\"\nfile = \"tip.csv\"\nsmooth = \"400 nm\"\n[data]\nobservation = \"F(d)\"\n\
+         sigma = {{ x = \"0\" }}\nrows = [{}]\n[fit]\nfree = [\"e_star\", \"work_of_adhesion\"]\n",
+        rows.collect::<Vec<_>>().join(", ")
+    );
+    let files = |_: &str| Ok(tip.as_bytes().to_vec());
+    let stated = Problem::from_toml(&text, "fit.toml", &files).unwrap().fit().unwrap();
+    assert_eq!(stated.status, FitStatus::Fitted, "{}", stated.reason);
+    let lengths: Vec<Option<f64>> = stated.smoothing.iter().map(|other| other.length).collect();
+    assert_eq!(lengths, [None, Some(2e-7), Some(8e-7)]);
+    // The rows as they are fit worse than the smooth tip, by far.
+    assert!(stated.smoothing[0].rss > 4.0 * stated.rss, "{:e} {:e}", stated.smoothing[0].rss, stated.rss);
+    assert!((stated.estimate("e_star").unwrap().value.unwrap() / E_STAR - 1.0).abs() < 0.05);
+    assert!(problem(&set("Sphere1")).fit().unwrap().smoothing.is_empty());
+}

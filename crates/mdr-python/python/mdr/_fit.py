@@ -102,6 +102,8 @@ class Fit:
 
         self.intervals: tuple[Interval, ...] = tuple(Interval(**each) for each in answer.get("intervals", []))
         """Of the free numbers at 0.68 and 0.95, where ``profile_likelihood`` asks for them."""
+        self.smoothing: list[dict[str, Any]] = answer.get("smoothing", [])
+        """Of a measured tip: ``length`` that it is smoothed over instead, ``estimates`` and ``rss`` then."""
         proved = answer["certified"] or {"parameters": []}
         self.certified: tuple[CertifiedEstimate, ...] = tuple(
             CertifiedEstimate(

@@ -2,7 +2,7 @@
 
 use super::{Completeness, NumberStyle, Output};
 #[cfg(feature = "fit")]
-use crate::fit::{Event, Fit};
+use crate::fit::{Event, Fit, Interval, SmoothedFit};
 
 /// Reasons that are told of one output.
 const MOST_REASONS: usize = 5;
@@ -93,6 +93,32 @@ impl Fit {
 }
 
 #[cfg(feature = "fit")]
+impl Fit {
+    /// The estimates with other smoothings of the tip: a header, and a row for each.
+    pub fn smoothing_table(&self) -> (Vec<String>, Vec<Vec<String>>) {
+        let names = self.parameters.iter().map(|estimate| estimate.name.clone());
+        let header = std::iter::once("tip smoothed over".to_owned()).chain(names).chain(["sum of squares".to_owned()]);
+        let number =
+            |value: Option<f64>| value.map_or_else(|| "not determined".to_owned(), |value| format!("{value:.5e}"));
+        let row = |other: &SmoothedFit| {
+            let length = other.length.map_or_else(|| "rows as they are".to_owned(), |length| format!("{length:.2e} m"));
+            let numbers = other.estimates.iter().copied().chain([Some(other.rss)]).map(number);
+            std::iter::once(length).chain(numbers).collect()
+        };
+        (header.collect(), self.smoothing.iter().map(row).collect())
+    }
+
+    /// The intervals by profile likelihood, a row for each: name, level and ends.
+    pub fn interval_rows(&self) -> Vec<[String; 4]> {
+        let end = |end: Option<f64>| end.map_or_else(|| "open".to_owned(), |end| format!("{end:.5e}"));
+        let row = |interval: &Interval| {
+            let level = format!("{:.0} %", 100.0 * interval.level);
+            [interval.name.clone(), level, end(interval.lower), end(interval.upper)]
+        };
+        self.intervals.iter().map(row).collect()
+    }
+}
+
 impl Event {
     /// Its numbers, with their standard errors where they are known; X and Y are in the first two `units`.
     fn sentence(&self, units: &[&str]) -> String {

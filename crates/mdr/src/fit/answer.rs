@@ -72,6 +72,18 @@ pub struct Interval {
     pub upper: Option<f64>,
 }
 
+/// The estimates with another smoothing of a measured tip.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct SmoothedFit {
+    /// The length that its rows are smoothed over, in m; none for the rows as they are.
+    pub length: Option<f64>,
+    /// In the order of the free numbers; none where the data do not determine one.
+    pub estimates: Vec<Option<f64>>,
+    /// The sum of squares, in the unit of [`Fit::rss_unit`].
+    pub rss: f64,
+}
+
 /// A row of the data beside the fitted curve.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -217,6 +229,9 @@ pub struct Fit {
     /// Intervals of the free numbers, where [`profile_likelihood`](super::Problem::profile_likelihood) asks for them.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub intervals: Vec<Interval>,
+    /// The estimates with other smoothings of a measured tip: what its noise does to them.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub smoothing: Vec<SmoothedFit>,
 }
 
 impl Fit {

@@ -22,6 +22,13 @@ const CONVERGED: f64 = 1e-6;
 const GOOD: f64 = 3.0;
 
 pub(super) fn fit(problem: &Problem) -> Result<Fit> {
+    let mut fit = fit_once(problem)?;
+    super::smoothing::add(&mut fit, problem);
+    Ok(fit)
+}
+
+/// The fit with the tip as it is given.
+pub(super) fn fit_once(problem: &Problem) -> Result<Fit> {
     check(problem)?;
     let noise = Noise::of(problem);
     noise.check(problem)?;
@@ -287,6 +294,7 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
         certified: None,
         evaluations: minimum.evaluations,
         intervals: Vec::new(),
+        smoothing: Vec::new(),
     };
     super::events::add(&mut fit, &errors, minimum)?;
     if fit.status == FitStatus::Unidentifiable {

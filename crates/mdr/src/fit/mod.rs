@@ -49,12 +49,14 @@ mod observation;
 mod problem;
 mod profile;
 mod read;
+mod smoothing;
 mod start;
 mod validity;
 mod warnings;
 
 pub use answer::{
     Certified, CertifiedEstimate, Estimate, Event, Fit, FitStatus, FittedRow, Interval, Invariant, RunsTest,
+    SmoothedFit,
 };
 pub use observation::{Leg, Loss, Observation};
 pub use problem::Problem;
