@@ -192,7 +192,7 @@ impl Book<'_> {
             "index" => html! { (moving::picture()?) (overview(judgements)) },
             "notation" => self.symbols()?,
             "contents" => table(judgements),
-            "cite" => html! { pre { (read(self.root, "CITATION.cff")?) } },
+            "cite" => html! { pre tabindex="0" { (read(self.root, "CITATION.cff")?) } },
             _ => html! {},
         };
         let main = html! { h1 { (page.title) } (raw(page.html)) (extra) };

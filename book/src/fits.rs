@@ -21,14 +21,14 @@ pub(crate) fn page(set: &DataSet) -> Result<Markup> {
     Ok(html! {
         p.lede { (about.join(" ")) }
         p { (fit.rows.len()) " rows, " (fit.distance) " distances, " (fit.dof) " degrees of freedom. Standard errors are from the Jacobian and the residual variance, as in NIST’s sets for nonlinear regression; what is not free is known exactly. " a href="values-fit.html" { "All data sets" } }
-        figure { (PreEscaped(picture)) }
+        figure.wide tabindex="0" role="group" aria-label="Data, residuals and contact radius" { (PreEscaped(picture)) }
         h2 { "Certified values" }
         p.hint { "Every digit is proved by Krawczyk’s operator on the normal equations, and confirmed with residuals from quadrature of the heights. The condition is the factor by which a relative error of the data grows at least." }
         (values::table(&records))
         h2 { "What is fitted" }
         p { "A file for " code { "mdr fit" } "; " code { "mdr reference --data-sets DIR" } " writes this and the data." }
-        pre { (set.fit) }
+        pre tabindex="0" { (set.fit) }
         h2 { "Data" }
-        details { summary { (set.name) ".csv" } pre { (set.curve) } }
+        details { summary { (set.name) ".csv" } pre tabindex="0" { (set.curve) } }
     })
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use pulldown_cmark::{CodeBlockKind, CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
+use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
 use crate::error::{Error, Result};
 use crate::links::Links;
@@ -188,11 +188,8 @@ impl Reader<'_, '_> {
             }
             Event::Start(Tag::Table(alignment)) => vec![html(TABLE), Event::Start(Tag::Table(alignment))],
             Event::End(TagEnd::Table) => vec![Event::End(TagEnd::Table), html("</div>\n")],
-            Event::Start(Tag::CodeBlock(kind)) => {
-                // Markdown of other sites may contain blocks in languages; no class is needed for them.
-                let _: CodeBlockKind<'_> = kind;
-                vec![Event::Start(Tag::CodeBlock(CodeBlockKind::Indented))]
-            }
+            Event::Start(Tag::CodeBlock(_)) => vec![html("<pre tabindex=\"0\"><code>")],
+            Event::End(TagEnd::CodeBlock) => vec![html("</code></pre>\n")],
             Event::Code(text) => match self.links.source(&text)? {
                 Some(target) if open.is_empty() => {
                     let link = format!("<a href=\"{target}\"><code>{}</code></a>", escaped(&text));
@@ -205,7 +202,7 @@ impl Reader<'_, '_> {
     }
 }
 
-/// A table scrolls in a box of its own, by keys too.
+/// A table scrolls in a box of its own, by keys too, as a block of code does.
 const TABLE: &str = "<div class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"Table\">\n";
 
 /// Text as HTML.

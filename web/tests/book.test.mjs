@@ -12,7 +12,7 @@ before(async () => (browser = await launch()));
 after(() => browser.close());
 
 /** One page of each kind: an equation, a chapter, a page of numbers, and what is a page of its own. */
-const pages = ['index', '1.15', 'half', 'values-kappa', 'errata', 'figures', 'fit', 'notation', 'contents', 'bibliography'];
+const pages = ['index', '1.15', 'half', 'values-kappa', 'fit-hyper1', 'errata', 'figures', 'fit', 'notation', 'contents', 'bibliography'];
 
 async function open(name, options) {
   const page = await browser.newPage({ viewport: { width: 1200, height: 900 }, ...options });
