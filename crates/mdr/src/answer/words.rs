@@ -90,10 +90,7 @@ impl Fit {
         let known = named.into_iter().filter_map(|(title, event)| Some((title, event.as_ref()?)));
         known.map(|(title, event)| format!("{title}: {}", event.sentence(&units))).collect()
     }
-}
 
-#[cfg(feature = "fit")]
-impl Fit {
     /// The estimates with other smoothings of the tip: a header, and a row for each.
     pub fn smoothing_table(&self) -> (Vec<String>, Vec<Vec<String>>) {
         let names = self.parameters.iter().map(|estimate| estimate.name.clone());
@@ -119,6 +116,7 @@ impl Fit {
     }
 }
 
+#[cfg(feature = "fit")]
 impl Event {
     /// Its numbers, with their standard errors where they are known; X and Y are in the first two `units`.
     fn sentence(&self, units: &[&str]) -> String {

@@ -303,7 +303,7 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     }
     super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
     if problem.profile_likelihood && fit.status == FitStatus::Fitted {
-        super::profile::add(&mut fit, objective, minimum, &kept, (scales[0], noise.stated));
+        super::profile::add(&mut fit, &errors, minimum, noise.stated);
     }
     super::validity::add(&mut fit, problem, &minimum.evaluation.numbers)?;
     match problem.digits.filter(|_| fit.status == FitStatus::Fitted) {

@@ -33,7 +33,7 @@ impl Errors<'_> {
     }
 
     /// How a free number grows with its fitted value.
-    fn slope(&self, place: usize) -> f64 {
+    pub(super) fn slope(&self, place: usize) -> f64 {
         if self.kind(place).is_offset() { 1.0 } else { self.objective.value(place, self.fitted[place]) }
     }
 

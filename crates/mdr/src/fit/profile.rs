@@ -10,6 +10,7 @@ use mdr_core::contact;
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
 use super::answer::{Fit, Interval};
+use super::errors::Errors;
 use super::minimise::{self, Minimum};
 use super::objective::Objective;
 use super::problem::Problem;
@@ -23,17 +24,13 @@ const TOLERANCE: f64 = 1e-7;
 /// How often the distance from the estimate doubles before the interval is open.
 const DOUBLINGS: i32 = 7;
 
-/// Adds the intervals of the `kept` numbers. `deviation` is the standard deviation of a residual, and whether it is stated.
-pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, kept: &[usize], deviation: (f64, bool)) {
-    let (deviation, stated) = deviation;
-    for place in kept {
+/// Adds the intervals of the numbers that no bound holds; `stated` is whether σ is.
+pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum, stated: bool) {
+    let (objective, deviation) = (errors.objective, errors.scales[0]);
+    for place in errors.kept {
         let index = objective.free[*place];
         let Some(stderr) = fit.parameters[*place].stderr.filter(|stderr| *stderr > 0.0) else { continue };
-        let slope = if objective.problem.parameters[index].kind.is_offset() {
-            1.0
-        } else {
-            objective.value(*place, minimum.fitted[*place]).abs()
-        };
+        let slope = errors.slope(*place).abs();
         for level in LEVELS {
             let tail = 0.5 * (1.0 + level);
             let quantile = match StudentsT::new(0.0, 1.0, fit.dof as f64).ok().filter(|_| !stated) {
