@@ -126,7 +126,7 @@ fn data_sets(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<()>
         let [fit, curve] = ["toml", "csv"].map(|extension| folder.join(set.name).with_extension(extension));
         files::write(FLAG, &fit, set.fit)?;
         files::write(FLAG, &curve, set.curve)?;
-        out.text(format_args!("{}: {} rows, {}", fit.display(), set.curve.lines().count() - 2, set.level))?;
+        out.text(format_args!("{}: {} rows, {}", fit.display(), set.rows(), set.level))?;
     }
     Ok(())
 }

@@ -160,7 +160,7 @@ fn read<T: DeserializeOwned>(text: &str) -> Result<T> {
     toml::from_str(text).map_err(|error| Failure::Data(error.to_string()))
 }
 
-fn number(text: &str) -> Result<Literal> {
+pub(crate) fn number(text: &str) -> Result<Literal> {
     text.parse().map_err(|error| Failure::Data(format!("{text}: {error}")))
 }
 

@@ -16,6 +16,7 @@ use mdr_reference::{DataSet, Method, Record};
 use rug::Float;
 
 use crate::builder::{certified, status, three_digits};
+use crate::cases::number;
 use crate::{DIGITS, Failure, RecordError, Result, float};
 
 /// The digits in which the second method works.
@@ -68,8 +69,6 @@ impl Known {
     fn read(set: &DataSet) -> Result<Self> {
         let table: toml::Table = toml::from_str(set.fit).map_err(|error| Failure::Data(error.to_string()))?;
         let text = |section: &str, key: &str| table.get(section)?.get(key)?.as_str();
-        let number =
-            |text: &str| -> Result<Literal> { text.parse().map_err(|error| Failure::Data(format!("{text}: {error}"))) };
         let kind = text("profile", "kind").and_then(Shape::by_name).ok_or(Failure::Missing("profile"))?;
         let shape =
             kind.try_map(|key, ()| number(text("profile", key).ok_or(Failure::Missing("number of the profile"))?))?;
@@ -96,8 +95,7 @@ impl Known {
             .map(|(name, number)| (if name == "c" { "C" } else { name }.to_owned(), number.to_string()))
             .collect();
         inputs.extend(self.numbers.iter().map(|(name, number)| (name.clone(), number.to_string())));
-        let rows = set.curve.lines().count() - 2;
-        inputs.push(("rows".to_owned(), rows.to_string()));
+        inputs.push(("rows".to_owned(), set.rows().to_string()));
         let method = |name: &str, rigorous| Method { name: name.to_owned(), rigorous };
         Record {
             id: format!("fit/{}/{quantity}", set.name),

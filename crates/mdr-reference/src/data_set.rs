@@ -48,6 +48,11 @@ pub fn data_sets() -> &'static [DataSet] {
 }
 
 impl DataSet {
+    /// How many rows the curve has.
+    pub fn rows(&self) -> usize {
+        self.curve.lines().count() - 2
+    }
+
     /// Its certified values: quantities `e_star`, `e_star_stderr`, …, `rss`. Standard errors are those of NIST: from the Jacobian and
     /// the residual variance.
     pub fn records(&self) -> impl Iterator<Item = &'static Record> {
