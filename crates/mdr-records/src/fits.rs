@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use mdr::fit::{Certified, Fit, Observation, Problem};
+use mdr::fit::{Certified, Fit, FittedRow, Observation, Problem};
 use mdr::prelude::{Literal, Shape};
 use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Decimal, Precision, Real};
@@ -133,10 +133,10 @@ impl Known {
         for estimate in &proved.parameters {
             numbers.insert(estimate.name.clone(), float(ctx, &estimate.value));
         }
-        let place = |radius: f64| Place { a: Float::from_f64(ctx, radius), slope: None };
-        let mut places: Vec<Option<Place>> = fit.rows.iter().map(|row| row.contact_radius.map(place)).collect();
+        let mut places: Vec<Place> = fit.rows.iter().map(|row| Place::of(row, fit, ctx)).collect();
         let rows: Vec<[Float; 2]> = problem.data().map(|row| row.map(|value| exact(ctx, value))).collect();
-        let model = Rows { shape: &self.shape, observation: problem.observation(), rows: &rows };
+        let scales = (fit.distance == "orthogonal").then(|| fit.sigma.map(|sigma| exact(ctx, sigma)));
+        let model = Rows { shape: &self.shape, observation: problem.observation(), rows: &rows, scales };
         let residuals = model.residuals(&numbers, &mut places)?;
         let zero = || Float::from_int(ctx, 0);
         let rss = residuals.iter().fold(zero(), |sum, residual| sum + residual.square());
@@ -196,11 +196,37 @@ fn inverse_diagonal(mut matrix: Vec<Vec<Float>>, place: usize) -> Float {
     matrix[place][place].lit(1) / &matrix[place][place]
 }
 
-/// The contact radius of a row, and dX/da there once it is known.
+/// The point of the curve with which a row is compared.
 #[derive(Clone)]
 struct Place {
-    a: Float,
+    /// Its contact radius; none where the row is detached.
+    a: Option<Float>,
+    kind: PlaceKind,
+    /// How the equation of the place grows with the radius, once it is known.
     slope: Option<Float>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum PlaceKind {
+    /// X is that of the row.
+    Vertical,
+    /// The nearest to the row.
+    Nearest,
+    /// Where X turns.
+    Fold,
+}
+
+impl Place {
+    fn of(row: &FittedRow, fit: &Fit, ctx: Precision) -> Self {
+        let is_end =
+            |radius: f64| fit.arcs.iter().flat_map(|arc| [arc.first(), arc.last()]).flatten().any(|at| at[2] == radius);
+        let kind = match row.contact_radius {
+            Some(radius) if is_end(radius) => PlaceKind::Fold,
+            _ if fit.distance == "orthogonal" => PlaceKind::Nearest,
+            _ => PlaceKind::Vertical,
+        };
+        Place { a: row.contact_radius.map(|radius| Float::from_f64(ctx, radius)), kind, slope: None }
+    }
 }
 
 /// Rows of a data set, and the model that they are compared with.
@@ -208,11 +234,13 @@ struct Rows<'a> {
     shape: &'a Shape<Literal>,
     observation: Observation,
     rows: &'a [[Float; 2]],
+    /// σ_X and σ_Y of orthogonal distances.
+    scales: Option<[Float; 2]>,
 }
 
 impl Rows<'_> {
-    /// Curve minus datum of each row; `places` are near its state, and become it.
-    fn residuals(&self, numbers: &BTreeMap<String, Float>, places: &mut [Option<Place>]) -> Result<Vec<Float>> {
+    /// Curve minus datum of each row, at a fold in both directions; `places` are near those of the numbers, and become them.
+    fn residuals(&self, numbers: &BTreeMap<String, Float>, places: &mut [Place]) -> Result<Vec<Float>> {
         let named = |name: &str| numbers.get(name).cloned();
         let terms = vec![self.shape.try_map(|key, _| named(key).ok_or(Failure::Missing("number of the profile")))?];
         let transform = Quadrature::of(terms)?;
@@ -238,23 +266,66 @@ impl Rows<'_> {
                 Observation::RadiusOfForce => [force, a.clone()],
             })
         };
-        let residual = |([x, y], place): (&[Float; 2], &mut Option<Place>)| {
-            let Some(Place { a, slope }) = place else { return Ok(baseline.clone() - y) };
-            let slope = match slope {
-                Some(slope) => slope,
-                None => {
-                    let near = a.clone() + a.lit(10).powi(STEP) * &*a;
-                    slope.insert((at(&near)?[0].clone() - &at(a)?[0]) / (near - &*a))
-                }
-            };
-            // The slope is known to the size of its step, by which each correction is smaller than the last.
-            for _ in 0..2 {
-                let change = (at(a)?[0].clone() - x) / &*slope;
-                *a -= change;
-            }
-            Ok(at(a)?[1].clone() - y)
+        let mut residuals = Vec::with_capacity(self.rows.len());
+        for (row, place) in self.rows.iter().zip(places) {
+            residuals.extend(self.residual(row, place, &at, &baseline)?);
+        }
+        Ok(residuals)
+    }
+
+    fn residual(
+        &self,
+        [x, y]: &[Float; 2],
+        place: &mut Place,
+        at: &dyn Fn(&Float) -> Result<[Float; 2]>,
+        baseline: &Float,
+    ) -> Result<Vec<Float>> {
+        let scaled = |[x, y]: [Float; 2]| match &self.scales {
+            Some([x_scale, y_scale]) => [x / x_scale, y / y_scale],
+            None => [x, y],
         };
-        self.rows.iter().zip(places).map(residual).collect()
+        let zero = || x.lit(0);
+        let Some(a) = &mut place.a else { return Ok(vec![scaled([zero(), baseline.clone() - y])[1].clone()]) };
+        let step = a.lit(10).powi(STEP) * &*a;
+        // The distance of the curve from the row, and its derivative by differences.
+        let away = |a: &Float| at(a).map(|[curve_x, curve_y]| scaled([curve_x - x, curve_y - y]));
+        let tangent = |a: &Float| -> Result<[Float; 2]> {
+            let [[x1, y1], [x0, y0]] = [away(&(a.clone() + &step))?, away(&(a.clone() - &step))?];
+            let width = step.clone().times(2);
+            Ok([(x1 - x0) / &width, (y1 - y0) / width])
+        };
+        let equation = |a: &Float| -> Result<Float> {
+            Ok(match place.kind {
+                PlaceKind::Vertical => away(a)?[0].clone(),
+                PlaceKind::Nearest => {
+                    let ([x, y], [x_slope, y_slope]) = (away(a)?, tangent(a)?);
+                    x * x_slope + y * y_slope
+                }
+                PlaceKind::Fold => tangent(a)?[0].clone(),
+            })
+        };
+        let slope = match &mut place.slope {
+            Some(slope) => slope,
+            None => {
+                let near = a.clone() + &step;
+                place.slope.insert((equation(&near)? - equation(a)?) / (near - &*a))
+            }
+        };
+        // The slope is known to the size of its step, by which each correction is smaller than the last.
+        for _ in 0..2 {
+            let change = equation(a)? / &*slope;
+            *a -= change;
+        }
+        let [x, y] = away(a)?;
+        Ok(match place.kind {
+            PlaceKind::Vertical => vec![y],
+            PlaceKind::Nearest => {
+                let [x_slope, y_slope] = tangent(a)?;
+                let length = (x_slope.clone().square() + y_slope.clone().square()).sqrt();
+                vec![(y * x_slope - x * y_slope) / length]
+            }
+            PlaceKind::Fold => vec![x, y],
+        })
     }
 }
 

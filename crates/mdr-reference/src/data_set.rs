@@ -36,10 +36,10 @@ macro_rules! data_sets {
     };
 }
 
-const DATA_SETS: [DataSet; 14] = data_sets! {
+const DATA_SETS: [DataSet; 16] = data_sets! {
     Lower: "sphere1" "sphere2" "cone2" "rounded1" "jkrtest1" "jkrtest2";
     Average: "cone1" "hyper1" "power1" "flat1" "ball1";
-    Higher: "soft1" "tip1" "wavy1";
+    Higher: "soft1" "tip1" "wavy1" "ball2" "beyond1";
 };
 
 /// All data sets, from lower to higher level.

@@ -192,7 +192,7 @@ fn two_scales_that_a_cantilever_does_not_tell() {
 #[test]
 #[cfg(feature = "mp")]
 fn certified_digits_are_those_of_another_program() {
-    for (id, digits) in [("Sphere1", 17), ("Rounded1", 17), ("JKRtest1", 17), ("Cone1", 15)] {
+    for (id, digits) in [("Sphere1", 17), ("Rounded1", 17), ("JKRtest1", 17), ("Cone1", 15), ("Beyond1", 17)] {
         let set = set(id);
         let fit = problem(&set).digits(digits).fit().unwrap();
         let certified = fit.certified.unwrap_or_else(|| panic!("{id}: {:?}", fit.warnings));

@@ -88,7 +88,7 @@ pub(super) fn followed(contact: &Contact<'_, f64>, turns: &[Turn]) -> Option<Vec
         let mut s = turn.s;
         for _ in 0..30 {
             let point = contact.point(&s).ok()?;
-            let step = point.tangent[0] / contact.x_curvature(&point).ok()?;
+            let step = point.tangent[0] / contact.curvature(&point).ok()?[0];
             let next = s - step;
             if !(next > 0.5 * turn.s && next < 2.0 * turn.s) {
                 return None;
@@ -96,7 +96,7 @@ pub(super) fn followed(contact: &Contact<'_, f64>, turns: &[Turn]) -> Option<Vec
             let done = step.abs() <= 1e-14 * s;
             s = next;
             if done || (step.abs() <= 1e-9 * s) {
-                let curvature = contact.x_curvature(&contact.point(&s).ok()?).ok()?;
+                let [curvature, _] = contact.curvature(&contact.point(&s).ok()?).ok()?;
                 return ((curvature > 0.0) == (turn.kind == FoldKind::Minimum)).then_some(Turn { s, ..*turn });
             }
         }
@@ -296,7 +296,8 @@ impl Arc {
         Ok(partial)
     }
 
-    fn is_fold(&self, s: f64) -> bool {
+    /// Whether a parameter is that of an end which is a fold.
+    pub(super) fn is_fold(&self, s: f64) -> bool {
         let [lower, upper] = self.ends();
         (self.folds[0] && lower.s == s) || (self.folds[1] && upper.s == s)
     }
@@ -316,7 +317,7 @@ pub(super) fn end_speed(contact: &Contact<'_, f64>, kind: Kind, point: &Point<f6
     if kinks.contains(&point.a) {
         return Ok(contact.kink_partial(kind, &point.a));
     }
-    Ok(-contact.x_slope_partial(kind, point)? / contact.x_curvature(point)?)
+    Ok(-contact.x_slope_partial(kind, point)? / contact.curvature(point)?[0])
 }
 
 fn scaled(at: [f64; 2], row: [f64; 2], scales: [f64; 2]) -> [f64; 2] {

@@ -40,6 +40,19 @@ impl<R> Numbers<R> {
             profile: (0..parameters.len()).filter(is_of_profile).map(&value).collect(),
         }
     }
+
+    /// That of a kind; none where the problem lacks it.
+    #[cfg(feature = "mp")]
+    pub(super) fn get(&self, kind: Kind) -> Option<&R> {
+        match kind {
+            Kind::EffectiveModulus => Some(&self.e_star),
+            Kind::WorkOfAdhesion => Some(&self.work),
+            Kind::Stiffness => self.stiffness.as_ref(),
+            Kind::ContactPoint => Some(&self.contact_point),
+            Kind::Baseline => Some(&self.baseline),
+            Kind::Profile(index) => self.profile.get(index),
+        }
+    }
 }
 
 /// g with its derivatives with respect to one number.
@@ -256,16 +269,22 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
         })
     }
 
-    /// d(X')/ds, at a point before a vertical edge.
-    pub(super) fn x_curvature(&self, point: &Point<R>) -> Result<R> {
+    /// The second derivatives of X and Y with respect to the parameter of the curve.
+    ///
+    /// # Errors
+    /// Those of the transform.
+    pub(super) fn curvature(&self, point: &Point<R>) -> Result<[R; 2]> {
         let Point { a, elongation, .. } = point;
+        if point.beyond_edge {
+            // There force is linear in depth.
+            return Ok([a.lit(0), a.lit(0)]);
+        }
         let slope = self.tip.curvature.slope(&Dual::variable(a.clone()))?;
         let d_slope = slope.value - elongation.clone() / &a.clone().times(2);
         let d_curvature = slope.slope + elongation.clone() / &a.square().times(4);
         let f_curvature = (d_slope + a.clone() * &d_curvature - elongation.clone() / &a.clone().times(2))
             * &self.numbers.e_star.clone().times(2);
-        let [x, _] = self.observe(d_curvature, f_curvature, a.lit(0));
-        Ok(x)
+        Ok(self.observe(d_curvature, f_curvature, a.lit(0)))
     }
 
     /// ∂X' at a fixed contact radius, before a vertical edge.

@@ -253,10 +253,7 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
         ),
     };
     let vertical = objective.x_scale.is_none();
-    let alike = vertical
-        && problem.rows.iter().all(|row| row.sigma[1].is_none())
-        && problem.loss == Loss::LeastSquares
-        && priors == 0;
+    let alike = objective.counts_alike();
     let unit = match problem.observation.units()[1] {
         "N" => "N^2",
         _ => "m^2",

@@ -125,6 +125,14 @@ impl<'p> Objective<'p> {
         Numbers::of(self.problem, value, || 0.0)
     }
 
+    /// Whether all rows count alike and vertically, so that σ_Y is not needed.
+    pub(super) fn counts_alike(&self) -> bool {
+        self.x_scale.is_none()
+            && self.rows.iter().all(|row| row.sigma[1].is_none())
+            && self.problem.loss == Loss::LeastSquares
+            && self.priors().next().is_none()
+    }
+
     pub(super) fn scales(&self, row: &DataRow) -> Scales {
         let y = row.sigma[1].unwrap_or(self.y_scale);
         Scales { x: self.x_scale.map(|x| row.sigma[0].map_or(x, |own| own.max(x))), y, beyond: self.beyond }
@@ -225,7 +233,8 @@ impl<'p> Objective<'p> {
         [counted.copysign(residual), HUBER / counted]
     }
 
-    fn priors(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
+    /// The mean and the standard deviation of free parameters that have a prior, by their place.
+    pub(super) fn priors(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
         let prior = |(place, index): (usize, &usize)| Some((place, self.problem.parameters[*index].prior?));
         self.free.iter().enumerate().filter_map(prior)
     }

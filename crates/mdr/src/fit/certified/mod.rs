@@ -1,14 +1,18 @@
 //! Certified digits of an estimate: a proof that the stationary point is unique in a box, and its digits.
 //!
-//! With the labels of the fit, G = Jᵀr is a smooth function of the fitted values. Krawczyk's operator
+//! With the labels of the fit, the points with which rows are compared included, G = Jᵀr is a smooth function of the fitted values. Krawczyk's operator
 //! K = m − C·G(m) + (1 − C·H(B))·(B − m), with H the derivatives of G over the box B by dual numbers over intervals and C near H⁻¹,
 //! maps B into its interior only if G has exactly one zero in B; the zero lies in K (Krawczyk 1969; Neumaier 1990).
 
-use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
-use rug::Float;
 
+mod linear;
+mod rows;
+
+use self::linear::{midpoints, points, solve};
+use self::rows::{Residual, Row};
 use super::answer::{Certified, CertifiedEstimate};
 use super::contact::{Contact, Numbers, Tip};
 use super::minimise::Minimum;
@@ -16,6 +20,8 @@ use super::objective::Objective;
 use super::observation::Loss;
 use super::problem::{Kind, Problem};
 use crate::scene::Profile;
+
+const OUT_OF_RANGE: &str = "a number is out of range";
 
 /// The largest working precision, against that of the digits.
 const ROUNDS: u32 = 4;
@@ -30,14 +36,42 @@ struct Normal {
     rss: Interval,
 }
 
-/// The rows of a problem, exactly as they are printed, and what is fitted to them.
+impl Normal {
+    /// Adds a residual, with its derivatives along the seed.
+    fn add(&mut self, row: &Residual, seed: usize) {
+        let Residual { value, slopes } = row;
+        for (place, slope) in slopes.iter().enumerate() {
+            // The derivative of r ∂r with respect to the seed.
+            self.hessian[place][seed] += &(value.slope.clone() * &slope.value + value.value.clone() * &slope.slope);
+            if seed > 0 {
+                continue;
+            }
+            self.gradient[place] += &(value.value.clone() * &slope.value);
+            for (other, entry) in self.information[place].iter_mut().enumerate() {
+                *entry += &(slopes[other].value.clone() * &slope.value);
+            }
+        }
+        if seed == 0 {
+            self.rss += &value.value.square();
+        }
+    }
+}
+
+/// A problem exactly as it is printed, with the labels of its rows.
 struct Proof<'a> {
     problem: &'a Problem,
     free: &'a [usize],
     precision: Precision,
-    /// X, Y and 1/σ of each row, and the contact radius where it is in contact.
-    rows: Vec<(Interval, Interval, Interval, Option<f64>)>,
+    rows: Vec<Row>,
     numbers: Vec<Interval>,
+    priors: Vec<Prior>,
+}
+
+/// A free parameter by its place, and what is known of it.
+struct Prior {
+    place: usize,
+    mean: Interval,
+    sd: Interval,
 }
 
 /// The estimate in proved digits.
@@ -54,7 +88,7 @@ pub(super) fn certified(
     possible(objective, minimum)?;
     let mut precision = 4 * digits + 96;
     for _ in 0..ROUNDS {
-        let proof = Proof::new(objective, minimum, Precision::new(precision)).ok_or("a number is out of range")?;
+        let proof = Proof::new(objective, minimum, Precision::new(precision))?;
         match proof.run(minimum, digits, dof) {
             Ok(Some(found)) => return Ok(found),
             Ok(None) | Err(Error::Undecided { .. }) => precision *= 2,
@@ -64,19 +98,18 @@ pub(super) fn certified(
     Err(format!("{digits} digits are not decided at {precision} bits for a {}", problem.profile.name()))
 }
 
-/// What has a proof: vertical distances, least squares, closed forms.
+/// What has a proof: least squares, closed forms.
 fn possible(objective: &Objective<'_>, minimum: &Minimum) -> std::result::Result<(), String> {
     let problem = objective.problem;
-    let why = if objective.x_scale.is_some() {
-        "of orthogonal distances"
-    } else if problem.loss == Loss::Huber {
+    let fitted = &minimum.fitted;
+    let why = if problem.loss == Loss::Huber {
         "with Huber's loss"
-    } else if problem.parameters.iter().any(|parameter| parameter.prior.is_some()) || problem.pull_off.is_some() {
-        "with priors or events"
+    } else if problem.pull_off.is_some() {
+        "with the place of the pull-off as a datum"
+    } else if (0..fitted.len()).any(|place| objective.at_bound(place, fitted[place])) {
+        "of a number at its bound"
     } else if !matches!(problem.profile, Profile::Shape(_)) {
         "of a profile that is no shape of the library"
-    } else if minimum.evaluation.feet.iter().flatten().any(|foot| foot.is_end) {
-        "with rows beyond the end of an arc"
     } else {
         return Ok(());
     };
@@ -88,18 +121,20 @@ fn exact(precision: Precision, value: f64) -> Option<Interval> {
 }
 
 impl<'a> Proof<'a> {
-    fn new(objective: &'a Objective<'_>, minimum: &Minimum, precision: Precision) -> Option<Self> {
+    /// None where a number is out of range.
+    ///
+    /// # Errors
+    /// A sentence that says which row has no proof.
+    fn new(objective: &'a Objective<'_>, minimum: &Minimum, precision: Precision) -> std::result::Result<Self, String> {
         let problem = objective.problem;
-        let row = |(row, foot): (&super::problem::DataRow, &Option<super::arcs::Foot>)| {
-            let weight = row.sigma[1].map_or(Some(Interval::from_int(precision, 1)), |sigma| {
-                Some(exact(precision, sigma)?.lit(1) / exact(precision, sigma)?)
-            });
-            Some((exact(precision, row.x)?, exact(precision, row.y)?, weight?, foot.map(|foot| foot.s)))
-        };
-        let rows = objective.rows.iter().zip(&minimum.evaluation.feet).map(row).collect::<Option<_>>()?;
+        let rows = rows::rows(objective, minimum, precision)?;
         let number = |parameter: &super::problem::Parameter| exact(precision, parameter.value.unwrap_or(0.0));
-        let numbers = problem.parameters.iter().map(number).collect::<Option<_>>()?;
-        Some(Proof { problem, free: &objective.free, precision, rows, numbers })
+        let numbers = problem.parameters.iter().map(number).collect::<Option<_>>().ok_or(OUT_OF_RANGE)?;
+        let prior = |(place, [mean, sd]): (usize, [f64; 2])| {
+            Some(Prior { place, mean: exact(precision, mean)?, sd: exact(precision, sd)? })
+        };
+        let priors = objective.priors().map(prior).collect::<Option<_>>().ok_or(OUT_OF_RANGE)?;
+        Ok(Proof { problem, free: &objective.free, precision, rows, numbers, priors })
     }
 
     /// All numbers at fitted values of which one is seeded.
@@ -125,6 +160,17 @@ impl<'a> Proof<'a> {
         self.problem.parameters[self.free[place]].kind
     }
 
+    /// (value − mean)/sd.
+    fn prior_residual(&self, prior: &Prior, numbers: &Numbers<Dual<Interval>>) -> Residual {
+        let zero = || Dual::constant(prior.sd.lit(0));
+        let value = numbers.get(self.kind(prior.place)).cloned().unwrap_or_else(zero);
+        let slope = if self.kind(prior.place).is_offset() { value.lit(1) } else { value.clone() };
+        let sd = Dual::constant(prior.sd.clone());
+        let mut slopes: Vec<_> = (0..self.free.len()).map(|_| zero()).collect();
+        slopes[prior.place] = slope / &sd;
+        Residual { value: (value - Dual::constant(prior.mean.clone())) / &sd, slopes }
+    }
+
     /// The normal equations over a box.
     fn normal(&self, fitted: &[Interval]) -> Result<Normal> {
         let count = fitted.len();
@@ -142,89 +188,15 @@ impl<'a> Proof<'a> {
                 .collect();
             let tip = Tip::new(&self.problem.profile, self.precision, &numbers.profile, &free)?;
             let contact = Contact::new(&tip, numbers, self.problem.observation);
-            for (x, y, weight, radius) in &self.rows {
-                let (residual, slopes) = self.row(&contact, x, y, *radius)?;
-                let weight = weight.square();
-                for (place, slope) in slopes.iter().enumerate() {
-                    // The derivative of r ∂r with respect to the seed.
-                    let derivative = residual.slope.clone() * &slope.value + residual.value.clone() * &slope.slope;
-                    normal.hessian[place][seed] += &(derivative * &weight);
-                    if seed == 0 {
-                        normal.gradient[place] += &(residual.value.clone() * &slope.value * &weight);
-                        for (other, entry) in normal.information[place].iter_mut().enumerate() {
-                            *entry += &(slopes[other].value.clone() * &slope.value * &weight);
-                        }
-                    }
-                }
-                if seed == 0 {
-                    normal.rss += &(residual.value.square() * weight);
-                }
+            let kinds: Vec<Kind> = (0..count).map(|place| self.kind(place)).collect();
+            for row in &self.rows {
+                row.residuals(&contact, &kinds)?.iter().for_each(|residual| normal.add(residual, seed));
+            }
+            for prior in &self.priors {
+                normal.add(&self.prior_residual(prior, &contact.numbers), seed);
             }
         }
         Ok(normal)
-    }
-
-    /// The residual of a row and its derivatives with respect to the fitted values, each with its derivative along the seed.
-    fn row(
-        &self,
-        contact: &Contact<'_, Dual<Interval>>,
-        x: &Interval,
-        y: &Interval,
-        radius: Option<f64>,
-    ) -> Result<(Dual<Interval>, Vec<Dual<Interval>>)> {
-        let count = self.free.len();
-        let Some(radius) = radius else {
-            let one = |place| if self.kind(place) == Kind::Baseline { 1 } else { 0 };
-            let slopes = (0..count).map(|place| Dual::constant(y.lit(one(place)))).collect();
-            return Ok((contact.numbers.baseline.clone() - Dual::constant(y.clone()), slopes));
-        };
-        let radius = self.radius(contact, x, radius)?;
-        let point = contact.point(&radius)?;
-        let [x_slope, y_slope] = &point.tangent;
-        let steepness = y_slope.clone() / x_slope;
-        let slope = |place: usize| {
-            let [x, y] = contact.partial(self.kind(place), &point)?;
-            Ok(y - steepness.clone() * &x)
-        };
-        let slopes = (0..count).map(slope).collect::<Result<_>>()?;
-        Ok((point.at[1].clone() - Dual::constant(y.clone()), slopes))
-    }
-
-    /// The radius where X is `x`, over the whole box, by the interval Newton method; with its derivative along the seed.
-    fn radius(&self, contact: &Contact<'_, Dual<Interval>>, x: &Interval, near: f64) -> Result<Dual<Interval>> {
-        let undecided = || Error::Undecided {
-            quantity: Quantity::ContactRadius,
-            bits: self.precision.bits(),
-            what: "whether a row has one state on its arc",
-        };
-        let mut middle = Interval::from_f64(self.precision, near);
-        let mut found: Option<Interval> = None;
-        for _ in 0..12 {
-            let excess = contact.point(&Dual::constant(middle.clone()))?;
-            let error = excess.at[0].value.clone() - x;
-            let guess = (error.clone() / &excess.tangent[0].value).abs();
-            let reach = Interval::point(guess.upper().clone()).times(2) + middle.abs() * middle.unit_roundoff();
-            let around = middle.clone().inflate(&reach);
-            let slope = contact.point(&Dual::constant(around.clone()))?.tangent[0].value.clone();
-            if slope.contains_zero() {
-                return Err(undecided());
-            }
-            let next = middle.clone() - error / slope;
-            let inside = next.lower() > around.lower() && next.upper() < around.upper();
-            let narrower = found.as_ref().is_none_or(|found| next.radius() < Float::with_val(53, found.radius() * 0.5));
-            if inside && (found.is_none() || narrower) {
-                middle = Interval::point(next.mid());
-                found = Some(next);
-            } else if found.is_some() {
-                break;
-            } else {
-                middle = Interval::point(next.mid());
-            }
-        }
-        let value = found.ok_or_else(undecided)?;
-        let point = contact.point(&Dual::constant(value.clone()))?;
-        let slope = -point.at[0].slope.clone() / &point.tangent[0].value;
-        Ok(Dual { value, slope })
     }
 
     /// Refines the estimate, proves a box around it and reads its digits; `None` where they are not decided.
@@ -323,13 +295,7 @@ impl<'a> Proof<'a> {
         let mut parameters = Vec::with_capacity(count);
         for (place, reach) in reach.iter().enumerate() {
             let parameter = &self.problem.parameters[self.free[place]];
-            let value = match parameter.kind {
-                Kind::EffectiveModulus => &numbers.e_star.value,
-                Kind::WorkOfAdhesion => &numbers.work.value,
-                Kind::Stiffness => numbers.stiffness.as_ref().map_or(&fitted[place], |stiffness| &stiffness.value),
-                Kind::Profile(index) => &numbers.profile[index].value,
-                Kind::ContactPoint | Kind::Baseline => &fitted[place],
-            };
+            let value = numbers.get(parameter.kind).map_or(&fitted[place], |number| &number.value);
             let factor = if parameter.kind.is_offset() { value.lit(1) } else { value.abs() };
             let error = (covariance[place][place].clone() * &variance).sqrt() * &factor;
             let (Some(value), Some(scaled_stderr)) = (text(value.clone()), text(error)) else { return Ok(None) };
@@ -338,43 +304,4 @@ impl<'a> Proof<'a> {
         }
         Ok(text(normal.rss).map(|rss| Certified { digits, parameters, rss }))
     }
-}
-
-fn points(values: &[Interval]) -> Vec<Interval> {
-    values.iter().map(|value| Interval::point(value.mid())).collect()
-}
-
-fn midpoints(matrix: &[Vec<Interval>]) -> Vec<Vec<Interval>> {
-    matrix.iter().map(|row| points(row)).collect()
-}
-
-/// Solves matrix · z = right for each right-hand side, by elimination with pivots; none where a pivot may vanish.
-fn solve(mut matrix: Vec<Vec<Interval>>, mut right: Vec<Vec<Interval>>) -> Option<Vec<Vec<Interval>>> {
-    let count = matrix.len();
-    for place in 0..count {
-        let size = |row: &usize| matrix[*row][place].abs().approx();
-        let pivot = (place..count).max_by(|one, other| size(one).total_cmp(&size(other)))?;
-        matrix.swap(place, pivot);
-        right.iter_mut().for_each(|right| right.swap(place, pivot));
-        if matrix[place][place].contains_zero() || !matrix[place][place].is_finite() {
-            return None;
-        }
-        for row in (0..count).filter(|row| *row != place) {
-            let factor = matrix[row][place].clone() / &matrix[place][place];
-            let pivot = matrix[place].clone();
-            for (entry, pivot) in matrix[row].iter_mut().zip(&pivot).skip(place) {
-                *entry -= &(factor.clone() * pivot);
-            }
-            for right in &mut right {
-                let change = factor.clone() * &right[place];
-                right[row] -= &change;
-            }
-        }
-    }
-    for right in &mut right {
-        for place in 0..count {
-            right[place] = right[place].clone() / &matrix[place][place];
-        }
-    }
-    Some(right)
 }

@@ -1,0 +1,43 @@
+//! Linear equations over intervals.
+
+use mdr_core::number::{Interval, Real};
+
+/// The midpoints of the entries.
+pub(super) fn points(values: &[Interval]) -> Vec<Interval> {
+    values.iter().map(|value| Interval::point(value.mid())).collect()
+}
+
+pub(super) fn midpoints(matrix: &[Vec<Interval>]) -> Vec<Vec<Interval>> {
+    matrix.iter().map(|row| points(row)).collect()
+}
+
+/// Solves matrix · z = right for each right-hand side, by elimination with pivots; none where a pivot may vanish.
+pub(super) fn solve(mut matrix: Vec<Vec<Interval>>, mut right: Vec<Vec<Interval>>) -> Option<Vec<Vec<Interval>>> {
+    let count = matrix.len();
+    for place in 0..count {
+        let size = |row: &usize| matrix[*row][place].abs().approx();
+        let pivot = (place..count).max_by(|one, other| size(one).total_cmp(&size(other)))?;
+        matrix.swap(place, pivot);
+        right.iter_mut().for_each(|right| right.swap(place, pivot));
+        if matrix[place][place].contains_zero() || !matrix[place][place].is_finite() {
+            return None;
+        }
+        for row in (0..count).filter(|row| *row != place) {
+            let factor = matrix[row][place].clone() / &matrix[place][place];
+            let pivot = matrix[place].clone();
+            for (entry, pivot) in matrix[row].iter_mut().zip(&pivot).skip(place) {
+                *entry -= &(factor.clone() * pivot);
+            }
+            for right in &mut right {
+                let change = factor.clone() * &right[place];
+                right[row] -= &change;
+            }
+        }
+    }
+    for right in &mut right {
+        for place in 0..count {
+            right[place] = right[place].clone() / &matrix[place][place];
+        }
+    }
+    Some(right)
+}
