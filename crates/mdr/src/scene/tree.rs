@@ -44,6 +44,8 @@ pub(crate) struct Entry {
 pub(crate) struct Document<'f> {
     name: String,
     text: String,
+    /// Where its lines end.
+    line_ends: Vec<usize>,
     /// `TOML` or `JSON`.
     format: &'static str,
     pub(crate) files: Files<'f>,
@@ -52,7 +54,8 @@ pub(crate) struct Document<'f> {
 
 impl<'f> Document<'f> {
     pub(crate) fn new(name: &str, text: &str, format: &'static str, files: Files<'f>) -> Self {
-        Document { name: name.to_owned(), text: text.to_owned(), format, files, numbers: RefCell::default() }
+        let line_ends = text.match_indices('\n').map(|(end, _)| end).collect();
+        Document { name: name.to_owned(), text: text.to_owned(), line_ends, format, files, numbers: RefCell::default() }
     }
 
     pub(crate) fn text(&self) -> &str {
@@ -76,8 +79,7 @@ impl<'f> Document<'f> {
     }
 
     pub(crate) fn place(&self, span: Range<usize>, key: &str) -> Location {
-        let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
-        let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
+        let line = 1 + self.line_ends.partition_point(|end| *end < span.start);
         Location { place: Some(Place { file: self.name.clone(), line }), key: key.to_owned() }
     }
 }
