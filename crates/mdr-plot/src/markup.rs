@@ -51,6 +51,21 @@ pub(crate) fn width(text: &str) -> f64 {
     SIZE * runs(text).iter().map(em).sum::<f64>()
 }
 
+/// A text in lines no wider than `room`, broken between words; one line where it is empty.
+pub(crate) fn lines(text: &str, room: f64) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let last = lines.last_mut().expect("never empty");
+        let longer = if last.is_empty() { word.to_owned() } else { format!("{last} {word}") };
+        if last.is_empty() || width(&longer) <= room {
+            *last = longer;
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    lines
+}
+
 /// The text as content of an SVG element `text`.
 pub(crate) fn tspans(text: &str) -> String {
     let (mut svg, mut last) = (String::new(), 0.0);
@@ -92,5 +107,7 @@ mod tests {
             "<tspan font-style=\"italic\">a</tspan><tspan dy=\"2.4\" font-size=\"7.9\">c</tspan><tspan dy=\"-2.4\"> &lt; 1</tspan>"
         );
         assert_eq!(plain("a_b ^2 }"), "a_b ^2 }", "what is no markup stays");
+        assert_eq!(lines("the first on pulling", 80.0), ["the first on", "pulling"]);
+        assert_eq!(lines("", 80.0), [""]);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::Axis;
 use crate::chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke, Theme};
-use crate::markup::{SIZE, escaped, plain, tspans, width};
+use crate::markup::{SIZE, escaped, lines, plain, tspans, width};
 
 /// Width and height of the frame of a panel in points: alone, one of two or more, one of three.
 const ALONE: [f64; 2] = [420.0, 260.0];
@@ -125,8 +125,9 @@ fn class(colour: Colour) -> &'static str {
     PALETTE.iter().find(|(other, ..)| *other == colour).map_or("ink", |(_, class, ..)| class)
 }
 
-/// What the lines and marks of a panel mean, in rows above its frame.
+/// The heading of a panel in lines, and below it what its lines and marks mean in rows, above the frame.
 struct Legend<'a> {
+    heading: Vec<String>,
     entries: Vec<Entry<'a>>,
     rows: usize,
 }
@@ -178,12 +179,12 @@ impl<'a> Legend<'a> {
             left += need + MARGIN;
         }
         let rows = if entries.is_empty() { 0 } else { row + 1 };
-        Legend { entries, rows }
+        Legend { heading: lines(&panel.heading, room), entries, rows }
     }
 
-    /// With the heading above it and the name of the vertical axis below.
+    /// With the name of the vertical axis below.
     fn height(&self) -> f64 {
-        LINE * (self.rows as f64 + 2.0) + 4.0
+        LINE * ((self.heading.len() + self.rows) as f64 + 1.0) + 4.0
     }
 }
 
@@ -295,9 +296,11 @@ impl Frame<'_> {
 
     /// The heading, and the legend below it.
     fn head(&mut self, legend: &Legend<'_>, height: f64) {
-        self.text([0.0, 12.0 - height], "heading", &self.panel.heading);
+        for (row, line) in legend.heading.iter().enumerate() {
+            self.text([0.0, LINE * row as f64 + 12.0 - height], "heading", line);
+        }
         for entry in &legend.entries {
-            let y = LINE * (entry.row as f64 + 1.5) - height;
+            let y = LINE * ((legend.heading.len() + entry.row) as f64 + 0.5) - height;
             let ends = [[entry.left, y], [entry.left + SAMPLE - 6.0, y]];
             for layer in &entry.layers {
                 match layer.look {

@@ -5,7 +5,9 @@
 use mdr::diagram::Diagram;
 use mdr::prelude::*;
 use mdr_plot::figures::FIGURES;
-use mdr_plot::{Axis, Colour, Layer, Mark, Panel, Picture, Side, Stroke, Theme, Unit, scene};
+use mdr_plot::{
+    Axis, Colour, Layer, Mark, Method, Panel, Picture, Question, Side, Stroke, Theme, Unit, comparison, scene,
+};
 use roxmltree::{Document, Node};
 
 /// What is drawn of a contact that follows a path.
@@ -128,6 +130,18 @@ fn a_jump_goes_through_states_that_its_control_leaves() {
         }
         assert!(jump.windows(2).all(|pair| pair[0].contact_radius > pair[1].contact_radius));
     }
+}
+
+#[test]
+fn a_long_heading_stays_over_its_panel() {
+    let question = |title| {
+        let methods = vec![Method { name: "quadrature", textbook: false, answers: vec![(1e-6, Some(3.0))] }];
+        Question { title, attainable: Some(15.5), methods }
+    };
+    let radius = "contact radius at the instability of a wavy paraboloid, the first on pulling";
+    let depth = "indentation depth at the instability of a wavy paraboloid, the first on pulling";
+    let texts = texts(&comparison("two methods", &[question(radius), question(depth)]));
+    assert!(texts.contains(&"contact radius at the instability of a wavy".to_owned()), "{texts:?}");
 }
 
 #[test]
