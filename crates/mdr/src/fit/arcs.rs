@@ -1,10 +1,11 @@
-//! The stable arcs of an observed curve between the folds of X, and the distance of a row to an arc.
+//! The stable arcs of an observed curve between the folds of X.
 
 use mdr_core::contact::{Control, FoldKind, Material, Result};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::folds;
 
 use super::contact::{Contact, Point};
+use super::foot::Foot;
 use super::observation::Observation;
 use super::problem::Kind;
 
@@ -24,28 +25,7 @@ pub(super) struct Arc {
 pub(super) struct Sample {
     pub(super) s: f64,
     pub(super) at: [f64; 2],
-    tangent: [f64; 2],
-}
-
-/// The point of an arc to which a row is compared.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Foot {
-    pub(super) s: f64,
-    /// The residual, curve minus datum, in units of σ.
-    pub(super) residual: f64,
-    /// Its derivatives with respect to the place (X, Y) of the curve.
-    pub(super) weights: [f64; 2],
-    /// Whether it is the end of the arc, which moves with the numbers of the problem.
-    pub(super) is_end: bool,
-}
-
-/// The scales of X and Y; `None` for vertical distances.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Scales {
-    pub(super) x: Option<f64>,
-    pub(super) y: f64,
-    /// The scale of X for what lies beyond the end of an arc.
-    pub(super) beyond: f64,
+    pub(super) tangent: [f64; 2],
 }
 
 /// Where a curve turns.
@@ -177,103 +157,13 @@ impl Arc {
         Ok(Arc { folds, samples: (0..SAMPLES).map(sample).collect::<Result<_>>()? })
     }
 
-    fn ends(&self) -> [&Sample; 2] {
+    pub(super) fn ends(&self) -> [&Sample; 2] {
         [&self.samples[0], &self.samples[self.samples.len() - 1]]
     }
 
     /// Its inner end, where it is a fold.
     pub(super) fn inner_fold(&self) -> Option<f64> {
         self.folds[0].then(|| self.samples[0].s)
-    }
-
-    /// The point to which a row is compared.
-    ///
-    /// # Errors
-    /// Those of the transform.
-    pub(super) fn foot(&self, contact: &Contact<'_, f64>, row: [f64; 2], scales: &Scales) -> Result<Foot> {
-        match scales.x {
-            None => self.vertical_foot(contact, row, scales),
-            Some(x) => self.nearest(contact, row, [x, scales.y]),
-        }
-    }
-
-    fn vertical_foot(&self, contact: &Contact<'_, f64>, row: [f64; 2], scales: &Scales) -> Result<Foot> {
-        let [lower, upper] = self.ends();
-        if !(row[0] > lower.at[0] && row[0] < upper.at[0]) {
-            let end = if row[0] <= lower.at[0] { lower } else { upper };
-            return Ok(foot_at_end(end, row, [scales.beyond, scales.y]));
-        }
-        let s = self.parameter(contact, row[0])?;
-        let Point { at, tangent, .. } = contact.point(&s)?;
-        let weights = [-tangent[1] / tangent[0] / scales.y, 1.0 / scales.y];
-        Ok(Foot { s, residual: (at[1] - row[1]) / scales.y, weights, is_end: false })
-    }
-
-    /// Where X is `x`, between the ends of the arc, by Newton's method within a bracket.
-    fn parameter(&self, contact: &Contact<'_, f64>, x: f64) -> Result<f64> {
-        let after = self.samples.partition_point(|sample| sample.at[0] <= x).clamp(1, self.samples.len() - 1);
-        let [mut low, mut high] = [self.samples[after - 1].s, self.samples[after].s];
-        let mut s = guess(&self.samples[after - 1], &self.samples[after], x);
-        for _ in 0..80 {
-            if !(s > low && s < high) {
-                s = 0.5 * (low + high);
-            }
-            let Point { at, tangent, .. } = contact.point(&s)?;
-            let excess = at[0] - x;
-            *if excess > 0.0 { &mut high } else { &mut low } = s;
-            let next = s - excess / tangent[0];
-            if (next - s).abs() <= 1e-9 * s && next > low && next < high {
-                return Ok(next);
-            }
-            if excess == 0.0 || high - low <= 4.0 * f64::EPSILON * s {
-                return Ok(s);
-            }
-            s = next;
-        }
-        Ok(s)
-    }
-
-    /// The nearest point in units of the scales, the ends included.
-    fn nearest(&self, contact: &Contact<'_, f64>, row: [f64; 2], scales: [f64; 2]) -> Result<Foot> {
-        let (segment, start) = self.nearest_segment(row, scales);
-        let away = |sample: &Sample| slope_of_distance(sample.at, sample.tangent, row, scales);
-        // The distance falls towards a minimum from both sides of it.
-        let mut low = segment;
-        while low > 0 && away(&self.samples[low]) > 0.0 {
-            low -= 1;
-        }
-        let mut high = segment + 1;
-        while high + 1 < self.samples.len() && away(&self.samples[high]) < 0.0 {
-            high += 1;
-        }
-        let [lower, upper] = self.ends();
-        if low == 0 && away(lower) >= 0.0 {
-            return Ok(foot_at_end(lower, row, scales));
-        }
-        if high + 1 == self.samples.len() && away(upper) <= 0.0 {
-            return Ok(foot_at_end(upper, row, scales));
-        }
-        let bracket = [self.samples[low].s, self.samples[high].s];
-        let point = minimum(contact, row, scales, bracket, start)?;
-        Ok(normal_foot(point, row, scales))
-    }
-
-    /// The nearest segment of the polyline through the samples, and the parameter of the nearest point on it.
-    fn nearest_segment(&self, row: [f64; 2], scales: [f64; 2]) -> (usize, f64) {
-        let mut best = (f64::INFINITY, 0, self.samples[0].s);
-        for (index, pair) in self.samples.windows(2).enumerate() {
-            let from = scaled(pair[0].at, row, scales);
-            let to = scaled(pair[1].at, row, scales);
-            let along = [to[0] - from[0], to[1] - from[1]];
-            let length = along[0] * along[0] + along[1] * along[1];
-            let share = (-(from[0] * along[0] + from[1] * along[1]) / length).clamp(0.0, 1.0);
-            let [x, y] = [from[0] + share * along[0], from[1] + share * along[1]];
-            let distance = x * x + y * y;
-            if distance < best.0 {
-                best = (distance, index, pair[0].s + share * (pair[1].s - pair[0].s));
-            }
-        }
-        (best.1, best.2)
     }
 
     /// How the place of the foot moves with a number of the problem: at a fixed parameter, and with the end where it is one.
@@ -318,90 +208,6 @@ pub(super) fn end_speed(contact: &Contact<'_, f64>, kind: Kind, point: &Point<f6
         return Ok(contact.kink_partial(kind, &point.a));
     }
     Ok(-contact.x_slope_partial(kind, point)? / contact.curvature(point)?[0])
-}
-
-fn scaled(at: [f64; 2], row: [f64; 2], scales: [f64; 2]) -> [f64; 2] {
-    [(at[0] - row[0]) / scales[0], (at[1] - row[1]) / scales[1]]
-}
-
-/// Half the derivative of the squared distance along the curve.
-fn slope_of_distance(at: [f64; 2], tangent: [f64; 2], row: [f64; 2], scales: [f64; 2]) -> f64 {
-    let [x, y] = scaled(at, row, scales);
-    x * tangent[0] / scales[0] + y * tangent[1] / scales[1]
-}
-
-/// The minimum of the distance in a bracket, by the secant method with bisection.
-fn minimum(
-    contact: &Contact<'_, f64>,
-    row: [f64; 2],
-    scales: [f64; 2],
-    [mut low, mut high]: [f64; 2],
-    start: f64,
-) -> Result<(f64, Point<f64>)> {
-    let mut s = start;
-    let mut before: Option<[f64; 2]> = None;
-    for round in 0..100 {
-        if !(s > low && s < high) || round % 10 == 9 {
-            s = 0.5 * (low + high);
-        }
-        let point = contact.point(&s)?;
-        let slope = slope_of_distance(point.at, point.tangent, row, scales);
-        *if slope > 0.0 { &mut high } else { &mut low } = s;
-        let [x, y] = [point.tangent[0] / scales[0], point.tangent[1] / scales[1]];
-        // The curvature of the curve counts as soon as two slopes are known.
-        let steepness = match before {
-            Some([s0, slope0]) if s0 != s && (slope - slope0) / (s - s0) > 0.0 => (slope - slope0) / (s - s0),
-            _ => x * x + y * y,
-        };
-        let next = s - slope / steepness;
-        if slope == 0.0 || (next - s).abs() <= 1e-14 * s || high - low <= 4.0 * f64::EPSILON * s {
-            return Ok((s, point));
-        }
-        before = Some([s, slope]);
-        s = next;
-    }
-    let point = contact.point(&s)?;
-    Ok((s, point))
-}
-
-/// The foot of a perpendicular.
-fn normal_foot((s, point): (f64, Point<f64>), row: [f64; 2], scales: [f64; 2]) -> Foot {
-    let [x, y] = scaled(point.at, row, scales);
-    let normal = normal(point.tangent, scales);
-    let residual = x * normal[0] + y * normal[1];
-    Foot { s, residual, weights: [normal[0] / scales[0], normal[1] / scales[1]], is_end: false }
-}
-
-/// The unit normal of a curve in units of the scales, upwards.
-fn normal(tangent: [f64; 2], scales: [f64; 2]) -> [f64; 2] {
-    let [x, y] = [tangent[0] / scales[0], tangent[1] / scales[1]];
-    let length = x.hypot(y);
-    [-y / length, x / length]
-}
-
-/// The end of an arc as the nearest point.
-fn foot_at_end(end: &Sample, row: [f64; 2], scales: [f64; 2]) -> Foot {
-    let [x, y] = scaled(end.at, row, scales);
-    let distance = x.hypot(y);
-    let normal = normal(end.tangent, scales);
-    if distance == 0.0 {
-        return Foot { s: end.s, residual: 0.0, weights: [normal[0] / scales[0], normal[1] / scales[1]], is_end: true };
-    }
-    let sign = if x * normal[0] + y * normal[1] < 0.0 { -1.0 } else { 1.0 };
-    let weights = [sign * x / distance / scales[0], sign * y / distance / scales[1]];
-    Foot { s: end.s, residual: sign * distance, weights, is_end: true }
-}
-
-/// Where X is `x` between two samples, by the cubic in s² − s₀² that a fold looks like, else linearly.
-fn guess(low: &Sample, high: &Sample, x: f64) -> f64 {
-    let share = (x - low.at[0]) / (high.at[0] - low.at[0]);
-    let width = high.s - low.s;
-    let [start, end] = [low.tangent[0] * width, high.tangent[0] * width].map(|slope| slope / (high.at[0] - low.at[0]));
-    // X is nearly a parabola between samples: share = start·t + (1 − start) t².
-    let bend = 1.0 - start;
-    let root = (start * start + 4.0 * bend * share).sqrt();
-    let t = 2.0 * share / (start + root);
-    if t.is_finite() && end.is_finite() { low.s + t.clamp(0.0, 1.0) * width } else { low.s + share * width }
 }
 
 /// A radius below all rows, for an arc that begins at the tip.

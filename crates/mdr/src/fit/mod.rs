@@ -41,6 +41,7 @@ mod data;
 mod drive;
 mod errors;
 mod events;
+mod foot;
 mod judge;
 mod labels;
 mod minimise;

@@ -5,8 +5,9 @@ use std::sync::Arc as Shared;
 use mdr_core::contact::Result;
 use nalgebra::{DMatrix, DVector};
 
-use super::arcs::{self, Arc, Foot, Scales, Turn};
+use super::arcs::{self, Arc, Turn};
 use super::contact::{Contact, Numbers, Tip};
+use super::foot::{Foot, Scales};
 use super::labels::cheapest;
 use super::observation::{Leg, Loss, Observation};
 use super::problem::{DataRow, Kind, Problem};
