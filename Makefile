@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs dist peers python oracle book site site-test
+.PHONY: verify test build deps bench doc confirm proofs dist peers peers-fit python oracle book site site-test
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -59,6 +59,11 @@ peers: build
 	python3 -m venv target/python
 	target/python/bin/python -m pip install --quiet python-flint scipy mpmath
 	target/python/bin/python scripts/peers.py
+
+# A fit beside scipy.
+peers-fit: python
+	target/python-package/bin/python -m pip install --quiet scipy
+	target/python-package/bin/python scripts/peers_fit.py
 
 deps:
 	@sh scripts/deps.sh
