@@ -1,6 +1,6 @@
 //! Values to begin from: by the two-point method, or by a search.
 
-use mdr_core::contact::{Control, Flank, Material, Shape};
+use mdr_core::contact::{Control, Flank, Instability, Material, Shape};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::folds;
 use nalgebra::{DMatrix, DVector};
@@ -14,10 +14,15 @@ use crate::scene::Profile;
 /// Materials to try, w/E* against the span of depths: three in a decade.
 const LENGTHS: std::ops::RangeInclusive<i32> = -27..=6;
 
+/// By how many typical steps Y rises at a pull-off.
+const JUMP: f64 = 5.0;
+
 /// What the record says of E*, w and the offsets without a fit.
 struct Record {
     /// Rows as (d, F), without baseline, and up to the contact point.
     states: Vec<[f64; 2]>,
+    /// The last state before the pull-off, where a jump is seen.
+    last: Option<[f64; 2]>,
     baseline: f64,
 }
 
@@ -109,29 +114,46 @@ fn record(problem: &Problem) -> Record {
     let retracts = problem.rows.iter().any(|row| row.leg == Leg::Retract);
     let rows: Vec<[f64; 2]> =
         problem.rows.iter().filter(|row| !retracts || row.leg == Leg::Retract).map(|row| [row.x, row.y]).collect();
+    let last = pull_off(&rows);
     let baseline = if is_free(problem, Kind::Baseline) && problem.observation != Observation::IndentationOfForce {
-        tail(&rows).or(known(problem, Kind::Baseline)).unwrap_or(0.0)
+        tail(&rows, last).or(known(problem, Kind::Baseline)).unwrap_or(0.0)
     } else {
         known(problem, Kind::Baseline).unwrap_or(0.0)
     };
     let stiffness = known(problem, Kind::Stiffness).unwrap_or(f64::INFINITY);
-    let states = rows
-        .iter()
-        .map(|[x, y]| match problem.observation {
-            Observation::DeflectionOfPosition => [x - (y - baseline), stiffness * (y - baseline)],
-            Observation::ForceOfPosition => [x - (y - baseline) / stiffness, y - baseline],
-            Observation::IndentationOfForce => [*y, x - baseline],
-            _ => [*x, y - baseline],
-        })
-        .collect();
-    Record { states, baseline }
+    let state = |[x, y]: &[f64; 2]| match problem.observation {
+        Observation::DeflectionOfPosition => [x - (y - baseline), stiffness * (y - baseline)],
+        Observation::ForceOfPosition => [x - (y - baseline) / stiffness, y - baseline],
+        Observation::IndentationOfForce => [*y, x - baseline],
+        _ => [*x, y - baseline],
+    };
+    let last = last.filter(|_| problem.observation != Observation::IndentationOfForce);
+    Record { states: rows.iter().map(state).collect(), last: last.as_ref().map(state), baseline }
 }
 
-/// The median of the rows that come after the smallest Y, where there are some: the detached tail.
-fn tail(rows: &[[f64; 2]]) -> Option<f64> {
-    let lowest = (0..rows.len()).min_by(|one, other| rows[*one][1].total_cmp(&rows[*other][1]))?;
-    let beyond: Vec<f64> = rows.iter().filter(|row| row[0] < rows[lowest][0]).map(|row| row[1]).collect();
-    (beyond.len() >= 3).then(|| super::judge::median(beyond))
+/// The last row before the pull-off: where, pulled further than at the smallest Y, Y rises at once by more than anywhere else.
+fn pull_off(rows: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let mut beyond = beyond_lowest(rows)?;
+    beyond.sort_by(|one, other| other[0].total_cmp(&one[0]));
+    let rise = |pair: &[[f64; 2]]| pair[1][1] - pair[0][1];
+    let jump = beyond.windows(2).max_by(|one, other| rise(one).total_cmp(&rise(other)))?;
+    let typical = super::judge::median(beyond.windows(2).map(|pair| rise(pair).abs()).collect());
+    (rise(jump) > JUMP * typical).then_some(jump[0])
+}
+
+/// The row of the smallest Y and all that are pulled further.
+fn beyond_lowest(rows: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
+    let lowest = rows.iter().min_by(|one, other| one[1].total_cmp(&other[1]))?;
+    Some(rows.iter().copied().filter(|row| row[0] <= lowest[0]).collect())
+}
+
+/// The median of the detached rows: those after the pull-off, or after the smallest Y where no jump is seen.
+fn tail(rows: &[[f64; 2]], last: Option<[f64; 2]>) -> Option<f64> {
+    let detached = match last {
+        Some(last) => rows.iter().copied().filter(|row| row[0] < last[0]).collect(),
+        None => beyond_lowest(rows).filter(|beyond| beyond.len() > 3)?,
+    };
+    Some(super::judge::median(detached.into_iter().map(|row| row[1]).collect()))
 }
 
 impl Record {
@@ -143,7 +165,7 @@ impl Record {
             .fold([0.0, f64::INFINITY], |best, state| if state[1] < best[1] { state } else { best })
     }
 
-    /// The depth at which the force vanishes, deeper than where it is smallest; the deepest row where it never does.
+    /// The depth at which the force vanishes, deeper than where it is smallest; none where it never does.
     fn depth_without_force(&self) -> Option<f64> {
         let lowest = self.lowest();
         let mut inside: Vec<[f64; 2]> = self.states.iter().copied().filter(|state| state[0] > lowest[0]).collect();
@@ -183,44 +205,64 @@ fn by_search(problem: &Problem, record: &Record, tip: &Tip<f64>) -> Option<[f64;
     let (low, high) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)));
     let span = high - low;
     let mut best: Option<(f64, [f64; 4])> = None;
-    for power in LENGTHS {
-        let length = span * 10f64.powf(f64::from(power) / 3.0);
-        let Some(found) = with_length(problem, record, tip, length) else { continue };
-        if best.as_ref().is_none_or(|(cost, _)| found.0 < *cost) {
-            best = Some(found);
+    let attempt = |length: f64, best: &mut Option<(f64, [f64; 4])>| {
+        for anchor in [Anchor::SmallestForce, Anchor::PullOff] {
+            if let Some(found) = with_length(problem, record, tip, length, anchor)
+                && best.as_ref().is_none_or(|(cost, _)| found.0 < *cost)
+            {
+                *best = Some(found);
+            }
         }
+    };
+    for power in LENGTHS {
+        attempt(span * 10f64.powf(f64::from(power) / 3.0), &mut best);
     }
     let (_, coarse) = best?;
     // Once more, finer, around the best.
     for step in -10..=10 {
-        let length = coarse[1] / coarse[0] * 10f64.powf(f64::from(step) / 30.0);
-        if let Some(found) = with_length(problem, record, tip, length)
-            && best.as_ref().is_none_or(|(cost, _)| found.0 < *cost)
-        {
-            best = Some(found);
-        }
+        attempt(coarse[1] / coarse[0] * 10f64.powf(f64::from(step) / 30.0), &mut best);
     }
     best.map(|(_, found)| found)
 }
 
-/// The material with this w/E* that has the smallest force of the record there, and how far the rows are from its curve.
-fn with_length(problem: &Problem, record: &Record, tip: &Tip<f64>, length: f64) -> Option<(f64, [f64; 4])> {
+/// A row that a curve of the search goes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Anchor {
+    /// That of the smallest force, the fold under a dead load.
+    SmallestForce,
+    /// The last before the pull-off, the fold under fixed grips.
+    PullOff,
+}
+
+/// The material with this w/E* whose fold is at the anchor, and how far the rows are from its curve.
+fn with_length(
+    problem: &Problem,
+    record: &Record,
+    tip: &Tip<f64>,
+    length: f64,
+    anchor: Anchor,
+) -> Option<(f64, [f64; 4])> {
     let material = Material::new(1.0, length).ok()?;
-    let curve = Curve::new(tip.transform(), &material, &Control::Force);
+    let (control, [at, smallest]) = match anchor {
+        Anchor::SmallestForce => (Control::Force, record.lowest()),
+        Anchor::PullOff => (Control::Indentation, record.last?),
+    };
+    let curve = Curve::new(tip.transform(), &material, &control);
     let folds = folds::find(&curve).ok()?;
-    let lowest = folds.folds.iter().min_by(|one, other| one.force.total_cmp(&other.force))?;
-    let [at, smallest] = record.lowest();
+    let held = |fold: &Instability<f64>| if anchor == Anchor::PullOff { fold.indentation } else { fold.force };
+    let lowest = folds.folds.iter().min_by(|one, other| held(one).total_cmp(&held(other)))?;
     let free = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| is_free(problem, kind));
     let stated = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| known(problem, kind));
     let e_star = match (free, stated) {
         ([true, true], _) if smallest < 0.0 && lowest.force < 0.0 => Some(smallest / lowest.force),
         // No adhesion is seen: the deepest row tells E*.
-        ([true, true], _) => {
+        ([true, true], _) if anchor == Anchor::SmallestForce => {
             let [depth, force] = record.states.iter().copied().max_by(|one, other| one[0].total_cmp(&other[0]))?;
             let target = depth - known(problem, Kind::ContactPoint).unwrap_or(0.0);
             let radius = radius_at(&curve, lowest.contact_radius, target)?;
             Some(force / curve.force(&radius).ok()?)
         }
+        ([true, true], _) => None,
         ([false, _], [e_star, _]) => e_star,
         ([true, false], [_, work]) => work.map(|work| work / length),
     }
@@ -230,9 +272,9 @@ fn with_length(problem: &Problem, record: &Record, tip: &Tip<f64>, length: f64) 
     } else {
         known(problem, Kind::ContactPoint).unwrap_or(0.0)
     };
-    // How far the rows in contact are from the curve in force, as a share of the largest.
+    // How far the rows in contact are from the curve in force.
     let mut radius = lowest.contact_radius;
-    let mut cost = 0.0;
+    let (mut cost, mut count) = (0.0, 0);
     let mut states: Vec<[f64; 2]> = record.states.iter().copied().filter(|state| state[0] >= at).collect();
     states.sort_by(|one, other| one[0].total_cmp(&other[0]));
     let stride = states.len().div_ceil(60).max(1);
@@ -240,8 +282,10 @@ fn with_length(problem: &Problem, record: &Record, tip: &Tip<f64>, length: f64) 
         radius = radius_at(&curve, radius, d - contact_point)?;
         let error = e_star * curve.force(&radius).ok()? - f;
         cost += error * error;
+        count += 1;
     }
-    Some((cost, [e_star, e_star * length, contact_point, record.baseline]))
+    // A curve through the anchor and two others says something.
+    (count > 2).then_some((cost / f64::from(count), [e_star, e_star * length, contact_point, record.baseline]))
 }
 
 /// The first radius from `radius` outward at which the contact is this deep, to a hundredth.
