@@ -18,7 +18,7 @@ const CONTINUATION: [f64; 3] = [70.0, 15.0, 4.0];
 /// The cosine between residuals and the Jacobian below which a minimum is one.
 const CONVERGED: f64 = 1e-6;
 
-/// The sum of squares over the degrees of freedom, in units of the noise, at which no other start is tried.
+/// The sum of squares over the degrees of freedom below which no other start is tried, where the noise is only seen in the data.
 const GOOD: f64 = 3.0;
 
 pub(super) fn fit(problem: &Problem) -> Result<Fit> {
@@ -40,7 +40,7 @@ pub(super) fn fit_once(problem: &Problem) -> Result<Fit> {
         None => Some(noise.beyond),
     };
     let mut objective = Objective::new(problem, first, noise.y, noise.beyond)?;
-    let mut minimum = least(&mut objective)?;
+    let mut minimum = least(&mut objective, noise.stated)?;
     let jumps = minimum.evaluation.labels.iter().any(|label| *label != minimum.evaluation.labels[0]);
     if given.is_none() && !jumps {
         objective.x_scale = None;
@@ -151,9 +151,11 @@ impl Noise {
     }
 }
 
-/// The minimum of least cost that is found from the starts, until one fits as well as noise lets it.
-fn least(objective: &mut Objective<'_>) -> Result<Minimum> {
+/// The minimum of least cost that is found from the starts, until one fits as well as noise lets it: within a standard deviation of χ²
+/// where σ is stated, since a second minimum may be little worse.
+fn least(objective: &mut Objective<'_>, is_stated: bool) -> Result<Minimum> {
     let dof = objective.rows.len().saturating_sub(objective.free.len()).max(1) as f64;
+    let enough = if is_stated { dof + (2.0 * dof).sqrt() } else { GOOD * dof };
     let mut best: Option<Minimum> = None;
     let mut failure = None;
     let has_start = objective.problem.parameters.iter().any(|parameter| parameter.start.is_some());
@@ -169,7 +171,7 @@ fn least(objective: &mut Objective<'_>) -> Result<Minimum> {
                 }
                 Err(error) => failure = Some(error),
             }
-            let good = |best: &Minimum| best.evaluation.cost() < GOOD * dof && best.gradient < CONVERGED;
+            let good = |best: &Minimum| best.evaluation.cost() < enough && best.gradient < CONVERGED;
             if let Some(best) = best.take_if(|best| good(best)) {
                 return Ok(best);
             }

@@ -14,6 +14,9 @@ use crate::scene::Profile;
 /// Materials to try, w/E* against the span of depths: three in a decade.
 const LENGTHS: std::ops::RangeInclusive<i32> = -27..=6;
 
+/// How many minima of a search over w/E* are looked at more closely.
+const MINIMA: usize = 3;
+
 /// By how many typical steps Y rises at a pull-off.
 const JUMP: f64 = 5.0;
 
@@ -62,15 +65,17 @@ pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<Vec<f
     if source == Source::Given {
         return complete(&|_| None, true).into_iter().collect();
     }
-    let Some([e_star, work, contact_point, baseline]) = from_data(problem, source) else { return Vec::new() };
-    let of = |kind: Kind| match kind {
-        Kind::EffectiveModulus => Some(e_star),
-        Kind::WorkOfAdhesion => Some(work),
-        Kind::ContactPoint => Some(contact_point),
-        Kind::Baseline => Some(baseline),
-        _ => None,
-    };
-    let mut candidates: Vec<Vec<f64>> = complete(&of, true).into_iter().chain(complete(&of, false)).collect();
+    let mut candidates = Vec::new();
+    for [e_star, work, contact_point, baseline] in from_data(problem, source) {
+        let of = |kind: Kind| match kind {
+            Kind::EffectiveModulus => Some(e_star),
+            Kind::WorkOfAdhesion => Some(work),
+            Kind::ContactPoint => Some(contact_point),
+            Kind::Baseline => Some(baseline),
+            _ => None,
+        };
+        candidates.extend([true, false].into_iter().filter_map(|keep| complete(&of, keep)));
+    }
     candidates.dedup();
     candidates
 }
@@ -89,8 +94,8 @@ fn is_free(problem: &Problem, kind: Kind) -> bool {
     problem.parameters.iter().any(|parameter| parameter.kind == kind && parameter.free)
 }
 
-/// E*, w, contact point and baseline by the record.
-fn from_data(problem: &Problem, source: Source) -> Option<[f64; 4]> {
+/// E*, w, contact point and baseline by the record, the likeliest first.
+fn from_data(problem: &Problem, source: Source) -> Vec<[f64; 4]> {
     let numbers: Vec<f64> = problem
         .parameters
         .iter()
@@ -100,12 +105,12 @@ fn from_data(problem: &Problem, source: Source) -> Option<[f64; 4]> {
             start.or(parameter.value).unwrap_or(f64::NAN)
         })
         .collect();
-    let tip = Tip::<f64>::new(&problem.profile, (), &numbers, &[]).ok()?;
+    let Ok(tip) = Tip::<f64>::new(&problem.profile, (), &numbers, &[]) else { return Vec::new() };
     match (problem.observation.sees_radius(), source) {
-        (true, Source::Formula) => by_regression(problem, &tip),
-        (false, Source::Formula) => two_points(problem, &record(problem), &numbers),
+        (true, Source::Formula) => by_regression(problem, &tip).into_iter().collect(),
+        (false, Source::Formula) => two_points(problem, &record(problem), &numbers).into_iter().collect(),
         (false, Source::Search) => by_search(problem, &record(problem), &tip),
-        _ => None,
+        _ => Vec::new(),
     }
 }
 
@@ -200,29 +205,37 @@ fn two_points(problem: &Problem, record: &Record, numbers: &[f64]) -> Option<[f6
 }
 
 /// A search over w/E*: E* follows from the smallest force, and the contact point from where it is.
-fn by_search(problem: &Problem, record: &Record, tip: &Tip<f64>) -> Option<[f64; 4]> {
+fn by_search(problem: &Problem, record: &Record, tip: &Tip<f64>) -> Vec<[f64; 4]> {
     let depths = record.states.iter().map(|state| state[0]);
     let (low, high) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)));
     let span = high - low;
-    let mut best: Option<(f64, [f64; 4])> = None;
-    let attempt = |length: f64, best: &mut Option<(f64, [f64; 4])>| {
-        for anchor in [Anchor::SmallestForce, Anchor::PullOff] {
-            if let Some(found) = with_length(problem, record, tip, length, anchor)
-                && best.as_ref().is_none_or(|(cost, _)| found.0 < *cost)
-            {
-                *best = Some(found);
-            }
-        }
+    let mut minima: Vec<(f64, [f64; 4], Anchor)> = Vec::new();
+    for anchor in [Anchor::SmallestForce, Anchor::PullOff] {
+        let coarse: Vec<_> = LENGTHS
+            .map(|power| with_length(problem, record, tip, span * 10f64.powf(f64::from(power) / 3.0), anchor))
+            .collect();
+        let cost = |index: Option<usize>| {
+            let found = index.and_then(|index| coarse.get(index)?.as_ref());
+            found.map_or(f64::INFINITY, |(cost, _)| *cost)
+        };
+        let is_least = |index: usize| {
+            cost(Some(index)) <= cost(index.checked_sub(1)) && cost(Some(index)) <= cost(Some(index + 1))
+        };
+        let least = coarse.iter().enumerate().filter(|(index, _)| is_least(*index));
+        minima.extend(least.filter_map(|(_, found)| found.map(|(cost, numbers)| (cost, numbers, anchor))));
+    }
+    minima.sort_by(|one, other| one.0.total_cmp(&other.0));
+    // Once more, finer, around each: the true one may be narrow.
+    let finer = |(_, [e_star, work, ..], anchor): &(f64, [f64; 4], Anchor)| {
+        let at = |step: i32| {
+            let length = work / e_star * 10f64.powf(f64::from(step) / 30.0);
+            with_length(problem, record, tip, length, *anchor)
+        };
+        (-10..=10).filter_map(at).min_by(|one, other| one.0.total_cmp(&other.0))
     };
-    for power in LENGTHS {
-        attempt(span * 10f64.powf(f64::from(power) / 3.0), &mut best);
-    }
-    let (_, coarse) = best?;
-    // Once more, finer, around the best.
-    for step in -10..=10 {
-        attempt(coarse[1] / coarse[0] * 10f64.powf(f64::from(step) / 30.0), &mut best);
-    }
-    best.map(|(_, found)| found)
+    let mut found: Vec<(f64, [f64; 4])> = minima.iter().take(MINIMA).filter_map(finer).collect();
+    found.sort_by(|one, other| one.0.total_cmp(&other.0));
+    found.into_iter().map(|(_, numbers)| numbers).collect()
 }
 
 /// A row that a curve of the search goes through.
