@@ -18,6 +18,9 @@ const CONTINUATION: [f64; 3] = [70.0, 15.0, 4.0];
 /// The cosine between residuals and the Jacobian below which a minimum is one.
 const CONVERGED: f64 = 1e-6;
 
+/// A row is at the fold within this share of the scale of X beyond it.
+const AT_FOLD: f64 = 1e-2;
+
 /// The sum of squares over the degrees of freedom below which no other start is tried, where the noise is only seen in the data.
 const GOOD: f64 = 3.0;
 
@@ -245,14 +248,7 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     let (invariants, reason) = match status {
         FitStatus::Fitted => (Vec::new(), String::new()),
         FitStatus::Unidentifiable => errors.invariants(),
-        FitStatus::NotConverged => (
-            Vec::new(),
-            format!(
-                "the residuals still fall: the cosine between them and a derivative is {:.1e} after {} evaluations; give \
-                 a start, or free fewer numbers",
-                minimum.gradient, minimum.evaluations
-            ),
-        ),
+        FitStatus::NotConverged => (Vec::new(), not_converged(objective, minimum)),
     };
     let vertical = objective.x_scale.is_none();
     let alike = objective.counts_alike();
@@ -316,6 +312,24 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
         Some(_) => return Err(crate::Error::NeedsMp { what: "a fit in certified digits" }),
     }
     Ok(fit)
+}
+
+/// Why a minimum is none, and what helps.
+fn not_converged(objective: &Objective<'_>, minimum: &Minimum) -> String {
+    let Minimum { evaluation, gradient, evaluations, .. } = minimum;
+    let is_at_fold = |(row, label): (&super::problem::DataRow, &usize)| {
+        let end = label.checked_sub(1).and_then(|arc| evaluation.arcs[arc].fold_below());
+        end.is_some_and(|end| (row.x - end).abs() < AT_FOLD * objective.beyond)
+    };
+    if objective.x_scale.is_none() && objective.rows.iter().zip(&evaluation.labels).any(is_at_fold) {
+        return "a row lies at the fold, where the curve is vertical: the sum of squares of vertical distances has a kink there and no \
+                derivative; give the standard deviation of x: sigma = { x = \"…\" }"
+            .to_owned();
+    }
+    format!(
+        "the residuals still fall: the cosine between them and a derivative is {gradient:.1e} after {evaluations} evaluations; give a \
+         start, or free fewer numbers"
+    )
 }
 
 /// Whether the residuals are the rounding of the data: then their direction says nothing.
