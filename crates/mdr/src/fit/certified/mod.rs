@@ -26,6 +26,10 @@ const OUT_OF_RANGE: &str = "a number is out of range";
 /// The largest working precision, against that of the digits.
 const ROUNDS: u32 = 4;
 
+/// Boxes that are tried, each a hundredth of the last, and how often the operator shrinks one.
+const SCALES: usize = 8;
+const ROUNDS_OF_A_BOX: usize = 24;
+
 /// A box, with what the normal equations are over it.
 struct Normal {
     /// Jᵀr, with its derivatives.
@@ -215,66 +219,18 @@ impl<'a> Proof<'a> {
                 break;
             }
         }
-        let Some((proved, reach)) = self.prove(&middle, minimum)? else { return Ok(None) };
-        self.read(&proved, &reach, digits, dof)
-    }
-
-    /// A box that Krawczyk's operator maps into its interior: the enclosure of the zero, and the half widths of the box in
-    /// which it is the only one.
-    fn prove(&self, middle: &[Interval], minimum: &Minimum) -> Result<Option<(Vec<Interval>, Vec<f64>)>> {
-        let count = middle.len();
         let lengths: Vec<f64> = minimum.jacobian.column_iter().map(|column| column.norm()).collect();
-        let at_middle = self.normal(middle)?;
-        let unit = |row: usize| (0..count).map(|place| middle[0].lit(i64::from(row == place))).collect::<Vec<_>>();
-        let Some(inverse) = solve(midpoints(&at_middle.hessian), (0..count).map(unit).collect()) else {
-            return Ok(None);
-        };
-        // inverse[j] solves H z = e_j: column j of the inverse.
-        let times = |vector: &dyn Fn(usize) -> Interval, row: usize| {
-            (0..count).fold(middle[0].lit(0), |sum, place| sum + inverse[place][row].clone() * &vector(place))
-        };
+        let boxes = Boxes::around(self, middle)?;
+        // In a smaller box within one in which the zero is unique it is the same zero, and its enclosure shrinks faster.
+        let mut stated: Option<Vec<f64>> = None;
         let mut scale = 1e-2;
-        for _ in 0..8 {
-            let mut reach: Vec<f64> = lengths.iter().map(|length| scale / length).collect();
-            let stated = reach.clone();
-            let mut found: Option<Vec<Interval>> = None;
-            for _ in 0..24 {
-                let zone: Vec<Interval> = middle
-                    .iter()
-                    .zip(&reach)
-                    .map(|(value, reach)| value.clone().inflate(&Interval::from_f64(self.precision, *reach)))
-                    .collect();
-                let Ok(over) = self.normal(&zone) else { break };
-                let image = |row: usize| {
-                    let shift = times(&|place| at_middle.gradient[place].clone(), row);
-                    let spread = (0..count).fold(middle[0].lit(0), |sum, column| {
-                        let entry = times(&|place| over.hessian[place][column].clone(), row);
-                        sum + (middle[0].lit(i64::from(row == column)) - entry)
-                            * &(zone[column].clone() - &middle[column])
-                    });
-                    middle[row].clone() - shift + spread
-                };
-                let images: Vec<Interval> = (0..count).map(image).collect();
-                let inside = images
-                    .iter()
-                    .zip(&zone)
-                    .all(|(image, zone)| image.lower() > zone.lower() && image.upper() < zone.upper());
-                if !inside {
-                    break;
+        for _ in 0..SCALES {
+            let reach: Vec<f64> = lengths.iter().map(|length| scale / length).collect();
+            if let Some(proved) = boxes.as_ref().and_then(|boxes| boxes.contract(reach.clone())) {
+                let within = stated.get_or_insert(reach);
+                if let Some(certified) = self.read(&proved, within, digits, dof)? {
+                    return Ok(Some(certified));
                 }
-                let next: Vec<f64> = images
-                    .iter()
-                    .zip(middle)
-                    .map(|(image, middle)| (image.clone() - middle).abs().upper().to_f64() * 2.0)
-                    .collect();
-                let shrinks = next.iter().zip(&reach).any(|(next, reach)| *next < 0.7 * reach);
-                (found, reach) = (Some(images), next);
-                if !shrinks {
-                    break;
-                }
-            }
-            if let Some(found) = found {
-                return Ok(Some((found, stated)));
             }
             scale *= 1e-2;
         }
@@ -303,5 +259,72 @@ impl<'a> Proof<'a> {
             parameters.push(CertifiedEstimate { name, value, scaled_stderr, unique_within: reach * factor.approx() });
         }
         Ok(text(normal.rss).map(|rss| Certified { digits, parameters, rss }))
+    }
+}
+
+/// Krawczyk's operator around a point.
+struct Boxes<'a> {
+    proof: &'a Proof<'a>,
+    middle: Vec<Interval>,
+    /// G there.
+    gradient: Vec<Interval>,
+    /// Near the inverse of H there, by columns.
+    inverse: Vec<Vec<Interval>>,
+}
+
+impl<'a> Boxes<'a> {
+    /// None where H is nearly singular.
+    fn around(proof: &'a Proof<'a>, middle: Vec<Interval>) -> Result<Option<Self>> {
+        let Normal { gradient, hessian, .. } = proof.normal(&middle)?;
+        let count = middle.len();
+        let unit = |row: usize| (0..count).map(|place| middle[0].lit(i64::from(row == place))).collect::<Vec<_>>();
+        let inverse = solve(midpoints(&hessian), (0..count).map(unit).collect());
+        Ok(inverse.map(|inverse| Boxes { proof, middle, gradient, inverse }))
+    }
+
+    /// The enclosure of the zero in a box of these half widths that the operator maps into its interior; none for another box.
+    fn contract(&self, mut reach: Vec<f64>) -> Option<Vec<Interval>> {
+        let mut found = None;
+        for _ in 0..ROUNDS_OF_A_BOX {
+            let Some(images) = self.image(&reach) else { break };
+            let next: Vec<f64> = images
+                .iter()
+                .zip(&self.middle)
+                .map(|(image, middle)| (image.clone() - middle).abs().upper().to_f64() * 2.0)
+                .collect();
+            let shrinks = next.iter().zip(&reach).any(|(next, reach)| *next < 0.7 * reach);
+            (found, reach) = (Some(images), next);
+            if !shrinks {
+                break;
+            }
+        }
+        found
+    }
+
+    /// K over the box of these half widths, where it is in its interior.
+    fn image(&self, reach: &[f64]) -> Option<Vec<Interval>> {
+        let Boxes { proof, middle, gradient, inverse } = self;
+        let count = middle.len();
+        let times = |vector: &dyn Fn(usize) -> Interval, row: usize| {
+            (0..count).fold(middle[0].lit(0), |sum, place| sum + inverse[place][row].clone() * &vector(place))
+        };
+        let zone: Vec<Interval> = middle
+            .iter()
+            .zip(reach)
+            .map(|(value, reach)| value.clone().inflate(&Interval::from_f64(proof.precision, *reach)))
+            .collect();
+        let over = proof.normal(&zone).ok()?;
+        let image = |row: usize| {
+            let shift = times(&|place| gradient[place].clone(), row);
+            let spread = (0..count).fold(middle[0].lit(0), |sum, column| {
+                let entry = times(&|place| over.hessian[place][column].clone(), row);
+                sum + (middle[0].lit(i64::from(row == column)) - entry) * &(zone[column].clone() - &middle[column])
+            });
+            middle[row].clone() - shift + spread
+        };
+        let images: Vec<Interval> = (0..count).map(image).collect();
+        let inside =
+            images.iter().zip(&zone).all(|(image, zone)| image.lower() > zone.lower() && image.upper() < zone.upper());
+        inside.then_some(images)
     }
 }
