@@ -14,6 +14,7 @@ pub(crate) mod profiles;
 pub(crate) mod routine;
 pub(crate) mod textbook;
 
+use self::routine::Routine;
 use crate::library::NAMES;
 
 /// A number that a function of mdr-analytic gives.
@@ -170,4 +171,15 @@ pub fn subjects() -> Vec<Subject> {
         _ => None,
     });
     NAMED.iter().copied().chain(grouped).collect()
+}
+
+/// All functions of doubles, those of mdr-analytic first.
+pub(crate) fn routines() -> Vec<Routine> {
+    let critical: [&[Routine]; 2] = [&double::CRITICAL_INDENTATION, &double::CRITICAL_FORCE];
+    let profiles = profiles::PROFILES.each_ref().map(|profile| &profile.routines[..]);
+    let quadratures = profiles::QUADRATURES.each_ref().map(|parts| &parts[..]);
+    let searches: [&[Routine]; 2] = [&numerical::FOLDS, &numerical::EQUILIBRIA];
+    let groups =
+        [&critical, double::ROUTINES, &profiles, profiles::ROUTINES, &quadratures, &searches, numerical::ROUTINES];
+    groups.concat().concat()
 }
