@@ -29,9 +29,8 @@
 //! ∞ included; [`Error::Undecided`] if 256 bits do not suffice, which requires specially constructed inputs, or if a
 //! binary exponent exceeds 2⁶², which requires |2n−1| < 2⁻⁴⁹ and extreme scales.
 
-mod critical;
-mod equilibrium;
 mod exponential;
+mod functions;
 pub mod grid;
 mod inverse;
 mod kappa;
@@ -42,8 +41,7 @@ mod ziv;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result};
 
-pub use self::critical::*;
-pub use self::equilibrium::*;
+pub use self::functions::*;
 pub use self::inverse::*;
 use crate::contact::Contact;
 use crate::kappa::Kappa;
