@@ -34,8 +34,10 @@ mod functions;
 pub mod grid;
 mod inverse;
 mod kappa;
+#[path = "../../data/kappa.rs"]
 mod kappa_table;
 mod pair;
+#[path = "../../data/powers.rs"]
 mod powers;
 mod ziv;
 
