@@ -82,12 +82,8 @@ fn contact<R: Kappa + From<f64>>(n: f64, c: f64, material: &Material<f64>) -> Re
 
 #[inline(always)]
 fn lifted_control<R: From<f64>>(control: &Control<f64>) -> Result<Control<R>> {
-    Ok(match control {
-        Control::Indentation => Control::Indentation,
-        Control::Force => Control::Force,
-        Control::Machine { stiffness } => {
-            positive(Quantity::Stiffness, *stiffness)?;
-            Control::Machine { stiffness: (*stiffness).into() }
-        }
+    control.try_map(|stiffness| {
+        positive(Quantity::Stiffness, *stiffness)?;
+        Ok((*stiffness).into())
     })
 }
