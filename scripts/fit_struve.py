@@ -3,7 +3,7 @@
 
 With v = 3/z in (0, 1]:  z K0(z) pi/2  and  (K1(z) - 2/pi) z^2 pi/2  are smooth and tend to 1 as v -> 0.
 
-Usage: python3 scripts/fit_struve.py > crates/mdr-analytic/src/struve/table.rs     (needs mpmath)
+Usage: python3 scripts/fit_struve.py > crates/mdr-analytic/data/struve.rs (needs mpmath)
 """
 from mpmath import mp, mpf, cos, pi, struveh, bessely, quad, exp, sinh, inf
 

@@ -2,7 +2,7 @@
 """The fits of the critical states over a grid in double precision.
 
     pip install mpmath
-    python3 scripts/grid_table.py > crates/mdr-analytic/src/double/grid/table.rs
+    python3 scripts/grid_table.py > crates/mdr-analytic/data/grid.rs
 
 Checked in: the output under mpmath 1.4.1 and Python 3.11.
 

@@ -2,7 +2,7 @@
 """The fit of κ_n = √π Γ(1+n/2)/Γ((n+1)/2) for extended precision (64 bits).
 
     pip install mpmath
-    python3 scripts/kappa_table.py > crates/mdr-analytic/src/double/kappa_table.rs
+    python3 scripts/kappa_table.py > crates/mdr-analytic/data/kappa.rs
 
 With v = 1 + n in [2^b, 2^(b+1)), b = 0 … 5, each binade is cut into 16 intervals. On each, κ/2^s with s = 1 + ⌊(b+1)/2⌋ is
 a polynomial in u, which runs over [−1, 1]: interpolation in the Chebyshev points, 2 % from the minimax polynomial. The

@@ -2,7 +2,7 @@
 """2^(j/64) and (ln 2)/64 in pairs of doubles, for exponentials of pairs.
 
     pip install mpmath
-    python3 scripts/power_table.py > crates/mdr-analytic/src/double/powers.rs
+    python3 scripts/power_table.py > crates/mdr-analytic/data/powers.rs
 
 Checked in: the output under mpmath 1.4.1 and Python 3.11.
 """

@@ -2,7 +2,7 @@
 """Constants and tables of the extended-precision numbers.
 
     pip install mpmath
-    python3 scripts/wide_tables.py > crates/mdr-core/src/number/wide/tables.rs
+    python3 scripts/wide_tables.py > crates/mdr-core/data/wide.rs
 """
 from mpmath import mp, mpf, floor, log, nint, pi
 

@@ -169,13 +169,16 @@ impl<R: Real> Contact<R> {
 
     #[inline(always)]
     pub(crate) fn require_length_scale(&self) -> Result<()> {
-        match self.regime()? {
-            Regime::ScaleFree => Err(Error::domain(
-                Quantity::Exponent,
-                self.profile().exponent(),
-                "other than 1/2 for a critical state; there the ratio of C to a threshold decides",
-            )),
-            _ => Ok(()),
+        const REQUIREMENT: &str = "other than 1/2 for a critical state; there the ratio of C to a threshold decides";
+        self.require(&[Regime::PullOff, Regime::CompleteContact], REQUIREMENT)
+    }
+
+    /// Refuses an exponent outside of some regimes.
+    #[inline(always)]
+    pub(crate) fn require(&self, regimes: &[Regime], requirement: &'static str) -> Result<()> {
+        if regimes.contains(&self.regime()?) {
+            return Ok(());
         }
+        Err(Error::domain(Quantity::Exponent, self.profile().exponent(), requirement))
     }
 }

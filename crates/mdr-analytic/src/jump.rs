@@ -24,7 +24,7 @@ impl<R: Real> Contact<R> {
     /// [`Error::Domain`] for n ≤ 1/2: the jump to complete contact has no final state on an infinite surface;
     /// [`Error::OutOfRange`].
     pub fn energy_lost_at_pull_off(&self) -> Result<R> {
-        self.require_pull_off("above 1/2 for a contact that breaks")?;
+        self.require(&[Regime::PullOff], "above 1/2 for a contact that breaks")?;
         let n = self.profile().exponent();
         let next = n.lit(1) + n;
         self.released_work(&n.lit(1), &(n.clone() / next))
@@ -36,7 +36,7 @@ impl<R: Real> Contact<R> {
     /// # Errors
     /// [`Error::Domain`] for n ≤ 1/2: a point contact does not grow spontaneously; [`Error::OutOfRange`].
     pub fn energy_lost_at_jump_in(&self) -> Result<R> {
-        self.require_pull_off("above 1/2 for a contact that jumps in")?;
+        self.require(&[Regime::PullOff], "above 1/2 for a contact that jumps in")?;
         let n = self.profile().exponent();
         self.released_work(&n.clone().times(2), &n.lit(1))
     }
@@ -47,13 +47,9 @@ impl<R: Real> Contact<R> {
     /// # Errors
     /// [`Error::Domain`] for n ≥ 1/2: there is none; [`Error::OutOfRange`].
     pub fn barrier_to_complete_contact(&self) -> Result<R> {
-        match self.regime()? {
-            Regime::CompleteContact => {
-                let n = self.profile().exponent();
-                self.released_work(&n.clone().times(2), &n.lit(-1))
-            }
-            _ => Err(self.exponent_error("below 1/2 for a barrier before complete contact")),
-        }
+        self.require(&[Regime::CompleteContact], "below 1/2 for a barrier before complete contact")?;
+        let n = self.profile().exponent();
+        self.released_work(&n.clone().times(2), &n.lit(-1))
     }
 
     /// (2n−1)/(2n+1) · πa²w · factor at the radius where N a^{n−1/2} = λ√B.
@@ -67,16 +63,5 @@ impl<R: Real> Contact<R> {
             Err(Error::OutOfRange { .. }) => representable(Quantity::Energy, ln().exp(), ln),
             Err(error) => Err(error),
         }
-    }
-
-    fn require_pull_off(&self, requirement: &'static str) -> Result<()> {
-        match self.regime()? {
-            Regime::PullOff => Ok(()),
-            _ => Err(self.exponent_error(requirement)),
-        }
-    }
-
-    fn exponent_error(&self, requirement: &'static str) -> Error {
-        Error::domain(Quantity::Exponent, self.profile().exponent(), requirement)
     }
 }

@@ -129,9 +129,6 @@ impl<R: Real> Contact<R> {
     }
 
     fn require_scale_free(&self) -> Result<()> {
-        match self.regime()? {
-            Regime::ScaleFree => Ok(()),
-            _ => Err(Error::domain(Quantity::Exponent, self.profile().exponent(), "1/2 for a scale-free contact")),
-        }
+        self.require(&[Regime::ScaleFree], "1/2 for a scale-free contact")
     }
 }

@@ -22,11 +22,7 @@ pub enum Level {
 
 impl fmt::Display for Level {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Level::Quick => "quick",
-            Level::Default => "default",
-            Level::Full => "full",
-        })
+        self.serialize(f)
     }
 }
 

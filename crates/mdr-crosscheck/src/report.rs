@@ -62,11 +62,7 @@ pub enum Verdict {
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Verdict::Pass => "pass",
-            Verdict::Fail => "fail",
-            Verdict::Skipped => "skipped",
-        })
+        self.serialize(f)
     }
 }
 
@@ -278,44 +274,19 @@ impl Report {
 
     /// Enters the cases of one check, in the order of their indices.
     pub(crate) fn enter(&mut self, mut row: Row, cases: Vec<Case>) {
-        for case in cases {
-            match case.outcome {
-                Outcome::Skipped => row.skipped += 1,
-                Outcome::Broken(reason) => {
-                    row.cases += 1;
-                    row.failed += 1;
-                    self.failures.push(Failure {
-                        check: row.check.clone(),
-                        index: case.index,
-                        inputs: case.inputs,
-                        reason,
-                    });
+        for Case { index, inputs, outcome } in cases {
+            let reason = match outcome {
+                Outcome::Skipped => {
+                    row.skipped += 1;
+                    continue;
                 }
-                Outcome::Compared(comparisons) => {
-                    row.cases += 1;
-                    let mut reasons = Vec::new();
-                    for comparison in comparisons {
-                        if !comparison.holds() {
-                            reasons.push(comparison.to_string());
-                        }
-                        row.errors.push(comparison.error);
-                        let finding = Finding {
-                            index: case.index,
-                            quantity: comparison.quantity,
-                            error: comparison.error,
-                            allowed: comparison.allowed,
-                            inputs: case.inputs.clone(),
-                        };
-                        keep_larger(&mut row.worst, finding.clone(), |finding| finding.error);
-                        keep_larger(&mut row.tightest, finding, Finding::share);
-                    }
-                    if !reasons.is_empty() {
-                        row.failed += 1;
-                        let reason = reasons.join("; ");
-                        let (check, index) = (row.check.clone(), case.index);
-                        self.failures.push(Failure { check, index, inputs: case.inputs, reason });
-                    }
-                }
+                Outcome::Broken(reason) => Some(reason),
+                Outcome::Compared(findings) => row.compare(findings),
+            };
+            row.cases += 1;
+            if let Some(reason) = reason {
+                row.failed += 1;
+                self.failures.push(Failure { check: row.check.clone(), index, inputs, reason });
             }
         }
         self.rows.push(row.judged());
@@ -323,6 +294,21 @@ impl Report {
 }
 
 impl Row {
+    /// Takes in the findings of a case; why it failed, if it did.
+    fn compare(&mut self, findings: Vec<Finding>) -> Option<String> {
+        let mut reasons = Vec::new();
+        for finding in findings {
+            if finding.error > finding.allowed {
+                let Finding { quantity, error, allowed, .. } = &finding;
+                reasons.push(format!("{quantity}: error {error:.3e}, allowed {allowed:.3e}"));
+            }
+            self.errors.push(finding.error);
+            keep_larger(&mut self.worst, finding.clone(), |finding| finding.error);
+            keep_larger(&mut self.tightest, finding, Finding::share);
+        }
+        (!reasons.is_empty()).then(|| reasons.join("; "))
+    }
+
     /// Sorts the errors and gives the verdict.
     pub(crate) fn judged(mut self) -> Self {
         self.errors.sort_by(f64::total_cmp);

@@ -8,37 +8,14 @@ use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 use rug::Float;
 
+use crate::report::Finding;
 use crate::subject::closed::ClosedForms;
-
-/// One quantity by two routes.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Comparison {
-    /// The quantity.
-    pub(crate) quantity: String,
-    /// The error found.
-    pub(crate) error: f64,
-    /// The error allowed.
-    pub(crate) allowed: f64,
-}
-
-impl Comparison {
-    /// Whether the error is within what is allowed.
-    pub(crate) fn holds(&self) -> bool {
-        self.error <= self.allowed
-    }
-}
-
-impl fmt::Display for Comparison {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: error {:.3e}, allowed {:.3e}", self.quantity, self.error, self.allowed)
-    }
-}
 
 /// What became of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Outcome {
     /// Compared; it may have failed.
-    Compared(Vec<Comparison>),
+    Compared(Vec<Finding>),
     /// The question cannot be asked in this arithmetic.
     Skipped,
     /// A route gave no number, or an error where there must be an answer.
@@ -64,7 +41,7 @@ pub(crate) struct Trial<'a> {
     pub(crate) index: usize,
     random: Xoshiro256PlusPlus,
     inputs: String,
-    comparisons: Vec<Comparison>,
+    comparisons: Vec<Finding>,
     broken: Option<String>,
 }
 
@@ -86,7 +63,10 @@ impl<'a> Trial<'a> {
             (Err(error), _) => Outcome::Broken(error.to_string()),
             (_, Some(reason)) => Outcome::Broken(reason),
             (Ok(()), None) if self.comparisons.is_empty() => Outcome::Skipped,
-            (Ok(()), None) => Outcome::Compared(self.comparisons),
+            (Ok(()), None) => {
+                self.comparisons.iter_mut().for_each(|finding| finding.inputs.clone_from(&self.inputs));
+                Outcome::Compared(self.comparisons)
+            }
         };
         Case { index: self.index, inputs: self.inputs, outcome }
     }
@@ -111,7 +91,7 @@ impl<'a> Trial<'a> {
     pub(crate) fn enter(&mut self, quantity: impl Into<String>, error: f64, allowed: f64) {
         let quantity = quantity.into();
         if error.is_finite() && !allowed.is_nan() {
-            self.comparisons.push(Comparison { quantity, error, allowed });
+            self.comparisons.push(Finding { index: self.index, quantity, error, allowed, inputs: String::new() });
         } else {
             self.fail(format!("{quantity}: the two routes cannot be compared (error {error}, allowed {allowed})"));
         }

@@ -41,11 +41,7 @@ impl Question {
             Elasticity::Bodies(bodies) => (compliance(&bodies[0])? + compliance(&bodies[1])?).recip(),
         };
         let work_of_adhesion = positive(Quantity::WorkOfAdhesion, work_of_adhesion)?;
-        let control = match control {
-            Control::Indentation => Control::Indentation,
-            Control::Force => Control::Force,
-            Control::Machine { stiffness } => Control::Machine { stiffness: positive(Quantity::Stiffness, stiffness)? },
-        };
+        let control = control.try_map(|stiffness| positive(Quantity::Stiffness, stiffness))?;
         let monomials = Monomials::new(&exponent, &coefficient, &effective_modulus, &work_of_adhesion, &control);
         Ok(Question { exponent, coefficient, effective_modulus, work_of_adhesion, control, monomials })
     }
@@ -76,13 +72,10 @@ impl Question {
 
     /// The control over intervals.
     pub(super) fn control(&self, precision: Precision) -> Control<Interval> {
-        match &self.control {
-            Control::Indentation => Control::Indentation,
-            Control::Force => Control::Force,
-            Control::Machine { stiffness } => {
-                Control::Machine { stiffness: Interval::from_rational(precision, stiffness) }
-            }
-        }
+        let enclose =
+            |stiffness: &Rational| Ok::<_, std::convert::Infallible>(Interval::from_rational(precision, stiffness));
+        let Ok(control) = self.control.try_map(enclose);
+        control
     }
 }
 

@@ -29,21 +29,21 @@
 //! ∞ included; [`Error::Undecided`] if 256 bits do not suffice, which requires specially constructed inputs, or if a
 //! binary exponent exceeds 2⁶², which requires |2n−1| < 2⁻⁴⁹ and extreme scales.
 
-mod critical;
-mod equilibrium;
 mod exponential;
+mod functions;
 pub mod grid;
 mod inverse;
 mod kappa;
+#[path = "../../data/kappa.rs"]
 mod kappa_table;
 mod pair;
+#[path = "../../data/powers.rs"]
 mod powers;
 mod ziv;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result};
 
-pub use self::critical::*;
-pub use self::equilibrium::*;
+pub use self::functions::*;
 pub use self::inverse::*;
 use crate::contact::Contact;
 use crate::kappa::Kappa;
@@ -82,12 +82,8 @@ fn contact<R: Kappa + From<f64>>(n: f64, c: f64, material: &Material<f64>) -> Re
 
 #[inline(always)]
 fn lifted_control<R: From<f64>>(control: &Control<f64>) -> Result<Control<R>> {
-    Ok(match control {
-        Control::Indentation => Control::Indentation,
-        Control::Force => Control::Force,
-        Control::Machine { stiffness } => {
-            positive(Quantity::Stiffness, *stiffness)?;
-            Control::Machine { stiffness: (*stiffness).into() }
-        }
+    control.try_map(|stiffness| {
+        positive(Quantity::Stiffness, *stiffness)?;
+        Ok((*stiffness).into())
     })
 }

@@ -78,23 +78,14 @@ impl<R: Special> TruncatedCone<R> {
 
 impl<R: Special> ClosedForm<R> for TruncatedCone<R> {
     fn g_at(&self, x: &R) -> R {
-        match Edge::at(x, &self.flat) {
-            None => x.lit(0),
-            Some(edge) => edge.angle * x * &self.slope,
-        }
+        beyond(x, &self.flat, |edge| edge.angle * x * &self.slope)
     }
     fn slope_at(&self, x: &R) -> R {
-        match Edge::at(x, &self.flat) {
-            None => x.lit(0),
-            Some(edge) => (self.flat.clone() / &edge.leg + &edge.angle) * &self.slope,
-        }
+        beyond(x, &self.flat, |edge| (self.flat.clone() / &edge.leg + &edge.angle) * &self.slope)
     }
     /// ½ tan θ [x²θ − bq]/x = ½ tan θ [q²θ − b²(tan θ − θ)]/x, with x² = q² + b².
     fn mean_at(&self, x: &R) -> R {
-        match Edge::at(x, &self.flat) {
-            None => x.lit(0),
-            Some(edge) => edge.cone_mean(x, &self.flat) * &self.slope,
-        }
+        beyond(x, &self.flat, |edge| edge.cone_mean(x, &self.flat) * &self.slope)
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         Some(TruncatedCone { slope: self.slope.clone(), flat: length(&self.flat, k)? })
@@ -128,22 +119,13 @@ impl<R: Special> TruncatedParaboloid<R> {
 
 impl<R: Special> ClosedForm<R> for TruncatedParaboloid<R> {
     fn g_at(&self, x: &R) -> R {
-        match Edge::at(x, &self.flat) {
-            None => x.lit(0),
-            Some(edge) => edge.leg / &self.radius * x,
-        }
+        beyond(x, &self.flat, |edge| edge.leg / &self.radius * x)
     }
     fn slope_at(&self, x: &R) -> R {
-        match Edge::at(x, &self.flat) {
-            None => x.lit(0),
-            Some(edge) => (x.clone() / &edge.leg * x + &edge.leg) / &self.radius,
-        }
+        beyond(x, &self.flat, |edge| (x.clone() / &edge.leg * x + &edge.leg) / &self.radius)
     }
     fn mean_at(&self, x: &R) -> R {
-        match Edge::at(x, &self.flat) {
-            None => x.lit(0),
-            Some(edge) => edge.leg.clone() / &self.radius * (edge.leg.clone() / x) * edge.leg.over(3),
-        }
+        beyond(x, &self.flat, |edge| edge.leg.clone() / &self.radius * (edge.leg.clone() / x) * edge.leg.over(3))
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         Some(TruncatedParaboloid { radius: length(&self.radius, k)?, flat: length(&self.flat, k)? })
@@ -188,23 +170,14 @@ impl<R: Special> RoundedPunch<R> {
 
 impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
     fn g_at(&self, x: &R) -> R {
-        match Edge::at(x, &self.flat) {
-            None => x.lit(0),
-            Some(edge) => self.excess(&edge) / &self.radius * x,
-        }
+        beyond(x, &self.flat, |edge| self.excess(&edge) / &self.radius * x)
     }
     fn slope_at(&self, x: &R) -> R {
-        match Edge::at(x, &self.flat) {
-            None => x.lit(0),
-            Some(edge) => self.outer_slope(&edge),
-        }
+        beyond(x, &self.flat, |edge| self.outer_slope(&edge))
     }
     /// [q³/3 − ½b(x²θ − bq)]/Rx = ½b³[t³·2/3 − (1 + t²)θ + t]/Rx with t = tan θ.
     fn mean_at(&self, x: &R) -> R {
-        match Edge::at(x, &self.flat) {
-            None => x.lit(0),
-            Some(edge) => edge.rounded_mean(x, &self.flat, &self.radius),
-        }
+        beyond(x, &self.flat, |edge| edge.rounded_mean(x, &self.flat, &self.radius))
     }
     fn scaled(&self, k: i64) -> Option<Self> {
         Some(RoundedPunch { radius: length(&self.radius, k)?, flat: length(&self.flat, k)? })
@@ -215,6 +188,11 @@ impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
         Some(beside_flat(margin, Slopes::within(self.outer_slope(&Edge::beside(&self.flat, margin)))))
     }
+}
+
+/// What a formula says of a radius beyond the edge of a flat face, and 0 within.
+fn beyond<R: Special>(x: &R, flat: &R, formula: impl FnOnce(Edge<R>) -> R) -> R {
+    Edge::at(x, flat).map_or_else(|| x.lit(0), formula)
 }
 
 /// The kink at the edge of a flat face, with the bounds of g' beyond it.

@@ -9,6 +9,7 @@
 
 #[cfg(feature = "mp")]
 mod enclosure;
+#[path = "../../data/struve.rs"]
 mod table;
 
 use mdr_core::number::{Dual, Real, Special};

@@ -5,6 +5,7 @@ use mdr_core::number::Real;
 use rug::{Float, Rational};
 
 use super::Run;
+use super::certified::rational;
 use crate::trial::Trial;
 
 /// 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂ in floating point against exact rational arithmetic.
@@ -37,8 +38,4 @@ fn compare<R: Real>(trial: &mut Trial<'_>, ctx: R::Ctx, bodies: [(f64, f64); 2],
     trial.compare("E*", &found, exact, ROUNDINGS);
     trial.demand("E* does not depend on the order of the bodies", found == e_star(&second, &first)?);
     Ok(())
-}
-
-fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).unwrap_or_default()
 }

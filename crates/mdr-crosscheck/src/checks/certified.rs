@@ -23,47 +23,53 @@ pub(super) const PREFIX: Run = ("certified-prefix", prefix);
 /// The enclosure of κ_n for rational n contains κ_n by Γ and is a few units wide.
 pub(super) const ENCLOSURE: Run = ("kappa-enclosure", enclosure);
 
-/// A question and its exact inputs.
-struct Exact {
-    inputs: [Literal; 4],
-    control: Held,
+/// A question with exact inputs: n, C, E* and w.
+pub(super) struct Exact {
+    pub(super) inputs: [Rational; 4],
+    pub(super) held: Held,
 }
 
 impl Exact {
     /// Every sixth question is about n = 1/2.
-    fn draw(trial: &mut Trial<'_>) -> Result<Self> {
-        let (round, control) = (trial.index / 2, trial.held());
+    fn draw(trial: &mut Trial<'_>) -> Self {
+        let (round, held) = (trial.index / 2, trial.held());
         let scale_free = trial.index % 6 == 5;
         let exponent = if scale_free { Exponent::Fraction(1, 2) } else { trial.exponent(round, Family::up_to(50)) };
-        let scene: Scene<f64> = trial.scene(round, exponent, control.lambda(), ());
-        trial.describe_also(format_args!("{control}"));
-        let n = match exponent {
-            Exponent::Fraction(p, q) => format!("{p}/{q}").parse().map_err(|_| unwritten(scene.n))?,
-            _ => literal(scene.n)?,
-        };
-        Ok(Exact { inputs: [n, literal(scene.c)?, literal(scene.e_star)?, literal(scene.work)?], control })
+        let scene: Scene<f64> = trial.scene(round, exponent, held.lambda(), ());
+        trial.describe_also(format_args!("{held}"));
+        let [c, e_star, work] = [scene.c, scene.e_star, scene.work].map(rational);
+        Exact { inputs: [fraction(exponent), c, e_star, work], held }
     }
 
-    fn question(&self) -> Result<Question> {
-        let [n, c, e_star, work] = &self.inputs;
-        Question::new(n, c, &Elasticity::Effective(e_star.clone()), work, &self.control.control())
+    pub(super) fn question(&self) -> Result<Question> {
+        let [n, c, e_star, work] = self.inputs.each_ref().map(|input| literal(&input.to_string()));
+        Question::new(&n?, &c?, &Elasticity::Effective(e_star?), &work?, &self.held.control())
     }
 
     /// The closed forms at the given precision.
     fn contact(&self, precision: Precision) -> Result<Contact<Float>> {
-        let [n, c, e_star, work] = self.inputs.each_ref().map(|x| Float::from_literal(precision, x));
+        let [n, c, e_star, work] = self.inputs.each_ref().map(|x| Float::with_val(precision.bits(), x));
         Ok(Contact::new(PowerLaw::new(n, c)?, Material::new(e_star, work)?))
     }
 }
 
-/// A double as an exact fraction.
-fn literal(x: f64) -> Result<Literal> {
-    let fraction = Rational::from_f64(x).ok_or_else(|| unwritten(x))?;
-    fraction.to_string().parse().map_err(|_| unwritten(x))
+/// A double as a fraction.
+pub(super) fn rational(x: f64) -> Rational {
+    Rational::from_f64(x).unwrap_or_default()
 }
 
-fn unwritten(x: f64) -> Error {
-    Error::domain(Quantity::Parameter("an input of the grid"), &x, "a fraction of integers")
+/// The exponent as a fraction: p/q itself, where it is one, and not the double nearest to it.
+fn fraction(exponent: Exponent) -> Rational {
+    match exponent {
+        Exponent::Fraction(p, q) => Rational::from((p, q)),
+        _ => rational(exponent.value::<f64>(())),
+    }
+}
+
+/// The number that is written.
+pub(crate) fn literal(text: &str) -> Result<Literal> {
+    let quantity = Quantity::Parameter("an input of the grid");
+    text.parse().map_err(|_| Error::Domain { quantity, value: text.to_owned(), requirement: "a number" })
 }
 
 /// From one digit to two hundred.
@@ -72,7 +78,7 @@ fn digits(trial: &Trial<'_>) -> u32 {
 }
 
 fn rounding(trial: &mut Trial<'_>) -> Result<()> {
-    let exact = Exact::draw(trial)?;
+    let exact = Exact::draw(trial);
     let digits = digits(trial);
     trial.describe_also(format_args!("{digits} digits"));
     let answer = trial.closed.certified(&exact.question()?, digits)?;
@@ -90,13 +96,13 @@ fn rounding(trial: &mut Trial<'_>) -> Result<()> {
     };
     compare("κ", &answer.kappa, contact.profile().kappa());
     if let Some(state) = &answer.critical {
-        let expected = contact.critical(&exact.control.control())?;
+        let expected = contact.critical(&exact.held.control())?;
         compare("a", &state.contact_radius, &expected.contact_radius);
         compare("d", &state.indentation, &expected.indentation);
         compare("F", &state.force, &expected.force);
     }
     if let (Some(threshold), Some(ratio)) = (&answer.threshold, &answer.ratio) {
-        let expected = mdr_analytic::threshold(contact.material(), &exact.control.control())?;
+        let expected = mdr_analytic::threshold(contact.material(), &exact.held.control())?;
         compare("threshold", threshold, &expected);
         compare("ratio", ratio, &(contact.profile().coefficient().clone() / &expected));
     }
@@ -104,7 +110,7 @@ fn rounding(trial: &mut Trial<'_>) -> Result<()> {
 }
 
 fn prefix(trial: &mut Trial<'_>) -> Result<()> {
-    let exact = Exact::draw(trial)?;
+    let exact = Exact::draw(trial);
     let digits = digits(trial);
     trial.describe_also(format_args!("{digits} and {} digits", 2 * digits));
     let question = exact.question()?;
@@ -139,10 +145,7 @@ fn enclosure(trial: &mut Trial<'_>) -> Result<()> {
     let exponent = trial.exponent(round, Family::up_to(50));
     let bits = [53, 64, 167, 400, 1000][round % 5];
     trial.describe(format_args!("n = {exponent}, {bits} bits"));
-    let n = match exponent {
-        Exponent::Fraction(p, q) => Rational::from((p, q)),
-        _ => Rational::from_f64(exponent.value::<f64>(())).unwrap_or_default(),
-    };
+    let n = fraction(exponent);
     let (mid, radius) = trial.closed.kappa_enclosure(Precision::new(bits), &n);
     let reference = super::kappa::by_gamma(&Float::with_val(bits + 32, &n));
     trial.demand(

@@ -30,6 +30,7 @@ use std::sync::LazyLock;
 
 use mdr_core::contact::Result;
 
+pub(crate) use self::certified::literal;
 pub(crate) use self::kappa::by_series;
 
 use crate::options::Level;

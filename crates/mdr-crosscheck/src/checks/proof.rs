@@ -1,7 +1,7 @@
 //! What is proved over enclosures against closed forms and against the searches in f64, for every profile and control.
 
 use mdr_analytic::{Contact, PowerLaw};
-use mdr_core::contact::{Control, FoldKind, Instability, Material, Result, Stability, Transform};
+use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
@@ -13,7 +13,7 @@ use rug::Float;
 use super::Run;
 use super::machine::Machine;
 use super::profiles::{Drawn, ROUNDINGS};
-use crate::grid::{Family, Scene};
+use crate::grid::{Family, Held};
 use crate::library::NAMES;
 use crate::trial::Trial;
 
@@ -44,28 +44,6 @@ fn exact<R: Real>(ctx: R::Ctx, value: f64) -> R {
     R::from_f64(ctx, value)
 }
 
-/// E*, w and what is controlled, in f64; lifted exactly.
-struct Setting {
-    e_star: f64,
-    work: f64,
-    stiffness: Option<f64>,
-    force: bool,
-}
-
-impl Setting {
-    fn material<R: Real>(&self, ctx: R::Ctx) -> Result<Material<R>> {
-        Material::new(exact(ctx, self.e_star), exact(ctx, self.work))
-    }
-
-    fn control<R: Real>(&self, ctx: R::Ctx) -> Result<Control<R>> {
-        match self.stiffness {
-            Some(stiffness) => Control::machine(exact(ctx, stiffness)),
-            None if self.force => Ok(Control::Force),
-            None => Ok(Control::Indentation),
-        }
-    }
-}
-
 /// A contact in one arithmetic.
 struct Side<R: Real> {
     transform: Box<dyn Transform<R>>,
@@ -74,8 +52,17 @@ struct Side<R: Real> {
 }
 
 impl<R: Real> Side<R> {
-    fn new(transform: Box<dyn Transform<R>>, setting: &Setting, ctx: R::Ctx) -> Result<Self> {
-        Ok(Side { transform, material: setting.material(ctx)?, control: setting.control(ctx)? })
+    /// A profile under a control, both lifted exactly from f64.
+    fn new(
+        transform: Box<dyn Transform<R>>,
+        material: &Material<f64>,
+        control: &Control<f64>,
+        ctx: R::Ctx,
+    ) -> Result<Self> {
+        let [e_star, work] = [material.effective_modulus(), material.work_of_adhesion()].map(|x| exact(ctx, *x));
+        let control =
+            control.try_map(|stiffness| Error::require_positive(Quantity::Stiffness, exact(ctx, *stiffness)))?;
+        Ok(Side { transform, material: Material::new(e_star, work)?, control })
     }
 
     fn curve(&self) -> Curve<'_, R> {
@@ -108,20 +95,23 @@ impl Library {
         let e_star = 10_f64.powf(trial.uniform(-8.0, 8.0));
         let lambda = 10_f64.powf(trial.uniform(-0.5, 0.5));
         let work = (slope / lambda).powi(2) * 2.0 * e_star * radius / std::f64::consts::PI;
-        let stiffness = (turn % 3 == 2).then(|| 2.0 * e_star * radius * 10_f64.powf(trial.uniform(-2.0, 2.0)));
-        let setting = Setting { e_star, work, stiffness, force: turn % 3 == 1 };
-        let control = match stiffness {
-            Some(stiffness) => format!("k = {stiffness:e}"),
-            None => if turn % 3 == 1 { "force" } else { "indentation" }.to_owned(),
+        let (control, shown) = match turn % 3 {
+            0 => (Control::Indentation, "indentation".to_owned()),
+            1 => (Control::Force, "force".to_owned()),
+            _ => {
+                let stiffness = 2.0 * e_star * radius * 10_f64.powf(trial.uniform(-2.0, 2.0));
+                (Control::Machine { stiffness }, format!("k = {stiffness:e}"))
+            }
         };
-        trial.describe(format_args!("{drawn}, E* = {e_star:e}, w = {work:e}, {control}"));
+        trial.describe(format_args!("{drawn}, E* = {e_star:e}, w = {work:e}, {shown}"));
+        let material = Material::new(e_star, work)?;
         let ctx = Precision::new(BITS);
         let lifted = drawn.lifted::<Interval>(ctx);
         Ok(Library {
-            rough: Side::new(rough, &setting, ())?,
-            steered: Side::new(drawn.closed::<Dual<f64>>()?, &setting, ())?,
-            plain: Side::new(lifted.closed::<Interval>()?, &setting, ctx)?,
-            moving: Side::new(lifted.closed::<Dual<Interval>>()?, &setting, ctx)?,
+            rough: Side::new(rough, &material, &control, ())?,
+            steered: Side::new(drawn.closed::<Dual<f64>>()?, &material, &control, ())?,
+            plain: Side::new(lifted.closed::<Interval>()?, &material, &control, ctx)?,
+            moving: Side::new(lifted.closed::<Dual<Interval>>()?, &material, &control, ctx)?,
             radius,
         })
     }
@@ -204,23 +194,21 @@ fn closed(trial: &mut Trial<'_>) -> Result<()> {
     let round = trial.index / 3;
     let family = Family { least: 0.05, most: 12.0, nearest: 4 };
     let exponent = trial.exponent(round, family);
-    let (scene, radius, setting) = if trial.index % 3 == 2 {
+    let (scene, radius, control) = if trial.index % 3 == 2 {
         let Machine { scene, stiffness, radius, .. } = trial.machine::<f64>(round, family, ());
-        let setting = Setting { e_star: scene.e_star, work: scene.work, stiffness: Some(stiffness), force: false };
-        (scene, radius, setting)
+        (scene, radius, Control::Machine { stiffness })
     } else {
-        let force = trial.index % 3 == 1;
+        let held = [Held::Indentation, Held::Force][trial.index % 3];
         let scales = trial.scales::<f64>(round, exponent);
-        let scene: Scene<f64> = trial.planted(exponent, if force { 3.0 } else { 1.0 }, scales, ());
-        let setting = Setting { e_star: scene.e_star, work: scene.work, stiffness: None, force };
-        (scene, scales.radius, setting)
+        (trial.planted::<f64>(exponent, held.lambda(), scales, ()), scales.radius, held.control())
     };
+    let material = scene.material()?;
     let ctx = Precision::new(BITS);
     let law = PowerLaw::<Interval>::new(exact(ctx, scene.n), exact(ctx, scene.c))?;
     let moving = PowerLaw::<Dual<Interval>>::new(exact(ctx, scene.n), exact(ctx, scene.c))?;
-    let contact = Contact::new(law.clone(), setting.material(ctx)?);
-    let plain = Side::new(Box::new(law), &setting, ctx)?;
-    let moving = Side::new(Box::new(moving), &setting, ctx)?;
+    let plain = Side::new(Box::new(law.clone()), &material, &control, ctx)?;
+    let contact = Contact::new(law, plain.material.clone());
+    let moving = Side::new(Box::new(moving), &material, &control, ctx)?;
     let expected = match &plain.control {
         Control::Machine { stiffness } => trial.closed.machine_folds(&contact, stiffness)?,
         control => {

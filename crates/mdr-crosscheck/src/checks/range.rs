@@ -5,15 +5,14 @@
 //! a, d and F from it by logarithms, all over intervals.
 
 use mdr_analytic::PowerLaw;
-use mdr_analytic::certified::{Elasticity, Question};
 use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::certify::{Decimal, Enclosure};
-use mdr_core::number::{Gamma, Interval, Literal, Precision, Real};
+use mdr_core::number::{Gamma, Interval, Precision, Real};
 use rug::{Float, Integer, Rational};
 
 use super::Run;
+use super::certified::{Exact, literal};
 use super::kappa::by_series;
-use crate::grid::Held;
 use crate::trial::Trial;
 
 /// Digits against the second algorithm, in units of the last decimal: half of one, and what the reference is uncertain by.
@@ -22,18 +21,9 @@ pub(super) const DIGITS: Run = ("certified-range", digits);
 /// Enclosures at p bits and at 2p bits, and that of κ_n against the second algorithm.
 pub(super) const ENCLOSURES: Run = ("enclosure-range", enclosures);
 
-/// A contact with exact inputs.
-struct Exact {
-    n: Rational,
-    c: Rational,
-    e_star: Rational,
-    work: Rational,
-    held: Held,
-}
-
 impl Exact {
     /// Exponents go round six families, the ends of the range first.
-    fn draw(trial: &mut Trial<'_>) -> Result<Self> {
+    fn draw_widely(trial: &mut Trial<'_>) -> Result<Self> {
         let turn = trial.index / 6;
         let sign = ["-", ""][trial.below(2) as usize];
         let places = 1 + trial.below([3, 20, 200][turn % 3]);
@@ -52,33 +42,28 @@ impl Exact {
             _ => Rational::from((1 + 2 * trial.below(100), 1 + 2 * trial.below(10))),
         };
         let n = if n == 0 || n == 0.5 { n + 1u32 } else { n };
-        let [c, e_star, work] = [trial.decimal(-30, 30)?, trial.decimal(-30, 30)?, trial.decimal(-30, 30)?];
+        let inputs = [n, trial.decimal(-30, 30)?, trial.decimal(-30, 30)?, trial.decimal(-30, 30)?];
         let held = trial.held();
-        let inputs = [&n, &c, &e_star, &work].map(|input| Float::with_val(60, input).to_string_radix(10, Some(15)));
-        let [shown, c_shown, e_shown, w_shown] = inputs;
-        trial.describe(format_args!("n ≈ {shown}, C = {c_shown}, E* = {e_shown}, w = {w_shown}, {held}"));
-        Ok(Exact { n, c, e_star, work, held })
-    }
-
-    fn question(&self) -> Result<Question> {
-        let [n, c, e_star, work] =
-            [&self.n, &self.c, &self.e_star, &self.work].map(|input| literal(&input.to_string()));
-        Question::new(&n?, &c?, &Elasticity::Effective(e_star?), &work?, &self.held.control())
+        let shown = inputs.each_ref().map(|input| Float::with_val(60, input).to_string_radix(10, Some(15)));
+        let [n, c, e_star, work] = shown;
+        trial.describe(format_args!("n ≈ {n}, C = {c}, E* = {e_star}, w = {work}, {held}"));
+        Ok(Exact { inputs, held })
     }
 
     /// ln κ, ln a, ln|d| and ln|F| from (1.15) and (1.17); none of d where it is 0.
     fn logarithms(&self, bits: u32) -> [Option<Interval>; 4] {
         let enclose = |x: &Rational| Interval::from_rational(Precision::new(bits), x);
         let ln = |x: &Rational| enclose(x).ln();
+        let [n, c, e_star, work] = &self.inputs;
         let tension = Rational::from(self.held.lambda() as i64);
-        let kappa = kappa(&self.n, bits).ln();
-        let [twice, next] = [Rational::from(&self.n * 2u32), Rational::from(&self.n + 1u32)];
-        let edge = enclose(&self.n).pi().ln() + ln(&(Rational::from(&self.work / &self.e_star) / 2u32));
-        let slope = kappa.clone() + ln(&Rational::from(&self.n * &self.c));
+        let kappa = kappa(n, bits).ln();
+        let [twice, next] = [Rational::from(n * 2u32), Rational::from(n + 1u32)];
+        let edge = enclose(n).pi().ln() + ln(&(Rational::from(work / e_star) / 2u32));
+        let slope = kappa.clone() + ln(&Rational::from(n * c));
         let radius = (edge.clone() + (ln(&tension) - slope).times(2)) / enclose(&(twice.clone() - 1u32));
         let root = (edge + &radius).over(2);
-        let depth = (Rational::from(&tension - &twice) / &self.n).abs();
-        let force = (tension - Rational::from(&next * 2u32)) * 2u32 / next * &self.e_star;
+        let depth = (Rational::from(&tension - &twice) / n).abs();
+        let force = (tension - Rational::from(&next * 2u32)) * 2u32 / next * e_star;
         let force = ln(&force.abs()) + &radius + &root;
         let depth = (!depth.is_zero()).then(|| ln(&depth) + root);
         [Some(kappa), Some(radius), depth, Some(force)]
@@ -86,16 +71,16 @@ impl Exact {
 
     /// Whether d and F are negative.
     fn signs(&self) -> [bool; 2] {
-        let tension = self.held.lambda();
-        [Rational::from(&self.n * 2u32) > tension, Rational::from(&self.n + 1u32) * 2u32 > tension]
+        let (n, tension) = (&self.inputs[0], self.held.lambda());
+        [Rational::from(n * 2u32) > tension, Rational::from(n + 1u32) * 2u32 > tension]
     }
 
     /// Bits that the results lose: by the size of n, and by its distance from 1/2.
     fn magnification(&self) -> u32 {
-        let excess = (Rational::from(&self.n * 2u32) - 1u32).abs();
+        let n = &self.inputs[0];
+        let excess = (Rational::from(n * 2u32) - 1u32).abs();
         let size = |x: &Integer| x.significant_bits();
-        2 * size(excess.denom()).saturating_sub(size(excess.numer()))
-            + size(self.n.numer()).abs_diff(size(self.n.denom()))
+        2 * size(excess.denom()).saturating_sub(size(excess.numer())) + size(n.numer()).abs_diff(size(n.denom()))
     }
 }
 
@@ -122,11 +107,6 @@ impl Trial<'_> {
     }
 }
 
-fn literal(text: &str) -> Result<Literal> {
-    let quantity = Quantity::Parameter("an input of the grid");
-    text.parse().map_err(|_| Error::Domain { quantity, value: text.to_owned(), requirement: "a number" })
-}
-
 fn rational(text: &str) -> Result<Rational> {
     literal(text).map(|literal| literal.to_rational())
 }
@@ -147,7 +127,7 @@ fn kappa(n: &Rational, bits: u32) -> Interval {
 fn digits(trial: &mut Trial<'_>) -> Result<()> {
     /// What the reference may be uncertain by, in units of the last digit.
     const SHARP: f64 = 1e-12;
-    let exact = Exact::draw(trial)?;
+    let exact = Exact::draw_widely(trial)?;
     let digits = trial.many_digits();
     trial.describe_also(format_args!("{digits} digits"));
     let answer = exact.question()?.answer(digits)?;
@@ -203,23 +183,24 @@ fn known(enclosure: &Enclosure) -> (Interval, i64) {
 fn enclosures(trial: &mut Trial<'_>) -> Result<()> {
     /// Bits that an enclosure may lose beside those of the condition.
     const LOST: i64 = 24;
-    let exact = Exact::draw(trial)?;
+    let exact = Exact::draw_widely(trial)?;
     let bits = Precision::from_digits(trial.many_digits()).bits();
     trial.describe_also(format_args!("{bits} and {} bits", 2 * bits));
     let question = exact.question()?;
+    let [n, c, ..] = &exact.inputs;
     let lost = LOST + i64::from(exact.magnification());
     let precision = |bits| Precision::new(bits + exact.magnification());
     let at = |bits: u32| -> Result<Vec<Enclosure>> {
         let enclose = |x: &Rational| Interval::from_rational(precision(bits), x);
-        let profile = PowerLaw::new(enclose(&exact.n), enclose(&exact.c))?;
+        let profile = PowerLaw::new(enclose(n), enclose(c))?;
         let mut found = question.enclosures(precision(bits))?.to_vec();
         // g(1) = κC, and κ with n for an interval.
         found.push((profile.g(&profile.kappa().lit(1))? / profile.coefficient()).into());
-        found.push(mdr_analytic::kappa_enclosure(precision(bits), &exact.n).into());
+        found.push(mdr_analytic::kappa_enclosure(precision(bits), n).into());
         Ok(found)
     };
     let (short, long) = (at(bits)?, at(2 * bits)?);
-    let reference = kappa(&exact.n, 2 * bits + 128);
+    let reference = kappa(n, 2 * bits + 128);
     for (i, name) in ["κ", "a", "d", "F", "g(1)/C", "κ_n"].iter().enumerate() {
         let ((short, sharp), (long, sharper)) = (known(&short[i]), known(&long[i]));
         trial.demand(format!("{name} agrees"), short.overlaps(&long));

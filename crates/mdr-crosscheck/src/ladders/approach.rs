@@ -1,7 +1,12 @@
-//! Approaches: sequences of inputs that tend to a limit where a question becomes hard.
+//! Approaches: sequences of inputs that tend to a limit where a question becomes hard, from the table `data/ladders.tsv`.
+
+use mdr_analytic::double;
+use mdr_core::contact::{Control, Expression, Profile, Quantity, Result};
 
 use super::{Family, Ladder};
+use crate::subject::double::{material, planted};
 use crate::subject::routine::Routine;
+use crate::subject::routines;
 
 /// How many inputs an approach has.
 #[derive(Clone, Copy, Debug)]
@@ -15,12 +20,12 @@ impl Steps {
     pub(super) const FEW: Steps = Steps { all: false };
 
     /// 2⁻ᵏ for k from `first` to `last`.
-    pub(super) fn halvings(self, first: i32, last: i32) -> Vec<f64> {
+    fn halvings(self, first: i32, last: i32) -> Vec<f64> {
         steps(first, last, if self.all { 1 } else { 12 }).map(|k| 2_f64.powi(-k)).collect()
     }
 
     /// 10ᵏ for k from `first` to `last`, up or down.
-    pub(super) fn decades(self, first: i32, last: i32) -> Vec<f64> {
+    fn decades(self, first: i32, last: i32) -> Vec<f64> {
         let span = (last - first).abs();
         let step = if self.all { (span / 40).max(1) } else { (span / 5).max(1) };
         // As typed: powi is off by many ulp at the ends of the range.
@@ -35,9 +40,107 @@ fn steps(first: i32, last: i32, step: i32) -> impl Iterator<Item = i32> {
     (first..=last).step_by(step as usize).chain(end)
 }
 
-/// Inputs that tend to a limit.
+/// A line of the table: how some functions are led towards a limit, or towards two.
+struct Approach {
+    /// The functions, by name or by the beginning of it.
+    functions: Vec<&'static str>,
+    family: Family,
+    toward: &'static str,
+    axis: &'static str,
+    /// The base of the values of t.
+    base: i32,
+    /// The first exponent of the base, and the last one of each sequence.
+    first: i32,
+    last: Vec<i32>,
+    inputs: Vec<Expression>,
+}
+
+impl Approach {
+    /// A line; none where it cannot be read.
+    fn read(line: &'static str) -> Option<Self> {
+        let [functions, family, toward, axis, values, inputs]: [&str; 6] =
+            line.split('\t').collect::<Vec<_>>().try_into().ok()?;
+        let (base, exponents) = values.split_once('^')?;
+        let (first, last) = exponents.split_once("..")?;
+        let signs = match last.chars().next()? {
+            '±' => [1, -1].as_slice(),
+            '∓' => &[-1, 1],
+            _ => &[1],
+        };
+        let last: i32 = last.trim_start_matches(['±', '∓']).parse().ok()?;
+        Some(Approach {
+            functions: functions.split(" | ").collect(),
+            family: Family::ALL.into_iter().find(|known| known.name() == family)?,
+            toward,
+            axis,
+            base: base.parse().ok()?,
+            first: first.parse().ok()?,
+            last: signs.iter().map(|sign| sign * last).collect(),
+            inputs: inputs.split(", ").map(|input| input.parse().ok()).collect::<Option<_>>()?,
+        })
+    }
+
+    fn leads(&self, name: &str) -> bool {
+        self.functions.iter().any(|known| is_named(known, name))
+    }
+
+    /// The questions to a function.
+    fn cases(&self, routine: Routine, steps: Steps) -> impl Iterator<Item = LadderCase> {
+        self.last.iter().map(move |&last| {
+            let values = match self.base {
+                2 => steps.halvings(-self.first, -last),
+                _ => steps.decades(self.first, last),
+            };
+            LadderCase {
+                routine,
+                family: self.family,
+                toward: self.toward.replace("{}", &last.to_string()),
+                axis: self.axis,
+                inputs: values.into_iter().map(|t| (t, self.inputs_at(t))).collect(),
+            }
+        })
+    }
+
+    fn inputs_at(&self, t: f64) -> Vec<f64> {
+        self.inputs.iter().fold(Vec::new(), |mut inputs, expression| {
+            let values = expression.parameters().map(|name| (name.clone(), value(&name, t, &inputs))).collect();
+            let bound = expression.bind_numbers((), &values);
+            inputs.push(bound.map_or(f64::NAN, |bound| bound.height(&t)));
+            inputs
+        })
+    }
+}
+
+/// Whether a function has a name of the table.
+fn is_named(known: &str, name: &str) -> bool {
+    known.strip_suffix('*').map_or(name == known, |beginning| name.starts_with(beginning))
+}
+
+/// What a name in an expression means after these inputs.
+fn value(name: &str, t: f64, inputs: &[f64]) -> f64 {
+    match (name, inputs) {
+        ("t", _) => t,
+        ("n", [n, ..]) => *n,
+        ("planted", [n, ..]) => planted(*n),
+        ("d_fold", [n, c, rest @ ..]) => critical(*n, *c, rest, &Control::Indentation).unwrap_or(f64::NAN),
+        ("F_fold", [n, c, rest @ ..]) => critical(*n, *c, rest, &Control::Force).unwrap_or(f64::NAN),
+        _ => f64::NAN,
+    }
+}
+
+/// The critical value of the controlled quantity.
+fn critical(n: f64, c: f64, bodies: &[f64], control: &Control<f64>) -> Result<f64> {
+    let state = double::critical(n, c, &material(bodies)?, control)?;
+    match control {
+        Control::Force => state.force.value(Quantity::Force),
+        _ => state.indentation.value(Quantity::Indentation),
+    }
+}
+
+/// A routine and its inputs on the way to a limit.
 #[derive(Clone, Debug)]
-pub(super) struct Approach {
+pub(super) struct LadderCase {
+    pub(super) routine: Routine,
     family: Family,
     toward: String,
     axis: &'static str,
@@ -45,121 +148,54 @@ pub(super) struct Approach {
     inputs: Vec<(f64, Vec<f64>)>,
 }
 
-impl Approach {
-    /// The inputs of each parameter. `toward` is the limit in words, `axis` what the parameter is.
-    pub(super) fn new(
-        family: Family,
-        toward: impl Into<String>,
-        axis: &'static str,
-        parameters: Vec<f64>,
-        inputs: impl Fn(f64) -> Vec<f64>,
-    ) -> Self {
-        let inputs = parameters.into_iter().map(|t| (t, inputs(t))).collect();
-        Approach { family, toward: toward.into(), axis, inputs }
-    }
-
-    /// From above with the parameters, from below with their negatives.
-    pub(super) fn from_both_sides(
-        family: Family,
-        toward: &str,
-        axes: [&'static str; 2],
-        parameters: &[f64],
-        inputs: impl Fn(f64) -> Vec<f64>,
-    ) -> [Self; 2] {
-        let [above, below] = axes;
-        [
-            Approach::new(family, format!("{toward} from above"), above, parameters.to_vec(), &inputs),
-            Approach::new(family, format!("{toward} from below"), below, parameters.to_vec(), |t| inputs(-t)),
-        ]
-    }
-
-    /// From 1 to 10^end, and to 10^−end.
-    pub(super) fn to_both_ends(
-        steps: Steps,
-        family: Family,
-        toward: impl Fn(i32) -> String,
-        axis: &'static str,
-        end: i32,
-        inputs: impl Fn(f64) -> Vec<f64>,
-    ) -> [Self; 2] {
-        [end, -end].map(|end| Approach::new(family, toward(end), axis, steps.decades(0, end), &inputs))
-    }
-
-    /// Each of the inputs from the given place on to both ends of the range of doubles, around a base.
-    pub(super) fn of_each_input(steps: Steps, names: &[&str], base: &[f64], from: usize) -> Vec<Self> {
-        let small = if base[0] < 0.5 { ", n < 1/2" } else { "" };
-        let alone = |index: usize| {
-            let toward = |end| format!("{} → 10^{end}{small}", names[index]);
-            Approach::to_both_ends(steps, Family::Scale, toward, "the input", 300, |t| {
-                let mut inputs = base.to_vec();
-                inputs[index] = t;
-                inputs
-            })
-        };
-        (from..base.len()).flat_map(alone).collect()
-    }
-
-    /// n → 1/2, 0 and ∞ as far as `reach` says, with inputs that follow n.
-    pub(super) fn of_exponent(steps: Steps, reach: Reach, inputs: impl Fn(f64) -> Vec<f64>) -> Vec<Self> {
-        let Reach { half, small, large: [first, last] } = reach;
-        let axes = ["n − 1/2", "1/2 − n"];
-        let [above, below] =
-            Approach::from_both_sides(Family::Half, "n → 1/2", axes, &steps.halvings(2, half), |t| inputs(0.5 + t));
-        vec![
-            above,
-            below,
-            Approach::new(Family::SmallExponent, "n → 0", "n", steps.decades(-1, small), &inputs),
-            Approach::new(Family::LargeExponent, "n → ∞", "n", steps.decades(first, last), &inputs),
-        ]
-    }
-
-    /// With more inputs at the end.
-    pub(super) fn followed_by(mut self, more: &[f64]) -> Self {
-        self.inputs.iter_mut().for_each(|(_, inputs)| inputs.extend(more));
-        self
-    }
-}
-
-/// How far exponents go.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Reach {
-    /// To 1/2 ± 2⁻ᵏ.
-    pub(super) half: i32,
-    /// To 10ᵏ.
-    pub(super) small: i32,
-    /// From 10ʲ to 10ᵏ.
-    pub(super) large: [i32; 2],
-}
-
-/// As far as doubles go.
-pub(super) const FAR: Reach = Reach { half: 50, small: -290, large: [1, 14] };
-
-/// A routine and an approach.
-#[derive(Clone, Debug)]
-pub(super) struct LadderCase {
-    pub(super) routine: Routine,
-    approach: Approach,
-}
-
 impl LadderCase {
     /// Answers its questions.
     pub(super) fn ladder(&self) -> Ladder {
-        let LadderCase { routine, approach } = self;
+        let LadderCase { routine, family, toward, axis, inputs } = self;
         Ladder {
             function: routine.name.to_owned(),
-            family: approach.family,
-            toward: approach.toward.clone(),
-            axis: approach.axis.to_owned(),
+            family: *family,
+            toward: toward.clone(),
+            axis: (*axis).to_owned(),
             inputs: routine.inputs.iter().map(|name| (*name).to_owned()).collect(),
             naive: routine.textbook.map(|textbook| textbook.formula.to_owned()),
-            rungs: approach.inputs.iter().map(|(t, inputs)| super::measure::rung(routine, *t, inputs)).collect(),
+            rungs: inputs.iter().map(|(t, inputs)| super::measure::rung(routine, *t, inputs)).collect(),
         }
     }
 }
 
-/// Every routine along every approach.
-pub(super) fn cross(routines: &[Routine], approaches: &[Approach]) -> Vec<LadderCase> {
-    let cases =
-        |&routine: &Routine| approaches.iter().map(move |approach| LadderCase { routine, approach: approach.clone() });
-    routines.iter().flat_map(cases).collect()
+/// All cases: block by block of the table, and in each in the order of the functions.
+pub(super) fn cases(steps: Steps) -> Vec<LadderCase> {
+    let mut cases = Vec::new();
+    for block in include_str!("../../data/ladders.tsv").split("\n\n") {
+        let approaches: Vec<_> = block.lines().filter_map(Approach::read).collect();
+        for routine in routines() {
+            let along = approaches.iter().filter(|approach| approach.leads(routine.name));
+            cases.extend(along.flat_map(|approach| approach.cases(routine, steps)));
+        }
+    }
+    cases
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_is_read_and_leads_a_function_to_its_limit() {
+        let all = routines();
+        for line in include_str!("../../data/ladders.tsv").lines().filter(|line| !line.is_empty()) {
+            let approach = Approach::read(line);
+            assert_eq!(approach.is_none(), line.starts_with("# "), "{line}");
+            let Some(approach) = approach else { continue };
+            for known in &approach.functions {
+                assert!(all.iter().any(|routine| is_named(known, routine.name)), "{known}");
+            }
+            let led = all.iter().find(|routine| approach.leads(routine.name)).unwrap();
+            for case in approach.cases(*led, Steps::FEW) {
+                assert!(case.inputs.iter().all(|(_, inputs)| inputs.len() == led.inputs.len()), "{line}");
+                assert!(case.inputs.iter().flat_map(|(_, inputs)| inputs).all(|x| !x.is_nan()), "{line}");
+            }
+        }
+    }
 }

@@ -3,23 +3,21 @@
 //! A [`Ladder`] leads one function in one dangerous direction: towards n = 1/2, to the fold, to the edge of a face, to the
 //! ends of the range of doubles. On each [`Rung`] the error of our answer stands beside what the question itself costs,
 //! max(1, condition) roundoffs, and beside the error of the formula as textbooks write it. The truth is an enclosure of the
-//! exact result for the doubles given, at a precision that rises until it is far narrower than a double.
+//! exact result for the doubles given, at a precision that rises until it is far narrower than a double. Which inputs lead a
+//! function where is a line of `data/ladders.tsv`.
 //!
 //! The **excess loss** log₁₀(error/(u·max(1, condition))) tells a bad algorithm from a badly conditioned question.
 //! Acceptance ([`Ladder::accepted`]): no NaN, no infinity and no zero where there is a number, and an excess loss of one
 //! digit at most.
 
 mod approach;
-mod double;
 mod measure;
-mod numerical;
-mod profiles;
 mod worst;
 
 use rayon::prelude::*;
 use serde::Serialize;
 
-use self::approach::{LadderCase, Steps};
+use self::approach::{LadderCase, Steps, cases};
 use crate::Level;
 
 pub use worst::{Worst, WorstError, worst_inputs};
@@ -193,11 +191,6 @@ impl Ladder {
     pub fn worst_naive(&self) -> Option<f64> {
         self.rungs.iter().filter_map(|rung| rung.naive_ulp).max_by(f64::total_cmp)
     }
-}
-
-/// All cases, in the order of the functions.
-fn cases(steps: Steps) -> Vec<LadderCase> {
-    [double::cases(steps), profiles::cases(steps), numerical::cases(steps)].concat()
 }
 
 /// All ladders, in the order of the functions.

@@ -6,8 +6,8 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Serialize};
 use thiserror::Error as ThisError;
 
-use super::approach::Steps;
-use super::{Found, Ladder, Rung, cases, measure};
+use super::approach::{Steps, cases};
+use super::{Found, Ladder, Rung, measure};
 use crate::subject::routine::Routine;
 
 /// The list. It only grows: `cargo run --release -p mdr-crosscheck --example ladders -- --worst` writes it anew, with what

@@ -8,7 +8,7 @@ use mdr_core::number::{Precision, Real, Special};
 use rug::{Float, Rational};
 
 use super::mutation::Fault;
-use super::{Part, SubjectId};
+use super::{Part, Subject};
 
 /// The closed forms of mdr-analytic, as they are or with one deliberate fault.
 ///
@@ -132,10 +132,37 @@ impl ClosedForms {
     }
 }
 
-/// Methods of [`ClosedForms`]: the call, the ids of its numbers, and the inputs that the table of subjects names.
-macro_rules! closed_forms {
-    ($(fn $name:ident<R: $bound:ident $(+ $more:ident)?>($($argument:ident: $type:ty),*) -> $result:ty =
-        $call:expr, [$($id:ident),+] of $inputs:expr;)*) => {
+/// The ids, their table, and the methods of [`ClosedForms`]. A line of `closed` is a method, the call that it makes, the public
+/// function of mdr-analytic, the ids of its numbers, and the names and values of the inputs whose powers a fault may change;
+/// one of `certified`, an id and its function.
+macro_rules! subjects {
+    (
+        closed {$(
+            fn $name:ident<R: $bound:ident $(+ $more:ident)?>($($argument:ident: $type:ty),*) -> $result:ty =
+                $call:expr, $function:literal [$($id:ident),+] of $names:expr => $inputs:expr;
+        )*}
+        certified { $($certified:ident: $answer:literal;)* }
+        double { $($double:literal)* }
+    ) => {
+        /// A number among the results of a function of mdr-analytic.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[expect(missing_docs, reason = "named after the function and its result")]
+        #[non_exhaustive]
+        pub enum SubjectId {
+            $($($id,)+)*
+            $($certified,)*
+            Library(&'static str, Part),
+            Double(&'static str),
+        }
+
+        pub(super) const NAMED: &[Subject] = &[
+            $($(Subject { id: SubjectId::$id, function: $function, inputs: &$names },)+)*
+            $(Subject { id: SubjectId::$certified, function: $answer, inputs: &[] },)*
+        ];
+
+        /// The functions of `mdr_analytic::double` that give numbers.
+        pub(super) const DOUBLE_IDS: &[SubjectId] = &[$(SubjectId::Double(concat!("double::", $double))),*];
+
         impl ClosedForms {
             $(pub(crate) fn $name<R: $bound $(+ $more)?>(&self, $($argument: $type),*) -> Result<$result> {
                 Ok(self.perturb::<R, _>(&[$(SubjectId::$id),+], &$inputs, $call?))
@@ -144,73 +171,114 @@ macro_rules! closed_forms {
     };
 }
 
-closed_forms! {
-    fn kappa<R: Kappa>(n: &R) -> R = mdr_analytic::kappa(n), [Kappa] of [n];
-    fn g<R: Real>(law: &PowerLaw<R>, x: &R) -> R = law.g(x), [Transform] of [x, law.coefficient()];
-    fn slope<R: Real>(law: &PowerLaw<R>, x: &R) -> R = law.slope(x), [TransformSlope] of [x, law.coefficient()];
-    fn integral<R: Real>(law: &PowerLaw<R>, x: &R) -> R = law.integral(x), [TransformIntegral] of [x, law.coefficient()];
-    fn paraboloid<R: Kappa>(radius: &R, x: &R) -> R =
-        PowerLaw::paraboloid(radius.clone())?.g(x), [ParaboloidProfile] of [radius];
-    fn cone<R: Kappa>(slope: &R, x: &R) -> R = PowerLaw::cone(slope.clone())?.g(x), [ConeProfile] of [slope];
-    fn cone_with_half_angle<R: Kappa + Special>(angle: &R, x: &R) -> R =
-        PowerLaw::cone_with_half_angle(angle.clone())?.g(x), [ConeAngleProfile] of [angle];
-    fn detachment_elongation<R: Real>(material: &Material<R>, a: &R) -> R =
-        mdr_analytic::detachment_elongation(material, a),
-        [DetachmentElongation] of [a, material.effective_modulus(), material.work_of_adhesion()];
-    fn indentation<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.indentation(a), [Indentation] of along(contact, a);
-    fn indentation_slope<R: Real>(contact: &Contact<R>, a: &R) -> R =
-        contact.indentation_slope(a), [IndentationSlope] of along(contact, a);
-    fn force<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.force(a), [Force] of along(contact, a);
-    fn force_slope<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.force_slope(a), [ForceSlope] of along(contact, a);
-    fn energy<R: Real>(contact: &Contact<R>, a: &R, d: &R) -> R = contact.energy(a, d), [Energy] of along(contact, a);
-    fn critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> Critical<R> =
-        contact.critical(control), [CriticalRadius, CriticalIndentation, CriticalForce] of given(contact);
-    fn ln_critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> Critical<R> =
-        contact.ln_critical(control), [LnCriticalRadius, LnCriticalIndentation, LnCriticalForce] of given(contact);
-    fn machine_folds<R: Real>(contact: &Contact<R>, stiffness: &R) -> Vec<Instability<R>> =
-        contact.machine_folds(stiffness), [MachineFoldRadius, MachineFoldIndentation, MachineFoldForce] of given(contact);
-    fn universal_indentation<R: Real>(n: &R, scaled: &R) -> R =
-        mdr_analytic::universal_indentation(n, scaled), [UniversalIndentation] of [scaled];
-    fn universal_force<R: Real>(n: &R, scaled: &R) -> R =
-        mdr_analytic::universal_force(n, scaled), [UniversalForce] of [scaled];
-    fn equilibria<R: Real>(contact: &Contact<R>, control: &Control<R>, value: &R) -> Vec<Equilibrium<R>> =
-        contact.equilibria(control, value).map(|found| found.as_slice().to_vec()),
-        [EquilibriumRadius, EquilibriumIndentation, EquilibriumForce] of given(contact);
-    fn equilibria_at_distance<R: Real>(contact: &Contact<R>, control: &Control<R>, distance: &R) -> Vec<Equilibrium<R>> =
-        contact.equilibria_at_distance(control, distance).map(|found| found.as_slice().to_vec()),
-        [DistanceRadius, DistanceIndentation, DistanceForce] of given(contact);
-    fn radius_at_zero_indentation<R: Real>(contact: &Contact<R>) -> R =
-        contact.radius_at_zero_indentation(), [ZeroIndentationRadius] of given(contact);
-    fn energy_lost_at_pull_off<R: Real>(contact: &Contact<R>) -> R =
-        contact.energy_lost_at_pull_off(), [PullOffLoss] of given(contact);
-    fn energy_lost_at_jump_in<R: Real>(contact: &Contact<R>) -> R =
-        contact.energy_lost_at_jump_in(), [JumpInLoss] of given(contact);
-    fn barrier_to_complete_contact<R: Real>(contact: &Contact<R>) -> R =
-        contact.barrier_to_complete_contact(), [CompleteContactBarrier] of given(contact);
-    fn lemniscate_constant<R: Real>(like: &R) -> R =
-        Result::Ok(mdr_analytic::lemniscate_constant(like)), [LemniscateConstant] of [];
-    fn threshold<R: Real>(material: &Material<R>, control: &Control<R>) -> R =
-        mdr_analytic::threshold(material, control),
-        [Threshold] of [material.effective_modulus(), material.work_of_adhesion()];
-    fn ratio<R: Real>(contact: &Contact<R>) -> R = contact.ratio(), [ScaleFreeRatio] of given(contact);
-    fn scale_free_state<R: Real>(contact: &Contact<R>, a: &R) -> [R; 2] =
-        contact.scale_free_state(a).map(|state| [state.indentation, state.force]),
-        [ScaleFreeIndentation, ScaleFreeForce] of along(contact, a);
-    fn fate<R: Real>(contact: &Contact<R>, control: &Control<R>) -> R =
-        contact.fate(control).map(|fate| contact.profile().exponent().lit(sign(fate))), [Fate] of [];
-    fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> [R; 2] =
-        mdr_analytic::flat_punch_pull_off(radius, material).map(|state| [state.indentation, state.force]),
-        [FlatPunchIndentation, FlatPunchForce] of [radius, material.effective_modulus(), material.work_of_adhesion()];
-    fn tabor_number<R: Special>(radius: &R, material: &Material<R>, range: &R) -> R =
-        mdr_analytic::tabor_number(radius, material, range),
-        [TaborNumber] of [radius, material.effective_modulus(), material.work_of_adhesion(), range];
-    fn maugis_state<R: Special>(radius: &R, material: &Material<R>, separation: &R, ring: [&R; 2]) -> MaugisState<R> =
-        mdr_analytic::maugis_state(radius, material, separation, ring[0], ring[1]),
-        [MaugisBalance, MaugisIndentation, MaugisForce]
-        of [radius, material.effective_modulus(), material.work_of_adhesion(), separation, ring[0], ring[1]];
-    fn flat_punch_limit<R: Real>(contact: &Contact<R>) -> R =
-        contact.flat_punch_limit().map(|state| state.contact_radius),
-        [FlatPunchLimit] of [contact.profile().coefficient()];
+/// The names of [`given`].
+const GIVEN: [&str; 3] = ["C", "E*", "w"];
+/// The names of [`along`].
+const ALONG: [&str; 4] = ["a", "C", "E*", "w"];
+
+subjects! {
+    closed {
+        fn kappa<R: Kappa>(n: &R) -> R = mdr_analytic::kappa(n), "kappa" [Kappa] of ["n"] => [n];
+        fn g<R: Real>(law: &PowerLaw<R>, x: &R) -> R = law.g(x),
+            "PowerLaw::g" [Transform] of ["x", "C"] => [x, law.coefficient()];
+        fn slope<R: Real>(law: &PowerLaw<R>, x: &R) -> R = law.slope(x),
+            "PowerLaw::slope" [TransformSlope] of ["x", "C"] => [x, law.coefficient()];
+        fn integral<R: Real>(law: &PowerLaw<R>, x: &R) -> R = law.integral(x),
+            "PowerLaw::integral" [TransformIntegral] of ["x", "C"] => [x, law.coefficient()];
+        fn paraboloid<R: Kappa>(radius: &R, x: &R) -> R = PowerLaw::paraboloid(radius.clone())?.g(x),
+            "PowerLaw::paraboloid" [ParaboloidProfile] of ["R"] => [radius];
+        fn cone<R: Kappa>(slope: &R, x: &R) -> R = PowerLaw::cone(slope.clone())?.g(x),
+            "PowerLaw::cone" [ConeProfile] of ["tan θ"] => [slope];
+        fn cone_with_half_angle<R: Kappa + Special>(angle: &R, x: &R) -> R =
+            PowerLaw::cone_with_half_angle(angle.clone())?.g(x),
+            "PowerLaw::cone_with_half_angle" [ConeAngleProfile] of ["α"] => [angle];
+        fn detachment_elongation<R: Real>(material: &Material<R>, a: &R) -> R =
+            mdr_analytic::detachment_elongation(material, a),
+            "detachment_elongation" [DetachmentElongation]
+            of ["a", "E*", "w"] => [a, material.effective_modulus(), material.work_of_adhesion()];
+        fn indentation<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.indentation(a),
+            "Contact::indentation" [Indentation] of ALONG => along(contact, a);
+        fn indentation_slope<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.indentation_slope(a),
+            "Contact::indentation_slope" [IndentationSlope] of ALONG => along(contact, a);
+        fn force<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.force(a),
+            "Contact::force" [Force] of ALONG => along(contact, a);
+        fn force_slope<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.force_slope(a),
+            "Contact::force_slope" [ForceSlope] of ALONG => along(contact, a);
+        fn energy<R: Real>(contact: &Contact<R>, a: &R, d: &R) -> R = contact.energy(a, d),
+            "Contact::energy" [Energy] of ALONG => along(contact, a);
+        fn critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> Critical<R> = contact.critical(control),
+            "Contact::critical" [CriticalRadius, CriticalIndentation, CriticalForce] of GIVEN => given(contact);
+        fn ln_critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> Critical<R> = contact.ln_critical(control),
+            "Contact::ln_critical" [LnCriticalRadius, LnCriticalIndentation, LnCriticalForce] of GIVEN => given(contact);
+        fn machine_folds<R: Real>(contact: &Contact<R>, stiffness: &R) -> Vec<Instability<R>> =
+            contact.machine_folds(stiffness),
+            "Contact::machine_folds" [MachineFoldRadius, MachineFoldIndentation, MachineFoldForce]
+            of GIVEN => given(contact);
+        fn universal_indentation<R: Real>(n: &R, scaled: &R) -> R = mdr_analytic::universal_indentation(n, scaled),
+            "universal_indentation" [UniversalIndentation] of ["a/a_c"] => [scaled];
+        fn universal_force<R: Real>(n: &R, scaled: &R) -> R = mdr_analytic::universal_force(n, scaled),
+            "universal_force" [UniversalForce] of ["a/a_c"] => [scaled];
+        fn equilibria<R: Real>(contact: &Contact<R>, control: &Control<R>, value: &R) -> Vec<Equilibrium<R>> =
+            contact.equilibria(control, value).map(|found| found.as_slice().to_vec()),
+            "Contact::equilibria" [EquilibriumRadius, EquilibriumIndentation, EquilibriumForce] of GIVEN => given(contact);
+        fn equilibria_at_distance<R: Real>(contact: &Contact<R>, control: &Control<R>, distance: &R) -> Vec<Equilibrium<R>> =
+            contact.equilibria_at_distance(control, distance).map(|found| found.as_slice().to_vec()),
+            "Contact::equilibria_at_distance" [DistanceRadius, DistanceIndentation, DistanceForce]
+            of GIVEN => given(contact);
+        fn radius_at_zero_indentation<R: Real>(contact: &Contact<R>) -> R = contact.radius_at_zero_indentation(),
+            "Contact::radius_at_zero_indentation" [ZeroIndentationRadius] of GIVEN => given(contact);
+        fn energy_lost_at_pull_off<R: Real>(contact: &Contact<R>) -> R = contact.energy_lost_at_pull_off(),
+            "Contact::energy_lost_at_pull_off" [PullOffLoss] of GIVEN => given(contact);
+        fn energy_lost_at_jump_in<R: Real>(contact: &Contact<R>) -> R = contact.energy_lost_at_jump_in(),
+            "Contact::energy_lost_at_jump_in" [JumpInLoss] of GIVEN => given(contact);
+        fn barrier_to_complete_contact<R: Real>(contact: &Contact<R>) -> R = contact.barrier_to_complete_contact(),
+            "Contact::barrier_to_complete_contact" [CompleteContactBarrier] of GIVEN => given(contact);
+        fn lemniscate_constant<R: Real>(like: &R) -> R = Result::Ok(mdr_analytic::lemniscate_constant(like)),
+            "lemniscate_constant" [LemniscateConstant] of [] => [];
+        fn threshold<R: Real>(material: &Material<R>, control: &Control<R>) -> R =
+            mdr_analytic::threshold(material, control),
+            "threshold" [Threshold] of ["E*", "w"] => [material.effective_modulus(), material.work_of_adhesion()];
+        fn ratio<R: Real>(contact: &Contact<R>) -> R = contact.ratio(),
+            "Contact::ratio" [ScaleFreeRatio] of GIVEN => given(contact);
+        fn scale_free_state<R: Real>(contact: &Contact<R>, a: &R) -> [R; 2] =
+            contact.scale_free_state(a).map(|state| [state.indentation, state.force]),
+            "Contact::scale_free_state" [ScaleFreeIndentation, ScaleFreeForce] of ALONG => along(contact, a);
+        fn fate<R: Real>(contact: &Contact<R>, control: &Control<R>) -> R =
+            contact.fate(control).map(|fate| contact.profile().exponent().lit(sign(fate))),
+            "Contact::fate" [Fate] of [] => [];
+        fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> [R; 2] =
+            mdr_analytic::flat_punch_pull_off(radius, material).map(|state| [state.indentation, state.force]),
+            "flat_punch_pull_off" [FlatPunchIndentation, FlatPunchForce]
+            of ["b", "E*", "w"] => [radius, material.effective_modulus(), material.work_of_adhesion()];
+        fn tabor_number<R: Special>(radius: &R, material: &Material<R>, range: &R) -> R =
+            mdr_analytic::tabor_number(radius, material, range),
+            "tabor_number" [TaborNumber]
+            of ["R", "E*", "w", "z0"] => [radius, material.effective_modulus(), material.work_of_adhesion(), range];
+        fn maugis_state<R: Special>(radius: &R, material: &Material<R>, separation: &R, ring: [&R; 2]) -> MaugisState<R> =
+            mdr_analytic::maugis_state(radius, material, separation, ring[0], ring[1]),
+            "maugis_state" [MaugisBalance, MaugisIndentation, MaugisForce]
+            of ["R", "E*", "w", "h0", "a", "c"]
+            => [radius, material.effective_modulus(), material.work_of_adhesion(), separation, ring[0], ring[1]];
+        fn flat_punch_limit<R: Real>(contact: &Contact<R>) -> R =
+            contact.flat_punch_limit().map(|state| state.contact_radius),
+            "Contact::flat_punch_limit" [FlatPunchLimit] of ["C"] => [contact.profile().coefficient()];
+    }
+    certified {
+        KappaEnclosure: "kappa_enclosure";
+        CertifiedKappa: "Question::answer";
+        CertifiedRadius: "Question::answer";
+        CertifiedIndentation: "Question::answer";
+        CertifiedForce: "Question::answer";
+        CertifiedThreshold: "Question::answer";
+        CertifiedRatio: "Question::answer";
+    }
+    double {
+        "critical" "kappa" "g" "g_slope" "g_integral" "detachment_elongation" "indentation" "force" "indentation_slope"
+        "force_slope" "energy" "universal_indentation" "universal_force" "radius_at_zero_indentation"
+        "energy_lost_at_pull_off" "energy_lost_at_jump_in" "barrier_to_complete_contact" "flat_punch_pull_off"
+        "machine_folds" "equilibria" "equilibria_at_distance" "Inverse::equilibria" "Inverse::branches"
+        "scale_free_state" "ratio" "threshold" "critical_states"
+    }
 }
 
 /// The fate as +1 (shrinks), −1 (complete contact) or 0.

@@ -215,7 +215,7 @@ fn nth<R>(folds: Vec<Instability<R>>, index: usize) -> Result<Instability<R>> {
     folds.into_iter().nth(index).ok_or_else(none)
 }
 
-/// The C with which the state of tangency λ has the radius 1 on E* = w = 1.
-pub(crate) fn planted(n: f64, lambda: f64) -> f64 {
-    lambda * (PI / 2.0).sqrt() / (n * mdr_analytic::kappa(&n).unwrap_or(f64::NAN))
+/// The C with which the critical state under fixed grips has the radius 1 on E* = w = 1.
+pub(crate) fn planted(n: f64) -> f64 {
+    (PI / 2.0).sqrt() / (n * mdr_analytic::kappa(&n).unwrap_or(f64::NAN))
 }

@@ -33,15 +33,13 @@ macro_rules! fold {
     };
 }
 
-pub(crate) const FOLDS: [Routine; 6] = [
+pub(crate) const FOLDS: [Routine; 8] = [
     fold!("folds, fixed grips, a", LAW, |x| Control::Indentation, contact_radius),
     fold!("folds, fixed grips, d", LAW, |x| Control::Indentation, indentation),
     fold!("folds, fixed grips, F", LAW, |x| Control::Indentation, force),
     fold!("folds, dead load, a", LAW, |x| Control::Force, contact_radius),
     fold!("folds, dead load, d", LAW, |x| Control::Force, indentation),
     fold!("folds, dead load, F", LAW, |x| Control::Force, force),
-];
-pub(crate) const FOLDS_ON_MACHINE: [Routine; 2] = [
     fold!("folds, machine, a", MACHINE, |x| machine(&x[4]), contact_radius),
     fold!("folds, machine, F", MACHINE, |x| machine(&x[4]), force),
 ];
@@ -90,14 +88,11 @@ fn ferrari(x: &[f64]) -> f64 {
     if x[0] == 2.0 { textbook::ferrari(0.5 / x[1], x[2], x[3], x[4]) } else { f64::NAN }
 }
 
-/// The radius at a given d: outer, inner.
-pub(crate) const AT_INDENTATION: [Routine; 2] = [
+/// The radius at a given value, on either side of the fold.
+pub(crate) const EQUILIBRIA: [Routine; 4] = [
     equilibrium!("equilibria, fixed grips, outer a", "d", Indentation, Outer,
         textbook "the quartic of JKR by Ferrari" => ferrari),
     equilibrium!("equilibria, fixed grips, inner a", "d", Indentation, Inner),
-];
-/// The radius at a given F: outer, inner.
-pub(crate) const AT_FORCE: [Routine; 2] = [
     equilibrium!("equilibria, dead load, outer a", "F", Force, Outer),
     equilibrium!("equilibria, dead load, inner a", "F", Force, Inner),
 ];

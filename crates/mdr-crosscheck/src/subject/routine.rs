@@ -67,20 +67,23 @@ macro_rules! routine {
 }
 pub(crate) use routine;
 
-/// Arrays of routines with the same inputs.
+/// Arrays of routines with the same inputs, and all of them together as `ROUTINES`.
 macro_rules! routines {
     ($(
         $(#[$meta:meta])* $group:ident $inputs:tt {
             $($name:literal: |$x:ident| $shipped:expr, exact $exact:expr $(, textbook $formula:expr => $textbook:expr)?;)*
         }
-    )*) => {$(
-        $(#[$meta])*
+    )*) => {
+        $($(#[$meta])*
         pub(crate) const $group: [$crate::subject::routine::Routine; { [$($name),*].len() }] = [$(
             $crate::subject::routine::routine!(
                 $name, &$inputs, |$x| $shipped, exact $exact $(, textbook $formula => $textbook)?
             )
         ),*];
-    )*};
+    )*
+
+        pub(crate) const ROUTINES: &[&[$crate::subject::routine::Routine]] = &[$(&$group),*];
+    };
 }
 pub(crate) use routines;
 

@@ -5,9 +5,9 @@
 
 use mdr_analytic::certified::{self, Elasticity};
 use mdr_analytic::{Contact, PowerLaw, kappa, kappa_enclosure};
-use mdr_core::contact::{Control, Error, Material, Quantity, Result, Shape, Transform};
+use mdr_core::contact::{Control, Material, Result, Shape, Transform};
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Literal, Precision, Real};
+use mdr_core::number::{Interval, Precision, Real};
 use mdr_numeric::transform::{Quadrature, Rule};
 use rug::{Float, Rational};
 
@@ -15,7 +15,7 @@ use super::kappa::by_gamma;
 use super::outcome::Answer;
 use super::{Clock, Comparison, Point, Series, Task, transform};
 use crate::Level;
-use crate::checks::by_series;
+use crate::checks::{by_series, literal};
 
 /// The task.
 pub(super) const TASK: Task = Task {
@@ -178,11 +178,6 @@ const TANGENCY: &str =
     "the tangency in logarithms, then (1.13) and (1.16), over intervals; the methods have (1.15) and (1.17)";
 const CLOSED_FORM: &str =
     "κ_n xⁿ (1.12) over intervals, with the Γ of MPFR; every method integrates heights, with nodes that are kept";
-
-fn literal(text: &str) -> Result<Literal> {
-    let quantity = Quantity::Parameter("a decimal");
-    text.parse().map_err(|_| Error::Domain { quantity, value: text.to_owned(), requirement: "a decimal" })
-}
 
 /// Numbers of this size have a value or are exact; nothing is known of a logarithm.
 fn interval(number: Enclosure, precision: Precision) -> Interval {

@@ -37,30 +37,19 @@ impl Formula {
 
     /// Whether a part that is expanded before it has a value, or a function, divides by 0 in its expansion.
     fn fails_by_zero(&self, domain: Domain) -> bool {
-        let fails = |formula: &Formula| formula.fails_by_zero(domain);
         match self {
-            Formula::Number(_) | Formula::N | Formula::Pi | Formula::Symbol(_) | Formula::Name(_) => false,
-            Formula::Negative(inner) | Formula::Root(inner) | Formula::QuarterTurn(inner) => fails(inner),
-            Formula::Sum(parts) | Formula::Product(parts) | Formula::Function(_, parts) => parts.iter().any(fails),
-            Formula::Quotient(left, right) | Formula::Power(left, right) => fails(left) || fails(right),
             Formula::Derivative(..) | Formula::Integral(..) | Formula::At(..) => {
                 matches!(self.normalise(domain), Err(Error::DivisionByZero))
             }
+            other => other.parts().into_iter().any(|part| part.fails_by_zero(domain)),
         }
     }
 
     /// Everything that stands below a fraction bar or under a negative integer power, with the values that are substituted
     /// there. Of an integrand, which may be infinite at single points, nothing is listed.
     pub(crate) fn divisors(&self) -> Vec<Formula> {
-        let all = |parts: &[Formula]| parts.iter().flat_map(Formula::divisors).collect::<Vec<_>>();
         match self {
-            Formula::Number(_) | Formula::N | Formula::Pi | Formula::Symbol(_) => Vec::new(),
             Formula::Name(definition) => definition.formula().map(|formula| formula.divisors()).unwrap_or_default(),
-            Formula::Negative(inner)
-            | Formula::Root(inner)
-            | Formula::Derivative(inner, _)
-            | Formula::QuarterTurn(inner) => inner.divisors(),
-            Formula::Sum(parts) | Formula::Product(parts) | Formula::Function(_, parts) => all(parts),
             Formula::Quotient(above, below) => [above.divisors(), below.divisors(), vec![(**below).clone()]].concat(),
             Formula::Power(base, exponent) => {
                 let negative = exponent.written_integer().is_some_and(|exponent| exponent < 0);
@@ -72,6 +61,7 @@ impl Formula {
                 let at = |divisor| Formula::At(Box::new(divisor), *variable, value.clone());
                 value.divisors().into_iter().chain(inner.divisors().into_iter().map(at)).collect()
             }
+            other => other.parts().into_iter().flat_map(Formula::divisors).collect(),
         }
     }
 }

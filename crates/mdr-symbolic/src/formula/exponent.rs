@@ -5,22 +5,35 @@ use rug::Rational;
 use super::{Definition, Formula, Function, Variable};
 
 impl Formula {
-    /// The formula with each of its immediate parts replaced.
-    fn rebuilt(&self, part: impl Fn(&Formula) -> Formula) -> Formula {
-        let boxed = |formula: &Formula| Box::new(part(formula));
-        let all = |parts: &[Formula]| parts.iter().map(&part).collect::<Vec<_>>();
+    /// The immediate parts, in the order in which they are written.
+    pub(crate) fn parts(&self) -> Vec<&Formula> {
+        match self {
+            Formula::N | Formula::Number(_) | Formula::Pi | Formula::Symbol(_) | Formula::Name(_) => Vec::new(),
+            Formula::Negative(inner) | Formula::Root(inner) | Formula::QuarterTurn(inner) => vec![inner],
+            Formula::Derivative(inner, _) => vec![inner],
+            Formula::Sum(parts) | Formula::Product(parts) | Formula::Function(_, parts) => parts.iter().collect(),
+            Formula::Quotient(left, right) | Formula::Power(left, right) => vec![left, right],
+            Formula::Integral(inner, _, value) | Formula::At(inner, _, value) => vec![inner, value],
+        }
+    }
+
+    /// The formula with each of its immediate parts replaced, one after the other.
+    pub(super) fn rebuilt(&self, mut part: impl FnMut(&Formula) -> Formula) -> Formula {
+        let mut boxed = |formula: &Formula| Box::new(part(formula));
         match self {
             Formula::N | Formula::Number(_) | Formula::Pi | Formula::Symbol(_) | Formula::Name(_) => self.clone(),
             Formula::Negative(inner) => Formula::Negative(boxed(inner)),
-            Formula::Sum(terms) => Formula::Sum(all(terms)),
-            Formula::Product(factors) => Formula::Product(all(factors)),
+            Formula::Sum(terms) => Formula::Sum(terms.iter().map(part).collect()),
+            Formula::Product(factors) => Formula::Product(factors.iter().map(part).collect()),
             Formula::Quotient(above, below) => Formula::Quotient(boxed(above), boxed(below)),
             Formula::Power(base, exponent) => Formula::Power(boxed(base), boxed(exponent)),
             Formula::Root(inner) => Formula::Root(boxed(inner)),
             Formula::Derivative(inner, along) => Formula::Derivative(boxed(inner), *along),
             Formula::Integral(inner, along, to) => Formula::Integral(boxed(inner), *along, boxed(to)),
             Formula::At(inner, variable, value) => Formula::At(boxed(inner), *variable, boxed(value)),
-            Formula::Function(function, arguments) => Formula::Function(*function, all(arguments)),
+            Formula::Function(function, arguments) => {
+                Formula::Function(*function, arguments.iter().map(part).collect())
+            }
             Formula::QuarterTurn(inner) => Formula::QuarterTurn(boxed(inner)),
         }
     }

@@ -66,15 +66,11 @@ pub enum Variable {
 impl Formula {
     /// Whether the formula has a value without values for n or any symbol.
     pub fn is_number(&self) -> bool {
-        let all = |parts: &[Formula]| parts.iter().all(Formula::is_number);
         match self {
-            Formula::Number(_) | Formula::Pi => true,
             Formula::N | Formula::Symbol(_) | Formula::Derivative(..) | Formula::QuarterTurn(_) => false,
-            Formula::Name(definition) => definition.formula().is_ok_and(|formula| formula.is_number()),
-            Formula::Negative(inner) | Formula::Root(inner) => inner.is_number(),
-            Formula::Sum(parts) | Formula::Product(parts) | Formula::Function(_, parts) => all(parts),
-            Formula::Quotient(left, right) | Formula::Power(left, right) => left.is_number() && right.is_number(),
             Formula::Integral(..) | Formula::At(..) => false,
+            Formula::Name(definition) => definition.formula().is_ok_and(|formula| formula.is_number()),
+            other => other.parts().into_iter().all(Formula::is_number),
         }
     }
 }
@@ -96,14 +92,33 @@ pub enum Function {
     Hypergeometric,
 }
 
+/// How a function is written.
+pub(crate) struct Spelling {
+    /// In a formula that is parsed.
+    parsed: &'static str,
+    /// In a line of text.
+    pub(crate) text: &'static str,
+    /// In TeX.
+    pub(crate) tex: &'static str,
+    /// In Coq.
+    pub(crate) coq: &'static str,
+    /// How many arguments it has.
+    arity: usize,
+}
+
 impl Function {
-    /// The names of functions in a formula, with the number of their arguments.
-    const NAMES: [(&'static str, Function, usize); 6] = [
-        ("Γ", Function::Gamma, 1),
-        ("kappa", Function::Kappa, 1),
-        ("agm", Function::Agm, 2),
-        ("sin", Function::Sine, 1),
-        ("H0", Function::StruveH0, 1),
-        ("f", Function::Hypergeometric, 2),
-    ];
+    const ALL: [Function; 6] =
+        [Function::Gamma, Function::Kappa, Function::Agm, Function::Sine, Function::StruveH0, Function::Hypergeometric];
+
+    pub(crate) fn spelling(self) -> Spelling {
+        let (parsed, text, tex, coq, arity) = match self {
+            Function::Gamma => ("Γ", "Γ", r"\Gamma", "Gamma", 1),
+            Function::Kappa => ("kappa", "κ", r"\kappa", "Definitions.kappa", 1),
+            Function::Agm => ("agm", "agm", r"\operatorname{agm}", "Agm.agm", 2),
+            Function::Sine => ("sin", "sin", r"\sin", "sin", 1),
+            Function::StruveH0 => ("H0", "H₀", r"\mathbf{H}_0", "Profiles.struve", 1),
+            Function::Hypergeometric => ("f", "f", "f", "KappaSeries.f", 2),
+        };
+        Spelling { parsed, text, tex, coq, arity }
+    }
 }

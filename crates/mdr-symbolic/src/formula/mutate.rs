@@ -10,37 +10,19 @@ impl Formula {
     /// the opposite sign, a factor omitted, a quotient inverted, a root omitted.
     pub fn mutants(&self) -> Vec<Formula> {
         let mut mutants = self.mutants_here();
-        let within = |part: &Formula, rebuild: &dyn Fn(Box<Formula>) -> Formula| -> Vec<Formula> {
-            part.mutants().into_iter().map(|mutant| rebuild(Box::new(mutant))).collect()
-        };
-        match self {
-            Formula::Number(_) | Formula::N | Formula::Pi | Formula::Symbol(_) | Formula::Name(_) => {}
-            Formula::Negative(inner) => mutants.extend(within(inner, &Formula::Negative)),
-            Formula::Sum(parts) => mutants.extend(in_list(parts).map(Formula::Sum)),
-            Formula::Product(parts) => mutants.extend(in_list(parts).map(Formula::Product)),
-            Formula::Quotient(above, below) => {
-                mutants.extend(within(above, &|above| Formula::Quotient(above, below.clone())));
-                mutants.extend(within(below, &|below| Formula::Quotient(above.clone(), below)));
-            }
-            Formula::Power(base, exponent) => {
-                mutants.extend(within(base, &|base| Formula::Power(base, exponent.clone())));
-                mutants.extend(within(exponent, &|exponent| Formula::Power(base.clone(), exponent)));
-            }
-            Formula::Root(inner) => mutants.extend(within(inner, &Formula::Root)),
-            Formula::Derivative(inner, along) => mutants.extend(within(inner, &|of| Formula::Derivative(of, *along))),
-            Formula::Integral(inner, along, to) => {
-                mutants.extend(within(inner, &|of| Formula::Integral(of, *along, to.clone())));
-            }
-            Formula::At(inner, variable, value) => {
-                mutants.extend(within(inner, &|of| Formula::At(of, *variable, value.clone())));
-                mutants.extend(within(value, &|value| Formula::At(inner.clone(), *variable, value)));
-            }
-            Formula::Function(function, arguments) => {
-                mutants.extend(in_list(arguments).map(|arguments| Formula::Function(*function, arguments)));
-            }
-            Formula::QuarterTurn(inner) => mutants.extend(within(inner, &Formula::QuarterTurn)),
+        let parts = self.parts();
+        // The upper end of an integral stays.
+        let count = if matches!(self, Formula::Integral(..)) { 1 } else { parts.len() };
+        for (place, part) in parts.into_iter().take(count).enumerate() {
+            mutants.extend(part.mutants().into_iter().map(|mutant| self.with_part(place, &mutant)));
         }
         mutants
+    }
+
+    /// The formula with another part in this place.
+    fn with_part(&self, place: usize, part: &Formula) -> Formula {
+        let mut places = 0..;
+        self.rebuilt(|own| if places.next() == Some(place) { part.clone() } else { own.clone() })
     }
 
     /// The formula with its definitions, and those of substituted values, expanded.
@@ -60,7 +42,7 @@ impl Formula {
             Formula::Number(value) => vec![Formula::Number(Rational::from(value + 1u32))],
             Formula::Negative(inner) => vec![(**inner).clone()],
             Formula::Sum(terms) => {
-                (0..terms.len()).map(|i| Formula::Sum(changed(terms, i, opposite(&terms[i])))).collect()
+                terms.iter().enumerate().map(|(i, term)| self.with_part(i, &opposite(term))).collect()
             }
             Formula::Product(factors) => {
                 let without = |i: usize| factors[..i].iter().chain(&factors[i + 1..]).cloned().collect();
@@ -79,18 +61,4 @@ fn opposite(formula: &Formula) -> Formula {
         Formula::Negative(inner) => (**inner).clone(),
         other => Formula::Negative(Box::new(other.clone())),
     }
-}
-
-fn changed(parts: &[Formula], index: usize, part: Formula) -> Vec<Formula> {
-    let mut parts = parts.to_vec();
-    parts[index] = part;
-    parts
-}
-
-/// The lists with an error in one of their parts.
-fn in_list(parts: &[Formula]) -> impl Iterator<Item = Vec<Formula>> {
-    let mistakes = |(i, part): (usize, &Formula)| {
-        part.mutants().into_iter().map(|mutant| changed(parts, i, mutant)).collect::<Vec<_>>()
-    };
-    parts.iter().enumerate().flat_map(mistakes).collect::<Vec<_>>().into_iter()
 }

@@ -183,14 +183,14 @@ impl Parser<'_> {
     }
 
     fn function(&mut self, name: &str, first: Formula) -> Result<Formula> {
-        let known = Function::NAMES.iter().find(|(known, ..)| *known == name);
-        let (_, function, arity) = known.ok_or_else(|| self.error(format!("unknown function {name}")))?;
+        let known = Function::ALL.into_iter().find(|known| known.spelling().parsed == name);
+        let function = known.ok_or_else(|| self.error(format!("unknown function {name}")))?;
         let mut arguments = vec![first];
-        while arguments.len() < *arity {
+        while arguments.len() < function.spelling().arity {
             self.expect(',')?;
             arguments.push(self.sum()?);
         }
-        Ok(Formula::Function(*function, arguments))
+        Ok(Formula::Function(function, arguments))
     }
 
     /// A comma and a symbol.

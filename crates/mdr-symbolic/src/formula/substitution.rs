@@ -67,21 +67,14 @@ impl Formula {
 
     /// Whether the value of this formula may depend on a symbol.
     fn contains(&self, symbol: Symbol) -> bool {
-        let contains = |formula: &Formula| formula.contains(symbol);
         match self {
-            Formula::Number(_) | Formula::N | Formula::Pi => false,
             Formula::Symbol(other) => *other == symbol,
-            Formula::Name(definition) => definition.formula().is_ok_and(|formula| contains(&formula)),
-            Formula::Negative(inner)
-            | Formula::Root(inner)
-            | Formula::QuarterTurn(inner)
-            | Formula::Derivative(inner, _)
-            | Formula::At(inner, Variable::N, _) => contains(inner),
-            Formula::Sum(parts) | Formula::Product(parts) | Formula::Function(_, parts) => parts.iter().any(contains),
-            Formula::Quotient(left, right) | Formula::Power(left, right) => contains(left) || contains(right),
+            Formula::Name(definition) => definition.formula().is_ok_and(|formula| formula.contains(symbol)),
+            Formula::At(inner, Variable::N, _) => inner.contains(symbol),
             Formula::Integral(inner, variable, value) | Formula::At(inner, Variable::Symbol(variable), value) => {
-                *variable != symbol && contains(inner) || contains(value)
+                *variable != symbol && inner.contains(symbol) || value.contains(symbol)
             }
+            other => other.parts().into_iter().any(|part| part.contains(symbol)),
         }
     }
 }

@@ -50,7 +50,6 @@ impl Free {
 
     fn collect(&mut self, formula: &Formula) {
         match formula {
-            Formula::Number(_) | Formula::Pi => {}
             Formula::N => self.n = true,
             Formula::Symbol(symbol) => self.insert(*symbol),
             Formula::Name(definition) => {
@@ -58,19 +57,13 @@ impl Free {
                     self.collect(&formula);
                 }
             }
-            Formula::Negative(inner) | Formula::Root(inner) => self.collect(inner),
             Formula::Derivative(inner, along) => {
                 self.collect(inner);
                 self.insert(*along);
             }
-            Formula::Sum(parts) | Formula::Product(parts) => parts.iter().for_each(|part| self.collect(part)),
             Formula::Function(function, parts) => {
                 self.gamma |= *function == Function::Gamma;
                 parts.iter().for_each(|part| self.collect(part));
-            }
-            Formula::Quotient(left, right) | Formula::Power(left, right) => {
-                self.collect(left);
-                self.collect(right);
             }
             Formula::QuarterTurn(inner) => self.collect_without(inner, "θ"),
             Formula::Integral(inner, along, upper) => {
@@ -84,6 +77,7 @@ impl Free {
                 }
                 self.collect(value);
             }
+            other => other.parts().into_iter().for_each(|part| self.collect(part)),
         }
     }
 
@@ -188,16 +182,8 @@ impl Formula {
                 format!("let n := {} in let kap := Definitions.kappa n in {}", value.coq(), inner.coq())
             }
             Formula::Function(function, arguments) => {
-                let name = match function {
-                    Function::Gamma => "Gamma",
-                    Function::Kappa => "Definitions.kappa",
-                    Function::Agm => "Agm.agm",
-                    Function::Sine => "sin",
-                    Function::StruveH0 => "Profiles.struve",
-                    Function::Hypergeometric => "KappaSeries.f",
-                };
                 let arguments: Vec<_> = arguments.iter().map(atom).collect();
-                format!("{name} {}", arguments.join(" "))
+                format!("{} {}", function.spelling().coq, arguments.join(" "))
             }
         }
     }

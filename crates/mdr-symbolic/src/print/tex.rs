@@ -32,7 +32,7 @@ impl Formula {
             Formula::Function(Function::Kappa, arguments) => format!(r"\kappa_{{{}}}", small(&arguments[0])),
             Formula::Function(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(Formula::tex).collect();
-                format!("{}{}", name(*function), round(&arguments.join(", ")))
+                format!("{}{}", function.spelling().tex, round(&arguments.join(", ")))
             }
             Formula::QuarterTurn(inner) => {
                 format!(r"\int_0^{{\pi/2}} {} \, d\theta", within(inner, Strength::Product))
@@ -174,16 +174,5 @@ fn of(variable: Variable) -> &'static str {
     match variable {
         Variable::N => "n",
         Variable::Symbol(symbol) => symbol.tex(),
-    }
-}
-
-fn name(function: Function) -> &'static str {
-    match function {
-        Function::Gamma => r"\Gamma",
-        Function::Kappa => r"\kappa",
-        Function::Agm => r"\operatorname{agm}",
-        Function::Sine => r"\sin",
-        Function::StruveH0 => r"\mathbf{H}_0",
-        Function::Hypergeometric => "f",
     }
 }

@@ -31,7 +31,7 @@ impl Formula {
             }
             Formula::Function(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(Formula::text).collect();
-                format!("{}({})", name(*function), arguments.join(", "))
+                format!("{}({})", function.spelling().text, arguments.join(", "))
             }
             Formula::QuarterTurn(inner) => format!("∫₀^(π/2) {} dθ", within(inner, Strength::Product)),
         }
@@ -62,20 +62,14 @@ fn product(factors: &[Formula]) -> String {
 }
 
 fn sum(terms: &[Formula]) -> String {
-    let mut text = String::new();
-    for (i, term) in terms.iter().enumerate() {
-        match term {
-            Formula::Negative(inner) => {
-                let sign = if i == 0 { "−" } else { " − " };
-                text += &format!("{sign}{}", within(inner, Strength::Product));
-            }
-            term => {
-                let sign = if i == 0 { "" } else { " + " };
-                text += &format!("{sign}{}", within(term, Strength::Product));
-            }
-        }
-    }
-    text
+    let join = |(i, term): (usize, &Formula)| {
+        let (sign, part) = match term {
+            Formula::Negative(inner) => (if i == 0 { "−" } else { " − " }, &**inner),
+            term => (if i == 0 { "" } else { " + " }, term),
+        };
+        format!("{sign}{}", within(part, Strength::Product))
+    };
+    terms.iter().enumerate().map(join).collect()
 }
 
 /// An exponent, as a superscript if it is a short natural number.
@@ -94,16 +88,5 @@ fn of(variable: Variable) -> &'static str {
     match variable {
         Variable::N => "n",
         Variable::Symbol(symbol) => symbol.text(),
-    }
-}
-
-fn name(function: Function) -> &'static str {
-    match function {
-        Function::Gamma => "Γ",
-        Function::Kappa => "κ",
-        Function::Agm => "agm",
-        Function::Sine => "sin",
-        Function::StruveH0 => "H₀",
-        Function::Hypergeometric => "f",
     }
 }

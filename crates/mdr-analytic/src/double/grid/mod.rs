@@ -44,6 +44,7 @@
 
 mod kernel;
 mod path;
+#[path = "../../../data/grid.rs"]
 mod table;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Result, Status};
