@@ -1,22 +1,8 @@
 //! `Real` for extended precision.
 
-use num_traits::ToPrimitive;
-
 use super::Wide;
 use super::tables::PI;
 use crate::number::{Literal, Real};
-
-impl<const N: usize> ToPrimitive for Wide<N> {
-    fn to_i64(&self) -> Option<i64> {
-        self.to_f64().and_then(|value| value.to_i64())
-    }
-    fn to_u64(&self) -> Option<u64> {
-        self.to_f64().and_then(|value| value.to_u64())
-    }
-    fn to_f64(&self) -> Option<f64> {
-        Some(self.to_double())
-    }
-}
 
 impl<const N: usize> Real for Wide<N> {
     type Ctx = ();
