@@ -25,13 +25,13 @@ const LIMIT: i64 = 100_000;
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Literal {
     text: String,
-    negative: bool,
+    pub(super) negative: bool,
     /// Significant digits of the numerator, without leading zeros; empty for zero.
-    digits: String,
+    pub(super) digits: String,
     /// The value is ± digits · 10^exponent / denominator.
-    exponent: i64,
+    pub(super) exponent: i64,
     /// Digits of the denominator; "1" for a decimal.
-    denominator: String,
+    pub(super) denominator: String,
 }
 
 /// Why a text is not a literal.
