@@ -18,7 +18,6 @@ use crate::run::Counts;
 use crate::scene::{Profile, Scene};
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{Search, doubles};
-use crate::solve::states::exact;
 
 named! {
     /// The theory of adhesion that a Tabor number calls for.
@@ -251,7 +250,7 @@ fn record<R: SceneReal>(
         a_over_r: Optional(a_over_r),
         admissible,
     };
-    Ok(validity.convert(exact))
+    Ok(validity.convert(Estimate::exact))
 }
 
 /// The state at which the contact breaks under a dead load: the lowest minimum of the force; else the fold beyond which it

@@ -1,6 +1,6 @@
 //! States of the contact, the outcome of an instability, and the status of an answer.
 
-use super::{Error, Quantity, Result};
+use super::{Control, Error, Quantity, Result};
 use crate::named;
 
 named! {
@@ -47,6 +47,16 @@ impl<R> Equilibrium<R> {
             indentation: number(&self.indentation),
             force: number(&self.force),
             stability: self.stability,
+        }
+    }
+
+    /// The same state where it was found at a `value` of the controlled quantity, which it has exactly.
+    #[must_use]
+    pub fn controlled<N>(self, control: &Control<N>, value: R) -> Self {
+        match control {
+            Control::Indentation => Equilibrium { indentation: value, ..self },
+            Control::Force => Equilibrium { force: value, ..self },
+            Control::Machine { .. } => self,
         }
     }
 }
