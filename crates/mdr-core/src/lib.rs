@@ -41,4 +41,5 @@
 
 pub mod calculus;
 pub mod contact;
+mod named;
 pub mod number;

@@ -250,7 +250,7 @@ impl<'a, R: Real> Curve<'a, R> {
     pub(crate) fn force_of(&self, a: &R, excess: &R) -> Result<R> {
         let force = self.edge_stiffness(a) * excess;
         let factors = || [a.lit(2), a.clone(), self.material.effective_modulus().clone(), excess.abs()];
-        force_in_range(force, excess, factors)
+        in_range(Quantity::Force, force, excess, factors)
     }
 }
 
@@ -261,16 +261,21 @@ pub(crate) fn negligible<R: Real>(elongation: &R) -> R {
 
 /// The force of the spring of a machine, or [`Error::OutOfRange`].
 fn spring_force<R: Real>(stiffness: &R, stretch: R) -> Result<R> {
-    force_in_range(stretch.clone() * stiffness, &stretch, || [stiffness.clone(), stretch.abs()])
+    in_range(Quantity::Force, stretch.clone() * stiffness, &stretch, || [stiffness.clone(), stretch.abs()])
 }
 
-/// A force, if it is representable; it vanishes with a length, and is the product of the factors.
-fn force_in_range<R: Real, const N: usize>(force: R, length: &R, factors: impl Fn() -> [R; N]) -> Result<R> {
-    let vanished = force == force.lit(0) && *length != length.lit(0);
-    if vanished || !force.is_finite() {
-        return Err(Error::OutOfRange { quantity: Quantity::Force, log10: log10_of_product(factors()) });
+/// A force or an energy, if it is representable; it vanishes with `reduced`, and is the product of the factors.
+pub(crate) fn in_range<R: Real, const N: usize>(
+    quantity: Quantity,
+    value: R,
+    reduced: &R,
+    factors: impl FnOnce() -> [R; N],
+) -> Result<R> {
+    let vanished = value == value.lit(0) && *reduced != reduced.lit(0);
+    if vanished || !value.is_finite() {
+        return Err(Error::OutOfRange { quantity, log10: log10_of_product(factors()) });
     }
-    Ok(force)
+    Ok(value)
 }
 
 /// log₁₀ of the magnitude of a product that the arithmetic cannot represent.

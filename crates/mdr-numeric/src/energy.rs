@@ -15,7 +15,7 @@ use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh_pieces, roundoff_toler
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
-use crate::curve::{Curve, log10_of_product, negligible, relative_elongation};
+use crate::curve::{Curve, in_range, negligible, relative_elongation};
 use crate::survey::{self, Crossing, Range};
 use mean::Grade;
 
@@ -84,8 +84,8 @@ impl<'a, R: Real> Energy<'a, R> {
         let elastic = mean(&|x| Ok(((d.clone() - g(self.transform, x, &needed)?) / &unit).square()))?;
         let reduced = elastic.times(2) - a.lit(1);
         let potential = a.clone() * self.material.work_of_adhesion() * a.pi() * &a * &reduced;
-        let factors = [a.pi(), a.clone(), a, self.material.work_of_adhesion().clone(), reduced.clone()];
-        in_range(potential, &reduced, factors)
+        let factors = || [a.pi(), a.clone(), a.clone(), self.material.work_of_adhesion().clone(), reduced.clone()];
+        in_range(Quantity::Energy, potential, &reduced, factors)
     }
 
     /// The energy dissipated when the radius jumps from `from` to `to` at fixed d, in J: Π(from, d) − Π(to, d),
@@ -116,8 +116,8 @@ impl<'a, R: Real> Energy<'a, R> {
         let reduced = if shrinks { gained } else { -gained };
         // In units of 2πaw, as the potential of πa²w.
         let lost = (from.clone() * self.material.work_of_adhesion() * from.pi()).times(2) * &reduced;
-        let factors = [from.pi().times(2), from, self.material.work_of_adhesion().clone(), reduced.clone()];
-        in_range(lost, &reduced, factors)
+        let factors = || [from.pi().times(2), from.clone(), self.material.work_of_adhesion().clone(), reduced.clone()];
+        in_range(Quantity::Energy, lost, &reduced, factors)
     }
 
     /// The energy release rate at fixed d over the work of adhesion: (∂/∂a of the elastic energy)/(2πaw). Where it is
@@ -132,7 +132,7 @@ impl<'a, R: Real> Energy<'a, R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let unit = self.unit(&a);
         let excess = (d.clone() - g(self.transform, &a, &negligible(&unit))?) / &unit;
-        in_range(excess.square(), &excess, [excess.clone(), excess.clone()])
+        in_range(Quantity::Energy, excess.square(), &excess, || [excess.clone(), excess.clone()])
     }
 
     /// The same as the derivative of the integral, without the integrand at its end: the method of
@@ -239,15 +239,6 @@ impl<'a, R: Real> Energy<'a, R> {
         }
         Ok(found)
     }
-}
-
-/// An energy, if it is representable; otherwise the error has the log₁₀ of the product of these factors.
-fn in_range<R: Real, const N: usize>(energy: R, reduced: &R, factors: [R; N]) -> Result<R> {
-    let vanished = energy == energy.lit(0) && *reduced != reduced.lit(0);
-    if vanished || !energy.is_finite() {
-        return Err(Error::OutOfRange { quantity: Quantity::Energy, log10: log10_of_product(factors) });
-    }
-    Ok(energy)
 }
 
 /// g(x) to the required accuracy, zero where x is.

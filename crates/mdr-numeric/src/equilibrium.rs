@@ -14,7 +14,7 @@ use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Mate
 use mdr_core::number::{Real, order};
 
 use crate::admissible::{self, Admissibility, Ring, Touch};
-use crate::branch::{Branched, End, Onset, end, onset, unordered};
+use crate::branch::{Branched, End, Onset, Way, end, onset, unordered};
 use crate::curve::Curve;
 use crate::folds::{self, Completeness, Folds};
 use crate::{rim, survey};
@@ -201,13 +201,13 @@ impl<'a, R: Real> Branches<'a, R> {
                 let (lower, upper) = (below.contact_radius.clone(), above.contact_radius.clone());
                 Ok((signs.0 != signs.1).then_some(Change { lower, upper, below: signs.0 }))
             }
-            (Some(fold), None) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Way::Up, value),
-            (None, Some(fold)) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Way::Down, value),
+            (Some(fold), None) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Way::Larger, value),
+            (None, Some(fold)) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Way::Smaller, value),
             (None, None) => {
                 let start = self.start();
                 let from = sign(&self.curve.direction_at(&start, value)?);
-                let down = self.walk(&start, from, Way::Down, value)?;
-                if down.is_some() { Ok(down) } else { self.walk(&start, from, Way::Up, value) }
+                let down = self.walk(&start, from, Way::Smaller, value)?;
+                if down.is_some() { Ok(down) } else { self.walk(&start, from, Way::Larger, value) }
             }
         }
     }
@@ -246,14 +246,14 @@ impl<'a, R: Real> Branches<'a, R> {
         let mut growing = true;
         while octaves > 0 {
             let power = match way {
-                Way::Up => octaves,
-                Way::Down => -octaves,
+                Way::Larger => octaves,
+                Way::Smaller => -octaves,
             };
             match self.turn(last.lit(2).powi(power) * &last, value)? {
                 Some((next, turn)) if turn != from => {
                     return Ok(Some(match way {
-                        Way::Up => Change { lower: last, upper: next, below: from },
-                        Way::Down => Change { lower: next, upper: last, below: turn },
+                        Way::Larger => Change { lower: last, upper: next, below: from },
+                        Way::Smaller => Change { lower: next, upper: last, below: turn },
                     }));
                 }
                 Some((next, _)) => last = next,
@@ -262,7 +262,7 @@ impl<'a, R: Real> Branches<'a, R> {
             octaves = if growing { octaves * 2 } else { octaves / 2 };
         }
         match (way, self.curve.transform().outer_radius()) {
-            (Way::Up, Some(outer)) => self.approach(last, &outer, from, value),
+            (Way::Larger, Some(outer)) => self.approach(last, &outer, from, value),
             _ => Ok(None),
         }
     }
@@ -380,12 +380,6 @@ struct Change<R> {
     lower: R,
     upper: R,
     below: Ordering,
-}
-
-#[derive(Clone, Copy)]
-enum Way {
-    Up,
-    Down,
 }
 
 /// The sign of a direction of change; an exact zero counts as shrinking on both sides.

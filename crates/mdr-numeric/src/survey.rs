@@ -6,7 +6,7 @@
 //! either has no zero or is monotone. Nothing depends on the unit of length. The search is adaptive, so it finds pairs
 //! of crossings that a fixed step would miss; it is numerical evidence, not a proof.
 //!
-//! It complements `mdr_core::calculus::isolate`, which requires a finite function on a bounded range: this search
+//! It complements `mdr_core::calculus::isolate`, which proves what it finds on a bounded range: this search
 //! extends to the ends of the exponent range, over kinks, and past radii where the ratio is out of range or cannot be
 //! computed.
 

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::OnceLock;
 
+use crate::named::named;
 use crate::record::Record;
 use crate::text::excerpt;
 
@@ -95,30 +96,20 @@ struct Term {
     value: String,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Key {
-    Id,
-    Profile,
-    Formula,
-    Quantity,
-    Unit,
-    Control,
-    Status,
-    Difficulty,
-    Flag,
+named! {
+    /// What a term is about.
+    enum Key {
+        Id = "id",
+        Profile = "profile",
+        Formula = "formula",
+        Quantity = "quantity",
+        Unit = "unit",
+        Control = "control",
+        Status = "status",
+        Difficulty = "difficulty",
+        Flag = "flag",
+    }
 }
-
-const KEYS: [(&str, Key); 9] = [
-    ("id", Key::Id),
-    ("profile", Key::Profile),
-    ("formula", Key::Formula),
-    ("quantity", Key::Quantity),
-    ("unit", Key::Unit),
-    ("control", Key::Control),
-    ("status", Key::Status),
-    ("difficulty", Key::Difficulty),
-    ("flag", Key::Flag),
-];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Relation {
@@ -141,7 +132,7 @@ enum Wrong {
     /// A term of another form.
     Form,
     /// A value that no record has under this key.
-    Value(&'static str, Key),
+    Value(Key),
     /// Terms that no record satisfies together.
     Empty,
 }
@@ -151,16 +142,16 @@ impl fmt::Display for FilterError {
         let text = excerpt(&self.text);
         match self.wrong {
             Wrong::Form => {
-                let keys = KEYS.map(|(name, _)| name).join(", ");
+                let keys = Key::ALL.map(Key::name).join(", ");
                 write!(f, "{text} is no condition: expected key=value, key!=value or key~part with one of {keys}")
             }
             Wrong::Empty => write!(f, "no record meets all terms of {text}: leave one out"),
-            Wrong::Value(_, Key::Id) => write!(f, "{text} fits no record: there is no such id"),
-            Wrong::Value(name, key) => {
+            Wrong::Value(Key::Id) => write!(f, "{text} fits no record: there is no such id"),
+            Wrong::Value(key) => {
                 let mut values: Vec<&str> = records().iter().flat_map(|record| key.values(record)).collect();
                 values.sort_unstable();
                 values.dedup();
-                write!(f, "{text} fits no record: {name} is one of {}", values.join(", "))
+                write!(f, "{text} fits no record: {key} is one of {}", values.join(", "))
             }
         }
     }
@@ -187,15 +178,15 @@ fn term(text: &str) -> Result<Term, FilterError> {
         .into_iter()
         .find_map(|(sign, relation)| rest.strip_prefix(sign).map(|value| (relation, value)))
         .ok_or_else(error)?;
-    let known = KEYS.into_iter().find(|(key, _)| *key == name).ok_or_else(error)?;
+    let key = Key::ALL.into_iter().find(|key| key.name() == name).ok_or_else(error)?;
     if value.is_empty() {
         return Err(error());
     }
-    let term = Term { key: known.1, relation, value: value.to_owned() };
+    let term = Term { key, relation, value: value.to_owned() };
     if records().iter().any(|record| term.fits(record)) {
         Ok(term)
     } else {
-        Err(FilterError { text: text.to_owned(), wrong: Wrong::Value(known.0, known.1) })
+        Err(FilterError { text: text.to_owned(), wrong: Wrong::Value(key) })
     }
 }
 

@@ -1,38 +1,19 @@
 //! The difficulty of a question for double precision, by published thresholds.
 
-use std::fmt;
 use std::str::FromStr;
 
+use crate::named::named;
 use crate::text::excerpt;
 
-/// The three levels of NIST's Statistical Reference Datasets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Difficulty {
-    /// Any correct program computes it correctly.
-    Lower,
-    /// Digits are lost, or intermediate results need care.
-    Average,
-    /// Few digits are left, or a naive program overflows, does not converge or finds the wrong state.
-    Higher,
-}
-
-impl Difficulty {
-    /// All of them.
-    pub const ALL: [Difficulty; 3] = [Difficulty::Lower, Difficulty::Average, Difficulty::Higher];
-
-    /// The name in the records.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Difficulty::Lower => "lower",
-            Difficulty::Average => "average",
-            Difficulty::Higher => "higher",
-        }
-    }
-}
-
-impl fmt::Display for Difficulty {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+named! {
+    /// The three levels of NIST's Statistical Reference Datasets.
+    pub enum Difficulty {
+        /// Any correct program computes it correctly.
+        Lower = "lower",
+        /// Digits are lost, or intermediate results need care.
+        Average = "average",
+        /// Few digits are left, or a naive program overflows, does not converge or finds the wrong state.
+        Higher = "higher",
     }
 }
 

@@ -35,6 +35,7 @@ mod hexadecimal;
 mod json;
 mod judge;
 mod measure;
+mod named;
 mod number;
 mod record;
 mod table;

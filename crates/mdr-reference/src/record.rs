@@ -1,65 +1,34 @@
 //! A certified value with its question, condition and provenance.
 
-use std::fmt;
 use std::str::FromStr;
 
 use crate::decimal::Decimal;
 use crate::difficulty::Difficulty;
 use crate::hexadecimal;
+use crate::named::named;
 use crate::text::excerpt;
 
 /// The unit roundoff of a double, 2⁻⁵³.
 pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
-/// The status of a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Status {
-    /// A number.
-    Ok,
-    /// No state satisfies the equations.
-    NoEquilibrium,
-    /// The state is the fold itself.
-    Fold,
-    /// A number beyond the largest double.
-    Overflow,
-    /// A number below the smallest normal double.
-    Underflow,
-    /// An input is outside its domain.
-    DomainError,
-    /// The surfaces would interpenetrate outside the assumed simply connected contact.
-    NotAdmissible,
-}
-
-impl Status {
-    /// All of them.
-    pub const ALL: [Status; 7] = [
-        Status::Ok,
-        Status::NoEquilibrium,
-        Status::Fold,
-        Status::Overflow,
-        Status::Underflow,
-        Status::DomainError,
-        Status::NotAdmissible,
-    ];
-
-    /// The name in the records.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Status::Ok => "ok",
-            Status::NoEquilibrium => "no-equilibrium",
-            Status::Fold => "fold",
-            Status::Overflow => "overflow",
-            Status::Underflow => "underflow",
-            Status::DomainError => "domain-error",
-            Status::NotAdmissible => "not-admissible",
-        }
-    }
-}
-
-impl fmt::Display for Status {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+named! {
+    /// The status of a value.
+    #[non_exhaustive]
+    pub enum Status {
+        /// A number.
+        Ok = "ok",
+        /// No state satisfies the equations.
+        NoEquilibrium = "no-equilibrium",
+        /// The state is the fold itself.
+        Fold = "fold",
+        /// A number beyond the largest double.
+        Overflow = "overflow",
+        /// A number below the smallest normal double.
+        Underflow = "underflow",
+        /// An input is outside its domain.
+        DomainError = "domain-error",
+        /// The surfaces would interpenetrate outside the assumed simply connected contact.
+        NotAdmissible = "not-admissible",
     }
 }
 

@@ -17,6 +17,13 @@ pub struct Place {
     pub line: usize,
 }
 
+/// `file:line`.
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.file, self.line)
+    }
+}
+
 /// Why a scene has no answer: which input is wrong, where it stands, and what would be right.
 ///
 /// ```
@@ -25,10 +32,11 @@ pub struct Place {
 /// let error = Scene::from_toml(scene, "tip.toml", &mdr::no_files).unwrap_err();
 /// assert_eq!(error.to_string(), "tip.toml:3: profile.radius: must be positive, got -1");
 /// ```
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// An input of the scene is refused.
+    #[error("{}{key}: {why}", place.as_ref().map_or_else(String::new, |place| format!("{place}: ")))]
     Scene {
         /// Where it stands; none in a scene that was built.
         place: Option<Place>,
@@ -38,8 +46,10 @@ pub enum Error {
         why: String,
     },
     /// The question has no answer: a quantity out of its domain, no equilibrium, a decision that stays open.
-    Contact(contact::Error),
+    #[error("{0}")]
+    Contact(#[source] contact::Error),
     /// A file could not be read.
+    #[error("{name}: {source}")]
     Io {
         /// Its name.
         name: String,
@@ -47,37 +57,14 @@ pub enum Error {
         source: io::Error,
     },
     /// Certified digits in a build without the feature `mp`.
+    #[error("{what} needs the feature `mp` (GMP and MPFR), which this build is without; ask for f64")]
     NeedsMp {
         /// What was asked for.
         what: &'static str,
     },
     /// The run was [stopped](crate::Stop).
+    #[error("stopped before the answer was complete")]
     Stopped,
-}
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Error::Scene { place: Some(Place { file, line }), key, why } => write!(f, "{file}:{line}: {key}: {why}"),
-            Error::Scene { place: None, key, why } => write!(f, "{key}: {why}"),
-            Error::Contact(error) => error.fmt(f),
-            Error::Io { name, source } => write!(f, "{name}: {source}"),
-            Error::NeedsMp { what } => {
-                write!(f, "{what} needs the feature `mp` (GMP and MPFR), which this build is without; ask for f64")
-            }
-            Error::Stopped => f.write_str("stopped before the answer was complete"),
-        }
-    }
-}
-
-impl std::error::Error for Error {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Error::Contact(error) => Some(error),
-            Error::Io { source, .. } => Some(source),
-            _ => None,
-        }
-    }
 }
 
 impl From<contact::Error> for Error {

@@ -6,43 +6,34 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Error, FoldKind, Instability, Result, Status};
+use mdr_core::named;
 use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::Folds;
 
-use crate::answer::record::{Numbers, Part, Row, record};
-use crate::answer::{Admission, Number, Optional, Promise, Value};
+use crate::answer::record::{Numbers, Part, Row, constant_parts, record};
+use crate::answer::{Admission, Cell, Number, Optional, Promise, Value};
 use crate::run::Counts;
 use crate::scene::{Profile, Scene};
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{Search, doubles};
-use crate::solve::states::exact;
 
-/// The theory of adhesion that a Tabor number calls for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum AdhesionRegime {
-    /// μ > 5: short range, the theory of this library.
-    Jkr,
-    /// 0.1 ≤ μ ≤ 5: neither limit; Maugis–Dugdale.
-    Transition,
-    /// μ < 0.1: long range, the attraction does not deform the bodies.
-    Dmt,
-    /// There is no instability under a dead load, and no Tabor number.
-    Unknown,
+named! {
+    /// The theory of adhesion that a Tabor number calls for.
+    pub enum AdhesionRegime {
+        /// μ > 5: short range, the theory of this library.
+        Jkr = "JKR",
+        /// 0.1 ≤ μ ≤ 5: neither limit; Maugis–Dugdale.
+        Transition = "transition",
+        /// μ < 0.1: long range, the attraction does not deform the bodies.
+        Dmt = "DMT",
+        /// There is no instability under a dead load, and no Tabor number.
+        Unknown = "unknown",
+    }
 }
 
 impl AdhesionRegime {
-    /// As answers name it.
-    pub fn name(self) -> &'static str {
-        match self {
-            AdhesionRegime::Jkr => "JKR",
-            AdhesionRegime::Transition => "transition",
-            AdhesionRegime::Dmt => "DMT",
-            AdhesionRegime::Unknown => "unknown",
-        }
-    }
-
     fn of(tabor: f64) -> Self {
         match tabor {
             mu if mu > 5.0 => AdhesionRegime::Jkr,
@@ -103,16 +94,8 @@ record! {
     }
 }
 
-impl<N> Part<N> for AdhesionRegime {
-    type With<M> = Self;
-
-    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
-        self
-    }
-
-    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-        row.cells.push((key, crate::answer::Cell::Word(self.name())));
-    }
+constant_parts! {
+    AdhesionRegime: |regime, key, row| row.cells.push((key, Cell::Word(regime.name())));
 }
 
 impl Validity {
@@ -267,7 +250,7 @@ fn record<R: SceneReal>(
         a_over_r: Optional(a_over_r),
         admissible,
     };
-    Ok(validity.convert(exact))
+    Ok(validity.convert(Estimate::exact))
 }
 
 /// The state at which the contact breaks under a dead load: the lowest minimum of the force; else the fold beyond which it

@@ -1,5 +1,7 @@
 //! A computed value, its error estimate and its cost.
 
+use std::ops::AddAssign;
+
 use crate::contact::{Error, Quantity, Result};
 use crate::number::Real;
 
@@ -18,6 +20,11 @@ pub struct Estimate<R> {
 }
 
 impl<R: Real> Estimate<R> {
+    /// A value without an error of its own.
+    pub fn exact(value: R) -> Self {
+        Estimate { error: value.lit(0), value, evaluations: 0 }
+    }
+
     /// The estimate of the integral times a positive factor, which is taken to be exact.
     #[must_use]
     pub fn scaled(self, factor: &R) -> Self {
@@ -26,6 +33,15 @@ impl<R: Real> Estimate<R> {
 
     fn is_within(&self, tolerance: &R, magnitude: &R) -> bool {
         self.error <= tolerance.clone() * magnitude.steer()
+    }
+}
+
+/// Errors and evaluations are added, too.
+impl<R: Real> AddAssign<&Self> for Estimate<R> {
+    fn add_assign(&mut self, other: &Self) {
+        self.value += &other.value;
+        self.error += &other.error;
+        self.evaluations += other.evaluations;
     }
 }
 

@@ -110,13 +110,10 @@ pub fn pieces<R: Real>(
         ends.reverse();
     }
     ends.push(upper);
-    let mut total = Estimate { value: lower.lit(0), error: lower.lit(0), evaluations: 0 };
+    let mut total = Estimate::exact(lower.lit(0));
     let mut from = lower;
     for to in ends {
-        let piece = integral(from, to)?;
-        total.value += &piece.value;
-        total.error += &piece.error;
-        total.evaluations += piece.evaluations;
+        total += &integral(from, to)?;
         from = to;
     }
     Ok(total)
@@ -226,7 +223,7 @@ fn integrate<R: Real>(
         return Ok(Estimate { value: -mirrored.value, ..mirrored });
     }
     if width.steer() == zero {
-        return Ok(Estimate { value: zero.clone(), error: zero, evaluations: 0 });
+        return Ok(Estimate::exact(zero));
     }
     let panel = Panel { lower, upper, width };
     let table = RULES.rule(panel.width.precision(), Key::TanhSinh, || Ok(Table::new(&panel.width, &RULES)))?;

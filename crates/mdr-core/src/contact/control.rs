@@ -1,6 +1,7 @@
 //! The controlled quantity: what is prescribed while the contact radius adjusts.
 
 use super::{Error, Quantity, Result};
+use crate::named;
 use crate::number::Real;
 
 /// The controlled quantity.
@@ -17,30 +18,19 @@ pub enum Control<R> {
     },
 }
 
-/// The kind of controlled quantity, without the stiffness of a machine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ControlKind {
-    /// The indentation depth d: fixed grips.
-    Indentation,
-    /// The normal force F: a dead load.
-    Force,
-    /// The position D = d + F/k of a machine of stiffness k.
-    Machine,
+named! {
+    /// The kind of controlled quantity, without the stiffness of a machine.
+    pub enum ControlKind {
+        /// The indentation depth d: fixed grips.
+        Indentation = "indentation",
+        /// The normal force F: a dead load.
+        Force = "force",
+        /// The position D = d + F/k of a machine of stiffness k.
+        Machine = "machine",
+    }
 }
 
 impl ControlKind {
-    /// All kinds, in the order of their stiffness.
-    pub const ALL: [ControlKind; 3] = [ControlKind::Indentation, ControlKind::Force, ControlKind::Machine];
-
-    /// The name in scenes and answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            ControlKind::Indentation => "indentation",
-            ControlKind::Force => "force",
-            ControlKind::Machine => "machine",
-        }
-    }
-
     /// The symbol of the controlled quantity: `d`, `F` or `D = d + F/k`.
     pub fn symbol(self) -> &'static str {
         match self {

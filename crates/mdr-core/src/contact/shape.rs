@@ -2,126 +2,176 @@
 
 use crate::number::Special;
 
-/// A profile f(r) of the library with parameters of type `N`: [`Literal`](crate::number::Literal)s in a scene, numbers of an
-/// arithmetic in a formula. Lengths are in metres.
-///
-/// The formulas of f are in the numeric crate, the transforms g in the analytic crate.
-///
-/// ```
-/// use mdr_core::contact::Shape;
-/// let tip = Shape::RoundedPunch { radius: 2.0, flat: 0.5 };
-/// assert_eq!(tip.name(), "rounded-punch");
-/// let millimetres = tip.map(|_, length| 1e3 * length);
-/// assert_eq!(millimetres, Shape::RoundedPunch { radius: 2e3, flat: 0.5e3 });
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub enum Shape<N> {
-    /// f = C rⁿ, the family of the paper (1.11).
-    Power {
-        /// n.
-        n: N,
-        /// C, in m^(1−n).
-        c: N,
-    },
-    /// f = r²/2R, the profile of the JKR theory.
-    Paraboloid {
-        /// R, the radius of curvature.
-        radius: N,
-    },
-    /// f = r tan θ.
-    Cone {
-        /// The steepness.
-        flank: Flank<N>,
-    },
-    /// f = R − √(R² − r²), up to the equator.
-    Sphere {
-        /// R.
-        radius: N,
-    },
-    /// f = h (1 − √(1 − r²/b²)), up to the equator.
-    Ellipsoid {
-        /// The half axis b in the plane of contact.
-        lateral: N,
-        /// The half axis h across it.
-        height: N,
-    },
-    /// A flat face with a vertical edge.
-    FlatPunch {
-        /// The radius of the face.
-        radius: N,
-    },
-    /// A cone with a flat face instead of its tip.
-    TruncatedCone {
-        /// The steepness.
-        flank: Flank<N>,
-        /// The radius of the face.
-        flat: N,
-    },
-    /// A paraboloid with a flat face instead of its tip.
-    TruncatedParaboloid {
-        /// The radius of curvature.
-        radius: N,
-        /// The radius of the face.
-        flat: N,
-    },
-    /// A cone that begins as a paraboloid, with one slope where they meet.
-    ConeParabolicCap {
-        /// The steepness.
-        flank: Flank<N>,
-        /// The radius where they meet.
-        cap: N,
-    },
-    /// A cone that begins as a sphere, with one slope where they meet.
-    ConeSphericalCap {
-        /// The steepness.
-        flank: Flank<N>,
-        /// The radius of the sphere.
-        radius: N,
-    },
-    /// A hyperboloid of revolution.
-    Hyperboloid {
-        /// The steepness of the asymptote.
-        flank: Flank<N>,
-        /// The half axis in the plane of contact.
-        lateral: N,
-    },
-    /// A flat face with a parabolic rounding around it.
-    RoundedPunch {
-        /// The radius of curvature of the rounding.
-        radius: N,
-        /// The radius of the face.
-        flat: N,
-    },
-    /// A parabola with its vertex beside the axis: f = r²/2R − b r/R.
-    DisplacedParaboloid {
-        /// The radius of curvature R.
-        radius: N,
-        /// b, the distance of the vertex from the axis.
-        offset: N,
-    },
-    /// A parabolic dimple in a flat face.
-    ParabolicDimple {
-        /// Its depth.
-        depth: N,
-        /// Its radius.
-        radius: N,
-    },
-    /// An elliptical dimple in a flat face.
-    EllipticalDimple {
-        /// Its depth.
-        depth: N,
-        /// Its radius.
-        radius: N,
-    },
-    /// f = r²/2R + A (1 − cos 2πr/λ), figure 4 of the paper.
-    WavyParaboloid {
-        /// R, the radius of curvature.
-        radius: N,
-        /// A, of either sign.
-        amplitude: N,
-        /// λ.
-        wavelength: N,
-    },
+/// Declares the shapes: names, and parameters in their order, each a number `N` or a [`Flank`] of one.
+macro_rules! shapes {
+    (@blank N) => { () };
+    (@blank Flank) => { Flank::Slope(()) };
+    (@parameter N $field:ident) => { (stringify!($field), $field) };
+    (@parameter Flank $field:ident) => { $field.parameter() };
+    (@map N $field:ident $f:ident) => { $f(stringify!($field), $field)? };
+    (@map Flank $field:ident $f:ident) => { $field.try_map(&mut $f)? };
+    ($(#[$meta:meta])* {$(
+        $(#[$doc:meta])* $shape:ident = $name:literal { $($(#[$field_doc:meta])* $field:ident: $kind:ident $(<$of:ident>)?,)* },
+    )*}) => {
+        $(#[$meta])*
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Shape<N> {$(
+            $(#[$doc])*
+            $shape { $($(#[$field_doc])* $field: $kind$(<$of>)?,)* },
+        )*}
+
+        /// Every shape without its parameters.
+        const BLANK: &[Shape<()>] = &[$(Shape::$shape { $($field: shapes!(@blank $kind),)* },)*];
+
+        impl<N> Shape<N> {
+            /// The name in scenes and records: `rounded-punch`.
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(Shape::$shape { .. } => $name,)*
+                }
+            }
+
+            /// The parameters with their keys in a scene.
+            pub fn parameters(&self) -> Vec<(&'static str, &N)> {
+                match self {
+                    $(Shape::$shape { $($field,)* } => vec![$(shapes!(@parameter $kind $field),)*],)*
+                }
+            }
+
+            /// As [`Shape::map`], where `f` may fail.
+            ///
+            /// # Errors
+            /// The first error of `f`.
+            pub fn try_map<M, E>(&self, mut f: impl FnMut(&'static str, &N) -> Result<M, E>) -> Result<Shape<M>, E> {
+                Ok(match self {
+                    $(Shape::$shape { $($field,)* } => Shape::$shape { $($field: shapes!(@map $kind $field f),)* },)*
+                })
+            }
+        }
+    };
+}
+
+shapes! {
+    /// A profile f(r) of the library with parameters of type `N`: [`Literal`](crate::number::Literal)s in a scene, numbers of an
+    /// arithmetic in a formula. Lengths are in metres.
+    ///
+    /// The formulas of f are in the numeric crate, the transforms g in the analytic crate.
+    ///
+    /// ```
+    /// use mdr_core::contact::Shape;
+    /// let tip = Shape::RoundedPunch { radius: 2.0, flat: 0.5 };
+    /// assert_eq!(tip.name(), "rounded-punch");
+    /// let millimetres = tip.map(|_, length| 1e3 * length);
+    /// assert_eq!(millimetres, Shape::RoundedPunch { radius: 2e3, flat: 0.5e3 });
+    /// ```
+    {
+        /// f = C rⁿ, the family of the paper (1.11).
+        Power = "power" {
+            /// n.
+            n: N,
+            /// C, in m^(1−n).
+            c: N,
+        },
+        /// f = r²/2R, the profile of the JKR theory.
+        Paraboloid = "paraboloid" {
+            /// R, the radius of curvature.
+            radius: N,
+        },
+        /// f = r tan θ.
+        Cone = "cone" {
+            /// The steepness.
+            flank: Flank<N>,
+        },
+        /// f = R − √(R² − r²), up to the equator.
+        Sphere = "sphere" {
+            /// R.
+            radius: N,
+        },
+        /// f = h (1 − √(1 − r²/b²)), up to the equator.
+        Ellipsoid = "ellipsoid" {
+            /// The half axis b in the plane of contact.
+            lateral: N,
+            /// The half axis h across it.
+            height: N,
+        },
+        /// A flat face with a vertical edge.
+        FlatPunch = "flat-punch" {
+            /// The radius of the face.
+            radius: N,
+        },
+        /// A cone with a flat face instead of its tip.
+        TruncatedCone = "truncated-cone" {
+            /// The steepness.
+            flank: Flank<N>,
+            /// The radius of the face.
+            flat: N,
+        },
+        /// A paraboloid with a flat face instead of its tip.
+        TruncatedParaboloid = "truncated-paraboloid" {
+            /// The radius of curvature.
+            radius: N,
+            /// The radius of the face.
+            flat: N,
+        },
+        /// A cone that begins as a paraboloid, with one slope where they meet.
+        ConeParabolicCap = "cone-parabolic-cap" {
+            /// The steepness.
+            flank: Flank<N>,
+            /// The radius where they meet.
+            cap: N,
+        },
+        /// A cone that begins as a sphere, with one slope where they meet.
+        ConeSphericalCap = "cone-spherical-cap" {
+            /// The steepness.
+            flank: Flank<N>,
+            /// The radius of the sphere.
+            radius: N,
+        },
+        /// A hyperboloid of revolution.
+        Hyperboloid = "hyperboloid" {
+            /// The steepness of the asymptote.
+            flank: Flank<N>,
+            /// The half axis in the plane of contact.
+            lateral: N,
+        },
+        /// A flat face with a parabolic rounding around it.
+        RoundedPunch = "rounded-punch" {
+            /// The radius of curvature of the rounding.
+            radius: N,
+            /// The radius of the face.
+            flat: N,
+        },
+        /// A parabola with its vertex beside the axis: f = r²/2R − b r/R.
+        DisplacedParaboloid = "displaced-paraboloid" {
+            /// The radius of curvature R.
+            radius: N,
+            /// b, the distance of the vertex from the axis.
+            offset: N,
+        },
+        /// A parabolic dimple in a flat face.
+        ParabolicDimple = "parabolic-dimple" {
+            /// Its depth.
+            depth: N,
+            /// Its radius.
+            radius: N,
+        },
+        /// An elliptical dimple in a flat face.
+        EllipticalDimple = "elliptical-dimple" {
+            /// Its depth.
+            depth: N,
+            /// Its radius.
+            radius: N,
+        },
+        /// f = r²/2R + A (1 − cos 2πr/λ), figure 4 of the paper.
+        WavyParaboloid = "wavy-paraboloid" {
+            /// R, the radius of curvature.
+            radius: N,
+            /// A, of either sign.
+            amplitude: N,
+            /// λ.
+            wavelength: N,
+        },
+    }
 }
 
 /// The slope of a cone, as the user gives it.
@@ -166,35 +216,15 @@ impl<N> Flank<N> {
     }
 }
 
-/// Every name with a shape of that name.
-const NAMES: [(&str, Shape<()>); 16] = [
-    ("power", Shape::Power { n: (), c: () }),
-    ("paraboloid", Shape::Paraboloid { radius: () }),
-    ("cone", Shape::Cone { flank: Flank::Slope(()) }),
-    ("sphere", Shape::Sphere { radius: () }),
-    ("ellipsoid", Shape::Ellipsoid { lateral: (), height: () }),
-    ("flat-punch", Shape::FlatPunch { radius: () }),
-    ("truncated-cone", Shape::TruncatedCone { flank: Flank::Slope(()), flat: () }),
-    ("truncated-paraboloid", Shape::TruncatedParaboloid { radius: (), flat: () }),
-    ("cone-parabolic-cap", Shape::ConeParabolicCap { flank: Flank::Slope(()), cap: () }),
-    ("cone-spherical-cap", Shape::ConeSphericalCap { flank: Flank::Slope(()), radius: () }),
-    ("hyperboloid", Shape::Hyperboloid { flank: Flank::Slope(()), lateral: () }),
-    ("rounded-punch", Shape::RoundedPunch { radius: (), flat: () }),
-    ("displaced-paraboloid", Shape::DisplacedParaboloid { radius: (), offset: () }),
-    ("parabolic-dimple", Shape::ParabolicDimple { depth: (), radius: () }),
-    ("elliptical-dimple", Shape::EllipticalDimple { depth: (), radius: () }),
-    ("wavy-paraboloid", Shape::WavyParaboloid { radius: (), amplitude: (), wavelength: () }),
-];
-
 impl Shape<()> {
     /// All names of shapes, as scenes and records use them.
     pub fn names() -> impl Iterator<Item = &'static str> {
-        NAMES.iter().map(|(name, _)| *name)
+        BLANK.iter().map(Shape::name)
     }
 
     /// The shape with this name, without parameters; cones by their slope.
     pub fn by_name(name: &str) -> Option<&'static Shape<()>> {
-        NAMES.iter().find(|(known, _)| *known == name).map(|(_, shape)| shape)
+        BLANK.iter().find(|shape| shape.name() == name)
     }
 }
 
@@ -210,39 +240,6 @@ impl<N> Shape<N> {
             | Shape::DisplacedParaboloid { radius, .. }
             | Shape::WavyParaboloid { radius, .. } => Some(radius),
             _ => None,
-        }
-    }
-
-    /// The name in scenes and records: `rounded-punch`.
-    pub fn name(&self) -> &'static str {
-        let blank = self.map(|_, _| ());
-        let same = |(_, shape): &&(&str, Shape<()>)| std::mem::discriminant(shape) == std::mem::discriminant(&blank);
-        NAMES.iter().find(same).map_or("", |(name, _)| name)
-    }
-
-    /// The parameters with their keys in a scene.
-    pub fn parameters(&self) -> Vec<(&'static str, &N)> {
-        match self {
-            Shape::Power { n, c } => vec![("n", n), ("c", c)],
-            Shape::Paraboloid { radius } | Shape::Sphere { radius } | Shape::FlatPunch { radius } => {
-                vec![("radius", radius)]
-            }
-            Shape::Cone { flank } => vec![flank.parameter()],
-            Shape::Ellipsoid { lateral, height } => vec![("lateral", lateral), ("height", height)],
-            Shape::TruncatedCone { flank, flat } => vec![flank.parameter(), ("flat", flat)],
-            Shape::TruncatedParaboloid { radius, flat } | Shape::RoundedPunch { radius, flat } => {
-                vec![("radius", radius), ("flat", flat)]
-            }
-            Shape::ConeParabolicCap { flank, cap } => vec![flank.parameter(), ("cap", cap)],
-            Shape::ConeSphericalCap { flank, radius } => vec![flank.parameter(), ("radius", radius)],
-            Shape::Hyperboloid { flank, lateral } => vec![flank.parameter(), ("lateral", lateral)],
-            Shape::DisplacedParaboloid { radius, offset } => vec![("radius", radius), ("offset", offset)],
-            Shape::ParabolicDimple { depth, radius } | Shape::EllipticalDimple { depth, radius } => {
-                vec![("depth", depth), ("radius", radius)]
-            }
-            Shape::WavyParaboloid { radius, amplitude, wavelength } => {
-                vec![("radius", radius), ("amplitude", amplitude), ("wavelength", wavelength)]
-            }
         }
     }
 
@@ -262,55 +259,6 @@ impl<N> Shape<N> {
             | Shape::Hyperboloid { flank, .. } => Some(flank),
             _ => None,
         }
-    }
-
-    /// As [`Shape::map`], where `f` may fail.
-    ///
-    /// # Errors
-    /// The first error of `f`.
-    pub fn try_map<M, E>(&self, mut f: impl FnMut(&'static str, &N) -> Result<M, E>) -> Result<Shape<M>, E> {
-        Ok(match self {
-            Shape::Power { n, c } => Shape::Power { n: f("n", n)?, c: f("c", c)? },
-            Shape::Paraboloid { radius } => Shape::Paraboloid { radius: f("radius", radius)? },
-            Shape::Cone { flank } => Shape::Cone { flank: flank.try_map(&mut f)? },
-            Shape::Sphere { radius } => Shape::Sphere { radius: f("radius", radius)? },
-            Shape::Ellipsoid { lateral, height } => {
-                Shape::Ellipsoid { lateral: f("lateral", lateral)?, height: f("height", height)? }
-            }
-            Shape::FlatPunch { radius } => Shape::FlatPunch { radius: f("radius", radius)? },
-            Shape::TruncatedCone { flank, flat } => {
-                Shape::TruncatedCone { flank: flank.try_map(&mut f)?, flat: f("flat", flat)? }
-            }
-            Shape::TruncatedParaboloid { radius, flat } => {
-                Shape::TruncatedParaboloid { radius: f("radius", radius)?, flat: f("flat", flat)? }
-            }
-            Shape::ConeParabolicCap { flank, cap } => {
-                Shape::ConeParabolicCap { flank: flank.try_map(&mut f)?, cap: f("cap", cap)? }
-            }
-            Shape::ConeSphericalCap { flank, radius } => {
-                Shape::ConeSphericalCap { flank: flank.try_map(&mut f)?, radius: f("radius", radius)? }
-            }
-            Shape::Hyperboloid { flank, lateral } => {
-                Shape::Hyperboloid { flank: flank.try_map(&mut f)?, lateral: f("lateral", lateral)? }
-            }
-            Shape::RoundedPunch { radius, flat } => {
-                Shape::RoundedPunch { radius: f("radius", radius)?, flat: f("flat", flat)? }
-            }
-            Shape::DisplacedParaboloid { radius, offset } => {
-                Shape::DisplacedParaboloid { radius: f("radius", radius)?, offset: f("offset", offset)? }
-            }
-            Shape::ParabolicDimple { depth, radius } => {
-                Shape::ParabolicDimple { depth: f("depth", depth)?, radius: f("radius", radius)? }
-            }
-            Shape::EllipticalDimple { depth, radius } => {
-                Shape::EllipticalDimple { depth: f("depth", depth)?, radius: f("radius", radius)? }
-            }
-            Shape::WavyParaboloid { radius, amplitude, wavelength } => Shape::WavyParaboloid {
-                radius: f("radius", radius)?,
-                amplitude: f("amplitude", amplitude)?,
-                wavelength: f("wavelength", wavelength)?,
-            },
-        })
     }
 }
 

@@ -1,27 +1,17 @@
 //! States of the contact, the outcome of an instability, and the status of an answer.
 
-use std::fmt;
+use super::{Control, Error, Quantity, Result};
+use crate::named;
 
-use super::{Error, Quantity, Result};
-
-/// The kind of instability of a power-law profile f = C rⁿ.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Regime {
-    /// n > 1/2: under sufficient tension the contact breaks.
-    PullOff,
-    /// n = 1/2: the problem has no length scale; the ratio of C to a threshold decides.
-    ScaleFree,
-    /// n < 1/2: under sufficient compression the contact spreads over the whole surface.
-    CompleteContact,
-}
-
-impl fmt::Display for Regime {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Regime::PullOff => "pull-off",
-            Regime::ScaleFree => "scale-free",
-            Regime::CompleteContact => "complete-contact",
-        })
+named! {
+    /// The kind of instability of a power-law profile f = C rⁿ.
+    pub enum Regime {
+        /// n > 1/2: under sufficient tension the contact breaks.
+        PullOff = "pull-off",
+        /// n = 1/2: the problem has no length scale; the ratio of C to a threshold decides.
+        ScaleFree = "scale-free",
+        /// n < 1/2: under sufficient compression the contact spreads over the whole surface.
+        CompleteContact = "complete-contact",
     }
 }
 
@@ -59,25 +49,26 @@ impl<R> Equilibrium<R> {
             stability: self.stability,
         }
     }
-}
 
-/// The type of extremum that the controlled quantity, as a function of the contact radius along the equilibria, has at
-/// a fold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum FoldKind {
-    /// Below the fold there is no equilibrium nearby.
-    Minimum,
-    /// Above the fold there is no equilibrium nearby.
-    Maximum,
-}
-
-impl FoldKind {
-    /// `minimum` or `maximum`.
-    pub fn name(self) -> &'static str {
-        match self {
-            FoldKind::Minimum => "minimum",
-            FoldKind::Maximum => "maximum",
+    /// The same state where it was found at a `value` of the controlled quantity, which it has exactly.
+    #[must_use]
+    pub fn controlled<N>(self, control: &Control<N>, value: R) -> Self {
+        match control {
+            Control::Indentation => Equilibrium { indentation: value, ..self },
+            Control::Force => Equilibrium { force: value, ..self },
+            Control::Machine { .. } => self,
         }
+    }
+}
+
+named! {
+    /// The type of extremum that the controlled quantity, as a function of the contact radius along the equilibria, has at
+    /// a fold.
+    pub enum FoldKind {
+        /// Below the fold there is no equilibrium nearby.
+        Minimum = "minimum",
+        /// Above the fold there is no equilibrium nearby.
+        Maximum = "maximum",
     }
 }
 
@@ -128,40 +119,26 @@ impl<R> From<Instability<R>> for Equilibrium<R> {
     }
 }
 
-/// The status of an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Status {
-    /// A number, as good as its promise.
-    Ok,
-    /// No state satisfies the equations.
-    NoEquilibrium,
-    /// The state is the fold itself.
-    Fold,
-    /// Beyond the largest number of the arithmetic.
-    Overflow,
-    /// Below the smallest positive number of the arithmetic.
-    Underflow,
-    /// An input is outside its domain.
-    DomainError,
-    /// The surfaces would interpenetrate outside the assumed simply connected contact.
-    NotAdmissible,
-    /// No permitted precision decides the required digits.
-    Undecided,
-}
-
-impl fmt::Display for Status {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Status::Ok => "ok",
-            Status::NoEquilibrium => "no-equilibrium",
-            Status::Fold => "fold",
-            Status::Overflow => "overflow",
-            Status::Underflow => "underflow",
-            Status::DomainError => "domain-error",
-            Status::NotAdmissible => "not-admissible",
-            Status::Undecided => "undecided",
-        })
+named! {
+    /// The status of an answer.
+    #[non_exhaustive]
+    pub enum Status {
+        /// A number, as good as its promise.
+        Ok = "ok",
+        /// No state satisfies the equations.
+        NoEquilibrium = "no-equilibrium",
+        /// The state is the fold itself.
+        Fold = "fold",
+        /// Beyond the largest number of the arithmetic.
+        Overflow = "overflow",
+        /// Below the smallest positive number of the arithmetic.
+        Underflow = "underflow",
+        /// An input is outside its domain.
+        DomainError = "domain-error",
+        /// The surfaces would interpenetrate outside the assumed simply connected contact.
+        NotAdmissible = "not-admissible",
+        /// No permitted precision decides the required digits.
+        Undecided = "undecided",
     }
 }
 

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use num_traits::{Inv, ToPrimitive};
+use num_traits::Inv;
 
 use super::{Lift, Literal, Real, Special};
 
@@ -134,18 +134,6 @@ macro_rules! operators {
     )*};
 }
 operators!(Add add add_assign, Sub sub sub_assign, Mul mul mul_assign, Div div div_assign);
-
-impl<R: Real> ToPrimitive for Dual<R> {
-    fn to_i64(&self) -> Option<i64> {
-        self.value.to_i64()
-    }
-    fn to_u64(&self) -> Option<u64> {
-        self.value.to_u64()
-    }
-    fn to_f64(&self) -> Option<f64> {
-        self.value.to_f64()
-    }
-}
 
 impl<R: Real> Real for Dual<R> {
     type Ctx = R::Ctx;

@@ -19,44 +19,23 @@ pub trait Exact {
     fn exact(self) -> Result<Literal, LiteralError>;
 }
 
-impl Exact for Literal {
-    fn exact(self) -> Result<Literal, LiteralError> {
-        Ok(self)
-    }
+macro_rules! exact {
+    ($($type:ty: |$value:ident| $literal:expr;)*) => {$(
+        impl Exact for $type {
+            fn exact(self) -> Result<Literal, LiteralError> {
+                let $value = self;
+                $literal
+            }
+        }
+    )*};
 }
 
-impl Exact for &Literal {
-    fn exact(self) -> Result<Literal, LiteralError> {
-        Ok(self.clone())
-    }
-}
-
-impl Exact for &str {
-    fn exact(self) -> Result<Literal, LiteralError> {
-        self.parse()
-    }
-}
-
-impl Exact for String {
-    fn exact(self) -> Result<Literal, LiteralError> {
-        self.parse()
-    }
-}
-
-impl Exact for i64 {
-    fn exact(self) -> Result<Literal, LiteralError> {
-        Ok(self.into())
-    }
-}
-
-impl Exact for i32 {
-    fn exact(self) -> Result<Literal, LiteralError> {
-        Ok(i64::from(self).into())
-    }
-}
-
-impl Exact for f64 {
-    fn exact(self) -> Result<Literal, LiteralError> {
-        self.try_into()
-    }
+exact! {
+    Literal: |literal| Ok(literal);
+    &Literal: |literal| Ok(literal.clone());
+    &str: |text| text.parse();
+    String: |text| text.parse();
+    i64: |integer| Ok(integer.into());
+    i32: |integer| Ok(i64::from(integer).into());
+    f64: |double| double.try_into();
 }

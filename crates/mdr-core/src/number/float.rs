@@ -3,6 +3,15 @@
 
 use super::{Gamma, Literal, Real, Special};
 
+/// Functions of one number, each with its name in `pxfm`.
+macro_rules! functions {
+    ($($name:ident: $function:ident),*) => {$(
+        fn $name(&self) -> f64 {
+            pxfm::$function(*self)
+        }
+    )*};
+}
+
 impl Real for f64 {
     type Ctx = ();
 
@@ -34,18 +43,7 @@ impl Real for f64 {
     fn sqrt(&self) -> f64 {
         f64::sqrt(*self)
     }
-    fn exp(&self) -> f64 {
-        pxfm::f_exp(*self)
-    }
-    fn exp_m1(&self) -> f64 {
-        pxfm::f_expm1(*self)
-    }
-    fn ln(&self) -> f64 {
-        pxfm::f_log(*self)
-    }
-    fn ln_1p(&self) -> f64 {
-        pxfm::f_log1p(*self)
-    }
+    functions!(exp: f_exp, exp_m1: f_expm1, ln: f_log, ln_1p: f_log1p);
     fn pow(&self, exponent: &f64) -> f64 {
         pxfm::f_pow(*self, *exponent)
     }
@@ -67,46 +65,10 @@ impl Real for f64 {
 }
 
 impl Special for f64 {
-    fn sin(&self) -> f64 {
-        pxfm::f_sin(*self)
-    }
-    fn cos(&self) -> f64 {
-        pxfm::f_cos(*self)
-    }
-    fn atan(&self) -> f64 {
-        pxfm::f_atan(*self)
-    }
-    fn asin(&self) -> f64 {
-        pxfm::f_asin(*self)
-    }
-    fn acos(&self) -> f64 {
-        pxfm::f_acos(*self)
-    }
-    fn sinh(&self) -> f64 {
-        pxfm::f_sinh(*self)
-    }
-    fn cosh(&self) -> f64 {
-        pxfm::f_cosh(*self)
-    }
-    fn tanh(&self) -> f64 {
-        pxfm::f_tanh(*self)
-    }
-    fn log10(&self) -> f64 {
-        pxfm::f_log10(*self)
-    }
-    fn atanh(&self) -> f64 {
-        pxfm::f_atanh(*self)
-    }
+    functions!(sin: f_sin, cos: f_cos, atan: f_atan, asin: f_asin, acos: f_acos);
+    functions!(sinh: f_sinh, cosh: f_cosh, tanh: f_tanh, atanh: f_atanh, log10: f_log10);
 }
 
 impl Gamma for f64 {
-    fn gamma(&self) -> f64 {
-        pxfm::f_tgamma(*self)
-    }
-    fn ln_gamma(&self) -> f64 {
-        pxfm::f_lgamma(*self)
-    }
-    fn digamma(&self) -> f64 {
-        pxfm::f_digamma(*self)
-    }
+    functions!(gamma: f_tgamma, ln_gamma: f_lgamma, digamma: f_digamma);
 }

@@ -25,13 +25,13 @@ const LIMIT: i64 = 100_000;
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Literal {
     text: String,
-    negative: bool,
+    pub(super) negative: bool,
     /// Significant digits of the numerator, without leading zeros; empty for zero.
-    digits: String,
+    pub(super) digits: String,
     /// The value is ± digits · 10^exponent / denominator.
-    exponent: i64,
+    pub(super) exponent: i64,
     /// Digits of the denominator; "1" for a decimal.
-    denominator: String,
+    pub(super) denominator: String,
 }
 
 /// Why a text is not a literal.
@@ -177,31 +177,13 @@ impl Literal {
     /// # Ok::<(), mdr_core::number::LiteralError>(())
     /// ```
     pub fn compare(&self, other: &Self) -> Ordering {
-        let sign = |literal: &Self| (!literal.is_zero()).then_some(literal.is_negative());
-        match (sign(self), sign(other)) {
-            (None, None) => Ordering::Equal,
-            (None, Some(negative)) => {
-                if negative {
-                    Ordering::Greater
-                } else {
-                    Ordering::Less
-                }
-            }
-            (Some(negative), None) => {
-                if negative {
-                    Ordering::Less
-                } else {
-                    Ordering::Greater
-                }
-            }
-            (Some(true), Some(false)) => Ordering::Less,
-            (Some(false), Some(true)) => Ordering::Greater,
-            (Some(true), Some(true)) => other.compare_magnitude(self),
-            (Some(false), Some(false)) => self.compare_magnitude(other),
-        }
+        let sign = |literal: &Self| i8::from(!literal.is_zero()) - 2 * i8::from(literal.is_negative());
+        sign(self).cmp(&sign(other)).then_with(|| {
+            if self.is_negative() { other.compare_magnitude(self) } else { self.compare_magnitude(other) }
+        })
     }
 
-    /// |self| against |other|, both nonzero, as fractions over a common denominator.
+    /// |self| against |other|, both nonzero or both zero, as fractions over a common denominator.
     fn compare_magnitude(&self, other: &Self) -> Ordering {
         let [one, two] = [(self, other), (other, self)].map(|(this, that)| {
             let digits = product(&this.digits, &that.denominator);

@@ -34,6 +34,15 @@ impl Precision {
     }
 }
 
+/// Functions of one number, each that of the same name in `rug`.
+macro_rules! functions {
+    ($($name:ident)*) => {$(
+        fn $name(&self) -> Float {
+            self.clone().$name()
+        }
+    )*};
+}
+
 impl Real for Float {
     type Ctx = Precision;
 
@@ -58,27 +67,7 @@ impl Real for Float {
     fn over(self, k: i64) -> Float {
         self / k
     }
-    fn abs(&self) -> Float {
-        self.clone().abs()
-    }
-    fn square(&self) -> Float {
-        self.clone().square()
-    }
-    fn sqrt(&self) -> Float {
-        self.clone().sqrt()
-    }
-    fn exp(&self) -> Float {
-        self.clone().exp()
-    }
-    fn exp_m1(&self) -> Float {
-        self.clone().exp_m1()
-    }
-    fn ln(&self) -> Float {
-        self.clone().ln()
-    }
-    fn ln_1p(&self) -> Float {
-        self.clone().ln_1p()
-    }
+    functions!(abs square sqrt exp exp_m1 ln ln_1p);
     fn pow(&self, exponent: &Float) -> Float {
         Pow::pow(self.clone(), exponent)
     }
@@ -100,46 +89,9 @@ impl Real for Float {
 }
 
 impl Special for Float {
-    fn sin(&self) -> Float {
-        self.clone().sin()
-    }
-    fn cos(&self) -> Float {
-        self.clone().cos()
-    }
-    fn atan(&self) -> Float {
-        self.clone().atan()
-    }
-    fn asin(&self) -> Float {
-        self.clone().asin()
-    }
-    fn acos(&self) -> Float {
-        self.clone().acos()
-    }
-    fn sinh(&self) -> Float {
-        self.clone().sinh()
-    }
-    fn cosh(&self) -> Float {
-        self.clone().cosh()
-    }
-    fn tanh(&self) -> Float {
-        self.clone().tanh()
-    }
-    fn log10(&self) -> Float {
-        self.clone().log10()
-    }
-    fn atanh(&self) -> Float {
-        self.clone().atanh()
-    }
+    functions!(sin cos atan asin acos sinh cosh tanh log10 atanh);
 }
 
 impl Gamma for Float {
-    fn gamma(&self) -> Float {
-        self.clone().gamma()
-    }
-    fn ln_gamma(&self) -> Float {
-        self.clone().ln_gamma()
-    }
-    fn digamma(&self) -> Float {
-        self.clone().digamma()
-    }
+    functions!(gamma ln_gamma digamma);
 }

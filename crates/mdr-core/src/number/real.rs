@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use num_traits::{Inv, ToPrimitive};
+use num_traits::Inv;
 
 use super::Literal;
 
@@ -35,7 +35,6 @@ pub trait Real:
     + Send
     + Sync
     + 'static
-    + ToPrimitive
     + Inv<Output = Self>
     + Neg<Output = Self>
     + Add<Output = Self>

@@ -102,7 +102,7 @@ impl<R: Real> Ledger<R> {
         for event in &path.events {
             let work = match last {
                 Some(last) => books.work(&last.after, &event.before)?,
-                None => nothing(&event.value),
+                None => Estimate::exact(event.value.lit(0)),
             };
             let (work_in_event, lost) = books.event(event)?;
             entries.push(Entry { work, work_in_event, lost });
@@ -346,16 +346,11 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
     }
 
     fn none(&self) -> Estimate<R> {
-        nothing(self.curve.effective_modulus())
+        Estimate::exact(self.curve.effective_modulus().lit(0))
     }
 }
 
 /// F²/2k.
 fn spring_energy<R: Real>(force: &R, stiffness: &R) -> R {
     force.clone() / stiffness * force.clone().over(2)
-}
-
-/// Zero energy, exactly.
-fn nothing<R: Real>(like: &R) -> Estimate<R> {
-    Estimate { value: like.lit(0), error: like.lit(0), evaluations: 0 }
 }

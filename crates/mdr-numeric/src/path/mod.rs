@@ -12,6 +12,7 @@ mod ledger;
 use std::cmp::Ordering;
 
 use mdr_core::contact::{Equilibrium, Result};
+use mdr_core::named;
 use mdr_core::number::Real;
 
 use crate::admissible::Ring;
@@ -43,56 +44,38 @@ pub enum State<R> {
     Complete,
 }
 
-/// The kind of an event.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum EventKind {
-    /// The path begins.
-    Start,
-    /// The surfaces touch at the tip, at the value 0 of every control, and the contact grows continuously from there (n
-    /// < 1/2).
-    Touch,
-    /// The surfaces touch, and the contact jumps to a finite radius.
-    JumpIn,
-    /// The contact jumps from a fold to another radius.
-    Jump,
-    /// The contact breaks at a fold; or it has shrunk continuously to a point (n < 1/2).
-    Detached,
-    /// After a fold there is no equilibrium up to the largest radius, of a profile without an outer one. The path ends,
-    /// because the theory covers no further state.
-    CompleteContact,
-    /// The contact edge reached the outer radius of the profile, so the path ends. Both states are the one at the outer
-    /// radius; after a jump at a fold or after a touch, the one it jumped from.
-    EndOfProfile,
-    /// No equilibrium was found up to this value: it is out of the range of the arithmetic, or the profile has an outer
-    /// radius at which g is not known. The path ends; the states are the last known one, at the value of the previous
-    /// event.
-    Undecided,
-    /// The surfaces touch on a [ring](Event::ring) outside the contact, and would interpenetrate beyond: along a stable
-    /// branch, in the state to which a jump leads, or separated, if they do not first touch at the tip. The theory of a
-    /// simply connected contact ends here, and so does the path; the states are the last admissible ones.
-    NotAdmissible,
-    /// A way point is reached.
-    WayPoint,
-    /// The last way point is reached.
-    End,
-}
-
-impl EventKind {
-    /// The name in answers: `jump-in`.
-    pub fn name(self) -> &'static str {
-        match self {
-            EventKind::Start => "start",
-            EventKind::Touch => "touch",
-            EventKind::JumpIn => "jump-in",
-            EventKind::Jump => "jump",
-            EventKind::Detached => "detached",
-            EventKind::CompleteContact => "complete-contact",
-            EventKind::EndOfProfile => "end-of-profile",
-            EventKind::Undecided => "undecided",
-            EventKind::NotAdmissible => "not-admissible",
-            EventKind::WayPoint => "way-point",
-            EventKind::End => "end",
-        }
+named! {
+    /// The kind of an event.
+    pub enum EventKind {
+        /// The path begins.
+        Start = "start",
+        /// The surfaces touch at the tip, at the value 0 of every control, and the contact grows continuously from there (n
+        /// < 1/2).
+        Touch = "touch",
+        /// The surfaces touch, and the contact jumps to a finite radius.
+        JumpIn = "jump-in",
+        /// The contact jumps from a fold to another radius.
+        Jump = "jump",
+        /// The contact breaks at a fold; or it has shrunk continuously to a point (n < 1/2).
+        Detached = "detached",
+        /// After a fold there is no equilibrium up to the largest radius, of a profile without an outer one. The path ends,
+        /// because the theory covers no further state.
+        CompleteContact = "complete-contact",
+        /// The contact edge reached the outer radius of the profile, so the path ends. Both states are the one at the outer
+        /// radius; after a jump at a fold or after a touch, the one it jumped from.
+        EndOfProfile = "end-of-profile",
+        /// No equilibrium was found up to this value: it is out of the range of the arithmetic, or the profile has an outer
+        /// radius at which g is not known. The path ends; the states are the last known one, at the value of the previous
+        /// event.
+        Undecided = "undecided",
+        /// The surfaces touch on a [ring](Event::ring) outside the contact, and would interpenetrate beyond: along a stable
+        /// branch, in the state to which a jump leads, or separated, if they do not first touch at the tip. The theory of a
+        /// simply connected contact ends here, and so does the path; the states are the last admissible ones.
+        NotAdmissible = "not-admissible",
+        /// A way point is reached.
+        WayPoint = "way-point",
+        /// The last way point is reached.
+        End = "end",
     }
 }
 

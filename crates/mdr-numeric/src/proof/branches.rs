@@ -163,12 +163,7 @@ impl<'a> EnclosedBranches<'a> {
         value: &Interval,
         stability: Stability,
     ) -> Equilibrium<Interval> {
-        let (indentation, force) = match self.control() {
-            Control::Indentation => (value.clone(), force),
-            Control::Force => (indentation, value.clone()),
-            Control::Machine { .. } => (indentation, force),
-        };
-        Equilibrium { contact_radius, indentation, force, stability }
+        Equilibrium { contact_radius, indentation, force, stability }.controlled(self.control(), value.clone())
     }
 
     /// The equilibrium between two radii with opposite directions of change.

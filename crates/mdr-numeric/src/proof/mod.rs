@@ -18,7 +18,7 @@ mod rim;
 pub use branches::EnclosedBranches;
 pub use range::range;
 
-use mdr_core::calculus::isolate::{Behaviour, isolate_with_proof};
+use mdr_core::calculus::isolate::{Behaviour, isolate};
 use mdr_core::calculus::verify::verify;
 use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Result};
 use mdr_core::number::{Dual, Interval, Precision, Real};
@@ -117,7 +117,7 @@ impl<'a> EnclosedCurve<'a> {
         }
         let ends = [lower, upper].map(|end| Interval::point(end.clone()));
         let condition = |a: &Interval| self.condition(a);
-        let isolation = isolate_with_proof(&ends[0], &ends[1], budget, condition, |a, b| self.behaviour(&a.hull(b)))?;
+        let isolation = isolate(&ends[0], &ends[1], budget, condition, |a, b| self.behaviour(&a.hull(b)))?;
         for bracket in &isolation.brackets {
             let cell = bracket.lower.x.hull(&bracket.upper.x);
             match self.zero(&cell)? {

@@ -1,34 +1,18 @@
 //! Why a file is not a measured profile.
 
-use std::fmt;
-
+use mdr_core::named;
 use mdr_core::number::LiteralError;
 use thiserror::Error;
 
 use super::MINIMUM_ROWS;
 
-/// The two columns of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Column {
-    /// `r`, the distance from the axis.
-    Radius,
-    /// `f`, the height above the tip.
-    Height,
-}
-
-impl Column {
-    /// The name in the header row.
-    pub fn name(self) -> &'static str {
-        match self {
-            Column::Radius => "r",
-            Column::Height => "f",
-        }
-    }
-}
-
-impl fmt::Display for Column {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+named! {
+    /// The two columns of a table.
+    pub enum Column {
+        /// `r`, the distance from the axis.
+        Radius = "r",
+        /// `f`, the height above the tip.
+        Height = "f",
     }
 }
 

@@ -44,11 +44,9 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         if self.quadrature.kinks.iter().all(|kink| kink >= self.x) {
             return self.whole();
         }
-        let mut total = self.zero();
+        let mut total = Estimate::exact(self.x.lit(0));
         for angles in Angles::between(&self.quadrature.kinks, self.x) {
-            let piece = self.piece(&angles)?;
-            total.value += &piece.value;
-            total.error += &piece.error;
+            total += &self.piece(&angles)?;
         }
         Ok(total)
     }
@@ -68,10 +66,6 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
             total.error += &(factor * (jump.error + rounding));
         }
         total
-    }
-
-    fn zero(&self) -> Estimate<R> {
-        Estimate { value: self.x.lit(0), error: self.x.lit(0), evaluations: 0 }
     }
 
     /// φ(x sinθ).
@@ -180,7 +174,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         const ROUNDINGS: i64 = 256;
         const SAMPLES: i64 = 8;
         let width = angles.upper.clone() - &angles.lower;
-        let mut total = self.zero();
+        let mut total = Estimate::exact(self.x.lit(0));
         for i in 0..SAMPLES {
             let angle = width.clone().times(2 * i + 1).over(2 * SAMPLES) + &angles.lower;
             let radius = angles.radius(&angles.sine(&angle), self.x);
@@ -233,7 +227,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
     fn double_exponential(&self, angles: &Angles<R>) -> Result<Estimate<R>> {
         let largest = self.at(&self.x.lit(1)).abs();
         if gauss::underflows(&largest) {
-            return Ok(Estimate { error: largest, ..self.zero() });
+            return Ok(Estimate { error: largest, ..Estimate::exact(self.x.lit(0)) });
         }
         // The noise at the end of the interval need not be that of the integral, so it is accepted only at the finest
         // rule.

@@ -17,16 +17,14 @@ pub(super) fn strides<R: Real>(
     mut integral: impl FnMut(&R, &R) -> Result<Estimate<R>>,
 ) -> Result<Estimate<R>> {
     let narrowest = (upper.clone() - lower).over(most);
-    let mut total = Estimate { value: lower.lit(0), error: lower.lit(0), evaluations: 0 };
+    let mut total = Estimate::exact(lower.lit(0));
     let (mut from, mut width, mut dearest) = (lower.clone(), narrowest.clone(), None);
     while from < *upper {
         let next = from.clone() + &width;
         let to = if next < *upper { next } else { upper.clone() };
         match integral(&from, &to) {
             Ok(stride) => {
-                total.value += &stride.value;
-                total.error += &stride.error;
-                total.evaluations += stride.evaluations;
+                total += &stride;
                 if dearest.is_none_or(|dearest| stride.evaluations.saturating_mul(4) <= dearest) {
                     width = width.times(2);
                 }

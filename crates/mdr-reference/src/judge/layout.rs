@@ -128,8 +128,7 @@ impl Report<'_> {
             let rest = refused.count - refused.first.len() as u64;
             text.push_str(&if rest > 0 { format!("{rest} more lines {kind}\n\n") } else { "\n".to_owned() });
         }
-        let [right, inaccurate, wrong] =
-            [Verdict::Right, Verdict::Inaccurate, Verdict::Wrong].map(|verdict| self.count(verdict));
+        let [right, inaccurate, wrong] = Verdict::ALL.map(|verdict| self.count(verdict));
         let (answered, questions) = (self.answered(), self.questions());
         text.push_str(&format!(
             "{answered} of {questions} questions answered: {right} right, {inaccurate} inaccurate, {wrong} wrong; {} not \

@@ -3,59 +3,39 @@
 use crate::decimal::Decimal;
 use crate::judge::answer::Answer;
 use crate::judge::digits::{OVERSTATED, compared};
+use crate::named::named;
 use crate::number::Number;
 use crate::record::{Record, Status};
 
-/// The verdict on an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Verdict {
-    /// Within its claimed error; or without a claim, and as accurate as the question allows in double precision, apart
-    /// from the digits of [`Limits::excess_loss`].
-    Right,
-    /// Without a claim, and with a larger loss of digits than the question causes; or its claim is true because it is
-    /// overstated, though a digit is correct; or it reports a double root without its number.
-    Inaccurate,
-    /// Less accurate than it claims; without a single correct digit although the question leaves one, whatever it
-    /// claims, unless that is an honest error below its own size; or not the required kind of answer: [`mark`] has the
-    /// table.
-    Wrong,
-}
-
-impl Verdict {
-    /// The name of the verdict.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Verdict::Right => "right",
-            Verdict::Inaccurate => "inaccurate",
-            Verdict::Wrong => "wrong",
-        }
+named! {
+    /// The verdict on an answer.
+    pub enum Verdict {
+        /// Within its claimed error; or without a claim, and as accurate as the question allows in double precision, apart
+        /// from the digits of [`Limits::excess_loss`].
+        Right = "right",
+        /// Without a claim, and with a larger loss of digits than the question causes; or its claim is true because it is
+        /// overstated, though a digit is correct; or it reports a double root without its number.
+        Inaccurate = "inaccurate",
+        /// Less accurate than it claims; without a single correct digit although the question leaves one, whatever it
+        /// claims, unless that is an honest error below its own size; or not the required kind of answer: [`mark`] has the
+        /// table.
+        Wrong = "wrong",
     }
 }
 
-/// The verdict on a claimed error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Claim {
-    /// There is no claim.
-    None,
-    /// The true error is not larger.
-    Holds,
-    /// The true error is certainly larger.
-    TooSmall,
-    /// The claim is true, but exceeds the true error and the loss of double precision by more than
-    /// [`Limits::overstatement`]; or it is as large as the value, that of the answer or the certified one, although the
-    /// question leaves a digit.
-    Overstated,
-}
-
-impl Claim {
-    /// The name of the verdict.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Claim::None => "none",
-            Claim::Holds => "holds",
-            Claim::TooSmall => "too-small",
-            Claim::Overstated => "overstated",
-        }
+named! {
+    /// The verdict on a claimed error.
+    pub enum Claim {
+        /// There is no claim.
+        None = "none",
+        /// The true error is not larger.
+        Holds = "holds",
+        /// The true error is certainly larger.
+        TooSmall = "too-small",
+        /// The claim is true, but exceeds the true error and the loss of double precision by more than
+        /// [`Limits::overstatement`]; or it is as large as the value, that of the answer or the certified one, although the
+        /// question leaves a digit.
+        Overstated = "overstated",
     }
 }
 

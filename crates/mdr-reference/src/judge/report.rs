@@ -134,7 +134,7 @@ impl<'a> Report<'a> {
             let has = |judged: &&Judged<'_>| judged.record.is_physical() && judged.mark.verdict == verdict;
             self.judged.iter().filter(has).count()
         };
-        [Verdict::Right, Verdict::Inaccurate, Verdict::Wrong].map(count)
+        Verdict::ALL.map(count)
     }
 
     /// The answers by class.
@@ -154,7 +154,7 @@ impl<'a> Report<'a> {
             Class {
                 difficulty,
                 questions,
-                verdicts: [Verdict::Right, Verdict::Inaccurate, Verdict::Wrong].map(count),
+                verdicts: Verdict::ALL.map(count),
                 digits: digits.first().copied().zip(median(&digits)),
                 excess_loss: median(&losses).zip(losses.last().copied()),
             }

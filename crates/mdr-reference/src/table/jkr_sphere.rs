@@ -7,51 +7,7 @@ use crate::record::{Record, Status};
 use crate::table::{Cell, Column, Table};
 
 /// The questions, by the part of an identifier before its quantity, and what is to be learnt from each.
-const CASES: [(&str, &str); 43] = [
-    ("critical/jkr-unit/force", "pull-off force -3/2 pi w R"),
-    ("critical/jkr-unit/indentation", "force where fixed grips let go, -5/6 pi w R"),
-    ("critical/afm-tip/force", "tip of an atomic force microscope"),
-    ("critical/afm-tip/indentation", "tip of an atomic force microscope"),
-    ("critical/gecko-spatula/force", "adhesive pad"),
-    ("critical/gecko-spatula/indentation", "adhesive pad"),
-    ("critical/pdms-bead/force", "bead of silicone rubber"),
-    ("critical/pdms-bead/indentation", "bead of silicone rubber"),
-    ("critical/tyre-asperity/force", "asperity of rubber"),
-    ("critical/tyre-asperity/indentation", "asperity of rubber"),
-    ("critical/glass-bead/force", "bead of glass"),
-    ("critical/glass-bead/indentation", "bead of glass"),
-    ("critical/stiff-1e100/force", "scale: an absolute tolerance finds a = 0"),
-    ("critical/soft-1e-100/force", "scale: a starting value of order 1 is far off"),
-    ("critical/sticky-1e100/force", "scale: powers of w leave the doubles"),
-    ("critical/slippery-1e-100/force", "scale: w is below every absolute tolerance"),
-    ("critical/sharp-1e100/force", "scale: a small radius"),
-    ("critical/flat-1e-100/force", "scale: a large radius"),
-    ("equilibrium/jkr-unit/near=2^-3/outer/indentation", ""),
-    ("equilibrium/jkr-unit/near=2^-3/inner/indentation", "the other root at the same d"),
-    ("equilibrium/jkr-unit/near=2^-3/outer/force", ""),
-    ("equilibrium/jkr-unit/near=2^-3/inner/force", "the other root at the same F"),
-    ("equilibrium/jkr-unit/opposite/outer/indentation", "pressed in, one root only: squared equations have two"),
-    ("equilibrium/jkr-unit/opposite/outer/force", "pressed, one root only"),
-    ("equilibrium/jkr-unit/opposite-1e6/outer/indentation", "nearly the contact of Hertz"),
-    ("equilibrium/jkr-unit/opposite-1e6/outer/force", "nearly the contact of Hertz"),
-    ("equilibrium/jkr-unit/near=2^-12/outer/indentation", "near the fold: see tolerance"),
-    ("equilibrium/jkr-unit/near=2^-12/inner/indentation", "near the fold: see tolerance"),
-    ("equilibrium/jkr-unit/near=2^-26/outer/force", "very near the fold: see tolerance"),
-    ("equilibrium/jkr-unit/near=2^-26/inner/force", "very near the fold: see tolerance"),
-    ("equilibrium/afm-tip/near=2^-3/outer/indentation", "the same shares in SI units"),
-    ("equilibrium/afm-tip/near=2^-3/inner/indentation", "the other root at the same d"),
-    ("equilibrium/afm-tip/near=2^-3/outer/force", "the same shares in SI units"),
-    ("equilibrium/afm-tip/near=2^-3/inner/force", "the other root at the same F"),
-    ("equilibrium/afm-tip/opposite/outer/indentation", "pressed in"),
-    ("equilibrium/afm-tip/opposite/outer/force", "pressed"),
-    ("equilibrium/jkr-unit/past=2^-1/outer/indentation", "past the fold: no equilibrium, not 0 or NaN"),
-    ("equilibrium/jkr-unit/past=2^-1/outer/force", "past the fold: no equilibrium, not 0 or NaN"),
-    ("equilibrium/jkr-unit/past=2^-26/outer/indentation", "just past the fold"),
-    ("equilibrium/jkr-unit/past=2^-26/outer/force", "just past the fold"),
-    ("equilibrium/afm-tip/past=2^-1/outer/indentation", "past the fold"),
-    ("equilibrium/afm-tip/past=2^-1/outer/force", "past the fold"),
-    ("equilibrium/afm-tip/past=2^-12/outer/force", "just past the fold"),
-];
+const CASES: &str = include_str!("../../data/jkr-sphere.tsv");
 
 const fn text(name: &'static str) -> Column {
     Column { name, unit: "", is_number: false }
@@ -86,7 +42,11 @@ pub(super) fn table() -> Table {
         name: Table::NAMES[0],
         title: "JKR sphere f = r^2/(2R): folds and equilibria in SI units and in those of Maugis",
         columns: &COLUMNS,
-        rows: CASES.into_iter().filter_map(|(case, note)| row(case, note)).collect(),
+        rows: CASES
+            .lines()
+            .skip(1)
+            .filter_map(|line| line.split_once('\t').and_then(|(case, note)| row(case, note)))
+            .collect(),
     }
 }
 

@@ -11,6 +11,7 @@ mod value;
 mod words;
 
 use mdr_core::contact::ControlKind;
+use mdr_core::named;
 use mdr_numeric::admissible::Basis;
 
 pub use record::{Cell, Row};
@@ -28,51 +29,33 @@ use crate::scene::{Arithmetic, Want};
 use crate::validity::Validity;
 use record::Numbers;
 
-/// The kinds of output, by their names in scenes and answers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum OutputKind {
-    /// g, g' and ∫g at radii.
-    Transform,
-    /// All equilibria at values of the controlled quantity.
-    Equilibria,
-    /// All folds.
-    Folds,
-    /// A loading path.
-    Path,
-    /// Equilibria by their contact radius.
-    Curve,
-    /// The normal pressure of states.
-    Pressure,
-    /// The gap of states.
-    Gap,
-    /// The surface displacement of states.
-    Displacement,
-    /// Energy and stiffness of states.
-    Energy,
-    /// The loading path, sampled.
-    ForceCurve,
+named! {
+    /// The kinds of output, by their names in scenes and answers.
+    pub enum OutputKind {
+        /// g, g' and ∫g at radii.
+        Transform = "transform",
+        /// All equilibria at values of the controlled quantity.
+        Equilibria = "equilibria",
+        /// All folds.
+        Folds = "folds",
+        /// A loading path.
+        Path = "path",
+        /// Equilibria by their contact radius.
+        Curve = "curve",
+        /// The normal pressure of states.
+        Pressure = "pressure",
+        /// The gap of states.
+        Gap = "gap",
+        /// The surface displacement of states.
+        Displacement = "displacement",
+        /// Energy and stiffness of states.
+        Energy = "energy",
+        /// The loading path, sampled.
+        ForceCurve = "force-curve",
+    }
 }
 
 impl OutputKind {
-    /// Every kind with its name.
-    pub(crate) const NAMES: [(&'static str, OutputKind); 10] = [
-        ("transform", OutputKind::Transform),
-        ("equilibria", OutputKind::Equilibria),
-        ("folds", OutputKind::Folds),
-        ("path", OutputKind::Path),
-        ("curve", OutputKind::Curve),
-        ("pressure", OutputKind::Pressure),
-        ("gap", OutputKind::Gap),
-        ("displacement", OutputKind::Displacement),
-        ("energy", OutputKind::Energy),
-        ("force-curve", OutputKind::ForceCurve),
-    ];
-
-    /// The key of the output in a scene and in an answer.
-    pub fn name(self) -> &'static str {
-        Self::NAMES[self as usize].0
-    }
-
     /// Whether it is computed from the profile alone.
     pub fn is_of_profile(self) -> bool {
         self == OutputKind::Transform

@@ -159,13 +159,16 @@ pub(crate) fn values<'a, N>(rows: &[Row<'a, N>]) -> Vec<&'a Value<N>> {
 }
 
 /// A field of a record.
-pub(crate) trait Part<N> {
+pub(crate) trait Part<N>: Sized {
     type With<M>;
 
     fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M>;
 
     /// Adds its cells to a row.
     fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>);
+
+    /// Adds to a row what stands there for a field that a record lacks: nothing, unless it is a number.
+    fn put_absent(_key: &'static str, _row: &mut Row<'_, N>) {}
 }
 
 impl<N> Part<N> for Value<N> {
@@ -178,125 +181,86 @@ impl<N> Part<N> for Value<N> {
     fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
         row.cells.push((key, Cell::Value(self)));
     }
-}
 
-/// A number that a record may lack; its key is there in any case.
-impl<N> Part<N> for Option<Value<N>> {
-    type With<M> = Option<Value<M>>;
-
-    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
-        self.map(f)
-    }
-
-    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-        row.cells.push((key, self.as_ref().map_or(Cell::Absent, Cell::Value)));
+    fn put_absent(key: &'static str, row: &mut Row<'_, N>) {
+        row.cells.push((key, Cell::Absent));
     }
 }
 
-impl<N> Part<N> for Option<Dissipation<N>> {
-    type With<M> = Option<Dissipation<M>>;
+impl<N> Part<N> for Dissipation<N> {
+    type With<M> = Dissipation<M>;
 
     fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
-        self.map(|energy| match energy {
+        match self {
             Dissipation::Finite(value) => Dissipation::Finite(f(value)),
             Dissipation::Unbounded => Dissipation::Unbounded,
-        })
+        }
     }
 
     fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-        let cell = match self {
-            None => Cell::Absent,
-            Some(Dissipation::Finite(value)) => Cell::Value(value),
-            Some(Dissipation::Unbounded) => Cell::Word("unbounded"),
-        };
-        row.cells.push((key, cell));
+        match self {
+            Dissipation::Finite(value) => value.put(key, row),
+            Dissipation::Unbounded => row.cells.push((key, Cell::Word("unbounded"))),
+        }
+    }
+
+    fn put_absent(key: &'static str, row: &mut Row<'_, N>) {
+        Value::put_absent(key, row);
     }
 }
 
-/// A neutral state is a fold, which is its status.
-impl<N> Part<N> for Stability {
-    type With<M> = Stability;
+/// What a record may lack.
+impl<N, T: Part<N>> Part<N> for Option<T> {
+    type With<M> = Option<T::With<M>>;
 
-    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
-        self
+    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
+        self.map(|part| part.map_part(f))
     }
 
-    fn put<'a>(&'a self, _: &'static str, row: &mut Row<'a, N>) {
-        row.cells.push(("stable", Cell::Flag(*self == Stability::Stable)));
-        if *self == Stability::Neutral {
-            row.mark = Some(Status::Fold);
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        match self {
+            Some(part) => part.put(key, row),
+            None => T::put_absent(key, row),
         }
     }
 }
 
-impl<N> Part<N> for CurveStability {
-    type With<M> = CurveStability;
-
-    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
-        self
-    }
-
-    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-        match &self.0 {
-            Value::Known(stability) => stability.put(key, row),
-            unknown => row.cells.push(("stable", Cell::UnknownStability(unknown))),
-        }
-    }
-}
-
-impl<N> Part<N> for Literal {
-    type With<M> = Literal;
-
-    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
-        self
-    }
-
-    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-        row.cells.push((key, Cell::Literal(self)));
-    }
-}
-
-/// What has a name and no number.
-macro_rules! words {
-    ($($type:ty),*) => {$(
-        impl<N> Part<N> for $type {
+/// Fields without a number of the arithmetic, each with what it adds to a row.
+macro_rules! constant_parts {
+    ($($(#[$doc:meta])* $type:ty: |$part:ident, $key:ident, $row:ident| $put:expr;)*) => {$(
+        $(#[$doc])*
+        impl<N> $crate::answer::record::Part<N> for $type {
             type With<M> = Self;
 
             fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
                 self
             }
 
-            fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-                row.cells.push((key, Cell::Word(self.name())));
+            fn put<'a>(&'a self, $key: &'static str, $row: &mut Row<'a, N>) {
+                let $part = self;
+                $put;
             }
         }
     )*};
 }
 
-words!(FoldKind, EventKind);
+pub(crate) use constant_parts;
 
-impl<N> Part<N> for &'static str {
-    type With<M> = Self;
-
-    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
-        self
-    }
-
-    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-        row.cells.push((key, Cell::Word(self)));
-    }
-}
-
-impl<N> Part<N> for usize {
-    type With<M> = Self;
-
-    fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
-        self
-    }
-
-    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-        row.cells.push((key, Cell::Count(*self)));
-    }
+constant_parts! {
+    /// A neutral state is a fold, which is its status.
+    Stability: |stability, _key, row| {
+        row.cells.push(("stable", Cell::Flag(*stability == Stability::Stable)));
+        row.mark = (*stability == Stability::Neutral).then_some(Status::Fold).or(row.mark);
+    };
+    CurveStability: |stability, key, row| match &stability.0 {
+        Value::Known(stability) => stability.put(key, row),
+        unknown => row.cells.push(("stable", Cell::UnknownStability(unknown))),
+    };
+    Literal: |literal, key, row| row.cells.push((key, Cell::Literal(literal)));
+    FoldKind: |kind, key, row| row.cells.push((key, Cell::Word(kind.name())));
+    EventKind: |kind, key, row| row.cells.push((key, Cell::Word(kind.name())));
+    &'static str: |word, key, row| row.cells.push((key, Cell::Word(word)));
+    usize: |count, key, row| row.cells.push((key, Cell::Count(*count)));
 }
 
 /// A state in which the surfaces would overlap has the place where they do, and that as its status.
@@ -329,21 +293,6 @@ impl<N> Part<N> for Admission<N> {
     }
 }
 
-/// Where a record has no state to be judged.
-impl<N> Part<N> for Option<Admission<N>> {
-    type With<M> = Option<Admission<M>>;
-
-    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
-        self.map(|admission| admission.map_part(f))
-    }
-
-    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-        if let Some(admission) = self {
-            admission.put(key, row);
-        }
-    }
-}
-
 /// Declares a record: a structure whose fields are [`Part`]s, with their names as keys.
 macro_rules! record {
     ($($(#[$meta:meta])* $name:ident $(in $key:literal)? { $($(#[$doc:meta])* $field:ident: $type:ty,)* })*) => {$(
@@ -353,18 +302,29 @@ macro_rules! record {
             $($(#[$doc])* pub $field: $type,)*
         }
 
+        /// Within another record its cells stand among those around it.
+        impl<N> Part<N> for $name<N> {
+            type With<M> = $name<M>;
+
+            fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> $name<M> {
+                $name { $($field: self.$field.map_part(f),)* }
+            }
+
+            fn put<'a>(&'a self, _: &'static str, row: &mut Row<'a, N>) {
+                $(self.$field.put(stringify!($field), row);)*
+            }
+        }
+
         impl<N> Numbers<N> for $name<N> {
             type With<M> = $name<M>;
             $(const KEY: &'static str = $key;)?
 
             fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> $name<M> {
-                $name { $($field: self.$field.map_part(f),)* }
+                self.map_part(f)
             }
 
             fn rows(&self) -> Vec<Row<'_, N>> {
-                let row = Row::new();
-                $(let row = row.with(stringify!($field), &self.$field);)*
-                vec![row]
+                vec![Row::new().with("", self)]
             }
         }
     )*};

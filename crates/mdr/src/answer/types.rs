@@ -1,6 +1,7 @@
 //! The records of an answer. Lengths in metres, forces in newtons, energies in joules, pressures in pascals.
 
 use mdr_core::contact::{self, FoldKind, Instability, Stability, Status};
+use mdr_core::named;
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::Verdict;
 use mdr_numeric::path::EventKind;
@@ -198,6 +199,18 @@ record! {
         stored: Value<N>,
     }
 
+    /// The numbers of an equilibrium in a record that says more of it.
+    PlainState {
+        /// a.
+        contact_radius: Value<N>,
+        /// d.
+        indentation: Value<N>,
+        /// F.
+        force: Value<N>,
+        /// Neutral at a fold.
+        stability: Stability,
+    }
+
     /// The energy of a state.
     EnergyState {
         /// The state.
@@ -243,19 +256,6 @@ impl<N> Equilibrium<N> {
     }
 }
 
-/// The numbers of an equilibrium in a record that says more of it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlainState<N = Number> {
-    /// a.
-    pub contact_radius: Value<N>,
-    /// d.
-    pub indentation: Value<N>,
-    /// F.
-    pub force: Value<N>,
-    /// Neutral at a fold.
-    pub stability: Stability,
-}
-
 impl<N> From<contact::Equilibrium<N>> for PlainState<N> {
     fn from(state: contact::Equilibrium<N>) -> Self {
         let contact::Equilibrium { contact_radius, indentation, force, stability } = state;
@@ -268,46 +268,15 @@ impl<N> From<contact::Equilibrium<N>> for PlainState<N> {
     }
 }
 
-/// Its cells stand among those of the record around it.
-impl<N> Part<N> for PlainState<N> {
-    type With<M> = PlainState<M>;
-
-    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> PlainState<M> {
-        PlainState {
-            contact_radius: f(self.contact_radius),
-            indentation: f(self.indentation),
-            force: f(self.force),
-            stability: self.stability,
-        }
-    }
-
-    fn put<'a>(&'a self, _: &'static str, row: &mut Row<'a, N>) {
-        self.contact_radius.put("contact_radius", row);
-        self.indentation.put("indentation", row);
-        self.force.put("force", row);
-        Part::<N>::put(&self.stability, "stable", row);
-    }
-}
-
-/// What is measured along the surface of a state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Field {
-    /// The normal pressure within the contact, tension negative.
-    Pressure,
-    /// The distance of the surfaces outside the contact.
-    Gap,
-    /// The normal displacement of the surface outside the contact.
-    Displacement,
-}
-
-impl Field {
-    /// The key in scenes and answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            Field::Pressure => "pressure",
-            Field::Gap => "gap",
-            Field::Displacement => "displacement",
-        }
+named! {
+    /// What is measured along the surface of a state.
+    pub enum Field {
+        /// The normal pressure within the contact, tension negative.
+        Pressure = "pressure",
+        /// The distance of the surfaces outside the contact.
+        Gap = "gap",
+        /// The normal displacement of the surface outside the contact.
+        Displacement = "displacement",
     }
 }
 

@@ -3,27 +3,18 @@
 use std::fmt;
 
 use mdr_core::contact::{Error, Result, Status};
+use mdr_core::named;
 use mdr_core::number::{Decimal, Literal};
 
-/// How far a number can be trusted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Promise {
-    /// Hardware arithmetic: accurate to some roundings times the condition of the question; nothing is proved.
-    Double,
-    /// Two working precisions agree on every printed digit; the error is estimated, not proved.
-    Estimated,
-    /// Every printed digit is proved, and the last is correctly rounded.
-    Certified,
-}
-
-impl Promise {
-    /// As answers name it: `f64`, `mp`, `certified`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Promise::Double => "f64",
-            Promise::Estimated => "mp",
-            Promise::Certified => "certified",
-        }
+named! {
+    /// How far a number can be trusted.
+    pub enum Promise {
+        /// Hardware arithmetic: accurate to some roundings times the condition of the question; nothing is proved.
+        Double = "f64",
+        /// Two working precisions agree on every printed digit; the error is estimated, not proved.
+        Estimated = "mp",
+        /// Every printed digit is proved, and the last is correctly rounded.
+        Certified = "certified",
     }
 }
 

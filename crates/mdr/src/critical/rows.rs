@@ -7,35 +7,57 @@ use crate::answer::{FlatRow, NumberStyle, Value, columns, find, title};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CriticalRow(pub [String; 24]);
 
-impl CriticalRow {
-    /// The titles, which are keys of the JSON as well.
-    pub const COLUMNS: [&str; 24] = [
-        "arithmetic",
-        "digits",
-        "control",
-        "regime",
-        "n",
-        "c",
-        "e1",
-        "nu1",
-        "e2",
-        "nu2",
-        "e_star",
-        "work",
-        "stiffness",
-        "kappa",
-        "status",
-        "contact_radius",
-        "indentation",
-        "force",
-        "log10_contact_radius",
-        "log10_indentation",
-        "log10_force",
-        "kind",
-        "threshold_c",
-        "ratio",
-    ];
+/// Each column with what stands below it, for an answer and one of its states.
+macro_rules! columns {
+    ($answer:ident, $state:ident, $fold:ident: $($title:literal = $text:expr,)*) => {
+        impl CriticalRow {
+            /// The titles, which are keys of the JSON as well.
+            pub const COLUMNS: [&str; 24] = [$($title),*];
 
+            fn of($answer: &CriticalAnswer, $state: Option<&CriticalState>, $fold: Option<&CriticalFold>) -> Self {
+                CriticalRow([$($text),*])
+            }
+        }
+    };
+}
+
+columns! { answer, state, fold:
+    "arithmetic" = answer.arithmetic.promise().name().to_owned(),
+    "digits" = known(answer.arithmetic.digits()),
+    "control" = answer.law.control.kind().name().to_owned(),
+    "regime" = answer.regime.to_string(),
+    "n" = answer.inputs.n.to_string(),
+    "c" = answer.inputs.c.to_string(),
+    "e1" = text(answer.inputs.bodies.as_ref().map(|bodies| &bodies[0][0])),
+    "nu1" = text(answer.inputs.bodies.as_ref().map(|bodies| &bodies[0][1])),
+    "e2" = text(answer.inputs.bodies.as_ref().map(|bodies| &bodies[1][0])),
+    "nu2" = text(answer.inputs.bodies.as_ref().map(|bodies| &bodies[1][1])),
+    "e_star" = answer.inputs.e_star.to_string(),
+    "work" = answer.inputs.work.to_string(),
+    "stiffness" = text(answer.inputs.stiffness.as_ref()),
+    "kappa" = answer.kappa.to_string(),
+    "status" = fold.map_or(answer.status, |fold| fold.state.status()).to_string(),
+    "contact_radius" = text(state.map(|state| &state.contact_radius)),
+    "indentation" = text(state.map(|state| &state.indentation)),
+    "force" = text(state.map(|state| &state.force)),
+    "log10_contact_radius" = known(state.and_then(|state| state.contact_radius.log10())),
+    "log10_indentation" = known(state.and_then(|state| state.indentation.log10())),
+    "log10_force" = known(state.and_then(|state| state.force.log10())),
+    "kind" = known(fold.map(|fold| fold.kind)),
+    "threshold_c" = text(answer.threshold.as_ref().map(|threshold| &threshold.c)),
+    "ratio" = text(answer.threshold.as_ref().map(|threshold| &threshold.ratio)),
+}
+
+/// A number that may be out of range.
+fn text(value: Option<&Value>) -> String {
+    known(value.filter(|value| !matches!(value, Value::Unknown { .. })))
+}
+
+fn known(value: Option<impl ToString>) -> String {
+    value.map_or_else(String::new, |value| value.to_string())
+}
+
+impl CriticalRow {
     /// What stands below a title.
     pub fn get(&self, title: &str) -> Option<&str> {
         let column = Self::COLUMNS.iter().position(|known| *known == title)?;
@@ -67,49 +89,10 @@ impl CriticalAnswer {
     pub fn rows(&self) -> Vec<CriticalRow> {
         match self.folds.as_deref() {
             Some(folds) if !folds.is_empty() => {
-                folds.iter().map(|fold| self.row(Some(&fold.state), Some(fold))).collect()
+                folds.iter().map(|fold| CriticalRow::of(self, Some(&fold.state), Some(fold))).collect()
             }
-            _ => vec![self.row(self.state.as_ref(), None)],
+            _ => vec![CriticalRow::of(self, self.state.as_ref(), None)],
         }
-    }
-
-    fn row(&self, state: Option<&CriticalState>, fold: Option<&CriticalFold>) -> CriticalRow {
-        let text = |value: Option<&Value>| match value {
-            Some(Value::Unknown { .. }) | None => String::new(),
-            Some(value) => value.to_string(),
-        };
-        let log10 =
-            |value: Option<&Value>| value.and_then(Value::log10).map_or_else(String::new, |log10| log10.to_string());
-        let body =
-            |body: usize, constant: usize| text(self.inputs.bodies.as_ref().map(|bodies| &bodies[body][constant]));
-        let [radius, indentation, force] = state.map_or([None; 3], |state| state.values().map(Some));
-        let threshold = self.threshold.as_ref();
-        CriticalRow([
-            self.arithmetic.promise().name().to_owned(),
-            self.arithmetic.digits().map_or_else(String::new, |digits| digits.to_string()),
-            self.law.control.kind().name().to_owned(),
-            self.regime.to_string(),
-            self.inputs.n.to_string(),
-            self.inputs.c.to_string(),
-            body(0, 0),
-            body(0, 1),
-            body(1, 0),
-            body(1, 1),
-            self.inputs.e_star.to_string(),
-            self.inputs.work.to_string(),
-            text(self.inputs.stiffness.as_ref()),
-            self.kappa.to_string(),
-            fold.map_or(self.status, |fold| fold.state.status()).to_string(),
-            text(radius),
-            text(indentation),
-            text(force),
-            log10(radius),
-            log10(indentation),
-            log10(force),
-            fold.map_or_else(String::new, |fold| fold.kind.name().to_owned()),
-            text(threshold.map(|threshold| &threshold.c)),
-            text(threshold.map(|threshold| &threshold.ratio)),
-        ])
     }
 }
 

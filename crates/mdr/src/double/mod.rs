@@ -288,10 +288,6 @@ fn status_of(error: Error) -> Result<Status> {
 
 /// a, d and F of a state that was found at a value; what is controlled has that value.
 pub(crate) fn numbers(state: &Equilibrium<f64>, control: &Control<f64>, value: f64) -> [f64; 3] {
-    let [a, d, force] = [state.contact_radius, state.indentation, state.force];
-    match control {
-        Control::Indentation => [a, value, force],
-        Control::Force => [a, d, value],
-        Control::Machine { .. } => [a, d, force],
-    }
+    let Equilibrium { contact_radius, indentation, force, .. } = state.clone().controlled(control, value);
+    [contact_radius, indentation, force]
 }

@@ -308,15 +308,15 @@ impl Wanted {
 fn kinds(list: &Value<'_>) -> Result<Vec<OutputKind>> {
     let mut kinds = Vec::new();
     for value in list.list()? {
-        let kind = value.choice("output", &OutputKind::NAMES)?;
+        let kind = value.choice("output", &OutputKind::ALL.map(|kind| (kind.name(), kind)))?;
         if kinds.contains(&kind) {
             return Err(value.refuse(format!("`{}` is wanted twice", kind.name())));
         }
         kinds.push(kind);
     }
     if kinds.is_empty() {
-        let all: Vec<&str> = OutputKind::NAMES.iter().map(|(name, _)| *name).collect();
-        return Err(list.refuse(format!("nothing is wanted; there are `{}`", all.join("`, `"))));
+        let all = OutputKind::ALL.map(OutputKind::name).join("`, `");
+        return Err(list.refuse(format!("nothing is wanted; there are `{all}`")));
     }
     Ok(kinds)
 }

@@ -17,7 +17,7 @@ use super::outputs;
 use super::proof::{self, FoldProof};
 use super::refine::refined;
 use super::search::{Search, not_proved};
-use super::states::{States, exact};
+use super::states::States;
 use crate::answer::record::Numbers;
 use crate::answer::{
     AtValue, Completeness, EnergyState, Equilibrium, Field, FieldState, List, LoadingPath, Number, Output, Promise,
@@ -128,7 +128,7 @@ impl<'s> Certified<'s> {
             return Ok(List::new(Promise::Certified, items));
         }
         let items = agree(self.digits, |precision| {
-            Ok(outputs::transform(&self.model::<Float>(precision)?, radii)?.convert(exact))
+            Ok(outputs::transform(&self.model::<Float>(precision)?, radii)?.convert(Estimate::exact))
         })?;
         Ok(List::new(Promise::Estimated, items))
     }
@@ -144,7 +144,7 @@ impl<'s> Certified<'s> {
         }
         let items = agree(self.digits, |precision| {
             let model = self.model::<Float>(precision)?;
-            Ok(outputs::curve(&model, radii, &*self.admissibility()?)?.convert(exact))
+            Ok(outputs::curve(&model, radii, &*self.admissibility()?)?.convert(Estimate::exact))
         })?;
         Ok(List::new(Promise::Estimated, items))
     }
@@ -158,7 +158,7 @@ impl<'s> Certified<'s> {
             let model = self.model::<Float>(precision)?;
             let admissibility = self.admissibility()?;
             let folds = refined(&model, self.search()?.folds()?)?.folds.into_iter();
-            Ok(folds.map(|fold| outputs::fold(fold, &admissibility)).collect::<Vec<_>>().convert(exact))
+            Ok(folds.map(|fold| outputs::fold(fold, &admissibility)).collect::<Vec<_>>().convert(Estimate::exact))
         })?;
         Ok(List::new(Promise::Estimated, items).complete(self.searched()?))
     }

@@ -6,9 +6,8 @@ use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{Event, EventKind, Loss, Path, State};
 
 use super::model::Model;
-use super::path::{changes, follow};
+use super::path::{changes, follow, quantities};
 use crate::answer::{CurveSummary, ForceCurve, ForceSample, List, Number, Optional, Promise, Value};
-use crate::double::numbers;
 use crate::scene::Scene;
 
 /// At least so many samples between two events.
@@ -68,24 +67,15 @@ fn between(branches: &Branches<'_, f64>, from: &State<f64>, to: &State<f64>, val
 
 /// None where the surfaces touch everywhere.
 fn sample(control: &Control<f64>, segment: usize, step: f64, value: f64, state: &State<f64>) -> Option<ForceSample> {
-    let known = |value: f64| Value::Known(Number::Double(value));
-    let (contact_radius, indentation, force) = match state {
-        State::Contact(state) => {
-            let [contact_radius, indentation, force] = numbers(state, control, value);
-            (Some(contact_radius), Some(indentation), force)
-        }
-        // A dead load leaves the position of bodies apart open.
-        State::Detached if *control == Control::Force => (None, None, 0.0),
-        State::Detached => (None, Some(value), 0.0),
-        State::Complete => return None,
-    };
+    let known = |value: Value<f64>| value.and_then(|value| Value::Known(Number::Double(value)));
+    let [contact_radius, indentation, force] = quantities(control, state, &value).map(|quantity| quantity.map(known));
     Some(ForceSample {
         segment,
         direction: if step < 0.0 { "retract" } else { "approach" },
-        position: Optional(matches!(control, Control::Machine { .. }).then(|| known(value))),
-        indentation: indentation.map(known),
-        force: known(force),
-        contact_radius: contact_radius.map(known),
+        position: Optional(matches!(control, Control::Machine { .. }).then(|| known(Value::Known(value)))),
+        indentation,
+        force: force?,
+        contact_radius,
     })
 }
 

@@ -11,7 +11,6 @@ use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{Event, EventKind, Loss, Path, Start as Begin, State, stored};
 
 use super::model::{Model, SceneReal};
-use super::states::exact;
 use crate::answer::record::Numbers;
 use crate::answer::types::PathNumbers;
 use crate::answer::{Admission, Balance, Dissipation, Optional, PathEvent, Value};
@@ -102,16 +101,12 @@ fn of_event<R: SceneReal>(control: &Control<R>, event: &Event<R>, admissible: Ad
 }
 
 /// Radius, indentation and force of a state; the controlled one has the value of the control.
-fn quantities<R: SceneReal>(control: &Control<R>, state: &State<R>, value: &R) -> [Option<Value<R>>; 3] {
+pub(super) fn quantities<R: SceneReal>(control: &Control<R>, state: &State<R>, value: &R) -> [Option<Value<R>>; 3] {
     let known = |number: &R| Some(Value::Known(number.clone()));
     match state {
-        State::Contact(contact::Equilibrium { contact_radius, indentation, force, .. }) => {
-            let (indentation, force) = match control {
-                Control::Indentation => (value, force),
-                Control::Force => (indentation, value),
-                Control::Machine { .. } => (indentation, force),
-            };
-            [known(contact_radius), known(indentation), known(force)]
+        State::Contact(rest) => {
+            let rest = rest.clone().controlled(control, value.clone());
+            [rest.contact_radius, rest.indentation, rest.force].map(|number| Some(Value::Known(number)))
         }
         // Without a force the spring of a machine is slack; a dead load leaves the position open.
         State::Detached => match control {
@@ -146,7 +141,8 @@ pub(crate) fn with_energy<R: SceneReal>(
     let losses = path.events.iter().zip(Loss::of_each(path, branches));
     let losses = losses.map(|(event, loss)| dissipated(event, loss)).collect::<Result<Vec<_>>>()?;
     let balance = balance(path, way, branches, &losses)?;
-    let events = events(branches.control(), path, branches.admissibility()).convert(exact).into_iter().zip(losses);
+    let events =
+        events(branches.control(), path, branches.admissibility()).convert(Estimate::exact).into_iter().zip(losses);
     let events = events.map(|(event, dissipated)| PathEvent { dissipated, ..event }).collect();
     Ok(PathNumbers { events, balance })
 }
@@ -188,7 +184,7 @@ fn balance<R: SceneReal>(
 ) -> Result<Option<Balance<Estimate<R>>>> {
     let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
     let Some(first) = path.events.first().filter(|_| !lost_track) else { return Ok(None) };
-    let mut dissipated = Value::Known(exact(first.value.lit(0)));
+    let mut dissipated = Value::Known(Estimate::exact(first.value.lit(0)));
     for loss in losses.iter().flatten() {
         match loss {
             Dissipation::Unbounded => return Ok(None),
@@ -196,7 +192,7 @@ fn balance<R: SceneReal>(
         }
     }
     let stored = match stored(path, branches) {
-        Ok(Some(stored)) if returns(path, way) => Value::Known(exact(stored.value.lit(0))),
+        Ok(Some(stored)) if returns(path, way) => Value::Known(Estimate::exact(stored.value.lit(0))),
         Ok(Some(stored)) => {
             let noise = stored.error.clone();
             beyond_noise(stored, &noise)
@@ -210,11 +206,11 @@ fn balance<R: SceneReal>(
 /// The sum of two energies, of which one may be unknown.
 fn plus<R: SceneReal>(one: &Value<Estimate<R>>, other: &Value<Estimate<R>>) -> Value<Estimate<R>> {
     match (one, other) {
-        (Value::Known(one), Value::Known(other)) => Value::Known(Estimate {
-            value: one.value.clone() + &other.value,
-            error: one.error.clone() + &other.error,
-            evaluations: one.evaluations + other.evaluations,
-        }),
+        (Value::Known(one), Value::Known(other)) => {
+            let mut sum = one.clone();
+            sum += other;
+            Value::Known(sum)
+        }
         (Value::Known(_), unknown) => unknown.clone(),
         (unknown, _) => unknown.clone(),
     }

@@ -10,7 +10,7 @@ use mdr_numeric::admissible::{Admissibility, search_range};
 use mdr_numeric::folds::{self, Beyond, Completeness as SearchQuality, Folds};
 
 use super::model::Model;
-use super::states::{States, exact};
+use super::states::States;
 use super::{outputs, sample};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Field, List, LoadingPath, Number, Output, Promise, Value};
@@ -93,16 +93,17 @@ impl<'s> Search<'s> {
         };
         Ok(match want {
             Want::Transform { at } => {
-                let samples = outputs::transform(&self.model, at)?.convert(exact);
+                let samples = outputs::transform(&self.model, at)?.convert(Estimate::exact);
                 Output::Transform(List::new(DOUBLE, doubles(samples)))
             }
             Want::Folds { .. } => {
                 let judged = |fold: &Instability<f64>| outputs::fold(fold.clone(), &self.admissibility());
                 let folds: Vec<_> = self.folds()?.folds.iter().map(judged).collect();
-                Output::Folds(List::new(DOUBLE, doubles(folds.convert(exact))).complete(self.completeness()?))
+                Output::Folds(List::new(DOUBLE, doubles(folds.convert(Estimate::exact))).complete(self.completeness()?))
             }
             Want::Curve { at } => {
-                let points = outputs::curve(&self.model, &self.radii(at)?, &self.admissibility())?.convert(exact);
+                let points =
+                    outputs::curve(&self.model, &self.radii(at)?, &self.admissibility())?.convert(Estimate::exact);
                 Output::Curve(List::new(DOUBLE, doubles(points)))
             }
             Want::Equilibria { at } => {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{self, Control, Error, Result, Stability, Status};
+use mdr_core::contact::{self, Error, Result, Stability, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, Verdict};
 use mdr_numeric::branch::Branched;
@@ -55,14 +55,11 @@ impl<'a, R: SceneReal> States<'a, R> {
     }
 
     /// A state with the exact value of what is controlled, which at a fold is that of the fold.
-    fn with_value(&self, mut state: contact::Equilibrium<R>, value: &R) -> contact::Equilibrium<R> {
-        match self.model.control() {
-            _ if state.stability == Stability::Neutral => {}
-            Control::Indentation => state.indentation = value.clone(),
-            Control::Force => state.force = value.clone(),
-            Control::Machine { .. } => {}
+    fn with_value(&self, state: contact::Equilibrium<R>, value: &R) -> contact::Equilibrium<R> {
+        match state.stability {
+            Stability::Neutral => state,
+            _ => state.controlled(self.model.control(), value.clone()),
         }
-        state
     }
 
     /// What describes each state at a value. If its equilibria cannot be computed the value is `undecided`; other values are
@@ -90,7 +87,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// # Errors
     /// As [`Branches::search`], of what concerns more than one value.
     pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium<Estimate<R>>>>> {
-        let describe = |state| Ok(equilibrium(state, self.branches.admissibility()).convert(exact));
+        let describe = |state| Ok(equilibrium(state, self.branches.admissibility()).convert(Estimate::exact));
         values.iter().map(|literal| self.described_at(literal, describe)).collect()
     }
 
@@ -156,7 +153,12 @@ impl<'a, R: SceneReal> States<'a, R> {
             let fields = Fields::of(self.model.curve(), &state)?;
             let samples = self.samples(field, &fields, radii, &state.contact_radius)?;
             let admissible = self.admission(field, &fields, &state)?;
-            Ok(FieldState { state: state.map(|number| exact(number.clone())).into(), field, samples, admissible })
+            Ok(FieldState {
+                state: state.map(|number| Estimate::exact(number.clone())).into(),
+                field,
+                samples,
+                admissible,
+            })
         })
     }
 
@@ -172,7 +174,7 @@ impl<'a, R: SceneReal> States<'a, R> {
             let admissible = Admission::of(self.verdict(&state));
             let energy = Value::from_result(potential)?;
             let stiffness = Value::from_result(fields.stiffness())?;
-            Ok(EnergyState { state: state.into(), energy, stiffness, admissible }.convert(exact))
+            Ok(EnergyState { state: state.into(), energy, stiffness, admissible }.convert(Estimate::exact))
         })
     }
     /// A field at the radii of the scene, else at fractions of the contact radius.
@@ -195,7 +197,7 @@ impl<'a, R: SceneReal> States<'a, R> {
             let fractions = if field == Field::Pressure { &INSIDE } else { &OUTSIDE };
             let at = |&(numerator, denominator): &(i64, i64)| {
                 let r = a.clone().times(numerator).over(denominator);
-                Ok(FieldSample { value: value(&r)?, r: Value::Known(exact(r)) })
+                Ok(FieldSample { value: value(&r)?, r: Value::Known(Estimate::exact(r)) })
             };
             return fractions.iter().map(at).collect();
         }
@@ -221,7 +223,7 @@ impl<'a, R: SceneReal> States<'a, R> {
             let literal = decimal(*radius, digits)?;
             let gap = fields.gap(&self.model.number(&literal));
             if gap.as_ref().is_ok_and(|gap| *gap < gap.lit(0)) {
-                let gap = Value::from_result(gap.map(exact))?;
+                let gap = Value::from_result(gap.map(Estimate::exact))?;
                 return Ok(Admission::overlapping(Some(Overlap { r: Value::Given(literal), gap })));
             }
         }
@@ -239,14 +241,9 @@ impl States<'_, f64> {
     }
 }
 
-/// A number without an error of its own.
-pub(crate) fn exact<R: SceneReal>(value: R) -> Estimate<R> {
-    Estimate { error: value.lit(0), value, evaluations: 0 }
-}
-
 /// A field with its error where digits are decided by it, which those of doubles are not.
 fn estimate<R: SceneReal>(estimate: Result<Estimate<R>>, settled: impl FnOnce() -> Result<R>) -> Result<Estimate<R>> {
-    if R::INDEX == f64::INDEX { settled().map(exact) } else { estimate }
+    if R::INDEX == f64::INDEX { settled().map(Estimate::exact) } else { estimate }
 }
 
 /// The branches between radii that many octaves below the folds and above; around w/E* where there is no fold.

@@ -80,64 +80,33 @@ enum Operator {
     Maximum,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Function {
-    Sqrt,
-    Exp,
-    Ln,
-    Sin,
-    Cos,
-    Atan,
-    Asin,
-    Acos,
-    Atanh,
-    Sinh,
-    Cosh,
-    Tanh,
-    Log10,
-    Abs,
+/// Declares the functions of formulas, each a function of numbers with the same name.
+macro_rules! functions {
+    ($($name:ident => $function:ident,)*) => {
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        enum Function {
+            $($function),*
+        }
+
+        impl Function {
+            const ALL: &[(&str, Function)] = &[$((stringify!($name), Function::$function)),*];
+
+            fn apply<S: Special>(self, x: &S) -> S {
+                match self {
+                    $(Function::$function => x.$name(),)*
+                }
+            }
+        }
+    };
+}
+
+functions! {
+    sqrt => Sqrt, exp => Exp, ln => Ln, sin => Sin, cos => Cos, atan => Atan, asin => Asin, acos => Acos, atanh => Atanh,
+    sinh => Sinh, cosh => Cosh, tanh => Tanh, log10 => Log10, abs => Abs,
 }
 
 /// The names of the operators that are written as functions.
 const EXTREMES: [(&str, Operator); 2] = [("min", Operator::Minimum), ("max", Operator::Maximum)];
-
-impl Function {
-    const ALL: [(&'static str, Function); 14] = [
-        ("sqrt", Function::Sqrt),
-        ("exp", Function::Exp),
-        ("ln", Function::Ln),
-        ("sin", Function::Sin),
-        ("cos", Function::Cos),
-        ("atan", Function::Atan),
-        ("asin", Function::Asin),
-        ("acos", Function::Acos),
-        ("atanh", Function::Atanh),
-        ("sinh", Function::Sinh),
-        ("cosh", Function::Cosh),
-        ("tanh", Function::Tanh),
-        ("log10", Function::Log10),
-        ("abs", Function::Abs),
-    ];
-
-    fn apply<S: Special>(self, x: &S) -> S {
-        match self {
-            Function::Sqrt => x.sqrt(),
-            Function::Exp => x.exp(),
-            Function::Ln => x.ln(),
-            Function::Sin => x.sin(),
-            Function::Cos => x.cos(),
-            Function::Atan => x.atan(),
-            Function::Asin => x.asin(),
-            Function::Acos => x.acos(),
-            Function::Atanh => x.atanh(),
-            Function::Sinh => x.sinh(),
-            Function::Cosh => x.cosh(),
-            Function::Tanh => x.tanh(),
-            Function::Log10 => x.log10(),
-            Function::Abs => x.abs(),
-        }
-    }
-}
 
 impl<C> Node<C> {
     /// The same formula with every constant replaced.

@@ -183,55 +183,13 @@ fn round_interval(value: &Interval, digits: u32) -> Option<Decimal> {
     if value.contains_zero() || !value.is_finite() {
         return (value.is_point() && value.contains_zero()).then(Decimal::default);
     }
-    let negative = value.upper().is_sign_negative();
-    let [near, far] = if negative { [value.upper(), value.lower()] } else { [value.lower(), value.upper()] };
-    let (significand, binary) = near.to_f64_exp();
-    let logarithm = f64::from(binary) * std::f64::consts::LOG10_2 + significand.abs().log10();
-    if logarithm.abs() > LARGEST_POWER {
+    let binary = value.lower().get_exp()?;
+    if f64::from(binary).abs() * std::f64::consts::LOG10_2 > LARGEST_POWER {
         return round_far(value, digits);
     }
-    // Never too large, and too small by one only close to a power of ten.
-    let exponent = (logarithm - 1e-9).floor() as i64;
-    let limit = Integer::from(Integer::u_pow_u(10, digits));
-    for exponent in [exponent, exponent + 1] {
-        let scale = i64::from(digits) - 1 - exponent;
-        let power = Integer::from(Integer::u_pow_u(10, u32::try_from(scale.unsigned_abs()).ok()?));
-        let significand = scaled(near, scale < 0, &power)?;
-        // The value lies in the decade of the smaller end, or rounds to its upper limit.
-        if significand <= limit {
-            let agreed = significand == scaled(far, scale < 0, &power)?;
-            let (significand, exponent) = carry(significand, exponent.into(), limit / 10u32);
-            return agreed.then(|| Decimal::new(negative, significand, exponent, digits));
-        }
-    }
-    None
-}
-
-/// |value| times or divided by an integer, rounded to the nearest integer, ties to even.
-fn scaled(value: &Float, divide: bool, factor: &Integer) -> Option<Integer> {
-    let (significand, binary) = value.to_integer_exp()?;
-    let places = binary.unsigned_abs();
-    let mut numerator = significand.abs();
-    if divide {
-        let mut divisor = factor.clone();
-        if binary < 0 {
-            divisor <<= places
-        } else {
-            numerator <<= places
-        }
-        return Some(round_quotient(numerator, divisor));
-    }
-    numerator *= factor;
-    if binary >= 0 {
-        return Some(numerator << places);
-    }
-    // The lowest bit set is the half.
-    let tie = numerator.find_one(0) == Some(places - 1);
-    let mut quotient = Integer::from(&numerator >> places);
-    if numerator.get_bit(places - 1) && (!tie || quotient.is_odd()) {
-        quotient += 1;
-    }
-    Some(quotient)
+    let end = |end: &Float| Some(round_rational(&end.to_rational()?, digits));
+    let rounded = end(value.lower())?;
+    (value.is_point() || end(value.upper())? == rounded).then_some(rounded)
 }
 
 /// The nearest integer to a quotient of integers, ties to even.

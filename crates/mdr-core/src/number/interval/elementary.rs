@@ -62,6 +62,17 @@ fn monotone(least: &Float, greatest: &Float, function: impl Fn(&mut Float, Round
     Interval { lo, hi }
 }
 
+/// Increasing functions by their names, those of `rug` that round, and their domains.
+macro_rules! increasing {
+    ($($name:ident: $function:ident, |$x:pat_param| $inside:expr;)*) => {$(
+        fn $name(&self) -> Interval {
+            let $x = self;
+            self.within($inside, |x| x.increasing(Float::$function))
+        }
+    )*};
+}
+pub(super) use increasing;
+
 impl Real for Interval {
     type Ctx = Precision;
 
@@ -111,20 +122,12 @@ impl Real for Interval {
         }
         square
     }
-    fn sqrt(&self) -> Interval {
-        self.within(self.lo >= 0, |x| x.increasing(Float::sqrt_round))
-    }
-    fn exp(&self) -> Interval {
-        self.within(true, |x| x.increasing(Float::exp_round))
-    }
-    fn exp_m1(&self) -> Interval {
-        self.within(true, |x| x.increasing(Float::exp_m1_round))
-    }
-    fn ln(&self) -> Interval {
-        self.within(self.lo > 0, |x| x.increasing(Float::ln_round))
-    }
-    fn ln_1p(&self) -> Interval {
-        self.within(self.lo > -1, |x| x.increasing(Float::ln_1p_round))
+    increasing! {
+        sqrt: sqrt_round, |x| x.lo >= 0;
+        exp: exp_round, |_| true;
+        exp_m1: exp_m1_round, |_| true;
+        ln: ln_round, |x| x.lo > 0;
+        ln_1p: ln_1p_round, |x| x.lo > -1;
     }
     fn pow(&self, exponent: &Interval) -> Interval {
         let inside = self.lo > 0 || (self.lo == 0 && exponent.lo > 0);

@@ -8,7 +8,6 @@ mod trigonometric;
 use std::cmp::Ordering;
 use std::fmt;
 
-use num_traits::ToPrimitive;
 use rug::float::{Round, Special};
 use rug::ops::NegAssign;
 use rug::{Float, Rational};
@@ -207,19 +206,6 @@ impl PartialOrd for Interval {
         } else {
             None
         }
-    }
-}
-
-/// Conversions of the middle: for control flow and display, not an enclosure.
-impl ToPrimitive for Interval {
-    fn to_i64(&self) -> Option<i64> {
-        self.mid().to_integer().and_then(|middle| middle.to_i64())
-    }
-    fn to_u64(&self) -> Option<u64> {
-        self.mid().to_integer().and_then(|middle| middle.to_u64())
-    }
-    fn to_f64(&self) -> Option<f64> {
-        Some(self.mid().to_f64())
     }
 }
 

@@ -8,6 +8,7 @@ use rug::Float;
 use rug::float::Round;
 
 use super::Interval;
+use super::elementary::increasing;
 use crate::number::{Real, Special};
 
 /// Arguments beyond 2^LARGEST would need as many bits of π; there sin and cos are enclosed by [−1, 1].
@@ -75,28 +76,18 @@ impl Special for Interval {
     fn cos(&self) -> Interval {
         self.within(true, |x| x.oscillating(Float::cos_round, |x| -Float::with_val(SIGN_BITS, x.sin_ref())))
     }
-    fn atan(&self) -> Interval {
-        self.within(true, |x| x.increasing(Float::atan_round))
-    }
-    fn asin(&self) -> Interval {
-        self.within(self.lo >= -1 && self.hi <= 1, |x| x.increasing(Float::asin_round))
+    increasing! {
+        atan: atan_round, |_| true;
+        asin: asin_round, |x| x.lo >= -1 && x.hi <= 1;
+        sinh: sinh_round, |_| true;
+        tanh: tanh_round, |_| true;
+        atanh: atanh_round, |x| x.lo > -1 && x.hi < 1;
+        log10: log10_round, |x| x.lo > 0;
     }
     fn acos(&self) -> Interval {
         self.within(self.lo >= -1 && self.hi <= 1, |x| x.decreasing(Float::acos_round))
     }
-    fn sinh(&self) -> Interval {
-        self.within(true, |x| x.increasing(Float::sinh_round))
-    }
     fn cosh(&self) -> Interval {
         self.within(true, |x| x.abs().increasing(Float::cosh_round))
-    }
-    fn tanh(&self) -> Interval {
-        self.within(true, |x| x.increasing(Float::tanh_round))
-    }
-    fn log10(&self) -> Interval {
-        self.within(self.lo > 0, |x| x.increasing(Float::log10_round))
-    }
-    fn atanh(&self) -> Interval {
-        self.within(self.lo > -1 && self.hi < 1, |x| x.increasing(Float::atanh_round))
     }
 }

@@ -220,7 +220,7 @@ impl<const N: usize> Wide<N> {
 
     /// −self if `flip`.
     #[inline]
-    fn flipped(self, flip: bool) -> Self {
+    pub(super) fn flipped(self, flip: bool) -> Self {
         Wide { negative: self.negative != flip && !self.is_hollow(), ..self }
     }
 

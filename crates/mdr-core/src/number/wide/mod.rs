@@ -8,7 +8,6 @@ mod logarithm;
 mod real;
 mod root;
 mod round;
-#[path = "../../../data/wide.rs"]
 mod tables;
 
 /// A number of 64·N bits together with a bound on its relative error: ball arithmetic in a few machine words.

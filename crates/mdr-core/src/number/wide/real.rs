@@ -1,21 +1,16 @@
 //! `Real` for extended precision.
 
-use num_traits::ToPrimitive;
-
 use super::Wide;
 use super::tables::PI;
 use crate::number::{Literal, Real};
 
-impl<const N: usize> ToPrimitive for Wide<N> {
-    fn to_i64(&self) -> Option<i64> {
-        self.to_f64().and_then(|value| value.to_i64())
-    }
-    fn to_u64(&self) -> Option<u64> {
-        self.to_f64().and_then(|value| value.to_u64())
-    }
-    fn to_f64(&self) -> Option<f64> {
-        Some(self.to_double())
-    }
+/// Functions of one number, each with its name among those of extended precision.
+macro_rules! functions {
+    ($($name:ident: $function:ident),*) => {$(
+        fn $name(&self) -> Self {
+            self.$function()
+        }
+    )*};
 }
 
 impl<const N: usize> Real for Wide<N> {
@@ -32,7 +27,15 @@ impl<const N: usize> Real for Wide<N> {
         Self::from_double(value)
     }
     fn from_literal((): (), literal: &Literal) -> Self {
-        parse(&literal.to_string())
+        let integer = |digits: &str| {
+            digits
+                .bytes()
+                .fold(Self::ZERO, |sum, digit| sum.times(10) + Self::from_integer(false, (digit - b'0').into()))
+        };
+        let power = Self::from_double(10.0).whole_power(literal.exponent.abs());
+        let digits = integer(&literal.digits);
+        let magnitude = if literal.exponent < 0 { digits / power } else { digits * power };
+        (magnitude / integer(&literal.denominator)).flipped(literal.negative)
     }
     #[inline]
     fn pi(&self) -> Self {
@@ -58,18 +61,7 @@ impl<const N: usize> Real for Wide<N> {
     fn sqrt(&self) -> Self {
         self.root()
     }
-    fn exp(&self) -> Self {
-        self.exponential()
-    }
-    fn exp_m1(&self) -> Self {
-        self.exponential_minus_one()
-    }
-    fn ln(&self) -> Self {
-        self.logarithm()
-    }
-    fn ln_1p(&self) -> Self {
-        self.logarithm_of_one_plus()
-    }
+    functions!(exp: exponential, exp_m1: exponential_minus_one, ln: logarithm, ln_1p: logarithm_of_one_plus);
     fn pow(&self, exponent: &Self) -> Self {
         self.power(exponent)
     }
@@ -106,19 +98,4 @@ impl<const N: usize> From<f64> for Wide<N> {
     fn from(value: f64) -> Self {
         Self::from_double(value)
     }
-}
-
-/// The value of the text of a [`Literal`], whose grammar has been checked.
-fn parse<const N: usize>(text: &str) -> Wide<N> {
-    if let Some((numerator, denominator)) = text.split_once('/') {
-        return parse::<N>(numerator) / parse::<N>(denominator);
-    }
-    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let digits = whole.bytes().chain(fraction.bytes()).filter(u8::is_ascii_digit);
-    let integer = digits.fold(Wide::ZERO, |sum: Wide<N>, digit| sum.times(10) + sum.lit(i64::from(digit - b'0')));
-    let exponent = exponent.parse().unwrap_or(0_i64) - fraction.len() as i64;
-    let power = Wide::from_double(10.0).whole_power(exponent.abs());
-    let magnitude = if exponent < 0 { integer / power } else { integer * power };
-    if text.starts_with('-') { -magnitude } else { magnitude }
 }
