@@ -217,9 +217,12 @@ fn from(objective: &mut Objective<'_>, start: &[f64], scales: &[f64]) -> mdr_cor
     if let Ok((fitted, evaluations)) = minimise::descend(objective, &end.0, 1e-8, 100) {
         end = (fitted, end.1 + evaluations);
     }
-    objective.x_scale = scale;
-    let (fitted, evaluations) = minimise::descend(objective, &end.0, 1e-12, 100)?;
-    minimise::polish(objective, &fitted, end.1 + evaluations)
+    if scale != Some(last) {
+        objective.x_scale = scale;
+        let (fitted, evaluations) = minimise::descend(objective, &end.0, 1e-12, 100)?;
+        end = (fitted, end.1 + evaluations);
+    }
+    minimise::polish(objective, &end.0, end.1)
 }
 
 /// The answer at a minimum.

@@ -5,6 +5,9 @@ use mdr_core::contact::Result;
 use super::arcs::{Arc, Sample};
 use super::contact::{Contact, Point};
 
+/// A step of the secant method, relative to the radius, after which none is needed.
+const NEAR: f64 = 1e-8;
+
 /// The point of an arc to which a row is compared.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Foot {
@@ -146,7 +149,8 @@ fn slope_of_distance(at: [f64; 2], tangent: [f64; 2], row: [f64; 2], scales: [f6
     x * tangent[0] / scales[0] + y * tangent[1] / scales[1]
 }
 
-/// The minimum of the distance in a bracket, by the secant method with bisection.
+/// The minimum of the distance in a bracket, by the secant method with bisection. Where a step is as small as NEAR, what it leaves is
+/// rounding.
 fn minimum(
     contact: &Contact<'_, f64>,
     row: [f64; 2],
@@ -170,11 +174,15 @@ fn minimum(
             _ => x * x + y * y,
         };
         let next = s - slope / steepness;
-        if slope == 0.0 || (next - s).abs() <= 1e-14 * s || high - low <= 4.0 * f64::EPSILON * s {
+        if slope == 0.0 || high - low <= 4.0 * f64::EPSILON * s {
             return Ok((s, point));
         }
+        let is_near = (next - s).abs() <= NEAR * s;
         before = Some([s, slope]);
         s = next;
+        if is_near && s > low && s < high {
+            break;
+        }
     }
     let point = contact.point(&s)?;
     Ok((s, point))

@@ -196,31 +196,27 @@ impl<'p> Objective<'p> {
         let mut labels = Vec::with_capacity(self.rows.len());
         let mut feet = Vec::with_capacity(self.rows.len());
         for leg in self.rows.chunk_by(|one, other| one.leg == other.leg) {
-            let mut costs = Vec::with_capacity(leg.len());
-            let mut found: Vec<Vec<Option<Foot>>> = Vec::with_capacity(leg.len());
-            for row in leg {
+            // Level 0 is detached, each other that of an arc.
+            let levels = arcs.len() + 1;
+            let mut costs = vec![f64::INFINITY; levels * leg.len()];
+            let mut found = vec![None; levels * leg.len()];
+            let of_rows = costs.chunks_mut(levels).zip(found.chunks_mut(levels));
+            for (row, (costs, feet)) in leg.iter().zip(of_rows) {
                 let scales = self.scales(row);
-                let mut cost = vec![f64::INFINITY; arcs.len() + 1];
-                let mut feet = vec![None; arcs.len() + 1];
                 if self.can_be(row, true) || arcs.is_empty() {
-                    cost[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
+                    costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
                 }
                 if self.can_be(row, false) {
                     for (index, arc) in arcs.iter().enumerate() {
                         let foot = arc.foot(contact, [row.x, row.y], &scales)?;
-                        cost[index + 1] = self.loss(foot.residual)[0].powi(2);
+                        costs[index + 1] = self.loss(foot.residual)[0].powi(2);
                         feet[index + 1] = Some(foot);
                     }
                 }
-                costs.push(cost);
-                found.push(feet);
             }
-            for (level, feet_of_row) in
-                cheapest(&costs, leg.first().map_or(Leg::Retract, |row| row.leg)).into_iter().zip(found)
-            {
-                labels.push(level);
-                feet.push(feet_of_row[level]);
-            }
+            let cheapest = cheapest(&costs, levels, leg.first().map_or(Leg::Retract, |row| row.leg));
+            feet.extend(cheapest.iter().zip(found.chunks(levels)).map(|(level, feet)| feet[*level]));
+            labels.extend(cheapest);
         }
         Ok((labels, feet))
     }
