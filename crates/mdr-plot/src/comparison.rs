@@ -85,7 +85,9 @@ fn panel(question: &Question<'_>, colour: impl Fn(&Method<'_>) -> Colour) -> Pan
         }
     };
     let edge = y.range().1;
-    let mut panel = Panel::new(question.title, x, y);
+    // An equation stays in one line.
+    let heading = question.title.replace("κ_n", "κ_{n}").replace(" = ", "\u{a0}=\u{a0}");
+    let mut panel = Panel::new(&heading, x, y);
     if let Some(digits) = question.attainable {
         let line = [fastest, slowest].map(|time| [time, 10_f64.powf(-digits)]).to_vec();
         let attainable = Layer::curve("attainable", line, Stroke::Thin);

@@ -158,9 +158,9 @@ impl Asked {
         };
         let gauss = |digits: u32| Rule::Gauss { nodes: (f64::from(digits) * NODES_A_DIGIT) as usize + 3 };
         let series = vec![
-            Series::ours("mdr-numeric, automatic", by(|_| Rule::Automatic)),
-            Series::ours("mdr-numeric, Gauss–Jacobi", by(gauss)),
-            Series::ours("mdr-numeric, tanh-sinh", by(|_| Rule::TanhSinh)),
+            Series::ours("quadrature, automatic rule", by(|_| Rule::Automatic)),
+            Series::ours("quadrature, Gauss–Jacobi", by(gauss)),
+            Series::ours("quadrature, tanh-sinh", by(|_| Rule::TanhSinh)),
         ];
         Comparison::of_digits("transform", format!("g({X}) of f = r^(1/4), by quadrature"), CLOSED_FORM, series)
     }

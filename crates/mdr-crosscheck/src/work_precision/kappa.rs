@@ -48,8 +48,11 @@ fn comparison(n: f64, name: &str, level: Level, clock: Clock) -> Comparison {
         // |n κ'/κ| < 1/2.
         attainable: Some(Outcome::attainable(0.5)),
         series: vec![
-            Series::ours("double::kappa", vec![point("f64", &|n| mdr_analytic::double::kappa(n).unwrap_or(f64::NAN))]),
-            Series::ours("fixed words", words.into()),
+            Series::ours(
+                "expansions, right to 1 ulp",
+                vec![point("f64", &|n| mdr_analytic::double::kappa(n).unwrap_or(f64::NAN))],
+            ),
+            Series::ours("balls in fixed words", words.into()),
             Series::textbook("quotient of Γ", vec![point("f64", &|n| by_gamma(&n))]),
             Series::textbook("exp of a difference of ln Γ", vec![point("f64", &kappa_by_logarithms)]),
             Series::textbook("Gauss's series", growing("terms", by_series)),

@@ -128,9 +128,9 @@ impl Question {
             Ok(points)
         };
         let series = vec![
-            Series::ours("mdr-numeric, automatic", to_tolerance(Rule::Automatic)?),
-            Series::ours("mdr-numeric, Gauss–Jacobi", gauss.iter().map(jacobi).collect()),
-            Series::ours("mdr-numeric, tanh-sinh", to_tolerance(Rule::TanhSinh)?),
+            Series::ours("quadrature, automatic rule", to_tolerance(Rule::Automatic)?),
+            Series::ours("quadrature, Gauss–Jacobi", gauss.iter().map(jacobi).collect()),
+            Series::ours("quadrature, tanh-sinh", to_tolerance(Rule::TanhSinh)?),
             Series::textbook("springs, midpoint sum", springs.collect()),
             Series::textbook("Gauss–Chebyshev", in_angle(chebyshev)?),
             Series::textbook("Gauss–Legendre in θ", in_angle(legendre)?),

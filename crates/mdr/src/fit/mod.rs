@@ -32,6 +32,11 @@
 //! # Accuracy
 //! Estimates in f64, converged to the rounding of the residuals. Standard errors are those of the linearised model.
 
+#![cfg_attr(
+    not(any(feature = "toml", feature = "serde")),
+    allow(dead_code, unused_imports, reason = "what reads is not called")
+)]
+
 mod answer;
 mod arcs;
 #[cfg(feature = "mp")]

@@ -1,5 +1,10 @@
 //! Scenes: what is pressed, what is controlled, and what is wanted; built in Rust, or read from TOML or JSON.
 
+#![cfg_attr(
+    not(any(feature = "toml", feature = "serde")),
+    allow(dead_code, unused_imports, reason = "what reads is not called")
+)]
+
 mod inputs;
 mod material;
 mod measured;
