@@ -25,13 +25,13 @@ const AT_FOLD: f64 = 1e-2;
 const GOOD: f64 = 3.0;
 
 pub(super) fn fit(problem: &Problem) -> Result<Fit> {
-    let mut fit = fit_once(problem)?;
+    let mut fit = fit_from(problem, &Source::ALL)?;
     super::smoothing::add(&mut fit, problem);
     Ok(fit)
 }
 
-/// The fit with the tip as it is given.
-pub(super) fn fit_once(problem: &Problem) -> Result<Fit> {
+/// The fit with the tip as it is given, from starts of these sources.
+pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Fit> {
     check(problem)?;
     let noise = Noise::of(problem);
     noise.check(problem)?;
@@ -43,7 +43,7 @@ pub(super) fn fit_once(problem: &Problem) -> Result<Fit> {
         None => Some(noise.beyond),
     };
     let mut objective = Objective::new(problem, first, noise.y, noise.beyond)?;
-    let mut minimum = least(&mut objective, noise.stated)?;
+    let mut minimum = least(&mut objective, sources, noise.stated)?;
     let jumps = minimum.evaluation.labels.iter().any(|label| *label != minimum.evaluation.labels[0]);
     if given.is_none() && !jumps {
         objective.x_scale = None;
@@ -156,13 +156,13 @@ impl Noise {
 
 /// The minimum of least cost that is found from the starts, until one fits as well as noise lets it: within a standard deviation of χ²
 /// where σ is stated, since a second minimum may be little worse.
-fn least(objective: &mut Objective<'_>, is_stated: bool) -> Result<Minimum> {
+fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated: bool) -> Result<Minimum> {
     let dof = objective.rows.len().saturating_sub(objective.free.len()).max(1) as f64;
     let enough = if is_stated { dof + (2.0 * dof).sqrt() } else { GOOD * dof };
     let mut best: Option<Minimum> = None;
     let mut failure = None;
     let has_start = objective.problem.parameters.iter().any(|parameter| parameter.start.is_some());
-    for source in Source::ALL {
+    for &source in sources {
         // What the data say themselves is near enough.
         let scales: &[f64] = if source == Source::Given || has_start { &CONTINUATION } else { &CONTINUATION[2..] };
         for start in start::candidates(objective, source) {

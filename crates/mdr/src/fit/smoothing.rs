@@ -3,6 +3,7 @@
 use super::answer::{Fit, FitStatus, SmoothedFit};
 use super::drive;
 use super::problem::Problem;
+use super::start::Source;
 use crate::scene::Measured;
 
 /// Lengths against the one that is stated; none for the rows as they are.
@@ -52,7 +53,7 @@ fn with(fit: &Fit, problem: &Problem, length: Option<f64>) -> Option<SmoothedFit
             parameter.start = estimate.value;
         }
     }
-    let found = drive::fit_once(&other).ok()?;
+    let found = drive::fit_from(&other, &[Source::Given]).ok()?;
     let estimates = found.parameters.iter().map(|estimate| estimate.value).collect();
     Some(SmoothedFit { length, estimates, rss: found.rss })
 }
