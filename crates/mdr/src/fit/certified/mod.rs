@@ -1,8 +1,8 @@
 //! Certified digits of an estimate: a proof that the stationary point is unique in a box, and its digits.
 //!
-//! With the labels of the fit, the points with which rows are compared included, G = Jᵀr is a smooth function of the fitted values. Krawczyk's operator
-//! K = m − C·G(m) + (1 − C·H(B))·(B − m), with H the derivatives of G over the box B by dual numbers over intervals and C near H⁻¹,
-//! maps B into its interior only if G has exactly one zero in B; the zero lies in K (Krawczyk 1969; Neumaier 1990).
+//! With the labels of the fit, and each row compared with a point of the same kind, G = Jᵀr is a smooth function of the fitted values.
+//! Krawczyk's operator K = m − C·G(m) + (1 − C·H(B))·(B − m), with H the derivatives of G over the box B by dual numbers over intervals
+//! and C near H⁻¹, maps B into its interior only if G has exactly one zero in B; the zero lies in K (Krawczyk 1969; Neumaier 1990).
 
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
@@ -125,10 +125,8 @@ fn exact(precision: Precision, value: f64) -> Option<Interval> {
 }
 
 impl<'a> Proof<'a> {
-    /// None where a number is out of range.
-    ///
     /// # Errors
-    /// A sentence that says which row has no proof.
+    /// A sentence that says which row has no proof, or that a number is out of range.
     fn new(objective: &'a Objective<'_>, minimum: &Minimum, precision: Precision) -> std::result::Result<Self, String> {
         let problem = objective.problem;
         let rows = rows::rows(objective, minimum, precision)?;
