@@ -161,14 +161,9 @@ impl Arc {
         [&self.samples[0], &self.samples[self.samples.len() - 1]]
     }
 
-    /// X at its lower end, where that is a fold.
-    pub(super) fn fold_below(&self) -> Option<f64> {
-        self.folds[0].then(|| self.samples[0].at[0])
-    }
-
     /// Its inner end, where it is a fold.
-    pub(super) fn inner_fold(&self) -> Option<f64> {
-        self.folds[0].then(|| self.samples[0].s)
+    pub(super) fn inner_fold(&self) -> Option<&Sample> {
+        self.folds[0].then(|| &self.samples[0])
     }
 
     /// How the place of the foot moves with a number of the problem: at a fixed parameter, and with the end where it is one.

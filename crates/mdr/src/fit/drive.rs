@@ -321,8 +321,8 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
 fn not_converged(objective: &Objective<'_>, minimum: &Minimum) -> String {
     let Minimum { evaluation, gradient, evaluations, .. } = minimum;
     let is_at_fold = |(row, label): (&super::problem::DataRow, &usize)| {
-        let end = label.checked_sub(1).and_then(|arc| evaluation.arcs[arc].fold_below());
-        end.is_some_and(|end| (row.x - end).abs() < AT_FOLD * objective.beyond)
+        let end = label.checked_sub(1).and_then(|arc| evaluation.arcs[arc].inner_fold());
+        end.is_some_and(|end| (row.x - end.at[0]).abs() < AT_FOLD * objective.beyond)
     };
     if objective.x_scale.is_none() && objective.rows.iter().zip(&evaluation.labels).any(is_at_fold) {
         return "a row lies at the fold, where the curve is vertical: the sum of squares of vertical distances has a kink there and no \

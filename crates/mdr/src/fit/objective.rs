@@ -328,8 +328,8 @@ impl<'p> Objective<'p> {
 impl Evaluation {
     /// The parameter of the fold where the contact breaks: of the inner ends of arcs, that with the smallest X.
     pub(super) fn last_fold(&self) -> Option<f64> {
-        let ends = self.arcs.iter().filter_map(|arc| Some((arc.inner_fold()?, arc.samples[0].at[0])));
-        ends.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(s, _)| s)
+        let ends = self.arcs.iter().filter_map(Arc::inner_fold);
+        ends.min_by(|one, other| one.at[0].total_cmp(&other.at[0])).map(|end| end.s)
     }
 }
 

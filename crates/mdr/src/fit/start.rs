@@ -119,8 +119,10 @@ fn record(problem: &Problem) -> Record {
     let retracts = problem.rows.iter().any(|row| row.leg == Leg::Retract);
     let rows: Vec<[f64; 2]> =
         problem.rows.iter().filter(|row| !retracts || row.leg == Leg::Retract).map(|row| [row.x, row.y]).collect();
-    let last = pull_off(&rows);
-    let baseline = if is_free(problem, Kind::Baseline) && problem.observation != Observation::IndentationOfForce {
+    // Under a dead load nothing is seen of a contact that is broken.
+    let has_tail = problem.observation != Observation::IndentationOfForce;
+    let last = pull_off(&rows).filter(|_| has_tail);
+    let baseline = if is_free(problem, Kind::Baseline) && has_tail {
         tail(&rows, last).or(known(problem, Kind::Baseline)).unwrap_or(0.0)
     } else {
         known(problem, Kind::Baseline).unwrap_or(0.0)
@@ -132,7 +134,6 @@ fn record(problem: &Problem) -> Record {
         Observation::IndentationOfForce => [*y, x - baseline],
         _ => [*x, y - baseline],
     };
-    let last = last.filter(|_| problem.observation != Observation::IndentationOfForce);
     Record { states: rows.iter().map(state).collect(), last: last.as_ref().map(state), baseline }
 }
 
@@ -204,7 +205,7 @@ fn two_points(problem: &Problem, record: &Record, numbers: &[f64]) -> Option<[f6
     Some([e_star, work, lowest_depth - depth, record.baseline])
 }
 
-/// A search over w/E*: E* follows from the smallest force, and the contact point from where it is.
+/// A search over w/E*: E* and the contact point follow from a row at which a fold is.
 fn by_search(problem: &Problem, record: &Record, tip: &Tip<f64>) -> Vec<[f64; 4]> {
     let depths = record.states.iter().map(|state| state[0]);
     let (low, high) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)));

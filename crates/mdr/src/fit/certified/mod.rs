@@ -11,7 +11,7 @@ use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 mod linear;
 mod rows;
 
-use self::linear::{midpoints, points, solve};
+use self::linear::{inverse, midpoints, points, solve};
 use self::rows::{Residual, Row};
 use super::answer::{Certified, CertifiedEstimate};
 use super::contact::{Contact, Numbers, Tip};
@@ -208,12 +208,11 @@ impl<'a> Proof<'a> {
         for _ in 0..12 {
             let normal = self.normal(&middle)?;
             let Some(step) = solve(midpoints(&normal.hessian), vec![points(&normal.gradient)]) else { return Ok(None) };
-            let small = step[0].iter().zip(&normal.hessian).all(|(step, _)| step.abs().approx() < 1e-60);
             for (value, step) in middle.iter_mut().zip(&step[0]) {
                 *value = Interval::point((value.clone() - step).mid());
             }
-            let size = step[0].iter().zip(&middle).map(|(step, _)| step.abs().approx()).fold(0.0, f64::max);
-            if small || size < 2f64.powi(40 - self.precision.bits().min(1000) as i32) {
+            let size = step[0].iter().map(|step| step.abs().approx()).fold(0.0, f64::max);
+            if size < 1e-60 || size < 2f64.powi(40 - self.precision.bits().min(1000) as i32) {
                 break;
             }
         }
@@ -239,10 +238,7 @@ impl<'a> Proof<'a> {
     fn read(&self, fitted: &[Interval], reach: &[f64], digits: u32, dof: usize) -> Result<Option<Certified>> {
         let normal = self.normal(fitted)?;
         let count = fitted.len();
-        let unit = |row: usize| (0..count).map(|place| fitted[0].lit(i64::from(row == place))).collect::<Vec<_>>();
-        let Some(covariance) = solve(normal.information.clone(), (0..count).map(unit).collect()) else {
-            return Ok(None);
-        };
+        let Some(covariance) = inverse(normal.information) else { return Ok(None) };
         let variance = normal.rss.clone().over(dof.max(1) as i64);
         let text = |value: Interval| Enclosure::from(value).round(digits);
         let numbers = self.numbers(fitted, usize::MAX);
@@ -274,10 +270,7 @@ impl<'a> Boxes<'a> {
     /// None where H is nearly singular.
     fn around(proof: &'a Proof<'a>, middle: Vec<Interval>) -> Result<Option<Self>> {
         let Normal { gradient, hessian, .. } = proof.normal(&middle)?;
-        let count = middle.len();
-        let unit = |row: usize| (0..count).map(|place| middle[0].lit(i64::from(row == place))).collect::<Vec<_>>();
-        let inverse = solve(midpoints(&hessian), (0..count).map(unit).collect());
-        Ok(inverse.map(|inverse| Boxes { proof, middle, gradient, inverse }))
+        Ok(inverse(midpoints(&hessian)).map(|inverse| Boxes { proof, middle, gradient, inverse }))
     }
 
     /// The enclosure of the zero in a box of these half widths that the operator maps into its interior; none for another box.
