@@ -7,7 +7,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs dist peers peers-fit python oracle book site site-test
+.PHONY: verify test build deps bench doc confirm proofs dist peers peers-fit python oracle book site site-test site-tools
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -49,6 +49,10 @@ site:
 # there is no browser.
 site-test:
 	@sh scripts/site_test.sh
+
+# What site-test needs, where it can be had.
+site-tools:
+	@sh scripts/site_test.sh --install
 
 # The ready tests of examples/oracle in C++, for Lethe and for LAMMPS, against small codes and against LAMMPS itself.
 oracle:

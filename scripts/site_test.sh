@@ -2,7 +2,7 @@
 # The explorer and the book in a browser, without a window: what a reader sees and does, the numbers of the explorer against
 # `mdr solve --f64`, frames and sizes; axe on both. playwright-core and axe-core are installed below target/, Chromium by the
 # system's packages where that may be done. Where one of them cannot be had nothing is checked, and that is said. CHROMIUM and
-# MDR name other programs.
+# MDR name other programs. With --install the tools are fetched and nothing is checked.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -11,7 +11,9 @@ skip() {
     exit 0
 }
 
-[ -f target/book/explorer.html ] || skip "there is no target/book/explorer.html: make site"
+install_only=
+[ "${1:-}" = --install ] && install_only=yes
+[ -n "$install_only" ] || [ -f target/book/explorer.html ] || skip "there is no target/book/explorer.html: make site"
 command -v node >/dev/null || skip "there is no node"
 node -e 'process.exit(Number.parseInt(process.versions.node) < 20 ? 1 : 0)' || skip "node is older than 20"
 
@@ -39,6 +41,7 @@ if ! CHROMIUM=$(find_browser); then
     fi
     CHROMIUM=$(find_browser) || skip "there is no Chromium; on Debian, as root: apt-get install chromium"
 fi
+[ -z "$install_only" ] || exit 0
 
 for program in "${MDR:-}" target/release/mdr target/debug/mdr; do
     [ -n "$program" ] && [ -x "$program" ] && break
