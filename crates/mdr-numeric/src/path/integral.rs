@@ -5,7 +5,7 @@ use mdr_core::calculus::{
     quadrature::{pieces, tanh_sinh},
     roundoff_tolerance,
 };
-use mdr_core::contact::{Error, Result};
+use mdr_core::contact::{Error, Result, Transform};
 use mdr_core::number::{Real, order};
 
 /// The most halvings of a piece that does not converge: oscillations without folds, thousands in one piece.
@@ -22,18 +22,21 @@ pub(super) struct Breaks<R> {
     kinks: Vec<R>,
     /// All radii where a piece should end, ascending.
     ends: Vec<R>,
+    /// Where the profile ends, if it does: g may diverge there as a logarithm.
+    outer: Option<R>,
 }
 
 impl<R: Real> Breaks<R> {
     /// Pieces end at the kinks, and in between at folds: at all if they are few, at some if many, to bound the waves
     /// per piece.
-    pub(super) fn new(kinks: Vec<R>, folds: impl ExactSizeIterator<Item = R>) -> Self {
+    pub(super) fn new(transform: &dyn Transform<R>, folds: impl ExactSizeIterator<Item = R>) -> Self {
+        let kinks = transform.kinks();
         let stride = if folds.len() > 2 * FOLDS { FOLDS } else { 1 };
         let mut ends: Vec<R> = kinks.iter().cloned().chain(folds.step_by(stride)).collect();
         ends.sort_by(order);
         // A kink may be a fold.
         ends.dedup();
-        Breaks { kinks, ends }
+        Breaks { kinks, ends, outer: transform.outer_radius() }
     }
 
     /// The relative distance of a radius from the nearest kink, at most one.
@@ -75,7 +78,8 @@ impl<R: Real> Breaks<R> {
         Ok(total)
     }
 
-    /// One piece; if it does not converge, its two halves.
+    /// One piece; if it does not converge, its two halves. Towards the end of the profile pieces become shorter with the
+    /// distance from it.
     fn piece(
         &self,
         [lower, upper]: [&R; 2],
@@ -85,12 +89,23 @@ impl<R: Real> Breaks<R> {
     ) -> Result<Estimate<R>> {
         let middle =
             if wide(lower, upper) { (lower.ln() + upper.ln()).over(2).exp() } else { (lower.clone() + upper).over(2) };
+        if let Some(middle) = self.towards_end(lower, upper) {
+            return pieces(lower, upper, &[middle], |a, b| self.piece([a, b], tolerance, halvings, f));
+        }
         match self.rule(lower, upper, tolerance, f) {
             Err(Error::NoConvergence { .. }) if halvings > 0 && middle > *lower && middle < *upper => {
                 pieces(lower, upper, &[middle], |a, b| self.piece([a, b], tolerance, halvings - 1, f))
             }
             result => result,
         }
+    }
+
+    /// A radius within a piece that comes much closer to the end of the profile than it is long.
+    fn towards_end(&self, lower: &R, upper: &R) -> Option<R> {
+        let outer = self.outer.as_ref()?;
+        let [far, near] = [lower, upper].map(|a| outer.clone() - a);
+        let middle = outer.clone() - (far.clone() * &near).sqrt();
+        (wide(&near, &far) && middle > *lower && middle < *upper).then_some(middle)
     }
 
     /// Gauss–Legendre; beside a kink b, where g' may have an inverse root, in s with a = b + s²(upper − b). At the tip,

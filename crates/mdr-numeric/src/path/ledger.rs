@@ -150,7 +150,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
     fn new(branches: &'a Branches<'c, R>) -> Self {
         let folds = branches.folds().iter().map(|fold| fold.contact_radius.clone());
         let curve = branches.curve();
-        Books { curve, breaks: Breaks::new(curve.transform().kinks(), folds) }
+        Books { curve, breaks: Breaks::new(curve.transform(), folds) }
     }
 
     /// The work of the control between two states on one branch.
