@@ -6,15 +6,18 @@ use super::Findings;
 use crate::ladders::{Family, Ladder, Rung};
 use crate::work_precision::{Comparison, Series, Task};
 
-/// The page.
-pub(super) fn page(findings: &Findings, origin: &str) -> String {
-    let mut page = HEAD.to_owned();
-    for (task, comparisons) in &findings.tasks {
-        page.push_str(&section(task, comparisons));
+impl Findings {
+    /// Both parts as a page in Markdown, which shows the picture `NAME.svg` of each task; it ends with `origin`: by which
+    /// command, how often and on which machine.
+    pub fn page(&self, origin: &str) -> String {
+        let mut page = HEAD.to_owned();
+        for (task, comparisons) in &self.tasks {
+            page.push_str(&section(task, comparisons));
+        }
+        page.push_str(&failures(self));
+        page.push_str(&stability(&self.ladders));
+        page + &format!("\n## How it was made\n\n{origin}\n")
     }
-    page.push_str(&failures(findings));
-    page.push_str(&stability(&findings.ladders));
-    page + &format!("\n## How it was made\n\n{origin}\n")
 }
 
 const HEAD: &str = include_str!("../../text/report.md");

@@ -15,22 +15,25 @@ const BEGIN: &str = r"\documentclass{article}
 ";
 const END: &str = r"\end{document}";
 
-pub(super) fn write(extent: Document<'_>) -> String {
-    let body = match extent {
-        Document::All(judgements) => {
-            let entries: Vec<_> = judgements.iter().map(entry).collect();
-            format!("{}\n\n{}", entries.join("\n\n"), escaped(&summary(judgements)))
-        }
-        Document::One(judgement) => entry(judgement),
-        Document::Errata(judgements) => {
-            let items = errata(judgements).map(|(judgement, erratum, evidence)| {
-                let steps: Vec<_> = evidence.into_iter().map(step).collect();
-                format!("{}\n{}\n\n{}", section(judgement), words(erratum.text), steps.join("\n\n"))
-            });
-            items.collect::<Vec<_>>().join("\n\n")
-        }
-    };
-    format!("{BEGIN}\n{body}\n\n{END}")
+impl Document<'_> {
+    /// A whole document.
+    pub fn latex(self) -> String {
+        let body = match self {
+            Document::All(judgements) => {
+                let entries: Vec<_> = judgements.iter().map(entry).collect();
+                format!("{}\n\n{}", entries.join("\n\n"), escaped(&summary(judgements)))
+            }
+            Document::One(judgement) => entry(judgement),
+            Document::Errata(judgements) => {
+                let items = errata(judgements).map(|(judgement, erratum, evidence)| {
+                    let steps: Vec<_> = evidence.into_iter().map(step).collect();
+                    format!("{}\n{}\n\n{}", section(judgement), words(erratum.text), steps.join("\n\n"))
+                });
+                items.collect::<Vec<_>>().join("\n\n")
+            }
+        };
+        format!("{BEGIN}\n{body}\n\n{END}")
+    }
 }
 
 fn section(judgement: &Judgement) -> String {

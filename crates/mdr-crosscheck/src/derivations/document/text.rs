@@ -7,15 +7,18 @@ use super::{
 /// Columns of prose.
 const WIDTH: usize = 100;
 
-pub(super) fn write(extent: Document<'_>) -> String {
-    match extent {
-        Document::All(judgements) => judgements.iter().map(entry).collect::<Vec<_>>().join("\n\n"),
-        Document::One(judgement) => entry(judgement),
-        Document::Errata(judgements) => {
-            let items = errata(judgements).map(|(judgement, erratum, _)| {
-                format!("{}\n{}", heading(judgement), wrapped(&words(erratum.text), "  "))
-            });
-            items.collect::<Vec<_>>().join("\n\n")
+impl Document<'_> {
+    /// Lines of at most 100 columns; of all derivations, the entries one after the other.
+    pub fn text(self) -> String {
+        match self {
+            Document::All(judgements) => judgements.iter().map(entry).collect::<Vec<_>>().join("\n\n"),
+            Document::One(judgement) => entry(judgement),
+            Document::Errata(judgements) => {
+                let items = errata(judgements).map(|(judgement, erratum, _)| {
+                    format!("{}\n{}", heading(judgement), wrapped(&words(erratum.text), "  "))
+                });
+                items.collect::<Vec<_>>().join("\n\n")
+            }
         }
     }
 }
@@ -48,7 +51,7 @@ fn entry(judgement: &Judgement) -> String {
     let all = judgement.mutants();
     lines.push(format!("\n{}", mutants(&all)));
     for fate in [Fate::Meaningless, Fate::Undecided] {
-        let named = all.with(fate).map(|mutant| format!("{}: {}", fate.words(), mutant.text()));
+        let named = all.with(fate).map(|mutant| format!("{}: {}", fate.name(), mutant.text()));
         lines.extend(named.map(|mutant| wrapped(&mutant, "  ")));
     }
     lines.join("\n")
