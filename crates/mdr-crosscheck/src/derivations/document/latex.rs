@@ -1,8 +1,6 @@
 //! Derivations as a LaTeX document.
 
-use super::{
-    Document, Judgement, StepJudgement, errata, heading, joined, place, prose, step_verdict, summary, theorems,
-};
+use super::{Document, Judgement, StepJudgement, errata, heading, joined, place, prose, step_verdict, summary};
 
 const BEGIN: &str = r"\documentclass{article}
 \usepackage[utf8]{inputenc}
@@ -45,9 +43,10 @@ fn entry(judgement: &Judgement) -> String {
     let mut parts = vec![section(judgement)];
     let (verdict, assumptions) = (judgement.verdict(), joined(entry.assumptions, words));
     parts.push(format!(r"Verdict: \textbf{{{verdict}}}. Assumes: {assumptions}."));
-    let theorems = theorems(judgement, |theorem| {
+    let theorems = entry.theorems().map(|theorem| {
         format!(r"\texttt{{{}}} ({}): {}", escaped(theorem.name), escaped(theorem.file), words(theorem.says))
     });
+    let theorems: Vec<_> = theorems.collect();
     if !theorems.is_empty() {
         parts.push(format!("Theorems, checked by Coq: {}.", theorems.join("; ")));
     }
@@ -70,7 +69,7 @@ fn step(step: &StepJudgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    prose::render(text, escaped, |math| format!("${}$", math.tex()))
+    prose::render(text, escaped, |_, tex| format!("${tex}$"))
 }
 
 /// With TeX for the characters that it reads in another way or does not have.

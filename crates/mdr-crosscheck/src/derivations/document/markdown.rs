@@ -3,7 +3,7 @@
 use mdr_symbolic::Symbol;
 use mdr_symbolic::formula::Definition;
 
-use super::{Document, errata, heading, hypotheses, joined, place, prose, step_verdict, summary, theorems, witness};
+use super::{Document, errata, heading, hypotheses, joined, place, prose, step_verdict, summary, witness};
 use crate::derivations::{AGREEMENT, Fate, Judgement, OCTAVES, POINTS, StepJudgement};
 
 /// The longest witness that is shown, in characters of TeX.
@@ -104,10 +104,11 @@ fn entry(judgement: &Judgement, level: &str) -> String {
         section += &format!(" Assumes: {}.", joined(entry.assumptions, words));
     }
     section += &format!(" Where {}.", hypotheses(judgement));
-    let theorems = theorems(judgement, |theorem| {
+    let theorems = entry.theorems().map(|theorem| {
         let (name, file) = (theorem.name, theorem.file);
         format!("* [`{name}`](proofs/{file}): {}", escaped(theorem.says))
     });
+    let theorems: Vec<_> = theorems.collect();
     if !theorems.is_empty() {
         section += &format!("\n\nTheorems, checked by Coq:\n\n{}", theorems.join("\n"));
     }
@@ -155,7 +156,7 @@ fn step(step: &StepJudgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    prose::render(text, escaped, |math| format!("$`{}`$", math.tex()))
+    prose::render(text, escaped, |_, tex| format!("$`{tex}`$"))
 }
 
 /// Stars, underscores and signs of less than are no markup here.

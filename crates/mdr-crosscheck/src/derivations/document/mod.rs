@@ -5,7 +5,7 @@ mod markdown;
 mod prose;
 mod text;
 
-use mdr_symbolic::derivations::{Erratum, Theorem, Verdict};
+use mdr_symbolic::derivations::{Erratum, Verdict};
 use mdr_symbolic::{Decision, Domain};
 
 use super::{AGREEMENT, Fate, Judgement, Mutants, StepJudgement};
@@ -71,11 +71,6 @@ fn place(step: &StepJudgement) -> String {
 /// Several texts in a sentence.
 fn joined(texts: &[&str], write: impl Fn(&str) -> String) -> String {
     texts.iter().map(|text| write(text)).collect::<Vec<_>>().join("; ")
-}
-
-/// The theorems of an entry, each as `name (file): what it says`.
-fn theorems(judgement: &Judgement, write: impl Fn(&Theorem) -> String) -> Vec<String> {
-    judgement.entry.theorems().map(|theorem| write(&theorem)).collect()
 }
 
 /// What holds for the symbols of every statement of an entry.

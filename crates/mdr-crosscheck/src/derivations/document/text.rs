@@ -1,8 +1,6 @@
 //! Derivations for a terminal.
 
-use super::{
-    Document, Fate, Judgement, errata, heading, hypotheses, mutants, place, prose, step_verdict, theorems, witness,
-};
+use super::{Document, Fate, Judgement, errata, heading, hypotheses, mutants, place, prose, step_verdict, witness};
 
 /// Columns of prose.
 const WIDTH: usize = 100;
@@ -28,9 +26,11 @@ fn entry(judgement: &Judgement) -> String {
     let mut lines = vec![format!("{}: {}", heading(judgement), judgement.verdict())];
     lines.extend(entry.assumptions.iter().map(|assumption| format!("  assumes {}", words(assumption))));
     lines.push(wrapped(&format!("where {}", hypotheses(judgement)), "  "));
-    lines.extend(theorems(judgement, |theorem| {
-        wrapped(&format!("theorem {} ({}): {}", theorem.name, theorem.file, theorem.says), "  ")
-    }));
+    lines.extend(
+        entry
+            .theorems()
+            .map(|theorem| wrapped(&format!("theorem {} ({}): {}", theorem.name, theorem.file, theorem.says), "  ")),
+    );
     for (i, step) in judgement.steps.iter().enumerate() {
         lines.push(format!("\n{}. {}{}", i + 1, step_verdict(step), place(step)));
         if let Ok(Some(statement)) = step.step.statement() {
@@ -58,7 +58,7 @@ fn entry(judgement: &Judgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    prose::render(text, str::to_owned, |math| math.text())
+    prose::render(text, str::to_owned, |text, _| text.to_owned())
 }
 
 /// The text broken into indented lines.
