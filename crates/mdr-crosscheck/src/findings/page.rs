@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Findings;
 use crate::ladders::{Family, Ladder, Rung};
+use crate::short;
 use crate::work_precision::{Comparison, Series, Task};
 
 impl Findings {
@@ -65,14 +66,7 @@ fn time(seconds: f64) -> String {
         s if s < 0.9995 => (1e3, "ms"),
         _ => (1.0, "s"),
     };
-    let number = format!("{:.3e}", scale * seconds).parse::<f64>().unwrap_or(scale * seconds);
-    let rounded = match number {
-        x if x < 9.995 => format!("{x:.2}"),
-        x if x < 99.95 => format!("{x:.1}"),
-        x => format!("{x:.0}"),
-    };
-    let short = if rounded.contains('.') { rounded.trim_end_matches('0').trim_end_matches('.') } else { &rounded };
-    format!("{short} {unit}")
+    format!("{} {unit}", short::rounded(scale * seconds, 3))
 }
 
 fn failures(findings: &Findings) -> String {
