@@ -5,7 +5,7 @@ use std::fmt;
 use mdr_core::named;
 use serde::{Deserialize, Serialize};
 
-use crate::options::{Level, Options, Shard};
+use crate::options::{Level, Shard};
 use crate::short;
 use crate::trial::Trial;
 
@@ -218,12 +218,6 @@ pub struct Report {
 }
 
 impl Report {
-    /// An empty report of a run.
-    pub(crate) fn new(options: &Options) -> Self {
-        let Options { level, digits, seed, shard, limit, .. } = options.clone();
-        Report { grid: Grid { level, digits, seed, limit }, shard, rows: Vec::new(), failures: Vec::new() }
-    }
-
     /// Whether no check failed.
     pub fn passed(&self) -> bool {
         self.rows.iter().all(|row| row.verdict != Verdict::Fail)

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::checks::{Check, registry};
 use crate::options::Options;
-use crate::report::Report;
+use crate::report::{Grid, Report};
 use crate::subject::closed::ClosedForms;
 use crate::trial::Trial;
 
@@ -56,7 +56,9 @@ pub fn run_against(closed: &ClosedForms, options: &Options, progress: &(dyn Fn(P
             case
         })
         .collect();
-    let mut report = Report::new(options);
+    let Options { level, digits, seed, shard, limit, .. } = *options;
+    let mut report =
+        Report { grid: Grid { level, digits, seed, limit }, shard, rows: Vec::new(), failures: Vec::new() };
     let mut results = results.into_iter();
     for check in checks {
         report.enter(check.row.clone(), results.by_ref().take(indices(check).count()));

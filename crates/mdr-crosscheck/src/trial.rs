@@ -11,6 +11,9 @@ use rug::Float;
 use crate::report::Finding;
 use crate::subject::closed::ClosedForms;
 
+/// What runs a case.
+pub(crate) type Case = fn(&mut Trial<'_>) -> Result<()>;
+
 /// One case: where its inputs come from and where its comparisons go.
 #[derive(Debug)]
 pub(crate) struct Trial<'a> {
@@ -41,7 +44,7 @@ impl<'a> Trial<'a> {
     }
 
     /// Runs `case` on this trial.
-    pub(crate) fn run(mut self, case: fn(&mut Trial<'_>) -> Result<()>) -> Self {
+    pub(crate) fn run(mut self, case: Case) -> Self {
         if let Err(error) = case(&mut self) {
             self.broken = Some(error.to_string());
         }

@@ -81,10 +81,10 @@ pub(super) fn search<R: Arithmetic>(
     control: &Control<R>,
     round: usize,
     planted: f64,
-) -> Result<Found<R>> {
+) -> Result<Vec<Instability<R>>> {
     let material = scene.material()?;
-    if R::NAME == f64::NAME || round.is_multiple_of(8) {
-        return Ok(Found { all: true, folds: folds(transform, &material, control)?.folds });
+    if finds_all::<R>(round) {
+        return Ok(folds(transform, &material, control)?.folds);
     }
     let curve = Curve::new(transform, &material, control);
     let near = R::from_f64(scene.n.ctx(), planted);
@@ -100,14 +100,12 @@ pub(super) fn search<R: Arithmetic>(
         folds.push(Instability { contact_radius, indentation, force, kind });
         break;
     }
-    Ok(Found { all: false, folds })
+    Ok(folds)
 }
 
-/// What a search found.
-pub(super) struct Found<R> {
-    /// Whether these are all folds there are.
-    pub(super) all: bool,
-    pub(super) folds: Vec<Instability<R>>,
+/// Whether [`search`] looks at all radii.
+fn finds_all<R: Arithmetic>(round: usize) -> bool {
+    R::NAME == f64::NAME || round.is_multiple_of(8)
 }
 
 /// Which exponents: in f64 a radius magnified by more than 2⁴⁰ has no digit left to compare.
@@ -123,7 +121,7 @@ pub(super) fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: 
     let (material, control) = (scene.material()?, held.control());
     let state = trial.closed.critical(&scene.contact()?, &control)?;
     let transform = transform(&scene)?;
-    let found = search(&transform, &scene, &control, round, scales.radius)?.folds;
+    let found = search(&transform, &scene, &control, round, scales.radius)?;
     trial.demand("one fold", found.len() == 1);
     let Some(fold) = found.first() else { return Ok(()) };
     let closed = Instability {
@@ -176,9 +174,9 @@ pub(super) fn machine<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R
     let found = search(&transform, scene, &control, round, machine.radius)?;
     trial.demand(
         "the number of folds",
-        if found.all { closed.len() == found.folds.len() } else { !found.folds.is_empty() },
+        if finds_all::<R>(round) { closed.len() == found.len() } else { !found.is_empty() },
     );
-    for found in &found.folds {
+    for found in &found {
         let distance =
             |fold: &Instability<R>| (fold.contact_radius.clone() / &found.contact_radius).ln().abs().approx();
         let Some(closed) = closed.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else { continue };
@@ -202,7 +200,7 @@ pub(super) fn printed<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R
     let scales = trial.scales::<R>(round, exponent);
     let scene: Scene<R> = trial.planted(exponent, 1.0, scales, ctx);
     let transform = transform(&scene)?;
-    let found = search(&transform, &scene, &Control::Indentation, round, scales.radius)?.folds;
+    let found = search(&transform, &scene, &Control::Indentation, round, scales.radius)?;
     let Some(fold) = found.first() else { return Ok(()) };
     let a = &fold.contact_radius;
     let tangent = scene.tangent(1.0, a);

@@ -20,17 +20,16 @@ mod threshold;
 
 use std::sync::LazyLock;
 
-use mdr_core::contact::Result;
 use rug::Float;
 
 pub(crate) use self::certified::literal;
 pub(crate) use self::kappa::{by_series, ln_kappa};
 
 use crate::grid::Held;
-use crate::library::NAMES;
 use crate::report::{Row, Unit, Verdict};
 use crate::subject::SubjectId;
-use crate::trial::Trial;
+use crate::subject::profiles::NAMES;
+use crate::trial::Case;
 
 /// One comparison of the closed forms with something else, over many cases.
 #[derive(Debug)]
@@ -42,11 +41,8 @@ pub(crate) struct Check {
     /// Cases at the levels quick, default and full.
     pub(crate) cases: [usize; 3],
     /// Runs one case.
-    pub(crate) case: fn(&mut Trial<'_>) -> Result<()>,
+    pub(crate) case: Case,
 }
-
-/// The name of a check, and what runs one of its cases.
-type Run = (&'static str, fn(&mut Trial<'_>) -> Result<()>);
 
 /// The names of all checks, in the order of the report.
 pub fn check_names() -> Vec<&'static str> {
@@ -84,8 +80,8 @@ macro_rules! by_turns {
     };
 }
 
-/// What runs each check.
-const RUNS: &[Run] = &[
+/// What runs a case of each check.
+const RUNS: &[(&str, Case)] = &[
     ("gamma-libraries", kappa::libraries),
     ("effective-modulus", known::effective_modulus),
     ("kappa-gamma", by_turns!(kappa::against, kappa::by_gamma)),

@@ -9,8 +9,8 @@ use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
 use crate::arithmetic::Arithmetic;
-use crate::library::{self, NAMES, closed_form};
 use crate::subject::Part;
+use crate::subject::profiles::{NAMES, closed_form, terms};
 use crate::tolerance::{TRANSFORM, quadrature};
 use crate::trial::Trial;
 
@@ -99,7 +99,7 @@ impl<R: Real> Drawn<R> {
         let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
         // The edge of a dimple is where its formula changes, or where it ends.
         let radius = if self.name == "parabolic-dimple" { &b } else { &l };
-        library::terms(self.name, |key| match key {
+        terms(self.name, |key| match key {
             "slope" => t.clone(),
             "flat" | "cap" | "offset" | "wavelength" => b.clone(),
             "height" | "depth" => t.clone() * radius,

@@ -13,7 +13,7 @@ use rug::Float;
 use super::machine::Machine;
 use super::profiles::{Drawn, ROUNDINGS};
 use crate::grid::{Family, Held};
-use crate::library::NAMES;
+use crate::subject::profiles::NAMES;
 use crate::trial::Trial;
 
 /// Bits of the enclosures.

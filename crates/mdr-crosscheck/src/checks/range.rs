@@ -161,15 +161,11 @@ fn units(decimal: &Decimal, ln: &Interval) -> Interval {
     (ln.clone() - digits.ln() - scale).exp_m1() * digits
 }
 
-/// An enclosure as an interval, that of the logarithm where it has only that, and its accuracy in bits.
-fn known(enclosure: &Enclosure) -> (Interval, i64) {
+/// An enclosure as an interval, that of the logarithm where it has only that.
+fn interval(enclosure: &Enclosure) -> Interval {
     match enclosure {
-        Enclosure::Value(value) => (value.clone(), value.accuracy_bits()),
-        Enclosure::Exact(value) => (Interval::from_rational(Precision::new(64), value), i64::MAX),
-        Enclosure::Log { ln_magnitude, .. } => {
-            let error = ln_magnitude.radius().get_exp().map_or(i64::MIN / 2, i64::from);
-            (ln_magnitude.clone(), -error)
-        }
+        Enclosure::Value(interval) | Enclosure::Log { ln_magnitude: interval, .. } => interval.clone(),
+        Enclosure::Exact(value) => Interval::from_rational(Precision::new(64), value),
     }
 }
 
@@ -196,12 +192,12 @@ pub(super) fn enclosures(trial: &mut Trial<'_>) -> Result<()> {
     let (short, long) = (at(bits)?, at(2 * bits)?);
     let reference = kappa(n, 2 * bits + 128);
     for (i, name) in ["κ", "a", "d", "F", "g(1)/C", "κ_n"].iter().enumerate() {
-        let ((short, sharp), (long, sharper)) = (known(&short[i]), known(&long[i]));
+        let is_tight =
+            |found: &Enclosure, bits: u32| found.accuracy_bits().is_some_and(|sharp| sharp >= i64::from(bits) - lost);
+        let tight = is_tight(&short[i], bits) && is_tight(&long[i], 2 * bits);
+        let [short, long] = [&short[i], &long[i]].map(interval);
         trial.demand(format!("{name} agrees"), short.overlaps(&long));
-        trial.demand(
-            format!("{name} is tight"),
-            sharp >= i64::from(bits) - lost && sharper >= i64::from(2 * bits) - lost,
-        );
+        trial.demand(format!("{name} is tight"), tight);
         if [0, 4, 5].contains(&i) {
             trial.demand(format!("{name} is κ"), short.overlaps(&reference) && long.overlaps(&reference));
         }

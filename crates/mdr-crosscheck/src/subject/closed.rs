@@ -127,14 +127,14 @@ impl ClosedForms {
 
 /// The ids, their table, and the methods of [`ClosedForms`]. A line of `closed` is a method, the call that it makes, the public
 /// function of mdr-analytic, the ids of its numbers, and the names and values of the inputs whose powers a fault may change;
-/// one of `certified`, an id and its function.
+/// one of `certified`, a function and the ids of its numbers.
 macro_rules! subjects {
     (
         closed {$(
             fn $name:ident<R: $bound:ident $(+ $more:ident)?>($($argument:ident: $type:ty),*) -> $result:ty =
                 $call:expr, $function:literal [$($id:ident),+] of $names:expr => $inputs:expr;
         )*}
-        certified { $($certified:ident: $answer:literal;)* }
+        certified { $($answer:literal: $($certified:ident)+;)* }
         double { $($double:literal)* }
     ) => {
         /// A number among the results of a function of mdr-analytic.
@@ -143,14 +143,14 @@ macro_rules! subjects {
         #[non_exhaustive]
         pub enum SubjectId {
             $($($id,)+)*
-            $($certified,)*
+            $($($certified,)+)*
             Library(&'static str, Part),
             Double(&'static str),
         }
 
         pub(super) const NAMED: &[Subject] = &[
             $($(Subject { id: SubjectId::$id, function: $function, inputs: &$names },)+)*
-            $(Subject { id: SubjectId::$certified, function: $answer, inputs: &[] },)*
+            $($(Subject { id: SubjectId::$certified, function: $answer, inputs: &[] },)+)*
         ];
 
         /// The functions of `mdr_analytic::double` that give numbers.
@@ -257,13 +257,8 @@ subjects! {
             "Contact::flat_punch_limit" [FlatPunchLimit] of ["C"] => [contact.profile().coefficient()];
     }
     certified {
-        KappaEnclosure: "kappa_enclosure";
-        CertifiedKappa: "Question::answer";
-        CertifiedRadius: "Question::answer";
-        CertifiedIndentation: "Question::answer";
-        CertifiedForce: "Question::answer";
-        CertifiedThreshold: "Question::answer";
-        CertifiedRatio: "Question::answer";
+        "kappa_enclosure": KappaEnclosure;
+        "Question::answer": CertifiedKappa CertifiedRadius CertifiedIndentation CertifiedForce CertifiedThreshold CertifiedRatio;
     }
     double {
         "critical" "kappa" "g" "g_slope" "g_integral" "detachment_elongation" "indentation" "force" "indentation_slope"
