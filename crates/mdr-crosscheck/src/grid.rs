@@ -13,6 +13,7 @@ use mdr_core::number::Real;
 use rug::Float;
 
 use crate::arithmetic::Arithmetic;
+use crate::checks::ln_kappa;
 use crate::tolerance::Tangent;
 use crate::trial::Trial;
 
@@ -175,7 +176,7 @@ impl Trial<'_> {
         self.describe(format_args!("n = {exponent}, C = {digits}, E* = {e_star:e}, w = {work:e} ({name})"));
         Scene {
             n: exponent.value(ctx),
-            c: exact(ctx, &c),
+            c: R::round(ctx, &c),
             e_star: R::from_f64(ctx, e_star),
             work: R::from_f64(ctx, work),
         }
@@ -202,21 +203,20 @@ fn planted_coefficient(exponent: Exponent, lambda: f64, scales: Scales) -> Float
     let Scales { e_star, work, radius } = scales;
     let number = |x: f64| Float::with_val(WORKING_BITS, x);
     let n: Float = exponent.value(number(1.0).ctx());
-    let half = number(0.5);
-    let ln_kappa =
-        (n.clone() * &half + 1_u32).ln_gamma() - ((n.clone() + 1_u32) * &half).ln_gamma() + n.pi().ln() * &half;
     let edge = n.pi() * number(work) / (number(e_star) * 2_u32);
-    let ln_c = edge.ln() * &half + number(radius).ln() * (half - &n) - n.ln() - ln_kappa;
+    let ln_c = edge.ln().over(2) + number(radius).ln() * (n.ratio(1, 2) - &n) - ln_kappa(&n) - n.ln();
     Float::with_val(f64::MANTISSA_DIGITS, ln_c.exp() * lambda)
 }
 
 /// Enough for 1/2 ± 2⁻⁶⁰ and for powers of radii over tens of thousands of decades.
 const WORKING_BITS: u32 = 192;
 
-/// A number of at most 53 bits in another arithmetic, exactly.
-fn exact<R: Real>(ctx: R::Ctx, value: &Float) -> R {
-    let (mantissa, exponent) = value.to_f64_exp();
-    R::from_f64(ctx, mantissa) * R::from_int(ctx, 2).powi(exponent.into())
+impl<R> Scene<R> {
+    /// The same contact in another arithmetic.
+    pub(crate) fn map<S>(&self, convert: impl Fn(&R) -> S) -> Scene<S> {
+        let [n, c, e_star, work] = [&self.n, &self.c, &self.e_star, &self.work].map(convert);
+        Scene { n, c, e_star, work }
+    }
 }
 
 impl<R: Kappa> Scene<R> {
@@ -225,15 +225,15 @@ impl<R: Kappa> Scene<R> {
         Ok(Contact::new(PowerLaw::new(self.n.clone(), self.c.clone())?, self.material()?))
     }
 
-    /// The same contact in another arithmetic.
-    pub(crate) fn map<S>(&self, convert: impl Fn(&R) -> S) -> Scene<S> {
-        let [n, c, e_star, work] = [&self.n, &self.c, &self.e_star, &self.work].map(convert);
-        Scene { n, c, e_star, work }
-    }
-
     /// Its material.
     pub(crate) fn material(&self) -> Result<Material<R>> {
         Material::new(self.e_star.clone(), self.work.clone())
+    }
+
+    /// The same contact in a unit of length s times smaller, the unit of force kept; `s_to_one_minus_n` is s^(1−n).
+    pub(crate) fn in_smaller_unit(&self, s: &R, s_to_one_minus_n: &R) -> Self {
+        let Scene { n, c, e_star, work } = self.clone();
+        Scene { n, c: c * s_to_one_minus_n, e_star: e_star / s.square(), work: work / s }
     }
 
     /// Where the conditions of a state with tangency λ and radius `a` are taken.
@@ -252,20 +252,25 @@ pub(crate) enum Held {
 }
 
 impl Held {
+    /// Both.
+    pub(crate) const BOTH: [Held; 2] = [Held::Indentation, Held::Force];
+
+    /// The one that belongs to this control, of two.
+    pub(crate) fn of<T>(self, [indentation, force]: [T; 2]) -> T {
+        match self {
+            Held::Indentation => indentation,
+            Held::Force => force,
+        }
+    }
+
     /// The control.
     pub(crate) fn control<R>(self) -> Control<R> {
-        match self {
-            Held::Indentation => Control::Indentation,
-            Held::Force => Control::Force,
-        }
+        self.of([Control::Indentation, Control::Force])
     }
 
     /// λ of its critical state.
     pub(crate) fn lambda(self) -> f64 {
-        match self {
-            Held::Indentation => 1.0,
-            Held::Force => 3.0,
-        }
+        self.of([1.0, 3.0])
     }
 }
 
@@ -278,9 +283,6 @@ impl Trial<'_> {
 
 impl fmt::Display for Held {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Held::Indentation => "indentation",
-            Held::Force => "force",
-        })
+        f.write_str(self.of(["indentation", "force"]))
     }
 }

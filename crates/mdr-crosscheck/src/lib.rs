@@ -29,7 +29,6 @@ pub mod derivations;
 pub mod findings;
 mod grid;
 pub mod ladders;
-mod library;
 mod merge;
 mod options;
 mod report;

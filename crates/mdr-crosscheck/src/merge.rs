@@ -132,7 +132,7 @@ impl Report {
             return Err(MergeError::Incomplete { check: row.check.clone(), got: shards.len(), count });
         }
         report.rows = report.rows.into_iter().map(Row::judged).collect();
-        let rank = |name: &str| registry().iter().position(|check| check.name == name);
+        let rank = |name: &str| registry().iter().position(|check| check.row.check == name);
         report.rows.sort_by_key(|row| rank(&row.check));
         report.failures.sort_by_key(|failure| (rank(&failure.check), failure.index));
         Ok(report)

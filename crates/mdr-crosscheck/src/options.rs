@@ -3,26 +3,23 @@
 use std::fmt;
 use std::str::FromStr;
 
+use mdr_core::named;
 use mdr_core::number::Precision;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// How many cases each check takes. The cases of a level are the first ones of the next level.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Level {
-    /// Seconds.
-    Quick,
-    /// A minute or two.
-    #[default]
-    Default,
-    /// A quarter of an hour or so.
-    Full,
-}
-
-impl fmt::Display for Level {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
+named! {
+    /// How many cases each check takes. The cases of a level are the first ones of the next level.
+    #[derive(Default, Serialize, Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Level {
+        /// Seconds.
+        Quick = "quick",
+        /// A minute or two.
+        #[default]
+        Default = "default",
+        /// A quarter of an hour or so.
+        Full = "full",
     }
 }
 

@@ -2,30 +2,30 @@
 
 use std::fmt;
 
+use mdr_core::named;
 use serde::{Deserialize, Serialize};
 
-use crate::options::{Level, Options, Shard};
+use crate::options::{Level, Shard};
 use crate::short;
-use crate::trial::{Case, Outcome};
+use crate::trial::Trial;
 
-/// What an error is measured in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Unit {
-    /// Relative error over the unit roundoff 2^−p of the arithmetic of the case: f64 and arbitrary precision compare.
-    Roundoffs,
-    /// Units in the last place of the correctly rounded result, binary or decimal.
-    Ulp,
-    /// Relative error, where the comparison is limited by truncation and not by roundoff.
-    Relative,
-    /// Answers that must be equal: 0 or 1.
-    Mismatch,
+named! {
+    /// What an error is measured in.
+    #[derive(Serialize, Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Unit {
+        /// Relative error over the unit roundoff 2^−p of the arithmetic of the case: f64 and arbitrary precision compare.
+        Roundoffs = "u",
+        /// Units in the last place of the correctly rounded result, binary or decimal.
+        Ulp = "ulp",
+        /// Relative error, where the comparison is limited by truncation and not by roundoff.
+        Relative = "rel",
+        /// Answers that must be equal: 0 or 1.
+        Mismatch = "mismatch",
+    }
 }
 
 impl Unit {
-    /// All of them.
-    pub const ALL: [Unit; 4] = [Unit::Roundoffs, Unit::Ulp, Unit::Relative, Unit::Mismatch];
-
     /// What an error of 1 is, in a sentence.
     pub fn description(self) -> &'static str {
         match self {
@@ -37,32 +37,17 @@ impl Unit {
     }
 }
 
-impl fmt::Display for Unit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Unit::Roundoffs => "u",
-            Unit::Ulp => "ulp",
-            Unit::Relative => "rel",
-            Unit::Mismatch => "mismatch",
-        })
-    }
-}
-
-/// Whether a check holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Verdict {
-    /// No error exceeds what is allowed, and at least one case was compared.
-    Pass,
-    /// Some error exceeds what is allowed, or a route gave no answer where it must.
-    Fail,
-    /// No case was compared.
-    Skipped,
-}
-
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
+named! {
+    /// Whether a check holds.
+    #[derive(Serialize, Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Verdict {
+        /// No error exceeds what is allowed, and at least one case was compared.
+        Pass = "pass",
+        /// Some error exceeds what is allowed, or a route gave no answer where it must.
+        Fail = "fail",
+        /// No case was compared.
+        Skipped = "skipped",
     }
 }
 
@@ -233,12 +218,6 @@ pub struct Report {
 }
 
 impl Report {
-    /// An empty report of a run.
-    pub(crate) fn new(options: &Options) -> Self {
-        let Options { level, digits, seed, shard, limit, .. } = options.clone();
-        Report { grid: Grid { level, digits, seed, limit }, shard, rows: Vec::new(), failures: Vec::new() }
-    }
-
     /// Whether no check failed.
     pub fn passed(&self) -> bool {
         self.rows.iter().all(|row| row.verdict != Verdict::Fail)
@@ -267,24 +246,20 @@ impl Report {
         let mut text =
             "Units of the errors; the numbers of a case are rounded here, and exact in JSON and CSV:".to_owned();
         for unit in Unit::ALL.into_iter().filter(|unit| self.rows.iter().any(|row| row.unit == *unit)) {
-            text.push_str(&format!("\n  {:<8}  {}", unit.to_string(), unit.description()));
+            text.push_str(&format!("\n  {:<8}  {}", unit.name(), unit.description()));
         }
         text
     }
 
     /// Enters the cases of one check, in the order of their indices.
-    pub(crate) fn enter(&mut self, mut row: Row, cases: Vec<Case>) {
-        for Case { index, inputs, outcome } in cases {
-            let reason = match outcome {
-                Outcome::Skipped => {
-                    row.skipped += 1;
-                    continue;
-                }
-                Outcome::Broken(reason) => Some(reason),
-                Outcome::Compared(findings) => row.compare(findings),
-            };
+    pub(crate) fn enter<'a>(&mut self, mut row: Row, cases: impl Iterator<Item = Trial<'a>>) {
+        for Trial { index, inputs, comparisons, broken, .. } in cases {
+            if broken.is_none() && comparisons.is_empty() {
+                row.skipped += 1;
+                continue;
+            }
             row.cases += 1;
-            if let Some(reason) = reason {
+            if let Some(reason) = broken.or_else(|| row.compare(comparisons)) {
                 row.failed += 1;
                 self.failures.push(Failure { check: row.check.clone(), index, inputs, reason });
             }

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::checks::{Check, registry};
 use crate::options::Options;
-use crate::report::{Report, Row, Verdict};
+use crate::report::{Grid, Report};
 use crate::subject::closed::ClosedForms;
 use crate::trial::Trial;
 
@@ -37,52 +37,31 @@ pub fn run(options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> Report {
 
 /// As [`run`], with `closed` in the place of the closed forms: how deliberate faults are put in.
 pub fn run_against(closed: &ClosedForms, options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> Report {
-    let checks: Vec<&Check> = registry().iter().filter(|check| asked(check, options)).collect();
+    let asked = |check: &&Check| options.only.is_empty() || options.only.contains(&check.row.check);
+    let checks: Vec<&Check> = registry().iter().filter(asked).collect();
+    let indices = |check: &Check| {
+        let (budget, shard) = (check.cases[options.level as usize], options.shard);
+        (0..budget.min(options.limit.unwrap_or(budget))).filter(move |index| shard.holds(*index))
+    };
     let cases: Vec<(&Check, usize)> =
-        checks.iter().flat_map(|check| indices(check, options).map(|index| (*check, index))).collect();
+        checks.iter().flat_map(|check| indices(check).map(|index| (*check, index))).collect();
     let done = AtomicUsize::new(0);
     let results: Vec<_> = cases
         .par_iter()
         .with_max_len(1)
         .map(|&(check, index)| {
-            let case = Trial::new(closed, options.precision(), options.seed, check.name, index).run(check.case);
+            let case = Trial::new(closed, options.precision(), options.seed, &check.row.check, index).run(check.case);
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            progress(Progress { done, total: cases.len(), check: check.name });
+            progress(Progress { done, total: cases.len(), check: &check.row.check });
             case
         })
         .collect();
-    let mut report = Report::new(options);
+    let Options { level, digits, seed, shard, limit, .. } = *options;
+    let mut report =
+        Report { grid: Grid { level, digits, seed, limit }, shard, rows: Vec::new(), failures: Vec::new() };
     let mut results = results.into_iter();
     for check in checks {
-        let count = indices(check, options).count();
-        report.enter(blank(check), results.by_ref().take(count).collect());
+        report.enter(check.row.clone(), results.by_ref().take(indices(check).count()));
     }
     report
-}
-
-fn asked(check: &Check, options: &Options) -> bool {
-    options.only.is_empty() || options.only.iter().any(|name| name == check.name)
-}
-
-/// The indices of the cases of a check that are in the shard.
-fn indices(check: &Check, options: &Options) -> impl Iterator<Item = usize> + use<> {
-    let budget = check.budget(options.level);
-    let shard = options.shard;
-    (0..options.limit.map_or(budget, |limit| budget.min(limit))).filter(move |index| shard.holds(*index))
-}
-
-fn blank(check: &Check) -> Row {
-    Row {
-        check: check.name.to_owned(),
-        claim: check.claim.to_owned(),
-        equations: check.equations.iter().map(|&equation| equation.to_owned()).collect(),
-        unit: check.unit,
-        cases: 0,
-        skipped: 0,
-        failed: 0,
-        worst: None,
-        tightest: None,
-        verdict: Verdict::Skipped,
-        errors: Vec::new(),
-    }
 }

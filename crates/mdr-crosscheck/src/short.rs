@@ -11,7 +11,7 @@ pub(crate) fn numbers(text: &str) -> String {
         short.push_str(&rest[..start]);
         match number.parse() {
             Ok(value) if !within_a_name && number.contains(['.', 'e']) && f64::is_normal(value) => {
-                short.push_str(&rounded(value));
+                short.push_str(&rounded(value, 4));
             }
             _ => short.push_str(number),
         }
@@ -36,16 +36,20 @@ fn length(text: &str) -> usize {
     end
 }
 
-fn rounded(value: f64) -> String {
-    let scientific = format!("{value:.3e}");
+/// The number with so many significant digits.
+pub(crate) fn rounded(value: f64, digits: usize) -> String {
+    let scientific = format!("{value:.precision$e}", precision = digits - 1);
+    let trimmed = |text: &str| match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text.to_owned(),
+    };
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     match exponent.parse::<i32>() {
         Ok(exponent @ -3..=4) => {
-            let decimals = usize::try_from(3 - exponent).unwrap_or(0);
-            let plain = format!("{value:.decimals$}");
-            if plain.contains('.') { plain.trim_end_matches('0').trim_end_matches('.').to_owned() } else { plain }
+            let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
+            trimmed(&format!("{value:.decimals$}"))
         }
-        _ => format!("{}e{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.')),
+        _ => format!("{}e{exponent}", trimmed(mantissa)),
     }
 }
 

@@ -11,26 +11,10 @@ use rug::Float;
 use crate::report::Finding;
 use crate::subject::closed::ClosedForms;
 
-/// What became of a case.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Outcome {
-    /// Compared; it may have failed.
-    Compared(Vec<Finding>),
-    /// The question cannot be asked in this arithmetic.
-    Skipped,
-    /// A route gave no number, or an error where there must be an answer.
-    Broken(String),
-}
+/// What runs a case.
+pub(crate) type Case = fn(&mut Trial<'_>) -> Result<()>;
 
-/// A case after it was run.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Case {
-    pub(crate) index: usize,
-    pub(crate) inputs: String,
-    pub(crate) outcome: Outcome,
-}
-
-/// One case while it runs: where its inputs come from and where its comparisons go.
+/// One case: where its inputs come from and where its comparisons go.
 #[derive(Debug)]
 pub(crate) struct Trial<'a> {
     /// The closed forms under test.
@@ -40,9 +24,12 @@ pub(crate) struct Trial<'a> {
     /// The index of the case among those of its check.
     pub(crate) index: usize,
     random: Xoshiro256PlusPlus,
-    inputs: String,
-    comparisons: Vec<Finding>,
-    broken: Option<String>,
+    /// The inputs as they are told.
+    pub(crate) inputs: String,
+    /// What was compared; nothing where the question cannot be asked in this arithmetic.
+    pub(crate) comparisons: Vec<Finding>,
+    /// Why a route gave no number, or an error where there must be an answer.
+    pub(crate) broken: Option<String>,
 }
 
 impl<'a> Trial<'a> {
@@ -57,18 +44,12 @@ impl<'a> Trial<'a> {
     }
 
     /// Runs `case` on this trial.
-    pub(crate) fn run(mut self, case: fn(&mut Trial<'_>) -> Result<()>) -> Case {
-        let result = case(&mut self);
-        let outcome = match (result, self.broken) {
-            (Err(error), _) => Outcome::Broken(error.to_string()),
-            (_, Some(reason)) => Outcome::Broken(reason),
-            (Ok(()), None) if self.comparisons.is_empty() => Outcome::Skipped,
-            (Ok(()), None) => {
-                self.comparisons.iter_mut().for_each(|finding| finding.inputs.clone_from(&self.inputs));
-                Outcome::Compared(self.comparisons)
-            }
-        };
-        Case { index: self.index, inputs: self.inputs, outcome }
+    pub(crate) fn run(mut self, case: Case) -> Self {
+        if let Err(error) = case(&mut self) {
+            self.broken = Some(error.to_string());
+        }
+        self.comparisons.iter_mut().for_each(|finding| finding.inputs.clone_from(&self.inputs));
+        self
     }
 
     /// A number in [low, high), uniform.

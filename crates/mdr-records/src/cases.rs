@@ -23,7 +23,6 @@ const FILES: [(&str, &str); 5] = [
 
 /// A question about a contact.
 pub(crate) struct Case {
-    pub(crate) file: &'static str,
     /// Answers it.
     pub(crate) records: Answer,
     pub(crate) formula: Formula,
@@ -114,14 +113,6 @@ struct ContactRow {
     numbers: BTreeMap<String, String>,
 }
 
-/// One of the cases of a row.
-struct Selection<'a> {
-    kind: &'a str,
-    name: Option<&'a String>,
-    control: Option<&'a str>,
-    at: Option<&'a At>,
-}
-
 /// What the cases name.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -136,11 +127,11 @@ struct File {
     case: Vec<Row>,
 }
 
-/// All cases in the order of their records.
+/// All cases in the order of their records, each with its file.
 ///
 /// # Errors
 /// What the data have no meaning for.
-pub(crate) fn all() -> std::result::Result<Vec<Case>, RecordError> {
+pub(crate) fn all() -> std::result::Result<Vec<(&'static str, Case)>, RecordError> {
     let wrong = |file: &str| {
         let case = file.to_owned();
         move |source| RecordError { case, source }
@@ -150,7 +141,7 @@ pub(crate) fn all() -> std::result::Result<Vec<Case>, RecordError> {
     for (file, text) in FILES {
         let rows: File = read(text).map_err(wrong(file))?;
         for row in &rows.case {
-            cases.extend(row.cases(file, &names).map_err(wrong(file))?);
+            cases.extend(row.cases(&names).map_err(wrong(file))?.into_iter().map(|case| (file, case)));
         }
     }
     Ok(cases)
@@ -177,7 +168,7 @@ impl Case {
 }
 
 impl Row {
-    fn cases(&self, file: &'static str, names: &Names) -> Result<Vec<Case>> {
+    fn cases(&self, names: &Names) -> Result<Vec<Case>> {
         let mut contacts: Vec<_> = self.profile.iter().map(|contact| (self.name.as_ref(), contact)).collect();
         for name in &self.contacts {
             contacts.push((Some(name), known("contact", name, names.contact.get(name))?));
@@ -185,26 +176,27 @@ impl Row {
         let mut cases = Vec::new();
         for (name, contact) in contacts {
             if let (Some(label), "critical") = (&contact.kappa, self.kind.as_str()) {
-                let kappa = Selection { kind: "kappa", name: Some(label), control: None, at: None };
-                cases.push(self.case(file, names, contact, &kappa)?);
+                cases.push(self.case(names, contact, "kappa", Some(label), None, None)?);
             }
             let is_asked = |control: &&String| contact.controls.as_ref().is_none_or(|of| of.contains(control));
             for control in or_none(self.controls.iter().filter(is_asked).map(String::as_str), &self.controls) {
                 for at in or_none(self.at.iter(), &self.at) {
-                    let selection = Selection { kind: &self.kind, name, control, at };
-                    cases.push(self.case(file, names, contact, &selection)?);
+                    cases.push(self.case(names, contact, &self.kind, name, control, at)?);
                 }
             }
         }
         Ok(cases)
     }
 
+    /// One of the cases.
     fn case(
         &self,
-        file: &'static str,
         names: &Names,
         row: &ContactRow,
-        &Selection { kind, name, control, at }: &Selection<'_>,
+        kind: &str,
+        name: Option<&String>,
+        control: Option<&str>,
+        at: Option<&At>,
     ) -> Result<Case> {
         let contact = row.contact(control)?;
         let (label, at) = match at {
@@ -220,7 +212,6 @@ impl Row {
         let formula = Formula { id: or_key(&formula.id), name: or_key(&formula.name), ..formula.clone() };
         let records = KINDS.into_iter().find(|(known, _)| *known == kind).map(|(_, records)| records);
         Ok(Case {
-            file,
             records: known("kind", kind, records)?,
             formula,
             name: name.cloned().unwrap_or_else(|| contact.profile_name().to_owned()),

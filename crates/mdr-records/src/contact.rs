@@ -74,11 +74,6 @@ impl Contact {
         }
     }
 
-    /// The names of all inputs.
-    pub(crate) fn names(&self) -> Vec<&'static str> {
-        self.inputs().into_iter().map(|(name, _)| name).collect()
-    }
-
     /// The scene, in certified digits.
     pub(crate) fn scene(&self) -> Result<Scene> {
         let mut terms: Vec<_> = self.terms.iter().cloned().map(Profile::Shape).collect();

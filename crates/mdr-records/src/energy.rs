@@ -2,15 +2,20 @@
 
 use mdr::answer::{Dissipation, PathEvent};
 use mdr::prelude::{Literal, Start, Want};
+use mdr_analytic::Contact as Law;
+use mdr_core::contact;
 use mdr_core::number::{Decimal, Real};
 use mdr_numeric::energy::Energy;
 use mdr_reference::Record;
 
 use crate::builder::RecordBuilder;
-use crate::cases::Case;
-use crate::contact::{Contact, Model};
+use crate::cases::{Case, number};
+use crate::contact::Contact;
 use crate::sensitivity::{Seeded, conditions};
 use crate::{Failure, Result, confirm, decimals, float};
+
+/// The closed form of an energy.
+type Closed = fn(&Law<Seeded>) -> contact::Result<Seeded>;
 
 /// Beyond every critical state of the records.
 const FAR: &str = "-1e1000";
@@ -26,12 +31,13 @@ struct Jump {
 /// energy as an integral over quadratures.
 pub(crate) fn record(case: &Case) -> Result<Vec<Record>> {
     let contact = &case.contact;
-    let zero = Literal::from(0);
-    let Jump { energy, state, sign } = match case.at.as_str() {
-        "work-lost-at-pull-off" => lost(contact, [zero, exact(FAR)?], Start::Largest, false)?,
-        "work-lost-at-jump-in" => lost(contact, [exact(FAR)?, zero], Start::Detached, true)?,
-        _ => barrier(contact)?,
+    let (zero, far) = (Literal::from(0), number(FAR)?);
+    let (jump, closed): (Jump, Closed) = match case.at.as_str() {
+        "work-lost-at-pull-off" => (lost(contact, [zero, far], Start::Largest, false)?, Law::energy_lost_at_pull_off),
+        "work-lost-at-jump-in" => (lost(contact, [far, zero], Start::Detached, true)?, Law::energy_lost_at_jump_in),
+        _ => (barrier(contact)?, Law::barrier_to_complete_contact),
     };
+    let Jump { energy, state, sign } = jump;
     let ctx = confirm::precision(&[]);
     let agrees = contact.float(ctx)?.integrated(|curve| {
         let [a, d, energy] = [&state[0], &state[1], &energy].map(|value| float(ctx, value));
@@ -40,20 +46,9 @@ pub(crate) fn record(case: &Case) -> Result<Vec<Record>> {
         Ok(confirm::agree(&potential, &energy, &scale))
     });
     Failure::unless("the energy", agrees?)?;
-    let [condition] = conditions(contact, None, |model: Model<Seeded>, _| {
-        let law = model.law()?;
-        Ok([match case.at.as_str() {
-            "work-lost-at-pull-off" => law.energy_lost_at_pull_off()?,
-            "work-lost-at-jump-in" => law.energy_lost_at_jump_in()?,
-            _ => law.barrier_to_complete_contact()?,
-        }])
-    })?;
+    let [condition] = conditions(contact, None, |model, _| Ok([closed(&model.law()?)?]))?;
     let builder = RecordBuilder::new(case, contact.inputs()).part(&case.at);
     Ok(vec![builder.number(("energy", "J"), &energy, condition, None)])
-}
-
-fn exact(text: &str) -> Result<Literal> {
-    text.parse().map_err(|error| Failure::Data(format!("{text}: {error}")))
 }
 
 /// What a path loses in its first event that loses energy: −Π after it where the contact `forms`, Π before it where it

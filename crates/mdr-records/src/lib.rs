@@ -83,7 +83,7 @@ impl Failure {
 /// The first case that cannot be certified, or whose second method disagrees.
 pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordError> {
     let cases = cases::all()?;
-    let records: Vec<_> = cases.par_iter().map(|case| (case.file, case.certified())).collect();
+    let records: Vec<_> = cases.par_iter().map(|(file, case)| (*file, case.certified())).collect();
     let mut files: Vec<(&'static str, String)> = Vec::new();
     for (file, records) in records {
         if files.last().is_none_or(|(name, _)| *name != file) {

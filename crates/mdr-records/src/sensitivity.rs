@@ -30,7 +30,7 @@ pub(crate) fn conditions<R: Real<Ctx = Precision>, const K: usize>(
 ) -> Result<[Conditions; K]> {
     let ctx = Precision::new(BITS);
     let mut conditions: [Conditions; K] = std::array::from_fn(|_| Vec::new());
-    for (index, name) in contact.names().into_iter().chain(given.map(|(name, _)| name)).enumerate() {
+    for (index, (name, _)) in contact.inputs().into_iter().chain(given).enumerate() {
         let mut next = 0;
         let mut seeded = |literal: &Literal| {
             let value = R::from_literal(ctx, literal);

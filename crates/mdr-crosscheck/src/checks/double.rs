@@ -7,14 +7,10 @@ use mdr_core::contact::{Error, Ranged, Result, Status};
 use mdr_core::number::{Precision, Real};
 use rug::Float;
 
-use super::Run;
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::subject::double::*;
 use crate::subject::routine::Routine;
 use crate::trial::{Trial, ulps};
-
-/// Every function of `mdr_analytic::double`, also where its result is out of the range of f64.
-pub(super) const DOUBLE_PRECISION: Run = ("double-precision", case);
 
 /// What a function promises.
 fn promised_ulp(name: &str) -> f64 {
@@ -24,7 +20,8 @@ fn promised_ulp(name: &str) -> f64 {
 /// Enough for 1/2 ± 2⁻⁵⁰, for ln a of any size and for what cancels in d, F and their slopes.
 const REFERENCE_BITS: u32 = 400;
 
-fn case(trial: &mut Trial<'_>) -> Result<()> {
+/// Every function of `mdr_analytic::double`, also where its result is out of the range of f64.
+pub(super) fn functions(trial: &mut Trial<'_>) -> Result<()> {
     let held = trial.held();
     let round = trial.index;
     if round % 6 == 5 {
@@ -41,19 +38,14 @@ fn case(trial: &mut Trial<'_>) -> Result<()> {
     let stretch = (trial.uniform(-1.0, 1.0) / (scene.n + 1.0)).exp();
     let Scene { n, c, e_star: e, work: w } = scene;
     let (law, material) = ([n, c, e, w], scene.material()?);
-    let found = match held {
-        Held::Indentation => compare(trial, &CRITICAL_INDENTATION, &law)?,
-        Held::Force => compare(trial, &CRITICAL_FORCE, &law)?,
-    };
+    let found = compare(trial, &held.of([CRITICAL_INDENTATION, CRITICAL_FORCE]), &law)?;
     let Some(Ranged::Value(radius)) = found.first() else { return Ok(()) };
     let a = radius * stretch;
     let state = [n, c, e, w, a];
     compare(trial, &KAPPA[..1], &[n])?;
     compare(trial, &TRANSFORM, &[n, c, a])?;
     compare(trial, &ELONGATION, &[e, w, a])?;
-    for routine in [INDENTATION, FORCE, INDENTATION_SLOPE, FORCE_SLOPE] {
-        compare(trial, &routine, &state)?;
-    }
+    compare(trial, &STATE, &state)?;
     compare(trial, &ENERGY, &[n, c, e, w, a, n.mul_add(a, -a)])?;
     compare(trial, &UNIVERSAL, &[n, stretch])?;
     compare(trial, &ZERO_INDENTATION, &law)?;
@@ -130,11 +122,7 @@ fn batch(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &Contact<
 fn equilibria(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &Contact<Float>) -> Result<()> {
     let (n, c, material, control) = (scene.n, scene.c, scene.material()?, held.control::<f64>());
     let fold = double::critical(n, c, &material, &control)?;
-    let held_at_fold = match held {
-        Held::Indentation => fold.indentation,
-        Held::Force => fold.force,
-    };
-    let Ranged::Value(at_fold) = held_at_fold else { return Ok(()) };
+    let Ranged::Value(at_fold) = held.of([fold.indentation, fold.force]) else { return Ok(()) };
     let distance = 2_f64.powf(trial.uniform(-50.0, 3.0));
     let value = at_fold - distance * at_fold;
     if !(value.is_normal() && at_fold.is_normal()) {
@@ -186,10 +174,7 @@ fn branches(
             _ => continue,
         };
         for (expected, [a], [x]) in sides {
-            let other = match held {
-                Held::Indentation => &expected.force,
-                Held::Force => &expected.indentation,
-            };
+            let other = held.of([&expected.force, &expected.indentation]);
             for (found, expected) in [(a, &expected.contact_radius), (x, other)] {
                 enter(trial, "double::Inverse::branches", Ranged::Value(found), Ok(expected.clone()))?;
             }
@@ -209,13 +194,8 @@ fn scale_free(trial: &mut Trial<'_>, held: Held) -> Result<()> {
     enter(trial, "double::scale_free_state", state.contact_radius, Ok(float(a)))?;
     compare(trial, &SCALE_FREE_STATE, &[c, e, w, a])?;
     compare(trial, &RATIO, &[c, e, w])?;
-    let [grips, load] = THRESHOLDS;
-    match held {
-        Held::Indentation => compare(trial, &[grips], &[e, w])?,
-        Held::Force => compare(trial, &[load], &[e, w])?,
-    };
-    let control = held.control();
-    let fate = double::fate(c, &material, &control)?;
+    compare(trial, &[held.of(THRESHOLDS)], &[e, w])?;
+    let fate = double::fate(c, &material, &held.control())?;
     trial.demand("fate", fate == wide(&scene)?.fate(&held.control())?);
     Ok(())
 }

@@ -13,10 +13,8 @@ use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
 use super::profiles::Drawn;
-use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Held};
-use crate::library;
 use crate::trial::Trial;
 
 /// The ring of attraction by quadrature put into the closed equations, which are enclosed, too: over intervals of twice the
@@ -24,21 +22,7 @@ use crate::trial::Trial;
 ///
 /// * The closed equations do 40 roundings; they cancel by 1/(m − 1), and so does c − a.
 /// * The quadrature errs by 32 roundings of its terms, of which g(a)θ is the largest beside h₀.
-pub(super) const PARABOLOID: Run = ("maugis-dugdale-paraboloid", |trial| by_turns!(trial, paraboloid));
-
-/// The same states of fifteen profiles, from closed forms of g over a < x < c, against the heights: the gap at c is
-/// f(c) − d + u(c), with u of the contact and of the ring, and F is the sum of both. It errs by 32 roundings of its terms.
-pub(super) const PROFILES: Run = ("maugis-dugdale-profiles", |trial| {
-    let (turn, name) = (trial.index / library::NAMES.len(), library::NAMES[trial.index % library::NAMES.len()]);
-    let precision = trial.precision;
-    if turn.is_multiple_of(2) { profile::<f64>(trial, name, ()) } else { profile::<Float>(trial, name, precision) }
-});
-
-/// The pull-off force of power laws n > 1/2: least among its neighbours, where a parabola through three of them has its
-/// vertex, and that of short range but for the term of first order in h₀ when μ is large.
-pub(super) const PULL_OFF: Run = ("maugis-dugdale-pull-off", pull_off);
-
-fn paraboloid<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
+pub(super) fn paraboloid<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
     let [radius, e_star, work] = [(); 3].map(|()| 10_f64.powf(trial.uniform(-9.0, 9.0)));
     let (lambda, reduced) = (10_f64.powf(trial.uniform(-1.3, 1.0)), trial.uniform(0.3, 3.0));
     let modulus = 4.0 * e_star / 3.0;
@@ -91,8 +75,10 @@ fn enclose<R: Arithmetic>(trial: &mut Trial<'_>, inputs: [&R; 5], c: &R, allowed
     Ok(())
 }
 
-fn profile<R: Arithmetic>(trial: &mut Trial<'_>, name: &'static str, ctx: R::Ctx) -> Result<()> {
-    let profile = Drawn::<R>::draw(trial, name, ctx);
+/// The same states of fifteen profiles, from closed forms of g over a < x < c, against the heights: the gap at c is
+/// f(c) − d + u(c), with u of the contact and of the ring, and F is the sum of both. It errs by 32 roundings of its terms.
+pub(super) fn profile<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
+    let profile = Drawn::<R>::draw(trial, ctx);
     let beyond = trial.uniform(0.0, 1.0) < 0.7;
     let a = profile.radius(trial, beyond, ctx);
     let transform = profile.closed::<R>()?;
@@ -146,7 +132,9 @@ fn profile<R: Arithmetic>(trial: &mut Trial<'_>, name: &'static str, ctx: R::Ctx
     Ok(())
 }
 
-fn pull_off(trial: &mut Trial<'_>) -> Result<()> {
+/// The pull-off force of power laws n > 1/2: least among its neighbours, where a parabola through three of them has its
+/// vertex, and that of short range but for the term of first order in h₀ when μ is large.
+pub(super) fn pull_off(trial: &mut Trial<'_>) -> Result<()> {
     let round = trial.index;
     let n = if round.is_multiple_of(4) { 2.0 } else { trial.uniform(0.7, 4.0) };
     let scene = trial.scene::<f64>(round, Exponent::Double(n), Held::Force.lambda(), ());

@@ -1,35 +1,90 @@
-//! Griffith's route: the potential energy by quadrature of quadratures, without the rule of Heß.
+//! Griffith's balance: the equilibria of (1.5), (1.6) are the stationary points of the potential energy, by its closed form
+//! and, without the rule of Heß, by quadrature of quadratures.
 
 use mdr_core::contact::{Control, Equilibrium, Result, Transform};
+use mdr_core::number::Dual;
 use mdr_numeric::branch::Branched;
 use mdr_numeric::curve::Curve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::Branches;
 
 use super::folds::transform;
-use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
+use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
+
+/// The work lost in jumps and the barrier before complete contact as differences of Π, and d(a₀) = 0.
+pub(super) fn jumps<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let exponent = trial.exponent(round, Family { least: 1e-2, ..Family::up_to(50) });
+    let scene: Scene<R> = trial.scene(round, exponent, 2.0 * exponent.value::<f64>(()), ctx);
+    let contact = scene.contact()?;
+    let a = trial.closed.radius_at_zero_indentation(&contact)?;
+    let tangent = scene.tangent(2.0 * scene.n.approx(), &a);
+    let elongation = trial.closed.detachment_elongation(contact.material(), &a)?;
+    let d = trial.closed.indentation(&contact, &a)?;
+    let allowed = 0.5 * tangent.excess() * tangent.radius() + TRANSFORM + ELONGATION + 4.0;
+    trial.compare_on("d(a₀)", &d, &a.lit(0), &elongation, allowed);
+
+    let unit = |scene: &Scene<R>, a: &R| a.pi() * a * a * &scene.work;
+    let rest = trial.closed.energy(&contact, &a, &a.lit(0))?;
+    if scene.n > scene.n.ratio(1, 2) {
+        let lost = trial.closed.energy_lost_at_jump_in(&contact)?;
+        trial.compare_on("jump-in", &lost, &-rest, &unit(&scene, &a), tangent.energy());
+        // Towards n = 1/2 the pull-off is hundreds of decades from a₀.
+        let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);
+        let contact = scene.contact()?;
+        let state = contact.critical(&Control::Indentation)?;
+        let a = &state.contact_radius;
+        let lost = trial.closed.energy_lost_at_pull_off(&contact)?;
+        let edge = trial.closed.energy(&contact, a, &state.indentation)?;
+        trial.compare_on("pull-off", &lost, &edge, &unit(&scene, a), scene.tangent(1.0, a).energy());
+    } else {
+        let barrier = trial.closed.barrier_to_complete_contact(&contact)?;
+        trial.compare_on("barrier", &barrier, &rest, &unit(&scene, &a), tangent.energy());
+    }
+    Ok(())
+}
+
+/// ∂Π/∂d = F (1.16) and ∂Π/∂a = 0 at d(a) (1.13), by dual numbers.
+pub(super) fn stationary<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let exponent = trial.exponent(round, Family { least: 1e-2, ..Family::up_to(50) });
+    let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);
+    let contact = scene.contact()?;
+    // g and Δl within a factor of e² of where they balance at the fold.
+    let stretch = R::from_f64(ctx, trial.uniform(-2.0, 2.0)) / (scene.n.clone() + scene.n.lit(1));
+    let a = contact.critical(&Control::Indentation)?.contact_radius * stretch.exp();
+    let d = trial.closed.indentation(&contact, &a)?;
+    let dual = scene.map(|x| Dual::constant(x.clone())).contact()?;
+
+    let elongation = trial.closed.detachment_elongation(contact.material(), &a)?;
+    let terms = trial.closed.g(contact.profile(), &a)? + &elongation;
+    // d is rounded in g and in Δl; then means, squares and products, each derivative twice as many.
+    let roundings = 2.0 * (TRANSFORM + ELONGATION + 14.0);
+    let by_depth = trial.closed.energy(&dual, &Dual::constant(a.clone()), &Dual::variable(d.clone()))?.slope;
+    let force = trial.closed.force(&contact, &a)?;
+    let scale = terms.clone() * &a * scene.e_star.clone().times(2);
+    trial.compare_on("∂Π/∂d", &by_depth, &force, &scale, roundings);
+
+    // ∂Π/∂a = E*[(d−g)² − Δl²] is left of terms d², dg, g² and their sum with the slope of g: (n+1) of them.
+    let by_radius = trial.closed.energy(&dual, &Dual::variable(a.clone()), &Dual::constant(d))?.slope;
+    let scale = terms.square() * &scene.e_star;
+    let exponent = a.ln().approx().abs();
+    let allowed = 4.0 * (scene.n.approx() + 1.0) * (roundings + exponent);
+    trial.compare_on("∂Π/∂a", &by_radius, &a.lit(0), &scale, allowed);
+    Ok(())
+}
+
+/// What the numerical energy meets, in u of its integrand: 128 is its goal. g and g' are known to 32, the square to twice
+/// that, and where this noise ends the refinement, its last changes may be four times as large.
+const ENERGY: f64 = 128.0 + 4.0 * 2.0 * 32.0;
 
 /// Π, the energy release rate and the work lost in jumps.
 ///
 /// With V = (|d|+g)/Δl the integrands v² and v² + 2v x g'/Δl are below V²(1+2n), on the scale where πa²w is ½ and the
 /// release rate of an equilibrium is 1. The rate is the derivative of the integral, not the integrand at its end, which
 /// would be (1.5) once more.
-pub(super) const POTENTIAL: Run = ("energy-quadrature", |trial| by_turns!(every 8, trial, potential));
-
-/// Equilibria as stationary points of the energy against those by the rule of Heß.
-///
-/// From d_c/100, where for n < 1/2 the contact is nearly Hertzian, Δl a thousandth of d and less, and the energy a small
-/// difference, to beside d_c. The first are known to the tolerance above over the derivative of the release rate, d ln/d ln a of ((g−d)/Δl)².
-pub(super) const ROUTES: Run = ("energy-route-against-force-route", routes);
-
-/// What the numerical energy meets, in u of its integrand: 128 is its goal. g and g' are known to 32, the square to twice
-/// that, and where this noise ends the refinement, its last changes may be four times as large.
-const ENERGY: f64 = 128.0 + 4.0 * 2.0 * 32.0;
-
-fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+pub(super) fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, Family { least: 0.05, most: 1e3, nearest: 20 });
     let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);
     let (contact, material) = (scene.contact()?, scene.material()?);
@@ -64,7 +119,11 @@ fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) ->
     Ok(())
 }
 
-fn routes(trial: &mut Trial<'_>) -> Result<()> {
+/// Equilibria as stationary points of the energy against those by the rule of Heß.
+///
+/// From d_c/100, where for n < 1/2 the contact is nearly Hertzian, Δl a thousandth of d and less, and the energy a small
+/// difference, to beside d_c. The first are known to the tolerance above over the derivative of the release rate, d ln/d ln a of ((g−d)/Δl)².
+pub(super) fn routes(trial: &mut Trial<'_>) -> Result<()> {
     let n = if trial.index.is_multiple_of(3) { trial.uniform(0.05, 0.42) } else { trial.uniform(0.6, 12.0) };
     let exponent = Exponent::Double(n);
     let scene: Scene<f64> = trial.scene(trial.index, exponent, 1.0, ());

@@ -1,30 +1,19 @@
-//! Critical states: the folds that the numerical route finds by tangency, against the closed forms.
+//! Critical states: the folds that the numerical route finds by tangency, or by the procedure of the paper taken literally,
+//! discrete springs, the outer ones detaching by the rule of Heß; against the closed forms.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Result, Shape};
+use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Outcome, Result, Shape};
 use mdr_numeric::curve::Curve;
 use mdr_numeric::folds::folds;
 use mdr_numeric::profiles::Heights;
+use mdr_numeric::springs::Foundation;
 use mdr_numeric::transform::Quadrature;
 
 use super::machine::{Machine, part};
-use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
-use crate::grid::{Family, Held, Scene};
+use crate::grid::{Exponent, Family, Held, Scene};
 use crate::tolerance::{Tangent, quadrature};
 use crate::trial::Trial;
-
-/// a_c, d_c, F_c under controlled indentation.
-pub(super) const INDENTATION: Run = ("critical-indentation", |trial| by_turns!(trial, critical, Held::Indentation));
-
-/// The same under controlled force.
-pub(super) const FORCE: Run = ("critical-force", |trial| by_turns!(trial, critical, Held::Force));
-
-/// All folds of a machine, up to three.
-pub(super) const MACHINE: Run = ("critical-machine", |trial| by_turns!(trial, machine));
-
-/// (1.15) as printed against the fold: it is the reciprocal, so it must miss wherever a_c is not 1 m.
-pub(super) const PRINTED: Run = ("printed-1.15-numerically", |trial| by_turns!(trial, printed));
 
 /// A power law for the numerical route, which knows nothing of it but its heights.
 pub(super) fn transform<R: Arithmetic>(scene: &Scene<R>) -> Result<Quadrature<R, Heights<R>>> {
@@ -70,14 +59,10 @@ impl<R: Arithmetic> ClosedFold<R> {
         let errors = Quadratures::at(&transform, tangent.n, &state.contact_radius)?;
         let (closed, found) = (tangent.radius(), tangent.found_radius(errors.slope));
         // The value is a difference: its error is on the scale of one of the terms.
-        let (value, error, difference) = match held {
-            Held::Indentation => {
-                (state.indentation, tangent.fold_indentation(closed, found, errors.g), tangent.transform() - 1.0)
-            }
-            Held::Force => {
-                (state.force, tangent.fold_force(closed, found, errors.g, errors.mean), tangent.pressed() - 1.0)
-            }
-        };
+        let (value, error, difference) = held.of([
+            (state.indentation, tangent.fold_indentation(closed, found, errors.g), tangent.transform() - 1.0),
+            (state.force, tangent.fold_force(closed, found, errors.g, errors.mean), tangent.pressed() - 1.0),
+        ]);
         let value_error = (error + 32.0) / difference.abs();
         Ok(ClosedFold { transform, tangent, value, radius_error: closed, value_error })
     }
@@ -96,10 +81,10 @@ pub(super) fn search<R: Arithmetic>(
     control: &Control<R>,
     round: usize,
     planted: f64,
-) -> Result<Found<R>> {
+) -> Result<Vec<Instability<R>>> {
     let material = scene.material()?;
-    if R::NAME == f64::NAME || round.is_multiple_of(8) {
-        return Ok(Found { all: true, folds: folds(transform, &material, control)?.folds });
+    if finds_all::<R>(round) {
+        return Ok(folds(transform, &material, control)?.folds);
     }
     let curve = Curve::new(transform, &material, control);
     let near = R::from_f64(scene.n.ctx(), planted);
@@ -115,14 +100,12 @@ pub(super) fn search<R: Arithmetic>(
         folds.push(Instability { contact_radius, indentation, force, kind });
         break;
     }
-    Ok(Found { all: false, folds })
+    Ok(folds)
 }
 
-/// What a search found.
-pub(super) struct Found<R> {
-    /// Whether these are all folds there are.
-    pub(super) all: bool,
-    pub(super) folds: Vec<Instability<R>>,
+/// Whether [`search`] looks at all radii.
+fn finds_all<R: Arithmetic>(round: usize) -> bool {
+    R::NAME == f64::NAME || round.is_multiple_of(8)
 }
 
 /// Which exponents: in f64 a radius magnified by more than 2⁴⁰ has no digit left to compare.
@@ -130,14 +113,15 @@ fn family<R: Arithmetic>() -> Family {
     Family::up_to(if R::NAME == f64::NAME { 36 } else { 40 })
 }
 
-fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx, held: Held) -> Result<()> {
+/// a, d and F of the critical state under a control.
+pub(super) fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx, held: Held) -> Result<()> {
     let exponent = trial.exponent(round, family::<R>());
     let scales = trial.scales::<R>(round, exponent);
     let scene: Scene<R> = trial.planted(exponent, held.lambda(), scales, ctx);
     let (material, control) = (scene.material()?, held.control());
     let state = trial.closed.critical(&scene.contact()?, &control)?;
     let transform = transform(&scene)?;
-    let found = search(&transform, &scene, &control, round, scales.radius)?.folds;
+    let found = search(&transform, &scene, &control, round, scales.radius)?;
     trial.demand("one fold", found.len() == 1);
     let Some(fold) = found.first() else { return Ok(()) };
     let closed = Instability {
@@ -175,7 +159,8 @@ fn compare<R: Arithmetic>(
     trial.demand("the kind of fold", closed.kind == found.kind);
 }
 
-fn machine<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+/// All folds of a machine, up to three.
+pub(super) fn machine<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let nearest = if R::NAME == f64::NAME { 5 } else { 16 };
     let machine = trial.machine::<R>(round, Family::up_to(nearest), ctx);
     let Machine { scene, stiffness, .. } = &machine;
@@ -189,9 +174,9 @@ fn machine<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> R
     let found = search(&transform, scene, &control, round, machine.radius)?;
     trial.demand(
         "the number of folds",
-        if found.all { closed.len() == found.folds.len() } else { !found.folds.is_empty() },
+        if finds_all::<R>(round) { closed.len() == found.len() } else { !found.is_empty() },
     );
-    for found in &found.folds {
+    for found in &found {
         let distance =
             |fold: &Instability<R>| (fold.contact_radius.clone() / &found.contact_radius).ln().abs().approx();
         let Some(closed) = closed.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else { continue };
@@ -209,12 +194,13 @@ fn machine<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> R
     Ok(())
 }
 
-fn printed<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+/// (1.15) as printed against the fold: it is the reciprocal, so it must miss wherever a_c is not 1 m.
+pub(super) fn printed<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, Family { least: 1e-2, most: 20.0, nearest: 12 });
     let scales = trial.scales::<R>(round, exponent);
     let scene: Scene<R> = trial.planted(exponent, 1.0, scales, ctx);
     let transform = transform(&scene)?;
-    let found = search(&transform, &scene, &Control::Indentation, round, scales.radius)?.folds;
+    let found = search(&transform, &scene, &Control::Indentation, round, scales.radius)?;
     let Some(fold) = found.first() else { return Ok(()) };
     let a = &fold.contact_radius;
     let tangent = scene.tangent(1.0, a);
@@ -223,6 +209,50 @@ fn printed<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> R
     let corrected = trial.closed.critical(&scene.contact()?, &Control::Indentation)?.contact_radius;
     let distance = |radius: R| ((radius / a).ln() / a.unit_roundoff()).abs().approx();
     trial.enter("ln a_c", distance(corrected), allowed);
-    trial.demand("(1.15) as printed misses the fold", distance(super::printed::printed_radius(&scene)?) > allowed);
+    trial.demand("(1.15) as printed misses the fold", distance(super::identities::printed_radius(&scene)?) > allowed);
+    Ok(())
+}
+
+/// Critical states of a foundation of springs at spacing Δx = a_c/N against the closed forms, at their order.
+///
+/// * a: the last spring to let go stands within Δx/2 of a_c: 1/2N;
+/// * d: the extremum of d(a) sampled within Δx/2 of it, d''a² = ¼(2n−1)Δl there: |2n−1|/32N² of Δl;
+/// * F: the two half strips at the edge, and F'(a)|_d = −2E*Δl over Δx/2: together 1/N of 2E*aΔl;
+/// * each times (1 + (n+3)/N)², for the derivatives one order higher across Δx.
+pub(super) fn foundation(trial: &mut Trial<'_>) -> Result<()> {
+    let round = trial.index;
+    let n = if round.is_multiple_of(3) { trial.uniform(0.1, 0.45) } else { trial.uniform(0.6, 6.0) };
+    let springs = [100, 200, 400][round / 3 % 3];
+    let exponent = Exponent::Double(n);
+    let scene: Scene<f64> = trial.scene(round, exponent, 1.0, ());
+    trial.describe_also(format_args!("N = {springs}"));
+    let (contact, material) = (scene.contact()?, scene.material()?);
+    let state = trial.closed.critical(&contact, &Control::Indentation)?;
+    let a = state.contact_radius;
+    let transform = transform(&scene)?;
+    let reach = 2 * springs;
+    let spacing = a / springs as f64;
+    let foundation = Foundation::new(&transform, &material, spacing, reach)?;
+    let pull_off = n > 0.5;
+    let (cascades, end) = if pull_off {
+        (foundation.pull(reach, &Control::Indentation)?, Outcome::Detached)
+    } else {
+        (foundation.press(1, &Control::Indentation)?, Outcome::CompleteContact)
+    };
+    trial.demand("one instability, and what it ends in", cascades.len() == 1 && cascades[0].outcome == end);
+    let Some(cascade) = cascades.first() else { return Ok(()) };
+    let found = &cascade.instability;
+
+    let count = springs as f64;
+    let higher = (1.0 + (n + 3.0) / count).powi(2);
+    let elongation = mdr_analytic::detachment_elongation(&material, &a)?;
+    let scale = 2.0 * scene.e_star * a * elongation;
+    // Under pressure the spring named is the last one before the jump: the critical one is its outer neighbour.
+    let radius = if pull_off { found.contact_radius } else { found.contact_radius + spacing };
+    trial.enter("a", (radius / a - 1.0).abs(), 0.5 / count * higher);
+    let allowed = (2.0 * n - 1.0).abs() / (32.0 * count * count) * higher + 1e-12;
+    trial.enter("d/Δl", ((found.indentation - state.indentation) / elongation).abs(), allowed);
+    let strip = if pull_off { 0.0 } else { 1.0 / count };
+    trial.enter("F/2E*aΔl", ((found.force - state.force) / scale).abs(), (1.0 / count + strip) * higher);
     Ok(())
 }

@@ -1,32 +1,34 @@
-//! κ_n of (1.12) by other roads: Γ, a positive series, the arithmetic-geometric mean, and a functional equation.
+//! κ_n of (1.12) by other roads: Γ, a positive series, the arithmetic-geometric mean, and a functional equation; and Γ, on
+//! which it rests, from two independent libraries.
 
 use mdr_core::contact::Result;
-use mdr_core::number::{Interval, Real};
+use mdr_core::number::{Gamma, Interval, Real};
 use rug::Float;
 
-use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::derivations::hypergeometric;
 use crate::grid::{Exponent, Family};
 use crate::tolerance::{KAPPA, ROUNDED};
-use crate::trial::Trial;
+use crate::trial::{Trial, ulps};
 
-/// κ_n = √π Γ(1+n/2)/Γ((n+1)/2), by the Γ of MPFR.
-pub(super) const GAMMA: Run = ("kappa-gamma", |trial| by_turns!(trial, against, by_gamma));
+/// The worst error of the Γ of statrs on (0.01, 50), in ulp, as published for its Lanczos sum.
+const STATRS_ULP: f64 = 2708.0;
 
-/// κ_n = ₂F₁(1, n; 1+n/2; 1/2) = Σ_k Π_{j<k} (n+j)/(n+2+2j), Gauss's second theorem.
-pub(super) const SERIES: Run = ("kappa-series", |trial| by_turns!(trial, against, middle_of_series));
-
-/// κ_{1/2} and κ_{1/3} by the arithmetic-geometric mean, carried up by κ_{n+2} = κ_n (n+2)/(n+1).
-pub(super) const AGM: Run = ("kappa-agm", |trial| by_turns!(trial, agm));
-
-/// κ_n κ_{n+1} = π(n+1)/2. The rounding of n + 1 counts half: ∂ln κ/∂ln n ≤ 1/2.
-pub(super) const PRODUCT: Run = ("kappa-product", |trial| by_turns!(trial, product));
+/// Γ(x) on the arguments of (1.12): MPFR against statrs at its own accuracy, and against pxfm at one ulp.
+pub(super) fn libraries(trial: &mut Trial<'_>) -> Result<()> {
+    let x = trial.uniform(0.01_f64.ln(), 50.0_f64.ln()).exp();
+    trial.describe(format_args!("x = {x:e}"));
+    let exact = Float::with_val(128, x).gamma();
+    trial.enter("Γ (statrs)", ulps(statrs::function::gamma::gamma(x), &exact), STATRS_ULP);
+    trial.enter("Γ (pxfm)", ulps(Gamma::gamma(&x), &exact), 1.0);
+    Ok(())
+}
 
 /// All of the grid, up to 1/2 ± 2⁻⁵⁰.
 const FAMILY: Family = Family::up_to(50);
 
-fn against<R: Arithmetic>(
+/// κ_n against another road.
+pub(super) fn against<R: Arithmetic>(
     trial: &mut Trial<'_>,
     round: usize,
     ctx: R::Ctx,
@@ -41,25 +43,29 @@ fn against<R: Arithmetic>(
     Ok(())
 }
 
-/// With 64 guard bits and as many as the logarithms of Γ lose by their size (below n ln n < 2¹³).
+/// κ_n = √π Γ(1+n/2)/Γ((n+1)/2), by the Γ of MPFR: with 64 guard bits and as many as the logarithms of Γ lose by their size (below n ln n < 2¹³).
 pub(crate) fn by_gamma(n: &Float) -> Float {
-    let n = Float::with_val(n.prec() + 64 + 16, n);
-    let half = n.ratio(1, 2);
-    let quotient = (half.clone() * &n + 1_u32).ln_gamma() - (half.clone() * &n + &half).ln_gamma();
-    (quotient + n.pi().ln() * half).exp()
+    ln_kappa(&Float::with_val(n.prec() + 64 + 16, n)).exp()
 }
 
-/// By Gauss's second theorem (DLMF 15.4.28), enclosed.
+/// ln κ_n = ln Γ(1+n/2) − ln Γ((n+1)/2) + ½ ln π, by the ln Γ of MPFR.
+pub(crate) fn ln_kappa<R: Gamma>(n: &R) -> R {
+    let half = n.clone().over(2);
+    (half.clone() + n.lit(1)).ln_gamma() - (half + n.ratio(1, 2)).ln_gamma() + n.pi().ln().over(2)
+}
+
+/// κ_n = ₂F₁(1, n; 1+n/2; 1/2) = Σ_k Π_{j<k} (n+j)/(n+2+2j), Gauss's second theorem (DLMF 15.4.28), enclosed.
 pub(crate) fn by_series(n: &Interval) -> Interval {
     hypergeometric(n, &(n.clone().over(2) + n.lit(1)))
 }
 
 /// 64 guard bits carry the sum.
-fn middle_of_series(n: &Float) -> Float {
+pub(super) fn middle_of_series(n: &Float) -> Float {
     by_series(&Interval::point(Float::with_val(n.prec() + 64, n))).mid()
 }
 
-fn agm<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+/// κ_{1/2} and κ_{1/3} by the arithmetic-geometric mean, carried up by κ_{n+2} = κ_n (n+2)/(n+1).
+pub(super) fn agm<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let one = Float::with_val(R::from_int(ctx, 1).precision() + 64, 1);
     let (tip, climb) = ([(1, 2), (1, 3)][round % 2], (round / 2) as i64);
     let first = if tip == (1, 2) {
@@ -80,7 +86,8 @@ fn agm<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Resul
     Ok(())
 }
 
-fn product<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+/// κ_n κ_{n+1} = π(n+1)/2. The rounding of n + 1 counts half: ∂ln κ/∂ln n ≤ 1/2.
+pub(super) fn product<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, FAMILY);
     let n: R = exponent.value(ctx);
     trial.describe(format_args!("n = {exponent} ({})", R::NAME));

@@ -1,27 +1,47 @@
-//! Results that were known before the theory: Johnson, Kendall and Roberts (1971), Kendall (1971).
+//! Results that were known before the theory: the modulus of two bodies (1.3), Johnson, Kendall and Roberts (1971), Kendall
+//! (1971).
 
-use mdr_core::contact::{Control, Material, Result};
+use mdr_core::contact::{Body, Control, Material, Result};
 use mdr_core::number::Real;
+use rug::{Float, Rational};
 
-use super::{Run, by_turns};
+use super::certified::rational;
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Held, Scene};
 use crate::trial::Trial;
 
-/// The paraboloid r²/2R: F = −(5/6)πwR and a³ = πwR²/(8E*) under fixed grips, F = −(3/2)πwR and nine times that a³
-/// under a dead load.
-pub(super) const JKR: Run = ("jkr", |trial| by_turns!(trial, jkr));
+const ROUNDINGS: f64 = 7.0;
 
-/// n → ∞ with C = R^{1−n}: Kendall's flat punch, F → −√(8πR³E*w).
+/// 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂ in floating point against exact rational arithmetic.
 ///
-/// From κ_nκ_{n+1} = π(n+1)/2 and κ growing: πn/2 < κ_n² < π(n+1)/2. Hence the logarithm of the ratio is
-/// ln((2n−1)/(2n+2)) + 3/(4n−2)·ln(18B/(πRn²√(n(n+1)))) within ±3/(8n−4)·ln(1+1/n): the rate, and how far it is known.
-pub(super) const KENDALL: Run = ("kendall-limit", |trial| by_turns!(trial, kendall));
+/// Seven roundings a path at most: 1−ν, 1+ν, their product, the quotient, the sum of positive terms, the reciprocal.
+pub(super) fn effective_modulus(trial: &mut Trial<'_>) -> Result<()> {
+    let mut body = || (10_f64.powf(trial.uniform(-30.0, 30.0)), trial.uniform(-1.0, 0.5));
+    let bodies = [body(), body()];
+    trial.describe(format_args!("E, ν = {bodies:?}"));
+    let [first, second] = bodies.map(|(e, nu)| {
+        let (e, nu) = (rational(e), rational(nu));
+        (1 - nu.square()) / e
+    });
+    let exact = Rational::from(&first + &second).recip();
+    in_either_order::<f64>(trial, (), bodies, &exact.to_f64())?;
+    let precision = trial.precision;
+    in_either_order(trial, precision, bodies, &Float::with_val(precision.bits(), exact))
+}
+
+fn in_either_order<R: Real>(trial: &mut Trial<'_>, ctx: R::Ctx, bodies: [(f64, f64); 2], exact: &R) -> Result<()> {
+    let body = |(e, nu)| Body::new(R::from_f64(ctx, e), R::from_f64(ctx, nu));
+    let [first, second] = bodies.map(body);
+    let (first, second) = (first?, second?);
+    let e_star = |a, b| Material::from_bodies(a, b, R::from_int(ctx, 1)).map(|m| m.effective_modulus().clone());
+    let found = e_star(&first, &second)?;
+    trial.compare("E*", &found, exact, ROUNDINGS);
+    trial.demand("E* does not depend on the order of the bodies", found == e_star(&second, &first)?);
+    Ok(())
+}
 
 /// A flat cylinder of radius b: −√(2πwb/E*) and −√(8πE*wb³).
-pub(super) const PUNCH: Run = ("kendall-flat-punch", |trial| by_turns!(trial, punch));
-
-fn punch<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
+pub(super) fn punch<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
     let [radius, e_star, work] = decades::<R>(trial, ctx);
     let [r, e, w] = [&radius, &e_star, &work].map(R::approx);
     trial.describe(format_args!("b = {r:e}, E* = {e:e}, w = {w:e} ({})", R::NAME));
@@ -39,8 +59,10 @@ fn decades<R: Real>(trial: &mut Trial<'_>, ctx: R::Ctx) -> [R; 3] {
     [(); 3].map(|()| R::from_f64(ctx, 10_f64.powf(trial.uniform(-30.0, 30.0))))
 }
 
-fn jkr<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
-    let held = [Held::Indentation, Held::Force][round % 2];
+/// The paraboloid r²/2R: F = −(5/6)πwR and a³ = πwR²/(8E*) under fixed grips, F = −(3/2)πwR and nine times that a³
+/// under a dead load.
+pub(super) fn jkr<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let held = Held::BOTH[round % 2];
     let [radius, e_star, work] = decades::<R>(trial, ctx);
     let [r, e, w] = [&radius, &e_star, &work].map(R::approx);
     trial.describe(format_args!("R = {r:e}, E* = {e:e}, w = {w:e} ({})", R::NAME));
@@ -49,10 +71,7 @@ fn jkr<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Resul
     let tangent = scene.tangent(held.lambda(), &state.contact_radius);
 
     let pull = radius.pi() * &scene.work * &radius;
-    let force = match held {
-        Held::Indentation => pull.clone().times(-5).over(6),
-        Held::Force => pull.clone().times(-3).over(2),
-    };
+    let force = held.of([pull.clone().times(-5).over(6), pull.clone().times(-3).over(2)]);
     // C is rounded: once more in q, squared.
     let allowed = tangent.radius() + 2.0 / tangent.excess();
     trial.compare(format!("F ({held})"), &state.force, &force, 1.5 * allowed + 24.0);
@@ -60,15 +79,16 @@ fn jkr<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Resul
     trial.compare(format!("a³ ({held})"), &state.contact_radius.powi(3), &cube, 3.0 * allowed + 8.0);
     // d = a²/R − √(2πwa/E*) is −3a²/R at fixed grips and −a²/(3R) at a dead load: √(2πwa/E*) = 4a²/R, 4a²/3R.
     let square = state.contact_radius.square() / &radius;
-    let depth = match held {
-        Held::Indentation => square.times(-3),
-        Held::Force => square.over(-3),
-    };
+    let depth = held.of([square.clone().times(-3), square.over(-3)]);
     trial.compare(format!("d ({held})"), &state.indentation, &depth, 1.5 * allowed + 24.0);
     Ok(())
 }
 
-fn kendall<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
+/// n → ∞ with C = R^{1−n}: Kendall's flat punch, F → −√(8πR³E*w).
+///
+/// From κ_nκ_{n+1} = π(n+1)/2 and κ growing: πn/2 < κ_n² < π(n+1)/2. Hence the logarithm of the ratio is
+/// ln((2n−1)/(2n+2)) + 3/(4n−2)·ln(18B/(πRn²√(n(n+1)))) within ±3/(8n−4)·ln(1+1/n): the rate, and how far it is known.
+pub(super) fn kendall<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
     let n = 10_f64.powf(trial.uniform(1.0, if R::NAME == "f64" { 2.0 } else { 6.0 }));
     let decades = if R::NAME == "f64" { 60.0 / n } else { 30.0 };
     let radius = R::from_f64(ctx, 10_f64.powf(trial.uniform(-decades, decades)));

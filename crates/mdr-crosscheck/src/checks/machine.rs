@@ -4,14 +4,10 @@ use mdr_core::contact::{Error, FoldKind, Quantity, Result};
 use mdr_core::number::Real;
 use rug::Float;
 
-use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
 use crate::tolerance::machine_balance;
 use crate::trial::Trial;
-
-/// Each fold put back into k d' + F' = 0, (1.13) and (1.16); a fold is known to be there, three where three are due.
-pub(super) const FOLDS: Run = ("machine-folds-in-their-equations", |trial| by_turns!(trial, folds));
 
 /// A contact on a machine with a fold at a planted radius.
 pub(super) struct Machine<R> {
@@ -52,7 +48,8 @@ impl Trial<'_> {
     }
 }
 
-fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+/// Each fold put back into k d' + F' = 0, (1.13) and (1.16); a fold is known to be there, three where three are due.
+pub(super) fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     // Close to 1/2 the folds are hundreds of decades apart.
     let nearest = if R::NAME == f64::NAME { 5 } else { 24 };
     let machine = trial.machine::<R>(round, Family::up_to(nearest), ctx);

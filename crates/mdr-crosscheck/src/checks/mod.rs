@@ -1,150 +1,137 @@
 //! The checks. To add one: a line in `data/checks.tsv`, which says what it compares, and in a module the function that runs
 //! one of its cases, with its name in [`RUNS`].
 
-mod bodies;
 mod certified;
 mod double;
 mod dugdale;
 mod energy;
 mod equilibria;
 mod folds;
-mod gamma;
-mod griffith;
 mod identities;
-mod inverse;
 mod kappa;
 mod known;
 mod machine;
 mod path;
-mod printed;
 mod profiles;
 mod proof;
 mod quadrature;
 mod range;
-mod scaling;
-mod springs;
 mod threshold;
-mod universal;
 
 use std::sync::LazyLock;
 
-use mdr_core::contact::Result;
+use rug::Float;
 
 pub(crate) use self::certified::literal;
-pub(crate) use self::kappa::by_series;
+pub(crate) use self::kappa::{by_series, ln_kappa};
 
-use crate::options::Level;
-use crate::report::Unit;
+use crate::grid::Held;
+use crate::report::{Row, Unit, Verdict};
 use crate::subject::SubjectId;
-use crate::trial::Trial;
+use crate::subject::profiles::NAMES;
+use crate::trial::Case;
 
 /// One comparison of the closed forms with something else, over many cases.
 #[derive(Debug)]
 pub(crate) struct Check {
-    /// Stable name.
-    pub(crate) name: &'static str,
-    /// What is compared with what.
-    pub(crate) claim: &'static str,
-    /// The equations of the paper it covers.
-    pub(crate) equations: Vec<&'static str>,
+    /// Its row of a report before any case.
+    pub(crate) row: Row,
     /// The closed forms it would catch a mistake in.
-    pub(crate) subjects: Vec<SubjectId>,
-    /// What its errors are measured in.
-    pub(crate) unit: Unit,
+    subjects: Vec<SubjectId>,
     /// Cases at the levels quick, default and full.
     pub(crate) cases: [usize; 3],
     /// Runs one case.
-    pub(crate) case: fn(&mut Trial<'_>) -> Result<()>,
-}
-
-/// The name of a check, and what runs one of its cases.
-type Run = (&'static str, fn(&mut Trial<'_>) -> Result<()>);
-
-impl Check {
-    /// Cases at a level.
-    pub(crate) fn budget(&self, level: Level) -> usize {
-        self.cases[level as usize]
-    }
+    pub(crate) case: Case,
 }
 
 /// The names of all checks, in the order of the report.
 pub fn check_names() -> Vec<&'static str> {
-    registry().iter().map(|check| check.name).collect()
+    registry().iter().map(|check| check.row.check.as_str()).collect()
 }
 
 /// The names of the checks that would catch a mistake in a closed form.
 pub fn checks_of(id: SubjectId) -> Vec<&'static str> {
-    registry().iter().filter(|check| check.subjects.contains(&id)).map(|check| check.name).collect()
+    registry().iter().filter(|check| check.subjects.contains(&id)).map(|check| check.row.check.as_str()).collect()
 }
 
-/// Runs a generic case by turns in f64 and in arbitrary precision, each in its own rounds of the grid: of `every` so many
-/// cases, two if nothing is said, the last is in arbitrary precision.
+/// What runs a generic case by turns in f64 and in arbitrary precision, each in its own rounds of the grid: of `every` so many
+/// cases, two if nothing is said, the last is in arbitrary precision. Or `all profiles` in one arithmetic, then in the other.
 macro_rules! by_turns {
-    (every $count:literal, $trial:ident, $case:ident $(, $argument:expr)*) => {{
-        let (round, precision) = ($trial.index / $count, $trial.precision);
-        match $trial.index % $count {
-            turn if turn + 1 == $count => $case::<rug::Float>($trial, round, precision $(, $argument)*),
-            turn => $case::<f64>($trial, ($count - 1) * round + turn, () $(, $argument)*),
+    (every $count:literal, $module:ident::$case:ident $(, $argument:expr)*) => {
+        |trial| {
+            let (round, precision) = (trial.index / $count, trial.precision);
+            match trial.index % $count {
+                turn if turn + 1 == $count => $module::$case::<Float>(trial, round, precision $(, $argument)*),
+                turn => $module::$case::<f64>(trial, ($count - 1) * round + turn, () $(, $argument)*),
+            }
         }
-    }};
-    ($trial:ident, $case:ident $(, $argument:expr)*) => {
-        by_turns!(every 2, $trial, $case $(, $argument)*)
+    };
+    (all profiles, $module:ident::$case:ident) => {
+        |trial| {
+            let (round, precision) = (trial.index / NAMES.len(), trial.precision);
+            match round % 2 {
+                0 => $module::$case::<f64>(trial, round, ()),
+                _ => $module::$case::<Float>(trial, round, precision),
+            }
+        }
+    };
+    ($($case:tt)*) => {
+        by_turns!(every 2, $($case)*)
     };
 }
-use by_turns;
 
-/// What runs each check.
-const RUNS: &[Run] = &[
-    gamma::LIBRARIES,
-    bodies::BODIES,
-    kappa::GAMMA,
-    kappa::SERIES,
-    kappa::AGM,
-    kappa::PRODUCT,
-    quadrature::KAPPA_RATIO,
-    quadrature::POWER,
-    profiles::LIBRARY,
-    profiles::NAMED,
-    folds::INDENTATION,
-    folds::FORCE,
-    folds::MACHINE,
-    folds::PRINTED,
-    proof::SEARCH,
-    proof::CLOSED,
-    proof::EQUILIBRIA,
-    equilibria::BESIDE,
-    inverse::EQUILIBRIA,
-    energy::POTENTIAL,
-    energy::ROUTES,
-    springs::SPRINGS,
-    universal::CURVES,
-    threshold::BISECTION,
-    threshold::STATES,
-    double::DOUBLE_PRECISION,
-    certified::ROUNDING,
-    certified::PREFIX,
-    certified::ENCLOSURE,
-    range::DIGITS,
-    range::ENCLOSURES,
-    identities::CRITICAL,
-    identities::SLOPES,
-    identities::LOGARITHMS,
-    griffith::CLOSED,
-    griffith::JUMPS,
-    path::BALANCE,
-    path::LOSSES,
-    path::ADMISSIBLE,
-    machine::FOLDS,
-    dugdale::PARABOLOID,
-    dugdale::PROFILES,
-    dugdale::PULL_OFF,
-    printed::DIMENSIONS,
-    known::JKR,
-    known::KENDALL,
-    known::PUNCH,
-    path::FLAT_PUNCH,
-    scaling::FORCE,
-    scaling::LENGTH,
+/// What runs a case of each check.
+const RUNS: &[(&str, Case)] = &[
+    ("gamma-libraries", kappa::libraries),
+    ("effective-modulus", known::effective_modulus),
+    ("kappa-gamma", by_turns!(kappa::against, kappa::by_gamma)),
+    ("kappa-series", by_turns!(kappa::against, kappa::middle_of_series)),
+    ("kappa-agm", by_turns!(kappa::agm)),
+    ("kappa-product", by_turns!(kappa::product)),
+    ("kappa-quadrature", by_turns!(quadrature::kappa)),
+    ("transform-quadrature", by_turns!(quadrature::power)),
+    ("profile-library", by_turns!(all profiles, profiles::parts)),
+    ("named-power-laws", by_turns!(profiles::named)),
+    ("critical-indentation", by_turns!(folds::critical, Held::Indentation)),
+    ("critical-force", by_turns!(folds::critical, Held::Force)),
+    ("critical-machine", by_turns!(folds::machine)),
+    ("printed-1.15-numerically", by_turns!(folds::printed)),
+    ("proved-folds-against-search", proof::search),
+    ("proved-folds-closed-form", proof::closed),
+    ("proved-equilibria", proof::equilibria),
+    ("equilibria-beside-the-fold", by_turns!(every 5, equilibria::beside)),
+    ("equilibria-at-a-value", by_turns!(every 5, equilibria::equilibria)),
+    ("energy-quadrature", by_turns!(every 8, energy::potential)),
+    ("energy-route-against-force-route", energy::routes),
+    ("spring-foundation", folds::foundation),
+    ("universal-curves", by_turns!(quadrature::curves)),
+    ("threshold-by-bisection", by_turns!(threshold::bisection)),
+    ("scale-free-states", by_turns!(threshold::states)),
+    ("double-precision", double::functions),
+    ("certified-rounding", certified::rounding),
+    ("certified-prefix", certified::prefix),
+    ("kappa-enclosure", certified::enclosure),
+    ("certified-range", range::digits),
+    ("enclosure-range", range::enclosures),
+    ("critical-state-in-its-equations", by_turns!(identities::critical)),
+    ("slopes-of-equilibria", by_turns!(identities::slopes)),
+    ("logarithms-of-critical-states", by_turns!(identities::logarithms)),
+    ("energy-closed-form", by_turns!(energy::stationary)),
+    ("jump-work-closed-form", by_turns!(energy::jumps)),
+    ("path-energy-balance", by_turns!(every 8, path::balance)),
+    ("path-losses", by_turns!(every 8, path::losses)),
+    ("path-admissible", path::admissible),
+    ("machine-folds-in-their-equations", by_turns!(machine::folds)),
+    ("maugis-dugdale-paraboloid", by_turns!(dugdale::paraboloid)),
+    ("maugis-dugdale-profiles", by_turns!(all profiles, dugdale::profile)),
+    ("maugis-dugdale-pull-off", dugdale::pull_off),
+    ("printed-1.15-dimensions", by_turns!(identities::dimensions)),
+    ("jkr", by_turns!(known::jkr)),
+    ("kendall-limit", by_turns!(known::kendall)),
+    ("kendall-flat-punch", by_turns!(known::punch)),
+    ("flat-punch", by_turns!(path::flat_punch)),
+    ("unit-of-force", by_turns!(identities::unit_of_force)),
+    ("unit-of-length", by_turns!(identities::unit_of_length)),
 ];
 
 /// A line of the table; none where it cannot be read, or where nothing runs the check.
@@ -154,11 +141,20 @@ fn check(line: &'static str) -> Option<Check> {
     let cases = [quick, default, full].map(|count| count.parse().ok());
     let subjects: Option<Vec<_>> = subjects.split_whitespace().map(SubjectId::named).collect();
     Some(Check {
-        name,
-        claim,
-        equations: equations.split_whitespace().collect(),
+        row: Row {
+            check: name.to_owned(),
+            claim: claim.to_owned(),
+            equations: equations.split_whitespace().map(str::to_owned).collect(),
+            unit: Unit::ALL.into_iter().find(|known| known.name() == unit)?,
+            cases: 0,
+            skipped: 0,
+            failed: 0,
+            worst: None,
+            tightest: None,
+            verdict: Verdict::Skipped,
+            errors: Vec::new(),
+        },
         subjects: subjects?.concat(),
-        unit: Unit::ALL.into_iter().find(|known| known.to_string() == unit)?,
         cases: [cases[0]?, cases[1]?, cases[2]?],
         case: RUNS.iter().find(|(known, _)| *known == name)?.1,
     })
@@ -177,7 +173,7 @@ mod tests {
 
     #[test]
     fn every_line_of_the_table_is_a_check_and_every_check_has_a_line() {
-        let named: Vec<_> = registry().iter().map(|check| check.name).collect();
+        let named = check_names();
         let lines = include_str!("../../data/checks.tsv").lines().filter(|line| !line.starts_with('#'));
         assert_eq!(named, lines.map(|line| line.split('\t').next().unwrap_or_default()).collect::<Vec<_>>());
         let run: std::collections::BTreeSet<_> = RUNS.iter().map(|(name, _)| *name).collect();

@@ -12,35 +12,17 @@ use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
 use super::folds::{Quadratures, transform};
-use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::tolerance::{ELONGATION, TRANSFORM};
 use crate::trial::Trial;
-
-/// work − lost = Π(end) − Π(start) along random paths of power laws, by quadrature, and of wavy paraboloids.
-///
-/// The bound is that of the ledger: errors of its quadratures, and the rounding of their integrands.
-pub(super) const BALANCE: Run = ("path-energy-balance", |trial| by_turns!(every 8, trial, balance));
-
-/// Work lost at jump-in and pull-off, on the scale πa²w.
-///
-/// The integrands vanish at the radius of a fold or an equilibrium, so its error δ enters through πa²w only: 2δ times the
-/// loss.
-pub(super) const LOSSES: Run = ("path-losses", |trial| by_turns!(every 8, trial, losses));
-
-/// The flat punch with its contact at the wall, under every control: jump-in, linear compression, pull-off; πb²w lost in
-/// either, and F²/2k of the machine.
-pub(super) const FLAT_PUNCH: Run = ("flat-punch", |trial| by_turns!(trial, flat_punch));
 
 /// Paths over waves so steep that the next crest is touched. Whatever the path does, no event of it gains energy; where it
 /// ends because the surfaces meet, the gap f − d + u vanishes on the ring, with u an integral over the contact and not, as in
 /// the search, over what is outside.
 ///
 /// The bound is that of the quadratures, which stop at the noise of their integrands, on the scale of f, d and A.
-pub(super) const ADMISSIBLE: Run = ("path-admissible", admissible);
-
-fn admissible(trial: &mut Trial<'_>) -> Result<()> {
+pub(super) fn admissible(trial: &mut Trial<'_>) -> Result<()> {
     const NOISE: f64 = 3.0 * 4096.0;
     let scale = 10_f64.powf(trial.uniform(-20.0, 20.0));
     let wavelength = scale * 10_f64.powf(trial.uniform(-1.5, -0.5));
@@ -82,7 +64,10 @@ fn control<R: Real>(turn: usize, stiffness: &R) -> Result<Control<R>> {
     }
 }
 
-fn balance<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+/// work − lost = Π(end) − Π(start) along random paths of power laws, by quadrature, and of wavy paraboloids.
+///
+/// The bound is that of the ledger: errors of its quadratures, and the rounding of their integrands.
+pub(super) fn balance<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let by_waves = !round.is_multiple_of(3);
     let n = if by_waves { 2.0 } else { [trial.uniform(0.6, 6.0), trial.uniform(0.2, 0.45)][round / 3 % 2] };
     let scales = trial.scales::<R>(round, Exponent::Double(n));
@@ -148,7 +133,11 @@ fn close_the_books<R: Arithmetic>(
     Ok(())
 }
 
-fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+/// Work lost at jump-in and pull-off, on the scale πa²w.
+///
+/// The integrands vanish at the radius of a fold or an equilibrium, so its error δ enters through πa²w only: 2δ times the
+/// loss.
+pub(super) fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let exponent = trial.exponent(round, Family { least: 0.51, most: 12.0, nearest: 10 });
     let held = trial.held();
     let scene: Scene<R> = trial.scene(round, exponent, held.lambda(), ctx);
@@ -194,7 +183,9 @@ fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     Ok(())
 }
 
-fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+/// The flat punch with its contact at the wall, under every control: jump-in, linear compression, pull-off; πb²w lost in
+/// either, and F²/2k of the machine.
+pub(super) fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let [radius, e_star, work] = [(); 3].map(|()| R::from_f64(ctx, 10_f64.powf(trial.uniform(-20.0, 20.0))));
     let share = R::from_f64(ctx, 10_f64.powf(trial.uniform(-2.0, 2.0)));
     let control = control(round, &(share * &e_star * &radius))?;

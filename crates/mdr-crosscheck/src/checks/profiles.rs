@@ -7,35 +7,15 @@ use mdr_core::contact::{Flank, Result, Shape, Transform};
 use mdr_core::number::{Dual, Lift, Real, Special};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
-use rug::Float;
 
-use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
-use crate::library::{self, closed_form};
 use crate::subject::Part;
+use crate::subject::profiles::{NAMES, closed_form, terms};
 use crate::tolerance::{TRANSFORM, quadrature};
 use crate::trial::Trial;
 
-/// g, g' and ∫g of every profile with a closed form.
-///
-/// Each closed form does at most forty roundings and cancels no more than the question does: with the condition
-/// c = |d ln(·)/d ln x| it may err by 40(1 + c), as by homogeneity the conditions in the other lengths are not larger
-/// than 1 + c. x stays a fifth away from the edge.
-pub(super) const LIBRARY: Run = ("profile-library", |trial| {
-    // All shapes in one arithmetic, then in the other.
-    let (turn, name) = (trial.index / library::NAMES.len(), library::NAMES[trial.index % library::NAMES.len()]);
-    let precision = trial.precision;
-    if turn.is_multiple_of(2) {
-        compare_parts::<f64>(trial, name, turn, ())
-    } else {
-        compare_parts::<Float>(trial, name, turn, precision)
-    }
-});
-
 /// The power laws with a name.
-pub(super) const NAMED: Run = ("named-power-laws", |trial| by_turns!(trial, named));
-
-fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
+pub(super) fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
     let [radius, x] = [(); 2].map(|()| 10_f64.powf(trial.uniform(-30.0, 30.0)));
     let angle = trial.uniform(0.02, 1.55);
     trial.describe(format_args!("R = {radius:e}, α = {angle:e}, x = {x:e} ({})", R::NAME));
@@ -69,8 +49,9 @@ pub(super) struct Drawn<R> {
 }
 
 impl<R: Arithmetic> Drawn<R> {
-    /// A profile at any scale. The cap of a cone ends where the sphere has its slope.
-    pub(super) fn draw(trial: &mut Trial<'_>, name: &'static str, ctx: R::Ctx) -> Self {
+    /// The profile of this case, at any scale. The cap of a cone ends where the sphere has its slope.
+    pub(super) fn draw(trial: &mut Trial<'_>, ctx: R::Ctx) -> Self {
+        let name = NAMES[trial.index % NAMES.len()];
         let length = R::from_f64(ctx, 10_f64.powf(trial.uniform(-15.0, 15.0)));
         let ratio = R::from_f64(ctx, 2_f64.powf(trial.uniform(-2.0, 1.0)));
         let slope = R::from_f64(ctx, 2_f64.powf(trial.uniform(-4.0, 1.0)));
@@ -118,7 +99,7 @@ impl<R: Real> Drawn<R> {
         let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
         // The edge of a dimple is where its formula changes, or where it ends.
         let radius = if self.name == "parabolic-dimple" { &b } else { &l };
-        library::terms(self.name, |key| match key {
+        terms(self.name, |key| match key {
             "slope" => t.clone(),
             "flat" | "cap" | "offset" | "wavelength" => b.clone(),
             "height" | "depth" => t.clone() * radius,
@@ -141,11 +122,15 @@ impl<R: Real> Drawn<R> {
     }
 }
 
-fn compare_parts<R: Arithmetic>(trial: &mut Trial<'_>, name: &'static str, turn: usize, ctx: R::Ctx) -> Result<()> {
-    let profile = Drawn::<R>::draw(trial, name, ctx);
-    let x = profile.radius(trial, turn % 6 < 4, ctx);
-    let [l, b, t, at] = [&profile.length, &profile.second, &profile.slope, &x].map(R::approx);
-    trial.describe(format_args!("{name}, L = {l:e}, b = {b:e}, t = {t:e}, x = {at:e} ({})", R::NAME));
+/// g, g' and ∫g of every profile with a closed form.
+///
+/// Each closed form does at most forty roundings and cancels no more than the question does: with the condition
+/// c = |d ln(·)/d ln x| it may err by 40(1 + c), as by homogeneity the conditions in the other lengths are not larger
+/// than 1 + c. x stays a fifth away from the edge.
+pub(super) fn parts<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let profile = Drawn::<R>::draw(trial, ctx);
+    let x = profile.radius(trial, round % 6 < 4, ctx);
+    trial.describe(format_args!("{profile}, x = {:e} ({})", x.approx(), R::NAME));
     let closed = profile.closed::<R>()?;
     let with_slopes = profile.closed::<Dual<R>>()?;
     let transform = Quadrature::of(profile.terms::<R>())?;
@@ -157,7 +142,7 @@ fn compare_parts<R: Arithmetic>(trial: &mut Trial<'_>, name: &'static str, turn:
     };
     let forms = trial.closed;
     let mut compare = |part, closed: R, numeric: Estimate<R>, condition: f64| {
-        let closed = forms.profile(name, part, closed, &x);
+        let closed = forms.profile(profile.name, part, closed, &x);
         let allowed = ROUNDINGS * (1.0 + condition) + quadrature(&numeric, condition);
         trial.compare(format!("{part:?}"), &closed, &numeric.value, allowed);
     };

@@ -10,11 +10,10 @@ use mdr_numeric::folds;
 use mdr_numeric::proof::{self, EnclosedBranches, EnclosedCurve, ProvedFolds};
 use rug::Float;
 
-use super::Run;
 use super::machine::Machine;
 use super::profiles::{Drawn, ROUNDINGS};
 use crate::grid::{Family, Held};
-use crate::library::NAMES;
+use crate::subject::profiles::NAMES;
 use crate::trial::Trial;
 
 /// Bits of the enclosures.
@@ -23,26 +22,6 @@ const BITS: u32 = 80;
 const BUDGET: usize = 1_000_000;
 /// How far beyond what f64 finds: 2²⁰.
 const REACH: f64 = 1_048_576.0;
-
-/// All folds proved, as many as the search in f64 finds, and each where it finds it.
-///
-/// The search errs by the error of g', 40(1 + c) roundoffs with the condition c of g', over the steepness
-/// |d ln(g'/Δl'λ)/d ln a| of the tangency condition; at an edge it finds the edge to two roundoffs.
-pub(super) const SEARCH: Run = ("proved-folds-against-search", search);
-
-/// The proved folds of power laws against a_c, d_c, F_c and the folds of machines in closed form, as enclosures.
-pub(super) const CLOSED: Run = ("proved-folds-closed-form", closed);
-
-/// All equilibria proved, as many as the branches in f64 hold, each where they hold it and as stable.
-///
-/// The radius errs by the rounding of the direction of change, 100(1 + c) roundoffs of its terms with the condition c of
-/// g, over the slope of that direction.
-pub(super) const EQUILIBRIA: Run = ("proved-equilibria", equilibria);
-
-/// A number of f64, exactly.
-fn exact<R: Real>(ctx: R::Ctx, value: f64) -> R {
-    R::from_f64(ctx, value)
-}
 
 /// A contact in one arithmetic.
 struct Side<R: Real> {
@@ -59,9 +38,9 @@ impl<R: Real> Side<R> {
         control: &Control<f64>,
         ctx: R::Ctx,
     ) -> Result<Self> {
-        let [e_star, work] = [material.effective_modulus(), material.work_of_adhesion()].map(|x| exact(ctx, *x));
+        let [e_star, work] = [material.effective_modulus(), material.work_of_adhesion()].map(|x| R::from_f64(ctx, *x));
         let control =
-            control.try_map(|stiffness| Error::require_positive(Quantity::Stiffness, exact(ctx, *stiffness)))?;
+            control.try_map(|stiffness| Error::require_positive(Quantity::Stiffness, R::from_f64(ctx, *stiffness)))?;
         Ok(Side { transform, material: Material::new(e_star, work)?, control })
     }
 
@@ -83,8 +62,8 @@ struct Library {
 impl Library {
     /// A profile of the library at any scale, with w such that the state at a drawn radius is tangent or nearly so.
     fn draw(trial: &mut Trial<'_>) -> Result<Self> {
-        let (turn, name) = (trial.index / NAMES.len(), NAMES[trial.index % NAMES.len()]);
-        let drawn = Drawn::<f64>::draw(trial, name, ());
+        let turn = trial.index / NAMES.len();
+        let drawn = Drawn::<f64>::draw(trial, ());
         let beyond = trial.uniform(0.0, 1.0) < 0.6;
         let radius = drawn.radius(trial, beyond, ());
         let rough = drawn.closed::<f64>()?;
@@ -149,7 +128,11 @@ impl Library {
     }
 }
 
-fn search(trial: &mut Trial<'_>) -> Result<()> {
+/// All folds proved, as many as the search in f64 finds, and each where it finds it.
+///
+/// The search errs by the error of g', 40(1 + c) roundoffs with the condition c of g', over the steepness
+/// |d ln(g'/Δl'λ)/d ln a| of the tangency condition; at an edge it finds the edge to two roundoffs.
+pub(super) fn search(trial: &mut Trial<'_>) -> Result<()> {
     let library = Library::draw(trial)?;
     let proved = library.prove()?;
     trial.demand("the proof is complete", proved.is_complete());
@@ -163,7 +146,11 @@ fn search(trial: &mut Trial<'_>) -> Result<()> {
     Ok(())
 }
 
-fn equilibria(trial: &mut Trial<'_>) -> Result<()> {
+/// All equilibria proved, as many as the branches in f64 hold, each where they hold it and as stable.
+///
+/// The radius errs by the rounding of the direction of change, 100(1 + c) roundoffs of its terms with the condition c of
+/// g, over the slope of that direction.
+pub(super) fn equilibria(trial: &mut Trial<'_>) -> Result<()> {
     let library = Library::draw(trial)?;
     let proved = library.prove()?;
     // In f64 a curve is not cut where g is infinite.
@@ -176,7 +163,7 @@ fn equilibria(trial: &mut Trial<'_>) -> Result<()> {
     trial.describe_also(format_args!("value {value:e}"));
     let branches = EnclosedBranches::new(library.enclosed(), &proved)?;
     let Ok(rough) = Branches::new(library.rough.curve()) else { return Ok(()) };
-    let found = branches.equilibria(&exact(Precision::new(BITS), value))?;
+    let found = branches.equilibria(&Interval::from_f64(Precision::new(BITS), value))?;
     let expected = rough.equilibria(&value)?;
     trial.demand("as many equilibria", found.len() == expected.len());
     for (found, expected) in found.iter().zip(&expected) {
@@ -189,8 +176,8 @@ fn equilibria(trial: &mut Trial<'_>) -> Result<()> {
     Ok(())
 }
 
-/// A power law over enclosures.
-fn closed(trial: &mut Trial<'_>) -> Result<()> {
+/// The proved folds of power laws against a_c, d_c, F_c and the folds of machines in closed form, as enclosures.
+pub(super) fn closed(trial: &mut Trial<'_>) -> Result<()> {
     let round = trial.index / 3;
     let family = Family { least: 0.05, most: 12.0, nearest: 4 };
     let exponent = trial.exponent(round, family);
@@ -198,14 +185,14 @@ fn closed(trial: &mut Trial<'_>) -> Result<()> {
         let Machine { scene, stiffness, radius, .. } = trial.machine::<f64>(round, family, ());
         (scene, radius, Control::Machine { stiffness })
     } else {
-        let held = [Held::Indentation, Held::Force][trial.index % 3];
+        let held = Held::BOTH[trial.index % 3];
         let scales = trial.scales::<f64>(round, exponent);
         (trial.planted::<f64>(exponent, held.lambda(), scales, ()), scales.radius, held.control())
     };
     let material = scene.material()?;
     let ctx = Precision::new(BITS);
-    let law = PowerLaw::<Interval>::new(exact(ctx, scene.n), exact(ctx, scene.c))?;
-    let moving = PowerLaw::<Dual<Interval>>::new(exact(ctx, scene.n), exact(ctx, scene.c))?;
+    let law = PowerLaw::new(Interval::from_f64(ctx, scene.n), Interval::from_f64(ctx, scene.c))?;
+    let moving = PowerLaw::new(Dual::<Interval>::from_f64(ctx, scene.n), Dual::from_f64(ctx, scene.c))?;
     let plain = Side::new(Box::new(law.clone()), &material, &control, ctx)?;
     let contact = Contact::new(law, plain.material.clone());
     let moving = Side::new(Box::new(moving), &material, &control, ctx)?;

@@ -7,19 +7,13 @@
 use mdr_analytic::PowerLaw;
 use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::certify::{Decimal, Enclosure};
-use mdr_core::number::{Gamma, Interval, Precision, Real};
+use mdr_core::number::{Interval, Precision, Real};
 use rug::{Float, Integer, Rational};
 
-use super::Run;
 use super::certified::{Exact, literal};
-use super::kappa::by_series;
+use super::kappa::{by_series, ln_kappa};
+use crate::grid::Scene;
 use crate::trial::Trial;
-
-/// Digits against the second algorithm, in units of the last decimal: half of one, and what the reference is uncertain by.
-pub(super) const DIGITS: Run = ("certified-range", digits);
-
-/// Enclosures at p bits and at 2p bits, and that of κ_n against the second algorithm.
-pub(super) const ENCLOSURES: Run = ("enclosure-range", enclosures);
 
 impl Exact {
     /// Exponents go round six families, the ends of the range first.
@@ -42,19 +36,19 @@ impl Exact {
             _ => Rational::from((1 + 2 * trial.below(100), 1 + 2 * trial.below(10))),
         };
         let n = if n == 0 || n == 0.5 { n + 1u32 } else { n };
-        let inputs = [n, trial.decimal(-30, 30)?, trial.decimal(-30, 30)?, trial.decimal(-30, 30)?];
+        let mut scale = || trial.decimal(-30, 30);
+        let scene = Scene { n, c: scale()?, e_star: scale()?, work: scale()? };
         let held = trial.held();
-        let shown = inputs.each_ref().map(|input| Float::with_val(60, input).to_string_radix(10, Some(15)));
-        let [n, c, e_star, work] = shown;
+        let Scene { n, c, e_star, work } = scene.map(|input| Float::with_val(60, input).to_string_radix(10, Some(15)));
         trial.describe(format_args!("n ≈ {n}, C = {c}, E* = {e_star}, w = {work}, {held}"));
-        Ok(Exact { inputs, held })
+        Ok(Exact { scene, held })
     }
 
     /// ln κ, ln a, ln|d| and ln|F| from (1.15) and (1.17); none of d where it is 0.
     fn logarithms(&self, bits: u32) -> [Option<Interval>; 4] {
         let enclose = |x: &Rational| Interval::from_rational(Precision::new(bits), x);
         let ln = |x: &Rational| enclose(x).ln();
-        let [n, c, e_star, work] = &self.inputs;
+        let Scene { n, c, e_star, work } = &self.scene;
         let tension = Rational::from(self.held.lambda() as i64);
         let kappa = kappa(n, bits).ln();
         let [twice, next] = [Rational::from(n * 2u32), Rational::from(n + 1u32)];
@@ -71,13 +65,13 @@ impl Exact {
 
     /// Whether d and F are negative.
     fn signs(&self) -> [bool; 2] {
-        let (n, tension) = (&self.inputs[0], self.held.lambda());
+        let (n, tension) = (&self.scene.n, self.held.lambda());
         [Rational::from(n * 2u32) > tension, Rational::from(n + 1u32) * 2u32 > tension]
     }
 
     /// Bits that the results lose: by the size of n, and by its distance from 1/2.
     fn magnification(&self) -> u32 {
-        let n = &self.inputs[0];
+        let n = &self.scene.n;
         let excess = (Rational::from(n * 2u32) - 1u32).abs();
         let size = |x: &Integer| x.significant_bits();
         2 * size(excess.denom()).saturating_sub(size(excess.numer())) + size(n.numer()).abs_diff(size(n.denom()))
@@ -119,12 +113,11 @@ fn kappa(n: &Rational, bits: u32) -> Interval {
     }
     // Γ(1+x)/Γ(x+1/2), x = n/2: ln Γ is of the size of n ln n.
     let size = n.numer().significant_bits().saturating_sub(n.denom().significant_bits());
-    let half = working(bits + size + 64).over(2);
-    let quotient = (half.clone() + half.lit(1)).ln_gamma() - (half.clone() + half.ratio(1, 2)).ln_gamma();
-    (quotient + half.pi().ln().over(2)).exp()
+    ln_kappa(&working(bits + size + 64)).exp()
 }
 
-fn digits(trial: &mut Trial<'_>) -> Result<()> {
+/// Digits against the second algorithm, in units of the last decimal: half of one, and what the reference is uncertain by.
+pub(super) fn digits(trial: &mut Trial<'_>) -> Result<()> {
     /// What the reference may be uncertain by, in units of the last digit.
     const SHARP: f64 = 1e-12;
     let exact = Exact::draw_widely(trial)?;
@@ -168,26 +161,23 @@ fn units(decimal: &Decimal, ln: &Interval) -> Interval {
     (ln.clone() - digits.ln() - scale).exp_m1() * digits
 }
 
-/// An enclosure as an interval, that of the logarithm where it has only that, and its accuracy in bits.
-fn known(enclosure: &Enclosure) -> (Interval, i64) {
+/// An enclosure as an interval, that of the logarithm where it has only that.
+fn interval(enclosure: &Enclosure) -> Interval {
     match enclosure {
-        Enclosure::Value(value) => (value.clone(), value.accuracy_bits()),
-        Enclosure::Exact(value) => (Interval::from_rational(Precision::new(64), value), i64::MAX),
-        Enclosure::Log { ln_magnitude, .. } => {
-            let error = ln_magnitude.radius().get_exp().map_or(i64::MIN / 2, i64::from);
-            (ln_magnitude.clone(), -error)
-        }
+        Enclosure::Value(interval) | Enclosure::Log { ln_magnitude: interval, .. } => interval.clone(),
+        Enclosure::Exact(value) => Interval::from_rational(Precision::new(64), value),
     }
 }
 
-fn enclosures(trial: &mut Trial<'_>) -> Result<()> {
+/// Enclosures at p bits and at 2p bits, and that of κ_n against the second algorithm.
+pub(super) fn enclosures(trial: &mut Trial<'_>) -> Result<()> {
     /// Bits that an enclosure may lose beside those of the condition.
     const LOST: i64 = 24;
     let exact = Exact::draw_widely(trial)?;
     let bits = Precision::from_digits(trial.many_digits()).bits();
     trial.describe_also(format_args!("{bits} and {} bits", 2 * bits));
     let question = exact.question()?;
-    let [n, c, ..] = &exact.inputs;
+    let Scene { n, c, .. } = &exact.scene;
     let lost = LOST + i64::from(exact.magnification());
     let precision = |bits| Precision::new(bits + exact.magnification());
     let at = |bits: u32| -> Result<Vec<Enclosure>> {
@@ -202,12 +192,12 @@ fn enclosures(trial: &mut Trial<'_>) -> Result<()> {
     let (short, long) = (at(bits)?, at(2 * bits)?);
     let reference = kappa(n, 2 * bits + 128);
     for (i, name) in ["κ", "a", "d", "F", "g(1)/C", "κ_n"].iter().enumerate() {
-        let ((short, sharp), (long, sharper)) = (known(&short[i]), known(&long[i]));
+        let is_tight =
+            |found: &Enclosure, bits: u32| found.accuracy_bits().is_some_and(|sharp| sharp >= i64::from(bits) - lost);
+        let tight = is_tight(&short[i], bits) && is_tight(&long[i], 2 * bits);
+        let [short, long] = [&short[i], &long[i]].map(interval);
         trial.demand(format!("{name} agrees"), short.overlaps(&long));
-        trial.demand(
-            format!("{name} is tight"),
-            sharp >= i64::from(bits) - lost && sharper >= i64::from(2 * bits) - lost,
-        );
+        trial.demand(format!("{name} is tight"), tight);
         if [0, 4, 5].contains(&i) {
             trial.demand(format!("{name} is κ"), short.overlaps(&reference) && long.overlaps(&reference));
         }

@@ -6,18 +6,10 @@ use mdr_numeric::curve::Curve;
 use mdr_numeric::transform::Quadrature;
 
 use super::folds::transform;
-use super::{Run, by_turns};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Held, Scales, Scene};
 use crate::tolerance::{ELONGATION, KAPPA, TRANSFORM, quadrature};
 use crate::trial::Trial;
-
-/// The C at which the fate of a contact at d = 0 (or F = 0) changes, by bisection on the direction of change (1.8), (1.9)
-/// over quadratures, against 2/ϖ·√(2πw/E*) with ϖ = π/agm(1, √2).
-pub(super) const BISECTION: Run = ("threshold-by-bisection", |trial| by_turns!(trial, bisection));
-
-/// States, ratio and fate at n = 1/2, and ϖ = Γ(1/4)²/√(8π).
-pub(super) const STATES: Run = ("scale-free-states", |trial| by_turns!(trial, states));
 
 const HALF: Exponent = Exponent::Fraction(1, 2);
 
@@ -27,8 +19,10 @@ fn shrinks<R: Arithmetic>(c: &R, material: &Material<R>, control: &Control<R>, a
     Ok(Curve::new(&transform, material, control).direction(a, &a.lit(0))? > a.lit(0))
 }
 
-fn bisection<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
-    let held = [Held::Indentation, Held::Force][round % 2];
+/// The C at which the fate of a contact at d = 0 (or F = 0) changes, by bisection on the direction of change (1.8), (1.9)
+/// over quadratures, against 2/ϖ·√(2πw/E*) with ϖ = π/agm(1, √2).
+pub(super) fn bisection<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+    let held = Held::BOTH[round % 2];
     let scales = trial.scales::<R>(round, HALF);
     let scene: Scene<R> = trial.planted(HALF, 1.0, scales, ctx);
     trial.describe_also(format_args!("a = {:e}, {held}", scales.radius));
@@ -48,10 +42,8 @@ fn bisection<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) ->
     let transform = Quadrature::of([Shape::Power { n: found.ratio(1, 2), c: found.clone() }])?;
     // g against Δl, or (force) g − Δl against the mean of g, which at the threshold is two thirds of g.
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
-    let numeric = match held {
-        Held::Indentation => quadrature(&g, 0.5),
-        Held::Force => 3.0 * quadrature(&g, 0.5) + 2.0 * quadrature(&mean, 0.5) + ELONGATION,
-    };
+    let [of_g, of_mean] = [quadrature(&g, 0.5), quadrature(&mean, 0.5)];
+    let numeric = held.of([of_g, 3.0 * of_g + 2.0 * of_mean + ELONGATION]);
     trial.compare("C", &found, &threshold, numeric + ELONGATION + 16.0 + agm(&found));
     Ok(())
 }
@@ -61,7 +53,8 @@ fn agm<R: Real>(like: &R) -> f64 {
     2.0 * f64::from(like.precision()).log2() + 6.0
 }
 
-fn states<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+/// States, ratio and fate at n = 1/2, and ϖ = Γ(1/4)²/√(8π).
+pub(super) fn states<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let scales = trial.scales::<R>(round, HALF);
     // ρ between 1/4 and 8, both thresholds within.
     let rho = 2_f64.powf(trial.uniform(-2.0, 3.0));
@@ -92,7 +85,7 @@ fn states<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Re
     let allowed = allowed + quadrature(&mean, 0.5) + KAPPA;
     trial.compare_on("F", &f, &curve.force(&a)?, &scale, allowed);
 
-    for held in [Held::Indentation, Held::Force] {
+    for held in Held::BOTH {
         let control = held.control();
         let fate = trial.closed.fate(&contact, &control)?;
         let expected = if shrinks(&scene.c, &material, &control, &a)? { 1 } else { -1 };

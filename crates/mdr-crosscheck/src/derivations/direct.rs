@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use mdr_core::calculus::quadrature::tanh_sinh;
 use mdr_core::contact::{Error as Failure, Quantity};
-use mdr_core::number::{Dual, Interval, Real, Special};
+use mdr_core::number::{Dual, Interval, Special};
 use mdr_symbolic::formula::{Arithmetic, Function, Variable, evaluate};
 use mdr_symbolic::{Domain, Error, Formula, Result, Symbol};
 use rug::Rational;
@@ -16,66 +16,49 @@ use rug::Rational;
 use super::point::Point;
 use super::{functions, turn};
 
-/// Numbers that can hold an interval as a constant, and the next ones, which have one derivative more.
+/// Numbers that can hold an interval as a constant.
 pub(super) trait Level: Special {
-    /// The next numbers.
-    type Next: Level;
     /// A constant.
     fn constant(value: Interval) -> Self;
     /// A number of which nothing is known, nor of its derivatives.
     fn unknown() -> Self;
     /// The interval, if all derivatives are 0.
     fn as_constant(&self) -> Option<Interval>;
-    /// This number as a constant of the next level, or as its variable.
-    fn raise(&self, variable: bool) -> Self::Next;
-    /// The derivative of a number of the next level, if there is one.
-    fn slope(next: Self::Next) -> Option<Self>;
+    /// A derivative by numbers that have one more, if there are any.
+    fn derivative(at: &Direct<'_, Self>, inner: &Formula, along: Symbol, domain: Domain) -> Result<Self>;
 }
 
 impl Level for Interval {
-    type Next = Dual<Interval>;
     fn constant(value: Interval) -> Self {
         value
-    }
-    fn as_constant(&self) -> Option<Interval> {
-        Some(self.clone())
-    }
-    fn raise(&self, variable: bool) -> Self::Next {
-        raised(self, variable)
-    }
-    fn slope(next: Self::Next) -> Option<Self> {
-        Some(next.slope)
     }
     fn unknown() -> Self {
         Interval::entire(mdr_core::number::Precision::new(super::BITS))
     }
+    fn as_constant(&self) -> Option<Interval> {
+        Some(self.clone())
+    }
+    fn derivative(at: &Direct<'_, Self>, inner: &Formula, along: Symbol, domain: Domain) -> Result<Self> {
+        at.slope(inner, along, domain)
+    }
 }
 
-/// The number as a constant, or as the variable.
-fn raised<R: Real>(number: &R, variable: bool) -> Dual<R> {
-    if variable { Dual::variable(number.clone()) } else { Dual::constant(number.clone()) }
-}
-
-/// Dual numbers, and the level above.
+/// Dual numbers, and their derivatives.
 macro_rules! level {
-    ($this:ty, $next:ty, $raise:expr, $slope:expr) => {
+    ($this:ty, $derivative:expr) => {
         impl Level for $this {
-            type Next = $next;
             fn constant(value: Interval) -> Self {
                 Dual::constant(Level::constant(value))
+            }
+            fn unknown() -> Self {
+                Dual { value: Level::unknown(), slope: Level::unknown() }
             }
             fn as_constant(&self) -> Option<Interval> {
                 let flat = self.slope.as_constant().is_some_and(|slope| slope.is_point() && slope.contains_zero());
                 if flat { self.value.as_constant() } else { None }
             }
-            fn raise(&self, variable: bool) -> $next {
-                $raise(self, variable)
-            }
-            fn slope(next: $next) -> Option<Self> {
-                $slope(next)
-            }
-            fn unknown() -> Self {
-                Dual { value: Level::unknown(), slope: Level::unknown() }
+            fn derivative(at: &Direct<'_, Self>, inner: &Formula, along: Symbol, domain: Domain) -> Result<Self> {
+                $derivative(at, inner, along, domain)
             }
         }
     };
@@ -83,10 +66,10 @@ macro_rules! level {
 type First = Dual<Interval>;
 type Second = Dual<First>;
 type Third = Dual<Second>;
-level!(First, Second, raised, |next: Second| Some(next.slope));
-level!(Second, Third, raised, |next: Third| Some(next.slope));
+level!(First, Direct::slope);
+level!(Second, Direct::slope);
 // No statement has four derivatives within each other.
-level!(Third, Third, |number: &Third, _| number.clone(), |_| None);
+level!(Third, |_, _, _, _| Err(Error::TooLarge("a fourth derivative".to_owned())));
 
 /// A point with values for some symbols, and for n, that are not those of the point.
 pub(super) struct Direct<'a, R> {
@@ -127,14 +110,6 @@ impl<'a, R: Level> Direct<'a, R> {
         }
     }
 
-    fn derivative(&self, inner: &Formula, along: Symbol, domain: Domain) -> Result<R> {
-        let raise = |symbol: Symbol, value: &R| (symbol, value.raise(symbol == along));
-        let mut values: BTreeMap<_, _> = self.values.iter().map(|(symbol, value)| raise(*symbol, value)).collect();
-        values.entry(along).or_insert_with(|| self.symbol(along).raise(true));
-        let there = Direct { point: self.point, n: self.n.clone(), values };
-        R::slope(evaluate(inner, domain, &there)?).ok_or_else(|| Error::TooLarge("a fourth derivative".to_owned()))
-    }
-
     /// ∫₀^X by quadrature, widened far beyond its error but not beyond the accuracy that is asked of two sides.
     fn integral(&self, inner: &Formula, along: Symbol, upper: &R, domain: Domain) -> R {
         let accuracy = |bits: i64| upper.lit(2).powi(-bits);
@@ -148,6 +123,22 @@ impl<'a, R: Level> Direct<'a, R> {
         };
         let width = integral.value.clone() * accuracy(40);
         integral.value.inflate_with_slope(&width)
+    }
+}
+
+impl<R: Level> Direct<'_, R>
+where
+    Dual<R>: Level,
+{
+    /// A derivative by dual numbers over these.
+    fn slope(&self, inner: &Formula, along: Symbol, domain: Domain) -> Result<R> {
+        let raise = |symbol: Symbol, value: &R| match symbol == along {
+            true => (symbol, Dual::variable(value.clone())),
+            false => (symbol, Dual::constant(value.clone())),
+        };
+        let mut values: BTreeMap<_, _> = self.values.iter().map(|(symbol, value)| raise(*symbol, value)).collect();
+        values.entry(along).or_insert_with(|| Dual::variable(self.symbol(along)));
+        Ok(evaluate(inner, domain, &Direct { point: self.point, n: self.n.clone(), values })?.slope)
     }
 }
 
@@ -209,7 +200,7 @@ impl<R: Level> Arithmetic for Direct<'_, R> {
     }
     fn operation(&self, formula: &Formula, domain: Domain) -> Result<R> {
         match formula {
-            Formula::Derivative(inner, along) => self.derivative(inner, *along, domain),
+            Formula::Derivative(inner, along) => R::derivative(self, inner, *along, domain),
             Formula::Integral(inner, along, upper) => {
                 Ok(self.integral(inner, *along, &evaluate(upper, domain, self)?, domain))
             }

@@ -2,40 +2,28 @@
 
 use std::iter::Sum;
 
+use mdr_core::named;
 use mdr_symbolic::derivations::Step;
 use mdr_symbolic::{Decision, Domain, Error, Statement};
 
 use super::{POINTS, Truth, points, truth};
 
-/// What became of a mutant, over all domains of its step the least favourable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Fate {
-    /// Its normal forms differ, or their difference has the other sign.
-    NormalForm,
-    /// Rigorous intervals contradict it at a random point.
-    Enclosure,
-    /// A side has certainly no value at any random point: a division by 0, a root of a negative number, an integral that
-    /// diverges.
-    Meaningless,
-    /// Neither normal forms nor intervals can tell: a side has no finite enclosure, or the two sides overlap without agreeing.
-    Undecided,
-    /// It holds, by normal forms or as far as intervals can tell: the statement says less than it seems to.
-    Survives,
-}
-
-impl Fate {
-    /// All of them, the best first.
-    pub const ALL: [Fate; 5] = [Fate::NormalForm, Fate::Enclosure, Fate::Meaningless, Fate::Undecided, Fate::Survives];
-
-    /// What became of it, in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Fate::NormalForm => "refuted by normal forms",
-            Fate::Enclosure => "refuted by enclosures",
-            Fate::Meaningless => "meaningless",
-            Fate::Undecided => "undecided",
-            Fate::Survives => "NOT refuted",
-        }
+named! {
+    /// What became of a mutant, over all domains of its step the least favourable; the best first.
+    #[derive(PartialOrd, Ord)]
+    pub enum Fate {
+        /// Its normal forms differ, or their difference has the other sign.
+        NormalForm = "refuted by normal forms",
+        /// Rigorous intervals contradict it at a random point.
+        Enclosure = "refuted by enclosures",
+        /// A side has certainly no value at any random point: a division by 0, a root of a negative number, an integral that
+        /// diverges.
+        Meaningless = "meaningless",
+        /// Neither normal forms nor intervals can tell: a side has no finite enclosure, or the two sides overlap without
+        /// agreeing.
+        Undecided = "undecided",
+        /// It holds, by normal forms or as far as intervals can tell: the statement says less than it seems to.
+        Survives = "NOT refuted",
     }
 }
 

@@ -48,10 +48,4 @@ impl Findings {
     pub fn comparisons(&self) -> impl Iterator<Item = &Comparison> {
         self.tasks.iter().flat_map(|(_, comparisons)| comparisons)
     }
-
-    /// Both parts as a page in Markdown, which shows the picture `NAME.svg` of each task; it ends with `origin`: by which
-    /// command, how often and on which machine.
-    pub fn page(&self, origin: &str) -> String {
-        page::page(self, origin)
-    }
 }

@@ -4,17 +4,21 @@ use std::collections::BTreeSet;
 
 use super::Findings;
 use crate::ladders::{Family, Ladder, Rung};
+use crate::short;
 use crate::work_precision::{Comparison, Series, Task};
 
-/// The page.
-pub(super) fn page(findings: &Findings, origin: &str) -> String {
-    let mut page = HEAD.to_owned();
-    for (task, comparisons) in &findings.tasks {
-        page.push_str(&section(task, comparisons));
+impl Findings {
+    /// Both parts as a page in Markdown, which shows the picture `NAME.svg` of each task; it ends with `origin`: by which
+    /// command, how often and on which machine.
+    pub fn page(&self, origin: &str) -> String {
+        let mut page = HEAD.to_owned();
+        for (task, comparisons) in &self.tasks {
+            page.push_str(&section(task, comparisons));
+        }
+        page.push_str(&failures(self));
+        page.push_str(&stability(&self.ladders));
+        page + &format!("\n## How it was made\n\n{origin}\n")
     }
-    page.push_str(&failures(findings));
-    page.push_str(&stability(&findings.ladders));
-    page + &format!("\n## How it was made\n\n{origin}\n")
 }
 
 const HEAD: &str = include_str!("../../text/report.md");
@@ -62,14 +66,7 @@ fn time(seconds: f64) -> String {
         s if s < 0.9995 => (1e3, "ms"),
         _ => (1.0, "s"),
     };
-    let number = format!("{:.3e}", scale * seconds).parse::<f64>().unwrap_or(scale * seconds);
-    let rounded = match number {
-        x if x < 9.995 => format!("{x:.2}"),
-        x if x < 99.95 => format!("{x:.1}"),
-        x => format!("{x:.0}"),
-    };
-    let short = if rounded.contains('.') { rounded.trim_end_matches('0').trim_end_matches('.') } else { &rounded };
-    format!("{short} {unit}")
+    format!("{} {unit}", short::rounded(scale * seconds, 3))
 }
 
 fn failures(findings: &Findings) -> String {

@@ -1,5 +1,7 @@
 //! Approaches: sequences of inputs that tend to a limit where a question becomes hard, from the table `data/ladders.tsv`.
 
+use std::sync::LazyLock;
+
 use mdr_analytic::double;
 use mdr_core::contact::{Control, Expression, Profile, Quantity, Result};
 
@@ -8,40 +10,23 @@ use crate::subject::double::{material, planted};
 use crate::subject::routine::Routine;
 use crate::subject::routines;
 
-/// How many inputs an approach has.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Steps {
-    /// All of them, not only a few.
-    pub(super) all: bool,
-}
-
-impl Steps {
-    /// A few.
-    pub(super) const FEW: Steps = Steps { all: false };
-
-    /// 2⁻ᵏ for k from `first` to `last`.
-    fn halvings(self, first: i32, last: i32) -> Vec<f64> {
-        steps(first, last, if self.all { 1 } else { 12 }).map(|k| 2_f64.powi(-k)).collect()
-    }
-
-    /// 10ᵏ for k from `first` to `last`, up or down.
-    fn decades(self, first: i32, last: i32) -> Vec<f64> {
-        let span = (last - first).abs();
-        let step = if self.all { (span / 40).max(1) } else { (span / 5).max(1) };
-        // As typed: powi is off by many ulp at the ends of the range.
-        let power = |k: i32| format!("1e{k}").parse().unwrap_or(f64::NAN);
-        steps(0, span, step).map(|k| power(if last > first { first + k } else { first - k })).collect()
-    }
-}
-
-/// From `first` to `last`, which is always there.
-fn steps(first: i32, last: i32, step: i32) -> impl Iterator<Item = i32> {
-    let end = ((last - first) % step != 0).then_some(last);
-    (first..=last).step_by(step as usize).chain(end)
+/// base^k for k from `first` to `last`, which is always there: all of them, or a few.
+fn values(base: i32, first: i32, last: i32, all: bool) -> Vec<f64> {
+    let span = (last - first).abs();
+    let step = match (base, all) {
+        (2, true) => 1,
+        (2, false) => 12,
+        (_, true) => (span / 40).max(1),
+        (_, false) => (span / 5).max(1),
+    };
+    // As typed: powi is off by many ulp at the ends of the range.
+    let power = |k: i32| if base == 2 { 2_f64.powi(k) } else { format!("1e{k}").parse().unwrap_or(f64::NAN) };
+    let end = (span % step != 0).then_some(span);
+    (0..=span).step_by(step as usize).chain(end).map(|k| power(first + k * (last - first).signum())).collect()
 }
 
 /// A line of the table: how some functions are led towards a limit, or towards two.
-struct Approach {
+pub(super) struct Approach {
     /// The functions, by name or by the beginning of it.
     functions: Vec<&'static str>,
     family: Family,
@@ -84,21 +69,18 @@ impl Approach {
         self.functions.iter().any(|known| is_named(known, name))
     }
 
-    /// The questions to a function.
-    fn cases(&self, routine: Routine, steps: Steps) -> impl Iterator<Item = LadderCase> {
-        self.last.iter().map(move |&last| {
-            let values = match self.base {
-                2 => steps.halvings(-self.first, -last),
-                _ => steps.decades(self.first, last),
-            };
-            LadderCase {
-                routine,
-                family: self.family,
-                toward: self.toward.replace("{}", &last.to_string()),
-                axis: self.axis,
-                inputs: values.into_iter().map(|t| (t, self.inputs_at(t))).collect(),
-            }
-        })
+    /// The ladder of a function on the way to one of the last exponents, with all of its rungs or a few.
+    pub(super) fn ladder(&self, routine: &Routine, last: i32, all: bool) -> Ladder {
+        let values = values(self.base, self.first, last, all).into_iter();
+        Ladder {
+            function: routine.name.to_owned(),
+            family: self.family,
+            toward: self.toward.replace("{}", &last.to_string()),
+            axis: self.axis.to_owned(),
+            inputs: routine.inputs.iter().map(|name| (*name).to_owned()).collect(),
+            naive: routine.textbook.map(|textbook| textbook.formula.to_owned()),
+            rungs: values.map(|t| super::measure::rung(routine, t, &self.inputs_at(t))).collect(),
+        }
     }
 
     fn inputs_at(&self, t: f64) -> Vec<f64> {
@@ -137,41 +119,19 @@ fn critical(n: f64, c: f64, bodies: &[f64], control: &Control<f64>) -> Result<f6
     }
 }
 
-/// A routine and its inputs on the way to a limit.
-#[derive(Clone, Debug)]
-pub(super) struct LadderCase {
-    pub(super) routine: Routine,
-    family: Family,
-    toward: String,
-    axis: &'static str,
-    /// The parameter and the inputs.
-    inputs: Vec<(f64, Vec<f64>)>,
-}
+/// The approaches, in the blocks of the table.
+static APPROACHES: LazyLock<Vec<Vec<Approach>>> = LazyLock::new(|| {
+    let blocks = include_str!("../../data/ladders.tsv").split("\n\n");
+    blocks.map(|block| block.lines().filter_map(Approach::read).collect()).collect()
+});
 
-impl LadderCase {
-    /// Answers its questions.
-    pub(super) fn ladder(&self) -> Ladder {
-        let LadderCase { routine, family, toward, axis, inputs } = self;
-        Ladder {
-            function: routine.name.to_owned(),
-            family: *family,
-            toward: toward.clone(),
-            axis: (*axis).to_owned(),
-            inputs: routine.inputs.iter().map(|name| (*name).to_owned()).collect(),
-            naive: routine.textbook.map(|textbook| textbook.formula.to_owned()),
-            rungs: inputs.iter().map(|(t, inputs)| super::measure::rung(routine, *t, inputs)).collect(),
-        }
-    }
-}
-
-/// All cases: block by block of the table, and in each in the order of the functions.
-pub(super) fn cases(steps: Steps) -> Vec<LadderCase> {
+/// Every function with an approach and its last exponent: block by block, and in each in the order of the functions.
+pub(super) fn cases() -> Vec<(Routine, &'static Approach, i32)> {
     let mut cases = Vec::new();
-    for block in include_str!("../../data/ladders.tsv").split("\n\n") {
-        let approaches: Vec<_> = block.lines().filter_map(Approach::read).collect();
+    for block in APPROACHES.iter() {
         for routine in routines() {
-            let along = approaches.iter().filter(|approach| approach.leads(routine.name));
-            cases.extend(along.flat_map(|approach| approach.cases(routine, steps)));
+            let along = block.iter().filter(|approach| approach.leads(routine.name));
+            cases.extend(along.flat_map(|approach| approach.last.iter().map(move |last| (routine, approach, *last))));
         }
     }
     cases
@@ -192,9 +152,9 @@ mod tests {
                 assert!(all.iter().any(|routine| is_named(known, routine.name)), "{known}");
             }
             let led = all.iter().find(|routine| approach.leads(routine.name)).unwrap();
-            for case in approach.cases(*led, Steps::FEW) {
-                assert!(case.inputs.iter().all(|(_, inputs)| inputs.len() == led.inputs.len()), "{line}");
-                assert!(case.inputs.iter().flat_map(|(_, inputs)| inputs).all(|x| !x.is_nan()), "{line}");
+            for t in approach.last.iter().flat_map(|last| values(approach.base, approach.first, *last, false)) {
+                let inputs = approach.inputs_at(t);
+                assert!(inputs.len() == led.inputs.len() && inputs.iter().all(|x| !x.is_nan()), "{line}");
             }
         }
     }

@@ -14,68 +14,62 @@ mod approach;
 mod measure;
 mod worst;
 
+use mdr_core::named;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use self::approach::{LadderCase, Steps, cases};
+use self::approach::cases;
 use crate::Level;
 
 pub use worst::{Worst, WorstError, worst_inputs};
 
-/// Declares the families with their names and titles.
-macro_rules! families {
-    ($($(#[$doc:meta])* $family:ident $name:literal $title:literal;)*) => {
-        /// Where a ladder leads: the pictures are drawn by family.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
-        #[serde(rename_all = "kebab-case")]
-        pub enum Family {
-            $($(#[$doc])* $family,)*
-        }
-
-        impl Family {
-            /// All of them, in the order of the report.
-            pub const ALL: [Family; { [$($name),*].len() }] = [$(Family::$family),*];
-
-            /// As in names of files.
-            pub const fn name(self) -> &'static str {
-                match self {
-                    $(Family::$family => $name,)*
-                }
-            }
-
-            /// For a reader.
-            pub const fn title(self) -> &'static str {
-                match self {
-                    $(Family::$family => $title,)*
-                }
-            }
-        }
-    };
+named! {
+    /// Where a ladder leads: the pictures are drawn by family.
+    #[derive(PartialOrd, Ord, Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Family {
+        /// n → 1/2 from both sides.
+        Half = "half",
+        /// n → 0.
+        SmallExponent = "small-exponent",
+        /// n → ∞.
+        LargeExponent = "large-exponent",
+        /// To a fold, or to folds that merge.
+        Fold = "fold",
+        /// To a zero of the result.
+        Zero = "zero",
+        /// To the ends of the range of doubles.
+        Scale = "scale",
+        /// x → the radius of an edge, b/x → 1.
+        Edge = "edge",
+        /// x → 0.
+        Tip = "tip",
+        /// x → ∞.
+        Far = "far",
+        /// The wavelength → 0.
+        Wavelength = "wavelength",
+        /// The stiffness of the machine → 0 and ∞.
+        Stiffness = "stiffness",
+    }
 }
 
-families! {
-    /// n → 1/2 from both sides.
-    Half "half" "the exponent tends to 1/2";
-    /// n → 0.
-    SmallExponent "small-exponent" "the exponent tends to 0";
-    /// n → ∞.
-    LargeExponent "large-exponent" "the exponent tends to infinity";
-    /// To a fold, or to folds that merge.
-    Fold "fold" "the state tends to a fold";
-    /// To a zero of the result.
-    Zero "zero" "the result tends to a zero";
-    /// To the ends of the range of doubles.
-    Scale "scale" "an input tends to the ends of the range of doubles";
-    /// x → the radius of an edge, b/x → 1.
-    Edge "edge" "the radius tends to an edge";
-    /// x → 0.
-    Tip "tip" "the radius tends to 0";
-    /// x → ∞.
-    Far "far" "the radius tends to infinity";
-    /// The wavelength → 0.
-    Wavelength "wavelength" "the wavelength tends to 0";
-    /// The stiffness of the machine → 0 and ∞.
-    Stiffness "stiffness" "the stiffness of the machine tends to 0 and to infinity";
+impl Family {
+    /// For a reader.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Family::Half => "the exponent tends to 1/2",
+            Family::SmallExponent => "the exponent tends to 0",
+            Family::LargeExponent => "the exponent tends to infinity",
+            Family::Fold => "the state tends to a fold",
+            Family::Zero => "the result tends to a zero",
+            Family::Scale => "an input tends to the ends of the range of doubles",
+            Family::Edge => "the radius tends to an edge",
+            Family::Tip => "the radius tends to 0",
+            Family::Far => "the radius tends to infinity",
+            Family::Wavelength => "the wavelength tends to 0",
+            Family::Stiffness => "the stiffness of the machine tends to 0 and to infinity",
+        }
+    }
 }
 
 /// One function in one direction.
@@ -200,14 +194,14 @@ pub fn ladders(level: Level) -> Vec<Ladder> {
 
 /// Those of the functions whose names contain a word.
 pub fn ladders_of(level: Level, word: &str) -> Vec<Ladder> {
-    let steps = Steps { all: level != Level::Quick };
-    let cases: Vec<_> = cases(steps).into_iter().filter(|case| case.routine.name.contains(word)).collect();
-    cases.par_iter().map(LadderCase::ladder).collect()
+    let all = level != Level::Quick;
+    let cases: Vec<_> = cases().into_iter().filter(|(routine, ..)| routine.name.contains(word)).collect();
+    cases.par_iter().map(|(routine, approach, last)| approach.ladder(routine, *last, all)).collect()
 }
 
 /// The public functions of f64 that have a ladder, such as "double::kappa" or "Sphere::g".
 pub fn functions() -> Vec<String> {
-    let mut names: Vec<_> = cases(Steps::FEW).iter().map(|case| case.routine.function().to_owned()).collect();
+    let mut names: Vec<_> = cases().iter().map(|(routine, ..)| routine.function().to_owned()).collect();
     names.dedup();
     names
 }

@@ -1,14 +1,10 @@
 //! The worst inputs that were ever found, one a function and family: they are asked again on every run.
 
-use std::collections::BTreeMap;
-use std::sync::LazyLock;
-
 use serde::{Deserialize, Serialize};
 use thiserror::Error as ThisError;
 
-use super::approach::{Steps, cases};
 use super::{Found, Ladder, Rung, measure};
-use crate::subject::routine::Routine;
+use crate::subject::routines;
 
 /// The list. It only grows: `cargo run --release -p mdr-crosscheck --example ladders -- --worst` writes it anew, with what
 /// was there and what was found to be worse.
@@ -51,9 +47,8 @@ pub fn worst_inputs() -> Result<Vec<Worst>, WorstError> {
 impl Worst {
     /// Asks again; none where there is no such function any more.
     pub fn ask(&self) -> Option<Rung> {
-        static ROUTINES: LazyLock<BTreeMap<&'static str, Routine>> =
-            LazyLock::new(|| cases(Steps::FEW).into_iter().map(|case| (case.routine.name, case.routine)).collect());
-        Some(measure::rung(ROUTINES.get(self.function.as_str())?, f64::NAN, &self.inputs))
+        let routine = routines().into_iter().find(|routine| routine.name == self.function)?;
+        Some(measure::rung(&routine, f64::NAN, &self.inputs))
     }
 
     /// The worst rung of each function and family that is an error at all, where it is worse than what is kept.

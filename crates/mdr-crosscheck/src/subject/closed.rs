@@ -1,6 +1,6 @@
 //! The closed forms under test, reached through one type so that a deliberate fault can be put into any of them.
 
-use mdr_analytic::certified::Question;
+use mdr_analytic::certified::{self, Question};
 use mdr_analytic::{Contact, Critical, Fate, Kappa, MaugisState, PowerLaw};
 use mdr_core::contact::{Control, Equilibrium, Instability, Material, Result, Transform};
 use mdr_core::number::certify::Decimal;
@@ -37,45 +37,44 @@ impl<R: Real> Numbers<R> for [R; 2] {
     }
 }
 
-impl<R: Real> Numbers<R> for MaugisState<R> {
-    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
-        vec![(0, &mut self.balance), (1, &mut self.indentation), (2, &mut self.force)]
-    }
+/// States of three numbers, alone and in a list.
+macro_rules! states {
+    ($($state:ident: $($number:ident)*;)*) => {$(
+        impl<R: Real> Numbers<R> for $state<R> {
+            fn numbers(&mut self) -> Vec<(usize, &mut R)> {
+                (0..).zip([$(&mut self.$number),*]).collect()
+            }
+        }
+
+        impl<R: Real> Numbers<R> for Vec<$state<R>> {
+            fn numbers(&mut self) -> Vec<(usize, &mut R)> {
+                self.iter_mut().flat_map(Numbers::numbers).collect()
+            }
+        }
+    )*};
 }
 
-impl<R: Real> Numbers<R> for Critical<R> {
-    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
-        vec![(0, &mut self.contact_radius), (1, &mut self.indentation), (2, &mut self.force)]
-    }
+states! {
+    MaugisState: balance indentation force;
+    Critical: contact_radius indentation force;
+    Instability: contact_radius indentation force;
+    Equilibrium: contact_radius indentation force;
 }
 
-impl<R: Real> Numbers<R> for Vec<Instability<R>> {
-    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
-        let numbers = self.iter_mut().map(|fold| [&mut fold.contact_radius, &mut fold.indentation, &mut fold.force]);
-        numbers.flat_map(|numbers| (0..).zip(numbers)).collect()
-    }
-}
-
-impl<R: Real> Numbers<R> for Vec<Equilibrium<R>> {
-    fn numbers(&mut self) -> Vec<(usize, &mut R)> {
-        let numbers =
-            self.iter_mut().map(|state| [&mut state.contact_radius, &mut state.indentation, &mut state.force]);
-        numbers.flat_map(|numbers| (0..).zip(numbers)).collect()
-    }
-}
-
-/// A certified decimal, and a float that holds its digits.
-pub(crate) struct Digits {
-    pub(crate) decimal: Decimal,
-    pub(crate) value: Float,
-}
-
-/// A certified answer.
-pub(crate) struct Certified {
-    pub(crate) kappa: Digits,
-    pub(crate) critical: Option<Critical<Digits>>,
-    pub(crate) threshold: Option<Digits>,
-    pub(crate) ratio: Option<Digits>,
+/// The numbers of a certified answer with their ids and names: κ, then a, d and F, or at n = 1/2 the threshold and the ratio.
+pub(crate) fn numbers(answer: certified::Answer) -> impl Iterator<Item = (SubjectId, &'static str, Decimal)> {
+    let [radius, indentation, force] = answer
+        .critical
+        .map_or([None, None, None], |state| [state.contact_radius, state.indentation, state.force].map(Some));
+    let all = [
+        (SubjectId::CertifiedKappa, "κ", Some(answer.kappa)),
+        (SubjectId::CertifiedRadius, "a", radius),
+        (SubjectId::CertifiedIndentation, "d", indentation),
+        (SubjectId::CertifiedForce, "F", force),
+        (SubjectId::CertifiedThreshold, "threshold", answer.threshold),
+        (SubjectId::CertifiedRatio, "ratio", answer.ratio),
+    ];
+    all.into_iter().filter_map(|(id, name, number)| Some((id, name, number?)))
 }
 
 impl ClosedForms {
@@ -111,37 +110,31 @@ impl ClosedForms {
         (self.perturb(&[SubjectId::KappaEnclosure], &[], enclosure.mid()), enclosure.radius())
     }
 
-    pub(crate) fn certified(&self, question: &Question, digits: u32) -> Result<Certified> {
-        let answer = question.answer(digits)?;
+    /// The numbers of a certified answer: names, decimals, and floats that hold their digits.
+    pub(crate) fn certified(
+        &self,
+        question: &Question,
+        digits: u32,
+    ) -> Result<impl Iterator<Item = (&'static str, Decimal, Float)>> {
         let bits = Precision::from_digits(digits).bits() + 96;
-        let number = |id, decimal: Decimal| {
+        Ok(numbers(question.answer(digits)?).map(move |(id, name, decimal)| {
             let parsed = Float::parse(decimal.to_string()).map(|text| Float::with_val(bits, text));
-            let value = self.perturb(&[id], &[], parsed.unwrap_or_else(|_| Float::with_val(bits, f64::NAN)));
-            Digits { decimal, value }
-        };
-        Ok(Certified {
-            kappa: number(SubjectId::CertifiedKappa, answer.kappa),
-            critical: answer.critical.map(|state| Critical {
-                contact_radius: number(SubjectId::CertifiedRadius, state.contact_radius),
-                indentation: number(SubjectId::CertifiedIndentation, state.indentation),
-                force: number(SubjectId::CertifiedForce, state.force),
-            }),
-            threshold: answer.threshold.map(|x| number(SubjectId::CertifiedThreshold, x)),
-            ratio: answer.ratio.map(|x| number(SubjectId::CertifiedRatio, x)),
-        })
+            let value = parsed.unwrap_or_else(|_| Float::with_val(bits, f64::NAN));
+            (name, decimal, self.perturb(&[id], &[], value))
+        }))
     }
 }
 
 /// The ids, their table, and the methods of [`ClosedForms`]. A line of `closed` is a method, the call that it makes, the public
 /// function of mdr-analytic, the ids of its numbers, and the names and values of the inputs whose powers a fault may change;
-/// one of `certified`, an id and its function.
+/// one of `certified`, a function and the ids of its numbers.
 macro_rules! subjects {
     (
         closed {$(
             fn $name:ident<R: $bound:ident $(+ $more:ident)?>($($argument:ident: $type:ty),*) -> $result:ty =
                 $call:expr, $function:literal [$($id:ident),+] of $names:expr => $inputs:expr;
         )*}
-        certified { $($certified:ident: $answer:literal;)* }
+        certified { $($answer:literal: $($certified:ident)+;)* }
         double { $($double:literal)* }
     ) => {
         /// A number among the results of a function of mdr-analytic.
@@ -150,14 +143,14 @@ macro_rules! subjects {
         #[non_exhaustive]
         pub enum SubjectId {
             $($($id,)+)*
-            $($certified,)*
+            $($($certified,)+)*
             Library(&'static str, Part),
             Double(&'static str),
         }
 
         pub(super) const NAMED: &[Subject] = &[
             $($(Subject { id: SubjectId::$id, function: $function, inputs: &$names },)+)*
-            $(Subject { id: SubjectId::$certified, function: $answer, inputs: &[] },)*
+            $($(Subject { id: SubjectId::$certified, function: $answer, inputs: &[] },)+)*
         ];
 
         /// The functions of `mdr_analytic::double` that give numbers.
@@ -264,13 +257,8 @@ subjects! {
             "Contact::flat_punch_limit" [FlatPunchLimit] of ["C"] => [contact.profile().coefficient()];
     }
     certified {
-        KappaEnclosure: "kappa_enclosure";
-        CertifiedKappa: "Question::answer";
-        CertifiedRadius: "Question::answer";
-        CertifiedIndentation: "Question::answer";
-        CertifiedForce: "Question::answer";
-        CertifiedThreshold: "Question::answer";
-        CertifiedRatio: "Question::answer";
+        "kappa_enclosure": KappaEnclosure;
+        "Question::answer": CertifiedKappa CertifiedRadius CertifiedIndentation CertifiedForce CertifiedThreshold CertifiedRatio;
     }
     double {
         "critical" "kappa" "g" "g_slope" "g_integral" "detachment_elongation" "indentation" "force" "indentation_slope"

@@ -71,20 +71,15 @@ routines! {
             exact mdr_analytic::detachment_elongation(&material(x)?, &x[2]),
             textbook "√(2πaw/E*)" => textbook::elongation(x[0], x[1], x[2]);
     }
-    INDENTATION ["n", "C", "E*", "w", "a"] {
+    /// d, F, d', F'.
+    STATE ["n", "C", "E*", "w", "a"] {
         "double::indentation": |x| double::indentation(x[0], x[1], &material(&x[2..])?, x[4]),
             exact contact(x)?.indentation(&x[4]), textbook "(1.13)" => textbook::indentation(law(x), x[4]);
-    }
-    FORCE ["n", "C", "E*", "w", "a"] {
         "double::force": |x| double::force(x[0], x[1], &material(&x[2..])?, x[4]),
             exact contact(x)?.force(&x[4]), textbook "(1.16)" => textbook::force(law(x), x[4]);
-    }
-    INDENTATION_SLOPE ["n", "C", "E*", "w", "a"] {
         "double::indentation_slope": |x| double::indentation_slope(x[0], x[1], &material(&x[2..])?, x[4]),
             exact contact(x)?.indentation_slope(&x[4]),
             textbook "g' − √(πw/(2E*a))" => textbook::indentation_slope(law(x), x[4]);
-    }
-    FORCE_SLOPE ["n", "C", "E*", "w", "a"] {
         "double::force_slope": |x| double::force_slope(x[0], x[1], &material(&x[2..])?, x[4]),
             exact contact(x)?.force_slope(&x[4]),
             textbook "2E*(a d' − Δl)" => textbook::force_slope(law(x), x[4]);

@@ -16,8 +16,8 @@ pub(crate) mod textbook;
 
 pub use self::closed::SubjectId;
 use self::closed::{DOUBLE_IDS, NAMED};
+use self::profiles::NAMES;
 use self::routine::Routine;
-use crate::library::NAMES;
 
 /// A number that a function of mdr-analytic gives.
 #[derive(Clone, Copy, Debug)]

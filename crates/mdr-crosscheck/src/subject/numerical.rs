@@ -44,23 +44,10 @@ pub(crate) const FOLDS: [Routine; 8] = [
     fold!("folds, machine, F", MACHINE, |x| machine(&x[4]), force),
 ];
 
-/// The states on a side of the fold.
-#[derive(Clone, Copy)]
-enum Side {
-    Inner,
-    Outer,
-}
-
-impl Side {
-    /// The radius of the first or the last of some states.
-    fn radius<R: Clone>(self, states: &[Equilibrium<R>]) -> Result<R> {
-        let state = match self {
-            Side::Inner => states.first(),
-            Side::Outer => states.last(),
-        };
-        let none = || Error::NoEquilibrium { quantity: Quantity::ContactRadius, value: "given".to_owned() };
-        Ok(state.ok_or_else(none)?.contact_radius.clone())
-    }
+/// The radius of a state, if there is one.
+fn radius<R: Clone>(state: Option<&Equilibrium<R>>) -> Result<R> {
+    let none = || Error::NoEquilibrium { quantity: Quantity::ContactRadius, value: "given".to_owned() };
+    Ok(state.ok_or_else(none)?.contact_radius.clone())
 }
 
 /// The equilibria of a power law by the numerical search, with the controlled value after E* and w.
@@ -73,12 +60,13 @@ fn proved<R: Kappa>(x: &[R], control: &Control<R>) -> Result<Equilibria<R>> {
     contact(x)?.equilibria(control, &x[4])
 }
 
+/// The radius of the `first` or the `last` state: the one inside of the fold, or outside.
 macro_rules! equilibrium {
-    ($name:literal, $value:literal, $control:ident, $side:ident $(, textbook $formula:literal => $textbook:ident)?) => {
+    ($name:literal, $value:literal, $control:ident, $which:ident $(, textbook $formula:literal => $textbook:ident)?) => {
         routine!(
             $name, &["n", "C", "E*", "w", $value],
-            |x| Side::$side.radius(&searched(x, &Control::$control)?).map(Ranged::Value),
-            exact Side::$side.radius(proved(x, &Control::$control)?.as_slice())
+            |x| radius(searched(x, &Control::$control)?.$which()).map(Ranged::Value),
+            exact radius(proved(x, &Control::$control)?.as_slice().$which())
             $(, textbook $formula => $textbook(x))?
         )
     };
@@ -90,11 +78,11 @@ fn ferrari(x: &[f64]) -> f64 {
 
 /// The radius at a given value, on either side of the fold.
 pub(crate) const EQUILIBRIA: [Routine; 4] = [
-    equilibrium!("equilibria, fixed grips, outer a", "d", Indentation, Outer,
+    equilibrium!("equilibria, fixed grips, outer a", "d", Indentation, last,
         textbook "the quartic of JKR by Ferrari" => ferrari),
-    equilibrium!("equilibria, fixed grips, inner a", "d", Indentation, Inner),
-    equilibrium!("equilibria, dead load, outer a", "F", Force, Outer),
-    equilibrium!("equilibria, dead load, inner a", "F", Force, Inner),
+    equilibrium!("equilibria, fixed grips, inner a", "d", Indentation, first),
+    equilibrium!("equilibria, dead load, outer a", "F", Force, last),
+    equilibrium!("equilibria, dead load, inner a", "F", Force, first),
 ];
 
 /// What the fields of f64 say of a paraboloid [R, E*, w, a, …].

@@ -1,18 +1,62 @@
-//! The closed forms of the profile library and the Struve functions, as f64 has them.
+//! The profiles of the library by their names in scenes and records, as closed forms and as shapes; and their closed forms and
+//! the Struve functions, as f64 has them.
 
 use std::f64::consts::PI;
 
 use mdr_analytic::Kappa;
-use mdr_analytic::profiles::FlatPunch;
+use mdr_analytic::profiles::{self as closed, FlatPunch, Sum};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Ranged, Result, Transform};
-use mdr_core::number::{Lift, Special};
+use mdr_core::contact::{Ranged, Result, Shape, Transform};
+use mdr_core::number::{Lift, Real, Special};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
-use super::routine::{Routine, Textbook, routine, routines};
+use super::routine::{Routine, routine, routines};
 use super::textbook;
-use crate::library::{closed_form, ordered};
+
+/// A paraboloid and a cone together.
+const SUM: &str = "sum";
+
+/// Every profile with a closed form that is no power law, in the order of the trials.
+pub(crate) const NAMES: [&str; 15] = [
+    "cone",
+    "paraboloid",
+    "sphere",
+    "ellipsoid",
+    "hyperboloid",
+    "truncated-cone",
+    "truncated-paraboloid",
+    "rounded-punch",
+    "cone-parabolic-cap",
+    "cone-spherical-cap",
+    "displaced-paraboloid",
+    "parabolic-dimple",
+    "elliptical-dimple",
+    "wavy-paraboloid",
+    SUM,
+];
+
+/// The shapes of which the profile with this name is the sum; `parameter` gets the key of each parameter.
+pub(crate) fn terms<R>(name: &str, mut parameter: impl FnMut(&'static str) -> R) -> Vec<Shape<R>> {
+    let names = if name == SUM { vec!["paraboloid", "cone"] } else { vec![name] };
+    names.into_iter().filter_map(Shape::by_name).map(|blank| blank.map(|key, ()| parameter(key))).collect()
+}
+
+/// The same with all inputs but the last for parameters, in the order of [`Shape::parameters`]. One that is not given is no
+/// number.
+fn ordered<R: Real>(name: &str, inputs: &[R]) -> Vec<Shape<R>> {
+    let mut given = inputs[..inputs.len() - 1].iter().cloned();
+    terms(name, |_| given.next().unwrap_or_else(|| inputs[0].lit(0).over(0)))
+}
+
+/// The closed form of a sum of shapes.
+///
+/// # Errors
+/// Parameters out of their domain.
+pub(crate) fn closed_form<R: Struve + Lift<R> + Kappa>(terms: Vec<Shape<R>>) -> Result<Box<dyn Transform<R>>> {
+    let mut terms = terms.into_iter().map(closed::closed_form).collect::<Result<Vec<_>>>()?;
+    Ok(if terms.len() == 1 { terms.remove(0) } else { Box::new(Sum::new(terms)) })
+}
 
 /// g, g' and ∫g of a profile; the last input is x.
 #[derive(Clone, Copy, Debug)]
@@ -26,12 +70,12 @@ pub(crate) struct ProfileRoutines {
 
 /// The profile of all inputs but the last.
 fn library<R: Struve + Lift<R> + Kappa>(name: &str, inputs: &[R]) -> Result<Box<dyn Transform<R>>> {
-    closed_form(ordered(name, &inputs[..inputs.len() - 1]))
+    closed_form(ordered(name, inputs))
 }
 
 /// The same by quadrature of its heights.
 fn integrated(name: &str, inputs: &[f64]) -> Result<Quadrature<f64, Heights<f64>>> {
-    Quadrature::of(ordered(name, &inputs[..inputs.len() - 1]))
+    Quadrature::of(ordered(name, inputs))
 }
 
 /// The flat punch of the first input, which the library leaves out: g = 0.
@@ -46,25 +90,26 @@ fn at<R>(inputs: &[R]) -> &R {
 
 /// g, g' and ∫g from an expression for the profile, with the formulas of textbooks for some of them.
 macro_rules! parts {
-    ($name:ident, $inputs:expr, |$x:ident| $profile:expr $(, $part:ident $formula:literal => $textbook:expr)*) => {{
-        #[allow(unused_mut, reason = "some have no formula of textbooks")]
-        let mut routines = [
-            routine!(
-                concat!(stringify!($name), "::g"), $inputs,
-                |$x| $profile?.g(at($x)).map(Ranged::Value), exact $profile?.g(at($x))
-            ),
-            routine!(
-                concat!(stringify!($name), "::slope"), $inputs,
-                |$x| $profile?.slope(at($x)).map(Ranged::Value), exact $profile?.slope(at($x))
-            ),
-            routine!(
-                concat!(stringify!($name), "::integral"), $inputs,
-                |$x| $profile?.integral(at($x)).map(Ranged::Value), exact $profile?.integral(at($x))
-            ),
-        ];
-        $(routines[PartIndex::$part as usize].textbook = Some(Textbook { formula: $formula, value: $textbook });)*
-        routines
-    }};
+    (only $part:ident, $name:ident, $inputs:expr, |$x:ident| $profile:expr $(, $formula:literal => $textbook:expr)?) => {
+        Routine {
+            textbook: routine!(textbook $($formula => $textbook)?),
+            ..routine!(
+                concat!(stringify!($name), "::", stringify!($part)), $inputs,
+                |$x| $profile?.$part(at($x)).map(Ranged::Value), exact $profile?.$part(at($x))
+            )
+        }
+    };
+    (
+        $name:ident, $inputs:expr, |$x:ident| $profile:expr
+        $(, G $g:literal => $by_g:expr)? $(, Slope $slope:literal => $by_slope:expr)?
+        $(, Integral $integral:literal => $by_integral:expr)?
+    ) => {
+        [
+            parts!(only g, $name, $inputs, |$x| $profile $(, $g => $by_g)?),
+            parts!(only slope, $name, $inputs, |$x| $profile $(, $slope => $by_slope)?),
+            parts!(only integral, $name, $inputs, |$x| $profile $(, $integral => $by_integral)?),
+        ]
+    };
 }
 
 /// The same of a shape of the library.
@@ -93,13 +138,6 @@ macro_rules! quadrature {
             |x| integrated($name, x)?.$part(at(x)).map(Ranged::Value), exact library($name, x)?.$part(at(x))
         )
     };
-}
-
-/// The places of the three routines of a profile.
-enum PartIndex {
-    G,
-    Slope,
-    Integral,
 }
 
 /// All profiles with closed forms.

@@ -46,6 +46,10 @@ impl Routine {
 
 /// A [`Routine`] of the inputs `x`: what is shipped, `exact` the generic expression, `textbook` the formula and its value.
 macro_rules! routine {
+    (textbook) => { None };
+    (textbook $formula:expr => $value:expr) => {
+        Some($crate::subject::routine::Textbook { formula: $formula, value: $value })
+    };
     (
         $name:expr, $inputs:expr, |$x:ident| $shipped:expr, exact $exact:expr
         $(, textbook $formula:expr => $textbook:expr)?
@@ -59,9 +63,7 @@ macro_rules! routine {
                 interval: |$x: &[mdr_core::number::Interval]| $exact,
                 dual: |$x: &[mdr_core::number::Dual<rug::Float>]| $exact,
             },
-            textbook: $crate::subject::routine::first(&[
-                $($crate::subject::routine::Textbook { formula: $formula, value: |$x: &[f64]| $textbook })?
-            ]),
+            textbook: $crate::subject::routine::routine!(textbook $($formula => |$x: &[f64]| $textbook)?),
         }
     };
 }
@@ -86,11 +88,3 @@ macro_rules! routines {
     };
 }
 pub(crate) use routines;
-
-/// The one there is, or none.
-pub(crate) const fn first(textbook: &[Textbook]) -> Option<Textbook> {
-    match textbook {
-        [only, ..] => Some(*only),
-        [] => None,
-    }
-}

@@ -7,7 +7,7 @@ use mdr_analytic::certified::{self, Elasticity};
 use mdr_analytic::{Contact, PowerLaw, kappa, kappa_enclosure};
 use mdr_core::contact::{Control, Material, Result, Shape, Transform};
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Precision, Real};
+use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::transform::{Quadrature, Rule};
 use rug::{Float, Rational};
 
@@ -16,6 +16,7 @@ use super::outcome::Answer;
 use super::{Clock, Comparison, Point, Series, Task, transform};
 use crate::Level;
 use crate::checks::{by_series, literal};
+use crate::subject::closed::numbers;
 
 /// The task.
 pub(super) const TASK: Task = Task {
@@ -28,7 +29,10 @@ pub(super) const TASK: Task = Task {
 const N: (u32, u32) = (3, 10);
 
 /// C, E* in Pa and w in J/m² of the critical state.
-const SCALES: [&str; 3] = ["1.5", "1e6", "0.05"];
+fn scales() -> Result<[Literal; 3]> {
+    let [c, e, w] = ["1.5", "1e6", "0.05"].map(literal);
+    Ok([c?, e?, w?])
+}
 
 /// Where the transform of r^(1/4) is asked for.
 const X: f64 = 0.7;
@@ -48,7 +52,7 @@ fn working(digits: u32) -> Precision {
 
 fn comparisons(level: Level, clock: Clock) -> Result<Vec<Comparison>> {
     let asked = Asked { digits: ladder(level), clock };
-    Ok(vec![asked.kappa()?, asked.critical()?, asked.transform()])
+    Ok(vec![asked.kappa()?, asked.critical()?, asked.transform()?])
 }
 
 /// How much is asked.
@@ -68,14 +72,9 @@ impl Asked {
         &self,
         truths: &[Interval],
         prepare: impl Fn(u32) -> Result<S>,
-    ) -> Vec<Point> {
-        let point = |&digits: &u32| {
-            let setting = format!("{digits} digits");
-            match prepare(digits) {
-                Ok(work) => Point::measure(setting, self.clock, truths, work),
-                Err(error) => Point::failed(setting, &error),
-            }
-        };
+    ) -> Result<Vec<Point>> {
+        let point =
+            |&digits: &u32| Ok(Point::measure(format!("{digits} digits"), self.clock, truths, prepare(digits)?));
         self.digits.iter().map(point).collect()
     }
 
@@ -94,19 +93,19 @@ impl Asked {
             }
         };
         let series = vec![
-            Series::ours("certified, as an enclosure", self.points(&truths, enclosed)),
-            Series::ours("certified, in decimals", self.points(&truths, decimals)),
-            Series::ours("arbitrary precision", self.points(&truths, with(kappa))),
-            Series::textbook("quotient of Γ, MPFR", self.points(&truths, with(|n| Ok(by_gamma(n))))),
+            Series::ours("certified, as an enclosure", self.points(&truths, enclosed)?),
+            Series::ours("certified, in decimals", self.points(&truths, decimals)?),
+            Series::ours("arbitrary precision", self.points(&truths, with(kappa))?),
+            Series::textbook("quotient of Γ, MPFR", self.points(&truths, with(|n| Ok(by_gamma(n))))?),
         ];
         Ok(Comparison::of_digits("kappa", format!("κ_n at n = {}/{}", N.0, N.1), SERIES, series))
     }
 
     fn critical(&self) -> Result<Comparison> {
         let truths = critical(self.enough())?;
-        let [c, e, w] = SCALES.map(literal);
-        let (c, elasticity, w, n) = (c?, Elasticity::Effective(e?), w?, literal(&format!("{}/{}", N.0, N.1))?);
-        let question = certified::Question::new(&n, &c, &elasticity, &w, &Control::Indentation)?;
+        let (scales, n) = (scales()?, literal(&format!("{}/{}", N.0, N.1))?);
+        let [c, e, w] = &scales;
+        let question = certified::Question::new(&n, c, &Elasticity::Effective(e.clone()), w, &Control::Indentation)?;
         let enclosed = |digits| {
             let question = &question;
             Ok(move || {
@@ -117,33 +116,28 @@ impl Asked {
         };
         let decimals = |digits| {
             let question = &question;
-            Ok(move || {
-                let answer = question.answer(digits + 1)?;
-                let state = answer.critical.into_iter();
-                let numbers = state.flat_map(|state| [state.contact_radius, state.indentation, state.force]);
-                Ok(std::iter::once(answer.kappa).chain(numbers).collect::<Vec<_>>())
-            })
+            Ok(move || Ok(numbers(question.answer(digits + 1)?).map(|(.., number)| number).collect::<Vec<_>>()))
         };
         let with = |kappa: fn(&Float) -> Result<Float>| {
+            let scales = &scales;
             move |digits| {
                 let float = |value: Rational| Float::with_val(working(digits).bits(), value);
-                let [c, e, w] = SCALES.map(literal);
-                let scales = [c?, e?, w?].map(|value| float(value.to_rational()));
+                let scales = scales.each_ref().map(|value| float(value.to_rational()));
                 let n = float(Rational::from(N));
                 Ok(move || state(n.clone(), kappa(&n)?, scales.clone()))
             }
         };
         let series = vec![
-            Series::ours("certified, as an enclosure", self.points(&truths, enclosed)),
-            Series::ours("certified, in decimals", self.points(&truths, decimals)),
-            Series::ours("arbitrary precision", self.points(&truths, with(kappa))),
-            Series::textbook("quotient of Γ, MPFR", self.points(&truths, with(|n| Ok(by_gamma(n))))),
+            Series::ours("certified, as an enclosure", self.points(&truths, enclosed)?),
+            Series::ours("certified, in decimals", self.points(&truths, decimals)?),
+            Series::ours("arbitrary precision", self.points(&truths, with(kappa))?),
+            Series::textbook("quotient of Γ, MPFR", self.points(&truths, with(|n| Ok(by_gamma(n))))?),
         ];
         let title = format!("κ, a, d and F under fixed grips at n = {}/{}, the worst of the four", N.0, N.1);
         Ok(Comparison::of_digits("critical", title, TANGENCY, series))
     }
 
-    fn transform(&self) -> Comparison {
+    fn transform(&self) -> Result<Comparison> {
         let [n, x] = [0.25, X].map(|value| Interval::from_f64(self.enough(), value));
         let truths = [transform::power(&n, &x)];
         let by = |rule: fn(u32) -> Rule| {
@@ -158,11 +152,11 @@ impl Asked {
         };
         let gauss = |digits: u32| Rule::Gauss { nodes: (f64::from(digits) * NODES_A_DIGIT) as usize + 3 };
         let series = vec![
-            Series::ours("quadrature, automatic rule", by(|_| Rule::Automatic)),
-            Series::ours("quadrature, Gauss–Jacobi", by(gauss)),
-            Series::ours("quadrature, tanh-sinh", by(|_| Rule::TanhSinh)),
+            Series::ours("quadrature, automatic rule", by(|_| Rule::Automatic)?),
+            Series::ours("quadrature, Gauss–Jacobi", by(gauss)?),
+            Series::ours("quadrature, tanh-sinh", by(|_| Rule::TanhSinh)?),
         ];
-        Comparison::of_digits("transform", format!("g({X}) of f = r^(1/4), by quadrature"), CLOSED_FORM, series)
+        Ok(Comparison::of_digits("transform", format!("g({X}) of f = r^(1/4), by quadrature"), CLOSED_FORM, series))
     }
 }
 
@@ -199,8 +193,7 @@ fn state(n: Float, kappa: Float, [c, e, w]: [Float; 3]) -> Result<Vec<Float>> {
 fn critical(precision: Precision) -> Result<Vec<Interval>> {
     let n = Interval::from_rational(precision, &Rational::from(N));
     let kappa = by_series(&n);
-    let [c, e, w] = SCALES.map(literal);
-    let [c, e, w] = [c?, e?, w?].map(|value| Interval::from_literal(precision, &value));
+    let [c, e, w] = scales()?.map(|value| Interval::from_literal(precision, &value));
     // ln g' = ln Δl' is (n − 1/2) ln a = ½ ln(πw/2E*) − ln(nκC).
     let tension = (w.pi() * &w / &e).over(2).ln().over(2);
     let stiffness = n.ln() + kappa.ln() + c.ln();

@@ -5,7 +5,6 @@ use std::hint::black_box;
 use std::sync::Arc;
 
 use mdr_analytic::double;
-use mdr_analytic::profiles::closed_form;
 use mdr_core::calculus::roots::{self, Bracket, Root};
 use mdr_core::contact::{Control, CountedTransform, Error, Material, Quantity, Ranged, Result, Shape};
 use mdr_core::number::{Dual, Interval, Precision, Real, Special};
@@ -72,17 +71,6 @@ fn comparisons(level: Level, clock: Clock) -> Result<Vec<Comparison>> {
 /// The exact radius and indentation.
 type State = [Interval; 2];
 
-/// g and g' by closed forms, of power laws with the Γ of MPFR.
-fn enclosed(shape: &Shape<f64>, x: &Interval) -> Result<State> {
-    let exact = |value: &f64| Interval::from_f64(x.ctx(), *value);
-    if let Shape::Power { n, c } = shape {
-        let (n, g) = (exact(n), transform::power(&exact(n), x) * exact(c));
-        return Ok([g.clone(), g * n / x]);
-    }
-    let profile = closed_form(shape.map(|_, value| exact(value)))?;
-    Ok([profile.g(x)?, profile.slope(x)?])
-}
-
 /// Halves the bracket as long as the sign of g' − Δl' in the middle is certain.
 fn truth(shape: &Shape<f64>, material: [f64; 2], bracket: [f64; 2]) -> Result<State> {
     let exact = |x| Interval::from_f64(Precision::new(BITS), x);
@@ -90,7 +78,7 @@ fn truth(shape: &Shape<f64>, material: [f64; 2], bracket: [f64; 2]) -> Result<St
     let length = work / e_star;
     // Δl' = √(πw/(2E*a)).
     let excess = |a: &Interval| -> Result<Interval> {
-        let [_, slope] = enclosed(shape, a)?;
+        let [_, slope] = transform::enclosed(shape, a)?;
         Ok(slope - (length.clone() * a.pi() / a.clone().times(2)).sqrt())
     };
     let [mut lower, mut upper] = bracket.map(exact);
@@ -105,7 +93,7 @@ fn truth(shape: &Shape<f64>, material: [f64; 2], bracket: [f64; 2]) -> Result<St
         }
     }
     let radius = lower.hull(&upper);
-    let [g, _] = enclosed(shape, &radius)?;
+    let [g, _] = transform::enclosed(shape, &radius)?;
     let indentation = g - (length * radius.pi() * &radius).times(2).sqrt();
     Ok([radius, indentation])
 }
@@ -163,8 +151,7 @@ impl Question {
             let (answer, seconds) = (work(), clock.time(work));
             [0, 1].map(|index| {
                 let number = answer.clone().map(|(found, count)| (found[index], count));
-                let point = Point::measure(&*setting, Clock::Off, &truth[index..=index], || number.clone());
-                Point { seconds, ..point }
+                Point::of(&*setting, number, &truth[index..=index], seconds)
             })
         };
         let (step, most) = if level == Level::Quick { (4, 11) } else { (1, 17) };

@@ -26,7 +26,7 @@ pub use outcome::Outcome;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use mdr_core::contact::{Error, Result};
+use mdr_core::contact::Result;
 use mdr_core::number::Interval;
 use serde::Serialize;
 
@@ -134,16 +134,16 @@ impl Point {
         truths: &[Interval],
         work: impl Fn() -> Result<T>,
     ) -> Self {
-        let (outcome, evaluations) = match work() {
+        Self::of(setting, work(), truths, clock.time(work))
+    }
+
+    /// An answer that took so long, or none.
+    fn of<T: Answer>(setting: impl Into<String>, answer: Result<T>, truths: &[Interval], seconds: Option<f64>) -> Self {
+        let (outcome, evaluations) = match answer {
             Ok(answer) => (answer.outcome(truths), answer.evaluations()),
             Err(error) => (Outcome::failed(&error), None),
         };
-        Point { setting: setting.into(), outcome, evaluations, seconds: clock.time(work) }
-    }
-
-    /// An answer that cannot even be prepared.
-    fn failed(setting: impl Into<String>, error: &Error) -> Self {
-        Point { setting: setting.into(), outcome: Outcome::failed(error), evaluations: None, seconds: None }
+        Point { setting: setting.into(), outcome, evaluations, seconds }
     }
 }
 

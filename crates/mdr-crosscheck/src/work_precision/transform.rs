@@ -14,6 +14,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::hint::black_box;
 
+use mdr_analytic::profiles::closed_form;
 use mdr_core::calculus::gauss_jacobi;
 use mdr_core::contact::{Profile, Result, Shape};
 use mdr_core::number::{Dual, Interval, Precision, Real};
@@ -22,7 +23,6 @@ use mdr_numeric::transform::{Quadrature, Rule};
 
 use super::{Clock, Comparison, Outcome, Point, Series, Task, kappa};
 use crate::Level;
-use crate::library::{closed_form, ordered};
 
 /// The task.
 pub(super) const TASK: Task = Task {
@@ -35,30 +35,37 @@ pub(super) const TASK: Task = Task {
 const BITS: u32 = 256;
 
 fn comparisons(level: Level, clock: Clock) -> Result<Vec<Comparison>> {
-    let mut all = Vec::new();
-    for n in [0.05, 0.25, 0.5, 1.0, 2.0, 3.7, 20.0] {
-        let question = Question {
-            id: format!("transform-power-{n}"),
-            title: format!("g(0.7) of f = r^{n}"),
-            x: 0.7,
-            truth: [power(&exact(n), &exact(0.7))],
-            attainable: Outcome::attainable(n),
-        };
-        all.push(question.comparison(&Heights::new([Shape::Power { n, c: 1.0 }])?, level, clock)?);
-    }
-    for (name, words, x, parameters) in [
-        ("sphere", "the sphere of radius 1", 0.6, &[1.0][..]),
-        ("rounded-punch", "f = (r − 0.3)²/2, flat up to r = 0.3", 0.7, &[1.0, 0.3]),
-        ("wavy-paraboloid", "the wavy paraboloid of figure 4", 0.73, &[1.0, 5e-4, 0.1]),
-    ] {
-        let question = Question::of(name, words, x, parameters)?;
-        all.push(question.comparison(&Heights::new(ordered(name, parameters))?, level, clock)?);
-    }
-    Ok(all)
+    let question =
+        |name: &str, words: &str, x, shape| Question { name: name.to_owned(), words: words.to_owned(), x, shape };
+    let powers = [0.05, 0.25, 0.5, 1.0, 2.0, 3.7, 20.0];
+    let mut all: Vec<_> = powers.into_iter().map(Question::power).collect();
+    all.extend([
+        question("sphere", "the sphere of radius 1", 0.6, Shape::Sphere { radius: 1.0 }),
+        question(
+            "rounded-punch",
+            "f = (r − 0.3)²/2, flat up to r = 0.3",
+            0.7,
+            Shape::RoundedPunch { radius: 1.0, flat: 0.3 },
+        ),
+        question(
+            "wavy",
+            "the wavy paraboloid of figure 4",
+            0.73,
+            Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 },
+        ),
+    ]);
+    all.iter().map(|question| question.comparison(level, clock)).collect()
 }
 
-fn exact(x: f64) -> Interval {
-    Interval::from_f64(Precision::new(BITS), x)
+/// g and g' by closed forms over intervals, of power laws with the Γ of MPFR (1.12).
+pub(super) fn enclosed(shape: &Shape<f64>, x: &Interval) -> Result<[Interval; 2]> {
+    let exact = |value: &f64| Interval::from_f64(x.ctx(), *value);
+    if let Shape::Power { n, c } = shape {
+        let (n, g) = (exact(n), power(&exact(n), x) * exact(c));
+        return Ok([g.clone(), g * n / x]);
+    }
+    let profile = closed_form(shape.map(|_, value| exact(value)))?;
+    Ok([profile.g(x)?, profile.slope(x)?])
 }
 
 /// g of f = rⁿ, (1.12), with the Γ of MPFR.
@@ -68,32 +75,34 @@ pub(super) fn power(n: &Interval, x: &Interval) -> Interval {
 
 /// What is asked: g(x).
 struct Question {
-    id: String,
-    title: String,
+    name: String,
+    words: String,
     x: f64,
-    truth: [Interval; 1],
-    attainable: f64,
+    shape: Shape<f64>,
 }
 
 impl Question {
-    /// A profile by its closed form in doubles and over intervals. The condition is |x g'/g|.
-    fn of(name: &str, words: &str, x: f64, parameters: &[f64]) -> Result<Self> {
-        let closed = closed_form(ordered(name, parameters))?;
-        let enclosed = closed_form(ordered(name, &parameters.iter().copied().map(exact).collect::<Vec<_>>()))?;
-        Ok(Question {
-            id: format!("transform-{}", name.trim_end_matches("-paraboloid")),
-            title: format!("g({x}) of {words}"),
-            x,
-            truth: [enclosed.g(&exact(x))?],
-            attainable: Outcome::attainable((x * closed.slope(&x)? / closed.g(&x)?).abs()),
-        })
+    /// f = rⁿ.
+    fn power(n: f64) -> Self {
+        Question { name: format!("power-{n}"), words: format!("f = r^{n}"), x: 0.7, shape: Shape::Power { n, c: 1.0 } }
     }
 
-    fn comparison<P: Profile<f64> + Clone>(self, profile: &P, level: Level, clock: Clock) -> Result<Comparison> {
+    /// |x g'/g|.
+    fn condition(&self) -> Result<f64> {
+        if let Shape::Power { n, .. } = self.shape {
+            return Ok(n);
+        }
+        let (closed, x) = (closed_form(self.shape.clone())?, self.x);
+        Ok((x * closed.slope(&x)? / closed.g(&x)?).abs())
+    }
+
+    fn comparison(&self, level: Level, clock: Clock) -> Result<Comparison> {
         let (x, quick) = (self.x, level == Level::Quick);
+        let [truth, _] = enclosed(&self.shape, &Interval::from_f64(Precision::new(BITS), x))?;
+        let profile = Heights::new([self.shape.clone()])?;
         let slope = |r: f64| profile.height(&Dual::variable(r)).slope;
         let point = |setting: String, method: &dyn Fn(f64) -> Result<(f64, u64)>| {
-            Point::measure(setting, clock, &self.truth, || method(black_box(x)))
+            Point::measure(setting, clock, std::slice::from_ref(&truth), || method(black_box(x)))
         };
         let steps: &[u64] = if quick { &[16, 256, 4096] } else { &[16, 64, 256, 1024, 4096, 16_384, 65_536, 262_144] };
         let springs = steps.iter().map(|&n| point(format!("{n} steps"), &|x| Ok((midpoint(slope, x, n), n))));
@@ -106,7 +115,7 @@ impl Question {
             };
             nodes.iter().map(at).collect()
         };
-        let solved = |setting: String, solver: &Quadrature<f64, P>| {
+        let solved = |setting: String, solver: &Quadrature<f64, Heights<f64>>| {
             point(setting, &|x| solver.g_estimate(&x).map(|found| (found.value, found.evaluations as u64)))
         };
         let gauss: &[usize] = if quick { &[4, 12, 64] } else { &[2, 4, 6, 8, 10, 12, 16, 24, 32, 48, 64, 96] };
@@ -136,10 +145,10 @@ impl Question {
             Series::textbook("Gauss–Legendre in θ", in_angle(legendre)?),
         ];
         Ok(Comparison {
-            id: self.id,
-            title: self.title,
+            id: format!("transform-{}", self.name),
+            title: format!("g({x}) of {}", self.words),
             truth: "the closed form of g over intervals, of power laws with the Γ of MPFR; every method integrates heights",
-            attainable: Some(self.attainable),
+            attainable: Some(Outcome::attainable(self.condition()?)),
             series,
         })
     }
@@ -186,16 +195,8 @@ mod tests {
     /// A term rⁿ⁻¹ at the tip leaves N^−min(n, 1/2), N^−n and N^−2n of the three rules.
     #[test]
     fn textbook_rules_converge_as_their_theory_says() {
-        let question = |n: f64| Question {
-            id: String::new(),
-            title: String::new(),
-            x: 0.7,
-            truth: [power(&exact(n), &exact(0.7))],
-            attainable: 16.0,
-        };
         for n in [0.25, 0.5] {
-            let profile = Heights::new([Shape::Power { n, c: 1.0 }]).unwrap();
-            let found = question(n).comparison(&profile, Level::Full, Clock::Off).unwrap();
+            let found = Question::power(n).comparison(Level::Full, Clock::Off).unwrap();
             for (method, order) in [(3, n), (4, n), (5, 2.0 * n)] {
                 let points = &found.series[method].points;
                 let [.., before, last] = &points[..] else { panic!("{points:?}") };

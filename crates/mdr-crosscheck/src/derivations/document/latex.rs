@@ -1,8 +1,6 @@
 //! Derivations as a LaTeX document.
 
-use super::{
-    Document, Judgement, StepJudgement, errata, heading, joined, place, prose, step_verdict, summary, theorems,
-};
+use super::{Document, Judgement, StepJudgement, errata, heading, joined, place, prose, step_verdict, summary};
 
 const BEGIN: &str = r"\documentclass{article}
 \usepackage[utf8]{inputenc}
@@ -15,22 +13,25 @@ const BEGIN: &str = r"\documentclass{article}
 ";
 const END: &str = r"\end{document}";
 
-pub(super) fn write(extent: Document<'_>) -> String {
-    let body = match extent {
-        Document::All(judgements) => {
-            let entries: Vec<_> = judgements.iter().map(entry).collect();
-            format!("{}\n\n{}", entries.join("\n\n"), escaped(&summary(judgements)))
-        }
-        Document::One(judgement) => entry(judgement),
-        Document::Errata(judgements) => {
-            let items = errata(judgements).map(|(judgement, erratum, evidence)| {
-                let steps: Vec<_> = evidence.into_iter().map(step).collect();
-                format!("{}\n{}\n\n{}", section(judgement), words(erratum.text), steps.join("\n\n"))
-            });
-            items.collect::<Vec<_>>().join("\n\n")
-        }
-    };
-    format!("{BEGIN}\n{body}\n\n{END}")
+impl Document<'_> {
+    /// A whole document.
+    pub fn latex(self) -> String {
+        let body = match self {
+            Document::All(judgements) => {
+                let entries: Vec<_> = judgements.iter().map(entry).collect();
+                format!("{}\n\n{}", entries.join("\n\n"), escaped(&summary(judgements)))
+            }
+            Document::One(judgement) => entry(judgement),
+            Document::Errata(judgements) => {
+                let items = errata(judgements).map(|(judgement, erratum, evidence)| {
+                    let steps: Vec<_> = evidence.into_iter().map(step).collect();
+                    format!("{}\n{}\n\n{}", section(judgement), words(erratum.text), steps.join("\n\n"))
+                });
+                items.collect::<Vec<_>>().join("\n\n")
+            }
+        };
+        format!("{BEGIN}\n{body}\n\n{END}")
+    }
 }
 
 fn section(judgement: &Judgement) -> String {
@@ -42,9 +43,10 @@ fn entry(judgement: &Judgement) -> String {
     let mut parts = vec![section(judgement)];
     let (verdict, assumptions) = (judgement.verdict(), joined(entry.assumptions, words));
     parts.push(format!(r"Verdict: \textbf{{{verdict}}}. Assumes: {assumptions}."));
-    let theorems = theorems(judgement, |theorem| {
+    let theorems = entry.theorems().map(|theorem| {
         format!(r"\texttt{{{}}} ({}): {}", escaped(theorem.name), escaped(theorem.file), words(theorem.says))
     });
+    let theorems: Vec<_> = theorems.collect();
     if !theorems.is_empty() {
         parts.push(format!("Theorems, checked by Coq: {}.", theorems.join("; ")));
     }
@@ -67,7 +69,7 @@ fn step(step: &StepJudgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    prose::render(text, escaped, |math| format!("${}$", math.tex()))
+    prose::render(text, escaped, |_, tex| format!("${tex}$"))
 }
 
 /// With TeX for the characters that it reads in another way or does not have.

@@ -3,18 +3,20 @@
 use mdr_symbolic::Symbol;
 use mdr_symbolic::formula::Definition;
 
-use super::figures::{self, Figure};
-use super::{Document, errata, heading, hypotheses, joined, place, prose, step_verdict, summary, theorems, witness};
+use super::{Document, errata, heading, hypotheses, joined, place, prose, step_verdict, summary, witness};
 use crate::derivations::{AGREEMENT, Fate, Judgement, OCTAVES, POINTS, StepJudgement};
 
 /// The longest witness that is shown, in characters of TeX.
 const LONGEST: usize = 260;
 
-pub(super) fn write(extent: Document<'_>) -> String {
-    match extent {
-        Document::All(judgements) => page(judgements),
-        Document::One(judgement) => entry(judgement, "#"),
-        Document::Errata(judgements) => errata_page(judgements),
+impl Document<'_> {
+    /// A page, with formulas in TeX.
+    pub fn markdown(self) -> String {
+        match self {
+            Document::All(judgements) => page(judgements),
+            Document::One(judgement) => entry(judgement, "#"),
+            Document::Errata(judgements) => errata_page(judgements),
+        }
     }
 }
 
@@ -50,11 +52,19 @@ fn page(judgements: &[Judgement]) -> String {
         page += "\n";
         page += &entry(judgement, "##");
         page += "\n";
-        for Figure { name, file, caption, .. } in figures::of(judgement.entry.id) {
+        for [name, file, caption] in figures(judgement.entry.id) {
             page += &format!("\n![{name}](figures/{file})\n\n{name}, [computed](figures.md): {caption}\n");
         }
     }
     page.trim_end().to_owned()
+}
+
+/// The figures of the paper, computed, that belong to an entry: their names, their files in `docs/figures`, their captions.
+fn figures(id: &str) -> impl Iterator<Item = [&'static str; 3]> {
+    include_str!("../../../data/figures.tsv").lines().filter_map(move |line| {
+        let [entry, figure @ ..]: [&str; 4] = line.split('\t').collect::<Vec<_>>().try_into().ok()?;
+        (entry == id).then_some(figure)
+    })
 }
 
 /// The symbols that stand in the paper or need a word, and the definitions in use.
@@ -94,10 +104,11 @@ fn entry(judgement: &Judgement, level: &str) -> String {
         section += &format!(" Assumes: {}.", joined(entry.assumptions, words));
     }
     section += &format!(" Where {}.", hypotheses(judgement));
-    let theorems = theorems(judgement, |theorem| {
+    let theorems = entry.theorems().map(|theorem| {
         let (name, file) = (theorem.name, theorem.file);
         format!("* [`{name}`](proofs/{file}): {}", escaped(theorem.says))
     });
+    let theorems: Vec<_> = theorems.collect();
     if !theorems.is_empty() {
         section += &format!("\n\nTheorems, checked by Coq:\n\n{}", theorems.join("\n"));
     }
@@ -145,7 +156,7 @@ fn step(step: &StepJudgement) -> String {
 }
 
 fn words(text: &str) -> String {
-    prose::render(text, escaped, |math| format!("$`{}`$", math.tex()))
+    prose::render(text, escaped, |_, tex| format!("$`{tex}`$"))
 }
 
 /// Stars, underscores and signs of less than are no markup here.

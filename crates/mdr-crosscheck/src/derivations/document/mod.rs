@@ -1,12 +1,11 @@
 //! Judged derivations as documents: text for a terminal, Markdown with mathematics that GitHub renders, and LaTeX.
 
-mod figures;
 mod latex;
 mod markdown;
 mod prose;
 mod text;
 
-use mdr_symbolic::derivations::{Erratum, Theorem, Verdict};
+use mdr_symbolic::derivations::{Erratum, Verdict};
 use mdr_symbolic::{Decision, Domain};
 
 use super::{AGREEMENT, Fate, Judgement, Mutants, StepJudgement};
@@ -27,23 +26,6 @@ pub enum Document<'a> {
     One(&'a Judgement),
     /// What is to be corrected in the paper, with the steps that show it.
     Errata(&'a [Judgement]),
-}
-
-impl Document<'_> {
-    /// Lines of at most 100 columns; of all derivations, the entries one after the other.
-    pub fn text(self) -> String {
-        text::write(self)
-    }
-
-    /// A page, with formulas in TeX.
-    pub fn markdown(self) -> String {
-        markdown::write(self)
-    }
-
-    /// A whole document.
-    pub fn latex(self) -> String {
-        latex::write(self)
-    }
 }
 
 /// The heading of an entry: an equation by its number in brackets.
@@ -91,11 +73,6 @@ fn joined(texts: &[&str], write: impl Fn(&str) -> String) -> String {
     texts.iter().map(|text| write(text)).collect::<Vec<_>>().join("; ")
 }
 
-/// The theorems of an entry, each as `name (file): what it says`.
-fn theorems(judgement: &Judgement, write: impl Fn(&Theorem) -> String) -> Vec<String> {
-    judgement.entry.theorems().map(|theorem| write(&theorem)).collect()
-}
-
 /// What holds for the symbols of every statement of an entry.
 fn hypotheses(judgement: &Judgement) -> String {
     let names = |statement: &'static str| statement.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\''));
@@ -124,35 +101,39 @@ fn witness(step: &StepJudgement) -> Option<mdr_symbolic::Witness> {
 /// Counts of everything, as one sentence.
 pub fn summary(judgements: &[Judgement]) -> String {
     let steps = || judgements.iter().flat_map(|judgement| &judgement.steps);
-    let count = |verdict| steps().filter(|step| step.step.verdict() == verdict && step.holds()).count();
-    let counts = Verdict::ALL.into_iter().filter(|verdict| count(*verdict) > 0);
-    let counts: Vec<_> = counts.map(|verdict| format!("{} {}", count(verdict), verdict.word())).collect();
+    let counts = tally(steps().filter(|step| step.holds()));
     let failed = steps().filter(|step| !step.holds()).count();
     let failed = if failed == 0 { String::new() } else { format!(", {failed} FAILED") };
     let mutants: Mutants = judgements.iter().map(Judgement::mutants).sum();
     let fates = fates(&mutants, |fate| mutants.count(fate) > 0 || fate == Fate::Undecided);
     format!(
-        "{} entries, {} with theorems of Coq; {} steps: {}{failed}. {} distinct mutants: {fates}.",
+        "{} entries, {} with theorems of Coq; {} steps: {counts}{failed}. {} distinct mutants: {fates}.",
         judgements.len(),
         judgements.iter().filter(|judgement| judgement.entry.theorems().next().is_some()).count(),
         steps().count(),
-        counts.join(", "),
         mutants.len()
     )
+}
+
+/// How many steps have each verdict, where some have it.
+fn tally<'a>(steps: impl Iterator<Item = &'a StepJudgement> + Clone) -> String {
+    let count = |verdict| steps.clone().filter(|step| step.step.verdict() == verdict).count();
+    let counts = Verdict::ALL.into_iter().filter(|verdict| count(*verdict) > 0);
+    counts.map(|verdict| format!("{} {}", count(verdict), verdict.word())).collect::<Vec<_>>().join(", ")
 }
 
 /// How many mutants had each of some fates.
 fn fates(mutants: &Mutants, told: impl Fn(Fate) -> bool) -> String {
     let fates = Fate::ALL.into_iter().filter(|fate| told(*fate));
-    fates.map(|fate| format!("{} {}", mutants.count(fate), fate.words())).collect::<Vec<_>>().join(", ")
+    fates.map(|fate| format!("{} {}", mutants.count(fate), fate.name())).collect::<Vec<_>>().join(", ")
 }
 
 /// How many distinct mutants there were, and what became of them.
 fn mutants(mutants: &Mutants) -> String {
     let occurs = |fate| mutants.count(fate) > 0;
     match (mutants.len(), &Fate::ALL.into_iter().filter(|fate| occurs(*fate)).collect::<Vec<_>>()[..]) {
-        (1, [fate]) => format!("1 mutant, {}.", fate.words()),
-        (count, [fate]) => format!("{count} distinct mutants, all {}.", fate.words()),
+        (1, [fate]) => format!("1 mutant, {}.", fate.name()),
+        (count, [fate]) => format!("{count} distinct mutants, all {}.", fate.name()),
         (count, _) => format!("{count} distinct mutants: {}.", fates(mutants, occurs)),
     }
 }
@@ -165,9 +146,7 @@ impl Judgement {
 
     /// How many steps of each kind, briefly.
     pub fn tally(&self) -> String {
-        let count = |verdict| self.steps.iter().filter(|step| step.step.verdict() == verdict).count();
-        let counts = Verdict::ALL.into_iter().filter(|verdict| count(*verdict) > 0);
-        counts.map(|verdict| format!("{} {}", count(verdict), verdict.word())).collect::<Vec<_>>().join(", ")
+        tally(self.steps.iter())
     }
 }
 

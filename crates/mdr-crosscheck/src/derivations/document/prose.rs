@@ -2,45 +2,18 @@
 
 use mdr_symbolic::{Formula, Statement};
 
-/// A formula in prose.
-pub(super) enum Math<'a> {
-    Formula(Box<Formula>),
-    Statement(Box<Statement>),
-    /// What the grammar does not have.
-    Tex(&'a str),
-}
-
-impl Math<'_> {
-    /// In TeX.
-    pub(super) fn tex(&self) -> String {
-        match self {
-            Math::Formula(formula) => formula.tex(),
-            Math::Statement(statement) => statement.tex(),
-            Math::Tex(tex) => (*tex).to_owned(),
-        }
-    }
-
-    /// As a line of text.
-    pub(super) fn text(&self) -> String {
-        match self {
-            Math::Formula(formula) => formula.text(),
-            Math::Statement(statement) => statement.text(),
-            Math::Tex(tex) => plain(tex),
-        }
-    }
-}
-
-/// The text with words and formulas rendered.
-pub(super) fn render(text: &str, words: impl Fn(&str) -> String, math: impl Fn(&Math<'_>) -> String) -> String {
+/// The text with words and formulas rendered; `math` gets a formula as a line of text and in TeX.
+pub(super) fn render(text: &str, words: impl Fn(&str) -> String, math: impl Fn(&str, &str) -> String) -> String {
+    // What the grammar does not have is typed in TeX.
     let typed = |part: &str| {
         let pieces = part.split('$').enumerate();
-        pieces.map(|(i, piece)| if i % 2 == 1 { math(&Math::Tex(piece)) } else { words(piece) }).collect::<String>()
+        pieces.map(|(i, piece)| if i % 2 == 1 { math(&plain(piece), piece) } else { words(piece) }).collect::<String>()
     };
     let parts = text.split('`').enumerate();
     parts
         .map(|(i, part)| match (i % 2, part.parse::<Statement>(), part.parse::<Formula>()) {
-            (1, Ok(statement), _) => math(&Math::Statement(Box::new(statement))),
-            (1, _, Ok(formula)) => math(&Math::Formula(Box::new(formula))),
+            (1, Ok(statement), _) => math(&statement.text(), &statement.tex()),
+            (1, _, Ok(formula)) => math(&formula.text(), &formula.tex()),
             _ => typed(part),
         })
         .collect()
@@ -119,7 +92,7 @@ mod tests {
         for entry in mdr_symbolic::derivations::entries() {
             let texts = entry.steps.iter().map(|step| step.why).chain(entry.assumptions.iter().copied());
             for text in texts.chain(entry.erratum.map(|erratum| erratum.text)) {
-                let shown = render(text, str::to_owned, |math| math.text());
+                let shown = render(text, str::to_owned, |text, _| text.to_owned());
                 assert!(!shown.contains(['\\', '{', '}', '$', '`']), "{}: {shown}", entry.id);
             }
         }

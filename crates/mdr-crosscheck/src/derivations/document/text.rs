@@ -1,21 +1,22 @@
 //! Derivations for a terminal.
 
-use super::{
-    Document, Fate, Judgement, errata, heading, hypotheses, mutants, place, prose, step_verdict, theorems, witness,
-};
+use super::{Document, Fate, Judgement, errata, heading, hypotheses, mutants, place, prose, step_verdict, witness};
 
 /// Columns of prose.
 const WIDTH: usize = 100;
 
-pub(super) fn write(extent: Document<'_>) -> String {
-    match extent {
-        Document::All(judgements) => judgements.iter().map(entry).collect::<Vec<_>>().join("\n\n"),
-        Document::One(judgement) => entry(judgement),
-        Document::Errata(judgements) => {
-            let items = errata(judgements).map(|(judgement, erratum, _)| {
-                format!("{}\n{}", heading(judgement), wrapped(&words(erratum.text), "  "))
-            });
-            items.collect::<Vec<_>>().join("\n\n")
+impl Document<'_> {
+    /// Lines of at most 100 columns; of all derivations, the entries one after the other.
+    pub fn text(self) -> String {
+        match self {
+            Document::All(judgements) => judgements.iter().map(entry).collect::<Vec<_>>().join("\n\n"),
+            Document::One(judgement) => entry(judgement),
+            Document::Errata(judgements) => {
+                let items = errata(judgements).map(|(judgement, erratum, _)| {
+                    format!("{}\n{}", heading(judgement), wrapped(&words(erratum.text), "  "))
+                });
+                items.collect::<Vec<_>>().join("\n\n")
+            }
         }
     }
 }
@@ -25,9 +26,11 @@ fn entry(judgement: &Judgement) -> String {
     let mut lines = vec![format!("{}: {}", heading(judgement), judgement.verdict())];
     lines.extend(entry.assumptions.iter().map(|assumption| format!("  assumes {}", words(assumption))));
     lines.push(wrapped(&format!("where {}", hypotheses(judgement)), "  "));
-    lines.extend(theorems(judgement, |theorem| {
-        wrapped(&format!("theorem {} ({}): {}", theorem.name, theorem.file, theorem.says), "  ")
-    }));
+    lines.extend(
+        entry
+            .theorems()
+            .map(|theorem| wrapped(&format!("theorem {} ({}): {}", theorem.name, theorem.file, theorem.says), "  ")),
+    );
     for (i, step) in judgement.steps.iter().enumerate() {
         lines.push(format!("\n{}. {}{}", i + 1, step_verdict(step), place(step)));
         if let Ok(Some(statement)) = step.step.statement() {
@@ -48,14 +51,14 @@ fn entry(judgement: &Judgement) -> String {
     let all = judgement.mutants();
     lines.push(format!("\n{}", mutants(&all)));
     for fate in [Fate::Meaningless, Fate::Undecided] {
-        let named = all.with(fate).map(|mutant| format!("{}: {}", fate.words(), mutant.text()));
+        let named = all.with(fate).map(|mutant| format!("{}: {}", fate.name(), mutant.text()));
         lines.extend(named.map(|mutant| wrapped(&mutant, "  ")));
     }
     lines.join("\n")
 }
 
 fn words(text: &str) -> String {
-    prose::render(text, str::to_owned, |math| math.text())
+    prose::render(text, str::to_owned, |text, _| text.to_owned())
 }
 
 /// The text broken into indented lines.
