@@ -149,7 +149,7 @@ pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
             let search = Search::new(scene, counts)?;
             let folds = lack(search.folds().cloned())?;
             let pull_off = |dugdale: &Dugdale<'_, f64>| dugdale.pull_off(&radii(&folds));
-            doubles(record(scene, search.model(), range, &folds, &search.admissibility(), pull_off)?)
+            doubles(record(scene, &search.model, range, &folds, &search.admissibility(), pull_off)?)
         }
     }))
 }
@@ -165,7 +165,7 @@ fn in_digits(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Re
     const KNOWN: i64 = 24;
     let search = Search::of_lengths(scene, counts)?;
     let folds = lack(search.folds().cloned())?;
-    let model = search.model();
+    let model = &search.model;
     let curve = model.curve();
     let start =
         Dugdale::new(curve, &separation(&model.number(range))).and_then(|dugdale| dugdale.pull_off(&radii(&folds)));

@@ -4,7 +4,8 @@ use mdr_analytic::double;
 use mdr_core::contact::{Control, Elasticity, Error, Material, Quantity, Ranged, Regime, Result, Status};
 use mdr_core::number::Literal;
 
-use super::{CriticalAnswer, CriticalFold, CriticalState, PowerLaw, Threshold, first_trouble, out_of_doubles};
+use super::{CriticalAnswer, CriticalFold, CriticalState, PowerLaw, Threshold, first_trouble, folds, out_of_doubles};
+use crate::answer::record::Numbers;
 use crate::answer::{Number, Value};
 use crate::scene::Arithmetic;
 
@@ -24,7 +25,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
     let folds: Option<Vec<CriticalFold>> = match control {
         Control::Machine { stiffness } => Some(match double::machine_folds(n, c, &material, stiffness) {
             Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?.1,
-            folds => folds?.into_iter().map(|fold| CriticalFold::new(fold, ranged)).collect(),
+            found => folds(found?).resolve(ranged),
         }),
         _ => None,
     };
@@ -38,7 +39,8 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
             Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?.0,
             critical => {
                 let critical = critical?;
-                Some(CriticalState::new([critical.contact_radius, critical.indentation, critical.force], ranged))
+                let state = [critical.contact_radius, critical.indentation, critical.force];
+                Some(CriticalState::known(state).resolve(ranged))
             }
         },
     };
@@ -77,19 +79,21 @@ fn in_digits(
     material: &Material<f64>,
     control: &Control<f64>,
 ) -> Result<(Option<CriticalState>, Vec<CriticalFold>)> {
-    use mdr_analytic::certified::Question;
     /// Digits that fix the nearest double.
     const ENOUGH: u32 = 40;
     let literal = |value: &f64| {
         let exact = rug::Rational::from_f64(*value).as_ref().and_then(crate::scene::exactly);
         exact.ok_or_else(|| Error::domain(Quantity::Parameter("an input"), value, "a number"))
     };
-    let elasticity = Elasticity::Effective(literal(material.effective_modulus())?);
-    let work = literal(material.work_of_adhesion())?;
-    let control = control.try_map(literal)?;
-    let answer = Question::new(&literal(&n)?, &literal(&c)?, &elasticity, &work, &control)?.answer(ENOUGH)?;
-    let state = answer.critical.map(|c| CriticalState::new([c.contact_radius, c.indentation, c.force], rounded));
-    Ok((state, answer.folds.into_iter().map(|fold| CriticalFold::new(fold, rounded)).collect()))
+    let law = PowerLaw {
+        n: literal(&n)?,
+        c: literal(&c)?,
+        elasticity: Elasticity::Effective(literal(material.effective_modulus())?),
+        work_of_adhesion: literal(material.work_of_adhesion())?,
+        control: control.try_map(literal)?,
+    };
+    let answer = super::certified(&law, ENOUGH)?;
+    Ok((answer.state.resolve(rounded), answer.folds.unwrap_or_default().resolve(rounded)))
 }
 
 /// Without certified digits it stays undecided.
@@ -160,10 +164,10 @@ fn ranged(value: Ranged<f64>) -> Value {
 
 /// The double nearest to a decimal.
 #[cfg(feature = "mp")]
-fn rounded(decimal: mdr_core::number::Decimal) -> Value {
-    match representable(decimal.to_f64()) {
-        None if decimal.is_zero() => Value::Known(Number::Double(0.0)),
-        None => Value::out_of_range(decimal.log10_f64()),
-        Some(value) => Value::Known(Number::Double(value)),
+fn rounded(number: Number) -> Value {
+    match (representable(number.to_f64()), number) {
+        (Some(value), _) => Value::Known(Number::Double(value)),
+        (None, Number::Certified(decimal)) if !decimal.is_zero() => Value::out_of_range(decimal.log10_f64()),
+        (None, _) => Value::Known(Number::Double(0.0)),
     }
 }

@@ -63,11 +63,11 @@ impl Contact {
     /// # Errors
     /// No value, or one that is not finite; no stable equilibrium at the first; as [`Contact::equilibria`].
     pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>, stop: &Stop) -> Result<History> {
-        self.judged(control, stop, |branches| {
+        self.branched(control, stop, true, |branches| {
             let path = Path::follow(branches, start, values)?;
             let losses = Loss::of_each(&path, branches);
             let mut states = States::with_capacity(values.len());
-            for event in path.events.iter().filter(|event| is_arrival(event)).take(values.len()) {
+            for event in path.events.iter().filter(|event| solve::is_arrival(event.kind)).take(values.len()) {
                 let state = State::of(&event.after, control, event.value);
                 let known = !state.contact_radius.is_nan();
                 states.push(state.row(), if known { Status::Ok } else { Status::NoEquilibrium });
@@ -81,7 +81,7 @@ impl Contact {
                 states.push([f64::NAN; 3], end);
             }
             let mut jumps = events(&path, &losses, control)?;
-            jumps.retain(|event| !matches!(event.kind, EventKind::Start | EventKind::WayPoint | EventKind::End));
+            jumps.retain(|event| !solve::is_arrival(event.kind));
             Ok(History { states, jumps })
         })
     }
@@ -98,7 +98,7 @@ impl Contact {
         between: usize,
         stop: &Stop,
     ) -> Result<LoadingPath> {
-        self.judged(control, stop, |branches| {
+        self.branched(control, stop, true, |branches| {
             let path = Path::follow(branches, start, way)?;
             let losses = Loss::of_each(&path, branches);
             let balance = match Ledger::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)) {
@@ -117,7 +117,7 @@ impl Contact {
     /// # Errors
     /// [`Error::NoEquilibrium`] where there is no contact to begin with, or where it does not come off; as [`Contact::follow`].
     pub fn pull_off(&self, control: &Control<f64>, stop: &Stop) -> Result<State> {
-        self.judged(control, stop, |branches| {
+        self.branched(control, stop, true, |branches| {
             let value = |fold: &contact::Instability<f64>| control.controlled(&fold.indentation, &fold.force);
             let lowest = branches.folds().iter().map(value).filter(|value| value.is_finite()).fold(-1e-150, f64::min);
             let path = Path::follow(branches, &Start::Largest, &[0.0, 2.0 * lowest])?;
@@ -142,11 +142,6 @@ impl State {
     fn row(self) -> [f64; 3] {
         [self.contact_radius, self.indentation, self.force]
     }
-}
-
-/// Whether an event is the arrival at a value.
-fn is_arrival(event: &path::Event<f64>) -> bool {
-    matches!(event.kind, EventKind::Start | EventKind::WayPoint | EventKind::End)
 }
 
 /// The events with the energy lost in each.

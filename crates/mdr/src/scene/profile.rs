@@ -66,14 +66,10 @@ impl IntoProfile for Measured {
 impl<X: Exact + Clone> IntoProfile for Shape<X> {
     fn into_profile(self) -> Result<Profile> {
         let exact = |key: &str, number: &X| {
-            let refuse = |why| Location::built(&format!("profile.{key}")).refuse(why);
-            let literal = number.clone().exact().map_err(|error| refuse(error.to_string()))?;
+            let place = Location::built(&format!("profile.{key}"));
+            let literal = number.clone().exact().map_err(|error| place.refuse(error.to_string()))?;
             // Waves may begin with a trough.
-            let may_be_negative = key == "amplitude";
-            if !may_be_negative && (literal.is_zero() || literal.is_negative()) {
-                return Err(refuse(format!("must be positive, got {literal}")));
-            }
-            Ok(literal)
+            if key == "amplitude" { Ok(literal) } else { place.require_positive(literal) }
         };
         Ok(Profile::Shape(self.try_map(exact)?))
     }
@@ -187,6 +183,13 @@ impl Profile {
         })
     }
 
+    /// The same exactly, of the numbers in an arithmetic; none for numbers of absurd length.
+    #[cfg(feature = "mp")]
+    pub(crate) fn exact_power_law(&self, number: impl Fn(&Literal) -> rug::Rational) -> Option<[Literal; 2]> {
+        let [n, c] = self.power_law(number, |radius| (radius * 2u32).recip())?;
+        Some([super::exactly(&n)?, super::exactly(&c)?])
+    }
+
     /// Whether g is a closed form; otherwise it is a quadrature or measured.
     pub(crate) fn is_closed(&self) -> bool {
         match self {
@@ -198,7 +201,7 @@ impl Profile {
 
     /// The rows of a table.
     pub(crate) fn rows(&self) -> Option<usize> {
-        if let Profile::Table(measured) = self { Some(measured.table().rows().len()) } else { None }
+        if let Profile::Table(measured) = self { Some(measured.table.rows().len()) } else { None }
     }
 
     /// The tables in it.

@@ -237,11 +237,9 @@ fn written<T: Numbers<Enclosure>>(
     why: &str,
 ) -> T::With<Number> {
     let mut decided = decided.into_iter();
-    records.map_values(&mut |value| {
-        value.and_then(|_| match decided.next().flatten() {
-            Some(decimal) => Value::Known(promise(decimal)),
-            None => Value::unknown(Status::Undecided, why),
-        })
+    records.resolve(|_| match decided.next().flatten() {
+        Some(decimal) => Value::Known(promise(decimal)),
+        None => Value::unknown(Status::Undecided, why),
     })
 }
 

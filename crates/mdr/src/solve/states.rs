@@ -58,7 +58,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     fn with_value(&self, state: contact::Equilibrium<R>, value: &R) -> contact::Equilibrium<R> {
         match state.stability {
             Stability::Neutral => state,
-            _ => state.controlled(self.model.control(), value.clone()),
+            _ => state.controlled(&self.model.control, value.clone()),
         }
     }
 
@@ -131,7 +131,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// The equilibrium in which the path starts; none where it cannot, or where the surfaces are apart.
     fn first(&self, scene: &Scene, first: &Literal) -> Result<Option<contact::Equilibrium<R>>> {
         let value = self.model.number(first);
-        match Path::first(&self.branches, &path::start(self.model, scene), &value) {
+        match Path::first(&self.branches, &path::start(scene, |radius| self.model.number(radius)), &value) {
             Ok(State::Contact(state)) => Ok(Some(self.with_value(state, &value))),
             Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
             Err(error) => Err(error),
@@ -169,7 +169,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     pub(crate) fn energies(&self, scene: &Scene, values: &[Literal]) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
         self.described(scene, values, |state| {
             let fields = Fields::of(self.model.curve(), &state)?;
-            let energy = Energy::new(self.model.transform(), self.model.material())?;
+            let energy = Energy::new(self.model.transform(), &self.model.material)?;
             let potential = energy.potential(&state.contact_radius, &state.indentation);
             let admissible = Admission::of(self.verdict(&state));
             let energy = Value::from_result(potential)?;
