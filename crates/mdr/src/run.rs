@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use mdr_core::contact::{Evaluations, Tally};
+use mdr_core::contact::{self, Evaluations, Tally};
 
 use crate::answer::{Output, OutputKind};
 use crate::scene::Want;
@@ -100,3 +100,14 @@ impl<'a> Run<'a> {
 
 /// The evaluations so far, by arithmetic.
 pub(crate) type Counts = [Arc<Tally>; ARITHMETICS.len()];
+
+/// A result that an answer can do without; a stop cannot be.
+///
+/// # Errors
+/// [`Stopped`](contact::Error::Stopped).
+pub(crate) fn lack<T>(result: contact::Result<T>) -> contact::Result<contact::Result<T>> {
+    match result {
+        Err(contact::Error::Stopped) => Err(contact::Error::Stopped),
+        result => Ok(result),
+    }
+}

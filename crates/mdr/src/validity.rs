@@ -14,7 +14,7 @@ use mdr_numeric::folds::Folds;
 
 use crate::answer::record::{Numbers, Part, Row, constant_parts, record};
 use crate::answer::{Admission, Cell, Number, Optional, Promise, Value};
-use crate::run::Counts;
+use crate::run::{Counts, lack};
 use crate::scene::{Profile, Scene};
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{Search, doubles};
@@ -178,14 +178,6 @@ fn in_digits(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Re
             Err(error) => Err(error.clone()),
         })
     })
-}
-
-/// A result that an answer can do without; a stop cannot be.
-fn lack<T>(result: Result<T>) -> Result<Result<T>> {
-    match result {
-        Err(Error::Stopped) => Err(Error::Stopped),
-        result => Ok(result),
-    }
 }
 
 /// Where the search for the pull-off begins.

@@ -145,15 +145,14 @@ impl<N, T: Numbers<N>> Numbers<N> for Option<T> {
     }
 }
 
-/// All values below rows, in their order.
+/// All cells of rows and of those below them, in their order, with their keys.
 #[cfg(feature = "mp")]
-pub(crate) fn values<'a, N>(rows: &[Row<'a, N>]) -> Vec<&'a Value<N>> {
+pub(crate) fn cells<'r, 'a, N>(rows: &'r [Row<'a, N>]) -> Vec<(&'static str, &'r Cell<'a, N>)> {
     let mut found = Vec::new();
-    for (_, cell) in rows.iter().flat_map(|row| &row.cells) {
-        match cell {
-            Cell::Value(value) => found.push(*value),
-            Cell::Rows(rows) => found.extend(values(rows)),
-            _ => {}
+    for (key, cell) in rows.iter().flat_map(|row| &row.cells) {
+        found.push((*key, cell));
+        if let Cell::Rows(rows) = cell {
+            found.extend(cells(rows));
         }
     }
     found

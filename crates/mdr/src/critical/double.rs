@@ -1,7 +1,7 @@
 //! The critical state in f64.
 
 use mdr_analytic::double;
-use mdr_core::contact::{Control, Elasticity, Error, Material, Quantity, Ranged, Regime, Result, Status};
+use mdr_core::contact::{Body, Control, Elasticity, Error, Material, Quantity, Ranged, Regime, Result};
 use mdr_core::number::Literal;
 
 use super::{CriticalAnswer, CriticalFold, CriticalState, PowerLaw, Threshold, first_trouble, folds, out_of_doubles};
@@ -51,10 +51,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
         }
         _ => None,
     };
-    let trouble = [
-        state.as_ref().map(CriticalState::status),
-        threshold.as_ref().map(|threshold| first_trouble([&threshold.c, &threshold.ratio])),
-    ];
+    let of_threshold = threshold.iter().flat_map(|threshold| [&threshold.c, &threshold.ratio]);
     let known = |value: f64| Value::Known(Number::Double(value));
     Ok(CriticalAnswer {
         arithmetic: Arithmetic::Double,
@@ -62,7 +59,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
         regime,
         inputs: law.inputs(|literal| known(literal.nearest_f64()), || known(e_star)),
         kappa: Number::Double(double::kappa(n)?),
-        status: trouble.into_iter().flatten().find(|status| *status != Status::Ok).unwrap_or(Status::Ok),
+        status: first_trouble(state.iter().flat_map(CriticalState::values).chain(of_threshold)),
         state,
         threshold,
         folds,
@@ -121,32 +118,31 @@ fn in_range(quantity: Quantity, literal: &Literal) -> Result<f64> {
     representable(literal.nearest_f64()).ok_or_else(|| out_of_doubles(quantity, literal))
 }
 
-/// The double nearest to E*, derived exactly when two bodies are given.
-#[cfg(feature = "mp")]
+/// The double nearest to E*.
 fn effective_modulus(law: &PowerLaw) -> Result<f64> {
+    match &law.elasticity {
+        Elasticity::Effective(e_star) => in_range(Quantity::EffectiveModulus, e_star),
+        Elasticity::Bodies(bodies) => of_bodies(law, bodies),
+    }
+}
+
+/// That of two bodies, derived exactly.
+#[cfg(feature = "mp")]
+fn of_bodies(law: &PowerLaw, bodies: &[Body<Literal>; 2]) -> Result<f64> {
     use mdr_core::number::certify::Enclosure;
-    let Elasticity::Bodies(bodies) = &law.elasticity else { return given_modulus(law) };
     let exact = law.question()?.effective_modulus().clone();
     let nearest = Enclosure::Exact(exact).round(40).map_or(f64::NAN, |decimal| decimal.to_f64());
     representable(nearest).ok_or_else(|| out_of_doubles(Quantity::YoungsModulus, &bodies[0].youngs_modulus))
 }
 
 #[cfg(not(feature = "mp"))]
-fn effective_modulus(law: &PowerLaw) -> Result<f64> {
-    let Elasticity::Bodies(bodies) = &law.elasticity else { return given_modulus(law) };
-    let body = |body: &mdr_core::contact::Body<Literal>| {
+fn of_bodies(_: &PowerLaw, bodies: &[Body<Literal>; 2]) -> Result<f64> {
+    let body = |body: &Body<Literal>| {
         let modulus = in_range(Quantity::YoungsModulus, &body.youngs_modulus)?;
-        mdr_core::contact::Body::new(modulus, body.poissons_ratio.nearest_f64())
+        Body::new(modulus, body.poissons_ratio.nearest_f64())
     };
     let material = Material::from_bodies(&body(&bodies[0])?, &body(&bodies[1])?, 1.0)?;
     Ok(*material.effective_modulus())
-}
-
-fn given_modulus(law: &PowerLaw) -> Result<f64> {
-    match &law.elasticity {
-        Elasticity::Effective(e_star) => in_range(Quantity::EffectiveModulus, e_star),
-        Elasticity::Bodies(_) => Ok(f64::NAN),
-    }
 }
 
 fn representable(value: f64) -> Option<f64> {
@@ -156,9 +152,7 @@ fn representable(value: f64) -> Option<f64> {
 fn ranged(value: Ranged<f64>) -> Value {
     match value {
         Ranged::Value(value) => Value::Known(Number::Double(value)),
-        Ranged::Overflow { log10 } | Ranged::Underflow { log10 } => {
-            Value::Unknown { status: value.status(), log10: Some(log10), why: None }
-        }
+        Ranged::Overflow { log10 } | Ranged::Underflow { log10 } => Value::out_of_range(log10),
     }
 }
 

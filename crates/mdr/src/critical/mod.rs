@@ -157,8 +157,8 @@ impl CriticalState {
     }
 }
 
-fn first_trouble<const K: usize>(values: [&Value; K]) -> Status {
-    values.map(Value::status).into_iter().find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
+fn first_trouble<'a>(values: impl IntoIterator<Item = &'a Value>) -> Status {
+    values.into_iter().map(Value::status).find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
 }
 
 /// The critical state of a power law: (1.15), (1.17) and their kin under a dead load and on a machine.

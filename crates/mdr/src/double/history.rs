@@ -6,7 +6,7 @@ use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{self, EventKind, Ledger, Loss, Path};
 
 use super::{Contact, States, numbers};
-use crate::run::Stop;
+use crate::run::{Stop, lack};
 use crate::solve;
 
 pub use mdr_numeric::path::Start;
@@ -101,11 +101,10 @@ impl Contact {
         self.branched(control, stop, true, |branches| {
             let path = Path::follow(branches, start, way)?;
             let losses = Loss::of_each(&path, branches);
-            let balance = match Ledger::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)) {
-                Ok(balance) => balance.map(|balance| [balance.work, balance.lost, balance.stored]),
-                Err(Error::Stopped) => return Err(Error::Stopped),
-                Err(_) => Some([f64::NAN; 3]),
-            };
+            let balance = lack(Ledger::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)))?;
+            let balance = balance.map_or(Some([f64::NAN; 3]), |balance| {
+                balance.map(|balance| [balance.work, balance.lost, balance.stored])
+            });
             let events = events(&path, &losses, control)?;
             Ok(LoadingPath { curve: curve(branches, &events, between)?, events, balance })
         })
@@ -169,11 +168,9 @@ fn curve(branches: &Branches<'_, f64>, events: &[Event], between: usize) -> Resu
         if let Some([from, to]) = ends.filter(|[from, to]| *from > 0.0 && *to > 0.0 && from != to) {
             for step in 1..=between {
                 let radius = from + (to - from) * (step as f64 / (between + 1) as f64);
-                match branches.curve().state(&radius) {
-                    Ok((indentation, force)) => states.push(State { contact_radius: radius, indentation, force }),
-                    Err(Error::Stopped) => return Err(Error::Stopped),
-                    // A radius at which g has no number, such as an edge, is passed by.
-                    Err(_) => {}
+                // A radius at which g has no number, such as an edge, is passed by.
+                if let Ok((indentation, force)) = lack(branches.curve().state(&radius))? {
+                    states.push(State { contact_radius: radius, indentation, force });
                 }
             }
         }

@@ -258,14 +258,14 @@ impl Problem {
         Ok(self)
     }
 
-    /// The number of a kind, where the problem has it.
-    pub(super) fn parameter(&self, kind: Kind) -> Option<&Parameter> {
-        self.parameters.iter().find(|parameter| parameter.kind == kind)
+    /// What is known of the number of a kind.
+    pub(super) fn known(&self, kind: Kind) -> Option<f64> {
+        self.parameters.iter().find(|parameter| parameter.kind == kind)?.known()
     }
 
-    /// Whether a number is unknown.
+    /// Whether the number of a kind is unknown.
     pub(super) fn is_free(&self, kind: Kind) -> bool {
-        self.parameter(kind).is_some_and(|parameter| parameter.free)
+        self.parameters.iter().any(|parameter| parameter.kind == kind && parameter.free)
     }
 
     /// How many numbers have a prior.

@@ -79,10 +79,6 @@ pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<Vec<f
     candidates
 }
 
-fn known(problem: &Problem, kind: Kind) -> Option<f64> {
-    problem.parameter(kind)?.known()
-}
-
 /// E*, w, contact point and baseline by the record, the likeliest first.
 fn from_data(problem: &Problem, source: Source) -> Vec<[f64; 4]> {
     let numbers: Vec<f64> = problem
@@ -109,11 +105,11 @@ fn record(problem: &Problem) -> Record {
     let has_tail = problem.observation != Observation::IndentationOfForce;
     let last = pull_off(&rows).filter(|_| has_tail);
     let baseline = if problem.is_free(Kind::Baseline) && has_tail {
-        tail(&rows, last).or(known(problem, Kind::Baseline)).unwrap_or(0.0)
+        tail(&rows, last).or(problem.known(Kind::Baseline)).unwrap_or(0.0)
     } else {
-        known(problem, Kind::Baseline).unwrap_or(0.0)
+        problem.known(Kind::Baseline).unwrap_or(0.0)
     };
-    let stiffness = known(problem, Kind::Stiffness).unwrap_or(f64::INFINITY);
+    let stiffness = problem.known(Kind::Stiffness).unwrap_or(f64::INFINITY);
     let state = |row: &[f64; 2]| problem.observation.state(*row, [0.0, baseline], stiffness);
     Record { states: rows.iter().map(state).collect(), last: last.as_ref().map(state), baseline }
 }
@@ -247,13 +243,13 @@ fn with_length(
     let held = |fold: &Instability<f64>| if anchor == Anchor::PullOff { fold.indentation } else { fold.force };
     let lowest = folds.folds.iter().min_by(|one, other| held(one).total_cmp(&held(other)))?;
     let free = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| problem.is_free(kind));
-    let stated = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| known(problem, kind));
+    let stated = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| problem.known(kind));
     let e_star = match (free, stated) {
         ([true, true], _) if smallest < 0.0 && lowest.force < 0.0 => Some(smallest / lowest.force),
         // No adhesion is seen: the deepest row tells E*.
         ([true, true], _) if anchor == Anchor::SmallestForce => {
             let [depth, force] = record.states.iter().copied().max_by(|one, other| one[0].total_cmp(&other[0]))?;
-            let target = depth - known(problem, Kind::ContactPoint).unwrap_or(0.0);
+            let target = depth - problem.known(Kind::ContactPoint).unwrap_or(0.0);
             let radius = radius_at(&curve, lowest.contact_radius, target)?;
             Some(force / curve.force(&radius).ok()?)
         }
@@ -265,7 +261,7 @@ fn with_length(
     let contact_point = if problem.is_free(Kind::ContactPoint) && smallest < 0.0 {
         at - lowest.indentation
     } else {
-        known(problem, Kind::ContactPoint).unwrap_or(0.0)
+        problem.known(Kind::ContactPoint).unwrap_or(0.0)
     };
     // How far the rows in contact are from the curve in force.
     let mut radius = lowest.contact_radius;

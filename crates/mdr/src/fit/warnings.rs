@@ -6,7 +6,7 @@ use super::answer::{Fit, FitStatus};
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::observation::Observation;
-use super::problem::{Kind, Problem};
+use super::problem::Kind;
 use crate::scene::Profile;
 
 /// A singular value below this share of the largest leaves a direction nearly open.
@@ -45,7 +45,9 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
             ));
         }
     }
-    if let Some(radius) = radius_of_curvature(problem, &numbers.profile)
+    if let Profile::Shape(Shape::Paraboloid { .. } | Shape::Sphere { .. } | Shape::WavyParaboloid { .. }) =
+        problem.profile
+        && let Some(radius) = numbers.profile.first()
         && widest > 0.3 * radius
     {
         warnings.push(format!("the contact is not small: a/R reaches {:.2}", widest / radius));
@@ -65,13 +67,4 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
         warnings.push(format!("χ² = {chi2:.4} for {} degrees of freedom is {verdict} (p = {p:.1e})", fit.dof));
     }
     fit.warnings = warnings;
-}
-
-/// R of a profile that has one.
-fn radius_of_curvature(problem: &Problem, numbers: &[f64]) -> Option<f64> {
-    let first = matches!(
-        &problem.profile,
-        Profile::Shape(Shape::Paraboloid { .. } | Shape::Sphere { .. } | Shape::WavyParaboloid { .. })
-    );
-    numbers.first().copied().filter(|_| first)
 }

@@ -10,8 +10,8 @@ use mdr_core::number::{Exact, Literal};
 
 use super::Location;
 use super::measured::Measured;
-use super::tree::{Section, Value};
-use crate::error::{Error, Result};
+use super::tree::Section;
+use crate::error::Result;
 
 /// A profile f(r).
 #[derive(Clone, Debug)]
@@ -303,15 +303,9 @@ fn formula(section: &Section<'_>) -> Result<Profile> {
     let formula = Formula::with(text.text()?, parameters).map_err(|why| text.refuse(why))?;
     let names: Vec<String> = formula.expression.parameters().collect();
     if let Some(unused) = formula.parameters.keys().find(|name| !names.contains(name)) {
-        return Err(unused_parameter(section, unused, &names));
+        let known = if names.is_empty() { "none".to_owned() } else { format!("`{}`", names.join("`, `")) };
+        let place = section.optional("parameters").map_or_else(|| section.place(), |value| value.place());
+        return Err(place.refuse(format!("the formula has no parameter `{unused}`; it has {known}")));
     }
     Ok(Profile::Formula(formula))
-}
-
-fn unused_parameter(section: &Section<'_>, name: &str, known: &[String]) -> Error {
-    let why = match known {
-        [] => format!("the formula has no parameter `{name}`; it has none"),
-        known => format!("the formula has no parameter `{name}`; it has `{}`", known.join("`, `")),
-    };
-    section.optional("parameters").map_or_else(|| section.place(), |value: Value<'_>| value.place()).refuse(why)
 }

@@ -152,10 +152,7 @@ fn dissipated<R: SceneReal>(event: &Event<R>, loss: Result<Loss<R>>) -> Result<O
     Ok(match loss {
         _ if !changes(event.kind) => None,
         Ok(Loss::Unbounded) => Some(Dissipation::Unbounded),
-        Ok(Loss::Finite(lost)) => {
-            let noise = lost.error.clone();
-            Some(Dissipation::Finite(beyond_noise(lost, &noise)))
-        }
+        Ok(Loss::Finite(lost)) => Some(Dissipation::Finite(beyond_noise(&lost, &lost.error))),
         Err(error) => Some(Dissipation::Finite(unknown(error)?)),
     })
 }
@@ -193,10 +190,7 @@ fn balance<R: SceneReal>(
     }
     let stored = match stored(path, branches) {
         Ok(Some(stored)) if returns(path, way) => Value::Known(Estimate::exact(stored.value.lit(0))),
-        Ok(Some(stored)) => {
-            let noise = stored.error.clone();
-            beyond_noise(stored, &noise)
-        }
+        Ok(Some(stored)) => beyond_noise(&stored, &stored.error),
         Ok(None) => return Ok(None),
         Err(error) => unknown(error)?,
     };
@@ -230,13 +224,13 @@ fn work<R: SceneReal>(lost: &Value<Estimate<R>>, stored: &Value<Estimate<R>>) ->
     let work = plus(lost, stored);
     let (Value::Known(sum), Value::Known(lost), Value::Known(stored)) = (&work, lost, stored) else { return work };
     let noise = (lost.value.abs() + stored.value.abs()) * sum.value.unit_roundoff().times(ROUNDINGS);
-    beyond_noise(sum.clone(), &noise)
+    beyond_noise(sum, &noise)
 }
 
 /// An energy, unless it is nothing but its error: a zero that is not exact is none, however many precisions agree on it.
-fn beyond_noise<R: SceneReal>(energy: Estimate<R>, noise: &R) -> Value<Estimate<R>> {
+fn beyond_noise<R: SceneReal>(energy: &Estimate<R>, noise: &R) -> Value<Estimate<R>> {
     if energy.value.abs() > *noise || *noise == noise.lit(0) {
-        return Value::Known(energy);
+        return Value::Known(energy.clone());
     }
     Value::unknown(Status::Undecided, "zero up to the rounding of the energies that it is made of")
 }

@@ -81,33 +81,29 @@ impl<'s> Search<'s> {
     /// # Errors
     /// Those of the transform and of the quadratures.
     pub(crate) fn output(&self, want: &Want) -> Result<Output> {
-        const DOUBLE: Promise = Promise::Double;
         let field = |field, states: &[Literal], at: &[Literal]| {
-            let states = self.states()?.fields(self.scene, field, states, at)?;
-            Ok(Output::Field(field, List::new(DOUBLE, doubles(states))))
+            Ok(Output::Field(field, list(self.states()?.fields(self.scene, field, states, at)?)))
         };
         Ok(match want {
             Want::Transform { at } => {
-                let samples = outputs::transform(&self.model, at)?.convert(Estimate::exact);
-                Output::Transform(List::new(DOUBLE, doubles(samples)))
+                Output::Transform(list(outputs::transform(&self.model, at)?.convert(Estimate::exact)))
             }
             Want::Folds { .. } => {
                 let judged = |fold: &Instability<f64>| outputs::fold(fold.clone(), &self.admissibility());
                 let folds: Vec<_> = self.folds()?.folds.iter().map(judged).collect();
-                Output::Folds(List::new(DOUBLE, doubles(folds.convert(Estimate::exact))).complete(self.completeness()?))
+                Output::Folds(list(folds.convert(Estimate::exact)).complete(self.completeness()?))
             }
             Want::Curve { at } => {
                 let radii = if at.is_empty() { &self.radii()? } else { at };
-                let points = outputs::curve(&self.model, radii, &self.admissibility())?.convert(Estimate::exact);
-                Output::Curve(List::new(DOUBLE, doubles(points)))
+                let points = outputs::curve(&self.model, radii, &self.admissibility())?;
+                Output::Curve(list(points.convert(Estimate::exact)))
             }
             Want::Equilibria { at } => {
-                let equilibria = self.states()?.equilibria(at)?;
-                Output::Equilibria(List::new(DOUBLE, doubles(equilibria)).complete(self.completeness()?))
+                Output::Equilibria(list(self.states()?.equilibria(at)?).complete(self.completeness()?))
             }
             Want::Path => {
                 let path = doubles(self.states()?.path(self.scene)?);
-                Output::Path(Box::new(LoadingPath::new(DOUBLE, path, self.completeness()?)))
+                Output::Path(Box::new(LoadingPath::new(Promise::Double, path, self.completeness()?)))
             }
             Want::Pressure { states, at } => return field(Field::Pressure, states, at),
             Want::Gap { states, at } => return field(Field::Gap, states, at),
@@ -115,10 +111,7 @@ impl<'s> Search<'s> {
             Want::ForceCurve { points } => {
                 Output::ForceCurve(Box::new(self.states()?.force_curve(self.scene, *points as usize)?))
             }
-            Want::Energy { states } => {
-                let energies = self.states()?.energies(self.scene, states)?;
-                Output::Energy(List::new(DOUBLE, doubles(energies)))
-            }
+            Want::Energy { states } => Output::Energy(list(self.states()?.energies(self.scene, states)?)),
         })
     }
 
@@ -157,6 +150,10 @@ impl<'s> Search<'s> {
 /// A list that is not proved to be complete.
 pub(crate) fn not_proved(why: &str) -> Completeness {
     Completeness { proved: false, from: None, to: None, why: why.to_owned() }
+}
+
+fn list<T: Numbers<Estimate<f64>>>(records: Vec<T>) -> List<T::With<Number>> {
+    List::new(Promise::Double, doubles(records))
 }
 
 /// Doubles as they are printed; one that is no number is out of range.
