@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::answer::{Estimate, FitStatus};
+use super::answer::{Estimate, FitStatus, Invariant};
 use super::judge::{self, Spectrum};
 use super::objective::Objective;
 use super::problem::Kind;
@@ -73,7 +73,7 @@ impl Errors<'_> {
     }
 
     /// What the data determine instead, and that in words.
-    pub(super) fn invariants(&self) -> (Vec<super::Invariant>, String) {
+    pub(super) fn invariants(&self) -> (Vec<Invariant>, String) {
         let names: Vec<&str> = self.kept.iter().map(|place| self.objective.parameter(*place).name.as_str()).collect();
         let fitted: Vec<f64> = self.kept.iter().map(|place| self.fitted[*place]).collect();
         let undetermined = self.spectrum.undetermined();
@@ -87,8 +87,13 @@ impl Errors<'_> {
         if offsets {
             return (Vec::new(), format!("these data do not determine {}: {remedy}", listed(&lost)));
         }
-        let invariant = |exponents| judge::invariant(self.spectrum, &names, &fitted, exponents, self.scales);
-        let invariants: Vec<super::Invariant> = exponents.iter().map(invariant).collect();
+        let invariant = |exponents: &DVector<f64>| {
+            let value = exponents.iter().zip(&fitted).map(|(exponent, ln)| exponent * ln).sum::<f64>().exp();
+            let relative = self.spectrum.covariance(exponents, exponents).sqrt();
+            let [stderr, scaled_stderr] = self.scales.map(|scale| value * scale * relative);
+            Invariant { name: judge::product(&names, exponents), value, stderr, scaled_stderr }
+        };
+        let invariants: Vec<Invariant> = exponents.iter().map(invariant).collect();
         let fixed: Vec<&str> = invariants.iter().map(|invariant| invariant.name.as_str()).collect();
         let what = if fixed.is_empty() { "nothing".to_owned() } else { format!("only {}", listed(&fixed)) };
         (invariants, format!("of {} these data determine {what}: {remedy}", listed(&lost)))

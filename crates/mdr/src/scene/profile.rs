@@ -1,7 +1,6 @@
 //! The profiles that a scene can name.
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
 
 #[cfg(feature = "mp")]
 use mdr_core::contact::Breaks;
@@ -10,7 +9,7 @@ use mdr_core::number::{Exact, Literal};
 
 use super::Location;
 use super::measured::Measured;
-use super::tree::Section;
+use super::tree::{Section, unknown_name};
 use crate::error::Result;
 
 /// A profile f(r).
@@ -144,18 +143,6 @@ fn not_zero(height: f64) -> String {
     format!("the profile is not zero at the tip, f(0) = {height}; subtract {height} from it")
 }
 
-type Reader = fn(&Section<'_>) -> Result<Profile>;
-
-/// The kinds that are no shapes of the library.
-const OTHERS: [(&str, Reader); 3] =
-    [("sum", sum), ("expression", formula), ("table", |section| Ok(Profile::Table(Measured::read(section)?)))];
-
-/// Every kind by its name in a scene.
-fn kinds() -> &'static [(&'static str, Reader)] {
-    static KINDS: OnceLock<Vec<(&'static str, Reader)>> = OnceLock::new();
-    KINDS.get_or_init(|| Shape::names().map(|name| (name, shape as Reader)).chain(OTHERS).collect())
-}
-
 impl Profile {
     /// The name of the kind in a scene.
     pub fn name(&self) -> &'static str {
@@ -255,17 +242,26 @@ impl Profile {
     }
 
     pub(crate) fn read(section: &Section<'_>) -> Result<Profile> {
-        let read = section.required("kind")?.choice("profile", kinds())?;
-        let profile = read(section)?;
+        /// The kinds that are no shapes of the library.
+        const OTHERS: [&str; 3] = ["sum", "expression", "table"];
+        let kind = section.required("kind")?;
+        let profile = match (kind.text()?, Shape::by_name(kind.text()?)) {
+            (_, Some(blank)) => shape(section, blank.clone())?,
+            ("sum", None) => sum(section)?,
+            ("expression", None) => formula(section)?,
+            ("table", None) => Profile::Table(Measured::read(section)?),
+            (other, None) => {
+                let known: Vec<&str> = Shape::names().chain(OTHERS).collect();
+                return Err(kind.refuse(unknown_name("profile", other, &known)));
+            }
+        };
         section.finish()?;
         Ok(profile)
     }
 }
 
 /// A shape of the library; all parameters but an amplitude are positive.
-fn shape(section: &Section<'_>) -> Result<Profile> {
-    let kind = section.required("kind")?;
-    let mut blank = Shape::by_name(kind.text()?).ok_or_else(|| kind.refuse("no shape of this name"))?.clone();
+fn shape(section: &Section<'_>, mut blank: Shape<()>) -> Result<Profile> {
     if let Some(flank) = blank.flank_mut()
         && section.one_of(&["slope", "half_angle_degrees"])?.0 == 1
     {

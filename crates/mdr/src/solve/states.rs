@@ -193,18 +193,13 @@ impl<'a, R: SceneReal> States<'a, R> {
             };
             Value::from_result(value)
         };
-        if radii.is_empty() {
-            let fractions = if field == Field::Pressure { &INSIDE } else { &OUTSIDE };
-            let at = |&(numerator, denominator): &(i64, i64)| {
-                let r = a.clone().times(numerator).over(denominator);
-                Ok(FieldSample { value: value(&r)?, r: Value::Known(Estimate::exact(r)) })
-            };
-            return fractions.iter().map(at).collect();
-        }
-        let at = |literal: &Literal| {
-            Ok(FieldSample { value: value(&self.model.number(literal))?, r: Value::Given(literal.clone()) })
-        };
-        radii.iter().map(at).collect()
+        let fractions = if field == Field::Pressure { &INSIDE } else { &OUTSIDE };
+        let chosen = fractions.iter().filter(|_| radii.is_empty()).map(|&(numerator, denominator)| {
+            let r = a.clone().times(numerator).over(denominator);
+            (Value::Known(Estimate::exact(r.clone())), r)
+        });
+        let given = radii.iter().map(|literal| (Value::Given(literal.clone()), self.model.number(literal)));
+        chosen.chain(given).map(|(r, at)| Ok(FieldSample { r, value: value(&at)? })).collect()
     }
 
     /// Whether a state is admissible; with its gap where it is wanted and below zero.
