@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use mdr_core::contact::{Evaluations, Tally};
+use mdr_core::contact::{self, Evaluations, Tally};
 
 use crate::answer::{Output, OutputKind};
 use crate::scene::Want;
@@ -71,6 +71,11 @@ impl Stop {
     pub(crate) fn tally(&self) -> Arc<Tally> {
         Arc::new(Tally::until(&self.0))
     }
+
+    /// The same for each arithmetic.
+    pub(crate) fn counts(&self) -> Counts {
+        std::array::from_fn(|_| self.tally())
+    }
 }
 
 /// Frees the constants that the arbitrary precision keeps for the calling thread: for threads that end.
@@ -79,17 +84,11 @@ pub fn free_thread_cache() {
     rug::float::free_cache(rug::float::FreeCache::Local);
 }
 
-/// How a scene is solved: who is told, and what stops it.
+/// How a scene is solved: who is told, and what stops it; by default nobody and nothing.
+#[derive(Default)]
 pub struct Run<'a> {
     pub(crate) observer: Option<&'a mut dyn Observer>,
     pub(crate) stop: Stop,
-}
-
-impl Default for Run<'_> {
-    /// Nobody is told, and nothing stops it.
-    fn default() -> Self {
-        Run { observer: None, stop: Stop::default() }
-    }
 }
 
 impl<'a> Run<'a> {
@@ -100,19 +99,15 @@ impl<'a> Run<'a> {
 }
 
 /// The evaluations so far, by arithmetic.
-#[derive(Debug)]
-pub(crate) struct Counts([Arc<Tally>; ARITHMETICS.len()]);
+pub(crate) type Counts = [Arc<Tally>; ARITHMETICS.len()];
 
-impl Counts {
-    pub(crate) fn until(stop: &Stop) -> Self {
-        Counts(std::array::from_fn(|_| stop.tally()))
-    }
-
-    pub(crate) fn of(&self, index: usize) -> &Arc<Tally> {
-        &self.0[index]
-    }
-
-    pub(crate) fn read(&self) -> [Evaluations; ARITHMETICS.len()] {
-        self.0.each_ref().map(|tally| tally.read())
+/// A result that an answer can do without; a stop cannot be.
+///
+/// # Errors
+/// [`Stopped`](contact::Error::Stopped).
+pub(crate) fn lack<T>(result: contact::Result<T>) -> contact::Result<contact::Result<T>> {
+    match result {
+        Err(contact::Error::Stopped) => Err(contact::Error::Stopped),
+        result => Ok(result),
     }
 }

@@ -14,7 +14,7 @@ use mdr_numeric::folds::Folds;
 
 use crate::answer::record::{Numbers, Part, Row, constant_parts, record};
 use crate::answer::{Admission, Cell, Number, Optional, Promise, Value};
-use crate::run::Counts;
+use crate::run::{Counts, lack};
 use crate::scene::{Profile, Scene};
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{Search, doubles};
@@ -149,7 +149,7 @@ pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
             let search = Search::new(scene, counts)?;
             let folds = lack(search.folds().cloned())?;
             let pull_off = |dugdale: &Dugdale<'_, f64>| dugdale.pull_off(&radii(&folds));
-            doubles(record(scene, search.model(), range, &folds, &search.admissibility(), pull_off)?)
+            doubles(record(scene, &search.model, range, &folds, &search.admissibility(), pull_off)?)
         }
     }))
 }
@@ -165,7 +165,7 @@ fn in_digits(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Re
     const KNOWN: i64 = 24;
     let search = Search::of_lengths(scene, counts)?;
     let folds = lack(search.folds().cloned())?;
-    let model = search.model();
+    let model = &search.model;
     let curve = model.curve();
     let start =
         Dugdale::new(curve, &separation(&model.number(range))).and_then(|dugdale| dugdale.pull_off(&radii(&folds)));
@@ -178,14 +178,6 @@ fn in_digits(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Re
             Err(error) => Err(error.clone()),
         })
     })
-}
-
-/// A result that an answer can do without; a stop cannot be.
-fn lack<T>(result: Result<T>) -> Result<Result<T>> {
-    match result {
-        Err(Error::Stopped) => Err(Error::Stopped),
-        result => Ok(result),
-    }
 }
 
 /// Where the search for the pull-off begins.

@@ -4,7 +4,7 @@ use mdr_numeric::admissible::Basis;
 use serde::ser::{Error as _, SerializeMap};
 use serde::{Serialize, Serializer};
 
-use super::{Answer, Cell, Completeness, Number, Output, Promise, Row, Value, described};
+use super::{Answer, Cell, Number, Promise, Row, Value, described};
 
 /// Names the keys of the answer and their meaning.
 const SCHEMA: &str = "mdr.solve/1";
@@ -28,8 +28,9 @@ impl Serialize for Answer {
         if !self.notes.is_empty() {
             map.serialize_entry("notes", &self.notes)?;
         }
-        map.serialize_entry("promise", &Promises(self))?;
-        map.serialize_entry("complete", &Completes(&self.outputs))?;
+        map.serialize_entry("promise", &Entries(promises(self)))?;
+        let complete = self.outputs.iter().filter_map(|output| Some((output.kind().name(), output.complete()?)));
+        map.serialize_entry("complete", &Entries(complete.collect()))?;
         for output in &self.outputs {
             map.serialize_entry(output.kind().name(), &output.rows())?;
             for (key, rows) in output.beside() {
@@ -47,46 +48,24 @@ impl Serialize for Answer {
 }
 
 /// The promise of each output, and of the fields that have their own.
-struct Promises<'a>(&'a Answer);
-
-impl Serialize for Promises<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        for output in &self.0.outputs {
-            map.serialize_entry(output.kind().name(), output.promise().name())?;
-            for (field, promise) in output.exceptions() {
-                map.serialize_entry(field, promise.name())?;
-            }
-        }
-        if let Some(basis) = self.0.admissibility {
-            let promise = if basis == Basis::Bound { self.0.promise() } else { Promise::Double };
-            map.serialize_entry("admissible", promise.name())?;
-        }
-        if let Some(validity) = &self.0.validity {
-            map.serialize_entry("validity", validity.promise().name())?;
-        }
-        map.end()
+fn promises(answer: &Answer) -> Vec<(&'static str, &'static str)> {
+    let mut promises = Vec::new();
+    for output in &answer.outputs {
+        promises.push((output.kind().name(), output.promise()));
+        promises.extend(output.exceptions());
     }
+    let of_basis = |basis| if basis == Basis::Bound { answer.promise() } else { Promise::Double };
+    promises.extend(answer.admissibility.map(|basis| ("admissible", of_basis(basis))));
+    promises.extend(answer.validity.as_ref().map(|validity| ("validity", validity.promise())));
+    promises.into_iter().map(|(field, promise)| (field, promise.name())).collect()
 }
 
-/// What is known about the completeness of each list for which it is a question.
-struct Completes<'a>(&'a [Output]);
+/// Values by their keys.
+struct Entries<V>(Vec<(&'static str, V)>);
 
-impl Serialize for Completes<'_> {
+impl<V: Serialize> Serialize for Entries<V> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let known = self.0.iter().filter_map(|output| Some((output.kind().name(), output.complete()?)));
-        serializer.collect_map(known)
-    }
-}
-
-impl Serialize for Completeness {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("proved", &self.proved)?;
-        map.serialize_entry("from", &self.from)?;
-        map.serialize_entry("to", &self.to)?;
-        map.serialize_entry("why", &self.why)?;
-        map.end()
+        serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
     }
 }
 
@@ -99,12 +78,7 @@ impl Serialize for crate::Validity {
 impl Serialize for Row<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        for (key, cell) in &self.cells {
-            map.serialize_entry(key, cell)?;
-            if let Some(log10) = cell.log10() {
-                map.serialize_entry(&format!("log10_{key}"), &log10)?;
-            }
-        }
+        serialize_cells(&mut map, &self.cells)?;
         map.serialize_entry("status", &self.status().to_string())?;
         if let Some(why) = self.why() {
             map.serialize_entry("why", &why)?;
@@ -114,6 +88,17 @@ impl Serialize for Row<'_> {
         }
         map.end()
     }
+}
+
+/// Cells under their keys, and beside a number that is out of range its log10.
+pub(crate) fn serialize_cells<M: SerializeMap>(map: &mut M, cells: &[(&str, Cell<'_>)]) -> Result<(), M::Error> {
+    for (key, cell) in cells {
+        map.serialize_entry(key, cell)?;
+        if let Some(log10) = cell.log10() {
+            map.serialize_entry(&format!("log10_{key}"), &log10)?;
+        }
+    }
+    Ok(())
 }
 
 impl Serialize for Cell<'_> {

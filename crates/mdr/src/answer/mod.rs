@@ -1,7 +1,7 @@
 //! What a scene answers: typed outputs, each number with its promise or the reason why there is none.
 
 #[cfg(feature = "serde")]
-mod json;
+pub(crate) mod json;
 pub(crate) mod record;
 mod rows;
 mod spreadsheet;
@@ -174,22 +174,19 @@ impl Output {
 
     /// Every number changed by `f`, with another promise.
     #[cfg(feature = "mp")]
-    pub(crate) fn map_values(self, promise: Promise, mut f: impl FnMut(Value) -> Value) -> Self {
-        fn list<T: Numbers<Number, With<Number> = T>>(
-            list: List<T>,
-            promise: Promise,
-            f: &mut dyn FnMut(Value) -> Value,
-        ) -> List<T> {
-            List { promise, ..list.map(|items| items.map_values(f)) }
+    pub(crate) fn resolve(self, promise: Promise, f: fn(Number) -> Value) -> Self {
+        fn list<T>(List { items, complete, .. }: List<T>, promise: Promise, f: fn(Number) -> Value) -> List<T>
+        where
+            T: Numbers<Number, With<Number> = T>,
+        {
+            List { items: items.resolve(f), promise, complete }
         }
-        let f: &mut dyn FnMut(Value) -> Value = &mut f;
         match self {
             Output::Transform(items) => Output::Transform(list(items, promise, f)),
             Output::Equilibria(items) => Output::Equilibria(list(items, promise, f)),
             Output::Folds(items) => Output::Folds(list(items, promise, f)),
             Output::Path(path) => {
-                let LoadingPath { events, balance, .. } = *path;
-                let (events, balance) = (list(events, promise, f), balance.map_values(f));
+                let (events, balance) = (list(path.events, promise, f), path.balance.resolve(f));
                 Output::Path(Box::new(LoadingPath { events, balance, energy: None }))
             }
             Output::Curve(items) => Output::Curve(list(items, promise, f)),

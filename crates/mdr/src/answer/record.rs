@@ -56,8 +56,9 @@ pub struct Row<'a, N = Number> {
     pub cells: Vec<(&'static str, Cell<'a, N>)>,
     /// Whether the state of the record is admissible: none where it has no state, `Some(None)` where that is not known.
     pub admissible: Option<Option<bool>>,
-    mark: Option<Status>,
-    why: Option<&'a str>,
+    /// A status that its numbers do not tell, and the reason of it.
+    pub(super) mark: Option<Status>,
+    pub(super) why: Option<&'a str>,
     doubt: Option<&'static str>,
 }
 
@@ -69,11 +70,6 @@ impl<'a, N> Row<'a, N> {
     pub(crate) fn with(mut self, key: &'static str, part: &'a impl Part<N>) -> Self {
         part.put(key, &mut self);
         self
-    }
-
-    /// The same with a status that its numbers do not tell, and the reason of it.
-    pub(crate) fn marked(self, status: Option<Status>, why: Option<&'a str>) -> Self {
-        Row { mark: status.or(self.mark), why: why.or(self.why), ..self }
     }
 
     /// The status of the record itself, else that of its first number without a value, else `ok`.
@@ -114,9 +110,14 @@ pub(crate) trait Numbers<N>: Sized {
     /// A row for each record.
     fn rows(&self) -> Vec<Row<'_, N>>;
 
+    /// Every result changed by `f`, which may find that it is none.
+    fn resolve<M>(self, mut f: impl FnMut(N) -> Value<M>) -> Self::With<M> {
+        self.map_values(&mut |value| value.and_then(&mut f))
+    }
+
     /// Every result changed by `f`.
     fn convert<M>(self, mut f: impl FnMut(N) -> M) -> Self::With<M> {
-        self.map_values(&mut |value| value.and_then(|number| Value::Known(f(number))))
+        self.resolve(|number| Value::Known(f(number)))
     }
 }
 
@@ -144,15 +145,14 @@ impl<N, T: Numbers<N>> Numbers<N> for Option<T> {
     }
 }
 
-/// All values below rows, in their order.
+/// All cells of rows and of those below them, in their order, with their keys.
 #[cfg(feature = "mp")]
-pub(crate) fn values<'a, N>(rows: &[Row<'a, N>]) -> Vec<&'a Value<N>> {
+pub(crate) fn cells<'r, 'a, N>(rows: &'r [Row<'a, N>]) -> Vec<(&'static str, &'r Cell<'a, N>)> {
     let mut found = Vec::new();
-    for (_, cell) in rows.iter().flat_map(|row| &row.cells) {
-        match cell {
-            Cell::Value(value) => found.push(*value),
-            Cell::Rows(rows) => found.extend(values(rows)),
-            _ => {}
+    for (key, cell) in rows.iter().flat_map(|row| &row.cells) {
+        found.push((*key, cell));
+        if let Cell::Rows(rows) = cell {
+            found.extend(cells(rows));
         }
     }
     found

@@ -362,13 +362,15 @@ impl<N, T: Numbers<N>> Numbers<N> for AtValue<T> {
         let mut row = Row::new().with("value", &self.value);
         row.cells.push((T::KEY, Cell::Rows(self.items.rows())));
         row.cells.extend(self.proved.map(|proved| ("proved", Cell::Flag(proved))));
-        let mark = (self.status != Status::Ok).then_some(self.status);
-        vec![row.marked(mark, self.why.as_deref())]
+        row.mark = (self.status != Status::Ok).then_some(self.status);
+        row.why = self.why.as_deref();
+        vec![row]
     }
 }
 
 /// What is known of a list as a whole.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Completeness {
     /// Whether it is proved that nothing is missing within the range.
     pub proved: bool,
@@ -398,11 +400,6 @@ impl<T> List<T> {
 
     pub(crate) fn complete(self, complete: Completeness) -> Self {
         List { complete: Some(complete), ..self }
-    }
-
-    #[cfg(feature = "mp")]
-    pub(crate) fn map<S>(self, f: impl FnOnce(Vec<T>) -> Vec<S>) -> List<S> {
-        List { items: f(self.items), promise: self.promise, complete: self.complete }
     }
 }
 

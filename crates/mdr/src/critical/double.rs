@@ -1,10 +1,11 @@
 //! The critical state in f64.
 
 use mdr_analytic::double;
-use mdr_core::contact::{Control, Elasticity, Error, Material, Quantity, Ranged, Regime, Result, Status};
+use mdr_core::contact::{Body, Control, Elasticity, Error, Material, Quantity, Ranged, Regime, Result};
 use mdr_core::number::Literal;
 
-use super::{CriticalAnswer, CriticalFold, CriticalState, PowerLaw, Threshold, first_trouble, out_of_doubles};
+use super::{CriticalAnswer, CriticalFold, CriticalState, PowerLaw, Threshold, first_trouble, folds, out_of_doubles};
+use crate::answer::record::Numbers;
 use crate::answer::{Number, Value};
 use crate::scene::Arithmetic;
 
@@ -24,7 +25,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
     let folds: Option<Vec<CriticalFold>> = match control {
         Control::Machine { stiffness } => Some(match double::machine_folds(n, c, &material, stiffness) {
             Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?.1,
-            folds => folds?.into_iter().map(|fold| CriticalFold::new(fold, ranged)).collect(),
+            found => folds(found?).resolve(ranged),
         }),
         _ => None,
     };
@@ -38,7 +39,8 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
             Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?.0,
             critical => {
                 let critical = critical?;
-                Some(CriticalState::new([critical.contact_radius, critical.indentation, critical.force], ranged))
+                let state = [critical.contact_radius, critical.indentation, critical.force];
+                Some(CriticalState::known(state).resolve(ranged))
             }
         },
     };
@@ -49,10 +51,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
         }
         _ => None,
     };
-    let trouble = [
-        state.as_ref().map(CriticalState::status),
-        threshold.as_ref().map(|threshold| first_trouble([&threshold.c, &threshold.ratio])),
-    ];
+    let of_threshold = threshold.iter().flat_map(|threshold| [&threshold.c, &threshold.ratio]);
     let known = |value: f64| Value::Known(Number::Double(value));
     Ok(CriticalAnswer {
         arithmetic: Arithmetic::Double,
@@ -60,7 +59,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
         regime,
         inputs: law.inputs(|literal| known(literal.nearest_f64()), || known(e_star)),
         kappa: Number::Double(double::kappa(n)?),
-        status: trouble.into_iter().flatten().find(|status| *status != Status::Ok).unwrap_or(Status::Ok),
+        status: first_trouble(state.iter().flat_map(CriticalState::values).chain(of_threshold)),
         state,
         threshold,
         folds,
@@ -77,19 +76,21 @@ fn in_digits(
     material: &Material<f64>,
     control: &Control<f64>,
 ) -> Result<(Option<CriticalState>, Vec<CriticalFold>)> {
-    use mdr_analytic::certified::Question;
     /// Digits that fix the nearest double.
     const ENOUGH: u32 = 40;
     let literal = |value: &f64| {
         let exact = rug::Rational::from_f64(*value).as_ref().and_then(crate::scene::exactly);
         exact.ok_or_else(|| Error::domain(Quantity::Parameter("an input"), value, "a number"))
     };
-    let elasticity = Elasticity::Effective(literal(material.effective_modulus())?);
-    let work = literal(material.work_of_adhesion())?;
-    let control = control.try_map(literal)?;
-    let answer = Question::new(&literal(&n)?, &literal(&c)?, &elasticity, &work, &control)?.answer(ENOUGH)?;
-    let state = answer.critical.map(|c| CriticalState::new([c.contact_radius, c.indentation, c.force], rounded));
-    Ok((state, answer.folds.into_iter().map(|fold| CriticalFold::new(fold, rounded)).collect()))
+    let law = PowerLaw {
+        n: literal(&n)?,
+        c: literal(&c)?,
+        elasticity: Elasticity::Effective(literal(material.effective_modulus())?),
+        work_of_adhesion: literal(material.work_of_adhesion())?,
+        control: control.try_map(literal)?,
+    };
+    let answer = super::certified(&law, ENOUGH)?;
+    Ok((answer.state.resolve(rounded), answer.folds.unwrap_or_default().resolve(rounded)))
 }
 
 /// Without certified digits it stays undecided.
@@ -117,32 +118,31 @@ fn in_range(quantity: Quantity, literal: &Literal) -> Result<f64> {
     representable(literal.nearest_f64()).ok_or_else(|| out_of_doubles(quantity, literal))
 }
 
-/// The double nearest to E*, derived exactly when two bodies are given.
-#[cfg(feature = "mp")]
+/// The double nearest to E*.
 fn effective_modulus(law: &PowerLaw) -> Result<f64> {
+    match &law.elasticity {
+        Elasticity::Effective(e_star) => in_range(Quantity::EffectiveModulus, e_star),
+        Elasticity::Bodies(bodies) => of_bodies(law, bodies),
+    }
+}
+
+/// That of two bodies, derived exactly.
+#[cfg(feature = "mp")]
+fn of_bodies(law: &PowerLaw, bodies: &[Body<Literal>; 2]) -> Result<f64> {
     use mdr_core::number::certify::Enclosure;
-    let Elasticity::Bodies(bodies) = &law.elasticity else { return given_modulus(law) };
     let exact = law.question()?.effective_modulus().clone();
     let nearest = Enclosure::Exact(exact).round(40).map_or(f64::NAN, |decimal| decimal.to_f64());
     representable(nearest).ok_or_else(|| out_of_doubles(Quantity::YoungsModulus, &bodies[0].youngs_modulus))
 }
 
 #[cfg(not(feature = "mp"))]
-fn effective_modulus(law: &PowerLaw) -> Result<f64> {
-    let Elasticity::Bodies(bodies) = &law.elasticity else { return given_modulus(law) };
-    let body = |body: &mdr_core::contact::Body<Literal>| {
+fn of_bodies(_: &PowerLaw, bodies: &[Body<Literal>; 2]) -> Result<f64> {
+    let body = |body: &Body<Literal>| {
         let modulus = in_range(Quantity::YoungsModulus, &body.youngs_modulus)?;
-        mdr_core::contact::Body::new(modulus, body.poissons_ratio.nearest_f64())
+        Body::new(modulus, body.poissons_ratio.nearest_f64())
     };
     let material = Material::from_bodies(&body(&bodies[0])?, &body(&bodies[1])?, 1.0)?;
     Ok(*material.effective_modulus())
-}
-
-fn given_modulus(law: &PowerLaw) -> Result<f64> {
-    match &law.elasticity {
-        Elasticity::Effective(e_star) => in_range(Quantity::EffectiveModulus, e_star),
-        Elasticity::Bodies(_) => Ok(f64::NAN),
-    }
 }
 
 fn representable(value: f64) -> Option<f64> {
@@ -152,18 +152,16 @@ fn representable(value: f64) -> Option<f64> {
 fn ranged(value: Ranged<f64>) -> Value {
     match value {
         Ranged::Value(value) => Value::Known(Number::Double(value)),
-        Ranged::Overflow { log10 } | Ranged::Underflow { log10 } => {
-            Value::Unknown { status: value.status(), log10: Some(log10), why: None }
-        }
+        Ranged::Overflow { log10 } | Ranged::Underflow { log10 } => Value::out_of_range(log10),
     }
 }
 
 /// The double nearest to a decimal.
 #[cfg(feature = "mp")]
-fn rounded(decimal: mdr_core::number::Decimal) -> Value {
-    match representable(decimal.to_f64()) {
-        None if decimal.is_zero() => Value::Known(Number::Double(0.0)),
-        None => Value::out_of_range(decimal.log10_f64()),
-        Some(value) => Value::Known(Number::Double(value)),
+fn rounded(number: Number) -> Value {
+    match (representable(number.to_f64()), number) {
+        (Some(value), _) => Value::Known(Number::Double(value)),
+        (None, Number::Certified(decimal)) if !decimal.is_zero() => Value::out_of_range(decimal.log10_f64()),
+        (None, _) => Value::Known(Number::Double(0.0)),
     }
 }

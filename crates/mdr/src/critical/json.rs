@@ -3,8 +3,10 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::{CriticalAnswer, CriticalFold, CriticalState, Inputs};
-use crate::answer::Value;
+use super::{CriticalAnswer, Inputs, Threshold};
+use crate::answer::json::serialize_cells;
+use crate::answer::record::Numbers;
+use crate::answer::{Cell, Row};
 
 /// Names the keys of the answer and their meaning.
 const SCHEMA: &str = "mdr.critical/1";
@@ -20,43 +22,25 @@ impl Serialize for CriticalAnswer {
         map.serialize_entry("inputs", &self.inputs)?;
         map.serialize_entry("kappa", &self.kappa)?;
         map.serialize_entry("status", &self.status.to_string())?;
-        state(&mut map, self.state.as_ref())?;
-        number(&mut map, "threshold_c", self.threshold.as_ref().map(|threshold| &threshold.c))?;
-        if let Some(threshold) = &self.threshold {
-            number(&mut map, "ratio", Some(&threshold.ratio))?;
+        let mut cells = match &self.state {
+            Some(state) => Row::new().with("", state).cells,
+            None => ["contact_radius", "indentation", "force"].map(|key| (key, Cell::Absent)).into(),
+        };
+        match &self.threshold {
+            Some(Threshold { c, ratio }) => {
+                cells.extend([("threshold_c", Cell::Value(c)), ("ratio", Cell::Value(ratio))])
+            }
+            None => cells.push(("threshold_c", Cell::Absent)),
         }
+        serialize_cells(&mut map, &cells)?;
         if let Some(folds) = &self.folds {
-            map.serialize_entry("folds", folds)?;
+            map.serialize_entry("folds", &folds.rows())?;
         }
         if let Some(validity) = &self.validity {
             let promise = validity.promise().name();
             map.serialize_entry("promise", &std::collections::BTreeMap::from([("validity", promise)]))?;
             map.serialize_entry("validity", validity)?;
         }
-        map.end()
-    }
-}
-
-/// A number and, where it is out of range, its log10; null where there is none.
-fn number<M: SerializeMap>(map: &mut M, key: &str, value: Option<&Value>) -> Result<(), M::Error> {
-    map.serialize_entry(key, &value)?;
-    match value.and_then(Value::log10) {
-        Some(log10) => map.serialize_entry(&format!("log10_{key}"), &log10),
-        None => Ok(()),
-    }
-}
-
-fn state<M: SerializeMap>(map: &mut M, state: Option<&CriticalState>) -> Result<(), M::Error> {
-    let values = state.map(CriticalState::values).map_or([None; 3], |values| values.map(Some));
-    ["contact_radius", "indentation", "force"].iter().zip(values).try_for_each(|(key, value)| number(map, key, value))
-}
-
-impl Serialize for CriticalFold {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        state(&mut map, Some(&self.state))?;
-        map.serialize_entry("kind", self.kind.name())?;
-        map.serialize_entry("status", &self.state.status().to_string())?;
         map.end()
     }
 }

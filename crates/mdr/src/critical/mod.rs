@@ -9,9 +9,10 @@ mod words;
 use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Instability, Quantity, Regime, Shape, Status};
 use mdr_core::number::Literal;
 
+use crate::answer::record::{Numbers, Part, Row, record};
 use crate::answer::{Number, Value};
 use crate::error::Result;
-use crate::scene::{Arithmetic, Profile, Scene};
+use crate::scene::{Arithmetic, Location, Profile, Scene};
 use crate::validity::Validity;
 
 pub use rows::{CriticalRow, overview, spreadsheet};
@@ -32,24 +33,24 @@ pub struct PowerLaw {
     pub control: Control<Literal>,
 }
 
-/// Radius, depth and force of a critical state, in SI units.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CriticalState {
-    /// a.
-    pub contact_radius: Value,
-    /// d.
-    pub indentation: Value,
-    /// F.
-    pub force: Value,
-}
+record! {
+    /// Radius, depth and force of a critical state, in SI units.
+    CriticalState {
+        /// a.
+        contact_radius: Value<N>,
+        /// d.
+        indentation: Value<N>,
+        /// F.
+        force: Value<N>,
+    }
 
-/// A fold of the position of a machine.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CriticalFold {
-    /// The state there.
-    pub state: CriticalState,
-    /// Of the controlled quantity, as a function of the contact radius.
-    pub kind: FoldKind,
+    /// A fold of the position of a machine.
+    CriticalFold {
+        /// The state there.
+        state: CriticalState<N>,
+        /// Of the controlled quantity, as a function of the contact radius.
+        kind: FoldKind,
+    }
 }
 
 /// What decides at n = 1/2.
@@ -131,11 +132,20 @@ impl CriticalAnswer {
     }
 }
 
-impl CriticalState {
-    fn new<N>([contact_radius, indentation, force]: [N; 3], value: impl Fn(N) -> Value) -> Self {
-        CriticalState { contact_radius: value(contact_radius), indentation: value(indentation), force: value(force) }
+impl<N> CriticalState<N> {
+    fn known(state: [N; 3]) -> Self {
+        let [contact_radius, indentation, force] = state.map(Value::Known);
+        CriticalState { contact_radius, indentation, force }
     }
+}
 
+impl<N> From<Instability<N>> for CriticalFold<N> {
+    fn from(Instability { contact_radius, indentation, force, kind }: Instability<N>) -> Self {
+        CriticalFold { state: CriticalState::known([contact_radius, indentation, force]), kind }
+    }
+}
+
+impl CriticalState {
     /// Its quantities, in the order of a, d and F.
     pub fn values(&self) -> [&Value; 3] {
         [&self.contact_radius, &self.indentation, &self.force]
@@ -147,15 +157,8 @@ impl CriticalState {
     }
 }
 
-impl CriticalFold {
-    fn new<N>(fold: Instability<N>, value: impl Fn(N) -> Value) -> Self {
-        let state = CriticalState::new([fold.contact_radius, fold.indentation, fold.force], value);
-        CriticalFold { state, kind: fold.kind }
-    }
-}
-
-fn first_trouble<const K: usize>(values: [&Value; K]) -> Status {
-    values.map(Value::status).into_iter().find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
+fn first_trouble<'a>(values: impl IntoIterator<Item = &'a Value>) -> Status {
+    values.into_iter().map(Value::status).find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
 }
 
 /// The critical state of a power law: (1.15), (1.17) and their kin under a dead load and on a machine.
@@ -207,12 +210,11 @@ impl PowerLaw {
     /// # Errors
     /// [`Error::Scene`](crate::Error::Scene) with the key of what is missing, no number, or not positive.
     pub fn from_keys<'a>(text: impl Fn(&str) -> Option<&'a str>) -> Result<PowerLaw> {
-        let refuse = |key: &str, why: String| crate::Error::Scene { place: None, key: key.to_owned(), why };
+        let refuse = |key: &str, why: String| Location::built(key).refuse(why);
         let number = |key: &str| -> Result<Literal> {
             let text = text(key).ok_or_else(|| refuse(key, "missing".to_owned()))?;
             let literal: Literal = text.parse().map_err(|error| refuse(key, format!("`{text}` is {error}")))?;
-            let positive = !literal.is_zero() && !literal.is_negative();
-            if positive { Ok(literal) } else { Err(refuse(key, format!("must be positive, got {literal}"))) }
+            Location::built(key).require_positive(literal)
         };
         let control = match text("control").unwrap_or("indentation") {
             "indentation" => Control::Indentation,
@@ -293,13 +295,16 @@ impl PowerLaw {
     }
 }
 
+fn folds<N>(folds: Vec<Instability<N>>) -> Vec<CriticalFold<N>> {
+    folds.into_iter().map(CriticalFold::from).collect()
+}
+
 #[cfg(feature = "mp")]
 fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalAnswer> {
-    use mdr_core::number::Decimal;
     use mdr_core::number::certify::Enclosure;
     let question = law.question()?;
     let answer = question.answer(digits)?;
-    let known = |decimal: Decimal| Value::Known(Number::Certified(decimal));
+    let known = |decimal| Value::Known(Number::Certified(decimal));
     let e_star = || match Enclosure::Exact(question.effective_modulus().clone()).round(digits) {
         Some(decimal) => known(decimal),
         None => Value::unknown(Status::Undecided, "E* of the two bodies"),
@@ -314,12 +319,13 @@ fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalA
         status: Status::Ok,
         state: answer
             .critical
-            .map(|critical| CriticalState::new([critical.contact_radius, critical.indentation, critical.force], known)),
+            .map(|state| CriticalState::known([state.contact_radius, state.indentation, state.force]))
+            .convert(Number::Certified),
         threshold: answer
             .threshold
             .zip(answer.ratio)
             .map(|(threshold, ratio)| Threshold { c: known(threshold), ratio: known(ratio) }),
-        folds: is_machine.then(|| answer.folds.into_iter().map(|fold| CriticalFold::new(fold, known)).collect()),
+        folds: is_machine.then(|| folds(answer.folds).convert(Number::Certified)),
         validity: None,
     })
 }
@@ -327,8 +333,7 @@ fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalA
 /// n and C of a power law, exactly.
 #[cfg(feature = "mp")]
 fn rational_constants(profile: &Profile) -> Option<[Literal; 2]> {
-    let [n, c] = profile.power_law(Literal::to_rational, |radius| (radius * 2u32).recip())?;
-    Some([crate::scene::exactly(&n)?, crate::scene::exactly(&c)?])
+    profile.exact_power_law(Literal::to_rational)
 }
 
 /// The same, with C = 1/2R in hardware arithmetic.

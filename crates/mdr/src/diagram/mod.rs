@@ -10,6 +10,9 @@ use mdr_numeric::path::{self, EventKind, State};
 
 pub use mdr_core::contact::Equilibrium;
 pub use mdr_numeric::folds::Completeness;
+
+/// A state in the planes of the pictures: contact radius, indentation depth, force.
+pub use crate::double::State as Spot;
 pub use sampling::Sample;
 
 use sampling::samples;
@@ -17,17 +20,6 @@ use sampling::samples;
 use crate::error::Result;
 use crate::scene::Scene;
 use crate::solve;
-
-/// A state in the planes of the pictures: contact radius, indentation depth, force.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot {
-    /// a.
-    pub contact_radius: f64,
-    /// d.
-    pub indentation: f64,
-    /// F.
-    pub force: f64,
-}
 
 /// The curve of equilibria between two folds.
 #[derive(Clone, Debug)]
@@ -118,7 +110,10 @@ impl Scene {
     fn shown(&self, radius: Option<f64>) -> Result<Diagram> {
         self.places.require_doubles("a drawing is made in f64")?;
         if !self.has_material() {
-            return Err(self.places.refuse_profile("a drawing shows equilibria, and needs [material] in the scene"));
+            return Err(self
+                .places
+                .of("profile")
+                .refuse("a drawing shows equilibria, and needs [material] in the scene"));
         }
         solve::drawn(self, REACH, |model, branches| {
             let events = if self.path.is_empty() { Vec::new() } else { solve::follow(model, branches, self)?.events };

@@ -24,7 +24,7 @@ impl Contact {
         if let Some(inverse) = self.inverse(control)? {
             return by_closed_form(inverse, self.has_large_branch(), control, values);
         }
-        self.judged(control, stop, |branches| searched(branches, values))
+        self.branched(control, stop, true, |branches| searched(branches, values))
     }
 
     /// All equilibria at one value by increasing radius, admissible or not, by search along every branch: as a scene in f64 is
@@ -33,7 +33,7 @@ impl Contact {
     /// # Errors
     /// A value out of its domain; as [`Contact::equilibria`].
     pub fn equilibria_at(&self, control: &Control<f64>, value: f64, stop: &Stop) -> Result<Vec<Equilibrium<f64>>> {
-        self.branched(control, stop, |branches| branches.equilibria(&value))
+        self.branched(control, stop, false, |branches| branches.equilibria(&value))
     }
 
     /// The stable equilibrium at each value of what is controlled, as if each were asked alone.
@@ -44,7 +44,7 @@ impl Contact {
         if let Some(inverse) = self.inverse(control)? {
             return stable_by_closed_form(inverse, self.has_large_branch(), control, values);
         }
-        self.judged(control, stop, |branches| {
+        self.branched(control, stop, true, |branches| {
             let mut order: Vec<usize> = (0..=branches.folds().len()).collect();
             order.retain(|branch| branches.is_stable(*branch) != Some(false));
             if choice == Choice::Largest {

@@ -6,7 +6,7 @@ use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{self, EventKind, Ledger, Loss, Path};
 
 use super::{Contact, States, numbers};
-use crate::run::Stop;
+use crate::run::{Stop, lack};
 use crate::solve;
 
 pub use mdr_numeric::path::Start;
@@ -63,11 +63,11 @@ impl Contact {
     /// # Errors
     /// No value, or one that is not finite; no stable equilibrium at the first; as [`Contact::equilibria`].
     pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>, stop: &Stop) -> Result<History> {
-        self.judged(control, stop, |branches| {
+        self.branched(control, stop, true, |branches| {
             let path = Path::follow(branches, start, values)?;
             let losses = Loss::of_each(&path, branches);
             let mut states = States::with_capacity(values.len());
-            for event in path.events.iter().filter(|event| is_arrival(event)).take(values.len()) {
+            for event in path.events.iter().filter(|event| solve::is_arrival(event.kind)).take(values.len()) {
                 let state = State::of(&event.after, control, event.value);
                 let known = !state.contact_radius.is_nan();
                 states.push(state.row(), if known { Status::Ok } else { Status::NoEquilibrium });
@@ -81,7 +81,7 @@ impl Contact {
                 states.push([f64::NAN; 3], end);
             }
             let mut jumps = events(&path, &losses, control)?;
-            jumps.retain(|event| !matches!(event.kind, EventKind::Start | EventKind::WayPoint | EventKind::End));
+            jumps.retain(|event| !solve::is_arrival(event.kind));
             Ok(History { states, jumps })
         })
     }
@@ -98,14 +98,13 @@ impl Contact {
         between: usize,
         stop: &Stop,
     ) -> Result<LoadingPath> {
-        self.judged(control, stop, |branches| {
+        self.branched(control, stop, true, |branches| {
             let path = Path::follow(branches, start, way)?;
             let losses = Loss::of_each(&path, branches);
-            let balance = match Ledger::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)) {
-                Ok(balance) => balance.map(|balance| [balance.work, balance.lost, balance.stored]),
-                Err(Error::Stopped) => return Err(Error::Stopped),
-                Err(_) => Some([f64::NAN; 3]),
-            };
+            let balance = lack(Ledger::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)))?;
+            let balance = balance.map_or(Some([f64::NAN; 3]), |balance| {
+                balance.map(|balance| [balance.work, balance.lost, balance.stored])
+            });
             let events = events(&path, &losses, control)?;
             Ok(LoadingPath { curve: curve(branches, &events, between)?, events, balance })
         })
@@ -117,7 +116,7 @@ impl Contact {
     /// # Errors
     /// [`Error::NoEquilibrium`] where there is no contact to begin with, or where it does not come off; as [`Contact::follow`].
     pub fn pull_off(&self, control: &Control<f64>, stop: &Stop) -> Result<State> {
-        self.judged(control, stop, |branches| {
+        self.branched(control, stop, true, |branches| {
             let value = |fold: &contact::Instability<f64>| control.controlled(&fold.indentation, &fold.force);
             let lowest = branches.folds().iter().map(value).filter(|value| value.is_finite()).fold(-1e-150, f64::min);
             let path = Path::follow(branches, &Start::Largest, &[0.0, 2.0 * lowest])?;
@@ -142,11 +141,6 @@ impl State {
     fn row(self) -> [f64; 3] {
         [self.contact_radius, self.indentation, self.force]
     }
-}
-
-/// Whether an event is the arrival at a value.
-fn is_arrival(event: &path::Event<f64>) -> bool {
-    matches!(event.kind, EventKind::Start | EventKind::WayPoint | EventKind::End)
 }
 
 /// The events with the energy lost in each.
@@ -174,11 +168,9 @@ fn curve(branches: &Branches<'_, f64>, events: &[Event], between: usize) -> Resu
         if let Some([from, to]) = ends.filter(|[from, to]| *from > 0.0 && *to > 0.0 && from != to) {
             for step in 1..=between {
                 let radius = from + (to - from) * (step as f64 / (between + 1) as f64);
-                match branches.curve().state(&radius) {
-                    Ok((indentation, force)) => states.push(State { contact_radius: radius, indentation, force }),
-                    Err(Error::Stopped) => return Err(Error::Stopped),
-                    // A radius at which g has no number, such as an edge, is passed by.
-                    Err(_) => {}
+                // A radius at which g has no number, such as an edge, is passed by.
+                if let Ok((indentation, force)) = lack(branches.curve().state(&radius))? {
+                    states.push(State { contact_radius: radius, indentation, force });
                 }
             }
         }

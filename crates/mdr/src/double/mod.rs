@@ -89,7 +89,7 @@ pub struct Contact {
     /// Its closed forms under fixed grips and under a dead load, once they have been needed.
     inverses: [OnceLock<Inverse>; 2],
     /// What was found under the control that was asked for last: a search for it takes longer than many equilibria.
-    known: Mutex<Option<Known>>,
+    known: Mutex<Option<Arc<Known>>>,
 }
 
 /// What is known of a contact under one control.
@@ -97,7 +97,7 @@ struct Known {
     control: Control<f64>,
     folds: Folds<f64>,
     /// Once it has been needed.
-    admissibility: Option<Arc<Admissibility<'static>>>,
+    admissibility: OnceLock<Arc<Admissibility<'static>>>,
 }
 
 impl Contact {
@@ -109,7 +109,7 @@ impl Contact {
         scene.places.require_doubles("ask for certified digits")?;
         let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(Literal::nearest_f64);
         Ok(Contact {
-            transform: Arc::from(solve::transform::<f64>(&scene.profile, (), None)?),
+            transform: Arc::from(solve::transform_in_doubles(&scene.profile)?),
             material: Material::new(modulus, work)?,
             law: scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius),
             inverses: Default::default(),
@@ -170,7 +170,7 @@ impl Contact {
     /// # Errors
     /// A stiffness that is not positive; as [`Contact::transform`]; a fold beyond the range of f64.
     pub fn folds(&self, control: &Control<f64>, stop: &Stop) -> Result<Vec<Instability<f64>>> {
-        self.branched(control, stop, |branches| {
+        self.branched(control, stop, false, |branches| {
             Ok(branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect())
         })
     }
@@ -179,59 +179,44 @@ impl Contact {
         CountedTransform::sharing(Arc::clone(&self.transform), &stop.tally())
     }
 
-    /// What `ask` finds on the branches under a control.
+    /// What `ask` finds on the branches under a control; with the admissibility of their states where that matters.
     fn branched<T>(
         &self,
         control: &Control<f64>,
         stop: &Stop,
-        ask: impl FnOnce(Branches<'_, f64>) -> Result<T>,
+        judged: bool,
+        ask: impl FnOnce(&Branches<'_, f64>) -> Result<T>,
     ) -> Result<T> {
         control.check()?;
         let transform = self.counted(stop);
         let curve = Curve::new(&transform, &self.material, control);
-        let known = self.last_known().take().filter(|last| last.control == *control);
-        let known = match known {
+        let last = self.last_known().clone().filter(|last| last.control == *control);
+        let known = match last {
             Some(known) => known,
-            None => Known { control: control.clone(), folds: folds::find(&curve)?, admissibility: None },
+            None => {
+                let folds = folds::find(&curve)?;
+                Arc::new(Known { control: control.clone(), folds, admissibility: OnceLock::new() })
+            }
         };
-        let (found, admissibility) = (known.folds.clone(), known.admissibility.clone());
-        *self.last_known() = Some(known);
-        if let Some(fold) = found.beyond.first() {
+        *self.last_known() = Some(Arc::clone(&known));
+        if let Some(fold) = known.folds.beyond.first() {
             return Err(fold.error.clone());
         }
-        let branches = Branches::cut_at(curve, found);
-        ask(match admissibility {
-            Some(admissibility) => branches.with_admissibility(admissibility),
-            None => branches,
-        })
-    }
-
-    /// The same where it matters which states are admissible.
-    fn judged<T>(
-        &self,
-        control: &Control<f64>,
-        stop: &Stop,
-        ask: impl FnOnce(&Branches<'_, f64>) -> Result<T>,
-    ) -> Result<T> {
-        self.branched(control, stop, |branches| {
-            let last = self.last_known();
-            let known = last.as_ref().is_some_and(|last| last.control == *control && last.admissibility.is_some());
-            drop(last);
-            if known {
-                return ask(&branches);
-            }
+        let branches = Branches::cut_at(curve, known.folds.clone());
+        if !judged {
+            return ask(&branches);
+        }
+        let search = || {
             let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
             let range = search_range(branches.curve().material_length(), &radii);
-            let admissibility = Arc::new(Admissibility::new(Arc::clone(&self.transform), range));
-            if let Some(last) = self.last_known().as_mut().filter(|last| last.control == *control) {
-                last.admissibility = Some(Arc::clone(&admissibility));
-            }
-            ask(&branches.with_admissibility(admissibility))
-        })
+            Arc::new(Admissibility::new(Arc::clone(&self.transform), range))
+        };
+        let admissibility = Arc::clone(known.admissibility.get_or_init(search));
+        ask(&branches.with_admissibility(admissibility))
     }
 
     /// What is known. A thread that panicked has left it whole: it is replaced at once.
-    fn last_known(&self) -> MutexGuard<'_, Option<Known>> {
+    fn last_known(&self) -> MutexGuard<'_, Option<Arc<Known>>> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

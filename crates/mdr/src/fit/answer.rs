@@ -1,29 +1,20 @@
 //! What a fit tells: estimates with their errors, or what the data cannot tell.
 
+use mdr_core::named;
 use mdr_core::number::Decimal;
 
 use super::{Leg, Observation};
 use crate::validity::Validity;
 
-/// How a fit ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum FitStatus {
-    /// The estimates are a minimum of the objective, and the data determine all of them.
-    Fitted,
-    /// The data determine only the [invariants](Fit::invariants).
-    Unidentifiable,
-    /// The iteration ended before its tolerance was met.
-    NotConverged,
-}
-
-impl FitStatus {
-    /// `fitted`, `unidentifiable` or `not-converged`.
-    pub fn name(self) -> &'static str {
-        match self {
-            FitStatus::Fitted => "fitted",
-            FitStatus::Unidentifiable => "unidentifiable",
-            FitStatus::NotConverged => "not-converged",
-        }
+named! {
+    /// How a fit ended.
+    pub enum FitStatus {
+        /// The estimates are a minimum of the objective, and the data determine all of them.
+        Fitted = "fitted",
+        /// The data determine only the [invariants](Fit::invariants).
+        Unidentifiable = "unidentifiable",
+        /// The iteration ended before its tolerance was met.
+        NotConverged = "not-converged",
     }
 }
 
@@ -93,7 +84,7 @@ pub struct FittedRow {
     /// What was measured, in SI units.
     pub y: f64,
     /// Approach or retract.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "leg"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
     pub leg: Leg,
     /// The arc it lies on, 0 the outermost; −1 detached.
     pub label: i32,
@@ -171,7 +162,7 @@ pub struct CertifiedEstimate {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Fit {
     /// How it ended.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "status"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
     pub status: FitStatus,
     /// What the status means for these data, in words; empty when all is well.
     pub reason: String,
@@ -257,22 +248,13 @@ impl Fit {
     }
 }
 
+/// Digits, and names.
 #[cfg(feature = "serde")]
-fn status<S: serde::Serializer>(status: &FitStatus, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(status.name())
+fn text<S: serde::Serializer>(text: &impl std::fmt::Display, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(text)
 }
 
 #[cfg(feature = "serde")]
 fn observation<S: serde::Serializer>(observation: &Observation, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(observation.name())
-}
-
-#[cfg(feature = "serde")]
-fn text<S: serde::Serializer>(digits: &Decimal, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(digits)
-}
-
-#[cfg(feature = "serde")]
-fn leg<S: serde::Serializer>(leg: &Leg, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(leg.name())
 }

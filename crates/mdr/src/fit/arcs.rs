@@ -50,7 +50,7 @@ pub(super) fn turns(contact: &Contact<'_, f64>) -> Result<Vec<Turn>> {
         (_, Some(stiffness)) => Control::Machine { stiffness },
         (_, None) => Control::Indentation,
     };
-    let found = folds::find(&Curve::new(contact.tip.transform(), &material, &control))?;
+    let found = folds::find(&Curve::new(&*contact.tip.transform, &material, &control))?;
     let turn = |is_fold: bool| {
         move |fold: &mdr_core::contact::Instability<f64>| Turn { s: fold.contact_radius, kind: fold.kind, is_fold }
     };
@@ -62,7 +62,7 @@ pub(super) fn turns(contact: &Contact<'_, f64>) -> Result<Vec<Turn>> {
 /// Follows folds to nearby numbers of the problem; none when one of them cannot be followed.
 pub(super) fn followed(contact: &Contact<'_, f64>, turns: &[Turn]) -> Option<Vec<Turn>> {
     let follow = |turn: &Turn| {
-        if !turn.is_fold || contact.tip.transform().kinks().contains(&turn.s) || contact.edge == Some(turn.s) {
+        if !turn.is_fold || contact.tip.transform.kinks().contains(&turn.s) || contact.edge == Some(turn.s) {
             return None;
         }
         let mut s = turn.s;
@@ -125,7 +125,7 @@ pub(super) fn arcs(contact: &Contact<'_, f64>, turns: &[Turn], x: [f64; 2]) -> R
 /// A length of the contact: where Δl is a as a sphere of that radius would have it.
 fn scale(contact: &Contact<'_, f64>) -> f64 {
     let length = contact.numbers.work / contact.numbers.e_star;
-    contact.tip.transform().outer_radius().map_or(length, |outer| (0.5 * outer).min(length))
+    contact.tip.transform.outer_radius().map_or(length, |outer| (0.5 * outer).min(length))
 }
 
 impl Arc {
@@ -134,7 +134,7 @@ impl Arc {
         let inner = |turn: &Turn| if turn.is_fold { turn.s } else { turn.s * (1.0 + 1e-12) };
         let outer = |turn: &Turn| if turn.is_fold { turn.s } else { turn.s * (1.0 - 1e-12) };
         let end =
-            contact.tip.transform().outer_radius().filter(|_| contact.edge.is_none()).map(|end| end * (1.0 - 1e-12));
+            contact.tip.transform.outer_radius().filter(|_| contact.edge.is_none()).map(|end| end * (1.0 - 1e-12));
         let last = match (upper.map(outer), end) {
             (Some(upper), Some(end)) => Some(upper.min(end)),
             (upper, end) => upper.or(end),
@@ -203,7 +203,7 @@ pub(super) fn end_speed(contact: &Contact<'_, f64>, kind: Kind, point: &Point<f6
         let moved = contact.edge_partial(kind);
         return Ok(moved);
     }
-    let kinks = contact.tip.transform().kinks();
+    let kinks = contact.tip.transform.kinks();
     if kinks.contains(&point.a) {
         return Ok(contact.kink_partial(kind, &point.a));
     }

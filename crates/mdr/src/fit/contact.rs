@@ -1,18 +1,16 @@
 //! The curve of a contact as it is observed, and its exact derivatives, in any arithmetic.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use mdr_analytic::Kappa;
-use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Error, Quantity, Result, Transform};
-use mdr_core::number::{Dual, Real};
-use mdr_numeric::transform::Quadrature;
+use mdr_core::contact::{Result, Transform};
+use mdr_core::number::{Dual, Literal, Real};
 
 use super::observation::Observation;
 use super::problem::{Kind, Problem};
 use crate::scene::Profile;
+use crate::solve::transform;
 
 /// The numbers of a problem in one arithmetic.
 #[derive(Clone, Debug)]
@@ -60,7 +58,8 @@ type DualTransform<R> = Arc<dyn Transform<Dual<R>>>;
 
 /// A profile for one set of its numbers: its transform, and what derivatives need.
 pub(super) struct Tip<R: Real> {
-    transform: Arc<dyn Transform<R>>,
+    /// g and its relatives.
+    pub(super) transform: Arc<dyn Transform<R>>,
     /// With no number seeded: for g''.
     curvature: DualTransform<R>,
     /// With the logarithm of one number seeded, by its index.
@@ -77,52 +76,26 @@ impl<R: Struve + Kappa> Tip<R> {
         Dual<R>: Struve + Kappa + Real<Ctx = R::Ctx>,
     {
         let dual = |index: Option<usize>| {
-            let number = |(place, number): (usize, &R)| {
-                let slope = if Some(place) == index { number.clone() } else { number.lit(0) };
-                Dual { value: number.clone(), slope }
+            let mut places = numbers.iter().enumerate();
+            let mut number = |literal: &Literal| match places.next() {
+                Some((place, number)) if Some(place) == index => Dual { value: number.clone(), slope: number.clone() },
+                Some((_, number)) => Dual::constant(number.clone()),
+                None => Dual::from_literal(ctx, literal),
             };
-            let numbers: Vec<Dual<R>> = numbers.iter().enumerate().map(number).collect();
-            transform::<Dual<R>>(profile, ctx, &mut numbers.into_iter()).map(Arc::from)
+            transform::<Dual<R>>(profile, ctx, &mut number, None).map(Arc::from)
         };
         let seeded = free.iter().map(|index| Ok((*index, dual(Some(*index))?))).collect::<Result<_>>()?;
-        let transform = transform::<R>(profile, ctx, &mut numbers.iter().cloned())?;
+        let mut places = numbers.iter();
+        let mut number = |literal: &Literal| places.next().cloned().unwrap_or_else(|| R::from_literal(ctx, literal));
+        let transform = transform::<R>(profile, ctx, &mut number, None)?;
         Ok(Tip { transform: Arc::from(transform), curvature: dual(None)?, seeded })
     }
 
-    /// g and its relatives.
-    pub(super) fn transform(&self) -> &dyn Transform<R> {
-        &*self.transform
+    /// The same with the logarithm of a number of the profile seeded.
+    fn seeded(&self, kind: Kind) -> Option<&DualTransform<R>> {
+        let Kind::Profile(index) = kind else { return None };
+        self.seeded.iter().find(|(seed, _)| *seed == index).map(|(_, dual)| dual)
     }
-}
-
-/// The transform of a profile with the next numbers in the order of [`Profile::numbers`].
-fn transform<R: Struve + Kappa>(
-    profile: &Profile,
-    ctx: R::Ctx,
-    numbers: &mut dyn Iterator<Item = R>,
-) -> Result<Box<dyn Transform<R>>> {
-    let mut next =
-        |literal: &mdr_core::number::Literal| numbers.next().unwrap_or_else(|| R::from_literal(ctx, literal));
-    Ok(match profile {
-        Profile::Shape(shape) => closed_form(shape.map(|_, literal| next(literal)))?,
-        Profile::Sum(terms) => {
-            let terms = terms.iter().map(|term| transform(term, ctx, numbers)).collect::<Result<_>>()?;
-            Box::new(Sum::new(terms))
-        }
-        Profile::Formula(formula) => {
-            let values: BTreeMap<String, R> =
-                formula.parameters.iter().map(|(name, literal)| (name.clone(), next(literal))).collect();
-            let profile = formula.expression.bind_numbers::<R>(ctx, &values).map_err(|error| Error::Domain {
-                quantity: Quantity::Parameter("the formula"),
-                value: error.to_string(),
-                requirement: "one whose names all have values",
-            })?;
-            #[cfg(feature = "mp")]
-            let profile = profile.broken_at(ctx, &formula.breaks);
-            Box::new(Quadrature::new(profile))
-        }
-        Profile::Table(measured) => Box::new(measured.table().profile::<R>(ctx)?),
-    })
 }
 
 /// A state of the curve with its observed place and its tangent.
@@ -173,10 +146,8 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
         }
     }
 
-    /// What the contact point and the baseline add to X and Y.
-    fn offsets(&self) -> [R; 2] {
-        let Numbers { contact_point, baseline, .. } = &self.numbers;
-        let (point, line) = (contact_point.clone(), baseline.clone());
+    /// What offsets of the contact point and of the baseline add to X and Y.
+    fn offsets(&self, point: R, line: R) -> [R; 2] {
         match self.observation {
             Observation::IndentationOfForce => [line, point],
             Observation::ForceOfRadius => [point.lit(0), line],
@@ -209,7 +180,7 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
         let f = double.clone() * &a * &above_mean;
         let f_slope = double * &(a.clone() * &d_slope - lag);
         let [x, y] = self.observe(d.clone(), f.clone(), a.clone());
-        let [x0, y0] = self.offsets();
+        let [x0, y0] = self.offsets(self.numbers.contact_point.clone(), self.numbers.baseline.clone());
         let slopes = [d_slope.clone(), f_slope.clone(), a_slope.clone()];
         let tangent = self.observe(d_slope, f_slope, a_slope);
         let beyond_edge = edge.is_some();
@@ -235,11 +206,7 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
             }
             Kind::ContactPoint | Kind::Baseline => {
                 let one = |mine: Kind| if mine == kind { point.a.lit(1) } else { zero() };
-                let (point, line) = (one(Kind::ContactPoint), one(Kind::Baseline));
-                Ok(match self.observation {
-                    Observation::IndentationOfForce | Observation::RadiusOfForce => [line, point],
-                    _ => [point, line],
-                })
+                Ok(self.offsets(one(Kind::ContactPoint), one(Kind::Baseline)))
             }
         }
     }
@@ -253,10 +220,8 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
         Ok(match kind {
             Kind::EffectiveModulus => [half, lever + &point.f, a.lit(0)],
             Kind::WorkOfAdhesion => [-half, -lever, a.lit(0)],
-            Kind::Profile(index) => {
-                let Some((_, dual)) = self.tip.seeded.iter().find(|(seed, _)| *seed == index) else {
-                    return Ok([a.lit(0), a.lit(0), a.lit(0)]);
-                };
+            Kind::Profile(_) => {
+                let Some(dual) = self.tip.seeded(kind) else { return Ok([a.lit(0), a.lit(0), a.lit(0)]) };
                 // At a vertical edge the contact radius is a number of the profile.
                 let at_edge = if point.beyond_edge { dual.outer_radius() } else { None };
                 let radius = at_edge.unwrap_or_else(|| Dual::constant(a.clone()));
@@ -288,50 +253,41 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
     }
 
     /// ∂X' at a fixed contact radius, before a vertical edge.
+    ///
+    /// # Errors
+    /// Those of the transform.
     pub(super) fn x_slope_partial(&self, kind: Kind, point: &Point<R>) -> Result<R> {
-        let Point { a, elongation, .. } = point;
-        let e_star = self.numbers.e_star.clone().times(2);
-        let quarter = elongation.clone() / &a.clone().times(4);
-        let half = elongation.clone().over(2);
-        let [d, f] = match kind {
-            Kind::EffectiveModulus => {
-                // F' = 2E*(a d' − Δl) grows with E* itself, too.
-                let slope = self.tip.transform.slope(a)? - elongation.clone() / &a.clone().times(2);
-                let own = a.clone() * &slope - elongation;
-                [quarter.clone(), (own + a.clone() * &quarter + half) * &e_star]
-            }
-            Kind::WorkOfAdhesion => [-quarter.clone(), -(a.clone() * &quarter + half) * &e_star],
-            Kind::Profile(index) => match self.tip.seeded.iter().find(|(seed, _)| *seed == index) {
-                Some((_, dual)) => {
-                    let d = dual.slope(&Dual::constant(a.clone()))?.slope;
-                    [d.clone(), a.clone() * &d * &e_star]
-                }
-                None => [a.lit(0), a.lit(0)],
+        let Point { a, elongation, slopes: [d_slope, f_slope, _], .. } = point;
+        let (quarter, half) = (elongation.clone() / &a.clone().times(4), elongation.clone().over(2));
+        let zero = || a.lit(0);
+        // F' = 2E*(a d' − Δl) changes with d' and Δl, and with E* itself.
+        let (d, lag, own) = match kind {
+            Kind::EffectiveModulus => (quarter, -half, a.clone() * d_slope - elongation),
+            Kind::WorkOfAdhesion => (-quarter, half, zero()),
+            Kind::Profile(_) => match self.tip.seeded(kind) {
+                Some(dual) => (dual.slope(&Dual::constant(a.clone()))?.slope, zero(), zero()),
+                None => return Ok(zero()),
             },
             Kind::Stiffness => {
-                let slope = self.tip.transform.slope(a)? - elongation.clone() / &a.clone().times(2);
-                let f_slope = (a.clone() * &slope - elongation) * &e_star;
-                let [x, _] = self.observe(a.lit(0), f_slope, a.lit(0));
+                let [x, _] = self.observe(zero(), f_slope.clone(), zero());
                 return Ok(-x);
             }
-            Kind::ContactPoint | Kind::Baseline => [a.lit(0), a.lit(0)],
+            Kind::ContactPoint | Kind::Baseline => return Ok(zero()),
         };
-        let [x, _] = self.observe(d, f, a.lit(0));
+        let f = (own + a.clone() * &d - lag) * &self.numbers.e_star.clone().times(2);
+        let [x, _] = self.observe(d, f, zero());
         Ok(x)
     }
 
     /// How fast the radius of a vertical edge grows with a number of the profile.
     pub(super) fn edge_partial(&self, kind: Kind) -> R {
-        let Kind::Profile(index) = kind else { return self.numbers.e_star.lit(0) };
-        let dual = self.tip.seeded.iter().find(|(seed, _)| *seed == index);
-        dual.and_then(|(_, dual)| dual.outer_radius()).map_or_else(|| self.numbers.e_star.lit(0), |edge| edge.slope)
+        let edge = self.tip.seeded(kind).and_then(|dual| dual.outer_radius());
+        edge.map_or_else(|| self.numbers.e_star.lit(0), |edge| edge.slope)
     }
 
     /// How fast a kink of the profile at this radius moves with a number of it.
     pub(super) fn kink_partial(&self, kind: Kind, radius: &R) -> R {
-        let Kind::Profile(index) = kind else { return radius.lit(0) };
-        let dual = self.tip.seeded.iter().find(|(seed, _)| *seed == index);
-        let kinks = dual.map(|(_, dual)| dual.kinks()).unwrap_or_default();
+        let kinks = self.tip.seeded(kind).map(|dual| dual.kinks()).unwrap_or_default();
         kinks.into_iter().find(|kink| kink.value == *radius).map_or_else(|| radius.lit(0), |kink| kink.slope)
     }
 }

@@ -136,11 +136,7 @@ pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::resu
 
 /// A leg by its name.
 pub(super) fn leg_of(name: &str) -> Option<Leg> {
-    match name {
-        "approach" => Some(Leg::Approach),
-        "retract" => Some(Leg::Retract),
-        _ => None,
-    }
+    Leg::ALL.into_iter().find(|leg| leg.name() == name)
 }
 
 /// A number with its unit in SI; the unit is a base, `m` or `N`, with a prefix. `None` for another unit or no number.

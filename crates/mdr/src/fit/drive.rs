@@ -67,7 +67,7 @@ fn check(problem: &Problem) -> Result<()> {
     if free == 0 {
         return refuse("fit.free", "nothing is free".to_owned());
     }
-    let priors = problem.parameters.iter().filter(|parameter| parameter.prior.is_some()).count();
+    let priors = problem.priors();
     if problem.rows.len() + priors <= free {
         let why = format!("{} rows cannot determine {free} numbers and their errors", problem.rows.len());
         return Err(problem.place.refuse(why));
@@ -185,10 +185,8 @@ fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated: bool) -> 
             "no minimum was found from any start: {error} on the way; give a start, bounds, or fewer free numbers"
         )),
         None => {
-            let names: Vec<&str> = objective
-                .free
-                .iter()
-                .map(|index| &objective.problem.parameters[*index])
+            let names: Vec<&str> = (0..objective.free.len())
+                .map(|place| objective.parameter(place))
                 .filter(|parameter| parameter.start.or(parameter.value).is_none())
                 .map(|parameter| parameter.name.as_str())
                 .collect();
@@ -230,13 +228,12 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     let Minimum { fitted, evaluation, jacobian, .. } = minimum;
     let problem = objective.problem;
     let held = minimise::held(objective, fitted, jacobian, evaluation);
-    let priors = problem.parameters.iter().filter(|parameter| parameter.prior.is_some()).count();
     let kept: Vec<usize> = (0..fitted.len()).filter(|place| !held[*place]).collect();
     let information = objective.information(fitted, evaluation)?;
     let spectrum = Spectrum::new(&information.select_columns(&kept));
     let cost = evaluation.cost();
     // Of what the data do not determine nothing is used up.
-    let counted = problem.rows.len() + priors + usize::from(problem.pull_off.is_some());
+    let counted = problem.rows.len() + problem.priors() + usize::from(problem.pull_off.is_some());
     let dof = counted.saturating_sub(kept.len() - spectrum.nullity());
     let by_residuals = (cost / dof.max(1) as f64).sqrt();
     let scales = [if noise.stated { 1.0 } else { by_residuals }, by_residuals];

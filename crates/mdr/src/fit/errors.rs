@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::answer::{Estimate, FitStatus};
+use super::answer::{Estimate, FitStatus, Invariant};
 use super::judge::{self, Spectrum};
 use super::objective::Objective;
 use super::problem::Kind;
@@ -19,12 +19,8 @@ pub(super) struct Errors<'a> {
 }
 
 impl Errors<'_> {
-    fn kind(&self, place: usize) -> Kind {
-        self.objective.problem.parameters[self.objective.free[place]].kind
-    }
-
     pub(super) fn kinds(&self) -> Vec<Kind> {
-        self.kept.iter().map(|place| self.kind(*place)).collect()
+        self.kept.iter().map(|place| self.objective.kind(*place)).collect()
     }
 
     /// The standard error of what depends so on the fitted values, from the stated σ where there is one.
@@ -34,7 +30,7 @@ impl Errors<'_> {
 
     /// How a free number grows with its fitted value.
     pub(super) fn slope(&self, place: usize) -> f64 {
-        if self.kind(place).is_offset() { 1.0 } else { self.objective.value(place, self.fitted[place]) }
+        if self.objective.is_offset(place) { 1.0 } else { self.objective.value(place, self.fitted[place]) }
     }
 
     fn gradient(&self, index: usize) -> DVector<f64> {
@@ -46,7 +42,7 @@ impl Errors<'_> {
     pub(super) fn estimates(&self, status: FitStatus) -> Vec<Estimate> {
         let undetermined = self.spectrum.undetermined();
         let estimate = |place: usize| {
-            let parameter = &self.objective.problem.parameters[self.objective.free[place]];
+            let parameter = self.objective.parameter(place);
             let index = self.kept.iter().position(|kept| *kept == place);
             let known = index.is_none_or(|index| status != FitStatus::Unidentifiable || !undetermined[index]);
             let stderr = |scale: f64| {
@@ -77,23 +73,27 @@ impl Errors<'_> {
     }
 
     /// What the data determine instead, and that in words.
-    pub(super) fn invariants(&self) -> (Vec<super::Invariant>, String) {
-        let problem = self.objective.problem;
-        let names: Vec<&str> =
-            self.kept.iter().map(|place| problem.parameters[self.objective.free[*place]].name.as_str()).collect();
+    pub(super) fn invariants(&self) -> (Vec<Invariant>, String) {
+        let names: Vec<&str> = self.kept.iter().map(|place| self.objective.parameter(*place).name.as_str()).collect();
         let fitted: Vec<f64> = self.kept.iter().map(|place| self.fitted[*place]).collect();
         let undetermined = self.spectrum.undetermined();
         let lost: Vec<&str> =
             names.iter().zip(&undetermined).filter(|(_, lost)| **lost).map(|(name, _)| *name).collect();
-        let offsets = self.kept.iter().zip(&undetermined).any(|(place, lost)| *lost && self.kind(*place).is_offset());
+        let offsets =
+            self.kept.iter().zip(&undetermined).any(|(place, lost)| *lost && self.objective.is_offset(*place));
         let (exponents, pivots) = self.spectrum.exponents();
         let give: Vec<&str> = pivots.iter().map(|place| names[*place]).collect();
         let remedy = format!("give {}, a prior for it, or contact radii", listed(&give));
         if offsets {
             return (Vec::new(), format!("these data do not determine {}: {remedy}", listed(&lost)));
         }
-        let invariant = |exponents| judge::invariant(self.spectrum, &names, &fitted, exponents, self.scales);
-        let invariants: Vec<super::Invariant> = exponents.iter().map(invariant).collect();
+        let invariant = |exponents: &DVector<f64>| {
+            let value = exponents.iter().zip(&fitted).map(|(exponent, ln)| exponent * ln).sum::<f64>().exp();
+            let relative = self.spectrum.covariance(exponents, exponents).sqrt();
+            let [stderr, scaled_stderr] = self.scales.map(|scale| value * scale * relative);
+            Invariant { name: judge::product(&names, exponents), value, stderr, scaled_stderr }
+        };
+        let invariants: Vec<Invariant> = exponents.iter().map(invariant).collect();
         let fixed: Vec<&str> = invariants.iter().map(|invariant| invariant.name.as_str()).collect();
         let what = if fixed.is_empty() { "nothing".to_owned() } else { format!("only {}", listed(&fixed)) };
         (invariants, format!("of {} these data determine {what}: {remedy}", listed(&lost)))

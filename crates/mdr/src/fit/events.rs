@@ -80,14 +80,8 @@ fn first_touch(errors: &Errors<'_>, minimum: &Minimum) -> Event {
 fn measured(errors: &Errors<'_>, minimum: &Minimum, [x, y]: [f64; 2]) -> Event {
     let numbers = &minimum.evaluation.numbers;
     let stiffness = numbers.stiffness.unwrap_or(f64::INFINITY);
-    let [given, seen] = [x - numbers.contact_point, y - numbers.baseline];
     let observation = errors.objective.problem.observation;
-    let (indentation, force) = match observation {
-        Observation::DeflectionOfPosition => (given - seen, stiffness * seen),
-        Observation::ForceOfPosition => (given - seen / stiffness, seen),
-        Observation::IndentationOfForce => (y - numbers.contact_point, x - numbers.baseline),
-        _ => (given, seen),
-    };
+    let [indentation, force] = observation.state([x, y], [numbers.contact_point, numbers.baseline], stiffness);
     let undetermined = errors.spectrum.undetermined();
     let is_known = |kind: Kind| errors.kinds().iter().zip(&undetermined).all(|(known, lost)| *known != kind || !lost);
     let by_machine = is_known(Kind::Stiffness) || observation == Observation::ForceOfPosition;

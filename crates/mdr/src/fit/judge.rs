@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 
-use super::answer::{Invariant, RunsTest};
+use super::answer::RunsTest;
 
 /// Singular values below this share of the largest are zero: the data say nothing of their direction.
 const NULL: f64 = 1e-8;
@@ -67,15 +67,17 @@ impl Spectrum {
         known.map(|index| along(index, one) * along(index, other)).sum()
     }
 
-    /// Directions of which the data say nothing, one a column, in the fitted values.
-    fn null_directions(&self) -> DMatrix<f64> {
+    /// Directions of which the data say nothing, one a column of length one, in the fitted values.
+    fn unit_directions(&self) -> DMatrix<f64> {
         let null: Vec<usize> = (0..self.values.len()).filter(|index| self.is_null(*index)).collect();
         let longest = self.lengths.iter().copied().fold(0.0, f64::max);
-        DMatrix::from_fn(self.lengths.len(), null.len(), |place, column| {
+        let mut directions = DMatrix::from_fn(self.lengths.len(), null.len(), |place, column| {
             // A number without any effect is a direction by itself.
             let length = if self.lengths[place] > 0.0 { self.lengths[place] } else { longest * f64::EPSILON };
             self.vectors[(place, null[column])] / length
-        })
+        });
+        directions.column_iter_mut().for_each(|mut column| column /= column.norm());
+        directions
     }
 
     /// Which numbers the data do not determine: those with a share in a null direction.
@@ -87,15 +89,6 @@ impl Spectrum {
     /// Whether the data determine a number that depends so on the fitted values: it hardly changes along null directions.
     pub(super) fn determines(&self, gradient: &DVector<f64>, value: f64) -> bool {
         self.unit_directions().column_iter().all(|direction| direction.dot(gradient).abs() <= 1e-5 * value.abs())
-    }
-
-    fn unit_directions(&self) -> DMatrix<f64> {
-        let mut directions = self.null_directions();
-        for mut column in directions.column_iter_mut() {
-            let length = column.norm();
-            column /= length;
-        }
-        directions
     }
 
     /// Exponents of products that the data determine, in reduced form: each of the numbers that stay carries one power of itself
@@ -160,20 +153,6 @@ pub(super) fn product(names: &[&str], exponents: &DVector<f64>) -> String {
         }
     };
     names.iter().zip(exponents.iter()).filter_map(factor).collect::<Vec<_>>().join(" * ")
-}
-
-/// A product of powers with its value and its standard errors; `scales` are those of the residuals: as stated, and by the
-/// residuals.
-pub(super) fn invariant(
-    spectrum: &Spectrum,
-    names: &[&str],
-    fitted: &[f64],
-    exponents: &DVector<f64>,
-    scales: [f64; 2],
-) -> Invariant {
-    let value = exponents.iter().zip(fitted).map(|(exponent, ln)| exponent * ln).sum::<f64>().exp();
-    let [stderr, scaled_stderr] = scales.map(|scale| value * scale * spectrum.covariance(exponents, exponents).sqrt());
-    Invariant { name: product(names, exponents), value, stderr, scaled_stderr }
 }
 
 /// The test of Wald and Wolfowitz; none where all residuals have one sign or there are fewer than ten.

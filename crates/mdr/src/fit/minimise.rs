@@ -210,7 +210,7 @@ pub(super) fn held(
     evaluation: &Evaluation,
 ) -> Vec<bool> {
     let presses = |place: usize| {
-        let Some([lower, _]) = objective.problem.parameters[objective.free[place]].bounds else { return false };
+        let Some([lower, _]) = objective.parameter(place).bounds else { return false };
         let towards = jacobian.column(place).dot(&evaluation.residuals);
         let rises = objective.value(place, fitted[place]) <= lower;
         objective.at_bound(place, fitted[place]) && (if rises { towards >= 0.0 } else { towards <= 0.0 })

@@ -10,7 +10,7 @@ use super::contact::{Contact, Numbers, Tip};
 use super::foot::{Foot, Scales};
 use super::labels::cheapest;
 use super::observation::{Leg, Loss, Observation};
-use super::problem::{DataRow, Kind, Problem};
+use super::problem::{DataRow, Kind, Parameter, Problem};
 
 /// The distance up to which Huber's loss is a square: 95 % efficient for normal noise.
 const HUBER: f64 = 1.345;
@@ -72,17 +72,24 @@ impl<'p> Objective<'p> {
         Ok(objective)
     }
 
-    fn free_of_profile(&self) -> Vec<usize> {
-        let of_profile = |index: &usize| match self.problem.parameters[*index].kind {
-            Kind::Profile(place) => Some(place),
-            _ => None,
-        };
-        self.free.iter().filter_map(of_profile).collect()
+    /// The free numbers of the profile, by their index in it.
+    pub(super) fn free_of_profile(&self) -> Vec<usize> {
+        let of_profile = |place: usize| if let Kind::Profile(index) = self.kind(place) { Some(index) } else { None };
+        (0..self.free.len()).filter_map(of_profile).collect()
+    }
+
+    /// A free parameter.
+    pub(super) fn parameter(&self, place: usize) -> &'p Parameter {
+        &self.problem.parameters[self.free[place]]
+    }
+
+    pub(super) fn kind(&self, place: usize) -> Kind {
+        self.parameter(place).kind
     }
 
     /// Whether a free parameter is an offset, and fitted as it is.
     pub(super) fn is_offset(&self, place: usize) -> bool {
-        self.problem.parameters[self.free[place]].kind.is_offset()
+        self.kind(place).is_offset()
     }
 
     /// The value of a free parameter as it is fitted: its logarithm, or itself for an offset.
@@ -92,11 +99,11 @@ impl<'p> Objective<'p> {
 
     /// The value of a free parameter, kept between its bounds.
     pub(super) fn value(&self, place: usize, fitted: f64) -> f64 {
-        let parameter = &self.problem.parameters[self.free[place]];
+        let parameter = self.parameter(place);
         let value = if parameter.kind.is_offset() {
             fitted
         } else {
-            let sign = if parameter.start.or(parameter.value).is_some_and(|value| value < 0.0) { -1.0 } else { 1.0 };
+            let sign = if parameter.is_negative() { -1.0 } else { 1.0 };
             sign * fitted.exp()
         };
         let Some([lower, upper]) = parameter.bounds else { return value };
@@ -114,7 +121,7 @@ impl<'p> Objective<'p> {
     /// Whether a bound holds a free parameter.
     pub(super) fn at_bound(&self, place: usize, fitted: f64) -> bool {
         let value = self.value(place, fitted);
-        self.problem.parameters[self.free[place]].bounds.is_some_and(|[lower, upper]| value <= lower || value >= upper)
+        self.parameter(place).bounds.is_some_and(|[lower, upper]| value <= lower || value >= upper)
     }
 
     /// All numbers of the problem at these fitted values.
@@ -232,8 +239,7 @@ impl<'p> Objective<'p> {
 
     /// The mean and the standard deviation of free parameters that have a prior, by their place.
     pub(super) fn priors(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
-        let prior = |(place, index): (usize, &usize)| Some((place, self.problem.parameters[*index].prior?));
-        self.free.iter().enumerate().filter_map(prior)
+        (0..self.free.len()).filter_map(|place| Some((place, self.parameter(place).prior?)))
     }
 
     fn prior_residuals(&self, fitted: &[f64]) -> Vec<f64> {
@@ -247,10 +253,7 @@ impl<'p> Objective<'p> {
     pub(super) fn jacobian(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
         let contact = evaluation.contact(self.problem.observation);
         let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), self.free.len());
-        let moving: Vec<(usize, Kind)> = (0..self.free.len())
-            .filter(|place| !self.outside(*place, fitted[*place]))
-            .map(|place| (place, self.problem.parameters[self.free[place]].kind))
-            .collect();
+        let moving = self.moving(fitted);
         for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
             let Some(foot) = foot else {
                 let y = row.sigma[1].unwrap_or(self.y_scale);
@@ -271,8 +274,7 @@ impl<'p> Objective<'p> {
         let mut index = self.rows.len();
         for (place, [_, sd]) in self.priors() {
             let value = self.value(place, fitted[place]);
-            let offset = self.problem.parameters[self.free[place]].kind.is_offset();
-            jacobian[(index, place)] = if offset { 1.0 / sd } else { value / sd };
+            jacobian[(index, place)] = if self.is_offset(place) { 1.0 / sd } else { value / sd };
             index += 1;
         }
         if let (Some([_, sd]), Some(s)) = (self.problem.pull_off, evaluation.last_fold()) {
@@ -299,10 +301,9 @@ impl<'p> Objective<'p> {
             let [along_x, along_y] = [foot.weights[0] * scales[0], foot.weights[1] * scales[1]];
             let arc = &evaluation.arcs[evaluation.labels[index] - 1];
             let mut row = vec![0.0; self.free.len()];
-            for (place, value) in row.iter_mut().enumerate().filter(|(place, _)| !self.outside(*place, fitted[*place]))
-            {
-                let [x, y] = arc.partial(&contact, self.problem.parameters[self.free[place]].kind, foot, &point)?;
-                *value = along_x * y / scales[1] - along_y * x / scales[0];
+            for (place, kind) in self.moving(fitted) {
+                let [x, y] = arc.partial(&contact, kind, foot, &point)?;
+                row[place] = along_x * y / scales[1] - along_y * x / scales[0];
             }
             Ok(row)
         };
@@ -318,10 +319,13 @@ impl<'p> Objective<'p> {
         Ok(information)
     }
 
-    /// Whether a fitted value lies beyond a bound, so that its number does not follow it.
-    fn outside(&self, place: usize, fitted: f64) -> bool {
-        let value = self.value(place, fitted);
-        self.at_bound(place, fitted) && self.to_fitted(place, value) != fitted
+    /// The free numbers but those whose fitted value lies beyond a bound: these do not follow it.
+    fn moving(&self, fitted: &[f64]) -> Vec<(usize, Kind)> {
+        let follows = |place: &usize| {
+            let fitted = fitted[*place];
+            !self.at_bound(*place, fitted) || self.to_fitted(*place, self.value(*place, fitted)) == fitted
+        };
+        (0..self.free.len()).filter(follows).map(|place| (place, self.kind(place))).collect()
     }
 }
 

@@ -1,5 +1,7 @@
 //! What was measured, in which direction, and how residuals count.
 
+use mdr_core::named;
+
 /// What is given of a row, X, and what is measured, Y. `contact_point` and `baseline` are offsets of what is recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Observation {
@@ -42,6 +44,17 @@ impl Observation {
         }
     }
 
+    /// Depth and force of a row (X, Y); the offsets are those of the contact point and of the baseline.
+    pub(super) fn state(self, [x, y]: [f64; 2], [contact_point, baseline]: [f64; 2], stiffness: f64) -> [f64; 2] {
+        let [given, seen] = [x - contact_point, y - baseline];
+        match self {
+            Observation::DeflectionOfPosition => [given - seen, stiffness * seen],
+            Observation::ForceOfPosition => [given - seen / stiffness, seen],
+            Observation::IndentationOfForce => [y - contact_point, x - baseline],
+            _ => [given, seen],
+        }
+    }
+
     /// Whether the machine position D is given.
     pub fn has_machine(self) -> bool {
         matches!(self, Observation::ForceOfPosition | Observation::DeflectionOfPosition)
@@ -53,22 +66,13 @@ impl Observation {
     }
 }
 
-/// Whether the surfaces approach or retract.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Leg {
-    /// X grows: detached, then outward from arc to arc.
-    Approach,
-    /// X falls: inward from arc to arc, then detached.
-    Retract,
-}
-
-impl Leg {
-    /// `approach` or `retract`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Leg::Approach => "approach",
-            Leg::Retract => "retract",
-        }
+named! {
+    /// Whether the surfaces approach or retract.
+    pub enum Leg {
+        /// X grows: detached, then outward from arc to arc.
+        Approach = "approach",
+        /// X falls: inward from arc to arc, then detached.
+        Retract = "retract",
     }
 }
 

@@ -258,6 +258,21 @@ impl Problem {
         Ok(self)
     }
 
+    /// What is known of the number of a kind.
+    pub(super) fn known(&self, kind: Kind) -> Option<f64> {
+        self.parameters.iter().find(|parameter| parameter.kind == kind)?.known()
+    }
+
+    /// Whether the number of a kind is unknown.
+    pub(super) fn is_free(&self, kind: Kind) -> bool {
+        self.parameters.iter().any(|parameter| parameter.kind == kind && parameter.free)
+    }
+
+    /// How many numbers have a prior.
+    pub(super) fn priors(&self) -> usize {
+        self.parameters.iter().filter(|parameter| parameter.prior.is_some()).count()
+    }
+
     /// What was measured.
     pub fn observation(&self) -> Observation {
         self.observation
@@ -290,6 +305,21 @@ impl Problem {
 }
 
 impl Parameter {
+    /// What is said of an unknown number: its start, or the mean of its prior.
+    pub(super) fn guess(&self) -> Option<f64> {
+        self.start.or(self.prior.map(|[mean, _]| mean))
+    }
+
+    /// What is known of the number: its value, or where an unknown one begins.
+    pub(super) fn known(&self) -> Option<f64> {
+        self.guess().filter(|_| self.free).or(self.value)
+    }
+
+    /// Whether a number that is fitted by its logarithm is negative.
+    pub(super) fn is_negative(&self) -> bool {
+        self.start.or(self.value).is_some_and(|value| value < 0.0)
+    }
+
     /// The number, if it can be one of this parameter.
     fn checked(&self, value: f64, key: &str) -> Result<f64> {
         if self.kind.is_offset() || self.name == "amplitude" || self.name.ends_with(".amplitude") {

@@ -28,7 +28,7 @@ const DOUBLINGS: i32 = 7;
 pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum, stated: bool) {
     let (objective, deviation) = (errors.objective, errors.scales[0]);
     for place in errors.kept {
-        let index = objective.free[*place];
+        let name = &objective.parameter(*place).name;
         let Some(stderr) = fit.parameters[*place].stderr.filter(|stderr| *stderr > 0.0) else { continue };
         let slope = errors.slope(*place).abs();
         for level in LEVELS {
@@ -42,8 +42,7 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum, stated:
                 let end = profile.end(direction * stderr / slope, quantile);
                 if profile.lowest < minimum.evaluation.cost() * (1.0 - 1e-6) - 1e-6 * (deviation * quantile).powi(2) {
                     fit.warnings.push(format!(
-                        "the sum of squares is smaller at other values of `{}`: the estimates are a local minimum; give a start",
-                        objective.problem.parameters[index].name
+                        "the sum of squares is smaller at other values of `{name}`: the estimates are a local minimum; give a start"
                     ));
                 }
                 end
@@ -51,8 +50,7 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum, stated:
             if ends.iter().flatten().count() == 2 && ends[0] > ends[1] {
                 ends.swap(0, 1);
             }
-            let name = objective.problem.parameters[index].name.clone();
-            fit.intervals.push(Interval { name, level, lower: ends[0], upper: ends[1] });
+            fit.intervals.push(Interval { name: name.clone(), level, lower: ends[0], upper: ends[1] });
         }
     }
     fit.warnings.dedup();

@@ -6,9 +6,8 @@ use super::data::{self, Columns};
 use super::observation::{Loss, Observation};
 use super::problem::{DataRow, Problem};
 use crate::error::{Error, Result};
-use crate::scene::Profile;
-use crate::scene::tree::{Document, Files, Node, Section, Value};
-use crate::scene::{MAX_DIGITS, parse};
+use crate::scene::tree::{Files, Section, Value};
+use crate::scene::{Location, MAX_DIGITS, Profile, parse};
 
 impl Problem {
     /// Reads a `.toml` or `.json` file; the data are read from a file beside it, or are in it.
@@ -16,7 +15,7 @@ impl Problem {
     /// # Errors
     /// With file, line and key.
     pub fn open(file: impl AsRef<Path>) -> Result<Problem> {
-        Problem::open_with(file.as_ref(), None)
+        parse::open(file.as_ref(), |top| read(top, None))
     }
 
     /// The same with another curve in place of its data.
@@ -27,19 +26,7 @@ impl Problem {
         let curve = curve.as_ref();
         let absolute =
             std::path::absolute(curve).map_err(|source| Error::Io { name: curve.display().to_string(), source })?;
-        Problem::open_with(file.as_ref(), absolute.to_str())
-    }
-
-    fn open_with(path: &Path, curve: Option<&str>) -> Result<Problem> {
-        let name = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|source| Error::Io { name: name.clone(), source })?;
-        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let files = |file: &str| std::fs::read(folder.join(file));
-        match path.extension() {
-            #[cfg(feature = "serde")]
-            Some(extension) if extension.eq_ignore_ascii_case("json") => Problem::json(&text, &name, &files, curve),
-            _ => Problem::toml(&text, &name, &files, curve),
-        }
+        parse::open(file.as_ref(), |top| read(top, absolute.to_str()))
     }
 
     /// Reads a fit as TOML. `name` stands in complaints; `files` reads what it names.
@@ -47,20 +34,7 @@ impl Problem {
     /// # Errors
     /// With name, line and key.
     pub fn from_toml(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
-        Problem::toml(text, name, files, None)
-    }
-
-    #[cfg(feature = "toml")]
-    fn toml(text: &str, name: &str, files: Files<'_>, curve: Option<&str>) -> Result<Problem> {
-        let document = Document::new(name, text, "TOML", files);
-        let root = parse::toml(&document)?;
-        read(&document, &root, curve)
-    }
-
-    #[cfg(not(feature = "toml"))]
-    fn toml(_: &str, name: &str, _: Files<'_>, _: Option<&str>) -> Result<Problem> {
-        let source = std::io::Error::new(std::io::ErrorKind::Unsupported, "this build is without the feature `toml`");
-        Err(Error::Io { name: name.to_owned(), source })
+        parse::toml(text, name, files, |top| read(top, None))
     }
 
     /// Reads a fit as JSON, with the keys of a TOML file.
@@ -69,22 +43,11 @@ impl Problem {
     /// As [`Problem::from_toml`].
     #[cfg(feature = "serde")]
     pub fn from_json(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
-        Problem::json(text, name, files, None)
-    }
-
-    #[cfg(feature = "serde")]
-    fn json(text: &str, name: &str, files: Files<'_>, curve: Option<&str>) -> Result<Problem> {
-        let document = Document::new(name, text, "JSON", files);
-        let root = parse::json(&document)?;
-        read(&document, &root, curve)
+        parse::json(text, name, files, |top| read(top, None))
     }
 }
 
-/// A setter of a problem that can refuse what it is given.
-type Setter<'s> = &'s dyn Fn(Problem, &str, f64) -> Result<Problem>;
-
-fn read(document: &Document<'_>, root: &Node, curve: Option<&str>) -> Result<Problem> {
-    let top = Section::top(document, root)?;
+fn read(top: &Section<'_>, curve: Option<&str>) -> Result<Problem> {
     let shape = top.section("profile")?;
     let profile = Profile::read(&shape)?;
     if let Profile::Table(measured) = &profile {
@@ -97,16 +60,18 @@ fn read(document: &Document<'_>, root: &Node, curve: Option<&str>) -> Result<Pro
     let mut problem = Problem::with(profile, observation, rows, data.place())?;
     problem.sigma = sigma;
     if let Some(material) = top.optional_section("material")? {
-        problem = set(problem, &material, &["e_star", "work_of_adhesion"], &|problem, name, value| {
-            problem.fixed(name, value)
-        })?;
+        for key in ["e_star", "work_of_adhesion"] {
+            if let Some(value) = material.optional(key) {
+                problem = problem.fixed(key, number(&value)?).map_err(|error| at(error, value.place()))?;
+            }
+        }
         material.finish()?;
     }
     problem = control(problem, top.optional_section("control")?)?;
     problem = unknowns(problem, &top.section("fit")?)?;
     if let Some(events) = top.optional_section("events")? {
         let [place, sigma] = [number(&events.required("pull_off")?)?, number(&events.required("sigma")?)?];
-        problem = problem.pull_off(place, sigma).map_err(|error| placed(error, &events))?;
+        problem = problem.pull_off(place, sigma).map_err(|error| at(error, events.place()))?;
         events.finish()?;
     }
     if let Some(output) = top.optional_section("output")? {
@@ -156,9 +121,8 @@ fn rows_of(
     let rows = match which {
         0 => {
             let name = curve.map_or_else(|| value.text(), Ok)?;
-            let refuse = |why: &dyn std::fmt::Display| value.refuse(format!("{}: {why}", data.document().beside(name)));
-            let bytes = (data.document().files)(name).map_err(|error| refuse(&error))?;
-            let text = String::from_utf8(bytes).map_err(|error| refuse(&error))?;
+            let refuse = |why: &dyn std::fmt::Display| value.refuse_file(name, why);
+            let text = String::from_utf8(value.bytes(name)?).map_err(|error| refuse(&error))?;
             data::read(&text, &columns, bases).map_err(|why| refuse(&why))?
         }
         1 => inline(&value, &columns, bases)?,
@@ -249,16 +213,16 @@ fn control(problem: Problem, section: Option<Section<'_>>) -> Result<Problem> {
 fn unknowns(mut problem: Problem, section: &Section<'_>) -> Result<Problem> {
     let free = section.required("free")?;
     for name in free.list()? {
-        problem = problem.free([name.text()?]).map_err(|error| at(error, &name))?;
+        problem = problem.free([name.text()?]).map_err(|error| at(error, name.place()))?;
     }
-    problem = each(problem, section.optional("fixed"), &|problem, name, value| problem.fixed(name, value))?;
-    problem = each(problem, section.optional("start"), &|problem, name, value| problem.start(name, value))?;
+    problem = each(problem, section.optional("fixed"), Problem::fixed)?;
+    problem = each(problem, section.optional("start"), Problem::start)?;
     if let Some(priors) = section.optional("prior") {
         for (name, value) in priors.section()?.entries() {
             let prior = value.section()?;
             let [mean, sd] = [number(&prior.required("mean")?)?, number(&prior.required("sd")?)?];
             prior.finish()?;
-            problem = problem.prior(&name, mean, sd).map_err(|error| at(error, &value))?;
+            problem = problem.prior(&name, mean, sd).map_err(|error| at(error, value.place()))?;
         }
     }
     if let Some(bounds) = section.optional("bounds") {
@@ -266,7 +230,7 @@ fn unknowns(mut problem: Problem, section: &Section<'_>) -> Result<Problem> {
             let ends: Vec<f64> = value.list()?.iter().map(number).collect::<Result<_>>()?;
             let ends = <[f64; 2]>::try_from(ends)
                 .map_err(|ends| value.refuse(format!("expected two bounds, got {}", ends.len())))?;
-            problem = problem.bounds(&name, ends).map_err(|error| at(error, &value))?;
+            problem = problem.bounds(&name, ends).map_err(|error| at(error, value.place()))?;
         }
     }
     if let Some(loss) = section.optional("loss") {
@@ -278,20 +242,14 @@ fn unknowns(mut problem: Problem, section: &Section<'_>) -> Result<Problem> {
 }
 
 /// A number for each name of a table.
-fn each(mut problem: Problem, table: Option<Value<'_>>, setter: Setter<'_>) -> Result<Problem> {
+fn each(
+    mut problem: Problem,
+    table: Option<Value<'_>>,
+    set: fn(Problem, &str, f64) -> Result<Problem>,
+) -> Result<Problem> {
     let Some(table) = table else { return Ok(problem) };
     for (name, value) in table.section()?.entries() {
-        problem = setter(problem, &name, number(&value)?).map_err(|error| at(error, &value))?;
-    }
-    Ok(problem)
-}
-
-/// The numbers of a section under these keys.
-fn set(mut problem: Problem, section: &Section<'_>, keys: &[&'static str], setter: Setter<'_>) -> Result<Problem> {
-    for key in keys {
-        if let Some(value) = section.optional(key) {
-            problem = setter(problem, key, number(&value)?).map_err(|error| at(error, &value))?;
-        }
+        problem = set(problem, &name, number(&value)?).map_err(|error| at(error, value.place()))?;
     }
     Ok(problem)
 }
@@ -300,18 +258,10 @@ fn number(value: &Value<'_>) -> Result<f64> {
     Ok(value.number()?.nearest_f64())
 }
 
-/// The same complaint at the place of a value.
-fn at(error: Error, value: &Value<'_>) -> Error {
+/// The same complaint at a place.
+fn at(error: Error, place: Location) -> Error {
     match error {
-        Error::Scene { why, .. } => value.refuse(why),
-        error => error,
-    }
-}
-
-/// The same complaint at the place of a section.
-fn placed(error: Error, section: &Section<'_>) -> Error {
-    match error {
-        Error::Scene { why, .. } => section.place().refuse(why),
+        Error::Scene { why, .. } => place.refuse(why),
         error => error,
     }
 }

@@ -20,7 +20,7 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem) {
     let lengths: Vec<Option<f64>> = match stated {
         Some(length) => FACTORS.iter().map(|factor| factor.map(|factor| factor * length)).collect(),
         None => {
-            let rows = first.file().rows();
+            let rows = first.file.rows();
             let spacing = rows.last().map_or(0.0, |row| row.radius.nearest_f64()) / rows.len() as f64;
             let widest = fit.rows.iter().filter_map(|row| row.contact_radius).fold(0.0, f64::max);
             SPACINGS.iter().map(|count| count * spacing).filter(|length| *length < widest).map(Some).collect()

@@ -47,16 +47,15 @@ impl Source {
 /// Fitted values to begin from, in the order of the free numbers: what is given, completed from the data; then the data alone.
 pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<Vec<f64>> {
     let problem = objective.problem;
-    let given = objective.free.iter().map(|index| {
-        let parameter = &problem.parameters[*index];
+    let given = (0..objective.free.len()).map(|place| {
+        let parameter = objective.parameter(place);
         let is_profile = matches!(parameter.kind, Kind::Profile(_) | Kind::Stiffness);
-        let prior = parameter.prior.map(|[mean, _]| mean);
-        parameter.start.or(prior).or(parameter.value.filter(|_| is_profile))
+        parameter.guess().or(parameter.value.filter(|_| is_profile))
     });
     let given: Vec<Option<f64>> = given.collect();
     let complete = |found: &dyn Fn(Kind) -> Option<f64>, keep: bool| -> Option<Vec<f64>> {
         let value = |(place, given): (usize, &Option<f64>)| {
-            let kind = problem.parameters[objective.free[place]].kind;
+            let kind = objective.kind(place);
             let value = if keep { given.or_else(|| found(kind)) } else { found(kind).or(*given) };
             value.filter(|value| value.is_finite()).map(|value| objective.to_fitted(place, value))
         };
@@ -80,30 +79,13 @@ pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<Vec<f
     candidates
 }
 
-/// The value of a number that is not sought: what is given, else what the problem starts from.
-fn known(problem: &Problem, kind: Kind) -> Option<f64> {
-    let parameter = problem.parameters.iter().find(|parameter| parameter.kind == kind)?;
-    if parameter.free {
-        parameter.start.or(parameter.prior.map(|[mean, _]| mean)).or(parameter.value)
-    } else {
-        parameter.value
-    }
-}
-
-fn is_free(problem: &Problem, kind: Kind) -> bool {
-    problem.parameters.iter().any(|parameter| parameter.kind == kind && parameter.free)
-}
-
 /// E*, w, contact point and baseline by the record, the likeliest first.
 fn from_data(problem: &Problem, source: Source) -> Vec<[f64; 4]> {
     let numbers: Vec<f64> = problem
         .parameters
         .iter()
         .filter(|parameter| matches!(parameter.kind, Kind::Profile(_)))
-        .map(|parameter| {
-            let start = if parameter.free { parameter.start.or(parameter.prior.map(|[mean, _]| mean)) } else { None };
-            start.or(parameter.value).unwrap_or(f64::NAN)
-        })
+        .map(|parameter| parameter.known().unwrap_or(f64::NAN))
         .collect();
     let Ok(tip) = Tip::<f64>::new(&problem.profile, (), &numbers, &[]) else { return Vec::new() };
     match (problem.observation.sees_radius(), source) {
@@ -122,18 +104,13 @@ fn record(problem: &Problem) -> Record {
     // Under a dead load nothing is seen of a contact that is broken.
     let has_tail = problem.observation != Observation::IndentationOfForce;
     let last = pull_off(&rows).filter(|_| has_tail);
-    let baseline = if is_free(problem, Kind::Baseline) && has_tail {
-        tail(&rows, last).or(known(problem, Kind::Baseline)).unwrap_or(0.0)
+    let baseline = if problem.is_free(Kind::Baseline) && has_tail {
+        tail(&rows, last).or(problem.known(Kind::Baseline)).unwrap_or(0.0)
     } else {
-        known(problem, Kind::Baseline).unwrap_or(0.0)
+        problem.known(Kind::Baseline).unwrap_or(0.0)
     };
-    let stiffness = known(problem, Kind::Stiffness).unwrap_or(f64::INFINITY);
-    let state = |[x, y]: &[f64; 2]| match problem.observation {
-        Observation::DeflectionOfPosition => [x - (y - baseline), stiffness * (y - baseline)],
-        Observation::ForceOfPosition => [x - (y - baseline) / stiffness, y - baseline],
-        Observation::IndentationOfForce => [*y, x - baseline],
-        _ => [*x, y - baseline],
-    };
+    let stiffness = problem.known(Kind::Stiffness).unwrap_or(f64::INFINITY);
+    let state = |row: &[f64; 2]| problem.observation.state(*row, [0.0, baseline], stiffness);
     Record { states: rows.iter().map(state).collect(), last: last.as_ref().map(state), baseline }
 }
 
@@ -261,18 +238,18 @@ fn with_length(
         Anchor::SmallestForce => (Control::Force, record.lowest()),
         Anchor::PullOff => (Control::Indentation, record.last?),
     };
-    let curve = Curve::new(tip.transform(), &material, &control);
+    let curve = Curve::new(&*tip.transform, &material, &control);
     let folds = folds::find(&curve).ok()?;
     let held = |fold: &Instability<f64>| if anchor == Anchor::PullOff { fold.indentation } else { fold.force };
     let lowest = folds.folds.iter().min_by(|one, other| held(one).total_cmp(&held(other)))?;
-    let free = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| is_free(problem, kind));
-    let stated = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| known(problem, kind));
+    let free = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| problem.is_free(kind));
+    let stated = [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(|kind| problem.known(kind));
     let e_star = match (free, stated) {
         ([true, true], _) if smallest < 0.0 && lowest.force < 0.0 => Some(smallest / lowest.force),
         // No adhesion is seen: the deepest row tells E*.
         ([true, true], _) if anchor == Anchor::SmallestForce => {
             let [depth, force] = record.states.iter().copied().max_by(|one, other| one[0].total_cmp(&other[0]))?;
-            let target = depth - known(problem, Kind::ContactPoint).unwrap_or(0.0);
+            let target = depth - problem.known(Kind::ContactPoint).unwrap_or(0.0);
             let radius = radius_at(&curve, lowest.contact_radius, target)?;
             Some(force / curve.force(&radius).ok()?)
         }
@@ -281,10 +258,10 @@ fn with_length(
         ([true, false], [_, work]) => work.map(|work| work / length),
     }
     .filter(|e_star| *e_star > 0.0)?;
-    let contact_point = if is_free(problem, Kind::ContactPoint) && smallest < 0.0 {
+    let contact_point = if problem.is_free(Kind::ContactPoint) && smallest < 0.0 {
         at - lowest.indentation
     } else {
-        known(problem, Kind::ContactPoint).unwrap_or(0.0)
+        problem.known(Kind::ContactPoint).unwrap_or(0.0)
     };
     // How far the rows in contact are from the curve in force.
     let mut radius = lowest.contact_radius;
@@ -321,12 +298,12 @@ fn by_regression(problem: &Problem, tip: &Tip<f64>) -> Option<[f64; 4]> {
         .map(|row| if problem.observation == Observation::ForceOfRadius { [row.x, row.y] } else { [row.y, row.x] })
         .filter(|[radius, _]| *radius > 0.0)
         .collect();
-    let with_baseline = is_free(problem, Kind::Baseline);
+    let with_baseline = problem.is_free(Kind::Baseline);
     let columns = if with_baseline { 3 } else { 2 };
     let mut matrix = DMatrix::zeros(rows.len(), columns);
     let mut forces = DVector::zeros(rows.len());
     for (index, [radius, force]) in rows.iter().enumerate() {
-        matrix[(index, 0)] = 2.0 * radius * tip.transform().above_mean(radius).ok()?;
+        matrix[(index, 0)] = 2.0 * radius * tip.transform.above_mean(radius).ok()?;
         matrix[(index, 1)] = -(8.0 * std::f64::consts::PI * radius.powi(3)).sqrt();
         if with_baseline {
             matrix[(index, 2)] = 1.0;

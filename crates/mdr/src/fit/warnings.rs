@@ -6,7 +6,7 @@ use super::answer::{Fit, FitStatus};
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::observation::Observation;
-use super::problem::{Kind, Problem};
+use super::problem::Kind;
 use crate::scene::Profile;
 
 /// A singular value below this share of the largest leaves a direction nearly open.
@@ -16,9 +16,9 @@ const NEARLY_OPEN: f64 = 1e-3;
 pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, held: &[bool], smallest: f64) {
     let problem = objective.problem;
     let mut warnings = Vec::new();
-    let name = |place: usize| problem.parameters[objective.free[place]].name.as_str();
     for place in (0..held.len()).filter(|place| held[*place]) {
-        warnings.push(format!("`{}` is at its bound and has no standard error", name(place)));
+        let name = &objective.parameter(place).name;
+        warnings.push(format!("`{name}` is at its bound and has no standard error"));
     }
     if fit.status != FitStatus::Unidentifiable && smallest < NEARLY_OPEN {
         warnings.push(format!(
@@ -26,11 +26,10 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
              errors are those of the linearised model"
         ));
     }
-    let is_free = |kind: Kind| problem.parameters.iter().any(|parameter| parameter.kind == kind && parameter.free);
     let detached = fit.rows.iter().any(|row| row.label < 0);
     let sees_jump =
         detached || problem.observation.sees_radius() || problem.observation == Observation::IndentationOfForce;
-    if !sees_jump && is_free(Kind::Baseline) {
+    if !sees_jump && problem.is_free(Kind::Baseline) {
         warnings.push("the baseline is free, and no detached row pins it: record the tail after pull-off".to_owned());
     } else if !sees_jump {
         warnings.push("the jump out of contact is not in the data: the pull-off is an extrapolation".to_owned());
@@ -46,7 +45,9 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
             ));
         }
     }
-    if let Some(radius) = radius_of_curvature(problem, &numbers.profile)
+    if let Profile::Shape(Shape::Paraboloid { .. } | Shape::Sphere { .. } | Shape::WavyParaboloid { .. }) =
+        problem.profile
+        && let Some(radius) = numbers.profile.first()
         && widest > 0.3 * radius
     {
         warnings.push(format!("the contact is not small: a/R reaches {:.2}", widest / radius));
@@ -66,13 +67,4 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
         warnings.push(format!("χ² = {chi2:.4} for {} degrees of freedom is {verdict} (p = {p:.1e})", fit.dof));
     }
     fit.warnings = warnings;
-}
-
-/// R of a profile that has one.
-fn radius_of_curvature(problem: &Problem, numbers: &[f64]) -> Option<f64> {
-    let first = matches!(
-        &problem.profile,
-        Profile::Shape(Shape::Paraboloid { .. } | Shape::Sphere { .. } | Shape::WavyParaboloid { .. })
-    );
-    numbers.first().copied().filter(|_| first)
 }

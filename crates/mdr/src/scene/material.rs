@@ -10,17 +10,11 @@ use crate::error::Result;
 
 /// E* as given, or of two bodies (1.3), with every input checked.
 pub(super) fn effective_modulus(elasticity: &Elasticity) -> Result<Literal> {
-    let positive = |literal: &Literal, key: &str| {
-        if literal.is_zero() || literal.is_negative() {
-            return Err(Location::built(key).refuse(format!("must be positive, got {literal}")));
-        }
-        Ok(())
-    };
     match elasticity {
-        Elasticity::Effective(modulus) => positive(modulus, "material.e_star").map(|()| modulus.clone()),
+        Elasticity::Effective(modulus) => Location::built("material.e_star").require_positive(modulus.clone()),
         Elasticity::Bodies(bodies) => {
             for body in bodies.iter() {
-                positive(&body.youngs_modulus, "material.body.e")?;
+                Location::built("material.body.e").require_positive(body.youngs_modulus.clone())?;
                 if let Some(why) = refused_ratio(&body.poissons_ratio) {
                     return Err(Location::built("material.body.nu").refuse(why));
                 }

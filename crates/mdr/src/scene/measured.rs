@@ -5,17 +5,17 @@ use mdr_numeric::table::{Table, TableError};
 
 use super::place::Location;
 use super::tree::{Section, Value};
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// Measured rows of radius and height, with the zero of their heights and the length over which they are smoothed.
 #[derive(Clone, Debug)]
 pub struct Measured {
     /// What the contact is computed with.
-    table: Table,
+    pub(crate) table: Table,
     /// The rows as they are, with heights from the tip.
     raw: Table,
     /// As they stand in the file.
-    file: Table,
+    pub(crate) file: Table,
     smoothing: Option<Smoothing>,
 }
 
@@ -35,11 +35,20 @@ impl Measured {
     pub fn from_csv(csv: &str) -> Result<Measured> {
         let refuse = |why: String| Location::built("profile.file").refuse(why);
         let table = Table::from_csv(csv.as_bytes()).map_err(|error| refuse(error.to_string()))?;
-        let measured = Measured { table: table.clone(), raw: table.clone(), file: table, smoothing: None };
+        let measured = Measured::as_given(table.clone(), table);
         measured.require_rising(&Location::built("profile.file"))?;
-        match too_steep(&measured.table) {
+        measured.checked(refuse)
+    }
+
+    fn as_given(raw: Table, file: Table) -> Self {
+        Measured { table: raw.clone(), raw, file, smoothing: None }
+    }
+
+    /// The same unless a slope between rows is no double.
+    fn checked(self, refuse: impl FnOnce(String) -> Error) -> Result<Self> {
+        match too_steep(&self.table) {
             Some(line) => Err(refuse(format!("line {line}: the slope from the row before is out of the range of f64"))),
-            None => Ok(measured),
+            None => Ok(self),
         }
     }
 
@@ -51,9 +60,8 @@ impl Measured {
             return Err(columns.refuse("the columns of a table are \"r,f\": radius, height"));
         }
         let name = file.text()?;
-        let refuse = |why: &dyn std::fmt::Display| file.refuse(format!("{}: {why}", section.document().beside(name)));
-        let bytes = (section.document().files)(name).map_err(|error| refuse(&error))?;
-        let table = Table::from_csv_above_any_zero(bytes.as_slice()).map_err(|error| refuse(&error))?;
+        let refuse = |why: &dyn std::fmt::Display| file.refuse_file(name, why);
+        let table = Table::from_csv_above_any_zero(file.bytes(name)?.as_slice()).map_err(|error| refuse(&error))?;
         let offset = section.optional("offset").map(|value| value.length()).transpose()?;
         let smooth = section.optional("smooth");
         if let (Some(smooth), Some(_)) = (&smooth, &offset) {
@@ -68,42 +76,23 @@ impl Measured {
                 if raw.rows()[0].radius.is_zero() {
                     raw.check_tip().map_err(|error| refuse(&error))?;
                 }
-                Measured { table: raw.clone(), raw, file: table, smoothing: None }
+                Measured::as_given(raw, table)
             }
             (None, None) => {
                 table.check_tip().map_err(|error| refuse(&with_remedy(&error, &table)))?;
-                Measured { table: table.clone(), raw: table.clone(), file: table, smoothing: None }
+                Measured::as_given(table.clone(), table)
             }
         };
-        match too_steep(&measured.table) {
-            Some(line) => {
-                Err(refuse(&format!("line {line}: the slope from the row before is out of the range of f64")))
-            }
-            None => Ok(measured),
-        }
+        measured.checked(|why| refuse(&why))
     }
 
     fn from_smooth_tip(file: Table, smooth: &Value<'_>) -> Result<Measured> {
-        let length = smooth.length()?;
-        if length.is_zero() || length.is_negative() {
-            return Err(smooth.refuse(format!("must be positive, got {length}")));
-        }
-        let length = length.nearest_f64();
+        let length = smooth.positive_length()?.nearest_f64();
         let (table, tip) = file.smoothed(length).map_err(|error| smooth.refuse(error.to_string()))?;
         let first = &file.rows()[0];
         let zero = if first.radius.is_zero() { Ok(first.height.clone()) } else { Literal::try_from(tip) };
         let raw = zero.map_or_else(|_| file.clone(), |zero| lowered(&file, &zero));
         Ok(Measured { table, raw, file, smoothing: Some(Smoothing { length, tip }) })
-    }
-
-    /// What the contact is computed with.
-    pub(crate) fn table(&self) -> &Table {
-        &self.table
-    }
-
-    /// The rows as they stand in the file.
-    pub(crate) fn file(&self) -> &Table {
-        &self.file
     }
 
     /// The length that it is smoothed over.

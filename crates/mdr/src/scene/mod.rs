@@ -20,13 +20,14 @@ use mdr_core::number::{Exact, Literal};
 
 use crate::answer::{Answer, OutputKind};
 use crate::error::{Error, Result};
-use crate::run::{Counts, Run, Stop};
+use crate::run::{Run, Stop};
 use crate::solve;
 use crate::validity::{self, Validity};
 
 pub use measured::Measured;
 pub(crate) use place::{Location, Places};
 pub use profile::{Formula, IntoProfile, Profile};
+pub(crate) use read::LISTS;
 pub use read::no_files;
 pub use tree::Files;
 pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, POINTS, Want};
@@ -39,17 +40,7 @@ pub(crate) use material::exactly;
 pub(crate) use place::double;
 
 /// The state at the first way point of a path.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Start {
-    /// The stable equilibrium with the largest contact radius.
-    Largest,
-    /// The one with the smallest.
-    Smallest,
-    /// The stable equilibrium whose contact radius is nearest to this, in ratio.
-    Nearest(Literal),
-    /// The surfaces are apart.
-    Detached,
-}
+pub type Start = mdr_numeric::path::Start<Literal>;
 
 /// A contact and what is wanted of it. All numbers are exact as written, in SI units.
 ///
@@ -92,9 +83,9 @@ pub struct Scene {
     pub(crate) range: Option<[Literal; 2]>,
     pub(crate) arithmetic: Arithmetic,
     /// How it was read, where that may surprise.
-    notes: Vec<String>,
+    pub(crate) notes: Vec<String>,
     /// The keys that were given, of those that may be of no use.
-    given: Vec<&'static str>,
+    given: Vec<String>,
     /// For complaints about the contact.
     pub(crate) places: Places,
 }
@@ -106,20 +97,23 @@ impl Scene {
     /// A number that is none; E* or w that is not positive; Poisson's ratio outside (−1, 1/2].
     pub fn new(profile: impl IntoProfile, elasticity: Elasticity, work_of_adhesion: impl Exact) -> Result<Scene> {
         let profile = profile.into_profile()?;
-        let work = work_of_adhesion.exact()?;
-        if work.is_zero() || work.is_negative() {
-            return Err(Location::built("material.work_of_adhesion").refuse(format!("must be positive, got {work}")));
-        }
+        let (at_modulus, at_work) = (Location::built("material.e_star"), Location::built("material.work_of_adhesion"));
+        let work = at_work.require_positive(work_of_adhesion.exact()?)?;
         let modulus = material::effective_modulus(&elasticity)?;
         let mut numbers = profile.numbers();
         let parameters = 0..numbers.len();
-        numbers.push((modulus.clone(), Location::built("material.e_star")));
-        numbers.push((work.clone(), Location::built("material.work_of_adhesion")));
-        Ok(Scene {
-            effective_modulus: modulus,
-            work_of_adhesion: work,
+        numbers.extend([(modulus.clone(), at_modulus), (work.clone(), at_work)]);
+        let places = Places { read: Vec::new(), numbers, parameters };
+        Ok(Scene { has_material: true, ..Scene::blank(profile, modulus, work, places) })
+    }
+
+    /// A contact under fixed grips of which nothing is wanted.
+    fn blank(profile: Profile, effective_modulus: Literal, work_of_adhesion: Literal, places: Places) -> Self {
+        Scene {
+            effective_modulus,
+            work_of_adhesion,
             range_of_adhesion: None,
-            has_material: true,
+            has_material: false,
             has_control: false,
             profile,
             control: Control::Indentation,
@@ -131,8 +125,8 @@ impl Scene {
             arithmetic: Arithmetic::default(),
             notes: Vec::new(),
             given: Vec::new(),
-            places: Places::built(numbers, parameters),
-        })
+            places,
+        }
     }
 
     /// The same under another control; its stiffness in N/m.
@@ -160,11 +154,9 @@ impl Scene {
     /// # Errors
     /// A range that is no number, or not positive.
     pub fn range_of_adhesion(mut self, range: impl Exact) -> Result<Self> {
-        let (range, place) = (range.exact()?, Location::built("material.range_of_adhesion"));
-        if range.is_zero() || range.is_negative() {
-            return Err(place.refuse(format!("must be positive, got {range}")));
-        }
-        self.places.add(range.clone(), place);
+        let place = Location::built("material.range_of_adhesion");
+        let range = place.require_positive(range.exact()?)?;
+        self.places.numbers.push((range.clone(), place));
         Ok(Scene { range_of_adhesion: Some(range), ..self })
     }
 
@@ -174,7 +166,7 @@ impl Scene {
     /// A scene without a range of adhesion; as [`Scene::solve`].
     pub fn validity(&self) -> Result<Validity> {
         self.check_arithmetic()?;
-        let found = validity::of(self, &Counts::until(&Stop::default()));
+        let found = validity::of(self, &Stop::default().counts());
         found
             .map_err(|error| self.places.complaint_about_profile(error))?
             .ok_or_else(|| Location::built("material.range_of_adhesion").refuse("missing: the range of adhesion in m"))
@@ -246,11 +238,6 @@ impl Scene {
         self.has_control || self.has(|kind| !kind.is_of_profile())
     }
 
-    /// How the scene was read, where that may surprise.
-    pub(crate) fn notes(&self) -> &[String] {
-        &self.notes
-    }
-
     /// A note for each key that was given and that nothing uses. A scene that is `drawn` has use for its way points and values,
     /// wanted or not.
     pub fn unused(&self, drawn: bool) -> Vec<String> {
@@ -278,14 +265,20 @@ impl Scene {
     /// Whether the scene says all that its outputs need.
     fn check(&self) -> Result<()> {
         if self.wants.is_empty() {
-            return Err(self.places.want.refuse("nothing is wanted"));
+            return Err(self.places.of("output.want").refuse("nothing is wanted"));
         }
+        self.check_needs()?;
+        self.check_arithmetic()
+    }
+
+    /// Whether no output lacks an input.
+    fn check_needs(&self) -> Result<()> {
         for want in &self.wants {
             if let Some(missing) = want.missing(self.has_material, &self.path) {
-                return Err(self.places.want.refuse(format!("`{}` needs {missing}", want.name())));
+                return Err(self.places.of("output.want").refuse(format!("`{}` needs {missing}", want.name())));
             }
         }
-        self.check_arithmetic()
+        Ok(())
     }
 
     /// Whether this build can answer in the arithmetic that is asked for.

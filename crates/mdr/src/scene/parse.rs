@@ -1,11 +1,68 @@
 //! From TOML and JSON text to one tree.
 
-use super::tree::{Document, Node};
-use crate::error::Result;
+use std::path::Path;
 
-/// TOML, whose numbers keep their text.
+use super::tree::{Document, Files, Node, Section};
+use crate::error::{Error, Result};
+
+/// Opens a `.toml` or `.json` file. The files that it names are beside it.
+///
+/// # Errors
+/// A file that cannot be read; as [`toml`].
+pub(crate) fn open<T>(path: &Path, read: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|source| Error::Io { name: name.clone(), source })?;
+    let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+    let files = |file: &str| std::fs::read(folder.join(file));
+    match path.extension() {
+        #[cfg(feature = "serde")]
+        Some(extension) if extension.eq_ignore_ascii_case("json") => json(&text, &name, &files, read),
+        _ => toml(&text, &name, &files, read),
+    }
+}
+
+/// What `read` makes of a text in TOML, whose numbers keep their text.
+///
+/// # Errors
+/// With name, line and key; always in a build without the feature `toml`.
 #[cfg(feature = "toml")]
-pub(crate) fn toml(document: &Document<'_>) -> Result<Node> {
+pub(crate) fn toml<T>(
+    text: &str,
+    name: &str,
+    files: Files<'_>,
+    read: impl FnOnce(&Section<'_>) -> Result<T>,
+) -> Result<T> {
+    let document = Document::new(name, text, "TOML", files);
+    read(&Section::top(&document, &toml_node(text, &document)?)?)
+}
+
+#[cfg(not(feature = "toml"))]
+pub(crate) fn toml<T>(_: &str, name: &str, _: Files<'_>, _: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
+    let source = std::io::Error::new(std::io::ErrorKind::Unsupported, "this build is without the feature `toml`");
+    Err(Error::Io { name: name.to_owned(), source })
+}
+
+/// The same of a text in JSON, with the keys of TOML; numbers keep their text.
+///
+/// # Errors
+/// As [`toml`].
+#[cfg(feature = "serde")]
+pub(crate) fn json<T>(
+    text: &str,
+    name: &str,
+    files: Files<'_>,
+    read: impl FnOnce(&Section<'_>) -> Result<T>,
+) -> Result<T> {
+    let document = Document::new(name, text, "JSON", files);
+    let root = json::parse(text).map_err(|error| {
+        let before: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
+        document.place(before..before, "not JSON").refuse(error.to_string())
+    })?;
+    read(&Section::top(&document, &root)?)
+}
+
+#[cfg(feature = "toml")]
+fn toml_node(text: &str, document: &Document<'_>) -> Result<Node> {
     use toml::de::{DeTable, DeValue};
 
     use super::tree::{Content, Entry};
@@ -32,23 +89,13 @@ pub(crate) fn toml(document: &Document<'_>) -> Result<Node> {
         table.iter().map(entry).collect()
     }
 
-    match DeTable::parse(document.text()) {
+    match DeTable::parse(text) {
         Ok(table) => Ok(Node { span: 0..0, content: Content::Table(entries(table.get_ref())), type_name: "table" }),
         Err(error) => {
             let why = error.message().lines().next().unwrap_or("not TOML").to_owned();
             Err(document.place(error.span().unwrap_or(0..0), "not TOML").refuse(why))
         }
     }
-}
-
-/// JSON with the keys of a TOML scene; numbers keep their text.
-#[cfg(feature = "serde")]
-pub(crate) fn json(document: &Document<'_>) -> Result<Node> {
-    json::parse(document.text()).map_err(|error| {
-        let before: usize =
-            document.text().split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
-        document.place(before..before, "not JSON").refuse(error.to_string())
-    })
 }
 
 #[cfg(feature = "serde")]

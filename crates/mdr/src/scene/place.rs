@@ -20,6 +20,14 @@ impl Location {
         Location { place: None, key: key.to_owned() }
     }
 
+    /// A number that must be above zero.
+    pub(crate) fn require_positive(&self, number: Literal) -> Result<Literal> {
+        if number.is_zero() || number.is_negative() {
+            return Err(self.refuse(format!("must be positive, got {number}")));
+        }
+        Ok(number)
+    }
+
     /// The complaint `file:line: key: why`.
     pub(crate) fn refuse(&self, why: impl Into<String>) -> Error {
         Error::Scene { place: self.place.clone(), key: self.key.clone(), why: why.into() }
@@ -29,58 +37,36 @@ impl Location {
 /// The places of a scene that a complaint about its contact can point at.
 #[derive(Clone, Debug)]
 pub(crate) struct Places {
-    pub(crate) modulus: Location,
-    pub(crate) work: Location,
-    pub(crate) stiffness: Location,
-    /// The table `[control]`.
-    pub(crate) control: Location,
-    /// The key `start` in it, where it is given.
-    pub(crate) start: Option<Location>,
-    /// The list of what is wanted.
-    pub(crate) want: Location,
-    /// The range of contact radii for the proof of folds.
-    pub(crate) range: Location,
-    pub(crate) profile: Location,
+    /// Those of inputs that were read from a file, by their keys.
+    pub(super) read: Vec<(&'static str, Location)>,
     /// All numbers, in the order in which they were read.
-    pub(crate) numbers: Vec<(Literal, Location)>,
+    pub(super) numbers: Vec<(Literal, Location)>,
     /// Those of the profile among them.
-    pub(crate) parameters: Range<usize>,
+    pub(super) parameters: Range<usize>,
 }
 
 impl Places {
-    /// Of a scene that was built.
-    pub(crate) fn built(numbers: Vec<(Literal, Location)>, parameters: Range<usize>) -> Self {
-        let at = Location::built;
-        Places {
-            modulus: at("material.e_star"),
-            work: at("material.work_of_adhesion"),
-            stiffness: at("control.stiffness"),
-            control: at("control"),
-            start: None,
-            want: at("output.want"),
-            range: at("output.folds.range"),
-            profile: at("profile"),
-            numbers,
-            parameters,
-        }
+    /// That of an input by the key it has where the scene is built.
+    pub(crate) fn of(&self, key: &'static str) -> Location {
+        self.read_at(key).unwrap_or_else(|| Location::built(key))
     }
 
-    /// One more number of the scene.
-    pub(super) fn add(&mut self, number: Literal, place: Location) {
-        self.numbers.push((number, place));
+    /// The same of an input that was read from a file.
+    pub(crate) fn read_at(&self, key: &str) -> Option<Location> {
+        self.read.iter().find(|(known, _)| *known == key).map(|(_, place)| place.clone())
     }
 
     /// A complaint about an input, at its place; the error itself when it is about something else.
     pub(crate) fn complaint(&self, error: contact::Error) -> Error {
         use contact::Error::Domain;
         let place = match &error {
-            Domain { quantity: Quantity::EffectiveModulus, .. } => Some(&self.modulus),
-            Domain { quantity: Quantity::WorkOfAdhesion, .. } => Some(&self.work),
-            Domain { quantity: Quantity::Stiffness, .. } => Some(&self.stiffness),
+            Domain { quantity: Quantity::EffectiveModulus, .. } => Some(self.of("material.e_star")),
+            Domain { quantity: Quantity::WorkOfAdhesion, .. } => Some(self.of("material.work_of_adhesion")),
+            Domain { quantity: Quantity::Stiffness, .. } => Some(self.of("control.stiffness")),
             Domain { value, .. } => {
-                let given =
-                    self.numbers[self.parameters.clone()].iter().find(|(number, _)| number.to_string() == *value);
-                given.map(|(_, place)| place)
+                let parameters = &self.numbers[self.parameters.clone()];
+                let given = parameters.iter().find(|(number, _)| number.to_string() == *value);
+                given.map(|(_, place)| place.clone())
             }
             _ => None,
         };
@@ -90,14 +76,9 @@ impl Places {
     /// A complaint about the contact as a whole: at the profile, unless it is about another input.
     pub(crate) fn complaint_about_profile(&self, error: contact::Error) -> Error {
         match self.complaint(error) {
-            Error::Contact(error) => self.profile.refuse(error.to_string()),
+            Error::Contact(error) => self.of("profile").refuse(error.to_string()),
             failure => failure,
         }
-    }
-
-    /// A complaint about the profile.
-    pub(crate) fn refuse_profile(&self, why: &str) -> Error {
-        self.profile.refuse(why)
     }
 
     /// A number of the profile that no double can hold.

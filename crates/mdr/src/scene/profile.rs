@@ -1,7 +1,6 @@
 //! The profiles that a scene can name.
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
 
 #[cfg(feature = "mp")]
 use mdr_core::contact::Breaks;
@@ -10,8 +9,8 @@ use mdr_core::number::{Exact, Literal};
 
 use super::Location;
 use super::measured::Measured;
-use super::tree::{Section, Value};
-use crate::error::{Error, Result};
+use super::tree::{Section, unknown_name};
+use crate::error::Result;
 
 /// A profile f(r).
 #[derive(Clone, Debug)]
@@ -66,14 +65,10 @@ impl IntoProfile for Measured {
 impl<X: Exact + Clone> IntoProfile for Shape<X> {
     fn into_profile(self) -> Result<Profile> {
         let exact = |key: &str, number: &X| {
-            let refuse = |why| Location::built(&format!("profile.{key}")).refuse(why);
-            let literal = number.clone().exact().map_err(|error| refuse(error.to_string()))?;
+            let place = Location::built(&format!("profile.{key}"));
+            let literal = number.clone().exact().map_err(|error| place.refuse(error.to_string()))?;
             // Waves may begin with a trough.
-            let may_be_negative = key == "amplitude";
-            if !may_be_negative && (literal.is_zero() || literal.is_negative()) {
-                return Err(refuse(format!("must be positive, got {literal}")));
-            }
-            Ok(literal)
+            if key == "amplitude" { Ok(literal) } else { place.require_positive(literal) }
         };
         Ok(Profile::Shape(self.try_map(exact)?))
     }
@@ -148,18 +143,6 @@ fn not_zero(height: f64) -> String {
     format!("the profile is not zero at the tip, f(0) = {height}; subtract {height} from it")
 }
 
-type Reader = fn(&Section<'_>) -> Result<Profile>;
-
-/// The kinds that are no shapes of the library.
-const OTHERS: [(&str, Reader); 3] =
-    [("sum", sum), ("expression", formula), ("table", |section| Ok(Profile::Table(Measured::read(section)?)))];
-
-/// Every kind by its name in a scene.
-fn kinds() -> &'static [(&'static str, Reader)] {
-    static KINDS: OnceLock<Vec<(&'static str, Reader)>> = OnceLock::new();
-    KINDS.get_or_init(|| Shape::names().map(|name| (name, shape as Reader)).chain(OTHERS).collect())
-}
-
 impl Profile {
     /// The name of the kind in a scene.
     pub fn name(&self) -> &'static str {
@@ -187,6 +170,13 @@ impl Profile {
         })
     }
 
+    /// The same exactly, of the numbers in an arithmetic; none for numbers of absurd length.
+    #[cfg(feature = "mp")]
+    pub(crate) fn exact_power_law(&self, number: impl Fn(&Literal) -> rug::Rational) -> Option<[Literal; 2]> {
+        let [n, c] = self.power_law(number, |radius| (radius * 2u32).recip())?;
+        Some([super::exactly(&n)?, super::exactly(&c)?])
+    }
+
     /// Whether g is a closed form; otherwise it is a quadrature or measured.
     pub(crate) fn is_closed(&self) -> bool {
         match self {
@@ -198,7 +188,7 @@ impl Profile {
 
     /// The rows of a table.
     pub(crate) fn rows(&self) -> Option<usize> {
-        if let Profile::Table(measured) = self { Some(measured.table().rows().len()) } else { None }
+        if let Profile::Table(measured) = self { Some(measured.table.rows().len()) } else { None }
     }
 
     /// The tables in it.
@@ -252,17 +242,26 @@ impl Profile {
     }
 
     pub(crate) fn read(section: &Section<'_>) -> Result<Profile> {
-        let read = section.required("kind")?.choice("profile", kinds())?;
-        let profile = read(section)?;
+        /// The kinds that are no shapes of the library.
+        const OTHERS: [&str; 3] = ["sum", "expression", "table"];
+        let kind = section.required("kind")?;
+        let profile = match (kind.text()?, Shape::by_name(kind.text()?)) {
+            (_, Some(blank)) => shape(section, blank.clone())?,
+            ("sum", None) => sum(section)?,
+            ("expression", None) => formula(section)?,
+            ("table", None) => Profile::Table(Measured::read(section)?),
+            (other, None) => {
+                let known: Vec<&str> = Shape::names().chain(OTHERS).collect();
+                return Err(kind.refuse(unknown_name("profile", other, &known)));
+            }
+        };
         section.finish()?;
         Ok(profile)
     }
 }
 
 /// A shape of the library; all parameters but an amplitude are positive.
-fn shape(section: &Section<'_>) -> Result<Profile> {
-    let kind = section.required("kind")?;
-    let mut blank = Shape::by_name(kind.text()?).ok_or_else(|| kind.refuse("no shape of this name"))?.clone();
+fn shape(section: &Section<'_>, mut blank: Shape<()>) -> Result<Profile> {
     if let Some(flank) = blank.flank_mut()
         && section.one_of(&["slope", "half_angle_degrees"])?.0 == 1
     {
@@ -300,15 +299,9 @@ fn formula(section: &Section<'_>) -> Result<Profile> {
     let formula = Formula::with(text.text()?, parameters).map_err(|why| text.refuse(why))?;
     let names: Vec<String> = formula.expression.parameters().collect();
     if let Some(unused) = formula.parameters.keys().find(|name| !names.contains(name)) {
-        return Err(unused_parameter(section, unused, &names));
+        let known = if names.is_empty() { "none".to_owned() } else { format!("`{}`", names.join("`, `")) };
+        let place = section.optional("parameters").map_or_else(|| section.place(), |value| value.place());
+        return Err(place.refuse(format!("the formula has no parameter `{unused}`; it has {known}")));
     }
     Ok(Profile::Formula(formula))
-}
-
-fn unused_parameter(section: &Section<'_>, name: &str, known: &[String]) -> Error {
-    let why = match known {
-        [] => format!("the formula has no parameter `{name}`; it has none"),
-        known => format!("the formula has no parameter `{name}`; it has `{}`", known.join("`, `")),
-    };
-    section.optional("parameters").map_or_else(|| section.place(), |value: Value<'_>| value.place()).refuse(why)
 }

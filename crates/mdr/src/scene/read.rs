@@ -4,16 +4,16 @@ use std::cmp::Ordering;
 use std::io;
 use std::path::Path;
 
-use mdr_core::contact::{Body, Control};
+use mdr_core::contact::{Body, Control, ControlKind};
 use mdr_core::number::Literal;
 
 use super::place::{Location, Places};
 use super::profile::Profile;
-use super::tree::{Document, Files, Node, Section, Value};
+use super::tree::{Files, Section, Value};
 use super::want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, POINTS, Want};
-use super::{Measured, Scene, Start, material, parse};
+use super::{Scene, Start, material, parse};
 use crate::answer::OutputKind;
-use crate::error::{Error, Result};
+use crate::error::Result;
 
 /// Why a scene with a table is answered in hardware arithmetic.
 const DOUBLES_OF_TABLES: &str = "measured rows are computed in f64 unless more is asked for: `digits` or \
@@ -25,37 +25,15 @@ impl Scene {
     /// # Errors
     /// With file, line and key.
     pub fn open(file: impl AsRef<Path>) -> Result<Scene> {
-        let path = file.as_ref();
-        let name = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|source| Error::Io { name: name.clone(), source })?;
-        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let files = |file: &str| std::fs::read(folder.join(file));
-        match path.extension() {
-            #[cfg(feature = "serde")]
-            Some(extension) if extension.eq_ignore_ascii_case("json") => Scene::from_json(&text, &name, &files),
-            _ => Scene::from_toml(&text, &name, &files),
-        }
+        parse::open(file.as_ref(), read)
     }
 
     /// Reads a scene as TOML. `name` stands in complaints; `files` reads what the scene names.
     ///
     /// # Errors
     /// With name, line and key.
-    #[cfg(feature = "toml")]
     pub fn from_toml(text: &str, name: &str, files: Files<'_>) -> Result<Scene> {
-        let document = Document::new(name, text, "TOML", files);
-        let root = parse::toml(&document)?;
-        read(&document, &root)
-    }
-
-    /// Without the feature `toml` no TOML is read.
-    ///
-    /// # Errors
-    /// Always.
-    #[cfg(not(feature = "toml"))]
-    pub fn from_toml(_: &str, name: &str, _: Files<'_>) -> Result<Scene> {
-        let source = io::Error::new(io::ErrorKind::Unsupported, "this build is without the feature `toml`");
-        Err(Error::Io { name: name.to_owned(), source })
+        parse::toml(text, name, files, read)
     }
 
     /// Reads a scene as JSON, with the keys of a TOML scene.
@@ -73,9 +51,7 @@ impl Scene {
     /// ```
     #[cfg(feature = "serde")]
     pub fn from_json(text: &str, name: &str, files: Files<'_>) -> Result<Scene> {
-        let document = Document::new(name, text, "JSON", files);
-        let root = parse::json(&document)?;
-        read(&document, &root)
+        parse::json(text, name, files, read)
     }
 
     /// The same with an arithmetic that takes precedence over that of the file.
@@ -97,75 +73,45 @@ pub fn no_files(file: &str) -> io::Result<Vec<u8>> {
     Err(io::Error::new(io::ErrorKind::NotFound, format!("no file {file} is at hand")))
 }
 
-fn read(document: &Document<'_>, root: &Node) -> Result<Scene> {
-    let top = Section::top(document, root)?;
+fn read(top: &Section<'_>) -> Result<Scene> {
+    let numbers = &top.document.numbers;
     let moduli = top.optional_section("material")?;
-    let given = moduli.as_ref().map(material_of).transpose()?;
+    let (modulus, work, range) = moduli.as_ref().map_or(Ok((1.into(), 1.into(), None)), material_of)?;
     let shape = top.section("profile")?;
-    let before = document.numbers_read();
+    let before = numbers.borrow().len();
     let profile = Profile::read(&shape)?;
-    let parameters = before..document.numbers_read();
+    let parameters = before..numbers.borrow().len();
     if let Profile::Table(measured) = &profile {
         measured.require_rising(&shape.place())?;
     }
-    let control = top.optional_section("control")?;
-    let held = control.as_ref().map(control_of).transpose()?;
+    let places = Places { read: vec![("profile", shape.place())], numbers: Vec::new(), parameters };
+    let mut scene = Scene::blank(profile, modulus, work, places);
+    (scene.has_material, scene.range_of_adhesion) = (moduli.is_some(), range);
+    let read = &mut scene.places.read;
+    if let Some(section) = &moduli {
+        read.push(("material.e_star", section.place_of(&["e_star", "body"])));
+        read.push(("material.work_of_adhesion", section.place_of(&["work_of_adhesion"])));
+    }
+    if let Some(section) = &top.optional_section("control")? {
+        scene.take_control(section)?;
+    }
     let outputs = top.section("output");
     top.finish()?;
-    let (held, start_place) = held.unwrap_or_else(|| (Held::default(), None));
-    let wanted = Wanted::read(&outputs?, &held, given.as_ref())?;
-    let place_of = |section: &Option<Section<'_>>, keys: &[&'static str]| {
-        section.as_ref().map_or_else(|| top.place(), |section| section.place_of(keys))
-    };
-    let places = Places {
-        modulus: place_of(&moduli, &["e_star", "body"]),
-        work: place_of(&moduli, &["work_of_adhesion"]),
-        stiffness: place_of(&control, &["stiffness"]),
-        control: place_of(&control, &[]),
-        start: start_place.clone(),
-        want: wanted.place,
-        range: wanted.range_place.unwrap_or_else(|| top.place()),
-        profile: shape.place(),
-        numbers: document.take_numbers(),
-        parameters,
-    };
-    let mut notes: Vec<String> = profile.tables().into_iter().flat_map(Measured::notes).collect();
-    let mut arithmetic = wanted.stated.unwrap_or_default();
-    if wanted.stated.is_none() && !profile.tables().is_empty() && places.require_doubles("").is_ok() {
-        arithmetic = Arithmetic::Double;
-        notes.push(DOUBLES_OF_TABLES.to_owned());
+    let stated = scene.take_output(&outputs?)?;
+    scene.places.numbers = numbers.take();
+    let tables = scene.profile.tables();
+    scene.notes = tables.iter().flat_map(|table| table.notes()).collect();
+    if let Some(arithmetic) = stated {
+        scene.arithmetic = arithmetic;
+    } else if !tables.is_empty() && scene.places.require_doubles("").is_ok() {
+        scene.arithmetic = Arithmetic::Double;
+        scene.notes.push(DOUBLES_OF_TABLES.to_owned());
     }
-    let (has_material, has_control) = (given.is_some(), control.is_some());
-    let (effective_modulus, work_of_adhesion, range_of_adhesion) = given.unwrap_or_else(|| (1.into(), 1.into(), None));
-    let Held { control, path, start } = held;
-    let mut keys = wanted.keys;
-    keys.extend((!path.is_empty()).then_some("[control] path"));
-    keys.extend(start_place.map(|_| "[control] start"));
-    Ok(Scene {
-        effective_modulus,
-        work_of_adhesion,
-        range_of_adhesion: range_of_adhesion.or(wanted.range_of_adhesion),
-        has_material,
-        has_control,
-        profile,
-        control,
-        path,
-        start,
-        wants: wanted.wants,
-        values: wanted.values,
-        range: wanted.range,
-        arithmetic,
-        notes,
-        given: keys,
-        places,
-    })
+    Ok(scene)
 }
 
-/// E*, w and the range of adhesion.
-type Contacting = (Literal, Literal, Option<Literal>);
-
-/// The table `[material]`.
-fn material_of(section: &Section<'_>) -> Result<Contacting> {
+/// The table `[material]`: E*, w and the range of adhesion.
+fn material_of(section: &Section<'_>) -> Result<(Literal, Literal, Option<Literal>)> {
     let work = section.required("work_of_adhesion")?.positive()?;
     let modulus = match section.one_of(&["e_star", "body"])? {
         (0, e_star) => e_star.positive()?,
@@ -193,37 +139,6 @@ fn body(value: &Value<'_>) -> Result<Body<Literal>> {
     Ok(Body { youngs_modulus, poissons_ratio })
 }
 
-/// The table `[control]`.
-struct Held {
-    control: Control<Literal>,
-    path: Vec<Literal>,
-    start: Start,
-}
-
-impl Default for Held {
-    fn default() -> Self {
-        Held { control: Control::Indentation, path: Vec::new(), start: Start::Largest }
-    }
-}
-
-/// With the place of `start`, where it is given.
-fn control_of(section: &Section<'_>) -> Result<(Held, Option<Location>)> {
-    let kinds = [("indentation", 0), ("force", 1), ("machine", 2)];
-    let kind = section.required("kind")?.choice("control", &kinds)?;
-    let control = match (kind, section.optional("stiffness")) {
-        (2, _) => Control::Machine { stiffness: section.required("stiffness")?.positive()? },
-        (_, Some(stiffness)) => return Err(stiffness.refuse("only a machine has a stiffness: kind = \"machine\"")),
-        (0, None) => Control::Indentation,
-        (_, None) => Control::Force,
-    };
-    let path = section.optional("path").map_or(Ok(Vec::new()), |path| path.numbers(Value::number))?;
-    let start = section.optional("start");
-    let place = start.as_ref().map(Value::place);
-    let start = start.map_or(Ok(Start::Largest), |start| start_of(&start))?;
-    section.finish()?;
-    Ok((Held { control, path, start }, place))
-}
-
 fn start_of(value: &Value<'_>) -> Result<Start> {
     match value.text() {
         Ok("largest") => Ok(Start::Largest),
@@ -236,72 +151,93 @@ fn start_of(value: &Value<'_>) -> Result<Start> {
     }
 }
 
-/// The table `[output]`.
-struct Wanted {
-    wants: Vec<Want>,
-    values: Vec<Literal>,
-    range: Option<[Literal; 2]>,
-    stated: Option<Arithmetic>,
-    /// The keys that are given, of those that may be of no use.
-    keys: Vec<&'static str>,
-    place: Location,
-    range_place: Option<Location>,
-    range_of_adhesion: Option<Literal>,
-}
+/// How a number of a list is read.
+type Reader = fn(&Value<'_>) -> Result<Literal>;
 
-impl Wanted {
-    fn read(section: &Section<'_>, held: &Held, material: Option<&Contacting>) -> Result<Wanted> {
-        let has_material = material.is_some();
+/// The outputs whose table has a list `at`, and how a number in it is read.
+pub(crate) const LISTS: [(OutputKind, Reader); 6] = [
+    (OutputKind::Transform, |value| value.positive()),
+    (OutputKind::Equilibria, |value| value.number()),
+    (OutputKind::Curve, |value| value.positive()),
+    (OutputKind::Pressure, |value| value.not_negative()),
+    (OutputKind::Gap, |value| value.positive()),
+    (OutputKind::Displacement, |value| value.positive()),
+];
+
+impl Scene {
+    /// The table `[control]`.
+    fn take_control(&mut self, section: &Section<'_>) -> Result<()> {
+        let kind = section.required("kind")?.choice("control", &ControlKind::ALL.map(|kind| (kind.name(), kind)))?;
+        self.control = match (kind, section.optional("stiffness")) {
+            (ControlKind::Machine, _) => Control::Machine { stiffness: section.required("stiffness")?.positive()? },
+            (_, Some(stiffness)) => return Err(stiffness.refuse("only a machine has a stiffness: kind = \"machine\"")),
+            (ControlKind::Indentation, None) => Control::Indentation,
+            (ControlKind::Force, None) => Control::Force,
+        };
+        self.has_control = true;
+        if let Some(path) = section.optional("path") {
+            self.path = path.numbers(Value::number)?;
+            self.given.extend((!self.path.is_empty()).then(|| "[control] path".to_owned()));
+        }
+        if let Some(start) = section.optional("start") {
+            self.start = start_of(&start)?;
+            self.given.push("[control] start".to_owned());
+            self.places.read.push(("control.start", start.place()));
+        }
+        section.finish()?;
+        let stiffness = ("control.stiffness", section.place_of(&["stiffness"]));
+        self.places.read.extend([stiffness, ("control", section.place())]);
+        Ok(())
+    }
+
+    /// The table `[output]`, and the arithmetic where it names one.
+    fn take_output(&mut self, section: &Section<'_>) -> Result<Option<Arithmetic>> {
         let list = section.required("want")?;
+        self.places.read.push(("output.want", list.place()));
         let kinds = kinds(&list)?;
         let stated = arithmetic(section)?;
-        let transform = at(section, "transform", Value::positive)?;
-        let values = at(section, "equilibria", Value::number)?;
-        let curve = at(section, "curve", Value::positive)?;
-        let pressure = at(section, "pressure", Value::not_negative)?;
-        let gap = at(section, "gap", Value::positive)?;
-        let displacement = at(section, "displacement", Value::positive)?;
-        let (range, range_place) = range(section)?.unzip();
+        let mut lists = Vec::new();
+        for (kind, read) in LISTS {
+            let found = at(section, kind.name(), read)?;
+            self.given.extend((!found.is_empty()).then(|| format!("[output.{}]", kind.name())));
+            lists.push((kind, found));
+        }
+        if let Some((range, place)) = range(section)? {
+            self.range = Some(range);
+            self.given.push("[output.folds] range".to_owned());
+            self.places.read.push(("output.folds.range", place));
+        }
         let points = section.optional("points").map(|points| points.whole(2, 1_000_000)).transpose()?;
-        let given = [
-            ("[output.transform]", !transform.is_empty()),
-            ("[output.equilibria]", !values.is_empty()),
-            ("[output.curve]", !curve.is_empty()),
-            ("[output.pressure]", !pressure.is_empty()),
-            ("[output.gap]", !gap.is_empty()),
-            ("[output.displacement]", !displacement.is_empty()),
-            ("[output.folds] range", range.is_some()),
-            ("[output] points", points.is_some()),
-        ];
-        let states = || values.clone();
-        let want = |kind: &OutputKind| match kind {
-            OutputKind::Transform => Want::Transform { at: transform.clone() },
-            OutputKind::Equilibria => Want::Equilibria { at: states() },
-            OutputKind::Folds => Want::Folds { range: range.clone() },
+        self.given.extend(points.map(|_| "[output] points".to_owned()));
+        let at =
+            |kind: OutputKind| lists.iter().find(|(known, _)| *known == kind).map_or(Vec::new(), |(_, at)| at.clone());
+        let states = || at(OutputKind::Equilibria);
+        let want = |kind: OutputKind| match kind {
+            OutputKind::Transform => Want::Transform { at: at(kind) },
+            OutputKind::Equilibria => Want::Equilibria { at: at(kind) },
+            OutputKind::Folds => Want::Folds { range: self.range.clone() },
             OutputKind::Path => Want::Path,
-            OutputKind::Curve => Want::Curve { at: curve.clone() },
-            OutputKind::Pressure => Want::Pressure { states: states(), at: pressure.clone() },
-            OutputKind::Gap => Want::Gap { states: states(), at: gap.clone() },
-            OutputKind::Displacement => Want::Displacement { states: states(), at: displacement.clone() },
+            OutputKind::Curve => Want::Curve { at: at(kind) },
+            OutputKind::Pressure => Want::Pressure { states: states(), at: at(kind) },
+            OutputKind::Gap => Want::Gap { states: states(), at: at(kind) },
+            OutputKind::Displacement => Want::Displacement { states: states(), at: at(kind) },
             OutputKind::Energy => Want::Energy { states: states() },
             OutputKind::ForceCurve => Want::ForceCurve { points: points.unwrap_or(POINTS) },
         };
-        let wants: Vec<Want> = kinds.iter().map(want).collect();
-        for want in &wants {
-            if let Some(missing) = want.missing(has_material, &held.path) {
-                return Err(list.refuse(format!("`{}` needs {missing}", want.name())));
+        self.wants = kinds.into_iter().map(want).collect();
+        self.values = states();
+        self.check_needs()?;
+        if let Some(range) = section.optional("range_of_adhesion") {
+            match &self.range_of_adhesion {
+                _ if !self.has_material => {
+                    return Err(range.refuse("needs a material: [material] e_star, work_of_adhesion"));
+                }
+                Some(_) => return Err(range.refuse("is given in [material], too")),
+                None => self.range_of_adhesion = Some(range.positive_length()?),
             }
         }
-        let range_of_adhesion = section.optional("range_of_adhesion");
-        match (&range_of_adhesion, material) {
-            (Some(range), None) => return Err(range.refuse("needs a material: [material] e_star, work_of_adhesion")),
-            (Some(range), Some((.., Some(_)))) => return Err(range.refuse("is given in [material], too")),
-            _ => {}
-        }
-        let range_of_adhesion = range_of_adhesion.map(|range| range.positive_length()).transpose()?;
         section.finish()?;
-        let keys = given.into_iter().filter_map(|(key, is_given)| is_given.then_some(key)).collect();
-        Ok(Wanted { wants, values, range, stated, keys, place: list.place(), range_place, range_of_adhesion })
+        Ok(stated)
     }
 }
 
@@ -334,7 +270,7 @@ fn arithmetic(section: &Section<'_>) -> Result<Option<Arithmetic>> {
 }
 
 /// The list `at` of a sub-table of `[output]`.
-fn at<'a>(section: &Section<'a>, key: &'static str, read: fn(&Value<'a>) -> Result<Literal>) -> Result<Vec<Literal>> {
+fn at(section: &Section<'_>, key: &'static str, read: Reader) -> Result<Vec<Literal>> {
     let Some(value) = section.optional(key) else {
         return Ok(Vec::new());
     };

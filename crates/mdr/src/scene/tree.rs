@@ -43,39 +43,19 @@ pub(crate) struct Entry {
 /// A scene file, and the numbers that have been read from it.
 pub(crate) struct Document<'f> {
     name: String,
-    text: String,
     /// Where its lines end.
     line_ends: Vec<usize>,
     /// `TOML` or `JSON`.
     format: &'static str,
-    pub(crate) files: Files<'f>,
-    numbers: RefCell<Vec<(Literal, Location)>>,
+    files: Files<'f>,
+    /// With their places.
+    pub(super) numbers: RefCell<Vec<(Literal, Location)>>,
 }
 
 impl<'f> Document<'f> {
     pub(crate) fn new(name: &str, text: &str, format: &'static str, files: Files<'f>) -> Self {
         let line_ends = text.match_indices('\n').map(|(end, _)| end).collect();
-        Document { name: name.to_owned(), text: text.to_owned(), line_ends, format, files, numbers: RefCell::default() }
-    }
-
-    pub(crate) fn text(&self) -> &str {
-        &self.text
-    }
-
-    /// How a file that the scene names is called in complaints: with the folder of the scene.
-    pub(crate) fn beside(&self, file: &str) -> String {
-        let folder = std::path::Path::new(&self.name).parent().unwrap_or(std::path::Path::new(""));
-        folder.join(file).display().to_string()
-    }
-
-    /// How many numbers have been read.
-    pub(crate) fn numbers_read(&self) -> usize {
-        self.numbers.borrow().len()
-    }
-
-    /// The numbers that have been read, each with its place.
-    pub(crate) fn take_numbers(&self) -> Vec<(Literal, Location)> {
-        self.numbers.take()
+        Document { name: name.to_owned(), line_ends, format, files, numbers: RefCell::default() }
     }
 
     pub(crate) fn place(&self, span: Range<usize>, key: &str) -> Location {
@@ -86,7 +66,7 @@ impl<'f> Document<'f> {
 
 /// A table of the document, from which keys are taken by name. [`finish`](Section::finish) refuses what nobody took.
 pub(crate) struct Section<'a> {
-    document: &'a Document<'a>,
+    pub(super) document: &'a Document<'a>,
     /// `profile` or `profile.term`; empty at the top.
     name: String,
     span: Range<usize>,
@@ -100,10 +80,6 @@ impl<'a> Section<'a> {
         let mut section = value.section()?;
         section.span = 0..0;
         Ok(section)
-    }
-
-    pub(crate) fn document(&self) -> &'a Document<'a> {
-        self.document
     }
 
     pub(crate) fn optional(&self, key: &'static str) -> Option<Value<'a>> {
@@ -201,6 +177,17 @@ impl<'a> Value<'a> {
         self.document.place(self.node.span.clone(), &self.key)
     }
 
+    /// The bytes of a file that is named here.
+    pub(crate) fn bytes(&self, file: &str) -> Result<Vec<u8>> {
+        (self.document.files)(file).map_err(|error| self.refuse_file(file, &error))
+    }
+
+    /// Such a file is refused, which is called with the folder of the scene.
+    pub(crate) fn refuse_file(&self, file: &str, why: &dyn std::fmt::Display) -> Error {
+        let folder = std::path::Path::new(&self.document.name).parent().unwrap_or(std::path::Path::new(""));
+        self.refuse(format!("{}: {why}", folder.join(file).display()))
+    }
+
     /// It is not what is expected.
     fn expected(&self, what: &str) -> Error {
         self.refuse(format!("expected {what}, got a {} {}", self.document.format, self.node.type_name))
@@ -231,19 +218,12 @@ impl<'a> Value<'a> {
 
     /// A [length](Value::length) above zero.
     pub(crate) fn positive_length(&self) -> Result<Literal> {
-        self.length().and_then(|length| self.require_positive(length))
+        self.place().require_positive(self.length()?)
     }
 
     /// A number above zero.
     pub(crate) fn positive(&self) -> Result<Literal> {
-        self.number().and_then(|number| self.require_positive(number))
-    }
-
-    fn require_positive(&self, number: Literal) -> Result<Literal> {
-        if number.is_zero() || number.is_negative() {
-            return Err(self.refuse(format!("must be positive, got {number}")));
-        }
-        Ok(number)
+        self.place().require_positive(self.number()?)
     }
 
     /// Zero or a number above it.
@@ -284,7 +264,10 @@ impl<'a> Value<'a> {
 
     pub(crate) fn list(&self) -> Result<Vec<Value<'a>>> {
         match &self.node.content {
-            Content::List(items) => Ok(items.iter().map(|item| self.item(item)).collect()),
+            Content::List(items) => {
+                let item = |node| Value { document: self.document, key: self.key.clone(), node };
+                Ok(items.iter().map(item).collect())
+            }
             _ => Err(self.expected("a list")),
         }
     }
@@ -300,10 +283,6 @@ impl<'a> Value<'a> {
             }),
             _ => Err(self.expected(&format!("a table [{}]", self.key))),
         }
-    }
-
-    fn item(&self, node: &'a Node) -> Value<'a> {
-        Value { document: self.document, key: self.key.clone(), node }
     }
 }
 

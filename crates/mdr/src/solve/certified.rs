@@ -13,11 +13,11 @@ use rug::Float;
 
 use super::digits::{agree, decide, start};
 use super::model::{Model, SceneReal};
-use super::outputs;
 use super::proof::{self, FoldProof};
 use super::refine::refined;
 use super::search::{Search, not_proved};
 use super::states::States;
+use super::{once, outputs};
 use crate::answer::record::Numbers;
 use crate::answer::{
     AtValue, Completeness, EnergyState, Equilibrium, Field, FieldState, List, LoadingPath, Number, Output, Promise,
@@ -52,12 +52,11 @@ impl<'s> Certified<'s> {
     /// # Errors
     /// As [`Model::new`], and as [`Certified::search`].
     pub(super) fn admissibility(&self) -> Result<Arc<Admissibility<'static>>> {
-        if let Some(known) = self.admissibility.get() {
-            return Ok(Arc::clone(known));
-        }
-        let rises = self.model::<Float>(start(self.digits))?.transform().rises();
-        let found = if rises { Arc::new(Admissibility::of_rising()) } else { self.search()?.admissibility() };
-        Ok(Arc::clone(self.admissibility.get_or_init(|| found)))
+        let found = once(&self.admissibility, || {
+            let rises = self.model::<Float>(start(self.digits))?.transform().rises();
+            Ok(if rises { Arc::new(Admissibility::of_rising()) } else { self.search()?.admissibility() })
+        });
+        found.cloned()
     }
 
     /// # Errors
@@ -65,7 +64,8 @@ impl<'s> Certified<'s> {
     pub(crate) fn output(&self, want: &Want) -> Result<Output> {
         Ok(match want {
             Want::Transform { at } => Output::Transform(self.transform(at)?),
-            Want::Curve { at } => Output::Curve(self.curve(&self.search_or_given_radii(at)?)?),
+            Want::Curve { at } if at.is_empty() => Output::Curve(self.curve(&self.search()?.radii()?)?),
+            Want::Curve { at } => Output::Curve(self.curve(at)?),
             Want::Folds { .. } => Output::Folds(self.all_folds()?),
             Want::Equilibria { at } => Output::Equilibria(self.equilibria(at)?),
             Want::Path => Output::Path(Box::new(self.path()?)),
@@ -96,11 +96,7 @@ impl<'s> Certified<'s> {
     /// # Errors
     /// As [`Model::new`].
     pub(super) fn search(&self) -> Result<&Search<'s>> {
-        if let Some(search) = self.search.get() {
-            return Ok(search);
-        }
-        let search = Search::of_lengths(self.scene, self.counts)?;
-        Ok(self.search.get_or_init(|| search))
+        once(&self.search, || Search::of_lengths(self.scene, self.counts))
     }
 
     /// The same contact in another arithmetic.
@@ -113,10 +109,6 @@ impl<'s> Certified<'s> {
         let model: Model<f64> = self.model(())?;
         let folds = refined(&model, self.search()?.folds()?)?;
         Ok((model, folds))
-    }
-
-    fn search_or_given_radii(&self, given: &[Literal]) -> Result<Vec<Literal>> {
-        if given.is_empty() { self.search()?.radii(given) } else { Ok(given.to_vec()) }
     }
 
     /// g at radii: proved where it is a closed form.
@@ -169,7 +161,7 @@ impl<'s> Certified<'s> {
             if let Some(list) = proof::equilibria(self, folds, values)? {
                 return Ok(list);
             }
-            if folds.is_complete() && values.len() > 1 {
+            if folds.complete.proved && values.len() > 1 {
                 return self.equilibria_one_by_one(folds, values);
             }
         }
@@ -228,7 +220,7 @@ impl<'s> Certified<'s> {
         }
         let estimated = self.estimated(|states| states.path(self.scene))?;
         let mut searched = self.searched()?;
-        if let Some(Completeness { proved: true, from, to, .. }) = folds.map(FoldProof::complete) {
+        if let Some(Completeness { proved: true, from, to, .. }) = folds.map(|folds| &folds.complete) {
             let [from, to] = [from, to].map(|end| end.as_deref().unwrap_or("infinity").to_owned());
             searched.why += &format!("; not every state of the path is proved within radii from {from} to {to} m");
         }
@@ -238,16 +230,15 @@ impl<'s> Certified<'s> {
     /// The folds on which proofs rest: of closed forms, and of tables that are short and leave nothing undecided. A longer or
     /// a rougher table is better searched.
     fn fold_proof(&self) -> Result<Option<&FoldProof>> {
-        if let Some(folds) = self.folds.get() {
-            return Ok(folds.as_ref());
-        }
         let profile = &self.scene.profile;
-        let folds = match profile.rows() {
-            None if profile.is_closed() => Some(FoldProof::new(self)?),
-            Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?).filter(FoldProof::is_complete),
-            _ => None,
-        };
-        Ok(self.folds.get_or_init(|| folds).as_ref())
+        let folds = once(&self.folds, || {
+            Ok(match profile.rows() {
+                None if profile.is_closed() => Some(FoldProof::new(self)?),
+                Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?).filter(|folds| folds.complete.proved),
+                _ => None,
+            })
+        });
+        folds.map(Option::as_ref)
     }
 
     /// What is computed at states that f64 has found.

@@ -6,7 +6,7 @@ use mdr_core::number::certify::{Decimal, Enclosure, next_precision};
 use mdr_core::number::{Interval, Precision, Real};
 use rug::Float;
 
-use crate::answer::record::{Cell, Numbers, Row, values};
+use crate::answer::record::{Cell, Numbers, Row, cells};
 use crate::answer::{Number, Value};
 
 /// Bits beyond those of the digits asked for, to begin with.
@@ -89,11 +89,11 @@ pub(crate) fn decide_from<T: Numbers<Enclosure>>(
 
 /// The numbers of rows, in their order.
 fn known<'a, N>(rows: &[Row<'a, N>]) -> Vec<&'a N> {
-    let number = |value: &'a Value<N>| match value {
-        Value::Known(number) => Some(number),
+    let number = |(_, cell): (_, &Cell<'a, N>)| match *cell {
+        Cell::Value(Value::Known(number)) => Some(number),
         _ => None,
     };
-    values(rows).into_iter().filter_map(number).collect()
+    cells(rows).into_iter().filter_map(number).collect()
 }
 
 /// Those that are not decided yet.
@@ -154,62 +154,43 @@ pub(crate) fn agree<T: Numbers<Estimate<Float>> + Clone>(
 /// The finer records, each number with the difference of the two and its own error on both sides, and whether both have them
 /// all; one that either lacks is lacking, for its reason. None where they differ in their form.
 fn compared<T: Numbers<Estimate<Float>>>(coarse: &T, fine: T) -> Option<(T::With<Enclosure>, bool)> {
-    let mut both = true;
-    let mut merged = Vec::new();
-    pair(&fine.rows(), &coarse.rows(), &mut |fine, coarse| {
-        both &= matches!(fine, Value::Known(_)) == matches!(coarse, Value::Known(_));
-        merged.push(match (fine, coarse) {
-            (Value::Known(fine), Value::Known(coarse)) => Some(Value::Known(around(fine, coarse))),
-            (Value::Known(_), Value::Unknown { status, log10, why }) => {
-                Some(Value::Unknown { status: *status, log10: *log10, why: why.clone() })
-            }
-            (Value::Known(_), Value::Given(_)) => None,
-            (Value::Given(_) | Value::Unknown { .. }, _) => None,
-        });
-    })?;
-    let mut merged = merged.into_iter();
-    let mut take = |value: Value<Estimate<Float>>| match (merged.next().flatten(), value) {
-        (Some(value), _) => value,
-        (None, Value::Given(literal)) => Value::Given(literal),
-        (None, Value::Unknown { status, log10, why }) => Value::Unknown { status, log10, why },
-        (None, Value::Known(_)) => Value::unknown(Status::Undecided, "two precisions differ in their form"),
-    };
-    Some((fine.map_values(&mut take), both))
-}
-
-/// Calls `f` with each value of two lists of records of one form; none where the forms differ.
-fn pair<'a, N>(
-    ones: &[Row<'a, N>],
-    others: &[Row<'a, N>],
-    f: &mut impl FnMut(&'a Value<N>, &'a Value<N>),
-) -> Option<()> {
-    if ones.len() != others.len() {
+    let (rows, others) = (fine.rows(), coarse.rows());
+    let (ones, others) = (cells(&rows), cells(&others));
+    let mut pairs = ones.iter().zip(&others);
+    let is_alike = pairs.all(|((key, cell), (other_key, other))| key == other_key && have_one_form(cell, other));
+    if ones.len() != others.len() || !is_alike {
         return None;
     }
-    for (one, other) in ones.iter().zip(others) {
-        if one.cells.len() != other.cells.len() {
-            return None;
-        }
-        for ((key, cell), (other_key, other)) in one.cells.iter().zip(&other.cells) {
-            let same = match (cell, other) {
-                (Cell::Value(one), Cell::Value(other)) => {
-                    f(*one, *other);
-                    true
-                }
-                (Cell::Rows(ones), Cell::Rows(others)) => pair(ones, others, f).is_some(),
-                (Cell::UnknownStability(_), Cell::UnknownStability(_) | Cell::Flag(_)) => true,
-                (Cell::Literal(one), Cell::Literal(other)) => one == other,
-                (Cell::Word(one), Cell::Word(other)) => one == other,
-                (Cell::Flag(one), Cell::Flag(other)) => one == other,
-                (Cell::Absent, Cell::Absent) => true,
-                _ => false,
-            };
-            if !same || key != other_key {
-                return None;
+    let differ = || Value::unknown(Status::Undecided, "two precisions differ in their form");
+    let mut both = true;
+    let mut merged = Vec::new();
+    for ((_, fine), (_, coarse)) in ones.into_iter().zip(others) {
+        let (Cell::Value(fine), Cell::Value(coarse)) = (fine, coarse) else { continue };
+        both &= matches!(fine, Value::Known(_)) == matches!(coarse, Value::Known(_));
+        merged.push(match (fine, coarse) {
+            (Value::Known(fine), Value::Known(coarse)) => Value::Known(around(fine, coarse)),
+            (Value::Known(_), Value::Unknown { status, log10, why }) | (Value::Unknown { status, log10, why }, _) => {
+                Value::Unknown { status: *status, log10: *log10, why: why.clone() }
             }
-        }
+            (Value::Known(_), Value::Given(_)) => differ(),
+            (Value::Given(literal), _) => Value::Given(literal.clone()),
+        });
     }
-    Some(())
+    let mut merged = merged.into_iter();
+    Some((fine.map_values(&mut |_| merged.next().unwrap_or_else(differ)), both))
+}
+
+/// Whether cells of two records of one form can stand under one key; numbers may differ.
+fn have_one_form<N>(one: &Cell<'_, N>, other: &Cell<'_, N>) -> bool {
+    match (one, other) {
+        (Cell::Value(_), Cell::Value(_)) | (Cell::Absent, Cell::Absent) => true,
+        (Cell::UnknownStability(_), Cell::UnknownStability(_) | Cell::Flag(_)) => true,
+        (Cell::Rows(ones), Cell::Rows(others)) => ones.len() == others.len(),
+        (Cell::Literal(one), Cell::Literal(other)) => one == other,
+        (Cell::Word(one), Cell::Word(other)) => one == other,
+        (Cell::Flag(one), Cell::Flag(other)) => one == other,
+        _ => false,
+    }
 }
 
 /// A number, and how far another one is from it and its own error on both sides.
@@ -237,11 +218,9 @@ fn written<T: Numbers<Enclosure>>(
     why: &str,
 ) -> T::With<Number> {
     let mut decided = decided.into_iter();
-    records.map_values(&mut |value| {
-        value.and_then(|_| match decided.next().flatten() {
-            Some(decimal) => Value::Known(promise(decimal)),
-            None => Value::unknown(Status::Undecided, why),
-        })
+    records.resolve(|_| match decided.next().flatten() {
+        Some(decimal) => Value::Known(promise(decimal)),
+        None => Value::unknown(Status::Undecided, why),
     })
 }
 

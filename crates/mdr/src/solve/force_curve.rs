@@ -47,7 +47,7 @@ pub(super) fn force_curve(
                 _ if index == count => to.before.clone(),
                 _ => between(branches, &from.after, &to.before, value)?,
             };
-            samples.extend(sample(model.control(), segment, step, value, &state));
+            samples.extend(sample(&model.control, segment, step, value, &state));
         }
     }
     let summary = summary(&path, branches, &samples);

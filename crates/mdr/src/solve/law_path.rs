@@ -8,15 +8,14 @@ use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Real};
 use mdr_numeric::admissible::{Admissibility, Ring, Touch};
 use mdr_numeric::branch::{Branched, End, Onset, unordered};
-use mdr_numeric::path::{Event, EventKind, Path, Start as Begin, State};
+use mdr_numeric::path::{Event, EventKind, Path, Start, State};
 use rug::Rational;
 
 use super::path;
 use super::power_law::PowerLaw;
-use crate::answer::record::Numbers;
+use crate::answer::record::{Numbers, Part};
 use crate::answer::types::PathNumbers;
 use crate::answer::{Balance, Dissipation, PathEvent, Value};
-use crate::scene::Start;
 
 /// The equilibrium in which a path starts; none where it cannot, or where the surfaces are apart.
 ///
@@ -74,14 +73,7 @@ struct Line<'a> {
     states: [Option<Known>; 2],
     /// The controlled quantity.
     value: Enclosure,
-    lost: Lost,
-}
-
-enum Lost {
-    /// Nothing changes.
-    Absent,
-    Unbounded,
-    Finite(Sum),
+    lost: Option<Dissipation<Sum>>,
 }
 
 /// A sum of stored energies, each with how often it is in it: what cancels, cancels exactly.
@@ -138,13 +130,8 @@ impl<'a> Branches<'a> {
         Interval::from_rational(self.curve.precision(), value)
     }
 
-    fn begin(&self) -> Begin<Interval> {
-        match &self.law.scene.start {
-            Start::Largest => Begin::Largest,
-            Start::Smallest => Begin::Smallest,
-            Start::Nearest(radius) => Begin::Nearest(self.enclose(&self.law.number(radius))),
-            Start::Detached => Begin::Detached,
-        }
+    fn begin(&self) -> Start<Interval> {
+        path::start(self.law.scene, |radius| self.enclose(&self.law.number(radius)))
     }
 
     fn fold(&self, fold: usize) -> Known {
@@ -189,7 +176,7 @@ impl<'a> Branches<'a> {
     /// What is known of an event; those at way points come in their order.
     fn line<'e>(&self, event: &'e Event<Interval>, way: &mut impl Iterator<Item = Rational>) -> Result<Line<'e>> {
         let held = match event.kind {
-            EventKind::Start | EventKind::WayPoint | EventKind::End => way.next(),
+            kind if path::is_arrival(kind) => way.next(),
             // Surfaces meet and part at zero.
             kind if path::changes(kind) && event.fold.is_none() => Some(Rational::new()),
             _ => None,
@@ -214,11 +201,14 @@ impl<'a> Branches<'a> {
             (None, Some(fold)) => self.curve.controlled(&self.curve.folds()[fold].0).enclosure(),
             (None, None) => event.value.clone().into(),
         };
+        let falls = event.fold.is_some() && *self.control() == Control::Force;
         let lost = match event.kind {
-            EventKind::CompleteContact => Lost::Unbounded,
-            EventKind::Detached if event.fold.is_some() && *self.control() == Control::Force => Lost::Unbounded,
-            kind if path::changes(kind) => Lost::Finite(Sum::between(states[0].as_ref(), states[1].as_ref())),
-            _ => Lost::Absent,
+            EventKind::CompleteContact => Some(Dissipation::Unbounded),
+            EventKind::Detached if falls => Some(Dissipation::Unbounded),
+            kind if path::changes(kind) => {
+                Some(Dissipation::Finite(Value::Known(Sum::between(states[0].as_ref(), states[1].as_ref()))))
+            }
+            _ => None,
         };
         Ok(Line { event, states, value, lost })
     }
@@ -250,26 +240,23 @@ impl<'a> Branches<'a> {
                 _ => {}
             }
         }
-        record.dissipated = match &line.lost {
-            Lost::Absent => None,
-            Lost::Unbounded => Some(Dissipation::Unbounded),
-            Lost::Finite(sum) => Some(Dissipation::Finite(Value::Known(sum.value(self.curve)))),
-        };
+        let sum = |sum: Sum| Value::Known(sum.value(self.curve));
+        record.dissipated = line.lost.clone().map_part(&mut |value| value.and_then(sum));
     }
 
     /// The work of the control, the energy lost, and what is stored more than at the start. None where one of them has no
     /// bound.
     fn balance(&self, lines: &[Line<'_>]) -> Option<Balance<Enclosure>> {
         let lost = lines.iter().try_fold(Sum::default(), |sum, line| match &line.lost {
-            Lost::Absent => Some(sum),
-            Lost::Unbounded => None,
-            Lost::Finite(lost) => Some(sum.plus(lost)),
+            None => Some(sum),
+            Some(Dissipation::Finite(Value::Known(lost))) => Some(sum.plus(lost)),
+            Some(_) => None,
         })?;
         let [first, last] = [lines.first()?, lines.last()?].map(|line| line.states[1].as_ref());
         let stored = Sum::between(last, first);
         let work = lost.clone().plus(&stored);
-        let energy = |sum: Sum| Value::Known(sum.value(self.curve));
-        Some(Balance { work: energy(work), dissipated: energy(lost), stored: energy(stored) })
+        let [work, dissipated, stored] = [work, lost, stored].map(Value::Known);
+        Some(Balance { work, dissipated, stored }.convert(|sum| sum.value(self.curve)))
     }
 }
 

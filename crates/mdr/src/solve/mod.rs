@@ -34,6 +34,7 @@ pub(crate) mod search;
 pub(crate) mod states;
 mod unused;
 
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 use mdr_core::contact;
@@ -49,13 +50,13 @@ use crate::run::{Cost, Counts, Run, Stop};
 use crate::scene::{Scene, Start, Want};
 use crate::validity;
 
-pub(crate) use model::transform;
-pub(crate) use path::{changes, follow};
+pub(crate) use model::{transform, transform_in_doubles};
+pub(crate) use path::{changes, follow, is_arrival};
 pub(crate) use unused::unused;
 
 /// The answer to a scene that has been checked.
 pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
-    let counts = Counts::until(&run.stop);
+    let counts = run.stop.counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     solver.check_range()?;
     let mut outputs = Vec::new();
@@ -64,15 +65,15 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
         if let Some(observer) = &mut run.observer {
             observer.begin(want);
         }
-        let before = counts.read();
+        let before = counts.each_ref().map(|count| count.read());
         let output = solver.output(want);
         // A stop may have been taken for a number that cannot be had.
         if run.stop.is_stopped() {
             return Err(Error::Stopped);
         }
         let output = output.map_err(|error| solver.complaint(want, error))?;
-        let after = counts.read();
-        let cost = Cost { output: want.kind(), evaluations: std::array::from_fn(|i| after[i] - before[i]) };
+        let evaluations = std::array::from_fn(|index| counts[index].read() - before[index]);
+        let cost = Cost { output: want.kind(), evaluations };
         if let Some(observer) = &mut run.observer {
             observer.output(&output, &cost);
         }
@@ -80,7 +81,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
         costs.push(cost);
     }
     let validity = validity::of(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
-    let mut notes = scene.notes().to_vec();
+    let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver.search().ok()));
     let has_states = scene.has(|kind| !kind.is_of_profile());
     let admissibility = if has_states { solver.admissibility().map(|known| known.basis()) } else { None };
@@ -99,13 +100,22 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     })
 }
 
+/// What is computed when something needs it, and once.
+fn once<T>(cell: &OnceCell<T>, compute: impl FnOnce() -> contact::Result<T>) -> contact::Result<&T> {
+    if let Some(known) = cell.get() {
+        return Ok(known);
+    }
+    let found = compute()?;
+    Ok(cell.get_or_init(|| found))
+}
+
 /// The branches of a scene in f64, `octaves` beyond its folds, for a drawing.
 pub(crate) fn drawn<T>(
     scene: &Scene,
     octaves: i64,
     draw: impl FnOnce(&Model<f64>, &Branches<'_, f64>) -> contact::Result<T>,
 ) -> Result<T> {
-    let counts = Counts::until(&Stop::default());
+    let counts = Stop::default().counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
     let branches = states::branches(&model, folds, octaves);
@@ -196,8 +206,8 @@ impl<'s> Solver<'s> {
     fn check_range(&self) -> Result<()> {
         let Some([lower, _]) = &self.scene.range else { return Ok(()) };
         let search = self.search().map_err(|error| self.scene.places.complaint(error))?;
-        match search.model().transform().outer_radius() {
-            Some(outer) if is_beyond(lower, outer) => Err(self.scene.places.range.refuse(format!(
+        match search.model.transform().outer_radius() {
+            Some(outer) if is_beyond(lower, outer) => Err(self.scene.places.of("output.folds.range").refuse(format!(
                 "the range must begin within the profile, whose outer radius is {outer}, got {lower}"
             ))),
             _ => Ok(()),
@@ -209,7 +219,7 @@ impl<'s> Solver<'s> {
         let places = &self.scene.places;
         match error {
             contact::Error::NoEquilibrium { .. } if want.kind() == OutputKind::Path => {
-                places.start.as_ref().unwrap_or(&places.control).refuse(self.no_start())
+                places.read_at("control.start").unwrap_or_else(|| places.of("control")).refuse(self.no_start())
             }
             // All that is left to do in certified digits was done.
             contact::Error::OutOfRange { quantity, log10 } => {

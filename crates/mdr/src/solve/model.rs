@@ -13,7 +13,7 @@ use mdr_numeric::curve::Curve;
 use mdr_numeric::transform::Quadrature;
 
 use crate::run::Counts;
-use crate::scene::{Formula, Profile, Scene};
+use crate::scene::{Profile, Scene};
 #[cfg(feature = "mp")]
 use crate::scene::{double, exactly};
 
@@ -60,9 +60,9 @@ impl SceneReal for Dual<Interval> {
 /// Profile, material and control in one arithmetic.
 pub(crate) struct Model<R: SceneReal> {
     ctx: R::Ctx,
-    transform: Arc<CountedTransform<R>>,
-    material: Material<R>,
-    control: Control<R>,
+    pub(crate) transform: Arc<dyn Transform<R>>,
+    pub(crate) material: Material<R>,
+    pub(crate) control: Control<R>,
 }
 
 impl<R: SceneReal> Model<R> {
@@ -77,8 +77,9 @@ impl<R: SceneReal> Model<R> {
     }
 
     fn with(scene: &Scene, ctx: R::Ctx, material: Material<R>, control: Control<R>, counts: &Counts) -> Result<Self> {
-        let transform = transform(&scene.profile, ctx, R::accepted(scene, ctx).as_ref())?;
-        let transform = Arc::new(CountedTransform::new(transform, counts.of(R::INDEX)));
+        let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
+        let transform = transform(&scene.profile, ctx, number, R::accepted(scene, ctx).as_ref())?;
+        let transform = Arc::new(CountedTransform::new(transform, &counts[R::INDEX]));
         Ok(Model { ctx, transform, material, control })
     }
 
@@ -94,19 +95,6 @@ impl<R: SceneReal> Model<R> {
 
     pub(crate) fn transform(&self) -> &dyn Transform<R> {
         &*self.transform
-    }
-
-    /// The same, for as long as it is needed.
-    pub(crate) fn shared(&self) -> Arc<CountedTransform<R>> {
-        Arc::clone(&self.transform)
-    }
-
-    pub(crate) fn material(&self) -> &Material<R> {
-        &self.material
-    }
-
-    pub(crate) fn control(&self) -> &Control<R> {
-        &self.control
     }
 
     pub(crate) fn curve(&self) -> Curve<'_, R> {
@@ -149,7 +137,8 @@ fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f6
     })
 }
 
-/// The transformed profile: a closed form where there is one, quadrature for a formula, exact pieces for a table.
+/// The transformed profile: a closed form where there is one, quadrature for a formula, exact pieces for a table. `number` gets
+/// its numbers in the order of [`Profile::numbers`].
 ///
 /// Over intervals only a closed form and a table have a meaning. A quadrature takes a relative error that is `accepted` where
 /// it cannot have the digits of the arithmetic.
@@ -159,34 +148,38 @@ fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f6
 pub(crate) fn transform<R: Struve + Kappa>(
     profile: &Profile,
     ctx: R::Ctx,
+    number: &mut dyn FnMut(&Literal) -> R,
     accepted: Option<&R>,
 ) -> Result<Box<dyn Transform<R>>> {
     Ok(match profile {
-        Profile::Shape(shape) => closed_form(shape.map(|_, literal| R::from_literal(ctx, literal)))?,
+        Profile::Shape(shape) => closed_form(shape.map(|_, literal| number(literal)))?,
         Profile::Sum(terms) => {
-            let terms = terms.iter().map(|term| transform(term, ctx, accepted)).collect::<Result<_>>()?;
+            let terms = terms.iter().map(|term| transform(term, ctx, number, accepted)).collect::<Result<_>>()?;
             Box::new(Sum::new(terms))
         }
-        Profile::Formula(formula) => quadrature(formula, ctx, accepted)?,
-        Profile::Table(measured) => Box::new(measured.table().profile::<R>(ctx)?),
+        Profile::Formula(formula) => {
+            let values = formula.parameters.iter().map(|(name, literal)| (name.clone(), number(literal))).collect();
+            let profile = formula.expression.bind_numbers::<R>(ctx, &values).map_err(|error| Error::Domain {
+                quantity: Quantity::Parameter("the formula"),
+                value: error.to_string(),
+                requirement: "one whose names all have values",
+            })?;
+            #[cfg(feature = "mp")]
+            let profile = profile.broken_at(ctx, &formula.breaks);
+            let quadrature = Quadrature::new(profile);
+            Box::new(match accepted {
+                Some(error) => quadrature.accepting(error.clone())?,
+                None => quadrature,
+            })
+        }
+        Profile::Table(measured) => Box::new(measured.table.profile::<R>(ctx)?),
     })
 }
 
-fn quadrature<R: Struve + Kappa>(
-    formula: &Formula,
-    ctx: R::Ctx,
-    accepted: Option<&R>,
-) -> Result<Box<dyn Transform<R>>> {
-    let profile = formula.expression.bind::<R>(ctx, &formula.parameters).map_err(|error| Error::Domain {
-        quantity: Quantity::Parameter("the formula"),
-        value: error.to_string(),
-        requirement: "one whose names all have values",
-    })?;
-    #[cfg(feature = "mp")]
-    let profile = profile.broken_at(ctx, &formula.breaks);
-    let quadrature = Quadrature::new(profile);
-    Ok(match accepted {
-        Some(error) => Box::new(quadrature.accepting(error.clone())?),
-        None => Box::new(quadrature),
-    })
+/// The same in f64.
+///
+/// # Errors
+/// As [`transform`].
+pub(crate) fn transform_in_doubles(profile: &Profile) -> Result<Box<dyn Transform<f64>>> {
+    transform(profile, (), &mut Literal::nearest_f64, None)
 }

@@ -36,11 +36,9 @@ pub(super) fn output(scene: &Scene, want: &Want, counts: &Counts) -> Result<Outp
 
 /// An output in decimals, rounded to doubles.
 pub(super) fn in_doubles(output: Output) -> Output {
-    output.map_values(Promise::Double, |value| {
-        value.and_then(|number| match number {
-            Number::Certified(decimal) | Number::Estimated(decimal) => nearest(&decimal),
-            double => Value::Known(double),
-        })
+    output.resolve(Promise::Double, |number| match number {
+        Number::Certified(decimal) | Number::Estimated(decimal) => nearest(&decimal),
+        double => Value::Known(double),
     })
 }
 

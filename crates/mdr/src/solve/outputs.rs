@@ -48,7 +48,10 @@ pub(crate) fn curve<R: SceneReal>(
             Ok(Some(Ordering::Greater)) => Value::Known(Stability::Stable),
             Ok(Some(Ordering::Less)) => Value::Known(Stability::Unstable),
             Ok(Some(Ordering::Equal)) => Value::Known(Stability::Neutral),
-            Ok(None) => return Err(undecided(&a)),
+            Ok(None) => {
+                let what = "whether the equilibrium is stable";
+                return Err(Error::Undecided { quantity: Quantity::ContactRadius, bits: a.precision(), what });
+            }
             Err(error) => Value::from_result(Err(error))?,
         };
         let verdict = indentation.as_ref().ok().map(|d| admissibility.of(a.approx(), d.approx()));
@@ -61,14 +64,6 @@ pub(crate) fn curve<R: SceneReal>(
         })
     };
     radii.iter().map(at).collect()
-}
-
-fn undecided<R: SceneReal>(a: &R) -> Error {
-    Error::Undecided {
-        quantity: Quantity::ContactRadius,
-        bits: a.precision(),
-        what: "whether the equilibrium is stable",
-    }
 }
 
 /// A fold, and whether it is admissible.

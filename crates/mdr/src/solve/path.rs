@@ -4,17 +4,17 @@ use std::cmp::Ordering;
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Control, Error, Result, Status};
-use mdr_core::number::Literal;
+use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::{Admissibility, Ring, Verdict};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::path::{Event, EventKind, Loss, Path, Start as Begin, State, stored};
+use mdr_numeric::path::{Event, EventKind, Loss, Path, Start, State, stored};
 
 use super::model::{Model, SceneReal};
 use crate::answer::record::Numbers;
 use crate::answer::types::PathNumbers;
 use crate::answer::{Admission, Balance, Dissipation, Optional, PathEvent, Value};
-use crate::scene::{Scene, Start};
+use crate::scene::Scene;
 
 /// The path of a scene.
 ///
@@ -23,16 +23,16 @@ use crate::scene::{Scene, Start};
 pub(crate) fn follow<R: SceneReal>(model: &Model<R>, branches: &impl Branched<R>, scene: &Scene) -> Result<Path<R>> {
     let way: Vec<R> = scene.path.iter().map(|point| model.number(point)).collect();
     let order: Vec<Ordering> = scene.path.windows(2).map(|pair| pair[1].compare(&pair[0])).collect();
-    Path::follow_ordered(branches, &start(model, scene), &way, &order)
+    Path::follow_ordered(branches, &start(scene, |radius| model.number(radius)), &way, &order)
 }
 
 /// Where the path of a scene starts.
-pub(crate) fn start<R: SceneReal>(model: &Model<R>, scene: &Scene) -> Begin<R> {
+pub(super) fn start<R: Real>(scene: &Scene, number: impl FnOnce(&Literal) -> R) -> Start<R> {
     match &scene.start {
-        Start::Largest => Begin::Largest,
-        Start::Smallest => Begin::Smallest,
-        Start::Nearest(radius) => Begin::Nearest(model.number(radius)),
-        Start::Detached => Begin::Detached,
+        Start::Largest => Start::Largest,
+        Start::Smallest => Start::Smallest,
+        Start::Nearest(radius) => Start::Nearest(number(radius)),
+        Start::Detached => Start::Detached,
     }
 }
 
@@ -152,10 +152,7 @@ fn dissipated<R: SceneReal>(event: &Event<R>, loss: Result<Loss<R>>) -> Result<O
     Ok(match loss {
         _ if !changes(event.kind) => None,
         Ok(Loss::Unbounded) => Some(Dissipation::Unbounded),
-        Ok(Loss::Finite(lost)) => {
-            let noise = lost.error.clone();
-            Some(Dissipation::Finite(beyond_noise(lost, &noise)))
-        }
+        Ok(Loss::Finite(lost)) => Some(Dissipation::Finite(beyond_noise(&lost, &lost.error))),
         Err(error) => Some(Dissipation::Finite(unknown(error)?)),
     })
 }
@@ -193,10 +190,7 @@ fn balance<R: SceneReal>(
     }
     let stored = match stored(path, branches) {
         Ok(Some(stored)) if returns(path, way) => Value::Known(Estimate::exact(stored.value.lit(0))),
-        Ok(Some(stored)) => {
-            let noise = stored.error.clone();
-            beyond_noise(stored, &noise)
-        }
+        Ok(Some(stored)) => beyond_noise(&stored, &stored.error),
         Ok(None) => return Ok(None),
         Err(error) => unknown(error)?,
     };
@@ -230,13 +224,13 @@ fn work<R: SceneReal>(lost: &Value<Estimate<R>>, stored: &Value<Estimate<R>>) ->
     let work = plus(lost, stored);
     let (Value::Known(sum), Value::Known(lost), Value::Known(stored)) = (&work, lost, stored) else { return work };
     let noise = (lost.value.abs() + stored.value.abs()) * sum.value.unit_roundoff().times(ROUNDINGS);
-    beyond_noise(sum.clone(), &noise)
+    beyond_noise(sum, &noise)
 }
 
 /// An energy, unless it is nothing but its error: a zero that is not exact is none, however many precisions agree on it.
-fn beyond_noise<R: SceneReal>(energy: Estimate<R>, noise: &R) -> Value<Estimate<R>> {
+fn beyond_noise<R: SceneReal>(energy: &Estimate<R>, noise: &R) -> Value<Estimate<R>> {
     if energy.value.abs() > *noise || *noise == noise.lit(0) {
-        return Value::Known(energy);
+        return Value::Known(energy.clone());
     }
     Value::unknown(Status::Undecided, "zero up to the rounding of the energies that it is made of")
 }
@@ -245,4 +239,9 @@ fn beyond_noise<R: SceneReal>(energy: Estimate<R>, noise: &R) -> Value<Estimate<
 pub(crate) fn changes(kind: EventKind) -> bool {
     use EventKind::{CompleteContact, Detached, Jump, JumpIn, Touch};
     matches!(kind, Touch | JumpIn | Jump | Detached | CompleteContact)
+}
+
+/// Whether the event is the arrival at a way point.
+pub(crate) fn is_arrival(kind: EventKind) -> bool {
+    matches!(kind, EventKind::Start | EventKind::WayPoint | EventKind::End)
 }

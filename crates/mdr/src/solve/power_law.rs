@@ -17,7 +17,7 @@ use crate::answer::types::PathNumbers;
 use crate::answer::{
     Admission, AtValue, Completeness, EnergyState, Equilibrium, Fold, List, LoadingPath, Number, Output, Promise, Value,
 };
-use crate::scene::{Arithmetic, Profile, Scene, Want, exactly};
+use crate::scene::{Arithmetic, Scene, Want, exactly};
 
 /// A power law with rational constants, how it is held, and the numbers of its scene in the arithmetic of the answer: as they
 /// are written, or the doubles nearest to them.
@@ -34,7 +34,7 @@ impl<'s> PowerLaw<'s> {
     /// As [`Question::new`].
     pub(super) fn of(scene: &'s Scene) -> Result<Option<Self>> {
         let as_meant = |literal: &Literal| number(scene, literal);
-        let Some([exponent, coefficient]) = power_law(&scene.profile, as_meant) else { return Ok(None) };
+        let Some([exponent, coefficient]) = scene.profile.exact_power_law(as_meant) else { return Ok(None) };
         let literal = |input: &Literal| exactly(&as_meant(input)).unwrap_or_else(|| input.clone());
         let Ok(control) = scene.control.try_map(|stiffness| Ok::<_, std::convert::Infallible>(literal(stiffness)));
         let elasticity = Elasticity::Effective(literal(&scene.effective_modulus));
@@ -227,15 +227,4 @@ fn number(scene: &Scene, literal: &Literal) -> Rational {
         Arithmetic::Certified { .. } => literal.to_rational(),
         Arithmetic::Double => Rational::from_f64(literal.nearest_f64()).unwrap_or_else(|| literal.to_rational()),
     }
-}
-
-/// Whether a profile is a power law with rational constants.
-pub(super) fn is_power_law(profile: &Profile) -> bool {
-    power_law(profile, Literal::to_rational).is_some()
-}
-
-/// n and C of f = C rⁿ where the profile is one with rational constants.
-fn power_law(profile: &Profile, number: impl Fn(&Literal) -> Rational) -> Option<[Literal; 2]> {
-    let [n, c] = profile.power_law(number, |radius| (radius * 2u32).recip())?.each_ref().map(exactly);
-    Some([n?, c?])
 }

@@ -6,7 +6,7 @@ use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::branch::Branched;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::folds::{Completeness as SearchQuality, Folds};
-use mdr_numeric::path::{Event, EventKind, Path};
+use mdr_numeric::path::{Event, Path};
 use mdr_numeric::proof::{EnclosedBranches, EnclosedCurve, ProvedFolds};
 use rug::Float;
 use rug::float::Round;
@@ -48,7 +48,8 @@ impl Enclosed {
 /// All folds on a range of radii, in a precision that tells them apart.
 pub(super) struct FoldProof {
     proved: ProvedFolds,
-    complete: Completeness,
+    /// Whether they are proved to be all in the range.
+    pub(super) complete: Completeness,
 }
 
 impl FoldProof {
@@ -61,7 +62,7 @@ impl FoldProof {
             Some(range) => range.clone(),
             None => {
                 let search = certified.search()?;
-                sample::range(search.model(), search.folds()?, &search.visited())?
+                sample::range(&search.model, search.folds()?, &search.visited())?
             }
         };
         let mut enclosed = Enclosed::new(certified, Precision::new(ISOLATION))?;
@@ -83,16 +84,6 @@ impl FoldProof {
         let (from, to) = (Some(from.to_string()), Some(to));
         let complete = Completeness { proved: proved.is_complete(), from, to, why: reason(&proved.undecided) };
         Ok(FoldProof { proved, complete })
-    }
-
-    /// Whether the folds are proved to be all in the range.
-    pub(super) fn is_complete(&self) -> bool {
-        self.complete.proved
-    }
-
-    /// What is known about the folds.
-    pub(super) fn complete(&self) -> &Completeness {
-        &self.complete
     }
 }
 
@@ -211,7 +202,7 @@ impl Followed {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = EnclosedBranches::new(enclosed.curve(), &folds.proved)?;
         let branches = branches.with_admissibility(certified.admissibility()?);
-        let control = enclosed.value.control();
+        let control = &enclosed.value.control;
         let unproved = || {
             let (from, to) = ("0".to_owned(), "infinity".to_owned());
             Error::Unproved { quantity: control.quantity(), from, to, remedy: "name a wider range of radii" }
@@ -267,7 +258,7 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
         let mut events = events.convert(Enclosure::from);
         let mut way = scene.path.iter();
         for (record, event) in events.iter_mut().zip(&followed.path.events) {
-            if let EventKind::Start | EventKind::WayPoint | EventKind::End = event.kind
+            if path::is_arrival(event.kind)
                 && let Some(literal) = way.next()
             {
                 set_exact(record, event, &scene.control, literal);

@@ -39,11 +39,11 @@ pub(super) fn note(scene: &Scene, search: Option<&Search<'_>>) -> Option<String>
 
 /// Warns of folds that come from the scatter of rows.
 fn warning(scene: &Scene, search: &Search<'_>, measured: &Measured) -> Option<String> {
-    let scatter = measured.file().scatter();
+    let scatter = measured.file.scatter();
     if scatter.of_rows().iter().all(|sigma| *sigma == 0.0) {
         return None;
     }
-    let curve = search.model().curve();
+    let curve = search.model.curve();
     let radii: Vec<f64> = search.folds().ok()?.iter().map(|fold| fold.contact_radius).collect();
     // What the scatter does to the tangency ratio g'/Δl' = 2a g'/Δl.
     let of_ratio = |a: f64| Some(scatter.of_slope(a) * 2.0 * a / curve.detachment_elongation(&a).ok()?);
@@ -65,7 +65,7 @@ fn warning(scene: &Scene, search: &Search<'_>, measured: &Measured) -> Option<St
         .collect();
     let (first, last) = (*affected.first()?, *affected.last()?);
 
-    let rows = measured.file().rows();
+    let rows = measured.file.rows();
     let spacing = rows.last()?.radius.nearest_f64() / rows.len() as f64;
     let at = |length: Option<f64>| {
         let smoothed = |table: &Measured| table.smoothed(length);
@@ -80,11 +80,8 @@ fn warning(scene: &Scene, search: &Search<'_>, measured: &Measured) -> Option<St
     let affected = scatter.row_before(first)..=(scatter.row_before(last) + 1).min(rows.len() - 1);
     let sigma = affected.clone().map(|row| scatter.of_rows()[row]).sum::<f64>() / affected.clone().count() as f64;
     let lines = [rows[*affected.start()].line, rows[*affected.end()].line];
-    let whose = if is_rounding(measured.file(), &scatter, affected) {
-        ", as the rounding of their last digit does"
-    } else {
-        ""
-    };
+    let whose =
+        if is_rounding(&measured.file, &scatter, affected) { ", as the rounding of their last digit does" } else { "" };
     let folds = match count {
         0 => "the folds there are uncertain by that".to_owned(),
         count => format!("{count} of the {} folds come from that, not from the shape", radii.len()),
@@ -123,7 +120,7 @@ struct Tension {
 }
 
 fn tension(scene: &Scene, length: Option<f64>, profile: &Profile) -> Option<Tension> {
-    let transform = model::transform::<f64>(profile, (), None).ok()?;
+    let transform = model::transform_in_doubles(profile).ok()?;
     let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(|literal| literal.nearest_f64());
     let folds = folds::folds(&*transform, &Material::new(modulus, work).ok()?, &Control::Force).ok()?;
     let force = folds.iter().map(|fold| fold.force).min_by(f64::total_cmp)?;

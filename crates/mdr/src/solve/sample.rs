@@ -1,6 +1,6 @@
 //! Radii that the program chooses where the scene names none: short decimals, so that they are exact in any arithmetic.
 
-use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::contact::{Error, Instability, Quantity, Result};
 use mdr_core::number::Literal;
 use mdr_numeric::folds::Folds;
 #[cfg(feature = "mp")]
@@ -33,9 +33,12 @@ pub(crate) fn decimal(value: f64, digits: usize) -> Result<Literal> {
 /// # Errors
 /// When w/E* or a fold is out of the range of f64.
 pub(crate) fn radii(model: &Model<f64>, folds: &Folds<f64>) -> Result<Vec<Literal>> {
-    let (lower, upper) = span(model, folds);
-    let rim = model.transform().outer_radius().map_or(f64::MAX, |outer| outer * (1.0 - RIM));
-    let upper = upper.min(rim);
+    let (length, outer) = (model.curve().material_length(), model.transform().outer_radius());
+    // Around w/E* where there is no fold.
+    let middle = outer.map_or(length, |outer| length.min(outer / 2.0));
+    let at = |fold: Option<&Instability<f64>>| fold.map_or(middle, |fold| fold.contact_radius);
+    let (lower, upper) = (at(folds.folds.first()) / MARGIN, at(folds.folds.last()) * MARGIN);
+    let upper = upper.min(outer.map_or(f64::MAX, |outer| outer * (1.0 - RIM)));
     let step = (upper / lower).ln() / (POINTS - 1) as f64;
     (0..POINTS).map(|i| decimal(lower * (step * i as f64).exp(), 4)).collect()
 }
@@ -50,13 +53,4 @@ pub(crate) fn range(model: &Model<f64>, folds: &Folds<f64>, visited: &[f64]) -> 
     let (lower, upper) = proof::range(&model.curve(), folds, REACH, visited);
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);
     Ok([power(lower)?, power(upper)?])
-}
-
-/// From below all folds to above them; around w/E* where there is no fold.
-fn span(model: &Model<f64>, folds: &Folds<f64>) -> (f64, f64) {
-    let length = model.curve().material_length();
-    let middle = model.transform().outer_radius().map_or(length, |outer| length.min(outer / 2.0));
-    let first = folds.folds.first().map_or(middle, |fold| fold.contact_radius);
-    let last = folds.folds.last().map_or(middle, |fold| fold.contact_radius);
-    (first / MARGIN, last * MARGIN)
 }

@@ -11,7 +11,7 @@ use mdr_numeric::folds::{self, Beyond, Completeness as SearchQuality, Folds};
 
 use super::model::Model;
 use super::states::States;
-use super::{outputs, sample};
+use super::{once, outputs, sample};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Field, List, LoadingPath, Number, Output, Promise, Value};
 use crate::run::Counts;
@@ -20,7 +20,7 @@ use crate::scene::{Scene, Want};
 /// The contact in f64; its folds are searched when something needs them, and once.
 pub(crate) struct Search<'s> {
     scene: &'s Scene,
-    model: Model<f64>,
+    pub(crate) model: Model<f64>,
     folds: OnceCell<Folds<f64>>,
     admissibility: OnceCell<Arc<Admissibility<'static>>>,
     /// Whether a fold is of use without its force, which is out of range.
@@ -55,64 +55,55 @@ impl<'s> Search<'s> {
             let radii: Vec<f64> =
                 folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
             let length = self.model.curve().material_length();
-            Arc::new(Admissibility::new(self.model.shared(), search_range(length, &radii)))
+            Arc::new(Admissibility::new(Arc::clone(&self.model.transform), search_range(length, &radii)))
         };
         Arc::clone(self.admissibility.get_or_init(search))
-    }
-
-    pub(crate) fn model(&self) -> &Model<f64> {
-        &self.model
     }
 
     /// # Errors
     /// As [`folds::find`].
     pub(crate) fn folds(&self) -> Result<&Folds<f64>> {
-        if let Some(folds) = self.folds.get() {
-            return Ok(folds);
-        }
-        let curve = self.model.curve();
-        let mut found = folds::find(&curve)?;
-        for Beyond { contact_radius, kind, error } in std::mem::take(&mut found.beyond) {
-            if !self.radii_suffice {
-                return Err(error);
+        once(&self.folds, || {
+            let curve = self.model.curve();
+            let mut found = folds::find(&curve)?;
+            for Beyond { contact_radius, kind, error } in std::mem::take(&mut found.beyond) {
+                if !self.radii_suffice {
+                    return Err(error);
+                }
+                let indentation = curve.indentation(&contact_radius)?;
+                found.folds.push(Instability { contact_radius, indentation, force: f64::NAN, kind });
             }
-            let indentation = curve.indentation(&contact_radius)?;
-            found.folds.push(Instability { contact_radius, indentation, force: f64::NAN, kind });
-        }
-        found.folds.sort_by(|one, other| one.contact_radius.total_cmp(&other.contact_radius));
-        Ok(self.folds.get_or_init(|| found))
+            found.folds.sort_by(|one, other| one.contact_radius.total_cmp(&other.contact_radius));
+            Ok(found)
+        })
     }
 
     /// # Errors
     /// Those of the transform and of the quadratures.
     pub(crate) fn output(&self, want: &Want) -> Result<Output> {
-        const DOUBLE: Promise = Promise::Double;
         let field = |field, states: &[Literal], at: &[Literal]| {
-            let states = self.states()?.fields(self.scene, field, states, at)?;
-            Ok(Output::Field(field, List::new(DOUBLE, doubles(states))))
+            Ok(Output::Field(field, list(self.states()?.fields(self.scene, field, states, at)?)))
         };
         Ok(match want {
             Want::Transform { at } => {
-                let samples = outputs::transform(&self.model, at)?.convert(Estimate::exact);
-                Output::Transform(List::new(DOUBLE, doubles(samples)))
+                Output::Transform(list(outputs::transform(&self.model, at)?.convert(Estimate::exact)))
             }
             Want::Folds { .. } => {
                 let judged = |fold: &Instability<f64>| outputs::fold(fold.clone(), &self.admissibility());
                 let folds: Vec<_> = self.folds()?.folds.iter().map(judged).collect();
-                Output::Folds(List::new(DOUBLE, doubles(folds.convert(Estimate::exact))).complete(self.completeness()?))
+                Output::Folds(list(folds.convert(Estimate::exact)).complete(self.completeness()?))
             }
             Want::Curve { at } => {
-                let points =
-                    outputs::curve(&self.model, &self.radii(at)?, &self.admissibility())?.convert(Estimate::exact);
-                Output::Curve(List::new(DOUBLE, doubles(points)))
+                let radii = if at.is_empty() { &self.radii()? } else { at };
+                let points = outputs::curve(&self.model, radii, &self.admissibility())?;
+                Output::Curve(list(points.convert(Estimate::exact)))
             }
             Want::Equilibria { at } => {
-                let equilibria = self.states()?.equilibria(at)?;
-                Output::Equilibria(List::new(DOUBLE, doubles(equilibria)).complete(self.completeness()?))
+                Output::Equilibria(list(self.states()?.equilibria(at)?).complete(self.completeness()?))
             }
             Want::Path => {
                 let path = doubles(self.states()?.path(self.scene)?);
-                Output::Path(Box::new(LoadingPath::new(DOUBLE, path, self.completeness()?)))
+                Output::Path(Box::new(LoadingPath::new(Promise::Double, path, self.completeness()?)))
             }
             Want::Pressure { states, at } => return field(Field::Pressure, states, at),
             Want::Gap { states, at } => return field(Field::Gap, states, at),
@@ -120,10 +111,7 @@ impl<'s> Search<'s> {
             Want::ForceCurve { points } => {
                 Output::ForceCurve(Box::new(self.states()?.force_curve(self.scene, *points as usize)?))
             }
-            Want::Energy { states } => {
-                let energies = self.states()?.energies(self.scene, states)?;
-                Output::Energy(List::new(DOUBLE, doubles(energies)))
-            }
+            Want::Energy { states } => Output::Energy(list(self.states()?.energies(self.scene, states)?)),
         })
     }
 
@@ -146,9 +134,9 @@ impl<'s> Search<'s> {
         }
     }
 
-    /// The contact radii of `curve`.
-    pub(crate) fn radii(&self, given: &[Literal]) -> Result<Vec<Literal>> {
-        if given.is_empty() { sample::radii(&self.model, self.folds()?) } else { Ok(given.to_vec()) }
+    /// The contact radii of `curve` where the scene names none.
+    pub(crate) fn radii(&self) -> Result<Vec<Literal>> {
+        sample::radii(&self.model, self.folds()?)
     }
 
     pub(crate) fn completeness(&self) -> Result<Completeness> {
@@ -164,15 +152,17 @@ pub(crate) fn not_proved(why: &str) -> Completeness {
     Completeness { proved: false, from: None, to: None, why: why.to_owned() }
 }
 
+fn list<T: Numbers<Estimate<f64>>>(records: Vec<T>) -> List<T::With<Number>> {
+    List::new(Promise::Double, doubles(records))
+}
+
 /// Doubles as they are printed; one that is no number is out of range.
 pub(crate) fn doubles<T: Numbers<Estimate<f64>>>(records: T) -> T::With<Number> {
-    records.map_values(&mut |value| {
-        value.and_then(|Estimate { value, .. }| {
-            if value.is_finite() {
-                Value::Known(Number::Double(value))
-            } else {
-                Value::Unknown { status: Status::Overflow, log10: None, why: None }
-            }
-        })
+    records.resolve(|Estimate { value, .. }| {
+        if value.is_finite() {
+            Value::Known(Number::Double(value))
+        } else {
+            Value::Unknown { status: Status::Overflow, log10: None, why: None }
+        }
     })
 }

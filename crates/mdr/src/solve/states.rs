@@ -58,7 +58,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     fn with_value(&self, state: contact::Equilibrium<R>, value: &R) -> contact::Equilibrium<R> {
         match state.stability {
             Stability::Neutral => state,
-            _ => state.controlled(self.model.control(), value.clone()),
+            _ => state.controlled(&self.model.control, value.clone()),
         }
     }
 
@@ -131,7 +131,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// The equilibrium in which the path starts; none where it cannot, or where the surfaces are apart.
     fn first(&self, scene: &Scene, first: &Literal) -> Result<Option<contact::Equilibrium<R>>> {
         let value = self.model.number(first);
-        match Path::first(&self.branches, &path::start(self.model, scene), &value) {
+        match Path::first(&self.branches, &path::start(scene, |radius| self.model.number(radius)), &value) {
             Ok(State::Contact(state)) => Ok(Some(self.with_value(state, &value))),
             Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
             Err(error) => Err(error),
@@ -169,7 +169,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     pub(crate) fn energies(&self, scene: &Scene, values: &[Literal]) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
         self.described(scene, values, |state| {
             let fields = Fields::of(self.model.curve(), &state)?;
-            let energy = Energy::new(self.model.transform(), self.model.material())?;
+            let energy = Energy::new(self.model.transform(), &self.model.material)?;
             let potential = energy.potential(&state.contact_radius, &state.indentation);
             let admissible = Admission::of(self.verdict(&state));
             let energy = Value::from_result(potential)?;
@@ -193,18 +193,13 @@ impl<'a, R: SceneReal> States<'a, R> {
             };
             Value::from_result(value)
         };
-        if radii.is_empty() {
-            let fractions = if field == Field::Pressure { &INSIDE } else { &OUTSIDE };
-            let at = |&(numerator, denominator): &(i64, i64)| {
-                let r = a.clone().times(numerator).over(denominator);
-                Ok(FieldSample { value: value(&r)?, r: Value::Known(Estimate::exact(r)) })
-            };
-            return fractions.iter().map(at).collect();
-        }
-        let at = |literal: &Literal| {
-            Ok(FieldSample { value: value(&self.model.number(literal))?, r: Value::Given(literal.clone()) })
-        };
-        radii.iter().map(at).collect()
+        let fractions = if field == Field::Pressure { &INSIDE } else { &OUTSIDE };
+        let chosen = fractions.iter().filter(|_| radii.is_empty()).map(|&(numerator, denominator)| {
+            let r = a.clone().times(numerator).over(denominator);
+            (Value::Known(Estimate::exact(r.clone())), r)
+        });
+        let given = radii.iter().map(|literal| (Value::Given(literal.clone()), self.model.number(literal)));
+        chosen.chain(given).map(|(r, at)| Ok(FieldSample { r, value: value(&at)? })).collect()
     }
 
     /// Whether a state is admissible; with its gap where it is wanted and below zero.

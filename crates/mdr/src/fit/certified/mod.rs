@@ -18,7 +18,7 @@ use super::contact::{Contact, Numbers, Tip};
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::observation::Loss;
-use super::problem::{Kind, Problem};
+use super::problem::Kind;
 use crate::scene::Profile;
 
 const OUT_OF_RANGE: &str = "a number is out of range";
@@ -63,8 +63,7 @@ impl Normal {
 
 /// A problem exactly as it is printed, with the labels of its rows.
 struct Proof<'a> {
-    problem: &'a Problem,
-    free: &'a [usize],
+    objective: &'a Objective<'a>,
     precision: Precision,
     rows: Vec<Row>,
     numbers: Vec<Interval>,
@@ -127,55 +126,49 @@ fn exact(precision: Precision, value: f64) -> Option<Interval> {
 impl<'a> Proof<'a> {
     /// # Errors
     /// A sentence that says which row has no proof, or that a number is out of range.
-    fn new(objective: &'a Objective<'_>, minimum: &Minimum, precision: Precision) -> std::result::Result<Self, String> {
-        let problem = objective.problem;
+    fn new(objective: &'a Objective<'a>, minimum: &Minimum, precision: Precision) -> std::result::Result<Self, String> {
         let rows = rows::rows(objective, minimum, precision)?;
         let number = |parameter: &super::problem::Parameter| exact(precision, parameter.value.unwrap_or(0.0));
-        let numbers = problem.parameters.iter().map(number).collect::<Option<_>>().ok_or(OUT_OF_RANGE)?;
+        let numbers = objective.problem.parameters.iter().map(number).collect::<Option<_>>().ok_or(OUT_OF_RANGE)?;
         let prior = |(place, [mean, sd]): (usize, [f64; 2])| {
             Some(Prior { place, mean: exact(precision, mean)?, sd: exact(precision, sd)? })
         };
         let priors = objective.priors().map(prior).collect::<Option<_>>().ok_or(OUT_OF_RANGE)?;
-        Ok(Proof { problem, free: &objective.free, precision, rows, numbers, priors })
+        Ok(Proof { objective, precision, rows, numbers, priors })
     }
 
     /// All numbers at fitted values of which one is seeded.
     fn numbers(&self, fitted: &[Interval], seed: usize) -> Numbers<Dual<Interval>> {
-        let value = |index: usize| match self.free.iter().position(|free| *free == index) {
+        let value = |index: usize| match self.objective.free.iter().position(|free| *free == index) {
             None => Dual::constant(self.numbers[index].clone()),
             Some(place) => {
                 let fitted = fitted[place].clone();
                 let fitted = if place == seed { Dual::variable(fitted) } else { Dual::constant(fitted) };
-                let parameter = &self.problem.parameters[index];
-                let negative = parameter.start.or(parameter.value).is_some_and(|value| value < 0.0);
+                let parameter = self.objective.parameter(place);
                 match parameter.kind.is_offset() {
                     true => fitted,
-                    false if negative => -fitted.exp(),
+                    false if parameter.is_negative() => -fitted.exp(),
                     false => fitted.exp(),
                 }
             }
         };
-        Numbers::of(self.problem, value, || Dual::constant(Interval::from_int(self.precision, 0)))
-    }
-
-    fn kind(&self, place: usize) -> Kind {
-        self.problem.parameters[self.free[place]].kind
+        Numbers::of(self.objective.problem, value, || Dual::constant(Interval::from_int(self.precision, 0)))
     }
 
     /// (value − mean)/sd.
     fn prior_residual(&self, prior: &Prior, numbers: &Numbers<Dual<Interval>>) -> Residual {
         let zero = || Dual::constant(prior.sd.lit(0));
-        let value = numbers.get(self.kind(prior.place)).cloned().unwrap_or_else(zero);
-        let slope = if self.kind(prior.place).is_offset() { value.lit(1) } else { value.clone() };
+        let value = numbers.get(self.objective.kind(prior.place)).cloned().unwrap_or_else(zero);
+        let slope = if self.objective.is_offset(prior.place) { value.lit(1) } else { value.clone() };
         let sd = Dual::constant(prior.sd.clone());
-        let mut slopes: Vec<_> = (0..self.free.len()).map(|_| zero()).collect();
+        let mut slopes: Vec<_> = (0..self.objective.free.len()).map(|_| zero()).collect();
         slopes[prior.place] = slope / &sd;
         Residual { value: (value - Dual::constant(prior.mean.clone())) / &sd, slopes }
     }
 
     /// The normal equations over a box.
     fn normal(&self, fitted: &[Interval]) -> Result<Normal> {
-        let count = fitted.len();
+        let (problem, count) = (self.objective.problem, fitted.len());
         let zero = || Interval::from_int(self.precision, 0);
         let mut normal = Normal {
             gradient: vec![zero(); count],
@@ -185,12 +178,10 @@ impl<'a> Proof<'a> {
         };
         for seed in 0..count {
             let numbers = self.numbers(fitted, seed);
-            let free: Vec<usize> = (0..count)
-                .filter_map(|place| if let Kind::Profile(index) = self.kind(place) { Some(index) } else { None })
-                .collect();
-            let tip = Tip::new(&self.problem.profile, self.precision, &numbers.profile, &free)?;
-            let contact = Contact::new(&tip, numbers, self.problem.observation);
-            let kinds: Vec<Kind> = (0..count).map(|place| self.kind(place)).collect();
+            let free = self.objective.free_of_profile();
+            let tip = Tip::new(&problem.profile, self.precision, &numbers.profile, &free)?;
+            let contact = Contact::new(&tip, numbers, problem.observation);
+            let kinds: Vec<Kind> = (0..count).map(|place| self.objective.kind(place)).collect();
             for row in &self.rows {
                 row.residuals(&contact, &kinds)?.iter().for_each(|residual| normal.add(residual, seed));
             }
@@ -244,7 +235,7 @@ impl<'a> Proof<'a> {
         let numbers = self.numbers(fitted, usize::MAX);
         let mut parameters = Vec::with_capacity(count);
         for (place, reach) in reach.iter().enumerate() {
-            let parameter = &self.problem.parameters[self.free[place]];
+            let parameter = self.objective.parameter(place);
             let value = numbers.get(parameter.kind).map_or(&fitted[place], |number| &number.value);
             let factor = if parameter.kind.is_offset() { value.lit(1) } else { value.abs() };
             let error = (covariance[place][place].clone() * &variance).sqrt() * &factor;
