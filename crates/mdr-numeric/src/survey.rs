@@ -76,11 +76,8 @@ const CEILING: f64 = 600.0;
 pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Survey<R>> {
     let found = crossings(range, ratio);
     if found.flat {
-        return Err(Error::Undecided {
-            quantity: Quantity::ContactRadius,
-            bits: range.scale.precision(),
-            what: "which radius it is: the condition holds up to rounding over a whole range of them",
-        });
+        let what = "which radius it is: the condition holds up to rounding over a whole range of them";
+        return Err(Error::undecided(Quantity::ContactRadius, &range.scale, what));
     }
     Ok(found)
 }
