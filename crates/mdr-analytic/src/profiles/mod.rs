@@ -149,7 +149,7 @@ macro_rules! profiles {
         pub struct $profile:ident { $($field:ident: $by:path),* }
         impl $of:ident {
             $(#[$new:meta])*
-            pub fn new;
+            $access:vis fn new;
         }
     )*) => {$(
         $(#[$doc])*
@@ -163,7 +163,7 @@ macro_rules! profiles {
             ///
             /// # Errors
             /// Unless every number is positive and finite.
-            pub fn new($($field: R),*) -> mdr_core::contact::Result<Self> {
+            $access fn new($($field: R),*) -> mdr_core::contact::Result<Self> {
                 Ok($profile { $($field: $crate::profiles::positive(stringify!($field), $field)?),* })
             }
         }
