@@ -12,7 +12,7 @@
 
 mod chebyshev;
 
-use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::{Real, order};
 
 use chebyshev::{DEGREE, Drawn, Fit, share};
@@ -48,6 +48,13 @@ pub(crate) struct Range<R> {
     pub(crate) outer: Option<R>,
     /// The largest −t and t of the search, at most [`REACH`].
     pub(crate) reach: [f64; 2],
+}
+
+impl<R: Real> Range<R> {
+    /// All radii of a profile, in units of ℓ = `scale`.
+    pub(crate) fn whole(transform: &dyn Transform<R>, scale: R) -> Self {
+        Range { scale, kinks: transform.kinks(), outer: transform.outer_radius(), reach: [REACH; 2] }
+    }
 }
 
 /// The largest |t| of a search: 10^±455000; only n = 1/2 ± 10⁻⁶ and closer has crossings far beyond.
