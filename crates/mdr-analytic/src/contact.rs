@@ -63,10 +63,10 @@ const FORCE_SLOPE: Quantity = Quantity::Parameter("the slope F' of the normal fo
 pub struct Contact<R> {
     profile: PowerLaw<R>,
     material: Material<R>,
-    /// B = πw/(2E*), in m.
-    edge_length: R,
+    /// B = πw/(2E*), in m. It may be out of range where its root is not.
+    pub(crate) edge_length: R,
     /// √B, in √m.
-    edge_root: R,
+    pub(crate) edge_root: R,
 }
 
 impl<R: Real> Contact<R> {
@@ -273,16 +273,6 @@ impl<R: Real> Contact<R> {
 
     fn ln_elongation(&self, a: &R) -> R {
         (ln_edge_length(&self.material) + a.ln()).over(2) + a.lit(2).ln()
-    }
-
-    /// B = πw/(2E*), in m. It may be out of range where its root is not.
-    pub(crate) fn edge_length(&self) -> &R {
-        &self.edge_length
-    }
-
-    /// √B, in √m.
-    pub(crate) fn edge_root(&self) -> &R {
-        &self.edge_root
     }
 
     /// N = nκ_nC.

@@ -89,8 +89,8 @@ impl<R: Real> Contact<R> {
         let slope = self.slope_coefficient();
         // One power of one quotient: near n = 1/2 only its rounding is magnified by 1/(2n−1).
         let (square, excess) = (slope.square(), self.profile().excess());
-        let quotient = tension.square() * self.edge_length() / &square;
-        let radius = if ordinary(&quotient) && ordinary(&square) && ordinary(self.edge_length()) {
+        let quotient = tension.square() * &self.edge_length / &square;
+        let radius = if ordinary(&quotient) && ordinary(&square) && ordinary(&self.edge_length) {
             quotient.pow(&excess.inv())
         } else {
             self.distant_length_scale(tension, &slope, &excess)
@@ -102,7 +102,7 @@ impl<R: Real> Contact<R> {
     /// logarithm.
     #[cold]
     fn distant_length_scale(&self, tension: &R, slope: &R, excess: &R) -> R {
-        let (edge, power) = (self.edge_root().clone() * tension, excess.lit(2) / excess);
+        let (edge, power) = (self.edge_root.clone() * tension, excess.lit(2) / excess);
         let root = edge.clone() / slope;
         if ordinary(&edge) && ordinary(slope) {
             if ordinary(&root) {
@@ -133,7 +133,7 @@ impl<R: Real> Contact<R> {
             if *factor == factor.lit(0) { Ok(value) } else { representable(quantity, value, ln) }
         };
         let (indentation, force) = if ordinary(&a) {
-            let (edge, root) = (self.edge_root(), a.sqrt());
+            let (edge, root) = (&self.edge_root, a.sqrt());
             let force = product([&f_factor, self.material().effective_modulus(), edge, &root, &a]);
             (product([&d_factor, edge, &root]), force)
         } else {

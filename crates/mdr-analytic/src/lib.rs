@@ -70,6 +70,7 @@ mod jump;
 mod kappa;
 mod machine;
 mod maugis;
+mod newton;
 mod power_law;
 pub mod profiles;
 mod range;

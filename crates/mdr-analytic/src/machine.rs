@@ -18,13 +18,12 @@
 //! there are three folds if φ is positive at the first and negative at the second, else one. For μ = 0, φ decreases
 //! from ln ρ to ln(ρ/3), where ρ = N/√B: one fold for 1 < ρ < 3, none otherwise; λ = ρ gives a = k(ρ−1)/(2E*(3−ρ)).
 
-use std::cmp::Ordering;
-
 use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::contact::{Contact, ln_edge_length};
 use crate::critical::Critical;
+use crate::newton::{self, tolerance, undecided};
 use crate::range::{ordinary, representable};
 
 impl<R: Real> Contact<R> {
@@ -186,7 +185,7 @@ struct Piece<R> {
 impl<R: Real> Balance<R> {
     fn new(contact: &Contact<R>, stiffness: &R) -> Self {
         let slope = contact.profile().excess().over(2);
-        let ratio = contact.slope_coefficient() / contact.edge_root();
+        let ratio = contact.slope_coefficient() / &contact.edge_root;
         let ln_ratio = if ordinary(&ratio) {
             ratio.ln()
         } else {
@@ -257,37 +256,18 @@ impl<R: Real> Balance<R> {
         Ok(Some((top, (sum / mu.clone().times(3)).ln())))
     }
 
-    /// The root in a piece: an approximation, then a Newton step over a neighbourhood that must contain its own image.
-    /// For an interval type this proves existence and uniqueness; for the others the steps refine the root and carry
-    /// the derivatives of a dual number (the second step those of second and third order). Over intervals the
-    /// derivative is enclosed too: that of u − φ(u)/φ'(u) with respect to u is φφ''/φ'², which encloses 0 where u
-    /// encloses the root, so the accuracy of the slope of u does not matter.
+    /// The root in a piece: an approximation, then [its enclosure](newton::enclosed). Over intervals the derivatives are
+    /// enclosed too: that of u − φ(u)/φ'(u) with respect to u is φφ''/φ'², which encloses 0 where u encloses the root, so
+    /// the accuracy of the slope of u does not matter.
     fn root(&self, piece: &Piece<R>) -> Result<R> {
         let guess = self.steered().approximate_root(piece);
         let residual = self.value(&guess) / self.derivative(&guess);
-        let mut radius = residual.abs().steer().times(4) + tolerance(&guess).times(8);
-        // The uncertainty of φ at a guess where its terms cancel does not show in the residual, so the neighbourhood
-        // grows as long as it is known to a quarter of the digits.
-        for _ in 0..guess.precision().div_ceil(4) {
-            let neighbourhood = guess.clone().inflate_with_slope(&radius);
-            let slope = self.derivative(&neighbourhood);
-            let image = guess.clone() - self.value(&guess) / &slope;
-            if (image.clone() - &guess).abs() <= radius {
-                // If an enclosure proves a root, the slope proves that it belongs to this piece and not to the next.
-                let encloses = neighbourhood != guess;
-                if encloses && (slope > slope.lit(0)) != (piece.kind == FoldKind::Minimum) {
-                    break;
-                }
-                return Ok(self.newton(&image, &image));
-            }
-            radius = radius.times(8);
-        }
-        Err(undecided(&guess, "where exactly the fold lies"))
-    }
-
-    /// u − φ(u)/φ'(neighbourhood).
-    fn newton(&self, u: &R, neighbourhood: &R) -> R {
-        u.clone() - self.value(u) / self.derivative(neighbourhood)
+        let radius = residual.abs().steer().times(4) + tolerance(&guess).times(8);
+        let rising = piece.kind == FoldKind::Minimum;
+        newton::enclosed(&guess, radius, rising, "where exactly the fold lies", |u, neighbourhood| {
+            let slope = self.derivative(neighbourhood);
+            Ok((u.clone() - self.value(u) / &slope, slope))
+        })
     }
 
     /// The same function with representative points as parameters.
@@ -299,44 +279,8 @@ impl<R: Real> Balance<R> {
     fn approximate_root(&self, piece: &Piece<R>) -> R {
         let low = piece.from.steer() - tolerance(&piece.from.steer());
         let high = piece.to.steer() + tolerance(&piece.to.steer());
-        newton_within(low, high, piece.kind == FoldKind::Minimum, |u| (self.value(u), self.derivative(u)))
+        newton::within(low, high, piece.kind == FoldKind::Minimum, |u| (self.value(u), self.derivative(u)))
     }
-}
-
-/// Newton's method inside a shrinking bracket, for a function with its slope that is `rising` or falling at the root.
-pub(crate) fn newton_within<R: Real>(mut low: R, mut high: R, rising: bool, f: impl Fn(&R) -> (R, R)) -> R {
-    let mut u = (low.clone() + &high).over(2).steer();
-    let mut last_step = high.clone() - &low;
-    for _ in 0..64 + 2 * u.precision() {
-        let (value, slope) = f(&u);
-        match value.partial_cmp(&u.lit(0)) {
-            Some(Ordering::Greater) if rising => high = u.clone(),
-            Some(Ordering::Less) if !rising => high = u.clone(),
-            Some(Ordering::Greater | Ordering::Less) => low = u.clone(),
-            // Only rounding is left.
-            _ => break,
-        }
-        let newton = (u.clone() - value / slope).steer();
-        let step = (newton.clone() - &u).abs();
-        let brisk = step.clone().times(2) < last_step && newton >= low && newton <= high;
-        let next = if brisk { newton } else { (low.clone() + &high).over(2).steer() };
-        last_step = (next.clone() - &u).abs();
-        u = next;
-        // Newton's method doubles the digits: the next step would be below rounding.
-        if last_step <= tolerance(&u) || (brisk && step.square() <= tolerance(&u)) {
-            break;
-        }
-    }
-    u
-}
-
-/// Two units in the last place of u, or of one.
-fn tolerance<R: Real>(u: &R) -> R {
-    (u.abs() + u.lit(1)) * u.unit_roundoff().times(2)
-}
-
-fn undecided<R: Real>(at: &R, what: &'static str) -> Error {
-    Error::Undecided { quantity: Quantity::ContactRadius, bits: at.precision(), what }
 }
 
 #[cfg(test)]

@@ -78,11 +78,7 @@ impl<R: Real> PowerLaw<R> {
             Some(Greater) => Ok(Regime::PullOff),
             Some(Equal) => Ok(Regime::ScaleFree),
             Some(Less) => Ok(Regime::CompleteContact),
-            None => Err(Error::Undecided {
-                quantity: Quantity::Exponent,
-                bits: self.exponent.precision(),
-                what: "whether it is above or below 1/2",
-            }),
+            None => Err(Error::undecided(Quantity::Exponent, &self.exponent, "whether it is above or below 1/2")),
         }
     }
 

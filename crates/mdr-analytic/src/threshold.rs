@@ -89,7 +89,7 @@ impl<R: Real> Contact<R> {
 
     /// ρ, or 0 or ∞ if it is out of range.
     pub(crate) fn unchecked_ratio(&self) -> R {
-        self.profile().strength() / self.edge_root().clone().times(2)
+        self.profile().strength() / self.edge_root.clone().times(2)
     }
 
     /// The equilibrium of radius a at n = 1/2: d = (ρ−1)√(2πwa/E*) and F = 2E*a√(2πwa/E*)(ρ/3−1), tensile for ρ < 3.
@@ -120,11 +120,7 @@ impl<R: Real> Contact<R> {
             Some(Greater) => Ok(Fate::Shrinks),
             Some(Equal) => Ok(Fate::Indifferent),
             Some(Less) => Ok(Fate::CompleteContact),
-            None => Err(Error::Undecided {
-                quantity: Quantity::Coefficient,
-                bits: ratio.precision(),
-                what: "whether it is above or below the threshold",
-            }),
+            None => Err(Error::undecided(Quantity::Coefficient, &ratio, "whether it is above or below the threshold")),
         }
     }
 

@@ -186,7 +186,7 @@ pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> R
     let length = curve.material_length();
     let radius = first.map(|fold| fold.contact_radius.clone()).filter(|radius| *radius < length).unwrap_or(length);
     let close = (radius.unit_roundoff() * &radius).steer();
-    let undecided = |what| Error::Undecided { quantity: Quantity::ContactRadius, bits: radius.precision(), what };
+    let undecided = |what| Error::undecided(Quantity::ContactRadius, &radius, what);
     let g = curve.transform().g(&close)?;
     if g < g.lit(0) {
         return Ok(Onset::Dimple);
@@ -207,13 +207,13 @@ pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> R
 /// The error for an equilibrium outside the searched range of contact radii.
 pub(crate) fn beyond_reach<R: Real>(control: &Control<R>, like: &R) -> Error {
     let what = "the equilibrium lies outside the searched range of contact radii";
-    Error::Undecided { quantity: control.quantity(), bits: like.precision(), what }
+    Error::undecided(control.quantity(), like, what)
 }
 
 /// The error for a value that is neither certainly below nor certainly above that of a fold.
 pub fn unordered<R: Real>(control: &Control<R>, value: &R) -> Error {
     let what = "whether it is below or above its value at a fold";
-    Error::Undecided { quantity: control.quantity(), bits: value.precision(), what }
+    Error::undecided(control.quantity(), value, what)
 }
 
 /// The direction of a search over radii.

@@ -112,13 +112,8 @@ impl<'a, R: Real> Curve<'a, R> {
         }
     }
 
-    /// The indentation at radius `a` and a fixed `value` of the controlled quantity, equilibrium or not: d itself,
-    /// F/(2E*a) + mean g, or (kD + 2E*a·mean g)/(k + 2E*a).
-    pub(crate) fn held_indentation(&self, a: &R, value: &R) -> Result<R> {
-        self.held_against(a, value, || self.transform.mean(a))
-    }
-
-    /// The same, with a given mean of g.
+    /// The indentation at radius `a`, a fixed `value` of the controlled quantity and this mean of g, equilibrium or not: d
+    /// itself, F/(2E*a) + mean g, or (kD + 2E*a·mean g)/(k + 2E*a).
     pub(crate) fn held_against(&self, a: &R, value: &R, mean: impl FnOnce() -> Result<R>) -> Result<R> {
         let stiffness = self.edge_stiffness(a);
         Ok(match self.control {
@@ -162,7 +157,7 @@ impl<'a, R: Real> Curve<'a, R> {
     /// # Errors
     /// As [`Curve::state`].
     pub(crate) fn held_state(&self, a: &R, value: &R) -> Result<(R, R)> {
-        let d = self.held_indentation(a, value)?;
+        let d = self.held_against(a, value, || self.transform.mean(a))?;
         let force = match (self.control, self.soft_spring(a)) {
             (Control::Force, _) => value.clone(),
             (_, Some(k)) => spring_force(k, value.clone() - &d)?,

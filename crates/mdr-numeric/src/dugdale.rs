@@ -13,11 +13,12 @@
 
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::roots::{self, Bracket, bracket_geometric};
-use mdr_core::calculus::{Tolerance, roundoff_tolerance};
+use mdr_core::calculus::roundoff_tolerance;
 use mdr_core::contact::{Error, Material, Quantity, Result};
 use mdr_core::number::{Special, order};
 
 use crate::curve::{Curve, negligible};
+use crate::fields::tolerance;
 
 /// The range of adhesion, for errors.
 const RANGE: Quantity = Quantity::Parameter("the range of adhesion");
@@ -347,9 +348,4 @@ fn first_crossing<R: Special>(bracket: Bracket<R>, mut f: impl FnMut(&R) -> Resu
         lower = x;
     }
     Ok(bracket)
-}
-
-fn tolerance<R: Special>(like: &R) -> Tolerance<R> {
-    let goal = roundoff_tolerance(like);
-    Tolerance::new(&goal).or_noise_below(goal.times(4096))
 }

@@ -39,15 +39,6 @@ pub struct Energy<'a, R: Real> {
     tip: Option<R>,
 }
 
-/// The stage of a search.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Search {
-    /// Locates the crossings.
-    Coarse,
-    /// Computes them to full precision.
-    Full,
-}
-
 impl<'a, R: Real> Energy<'a, R> {
     /// The energy of a transformed profile against a material.
     ///
@@ -196,14 +187,13 @@ impl<'a, R: Real> Energy<'a, R> {
     /// tension, g(a) − d > 0, and negative elsewhere. A nearly Hertzian equilibrium is thus where a smooth function
     /// passes from large negative to large positive values. Without the sign it would be one side of a notch, as narrow
     /// as Δl is small against d, which a search could miss.
-    fn tension(&self, control: &Control<R>, value: &R, a: &R, search: Search) -> Result<R> {
+    ///
+    /// Crossings are located by `coarse` integrals, and then computed to full precision.
+    fn tension(&self, control: &Control<R>, value: &R, a: &R, coarse: bool) -> Result<R> {
         // Near a crossing d − g is of the magnitude of the unit, so a fraction of the unit bounds the error of both.
-        let (of_length, of_rate) = match search {
-            Search::Coarse => (Grade::Coarse(self.unit(a)), Grade::Coarse(a.lit(1))),
-            Search::Full => (Grade::Full, Grade::Full),
-        };
-        let d = self.indentation(control, value, a, &of_length)?;
-        let root = self.varied(a, &d, &of_rate)?.abs().sqrt();
+        let grade = |scale: R| if coarse { Grade::Coarse(scale) } else { Grade::Full };
+        let d = self.indentation(control, value, a, &grade(self.unit(a)))?;
+        let root = self.varied(a, &d, &grade(a.lit(1)))?.abs().sqrt();
         Ok(if self.transform.g(a)? > d { root } else { -root })
     }
 
@@ -220,12 +210,9 @@ impl<'a, R: Real> Energy<'a, R> {
     /// range of radii, as at d = 0 at the threshold of n = 1/2.
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
         control.check_value(value)?;
-        let tension = |a: &R, search| self.tension(control, value, a, search);
-        let kinks = self.transform.kinks();
-        let (scale, outer) = (self.length.clone(), self.transform.outer_radius());
-        let range = Range { scale, kinks, outer, reach: [survey::REACH; 2] };
-        let survey = survey::survey(&range, |a| tension(a, Search::Coarse))?;
-        let excess = |a: &R| Ok(tension(a, Search::Full)? - a.lit(1));
+        let range = Range::whole(self.transform, self.length.clone());
+        let survey = survey::survey(&range, |a| self.tension(control, value, a, true))?;
+        let excess = |a: &R| Ok(self.tension(control, value, a, false)? - a.lit(1));
         let mut found = Vec::new();
         for crossing in &survey.crossings {
             let Some(bracket) = bracket(crossing, excess)? else { continue };

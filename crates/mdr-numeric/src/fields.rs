@@ -6,7 +6,7 @@
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, roundoff_tolerance};
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
-use mdr_core::number::Special;
+use mdr_core::number::{Real, Special};
 
 use crate::curve::{Curve, negligible};
 
@@ -100,9 +100,7 @@ impl<'a, R: Special> Fields<'a, R> {
         .map_err(|error| if self.is_infinite_at(r) { infinite_at(r) } else { error })?;
         for (i, kink) in kinks.iter().enumerate() {
             let next = kinks.get(i + 1).unwrap_or(a);
-            let piece = integrate_from_kink(kink, next, r, |x| self.curve.transform().slope(x))?;
-            bulk.value += &piece.value;
-            bulk.error += &piece.error;
+            bulk += &integrate_from_kink(kink, next, r, |x| self.curve.transform().slope(x))?;
         }
         let strain = (bulk.value - self.edge.clone() / &reach) / r.pi();
         let pressure = strain.clone() * self.curve.effective_modulus();
@@ -267,7 +265,8 @@ fn integrate_from_kink<R: Special>(kink: &R, upper: &R, r: &R, slope: impl Fn(&R
 /// The factor by which the accuracy may miss the goal when rounding dominates an integrand that cancels.
 const CANCELLED: i64 = 4096;
 
-fn tolerance<R: Special>(like: &R) -> Tolerance<R> {
+/// The tightest tolerance, for an integrand whose terms may cancel.
+pub(crate) fn tolerance<R: Real>(like: &R) -> Tolerance<R> {
     let goal = roundoff_tolerance(like);
     Tolerance::new(&goal).or_noise_below(goal.times(CANCELLED))
 }

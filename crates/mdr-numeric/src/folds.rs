@@ -102,12 +102,7 @@ pub fn folds<R: Real>(transform: &dyn Transform<R>, material: &Material<R>, cont
 /// threshold (1.19).
 pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
     curve.control().check()?;
-    let range = Range {
-        scale: curve.material_length(),
-        kinks: curve.transform().kinks(),
-        outer: curve.transform().outer_radius(),
-        reach: [survey::REACH; 2],
-    };
+    let range = Range::whole(curve.transform(), curve.material_length());
     let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold_at(a));
     let mut survey = survey::survey(&range, ratio)?;
     let wall = curve.wall();

@@ -165,17 +165,6 @@ impl<R: Real> Foundation<R> {
         Ok(cascades)
     }
 
-    /// The index of the outermost spring of the largest contact in equilibrium at `value` of the controlled quantity;
-    /// `None` if every contact shrinks to nothing or grows to the last spring.
-    ///
-    /// # Errors
-    /// As [`Control::check_value`].
-    pub fn largest_at_rest(&self, control: &Control<R>, value: &R) -> Result<Option<usize>> {
-        control.check_value(value)?;
-        let at_rest = |i: &usize| self.detaching(*i, control) <= *value && self.attaching(*i, control) > *value;
-        Ok((1..self.profile.len() - 1).rev().find(at_rest))
-    }
-
     /// The controlled quantity at which the outermost spring i detaches.
     fn detaching(&self, i: usize, control: &Control<R>) -> R {
         let d = &self.critical[i];

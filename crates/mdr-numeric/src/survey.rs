@@ -12,7 +12,7 @@
 
 mod chebyshev;
 
-use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::{Real, order};
 
 use chebyshev::{DEGREE, Drawn, Fit, share};
@@ -50,6 +50,13 @@ pub(crate) struct Range<R> {
     pub(crate) reach: [f64; 2],
 }
 
+impl<R: Real> Range<R> {
+    /// All radii of a profile, in units of ℓ = `scale`.
+    pub(crate) fn whole(transform: &dyn Transform<R>, scale: R) -> Self {
+        Range { scale, kinks: transform.kinks(), outer: transform.outer_radius(), reach: [REACH; 2] }
+    }
+}
+
 /// The largest |t| of a search: 10^±455000; only n = 1/2 ± 10⁻⁶ and closer has crossings far beyond.
 pub(crate) const REACH: f64 = 1_048_576.0;
 /// Panels are not halved below this width in ln a.
@@ -76,11 +83,8 @@ const CEILING: f64 = 600.0;
 pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Survey<R>> {
     let found = crossings(range, ratio);
     if found.flat {
-        return Err(Error::Undecided {
-            quantity: Quantity::ContactRadius,
-            bits: range.scale.precision(),
-            what: "which radius it is: the condition holds up to rounding over a whole range of them",
-        });
+        let what = "which radius it is: the condition holds up to rounding over a whole range of them";
+        return Err(Error::undecided(Quantity::ContactRadius, &range.scale, what));
     }
     Ok(found)
 }

@@ -8,6 +8,8 @@ mod dugdale;
 mod fields;
 mod ledger;
 mod path;
+#[cfg(feature = "mp")]
+mod range;
 mod routes;
 mod scales;
 mod states;

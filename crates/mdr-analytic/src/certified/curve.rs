@@ -19,15 +19,16 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Control, Error, FoldKind, Quantity, Result, Stability};
+use mdr_core::contact::{Control, Error, FoldKind, Result, Stability};
+use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Precision, Real};
 use rug::Rational;
 
 use super::scaled::Scaled;
 use super::{Question, exact};
-use crate::contact::ln_edge_length;
-use crate::machine::{Tension, newton_within};
-use crate::range::ln_sum;
+use crate::contact::{Contact, ln_edge_length};
+use crate::machine::Tension;
+use crate::newton;
 
 /// The equilibria of a [`Question`] under its control, over intervals of some precision.
 ///
@@ -45,18 +46,18 @@ use crate::range::ln_sum;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Curve {
-    control: Control<Interval>,
-    exponent: Interval,
+    pub(super) control: Control<Interval>,
+    pub(super) exponent: Interval,
     /// 2n − 1.
     excess: Interval,
     /// ln κ_nC.
-    ln_strength: Interval,
+    pub(super) ln_strength: Interval,
     /// ln 2√B, so that ln t is this and u/2.
-    ln_edge: Interval,
+    pub(super) ln_edge: Interval,
     /// ln 2E*.
-    ln_modulus: Interval,
+    pub(super) ln_modulus: Interval,
     /// ln 2E*/k on a machine.
-    ln_softness: Option<Interval>,
+    pub(super) ln_softness: Option<Interval>,
     folds: Vec<(Point, FoldKind)>,
     /// The controlled quantity at each fold, if it is known to be rational.
     exact_folds: Vec<Option<Rational>>,
@@ -98,14 +99,18 @@ impl Question {
     /// # Errors
     /// [`Error::Undecided`] if the precision does not decide the number of folds.
     pub fn curve(&self, precision: Precision) -> Result<Curve> {
-        let contact = self.contact(precision)?;
-        let enclose = |value: &Rational| Interval::from_rational(precision, value);
+        self.curve_of(&self.contact(precision)?)
+    }
+
+    /// The same for the contact over intervals.
+    pub(super) fn curve_of(&self, contact: &Contact<Interval>) -> Result<Curve> {
         let (profile, material) = (contact.profile(), contact.material());
+        let precision = profile.exponent().ctx();
         let control = self.control(precision);
         let ln_modulus = material.effective_modulus().clone().times(2).ln();
         let mut curve = Curve {
-            exponent: enclose(&self.exponent),
-            excess: enclose(&(Rational::from(&self.exponent * 2u32) - 1u32)),
+            exponent: profile.exponent().clone(),
+            excess: Interval::from_rational(precision, &(Rational::from(&self.exponent * 2u32) - 1u32)),
             ln_strength: profile.kappa().ln() + profile.coefficient().ln(),
             ln_edge: ln_edge_length(material).over(2) + ln_modulus.lit(2).ln(),
             ln_softness: match &control {
@@ -224,6 +229,12 @@ impl Curve {
         self
     }
 
+    /// a, d and F at each fold.
+    pub(super) fn states(&self) -> impl Iterator<Item = (FoldKind, [Enclosure; 3])> {
+        let state = |point: &Point| [point.radius(), point.indentation.clone(), self.force(point)];
+        self.folds.iter().map(move |(point, kind)| (*kind, state(point).map(|number| number.enclosure())))
+    }
+
     /// F, in N.
     pub fn force(&self, point: &Point) -> Scaled {
         let next = self.exponent.lit(1) + &self.exponent;
@@ -284,7 +295,7 @@ impl Curve {
         Scaled::exp(self.ln_elongation(ln_radius))
     }
 
-    fn ln_elongation(&self, ln_radius: &Interval) -> Interval {
+    pub(super) fn ln_elongation(&self, ln_radius: &Interval) -> Interval {
         ln_radius.clone().over(2) + &self.ln_edge
     }
 
@@ -358,117 +369,7 @@ impl Curve {
         excess.partial_cmp(&excess.lit(0)).ok_or_else(|| self.undecided("whether C is above its threshold"))
     }
 
-    /// ln P and ln Q, with their slopes.
-    fn terms(&self, u: &Interval) -> [(Interval, Interval); 2] {
-        let (n, one) = (&self.exponent, u.lit(1));
-        let share = n.clone() / (one.clone() + n);
-        let g = (n.clone() * u + &self.ln_strength, n.clone());
-        let t = (self.ln_elongation(u), one.clone().over(2));
-        let (p, q) = match (&self.control, &self.ln_softness) {
-            (Control::Force, _) => {
-                let whole = self.ln_modulus.clone() + u;
-                ((whole.clone() + share.ln(), one.clone()), (whole, one))
-            }
-            (_, Some(ln_softness)) => {
-                let s = ln_softness.clone() + u;
-                (softplus(&(s.clone() + share.ln())), softplus(&s))
-            }
-            _ => return [g, t],
-        };
-        [(g.0 + p.0, g.1 + p.1), (t.0 + q.0, t.1 + q.1)]
+    pub(super) fn undecided(&self, what: &'static str) -> Error {
+        newton::undecided(&self.exponent, what)
     }
-
-    /// A function with the sign of P − Q − x that stays in range, ln P/(Q + x) or ln (P − x)/Q, and its slope.
-    fn imbalance(&self, u: &Interval, value: &Scaled) -> (Interval, Interval) {
-        let [(p, rise), (q, fall)] = self.terms(u);
-        let sign = value.sign();
-        if sign == Some(Ordering::Equal) {
-            return (p - q, rise - fall);
-        }
-        let x = value.ln_magnitude();
-        if sign == Some(Ordering::Greater) {
-            (p - ln_sum(&q, &x), rise - fall * logistic(&(q - x)))
-        } else {
-            (ln_sum(&p, &x) - q, rise * logistic(&(p - x)) - fall)
-        }
-    }
-
-    /// ln a of the only root between two folds, where x − value changes sign, from negative if it is `rising`.
-    fn root(&self, value: &Scaled, ends: [Option<&Interval>; 2], rising: bool) -> Result<Interval> {
-        let [lower, upper] = self.bracket(value, ends, rising)?;
-        let imbalance = |u: &Interval| self.imbalance(u, value);
-        let mut guess = newton_within(lower, upper, rising, imbalance);
-        let (mut defect, mut slope) = imbalance(&guess);
-        // Close to a fold the initial accuracy is lower.
-        for _ in 0..6 {
-            let next = (guess.clone() - defect.steer() / slope.steer()).steer();
-            if defect.contains_zero() || !next.is_finite() {
-                break;
-            }
-            guess = next;
-            (defect, slope) = imbalance(&guess);
-        }
-        let ulps = (guess.abs() + guess.lit(1)) * guess.unit_roundoff().times(4);
-        let step = (defect.abs().times(4) / slope.steer()).abs().steer();
-        let mut radius = if step.is_finite() { (step + &ulps).steer() } else { ulps };
-        let zero = guess.lit(0);
-        for _ in 0..guess.precision().div_ceil(4) {
-            let [from, to] = [guess.clone() - &radius, guess.clone() + &radius].map(|u| u.steer());
-            // The root lies between the folds, so the search does not pass them.
-            let below = ends[0].filter(|fold| !(from > **fold));
-            let above = ends[1].filter(|fold| !(to < **fold));
-            let lies = |u: &Interval, right: bool| {
-                let excess = imbalance(u).0;
-                if right == rising { excess > zero } else { excess < zero }
-            };
-            if (below.is_some() || lies(&from, false)) && (above.is_some() || lies(&to, true)) {
-                let lower = below.map_or(from.lower(), |fold| fold.lower());
-                let upper = above.map_or(to.upper(), |fold| fold.upper());
-                return Ok(Interval::new(lower.clone(), upper.clone()));
-            }
-            radius = radius.times(8);
-        }
-        Err(self.undecided("where exactly the equilibrium lies"))
-    }
-
-    /// Numbers on both sides of the root: the folds, or points found from them by steps of increasing length.
-    fn bracket(&self, value: &Scaled, ends: [Option<&Interval>; 2], rising: bool) -> Result<[Interval; 2]> {
-        // At the radius where Q is of the magnitude of the value.
-        let start = || {
-            let guess = (value.ln_magnitude() - &self.ln_edge).times(2).steer();
-            if guess.is_finite() { guess } else { guess.lit(0) }
-        };
-        let walk = |from: &Interval, outwards: bool| {
-            let (mut step, zero) = (from.lit(if outwards { 1 } else { -1 }), from.lit(0));
-            for _ in 0..from.precision() + 64 {
-                let next = (from.clone() + &step).steer();
-                let excess = self.imbalance(&next, value).0;
-                if (outwards == rising && excess > zero) || (outwards != rising && excess < zero) {
-                    return Ok(next);
-                }
-                step = step.times(2);
-            }
-            Err(self.undecided("where the equilibrium lies"))
-        };
-        Ok(match ends.map(|end| end.map(Real::steer)) {
-            [Some(lower), Some(upper)] => [lower, upper],
-            [Some(lower), None] => [lower.clone(), walk(&lower, true)?],
-            [None, Some(upper)] => [walk(&upper, false)?, upper],
-            [None, None] => [walk(&start(), false)?, walk(&start(), true)?],
-        })
-    }
-
-    fn undecided(&self, what: &'static str) -> Error {
-        Error::Undecided { quantity: Quantity::ContactRadius, bits: self.exponent.precision(), what }
-    }
-}
-
-/// ln(1 + eˣ), and its slope.
-fn softplus(x: &Interval) -> (Interval, Interval) {
-    (ln_sum(&x.lit(0), x), logistic(x))
-}
-
-/// 1/(1 + e⁻ˣ).
-fn logistic(x: &Interval) -> Interval {
-    x.lit(1) / &((-x.clone()).exp() + x.lit(1))
 }

@@ -10,7 +10,7 @@ use rug::{Integer, Rational};
 use super::{Answer, Question, exact};
 use crate::contact::Contact;
 use crate::critical::Critical;
-use crate::machine::Tension;
+use crate::newton::undecided;
 use crate::threshold::threshold;
 
 /// Bits beyond those of the digits: for rounding errors, and the small chance that the digits end close to a tie.
@@ -87,7 +87,7 @@ impl Question {
         let mut kinds = Vec::new();
         // An exact result of one digit: it certifies the number of folds.
         certify([Quantity::ContactRadius], 1, Precision::new(96), |precision| {
-            kinds = self.folds(precision)?.into_iter().map(|(kind, _)| kind).collect();
+            kinds = self.curve(precision)?.states().map(|(kind, _)| kind).collect();
             Ok([Rational::from(kinds.len()).into()])
         })?;
         let folds = match kinds.len() {
@@ -117,13 +117,9 @@ impl Question {
     ) -> Result<Vec<Instability<Decimal>>> {
         const STATE: [Quantity; 3] = [Quantity::ContactRadius, Quantity::Indentation, Quantity::Force];
         let decimals = certify(std::array::from_fn(|i| STATE[i % 3]), digits, start, |precision| {
-            let enclosures: Vec<Enclosure> = self.folds(precision)?.into_iter().flat_map(|(_, state)| state).collect();
-            let undecided = Error::Undecided {
-                quantity: Quantity::ContactRadius,
-                bits: precision.bits(),
-                what: "the number of folds",
-            };
-            <[Enclosure; K]>::try_from(enclosures).map_err(|_| undecided)
+            let enclosures: Vec<Enclosure> = self.curve(precision)?.states().flat_map(|(_, state)| state).collect();
+            let like = Interval::from_int(precision, 1);
+            <[Enclosure; K]>::try_from(enclosures).map_err(|_| undecided(&like, "the number of folds"))
         })?;
         let fold = |(kind, state): (&FoldKind, &[Decimal])| Instability {
             contact_radius: state[0].clone(),
@@ -171,35 +167,20 @@ impl Question {
         }
     }
 
-    /// The closed forms over intervals.
+    /// The fold of the curve over intervals.
     pub(super) fn general_critical(&self, precision: Precision) -> Result<[Enclosure; 4]> {
         let contact = self.contact(precision)?;
-        let control = self.control(precision);
-        let limit = if control == Control::Force { 3 } else { 1 };
-        let tension = Tension::limit(limit, contact.profile().exponent());
-        let state = contact.critical(&control);
-        let [a, d, f] = enclose(&contact, state, &tension, || contact.ln_critical(&control))?;
-        let d = exact::indentation(self, &self.control).map_or(d, Enclosure::Exact);
-        Ok([self.kappa_of(&contact), a, d, f])
+        contact.require_length_scale()?;
+        let curve = self.curve_of(&contact)?;
+        let fold = curve.states().next().ok_or_else(|| undecided(contact.profile().exponent(), "the number of folds"));
+        let (_, [a, d, f]) = fold?;
+        Ok([self.kappa_of(&contact), a, exact::indentation(self, &self.control).map_or(d, Enclosure::Exact), f])
     }
 
     /// κ_n of the contact, exact where it is rational.
     fn kappa_of(&self, contact: &Contact<Interval>) -> Enclosure {
         let enclosed = || contact.profile().kappa().clone().into();
         exact::kappa(&self.exponent).map_or_else(enclosed, Enclosure::Exact)
-    }
-
-    /// a, d and F at each fold on a machine.
-    fn folds(&self, precision: Precision) -> Result<Vec<(FoldKind, [Enclosure; 3])>> {
-        let contact = self.contact(precision)?;
-        let Control::Machine { stiffness } = self.control(precision) else { return Ok(Vec::new()) };
-        let scale = contact.machine_length(&stiffness);
-        let fold = |tangency: crate::machine::Tangency<Interval>| {
-            let state = contact.machine_state(&stiffness, &tangency);
-            let ln_state = || Ok(contact.ln_state(&(scale.ln() + &tangency.ln_s), &tangency.tension));
-            Ok((tangency.kind, enclose(&contact, state, &tangency.tension, ln_state)?))
-        };
-        contact.machine_tangencies(&stiffness)?.into_iter().map(fold).collect()
     }
 
     /// Enough bits for the digits except in rare cases, from the sensitivity of exp(ln(B/N²)/(2n−1)) to its argument.
@@ -230,31 +211,4 @@ fn bits_for(digits: u32) -> Result<Precision> {
 
 fn kappa_result(precision: Precision, n: &Rational) -> Enclosure {
     exact::kappa(n).map_or_else(|| exact::kappa_interval(precision, n).into(), Enclosure::Exact)
-}
-
-/// A state as enclosures: by value, or by the logarithm if a value leaves the exponent range.
-fn enclose(
-    contact: &Contact<Interval>,
-    state: Result<Critical<Interval>>,
-    tension: &Tension<Interval>,
-    ln_state: impl FnOnce() -> Result<Critical<Interval>>,
-) -> Result<[Enclosure; 3]> {
-    let (d_factor, f_factor) = contact.tangent_factors(tension);
-    let vanishes = |value: &Interval, factor: &Interval| value.contains_zero() && !factor.contains_zero();
-    match state {
-        Ok(Critical { contact_radius: a, indentation: d, force: f })
-            if !a.contains_zero() && !vanishes(&d, &d_factor) && !vanishes(&f, &f_factor) =>
-        {
-            return Ok([a.into(), d.into(), f.into()]);
-        }
-        Ok(_) | Err(Error::OutOfRange { .. }) => {}
-        Err(error) => return Err(error),
-    }
-    let Critical { contact_radius, indentation, force } = ln_state()?;
-    let log = |negative, ln_magnitude| Enclosure::Log { negative, ln_magnitude };
-    Ok([
-        log(false, contact_radius),
-        log(d_factor < d_factor.lit(0), indentation),
-        log(f_factor < f_factor.lit(0), force),
-    ])
 }

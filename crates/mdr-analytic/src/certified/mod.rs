@@ -42,6 +42,7 @@ mod evaluate;
 mod exact;
 mod monomial;
 mod question;
+mod root;
 mod scaled;
 
 pub use answer::Answer;

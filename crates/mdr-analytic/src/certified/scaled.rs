@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Real, order};
 
-/// Up to this |unit| an enclosure is given by value, beyond by its logarithm.
-const NEAR: f64 = 1e9;
+/// Up to this |unit| an enclosure is given by value, beyond by its logarithm; e^±NEAR are within the range of MPFR.
+const NEAR: f64 = 7e8;
 
 /// factor · e^unit: no sum, product or quotient leaves the range, and only an exact zero is a point at zero.
 #[derive(Clone, Debug)]

@@ -3,7 +3,10 @@
 use mdr_core::number::{Real, Wide};
 
 use super::kappa_table::{ASYMPTOTIC, CONSTANT, NEAR_HALF, SLOPES};
-use crate::kappa::{Kappa, cautious_expansion};
+use crate::kappa::{Kappa, expansion};
+
+/// The least n of the continued fraction, over its depth.
+const DEPTHS: f64 = 6.0;
 
 /// One word: a fit, to 6 units of 2⁻⁶⁴; two words near n = 1/2: a fit, to 8 units of 2⁻¹²⁸. Otherwise the generic
 /// expansions, whose remainders are bounded.
@@ -12,8 +15,8 @@ impl<const N: usize> Kappa for Wide<N> {
     fn kappa(n: &Self) -> Self {
         match N {
             1 => fitted(n).unwrap_or_else(|| asymptotic(n)),
-            2 => fitted_near_half(n).unwrap_or_else(|| cautious_expansion(n)),
-            _ => cautious_expansion(n),
+            2 => fitted_near_half(n).unwrap_or_else(|| expansion(n, DEPTHS)),
+            _ => expansion(n, DEPTHS),
         }
     }
 }

@@ -11,9 +11,10 @@ use mdr_core::number::Real;
 
 use super::family::{Family, Place};
 use super::start::Seed;
-use super::{Branch, Equilibria, Held, undecided};
+use super::{Branch, Equilibria, Held};
 use crate::contact::Contact;
 use crate::critical::Critical;
+use crate::newton;
 use crate::power_law::PowerLaw;
 use crate::range::representable;
 
@@ -46,7 +47,7 @@ impl<R: Real> Contact<R> {
     ) -> (Place<R>, Seed) {
         let zero = value.lit(0);
         // x_fold < 0 for n > 1/2.
-        let signed = if family.regime() == Regime::PullOff { -value.clone() } else { value.clone() };
+        let signed = if family.regime == Regime::PullOff { -value.clone() } else { value.clone() };
         let distance = if signed > zero {
             match &**fold {
                 Ok(fold) => self.distance(held, held.pick(&fold.indentation, &fold.force), value),
@@ -66,23 +67,11 @@ impl<R: Real> Contact<R> {
     fn refined_radius(&self, held: Held, value: &R, first: R, stability: Stability) -> Result<R> {
         let guess = self.steered()?.approximate_radius(held, &value.steer(), first)?;
         let step = self.newton(held, value, &guess, &guess)?.0 - &guess;
-        let mut radius = step.abs().steer().times(4) + tolerance(&guess).times(4);
-        // The uncertainty of terms that cancel does not show in a step, so the neighbourhood grows as long as it is
-        // known to a quarter of the digits.
-        for _ in 0..guess.precision().div_ceil(4) {
-            let neighbourhood = guess.clone().inflate_with_slope(&radius);
-            let Ok((image, slope)) = self.newton(held, value, &guess, &neighbourhood) else { break };
-            if (image.clone() - &guess).abs() <= radius {
-                let encloses = neighbourhood != guess;
-                if encloses && (slope > slope.lit(0)) != (stability == Stability::Stable) {
-                    break;
-                }
-                // One more step, for the derivatives of a dual number.
-                return Ok(self.newton(held, value, &image, &image)?.0);
-            }
-            radius = radius.times(8);
-        }
-        Err(undecided(&guess, "where exactly the equilibrium lies"))
+        let radius = step.abs().steer().times(4) + tolerance(&guess).times(4);
+        let rising = stability == Stability::Stable;
+        newton::enclosed(&guess, radius, rising, "where exactly the equilibrium lies", |a, neighbourhood| {
+            self.newton(held, value, a, neighbourhood)
+        })
     }
 
     /// a − (x(a) − x)/x'(neighbourhood), and that slope.

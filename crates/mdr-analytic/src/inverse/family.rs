@@ -4,17 +4,18 @@ use mdr_core::contact::{Regime, Result};
 use mdr_core::number::Real;
 
 use super::start::Seed;
-use super::{Branch, Held, undecided};
+use super::{Branch, Held};
 use crate::contact::Contact;
+use crate::newton::undecided;
 
 /// The parameter m of the family of a contact under one control.
 #[derive(Clone, Debug)]
 pub(crate) struct Family<R> {
-    regime: Regime,
+    pub(crate) regime: Regime,
     /// m > 1: p/q, or its reciprocal for n < 1/2.
     parameter: R,
     /// μ = m − 1.
-    excess: R,
+    pub(crate) excess: R,
 }
 
 /// A point of the family. The smaller of τ and z = 1 − τ is known to its own precision.
@@ -66,15 +67,6 @@ impl<R: Real> Family<R> {
             return Family { regime, parameter, excess };
         }
         Family { regime, excess: -excess / &parameter, parameter: parameter.inv() }
-    }
-
-    /// m and μ.
-    pub(crate) fn parameters(&self) -> (&R, &R) {
-        (&self.parameter, &self.excess)
-    }
-
-    pub(crate) fn regime(&self) -> Regime {
-        self.regime
     }
 
     /// μ.

@@ -4,17 +4,18 @@ use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Real;
 
 use super::family::{Family, Place};
-use super::{Branch, Count, Equilibria, Held, undecided};
+use super::{Branch, Count, Equilibria, Held};
 use crate::contact::Contact;
 use crate::critical::Critical;
+use crate::newton::undecided;
 use crate::range::{product, representable};
 
 /// The fold of a contact under one control, prepared for many values.
 #[derive(Clone, Debug)]
 pub(crate) struct Fold<R> {
-    held: Held,
-    state: Critical<R>,
-    family: Family<R>,
+    pub(crate) held: Held,
+    pub(crate) state: Critical<R>,
+    pub(crate) family: Family<R>,
 }
 
 impl<R: Real> Fold<R> {
@@ -25,18 +26,6 @@ impl<R: Real> Fold<R> {
         let state = contact.critical(&held.control())?;
         let family = Family::new(contact, held, contact.regime()?);
         Ok(Fold { held, state, family })
-    }
-
-    pub(crate) fn held(&self) -> Held {
-        self.held
-    }
-
-    pub(crate) fn family(&self) -> &Family<R> {
-        &self.family
-    }
-
-    pub(crate) fn state(&self) -> &Critical<R> {
-        &self.state
     }
 
     /// x_fold.
@@ -83,7 +72,7 @@ impl<R: Real> Fold<R> {
             let radius = ln_growth.exp() * &self.state.contact_radius;
             let radius =
                 representable(Quantity::ContactRadius, radius, || self.state.contact_radius.ln() + &ln_growth)?;
-            contact.held_state(self.held, value, radius, branch.stability(self.family.regime()))
+            contact.held_state(self.held, value, radius, branch.stability(self.family.regime))
         };
         Equilibria::at(place, || Ok(self.state.clone()), state)
     }

@@ -29,6 +29,7 @@ use mdr_core::number::Real;
 pub(crate) use self::fold::Fold;
 pub(crate) use self::start::Outset;
 use crate::contact::Contact;
+use crate::newton::undecided;
 use crate::range::{ordinary, product, representable};
 
 /// The equilibria at one value of the controlled quantity.
@@ -87,19 +88,9 @@ impl Held {
         }
     }
 
-    fn quantity(self) -> Quantity {
-        match self {
-            Held::Indentation => Quantity::Indentation,
-            Held::Force => Quantity::Force,
-        }
-    }
-
     /// q, which equals λ.
     fn tension(self) -> i64 {
-        match self {
-            Held::Indentation => 1,
-            Held::Force => 3,
-        }
+        self.pick(1, 3)
     }
 
     /// The controlled one of d and F.
@@ -132,10 +123,6 @@ pub(crate) enum Count {
     Fold,
     Two,
     Larger,
-}
-
-fn undecided<R: Real>(at: &R, what: &'static str) -> Error {
-    Error::Undecided { quantity: Quantity::ContactRadius, bits: at.precision(), what }
 }
 
 impl<R: Real> Contact<R> {
@@ -174,7 +161,7 @@ impl<R: Real> Contact<R> {
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Equilibria<R>> {
         let held = Held::of(control)?;
         if !value.is_finite() {
-            return Err(Error::domain(held.quantity(), value, "finite"));
+            return Err(Error::domain(control.quantity(), value, "finite"));
         }
         match self.regime()? {
             Regime::ScaleFree => self.scale_free_equilibria(held, value),
@@ -211,7 +198,7 @@ impl<R: Real> Contact<R> {
     /// n = 1/2: d = 2h√a or F = 4E*ha√a with h = κC/(2λ) − √B, each of one sign.
     fn scale_free_equilibria(&self, held: Held, value: &R) -> Result<Equilibria<R>> {
         let profile = self.profile();
-        let excess = profile.kappa().clone().over(2 * held.tension()) * profile.coefficient() - self.edge_root();
+        let excess = profile.kappa().clone().over(2 * held.tension()) * profile.coefficient() - &self.edge_root;
         let zero = value.lit(0);
         let stable = match excess.partial_cmp(&zero) {
             Some(order) if order.is_ne() => order.is_gt(),

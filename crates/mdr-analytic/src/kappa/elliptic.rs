@@ -35,10 +35,10 @@ pub(super) fn kappa(n: &Rational, bits: u32) -> Option<Counted> {
         return None;
     }
     let (steps, tip) = (p / (2 * q), p % (2 * q));
-    let value = match (tip, Denominator::new(q)) {
-        (0, _) => Counted::new(Float::with_val(bits, 1), 0),
-        (_, None) => half_pi(bits),
-        (_, Some(denominator)) => kept(tip, denominator, bits),
+    let value = match (tip, q) {
+        (0, _) => whole(1, bits),
+        (_, 1) => half_pi(bits),
+        _ => kept(tip, q, bits),
     };
     if steps == 0 {
         return Some(value);
@@ -54,63 +54,41 @@ fn half_pi(bits: u32) -> Counted {
     Counted::pi(Precision::new(bits)).scaled(&(1, 2).into())
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Denominator {
-    Two,
-    Three,
-    Four,
+/// κ_{p/q} for 0 < p < 2q without common factors, q from 2 to 4.
+fn reduced(p: u32, q: u32, bits: u32) -> Counted {
+    if p > q {
+        half_pi(bits).scaled(&(p, q).into()).over(&reduced(p - q, q, bits))
+    } else if p > 1 {
+        first(q, bits).scaled(&p.into()).over(&cotangent(q, bits))
+    } else {
+        first(q, bits)
+    }
 }
 
-impl Denominator {
-    fn new(q: u32) -> Option<Self> {
-        [Self::Two, Self::Three, Self::Four].into_iter().find(|denominator| denominator.q() == q)
-    }
-
-    fn q(self) -> u32 {
-        match self {
-            Self::Two => 2,
-            Self::Three => 3,
-            Self::Four => 4,
+/// κ_{1/q}.
+fn first(q: u32, bits: u32) -> Counted {
+    let pi = Counted::pi(Precision::new(bits));
+    match q {
+        2 => pi.over(&whole(1, bits).agm(&whole(2, bits).sqrt()).scaled(&2.into())),
+        3 => {
+            let root = whole(3, bits).sqrt();
+            let mean = whole(2, bits).agm(&root.clone().plus(&whole(2, bits)).sqrt());
+            pi.over(&root.sqrt()).over(&mean)
+        }
+        _ => {
+            let side = cotangent(q, bits);
+            let mean = whole(1, bits).agm(&side);
+            pi.times(&side).over(&mean).scaled(&(1, 4).into())
         }
     }
+}
 
-    /// κ_{p/q} for 0 < p < 2q without common factors.
-    fn kappa(self, p: u32, bits: u32) -> Counted {
-        let q = self.q();
-        if p > q {
-            half_pi(bits).scaled(&(p, q).into()).over(&self.kappa(p - q, bits))
-        } else if p > 1 {
-            self.first(bits).scaled(&p.into()).over(&self.cotangent(bits))
-        } else {
-            self.first(bits)
-        }
-    }
-
-    /// κ_{1/q}.
-    fn first(self, bits: u32) -> Counted {
-        let pi = Counted::pi(Precision::new(bits));
-        match self {
-            Self::Two => pi.over(&whole(1, bits).agm(&whole(2, bits).sqrt()).scaled(&2.into())),
-            Self::Three => {
-                let root = whole(3, bits).sqrt();
-                let mean = whole(2, bits).agm(&root.clone().plus(&whole(2, bits)).sqrt());
-                pi.over(&root.sqrt()).over(&mean)
-            }
-            Self::Four => {
-                let side = self.cotangent(bits);
-                let mean = whole(1, bits).agm(&side);
-                pi.times(&side).over(&mean).scaled(&(1, 4).into())
-            }
-        }
-    }
-
-    /// cot(π/2q).
-    fn cotangent(self, bits: u32) -> Counted {
-        match self {
-            Self::Two => whole(1, bits),
-            Self::Three => whole(3, bits).sqrt(),
-            Self::Four => whole(2, bits).sqrt().plus(&whole(1, bits)),
-        }
+/// cot(π/2q).
+fn cotangent(q: u32, bits: u32) -> Counted {
+    match q {
+        2 => whole(1, bits),
+        3 => whole(3, bits).sqrt(),
+        _ => whole(2, bits).sqrt().plus(&whole(1, bits)),
     }
 }
 
@@ -119,8 +97,8 @@ fn whole(number: u32, bits: u32) -> Counted {
 }
 
 thread_local! {
-    /// κ_{p/q} for 0 < p < 2q, with p: ten numbers at most.
-    static KEPT: RefCell<Vec<(u32, Denominator, Counted)>> = const { RefCell::new(Vec::new()) };
+    /// κ_{p/q} for 0 < p < 2q, with p and q: ten numbers at most.
+    static KEPT: RefCell<Vec<([u32; 2], Counted)>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Frees the numbers that κ_n caches in this thread: at most ten, each as long as the longest that was requested. The
@@ -139,18 +117,18 @@ pub fn free_cache() {
 }
 
 /// κ_{p/q} for 0 < p < 2q, from the cache if it has enough bits, else computed.
-fn kept(p: u32, denominator: Denominator, bits: u32) -> Counted {
+fn kept(p: u32, q: u32, bits: u32) -> Counted {
     KEPT.with_borrow_mut(|kept| {
         let needed = bits.saturating_add(GUARD).max(LEAST);
-        let known = kept.iter().position(|(of, other, _)| (*of, *other) == (p, denominator));
+        let known = kept.iter().position(|(of, _)| *of == [p, q]);
         let index = known.unwrap_or(kept.len());
         if known.is_none() {
-            kept.push((p, denominator, denominator.kappa(p, needed)));
-        } else if kept[index].2.value().prec() < needed {
-            kept[index].2 = denominator.kappa(p, needed);
+            kept.push(([p, q], reduced(p, q, needed)));
+        } else if kept[index].1.value().prec() < needed {
+            kept[index].1 = reduced(p, q, needed);
         }
         // The error of the cached number is less than a unit in the last place here.
-        Counted::new(Float::with_val(bits, kept[index].2.value()), 2)
+        Counted::new(Float::with_val(bits, kept[index].1.value()), 2)
     })
 }
 

@@ -45,7 +45,7 @@ use mdr_core::number::{Dual, Real};
 pub trait Kappa: Real {
     /// κ_n for n ≥ 0 (κ_0 = 1), unchecked; [`kappa`] checks n.
     fn kappa(n: &Self) -> Self {
-        expansion(n)
+        expansion(n, 0.0)
     }
 
     /// dᵏ ln κ_n / dnᵏ for the order k ≥ 1, n ≥ 0.
@@ -74,20 +74,11 @@ pub fn kappa<R: Kappa>(n: &R) -> Result<R> {
     Ok(R::kappa(&n))
 }
 
-/// The expansion with fewer terms for this n at this precision.
-pub(crate) fn expansion<R: Real>(n: &R) -> R {
-    let bits = n.precision() + 2;
-    match brouncker::depth(n.approx(), bits) {
-        Some(depth) => brouncker::kappa(n, depth),
-        None => series::kappa(n, series::terms(n.approx(), bits)),
-    }
-}
-
-/// The same for an arithmetic whose error bounds are powers of two: the continued fraction is used only while its
-/// partial numerators (2k+1)² are well below s², and the series otherwise.
-pub(crate) fn cautious_expansion<R: Real>(n: &R) -> R {
+/// The expansion with fewer terms for this n at this precision, the continued fraction only where n is this many times
+/// its depth: an arithmetic whose error bounds are powers of two needs partial numerators (2k+1)² well below s².
+pub(crate) fn expansion<R: Real>(n: &R, depths: f64) -> R {
     let (size, bits) = (n.approx(), n.precision() + 2);
-    match brouncker::depth(size, bits).filter(|depth| 6.0 * f64::from(*depth) < size) {
+    match brouncker::depth(size, bits).filter(|depth| depths * f64::from(*depth) < size) {
         Some(depth) => brouncker::kappa(n, depth),
         None => series::kappa(n, series::terms(size, bits)),
     }

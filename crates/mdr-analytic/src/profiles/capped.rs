@@ -4,12 +4,14 @@ use mdr_core::contact::{Kink, Quantity, Result, Slopes};
 use mdr_core::number::Special;
 
 use super::edge::{Edge, around, atanh_moment};
-use super::ranged::length;
+use super::ranged::{Scale, length, ratio};
 use super::smooth::{Paraboloid, Sphere};
-use super::{ClosedForm, positive, transform};
+use super::{ClosedForm, positive, scaled, transform};
 use crate::range::representable;
 
 transform!(ParabolicCapCone, SphericalCapCone);
+scaled!(ParabolicCapCone { slope: ratio, cap: length, tip: Scale::scaled });
+scaled!(SphericalCapCone { slope: ratio, radius: length, cap: length, level: length, tip: Scale::scaled });
 
 /// A cone of slope t with a parabolic cap of radius b: f = t r²/2b for r < b, t(r − b/2) beyond. For x > b,
 /// g = t x [b/(x + √(x² − b²)) + arccos(b/x)] (Maugis & Barquins 1983).
@@ -66,10 +68,6 @@ impl<R: Special> ClosedForm<R> for ParabolicCapCone<R> {
                 (cap + edge.cone_mean(x, &self.cap)) * &self.slope
             }
         }
-    }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        let cap = length(&self.cap, k)?;
-        Some(ParabolicCapCone { slope: self.slope.clone(), cap, tip: self.tip.scaled(k)? })
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.cap)
@@ -152,15 +150,6 @@ impl<R: Special> ClosedForm<R> for SphericalCapCone<R> {
             self.logarithm(x, &edge) * area + difference
         };
         sphere.over(2) + edge.cone_mean(x, &self.cap) * &self.slope
-    }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(SphericalCapCone {
-            slope: self.slope.clone(),
-            radius: length(&self.radius, k)?,
-            cap: length(&self.cap, k)?,
-            level: length(&self.level, k)?,
-            tip: self.tip.scaled(k)?,
-        })
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.cap)

@@ -5,29 +5,34 @@ use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
 use super::edge::{Edge, around, atanh_excess};
-use super::ranged::length;
+use super::ranged::{Scale, length};
 use super::smooth::Ellipsoid;
-use super::{ClosedForm, positive, transform};
+use super::{ClosedForm, positive, profiles, scaled, transform};
 
 transform!(DisplacedParaboloid, ParabolicDimple, EllipticalDimple);
+scaled!(EllipticalDimple { depth: length, radius: length, inside: Scale::scaled });
 
+profiles! {
 /// The displaced paraboloid f = (r − b)²/2R (a torus-like ridge at b): g = x²/R − πbx/2R (Argatov, Li, Pohrt & Popov
 /// 2016).
-#[derive(Clone, Debug)]
-pub struct DisplacedParaboloid<R> {
-    radius: R,
-    offset: R,
+pub struct DisplacedParaboloid { radius: length, offset: length }
+
+impl DisplacedParaboloid {
+    /// A paraboloid of curvature radius `radius` R whose lowest points lie on the circle of radius `offset` b.
+    pub fn new;
+}
+
+/// A flat punch with a parabolic dimple, f = h(1 − r²/b²) for r < b, 0 beyond: g = −2hx²/b² inside,
+/// −2hx/(x + √(x² − b²)) beyond.
+pub struct ParabolicDimple { depth: length, radius: length }
+
+impl ParabolicDimple {
+    /// A dimple of the given `depth` h and `radius` b.
+    pub fn new;
+}
 }
 
 impl<R: Special> DisplacedParaboloid<R> {
-    /// A paraboloid of curvature radius `radius` R whose lowest points lie on the circle of radius `offset` b.
-    ///
-    /// # Errors
-    /// Unless both are positive and finite.
-    pub fn new(radius: R, offset: R) -> Result<Self> {
-        Ok(DisplacedParaboloid { radius: positive("radius", radius)?, offset: positive("offset", offset)? })
-    }
-
     /// πb/2, where g has its zero.
     fn zero(&self) -> R {
         self.offset.pi().over(2) * &self.offset
@@ -49,28 +54,9 @@ impl<R: Special> ClosedForm<R> for DisplacedParaboloid<R> {
     fn mean_at(&self, x: &R) -> R {
         (x.clone().over(3) - self.zero().over(2)) / &self.radius * x
     }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(DisplacedParaboloid { radius: length(&self.radius, k)?, offset: length(&self.offset, k)? })
-    }
-}
-
-/// A flat punch with a parabolic dimple, f = h(1 − r²/b²) for r < b, 0 beyond: g = −2hx²/b² inside,
-/// −2hx/(x + √(x² − b²)) beyond.
-#[derive(Clone, Debug)]
-pub struct ParabolicDimple<R> {
-    depth: R,
-    radius: R,
 }
 
 impl<R: Special> ParabolicDimple<R> {
-    /// A dimple of the given `depth` h and `radius` b.
-    ///
-    /// # Errors
-    /// Unless both are positive and finite.
-    pub fn new(depth: R, radius: R) -> Result<Self> {
-        Ok(ParabolicDimple { depth: positive("depth", depth)?, radius: positive("radius", radius)? })
-    }
-
     /// 2h(x − q)/(q(x + q)) = 2(h/q)(b/(x + q))².
     fn outer_slope(&self, x: &R, leg: &R) -> R {
         let share = self.radius.clone() / &(leg.clone() + x);
@@ -115,9 +101,6 @@ impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
                 -(share * (edge.leg / x) + x.lit(1)).times(2).over(3) * &self.depth
             }
         }
-    }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(ParabolicDimple { depth: length(&self.depth, k)?, radius: length(&self.radius, k)? })
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.radius)
@@ -192,10 +175,6 @@ impl<R: Special> ClosedForm<R> for EllipticalDimple<R> {
         let t = self.radius.clone() / x;
         let mean = if t < t.ratio(1, 2) { atanh_excess(&t) * t.square() + t.lit(1) } else { t.atanh() / &t };
         -((mean * self.rest(x) + t.lit(1)) * &self.depth).over(2)
-    }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        let [depth, radius] = [&self.depth, &self.radius].map(|x| length(x, k));
-        Some(EllipticalDimple { depth: depth?, radius: radius?, inside: self.inside.scaled(k)? })
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.radius)

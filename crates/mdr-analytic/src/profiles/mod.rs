@@ -44,19 +44,16 @@ pub use wavy::WavyParaboloid;
 
 use mdr_core::contact::{Error, Kink, Quantity, Result};
 use mdr_core::number::{Real, Special};
+use ranged::Scale;
 
 /// The closed forms of a profile, for a radius in their domain.
-trait ClosedForm<R: Special> {
+trait ClosedForm<R: Special>: Scale {
     /// g(x).
     fn g_at(&self, x: &R) -> R;
     /// g'(x).
     fn slope_at(&self, x: &R) -> R;
     /// (1/x) ∫₀ˣ g.
     fn mean_at(&self, x: &R) -> R;
-    /// The same profile with all lengths times 2ᵏ; `None` if one of them leaves the range of the arithmetic.
-    fn scaled(&self, k: i64) -> Option<Self>
-    where
-        Self: Sized;
     /// The radius where the profile ends.
     fn end(&self) -> Option<&R> {
         None
@@ -132,3 +129,46 @@ macro_rules! transform {
     )*};
 }
 use transform;
+
+/// `Scale` for a profile, from the function that scales each of its fields.
+macro_rules! scaled {
+    ($profile:ident { $($field:tt: $by:path),* }) => {
+        impl<R: mdr_core::number::Special> $crate::profiles::ranged::Scale for $profile<R> {
+            fn scaled(&self, k: i64) -> Option<Self> {
+                Some($profile { $($field: $by(&self.$field, k)?),* })
+            }
+        }
+    };
+}
+use scaled;
+
+/// Profiles that consist of positive numbers, each a [`ratio`](ranged::ratio) or a [`length`](ranged::length).
+macro_rules! profiles {
+    ($(
+        $(#[$doc:meta])*
+        pub struct $profile:ident { $($field:ident: $by:path),* }
+        impl $of:ident {
+            $(#[$new:meta])*
+            $access:vis fn new;
+        }
+    )*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Debug)]
+        pub struct $profile<R> {
+            $($field: R),*
+        }
+
+        impl<R: mdr_core::number::Special> $of<R> {
+            $(#[$new])*
+            ///
+            /// # Errors
+            /// Unless every number is positive and finite.
+            $access fn new($($field: R),*) -> mdr_core::contact::Result<Self> {
+                Ok($profile { $($field: $crate::profiles::positive(stringify!($field), $field)?),* })
+            }
+        }
+
+        $crate::profiles::scaled!($profile { $($field: $by),* });
+    )*};
+}
+use profiles;

@@ -1,14 +1,15 @@
 //! Punches with an edge: flat punch, truncated cone, truncated paraboloid, rounded-edge flat punch.
 
-use mdr_core::contact::{Kink, Result, Slopes};
+use mdr_core::contact::{Kink, Slopes};
 use mdr_core::number::Special;
 
 use super::edge::{Edge, tangent_excess};
-use super::ranged::length;
-use super::{ClosedForm, positive, transform};
+use super::ranged::{length, ratio};
+use super::{ClosedForm, profiles, transform};
 
 transform!(FlatPunch, TruncatedCone, TruncatedParaboloid, RoundedPunch);
 
+profiles! {
 /// The flat punch f = 0 for r < b with a vertical edge at b: g = 0 for x ≤ b (Kendall 1971). The contact edge can stay
 /// at the vertical edge.
 ///
@@ -20,19 +21,37 @@ transform!(FlatPunch, TruncatedCone, TruncatedParaboloid, RoundedPunch);
 /// assert!(punch.g(&2.1).is_err());
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-#[derive(Clone, Debug)]
-pub struct FlatPunch<R> {
-    radius: R,
+pub struct FlatPunch { radius: length }
+
+impl FlatPunch {
+    /// A flat-ended cylinder of the given `radius` b.
+    pub fn new;
 }
 
-impl<R: Special> FlatPunch<R> {
-    /// A flat-ended cylinder of the given `radius` b.
-    ///
-    /// # Errors
-    /// Unless it is positive and finite.
-    pub fn new(radius: R) -> Result<Self> {
-        Ok(FlatPunch { radius: positive("radius", radius)? })
-    }
+/// The truncated cone f = (r − b) tan θ for r > b, 0 inside: g = x tan θ arccos(b/x) for x > b (Ejike 1981).
+pub struct TruncatedCone { slope: ratio, flat: length }
+
+impl TruncatedCone {
+    /// A cone of the given flank `slope` = tan θ, cut off at the radius `flat` b.
+    pub fn new;
+}
+
+/// The truncated paraboloid f = (r² − b²)/2R for r > b, 0 inside: g = (x/R)√(x² − b²) for x > b (Ejike 1981).
+pub struct TruncatedParaboloid { radius: length, flat: length }
+
+impl TruncatedParaboloid {
+    /// A paraboloid of curvature radius `radius` R, cut off at the radius `flat` b.
+    pub fn new;
+}
+
+/// The flat punch with a rounded edge f = (r − b)²/2R for r > b, 0 inside: g = (x/R)[√(x² − b²) − b arccos(b/x)] for
+/// x > b (Schubert 1942; Ciavarella 1999).
+pub struct RoundedPunch { radius: length, flat: length }
+
+impl RoundedPunch {
+    /// A punch flat up to the radius `flat` b, then rounded with the curvature radius `radius` R.
+    pub fn new;
+}
 }
 
 impl<R: Special> ClosedForm<R> for FlatPunch<R> {
@@ -45,9 +64,6 @@ impl<R: Special> ClosedForm<R> for FlatPunch<R> {
     fn mean_at(&self, x: &R) -> R {
         x.lit(0)
     }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(FlatPunch { radius: length(&self.radius, k)? })
-    }
     fn end(&self) -> Option<&R> {
         Some(&self.radius)
     }
@@ -56,23 +72,6 @@ impl<R: Special> ClosedForm<R> for FlatPunch<R> {
     }
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
         Some(beside_flat(margin, Slopes::unknown()))
-    }
-}
-
-/// The truncated cone f = (r − b) tan θ for r > b, 0 inside: g = x tan θ arccos(b/x) for x > b (Ejike 1981).
-#[derive(Clone, Debug)]
-pub struct TruncatedCone<R> {
-    slope: R,
-    flat: R,
-}
-
-impl<R: Special> TruncatedCone<R> {
-    /// A cone of the given flank `slope` = tan θ, cut off at the radius `flat` b.
-    ///
-    /// # Errors
-    /// Unless both are positive and finite.
-    pub fn new(slope: R, flat: R) -> Result<Self> {
-        Ok(TruncatedCone { slope: positive("slope", slope)?, flat: positive("flat", flat)? })
     }
 }
 
@@ -87,9 +86,6 @@ impl<R: Special> ClosedForm<R> for TruncatedCone<R> {
     fn mean_at(&self, x: &R) -> R {
         beyond(x, &self.flat, |edge| edge.cone_mean(x, &self.flat) * &self.slope)
     }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(TruncatedCone { slope: self.slope.clone(), flat: length(&self.flat, k)? })
-    }
     fn edge(&self) -> Option<&R> {
         Some(&self.flat)
     }
@@ -97,23 +93,6 @@ impl<R: Special> ClosedForm<R> for TruncatedCone<R> {
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {
         let steepest = self.flat.clone() / Edge::reach(&self.flat, margin) * &self.slope;
         Some(beside_flat(margin, Slopes::at_least(steepest)))
-    }
-}
-
-/// The truncated paraboloid f = (r² − b²)/2R for r > b, 0 inside: g = (x/R)√(x² − b²) for x > b (Ejike 1981).
-#[derive(Clone, Debug)]
-pub struct TruncatedParaboloid<R> {
-    radius: R,
-    flat: R,
-}
-
-impl<R: Special> TruncatedParaboloid<R> {
-    /// A paraboloid of curvature radius `radius` R, cut off at the radius `flat` b.
-    ///
-    /// # Errors
-    /// Unless both are positive and finite.
-    pub fn new(radius: R, flat: R) -> Result<Self> {
-        Ok(TruncatedParaboloid { radius: positive("radius", radius)?, flat: positive("flat", flat)? })
     }
 }
 
@@ -127,9 +106,6 @@ impl<R: Special> ClosedForm<R> for TruncatedParaboloid<R> {
     fn mean_at(&self, x: &R) -> R {
         beyond(x, &self.flat, |edge| edge.leg.clone() / &self.radius * (edge.leg.clone() / x) * edge.leg.over(3))
     }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(TruncatedParaboloid { radius: length(&self.radius, k)?, flat: length(&self.flat, k)? })
-    }
     fn edge(&self) -> Option<&R> {
         Some(&self.flat)
     }
@@ -140,23 +116,7 @@ impl<R: Special> ClosedForm<R> for TruncatedParaboloid<R> {
     }
 }
 
-/// The flat punch with a rounded edge f = (r − b)²/2R for r > b, 0 inside: g = (x/R)[√(x² − b²) − b arccos(b/x)] for
-/// x > b (Schubert 1942; Ciavarella 1999).
-#[derive(Clone, Debug)]
-pub struct RoundedPunch<R> {
-    radius: R,
-    flat: R,
-}
-
 impl<R: Special> RoundedPunch<R> {
-    /// A punch flat up to the radius `flat` b, then rounded with the curvature radius `radius` R.
-    ///
-    /// # Errors
-    /// Unless both are positive and finite.
-    pub fn new(radius: R, flat: R) -> Result<Self> {
-        Ok(RoundedPunch { radius: positive("radius", radius)?, flat: positive("flat", flat)? })
-    }
-
     /// √(x² − b²) − b arccos(b/x) = b(tan θ − θ).
     fn excess(&self, edge: &Edge<R>) -> R {
         tangent_excess(&(edge.leg.clone() / &self.flat), &edge.angle) * &self.flat
@@ -178,9 +138,6 @@ impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
     /// [q³/3 − ½b(x²θ − bq)]/Rx = ½b³[t³·2/3 − (1 + t²)θ + t]/Rx with t = tan θ.
     fn mean_at(&self, x: &R) -> R {
         beyond(x, &self.flat, |edge| edge.rounded_mean(x, &self.flat, &self.radius))
-    }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(RoundedPunch { radius: length(&self.radius, k)?, flat: length(&self.flat, k)? })
     }
     fn edge(&self) -> Option<&R> {
         Some(&self.flat)

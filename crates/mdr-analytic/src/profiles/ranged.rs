@@ -66,6 +66,17 @@ fn times_power_of_two<R: Special>(x: &R, k: i64) -> Option<R> {
     value.is_finite().then_some(value)
 }
 
+/// Profiles whose lengths can be scaled.
+pub(super) trait Scale: Sized {
+    /// The same profile with all lengths times 2ᵏ; `None` if one of them leaves the range of the arithmetic.
+    fn scaled(&self, k: i64) -> Option<Self>;
+}
+
+/// A number without a unit, which does not change.
+pub(super) fn ratio<R: Special>(x: &R, _k: i64) -> Option<R> {
+    Some(x.clone())
+}
+
 /// A length times 2ᵏ; `None` if it leaves the range.
 pub(super) fn length<R: Special>(x: &R, k: i64) -> Option<R> {
     times_power_of_two(x, k).filter(|length| *length != length.lit(0))

@@ -3,25 +3,44 @@
 use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
-use super::ranged::length;
-use super::{ClosedForm, positive, transform};
+use super::ranged::{Scale, length, ratio};
+use super::{ClosedForm, positive, profiles, scaled, transform};
 
 transform!(Cone, Paraboloid, Sphere, Ellipsoid, Hyperboloid);
+scaled!(Sphere { 0: Scale::scaled });
 
+profiles! {
 /// The cone f = r tan θ: g = (π/2) x tan θ (Love 1939; Heß 2011).
-#[derive(Clone, Debug)]
-pub struct Cone<R> {
-    slope: R,
+pub struct Cone { slope: ratio }
+
+impl Cone {
+    /// A cone whose flank rises with `slope` = tan θ.
+    pub fn new;
 }
 
-impl<R: Special> Cone<R> {
-    /// A cone whose flank rises with `slope` = tan θ.
-    ///
-    /// # Errors
-    /// Unless the slope is positive and finite.
-    pub fn new(slope: R) -> Result<Self> {
-        Ok(Cone { slope: positive("slope", slope)? })
-    }
+/// The paraboloid f = r²/2R: g = x²/R (Hertz; Johnson, Kendall & Roberts 1971).
+pub struct Paraboloid { radius: length }
+
+impl Paraboloid {
+    /// A paraboloid with the radius of curvature `radius` at its tip.
+    pub fn new;
+}
+
+/// The half-ellipsoid f = c(1 − √(1 − r²/A²)), r < A: g = (c x/A) artanh(x/A).
+pub struct Ellipsoid { lateral: length, height: length }
+
+impl Ellipsoid {
+    /// An ellipsoid with the semi-axes `lateral` A (in the plane of contact) and `height` c.
+    pub fn new;
+}
+
+/// The hyperboloid f = cot α (√(r² + A²) − A): g = x cot α arctan(x/A).
+pub struct Hyperboloid { slope: ratio, lateral: length }
+
+impl Hyperboloid {
+    /// A hyperboloid with the asymptotic `slope` cot α and the length `lateral` A over which its tip is round.
+    pub fn new;
+}
 }
 
 impl<R: Special> ClosedForm<R> for Cone<R> {
@@ -34,25 +53,6 @@ impl<R: Special> ClosedForm<R> for Cone<R> {
     fn mean_at(&self, x: &R) -> R {
         self.g_at(x).over(2)
     }
-    fn scaled(&self, _k: i64) -> Option<Self> {
-        Some(self.clone())
-    }
-}
-
-/// The paraboloid f = r²/2R: g = x²/R (Hertz; Johnson, Kendall & Roberts 1971).
-#[derive(Clone, Debug)]
-pub struct Paraboloid<R> {
-    radius: R,
-}
-
-impl<R: Special> Paraboloid<R> {
-    /// A paraboloid with the radius of curvature `radius` at its tip.
-    ///
-    /// # Errors
-    /// Unless the radius is positive and finite.
-    pub fn new(radius: R) -> Result<Self> {
-        Ok(Paraboloid { radius: positive("radius", radius)? })
-    }
 }
 
 impl<R: Special> ClosedForm<R> for Paraboloid<R> {
@@ -64,9 +64,6 @@ impl<R: Special> ClosedForm<R> for Paraboloid<R> {
     }
     fn mean_at(&self, x: &R) -> R {
         self.g_at(x).over(3)
-    }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(Paraboloid { radius: length(&self.radius, k)? })
     }
 }
 
@@ -95,9 +92,6 @@ impl<R: Special> ClosedForm<R> for Sphere<R> {
     fn mean_at(&self, x: &R) -> R {
         self.0.mean_at(x)
     }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(Sphere(self.0.scaled(k)?))
-    }
     fn end(&self) -> Option<&R> {
         self.0.end()
     }
@@ -106,22 +100,7 @@ impl<R: Special> ClosedForm<R> for Sphere<R> {
     }
 }
 
-/// The half-ellipsoid f = c(1 − √(1 − r²/A²)), r < A: g = (c x/A) artanh(x/A).
-#[derive(Clone, Debug)]
-pub struct Ellipsoid<R> {
-    lateral: R,
-    height: R,
-}
-
 impl<R: Special> Ellipsoid<R> {
-    /// An ellipsoid with the semi-axes `lateral` A (in the plane of contact) and `height` c.
-    ///
-    /// # Errors
-    /// Unless both are positive and finite.
-    pub fn new(lateral: R, height: R) -> Result<Self> {
-        Ok(Ellipsoid { lateral: positive("lateral", lateral)?, height: positive("height", height)? })
-    }
-
     /// c/A, which is exactly one for the sphere.
     fn aspect(&self) -> R {
         self.height.clone() / &self.lateral
@@ -158,9 +137,6 @@ impl<R: Special> ClosedForm<R> for Ellipsoid<R> {
         let moment = super::edge::atanh_moment(&t);
         t * &self.height * moment.over(2)
     }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(Ellipsoid { lateral: length(&self.lateral, k)?, height: length(&self.height, k)? })
-    }
     fn end(&self) -> Option<&R> {
         Some(&self.lateral)
     }
@@ -170,23 +146,6 @@ impl<R: Special> ClosedForm<R> for Ellipsoid<R> {
         let artanh = (sum.clone() / margin).ln().over(2);
         let least = (artanh + t / (sum * margin)) * self.aspect();
         Some(Kink { value: None, inside: Slopes::at_least(least), outside: Slopes::unknown() })
-    }
-}
-
-/// The hyperboloid f = cot α (√(r² + A²) − A): g = x cot α arctan(x/A).
-#[derive(Clone, Debug)]
-pub struct Hyperboloid<R> {
-    slope: R,
-    lateral: R,
-}
-
-impl<R: Special> Hyperboloid<R> {
-    /// A hyperboloid with the asymptotic `slope` cot α and the length `lateral` A over which its tip is round.
-    ///
-    /// # Errors
-    /// Unless both are positive and finite.
-    pub fn new(slope: R, lateral: R) -> Result<Self> {
-        Ok(Hyperboloid { slope: positive("slope", slope)?, lateral: positive("lateral", lateral)? })
     }
 }
 
@@ -205,8 +164,5 @@ impl<R: Special> ClosedForm<R> for Hyperboloid<R> {
     fn mean_at(&self, x: &R) -> R {
         let t = x.clone() / &self.lateral;
         super::edge::atan_moment(&t) * &self.slope * x.clone().over(2)
-    }
-    fn scaled(&self, k: i64) -> Option<Self> {
-        Some(Hyperboloid { slope: self.slope.clone(), lateral: length(&self.lateral, k)? })
     }
 }

@@ -2,7 +2,7 @@
 
 use mdr_core::contact::{Error, Quantity, Result};
 
-use super::ranged::length;
+use super::ranged::{Scale, length};
 use super::{ClosedForm, Paraboloid, positive, transform};
 use crate::range::representable;
 use crate::struve::{Struve, small_h1};
@@ -70,6 +70,9 @@ impl<R: Struve> ClosedForm<R> for WavyParaboloid<R> {
         };
         self.paraboloid.mean_at(x) + wave
     }
+}
+
+impl<R: Struve> Scale for WavyParaboloid<R> {
     fn scaled(&self, k: i64) -> Option<Self> {
         let wavelength = length(&self.wavelength, k)?;
         let flat = self.amplitude == self.amplitude.lit(0);

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::number::{Interval, Real};
+use mdr_core::number::{Interval, Precision, Real};
 use rug::float::Round;
 use rug::{Assign, Float, Integer};
 
@@ -118,9 +118,9 @@ fn near(z: &Interval) -> [Interval; 2] {
     let steps = Integer::from(k + 2);
     let error = ((largest >> unit) + 2u32) * 2u32 * Integer::from(steps.square_ref()) + steps;
     let [zero, one] = sums.map(|sum| enclosed(&sum, &error, unit, bits + GUARD));
-    let wide = promoted(z, bits + GUARD);
+    let wide = z.rounded(Precision::new(bits + GUARD));
     let share = wide.clone().times(2) / wide.pi();
-    [outwards(&(zero * &share), bits), outwards(&(one * share * wide), bits)]
+    [zero * &share, one * share * wide].map(|value| value.rounded(z.ctx()))
 }
 
 /// H_ν − Y_ν by the asymptotic series, whose remainder is below the first omitted term: (2/π) Σ cₖ/z for ν = 0, with c₀
@@ -148,9 +148,9 @@ fn decaying(z: &Interval) -> [Interval; 2] {
     // The last term included is larger than the first one omitted.
     let error = Integer::from(k + 2).square() * 4u32 + term;
     let [zero, one] = sums.map(|sum| enclosed(&sum, &error, unit, unit));
-    let wide = promoted(z, unit);
+    let wide = z.rounded(Precision::new(unit));
     let share = wide.lit(2) / wide.pi();
-    [outwards(&(zero * &share / wide), bits), outwards(&(one * share), bits)]
+    [zero * &share / wide, one * share].map(|value| value.rounded(z.ctx()))
 }
 
 /// Y_ν from MPFR, correctly rounded.
@@ -177,15 +177,6 @@ fn fixed(x: Float, unit: u32) -> Integer {
 fn enclosed(sum: &Integer, error: &Integer, unit: u32, bits: u32) -> Interval {
     let end = |units: Integer, round| Float::with_val_round(bits, units, round).0 >> unit;
     Interval::new(end(Integer::from(sum - error), Round::Down), end(Integer::from(sum + error), Round::Up))
-}
-
-fn promoted(z: &Interval, bits: u32) -> Interval {
-    Interval::new(Float::with_val(bits, z.lower()), Float::with_val(bits, z.upper()))
-}
-
-fn outwards(value: &Interval, bits: u32) -> Interval {
-    let round = |end: &Float, round| Float::with_val_round(bits, end, round).0;
-    Interval::new(round(value.lower(), Round::Down), round(value.upper(), Round::Up))
 }
 
 impl Struve for Float {

@@ -33,46 +33,36 @@ pub trait Struve: Special {
     }
 }
 
-/// (π/2) times the power series of H₀ (`order` 0) or H₁ (`order` 1), summed until its terms are negligible.
+/// The power series with the given first term, times π/2 that of H₀ (`order` 0) or H₁ (`order` 1), or that over z; summed
+/// until its terms are negligible. The first term omitted, which bounds the remainder, comes with the sum.
 ///
 /// The terms are as large as e^z/z: the caller provides the bits that cancel.
-fn power_series<R: Real>(z: &R, order: i64) -> R {
+fn power_series<R: Real>(z: &R, first: R, order: i64) -> (R, R) {
     let square = -z.square();
-    let mut term = if order == 0 { z.clone() } else { z.square().over(3) };
+    let mut term = first;
     let mut sum = term.clone();
     let mut k = 0;
     loop {
         k += 1;
         term *= &square;
         term = term.over((2 * k + 1) * (2 * k + 1 + 2 * order));
-        // Once the terms decrease they keep decreasing; the first omitted one bounds the remainder.
+        // Once the terms decrease they keep decreasing.
         let falling = !(z.steer() > z.lit(2 * k + 1));
         if falling && !(term.abs().steer() > sum.abs().steer() * z.unit_roundoff()) {
-            return sum.inflate(&term);
+            return (sum, term);
         }
         sum += &term;
     }
 }
 
 /// H₁(z)/z = (2/π) Σ (−1)ᵏ z^{2k+1}/((2k+1)!!² (2k+3)) for z < 2⁻²⁰, in range where H₁ may underflow; `None` for other
-/// z. The remainder is below the first omitted term, and so are its derivatives.
+/// z. The first omitted term bounds the derivatives of the remainder, too.
 pub(crate) fn small_h1<R: Real>(z: &R) -> Option<R> {
     if !(*z < z.lit(2).powi(-20)) {
         return None;
     }
-    let square = -z.square();
-    let mut term = z.clone().over(3);
-    let mut sum = term.clone();
-    let mut k = 0;
-    loop {
-        k += 1;
-        term *= &square;
-        term = term.over((2 * k + 1) * (2 * k + 3));
-        if !(term.abs().steer() > sum.abs().steer() * z.unit_roundoff()) {
-            return Some(sum.inflate_with_slope(&term).times(2) / z.pi());
-        }
-        sum += &term;
-    }
+    let (sum, omitted) = power_series(z, z.clone().over(3), 1);
+    Some(sum.inflate_with_slope(&omitted).times(2) / z.pi())
 }
 
 /// The argument from which on the tables apply.
@@ -81,14 +71,14 @@ const FAR: f64 = 3.0;
 impl Struve for f64 {
     fn struve_h0(&self) -> f64 {
         if *self < FAR {
-            return power_series(self, 0) * std::f64::consts::FRAC_2_PI;
+            return power_series(self, *self, 0).0 * std::f64::consts::FRAC_2_PI;
         }
         std::f64::consts::FRAC_2_PI * chebyshev(&table::K0, FAR / self) / self + pxfm::f_y0(*self)
     }
 
     fn struve_h1(&self) -> f64 {
         if *self < FAR {
-            return power_series(self, 1) * std::f64::consts::FRAC_2_PI;
+            return power_series(self, self * self / 3.0, 1).0 * std::f64::consts::FRAC_2_PI;
         }
         let decaying = chebyshev(&table::K1, FAR / self) / (self * self);
         std::f64::consts::FRAC_2_PI * (1.0 + decaying) + pxfm::f_y1(*self)

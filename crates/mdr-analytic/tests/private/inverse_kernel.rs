@@ -24,7 +24,7 @@ impl Question {
         let found = fold.at_value(&contact, &x.into()).ok()?;
         let [smaller, larger] = found.as_slice() else { return None };
         let root = |branch, state: &Equilibrium<Wide<2>>| {
-            let u = (state.contact_radius / fold.state().contact_radius).ln().approx() / 2.0;
+            let u = (state.contact_radius / fold.state.contact_radius).ln().approx() / 2.0;
             (branch, u / constants.stretch.hi, state.clone())
         };
         Some(Question { roots: [root(Branch::Smaller, smaller), root(Branch::Larger, larger)], constants, x })

@@ -1,6 +1,8 @@
 //! All sign changes of a function on a range of radii, with proof: the range is halved in log x until an enclosure test shows
 //! that each cell contains at most one zero.
 
+use std::cell::Cell;
+
 use super::roots::{Bracket, Sample, geometric_mean};
 use crate::contact::{Error, Quantity, Result};
 use crate::number::{Real, order};
@@ -55,7 +57,7 @@ pub fn isolate<R: Real>(
     lower: &R,
     upper: &R,
     budget: usize,
-    f: impl FnMut(&R) -> Result<R>,
+    mut f: impl FnMut(&R) -> Result<R>,
     mut test: impl FnMut(&R, &R) -> Result<Behaviour>,
 ) -> Result<Isolation<R>> {
     let [lower, upper] = [lower, upper].map(|end| Error::require_positive(Quantity::Radius, end.clone()));
@@ -63,14 +65,18 @@ pub fn isolate<R: Real>(
     if !(lower.steer() < upper.steer()) {
         return Err(Error::domain(Quantity::Radius, &upper, "above the lower end of its range"));
     }
-    let mut sampler = Sampler { f, evaluations: 0 };
-    let mut cells = vec![[sampler.take(lower)?, sampler.take(upper)?]];
+    let evaluations = Cell::new(0);
+    let mut sample = |x: R| {
+        evaluations.update(|count| count + 1);
+        Sample::take(x, &mut f)
+    };
+    let mut cells = vec![[sample(lower)?, sample(upper)?]];
     let mut brackets: Vec<Bracket<R>> = Vec::new();
     let mut undecided = Vec::new();
     while !cells.is_empty() {
         let mut next = Vec::new();
         for [lower, upper] in cells {
-            if sampler.evaluations >= budget {
+            if evaluations.get() >= budget {
                 undecided.push((lower.x, upper.x));
                 continue;
             }
@@ -80,7 +86,7 @@ pub fn isolate<R: Real>(
                     brackets.extend(Bracket::between(lower, upper, 0));
                 }
                 _ => {
-                    let middle = sampler.between(&lower, &upper)?;
+                    let middle = between(&lower, &upper, &mut sample)?;
                     if is_narrow(&lower.x, &upper.x) {
                         undecided.push((lower.x, upper.x));
                     } else {
@@ -92,7 +98,7 @@ pub fn isolate<R: Real>(
         cells = next;
     }
     brackets.sort_by(|one, other| order(&one.lower.x, &other.lower.x));
-    Ok(Isolation { brackets, undecided: merge(undecided), evaluations: sampler.evaluations })
+    Ok(Isolation { brackets, undecided: merge(undecided), evaluations: evaluations.get() })
 }
 
 /// Whether a double zero and a pair of zeros can no longer be separated.
@@ -100,33 +106,17 @@ fn is_narrow<R: Real>(lower: &R, upper: &R) -> bool {
     (upper.clone() - lower).steer() <= (lower.unit_roundoff().sqrt() * lower).steer()
 }
 
-struct Sampler<F> {
-    f: F,
-    evaluations: usize,
-}
-
-impl<F> Sampler<F> {
-    fn take<R: Real>(&mut self, x: R) -> Result<Sample<R>>
-    where
-        F: FnMut(&R) -> Result<R>,
-    {
-        self.evaluations += 1;
-        Sample::take(x, &mut self.f)
+/// A sample at the geometric mean, or slightly beside it if the function is exactly zero there.
+fn between<R: Real>(
+    lower: &Sample<R>,
+    upper: &Sample<R>,
+    mut sample: impl FnMut(R) -> Result<Sample<R>>,
+) -> Result<Sample<R>> {
+    let middle = sample(geometric_mean(&lower.x, &upper.x))?;
+    if middle.agrees(&middle) {
+        return Ok(middle);
     }
-
-    /// A sample at the geometric mean, or slightly beside it if the function is exactly zero there.
-    fn between<R: Real>(&mut self, lower: &Sample<R>, upper: &Sample<R>) -> Result<Sample<R>>
-    where
-        F: FnMut(&R) -> Result<R>,
-    {
-        let middle = geometric_mean(&lower.x, &upper.x);
-        let sample = self.take(middle)?;
-        if sample.agrees(&sample) {
-            return Ok(sample);
-        }
-        let beside = (0..5).fold(upper.x.clone(), |x, _| geometric_mean(&sample.x, &x));
-        self.take(beside)
-    }
+    sample((0..5).fold(upper.x.clone(), |x, _| geometric_mean(&middle.x, &x)))
 }
 
 /// Sorts intervals and joins those that touch.

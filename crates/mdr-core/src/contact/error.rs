@@ -183,6 +183,11 @@ impl Error {
         Error::NoEquilibrium { quantity, value: printed(value) }
     }
 
+    /// A decision that the precision of `like` does not allow.
+    pub fn undecided<R: Real>(quantity: Quantity, like: &R, what: &'static str) -> Error {
+        Error::Undecided { quantity, bits: like.precision(), what }
+    }
+
     /// Returns `value` if it is certainly positive and finite.
     ///
     /// # Errors

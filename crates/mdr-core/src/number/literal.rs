@@ -147,7 +147,7 @@ impl Literal {
     pub fn nearest_f64(&self) -> f64 {
         #[cfg(feature = "mp")]
         if self.denominator != "1" {
-            return self.to_rational().to_f64_nearest();
+            return nearest_f64(&self.to_rational());
         }
         let part = |digits: &str, exponent: i64| -> f64 {
             // `digits` is empty for zero, hence the leading 0; the grammar was checked by the parser.
@@ -238,20 +238,12 @@ fn product(one: &str, other: &str) -> String {
     text.trim_start_matches('0').to_owned()
 }
 
-/// Rounding a rational to the nearest double.
+/// The nearest double.
 #[cfg(feature = "mp")]
-trait NearestF64 {
-    fn to_f64_nearest(&self) -> f64;
-}
-
-#[cfg(feature = "mp")]
-impl NearestF64 for rug::Rational {
-    fn to_f64_nearest(&self) -> f64 {
-        // Rounding to 53 bits is correct unless the double is subnormal; there the sticky bits of a longer float
-        // decide.
-        let direct = rug::Float::with_val(f64::MANTISSA_DIGITS, self).to_f64();
-        if direct.is_normal() { direct } else { rug::Float::with_val(4096, self).to_f64() }
-    }
+fn nearest_f64(value: &rug::Rational) -> f64 {
+    // Rounding to 53 bits is correct unless the double is subnormal; there the sticky bits of a longer float decide.
+    let direct = rug::Float::with_val(f64::MANTISSA_DIGITS, value).to_f64();
+    if direct.is_normal() { direct } else { rug::Float::with_val(4096, value).to_f64() }
 }
 
 /// In its original notation.

@@ -55,7 +55,7 @@ impl<'a> Terrain<'a> {
         };
         // Where g is constant up to rounding its direction does not matter.
         let reach = [(scale / lower).ln(), (upper / scale).ln()];
-        let found = survey::crossings(&Range { scale, kinks: kinks.clone(), outer, reach }, ratio);
+        let found = survey::crossings(&Range { reach, ..Range::whole(&*transform, scale) }, ratio);
         let resolved = found.resolved;
         let searched = [lower, upper];
         let mut radii = kinks.clone();

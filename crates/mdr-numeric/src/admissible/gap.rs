@@ -3,13 +3,14 @@
 
 use std::sync::{Arc, LazyLock};
 
+use mdr_core::calculus::Estimate;
 use mdr_core::calculus::gauss_jacobi::{self, Rule};
 use mdr_core::calculus::quadrature::{Node as Abscissa, pieces, tanh_sinh_near_ends};
-use mdr_core::calculus::{Estimate, Tolerance, roundoff_tolerance};
 use mdr_core::contact::{Error, Result, Transform};
 use mdr_core::number::Real;
 
 use super::extrema::{Terrain, in_octaves};
+use crate::fields::tolerance;
 
 /// g at a node of a panel, with the weight of the node.
 #[derive(Clone, Copy, Debug)]
@@ -124,15 +125,13 @@ pub(super) fn slope<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, 
 
 /// (2/π) ∫ₐʳ f/√(r² − x²) dx; at an end of a piece, where f may be undefined, it is taken as zero.
 fn weighted<R: Real>(a: &R, r: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
-    let goal = roundoff_tolerance(r);
-    let tolerance = Tolerance::new(&goal).or_noise_below(goal.times(4096));
     let integral = pieces(a, r, breaks, |from, to| {
         let beyond = r.clone() - to;
         let at = |node: &Abscissa<R>| match f(&node.x) {
             Err(Error::Domain { .. }) if node.x == *from || node.x == *to => Ok(node.x.lit(0)),
             value => Ok(value? / (beyond.clone() + &node.from_upper).sqrt() / (node.x.clone() + r).sqrt()),
         };
-        tanh_sinh_near_ends(from, to, tolerance.clone(), at)
+        tanh_sinh_near_ends(from, to, tolerance(r), at)
     })?;
     Ok(integral.scaled(&(r.lit(2) / r.pi())))
 }

@@ -179,14 +179,8 @@ impl<R: Real> Transform<f64> for Rounded<'_, R> {
     fn integral(&self, x: &f64) -> Result<f64> {
         Ok(self.transform.integral(&self.at(*x))?.approx())
     }
-    fn mean(&self, x: &f64) -> Result<f64> {
-        Ok(self.transform.mean(&self.at(*x))?.approx())
-    }
     fn outer_radius(&self) -> Option<f64> {
         Some(self.transform.outer_radius()?.approx())
-    }
-    fn wall(&self) -> bool {
-        self.transform.wall()
     }
     fn kinks(&self) -> Vec<f64> {
         self.transform.kinks().iter().map(Real::approx).collect()

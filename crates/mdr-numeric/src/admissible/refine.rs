@@ -209,7 +209,7 @@ impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
     }
 
     fn open(&self) -> Error {
-        let bits = self.curve.effective_modulus().precision();
-        Error::Undecided { quantity: Quantity::ContactRadius, bits, what: "where the contact ceases to be admissible" }
+        let what = "where the contact ceases to be admissible";
+        Error::undecided(Quantity::ContactRadius, self.curve.effective_modulus(), what)
     }
 }

@@ -47,11 +47,8 @@ impl<R: Real> Branches<'_, R> {
         loop {
             let a = edge.clone() + &step;
             if a == *edge {
-                return Err(Error::Undecided {
-                    quantity: Quantity::ContactRadius,
-                    bits: value.precision(),
-                    what: "where exactly the equilibrium lies beside an edge where g is infinite",
-                });
+                let what = "where exactly the equilibrium lies beside an edge where g is infinite";
+                return Err(Error::undecided(Quantity::ContactRadius, value, what));
             }
             if sign(&self.curve.direction_at(&a, value)?) == direction {
                 return Ok(a);

@@ -5,9 +5,10 @@ use std::cmp::Ordering;
 use mdr_core::contact::{Equilibrium, Error, FoldKind, Instability, Quantity, Result, Stability};
 use mdr_core::number::Real;
 
+use super::begin::begin;
 use super::{Event, EventKind, Start, State};
 use crate::admissible::{Ring, Verdict};
-use crate::branch::{Branched, End, Onset, Way, beyond_reach, seek};
+use crate::branch::{Branched, End, Onset, Way, seek};
 
 /// The position of the contact, apart from the value of the controlled quantity.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -333,93 +334,8 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
     }
 }
 
-/// The position and the state in which a path begins at its first way point.
-pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, value: &R) -> Result<(Place, State<R>)> {
-    branches.control().check_value(value)?;
-    let count = branches.folds().len();
-    let found = match start {
-        Start::Detached => {
-            let zero = value.lit(0);
-            let depth = branches.first_touch()?.map_or(zero.clone(), |touch| touch.indentation);
-            let touch = branches.control().controlled(&depth, &zero);
-            let apart = certain(value, &touch, branches)? != Ordering::Greater;
-            apart.then_some((Place::Detached, State::Detached))
-        }
-        Start::Smallest => {
-            first_at_rest(branches, (0..=count).flat_map(|i| [Place::Branch(i), Place::Fold(i)]), value)?
-        }
-        Start::Largest => {
-            first_at_rest(branches, (0..=count).rev().flat_map(|i| [Place::Fold(i), Place::Branch(i)]), value)?
-        }
-        Start::Nearest(radius) => nearest(branches, radius, value)?,
-    };
-    found.ok_or_else(|| Error::no_equilibrium(branches.control().quantity(), value))
-}
-
-/// The first of the positions at which a contact is in stable equilibrium at `value`.
-fn first_at_rest<R: Real, B: Branched<R>>(
-    branches: &B,
-    places: impl Iterator<Item = Place>,
-    value: &R,
-) -> Result<Option<(Place, State<R>)>> {
-    for place in places {
-        if let Some(state) = at_rest(branches, place, value)? {
-            return Ok(Some((place, state)));
-        }
-    }
-    Ok(None)
-}
-
-/// The position in stable equilibrium whose radius is nearest to `radius`, in ratio.
-fn nearest<R: Real, B: Branched<R>>(branches: &B, radius: &R, value: &R) -> Result<Option<(Place, State<R>)>> {
-    let radius = Error::require_positive(Quantity::ContactRadius, radius.clone())?;
-    let mut best: Option<(R, Place, State<R>)> = None;
-    for place in (0..=branches.folds().len()).flat_map(|i| [Place::Branch(i), Place::Fold(i)]) {
-        let Some(State::Contact(rest)) = at_rest(branches, place, value)? else { continue };
-        let distance = (rest.contact_radius.ln() - radius.ln()).abs();
-        let nearer = match &best {
-            Some((least, ..)) => certain(&distance, least, branches)? == Ordering::Less,
-            None => true,
-        };
-        if nearer {
-            best = Some((distance, place, State::Contact(rest)));
-        }
-    }
-    Ok(best.map(|(_, place, state)| (place, state)))
-}
-
-/// The state at a position, if the position is stable and has a state at `value`.
-fn at_rest<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Result<Option<State<R>>> {
-    let side = |fold: Option<usize>| -> Result<Option<Ordering>> {
-        fold.and_then(|fold| branches.folds().get(fold)).map(|fold| branches.compare(value, fold)).transpose()
-    };
-    let holds = match place {
-        Place::Branch(branch) => {
-            let stable = match branches.is_stable(branch) {
-                Some(stable) => stable,
-                None => branches.onset()? == Onset::Smooth,
-            };
-            // The ends of a stable branch are a minimum and a maximum.
-            stable
-                && side(branch.checked_sub(1))?.is_none_or(|side| side == Ordering::Greater)
-                && side(Some(branch))?.is_none_or(|side| side == Ordering::Less)
-        }
-        Place::Fold(fold) => side(Some(fold))? == Some(Ordering::Equal),
-        Place::Detached | Place::Ended => false,
-    };
-    let found = if holds { state(branches, place, value)? } else { None };
-    // The controlled quantity increases along the last stable branch to the end of the profile, so the branch has an
-    // equilibrium unless it ends below the value.
-    let rises_to_it = |branch: usize| branch == branches.folds().len() && (branch > 0 || *value > value.lit(0));
-    let missed = holds && found.is_none() && matches!(place, Place::Branch(branch) if rises_to_it(branch));
-    if missed && branches.end()? == End::Unknown {
-        return Err(beyond_reach(branches.control(), value));
-    }
-    Ok(found)
-}
-
 /// The state at `value`, with the contact at a position; `None` if it would be beyond the end of the last branch.
-fn state<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Result<Option<State<R>>> {
+pub(super) fn state<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Result<Option<State<R>>> {
     Ok(match place {
         Place::Detached => Some(State::Detached),
         Place::Branch(branch) => branches.on_branch(branch, value)?.map(State::Contact),
@@ -440,10 +356,7 @@ fn point<R: Real>(zero: &R) -> Equilibrium<R> {
 }
 
 /// The order of two values of the controlled quantity, if it is certain.
-fn certain<R: Real, B: Branched<R>>(one: &R, other: &R, branches: &B) -> Result<Ordering> {
-    one.partial_cmp(other).ok_or(Error::Undecided {
-        quantity: branches.control().quantity(),
-        bits: one.precision(),
-        what: "which of two values of it is larger",
-    })
+pub(super) fn certain<R: Real, B: Branched<R>>(one: &R, other: &R, branches: &B) -> Result<Ordering> {
+    let undecided = || Error::undecided(branches.control().quantity(), one, "which of two values of it is larger");
+    one.partial_cmp(other).ok_or_else(undecided)
 }

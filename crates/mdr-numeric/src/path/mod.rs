@@ -5,6 +5,7 @@
 //! whole surface. The rest is combinatorial: equilibria are computed only at way points and after jumps, and over
 //! enclosures each decision is proved.
 
+mod begin;
 mod follow;
 mod integral;
 mod ledger;
@@ -169,7 +170,7 @@ impl<R: Real> Path<R> {
     /// # Errors
     /// As [`Path::follow`].
     pub fn first(branches: &impl Branched<R>, start: &Start<R>, value: &R) -> Result<State<R>> {
-        follow::begin(branches, start, value).map(|(_, state)| state)
+        begin::begin(branches, start, value).map(|(_, state)| state)
     }
 
     /// The same path with its numbers in another arithmetic, such as states proved over enclosures for the energies.

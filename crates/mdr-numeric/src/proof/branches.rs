@@ -89,7 +89,7 @@ impl<'a> EnclosedBranches<'a> {
             let End { excess, .. } = self.at_radius(radius.clone(), value)?;
             let zero = excess.lit(0);
             let agrees = if fold.kind == FoldKind::Minimum { excess < zero } else { excess > zero };
-            let near = || self.undecided("where exactly the equilibrium lies beside an edge where g is infinite");
+            let near = || self.curve.undecided("where exactly the equilibrium lies beside an edge where g is infinite");
             // Between the edge and this radius the direction has one sign.
             return if agrees { Ok(End { enclosure: radius.clone(), radius, excess }) } else { Err(near()) };
         }
@@ -111,13 +111,9 @@ impl<'a> EnclosedBranches<'a> {
     /// bits are needed.
     fn direction(&self, a: &Interval, value: &Interval) -> Result<Interval> {
         match self.curve.plain.direction_at(a, value) {
-            Err(Error::Domain { .. }) => Err(self.undecided("on which side of a kink a radius lies")),
+            Err(Error::Domain { .. }) => Err(self.curve.undecided("on which side of a kink a radius lies")),
             direction => direction,
         }
-    }
-
-    pub(super) fn undecided(&self, what: &'static str) -> Error {
-        Error::Undecided { quantity: Quantity::ContactRadius, bits: self.curve.precision().bits(), what }
     }
 
     /// The two ends of a branch.
@@ -143,7 +139,7 @@ impl<'a> EnclosedBranches<'a> {
     fn at_wall(&self, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
         let Some(wall) = &self.wall else { return Ok(None) };
         match value.partial_cmp(&wall.controlled) {
-            None => Err(self.undecided("whether the contact rests at the wall")),
+            None => Err(self.curve.undecided("whether the contact rests at the wall")),
             Some(Ordering::Less | Ordering::Equal) => Ok(None),
             Some(Ordering::Greater) => {
                 let curve = &self.curve.plain;
@@ -171,7 +167,7 @@ impl<'a> EnclosedBranches<'a> {
         let grows_below = lower.excess < lower.excess.lit(0);
         let sample = |end: &End| Sample { x: end.radius.clone(), f: end.excess.clone() };
         let Some(bracket) = Bracket::between(sample(&lower), sample(&upper), 0) else {
-            return Err(self.undecided("which way the contact moves at the ends of a branch"));
+            return Err(self.curve.undecided("which way the contact moves at the ends of a branch"));
         };
         let direction = |a: &Interval| self.direction(a, value);
         let root = roots::refine(bracket, &value.unit_roundoff(), direction)?;
@@ -307,7 +303,7 @@ impl Branched<Interval> for EnclosedBranches<'_> {
         let zero = value.lit(0);
         let [below, above] = ends.each_ref().map(|end| end.excess.partial_cmp(&zero));
         let (Some(below), Some(above)) = (below, above) else {
-            return Err(self.undecided("which way the contact moves at the ends of a branch"));
+            return Err(self.curve.undecided("which way the contact moves at the ends of a branch"));
         };
         if below != above {
             return self.between(ends, value).map(Some);

@@ -34,7 +34,7 @@ impl EnclosedBranches<'_> {
             State::Complete => true,
         }) || path.events.iter().any(|event| event.kind == EventKind::EndOfProfile);
         let free = (!inwards || self.is_free_inwards()?) && (!outwards || self.is_free_outwards()?);
-        if free { Ok(()) } else { Err(self.undecided("whether folds lie outside the radii of the proof")) }
+        if free { Ok(()) } else { Err(self.curve.undecided("whether folds lie outside the radii of the proof")) }
     }
 
     /// Whether the condition certainly has one sign from the tip to the range.

@@ -147,12 +147,12 @@ impl<'a> EnclosedCurve<'a> {
         }
         match self.zero(&fold.contact_radius)? {
             Some(radius) => self.state(radius, fold.kind),
-            None => Err(Error::Undecided {
-                quantity: Quantity::ContactRadius,
-                bits: self.precision().bits(),
-                what: "whether the two curves touch once or twice",
-            }),
+            None => Err(self.undecided("whether the two curves touch once or twice")),
         }
+    }
+
+    fn undecided(&self, what: &'static str) -> Error {
+        Error::undecided(Quantity::ContactRadius, self.plain.effective_modulus(), what)
     }
 
     fn precision(&self) -> Precision {
@@ -221,8 +221,7 @@ impl<'a> EnclosedCurve<'a> {
 
     /// An interval in the precision of this curve, or its own if that is larger.
     fn promoted(&self, interval: &Interval) -> Interval {
-        let promote = |end: &Float| Float::with_val(self.precision().bits().max(end.prec()), end);
-        Interval::new(promote(interval.lower()), promote(interval.upper()))
+        interval.rounded(self.precision().max(interval.ctx()))
     }
 
     fn half_with_zero(&self, cell: &Interval) -> Result<Option<Interval>> {

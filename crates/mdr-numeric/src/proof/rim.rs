@@ -60,7 +60,7 @@ impl EnclosedBranches<'_> {
         let radius = last.hull(rim);
         let distance = (rim.clone() - last) / &radius;
         if !(distance < distance.ratio(1, 2)) {
-            return Err(self.undecided("how far from the outer radius the equilibrium lies"));
+            return Err(self.curve.undecided("how far from the outer radius the equilibrium lies"));
         }
         let mean = curve.transform().mean(last)? * last / &radius;
         let below = curve.transform().g(last)?.abs();

@@ -12,16 +12,11 @@ use mdr_core::number::Real;
 /// An end of an arc: r/x and √(x² − r²)/x, both to full relative accuracy.
 #[derive(Clone)]
 pub(super) struct Spoke<R> {
-    sin: R,
-    cos: R,
+    pub(super) sin: R,
+    pub(super) cos: R,
 }
 
 impl<R: Real> Spoke<R> {
-    /// From r/x and √(x² − r²)/x.
-    pub(super) fn at(sin: R, cos: R) -> Self {
-        Spoke { sin, cos }
-    }
-
     /// The direction of r = x.
     pub(super) fn edge(x: &R) -> Self {
         Spoke { sin: x.lit(1), cos: x.lit(0) }

@@ -1,10 +1,11 @@
 //! Reads exact rows from text.
 
+use std::cmp::Ordering;
 use std::io::Read;
 use std::ops::Range;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
-use mdr_core::number::{Literal, LiteralError};
+use mdr_core::number::{Literal, LiteralError, order};
 
 use super::units::{decimal_power, scaled};
 use super::{Column, MINIMUM_ROWS, Row, Table, TableError};
@@ -89,6 +90,17 @@ impl Layout {
         let refused = |reason| TableError::NotANumber { line: line.number, column, text: text.to_owned(), reason };
         Ok((text, metres.map_err(refused)?))
     }
+
+    /// A row, with its radius as given.
+    fn row<'a>(&self, line: &'a Line) -> Result<(&'a str, Row), TableError> {
+        line.width(self.width)?;
+        let (given, radius) = self.number(line, Column::Radius)?;
+        let (_, height) = self.number(line, Column::Height)?;
+        if radius.is_negative() {
+            return Err(TableError::NegativeRadius { line: line.number, radius: given.to_owned() });
+        }
+        Ok((given, Row { line: line.number, radius, height }))
+    }
 }
 
 impl Table {
@@ -124,53 +136,26 @@ impl Table {
         if let Some(units) = units {
             layout.set_units(&units)?;
         }
-        let mut rows = Rows { layout, rows: Vec::new(), previous: String::new() };
+        // Rows read so far, and the last radius as given.
+        let (mut rows, mut previous) = (Vec::<Row>::new(), String::new());
         for line in lines {
-            rows.push(&line?)?;
-        }
-        rows.finish()
-    }
-}
-
-/// Rows read so far, with the last radius as given.
-struct Rows {
-    layout: Layout,
-    rows: Vec<Row>,
-    previous: String,
-}
-
-impl Rows {
-    fn push(&mut self, line: &Line) -> Result<(), TableError> {
-        line.width(self.layout.width)?;
-        let (radius_text, radius) = self.layout.number(line, Column::Radius)?;
-        let (_, height) = self.layout.number(line, Column::Height)?;
-        let line = line.number;
-        if radius.is_negative() {
-            return Err(TableError::NegativeRadius { line, radius: radius_text.to_owned() });
-        }
-        if let Some(last) = self.rows.last() {
-            let (radius, before) = (radius.nearest_f64(), last.radius.nearest_f64());
-            let written = radius_text.to_owned();
-            if radius < before {
-                let previous = std::mem::take(&mut self.previous);
-                return Err(TableError::Unsorted { line, radius: written, previous, previous_line: last.line });
+            let line = line?;
+            let (given, row) = layout.row(&line)?;
+            if let Some(last) = rows.last() {
+                let (line, radius, previous_line) = (row.line, given.to_owned(), last.line);
+                match order(&row.radius.nearest_f64(), &last.radius.nearest_f64()) {
+                    Ordering::Less => return Err(TableError::Unsorted { line, radius, previous, previous_line }),
+                    Ordering::Equal => return Err(TableError::Repeated { line, radius, previous_line }),
+                    Ordering::Greater => {}
+                }
             }
-            if radius == before {
-                return Err(TableError::Repeated { line, radius: written, previous_line: last.line });
-            }
+            given.clone_into(&mut previous);
+            rows.push(row);
         }
-        radius_text.clone_into(&mut self.previous);
-        self.rows.push(Row { line, radius, height });
-        Ok(())
-    }
-
-    fn finish(self) -> Result<Table, TableError> {
-        let (rows, units) = (self.rows, self.layout.units);
         if rows.len() < MINIMUM_ROWS {
-            Err(TableError::TooFewRows { rows: rows.len() })
-        } else {
-            Ok(Table { rows, units })
+            return Err(TableError::TooFewRows { rows: rows.len() });
         }
+        Ok(Table { rows, units: layout.units })
     }
 }
 

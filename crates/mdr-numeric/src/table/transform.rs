@@ -149,7 +149,7 @@ impl<R: Special> MeasuredProfile<R> {
         let (piece, next) = (&self.pieces[last], &self.pieces[last + 1]);
         let stretch = margin.lit(1) + margin;
         let tangent = ((margin.lit(2) + margin) * margin).sqrt();
-        let spoke = Spoke::at(next.start.clone() / x, up_to(tangent.clone() / &stretch));
+        let spoke = Spoke { sin: next.start.clone() / x, cos: up_to(tangent.clone() / &stretch) };
         let before: R = (0..last).fold(x.lit(0), |sum, i| {
             let [from, to] = [i, i + 1].map(|row| Spoke::new(&self.pieces[row].start, x));
             sum + self.pieces[i].share(Part::Slope, x, &from, &to, &x.lit(1))

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use mdr_core::contact::Profile;
 use mdr_core::number::{Lift, Real};
 
-/// A profile, and the number of its heights that were evaluated. It counts for one thread.
+/// The heights of a profile, and the number that were evaluated. It counts for one thread.
 pub(super) struct Counted<'a, P> {
     profile: &'a P,
     heights: AtomicUsize,
@@ -26,21 +26,5 @@ impl<R: Real, P: Profile<R>> Profile<R> for Counted<'_, P> {
         // Only one thread counts, so no lock is needed.
         self.heights.store(self.heights() + 1, Ordering::Relaxed);
         self.profile.height(r)
-    }
-
-    fn kinks(&self) -> Vec<R> {
-        self.profile.kinks()
-    }
-
-    fn outer_radius(&self) -> Option<R> {
-        self.profile.outer_radius()
-    }
-
-    fn wall(&self) -> bool {
-        self.profile.wall()
-    }
-
-    fn tip_exponent(&self) -> Option<R> {
-        self.profile.tip_exponent()
     }
 }

@@ -27,8 +27,8 @@ pub(super) fn nodes<R: Real>(p: &R, count: usize) -> Result<Vec<Node<R>>> {
     Ok(rule.nodes().iter().map(node).collect())
 }
 
-/// I[φ] and I[|φ|], with φ(xs) = `sample(s)`, and the number of nodes.
-pub(super) fn sum<R: Real>(nodes: &[Node<R>], zero: R, mut sample: impl FnMut(&R) -> R) -> (R, R, usize) {
+/// I[φ] and I[|φ|], with φ(xs) = `sample(s)`.
+pub(super) fn sum<R: Real>(nodes: &[Node<R>], zero: R, mut sample: impl FnMut(&R) -> R) -> (R, R) {
     let mut total = zero.clone();
     let mut magnitude = zero;
     for node in nodes {
@@ -36,7 +36,7 @@ pub(super) fn sum<R: Real>(nodes: &[Node<R>], zero: R, mut sample: impl FnMut(&R
         magnitude += &term.abs();
         total += &term;
     }
-    (total, magnitude, nodes.len())
+    (total, magnitude)
 }
 
 /// The rule sizes in units of bits/14 nodes. Power profiles converge at the third, fifty waves at the last.
@@ -72,15 +72,14 @@ impl<R: Real> Ladder<R> {
         mut sample: impl FnMut(&R) -> R,
     ) -> Option<Estimate<R>> {
         let zero = self.p.lit(0);
-        let (mut last, _, mut evaluations) = sum(self.rung(0)?, zero.clone(), &mut sample);
+        let (mut last, _) = sum(self.rung(0)?, zero.clone(), &mut sample);
         let mut change: Option<R> = None;
         for index in 1..RUNGS.len() {
-            let (value, magnitude, count) = sum(self.rung(index)?, zero.clone(), &mut sample);
-            evaluations += count;
+            let (value, magnitude) = sum(self.rung(index)?, zero.clone(), &mut sample);
             let step = (value.clone() - &last).abs();
             let rounding = (magnitude.unit_roundoff() + noise).times(4) * &magnitude;
             if !value.is_finite() || underflows(&magnitude) {
-                return Some(Estimate { value, error: magnitude, evaluations });
+                return Some(Estimate { error: magnitude, ..Estimate::exact(value) });
             }
             if let Some(before) = change {
                 let settled = step.clone().times(4) >= before;
@@ -90,7 +89,7 @@ impl<R: Real> Ladder<R> {
                 let negligible = || Some(before.greater(&step).times(OSCILLATION)).filter(|error| error <= needed);
                 let good = |error: &R| *error <= (goal.clone() * &magnitude).greater(needed);
                 if let Some(remainder) = remainder.filter(good).or_else(negligible) {
-                    return Some(Estimate { value, error: remainder + rounding, evaluations });
+                    return Some(Estimate { error: remainder + rounding, ..Estimate::exact(value) });
                 }
             }
             change = Some(step);

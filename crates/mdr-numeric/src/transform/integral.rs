@@ -124,13 +124,12 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
     /// The rule with the number of nodes set by the caller; its error estimate is the difference from the rule of half
     /// that size, hence far too large. One node has no smaller rule, and an error as large as the integral.
     fn fixed(&self, count: usize) -> Result<Estimate<R>> {
-        let rules = self.quadrature.fixed_rules(self.x, count)?;
+        let [fine, coarse] = self.quadrature.fixed_rules(self.x, count)?;
         let sum = |nodes| gauss::sum(nodes, self.x.lit(0), |s| self.at(s));
-        let (value, magnitude, fine) = sum(&rules.fine);
-        let (coarse, _, fewer) = sum(&rules.coarse);
+        let ((value, magnitude), (coarse, _)) = (sum(fine), sum(coarse));
         let distance = if count == 1 { magnitude.clone() } else { (value.clone() - coarse).abs() };
         let error = distance + magnitude.unit_roundoff().times(4) * &magnitude;
-        Ok(Estimate { value, error, evaluations: fine + fewer })
+        Ok(Estimate { error, ..Estimate::exact(value) })
     }
 
     /// I[φ] between two kinks.
@@ -151,7 +150,11 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
 
     /// β of the Gauss–Jacobi rule for a piece; `None` at a tip of unknown shape.
     fn weight(&self, angles: &Angles<R>) -> Option<R> {
-        if angles.touch_tip() { self.profile.tip_exponent().map(|p: R| p.lit(1) + p) } else { Some(self.x.lit(0)) }
+        if angles.touch_tip() {
+            self.quadrature.profile.tip_exponent().map(|p: R| p.lit(1) + p)
+        } else {
+            Some(self.x.lit(0))
+        }
     }
 
     /// Gauss–Jacobi in t from 0 to 1, with the weight tᵝ.
@@ -192,7 +195,7 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         let mean = |sum: R| (sum * &width).over(SAMPLES);
         let is_double = self.x.precision() <= f64::MANTISSA_DIGITS;
         let value = if is_double { self.x.lit(0) } else { mean(total.value) };
-        Some(Estimate { value, error: mean(total.error), evaluations: 0 })
+        Some(Estimate { error: mean(total.error), ..Estimate::exact(value) })
     }
 
     /// Tanh-sinh, and if that does not converge [strides](super::strides): a hundred waves are too many for one rule.

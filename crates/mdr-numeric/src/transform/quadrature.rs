@@ -49,7 +49,8 @@ pub struct Quadrature<R, P> {
     pub(super) accepted: Option<R>,
     pub(super) kinks: Vec<R>,
     pub(super) ladder: Option<Ladder<R>>,
-    fixed: OnceLock<Fixed<R>>,
+    /// The rule with the number of nodes set by the caller, and one of half that size to compare with.
+    fixed: OnceLock<Result<[Vec<gauss::Node<R>>; 2]>>,
     /// The most pieces of an integral.
     pub(super) strides: i64,
 }
@@ -58,12 +59,6 @@ pub struct Quadrature<R, P> {
 const WAVES: i64 = 20;
 /// The default number of waves.
 const PATIENCE: i64 = 500;
-
-/// A rule with the number of nodes set by the caller, and one of half that size to compare with.
-pub(super) struct Fixed<R> {
-    pub(super) fine: Vec<gauss::Node<R>>,
-    pub(super) coarse: Vec<gauss::Node<R>>,
-}
 
 impl<R: Special> Quadrature<R, Heights<R>> {
     /// The transform of the sum of some shapes of the library.
@@ -188,18 +183,12 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         self.tolerance.clone().filter(|tolerance| *tolerance > floor).unwrap_or(floor)
     }
 
-    pub(super) fn fixed_rules(&self, x: &R, count: usize) -> Result<&Fixed<R>> {
-        if self.fixed.get().is_none() {
+    pub(super) fn fixed_rules(&self, x: &R, count: usize) -> Result<&[Vec<gauss::Node<R>>; 2]> {
+        let rules = self.fixed.get_or_init(|| {
             let p = self.profile.tip_exponent().unwrap_or_else(|| x.lit(0));
-            let made = Fixed { fine: gauss::nodes(&p, count)?, coarse: gauss::nodes(&p, count.div_ceil(2))? };
-            // Another thread may have been faster; its rules are the same.
-            let _ = self.fixed.set(made);
-        }
-        self.fixed.get().ok_or(Error::NoConvergence {
-            quantity: Quantity::TransformedProfile,
-            evaluations: 0,
-            error: 1.0,
-        })
+            Ok([gauss::nodes(&p, count)?, gauss::nodes(&p, count.div_ceil(2))?])
+        });
+        rules.as_ref().map_err(Clone::clone)
     }
 }
 

@@ -31,7 +31,6 @@ pub(super) fn strides<R: Real>(
                 from = to;
             }
             Err(Error::NoConvergence { evaluations, .. }) if width > narrowest => {
-                total.evaluations += evaluations;
                 dearest = dearest.max(Some(evaluations));
                 width = width.over(2);
             }

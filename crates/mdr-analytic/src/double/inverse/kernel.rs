@@ -25,7 +25,7 @@ use mdr_core::number::{Real, Wide};
 use super::super::exponential::{self, exponential, rough_exponential, rough_logarithm};
 use super::super::pair::{Arithmetic, Native, Pair};
 use crate::contact::Contact;
-use crate::inverse::{Branch, Fold, Held, Outset};
+use crate::inverse::{Branch, Count, Fold, Held, Outset};
 
 /// Half an ulp of any number, reduced slightly for roundings of the bounds themselves.
 const ENOUGH: f64 = 0.4999 * f64::EPSILON / 2.0;
@@ -85,16 +85,6 @@ pub(super) struct Constants {
     stretch: Pair,
 }
 
-/// The number of equilibria at a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
-    Beyond,
-    Between,
-    OtherSide,
-    /// Too close to the fold or too far from it to decide here.
-    Unclear,
-}
-
 /// Equilibria of one branch for each lane.
 pub(super) struct Lanes<const N: usize> {
     pub(super) radius: [f64; N],
@@ -107,8 +97,8 @@ pub(super) struct Lanes<const N: usize> {
 impl Constants {
     /// `None` if a constant is out of range.
     pub(super) fn new<const N: usize>(contact: &Contact<Wide<N>>, fold: &Fold<Wide<N>>) -> Option<Self> {
-        let (state, (_, excess), regime) = (fold.state(), fold.family().parameters(), fold.family().regime());
-        let held = fold.held();
+        let Fold { held, state, family } = fold;
+        let (held, excess, regime) = (*held, &family.excess, family.regime);
         let n = *contact.profile().exponent();
         let next = n + n.lit(1);
         let modulus = contact.material().effective_modulus().times(2);
@@ -140,18 +130,19 @@ impl Constants {
         (self.fold - x) / self.fold
     }
 
+    /// The number of equilibria at x; `None` too close to the fold or too far from it to decide here.
     #[inline(always)]
-    pub(super) fn place(&self, x: f64) -> Place {
+    pub(super) fn count(&self, x: f64) -> Option<Count> {
         let (z, tau) = (x / self.fold, self.tau(x));
         let ordinary = |x: f64| (x == 0.0) | ((x.abs() > 1e-200) & (x.abs() < 1e200));
         if !((tau.abs() > self.nearest) & ordinary(x) & ordinary(z) & ((z == 0.0) == (x == 0.0))) {
-            Place::Unclear
+            None
         } else if tau < 0.0 {
-            Place::Beyond
+            Some(Count::None)
         } else if z > 0.0 {
-            Place::Between
+            Some(Count::Two)
         } else {
-            Place::OtherSide
+            Some(Count::Larger)
         }
     }
 

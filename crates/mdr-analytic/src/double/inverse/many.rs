@@ -3,10 +3,10 @@
 use mdr_core::contact::{Error, Quantity, Ranged, Result, Stability, Status};
 
 use super::Inverse;
-use super::kernel::{Constants, Lanes, Place};
+use super::kernel::{Constants, Lanes};
 use crate::double::grid::{Tally, Work};
 use crate::double::pair::Arithmetic;
-use crate::inverse::{Branch, Held};
+use crate::inverse::{Branch, Count, Held};
 
 /// Values in a row.
 const LEN: usize = 64;
@@ -152,20 +152,20 @@ impl Rows<'_, '_> {
     #[inline(always)]
     fn rows<A: Arithmetic, const FORCE: bool>(&mut self, arithmetic: A) {
         for (row, values) in self.values.chunks(LEN).enumerate() {
-            let mut places = [Place::Between; LEN];
+            let mut counts = [Some(Count::Two); LEN];
             // Lanes without a solution compute another one, which is discarded.
             let mut x: Row = [0.5 * self.constants.fold; LEN];
             for (i, &value) in values.iter().enumerate() {
-                places[i] = self.constants.place(value);
-                x[i] = if matches!(places[i], Place::Between | Place::OtherSide) { value } else { x[i] };
+                counts[i] = self.constants.count(value);
+                x[i] = if matches!(counts[i], Some(Count::Two | Count::Larger)) { value } else { x[i] };
             }
             let larger = self.branch::<A, FORCE>(arithmetic, &x, Branch::Larger);
-            for (x, place) in x.iter_mut().zip(&places) {
-                *x = if *place == Place::Between { *x } else { 0.5 * self.constants.fold };
+            for (x, count) in x.iter_mut().zip(&counts) {
+                *x = if *count == Some(Count::Two) { *x } else { 0.5 * self.constants.fold };
             }
             let smaller = self.branch::<A, FORCE>(arithmetic, &x, Branch::Smaller);
             for (i, &value) in values.iter().enumerate() {
-                self.set(row * LEN + i, i, value, places[i], [&smaller, &larger]);
+                self.set(row * LEN + i, i, value, counts[i], [&smaller, &larger]);
             }
         }
     }
@@ -181,10 +181,10 @@ impl Rows<'_, '_> {
 
     /// Stores the result of lane `lane` for the value `i`.
     #[inline(always)]
-    fn set(&mut self, i: usize, lane: usize, value: f64, place: Place, [smaller, larger]: [&Lanes<LEN>; 2]) {
-        let (has_smaller, has_larger) = (place == Place::Between, matches!(place, Place::Between | Place::OtherSide));
+    fn set(&mut self, i: usize, lane: usize, value: f64, count: Option<Count>, [smaller, larger]: [&Lanes<LEN>; 2]) {
+        let (has_smaller, has_larger) = (count == Some(Count::Two), matches!(count, Some(Count::Two | Count::Larger)));
         let known = (smaller.trusted[lane] | !has_smaller) & (larger.trusted[lane] | !has_larger);
-        if !known | (place == Place::Unclear) {
+        if !known | count.is_none() {
             self.inverse.pass_on(value, i, self.branches, self.tally);
             return;
         }

@@ -8,14 +8,14 @@ use std::sync::OnceLock;
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Ranged, Regime, Result};
 use mdr_core::number::Wide;
 
-use self::kernel::{Constants, Place};
+use self::kernel::Constants;
 pub use self::many::{Branches, Side};
 use super::grid::{Path, Work};
 use super::pair::Arithmetic;
 use super::ziv::{Round, decide, settle, undecided};
 use super::{contact, lifted_control};
 use crate::contact::Contact;
-use crate::inverse::{Branch, Equilibria, Fold, Held};
+use crate::inverse::{Branch, Count, Equilibria, Fold, Held};
 
 /// The equilibria at a given indentation depth or force, with their stability; see
 /// [`Contact::equilibria`](crate::Contact::equilibria).
@@ -137,13 +137,11 @@ impl Inverse {
     #[inline]
     fn fast(&self, constants: &Option<Constants>, x: f64) -> Option<Equilibria<Ranged<f64>>> {
         let constants = constants.as_ref()?;
-        let place = constants.place(x);
-        match place {
-            Place::Unclear => return None,
-            Place::Beyond => return Some(Equilibria::None),
-            Place::Between | Place::OtherSide => {}
+        let count = constants.count(x)?;
+        if count == Count::None {
+            return Some(Equilibria::None);
         }
-        let [smaller, larger] = self.path.run(Both { constants, x, place });
+        let [smaller, larger] = self.path.run(Both { constants, x, count });
         let state = |branch: Branch, (a, other): (f64, f64)| Equilibrium {
             contact_radius: Ranged::Value(a),
             indentation: Ranged::Value(self.held.pick(x, other)),
@@ -151,8 +149,8 @@ impl Inverse {
             stability: branch.stability(constants.regime),
         };
         let larger = state(Branch::Larger, larger?);
-        Some(match place {
-            Place::Between => Equilibria::Two([state(Branch::Smaller, smaller?), larger]),
+        Some(match count {
+            Count::Two => Equilibria::Two([state(Branch::Smaller, smaller?), larger]),
             _ => Equilibria::One(larger),
         })
     }
@@ -188,7 +186,7 @@ impl Inverse {
 struct Both<'a> {
     constants: &'a Constants,
     x: f64,
-    place: Place,
+    count: Count,
 }
 
 impl Work for Both<'_> {
@@ -196,9 +194,9 @@ impl Work for Both<'_> {
 
     #[inline(always)]
     fn run<A: Arithmetic>(self, arithmetic: A) -> Self::Output {
-        let Both { constants, x, place } = self;
+        let Both { constants, x, count } = self;
         let larger = constants.first::<A>(x, Branch::Larger);
-        let smaller = if place == Place::Between { constants.first::<A>(x, Branch::Smaller) } else { larger };
+        let smaller = if count == Count::Two { constants.first::<A>(x, Branch::Smaller) } else { larger };
         let lanes = match constants.held {
             Held::Indentation => constants.solve::<A, false, 2>(arithmetic, &[x; 2], [smaller, larger]),
             Held::Force => constants.solve::<A, true, 2>(arithmetic, &[x; 2], [smaller, larger]),

@@ -66,9 +66,7 @@ impl Enclosure {
             Enclosure::Log { negative, ln_magnitude } => round_exponential(*negative, ln_magnitude, digits),
         }
     }
-}
 
-impl Enclosure {
     /// Bits of relative accuracy; `None` if the number may be zero, `i64::MAX` if it is exact.
     pub fn accuracy_bits(&self) -> Option<i64> {
         match self {
@@ -172,8 +170,8 @@ pub fn certify<const K: usize>(
 const GUARD: u32 = 64;
 
 /// Bits that represent `digits` decimal digits and the guard.
-fn working_bits(value: &Interval, digits: u32) -> u32 {
-    value.precision().max(Precision::from_digits(digits).bits()).saturating_add(GUARD)
+fn working_precision(value: &Interval, digits: u32) -> Precision {
+    Precision::new(value.precision().max(Precision::from_digits(digits).bits()).saturating_add(GUARD))
 }
 
 /// The largest exponent for which a power of ten is computed exactly.
@@ -204,7 +202,7 @@ fn round_quotient(numerator: Integer, denominator: Integer) -> Integer {
 
 /// Rounds an interval of extreme magnitude, for which a power of ten is not computed exactly.
 fn round_far(value: &Interval, digits: u32) -> Option<Decimal> {
-    let magnitude = widen(&value.abs(), working_bits(value, digits));
+    let magnitude = value.abs().rounded(working_precision(value, digits));
     // |value| < 2^e, so the decimal exponent is at most ⌊e · log₁₀2⌋, and at least one less: 2^(e−1) ≤ upper end.
     let binary = magnitude.upper().get_exp()?;
     let mut exponent = (f64::from(binary) * std::f64::consts::LOG10_2 + 1e-6).floor() as i64;
@@ -219,20 +217,14 @@ fn round_far(value: &Interval, digits: u32) -> Option<Decimal> {
     decide(value.upper().is_sign_negative(), &scaled, exponent.into(), digits)
 }
 
-/// The same interval with more bits.
-fn widen(value: &Interval, bits: u32) -> Interval {
-    let end = |end: &Float| Float::with_val(bits.max(end.prec()), end);
-    Interval::new(end(value.lower()), end(value.upper()))
-}
-
 fn round_exponential(negative: bool, ln_magnitude: &Interval, digits: u32) -> Option<Decimal> {
     let largest = ln_magnitude.lower().get_exp().max(ln_magnitude.upper().get_exp()).unwrap_or(0);
     let integer_bits = u32::try_from(largest).unwrap_or(0);
     if !ln_magnitude.is_finite() || integer_bits > ln_magnitude.precision() {
         return None;
     }
-    let bits = working_bits(ln_magnitude, digits).saturating_add(integer_bits);
-    let ln_magnitude = widen(ln_magnitude, bits);
+    let bits = working_precision(ln_magnitude, digits).bits().saturating_add(integer_bits);
+    let ln_magnitude = ln_magnitude.rounded(Precision::new(bits));
     let ln_10 = ln_magnitude.lit(10).ln();
     let (exponent, _) = (ln_magnitude.clone() / &ln_10).upper().to_integer_round(Round::Down)?;
     let whole = Interval::point(Float::with_val(bits, &exponent));

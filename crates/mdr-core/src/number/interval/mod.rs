@@ -76,6 +76,13 @@ impl Interval {
         Interval { lo, hi }
     }
 
+    /// The tightest enclosure of the interval in another precision.
+    #[must_use]
+    pub fn rounded(&self, precision: Precision) -> Self {
+        let end = |end: &Float, round| Float::with_val_round(precision.bits(), end, round).0;
+        Interval::new(end(&self.lo, Round::Down), end(&self.hi, Round::Up))
+    }
+
     /// The entire line in the precision of `self`.
     fn nothing_known(&self) -> Self {
         Self::entire(self.ctx())
