@@ -15,7 +15,7 @@ use rug::Rational;
 use crate::symbol::Symbol;
 
 pub use definition::Definition;
-pub use evaluate::{Arithmetic, evaluate, evaluate_expression, evaluate_quotient};
+pub use evaluate::{Arithmetic, evaluate};
 
 /// A formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
