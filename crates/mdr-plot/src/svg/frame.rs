@@ -1,7 +1,6 @@
 //! One panel being drawn.
 
-use super::names::{Name, Room};
-use super::{LEFT, LINE, Legend, SAMPLE, class};
+use super::{LEFT, LINE, Legend, Name, Room, SAMPLE, class};
 use crate::Axis;
 use crate::chart::{Colour, Layer, Look, Mark, Panel, Point, Side, Stroke};
 use crate::markup::{plain, tspans, width};
