@@ -71,18 +71,13 @@ impl Expression {
     }
 
     /// The number of terms.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
     /// Whether this is 0.
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
-    }
-
-    /// Whether this is 0.
-    pub fn is_empty(&self) -> bool {
-        self.is_zero()
     }
 
     /// Coefficient and monomial, if there is exactly one term.

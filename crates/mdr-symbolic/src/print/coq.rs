@@ -11,11 +11,9 @@ use super::Strength;
 use crate::derivations::Claim;
 use crate::domain::Domain;
 use crate::formula::{Definition, Formula, Function, Variable};
+use crate::relations::PROFILE;
 use crate::statement::{Relation, Statement};
 use crate::symbol::Symbol;
-
-/// Functions of the radius that belong to one profile.
-const PROFILE: [&str; 4] = ["g", "g'", "G", "Q"];
 
 impl Symbol {
     fn is_of_the_profile(self) -> bool {
