@@ -29,7 +29,7 @@ impl Quotient {
         if denominator.is_zero() {
             return Err(Error::DivisionByZero);
         }
-        if denominator.len() > 1 {
+        if denominator.len() > 1 || denominator == Expression::integer(1) {
             return Ok(Quotient { numerator, denominator });
         }
         // An integer power needs no sign.

@@ -64,7 +64,7 @@ pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A
         Formula::N => arithmetic.n(),
         Formula::Pi => arithmetic.pi(),
         Formula::Symbol(symbol) => arithmetic.symbol(*symbol),
-        Formula::Name(definition) => of(&definition.formula()?)?,
+        Formula::Name(definition) => of(definition.formula()?)?,
         Formula::Negative(inner) => arithmetic.multiply(&arithmetic.rational(&Rational::from(-1)), &of(inner)?),
         Formula::Sum(terms) => combine(terms, 0, A::add)?,
         Formula::Product(factors) => combine(factors, 1, A::multiply)?,

@@ -69,7 +69,6 @@ impl Formula {
         match self {
             Formula::N | Formula::Symbol(_) | Formula::Derivative(..) | Formula::QuarterTurn(_) => false,
             Formula::Integral(..) | Formula::At(..) => false,
-            Formula::Name(definition) => definition.formula().is_ok_and(|formula| formula.is_number()),
             other => other.parts().into_iter().all(Formula::is_number),
         }
     }

@@ -29,7 +29,7 @@ impl Formula {
             Formula::N => Ok(Expression::from(RationalFunction::n()).into()),
             Formula::Pi => Ok(Expression::pi().into()),
             Formula::Symbol(symbol) => Ok(Expression::symbol(*symbol).into()),
-            Formula::Name(definition) => of(&definition.formula()?),
+            Formula::Name(definition) => of(definition.formula()?),
             Formula::Negative(inner) => Ok(of(inner)?.negated()),
             Formula::Sum(terms) => terms.iter().try_fold(constant(Rational::new()), |sum, term| sum.plus(&of(term)?)),
             Formula::Product(factors) => {

@@ -25,7 +25,7 @@ impl Definition {
     /// Its definition in Coq, a function of n and of the symbols in it.
     pub(crate) fn coq_definition(self) -> Option<String> {
         let formula = self.formula().ok()?;
-        let binders = Free::of(&formula).binders();
+        let binders = Free::of(formula).binders();
         let blank = if binders.is_empty() { "" } else { " " };
         Some(format!("Definition {}{blank}{binders} : R := {}.", self.coq(), formula.coq()))
     }
@@ -50,11 +50,6 @@ impl Free {
         match formula {
             Formula::N => self.n = true,
             Formula::Symbol(symbol) => self.insert(*symbol),
-            Formula::Name(definition) => {
-                if let Ok(formula) = definition.formula() {
-                    self.collect(&formula);
-                }
-            }
             Formula::Derivative(inner, along) => {
                 self.collect(inner);
                 self.insert(*along);
@@ -137,7 +132,7 @@ impl Formula {
                 _ => symbol.coq().to_owned(),
             },
             Formula::Name(definition) => {
-                let names = definition.formula().map(|formula| Free::of(&formula).names()).unwrap_or_default();
+                let names = definition.formula().map(|formula| Free::of(formula).names()).unwrap_or_default();
                 let call = std::iter::once(definition.coq()).chain(names);
                 format!("({})", call.collect::<Vec<_>>().join(" "))
             }
