@@ -1,6 +1,8 @@
 //! The diagram {Δl, g − d} of equation (1.7): what scenes and figures have in common.
 
-use mdr::diagram::{Diagram, Equilibrium};
+use std::borrow::Cow;
+
+use mdr::diagram::{Diagram, Equilibrium, Sample};
 use mdr::prelude::Stability;
 
 use crate::chart::{Colour, Layer, Mark, Point, Stroke};
@@ -11,9 +13,8 @@ pub(crate) const ELASTICITY: Colour = Colour::Orange;
 pub(crate) const LOSS: Colour = Colour::Purple;
 
 /// A contact whose balance is drawn, with the units of radii and of lengths in m.
-#[derive(Clone, Copy)]
 pub(crate) struct Balance<'a> {
-    pub(crate) diagram: &'a Diagram,
+    pub(crate) diagram: Cow<'a, Diagram>,
     pub(crate) units: [f64; 2],
 }
 
@@ -29,10 +30,11 @@ impl Balance<'_> {
         [a / self.units[0], elongation / self.units[1]]
     }
 
-    /// The points of Δl(a).
-    pub(crate) fn elongation(&self) -> Vec<Point> {
+    /// The curve Δl(a).
+    pub(crate) fn elongation(&self) -> Layer {
         let [radius, length] = self.units;
-        self.diagram.samples().map(|sample| [sample.contact_radius / radius, sample.elongation / length]).collect()
+        let point = |sample: &Sample| [sample.contact_radius / radius, sample.elongation / length];
+        Layer::curve("Δ*l*(*a*)", self.diagram.samples().map(point).collect(), Stroke::Solid).coloured(ADHESION)
     }
 
     /// States on Δl(a), all of one stability.
@@ -50,11 +52,6 @@ impl Balance<'_> {
         let points = states.into_iter().map(|state| self.on_elongation(state.contact_radius)).collect();
         Layer::marks(name, points, mark).meaning(meaning)
     }
-}
-
-/// The curve Δl(a).
-pub(crate) fn elongation(points: Vec<Point>) -> Layer {
-    Layer::curve("Δ*l*(*a*)", points, Stroke::Solid).coloured(ADHESION)
 }
 
 /// A curve g(a) − d.

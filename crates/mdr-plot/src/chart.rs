@@ -137,6 +137,32 @@ pub enum Colour {
     Amber,
 }
 
+impl Stroke {
+    /// In the data, and without its hyphen in the style sheet.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Stroke::Solid => "solid",
+            Stroke::Dashed => "dashed",
+            Stroke::Dotted => "dotted",
+            Stroke::DashDotted => "dash-dotted",
+            Stroke::Thin => "thin",
+            Stroke::Guide => "guide",
+        }
+    }
+}
+
+impl Mark {
+    /// In the data.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Mark::Filled => "filled",
+            Mark::Open => "open",
+            Mark::Diamond => "diamond",
+            Mark::Cross => "cross",
+        }
+    }
+}
+
 impl Colour {
     /// The colour of a series by its number, from 0; after eight they begin again.
     pub fn series(index: usize) -> Self {

@@ -28,15 +28,6 @@ pub struct Method<'a> {
 /// An error beyond this is drawn as a failure.
 const LARGEST: f64 = 10.0;
 
-/// What the axes are.
-#[derive(Clone, Copy, PartialEq)]
-enum View {
-    /// Time to the right, relative error upwards.
-    Error,
-    /// Right digits to the right, time upwards.
-    Digits,
-}
-
 /// A panel for each question and a curve for each method, both axes logarithmic.
 ///
 /// ```
@@ -73,16 +64,15 @@ pub fn comparison(title: &str, questions: &[Question<'_>]) -> Picture {
 }
 
 fn panel(question: &Question<'_>, colour: impl Fn(&Method<'_>) -> Colour) -> Panel {
-    let view = if question.attainable.is_some() { View::Error } else { View::Digits };
     let answers = || question.methods.iter().flat_map(|method| &method.answers);
     let [fastest, slowest] = decades(answers().map(|(seconds, _)| *seconds));
     let time = Axis::log("time of an answer", Unit::Si("s"), fastest, slowest);
-    let (x, y) = match view {
-        View::Error => (time, Axis::log("relative error", Unit::One, 1e-17, LARGEST)),
-        View::Digits => {
-            let [_, most] = decades(answers().filter_map(|(_, digits)| *digits));
-            (Axis::log("right digits", Unit::One, 10.0, most), time)
-        }
+    let shows_errors = question.attainable.is_some();
+    let (x, y) = if shows_errors {
+        (time, Axis::log("relative error", Unit::One, 1e-17, LARGEST))
+    } else {
+        let [_, most] = decades(answers().filter_map(|(_, digits)| *digits));
+        (Axis::log("right digits", Unit::One, 10.0, most), time)
     };
     let edge = y.range().1;
     // An equation stays in one line.
@@ -93,24 +83,20 @@ fn panel(question: &Question<'_>, colour: impl Fn(&Method<'_>) -> Colour) -> Pan
         let attainable = Layer::curve("attainable", line, Stroke::Thin);
         panel.layers.push(attainable.meaning("left to any method in double precision"));
     }
+    let place = |(seconds, digits): &(f64, Option<f64>)| match *digits {
+        Some(digits) if !shows_errors => Some([digits, *seconds]),
+        Some(digits) if digits > -LARGEST.log10() => Some([*seconds, 10_f64.powf(-digits)]),
+        _ => None,
+    };
     for method in &question.methods {
-        let (reached, failed): (Vec<_>, Vec<_>) =
-            method.answers.iter().filter_map(|answer| place(view, *answer, edge)).partition(|(_, reached)| *reached);
-        let [reached, failed] = [reached, failed].map(|points| points.into_iter().map(|(place, _)| place).collect());
+        let reached = method.answers.iter().filter_map(place).collect();
+        let failed = method.answers.iter().filter(|answer| shows_errors && place(answer).is_none());
+        let failed = failed.map(|(seconds, _)| [*seconds, edge]).collect();
         let (mark, by) = if method.textbook { (Mark::Open, " (textbook)") } else { (Mark::Filled, "") };
         panel.series(&format!("{}{by}", method.name), reached, mark, colour(method));
         panel.layers.push(Layer::marks("no answer", failed, Mark::Cross).coloured(colour(method)));
     }
     panel
-}
-
-/// Where an answer is, and whether it was reached.
-fn place(view: View, (seconds, digits): (f64, Option<f64>), edge: f64) -> Option<(crate::Point, bool)> {
-    match (view, digits) {
-        (View::Error, Some(digits)) if digits > -LARGEST.log10() => Some(([seconds, 10_f64.powf(-digits)], true)),
-        (View::Error, _) => Some(([seconds, edge], false)),
-        (View::Digits, digits) => digits.map(|digits| ([digits, seconds], true)),
-    }
 }
 
 /// Whole decades around values, at least one.

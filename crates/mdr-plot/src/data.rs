@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use crate::chart::{Layer, Look, Mark, Panel, Picture, Stroke};
+use crate::chart::{Layer, Look, Panel, Picture, Stroke};
 use crate::markup::plain;
 
 /// The first line of the data of every picture.
@@ -36,9 +36,9 @@ fn rows(number: usize, panel: &Panel, layer: &Layer, csv: &mut String) {
     let (element, style) = match layer.look {
         Look::Curve(Stroke::Guide) | Look::Label(_) => return,
         Look::Area => ("area", "shaded"),
-        Look::Curve(stroke) => ("curve", stroke_name(stroke)),
-        Look::Marks(mark) => ("mark", mark_name(mark)),
-        Look::Arrow => ("arrow", stroke_name(Stroke::Thin)),
+        Look::Curve(stroke) => ("curve", stroke.name()),
+        Look::Marks(mark) => ("mark", mark.name()),
+        Look::Arrow => ("arrow", Stroke::Thin.name()),
     };
     let series = quoted(&plain(&layer.name));
     let [(x_name, x_unit), (y_name, y_unit)] =
@@ -56,25 +56,5 @@ fn quoted(field: &str) -> String {
         format!("\"{}\"", field.replace('"', "\"\""))
     } else {
         field.to_owned()
-    }
-}
-
-fn stroke_name(stroke: Stroke) -> &'static str {
-    match stroke {
-        Stroke::Solid => "solid",
-        Stroke::Dashed => "dashed",
-        Stroke::Dotted => "dotted",
-        Stroke::DashDotted => "dash-dotted",
-        Stroke::Thin => "thin",
-        Stroke::Guide => "guide",
-    }
-}
-
-fn mark_name(mark: Mark) -> &'static str {
-    match mark {
-        Mark::Filled => "filled",
-        Mark::Open => "open",
-        Mark::Diamond => "diamond",
-        Mark::Cross => "cross",
     }
 }

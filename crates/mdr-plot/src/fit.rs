@@ -37,32 +37,33 @@ fn names(observation: Observation) -> [&'static str; 2] {
     }
 }
 
-fn axis(fit: &Fit, index: usize, values: impl Iterator<Item = f64>) -> Axis {
-    Axis::around(names(fit.observation)[index], Unit::Si(fit.observation.units()[index]), values)
-}
-
-/// Rows by their label, one layer of marks for each.
-fn marks(fit: &Fit, point: impl Fn(&FittedRow) -> Option<Point>) -> Vec<Layer> {
+/// A panel of the rows, one layer of marks for each label.
+fn panel(fit: &Fit, heading: &str, y: Axis, height: impl Fn(&FittedRow) -> Option<f64>) -> Panel {
+    let x =
+        Axis::around(names(fit.observation)[0], Unit::Si(fit.observation.units()[0]), fit.rows.iter().map(|row| row.x));
+    let mut panel = Panel::new(heading, x, y);
     let mut labels: Vec<i32> = fit.rows.iter().map(|row| row.label).collect();
     labels.sort_unstable();
     labels.dedup();
-    let layer = |label: i32| {
-        let points = fit.rows.iter().filter(|row| row.label == label).filter_map(&point).collect();
-        if label < 0 {
-            return Layer::marks("detached", points, Mark::Cross).coloured(Colour::Grey).meaning("detached");
+    for label in labels {
+        let (name, mark, colour) = match label {
+            ..0 => ("detached".to_owned(), Mark::Cross, Colour::Grey),
+            0 => ("in contact".to_owned(), Mark::Open, Colour::series(0)),
+            arc => (format!("in contact, arc {arc}"), Mark::Open, Colour::series(arc as usize)),
+        };
+        let rows = fit.rows.iter().filter(|row| row.label == label);
+        let points: Vec<Point> = rows.filter_map(|row| Some([row.x, height(row)?])).collect();
+        if !points.is_empty() {
+            panel.layers.push(Layer::marks(name.clone(), points, mark).coloured(colour).meaning(name));
         }
-        let name = if label == 0 { "in contact".to_owned() } else { format!("in contact, arc {label}") };
-        let colour = Colour::series(label as usize);
-        Layer::marks(name.clone(), points, Mark::Open).coloured(colour).meaning(name)
-    };
-    labels.into_iter().map(layer).filter(|layer| !layer.points.is_empty()).collect()
+    }
+    panel
 }
 
 fn curve(fit: &Fit) -> Panel {
-    let x = axis(fit, 0, fit.rows.iter().map(|row| row.x));
-    let y = axis(fit, 1, fit.rows.iter().map(|row| row.y));
-    let mut panel = Panel::new("(a)  Data and fitted curve", x, y);
-    panel.layers = marks(fit, |row| Some([row.x, row.y]));
+    let [_, quantity] = names(fit.observation);
+    let y = Axis::around(quantity, Unit::Si(fit.observation.units()[1]), fit.rows.iter().map(|row| row.y));
+    let mut panel = panel(fit, "(a)  Data and fitted curve", y, |row| Some(row.y));
     for arc in &fit.arcs {
         let points = arc.iter().map(|[x, y, _]| [*x, *y]).collect();
         panel.layers.push(Layer::curve("fit", points, Stroke::Solid).meaning("fit"));
@@ -75,20 +76,15 @@ fn curve(fit: &Fit) -> Panel {
 }
 
 fn residuals(fit: &Fit) -> Panel {
-    let x = axis(fit, 0, fit.rows.iter().map(|row| row.x));
     let y = Axis::around("residual in units of σ", Unit::One, fit.rows.iter().map(|row| row.residual));
-    let (first, last) = x.range();
-    let mut panel = Panel::new("(b)  Residuals, curve minus datum", x, y);
-    panel.layers = marks(fit, |row| Some([row.x, row.residual]));
+    let mut panel = panel(fit, "(b)  Residuals, curve minus datum", y, |row| Some(row.residual));
+    let (first, last) = panel.x.range();
     panel.layers.push(Layer::curve("zero", vec![[first, 0.0], [last, 0.0]], Stroke::Thin));
     panel
 }
 
 fn radii(fit: &Fit) -> Panel {
-    let x = axis(fit, 0, fit.rows.iter().map(|row| row.x));
     let of_rows = fit.rows.iter().filter_map(|row| row.contact_radius);
     let y = Axis::around("contact radius *a*", Unit::Si("m"), of_rows.chain([0.0]));
-    let mut panel = Panel::new("(c)  Contact radius", x, y);
-    panel.layers = marks(fit, |row| Some([row.x, row.contact_radius?]));
-    panel
+    panel(fit, "(c)  Contact radius", y, |row| row.contact_radius)
 }

@@ -1,9 +1,11 @@
 //! The picture of a scene: the diagram {Δl, g − d}, and force against indentation and against contact radius.
 
+use std::borrow::Cow;
+
 use mdr::diagram::{Completeness, DECADES, Diagram, HeldCurve, Sample, Spot};
 use mdr::prelude::{Control, Stability};
 
-use crate::balance::{Balance, change, elongation, shifted};
+use crate::balance::{Balance, change, shifted};
 use crate::chart::{Layer, Panel, Picture, Stroke};
 use crate::loading::{self, Plane};
 use crate::{Axis, Unit, typographic};
@@ -71,9 +73,9 @@ const STROKES: [Stroke; 3] = [Stroke::Dashed, Stroke::DashDotted, Stroke::Dotted
 
 /// The diagram {Δl, g − d}.
 fn balance(data: &Diagram) -> Panel {
-    let sides = Balance { diagram: data, units: [1.0; 2] };
+    let sides = Balance { diagram: Cow::Borrowed(data), units: [1.0; 2] };
     let mut panel = Panel::new("(a)  balance at the edge of the contact", radius_axis(data), balance_heights(data));
-    panel.layers.push(elongation(sides.elongation()).meaning("Δ*l*"));
+    panel.layers.push(sides.elongation().meaning("Δ*l*"));
     let crowded = data.folds.len() > CROWD;
     let shown = if crowded { &data.held[..data.held.len().min(1)] } else { &data.held[..] };
     for (held, stroke) in shown.iter().zip(STROKES) {

@@ -1,28 +1,28 @@
-//! One contact: its critical states, and columns of states.
+//! One contact: its critical state, and columns of states.
 
 use std::collections::HashMap;
 use std::io;
 
 use mdr::answer::Field;
-use mdr::batch;
-use mdr::critical::{CriticalAnswer, CriticalState, PowerLaw, critical};
+use mdr::critical::{PowerLaw, critical};
 use mdr::double::{self, Choice, Event, Start, State};
-use mdr::prelude::{Arithmetic, Control, Elasticity, Literal, Scene, Status, Stop, Value, Want};
+use mdr::prelude::{Arithmetic, Control, Literal, Scene, Status, Stop, Value, Want};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::errors::{of_contact, of_library, raise};
-use crate::interrupt::{abandonable, detached, interruptible};
+use crate::interrupt::{detached, interruptible};
+use crate::power_law::{certified_answer, state_of};
 use crate::scene::Digits;
 
-type Column<'py> = Bound<'py, PyArray1<f64>>;
-type Codes<'py> = Bound<'py, PyArray1<i8>>;
+pub(crate) type Column<'py> = Bound<'py, PyArray1<f64>>;
+pub(crate) type Codes<'py> = Bound<'py, PyArray1<i8>>;
 type Flags<'py> = Bound<'py, PyArray1<bool>>;
-type Values<'py> = PyReadonlyArray1<'py, f64>;
+pub(crate) type Values<'py> = PyReadonlyArray1<'py, f64>;
 /// a, d and F.
 type Row = (f64, f64, f64);
-type Columns<'py> = (Column<'py>, Column<'py>, Column<'py>);
+pub(crate) type Columns<'py> = (Column<'py>, Column<'py>, Column<'py>);
 /// Kind, value, before, after, dissipated.
 type Happening = (&'static str, f64, Row, Row, f64);
 
@@ -248,79 +248,6 @@ impl Contact {
     }
 }
 
-/// κ_n, in f64 or as a Decimal.
-#[pyfunction]
-#[pyo3(signature = (n, digits = None))]
-pub(crate) fn kappa<'py>(py: Python<'py>, n: &str, digits: Option<u32>) -> PyResult<Bound<'py, PyAny>> {
-    let one = Literal::from(1);
-    let law = PowerLaw {
-        n: literal(n)?,
-        c: one.clone(),
-        elasticity: Elasticity::Effective(one.clone()),
-        work_of_adhesion: one,
-        control: Control::Indentation,
-    };
-    match digits {
-        Some(digits) => Digits::new(py)?.of(&certified_answer(py, law, digits)?.kappa.to_string()),
-        None => {
-            let answer = detached(py, || critical(&law, Arithmetic::Double))?.map_err(of_library)?;
-            Ok(answer.kappa.to_f64().into_pyobject(py)?.into_any())
-        }
-    }
-}
-
-/// κ_n and then a, d, F and status of the critical states of many power laws.
-#[pyfunction]
-#[pyo3(signature = (n, c, e_star, work_of_adhesion, held, stiffness = None))]
-pub(crate) fn critical_states<'py>(
-    py: Python<'py>,
-    n: Values<'py>,
-    c: Values<'py>,
-    e_star: Values<'py>,
-    work_of_adhesion: Values<'py>,
-    held: &str,
-    stiffness: Option<f64>,
-) -> PyResult<(Column<'py>, Columns<'py>, Codes<'py>)> {
-    let control = control(held, stiffness)?;
-    let material = batch::Materials::Each {
-        effective_modulus: e_star.as_slice()?,
-        work_of_adhesion: work_of_adhesion.as_slice()?,
-    };
-    let points = batch::Points { exponent: n.as_slice()?, coefficient: c.as_slice()?, material };
-    let len = points.exponent.len();
-    let compute = || {
-        let [mut kappa, mut contact_radius, mut indentation, mut force] = [(); 4].map(|()| vec![0.0; len]);
-        let mut status = vec![Status::Ok; len];
-        let mut states = batch::States {
-            kappa: &mut kappa,
-            contact_radius: &mut contact_radius,
-            indentation: &mut indentation,
-            force: &mut force,
-            status: &mut status,
-        };
-        batch::critical_states(&points, &control, &mut states)?;
-        Ok((kappa, double::States { contact_radius, indentation, force, status }))
-    };
-    let (kappa, states) = detached(py, compute)?.map_err(of_contact)?;
-    let (columns, codes) = columns(py, states);
-    Ok((column(py, kappa), columns, codes))
-}
-
-/// The answer in certified digits; of many, which take long, until a signal.
-fn certified_answer(py: Python<'_>, law: PowerLaw, digits: u32) -> PyResult<CriticalAnswer> {
-    /// They take a tenth of a millisecond, no more than a thread.
-    const FEW: u32 = 1000;
-    let work = move || critical(&law, Arithmetic::Certified { digits });
-    if digits <= FEW { detached(py, work) } else { abandonable(py, work) }?.map_err(of_library)
-}
-
-/// The critical state, which there is unless n = 1/2.
-fn state_of(answer: &CriticalAnswer) -> PyResult<&CriticalState> {
-    let why = "there is no critical state under this control: at n = 1/2 the coefficient C decides, against a threshold, and \
-               on a machine there may be no instability";
-    answer.state.as_ref().ok_or_else(|| raise("NoEquilibriumError", (why,)))
-}
-
 /// The fold that is nearest to a radius, in certified digits.
 fn nearest_fold(scene: &Scene, radius: f64, stop: &Stop) -> mdr::Result<Option<[String; 3]>> {
     let answer = scene.solve_with(&mut mdr::Run::new(&mut (), stop.clone()))?;
@@ -344,11 +271,11 @@ fn number(quantity: &'static str, value: &Value) -> PyResult<f64> {
     }
 }
 
-fn literal(text: &str) -> PyResult<Literal> {
+pub(crate) fn literal(text: &str) -> PyResult<Literal> {
     text.parse().map_err(|error| PyValueError::new_err(format!("{text}: {error}")))
 }
 
-fn control(held: &str, stiffness: Option<f64>) -> PyResult<Control<f64>> {
+pub(crate) fn control(held: &str, stiffness: Option<f64>) -> PyResult<Control<f64>> {
     controlled(held, stiffness, |stiffness| Control::machine(stiffness).map_err(of_contact))
 }
 
@@ -387,11 +314,11 @@ fn start_of(name: &str) -> PyResult<Start<f64>> {
     }
 }
 
-fn column(py: Python<'_>, values: Vec<f64>) -> Column<'_> {
+pub(crate) fn column(py: Python<'_>, values: Vec<f64>) -> Column<'_> {
     PyArray1::from_vec(py, values)
 }
 
-fn columns(py: Python<'_>, states: double::States) -> (Columns<'_>, Codes<'_>) {
+pub(crate) fn columns(py: Python<'_>, states: double::States) -> (Columns<'_>, Codes<'_>) {
     let [a, d, force] = [states.contact_radius, states.indentation, states.force].map(|values| column(py, values));
     ((a, d, force), codes(py, &states.status))
 }

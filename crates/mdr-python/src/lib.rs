@@ -4,6 +4,7 @@
 mod contact;
 mod errors;
 mod interrupt;
+mod power_law;
 mod reference;
 mod scene;
 
@@ -15,7 +16,9 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use super::contact::{Contact, critical_states, kappa};
+    use super::contact::Contact;
+    #[pymodule_export]
+    use super::power_law::{critical_states, kappa};
     #[pymodule_export]
     use super::reference::{judge_lines, lines, numbers, select};
     #[pymodule_export]

@@ -60,9 +60,7 @@ pub(crate) fn fit(
     drawn: bool,
 ) -> PyResult<(String, Option<String>)> {
     let fitted = interruptible(py, |_| {
-        let at_hand =
-            |name: &str| -> io::Result<Vec<u8>> { files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok) };
-        let fit = Problem::from_json(problem, "", &at_hand)?.fit()?;
+        let fit = Problem::from_json(problem, "", &at_hand(&files))?.fit()?;
         let picture = drawn.then(|| mdr_plot::fit(fit.profile, &fit).svg());
         Ok((fit.to_json(), picture))
     })?;
@@ -70,13 +68,16 @@ pub(crate) fn fit(
 }
 
 fn read(form: &str, text: &str, files: &HashMap<String, Vec<u8>>) -> mdr::Result<Scene> {
-    let at_hand =
-        |name: &str| -> io::Result<Vec<u8>> { files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok) };
     match form {
         "file" => Scene::open(text),
-        "toml" => Scene::from_toml(text, "", &at_hand),
-        _ => Scene::from_json(text, "", &at_hand),
+        "toml" => Scene::from_toml(text, "", &at_hand(files)),
+        _ => Scene::from_json(text, "", &at_hand(files)),
     }
+}
+
+/// What a text names, among the files and then on the disk.
+fn at_hand(files: &HashMap<String, Vec<u8>>) -> impl Fn(&str) -> io::Result<Vec<u8>> {
+    |name| files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok)
 }
 
 /// The class `decimal.Decimal`.

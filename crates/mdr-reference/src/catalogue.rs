@@ -4,7 +4,6 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::OnceLock;
 
-use crate::named::named;
 use crate::record::Record;
 use crate::text::excerpt;
 
@@ -91,24 +90,32 @@ pub struct Filter(Vec<Term>);
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Term {
-    key: Key,
+    key: &'static str,
     relation: Relation,
     value: String,
 }
 
-named! {
-    /// What a term is about.
-    enum Key {
-        Id = "id",
-        Profile = "profile",
-        Formula = "formula",
-        Quantity = "quantity",
-        Unit = "unit",
-        Control = "control",
-        Status = "status",
-        Difficulty = "difficulty",
-        Flag = "flag",
-    }
+/// Reads a value from a record.
+type Value = fn(&Record) -> Option<&str>;
+
+/// What a term may be about, with the value of a record; of flags it has any number.
+const KEYS: [(&str, Value); 9] = [
+    ("id", |record| Some(&record.id)),
+    ("profile", |record| Some(&record.profile)),
+    ("formula", |record| Some(&record.formula)),
+    ("quantity", |record| Some(&record.quantity)),
+    ("unit", |record| Some(&record.unit)),
+    ("control", |record| record.control.as_deref().or(Some("none"))),
+    ("status", |record| Some(record.status.name())),
+    ("difficulty", |record| Some(record.difficulty.name())),
+    ("flag", |record| record.is_physical().then_some("physical")),
+];
+
+/// The values of a record under this key.
+fn values<'a>(key: &str, record: &'a Record) -> impl Iterator<Item = &'a str> {
+    let flags = if key == "flag" { record.flags.as_slice() } else { &[] };
+    let own = KEYS.iter().filter(move |(name, _)| *name == key).filter_map(|(_, value)| value(record));
+    flags.iter().map(String::as_str).chain(own)
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,7 +139,7 @@ enum Wrong {
     /// A term of another form.
     Form,
     /// A value that no record has under this key.
-    Value(Key),
+    Value(&'static str),
     /// Terms that no record satisfies together.
     Empty,
 }
@@ -142,13 +149,13 @@ impl fmt::Display for FilterError {
         let text = excerpt(&self.text);
         match self.wrong {
             Wrong::Form => {
-                let keys = Key::ALL.map(Key::name).join(", ");
+                let keys = KEYS.map(|(name, _)| name).join(", ");
                 write!(f, "{text} is no condition: expected key=value, key!=value or key~part with one of {keys}")
             }
             Wrong::Empty => write!(f, "no record meets all terms of {text}: leave one out"),
-            Wrong::Value(Key::Id) => write!(f, "{text} fits no record: there is no such id"),
+            Wrong::Value("id") => write!(f, "{text} fits no record: there is no such id"),
             Wrong::Value(key) => {
-                let mut values: Vec<&str> = records().iter().flat_map(|record| key.values(record)).collect();
+                let mut values: Vec<&str> = records().iter().flat_map(|record| values(key, record)).collect();
                 values.sort_unstable();
                 values.dedup();
                 write!(f, "{text} fits no record: {key} is one of {}", values.join(", "))
@@ -178,7 +185,7 @@ fn term(text: &str) -> Result<Term, FilterError> {
         .into_iter()
         .find_map(|(sign, relation)| rest.strip_prefix(sign).map(|value| (relation, value)))
         .ok_or_else(error)?;
-    let key = Key::ALL.into_iter().find(|key| key.name() == name).ok_or_else(error)?;
+    let (key, _) = KEYS.into_iter().find(|(key, _)| *key == name).ok_or_else(error)?;
     if value.is_empty() {
         return Err(error());
     }
@@ -202,30 +209,10 @@ impl Filter {
     }
 }
 
-impl Key {
-    /// The values of a record under this key: one value, or any number of flags.
-    fn values(self, record: &Record) -> impl Iterator<Item = &str> {
-        let one = match self {
-            Key::Id => Some(record.id.as_str()),
-            Key::Profile => Some(record.profile.as_str()),
-            Key::Formula => Some(record.formula.as_str()),
-            Key::Quantity => Some(record.quantity.as_str()),
-            Key::Unit => Some(record.unit.as_str()),
-            Key::Control => Some(record.control.as_deref().unwrap_or("none")),
-            Key::Status => Some(record.status.name()),
-            Key::Difficulty => Some(record.difficulty.name()),
-            Key::Flag => None,
-        };
-        let flags = if self == Key::Flag { record.flags.as_slice() } else { &[] };
-        let physical = (self == Key::Flag && record.is_physical()).then_some("physical");
-        one.into_iter().chain(flags.iter().map(String::as_str)).chain(physical)
-    }
-}
-
 impl Term {
     /// Whether the record has the value or the part, negated or not.
     fn fits(&self, record: &Record) -> bool {
-        self.key.values(record).any(|text| match self.relation {
+        values(self.key, record).any(|text| match self.relation {
             Relation::Contains => text.contains(&self.value),
             Relation::Is | Relation::IsNot => text == self.value,
         })

@@ -4,6 +4,7 @@
 //! A number is never converted to `f64` before it is judged: the digits beyond the seventeenth matter.
 
 use std::borrow::Cow;
+use std::fmt;
 
 /// A value; texts without escapes are borrowed.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,7 +12,7 @@ pub(crate) enum Json<'a> {
     Null,
     Bool(bool),
     /// The text of the number.
-    Number(&'a str),
+    Number(Cow<'a, str>),
     Text(Cow<'a, str>),
     List(Vec<Json<'a>>),
     Object(Vec<(Cow<'a, str>, Json<'a>)>),
@@ -27,11 +28,49 @@ impl<'a> Json<'a> {
     /// A text, or the text of a number.
     pub(crate) fn as_text(&self) -> Option<&str> {
         match self {
-            Json::Text(text) => Some(text),
-            Json::Number(text) => Some(text),
+            Json::Text(text) | Json::Number(text) => Some(text),
             _ => None,
         }
     }
+}
+
+/// Without blanks.
+impl fmt::Display for Json<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Json::Null => f.write_str("null"),
+            Json::Bool(truth) => truth.fmt(f),
+            Json::Number(text) => f.write_str(text),
+            Json::Text(text) => f.write_str(&quoted(text)),
+            Json::List(values) => {
+                write!(f, "[{}]", values.iter().map(Json::to_string).collect::<Vec<_>>().join(","))
+            }
+            Json::Object(entries) => {
+                let entries = entries.iter().map(|(key, value)| format!("{}:{value}", quoted(key)));
+                write!(f, "{{{}}}", entries.collect::<Vec<_>>().join(","))
+            }
+        }
+    }
+}
+
+/// A text.
+pub(crate) fn text(text: &str) -> Json<'_> {
+    Json::Text(text.into())
+}
+
+/// A list of texts.
+pub(crate) fn texts(texts: &[String]) -> Json<'_> {
+    Json::List(texts.iter().map(|item| text(item)).collect())
+}
+
+/// A number or a truth value in its notation.
+pub(crate) fn notation(value: impl ToString) -> Json<'static> {
+    Json::Number(value.to_string().into())
+}
+
+/// An object with these entries.
+pub(crate) fn object<'a>(entries: impl IntoIterator<Item = (&'a str, Json<'a>)>) -> Json<'a> {
+    Json::Object(entries.into_iter().map(|(name, value)| (name.into(), value)).collect())
 }
 
 /// The deepest nesting that is accepted.
@@ -113,7 +152,7 @@ impl<'a> Reader<'a> {
             "false" => Json::Bool(false),
             "" => return Err(self.expected("a value")),
             _ if self.strict => return Err(self.expected("a value")),
-            number => Json::Number(number),
+            number => Json::Number(number.into()),
         };
         self.at += word.len();
         Ok(value)
@@ -178,7 +217,7 @@ impl<'a> Reader<'a> {
             let _sign = self.takes("+") || self.takes("-");
             self.digits()?;
         }
-        Ok(Json::Number(&self.text[start..self.at]))
+        Ok(Json::Number(self.text[start..self.at].into()))
     }
 
     fn digits(&mut self) -> Result<(), String> {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::decimal::Decimal;
-use crate::json::{Json, quoted, read};
+use crate::json::{Json, notation, object, read, text, texts};
 use crate::record::{Certified, Method, Record};
 
 impl Record {
@@ -17,7 +17,7 @@ impl Record {
 
     /// All fields except the hash, without a closing bracket.
     fn body(&self) -> String {
-        let fields = FIELDS.map(|(name, field)| format!("\"{name}\":{}", field(self).json()));
+        let fields = FIELDS.map(|(name, field)| format!("\"{name}\":{}", field(self)));
         format!("{{{}", fields.join(","))
     }
 
@@ -82,96 +82,56 @@ impl Record {
     /// the line of JSON.
     pub fn to_csv(&self) -> [String; 22] {
         let hash = format!("{:016x}", fnv(self.body().as_bytes()));
-        let mut cells = FIELDS.iter().map(|(_, field)| field(self).cell()).chain([hash]);
+        let separator = |name: &str| if name == "refs" { "; " } else { " " };
+        let mut cells = FIELDS.iter().map(|(name, field)| cell(&field(self), separator(name))).chain([hash]);
         std::array::from_fn(|_| cells.next().unwrap_or_default())
     }
 }
 
-/// The value of a field.
-enum Field<'a> {
-    Null,
-    Text(Cow<'a, str>),
-    /// A number in its notation.
-    Number(String),
-    Pairs(Vec<(&'a str, Field<'a>)>),
-    /// A list with the separator of a cell.
-    List(&'static str, &'a [String]),
-    Methods(&'a [Method]),
-}
-
 /// Reads a field from a record.
-type Take = for<'a> fn(&'a Record) -> Field<'a>;
+type Take = for<'a> fn(&'a Record) -> Json<'a>;
 
 /// All fields except the hash, in order.
 const FIELDS: [(&str, Take); 21] = [
-    ("id", |record| Field::text(&record.id)),
-    ("release", |record| Field::Number(record.release.to_string())),
-    ("profile", |record| Field::text(&record.profile)),
-    ("formula", |record| Field::text(&record.formula)),
-    ("inputs", |record| Field::Pairs(record.inputs.iter().map(|(name, text)| (&**name, Field::text(text))).collect())),
-    ("quantity", |record| Field::text(&record.quantity)),
-    ("unit", |record| Field::text(&record.unit)),
-    ("control", |record| Field::optional(record.control.as_deref())),
-    ("status", |record| Field::text(record.status.name())),
-    ("mid", |record| Field::optional(record.value.as_ref().map(|value| &*value.mid))),
-    ("rad", |record| Field::optional(record.value.as_ref().map(|value| &*value.rad))),
-    ("digits", |record| Field::number(record.value.as_ref().map(|value| value.digits))),
-    ("log10", |record| Field::number(record.log10)),
-    ("f64", |record| record.hexadecimal().map_or(Field::Null, |text| Field::Text(text.into()))),
-    ("scale", |record| Field::optional(record.scale.as_deref())),
-    ("condition", |record| {
-        Field::Pairs(record.condition.iter().map(|(name, size)| (&**name, Field::Number(size.to_string()))).collect())
-    }),
-    ("difficulty", |record| Field::text(record.difficulty.name())),
-    ("methods", |record| Field::Methods(&record.methods)),
-    ("proof", |record| Field::List(" ", &record.proof)),
-    ("flags", |record| Field::List(" ", &record.flags)),
-    ("refs", |record| Field::List("; ", &record.refs)),
+    ("id", |record| text(&record.id)),
+    ("release", |record| notation(record.release)),
+    ("profile", |record| text(&record.profile)),
+    ("formula", |record| text(&record.formula)),
+    ("inputs", |record| object(record.inputs.iter().map(|(name, value)| (&**name, text(value))))),
+    ("quantity", |record| text(&record.quantity)),
+    ("unit", |record| text(&record.unit)),
+    ("control", |record| record.control.as_deref().map_or(Json::Null, text)),
+    ("status", |record| text(record.status.name())),
+    ("mid", |record| record.value.as_ref().map_or(Json::Null, |value| text(&value.mid))),
+    ("rad", |record| record.value.as_ref().map_or(Json::Null, |value| text(&value.rad))),
+    ("digits", |record| record.value.as_ref().map_or(Json::Null, |value| notation(value.digits))),
+    ("log10", |record| record.log10.map_or(Json::Null, notation)),
+    ("f64", |record| record.hexadecimal().map_or(Json::Null, |text| Json::Text(text.into()))),
+    ("scale", |record| record.scale.as_deref().map_or(Json::Null, text)),
+    ("condition", |record| object(record.condition.iter().map(|(name, size)| (&**name, notation(size))))),
+    ("difficulty", |record| text(record.difficulty.name())),
+    ("methods", |record| Json::List(record.methods.iter().map(method).collect())),
+    ("proof", |record| texts(&record.proof)),
+    ("flags", |record| texts(&record.flags)),
+    ("refs", |record| texts(&record.refs)),
 ];
 
-impl<'a> Field<'a> {
-    fn text(text: &'a str) -> Self {
-        Field::Text(text.into())
-    }
+fn method(Method { name, rigorous }: &Method) -> Json<'_> {
+    object([("name", text(name)), ("rigorous", Json::Bool(*rigorous))])
+}
 
-    fn optional(text: Option<&'a str>) -> Self {
-        text.map_or(Field::Null, Field::text)
-    }
-
-    fn number(number: Option<impl ToString>) -> Self {
-        number.map_or(Field::Null, |number| Field::Number(number.to_string()))
-    }
-
-    fn json(&self) -> String {
-        let list = |items: Vec<String>| format!("[{}]", items.join(","));
-        match self {
-            Field::Null => "null".to_owned(),
-            Field::Text(text) => quoted(text),
-            Field::Number(number) => number.clone(),
-            Field::Pairs(pairs) => {
-                let pairs = pairs.iter().map(|(name, value)| format!("{}:{}", quoted(name), value.json()));
-                format!("{{{}}}", pairs.collect::<Vec<_>>().join(","))
-            }
-            Field::List(_, texts) => list(texts.iter().map(|text| quoted(text)).collect()),
-            Field::Methods(methods) => {
-                let json =
-                    |Method { name, rigorous }: &_| format!("{{\"name\":{},\"rigorous\":{rigorous}}}", quoted(name));
-                list(methods.iter().map(json).collect())
-            }
+/// A cell of a spreadsheet: pairs without braces, lists with their separator, of objects the names.
+fn cell(json: &Json<'_>, separator: &str) -> String {
+    match json {
+        Json::Null | Json::Bool(_) => String::new(),
+        Json::Number(text) | Json::Text(text) => text.to_string(),
+        Json::List(items) => {
+            let items = items.iter().map(|item| cell(item.get("name").unwrap_or(item), separator));
+            items.collect::<Vec<_>>().join(separator)
         }
-    }
-
-    fn cell(&self) -> String {
-        match self {
-            Field::Null => String::new(),
-            Field::Text(text) => text.to_string(),
-            Field::Number(number) => number.clone(),
-            Field::Pairs(pairs) => {
-                let pairs = pairs.iter().map(|(name, value)| format!("{name}={}", value.cell()));
-                pairs.collect::<Vec<_>>().join(" ")
-            }
-            Field::List(separator, texts) => texts.join(separator),
-            Field::Methods(methods) => methods.iter().map(|method| &*method.name).collect::<Vec<_>>().join(" "),
+        Json::Object(entries) => {
+            let entries = entries.iter().map(|(name, value)| format!("{name}={}", cell(value, separator)));
+            entries.collect::<Vec<_>>().join(" ")
         }
     }
 }

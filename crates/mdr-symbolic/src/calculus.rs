@@ -1,4 +1,4 @@
-//! Derivatives, integrals and substitution.
+//! Derivatives and integrals.
 
 use crate::domain::Domain;
 use crate::error::{Error, Result};
@@ -74,28 +74,8 @@ impl Expression {
     }
 
     /// A symbol of the expression that is a function of `variable`.
-    fn function_of(&self, variable: Symbol) -> Option<Symbol> {
+    pub(crate) fn function_of(&self, variable: Symbol) -> Option<Symbol> {
         let occurs = |symbol: &Symbol| self.terms().any(|(_, monomial)| !monomial.exponent(*symbol).is_zero());
         Symbol::all().filter(|symbol| symbol.slope_along(variable).is_some()).find(occurs)
-    }
-
-    /// The expression, as its current sum of powers, with `value` substituted for a symbol. Whether the value may have
-    /// any sign in a formula from which the expression was simplified is decided by [`crate::Formula::normalise`].
-    ///
-    /// # Errors
-    /// As [`Expression::power`], of `value`; [`Error::Transcendental`] when another symbol here is a function of the
-    /// replaced one.
-    pub fn substitute(&self, symbol: Symbol, value: &Expression, domain: Domain) -> Result<Self> {
-        if let Some(function) = self.function_of(symbol) {
-            return Err(Error::Transcendental(format!("{} elsewhere", function.text())));
-        }
-        let mut sum = Expression::zero();
-        for (coefficient, monomial) in self.terms() {
-            let rest = Expression::from_term((coefficient.clone(), monomial.without(symbol)));
-            let exponent = monomial.exponent(symbol);
-            let factor = if exponent.is_zero() { Expression::integer(1) } else { value.power(&exponent, domain)? };
-            sum = &sum + &rest.times(&factor)?;
-        }
-        Ok(sum)
     }
 }

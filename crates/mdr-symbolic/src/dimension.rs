@@ -88,7 +88,7 @@ impl Units<'_> {
         match formula {
             Formula::Number(_) | Formula::N | Formula::Pi => Some(Dimension::none()),
             Formula::Symbol(symbol) => Some(self.symbol(*symbol)),
-            Formula::Name(definition) => self.of(&definition.formula().ok()?),
+            Formula::Name(definition) => self.of(definition.formula().ok()?),
             Formula::Negative(inner) | Formula::QuarterTurn(inner) => self.of(inner),
             Formula::Sum(terms) => {
                 let mut terms = terms.iter().map(|term| self.of(term));

@@ -71,18 +71,13 @@ impl Expression {
     }
 
     /// The number of terms.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
     /// Whether this is 0.
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
-    }
-
-    /// Whether this is 0.
-    pub fn is_empty(&self) -> bool {
-        self.is_zero()
     }
 
     /// Coefficient and monomial, if there is exactly one term.
@@ -155,8 +150,8 @@ impl Expression {
         Ok(Self::from_term((&(&factor * &split) * &more, product)))
     }
 
-    /// The expression at an n of the domain on which it was formed. κ_n and the Gamma functions are known at positive
-    /// integers.
+    /// The expression at an n of the domain on which it was formed. κ_n and the Gamma functions are known where
+    /// their arguments are multiples of 1/4.
     ///
     /// # Errors
     /// [`Error::OutsideDomain`], [`Error::DivisionByZero`] at a pole, [`Error::NotPositive`] where the expression was not
@@ -167,9 +162,12 @@ impl Expression {
         }
         let mut sum = Self::zero();
         for (coefficient, monomial) in self.terms() {
-            let value = RationalFunction::constant(coefficient.evaluate(n)?);
-            let (split, monomial) = monomial.at_n(n)?;
-            sum.add_term(monomial, &(&value * &split));
+            let mut term = Self::from(RationalFunction::constant(coefficient.evaluate(n)?));
+            for (base, exponent) in monomial.powers() {
+                let exponent = RationalFunction::constant(exponent.evaluate(n)?);
+                term = term.times(&base.at_n(n)?.power(&exponent, Domain::Positive)?)?;
+            }
+            sum = &sum + &term;
         }
         Ok(sum)
     }

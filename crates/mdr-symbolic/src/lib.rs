@@ -90,6 +90,7 @@ mod print;
 mod quotient;
 mod rational_function;
 mod relations;
+mod special;
 mod statement;
 mod symbol;
 mod table;

@@ -3,8 +3,6 @@
 use std::collections::BTreeMap;
 use std::ops::Add;
 
-use rug::{Integer, Rational};
-
 use crate::domain::Domain;
 use crate::error::{Error, Result};
 use crate::polynomial::{Factors, Polynomial, prime_factors};
@@ -104,30 +102,9 @@ impl Monomial {
         }
         if positive { split_off_integers(powers) } else { Err(not_positive(value, domain)) }
     }
-
-    /// The monomial at a fixed n.
-    pub(crate) fn at_n(&self, n: &Rational) -> Result<Term> {
-        let mut coefficient = RationalFunction::constant(1);
-        let mut total = Monomial::one();
-        for (base, exponent) in &self.0 {
-            let exponent = RationalFunction::constant(exponent.evaluate(n)?);
-            let (factor, monomial) = match base {
-                Base::Factor(polynomial) => {
-                    let value = RationalFunction::constant(polynomial.evaluate(n));
-                    Self::power_of(&value, &exponent, Domain::Positive)?
-                }
-                Base::Symbol(symbol) => split_off_integers(special_values(*symbol, n, &exponent)?)?,
-                base => split_off_integers(BTreeMap::from([(base.clone(), exponent)]))?,
-            };
-            let (split, product) = total.times(&monomial)?;
-            coefficient = &(&coefficient * &factor) * &split;
-            total = product;
-        }
-        Ok((coefficient, total))
-    }
 }
 
-fn not_positive(value: &RationalFunction, domain: Domain) -> Error {
+pub(crate) fn not_positive(value: &RationalFunction, domain: Domain) -> Error {
     Error::NotPositive { base: crate::print::function_text(value), domain: domain.text() }
 }
 
@@ -160,52 +137,4 @@ fn split_off_integers(powers: BTreeMap<Base, RationalFunction>) -> Result<Term> 
         }
     }
     Ok((coefficient, Monomial(rest)))
-}
-
-/// A symbol raised to a power if n is a given number: κ_n and the Gamma functions are known at positive integers and an
-/// error elsewhere; other symbols do not depend on n.
-fn special_values(
-    symbol: Symbol,
-    n: &Rational,
-    exponent: &RationalFunction,
-) -> Result<BTreeMap<Base, RationalFunction>> {
-    let mut powers = BTreeMap::new();
-    let twice_argument = |shift: u32| integer_at_least_one(&Rational::from(n + shift));
-    match symbol {
-        Symbol::GAMMA_LOWER => gamma_of_half(twice_argument(0)?, exponent, &mut powers)?,
-        Symbol::GAMMA_UPPER => gamma_of_half(twice_argument(1)?, exponent, &mut powers)?,
-        Symbol::KAPPA => {
-            // κ_n = √π Γ(1 + n/2)/Γ((n+1)/2).
-            add_power(&mut powers, Base::Pi, &(exponent * &RationalFunction::ratio(1, 2)));
-            gamma_of_half(twice_argument(2)?, exponent, &mut powers)?;
-            gamma_of_half(twice_argument(1)?, &-exponent, &mut powers)?;
-        }
-        symbol => add_power(&mut powers, Base::Symbol(symbol), exponent),
-    }
-    Ok(powers)
-}
-
-fn integer_at_least_one(value: &Rational) -> Result<u32> {
-    let integer = if value.is_integer() { value.numer().to_u32() } else { None };
-    integer.filter(|m| (1..1000).contains(m)).ok_or_else(|| Error::Transcendental(format!("Γ({value}/2)")))
-}
-
-/// Γ(m/2)^exponent: (m/2−1)! for even m, √π (m−2)!!/2^{(m−1)/2} for odd m.
-fn gamma_of_half(m: u32, exponent: &RationalFunction, powers: &mut BTreeMap<Base, RationalFunction>) -> Result<()> {
-    let mut value = Rational::from(1);
-    let mut twice = m;
-    while twice > 2 {
-        twice -= 2;
-        value *= Rational::from((twice, 2));
-    }
-    if twice == 1 {
-        add_power(powers, Base::Pi, &(exponent * &RationalFunction::ratio(1, 2)));
-    }
-    for (number, sense) in [(value.numer(), 1), (value.denom(), -1)] {
-        for (prime, multiplicity) in prime_factors(&Integer::from(number))? {
-            let power = RationalFunction::constant(sense * i64::from(multiplicity));
-            add_power(powers, Base::Prime(prime), &(exponent * &power));
-        }
-    }
-    Ok(())
 }

@@ -29,7 +29,7 @@ impl Quotient {
         if denominator.is_zero() {
             return Err(Error::DivisionByZero);
         }
-        if denominator.len() > 1 {
+        if denominator.len() > 1 || denominator == Expression::integer(1) {
             return Ok(Quotient { numerator, denominator });
         }
         // An integer power needs no sign.
@@ -122,13 +122,15 @@ impl Quotient {
         Quotient::new(&rising - &falling, self.denominator.times(&self.denominator)?)
     }
 
-    /// This with `value` substituted for a symbol.
+    /// This, as its current sums of powers, with `value` substituted for a symbol. Whether the value may have any sign in a
+    /// formula from which the sums were simplified is decided by [`crate::Formula::normalise`].
     ///
     /// # Errors
-    /// As [`Expression::substitute`].
+    /// As [`Expression::power`], of `value`; [`Error::Transcendental`] when another symbol here is a function of the
+    /// replaced one.
     pub fn substitute(&self, symbol: Symbol, value: &Quotient, domain: Domain) -> Result<Self> {
-        let above = self.numerator.substitute_quotient(symbol, value, domain)?;
-        above.over(&self.denominator.substitute_quotient(symbol, value, domain)?)
+        let above = self.numerator.substitute(symbol, value, domain)?;
+        above.over(&self.denominator.substitute(symbol, value, domain)?)
     }
 
     /// This at an n of the domain on which it was formed.
@@ -157,16 +159,10 @@ impl Quotient {
 
 impl Expression {
     /// The expression with a quotient substituted for a symbol.
-    fn substitute_quotient(&self, symbol: Symbol, value: &Quotient, domain: Domain) -> Result<Quotient> {
-        if let Some(value) = value.as_expression() {
-            match self.substitute(symbol, value, domain) {
-                // A negative power of a sum is a quotient.
-                Err(Error::PowerOfSum { .. }) => {}
-                result => return result.map(Quotient::from),
-            }
+    fn substitute(&self, symbol: Symbol, value: &Quotient, domain: Domain) -> Result<Quotient> {
+        if let Some(function) = self.function_of(symbol) {
+            return Err(Error::Transcendental(format!("{} elsewhere", function.text())));
         }
-        // Fails if another symbol is a function of the replaced one.
-        self.substitute(symbol, &Expression::symbol(symbol), domain)?;
         let mut sum = Quotient::from(Expression::zero());
         for (coefficient, monomial) in self.terms() {
             let rest = Expression::from_term((coefficient.clone(), monomial.without(symbol)));

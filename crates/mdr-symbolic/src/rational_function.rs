@@ -138,13 +138,6 @@ impl RationalFunction {
         if below.is_zero() { Err(Error::DivisionByZero) } else { Ok(self.numerator.evaluate(n) / below) }
     }
 
-    /// The function of n + shift.
-    pub fn shifted(&self, shift: &Rational) -> Self {
-        let inner = Polynomial::new(vec![shift.clone(), Rational::from(1)]);
-        // A shift preserves a monic denominator and the absence of common factors.
-        RationalFunction { numerator: self.numerator.compose(&inner), denominator: self.denominator.compose(&inner) }
-    }
-
     /// The sign on the whole domain; `None` when it changes, vanishes or has a pole there.
     pub fn sign_on(&self, domain: Domain) -> Option<Ordering> {
         let below = self.denominator.sign_on(domain).filter(|sign| sign.is_ne())?;

@@ -11,13 +11,17 @@ use crate::expression::Expression;
 use crate::rational_function::RationalFunction;
 use crate::symbol::Symbol;
 
-/// What belongs to one function of the radius, and to one angle.
-const FAMILIES: [&[&str]; 2] = [&["g", "g'", "G", "Q"], &["θ", "sinθ", "cosθ"]];
+/// What belongs to one function of the radius.
+pub(crate) const PROFILE: [&str; 4] = ["g", "g'", "G", "Q"];
+
+/// What belongs to one angle.
+const ANGLE: [&str; 3] = ["θ", "sinθ", "cosθ"];
 
 impl Symbol {
     /// The other symbols that belong to the same profile or angle.
     pub(crate) fn relatives(self) -> impl Iterator<Item = Symbol> {
-        let family = FAMILIES.into_iter().find(|family| family.contains(&self.name())).unwrap_or_default();
+        let family =
+            [&PROFILE[..], &ANGLE].into_iter().find(|family| family.contains(&self.name())).unwrap_or_default();
         family.iter().filter_map(|name| Symbol::named(name)).filter(move |other| *other != self)
     }
 }
@@ -51,7 +55,7 @@ impl Expression {
     /// Symbols in which the terms differ and that are related on the domain.
     pub(crate) fn related_symbols(&self, domain: Domain) -> Option<Vec<Symbol>> {
         let named = |names: &[&str]| names.iter().filter_map(|name| Symbol::named(name)).collect::<Vec<_>>();
-        let angle = named(&["θ", "sinθ", "cosθ"]);
+        let angle = named(&ANGLE);
         let of_n = match domain.is_point() {
             false => vec![Symbol::KAPPA, Symbol::GAMMA_LOWER, Symbol::GAMMA_UPPER],
             true => vec![Symbol::KAPPA, Symbol::GAMMA_THREE_QUARTERS],

@@ -3,41 +3,37 @@
 use mdr::Result;
 use mdr::prelude::{Elasticity, Scene, Shape, Stability};
 
-use super::study::{Study, critical, critical_panel, ending};
-use crate::chart::{Picture, Side, Stroke};
+use super::study::{Study, critical, critical_panel};
+use crate::chart::{Panel, Picture, Side, Stroke};
 
-/// A paraboloid, R = 1, E* = w = 1, up to a radius in units of a_c and at indentations in units of |d_c|; and |d_c|. In units
-/// of its critical state the diagram is that of every paraboloid.
-fn paraboloid(upper: f64, depths: &[f64]) -> Result<(Study, f64)> {
+/// A paraboloid, R = 1, E* = w = 1, with its equilibria at indentations in units of |d_c|; and |d_c|. In units of its critical
+/// state the diagram is that of every paraboloid.
+fn paraboloid(panel: Panel, depths: &[f64]) -> Result<(Study, f64)> {
     let scene = Scene::new(Shape::Paraboloid { radius: "1" }, Elasticity::effective("1")?, "1")?;
     let [_, radius, depth, _] = critical("2", "1/2")?;
     let unit = depth.abs();
     let depths: Vec<f64> = depths.iter().map(|share| share * unit).collect();
-    Ok((Study::new(scene, [radius, unit], upper, &depths)?, unit))
+    Ok((Study::new(scene, [radius, unit], &depths, panel)?, unit))
 }
 
 /// Figure 1: (a) without indentation; (b) at several indentations, and the last equilibrium.
 pub(super) fn figure_1a() -> Result<Picture> {
-    let (study, unit) = paraboloid(4.0, &[0.0])?;
-    let mut panel = critical_panel("(a)  *d* = 0", 4.0, [0.0, 4.4]);
-    let (x, y) = (&panel.x, &panel.y);
+    let (mut study, unit) = paraboloid(critical_panel("(a)  *d* = 0", 4.0, [0.0, 4.4]), &[0.0])?;
     let transformed = study.transformed(0.0, "*g*(*a*)", Stroke::Dashed);
-    let names = [ending(&transformed, x, y, Side::Left), study.elongation_name(x, y, Side::Below)];
-    let mut layers = vec![study.elongation(), transformed.clone()];
+    study.add([study.elongation(), transformed.clone()]);
     let rest = study.nth(0.0, 0)?;
     let radius = rest.contact_radius;
-    layers.extend(study.state(rest, "*O*", Side::Above));
+    study.add(study.state(rest, "*O*", Side::Above));
     for (a, label, side) in [(0.5 * radius, "*a*_{1}", Side::Left), (1.3 * radius, "*a*_{2}", Side::Right)] {
-        let [mut guide, text] = study.dropped(a, label, y, side);
+        let [mut guide, text] = study.dropped(a, label, side);
         // Up to the upper of the two curves.
         let [from, to] = [guide.points[0], guide.points[1]];
         let on_g = transformed.points.iter().find(|point| point[0] >= from[0]).map_or(0.0, |point| point[1]);
         guide.points[1][1] = to[1].max(on_g);
-        layers.extend([guide, text, study.direction(a, 0.0, x, y)]);
+        study.add([guide, text, study.direction(a, 0.0)]);
     }
-    layers.extend(study.dropped(radius, "*a*_{O}", y, Side::Right));
-    layers.extend(names);
-    panel.layers = layers;
+    study.add(study.dropped(radius, "*a*_{O}", Side::Right));
+    study.add([study.ending(&transformed, Side::Left), study.ending(&study.elongation(), Side::Below)]);
     let a_c = study.fold();
     Ok(Picture {
         title: "Figure 1a: equilibrium without indentation".to_owned(),
@@ -48,7 +44,7 @@ pub(super) fn figure_1a() -> Result<Picture> {
              |d_c| = {unit:.6} for R = 1, E* = w = 1.",
             radius / a_c,
         ),
-        panels: vec![panel],
+        panels: vec![study.panel],
     })
 }
 
@@ -60,22 +56,20 @@ pub(super) fn figure_1b() -> Result<Picture> {
         (-0.6, "*d*_{c} < *d* < 0", Stroke::DashDotted),
         (-1.0, "*d* = *d*_{c}", Stroke::Thin),
     ];
-    let (study, unit) = paraboloid(4.0, &depths.map(|(share, ..)| share))?;
-    let mut panel = critical_panel("(b)  *g*(*a*) − *d*, pressed in and pulled out", 4.0, [-1.4, 4.4]);
-    let mut layers = vec![study.elongation()];
+    let panel = critical_panel("(b)  *g*(*a*) − *d*, pressed in and pulled out", 4.0, [-1.4, 4.4]);
+    let (mut study, unit) = paraboloid(panel, &depths.map(|(share, ..)| share))?;
+    study.add([study.elongation()]);
     let mut radii = Vec::new();
     for (share, name, stroke) in depths {
         let d = share * unit;
-        layers.push(study.transformed(d, &format!("*g*(*a*) − *d*, {name}"), stroke).meaning(name));
-        for state in study.equilibria(d).iter().filter(|state| state.stability == Stability::Stable) {
-            let [mark, _] = study.state(state, "", Side::Below);
-            layers.push(mark);
+        study.add([study.transformed(d, &format!("*g*(*a*) − *d*, {name}"), stroke).meaning(name)]);
+        for state in study.equilibria(d).to_vec().iter().filter(|state| state.stability == Stability::Stable) {
+            study.add(study.state(state, "", Side::Below));
             radii.push(format!("{:.5} a_c", state.contact_radius / study.fold()));
         }
     }
-    layers.extend(study.critical());
-    layers.push(study.elongation_name(&panel.x, &panel.y, Side::Below));
-    panel.layers = layers;
+    study.add(study.critical());
+    study.add([study.ending(&study.elongation(), Side::Below)]);
     Ok(Picture {
         title: "Figure 1b: equilibria at several indentations".to_owned(),
         description: format!(
@@ -84,28 +78,24 @@ pub(super) fn figure_1b() -> Result<Picture> {
              touch (1.10), is at a = a_c, d = d_c. Stable radii: {}.",
             radii.join(", "),
         ),
-        panels: vec![panel],
+        panels: vec![study.panel],
     })
 }
 
 /// Figure 2: two equilibria, and the direction of change everywhere else.
 pub(super) fn figure_2() -> Result<Picture> {
-    let (study, unit) = paraboloid(2.6, &[-0.8])?;
+    let (mut study, unit) = paraboloid(critical_panel("*d* = 0.8 *d*_{c}", 2.6, [0.0, 3.0]), &[-0.8])?;
     let d = -0.8 * unit;
-    let mut panel = critical_panel("*d* = 0.8 *d*_{c}", 2.6, [0.0, 3.0]);
-    let (x, y) = (&panel.x, &panel.y);
     let transformed = study.transformed(d, "*g*(*a*) − *d*", Stroke::Dashed);
-    let mut layers = vec![study.elongation(), transformed];
+    study.add([study.elongation(), transformed.clone()]);
     let (lower, upper) = (study.nth(d, 0)?, study.nth(d, 1)?);
     let (first, second) = (lower.contact_radius, upper.contact_radius);
-    layers.extend(study.state(lower, "*P*_{1}", Side::Above));
-    layers.extend(study.state(upper, "*P*_{2}", Side::Below));
-    layers.extend(study.dropped(first, "*a*_{eq,1}", y, Side::Right));
-    layers.extend(study.dropped(second, "*a*_{eq,2}", y, Side::Right));
-    layers.extend([0.85 * first, 0.62 * second, 1.36 * second].map(|a| study.direction(a, d, x, y)));
-    let names = [ending(&layers[1], x, y, Side::Left), study.elongation_name(x, y, Side::Below)];
-    layers.extend(names);
-    panel.layers = layers;
+    let unstable = study.state(lower, "*P*_{1}", Side::Above);
+    study.add(unstable.chain(study.state(upper, "*P*_{2}", Side::Below)));
+    study.add(study.dropped(first, "*a*_{eq,1}", Side::Right));
+    study.add(study.dropped(second, "*a*_{eq,2}", Side::Right));
+    study.add([0.85 * first, 0.62 * second, 1.36 * second].map(|a| study.direction(a, d)));
+    study.add([study.ending(&transformed, Side::Left), study.ending(&study.elongation(), Side::Below)]);
     Ok(Picture {
         title: "Figure 2: a stable and an unstable equilibrium".to_owned(),
         description: format!(
@@ -115,6 +105,6 @@ pub(super) fn figure_2() -> Result<Picture> {
             first / study.fold(),
             second / study.fold(),
         ),
-        panels: vec![panel],
+        panels: vec![study.panel],
     })
 }

@@ -4,7 +4,7 @@ use mdr::Result;
 use mdr::prelude::{Elasticity, Scene, Shape};
 
 use super::study::{Study, critical, critical_panel};
-use crate::chart::{Panel, Picture, Side, Stroke};
+use crate::chart::{Picture, Side, Stroke};
 
 /// An indentation with two equilibria that can be told apart, in units of d_c.
 const PRESSED: f64 = 0.9;
@@ -13,8 +13,12 @@ const PRESSED: f64 = 0.9;
 pub(super) fn figure_3() -> Result<Picture> {
     let scene = Scene::new(Shape::Power { n: "1/4", c: "1" }, Elasticity::effective("1")?, "1")?;
     let [kappa, a_c, d_c, force] = critical("1/4", "1")?;
-    let study = |upper, depths: &[f64]| Study::new(scene.clone(), [a_c, d_c], upper, depths);
-    let (wide, near) = (study(32.0, &[0.0, -0.5 * d_c])?, study(4.0, &[PRESSED * d_c])?);
+    let study = |depths: &[f64], panel| Study::new(scene.clone(), [a_c, d_c], depths, panel);
+    let heading = "(b)  *g*(*a*) − *d*, pressed in; arrows for *d* = 0.9 *d*_{c}";
+    let mut wide = study(&[0.0, -0.5 * d_c], critical_panel("(a)  *g*(*a*) − *d*, not pressed in", 32.0, [0.0, 6.4]))?;
+    let mut near = study(&[PRESSED * d_c], critical_panel(heading, 4.0, [-1.1, 2.1]))?;
+    unpressed(&mut wide, d_c)?;
+    pressed(&mut near, d_c)?;
     let share = |study: &Study, d, index| study.nth(d, index).map(|state| state.contact_radius / a_c);
     Ok(Picture {
         title: "Figure 3: a sharp tip that jumps to complete contact".to_owned(),
@@ -30,32 +34,26 @@ pub(super) fn figure_3() -> Result<Picture> {
             share(&near, PRESSED * d_c, 0)?,
             share(&near, PRESSED * d_c, 1)?,
         ),
-        panels: vec![unpressed(&wide, d_c)?, pressed(&near, d_c)?],
+        panels: vec![wide.panel, near.panel],
     })
 }
 
 /// d ≤ 0: the unstable equilibrium.
-fn unpressed(study: &Study, unit: f64) -> Result<Panel> {
-    let mut panel = critical_panel("(a)  *g*(*a*) − *d*, not pressed in", 32.0, [0.0, 6.4]);
-    let (x, y) = (&panel.x, &panel.y);
-    let mut layers = vec![study.elongation(), study.elongation_name(x, y, Side::Above)];
+fn unpressed(study: &mut Study, unit: f64) -> Result<()> {
+    study.add([study.elongation(), study.ending(&study.elongation(), Side::Above)]);
     for (d, name, stroke) in [(0.0, "*d* = 0", Stroke::Dashed), (-0.5 * unit, "*d* < 0", Stroke::DashDotted)] {
-        layers.push(study.transformed(d, &format!("*g*(*a*) − *d*, {name}"), stroke).meaning(name));
-        layers.extend(study.state(study.nth(d, 0)?, if d == 0.0 { "*O*" } else { "" }, Side::Above));
+        study.add([study.transformed(d, &format!("*g*(*a*) − *d*, {name}"), stroke).meaning(name)]);
+        study.add(study.state(study.nth(d, 0)?, if d == 0.0 { "*O*" } else { "" }, Side::Above));
     }
     let radius = study.nth(0.0, 0)?.contact_radius;
-    layers.extend(study.dropped(radius, "*a*_{O}", y, Side::Right));
-    layers.extend([0.5, 1.5].map(|share| study.direction(share * radius, 0.0, x, y)));
-    panel.layers = layers;
-    Ok(panel)
+    study.add(study.dropped(radius, "*a*_{O}", Side::Right));
+    study.add([0.5, 1.5].map(|share| study.direction(share * radius, 0.0)));
+    Ok(())
 }
 
 /// d > 0: a stable equilibrium up to the critical state.
-fn pressed(study: &Study, unit: f64) -> Result<Panel> {
-    let heading = "(b)  *g*(*a*) − *d*, pressed in; arrows for *d* = 0.9 *d*_{c}";
-    let mut panel = critical_panel(heading, 4.0, [-1.1, 2.1]);
-    let (x, y) = (&panel.x, &panel.y);
-    let mut layers = vec![study.elongation(), study.elongation_name(x, y, Side::Above)];
+fn pressed(study: &mut Study, unit: f64) -> Result<()> {
+    study.add([study.elongation(), study.ending(&study.elongation(), Side::Above)]);
     let d = PRESSED * unit;
     let name = format!("*d* = {PRESSED} *d*_{{c}}");
     let depths = [
@@ -64,15 +62,13 @@ fn pressed(study: &Study, unit: f64) -> Result<Panel> {
         (1.3 * unit, "*d* > *d*_{c}", Stroke::Dotted),
     ];
     for (d, name, stroke) in depths {
-        layers.push(study.transformed(d, &format!("*g*(*a*) − *d*, {name}"), stroke).meaning(name));
+        study.add([study.transformed(d, &format!("*g*(*a*) − *d*, {name}"), stroke).meaning(name)]);
     }
     for index in 0..2 {
-        let [mark, _] = study.state(study.nth(d, index)?, "", Side::Above);
-        layers.push(mark);
+        study.add(study.state(study.nth(d, index)?, "", Side::Above));
     }
-    layers.extend(study.critical());
+    study.add(study.critical());
     let outer = study.nth(d, 1)?.contact_radius;
-    layers.extend([0.62, 1.2].map(|share| study.direction(share * outer, d, x, y)));
-    panel.layers = layers;
-    Ok(panel)
+    study.add([0.62, 1.2].map(|share| study.direction(share * outer, d)));
+    Ok(())
 }

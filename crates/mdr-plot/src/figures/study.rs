@@ -1,18 +1,20 @@
 //! The parts of the figures: curves, states, guides and arrows of a contact under controlled indentation.
 
+use std::borrow::Cow;
+
 use mdr::Result;
 use mdr::critical::PowerLaw;
-use mdr::diagram::{Diagram, Equilibrium, Sample};
+use mdr::diagram::{Equilibrium, Sample};
 use mdr::prelude::*;
 
-use crate::balance::{Balance, change, elongation, shifted};
+use crate::balance::{Balance, change, shifted};
 use crate::chart::{Layer, Mark, Panel, Point, Side, Stroke};
 use crate::{Axis, Unit};
 
-/// A contact whose balance is drawn, with the lengths that its axes are measured in.
+/// A contact whose balance is drawn in a panel.
 pub(super) struct Study {
-    pub(super) diagram: Diagram,
-    units: [f64; 2],
+    pub(super) sides: Balance<'static>,
+    pub(super) panel: Panel,
 }
 
 /// The critical state of f = C rⁿ with E* = w = 1 under controlled indentation: κ, a_c, d_c and F_c.
@@ -31,25 +33,27 @@ fn missing(output: &str, why: String) -> Error {
 }
 
 impl Study {
-    /// The contact up to the radius `upper` (in units of the radius), with its equilibria at some indentations.
-    pub(super) fn new(scene: Scene, units: [f64; 2], upper: f64, depths: &[f64]) -> Result<Self> {
+    /// The contact as far as the axis of radii reaches, measured in these units, with its equilibria at some indentations.
+    pub(super) fn new(scene: Scene, units: [f64; 2], depths: &[f64], panel: Panel) -> Result<Self> {
         let at = depths.iter().map(|depth| depth.exact()).collect::<std::result::Result<_, _>>()?;
         let scene = scene.want(Want::Equilibria { at }).arithmetic(Arithmetic::Double);
-        Ok(Study { diagram: scene.diagram_up_to(upper * units[0])?, units })
+        let diagram = scene.diagram_up_to(panel.x.range().1 * units[0])?;
+        Ok(Study { sides: Balance { diagram: Cow::Owned(diagram), units }, panel })
     }
 
-    fn balance(&self) -> Balance<'_> {
-        Balance { diagram: &self.diagram, units: self.units }
+    /// Draws layers over those that are there.
+    pub(super) fn add(&mut self, layers: impl IntoIterator<Item = Layer>) {
+        self.panel.layers.extend(layers);
     }
 
     /// The radius of the first fold.
     pub(super) fn fold(&self) -> f64 {
-        self.diagram.folds.first().map_or(f64::NAN, |fold| fold.contact_radius)
+        self.sides.diagram.folds.first().map_or(f64::NAN, |fold| fold.contact_radius)
     }
 
     /// All equilibria at one of the indentations, by increasing radius.
     pub(super) fn equilibria(&self, d: f64) -> &[Equilibrium<f64>] {
-        self.diagram.held.iter().find(|held| held.value == d).map_or(&[], |held| &held.equilibria)
+        self.sides.diagram.held.iter().find(|held| held.value == d).map_or(&[], |held| &held.equilibria)
     }
 
     /// One of them, from 0.
@@ -60,70 +64,67 @@ impl Study {
 
     /// The curve Δl(a). Curves begin in the origin, nearer to it than the first sample.
     pub(super) fn elongation(&self) -> Layer {
-        let mut points = self.balance().elongation();
-        points.insert(0, [0.0, 0.0]);
-        points.dedup();
-        elongation(points)
-    }
-
-    /// The name of Δl at its end.
-    pub(super) fn elongation_name(&self, x: &Axis, y: &Axis, side: Side) -> Layer {
-        ending(&self.elongation(), x, y, side)
+        let mut curve = self.sides.elongation();
+        curve.points.insert(0, [0.0, 0.0]);
+        curve.points.dedup();
+        curve
     }
 
     /// The curve g(a) − d.
     pub(super) fn transformed(&self, d: f64, name: &str, stroke: Stroke) -> Layer {
-        let [radius, length] = self.units;
+        let [radius, length] = self.sides.units;
         let at = |sample: &Sample| [sample.contact_radius / radius, (sample.transformed - d) / length];
-        let mut points: Vec<_> = [[0.0, -d / length]].into_iter().chain(self.diagram.samples().map(at)).collect();
+        let mut points: Vec<_> = [[0.0, -d / length]].into_iter().chain(self.sides.diagram.samples().map(at)).collect();
         points.dedup();
         shifted(name, points, stroke)
     }
 
-    /// A mark at an equilibrium, and its label.
-    pub(super) fn state(&self, state: &Equilibrium<f64>, label: &str, side: Side) -> [Layer; 2] {
-        let marks = self.balance().states(label, [state], state.stability);
-        let text = Layer::label(label, marks.points.clone(), side);
-        [marks, text]
+    /// The name of a curve at its right end, as far as it is seen.
+    pub(super) fn ending(&self, curve: &Layer, side: Side) -> Layer {
+        let Panel { x, y, .. } = &self.panel;
+        let seen = |[a, b]: &&Point| (0.03..0.9).contains(&x.fraction(*a)) && (0.03..0.93).contains(&y.fraction(*b));
+        let anchors = curve.points.iter().rev().filter(seen).copied().collect();
+        Layer::label(curve.name.clone(), anchors, side).coloured(curve.colour)
+    }
+
+    /// A mark at an equilibrium, with a label unless its name is empty.
+    pub(super) fn state(
+        &self,
+        state: &Equilibrium<f64>,
+        name: &str,
+        side: Side,
+    ) -> impl Iterator<Item = Layer> + use<> {
+        let marks = self.sides.states(name, [state], state.stability);
+        let label = (!name.is_empty()).then(|| Layer::label(name, marks.points.clone(), side));
+        [marks].into_iter().chain(label)
     }
 
     /// The critical state P, and its label.
     pub(super) fn critical(&self) -> [Layer; 2] {
-        let at = vec![self.balance().on_elongation(self.fold())];
+        let at = vec![self.sides.on_elongation(self.fold())];
         [Layer::marks("*P*", at.clone(), Mark::Diamond).meaning("critical"), Layer::label("*P*", at, Side::Below)]
     }
 
-    /// An unnamed mark on Δl at the radius a.
-    pub(super) fn marked(&self, a: f64, mark: Mark, meaning: &str) -> Layer {
-        Layer::marks("", vec![self.balance().on_elongation(a)], mark).meaning(meaning)
-    }
-
     /// A guide from Δl down to the axis of radii, with a label at its foot.
-    pub(super) fn dropped(&self, a: f64, label: &str, y: &Axis, side: Side) -> [Layer; 2] {
-        let [x, top] = self.balance().on_elongation(a);
+    pub(super) fn dropped(&self, a: f64, label: &str, side: Side) -> [Layer; 2] {
+        let ([x, top], y) = (self.sides.on_elongation(a), &self.panel.y);
         let foot = [0.13, 0.19, 0.25].map(|height| [x, y.at(height)]).to_vec();
         [Layer::curve(label, vec![[x, y.range().0], [x, top]], Stroke::Guide), Layer::label(label, foot, side)]
     }
 
     /// An arrow along the axis of radii: which way a contact of radius `a` goes at the indentation d, by (1.8) and (1.9).
-    pub(super) fn direction(&self, a: f64, d: f64, x: &Axis, y: &Axis) -> Layer {
-        let next = self.diagram.samples().find(|sample| sample.contact_radius >= a);
+    pub(super) fn direction(&self, a: f64, d: f64) -> Layer {
+        let (Panel { x, y, .. }, Balance { diagram, units }) = (&self.panel, &self.sides);
+        let next = diagram.samples().find(|sample| sample.contact_radius >= a);
         let grows = next.is_some_and(|sample| sample.transformed - d < sample.elongation);
         let reach = (x.at(0.075) - x.at(0.0)) * if grows { 1.0 } else { -1.0 };
-        let (from, height) = (a / self.units[0], y.at(ARROW_HEIGHT));
+        let (from, height) = (a / units[0], y.at(ARROW_HEIGHT));
         change(grows, [from, height], [from + reach, height]).meaning("direction of change")
     }
 }
 
 /// How far above the axis of radii its arrows are, as a share of the vertical axis.
 pub(super) const ARROW_HEIGHT: f64 = 0.055;
-
-/// The name of a curve at its right end, as far as it is seen.
-pub(super) fn ending(curve: &Layer, x: &Axis, y: &Axis, side: Side) -> Layer {
-    let seen = |[a, b]: &&Point| (0.03..0.9).contains(&x.fraction(*a)) && (0.03..0.93).contains(&y.fraction(*b));
-    let anchors = curve.points.iter().rev().filter(seen).copied().collect();
-    Layer::label(curve.name.clone(), anchors, side).coloured(curve.colour)
-}
 
 /// A panel with axes in units of the critical state of a power law.
 pub(super) fn critical_panel(heading: &str, upper: f64, heights: [f64; 2]) -> Panel {

@@ -12,6 +12,9 @@ use crate::{Axis, Unit, typographic};
 /// The largest radius shown, in m.
 const UPPER: f64 = 0.12;
 
+/// The largest length shown at d = 0, in m; pulling adds to it.
+const UNPULLED: f64 = 0.0105;
+
 /// Amplitude and wavelength of the waves, in m: one jump, and two.
 const WAVES: [(f64, f64); 2] = [(5e-4, 0.1), (2e-4, 0.03)];
 
@@ -25,10 +28,17 @@ pub(super) fn figure_4() -> Result<Picture> {
     for (letter, (amplitude, wavelength)) in ["a", "b"].into_iter().zip(WAVES) {
         let tip = Shape::WavyParaboloid { radius: 1.0, amplitude, wavelength };
         let scene = Scene::new(tip, Elasticity::effective("1")?, "1e-4")?.path(["0", "-1"])?;
-        let study = Study::new(scene, [1.0; 2], UPPER, &[])?;
+        let waves = format!("*A* = {} mm, *λ* = {} mm", 1e3 * amplitude, 1e3 * wavelength);
+        let axis = |quantity, upper| Axis::linear(quantity, Unit::Si("m"), 0.0, upper);
+        let (x, y) = (axis("contact radius *a*", UPPER), axis("length", UNPULLED));
+        let panel = Panel::new(format!("({letter})  *g*(*a*) − *d*, {waves}"), x, y);
+        let mut study = Study::new(scene, [1.0; 2], &[], panel)?;
         let history = History::of(&study);
-        description.push_str(&history.told(letter, (amplitude, wavelength)));
-        panels.push(history.drawn(letter, (amplitude, wavelength), &study));
+        description.push_str(&format!(" ({letter}) A = {amplitude} m, λ = {wavelength} m: {}", history.told()));
+        let deepest = history.jumps.iter().map(|jump| jump.d).fold(0.0, f64::min);
+        study.panel.y = axis("length", UNPULLED - deepest);
+        history.draw(&mut study);
+        panels.push(study.panel);
     }
     Ok(Picture { title: "Figure 4: a wavy paraboloid jumps from crest to crest".to_owned(), description, panels })
 }
@@ -53,7 +63,7 @@ struct Jump {
 impl History {
     fn of(study: &Study) -> Self {
         let radius = |spot: Option<Spot>| spot.map(|spot| spot.contact_radius).filter(|radius| *radius > 0.0);
-        let path = &study.diagram.path;
+        let path = &study.sides.diagram.path;
         let jumps = path.iter().filter(|event| matches!(event.kind, EventKind::Jump | EventKind::Detached));
         History {
             start: path.first().and_then(|event| radius(event.before)).unwrap_or_default(),
@@ -64,8 +74,8 @@ impl History {
     }
 
     /// The history in words and numbers.
-    fn told(&self, letter: &str, (amplitude, wavelength): (f64, f64)) -> String {
-        let mut text = format!(" ({letter}) A = {amplitude} m, λ = {wavelength} m: a_0 = {:.7} m;", self.start);
+    fn told(&self) -> String {
+        let mut text = format!("a_0 = {:.7} m;", self.start);
         for Jump { from, d, to } in &self.jumps {
             let end = match to {
                 Some(to) => format!(" jumps to {to:.7} m;"),
@@ -76,46 +86,38 @@ impl History {
         text
     }
 
-    fn drawn(&self, letter: &str, (amplitude, wavelength): (f64, f64), study: &Study) -> Panel {
+    fn draw(&self, study: &mut Study) {
         const STROKES: [Stroke; 4] = [Stroke::Dashed, Stroke::DashDotted, Stroke::Dotted, Stroke::Thin];
-        let deepest = self.jumps.iter().map(|jump| jump.d).fold(0.0, f64::min);
-        let x = Axis::linear("contact radius *a*", Unit::Si("m"), 0.0, UPPER);
-        let y = Axis::linear("length", Unit::Si("m"), 0.0, 0.0105 - deepest);
-        let mut layers = vec![study.elongation(), study.elongation_name(&x, &y, Side::Below)];
+        study.add([study.elongation(), study.ending(&study.elongation(), Side::Below)]);
         let depths = self.jumps.iter().enumerate().map(|(index, jump)| (jump.d, format!("*d*_{{{}}}", index + 1)));
         for ((d, name), stroke) in [(0.0, "*d*".to_owned())].into_iter().chain(depths).zip(STROKES.into_iter().cycle())
         {
             let curve = study.transformed(d, &format!("*g*(*a*) − *d*, *d* = {d:.7} m"), stroke);
-            layers.push(curve.meaning(format!("{name} = {}", millimetres(d))));
+            study.add([curve.meaning(format!("{name} = {}", millimetres(d)))]);
         }
-        layers.extend(self.marked(study, &y));
-        let waves = format!("*A* = {} mm, *λ* = {} mm", 1e3 * amplitude, 1e3 * wavelength);
-        Panel { layers, ..Panel::new(format!("({letter})  *g*(*a*) − *d*, {waves}"), x, y) }
+        self.mark(study);
+        let height = study.panel.y.at(ARROW_HEIGHT);
+        let arrow = |jump: &Jump| Layer::arrow("jump", [[jump.from, height], [jump.to.unwrap_or(0.0), height]]);
+        study.add(self.jumps.iter().map(|jump| arrow(jump).coloured(LOSS).meaning("jump")));
     }
 
     /// Radii as the paper names them: a_0 at the start, then those where the curves touch, and a_2 where the first jump ends.
-    fn marked(&self, study: &Study, y: &Axis) -> Vec<Layer> {
+    fn mark(&self, study: &mut Study) {
         let stable = |a: f64| (a, Mark::Filled, "stable");
         let mut states = vec![stable(self.start)];
         for Jump { from, to, .. } in &self.jumps {
             states.push((*from, Mark::Diamond, "critical"));
             states.extend(to.map(stable));
         }
-        let mut layers = Vec::new();
         let mut names = (0..).map(|number| format!("*a*_{{{number}}}")).peekable();
         for (index, (a, mark, meaning)) in states.into_iter().enumerate() {
-            layers.push(study.marked(a, mark, meaning));
+            study.add([Layer::marks("", vec![study.sides.on_elongation(a)], mark).meaning(meaning)]);
             // The ends of later jumps have no name.
             let named = index < 3 || mark == Mark::Diamond;
             let name = if named { names.next() } else { names.peek().cloned() };
-            let [guide, label] = study.dropped(a, &name.unwrap_or_default(), y, Side::Right);
-            layers.push(guide);
-            layers.extend(Some(label).filter(|_| named));
+            let guide_and_label = study.dropped(a, &name.unwrap_or_default(), Side::Right);
+            study.add(guide_and_label.into_iter().take(1 + usize::from(named)));
         }
-        let height = y.at(ARROW_HEIGHT);
-        let arrow = |jump: &Jump| Layer::arrow("jump", [[jump.from, height], [jump.to.unwrap_or(0.0), height]]);
-        layers.extend(self.jumps.iter().map(|jump| arrow(jump).coloured(LOSS).meaning("jump")));
-        layers
     }
 }
 

@@ -23,37 +23,20 @@ _Happening: TypeAlias = tuple[str, float, _Row, _Row, float]
 
 
 @final
+@dataclasses.dataclass(frozen=True, slots=True)
 class Machine:
     """A spring whose far end is held at ``position = indentation + force/stiffness``: a cantilever, a testing machine.
 
     Parameters
     ----------
     stiffness : Number
-        In N/m.
+        In N/m, kept as given.
     """
 
-    __slots__ = ("_stiffness",)
+    stiffness: Number
 
-    def __init__(self, stiffness: Number) -> None:
-        positive(stiffness, "stiffness", "the machine stiffness k")
-        self._stiffness = stiffness
-
-    @property
-    def stiffness(self) -> Number:
-        """In N/m, as given."""
-        return self._stiffness
-
-    def __repr__(self) -> str:
-        return f"Machine(stiffness={self._stiffness!r})"
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Machine) and self._stiffness == other._stiffness
-
-    def __hash__(self) -> int:
-        return hash(("machine", self._stiffness))
-
-    def __reduce__(self) -> tuple[type[Machine], tuple[Number]]:
-        return Machine, (self._stiffness,)
+    def __post_init__(self) -> None:
+        positive(self.stiffness, "stiffness", "the machine stiffness k")
 
 
 # Differences over this relative step are exact to its square, and lose ten of the digits.

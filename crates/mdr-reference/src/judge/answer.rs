@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::decimal::{Decimal, DecimalError};
-use crate::json::{Json, quoted, read_tolerant};
+use crate::json::{Json, object, read_tolerant, text};
 use crate::number::Number;
 use crate::record::Status;
 use crate::text::excerpt;
@@ -89,10 +89,13 @@ impl Answer {
     pub fn to_json(&self, id: &str) -> String {
         let value = self.value.as_ref().map(Number::to_string);
         let error = self.error.as_ref().map(Decimal::to_string);
-        let status = self.status.map(|status| status.name().to_owned());
-        let fields = [("id", Some(id.to_owned())), ("value", value), ("error", error), ("status", status)];
-        let fields = fields.into_iter().filter_map(|(key, text)| Some(format!("\"{key}\":{}", quoted(&text?))));
-        format!("{{{}}}", fields.collect::<Vec<_>>().join(","))
+        let fields = [
+            ("id", Some(id)),
+            ("value", value.as_deref()),
+            ("error", error.as_deref()),
+            ("status", self.status.map(Status::name)),
+        ];
+        object(fields.into_iter().filter_map(|(key, field)| Some((key, text(field?))))).to_string()
     }
 
     /// The identifier and the answer on a line `{"id":…, "value":…, "error":…, "status":…}`, numbers as JSON numbers or as

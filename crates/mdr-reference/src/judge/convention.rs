@@ -99,17 +99,22 @@ pub(crate) fn normal(record: &Record) -> Option<f64> {
 
 /// The power of an input to which the value is proportional; none where it is no monomial.
 ///
-/// With p = 1/(2n − 1), a state of a power law at a given share of the critical one has a ∝ (w/(E*C²))^p, d ∝ √(wa/E*),
-/// F ∝ √(E*w) a^(3/2) and an energy ∝ wa² (1.15 to 1.17, exponent of (1.15) corrected).
+/// At a given share of the critical state d ∝ √(wa/E*), F ∝ √(E*w) a^(3/2) and an energy ∝ wa² (1.16, 1.17). The contact radius
+/// itself is that of a punch, or (1.15 with its exponent corrected) a ∝ (w/(E*C²))^p, p = 1/(2n − 1).
 fn exponent(record: &Record, input: &str) -> Option<f64> {
-    let pick = |radius: Option<f64>, modulus: f64, work: f64| match input {
-        "R" => radius,
-        "E*" => Some(modulus),
-        "w" => Some(work),
-        _ => None,
+    // The powers of a, E* and w in the value.
+    let (radii, modulus, work) = match (record.formula.as_str(), record.quantity.as_str()) {
+        ("threshold", "threshold_c") => (0.0, -0.5, 0.5),
+        ("threshold", "ratio") => (0.0, 0.5, -0.5),
+        ("transform", _) => (-1.0, 0.0, 0.0),
+        (_, "contact_radius") => (1.0, 0.0, 0.0),
+        (_, "indentation") => (0.5, -0.5, 0.5),
+        (_, "force") => (1.5, 0.5, 0.5),
+        (_, "energy") => (2.0, 0.0, 1.0),
+        _ => return None,
     };
-    let quantity = record.quantity.as_str();
-    match (record.formula.as_str(), record.profile.as_str()) {
+    // The power of R in a, where there is one, and that of w/E*.
+    let (radius, share) = match (record.formula.as_str(), record.profile.as_str()) {
         (
             "critical"
             | "equilibrium-share"
@@ -118,30 +123,18 @@ fn exponent(record: &Record, input: &str) -> Option<f64> {
             | "barrier-to-complete-contact",
             "power",
         ) => {
-            let n = record.input_f64("n")?;
-            let p = 1.0 / (2.0 * n - 1.0);
-            let (radii, modulus, work) = match quantity {
-                "contact_radius" => (1.0, 0.0, 0.0),
-                "indentation" => (0.5, -0.5, 0.5),
-                "force" => (1.5, 0.5, 0.5),
-                "energy" => (2.0, 0.0, 1.0),
-                _ => return None,
-            };
+            let p = 1.0 / (2.0 * record.input_f64("n")? - 1.0);
             // Only a paraboloid has a radius, with C = 1/(2R).
-            let radius = is_paraboloid(record).then_some(radii * 2.0 * p);
-            pick(radius, modulus - radii * p, work + radii * p)
+            (is_paraboloid(record).then_some(2.0 * p), p)
         }
-        ("threshold", _) => match quantity {
-            "threshold_c" => pick(None, -0.5, 0.5),
-            "ratio" => pick(None, 0.5, -0.5),
-            _ => None,
-        },
-        ("flat-punch-pull-off", _) => match quantity {
-            "indentation" => pick(Some(0.5), -0.5, 0.5),
-            "force" => pick(Some(1.5), 0.5, 0.5),
-            _ => None,
-        },
-        ("transform", "paraboloid") => pick(Some(-1.0), 0.0, 0.0),
+        ("threshold", _) => (None, 0.0),
+        ("flat-punch-pull-off", _) | ("transform", "paraboloid") => (Some(1.0), 0.0),
+        _ => return None,
+    };
+    match input {
+        "R" => radius.map(|power| radii * power),
+        "E*" => Some(modulus - radii * share),
+        "w" => Some(work + radii * share),
         _ => None,
     }
 }

@@ -14,8 +14,7 @@ pub(crate) fn compared(
 ) -> Mark {
     let Some(rad) = record.radius() else { return Mark::of(Verdict::Wrong, "the record has no readable radius") };
     let distance = (value - mid).abs();
-    let (most, least) = (&distance + &rad, &distance - &rad);
-    let least = if least < Decimal::default() { Decimal::default() } else { least };
+    let (most, least) = (&distance + &rad, (&distance - &rad).max(Decimal::default()));
     let scale = match record.scale.as_deref().and_then(|text| text.parse::<Decimal>().ok()) {
         Some(scale) if mid.is_zero() => scale,
         _ => mid.clone(),

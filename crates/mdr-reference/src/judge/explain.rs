@@ -84,15 +84,11 @@ struct Compared<'a> {
 /// What one convention explains.
 struct Match {
     convention: Convention,
+    explanation: Explanation,
     /// The places of the explained answers.
     explained: Vec<usize>,
-    /// How many different inputs they have.
-    inputs: usize,
     /// How many different predictions there are for them.
     answers: usize,
-    applicable: usize,
-    /// The largest relative difference among the explained answers.
-    worst: f64,
 }
 
 impl Report<'_> {
@@ -102,33 +98,33 @@ impl Report<'_> {
             self.judged.iter().partition(|judged| judged.mark.verdict == Verdict::Right);
         let [right, wrong] =
             [&right, &not_right].map(|list| list.iter().filter_map(|&judged| Compared::of(judged)).collect::<Vec<_>>());
-        let matches = Convention::all().into_iter().map(|convention| Match::of(convention, &wrong));
-        let telling = matches.filter(|matched| matched.inputs.min(matched.answers) >= LEAST);
+        let matches = Convention::all().into_iter().map(|convention| Match::of(convention, &wrong, not_right.len()));
+        let telling = matches.filter(|matched| matched.explanation.inputs.min(matched.answers) >= LEAST);
         let mut matches: Vec<Match> = telling.filter(|matched| !matched.is_contradicted(&wrong, &right)).collect();
         matches.sort_by_key(|matched| std::cmp::Reverse(matched.explained.len()));
-        let mut found: Vec<(Explanation, Vec<usize>)> = Vec::new();
+        let mut found: Vec<Match> = Vec::new();
         for matched in matches {
-            match found.iter_mut().find(|(_, explained)| contains(explained, &matched.explained)) {
-                Some((explanation, explained)) if *explained == matched.explained => explanation.or(&matched),
+            match found.iter_mut().find(|known| contains(&known.explained, &matched.explained)) {
+                Some(known) if known.explained == matched.explained => known.explanation.or(matched.explanation),
                 Some(_) => {}
-                None => found.push((matched.explanation(not_right.len()), matched.explained)),
+                None => found.push(matched),
             }
         }
-        found.into_iter().map(|(explanation, _)| explanation).collect()
+        found.into_iter().map(|matched| matched.explanation).collect()
     }
 }
 
 impl Explanation {
     /// Another convention with the same answers.
-    fn or(&mut self, matched: &Match) {
-        self.names.push(matched.convention.name.clone());
-        self.statements.push(matched.convention.statement.clone());
-        self.digits = self.digits.min(digits(matched.worst));
+    fn or(&mut self, other: Explanation) {
+        self.names.extend(other.names);
+        self.statements.extend(other.statements);
+        self.digits = self.digits.min(other.digits);
     }
 }
 
 impl Match {
-    fn of(convention: Convention, wrong: &[Compared<'_>]) -> Self {
+    fn of(convention: Convention, wrong: &[Compared<'_>], not_right: usize) -> Self {
         let (mut explained, mut applicable, mut worst) = (Vec::new(), 0, 0.0_f64);
         let (mut inputs, mut answers) = (HashSet::new(), HashSet::new());
         for (place, wrong) in wrong.iter().enumerate() {
@@ -142,7 +138,17 @@ impl Match {
                 worst = worst.max(difference);
             }
         }
-        Match { convention, explained, inputs: inputs.len(), answers: answers.len(), applicable, worst }
+        let explanation = Explanation {
+            names: vec![convention.name.clone()],
+            statements: vec![convention.statement.clone()],
+            explained: explained.len(),
+            applicable,
+            not_right,
+            inputs: inputs.len(),
+            // The digits that agree at the largest difference.
+            digits: (-worst.log10()).min(DIGITS).floor() as u32,
+        };
+        Match { convention, explanation, explained, answers: answers.len() }
     }
 
     /// Whether it makes wrong an answer that is right, about a state of which it explains another answer.
@@ -150,18 +156,6 @@ impl Match {
         let states: HashSet<_> = self.explained.iter().map(|&place| wrong[place].state()).collect();
         let mut of_states = right.iter().filter(|answer| states.contains(&answer.state()));
         of_states.any(|answer| answer.predicted(&self.convention).is_some())
-    }
-
-    fn explanation(&self, not_right: usize) -> Explanation {
-        Explanation {
-            names: vec![self.convention.name.clone()],
-            statements: vec![self.convention.statement.clone()],
-            explained: self.explained.len(),
-            applicable: self.applicable,
-            not_right,
-            inputs: self.inputs,
-            digits: digits(self.worst),
-        }
     }
 }
 
@@ -191,9 +185,4 @@ fn rounded(value: f64) -> String {
 /// Whether all places of the second list, in order, are in the first.
 fn contains(all: &[usize], some: &[usize]) -> bool {
     some.iter().all(|place| all.binary_search(place).is_ok())
-}
-
-/// Decimal digits that agree at this relative difference.
-fn digits(difference: f64) -> u32 {
-    (-difference.log10()).min(DIGITS).floor() as u32
 }

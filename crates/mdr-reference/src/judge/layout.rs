@@ -2,93 +2,80 @@
 
 use std::fmt;
 
-use crate::json::quoted;
-use crate::judge::{Class, Explanation, Judged, Mark, Range, Report, Verdict};
+use crate::json::{Json, notation, object, text, texts};
+use crate::judge::{Class, Explanation, Judged, Range, Report, Verdict};
 
 /// The names of [`fields`].
 const FIELDS: [&str; 10] =
     ["id", "line", "verdict", "reason", "status_matches", "lre", "excess_loss", "claim", "condition", "difficulty"];
 
-/// The value of a field for one answer.
-enum Field<'a> {
-    Text(&'a str),
-    /// A number or a truth value in its notation.
-    Plain(String),
-    Range(Option<Range>),
-}
-
-fn fields<'a>(Judged { record, line, mark, .. }: &'a Judged<'_>) -> [Field<'a>; 10] {
-    let Mark { verdict, reason, status_matches, lre, excess_loss, claim } = mark;
+fn fields<'a>(judged: &'a Judged<'_>, range: fn(Option<(f64, f64)>) -> Json<'static>) -> [Json<'a>; 10] {
+    let Judged { record, line, mark, .. } = judged;
+    let range = |ends: Option<Range>| range(ends.map(|Range { low, high }| (low, high)));
     [
-        Field::Text(&record.id),
-        Field::Plain(line.to_string()),
-        Field::Text(verdict.name()),
-        Field::Text(reason),
-        Field::Plain(status_matches.to_string()),
-        Field::Range(*lre),
-        Field::Range(*excess_loss),
-        Field::Text(claim.name()),
-        Field::Plain(record.total_condition().to_string()),
-        Field::Text(record.difficulty.name()),
+        text(&record.id),
+        notation(line),
+        text(mark.verdict.name()),
+        text(&mark.reason),
+        notation(mark.status_matches),
+        range(mark.lre),
+        range(mark.excess_loss),
+        text(mark.claim.name()),
+        notation(record.total_condition()),
+        text(record.difficulty.name()),
     ]
 }
 
-const SCHEMA: &str = "\"schema\":\"mdr.judge/1\"";
+/// A line of JSON.
+fn line<'a>(fields: impl IntoIterator<Item = (&'a str, Json<'a>)>) -> String {
+    object([("schema", text("mdr.judge/1"))].into_iter().chain(fields)).to_string()
+}
 
 impl Report<'_> {
     /// One JSON object per line, schema `mdr.judge/1`: the answers, worst first, then the rejected lines, then the
     /// summary.
     pub fn to_json_lines(&self) -> String {
-        let answer = |judged| {
-            let fields = FIELDS.iter().zip(fields(judged)).map(|(name, field)| match field {
-                Field::Text(text) => format!("\"{name}\":{}", quoted(text)),
-                Field::Plain(text) => format!("\"{name}\":{text}"),
-                Field::Range(range) => format!("\"{name}\":{}", pair(range.map(|range| (range.low, range.high)))),
-            });
-            format!("{{{SCHEMA},{}}}", fields.collect::<Vec<_>>().join(","))
-        };
-        let refused = |(kind, line, why): (&str, u64, &str)| {
-            format!("{{{SCHEMA},\"refused\":\"{kind}\",\"line\":{line},\"why\":{}}}", quoted(why))
-        };
-        let lines = self.judged.iter().map(answer).chain(self.first_refused().map(refused));
-        lines.chain([self.summary_line()]).collect::<Vec<_>>().join("\n")
+        let answers = self.judged.iter().map(|judged| line(FIELDS.into_iter().zip(fields(judged, pair))));
+        let refused = self
+            .first_refused()
+            .map(|(kind, number, why)| line([("refused", text(kind)), ("line", notation(number)), ("why", text(why))]));
+        answers.chain(refused).chain([self.summary_line()]).collect::<Vec<_>>().join("\n")
     }
 
     fn summary_line(&self) -> String {
         let classes = self.classes().map(|class| {
-            let [right, inaccurate, wrong] = class.verdicts;
-            format!(
-                "\"{}\":{{\"questions\":{},\"right\":{right},\"inaccurate\":{inaccurate},\"wrong\":{wrong},\
-                 \"lre_least_median\":{},\"excess_loss_median_largest\":{}}}",
-                class.difficulty,
-                class.questions,
-                pair(class.digits),
-                pair(class.excess_loss)
-            )
+            let [right, inaccurate, wrong] = class.verdicts.map(notation);
+            let counts = [
+                ("questions", notation(class.questions)),
+                ("right", right),
+                ("inaccurate", inaccurate),
+                ("wrong", wrong),
+                ("lre_least_median", pair(class.digits)),
+                ("excess_loss_median_largest", pair(class.excess_loss)),
+            ];
+            (class.difficulty.name(), object(counts))
         });
-        let refused = self.refused().map(|(kind, refused)| format!("\"{kind}\":{}", refused.count));
-        let failures: Vec<_> = self.failures().iter().map(|failure| quoted(failure)).collect();
-        let hypotheses: Vec<_> = self.explanations().iter().map(hypothesis).collect();
-        format!(
-            "{{{SCHEMA},\"summary\":{{\"questions\":{},\"answered\":{},\"unanswered\":{},\"set_aside\":{},{},\
-             \"classes\":{{{}}},\"physical\":[{}],\"failures\":[{}],\"passed\":{},\"hypotheses\":[{}]}}}}",
-            self.questions(),
-            self.answered(),
-            self.unanswered(),
-            self.set_aside,
-            refused.join(","),
-            classes.join(","),
-            self.physical().map(|count| count.to_string()).join(","),
-            failures.join(","),
-            self.passed(),
-            hypotheses.join(",")
-        )
+        let (failures, explanations) = (self.failures(), self.explanations());
+        let counts = [
+            ("questions", notation(self.questions())),
+            ("answered", notation(self.answered())),
+            ("unanswered", notation(self.unanswered())),
+            ("set_aside", notation(self.set_aside)),
+        ];
+        let judgement = [
+            ("classes", object(classes)),
+            ("physical", Json::List(self.physical().map(notation).to_vec())),
+            ("failures", texts(&failures)),
+            ("passed", Json::Bool(self.passed())),
+            ("hypotheses", Json::List(explanations.iter().map(hypothesis).collect())),
+        ];
+        let refused = self.refused().map(|(kind, refused)| (kind, notation(refused.count)));
+        line([("summary", object(counts.into_iter().chain(refused).chain(judgement)))])
     }
 
     /// A row of names, then one for each answer, worst first, then one for each rejected line, with the kind of
     /// rejection as verdict and the error as reason. Ranges take two columns.
     pub fn to_rows(&self) -> Vec<Vec<String>> {
-        let blank = [const { String::new() }; 2];
         let header = FIELDS.iter().flat_map(|name| match *name {
             "lre" | "excess_loss" => vec![format!("{name}_low"), format!("{name}_high")],
             name => vec![name.to_owned()],
@@ -96,14 +83,15 @@ impl Report<'_> {
         let header: Vec<_> = header.collect();
         let columns = header.len();
         let answers = self.judged.iter().map(|judged| {
-            let cells = fields(judged).into_iter().flat_map(|field| match field {
-                Field::Text(text) => vec![text.to_owned()],
-                Field::Plain(text) => vec![text],
-                Field::Range(range) => {
-                    range.map_or(blank.clone(), |range| [range.low, range.high].map(|end| end.to_string())).to_vec()
-                }
+            let whole = |ends: Option<(f64, f64)>| {
+                let (low, high) = ends.map_or_else(Default::default, |(low, high)| (low.to_string(), high.to_string()));
+                Json::List(vec![Json::Text(low.into()), Json::Text(high.into())])
+            };
+            let cells = fields(judged, whole).into_iter().flat_map(|field| match field {
+                Json::List(ends) => ends,
+                field => vec![field],
             });
-            cells.collect()
+            cells.map(|cell| cell.as_text().unwrap_or_default().to_owned()).collect()
         });
         let refused = self.first_refused().map(|(kind, line, why)| {
             let mut row = [String::new(), line.to_string(), kind.to_owned(), why.to_owned()].to_vec();
@@ -156,22 +144,22 @@ impl Report<'_> {
 }
 
 /// An explanation as a JSON object.
-fn hypothesis(explanation: &Explanation) -> String {
-    let Explanation { names, statements, explained, applicable, not_right, inputs, digits } = explanation;
-    let [names, statements] = [names, statements].map(|texts| {
-        let texts: Vec<_> = texts.iter().map(|text| quoted(text)).collect();
-        texts.join(",")
-    });
-    format!(
-        "{{\"names\":[{names}],\"statements\":[{statements}],\"explained\":{explained},\"applicable\":{applicable},\
-         \"not_right\":{not_right},\"inputs\":{inputs},\"digits\":{digits}}}"
-    )
+fn hypothesis(explanation: &Explanation) -> Json<'_> {
+    object([
+        ("names", texts(&explanation.names)),
+        ("statements", texts(&explanation.statements)),
+        ("explained", notation(explanation.explained)),
+        ("applicable", notation(explanation.applicable)),
+        ("not_right", notation(explanation.not_right)),
+        ("inputs", notation(explanation.inputs)),
+        ("digits", notation(explanation.digits)),
+    ])
 }
 
-/// `[first,second]`, with null for a value that is not finite.
-fn pair(pair: Option<(f64, f64)>) -> String {
-    let end = |x: f64| if x.is_finite() { fixed(x, 3) } else { "null".to_owned() };
-    pair.map_or("null".to_owned(), |(first, second)| format!("[{},{}]", end(first), end(second)))
+/// `[first,second]` to three decimals, with null for a value that is not finite.
+fn pair(pair: Option<(f64, f64)>) -> Json<'static> {
+    let end = |x: f64| if x.is_finite() { notation(fixed(x, 3)) } else { Json::Null };
+    pair.map_or(Json::Null, |(first, second)| Json::List(vec![end(first), end(second)]))
 }
 
 /// Rounded to this number of decimals; a zero has no sign.

@@ -127,66 +127,27 @@ pub fn mark(record: &Record, answer: &Answer, limits: &Limits) -> Mark {
     let status = answer.status.unwrap_or(Status::Ok);
     let marked = status == record.status;
     let compared = |value: &Decimal, mid: &Decimal| compared(record, value, mid, answer.error.as_ref(), limits);
-    let judgement = match (Given::of(answer), Asked::of(record)) {
-        (Given::Nothing, _) => without_value(marked, record.status),
-        (Given::Number(value), Asked::Number(mid) | Asked::Overflow(mid)) => compared(value, &mid),
-        (Given::Number(value), Asked::Underflow(mid)) => {
+    let judgement = match (&answer.value, record.decimal(), record.status) {
+        (None, _, asked) => without_value(marked, asked),
+        (Some(Number::Finite(value)), Some(mid), Status::Underflow) => {
             below_range(value, &mid, marked, answer.error.as_ref(), compared(value, &mid))
         }
-        (Given::Number(_), Asked::Nothing) => wrong(format!("a number where there is none: {}", record.status)),
-        (Given::Infinity(negative), Asked::Overflow(mid)) => beyond_range(negative, &mid, answer.error.is_some()),
-        (Given::Infinity(_), Asked::Number(mid) | Asked::Underflow(mid)) => instead_of("an infinity", &mid),
-        (Given::Infinity(_), Asked::Nothing) => {
-            wrong(format!("an infinity where there is no number: {}", record.status))
+        (Some(Number::Finite(value)), Some(mid), _) => compared(value, &mid),
+        (Some(Number::Finite(_)), None, asked) => wrong(format!("a number where there is none: {asked}")),
+        (Some(Number::Infinite { negative }), Some(mid), Status::Overflow) => {
+            beyond_range(*negative, &mid, answer.error.is_some())
         }
-        (Given::Nan, Asked::Number(mid) | Asked::Overflow(mid) | Asked::Underflow(mid)) => instead_of("NaN", &mid),
-        (Given::Nan, Asked::Nothing) if marked => wrong(format!("NaN beside {status}: leave the value out")),
-        (Given::Nan, Asked::Nothing) => wrong(format!("NaN instead of the status {}", record.status)),
+        (Some(Number::Infinite { .. }), Some(mid), _) => instead_of("an infinity", &mid),
+        (Some(Number::Infinite { .. }), None, asked) => wrong(format!("an infinity where there is no number: {asked}")),
+        (Some(Number::Nan), Some(mid), _) => instead_of("NaN", &mid),
+        (Some(Number::Nan), None, _) if marked => wrong(format!("NaN beside {status}: leave the value out")),
+        (Some(Number::Nan), None, asked) => wrong(format!("NaN instead of the status {asked}")),
     };
     if marked || status == Status::Ok {
         Mark { status_matches: marked, ..judgement }
     } else {
         let reason = format!("{status} where the status is {}", record.status);
         Mark { verdict: Verdict::Wrong, reason, ..judgement }
-    }
-}
-
-/// The kinds of answers.
-enum Given<'a> {
-    Nothing,
-    Number(&'a Decimal),
-    /// Whether it is negative.
-    Infinity(bool),
-    Nan,
-}
-
-impl<'a> Given<'a> {
-    fn of(answer: &'a Answer) -> Self {
-        match &answer.value {
-            None => Given::Nothing,
-            Some(Number::Finite(value)) => Given::Number(value),
-            Some(Number::Infinite { negative }) => Given::Infinity(*negative),
-            Some(Number::Nan) => Given::Nan,
-        }
-    }
-}
-
-/// The kinds of records: a number within, above or below the range of normal doubles, or none.
-enum Asked {
-    Number(Decimal),
-    Overflow(Decimal),
-    Underflow(Decimal),
-    Nothing,
-}
-
-impl Asked {
-    fn of(record: &Record) -> Self {
-        match (record.decimal(), record.status) {
-            (None, _) => Asked::Nothing,
-            (Some(mid), Status::Overflow) => Asked::Overflow(mid),
-            (Some(mid), Status::Underflow) => Asked::Underflow(mid),
-            (Some(mid), _) => Asked::Number(mid),
-        }
     }
 }
 

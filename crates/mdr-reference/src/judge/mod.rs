@@ -61,16 +61,12 @@ const LONGEST: u64 = 1 << 20;
 /// ```
 #[derive(Debug)]
 pub struct Judge<'a> {
-    questions: Vec<&'a Record>,
     /// The index of a question; `None` for records that are not among the questions.
     index: HashMap<&'a str, Option<usize>>,
-    rules: Rules,
     judged: Vec<Option<Judged<'a>>>,
     lines: u64,
-    malformed: Refused,
-    unknown: Refused,
-    repeated: Refused,
-    set_aside: u64,
+    /// Without the answers.
+    report: Report<'a>,
 }
 
 impl<'a> Judge<'a> {
@@ -82,13 +78,8 @@ impl<'a> Judge<'a> {
         Judge {
             index: all.chain(asked).collect(),
             judged: vec![None; questions.len()],
-            questions,
-            rules,
             lines: 0,
-            malformed: Refused::default(),
-            unknown: Refused::default(),
-            repeated: Refused::default(),
-            set_aside: 0,
+            report: Report::new(questions, rules),
         }
     }
 
@@ -105,7 +96,7 @@ impl<'a> Judge<'a> {
             }
             if line.len() as u64 == LONGEST && !line.ends_with(b"\n") {
                 self.lines += 1;
-                self.malformed.add(self.lines, || format!("longer than {LONGEST} bytes"));
+                self.report.malformed.add(self.lines, || format!("longer than {LONGEST} bytes"));
                 from.skip_until(b'\n')?;
             } else {
                 self.line(&line);
@@ -125,31 +116,23 @@ impl<'a> Judge<'a> {
         let text = std::str::from_utf8(line).map_err(|_| "not UTF-8".to_owned());
         match text.and_then(Answer::from_json) {
             Ok((id, answer)) => self.answer(number, &id, &answer),
-            Err(why) => self.malformed.add(number, || why),
+            Err(why) => self.report.malformed.add(number, || why),
         }
     }
 
     /// Judges an answer; of several answers to one question the first counts.
     fn answer(&mut self, line: u64, id: &str, answer: &Answer) {
-        match self.index.get(id) {
-            None => self.unknown.add(line, || excerpt(id)),
-            Some(None) => self.set_aside += 1,
-            Some(&Some(place)) if self.judged[place].is_some() => self.repeated.add(line, || excerpt(id)),
-            Some(&Some(place)) => {
-                self.judged[place] = Some(Judged::new(self.questions[place], line, answer, &self.rules.limits));
-            }
+        let Judge { index, judged, report, .. } = self;
+        match index.get(id) {
+            None => report.unknown.add(line, || excerpt(id)),
+            Some(None) => report.set_aside += 1,
+            Some(&Some(place)) if judged[place].is_some() => report.repeated.add(line, || excerpt(id)),
+            Some(&Some(place)) => judged[place] = Some(report.judgement(place, line, answer)),
         }
     }
 
     /// The report.
     pub fn report(self) -> Report<'a> {
-        let judged = self.judged.into_iter().flatten().collect();
-        Report {
-            malformed: self.malformed,
-            unknown: self.unknown,
-            repeated: self.repeated,
-            set_aside: self.set_aside,
-            ..Report::new(self.questions, judged, self.rules)
-        }
+        self.report.with(self.judged.into_iter().flatten().collect())
     }
 }

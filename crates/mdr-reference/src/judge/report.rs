@@ -1,7 +1,7 @@
 //! The judgement of many answers.
 
 use crate::difficulty::Difficulty;
-use crate::judge::{Answer, Limits, Mark, Refused, Rules, Verdict, mark};
+use crate::judge::{Answer, Mark, Refused, Rules, Verdict, mark};
 use crate::number::Number;
 use crate::record::Record;
 
@@ -16,16 +16,6 @@ pub struct Judged<'a> {
     pub mark: Mark,
     /// The double nearest to the answer; none where it is no finite number.
     pub value: Option<f64>,
-}
-
-impl<'a> Judged<'a> {
-    pub(crate) fn new(record: &'a Record, line: u64, answer: &Answer, limits: &Limits) -> Self {
-        let value = match &answer.value {
-            Some(Number::Finite(value)) => Some(value.nearest()),
-            _ => None,
-        };
-        Judged { record, line, mark: mark(record, answer, limits), value: value.filter(|value| value.is_finite()) }
-    }
 }
 
 /// All answers of one difficulty.
@@ -72,16 +62,33 @@ impl Refused {
 }
 
 impl<'a> Report<'a> {
-    /// A report of these answers to these questions.
-    pub(crate) fn new(questions: Vec<&'a Record>, mut judged: Vec<Judged<'a>>, rules: Rules) -> Self {
+    /// A report without answers.
+    pub(crate) fn new(questions: Vec<&'a Record>, rules: Rules) -> Self {
+        let none = Refused::default;
+        let judged = Vec::new();
+        Report { questions, rules, judged, malformed: none(), unknown: none(), repeated: none(), set_aside: 0 }
+    }
+
+    /// An answer to the question in this place.
+    pub(crate) fn judgement(&self, place: usize, line: u64, answer: &Answer) -> Judged<'a> {
+        let record = self.questions[place];
+        let value = match &answer.value {
+            Some(Number::Finite(value)) => Some(value.nearest()),
+            _ => None,
+        };
+        let value = value.filter(|value| value.is_finite());
+        Judged { record, line, mark: mark(record, answer, &self.rules.limits), value }
+    }
+
+    /// The report with these answers, in the order of the questions.
+    pub(crate) fn with(self, mut judged: Vec<Judged<'a>>) -> Self {
         // Of answers with the same verdict those about real contacts matter most.
         let badness = |Judged { record, mark, .. }: &Judged<'_>| {
             let (verdict, severity) = mark.badness();
             (verdict, record.is_physical(), severity)
         };
         judged.sort_by(|a, b| badness(b).partial_cmp(&badness(a)).unwrap_or(std::cmp::Ordering::Equal));
-        let none = Refused::default;
-        Report { questions, rules, judged, malformed: none(), unknown: none(), repeated: none(), set_aside: 0 }
+        Report { judged, ..self }
     }
 
     /// Whether the answers pass by the [`Rules`].

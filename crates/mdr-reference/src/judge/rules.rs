@@ -1,6 +1,6 @@
 //! The rules that answers as a whole must satisfy.
 
-use crate::judge::{Answer, Judged, Limits, Report};
+use crate::judge::{Answer, Limits, Report};
 use crate::record::Record;
 
 /// The rules for a pass. By default: at least one answer, none wrong or inaccurate, and no line that is not an answer.
@@ -32,13 +32,14 @@ impl Rules {
         questions: impl IntoIterator<Item = &'a Record>,
         mut solver: impl FnMut(&Record) -> Option<Answer>,
     ) -> Report<'a> {
-        let questions: Vec<_> = questions.into_iter().collect();
-        let judged = questions
-            .iter()
-            .zip(1..)
-            .filter_map(|(&record, line)| Some(Judged::new(record, line, &solver(record)?, &self.limits)));
+        let report = Report::new(questions.into_iter().collect(), *self);
+        let questions = report.questions.iter().enumerate();
+        let judged = questions.filter_map(|(place, record)| {
+            let answer = solver(record)?;
+            Some(report.judgement(place, place as u64 + 1, &answer))
+        });
         let judged = judged.collect();
-        Report::new(questions, judged, *self)
+        report.with(judged)
     }
 }
 

@@ -40,6 +40,8 @@ proptest! {
         let text = value.to_string();
         let ours = read(&text).unwrap();
         prop_assert!(agrees(&ours, &value), "{text}");
+        let written = ours.to_string();
+        prop_assert_eq!(read(&written), Ok(ours.clone()));
         prop_assert_eq!(read_tolerant(&text), Ok(ours));
     }
 
@@ -71,13 +73,13 @@ proptest! {
 #[test]
 fn words_without_quotation_marks() {
     for word in ["NaN", "-nan(ind)", "1.#QNAN", "-inf", "0x1.8p-3", "5.", ".5", "+1", "1e5"] {
-        assert_eq!(read_tolerant(word), Ok(Json::Number(word)));
+        assert_eq!(read_tolerant(word), Ok(Json::Number(word.into())));
         assert_eq!(read(word).is_ok(), word == "1e5", "{word}");
     }
     let line = read_tolerant("{\"value\":-nan,\"error\": null ,\"list\":[inf,true]}").unwrap();
-    assert_eq!(line.get("value"), Some(&Json::Number("-nan")));
+    assert_eq!(line.get("value"), Some(&Json::Number("-nan".into())));
     assert_eq!(line.get("error"), Some(&Json::Null));
-    assert_eq!(line.get("list"), Some(&Json::List(vec![Json::Number("inf"), Json::Bool(true)])));
+    assert_eq!(line.get("list"), Some(&Json::List(vec![Json::Number("inf".into()), Json::Bool(true)])));
     assert!(read_tolerant("{\"value\":}").is_err() && read_tolerant("{\"value\":nan inf}").is_err());
 }
 

@@ -50,7 +50,7 @@ pub struct Step {
 }
 
 /// An equation of the paper, or a related result.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Entry {
     /// The number of the equation, or a name.
     pub id: &'static str,

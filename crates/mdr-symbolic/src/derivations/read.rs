@@ -6,6 +6,7 @@ use super::{Claim, Entry, Erratum, Step};
 use crate::domain::Domain;
 
 /// An entry and the lists that are not complete yet.
+#[derive(Default)]
 struct Draft {
     entry: Entry,
     assumptions: Vec<&'static str>,
@@ -14,12 +15,6 @@ struct Draft {
 }
 
 impl Draft {
-    fn new(id: &'static str) -> Self {
-        let entry =
-            Entry { id, title: "", refuted: false, assumptions: &[], steps: &[], erratum: None, references: &[] };
-        Draft { entry, assumptions: Vec::new(), steps: Vec::new(), references: Vec::new() }
-    }
-
     fn finish(self) -> Entry {
         let Draft { entry, assumptions, steps, references } = self;
         Entry { assumptions: assumptions.leak(), steps: steps.leak(), references: references.leak(), ..entry }
@@ -36,7 +31,11 @@ impl Draft {
             ("proved", domain) => self.steps.push(step(Claim::Proved, domains(domain)?, Some(text), "")),
             ("enclosed", domain) => self.steps.push(step(Claim::Enclosed, domains(domain)?, Some(text), "")),
             ("refuted", domain) => self.steps.push(step(Claim::Refuted, domains(domain)?, Some(text), "")),
-            ("at", "") => self.steps.last_mut()?.point = point(text)?,
+            // Names and values: `n = 2, E = 1`.
+            ("at", "") => {
+                let values = text.split(", ").map(|pair| pair.split_once(" = "));
+                self.steps.last_mut()?.point = values.collect::<Option<Vec<_>>>()?.leak();
+            }
             ("why", "") => self.steps.last_mut()?.why = text,
             ("erratum", steps) => {
                 let shown_by = steps.split(' ').map(|step| step.parse::<usize>().ok()?.checked_sub(1));
@@ -58,7 +57,7 @@ pub(super) fn read(text: &'static str) -> Result<Vec<Entry>, String> {
     for (head, text) in fields(text)? {
         let (keyword, detail) = head.split_once(' ').unwrap_or((head, ""));
         if keyword == "entry" {
-            drafts.push(Draft::new(text));
+            drafts.push(Draft { entry: Entry { id: text, ..Entry::default() }, ..Draft::default() });
         } else {
             let taken = drafts.last_mut().and_then(|draft| draft.take(keyword, detail, text));
             taken.ok_or_else(|| format!("{head}: {text}"))?;
@@ -89,11 +88,6 @@ fn domains(name: &str) -> Option<&'static [Domain]> {
         "both" => &[Domain::Above, Domain::Below],
         _ => return None,
     })
-}
-
-/// Names and values: `n = 2, E = 1`.
-fn point(text: &'static str) -> Option<&'static [(&'static str, &'static str)]> {
-    Some(text.split(", ").map(|pair| pair.split_once(" = ")).collect::<Option<Vec<_>>>()?.leak())
 }
 
 #[cfg(test)]

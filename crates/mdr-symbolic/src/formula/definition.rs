@@ -24,6 +24,10 @@ static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
     rows(include_str!("../../data/definitions.tsv")).map(entry).collect()
 });
 
+/// Their formulas.
+static FORMULAS: LazyLock<Vec<Result<Formula>>> =
+    LazyLock::new(|| ENTRIES.iter().map(|entry| entry.formula.parse()).collect());
+
 impl Definition {
     /// The definition with this name.
     pub fn named(name: &str) -> Option<Self> {
@@ -54,8 +58,8 @@ impl Definition {
     ///
     /// # Errors
     /// None for the definitions of this crate, all of which are parsed in its tests.
-    pub fn formula(self) -> Result<Formula> {
-        ENTRIES[self.0].formula.parse()
+    pub fn formula(self) -> Result<&'static Formula> {
+        FORMULAS[self.0].as_ref().map_err(Clone::clone)
     }
 }
 

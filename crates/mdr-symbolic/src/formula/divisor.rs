@@ -49,7 +49,6 @@ impl Formula {
     /// there. Of an integrand, which may be infinite at single points, nothing is listed.
     pub(crate) fn divisors(&self) -> Vec<Formula> {
         match self {
-            Formula::Name(definition) => definition.formula().map(|formula| formula.divisors()).unwrap_or_default(),
             Formula::Quotient(above, below) => [above.divisors(), below.divisors(), vec![(**below).clone()]].concat(),
             Formula::Power(base, exponent) => {
                 let negative = exponent.written_integer().is_some_and(|exponent| exponent < 0);

@@ -5,11 +5,6 @@ use rug::Rational;
 use super::{Formula, Function};
 use crate::domain::Domain;
 use crate::error::Result;
-use crate::expression::Expression;
-use crate::monomial::Base;
-use crate::polynomial::Polynomial;
-use crate::quotient::Quotient;
-use crate::rational_function::RationalFunction;
 use crate::symbol::Symbol;
 
 /// An arithmetic with a point: values for n and for every symbol. With rigorous intervals the result is an enclosure.
@@ -49,7 +44,7 @@ pub trait Arithmetic {
     where
         Self: Sized,
     {
-        Ok(evaluate_quotient(&formula.normalise(domain)?, self))
+        evaluate(&Formula::from(&formula.normalise(domain)?), domain, self)
     }
 }
 
@@ -69,7 +64,7 @@ pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A
         Formula::N => arithmetic.n(),
         Formula::Pi => arithmetic.pi(),
         Formula::Symbol(symbol) => arithmetic.symbol(*symbol),
-        Formula::Name(definition) => of(&definition.formula()?)?,
+        Formula::Name(definition) => of(definition.formula()?)?,
         Formula::Negative(inner) => arithmetic.multiply(&arithmetic.rational(&Rational::from(-1)), &of(inner)?),
         Formula::Sum(terms) => combine(terms, 0, A::add)?,
         Formula::Product(factors) => combine(factors, 1, A::multiply)?,
@@ -113,52 +108,4 @@ impl Formula {
     pub(super) fn integer(&self, domain: Domain) -> Option<i32> {
         self.normalise(domain).ok()?.as_function()?.as_integer()?.to_i32()
     }
-}
-
-/// The value of a normal form.
-pub fn evaluate_quotient<A: Arithmetic>(quotient: &Quotient, arithmetic: &A) -> A::Value {
-    let above = evaluate_expression(quotient.numerator(), arithmetic);
-    match quotient.as_expression() {
-        Some(_) => above,
-        None => arithmetic.divide(&above, &evaluate_expression(quotient.denominator(), arithmetic)),
-    }
-}
-
-/// The value of a sum in normal form.
-pub fn evaluate_expression<A: Arithmetic>(expression: &Expression, arithmetic: &A) -> A::Value {
-    let mut sum = arithmetic.rational(&Rational::new());
-    for (coefficient, monomial) in expression.terms() {
-        let mut product = function(coefficient, arithmetic);
-        for (base, exponent) in monomial.powers() {
-            let base = match base {
-                Base::Prime(prime) => arithmetic.rational(&Rational::from(*prime)),
-                Base::Factor(factor) => polynomial(factor, arithmetic),
-                Base::Pi => arithmetic.pi(),
-                Base::Symbol(symbol) => arithmetic.symbol(*symbol),
-            };
-            let power = match exponent.as_integer().and_then(|integer| integer.to_i32()) {
-                Some(integer) => arithmetic.integer_power(&base, integer),
-                None => arithmetic.power(&base, &function(exponent, arithmetic)),
-            };
-            product = arithmetic.multiply(&product, &power);
-        }
-        sum = arithmetic.add(&sum, &product);
-    }
-    sum
-}
-
-fn function<A: Arithmetic>(function: &RationalFunction, arithmetic: &A) -> A::Value {
-    let above = polynomial(function.numerator(), arithmetic);
-    match function.denominator().degree() {
-        0 => above,
-        _ => arithmetic.divide(&above, &polynomial(function.denominator(), arithmetic)),
-    }
-}
-
-fn polynomial<A: Arithmetic>(polynomial: &Polynomial, arithmetic: &A) -> A::Value {
-    let n = arithmetic.n();
-    let horner = |sum: A::Value, coefficient: &Rational| {
-        arithmetic.add(&arithmetic.multiply(&sum, &n), &arithmetic.rational(coefficient))
-    };
-    polynomial.coefficients().iter().rev().fold(arithmetic.rational(&Rational::new()), horner)
 }

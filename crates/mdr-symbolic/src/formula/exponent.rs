@@ -5,10 +5,11 @@ use rug::Rational;
 use super::{Definition, Formula, Function, Variable};
 
 impl Formula {
-    /// The immediate parts, in the order in which they are written.
+    /// The immediate parts, in the order in which they are written; of a name the formula that it abbreviates.
     pub(crate) fn parts(&self) -> Vec<&Formula> {
         match self {
-            Formula::N | Formula::Number(_) | Formula::Pi | Formula::Symbol(_) | Formula::Name(_) => Vec::new(),
+            Formula::N | Formula::Number(_) | Formula::Pi | Formula::Symbol(_) => Vec::new(),
+            Formula::Name(definition) => definition.formula().into_iter().collect(),
             Formula::Negative(inner) | Formula::Root(inner) | Formula::QuarterTurn(inner) => vec![inner],
             Formula::Derivative(inner, _) => vec![inner],
             Formula::Sum(parts) | Formula::Product(parts) | Formula::Function(_, parts) => parts.iter().collect(),

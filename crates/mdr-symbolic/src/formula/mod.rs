@@ -15,7 +15,7 @@ use rug::Rational;
 use crate::symbol::Symbol;
 
 pub use definition::Definition;
-pub use evaluate::{Arithmetic, evaluate, evaluate_expression, evaluate_quotient};
+pub use evaluate::{Arithmetic, evaluate};
 
 /// A formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,7 +69,6 @@ impl Formula {
         match self {
             Formula::N | Formula::Symbol(_) | Formula::Derivative(..) | Formula::QuarterTurn(_) => false,
             Formula::Integral(..) | Formula::At(..) => false,
-            Formula::Name(definition) => definition.formula().is_ok_and(|formula| formula.is_number()),
             other => other.parts().into_iter().all(Formula::is_number),
         }
     }

@@ -11,8 +11,13 @@ impl Formula {
     pub fn mutants(&self) -> Vec<Formula> {
         let mut mutants = self.mutants_here();
         let parts = self.parts();
-        // The upper end of an integral stays.
-        let count = if matches!(self, Formula::Integral(..)) { 1 } else { parts.len() };
+        let count = match self {
+            // What a name abbreviates is not written here.
+            Formula::Name(_) => 0,
+            // The upper end of an integral stays.
+            Formula::Integral(..) => 1,
+            _ => parts.len(),
+        };
         for (place, part) in parts.into_iter().take(count).enumerate() {
             mutants.extend(part.mutants().into_iter().map(|mutant| self.with_part(place, &mutant)));
         }
@@ -28,7 +33,7 @@ impl Formula {
     /// The formula with its definitions, and those of substituted values, expanded.
     pub(crate) fn written_out(&self) -> Formula {
         match self {
-            Formula::Name(definition) => definition.formula().unwrap_or_else(|_| self.clone()),
+            Formula::Name(definition) => definition.formula().unwrap_or(self).clone(),
             Formula::At(inner, variable, value) => {
                 Formula::At(Box::new(inner.written_out()), *variable, Box::new(value.written_out()))
             }

@@ -51,7 +51,7 @@ impl Formula {
                 && (!value.contains(symbol) || rational(value) && inner.is_rational_in(variable, domain))
         };
         match self {
-            Formula::Name(definition) => definition.formula().is_ok_and(|formula| rational(&formula)),
+            Formula::Name(definition) => definition.formula().is_ok_and(rational),
             Formula::Negative(inner) | Formula::Derivative(inner, _) => rational(inner),
             Formula::Sum(parts) | Formula::Product(parts) => parts.iter().all(rational),
             Formula::Quotient(above, below) => rational(above) && rational(below),
@@ -69,7 +69,6 @@ impl Formula {
     fn contains(&self, symbol: Symbol) -> bool {
         match self {
             Formula::Symbol(other) => *other == symbol,
-            Formula::Name(definition) => definition.formula().is_ok_and(|formula| formula.contains(symbol)),
             Formula::At(inner, Variable::N, _) => inner.contains(symbol),
             Formula::Integral(inner, variable, value) | Formula::At(inner, Variable::Symbol(variable), value) => {
                 *variable != symbol && inner.contains(symbol) || value.contains(symbol)

@@ -102,11 +102,6 @@ impl Polynomial {
         let coefficients = (self.degree() as u64).saturating_mul(exponent.into()).saturating_add(1);
         coefficients.saturating_mul((largest + carry).saturating_mul(exponent.into()).saturating_add(64))
     }
-
-    /// The composition with another polynomial.
-    pub fn compose(&self, inner: &Self) -> Self {
-        self.0.iter().rev().fold(Self::default(), |sum, c| &(&sum * inner) + &Self::constant(c.clone()))
-    }
 }
 
 impl Add for &Polynomial {

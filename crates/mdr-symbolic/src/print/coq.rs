@@ -11,11 +11,9 @@ use super::Strength;
 use crate::derivations::Claim;
 use crate::domain::Domain;
 use crate::formula::{Definition, Formula, Function, Variable};
+use crate::relations::PROFILE;
 use crate::statement::{Relation, Statement};
 use crate::symbol::Symbol;
-
-/// Functions of the radius that belong to one profile.
-const PROFILE: [&str; 4] = ["g", "g'", "G", "Q"];
 
 impl Symbol {
     fn is_of_the_profile(self) -> bool {
@@ -27,7 +25,7 @@ impl Definition {
     /// Its definition in Coq, a function of n and of the symbols in it.
     pub(crate) fn coq_definition(self) -> Option<String> {
         let formula = self.formula().ok()?;
-        let binders = Free::of(&formula).binders();
+        let binders = Free::of(formula).binders();
         let blank = if binders.is_empty() { "" } else { " " };
         Some(format!("Definition {}{blank}{binders} : R := {}.", self.coq(), formula.coq()))
     }
@@ -52,11 +50,6 @@ impl Free {
         match formula {
             Formula::N => self.n = true,
             Formula::Symbol(symbol) => self.insert(*symbol),
-            Formula::Name(definition) => {
-                if let Ok(formula) = definition.formula() {
-                    self.collect(&formula);
-                }
-            }
             Formula::Derivative(inner, along) => {
                 self.collect(inner);
                 self.insert(*along);
@@ -139,7 +132,7 @@ impl Formula {
                 _ => symbol.coq().to_owned(),
             },
             Formula::Name(definition) => {
-                let names = definition.formula().map(|formula| Free::of(&formula).names()).unwrap_or_default();
+                let names = definition.formula().map(|formula| Free::of(formula).names()).unwrap_or_default();
                 let call = std::iter::once(definition.coq()).chain(names);
                 format!("({})", call.collect::<Vec<_>>().join(" "))
             }

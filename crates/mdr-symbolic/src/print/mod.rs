@@ -8,8 +8,9 @@ pub(crate) use tex::square;
 
 use rug::Rational;
 
-use crate::formula::Formula;
+use crate::formula::{Formula, Variable};
 use crate::rational_function::RationalFunction;
+use crate::symbol::Symbol;
 
 /// An element of Q(n) as text.
 pub(crate) fn function_text(function: &RationalFunction) -> String {
@@ -38,4 +39,25 @@ fn number(value: &Rational) -> String {
     let digits = format!("{:0>width$}", scaled.numer().to_string(), width = places + 1);
     let (whole, fraction) = digits.split_at(digits.len() - places);
     format!("{whole}.{fraction}")
+}
+
+/// Terms behind their signs, which the first has only where it is a minus.
+fn sum(terms: &[Formula], minus: &str, within: fn(&Formula, Strength) -> String) -> String {
+    let signed = |(i, term): (usize, &Formula)| {
+        let (sign, part) = match term {
+            Formula::Negative(inner) => (minus, &**inner),
+            term => (if i == 0 { "" } else { "+" }, term),
+        };
+        let blank = if i == 0 { "" } else { " " };
+        format!("{blank}{sign}{blank}{}", within(part, Strength::Product))
+    };
+    terms.iter().enumerate().map(signed).collect()
+}
+
+/// The name of a variable.
+fn of(variable: Variable, symbol: fn(Symbol) -> &'static str) -> &'static str {
+    match variable {
+        Variable::N => "n",
+        Variable::Symbol(variable) => symbol(variable),
+    }
 }

@@ -1,7 +1,7 @@
 //! Formulas in TeX, in the subset that GitHub renders.
 
-use super::{Strength, number};
-use crate::formula::{Formula, Function, Variable};
+use super::{Strength, number, of, sum};
+use crate::formula::{Formula, Function};
 use crate::symbol::Symbol;
 
 impl Formula {
@@ -14,7 +14,7 @@ impl Formula {
             Formula::Symbol(symbol) => symbol.tex().to_owned(),
             Formula::Name(definition) => definition.tex().to_owned(),
             Formula::Negative(inner) => format!("-{}", within(inner, Strength::Product)),
-            Formula::Sum(terms) => sum(terms),
+            Formula::Sum(terms) => sum(terms, "-", within),
             Formula::Product(factors) => product(factors),
             Formula::Quotient(above, below) => format!(r"\frac{{{}}}{{{}}}", above.tex(), below.tex()),
             Formula::Power(base, exponent) => power(base, exponent),
@@ -24,7 +24,9 @@ impl Formula {
                 let integrand = within(inner, Strength::Product);
                 format!(r"\int_0^{{{}}} {integrand} \, d{}", upper.tex(), variable.tex())
             }
-            Formula::At(inner, variable, value) => at(inner, format!("{} = {}", of(*variable), small(value))),
+            Formula::At(inner, variable, value) => {
+                at(inner, format!("{} = {}", of(*variable, Symbol::tex), small(value)))
+            }
             Formula::Function(Function::Hypergeometric, arguments) => {
                 let [b, c] = [&arguments[0], &arguments[1]].map(Formula::tex);
                 format!("{{}}_2F_1{}", round(&format!(r"1, {b}; {c}; \tfrac12")))
@@ -86,19 +88,6 @@ fn tex_number(text: &str) -> String {
         Some((above, below)) => format!(r"\frac{{{above}}}{{{below}}}"),
         None => text.to_owned(),
     }
-}
-
-fn sum(terms: &[Formula]) -> String {
-    let mut tex = String::new();
-    for (i, term) in terms.iter().enumerate() {
-        let (sign, part) = match term {
-            Formula::Negative(inner) => ("-", &**inner),
-            term => (if i == 0 { "" } else { "+" }, term),
-        };
-        let blank = if i == 0 { "" } else { " " };
-        tex += &format!("{blank}{sign}{blank}{}", within(part, Strength::Product));
-    }
-    tex
 }
 
 /// Factors side by side, with a dot before a digit.
@@ -165,14 +154,9 @@ fn derivative(inner: &Formula, variable: &str) -> String {
 /// A formula at a value, and at those that were put in before.
 fn at(inner: &Formula, value: String) -> String {
     match inner {
-        Formula::At(deeper, variable, first) => at(deeper, format!(r"{} = {},\; {value}", of(*variable), small(first))),
+        Formula::At(deeper, variable, first) => {
+            at(deeper, format!(r"{} = {},\; {value}", of(*variable, Symbol::tex), small(first)))
+        }
         inner => format!("{}_{{{value}}}", square(&inner.tex())),
-    }
-}
-
-fn of(variable: Variable) -> &'static str {
-    match variable {
-        Variable::N => "n",
-        Variable::Symbol(symbol) => symbol.tex(),
     }
 }

@@ -1,7 +1,8 @@
 //! Formulas as a line of text.
 
-use super::{Strength, number};
-use crate::formula::{Formula, Function, Variable};
+use super::{Strength, number, of, sum};
+use crate::formula::{Formula, Function};
+use crate::symbol::Symbol;
 
 impl Formula {
     /// The formula as one line of text.
@@ -13,7 +14,7 @@ impl Formula {
             Formula::Symbol(symbol) => symbol.text().to_owned(),
             Formula::Name(definition) => definition.text().to_owned(),
             Formula::Negative(inner) => format!("−{}", within(inner, Strength::Product)),
-            Formula::Sum(terms) => sum(terms),
+            Formula::Sum(terms) => sum(terms, "−", within),
             Formula::Product(factors) => product(factors),
             Formula::Quotient(above, below) => {
                 format!("{}/{}", within(above, Strength::Product), within(below, Strength::Power))
@@ -25,7 +26,9 @@ impl Formula {
                 let upper = within(upper, Strength::Atom);
                 format!("∫₀^{upper} {} d{}", within(inner, Strength::Product), variable.text())
             }
-            Formula::At(inner, variable, value) => format!("[{}]({} = {})", inner.text(), of(*variable), value.text()),
+            Formula::At(inner, variable, value) => {
+                format!("[{}]({} = {})", inner.text(), of(*variable, Symbol::text), value.text())
+            }
             Formula::Function(Function::Hypergeometric, arguments) => {
                 format!("₂F₁(1, {}; {}; 1/2)", arguments[0].text(), arguments[1].text())
             }
@@ -61,17 +64,6 @@ fn product(factors: &[Formula]) -> String {
     factors.iter().enumerate().map(|(i, factor)| within(factor, needed(i))).collect::<Vec<_>>().join("·")
 }
 
-fn sum(terms: &[Formula]) -> String {
-    let join = |(i, term): (usize, &Formula)| {
-        let (sign, part) = match term {
-            Formula::Negative(inner) => (if i == 0 { "−" } else { " − " }, &**inner),
-            term => (if i == 0 { "" } else { " + " }, term),
-        };
-        format!("{sign}{}", within(part, Strength::Product))
-    };
-    terms.iter().enumerate().map(join).collect()
-}
-
 /// An exponent, as a superscript if it is a short natural number.
 fn raised(exponent: &Formula) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -81,12 +73,5 @@ fn raised(exponent: &Formula) -> String {
             value.numer().to_usize().and_then(|digit| DIGITS.get(digit)).map(char::to_string).unwrap_or_default()
         }
         other => format!("^{}", within(other, Strength::Atom)),
-    }
-}
-
-fn of(variable: Variable) -> &'static str {
-    match variable {
-        Variable::N => "n",
-        Variable::Symbol(symbol) => symbol.text(),
     }
 }

@@ -1,8 +1,10 @@
 //! From a picture to its SVG: one file for screens, light or dark, and for print.
 
-use crate::Axis;
-use crate::chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke, Theme};
-use crate::markup::{SIZE, escaped, lines, plain, tspans, width};
+mod frame;
+
+use crate::chart::{Colour, Layer, Look, Panel, Picture, Point, Side, Stroke, Theme};
+use crate::markup::{SIZE, escaped, lines, width};
+use frame::{Frame, MARK};
 
 /// Width and height of the frame of a panel in points: alone, one of two or more, one of three.
 const ALONE: [f64; 2] = [420.0, 260.0];
@@ -22,15 +24,8 @@ const SAMPLE: f64 = 28.0;
 /// Between a point's mark and its label.
 const GAP: f64 = 4.0;
 
-/// Radius of a mark, length and half width of an arrow head.
-const MARK: f64 = 3.2;
-const HEAD: (f64, f64) = (8.0, 3.0);
-
 /// Curves of a panel that can be told by their names beside them; more have a legend.
 const MOST_NAMED: usize = 4;
-
-/// Points of a curve nearer to the last one than this are left out.
-const NEAR: f64 = 0.3;
 
 /// Class, colour on white, colour in the dark.
 const PALETTE: [(Colour, &str, &str, &str); 8] = [
@@ -188,13 +183,6 @@ impl<'a> Legend<'a> {
     }
 }
 
-/// A panel being drawn; places are in points from the upper left corner of its frame.
-struct Frame<'a> {
-    panel: &'a Panel,
-    size: [f64; 2],
-    svg: &'a mut String,
-}
-
 /// The name of a curve beside it.
 struct Name<'a> {
     text: &'a str,
@@ -265,189 +253,6 @@ fn along(from: Point, to: Point) -> Vec<Room> {
     (0..=steps).map(|step| Room::around(point(step), 2.0, 2.0)).collect()
 }
 
-impl Frame<'_> {
-    fn draw(&mut self, named: Vec<Name<'_>>) {
-        let [width, height] = self.size;
-        self.axes();
-        // An SVG inside cuts what leaves the frame.
-        self.svg.push_str(&format!("<svg width=\"{width:.0}\" height=\"{height:.0}\">\n"));
-        for layer in &self.panel.layers {
-            let places = self.places(layer);
-            match layer.look {
-                Look::Area => self.path("area", layer.colour, &outline(&places)),
-                Look::Curve(stroke) => self.line(stroke, layer.colour, &places),
-                Look::Arrow => self.arrow(layer.colour, &places),
-                Look::Marks(_) | Look::Label(_) => {}
-            }
-        }
-        self.svg.push_str("</svg>\n");
-        let mut taken = self.marks();
-        for Name { text, colour, room } in named {
-            let kind = format!("label middle {}", class(colour));
-            self.text([room.centre[0], room.centre[1] + 4.0], &kind, text);
-            taken.push(room);
-        }
-        for layer in &self.panel.layers {
-            if let Look::Label(side) = layer.look {
-                self.label(layer, side, &mut taken);
-            }
-        }
-    }
-
-    /// The heading, and the legend below it.
-    fn head(&mut self, legend: &Legend<'_>, height: f64) {
-        for (row, line) in legend.heading.iter().enumerate() {
-            self.text([0.0, LINE * row as f64 + 12.0 - height], "heading", line);
-        }
-        for entry in &legend.entries {
-            let y = LINE * ((legend.heading.len() + entry.row) as f64 + 0.5) - height;
-            let ends = [[entry.left, y], [entry.left + SAMPLE - 6.0, y]];
-            for layer in &entry.layers {
-                match layer.look {
-                    Look::Area => self.path("area", layer.colour, &outline(&corners(ends, 4.0))),
-                    Look::Curve(stroke) => self.line(stroke, layer.colour, &ends),
-                    Look::Arrow => self.arrow(layer.colour, &ends),
-                    Look::Marks(mark) => self.mark(mark, layer.colour, [f64::midpoint(ends[0][0], ends[1][0]), y]),
-                    Look::Label(_) => {}
-                }
-            }
-            self.text([entry.left + entry.indent(), y + 4.0], "", entry.text);
-        }
-    }
-
-    /// A grid with numbers outside, a line at zero, and the names of both axes.
-    fn axes(&mut self) {
-        let (Panel { x, y, .. }, [width, height]) = (self.panel, self.size);
-        for tick in x.ticks((width / 48.0) as usize) {
-            let at = tick.fraction * width;
-            self.svg.push_str(&format!("<path class=\"grid\" d=\"M{at:.1} 0V{height:.0}\"/>\n"));
-            self.text([at, height + 14.0], "note middle", &tick.text);
-        }
-        for tick in y.ticks((height / 28.0) as usize) {
-            let at = height - tick.fraction * height;
-            self.svg.push_str(&format!("<path class=\"grid\" d=\"M0 {at:.1}H{width:.0}\"/>\n"));
-            self.text([-6.0, at + 4.0], "note end", &tick.text);
-        }
-        let zero = height - y.fraction(0.0).clamp(0.0, 1.0) * height;
-        if zero.is_finite() {
-            self.svg.push_str(&format!("<path class=\"zero\" d=\"M0 {zero:.1}H{width:.0}\"/>\n"));
-        }
-        self.text([width, height + 30.0], "end", &x.title());
-        self.text([-LEFT + 6.0, -8.0], "", &y.title());
-    }
-
-    /// The marks within the frame, and the room that they take.
-    fn marks(&mut self) -> Vec<Room> {
-        let mut taken = Vec::new();
-        for layer in &self.panel.layers {
-            let Look::Marks(mark) = layer.look else { continue };
-            for at in self.seen(layer) {
-                self.mark(mark, layer.colour, at);
-                taken.push(Room::around(at, 2.0 * MARK, 2.0 * MARK));
-            }
-        }
-        taken
-    }
-
-    /// Writes a text on the wanted side of the first of its places with room for it there, else on another side; without any
-    /// room beside the first place.
-    fn label(&mut self, layer: &Layer, side: Side, taken: &mut Vec<Room>) {
-        let anchors = self.seen(layer);
-        let size = (width(&layer.name), LINE - 2.0);
-        let sides = [side, Side::Right, Side::Left, Side::Above, Side::Below];
-        let rooms = || sides.into_iter().flat_map(|side| anchors.iter().map(move |at| Room::beside(*at, side, size)));
-        let free = |room: &Room| self.holds(room) && !taken.iter().any(|other| room.overlaps(other));
-        let Some(room) = rooms().find(free).or_else(|| rooms().next()) else { return };
-        let kind = format!("label middle {}", class(layer.colour));
-        self.text([room.centre[0], room.centre[1] + 4.0], &kind, &layer.name);
-        taken.push(room);
-    }
-
-    fn holds(&self, room: &Room) -> bool {
-        (0..2)
-            .all(|axis| room.centre[axis] >= room.half[axis] && room.centre[axis] <= self.size[axis] - room.half[axis])
-    }
-
-    /// The points of a layer within the frame.
-    fn seen(&self, layer: &Layer) -> Vec<Point> {
-        self.places(layer).into_iter().filter(|at| self.holds(&Room::around(*at, 0.0, 0.0))).collect()
-    }
-
-    /// The points of a layer on the sheet; not finite where an axis has no place for one.
-    fn places(&self, layer: &Layer) -> Vec<Point> {
-        // What is a thousand frames away is far enough.
-        let within = |axis: &Axis, value: f64| {
-            let fraction = axis.fraction(value);
-            if fraction.is_finite() { fraction.clamp(-1e3, 1e3) } else { f64::NAN }
-        };
-        let Panel { x, y, .. } = self.panel;
-        let place = |[a, b]: &Point| [within(x, *a) * self.size[0], (1.0 - within(y, *b)) * self.size[1]];
-        layer.points.iter().map(place).collect()
-    }
-
-    fn text(&mut self, [x, y]: Point, class: &str, text: &str) {
-        if !plain(text).is_empty() {
-            self.svg.push_str(&format!("<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{}</text>\n", tspans(text)));
-        }
-    }
-
-    fn path(&mut self, kind: &str, colour: Colour, path: &str) {
-        if !path.is_empty() {
-            self.svg.push_str(&format!("<path class=\"{kind} {}\" d=\"{path}\"/>\n", class(colour)));
-        }
-    }
-
-    fn line(&mut self, stroke: Stroke, colour: Colour, places: &[Point]) {
-        let kind = match stroke {
-            Stroke::Solid => "line",
-            Stroke::Dashed => "line dashed",
-            Stroke::Dotted => "line dotted",
-            Stroke::DashDotted => "line dashdotted",
-            Stroke::Thin => "line thin",
-            Stroke::Guide => "line guide",
-        };
-        self.path(kind, colour, &polyline(places));
-    }
-
-    fn arrow(&mut self, colour: Colour, places: &[Point]) {
-        let (length, half) = HEAD;
-        let Some(to) = places.last() else { return };
-        let reach = |from: &Point| (to[0] - from[0]).hypot(to[1] - from[1]);
-        // Nearer to the tip than its own length, a direction is not seen.
-        let Some(last) = places.iter().rposition(|place| reach(place) > length) else {
-            return self.line(Stroke::Thin, colour, places);
-        };
-        let from = places[last];
-        let along = [(to[0] - from[0]) / reach(&from), (to[1] - from[1]) / reach(&from)];
-        let back =
-            |by: f64, aside: f64| [to[0] - by * along[0] - aside * along[1], to[1] - by * along[1] + aside * along[0]];
-        let mut line = places[..=last].to_vec();
-        line.push(back(length, 0.0));
-        self.line(Stroke::Thin, colour, &line);
-        self.path("full", colour, &outline(&[*to, back(length, half), back(length, -half)]));
-    }
-
-    fn mark(&mut self, mark: Mark, colour: Colour, [x, y]: Point) {
-        let class = class(colour);
-        match mark {
-            Mark::Filled | Mark::Open => {
-                let kind = if mark == Mark::Filled { "full" } else { "open" };
-                let circle = format!("<circle class=\"{kind} {class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{MARK}\"/>\n");
-                self.svg.push_str(&circle);
-            }
-            Mark::Diamond => {
-                let reach = 1.4 * MARK;
-                self.path("full", colour, &outline(&[[x, y - reach], [x + reach, y], [x, y + reach], [x - reach, y]]));
-            }
-            Mark::Cross => {
-                for rise in [-MARK, MARK] {
-                    self.line(Stroke::Solid, colour, &[[x - MARK, y - rise], [x + MARK, y + rise]]);
-                }
-            }
-        }
-    }
-}
-
 /// A rectangle that a text or a mark takes.
 struct Room {
     centre: Point,
@@ -482,31 +287,4 @@ impl Room {
     fn overlaps(&self, other: &Room) -> bool {
         (0..2).all(|axis| (self.centre[axis] - other.centre[axis]).abs() < self.half[axis] + other.half[axis])
     }
-}
-
-/// The rectangle around a horizontal line.
-fn corners([[left, y], [right, _]]: [Point; 2], half: f64) -> [Point; 4] {
-    [[left, y - half], [right, y - half], [right, y + half], [left, y + half]]
-}
-
-/// The data of a path through the places, broken where one is not finite. Places that nobody can tell apart are one.
-fn polyline(places: &[Point]) -> String {
-    let mut path = String::new();
-    for part in places.split(|place| !place.iter().all(|x| x.is_finite())).filter(|part| part.len() > 1) {
-        let mut last = [f64::NAN; 2];
-        for (index, [x, y]) in part.iter().enumerate() {
-            // The first place, which has none before it, is not near.
-            let near = (x - last[0]).hypot(y - last[1]) < NEAR;
-            if !near || index + 1 == part.len() {
-                path.push_str(&format!("{}{x:.1} {y:.1}", if index == 0 { "M" } else { "L" }));
-                last = [*x, *y];
-            }
-        }
-    }
-    path
-}
-
-/// The same, closed.
-fn outline(places: &[Point]) -> String {
-    format!("{}Z", polyline(places))
 }
