@@ -3,9 +3,8 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::{CriticalAnswer, Inputs, Threshold};
+use super::{CriticalAnswer, CriticalFold, Inputs, Threshold};
 use crate::answer::json::serialize_cells;
-use crate::answer::record::Numbers;
 use crate::answer::{Cell, Row};
 
 /// Names the keys of the answer and their meaning.
@@ -34,7 +33,7 @@ impl Serialize for CriticalAnswer {
         }
         serialize_cells(&mut map, &cells)?;
         if let Some(folds) = &self.folds {
-            map.serialize_entry("folds", &folds.rows())?;
+            map.serialize_entry("folds", folds)?;
         }
         if let Some(validity) = &self.validity {
             let promise = validity.promise().name();
@@ -42,6 +41,12 @@ impl Serialize for CriticalAnswer {
             map.serialize_entry("validity", validity)?;
         }
         map.end()
+    }
+}
+
+impl Serialize for CriticalFold {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Row::new().with("", self).serialize(serializer)
     }
 }
 

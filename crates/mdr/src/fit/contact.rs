@@ -10,7 +10,7 @@ use mdr_core::number::{Dual, Literal, Real};
 use super::observation::Observation;
 use super::problem::{Kind, Problem};
 use crate::scene::Profile;
-use crate::solve::transform;
+use crate::solve::model::transform;
 
 /// The numbers of a problem in one arithmetic.
 #[derive(Clone, Debug)]

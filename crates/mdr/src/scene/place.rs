@@ -84,20 +84,16 @@ impl Places {
     /// A number of the profile that no double can hold.
     #[cfg(feature = "mp")]
     pub(crate) fn parameter_beyond_doubles(&self) -> Option<&Literal> {
-        first_beyond_doubles(&self.numbers[self.parameters.clone()]).map(|(number, _)| number)
+        self.numbers[self.parameters.clone()].iter().map(|(number, _)| number).find(|number| double(number).is_none())
     }
 
     /// Refuses the first number of the scene that no double can hold.
     pub(crate) fn require_doubles(&self, remedy: &str) -> Result<()> {
-        match first_beyond_doubles(&self.numbers) {
+        match self.numbers.iter().find(|(number, _)| double(number).is_none()) {
             None => Ok(()),
             Some((number, place)) => Err(place.refuse(format!("out of the range of f64 ({remedy}), got {number}"))),
         }
     }
-}
-
-fn first_beyond_doubles(numbers: &[(Literal, Location)]) -> Option<&(Literal, Location)> {
-    numbers.iter().find(|(number, _)| double(number).is_none())
 }
 
 /// The nearest double; none of what no double can hold.

@@ -5,53 +5,51 @@ use mdr_numeric::branch::Branched;
 use mdr_numeric::equilibrium::Branches;
 use mdr_numeric::path::{Event, EventKind, Loss, Path, State};
 
-use super::model::Model;
 use super::path::{changes, follow, quantities};
+use super::states::States;
 use crate::answer::{CurveSummary, ForceCurve, ForceSample, List, Number, Optional, Promise, Value};
 use crate::scene::Scene;
 
 /// At least so many samples between two events.
 const LEAST: usize = 2;
 
-/// Samples of the path of a scene, and what is read off a measured curve; in f64.
-///
-/// # Errors
-/// As [`follow`]; those of the transform.
-pub(super) fn force_curve(
-    scene: &Scene,
-    points: usize,
-    model: &Model<f64>,
-    branches: &Branches<'_, f64>,
-) -> Result<ForceCurve> {
-    let path = follow(model, branches, scene)?;
-    let travel: f64 = path.events.windows(2).map(|pair| (pair[1].value - pair[0].value).abs()).sum();
-    let mut samples = Vec::new();
-    let mut segment = 1;
-    let mut last = 0.0;
-    for pair in path.events.windows(2) {
-        let [from, to] = [&pair[0], &pair[1]];
-        let step = to.value - from.value;
-        // A jump breaks the curve, and so does a change of direction.
-        if changes(from.kind) || step * last < 0.0 {
-            segment += 1;
+impl States<'_, f64> {
+    /// The path as a measurement shows it: its samples, and what is read off a measured curve.
+    ///
+    /// # Errors
+    /// As [`follow`]; those of the transform.
+    pub(super) fn force_curve(&self, scene: &Scene, points: usize) -> Result<ForceCurve> {
+        let (model, branches) = (self.model, &self.branches);
+        let path = follow(model, branches, scene)?;
+        let travel: f64 = path.events.windows(2).map(|pair| (pair[1].value - pair[0].value).abs()).sum();
+        let mut samples = Vec::new();
+        let mut segment = 1;
+        let mut last = 0.0;
+        for pair in path.events.windows(2) {
+            let [from, to] = [&pair[0], &pair[1]];
+            let step = to.value - from.value;
+            // A jump breaks the curve, and so does a change of direction.
+            if changes(from.kind) || step * last < 0.0 {
+                segment += 1;
+            }
+            if step != 0.0 {
+                last = step;
+            }
+            let share = if travel > 0.0 { step.abs() / travel } else { 0.0 };
+            let count = LEAST.max((share * points as f64).round() as usize);
+            for index in 0..=count {
+                let value = if index == count { to.value } else { from.value + step * (index as f64 / count as f64) };
+                let state = match index {
+                    0 => from.after.clone(),
+                    _ if index == count => to.before.clone(),
+                    _ => between(branches, &from.after, &to.before, value)?,
+                };
+                samples.extend(sample(&model.control, segment, step, value, &state));
+            }
         }
-        if step != 0.0 {
-            last = step;
-        }
-        let share = if travel > 0.0 { step.abs() / travel } else { 0.0 };
-        let count = LEAST.max((share * points as f64).round() as usize);
-        for index in 0..=count {
-            let value = if index == count { to.value } else { from.value + step * (index as f64 / count as f64) };
-            let state = match index {
-                0 => from.after.clone(),
-                _ if index == count => to.before.clone(),
-                _ => between(branches, &from.after, &to.before, value)?,
-            };
-            samples.extend(sample(&model.control, segment, step, value, &state));
-        }
+        let summary = summary(&path, branches, &samples);
+        Ok(ForceCurve { samples: List::new(Promise::Double, samples), summary })
     }
-    let summary = summary(&path, branches, &samples);
-    Ok(ForceCurve { samples: List::new(Promise::Double, samples), summary })
 }
 
 /// The state at a value between those of two events, on the branch on which both are.

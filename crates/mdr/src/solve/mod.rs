@@ -50,7 +50,7 @@ use crate::run::{Cost, Counts, Run, Stop};
 use crate::scene::{Scene, Start, Want};
 use crate::validity;
 
-pub(crate) use model::{transform, transform_in_doubles};
+pub(crate) use model::transform_in_doubles;
 pub(crate) use path::{changes, follow, is_arrival};
 pub(crate) use unused::unused;
 

@@ -13,16 +13,13 @@ use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::{Completeness, Folds};
 use mdr_numeric::path::{Path, State};
 
-use super::force_curve::force_curve;
 use super::model::{Model, SceneReal};
 use super::outputs::equilibrium;
 use super::path;
 use super::sample::decimal;
 use crate::answer::record::Numbers;
 use crate::answer::types::PathNumbers;
-use crate::answer::{
-    Admission, AtValue, EnergyState, Equilibrium, Field, FieldSample, FieldState, ForceCurve, Overlap, Value,
-};
+use crate::answer::{Admission, AtValue, EnergyState, Equilibrium, Field, FieldSample, FieldState, Overlap, Value};
 use crate::scene::Scene;
 
 /// Radii of a pressure over the contact radius, when the scene names none.
@@ -34,8 +31,8 @@ const REACH: i64 = 1000;
 
 /// A contact and its folds.
 pub(crate) struct States<'a, R: SceneReal> {
-    model: &'a Model<R>,
-    branches: Branches<'a, R>,
+    pub(super) model: &'a Model<R>,
+    pub(super) branches: Branches<'a, R>,
 }
 
 impl<'a, R: SceneReal> States<'a, R> {
@@ -223,16 +220,6 @@ impl<'a, R: SceneReal> States<'a, R> {
             }
         }
         Ok(Admission::of(verdict))
-    }
-}
-
-impl States<'_, f64> {
-    /// The path as a measurement shows it.
-    ///
-    /// # Errors
-    /// As [`force_curve`].
-    pub(crate) fn force_curve(&self, scene: &Scene, points: usize) -> Result<ForceCurve> {
-        force_curve(scene, points, self.model, &self.branches)
     }
 }
 
