@@ -35,12 +35,8 @@ fn by_condition(report: &Report<'_>) -> Option<Panel> {
     let condition =
         |judged: &Judged<'_>| judged.record.value.as_ref().map(|_| judged.record.total_condition().max(1.0));
     let heights = Heights::digits(report);
-    let x = Axis::log(
-        "condition of the question",
-        Unit::One,
-        1.0,
-        decade(report.judged.iter().filter_map(condition), f64::max)?.max(100.0),
-    );
+    let most = decade(report.judged.iter().filter_map(condition), f64::max)?;
+    let x = Axis::log("condition of the question", Unit::One, 1.0, most.max(100.0));
     let (first, last) = x.range();
     let left = |condition: f64| [condition, -(UNIT_ROUNDOFF * condition).log10()];
     let line = Layer::curve("what rounding the inputs leaves", vec![left(first), left(last)], Stroke::Solid);
@@ -53,12 +49,8 @@ fn by_condition(report: &Report<'_>) -> Option<Panel> {
 fn by_fold_distance(report: &Report<'_>) -> Option<Panel> {
     let distance = |judged: &Judged<'_>| judged.record.fold_distance().filter(|distance| *distance > 0.0);
     let distances = || report.judged.iter().filter_map(distance);
-    let x = Axis::log(
-        "relative distance to the fold",
-        Unit::One,
-        decade(distances(), f64::min)?,
-        decade(distances(), f64::max)?,
-    );
+    let (least, most) = (decade(distances(), f64::min)?, decade(distances(), f64::max)?);
+    let x = Axis::log("relative distance to the fold", Unit::One, least, most);
     Some(Heights::digits(report).panel("Right digits beside a fold", report, x, distance))
 }
 

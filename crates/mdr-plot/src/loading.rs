@@ -155,11 +155,10 @@ fn is_cycle(path: &[Event]) -> bool {
 
 /// The states on a branch from one to another; in a straight line where they are apart or at a wall.
 fn smooth(data: &Diagram, from: &Spot, to: &Spot) -> Vec<Spot> {
-    let between = |a: f64| {
-        (a > from.contact_radius && a < to.contact_radius) || (a < from.contact_radius && a > to.contact_radius)
-    };
-    let apart = from.contact_radius == 0.0 || to.contact_radius == 0.0;
-    let inner = data.samples().filter(|sample| !apart && between(sample.contact_radius));
+    let (lower, upper) = (from.contact_radius.min(to.contact_radius), from.contact_radius.max(to.contact_radius));
+    // Apart there is no branch.
+    let between = |a: f64| lower != 0.0 && a > lower && a < upper;
+    let inner = data.samples().filter(|sample| between(sample.contact_radius));
     let mut spots: Vec<Spot> = inner.map(spot).collect();
     if from.contact_radius > to.contact_radius {
         spots.reverse();

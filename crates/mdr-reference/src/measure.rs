@@ -27,8 +27,7 @@ impl Record {
     /// assert!((distance * 4096.0 - 1.0).abs() < 1e-9);
     /// ```
     pub fn fold_distance(&self) -> Option<f64> {
-        let share = self.input("tau");
-        if let Some(tau) = share {
+        if let Some(tau) = self.input("tau") {
             return tau.parse().ok();
         }
         let (held, quantity) = match self.control.as_deref()? {

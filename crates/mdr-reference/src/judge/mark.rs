@@ -90,11 +90,6 @@ impl Mark {
         let (reason, claim) = (reason.into(), Claim::None);
         Mark { verdict, reason, status_matches: false, lre: None, excess_loss: None, claim }
     }
-
-    /// The sort key of a report: worst first.
-    pub(crate) fn badness(&self) -> (Verdict, f64) {
-        (self.verdict, self.excess_loss.map_or(f64::INFINITY, |loss| loss.low.max(-1e9)))
-    }
 }
 
 /// Judges an answer to the question of a record, by the kinds of both:

@@ -82,10 +82,10 @@ impl<'a> Report<'a> {
 
     /// The report with these answers, in the order of the questions.
     pub(crate) fn with(self, mut judged: Vec<Judged<'a>>) -> Self {
-        // Of answers with the same verdict those about real contacts matter most.
+        // The worst first; of answers with the same verdict those about real contacts matter most.
         let badness = |Judged { record, mark, .. }: &Judged<'_>| {
-            let (verdict, severity) = mark.badness();
-            (verdict, record.is_physical(), severity)
+            let loss = mark.excess_loss.map_or(f64::INFINITY, |loss| loss.low.max(-1e9));
+            (mark.verdict, record.is_physical(), loss)
         };
         judged.sort_by(|a, b| badness(b).partial_cmp(&badness(a)).unwrap_or(std::cmp::Ordering::Equal));
         Report { judged, ..self }

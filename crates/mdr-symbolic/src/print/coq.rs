@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use rug::Rational;
 
-use super::Strength;
+use super::{Strength, of};
 use crate::derivations::Claim;
 use crate::domain::Domain;
 use crate::formula::{Definition, Formula, Function, Variable};
@@ -64,10 +64,7 @@ impl Free {
                 self.collect(upper);
             }
             Formula::At(inner, variable, value) => {
-                match variable {
-                    Variable::Symbol(symbol) => self.collect_without(inner, symbol.name()),
-                    Variable::N => self.collect_at_n(inner),
-                }
+                self.collect_without(inner, of(*variable, Symbol::name));
                 self.collect(value);
             }
             other => other.parts().into_iter().for_each(|part| self.collect(part)),
@@ -81,36 +78,29 @@ impl Free {
         self.symbols.extend(radius);
     }
 
+    /// What is free beside a name; beside n also the κ that belongs to it is not.
     fn collect_without(&mut self, inner: &Formula, bound: &str) {
         let within = Free::of(inner);
-        self.n |= within.n;
+        self.n |= within.n && bound != "n";
         self.gamma |= within.gamma;
+        let bound = if bound == "n" { "κ" } else { bound };
         self.symbols.extend(within.symbols.into_iter().filter(|symbol| symbol.name() != bound));
     }
 
-    /// What is free beside n and the κ that belongs to it.
-    fn collect_at_n(&mut self, inner: &Formula) {
-        let n = self.n;
-        self.collect_without(inner, "κ");
-        self.n = n;
-    }
-
-    /// The numbers first, then the functions.
-    fn names(&self) -> Vec<&'static str> {
+    /// The numbers, and the functions.
+    fn names(&self) -> [Vec<&'static str>; 2] {
         let n = self.n.then_some("n");
         let (functions, numbers): (Vec<Symbol>, Vec<Symbol>) =
             self.symbols.iter().copied().partition(|symbol| symbol.is_of_the_profile());
         let numbers = n.into_iter().chain(numbers.into_iter().map(|symbol| symbol.coq()));
         let functions = functions.into_iter().map(|symbol| symbol.coq()).chain(self.gamma.then_some("Gamma"));
-        numbers.chain(functions).collect()
+        [numbers.collect(), functions.collect()]
     }
 
     /// With their types.
     fn binders(&self) -> String {
-        let (functions, numbers): (Vec<_>, Vec<_>) =
-            self.names().into_iter().partition(|name| ["g", "g1", "G", "Q", "Gamma"].contains(name));
-        let of = |names: Vec<&str>, kind| (!names.is_empty()).then(|| format!("({} : {kind})", names.join(" ")));
-        [of(numbers, "R"), of(functions, "R -> R")].into_iter().flatten().collect::<Vec<_>>().join(" ")
+        let kinds = self.names().into_iter().zip(["R", "R -> R"]).filter(|(names, _)| !names.is_empty());
+        kinds.map(|(names, kind)| format!("({} : {kind})", names.join(" "))).collect::<Vec<_>>().join(" ")
     }
 }
 
@@ -133,7 +123,7 @@ impl Formula {
             },
             Formula::Name(definition) => {
                 let names = definition.formula().map(|formula| Free::of(formula).names()).unwrap_or_default();
-                let call = std::iter::once(definition.coq()).chain(names);
+                let call = std::iter::once(definition.coq()).chain(names.concat());
                 format!("({})", call.collect::<Vec<_>>().join(" "))
             }
             Formula::Negative(inner) => format!("- {}", at_least(inner, Strength::Power)),
