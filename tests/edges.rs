@@ -2,12 +2,12 @@
 
 use mdr_analytic::profiles::{EllipticalDimple, ParabolicDimple, Paraboloid, Sum, TruncatedCone, TruncatedParaboloid};
 use mdr_core::contact::{Control, Error, Material, Result, Stability, Transform};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::energy::Energy;
-use mdr_numeric::equilibrium::{Branches, equilibria};
-use mdr_numeric::folds::{Completeness, find};
-use mdr_numeric::path::{EventKind, Ledger, Loss, Path, Start};
+use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
+use mdr_numeric::folds::{SearchQuality, find};
+use mdr_numeric::path::{Dissipation, EventKind, Path, PathEnergy, Start};
 
 /// The radius b of the edge, and w/E*.
 const EDGE: f64 = 0.1;
@@ -57,7 +57,7 @@ fn a_pole_ends_branches() -> Result<()> {
         let found = equilibria(&dimple(depth)?, &glue, &control, &value)?;
         let expected = scanned(depth, &control, value);
         assert_eq!(found.len(), expected.len(), "{control:?} {depth} {value}: {found:?} {expected:?}");
-        assert_eq!(found.completeness, Completeness::Resolved);
+        assert_eq!(found.completeness, SearchQuality::Resolved);
         for (found, (radius, grows)) in found.iter().zip(expected) {
             assert!((found.contact_radius / radius - 1.0).abs() < 1.1e-4, "{found:?} {radius}");
             assert_eq!(found.stability == Stability::Stable, grows, "{found:?}");
@@ -69,13 +69,13 @@ fn a_pole_ends_branches() -> Result<()> {
 #[test]
 fn the_pole_is_told_apart_from_folds() -> Result<()> {
     let (dimple, glue) = (dimple(0.003)?, glue()?);
-    let curve = Curve::new(&dimple, &glue, &Control::Indentation);
+    let curve = EquilibriumCurve::new(&dimple, &glue, &Control::Indentation);
     let found = find(&curve)?;
-    assert_eq!((found.folds.len(), found.completeness), (2, Completeness::Resolved));
+    assert_eq!((found.folds.len(), found.completeness), (2, SearchQuality::Resolved));
     let [pole] = found.poles.as_slice() else { panic!("{:?}", found.poles) };
     assert_eq!((pole.contact_radius, pole.indentation), (EDGE, f64::NEG_INFINITY));
     // Closer to the edge than f64 can tell.
-    let beside = Branches::cut_at(curve, found).equilibria(&-0.5);
+    let beside = SearchedBranches::cut_at(curve, found).equilibria(&-0.5);
     assert!(matches!(beside, Err(Error::Undecided { .. })), "{beside:?}");
     Ok(())
 }
@@ -84,13 +84,13 @@ fn the_pole_is_told_apart_from_folds() -> Result<()> {
 #[test]
 fn a_path_starts_beside_a_pole() -> Result<()> {
     let (dimple, glue) = (dimple(0.003)?, glue()?);
-    let branches = Branches::new(Curve::new(&dimple, &glue, &Control::Indentation))?;
+    let branches = SearchedBranches::new(EquilibriumCurve::new(&dimple, &glue, &Control::Indentation))?;
     let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.01, 0.0])?;
     let kinds: Vec<EventKind> = path.events.iter().map(|event| event.kind).collect();
     assert_eq!(kinds, [EventKind::Start, EventKind::WayPoint, EventKind::End]);
     let radius = path.events[0].after.contact().expect("in contact").contact_radius;
     assert!((radius - 0.114496).abs() < 1e-6, "{radius}");
-    let balance = Ledger::new(&path, &branches)?.balance(&path, &branches)?.expect("nothing unbounded");
+    let balance = PathEnergy::new(&path, &branches)?.balance(&path, &branches)?.expect("nothing unbounded");
     assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
 
     // From inside it would have to grow over the edge, where g is −∞ and the contact is pressed back: the path ends.
@@ -108,14 +108,17 @@ fn the_ledger_of_a_truncated_tip_closes() -> Result<()> {
     let glue = glue()?;
     let (cone, paraboloid) = (TruncatedCone::new(0.2, EDGE)?, TruncatedParaboloid::new(1.0, EDGE)?);
     for tip in [&cone as &dyn Transform<f64>, &paraboloid] {
-        let branches = Branches::new(Curve::new(tip, &glue, &Control::Indentation))?;
-        assert_eq!(branches.completeness(), Completeness::Resolved);
+        let branches = SearchedBranches::new(EquilibriumCurve::new(tip, &glue, &Control::Indentation))?;
+        assert_eq!(branches.completeness(), SearchQuality::Resolved);
         let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.5])?;
         assert_eq!(path.events[1].kind, EventKind::Detached);
-        let ledger = Ledger::new(&path, &branches)?;
-        let Loss::Finite(lost) = &ledger.entries[1].lost else { panic!("finite at fixed grips") };
+        let ledger = PathEnergy::new(&path, &branches)?;
+        let Dissipation::Finite(dissipated) = &ledger.entries[1].dissipated else { panic!("finite at fixed grips") };
         let expected = std::f64::consts::PI * EDGE * EDGE * LENGTH;
-        assert!((lost.value - expected).abs() <= lost.error.max(8.0 * f64::EPSILON * expected), "{lost:?}");
+        assert!(
+            (dissipated.value - expected).abs() <= dissipated.error.max(8.0 * f64::EPSILON * expected),
+            "{dissipated:?}"
+        );
         let balance = ledger.balance(&path, &branches)?.expect("nothing unbounded");
         // The bound is that of roundings, not of a quadrature that stops at the edge.
         assert!(balance.bound < 1e-10 * balance.work, "{balance:?}");
@@ -144,7 +147,7 @@ fn the_energy_is_stationary_at_the_same_states() -> Result<()> {
             for (control, value) in [(Control::Indentation, *value), (Control::Force, 0.1 * value)] {
                 let by_energy = Energy::new(tip, &glue)?.equilibria(&control, &value)?;
                 let by_force = equilibria(tip, &glue, &control, &value)?;
-                let curve = Curve::new(tip, &glue, &control);
+                let curve = EquilibriumCurve::new(tip, &glue, &control);
                 assert_eq!(by_energy.len(), by_force.len(), "{control:?} {value}: {by_energy:?} {by_force:?}");
                 for (one, other) in by_energy.iter().zip(by_force.iter()) {
                     let a = other.contact_radius;

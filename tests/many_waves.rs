@@ -8,10 +8,10 @@ use mdr_analytic::profiles::WavyParaboloid as Closed;
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Control, FoldKind, Material, Result, Shape, Transform};
 use mdr_core::number::{Literal, Precision, Real, Special};
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::folds::{Completeness, find};
-use mdr_numeric::path::{Ledger, Path, Start};
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::folds::{SearchQuality, find};
+use mdr_numeric::path::{Path, PathEnergy, Start};
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -68,12 +68,12 @@ fn ten_thousand_waves_to_fifty_digits() -> Result<()> {
 
 /// Waves of 1 cm on a paraboloid of 1 m, w/E* = 10⁻⁴ m, that beat its slope up to N/2 of them: g' = 2x/R + (π/2)Ak(…) has
 /// an amplitude of √(π/2) Ak √(kx), so A = √(8N)/(k²R) leaves about N folds.
-fn folds_of_waves(count: f64) -> Result<(usize, Completeness)> {
+fn folds_of_waves(count: f64) -> Result<(usize, SearchQuality)> {
     let wavelength = 0.01;
     let k = 2.0 * std::f64::consts::PI / wavelength;
     let waves = Closed::new(1.0, (8.0 * count).sqrt() / (k * k), wavelength)?;
     let material = Material::new(1.0, 1e-4)?;
-    let found = find(&Curve::new(&waves, &material, &Control::Indentation))?;
+    let found = find(&EquilibriumCurve::new(&waves, &material, &Control::Indentation))?;
     assert!(found.folds.windows(2).all(|pair| pair[0].contact_radius < pair[1].contact_radius));
     assert!(found.folds.windows(2).all(|pair| pair[0].kind != pair[1].kind), "a fold is missing");
     assert!(found.folds.first().is_none_or(|fold| fold.kind == FoldKind::Minimum));
@@ -86,7 +86,7 @@ fn folds_by_the_thousand() -> Result<()> {
         let (found, completeness) = folds_of_waves(count)?;
         // The estimate is of first order in 1/kx, and the last waves come close to it; an odd number ends in a minimum.
         assert!(found as f64 > 0.995 * count && found as f64 <= count + 3.0, "{found} of {count}");
-        assert_eq!((found % 2, completeness), (1, Completeness::Resolved));
+        assert_eq!((found % 2, completeness), (1, SearchQuality::Resolved));
     }
     Ok(())
 }
@@ -97,8 +97,8 @@ fn as_many_folds_as_are_proved() -> Result<()> {
     for (count, proved) in waves::CASES {
         let waves = waves::waves::<f64>((), count)?;
         let material = Material::new(1.0, 1e-4)?;
-        let found = find(&Curve::new(&waves, &material, &Control::Indentation))?;
-        assert_eq!((found.folds.len(), found.completeness), (proved, Completeness::Resolved));
+        let found = find(&EquilibriumCurve::new(&waves, &material, &Control::Indentation))?;
+        assert_eq!((found.folds.len(), found.completeness), (proved, SearchQuality::Resolved));
     }
     Ok(())
 }
@@ -109,9 +109,9 @@ fn the_books_of_many_jumps_are_closed() -> Result<()> {
     for (count, folds) in &waves::CASES[..3] {
         let (waves, control) = (waves::waves::<f64>((), *count)?, Control::Indentation);
         let material = Material::new(1.0, 1e-4)?;
-        let branches = Branches::new(Curve::new(&waves, &material, &control))?;
+        let branches = SearchedBranches::new(EquilibriumCurve::new(&waves, &material, &control))?;
         let path = Path::follow(&branches, &Start::Largest, &[0.0, -1.0])?;
-        let balance = Ledger::new(&path, &branches)?.balance(&path, &branches)?.expect("nothing unbounded");
+        let balance = PathEnergy::new(&path, &branches)?.balance(&path, &branches)?.expect("nothing unbounded");
         assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
         // What one rounding of g is against a wave grows with their number.
         assert!(balance.bound <= 1e-12 * *folds as f64 * balance.work, "{balance:?}");

@@ -7,7 +7,7 @@
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
-use mdr_analytic::{Contact, Critical, PowerLaw, flat_punch_pull_off, kappa, lemniscate_constant, threshold};
+use mdr_analytic::{Contact, PowerLaw, State, flat_punch_pull_off, kappa, lemniscate_constant, threshold};
 use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::{Literal, Precision, Real};
 use rug::Float;
@@ -42,7 +42,7 @@ fn both(material: &Material<Float>) -> (&Float, &Float) {
     (material.effective_modulus(), material.work_of_adhesion())
 }
 
-fn critical(profile: Result<PowerLaw<Float>>, material: &Material<Float>, control: &Control<Float>) -> Critical<Float> {
+fn critical(profile: Result<PowerLaw<Float>>, material: &Material<Float>, control: &Control<Float>) -> State<Float> {
     Contact::new(profile.unwrap(), material.clone()).critical(control).unwrap()
 }
 

@@ -1,7 +1,7 @@
 //! The page of an equation: as printed, corrected, why, the proof, numbers, code.
 
 use maud::{Markup, PreEscaped, html};
-use mdr_crosscheck::derivations::{Fate, Judgement, StepJudgement};
+use mdr_crosscheck::derivations::{Judgement, MutantVerdict, StepJudgement};
 use mdr_symbolic::derivations::{Theorem, Verdict};
 use mdr_symbolic::{Decision, Domain, Formula, Statement};
 
@@ -152,7 +152,7 @@ impl Book<'_> {
         let text = self.prose(step.step.why)?;
         let witness = self.witness(step)?;
         let mutants = step.mutants.len();
-        let meaningless = step.mutants.count(Fate::Meaningless);
+        let meaningless = step.mutants.count(MutantVerdict::Meaningless);
         let id = format!("step-{number}");
         Ok(html! {
             li #(id) class=(verdict) data-step=(number) data-verdict=(verdict) value=(number) {

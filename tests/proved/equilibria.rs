@@ -3,7 +3,7 @@
 use mdr_analytic::profiles::*;
 use mdr_core::contact::{Error, Result, Stability};
 use mdr_core::number::{Dual, Interval, Precision, Real};
-use mdr_numeric::branch::Branched;
+use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::path::{EventKind, Path, Start};
 use mdr_numeric::proof::ProvedFolds;
 use rug::Float;
@@ -64,7 +64,7 @@ fn a_jump_lands_on_proved_ground() -> Result<()> {
     let proved = waves(64, Held::Indentation)?.folds(1e-6, 1e3)?;
     waves(300, Held::Indentation)?.branches(&proved, |branches| {
         let start = branches.folds().iter().position(|fold| (fold.contact_radius.approx() - 0.0645).abs() < 1e-4);
-        let (_, landing) = branches.landing(start.expect("the fold"))?.expect("a landing point");
+        let (_, landing) = branches.after_jump(start.expect("the fold"))?.expect("a landing point");
         assert!((landing.contact_radius.approx() - 0.0474).abs() < 1e-4, "{landing:?}");
         assert!(landing.contact_radius.accuracy_bits() > 270 && landing.stability == Stability::Stable);
         // On the branches that meet at the fold, nothing can be said of its own value.

@@ -27,7 +27,7 @@ fn figure_4_of_the_paper() -> Result<()> {
     // The same folds to 300 bits, inside the first enclosures.
     let fine = waves(300, "0.1")?;
     for fold in &proved.folds {
-        let sharp = fine.ask(|curve| curve.sharpen(fold))?;
+        let sharp = fine.ask(|curve| curve.refine(fold))?;
         assert!(sharp.contact_radius.accuracy_bits() > 280 && sharp.contact_radius.overlaps(&fold.contact_radius));
         assert!(sharp.indentation.accuracy_bits() > 270);
     }

@@ -3,10 +3,10 @@
 mod equilibria;
 mod folds;
 
-use mdr_core::contact::{Control, Instability, Material, Result, Transform};
+use mdr_core::contact::{Control, Fold, Material, Result, Transform};
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
-use mdr_numeric::curve::Curve;
-use mdr_numeric::proof::{EnclosedBranches, EnclosedCurve, ProvedFolds};
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::proof::{EnclosedCurve, ProvedBranches, ProvedFolds};
 use rug::Float;
 
 pub(crate) fn number<R: Real>(ctx: R::Ctx, text: &str) -> R {
@@ -51,8 +51,8 @@ impl Contact {
         let material = Material::new(number(ctx, "1"), number(ctx, self.work))?;
         let moving_material = Material::new(number(ctx, "1"), number(ctx, self.work))?;
         let (control, moving_control) = (self.held.control(ctx)?, self.held.control(ctx)?);
-        let plain = Curve::new(self.plain.as_ref(), &material, &control);
-        let moving = Curve::new(self.moving.as_ref(), &moving_material, &moving_control);
+        let plain = EquilibriumCurve::new(self.plain.as_ref(), &material, &control);
+        let moving = EquilibriumCurve::new(self.moving.as_ref(), &moving_material, &moving_control);
         answer(EnclosedCurve::new(plain, moving))
     }
 
@@ -66,9 +66,9 @@ impl Contact {
     pub(crate) fn branches<T>(
         &self,
         folds: &ProvedFolds,
-        answer: impl FnOnce(EnclosedBranches<'_>) -> Result<T>,
+        answer: impl FnOnce(ProvedBranches<'_>) -> Result<T>,
     ) -> Result<T> {
-        self.ask(|curve| answer(EnclosedBranches::new(curve, folds)?))
+        self.ask(|curve| answer(ProvedBranches::new(curve, folds)?))
     }
 }
 
@@ -88,6 +88,6 @@ macro_rules! contact {
 pub(crate) use contact;
 
 /// Whether a fold is where a table of f64 numbers says.
-pub(crate) fn near(fold: &Instability<Interval>, a: f64, d: f64) -> bool {
+pub(crate) fn near(fold: &Fold<Interval>, a: f64, d: f64) -> bool {
     (fold.contact_radius.approx() - a).abs() < 1e-4 && (fold.indentation.approx() - d).abs() < 1e-5
 }

@@ -53,7 +53,7 @@ impl Engine {
     }
 
     pub(crate) fn folds(&self) -> Rows<4> {
-        let row = |fold: mdr_core::contact::Instability<f64>| {
+        let row = |fold: mdr_core::contact::Fold<f64>| {
             let kind = f64::from(u8::from(fold.kind == FoldKind::Maximum));
             [fold.contact_radius, fold.indentation, fold.force, kind]
         };

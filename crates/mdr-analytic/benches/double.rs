@@ -11,10 +11,10 @@ use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 
-use mdr_analytic::double::grid::{Materials, Path, Points, States, Tally, critical_states_on};
-use mdr_analytic::{Contact, Critical, PowerLaw, double};
+use mdr_analytic::double::grid::{BatchReport, Materials, Path, Points, States, critical_states_on};
+use mdr_analytic::{Contact, PowerLaw, State, double};
 use mdr_core::contact::{Control, Material, Ranged, Status};
-use mdr_core::number::Wide;
+use mdr_core::number::Extended;
 use rand::rngs::SmallRng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
@@ -68,14 +68,14 @@ fn accurate(p: &Point) -> [f64; 3] {
         _ => f64::NAN,
     };
     match double::critical(p.n, p.c, &p.material, &Control::Indentation) {
-        Ok(Critical { contact_radius, indentation, force }) => [contact_radius, indentation, force].map(value),
+        Ok(State { contact_radius, indentation, force }) => [contact_radius, indentation, force].map(value),
         Err(_) => [f64::NAN; 3],
     }
 }
 
 /// Whether 64 bits guarantee the last place of all three results.
 fn decided_in_one_word(p: &Point) -> bool {
-    let wide = |x: f64| Wide::<1>::from(x);
+    let wide = |x: f64| Extended::<1>::from(x);
     let state = PowerLaw::new(wide(p.n), wide(p.c)).and_then(|profile| {
         let material = Material::new(wide(*p.material.effective_modulus()), wide(*p.material.work_of_adhesion()))?;
         Contact::new(profile, material).critical(&Control::Indentation)
@@ -136,7 +136,7 @@ impl Columns {
         }
     }
 
-    fn run(&mut self, path: Path, one_material: bool) -> Tally {
+    fn run(&mut self, path: Path, one_material: bool) -> BatchReport {
         let [n, c, e, w] = &self.inputs;
         let each = Materials::Each { effective_modulus: e, work_of_adhesion: w };
         let (coefficient, material) =

@@ -136,11 +136,11 @@ impl<R: Real> Contact<R> {
         // Each term separately: one that is out of range may return to it with the stiffness, or be negligible.
         let two = a.lit(2);
         let root = a.sqrt();
-        let tension = product([&modulus, &a, &self.edge_root, &root, &a.lit(4)]);
+        let adhesive = product([&modulus, &a, &self.edge_root, &root, &a.lit(4)]);
         let next = n.clone() + a.lit(1);
         let pressed = self.profile.monomial(&a, &next, &share.times(2), &modulus);
         let share = n.clone() / &next;
-        difference(Quantity::Force, pressed, tension, || {
+        difference(Quantity::Force, pressed, adhesive, || {
             let ln_stiffness = modulus.ln() + a.ln() + two.ln();
             [self.profile.ln_monomial(&a, n, &share) + &ln_stiffness, self.ln_elongation(&a) + ln_stiffness]
         })
@@ -169,8 +169,8 @@ impl<R: Real> Contact<R> {
         }
         let modulus = self.material.effective_modulus().clone().times(2) / next;
         let pressed = product([&modulus, a, d, n]);
-        let tension = product([&modulus, a, &self.edge_root, &a.sqrt(), &a.lit(2)]);
-        sum(Quantity::Force, pressed, -tension, || {
+        let adhesive = product([&modulus, a, &self.edge_root, &a.sqrt(), &a.lit(2)]);
+        sum(Quantity::Force, pressed, -adhesive, || {
             let ln_total = if *d > a.lit(0) { ln_difference } else { ln_sum };
             ln_total(&(d.abs().ln() + n.ln()), &self.ln_elongation(a)) + modulus.ln() + a.ln()
         })
@@ -222,10 +222,10 @@ impl<R: Real> Contact<R> {
         let n = self.profile.exponent();
         let modulus = self.material.effective_modulus().clone().times(2);
         let pressed = self.profile.monomial(&a, n, n, &modulus);
-        let tension = product([&modulus, &self.edge_root, &a.sqrt()]).times(3);
-        difference(FORCE_SLOPE, pressed, tension, || {
-            let ln_tension = (ln_edge_length(&self.material) + a.ln()).over(2) + a.lit(3).ln();
-            [self.profile.ln_monomial(&a, n, n), ln_tension].map(|ln| ln + modulus.ln())
+        let adhesive = product([&modulus, &self.edge_root, &a.sqrt()]).times(3);
+        difference(FORCE_SLOPE, pressed, adhesive, || {
+            let ln_adhesive = (ln_edge_length(&self.material) + a.ln()).over(2) + a.lit(3).ln();
+            [self.profile.ln_monomial(&a, n, n), ln_adhesive].map(|ln| ln + modulus.ln())
         })
     }
 

@@ -4,12 +4,12 @@ use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, S
 use mdr_core::number::Real;
 
 use crate::contact::{Contact, ln_edge_length};
-use crate::machine::Tension;
+use crate::machine::CriticalRatio;
 use crate::range::{ordinary, product, representable};
 
 /// A critical state, with quantities of any type: numbers, certified decimals, logarithms.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Critical<T> {
+pub struct State<T> {
     /// a, in m.
     pub contact_radius: T,
     /// d, in m; positive when pressed in.
@@ -18,10 +18,10 @@ pub struct Critical<T> {
     pub force: T,
 }
 
-impl<R> Critical<R> {
+impl<R> State<R> {
     /// The equilibrium at the fold: a double root.
     pub(crate) fn at_rest(self) -> Equilibrium<R> {
-        let Critical { contact_radius, indentation, force } = self;
+        let State { contact_radius, indentation, force } = self;
         Equilibrium { contact_radius, indentation, force, stability: Stability::Neutral }
     }
 }
@@ -42,7 +42,7 @@ impl<R: Real> Contact<R> {
     /// [`Error::Domain`] at n = 1/2, where the problem has no length scale (see [`threshold`](crate::threshold()));
     /// [`Error::OutOfRange`] with the log10 of a result that the arithmetic cannot represent.
     #[inline(always)]
-    pub fn critical(&self, control: &Control<R>) -> Result<Critical<R>> {
+    pub fn critical(&self, control: &Control<R>) -> Result<State<R>> {
         match control {
             Control::Indentation => self.tangency(1),
             Control::Force => self.tangency(3),
@@ -58,51 +58,51 @@ impl<R: Real> Contact<R> {
     ///
     /// # Errors
     /// [`Error::Domain`] at n = 1/2.
-    pub fn ln_critical(&self, control: &Control<R>) -> Result<Critical<R>> {
+    pub fn ln_critical(&self, control: &Control<R>) -> Result<State<R>> {
         self.require_length_scale()?;
-        let (ln_radius, tension) = match control {
+        let (ln_radius, critical_ratio) = match control {
             Control::Machine { stiffness } => {
                 let fold = self.first_machine_tangency(stiffness)?;
-                (self.ln_machine_length(stiffness) + &fold.ln_s, fold.tension)
+                (self.ln_machine_length(stiffness) + &fold.ln_s, fold.critical_ratio)
             }
             Control::Indentation | Control::Force => {
                 let limit = if matches!(control, Control::Force) { 3 } else { 1 };
-                let tension = Tension::limit(limit, self.profile().exponent());
-                (self.ln_length_scale(&tension.value()), tension)
+                let critical_ratio = CriticalRatio::limit(limit, self.profile().exponent());
+                (self.ln_length_scale(&critical_ratio.value()), critical_ratio)
             }
         };
-        Ok(self.ln_state(&ln_radius, &tension))
+        Ok(self.ln_state(&ln_radius, &critical_ratio))
     }
 
     /// The state with N a^{n−1/2} = λ√B for an integer λ.
     #[inline(always)]
-    fn tangency(&self, tension: i64) -> Result<Critical<R>> {
+    fn tangency(&self, critical_ratio: i64) -> Result<State<R>> {
         self.require_length_scale()?;
-        let tension = Tension::limit(tension, self.profile().exponent());
-        let radius = self.length_scale(&tension.value())?;
-        self.tangent_state(radius, &tension, || self.ln_length_scale(&tension.value()))
+        let critical_ratio = CriticalRatio::limit(critical_ratio, self.profile().exponent());
+        let radius = self.length_scale(&critical_ratio.value())?;
+        self.tangent_state(radius, &critical_ratio, || self.ln_length_scale(&critical_ratio.value()))
     }
 
     /// (λ²B/N²)^{1/(2n−1)}, the radius at which N a^{n−1/2} = λ√B, in m.
     #[inline(always)]
-    pub(crate) fn length_scale(&self, tension: &R) -> Result<R> {
+    pub(crate) fn length_scale(&self, critical_ratio: &R) -> Result<R> {
         let slope = self.slope_coefficient();
         // One power of one quotient: near n = 1/2 only its rounding is magnified by 1/(2n−1).
         let (square, excess) = (slope.square(), self.profile().excess());
-        let quotient = tension.square() * &self.edge_length / &square;
+        let quotient = critical_ratio.square() * &self.edge_length / &square;
         let radius = if ordinary(&quotient) && ordinary(&square) && ordinary(&self.edge_length) {
             quotient.pow(&excess.inv())
         } else {
-            self.distant_length_scale(tension, &slope, &excess)
+            self.distant_length_scale(critical_ratio, &slope, &excess)
         };
-        representable(Quantity::ContactRadius, radius, || self.ln_length_scale(tension))
+        representable(Quantity::ContactRadius, radius, || self.ln_length_scale(critical_ratio))
     }
 
     /// The same where a square is out of range: a power of the root of the quotient, or of its two parts, or from the
     /// logarithm.
     #[cold]
-    fn distant_length_scale(&self, tension: &R, slope: &R, excess: &R) -> R {
-        let (edge, power) = (self.edge_root.clone() * tension, excess.lit(2) / excess);
+    fn distant_length_scale(&self, critical_ratio: &R, slope: &R, excess: &R) -> R {
+        let (edge, power) = (self.edge_root.clone() * critical_ratio, excess.lit(2) / excess);
         let root = edge.clone() / slope;
         if ordinary(&edge) && ordinary(slope) {
             if ordinary(&root) {
@@ -113,21 +113,26 @@ impl<R: Real> Contact<R> {
                 return edge / slope;
             }
         }
-        self.ln_length_scale(tension).exp()
+        self.ln_length_scale(critical_ratio).exp()
     }
 
     /// ln of [`Contact::length_scale`], with intermediate results in range.
-    pub(crate) fn ln_length_scale(&self, tension: &R) -> R {
+    pub(crate) fn ln_length_scale(&self, critical_ratio: &R) -> R {
         let ln_slope = self.profile().kappa().ln() + self.profile().coefficient().ln() + self.profile().exponent().ln();
-        (ln_edge_length(self.material()) + (tension.ln() - &ln_slope).times(2)) / self.profile().excess()
+        (ln_edge_length(self.material()) + (critical_ratio.ln() - &ln_slope).times(2)) / self.profile().excess()
     }
 
     /// d = ((λ−2n)/n)√(Ba) and F = (2(λ−2(n+1))/(n+1)) E*a√(Ba), where g' = N aⁿ⁻¹ = λ√(B/a). `ln_radius` is evaluated
     /// only if a is out of range or subnormal, or d or F is out of range.
     #[inline(always)]
-    pub(crate) fn tangent_state(&self, a: R, tension: &Tension<R>, ln_radius: impl Fn() -> R) -> Result<Critical<R>> {
-        let (d_factor, f_factor) = self.tangent_factors(tension);
-        let ln_state = || self.ln_state(&ln_radius(), tension);
+    pub(crate) fn tangent_state(
+        &self,
+        a: R,
+        critical_ratio: &CriticalRatio<R>,
+        ln_radius: impl Fn() -> R,
+    ) -> Result<State<R>> {
+        let (d_factor, f_factor) = self.tangent_factors(critical_ratio);
+        let ln_state = || self.ln_state(&ln_radius(), critical_ratio);
         // 0 is a result if the factor is 0, and an underflow otherwise.
         let checked = |quantity, factor: &R, value: R, ln: &dyn Fn() -> R| {
             if *factor == factor.lit(0) { Ok(value) } else { representable(quantity, value, ln) }
@@ -144,15 +149,15 @@ impl<R: Real> Contact<R> {
         };
         let indentation = checked(Quantity::Indentation, &d_factor, indentation, &|| ln_state().indentation)?;
         let force = checked(Quantity::Force, &f_factor, force, &|| ln_state().force)?;
-        Ok(Critical { contact_radius: a, indentation, force })
+        Ok(State { contact_radius: a, indentation, force })
     }
 
     /// Logarithms of a, |d| and |F| of a tangent state.
-    pub(crate) fn ln_state(&self, ln_radius: &R, tension: &Tension<R>) -> Critical<R> {
-        let (d_factor, f_factor) = self.tangent_factors(tension);
+    pub(crate) fn ln_state(&self, ln_radius: &R, critical_ratio: &CriticalRatio<R>) -> State<R> {
+        let (d_factor, f_factor) = self.tangent_factors(critical_ratio);
         let ln_root = (ln_edge_length(self.material()) + ln_radius).over(2);
         let ln_modulus = self.material().effective_modulus().ln();
-        Critical {
+        State {
             contact_radius: ln_radius.clone(),
             indentation: d_factor.abs().ln() + &ln_root,
             force: f_factor.abs().ln() + &ln_modulus + &ln_root + ln_radius,
@@ -161,10 +166,10 @@ impl<R: Real> Contact<R> {
 
     /// (λ−2n)/n and 2(λ−2(n+1))/(n+1).
     #[inline(always)]
-    pub(crate) fn tangent_factors(&self, tension: &Tension<R>) -> (R, R) {
+    pub(crate) fn tangent_factors(&self, critical_ratio: &CriticalRatio<R>) -> (R, R) {
         let (n, excess) = (self.profile().exponent(), self.profile().excess());
         let next = n.lit(1) + n;
-        (tension.less(1, &excess) / n, tension.less(3, &excess).times(2) / &next)
+        (critical_ratio.less(1, &excess) / n, critical_ratio.less(3, &excess).times(2) / &next)
     }
 
     #[inline(always)]

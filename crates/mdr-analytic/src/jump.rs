@@ -53,12 +53,12 @@ impl<R: Real> Contact<R> {
     }
 
     /// (2n−1)/(2n+1) · πa²w · factor at the radius where N a^{n−1/2} = λ√B.
-    fn released_work(&self, tension: &R, factor: &R) -> Result<R> {
+    fn released_work(&self, critical_ratio: &R, factor: &R) -> Result<R> {
         let excess = self.profile().excess();
         let work = self.material().work_of_adhesion();
         let share = excess.clone() / (excess.clone() + excess.lit(2)) * excess.pi() * factor;
-        let ln = || share.abs().ln() + self.ln_length_scale(tension).times(2) + work.ln();
-        match self.length_scale(tension) {
+        let ln = || share.abs().ln() + self.ln_length_scale(critical_ratio).times(2) + work.ln();
+        match self.length_scale(critical_ratio) {
             Ok(a) => representable(Quantity::Energy, product([&share, &a, &a, work]), ln),
             Err(Error::OutOfRange { .. }) => representable(Quantity::Energy, ln().exp(), ln),
             Err(error) => Err(error),

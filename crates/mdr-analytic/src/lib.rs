@@ -80,7 +80,7 @@ mod threshold;
 mod universal;
 
 pub use contact::{Contact, detachment_elongation};
-pub use critical::Critical;
+pub use critical::State;
 pub use inverse::Equilibria;
 pub use kappa::{Kappa, kappa};
 #[cfg(feature = "mp")]
@@ -88,5 +88,5 @@ pub use kappa::{free_cache, kappa_enclosure};
 pub use maugis::{MaugisState, maugis_state, tabor_number};
 pub use power_law::PowerLaw;
 pub use special::flat_punch_pull_off;
-pub use threshold::{Fate, lemniscate_constant, threshold};
+pub use threshold::{ScaleFreeOutcome, lemniscate_constant, threshold};
 pub use universal::{universal_force, universal_indentation};

@@ -18,11 +18,11 @@
 //! there are three folds if φ is positive at the first and negative at the second, else one. For μ = 0, φ decreases
 //! from ln ρ to ln(ρ/3), where ρ = N/√B: one fold for 1 < ρ < 3, none otherwise; λ = ρ gives a = k(ρ−1)/(2E*(3−ρ)).
 
-use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Regime, Result};
+use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::contact::{Contact, ln_edge_length};
-use crate::critical::Critical;
+use crate::critical::State;
 use crate::newton::{self, tolerance, undecided};
 use crate::range::{ordinary, representable};
 
@@ -43,22 +43,22 @@ impl<R: Real> Contact<R> {
     /// # Errors
     /// [`Error::Domain`] unless k is positive and finite; [`Error::Undecided`] if an interval does not decide their
     /// number; [`Error::OutOfRange`].
-    pub fn machine_folds(&self, stiffness: &R) -> Result<Vec<Instability<R>>> {
+    pub fn machine_folds(&self, stiffness: &R) -> Result<Vec<Fold<R>>> {
         let stiffness = Error::require_positive(Quantity::Stiffness, stiffness.clone())?;
         let fold = |tangency: Tangency<R>| {
-            let Critical { contact_radius, indentation, force } = self.machine_state(&stiffness, &tangency)?;
-            Ok(Instability { contact_radius, indentation, force, kind: tangency.kind })
+            let State { contact_radius, indentation, force } = self.machine_state(&stiffness, &tangency)?;
+            Ok(Fold { contact_radius, indentation, force, kind: tangency.kind })
         };
         self.machine_tangencies(&stiffness)?.into_iter().map(fold).collect()
     }
 
     /// a, d and F at a fold.
-    pub(crate) fn machine_state(&self, stiffness: &R, tangency: &Tangency<R>) -> Result<Critical<R>> {
+    pub(crate) fn machine_state(&self, stiffness: &R, tangency: &Tangency<R>) -> Result<State<R>> {
         let scale = self.machine_length(stiffness);
         let ln_radius = || self.ln_machine_length(stiffness) + &tangency.ln_s;
         let radius = if ordinary(&scale) && ordinary(&tangency.s) { scale * &tangency.s } else { ln_radius().exp() };
         let a = representable(Quantity::ContactRadius, radius, ln_radius)?;
-        self.tangent_state(a, &tangency.tension, ln_radius)
+        self.tangent_state(a, &tangency.critical_ratio, ln_radius)
     }
 
     /// k/(2E*): a = s k/(2E*).
@@ -83,7 +83,7 @@ impl<R: Real> Contact<R> {
         let balance = Balance::new(self, stiffness);
         let tangency = |piece: &Piece<R>| {
             let ln_s = balance.root(piece)?;
-            Ok(Tangency { s: ln_s.exp(), tension: Tension::machine(&ln_s), ln_s, kind: piece.kind })
+            Ok(Tangency { s: ln_s.exp(), critical_ratio: CriticalRatio::machine(&ln_s), ln_s, kind: piece.kind })
         };
         balance.pieces()?.iter().map(tangency).collect()
     }
@@ -93,7 +93,7 @@ impl<R: Real> Contact<R> {
         let ratio = self.unchecked_ratio();
         let (one, three) = (ratio.lit(1), ratio.lit(3));
         let zero = ratio.lit(0);
-        let share = |tension: &R| (tension.clone() - &one) / (three.clone() - tension);
+        let share = |critical_ratio: &R| (critical_ratio.clone() - &one) / (three.clone() - critical_ratio);
         if ratio <= one || ratio >= three {
             return Ok(None);
         }
@@ -102,10 +102,10 @@ impl<R: Real> Contact<R> {
         // λ = 2nρ a^(n−1/2) equals ρ, but depends on n: the derivatives of a dual number need the full form.
         let excess = self.profile().excess();
         let ln_radius = self.ln_machine_length(stiffness) + ln_s(&share(&ratio))?;
-        let tension = (excess.clone().over(2) * ln_radius).exp() * (excess + &one) * ratio;
-        let s = share(&tension);
+        let critical_ratio = (excess.clone().over(2) * ln_radius).exp() * (excess + &one) * ratio;
+        let s = share(&critical_ratio);
         let ln_s = ln_s(&s)?;
-        Ok(Some(Tangency { tension: Tension::machine(&ln_s), ln_s, s, kind: FoldKind::Maximum }))
+        Ok(Some(Tangency { critical_ratio: CriticalRatio::machine(&ln_s), ln_s, s, kind: FoldKind::Maximum }))
     }
 
     /// The first fold when leaving the stable branch: the largest for n > 1/2, on unloading; the smallest, and only
@@ -121,37 +121,37 @@ impl<R: Real> Contact<R> {
 pub(crate) struct Tangency<R> {
     pub(crate) s: R,
     pub(crate) ln_s: R,
-    pub(crate) tension: Tension<R>,
+    pub(crate) critical_ratio: CriticalRatio<R>,
     pub(crate) kind: FoldKind,
 }
 
 /// λ as an offset from the nearer of its limits, so that its difference from either is accurate.
 #[derive(Clone, Debug)]
-pub(crate) struct Tension<R> {
+pub(crate) struct CriticalRatio<R> {
     /// 1, 3, or 0.
     limit: i64,
     /// λ minus that limit.
     rest: R,
 }
 
-impl<R: Real> Tension<R> {
+impl<R: Real> CriticalRatio<R> {
     /// One of the limits, 1 under fixed grips or 3 under a dead load.
     #[inline(always)]
     pub(crate) fn limit(limit: i64, like: &R) -> Self {
-        Tension { limit, rest: like.lit(0) }
+        CriticalRatio { limit, rest: like.lit(0) }
     }
 
     /// Any other value.
     pub(crate) fn of(value: R) -> Self {
-        Tension { limit: 0, rest: value }
+        CriticalRatio { limit: 0, rest: value }
     }
 
     /// 1 + 2s/(1+s) = 3 − 2/(1+s), with u = ln s.
     pub(crate) fn machine(u: &R) -> Self {
         if *u > u.lit(0) {
-            return Tension { limit: 3, rest: Balance::share(&-u.clone()).times(-2) };
+            return CriticalRatio { limit: 3, rest: Balance::share(&-u.clone()).times(-2) };
         }
-        Tension { limit: 1, rest: Balance::share(u).times(2) }
+        CriticalRatio { limit: 1, rest: Balance::share(u).times(2) }
     }
 
     /// λ.
@@ -262,7 +262,7 @@ impl<R: Real> Balance<R> {
     fn root(&self, piece: &Piece<R>) -> Result<R> {
         let guess = self.steered().approximate_root(piece);
         let residual = self.value(&guess) / self.derivative(&guess);
-        let radius = residual.abs().steer().times(4) + tolerance(&guess).times(8);
+        let radius = residual.abs().midpoint().times(4) + tolerance(&guess).times(8);
         let rising = piece.kind == FoldKind::Minimum;
         newton::enclosed(&guess, radius, rising, "where exactly the fold lies", |u, neighbourhood| {
             let slope = self.derivative(neighbourhood);
@@ -272,13 +272,13 @@ impl<R: Real> Balance<R> {
 
     /// The same function with representative points as parameters.
     fn steered(&self) -> Self {
-        Balance { slope: self.slope.steer(), offset: self.offset.steer() }
+        Balance { slope: self.slope.midpoint(), offset: self.offset.midpoint() }
     }
 
     /// Newton's method in the piece. The root of a stiff or a soft machine is at an end, to the last bit.
     fn approximate_root(&self, piece: &Piece<R>) -> R {
-        let low = piece.from.steer() - tolerance(&piece.from.steer());
-        let high = piece.to.steer() + tolerance(&piece.to.steer());
+        let low = piece.from.midpoint() - tolerance(&piece.from.midpoint());
+        let high = piece.to.midpoint() + tolerance(&piece.to.midpoint());
         newton::within(low, high, piece.kind == FoldKind::Minimum, |u| (self.value(u), self.derivative(u)))
     }
 }

@@ -7,7 +7,7 @@ use mdr_core::number::Real;
 
 /// Newton's method inside a shrinking bracket, for a function with its slope that is `rising` or falling at the root.
 pub(crate) fn within<R: Real>(mut low: R, mut high: R, rising: bool, f: impl Fn(&R) -> (R, R)) -> R {
-    let mut u = (low.clone() + &high).over(2).steer();
+    let mut u = (low.clone() + &high).over(2).midpoint();
     let mut last_step = high.clone() - &low;
     for _ in 0..64 + 2 * u.precision() {
         let (value, slope) = f(&u);
@@ -18,10 +18,10 @@ pub(crate) fn within<R: Real>(mut low: R, mut high: R, rising: bool, f: impl Fn(
             // Only rounding is left.
             _ => break,
         }
-        let newton = (u.clone() - value / slope).steer();
+        let newton = (u.clone() - value / slope).midpoint();
         let step = (newton.clone() - &u).abs();
         let brisk = step.clone().times(2) < last_step && newton >= low && newton <= high;
-        let next = if brisk { newton } else { (low.clone() + &high).over(2).steer() };
+        let next = if brisk { newton } else { (low.clone() + &high).over(2).midpoint() };
         last_step = (next.clone() - &u).abs();
         u = next;
         // Newton's method doubles the digits: the next step would be below rounding.

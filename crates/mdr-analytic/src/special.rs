@@ -4,7 +4,7 @@ use mdr_core::contact::{Error, Material, Quantity, Result};
 use mdr_core::number::{Real, Special};
 
 use crate::contact::{Contact, detachment_elongation, ln_edge_length};
-use crate::critical::Critical;
+use crate::critical::State;
 use crate::kappa::Kappa;
 use crate::power_law::PowerLaw;
 use crate::range::{product, representable};
@@ -70,14 +70,14 @@ impl<R: Kappa> PowerLaw<R> {
 ///
 /// # Errors
 /// [`Error::Domain`] unless b is positive and finite; [`Error::OutOfRange`].
-pub fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> Result<Critical<R>> {
+pub fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> Result<State<R>> {
     let b = Error::require_positive(Quantity::Radius, radius.clone())?;
     let ln_indentation = || (ln_edge_length(material) + b.ln()).over(2) + b.lit(2).ln();
     let indentation = -detachment_elongation(material, &b)?;
     let modulus = material.effective_modulus();
     let ln_force = || modulus.ln() + b.ln() + b.lit(2).ln() + ln_indentation();
     let force = representable(Quantity::Force, product([&indentation, modulus, &b]).times(2), ln_force)?;
-    Ok(Critical { contact_radius: b, indentation, force })
+    Ok(State { contact_radius: b, indentation, force })
 }
 
 impl<R: Real> Contact<R> {
@@ -85,7 +85,7 @@ impl<R: Real> Contact<R> {
     ///
     /// # Errors
     /// As [`flat_punch_pull_off`], whose radius may be out of range too.
-    pub fn flat_punch_limit(&self) -> Result<Critical<R>> {
+    pub fn flat_punch_limit(&self) -> Result<State<R>> {
         let profile = self.profile();
         let ln_radius = -(profile.coefficient().ln() / profile.exponent());
         let radius = representable(Quantity::Radius, ln_radius.exp(), || ln_radius.clone())?;

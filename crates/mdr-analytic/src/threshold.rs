@@ -4,8 +4,8 @@ use mdr_core::contact::{Control, Error, Material, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::contact::{Contact, edge_length, edge_root, ln_edge_length};
-use crate::critical::Critical;
-use crate::machine::Tension;
+use crate::critical::State;
+use crate::machine::CriticalRatio;
 use crate::range::representable;
 
 /// The lemniscate constant ϖ = π/agm(1, √2) = 2.62205755…, in the precision of `like`; κ_{1/2} = ϖ/2.
@@ -62,7 +62,7 @@ const RATIO: Quantity = Quantity::Parameter("the ratio of C to its threshold");
 
 /// The outcome of a contact with n = 1/2 (1.19).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Fate {
+pub enum ScaleFreeOutcome {
     /// C above the threshold (case I): the equilibria are stable, and the radius shrinks to zero without indentation
     /// (or load).
     Shrinks,
@@ -96,11 +96,11 @@ impl<R: Real> Contact<R> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless n = 1/2 and a is positive and finite; [`Error::OutOfRange`].
-    pub fn scale_free_state(&self, a: &R) -> Result<Critical<R>> {
+    pub fn scale_free_state(&self, a: &R) -> Result<State<R>> {
         let ratio = self.ratio()?;
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         // Here N a^{n−1/2} = ρ√B at every radius.
-        self.tangent_state(a.clone(), &Tension::of(ratio), || a.ln())
+        self.tangent_state(a.clone(), &CriticalRatio::of(ratio), || a.ln())
     }
 
     /// The outcome of the contact at n = 1/2 under the given control (1.19). On a machine the result for small radii is
@@ -108,7 +108,7 @@ impl<R: Real> Contact<R> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless n = 1/2; [`Error::Undecided`] when an interval contains the threshold.
-    pub fn fate(&self, control: &Control<R>) -> Result<Fate> {
+    pub fn fate(&self, control: &Control<R>) -> Result<ScaleFreeOutcome> {
         use std::cmp::Ordering::*;
         self.require_scale_free()?;
         let ratio = self.unchecked_ratio();
@@ -117,9 +117,9 @@ impl<R: Real> Contact<R> {
             Control::Force => ratio.lit(3),
         };
         match ratio.partial_cmp(&critical) {
-            Some(Greater) => Ok(Fate::Shrinks),
-            Some(Equal) => Ok(Fate::Indifferent),
-            Some(Less) => Ok(Fate::CompleteContact),
+            Some(Greater) => Ok(ScaleFreeOutcome::Shrinks),
+            Some(Equal) => Ok(ScaleFreeOutcome::Indifferent),
+            Some(Less) => Ok(ScaleFreeOutcome::CompleteContact),
             None => Err(Error::undecided(Quantity::Coefficient, &ratio, "whether it is above or below the threshold")),
         }
     }

@@ -4,7 +4,7 @@
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
-use mdr_analytic::{Critical, double};
+use mdr_analytic::{State, double};
 use mdr_core::contact::{Control, Material, Ranged};
 use proptest::prelude::*;
 use rug::Float;
@@ -57,17 +57,17 @@ impl Truth {
 }
 
 /// The critical state for λ = 1 (indentation) or 3 (force).
-fn critical(n: f64, c: f64, e: f64, w: f64, tension: u32) -> Critical<Truth> {
+fn critical(n: f64, c: f64, e: f64, w: f64, critical_ratio: u32) -> State<Truth> {
     let n = float(n);
     let ln_edge = (Float::with_val(BITS, Constant::Pi) / 2u32).ln() + float(w).ln() - float(e).ln();
     let ln_slope = ln_kappa(&n) + float(c).ln() + n.clone().ln();
     let excess = Float::with_val(BITS, &n * 2u32) - 1u32;
-    let ln_a = (ln_edge.clone() + (float(tension.into()).ln() - ln_slope) * 2u32) / excess;
+    let ln_a = (ln_edge.clone() + (float(critical_ratio.into()).ln() - ln_slope) * 2u32) / excess;
     let ln_root = (ln_edge + &ln_a) / 2u32;
     let next = Float::with_val(BITS, &n + 1u32);
-    let d_factor = (tension - Float::with_val(BITS, &n * 2u32)) / &n;
-    let f_factor = (tension - Float::with_val(BITS, &next * 2u32)) * 2u32 / next;
-    Critical {
+    let d_factor = (critical_ratio - Float::with_val(BITS, &n * 2u32)) / &n;
+    let f_factor = (critical_ratio - Float::with_val(BITS, &next * 2u32)) * 2u32 / next;
+    State {
         indentation: Truth::new(d_factor, ln_root.clone()),
         force: Truth::new(f_factor, ln_root + &ln_a + float(e).ln()),
         contact_radius: Truth { sign: 1, ln: ln_a },
@@ -77,8 +77,8 @@ fn critical(n: f64, c: f64, e: f64, w: f64, tension: u32) -> Critical<Truth> {
 #[track_caller]
 fn check(n: f64, c: f64, e: f64, w: f64, allowed: f64) {
     let material = Material::new(e, w).unwrap();
-    for (control, tension) in [(Control::Indentation, 1), (Control::Force, 3)] {
-        let truth = critical(n, c, e, w, tension);
+    for (control, critical_ratio) in [(Control::Indentation, 1), (Control::Force, 3)] {
+        let truth = critical(n, c, e, w, critical_ratio);
         let answer = double::critical(n, c, &material, &control).unwrap();
         let what = |name| format!("{name} under {control:?} at n = {n:e}, C = {c:e}, E* = {e:e}, w = {w:e}");
         truth.contact_radius.check(answer.contact_radius, allowed, &what("a"));

@@ -1,7 +1,7 @@
 //! Guarantees of the `f64` closed forms beyond accuracy: exact zeros, scaling, domains, folds. Runs without GMP.
 #![allow(clippy::unwrap_used, reason = "the helpers belong to the tests")]
 
-use mdr_analytic::{Critical, Kappa, double};
+use mdr_analytic::{Kappa, State, double};
 use mdr_core::contact::{Control, Error, FoldKind, Material, Quantity, Ranged};
 use proptest::prelude::*;
 
@@ -133,7 +133,7 @@ proptest! {
     fn powers_of_two_only_move_the_exponent(n in 1..7i32, c in 0.5..2.0f64, w in 0.5..2.0f64, p in -60..60i32, q in -60..60i32) {
         let two = |power: i32| 2f64.powi(power);
         for control in [Control::Indentation, Control::Force] {
-            let Critical { contact_radius, indentation, force } =
+            let State { contact_radius, indentation, force } =
                 double::critical(n.into(), c, &material(1.0, w), &control).unwrap();
             // C in m^(1−n), w in Pa·m, F in Pa·m².
             let scaled =

@@ -116,7 +116,7 @@ fn kinks_are_enclosed_from_both_sides() {
     enclosed.push(("flat punch", Box::new(FlatPunch::new(one.ratio(3, 7)).unwrap())));
     let mut seen = Vec::new();
     for ((name, sharp), (_, enclosed)) in sharp.iter().zip(&enclosed) {
-        let wall = sharp.outer_radius().filter(|_| sharp.wall());
+        let wall = sharp.outer_radius().filter(|_| sharp.vertical_edge());
         for (index, b) in sharp.kinks().iter().chain(&wall).enumerate() {
             seen.push(*name);
             for octave in [3, 10, 20, 40] {

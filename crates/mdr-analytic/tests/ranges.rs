@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mdr_analytic::{
-    Contact, Fate, PowerLaw, detachment_elongation, double, threshold, universal_force, universal_indentation,
+    Contact, PowerLaw, ScaleFreeOutcome, detachment_elongation, double, threshold, universal_force,
+    universal_indentation,
 };
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Ranged, Result, Transform};
 
@@ -42,7 +43,7 @@ fn every_scale_is_a_number_or_said() {
                 let half = contact(0.5, c, e, w);
                 let what = format!("E* = {e:e}, w = {w:e}, C = {c:e}");
                 assert_same(&what, half.ratio(), double::ratio(c, &material).unwrap());
-                let fate: Fate = half.fate(&Control::Indentation).unwrap();
+                let fate: ScaleFreeOutcome = half.fate(&Control::Indentation).unwrap();
                 assert_eq!(fate, double::fate(c, &material, &Control::Indentation).unwrap(), "{what}");
                 for n in [0.3, 2.0, 7.0] {
                     let any = contact(n, c, e, w);

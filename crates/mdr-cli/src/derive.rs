@@ -7,7 +7,7 @@ use mdr_symbolic::derivations::{Entry, entries, entry, statements_in_coq};
 use crate::error::{Failure, Result};
 use crate::flags::nearest;
 use crate::output::Output;
-use crate::table::{Tone, cell, render, table};
+use crate::table::{CellStyle, cell, render, table};
 
 /// The derivation of every equation, each step with its verdict: theorem, proved, sampled, refuted, cited.
 ///
@@ -82,12 +82,12 @@ impl Derive {
 fn overview(judgements: &[Judgement]) -> String {
     let mut table = table(&["id", "what", "steps", "mutants", "verdict"]);
     for judgement in judgements {
-        let tone = if judgement.holds() { Tone::Good } else { Tone::Bad };
+        let tone = if judgement.holds() { CellStyle::Good } else { CellStyle::Bad };
         table.add_row([
-            cell(judgement.entry.id, Tone::Strong),
-            cell(judgement.entry.title, Tone::Plain),
-            cell(judgement.tally(), Tone::Faint),
-            cell(judgement.mutants().len(), Tone::Faint),
+            cell(judgement.entry.id, CellStyle::Strong),
+            cell(judgement.entry.title, CellStyle::Plain),
+            cell(judgement.tally(), CellStyle::Faint),
+            cell(judgement.mutants().len(), CellStyle::Faint),
             cell(judgement.verdict(), tone),
         ]);
     }

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::error::Result;
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, table};
+use crate::table::{CellStyle, cell, render, table};
 use crate::{files, plot, progress};
 
 /// The figures of the paper, computed: curves, equilibria, directions of change, critical states and jumps.
@@ -71,9 +71,9 @@ impl Figures {
                 let mut files = table(&["file", "data", "what it shows"]);
                 for figure in written {
                     files.add_row([
-                        cell(&figure.svg, Tone::Good),
-                        cell(&figure.csv, Tone::Plain),
-                        cell(&figure.title, Tone::Plain),
+                        cell(&figure.svg, CellStyle::Good),
+                        cell(&figure.csv, CellStyle::Plain),
+                        cell(&figure.title, CellStyle::Plain),
                     ]);
                 }
                 out.text(render(&files))

@@ -11,7 +11,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use crate::error::{Failure, Result};
 use crate::output::{Format, Output as Out};
 use crate::plot::PictureFlags;
-use crate::table::{Tone, cell, render_whole, table, text_table};
+use crate::table::{CellStyle, cell, render_whole, table, text_table};
 use crate::{files, progress, validity};
 
 /// What is drawn.
@@ -225,15 +225,15 @@ fn estimates(answer: &Answer) -> String {
     let mut table = table(&["number", "estimate", "standard error", "scaled by residuals", "unit"]);
     for estimate in &answer.parameters {
         let number = |value: Option<f64>, decimals: usize| match value {
-            Some(value) => cell(format_args!("{value:.decimals$e}"), Tone::Good),
-            None => cell("not determined", Tone::Bad),
+            Some(value) => cell(format_args!("{value:.decimals$e}"), CellStyle::Good),
+            None => cell("not determined", CellStyle::Bad),
         };
         table.add_row([
-            cell(&estimate.name, Tone::Plain),
+            cell(&estimate.name, CellStyle::Plain),
             number(estimate.value, 9),
             number(estimate.stderr, 2),
             number(estimate.scaled_stderr, 2),
-            cell(estimate.unit, Tone::Plain),
+            cell(estimate.unit, CellStyle::Plain),
         ]);
     }
     render_whole(&table)

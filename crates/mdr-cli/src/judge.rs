@@ -13,7 +13,7 @@ use crate::flags::Flag;
 use crate::output::{Format, Output};
 use crate::plot::PictureFlags;
 use crate::reference::size;
-use crate::table::{Tone, cell, render, table, text_table};
+use crate::table::{CellStyle, cell, render, table, text_table};
 
 /// What is drawn.
 const PICTURE: &str = "Draw right digits and excess loss to this SVG file, and their data to a CSV file beside it";
@@ -115,19 +115,19 @@ fn answers(judged: &[Judged<'_>]) -> String {
     let range = |range: Option<Range>| range.map_or_else(String::new, |range| range.to_string());
     for Judged { record, line, mark, .. } in judged {
         let tone = match mark.verdict {
-            Verdict::Right => Tone::Good,
-            Verdict::Inaccurate => Tone::Strong,
-            Verdict::Wrong => Tone::Bad,
+            Verdict::Right => CellStyle::Good,
+            Verdict::Inaccurate => CellStyle::Strong,
+            Verdict::Wrong => CellStyle::Bad,
         };
         let reason = if mark.reason.is_empty() { String::new() } else { format!(": {}", mark.reason) };
         table.add_row([
-            cell(&record.id, Tone::Plain),
-            cell(line, Tone::Faint),
-            cell(range(mark.lre), Tone::Plain),
-            cell(range(mark.excess_loss), Tone::Plain),
-            cell(size(record.total_condition()), Tone::Faint),
-            cell(mark.claim.name(), Tone::Plain),
-            cell(record.difficulty, Tone::Faint),
+            cell(&record.id, CellStyle::Plain),
+            cell(line, CellStyle::Faint),
+            cell(range(mark.lre), CellStyle::Plain),
+            cell(range(mark.excess_loss), CellStyle::Plain),
+            cell(size(record.total_condition()), CellStyle::Faint),
+            cell(mark.claim.name(), CellStyle::Plain),
+            cell(record.difficulty, CellStyle::Faint),
             cell(format!("{}{reason}", mark.verdict.name()), tone),
         ]);
     }

@@ -8,7 +8,7 @@ use mdr_reference::{Filter, Record, Table, TableFormat};
 use crate::error::{Failure, Result};
 use crate::files;
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, render_whole, table, text_table};
+use crate::table::{CellStyle, cell, render, render_whole, table, text_table};
 
 /// List or export certified reference values, for the tests of other programs.
 #[derive(Debug, Args)]
@@ -165,8 +165,8 @@ fn export_table(file: &Path, table: &Table, out: &mut Output<impl std::io::Write
 fn tables() -> String {
     let mut list = table(&["table", "rows", "what it holds"]);
     for known in Table::NAMES.into_iter().filter_map(Table::named) {
-        let rows = cell(known.rows().count(), Tone::Plain);
-        list.add_row([cell(known.name, Tone::Strong), rows, cell(known.title, Tone::Faint)]);
+        let rows = cell(known.rows().count(), CellStyle::Plain);
+        list.add_row([cell(known.name, CellStyle::Strong), rows, cell(known.title, CellStyle::Faint)]);
     }
     format!("{}\n\nTo copy one: mdr reference --table jkr-sphere --export jkr_sphere.h", render(&list))
 }
@@ -201,9 +201,9 @@ fn families(all: &[&Record]) -> String {
     }
     let mut table = table(&["family", "records", "lower", "average", "higher", "for example"]);
     for (family, example, counts) in &families {
-        let numbers = counts.iter().map(|count| cell(count, Tone::Plain));
-        let row = std::iter::once(cell(family, Tone::Strong)).chain(numbers);
-        table.add_row(row.chain([cell(&example.id, Tone::Faint)]));
+        let numbers = counts.iter().map(|count| cell(count, CellStyle::Plain));
+        let row = std::iter::once(cell(family, CellStyle::Strong)).chain(numbers);
+        table.add_row(row.chain([cell(&example.id, CellStyle::Faint)]));
     }
     format!(
         "{}\n\n{} records of 50 certified digits, by difficulty. List some: mdr reference --filter \"id~jkr-unit\"",
@@ -220,12 +220,12 @@ fn for_reader(chosen: &[&Record]) -> String {
     for record in chosen {
         let condition = if record.condition.is_empty() { String::new() } else { size(record.total_condition()) };
         table.add_row([
-            cell(&record.id, Tone::Plain),
-            cell(shortened(record), Tone::Strong),
-            cell(&record.unit, Tone::Faint),
-            cell(record.status, Tone::Plain),
-            cell(condition, Tone::Faint),
-            cell(record.difficulty, Tone::Plain),
+            cell(&record.id, CellStyle::Plain),
+            cell(shortened(record), CellStyle::Strong),
+            cell(&record.unit, CellStyle::Faint),
+            cell(record.status, CellStyle::Plain),
+            cell(condition, CellStyle::Faint),
+            cell(record.difficulty, CellStyle::Plain),
         ]);
     }
     format!("{}\n\n{} of {} records", render_whole(&table), chosen.len(), mdr_reference::records().len())

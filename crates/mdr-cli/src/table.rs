@@ -7,7 +7,7 @@ use comfy_table::{Attribute, Cell, Color, ContentArrangement, Row, Table};
 
 /// How a cell is set off on a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Tone {
+pub(crate) enum CellStyle {
     Plain,
     Strong,
     Faint,
@@ -16,14 +16,14 @@ pub(crate) enum Tone {
 }
 
 /// A cell with a tone.
-pub(crate) fn cell(content: impl ToString, tone: Tone) -> Cell {
+pub(crate) fn cell(content: impl ToString, tone: CellStyle) -> Cell {
     let cell = Cell::new(content);
     match tone {
-        Tone::Plain => cell,
-        Tone::Strong => cell.add_attribute(Attribute::Bold),
-        Tone::Faint => cell.fg(Color::DarkGrey),
-        Tone::Good => cell.fg(Color::Green),
-        Tone::Bad => cell.fg(Color::Red).add_attribute(Attribute::Bold),
+        CellStyle::Plain => cell,
+        CellStyle::Strong => cell.add_attribute(Attribute::Bold),
+        CellStyle::Faint => cell.fg(Color::DarkGrey),
+        CellStyle::Good => cell.fg(Color::Green),
+        CellStyle::Bad => cell.fg(Color::Red).add_attribute(Attribute::Bold),
     }
 }
 
@@ -31,7 +31,7 @@ pub(crate) fn cell(content: impl ToString, tone: Tone) -> Cell {
 /// columns of text elsewhere.
 pub(crate) fn table(header: &[impl std::fmt::Display]) -> Table {
     let mut table = Table::new();
-    table.set_header(header.iter().map(|title| cell(title, Tone::Strong)));
+    table.set_header(header.iter().map(|title| cell(title, CellStyle::Strong)));
     if !std::io::stdout().is_terminal() {
         table.load_style(NOTHING).force_no_tty();
         return table;

@@ -5,7 +5,7 @@ use mdr::answer::{FlatCell, NumberStyle, title};
 use mdr::prelude::Status;
 
 use crate::solve::render::tone;
-use crate::table::{Tone, cell, render, table};
+use crate::table::{CellStyle, cell, render, table};
 
 /// A table of its numbers, and what they mean in a sentence.
 pub(crate) fn text(validity: &Validity, style: &NumberStyle) -> String {
@@ -13,7 +13,10 @@ pub(crate) fn text(validity: &Validity, style: &NumberStyle) -> String {
     for (key, value) in &validity.table() {
         if *value != FlatCell::Empty && *value != FlatCell::Status(Status::Ok) {
             let (name, unit) = title(key, None);
-            table.add_row([cell(style.titled(name, unit), Tone::Plain), cell(style.cell(value, unit), tone(value))]);
+            table.add_row([
+                cell(style.titled(name, unit), CellStyle::Plain),
+                cell(style.cell(value, unit), tone(value)),
+            ]);
         }
     }
     let why = validity.row().why().map_or_else(String::new, |why| format!("\n\nNot known: {why}."));

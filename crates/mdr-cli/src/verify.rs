@@ -9,7 +9,7 @@ use mdr_crosscheck::{Finding, Level, Options, Report, Row, Shard, Verdict};
 use crate::error::{Failure, Result};
 use crate::flags::{Flag, nearest};
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, table};
+use crate::table::{CellStyle, cell, render, table};
 use crate::{files, progress};
 
 /// Verify the theory: closed forms against an independent numerical computation, over a grid of cases.
@@ -130,18 +130,18 @@ fn for_reader(report: &Report) -> String {
     for row in &report.rows {
         let [error, allowed, case] = row.decisive().map(Finding::in_short).unwrap_or_default();
         let tone = match row.verdict {
-            Verdict::Pass => Tone::Good,
-            Verdict::Fail => Tone::Bad,
-            Verdict::Skipped => Tone::Faint,
+            Verdict::Pass => CellStyle::Good,
+            Verdict::Fail => CellStyle::Bad,
+            Verdict::Skipped => CellStyle::Faint,
         };
         table.add_row([
-            cell(&row.check, Tone::Plain),
-            cell(row.cases, Tone::Plain),
-            cell(error, Tone::Plain),
-            cell(allowed, Tone::Plain),
-            cell(row.unit, Tone::Faint),
+            cell(&row.check, CellStyle::Plain),
+            cell(row.cases, CellStyle::Plain),
+            cell(error, CellStyle::Plain),
+            cell(allowed, CellStyle::Plain),
+            cell(row.unit, CellStyle::Faint),
             cell(row.verdict, tone),
-            cell(case, Tone::Faint),
+            cell(case, CellStyle::Faint),
         ]);
     }
     // The name of a check stays in one piece, to be copied.

@@ -18,7 +18,7 @@
 //!
 //! | task | module |
 //! |---|---|
-//! | compute in `f64`, arbitrary precision, enclosures, derivatives | [`number`]: [`Real`](number::Real), [`Dual`](number::Dual), [`Wide`](number::Wide), `Interval` |
+//! | compute in `f64`, arbitrary precision, enclosures, derivatives | [`number`]: [`Real`](number::Real), [`Dual`](number::Dual), [`Extended`](number::Extended), `Interval` |
 //! | read exact decimals and fractions | [`number`]: [`Literal`](number::Literal), [`Exact`](number::Exact) |
 //! | prove decimal digits | `number::certify` |
 //! | integrate | [`calculus::quadrature`], [`calculus::gauss_jacobi`] |
@@ -29,7 +29,7 @@
 //!
 //! # Features
 //! `mp` (default): `rug::Float`, `Interval`, `certify` and `verify`, which build GMP and MPFR. Without it the crate is
-//! pure Rust and offers `f64`, [`Wide`](number::Wide) and their duals.
+//! pure Rust and offers `f64`, [`Extended`](number::Extended) and their duals.
 //!
 //! # Accuracy and errors
 //! Elementary functions of `f64` are within 1 ulp, of `rug::Float` correctly rounded; an `Interval` contains the exact

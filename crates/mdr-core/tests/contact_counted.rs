@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use mdr_core::contact::{CountedTransform, Error, Evaluations, Kink, Quantity, Result, Tally, Transform};
+use mdr_core::contact::{CountingTransform, Error, EvaluationCounter, Evaluations, Kink, Quantity, Result, Transform};
 
 /// Returns a different value from every method, none of them the default of the trait.
 struct Peculiar;
@@ -41,7 +41,7 @@ impl Transform<f64> for Peculiar {
         Some(6.0)
     }
 
-    fn wall(&self) -> bool {
+    fn vertical_edge(&self) -> bool {
         true
     }
 
@@ -60,8 +60,8 @@ impl Transform<f64> for Peculiar {
 
 #[test]
 fn every_question_is_passed_on_and_counted_once() {
-    let tally = Arc::new(Tally::default());
-    let counted = CountedTransform::new(Box::new(Peculiar), &tally);
+    let tally = Arc::new(EvaluationCounter::default());
+    let counted = CountingTransform::new(Box::new(Peculiar), &tally);
     let spent = |work: &dyn Fn() -> Result<f64>| {
         let before = counted.evaluations();
         (work().unwrap(), counted.evaluations() - before)
@@ -76,7 +76,7 @@ fn every_question_is_passed_on_and_counted_once() {
     assert_eq!(spent(&|| counted.above_mean(&10.0)), (15.0, integral));
     assert_eq!(spent(&|| counted.g_within(&10.0, &0.5)), (10.5, g));
     assert_eq!(spent(&|| counted.mean_within(&10.0, &0.5)), (9.5, integral));
-    assert_eq!((counted.outer_radius(), counted.wall(), counted.kinks()), (Some(6.0), true, vec![7.0]));
+    assert_eq!((counted.outer_radius(), counted.vertical_edge(), counted.kinks()), (Some(6.0), true, vec![7.0]));
     assert!(counted.rises());
     let expected = Peculiar.kink(2, &0.5).unwrap_err().to_string();
     assert_eq!(counted.kink(2, &0.5).unwrap_err().to_string(), expected);
@@ -87,7 +87,7 @@ fn every_question_is_passed_on_and_counted_once() {
 #[test]
 fn a_stop_ends_every_evaluation() {
     let stop = Arc::new(AtomicBool::new(false));
-    let counted = CountedTransform::new(Box::new(Peculiar), &Arc::new(Tally::until(&stop)));
+    let counted = CountingTransform::new(Box::new(Peculiar), &Arc::new(EvaluationCounter::until(&stop)));
     assert!(counted.g(&1.0).is_ok());
     stop.store(true, Ordering::Relaxed);
     assert_eq!((counted.g(&1.0), counted.mean(&1.0)), (Err(Error::Stopped), Err(Error::Stopped)));
@@ -96,8 +96,8 @@ fn a_stop_ends_every_evaluation() {
 
 #[test]
 fn a_count_can_be_shared() {
-    let tally = Arc::new(Tally::default());
-    let [one, other] = [(); 2].map(|()| CountedTransform::new(Box::new(Peculiar), &tally));
+    let tally = Arc::new(EvaluationCounter::default());
+    let [one, other] = [(); 2].map(|()| CountingTransform::new(Box::new(Peculiar), &tally));
     assert!(one.g(&1.0).is_ok() && other.g(&1.0).is_ok());
     assert_eq!((one.evaluations().g, other.evaluations().g), (2, 2));
 }

@@ -2,7 +2,7 @@
 
 #![cfg(feature = "mp")]
 
-use mdr_core::number::{Counted, Precision};
+use mdr_core::number::{Precision, RoundingCount};
 use rug::float::exp_min;
 use rug::ops::Pow;
 use rug::{Float, Rational};
@@ -26,7 +26,7 @@ fn powers_and_roots_are_enclosed_and_tight() {
                 (1000, 999),
                 (0, 3),
             ] {
-                let power = |bits| Counted::new(Float::with_val(bits, &x), 1).power(p, q);
+                let power = |bits| RoundingCount::new(Float::with_val(bits, &x), 1).power(p, q);
                 let found = power(bits + 24).enclosure(Precision::new(bits));
                 // MPFR's power at more than twice the precision.
                 let wide = Float::with_val(2 * bits + 100, &x);
@@ -44,8 +44,8 @@ fn means_are_enclosed_and_tight() {
         for (x, y) in [(1, 2), (1, 1), (3, 1), (1_000_000_007, 1_000_000_009), (1, i64::MAX), (355, 113)] {
             for shift in [0, 7, -100_000_000] {
                 let number = |value, bits| Float::with_val(bits, value);
-                let [a, b] = [x, y].map(|value| Counted::new(number(value, bits + 24), 1));
-                let b = Counted::new(b.value().clone() << shift, 1);
+                let [a, b] = [x, y].map(|value| RoundingCount::new(number(value, bits + 24), 1));
+                let b = RoundingCount::new(b.value().clone() << shift, 1);
                 let found = a.agm(&b).enclosure(Precision::new(bits));
                 // MPFR's mean at more than twice the precision.
                 let exact = number(x, 2 * bits + 100).agm(&(number(y, 2 * bits + 100) << shift));
@@ -59,25 +59,25 @@ fn means_are_enclosed_and_tight() {
 #[test]
 fn the_count_is_in_the_enclosure() {
     let precision = Precision::new(100);
-    let number = |roundings| Counted::new(Float::with_val(100, 3), roundings);
+    let number = |roundings| RoundingCount::new(Float::with_val(100, 3), roundings);
     let width = |roundings| number(roundings).enclosure(precision).radius() >> 1_u32;
     // (1+u)^1000 − 1 is more than 999 u.
     assert!(width(1000) * 2u32 > Float::with_val(100, 3 * 999) >> 100);
     assert!(number(u64::MAX).enclosure(precision).is_entire());
     assert!(!number(1 << 61).enclosure(Precision::new(10)).is_entire());
-    assert!(Counted::new(Float::with_val(20, 3), 1 << 20).enclosure(precision).is_entire());
+    assert!(RoundingCount::new(Float::with_val(20, 3), 1 << 20).enclosure(precision).is_entire());
     assert!(number(1).times(&number(2)).over(&number(3)).roundings() == 8);
 }
 
 #[test]
 fn beyond_the_exponents_nothing_is_known() {
-    let huge = Counted::new(Float::with_val(60, 1) << (i32::MAX / 2), 0);
-    let tiny = Counted::new(Float::with_val(60, 1) >> (i32::MAX / 2), 0);
+    let huge = RoundingCount::new(Float::with_val(60, 1) << (i32::MAX / 2), 0);
+    let tiny = RoundingCount::new(Float::with_val(60, 1) >> (i32::MAX / 2), 0);
     assert!(tiny.clone().plus(&tiny).agm(&tiny).enclosure(Precision::new(50)).is_entire());
-    assert!(huge.clone().agm(&Counted::new(Float::with_val(60, 0), 0)).enclosure(Precision::new(50)).is_entire());
+    assert!(huge.clone().agm(&RoundingCount::new(Float::with_val(60, 0), 0)).enclosure(Precision::new(50)).is_entire());
     assert!(huge.clone().power(100, 1).enclosure(Precision::new(50)).is_entire());
     assert!(huge.power(-100, 3).enclosure(Precision::new(50)).is_entire());
-    let one = || Counted::new(Float::with_val(60, 1), 1);
+    let one = || RoundingCount::new(Float::with_val(60, 1), 1);
     for (p, q) in [(1, u32::MAX), (i32::MIN, 3), (-1, 1001), (1001, 3)] {
         assert!(one().power(p, q).enclosure(Precision::new(50)).is_entire());
     }
@@ -87,7 +87,7 @@ fn beyond_the_exponents_nothing_is_known() {
 #[test]
 fn what_is_unknown_stays_unknown() {
     let precision = Precision::new(100);
-    let number = |value: Float, roundings| Counted::new(value, roundings);
+    let number = |value: Float, roundings| RoundingCount::new(value, roundings);
     let three = || Float::with_val(100, 3);
     let least = Float::with_val(100, 1) << exp_min();
     let unknown = [

@@ -112,7 +112,7 @@ fn not_an_interval_is_the_entire_line() {
     assert!(interval(f64::INFINITY, f64::INFINITY).is_entire());
     assert!(Interval::from_f64(Precision::new(BITS), f64::NAN).is_entire());
     assert!(Interval::from_f64(Precision::new(BITS), f64::INFINITY).is_entire());
-    assert!(entire().mid().is_nan() && entire().steer().is_entire());
+    assert!(entire().mid().is_nan() && entire().midpoint().is_entire());
 }
 
 /// Overflow and underflow keep the bound on one side.

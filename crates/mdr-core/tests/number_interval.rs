@@ -223,8 +223,8 @@ proptest! {
             let claimed = x.accuracy_bits() as f64;
             prop_assert!(claimed <= exact && exact <= claimed + 3.0, "{claimed} of {exact}");
         }
-        let steer = x.steer();
-        prop_assert!(steer.is_point() && x.contains(steer.lower()));
+        let midpoint = x.midpoint();
+        prop_assert!(midpoint.is_point() && x.contains(midpoint.lower()));
     }
 
     /// The entire line contains every value but is never tight, so the tests above can fail.

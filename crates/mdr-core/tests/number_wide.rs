@@ -3,7 +3,7 @@
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use mdr_core::number::{Literal, Real, Wide};
+use mdr_core::number::{Extended, Literal, Real};
 use quickcheck::{Arbitrary, Gen, quickcheck};
 use rug::Float;
 use rug::ops::Pow;
@@ -22,23 +22,23 @@ fn error_limit<const N: usize>() -> f64 {
     2f64.powi(64 * N as i32 - 3)
 }
 
-fn is_around_zero<const N: usize>(x: &Wide<N>) -> bool {
+fn is_around_zero<const N: usize>(x: &Extended<N>) -> bool {
     x.error() == f64::INFINITY
 }
 
 /// The stored value.
-fn stored<const N: usize>(x: &Wide<N>) -> Float {
+fn stored<const N: usize>(x: &Extended<N>) -> Float {
     let mut value = float(0.0);
     for (i, &limb) in x.limbs().iter().enumerate() {
         value += Float::with_val(BITS, limb) << (64 * i as u32);
     }
     value >>= 64 * N as u32;
     value *= Float::with_val(BITS, 2).pow(x.exponent());
-    if *x < Wide::from(0.0) { -value } else { value }
+    if *x < Extended::from(0.0) { -value } else { value }
 }
 
 /// |true − stored| in units of 2^(−64N)|stored|.
-fn units<const N: usize>(x: &Wide<N>, truth: &Float) -> f64 {
+fn units<const N: usize>(x: &Extended<N>, truth: &Float) -> f64 {
     let value = stored(x);
     if value == *truth {
         return 0.0;
@@ -48,7 +48,7 @@ fn units<const N: usize>(x: &Wide<N>, truth: &Float) -> f64 {
 
 /// The true value is contained, and the bound is at most `tight`.
 #[track_caller]
-fn check<const N: usize>(x: &Wide<N>, truth: &Float, tight: f64) {
+fn check<const N: usize>(x: &Extended<N>, truth: &Float, tight: f64) {
     assert!(x.is_finite(), "nothing known instead of {truth}");
     if is_around_zero(x) {
         assert!(truth.clone().abs() <= Float::with_val(BITS, 2).pow(x.exponent()), "{truth} is not around zero");
@@ -84,8 +84,8 @@ impl Arbitrary for Sample {
 }
 
 /// An inexact number and a true value at the limit of its error.
-fn uncertain<const N: usize>(sample: Sample, error: u16) -> (Wide<N>, Float) {
-    let x = Wide::<N>::from(sample.0).widened(f64::from(error));
+fn uncertain<const N: usize>(sample: Sample, error: u16) -> (Extended<N>, Float) {
+    let x = Extended::<N>::from(sample.0).widened(f64::from(error));
     let shift = Float::with_val(BITS, error) >> (64 * N as u32);
     (x, float(sample.0) * (1 + shift))
 }
@@ -131,14 +131,14 @@ quickcheck! {
 
     fn rounding_to_nearest(a: Sample, b: Sample, scale: i16) -> bool {
         // A quotient of doubles, scaled over and beyond the range of f64: MPFR rounds it the same way.
-        let x = (Wide::<2>::from(a.0) / Wide::from(b.0)).scaled(i64::from(scale % 1200));
+        let x = (Extended::<2>::from(a.0) / Extended::from(b.0)).scaled(i64::from(scale % 1200));
         let truth = Float::with_val(BITS, a.0) / b.0 * Float::with_val(BITS, 2).pow(scale % 1200);
         x.nearest_f64() == Some(truth.to_f64())
     }
 }
 
 fn elementary<const N: usize>(a: f64, b: f64, tight: f64) {
-    let x = Wide::<N>::from(a);
+    let x = Extended::<N>::from(a);
     let truth = float(a);
     let ln = truth.clone().ln();
     // An absolute error of one unit is a relative one of 1/|ln x|, but near 1 the logarithm is relatively accurate.
@@ -149,13 +149,13 @@ fn elementary<const N: usize>(a: f64, b: f64, tight: f64) {
     check(&x.ln_1p(), &ln_1p, 2.0 * tight + 4.0 * tight * absolute);
     let small = a.clamp(1e-200, 700.0);
     for argument in [small, -small] {
-        let (x, truth) = (Wide::<N>::from(argument), float(argument));
+        let (x, truth) = (Extended::<N>::from(argument), float(argument));
         check(&x.exp(), &truth.clone().exp(), 8.0 * tight * small.max(1.0));
         // e^x − 1 loses at most four bits at |x| = 1/16.
         check(&x.exp_m1(), &truth.exp_m1(), 256.0 * tight * small.max(1.0));
     }
     let exponent = b.clamp(1e-3, 1e3) * if a.to_bits() & 1 == 0 { 1.0 } else { -1.0 };
-    let power = x.pow(&Wide::from(exponent));
+    let power = x.pow(&Extended::from(exponent));
     let truth = truth.pow(float(exponent));
     let logarithm = (ln.to_f64() * exponent).abs();
     check(&power, &truth, (4.0 + logarithm + exponent.abs()) * 8.0 * tight);
@@ -163,11 +163,11 @@ fn elementary<const N: usize>(a: f64, b: f64, tight: f64) {
 
 #[test]
 fn exact_results_are_exact() {
-    fn exact<const N: usize>(x: Wide<N>, value: f64) {
+    fn exact<const N: usize>(x: Extended<N>, value: f64) {
         assert_eq!((x.error(), x.nearest_f64()), (0.0, Some(value)));
     }
     fn run<const N: usize>() {
-        let w = |value: f64| Wide::<N>::from(value);
+        let w = |value: f64| Extended::<N>::from(value);
         exact(w(16.0).pow(&w(1.5)), 64.0);
         exact(w(16.0).pow(&w(-0.25)), 0.5);
         exact(w(81.0 * 2f64.powi(-8)).pow(&w(1.75)), 2187.0 * 2f64.powi(-14));
@@ -194,7 +194,7 @@ fn exact_results_are_exact() {
 
 #[test]
 fn outside_the_domain_nothing_is_known() {
-    let w = |value: f64| Wide::<1>::from(value);
+    let w = |value: f64| Extended::<1>::from(value);
     for x in
         [w(-1.0).sqrt(), w(-1.0).ln(), w(0.0).ln(), w(1.0) / w(0.0), w(-2.0).pow(&w(0.3)), w(f64::NAN), w(1e300).exp()]
     {
@@ -205,7 +205,7 @@ fn outside_the_domain_nothing_is_known() {
 
 #[test]
 fn edges_of_the_range_of_f64() {
-    let w = |value: f64| Wide::<2>::from(value);
+    let w = |value: f64| Extended::<2>::from(value);
     let least = f64::from_bits(1);
     assert_eq!(w(least).over(2).nearest_f64(), Some(0.0), "a tie goes to even");
     assert_eq!((w(least).times(3).over(4)).nearest_f64(), Some(least));
@@ -216,7 +216,7 @@ fn edges_of_the_range_of_f64() {
     let beyond = w(10.0).powi(100_000);
     assert!((beyond.log10() - 1e5).abs() < 1e-9);
     // A bound wider than the guarantee gives no result.
-    assert_eq!(Wide::<1>::from(1.5).widened(4096.0).nearest_f64(), None);
+    assert_eq!(Extended::<1>::from(1.5).widened(4096.0).nearest_f64(), None);
 }
 
 #[test]
@@ -224,7 +224,7 @@ fn literals_are_enclosed() {
     for text in ["0.3", "-2/7", "1.25e-40", "1e300", "5"] {
         let literal: Literal = text.parse().unwrap();
         let truth = Float::with_val(BITS, literal.to_rational());
-        check(&Wide::<1>::from_literal((), &literal), &truth, 4096.0);
-        check(&Wide::<4>::from_literal((), &literal), &truth, 4096.0);
+        check(&Extended::<1>::from_literal((), &literal), &truth, 4096.0);
+        check(&Extended::<4>::from_literal((), &literal), &truth, 4096.0);
     }
 }

@@ -10,12 +10,12 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use mdr_analytic::double::grid::Path;
-use mdr_analytic::double::{self, Branches as Found, Inverse, Side};
+use mdr_analytic::double::{self, BranchSlices, Inverse, InverseBatch as Found};
 use mdr_analytic::{Contact, PowerLaw};
 use mdr_core::contact::{Control, Error, Material, Quantity, Status};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
 
 const VALUES: usize = 64;
 const PASSES: usize = 300;
@@ -34,8 +34,8 @@ fn at_once<'a>(inverse: &Inverse, path: Path) -> Route<'a> {
     let count = move |depths: &[f64]| {
         let ([mut a0, mut f0, mut a1, mut f1], mut status) = ([[0.0; VALUES]; 4], [Status::Ok; VALUES]);
         let mut found = Found {
-            smaller: Side { contact_radius: &mut a0, uncontrolled: &mut f0 },
-            larger: Side { contact_radius: &mut a1, uncontrolled: &mut f1 },
+            smaller: BranchSlices { contact_radius: &mut a0, uncontrolled: &mut f0 },
+            larger: BranchSlices { contact_radius: &mut a1, uncontrolled: &mut f1 },
             status: &mut status,
         };
         let tally = inverse.branches(black_box(depths), &mut found);
@@ -53,7 +53,7 @@ fn main() -> Result<(), Error> {
         let at_fold = double::critical(n, c, &material, &control)?.indentation.value(Quantity::Indentation)?;
         let ready = Inverse::new(n, c, &material, &control)?;
         let contact = Contact::new(PowerLaw::new(n, c)?, material.clone());
-        let branches = Branches::new(Curve::new(contact.profile(), &material, &control))?;
+        let branches = SearchedBranches::new(EquilibriumCurve::new(contact.profile(), &material, &control))?;
         let one_by_one = |path: Path| {
             let ready = ready.clone().with_instructions(path);
             each(&format!("Inverse::equilibria, {path}"), move |d| {

@@ -8,22 +8,22 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
-use mdr_core::contact::{Control, CountedTransform, Material};
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
+use mdr_core::contact::{Control, CountingTransform, Material};
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{self, Folds};
-use mdr_numeric::path::{EventKind, Ledger, Path, Start};
+use mdr_numeric::path::{EventKind, Path, PathEnergy, Start};
 use waves::{CASES, waves};
 
 /// What a task gives, and how many evaluations it took.
-fn during<T>(counted: &CountedTransform<f64>, task: impl FnOnce() -> T) -> (T, u64) {
+fn during<T>(counted: &CountingTransform<f64>, task: impl FnOnce() -> T) -> (T, u64) {
     let before = counted.evaluations();
     let result = task();
     (result, (counted.evaluations() - before).total())
 }
 
 /// From d = 0 down until the surfaces are apart.
-fn pull(branches: &Branches<'_, f64>) -> Path<f64> {
+fn pull(branches: &SearchedBranches<'_, f64>) -> Path<f64> {
     Path::follow(branches, &Start::Largest, &[0.0, -1.0]).expect("a path")
 }
 
@@ -34,15 +34,15 @@ fn paths(criterion: &mut Criterion) {
     let (material, control) = (Material::new(1.0, 1e-4).expect("a material"), Control::Indentation);
     for (count, proved) in CASES {
         let profile = Box::new(waves((), count).expect("a profile"));
-        let counted = CountedTransform::new(profile, &Default::default());
-        let curve = Curve::new(&counted, &material, &control);
+        let counted = CountingTransform::new(profile, &Default::default());
+        let curve = EquilibriumCurve::new(&counted, &material, &control);
         let search = || -> Folds<f64> { folds::find(&curve).expect("folds") };
         let (found, searching) = during(&counted, search);
         let folds = found.folds.len();
         println!("{folds} folds found of {proved} that were proved, {:?}", found.completeness);
-        let branches = Branches::cut_at(curve, found);
+        let branches = SearchedBranches::cut_at(curve, found);
         let (path, following) = during(&counted, || pull(&branches));
-        let (ledger, accounting) = during(&counted, || Ledger::new(&path, &branches));
+        let (ledger, accounting) = during(&counted, || PathEnergy::new(&path, &branches));
         let jumps = path.events.iter().filter(|event| event.kind == EventKind::Jump).count();
         assert!(path.events.iter().any(|event| event.kind == EventKind::Detached) && ledger.is_ok());
         for (task, evaluations) in [("folds", searching), ("path", following), ("ledger", accounting)] {
@@ -54,7 +54,7 @@ fn paths(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("folds", folds), |bencher| bencher.iter(|| black_box(search())));
         group.bench_function(BenchmarkId::new("path", folds), |bencher| bencher.iter(|| pull(black_box(&branches))));
         group.bench_function(BenchmarkId::new("ledger", folds), |bencher| {
-            bencher.iter(|| Ledger::new(black_box(&path), &branches));
+            bencher.iter(|| PathEnergy::new(black_box(&path), &branches));
         });
     }
     group.finish();

@@ -9,7 +9,7 @@ use std::time::Duration;
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::{Dual, Interval, Precision, Real};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::proof::{EnclosedCurve, ProvedFolds};
 use rug::Float;
 use waves::{CASES, waves};
@@ -22,8 +22,8 @@ fn prove(count: u32) -> Result<ProvedFolds> {
     let material = Material::new(Interval::from_int(ctx, 1), Interval::from_int(ctx, 1).over(10_000))?;
     let lifted = |value: &Interval| Dual::constant(value.clone());
     let moving_material = Material::new(lifted(material.effective_modulus()), lifted(material.work_of_adhesion()))?;
-    let curve = Curve::new(&plain, &material, &Control::Indentation);
-    let moving = Curve::new(&moving, &moving_material, &Control::Indentation);
+    let curve = EquilibriumCurve::new(&plain, &material, &Control::Indentation);
+    let moving = EquilibriumCurve::new(&moving, &moving_material, &Control::Indentation);
     let ends = [1e-6, 1e3].map(|end| Float::with_val(BITS, end));
     EnclosedCurve::new(curve, moving).folds(&ends[0], &ends[1], 100_000_000)
 }

@@ -1,6 +1,6 @@
 //! The derivations hold, and the judge can say no.
 
-use mdr_crosscheck::derivations::{Document, Fate, Judgement, Mutants, Points, judge, judge_all};
+use mdr_crosscheck::derivations::{Document, Judgement, MutantVerdict, Mutants, Points, judge, judge_all};
 use mdr_symbolic::derivations::{Claim, Entry, Step};
 use mdr_symbolic::{Domain, Statement};
 
@@ -9,15 +9,23 @@ fn every_entry_holds() {
     let judgements = judge_all();
     let mutants: Mutants = judgements.iter().map(Judgement::mutants).sum();
     let count = |fate| mutants.count(fate);
-    assert_eq!(Fate::ALL.map(count).iter().sum::<usize>(), mutants.len());
-    assert!(count(Fate::NormalForm) > 1500 && count(Fate::Enclosure) > 100, "{:?}", Fate::ALL.map(count));
-    assert!(count(Fate::Meaningless) < 20 && count(Fate::Undecided) == 0, "{:?}", Fate::ALL.map(count));
+    assert_eq!(MutantVerdict::ALL.map(count).iter().sum::<usize>(), mutants.len());
+    assert!(
+        count(MutantVerdict::NormalForm) > 1500 && count(MutantVerdict::Enclosure) > 100,
+        "{:?}",
+        MutantVerdict::ALL.map(count)
+    );
+    assert!(
+        count(MutantVerdict::Meaningless) < 20 && count(MutantVerdict::Undecided) == 0,
+        "{:?}",
+        MutantVerdict::ALL.map(count)
+    );
     let latex = Document::All(&judgements).latex();
     assert_eq!(latex.matches('{').count(), latex.matches('}').count(), "{latex}");
     assert!(latex.chars().all(|c| (c as u32) < 0x180), "beyond Latin letters everything is TeX: {latex}");
     for judgement in judgements {
         for step in &judgement.steps {
-            let survivors: Vec<_> = step.mutants.with(Fate::Survives).map(|mutant| mutant.text()).collect();
+            let survivors: Vec<_> = step.mutants.with(MutantVerdict::Survives).map(|mutant| mutant.text()).collect();
             let judged = matches!(step.step.claim, Claim::Proved | Claim::Enclosed);
             assert_eq!(step.mutants.is_empty(), !judged, "{}: {:?}", judgement.entry.id, step.step.statement);
             assert!(
@@ -75,7 +83,7 @@ fn mutants_have_their_fates() {
     ];
     static ENTRY: Entry = entry(&STEPS);
     let judgement = judge(&ENTRY);
-    let fates = |i: usize| Fate::ALL.map(|fate| judgement.steps[i].mutants.count(fate));
+    let fates = |i: usize| MutantVerdict::ALL.map(|fate| judgement.steps[i].mutants.count(fate));
     let [_, _, _, _, surviving] = fates(0);
     assert!(surviving > 0, "0 times anything is 0: {:?}", fates(0));
     assert!(!judgement.steps[0].holds());
@@ -83,7 +91,7 @@ fn mutants_have_their_fates() {
     assert!(fates(2)[2] == 1, "n = 3 is a pole: {:?}", fates(2));
     assert!(fates(3)[1] > 0, "κ and the Gamma functions are related: {:?}", fates(3));
     assert_eq!(fates(4), [0, 1, 0, 0, 0]);
-    let undecided: Vec<_> = judgement.steps[5].mutants.with(Fate::Undecided).map(Statement::text).collect();
+    let undecided: Vec<_> = judgement.steps[5].mutants.with(MutantVerdict::Undecided).map(Statement::text).collect();
     let cancelling = ["∫₀^(π/2) 1/(−1 + sinθ) dθ = 1", "∫₀^(π/2) 1/(1 − sinθ) dθ = 1"];
     assert_eq!(undecided, cancelling, "{:?}", fates(5));
     for judged in &judgement.steps[1..] {
@@ -123,8 +131,8 @@ fn integrals_that_exist_for_some_exponents() {
     let judgement = judge(&ENTRY);
     let fates = |i: usize, fate| judgement.steps[i].mutants.with(fate).map(Statement::text).collect::<Vec<_>>();
     let negative = "∫₀^a x^(−n) dx = a^(n + 1)/(n + 1)".to_owned();
-    assert!(fates(0, Fate::Enclosure).contains(&negative), "{:?}", judgement.steps[0].mutants);
-    assert_eq!(fates(1, Fate::Meaningless), [negative]);
+    assert!(fates(0, MutantVerdict::Enclosure).contains(&negative), "{:?}", judgement.steps[0].mutants);
+    assert_eq!(fates(1, MutantVerdict::Meaningless), [negative]);
 }
 
 /// Each reason for which a mutant has no value at any point: an integral that diverges at either end, a root of a number that
@@ -140,9 +148,14 @@ fn mutants_without_a_value() {
     let judgement = judge(&ENTRY);
     let texts = |i: usize, fate| judgement.steps[i].mutants.with(fate).map(Statement::text).collect::<Vec<_>>();
     for (i, meaningless) in [2, 8, 2].into_iter().enumerate() {
-        assert_eq!(texts(i, Fate::Meaningless).len(), meaningless, "{:?}", texts(i, Fate::Meaningless));
-        assert!(texts(i, Fate::Enclosure).len() >= 2, "{:?}", judgement.steps[i].mutants);
-        assert!(texts(i, Fate::Undecided).is_empty(), "{:?}", texts(i, Fate::Undecided));
+        assert_eq!(
+            texts(i, MutantVerdict::Meaningless).len(),
+            meaningless,
+            "{:?}",
+            texts(i, MutantVerdict::Meaningless)
+        );
+        assert!(texts(i, MutantVerdict::Enclosure).len() >= 2, "{:?}", judgement.steps[i].mutants);
+        assert!(texts(i, MutantVerdict::Undecided).is_empty(), "{:?}", texts(i, MutantVerdict::Undecided));
         assert!(judgement.steps[i].holds(), "{:?}", judgement.steps[i].failure);
     }
 }

@@ -2,11 +2,11 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Outcome, Quantity, Result, Stability};
+use mdr_core::contact::{Control, Equilibrium, Error, Fold, FoldKind, Outcome, Quantity, Result, Stability};
 use mdr_core::number::Real;
 
 use crate::admissible::{Admissibility, Ring, Touch};
-use crate::curve::Curve;
+use crate::curve::EquilibriumCurve;
 
 /// The curve of equilibria cut at its folds. Between two folds the controlled quantity is monotone, so each branch
 /// contains at most one equilibrium at a value.
@@ -16,13 +16,13 @@ use crate::curve::Curve;
 /// a minimum up to the next maximum.
 ///
 /// In a rigorous arithmetic comparisons are partial. A decision that is not certain is [`Error::Undecided`].
-pub trait Branched<R: Real> {
+pub trait EquilibriumBranches<R: Real> {
     /// The controlled quantity.
     fn control(&self) -> &Control<R>;
 
     /// The folds, by increasing radius. A pole, where g diverges, is included as a fold with infinite indentation and
     /// force; no value lies beyond it.
-    fn folds(&self) -> &[Instability<R>];
+    fn folds(&self) -> &[Fold<R>];
 
     /// The equilibrium at `value` of the controlled quantity on a branch, its ends excluded. On the last branch of a
     /// profile with a [vertical edge](mdr_core::contact::Transform::wall) the contact edge may be at the vertical edge.
@@ -36,7 +36,7 @@ pub trait Branched<R: Real> {
     ///
     /// # Errors
     /// Those of the transform; [`Error::Undecided`].
-    fn compare(&self, value: &R, fold: &Instability<R>) -> Result<Ordering> {
+    fn compare(&self, value: &R, fold: &Fold<R>) -> Result<Ordering> {
         let at_fold = self.control().controlled(&fold.indentation, &fold.force);
         value.partial_cmp(&at_fold).ok_or_else(|| unordered(self.control(), value))
     }
@@ -45,7 +45,7 @@ pub trait Branched<R: Real> {
     ///
     /// # Errors
     /// Those of the transform; [`Error::Undecided`].
-    fn onset(&self) -> Result<Onset>;
+    fn onset(&self) -> Result<FirstContact>;
 
     /// The admissibility of states.
     fn admissibility(&self) -> &Admissibility<'_>;
@@ -81,7 +81,7 @@ pub trait Branched<R: Real> {
     /// [`Neutral`](mdr_core::contact::Stability::Neutral).
     ///
     /// # Errors
-    /// As [`Branched::on_branch`]; [`Error::Domain`] unless the value is finite.
+    /// As [`EquilibriumBranches::on_branch`]; [`Error::Domain`] unless the value is finite.
     fn equilibria(&self, value: &R) -> Result<Vec<Equilibrium<R>>> {
         self.control().check_value(value)?;
         let mut found = Vec::new();
@@ -106,25 +106,25 @@ pub trait Branched<R: Real> {
     /// the next one in the direction of change, smaller after a minimum, larger after a maximum.
     ///
     /// # Errors
-    /// As [`Branched::on_branch`].
-    fn landing(&self, fold: usize) -> Result<Option<(usize, Equilibrium<R>)>> {
+    /// As [`EquilibriumBranches::on_branch`].
+    fn after_jump(&self, fold: usize) -> Result<Option<(usize, Equilibrium<R>)>> {
         let Some(start) = self.folds().get(fold) else { return Ok(None) };
         let value = self.control().controlled(&start.indentation, &start.force);
         match start.kind {
-            FoldKind::Minimum => seek(self, &value, fold.checked_sub(1), Way::Smaller),
-            FoldKind::Maximum => seek(self, &value, Some(fold + 2), Way::Larger),
+            FoldKind::Minimum => next_stable(self, &value, fold.checked_sub(1), Towards::Smaller),
+            FoldKind::Maximum => next_stable(self, &value, Some(fold + 2), Towards::Larger),
         }
     }
 
-    /// The outcome at a fold when the controlled quantity passes it: the radius of the [equilibrium](Branched::landing)
+    /// The outcome at a fold when the controlled quantity passes it: the radius of the [equilibrium](EquilibriumBranches::after_jump)
     /// that is reached; if there is none, detachment after a minimum, complete contact after a maximum.
     ///
     /// # Errors
-    /// As [`Branched::on_branch`]; [`Error::Undecided`] after a maximum if the profile ends. An index that does not exist
+    /// As [`EquilibriumBranches::on_branch`]; [`Error::Undecided`] after a maximum if the profile ends. An index that does not exist
     /// gives [`Outcome::Detached`].
     fn outcome(&self, fold: usize) -> Result<Outcome<R>> {
         let kind = self.folds().get(fold).map(|fold| fold.kind);
-        Ok(match (self.landing(fold)?, kind) {
+        Ok(match (self.after_jump(fold)?, kind) {
             (Some((_, rest)), _) => Outcome::Jump { to: rest.contact_radius },
             (None, Some(FoldKind::Maximum)) if self.end()? == End::Open => Outcome::CompleteContact,
             (None, Some(FoldKind::Maximum)) => {
@@ -150,9 +150,9 @@ pub enum End<R> {
 ///
 /// # Errors
 /// Those of the transform.
-pub(crate) fn end<R: Real>(curve: &Curve<'_, R>) -> Result<End<R>> {
+pub(crate) fn end<R: Real>(curve: &EquilibriumCurve<'_, R>) -> Result<End<R>> {
     let Some(contact_radius) = curve.transform().outer_radius() else { return Ok(End::Open) };
-    if curve.wall().is_some() {
+    if curve.vertical_edge().is_some() {
         return Ok(End::Unknown);
     }
     match curve.state(&contact_radius) {
@@ -166,7 +166,7 @@ pub(crate) fn end<R: Real>(curve: &Curve<'_, R>) -> Result<End<R>> {
 
 /// How contact begins at a = d = F = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Onset {
+pub enum FirstContact {
     /// The controlled quantity increases with the radius: the contact grows continuously from a point.
     Smooth,
     /// The controlled quantity decreases: the surfaces jump into contact at first touch.
@@ -182,14 +182,14 @@ pub enum Onset {
 ///
 /// # Errors
 /// Those of the transform; [`Error::Undecided`] over enclosures that do not decide.
-pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> Result<Onset> {
+pub fn onset<R: Real>(curve: &EquilibriumCurve<'_, R>, first: Option<&Fold<R>>) -> Result<FirstContact> {
     let length = curve.material_length();
     let radius = first.map(|fold| fold.contact_radius.clone()).filter(|radius| *radius < length).unwrap_or(length);
-    let close = (radius.unit_roundoff() * &radius).steer();
+    let close = (radius.unit_roundoff() * &radius).midpoint();
     let undecided = |what| Error::undecided(Quantity::ContactRadius, &radius, what);
     let g = curve.transform().g(&close)?;
     if g < g.lit(0) {
-        return Ok(Onset::Dimple);
+        return Ok(FirstContact::Dimple);
     }
     if !(g >= g.lit(0)) {
         return Err(undecided("whether the profile has a dimple at its tip"));
@@ -201,7 +201,7 @@ pub fn onset<R: Real>(curve: &Curve<'_, R>, first: Option<&Instability<R>>) -> R
             None => return Err(undecided("whether contact grows smoothly from a point")),
         },
     };
-    Ok(if stable { Onset::Smooth } else { Onset::Abrupt })
+    Ok(if stable { FirstContact::Smooth } else { FirstContact::Abrupt })
 }
 
 /// The error for an equilibrium outside the searched range of contact radii.
@@ -218,7 +218,7 @@ pub fn unordered<R: Real>(control: &Control<R>, value: &R) -> Error {
 
 /// The direction of a search over radii.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Way {
+pub(crate) enum Towards {
     Smaller,
     Larger,
 }
@@ -227,16 +227,16 @@ pub(crate) enum Way {
 ///
 /// The caller ensures that the near end of each branch is on this side of the value; the equilibrium is on the branch
 /// unless the value lies beyond the far end.
-pub(crate) fn seek<R: Real, B: Branched<R> + ?Sized>(
+pub(crate) fn next_stable<R: Real, B: EquilibriumBranches<R> + ?Sized>(
     branches: &B,
     value: &R,
     mut next: Option<usize>,
-    way: Way,
+    way: Towards,
 ) -> Result<Option<(usize, Equilibrium<R>)>> {
     while let Some(branch) = next.filter(|branch| *branch <= branches.folds().len()) {
         let (far_end, within) = match way {
-            Way::Smaller => (branch.checked_sub(1), Ordering::Greater),
-            Way::Larger => (Some(branch), Ordering::Less),
+            Towards::Smaller => (branch.checked_sub(1), Ordering::Greater),
+            Towards::Larger => (Some(branch), Ordering::Less),
         };
         let holds = match far_end.and_then(|end| branches.folds().get(end)) {
             Some(end) => branches.compare(value, end)? == within,
@@ -246,8 +246,8 @@ pub(crate) fn seek<R: Real, B: Branched<R> + ?Sized>(
             return Ok(Some((branch, rest)));
         }
         next = match way {
-            Way::Smaller => branch.checked_sub(2),
-            Way::Larger => Some(branch + 2),
+            Towards::Smaller => branch.checked_sub(2),
+            Towards::Larger => Some(branch + 2),
         };
     }
     Ok(None)

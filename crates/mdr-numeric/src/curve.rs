@@ -8,16 +8,16 @@ use mdr_core::number::Real;
 /// Equilibria are points of this curve at a given value of the controlled quantity; folds are the extrema of that
 /// quantity along it.
 #[derive(Clone, Copy)]
-pub struct Curve<'a, R: Real> {
+pub struct EquilibriumCurve<'a, R: Real> {
     transform: &'a dyn Transform<R>,
     material: &'a Material<R>,
     control: &'a Control<R>,
 }
 
-impl<'a, R: Real> Curve<'a, R> {
+impl<'a, R: Real> EquilibriumCurve<'a, R> {
     /// The curve of a profile in contact, under the given control.
     pub fn new(transform: &'a dyn Transform<R>, material: &'a Material<R>, control: &'a Control<R>) -> Self {
-        Curve { transform, material, control }
+        EquilibriumCurve { transform, material, control }
     }
 
     /// The transformed profile.
@@ -26,8 +26,8 @@ impl<'a, R: Real> Curve<'a, R> {
     }
 
     /// The outer radius of a profile with a vertical edge there.
-    pub fn wall(&self) -> Option<R> {
-        self.transform.outer_radius().filter(|_| self.transform.wall())
+    pub fn vertical_edge(&self) -> Option<R> {
+        self.transform.outer_radius().filter(|_| self.transform.vertical_edge())
     }
 
     /// The controlled quantity.
@@ -132,8 +132,8 @@ impl<'a, R: Real> Curve<'a, R> {
     /// lengths it would lose log₁₀(2E*a/k) digits.
     ///
     /// # Errors
-    /// As [`Curve::state`].
-    pub(crate) fn state_held(&self, a: &R, value: &R) -> Result<(R, R)> {
+    /// As [`EquilibriumCurve::state`].
+    pub(crate) fn state_at(&self, a: &R, value: &R) -> Result<(R, R)> {
         match self.soft_spring(a) {
             Some(k) => {
                 let d = self.indentation(a)?;
@@ -155,8 +155,8 @@ impl<'a, R: Real> Curve<'a, R> {
     /// Indentation and force at radius `a` and a fixed `value` of the controlled quantity, equilibrium or not.
     ///
     /// # Errors
-    /// As [`Curve::state`].
-    pub(crate) fn held_state(&self, a: &R, value: &R) -> Result<(R, R)> {
+    /// As [`EquilibriumCurve::state`].
+    pub(crate) fn equilibrium_at(&self, a: &R, value: &R) -> Result<(R, R)> {
         let d = self.held_against(a, value, || self.transform.mean(a))?;
         let force = match (self.control, self.soft_spring(a)) {
             (Control::Force, _) => value.clone(),
@@ -205,7 +205,7 @@ impl<'a, R: Real> Curve<'a, R> {
         slope.times(2) / self.root(a)
     }
 
-    /// The value of the [tangency ratio](Curve::tangency) at which the controlled quantity is stationary.
+    /// The value of the [tangency ratio](EquilibriumCurve::tangency) at which the controlled quantity is stationary.
     ///
     /// With d' = g' − Δl' and, from (1.6) along the curve, F' = 2E*(a d' − Δl), the condition d' + F'/k = 0 reads
     /// g'/Δl' = (k + 6E*a)/(k + 2E*a): 1 for fixed grips (k → ∞), 3 for a dead load (k → 0). Equilibria are stable where

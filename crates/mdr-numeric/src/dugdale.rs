@@ -17,7 +17,7 @@ use mdr_core::calculus::roundoff_tolerance;
 use mdr_core::contact::{Error, Material, Quantity, Result};
 use mdr_core::number::{Special, order};
 
-use crate::curve::{Curve, negligible};
+use crate::curve::{EquilibriumCurve, negligible};
 use crate::fields::tolerance;
 
 /// The range of adhesion, for errors.
@@ -35,7 +35,7 @@ pub fn separation<R: Special>(range: &R) -> R {
 ///
 /// # Errors
 /// [`Error::Domain`] unless a and z₀ are positive and finite.
-pub fn tabor_number<R: Special>(curve: &Curve<'_, R>, a: &R, range: &R) -> Result<R> {
+pub fn tabor_number<R: Special>(curve: &EquilibriumCurve<'_, R>, a: &R, range: &R) -> Result<R> {
     let range = Error::require_positive(RANGE, range.clone())?;
     let constant = (a.pi().times(9).over(8).ln().over(3).exp() * a.pi()).times(2).sqrt();
     Ok(curve.detachment_elongation(a)? / range / constant)
@@ -45,12 +45,12 @@ pub fn tabor_number<R: Special>(curve: &Curve<'_, R>, a: &R, range: &R) -> Resul
 ///
 /// ```
 /// use mdr_core::contact::{Control, Material, Shape};
-/// use mdr_numeric::{curve::Curve, dugdale::{Dugdale, separation}, folds::folds};
+/// use mdr_numeric::{curve::EquilibriumCurve, dugdale::{Dugdale, separation}, folds::folds};
 /// use mdr_numeric::transform::Quadrature;
 /// // A ball of 10 nm with z₀ = 0.3 nm: its pull-off force is between 3/2 πwR (JKR) and 2πwR (DMT).
 /// let ball = Quadrature::of([Shape::Paraboloid { radius: 10e-9 }])?;
 /// let material = Material::new(5e9, 0.05)?;
-/// let contact = Dugdale::new(Curve::new(&ball, &material, &Control::Force), &separation(&0.3e-9))?;
+/// let contact = Dugdale::new(EquilibriumCurve::new(&ball, &material, &Control::Force), &separation(&0.3e-9))?;
 /// let jkr = folds(&ball, &material, &Control::Force)?[0].contact_radius;
 /// let pull_off = contact.pull_off(&[jkr])?.expect("it breaks");
 /// let share = -pull_off.force / (std::f64::consts::PI * 0.05 * 10e-9);
@@ -58,7 +58,7 @@ pub fn tabor_number<R: Special>(curve: &Curve<'_, R>, a: &R, range: &R) -> Resul
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
 pub struct Dugdale<'a, R: Special> {
-    curve: Curve<'a, R>,
+    curve: EquilibriumCurve<'a, R>,
     separation: R,
     /// s = 2σ₀/E*, without a unit.
     strength: R,
@@ -107,7 +107,7 @@ impl<'a, R: Special> Dugdale<'a, R> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless h₀ is positive and finite; [`Error::OutOfRange`] if w/(E*h₀) is not representable.
-    pub fn new(curve: Curve<'a, R>, separation: &R) -> Result<Self> {
+    pub fn new(curve: EquilibriumCurve<'a, R>, separation: &R) -> Result<Self> {
         let separation = Error::require_positive(RANGE, separation.clone())?;
         let strength = (curve.material_length() / &separation).times(2);
         if !(strength > strength.lit(0) && strength.is_finite()) {
@@ -156,7 +156,7 @@ impl<'a, R: Special> Dugdale<'a, R> {
     /// # Errors
     /// [`Error::NoConvergence`] where there is none nearby; as [`Dugdale::state`].
     pub fn pull_off_near(&self, radius: &R, bits: i64) -> Result<CohesiveState<R>> {
-        if let Some(state) = self.at_wall()?
+        if let Some(state) = self.at_vertical_edge()?
             && (state.contact_radius.clone() / radius - radius.lit(1)).abs() <= radius.lit(2).powi(-bits)
         {
             return Ok(state);
@@ -174,7 +174,7 @@ impl<'a, R: Special> Dugdale<'a, R> {
 
     /// The minima of the force, by decreasing contact radius.
     fn minima(&self, folds: &[R]) -> Result<Vec<CohesiveState<R>>> {
-        let mut minima: Vec<_> = self.at_wall()?.into_iter().collect();
+        let mut minima: Vec<_> = self.at_vertical_edge()?.into_iter().collect();
         let natural = self.separation.clone() / &self.strength;
         let top =
             folds.iter().cloned().reduce(|top, fold| top.greater(&fold)).unwrap_or_else(|| natural.clone().times(4));
@@ -231,8 +231,8 @@ impl<'a, R: Special> Dugdale<'a, R> {
 
     /// At a vertical edge of radius b: the ring can reach it and not beyond, so that the state with c = b is a minimum if the
     /// force falls with a growing contact up to there.
-    fn at_wall(&self) -> Result<Option<CohesiveState<R>>> {
-        let Some(wall) = self.curve.wall() else { return Ok(None) };
+    fn at_vertical_edge(&self) -> Result<Option<CohesiveState<R>>> {
+        let Some(wall) = self.curve.vertical_edge() else { return Ok(None) };
         let gap = |a: &R| self.excess_gap(&Ring::new(a, &(wall.clone() - a)));
         // A contact as wide as the edge has no ring, one far narrower has one that opens as far as it can.
         let narrow = wall.unit_roundoff() * &wall;
@@ -250,7 +250,7 @@ impl<'a, R: Special> Dugdale<'a, R> {
     fn ring(&self, a: &R, width: Option<&R>) -> Result<Ring<R>> {
         let transform = self.curve.transform();
         let gap = |width: &R| self.excess_gap(&Ring::new(a, width));
-        let limit = transform.outer_radius().map(|outer| (outer - a).steer());
+        let limit = transform.outer_radius().map(|outer| (outer - a).midpoint());
         if let Some(limit) = &limit {
             let open = *limit > a.lit(0) && gap(limit)? >= a.lit(0);
             if !open {

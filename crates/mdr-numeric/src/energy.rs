@@ -15,7 +15,7 @@ use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh_pieces, roundoff_toler
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
-use crate::curve::{Curve, in_range, negligible, relative_elongation};
+use crate::curve::{EquilibriumCurve, in_range, negligible, relative_elongation};
 use crate::survey::{self, Crossing, Range};
 use mean::Grade;
 
@@ -168,8 +168,8 @@ impl<'a, R: Real> Energy<'a, R> {
     }
 
     /// The force balance of the contact; methods of the curve that use the rule of Heß are not called.
-    fn balance<'b>(&'b self, control: &'b Control<R>) -> Curve<'b, R> {
-        Curve::new(self.transform, self.material, control)
+    fn balance<'b>(&'b self, control: &'b Control<R>) -> EquilibriumCurve<'b, R> {
+        EquilibriumCurve::new(self.transform, self.material, control)
     }
 
     /// The indentation that makes the energy stationary in d at radius `a`: ∂Π/∂d = 2E* ∫₀ᵃ (d − g) dx is F, or k(D − d).
@@ -189,7 +189,7 @@ impl<'a, R: Real> Energy<'a, R> {
     /// as Δl is small against d, which a search could miss.
     ///
     /// Crossings are located by `coarse` integrals, and then computed to full precision.
-    fn tension(&self, control: &Control<R>, value: &R, a: &R, coarse: bool) -> Result<R> {
+    fn edge_excess(&self, control: &Control<R>, value: &R, a: &R, coarse: bool) -> Result<R> {
         // Near a crossing d − g is of the magnitude of the unit, so a fraction of the unit bounds the error of both.
         let grade = |scale: R| if coarse { Grade::Coarse(scale) } else { Grade::Full };
         let d = self.indentation(control, value, a, &grade(self.unit(a)))?;
@@ -211,8 +211,8 @@ impl<'a, R: Real> Energy<'a, R> {
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
         control.check_value(value)?;
         let range = Range::whole(self.transform, self.length.clone());
-        let survey = survey::survey(&range, |a| self.tension(control, value, a, true))?;
-        let excess = |a: &R| Ok(self.tension(control, value, a, false)? - a.lit(1));
+        let survey = survey::survey(&range, |a| self.edge_excess(control, value, a, true))?;
+        let excess = |a: &R| Ok(self.edge_excess(control, value, a, false)? - a.lit(1));
         let mut found = Vec::new();
         for crossing in &survey.crossings {
             let Some(bracket) = bracket(crossing, excess)? else { continue };

@@ -10,26 +10,26 @@ use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Material, Result, Stability, Transform};
+use mdr_core::contact::{Control, Equilibrium, Error, Fold, FoldKind, Material, Result, Stability, Transform};
 use mdr_core::number::{Real, order};
 
 use crate::admissible::{self, Admissibility, Ring, Touch};
-use crate::branch::{Branched, End, Onset, Way, end, onset, unordered};
-use crate::curve::Curve;
-use crate::folds::{self, Completeness, Folds};
-use crate::{rim, survey};
+use crate::branch::{End, EquilibriumBranches, FirstContact, Towards, end, onset, unordered};
+use crate::curve::EquilibriumCurve;
+use crate::folds::{self, Folds, SearchQuality};
+use crate::{equator, survey};
 use ends::is_pole;
 
 /// The branches of a contact under one control: the curve of equilibria cut at its folds.
-pub struct Branches<'a, R: Real> {
-    curve: Curve<'a, R>,
+pub struct SearchedBranches<'a, R: Real> {
+    curve: EquilibriumCurve<'a, R>,
     /// Includes poles.
-    folds: Vec<Instability<R>>,
-    completeness: Completeness,
+    folds: Vec<Fold<R>>,
+    completeness: SearchQuality,
     /// The radii of the search, if it is limited.
     reach: Option<[R; 2]>,
     /// The outer radius where g diverges: a growing contact comes to equilibrium before it.
-    rim: Option<R>,
+    equator: Option<R>,
     admissibility: OnceLock<Arc<Admissibility<'a>>>,
 }
 
@@ -58,7 +58,7 @@ pub fn equilibria<R: Real>(
     control: &Control<R>,
     value: &R,
 ) -> Result<Equilibria<R>> {
-    Branches::new(Curve::new(transform, material, control))?.search(value)
+    SearchedBranches::new(EquilibriumCurve::new(transform, material, control))?.search(value)
 }
 
 /// The equilibria at one value, and the quality of the search.
@@ -66,9 +66,9 @@ pub fn equilibria<R: Real>(
 pub struct Equilibria<R> {
     /// By increasing radius.
     pub equilibria: Vec<Equilibrium<R>>,
-    /// [`Doubtful`](Completeness::Doubtful) if there may be more: on branches between folds that were not found, or at
+    /// [`Doubtful`](SearchQuality::Doubtful) if there may be more: on branches between folds that were not found, or at
     /// radii outside the searched range.
-    pub completeness: Completeness,
+    pub completeness: SearchQuality,
 }
 
 /// The equilibria that were found.
@@ -80,49 +80,49 @@ impl<R> Deref for Equilibria<R> {
     }
 }
 
-impl<'a, R: Real> Branches<'a, R> {
+impl<'a, R: Real> SearchedBranches<'a, R> {
     /// Finds the folds of the curve. Call it once for many values.
     ///
     /// # Errors
     /// As [`folds::folds`].
-    pub fn new(curve: Curve<'a, R>) -> Result<Self> {
+    pub fn new(curve: EquilibriumCurve<'a, R>) -> Result<Self> {
         let folds = folds::find(&curve)?;
-        match folds.beyond.first() {
+        match folds.out_of_range.first() {
             Some(fold) => Err(fold.error.clone()),
             None => Ok(Self::cut_at(curve, folds)),
         }
     }
 
     /// The curve cut at known folds: those of the same contact under the same control, all with a state.
-    pub fn cut_at(curve: Curve<'a, R>, folds: Folds<R>) -> Self {
+    pub fn cut_at(curve: EquilibriumCurve<'a, R>, folds: Folds<R>) -> Self {
         let Folds { mut folds, poles, completeness, .. } = folds;
         folds.extend(poles);
         folds.sort_by(|one, other| order(&one.contact_radius, &other.contact_radius));
-        let rim = curve.rim().unwrap_or_default();
-        Branches { curve, folds, completeness, reach: None, rim, admissibility: OnceLock::new() }
+        let equator = curve.equator().unwrap_or_default();
+        SearchedBranches { curve, folds, completeness, reach: None, equator, admissibility: OnceLock::new() }
     }
 
     /// The same with a known admissibility, which is otherwise searched when needed.
     pub fn with_admissibility(self, admissibility: Arc<Admissibility<'a>>) -> Self {
-        Branches { admissibility: OnceLock::from(admissibility), ..self }
+        SearchedBranches { admissibility: OnceLock::from(admissibility), ..self }
     }
 
     /// Restricts the search to these radii; by default it covers those searched for folds, up to 10^±455000 times w/E*.
     pub fn within(self, lower: R, upper: R) -> Self {
-        Branches { reach: Some([lower, upper]), ..self }
+        SearchedBranches { reach: Some([lower, upper]), ..self }
     }
 
     /// The curve.
-    pub fn curve(&self) -> &Curve<'a, R> {
+    pub fn curve(&self) -> &EquilibriumCurve<'a, R> {
         &self.curve
     }
 
     /// Whether there may be folds, and with them branches, that were not found.
-    pub fn completeness(&self) -> Completeness {
+    pub fn completeness(&self) -> SearchQuality {
         self.completeness
     }
 
-    /// All equilibria at `value`, as [`Branched::equilibria`], and whether there may be more.
+    /// All equilibria at `value`, as [`EquilibriumBranches::equilibria`], and whether there may be more.
     ///
     /// # Errors
     /// As [`equilibria`].
@@ -135,7 +135,7 @@ impl<'a, R: Real> Branches<'a, R> {
             [] => equilibria.is_empty() && (self.is_open_inwards(value)? || self.is_open_outwards(value)?),
             _ => !first && self.is_open_inwards(value)? || !last && self.is_open_outwards(value)?,
         };
-        let completeness = if hidden { Completeness::Doubtful } else { self.completeness };
+        let completeness = if hidden { SearchQuality::Doubtful } else { self.completeness };
         Ok(Equilibria { equilibria, completeness })
     }
 
@@ -144,7 +144,7 @@ impl<'a, R: Real> Branches<'a, R> {
     /// Up to some roundings beyond the fold it counts as equal. On the side of the two equilibria they are
     /// distinguished as soon as the roundings of d and Δl allow: taking both for the fold would cost their distance
     /// from it, which grows as the root of that of the value.
-    fn is_at(&self, fold: &Instability<R>, value: &R) -> bool {
+    fn is_at(&self, fold: &Fold<R>, value: &R) -> bool {
         if is_pole(fold) {
             return false;
         }
@@ -167,8 +167,8 @@ impl<'a, R: Real> Branches<'a, R> {
     }
 
     /// The state at a vertical edge, if the contact edge is there at `value`.
-    fn at_wall(&self, value: &R) -> Result<Option<Equilibrium<R>>> {
-        let Some(wall) = self.curve.wall() else { return Ok(None) };
+    fn at_vertical_edge(&self, value: &R) -> Result<Option<Equilibrium<R>>> {
+        let Some(wall) = self.curve.vertical_edge() else { return Ok(None) };
         let grows = match self.folds.last().filter(|fold| fold.contact_radius == wall) {
             Some(fold) => !self.is_at(fold, value) && self.curve.direction_at(&wall, value)? < value.lit(0),
             None => self.curve.direction_at(&wall, value)? < value.lit(0),
@@ -176,7 +176,7 @@ impl<'a, R: Real> Branches<'a, R> {
         if !grows {
             return Ok(None);
         }
-        let (indentation, force) = self.curve.held_state(&wall, value)?;
+        let (indentation, force) = self.curve.equilibrium_at(&wall, value)?;
         Ok(Some(Equilibrium { contact_radius: wall, indentation, force, stability: Stability::Stable }))
     }
 
@@ -194,26 +194,26 @@ impl<'a, R: Real> Branches<'a, R> {
         Ok(Some(change))
     }
 
-    fn change_between(&self, ends: [Option<&Instability<R>>; 2], value: &R) -> Result<Option<Change<R>>> {
+    fn change_between(&self, ends: [Option<&Fold<R>>; 2], value: &R) -> Result<Option<Change<R>>> {
         match ends.into() {
             (Some(below), Some(above)) => {
                 let signs = (self.beside(below, value)?, self.beside(above, value)?);
                 let (lower, upper) = (below.contact_radius.clone(), above.contact_radius.clone());
                 Ok((signs.0 != signs.1).then_some(Change { lower, upper, below: signs.0 }))
             }
-            (Some(fold), None) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Way::Larger, value),
-            (None, Some(fold)) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Way::Smaller, value),
+            (Some(fold), None) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Towards::Larger, value),
+            (None, Some(fold)) => self.walk(&fold.contact_radius, self.beside(fold, value)?, Towards::Smaller, value),
             (None, None) => {
                 let start = self.start();
                 let from = sign(&self.curve.direction_at(&start, value)?);
-                let down = self.walk(&start, from, Way::Smaller, value)?;
-                if down.is_some() { Ok(down) } else { self.walk(&start, from, Way::Larger, value) }
+                let down = self.walk(&start, from, Towards::Smaller, value)?;
+                if down.is_some() { Ok(down) } else { self.walk(&start, from, Towards::Larger, value) }
             }
         }
     }
 
     /// The direction of change on the branch beside a fold. At the value of the fold it is the same on both sides.
-    fn beside(&self, fold: &Instability<R>, value: &R) -> Result<Ordering> {
+    fn beside(&self, fold: &Fold<R>, value: &R) -> Result<Ordering> {
         if is_pole(fold) {
             return Ok(match fold.kind {
                 FoldKind::Minimum => Ordering::Less,
@@ -240,20 +240,20 @@ impl<'a, R: Real> Branches<'a, R> {
 
     /// Searches from `start` to the end of the range of radii in steps that double in ln a, and halve at the end, until
     /// the direction of change differs from `from`.
-    fn walk(&self, start: &R, from: Ordering, way: Way, value: &R) -> Result<Option<Change<R>>> {
+    fn walk(&self, start: &R, from: Ordering, way: Towards, value: &R) -> Result<Option<Change<R>>> {
         let mut last = start.clone();
         let mut octaves: i64 = 1;
         let mut growing = true;
         while octaves > 0 {
             let power = match way {
-                Way::Larger => octaves,
-                Way::Smaller => -octaves,
+                Towards::Larger => octaves,
+                Towards::Smaller => -octaves,
             };
             match self.turn(last.lit(2).powi(power) * &last, value)? {
                 Some((next, turn)) if turn != from => {
                     return Ok(Some(match way {
-                        Way::Larger => Change { lower: last, upper: next, below: from },
-                        Way::Smaller => Change { lower: next, upper: last, below: turn },
+                        Towards::Larger => Change { lower: last, upper: next, below: from },
+                        Towards::Smaller => Change { lower: next, upper: last, below: turn },
                     }));
                 }
                 Some((next, _)) => last = next,
@@ -262,14 +262,14 @@ impl<'a, R: Real> Branches<'a, R> {
             octaves = if growing { octaves * 2 } else { octaves / 2 };
         }
         match (way, self.curve.transform().outer_radius()) {
-            (Way::Larger, Some(outer)) => self.approach(last, &outer, from, value),
+            (Towards::Larger, Some(outer)) => self.approach(last, &outer, from, value),
             _ => Ok(None),
         }
     }
 
     /// The last part of a search towards the outer radius: ever closer, and up to a vertical edge or an equator itself.
     fn approach(&self, mut last: R, outer: &R, from: Ordering, value: &R) -> Result<Option<Change<R>>> {
-        for step in rim::approaches(outer).chain(self.curve.wall()) {
+        for step in equator::approaches(outer).chain(self.curve.vertical_edge()) {
             if !(step > last) {
                 continue;
             }
@@ -279,13 +279,13 @@ impl<'a, R: Real> Branches<'a, R> {
                 None => return Ok(None),
             }
         }
-        let at_rim = self.rim.clone().filter(|_| from == Ordering::Less);
+        let at_rim = self.equator.clone().filter(|_| from == Ordering::Less);
         Ok(at_rim.map(|upper| Change { lower: last, upper, below: from }))
     }
 
     /// The direction of change at a radius; `None` outside the range of radii or of the arithmetic, or where g cannot
     /// be computed: the search ends there. The search for folds met the same radii and reported
-    /// [`Completeness::Doubtful`].
+    /// [`SearchQuality::Doubtful`].
     ///
     /// `None` also beyond the radii searched for folds: the exponents of arbitrary precision reach to 10^±3·10⁸.
     fn turn(&self, a: R, value: &R) -> Result<Option<(R, Ordering)>> {
@@ -302,7 +302,7 @@ impl<'a, R: Real> Branches<'a, R> {
     }
 }
 
-impl<R: Real> Branched<R> for Branches<'_, R> {
+impl<R: Real> EquilibriumBranches<R> for SearchedBranches<'_, R> {
     fn control(&self) -> &Control<R> {
         self.curve.control()
     }
@@ -324,7 +324,7 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
         admissible::last_admissible(&self.curve, self.admissibility(), radii)
     }
 
-    fn folds(&self) -> &[Instability<R>] {
+    fn folds(&self) -> &[Fold<R>] {
         &self.folds
     }
 
@@ -334,31 +334,31 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
             return Ok(None);
         }
         if branch == self.folds.len()
-            && let Some(rest) = self.at_wall(value)?
+            && let Some(rest) = self.at_vertical_edge(value)?
         {
             return Ok(Some(rest));
         }
         let Some(Change { lower, upper, below }) = self.change(branch, value)? else { return Ok(None) };
-        let rim = self.rim.as_ref();
-        if rim == Some(&upper) {
-            let (indentation, force) = self.curve.state_before_rim(&lower, &upper, value)?;
+        let equator = self.equator.as_ref();
+        if equator == Some(&upper) {
+            let (indentation, force) = self.curve.state_before_equator(&lower, &upper, value)?;
             let stability = Stability::Stable;
             return Ok(Some(Equilibrium { contact_radius: lower, indentation, force, stability }));
         }
         let direction = |a: &R| self.curve.direction_at(a, value);
         let Some(bracket) = Bracket::new(&lower, &upper, direction)? else { return Ok(None) };
         let contact_radius = roots::refine(bracket, &lower.unit_roundoff(), direction)?.value;
-        let (indentation, force) = if rim.is_some_and(|rim| rim::is_near(&contact_radius, rim)) {
-            self.curve.held_state(&contact_radius, value)?
+        let (indentation, force) = if equator.is_some_and(|equator| equator::is_near(&contact_radius, equator)) {
+            self.curve.equilibrium_at(&contact_radius, value)?
         } else {
-            self.curve.state_held(&contact_radius, value)?
+            self.curve.state_at(&contact_radius, value)?
         };
         // The contact grows below and shrinks above, back to the equilibrium.
         let stability = if below == Ordering::Less { Stability::Stable } else { Stability::Unstable };
         Ok(Some(Equilibrium { contact_radius, indentation, force, stability }))
     }
 
-    fn onset(&self) -> Result<Onset> {
+    fn onset(&self) -> Result<FirstContact> {
         onset(&self.curve, self.folds.first())
     }
 
@@ -366,7 +366,7 @@ impl<R: Real> Branched<R> for Branches<'_, R> {
         end(&self.curve)
     }
 
-    fn compare(&self, value: &R, fold: &Instability<R>) -> Result<Ordering> {
+    fn compare(&self, value: &R, fold: &Fold<R>) -> Result<Ordering> {
         let at_fold = self.control().controlled(&fold.indentation, &fold.force);
         match value.partial_cmp(&at_fold) {
             Some(_) if self.is_at(fold, value) => Ok(Ordering::Equal),

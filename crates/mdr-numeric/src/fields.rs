@@ -8,16 +8,16 @@ use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, roundoff_tolerance};
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
 use mdr_core::number::{Real, Special};
 
-use crate::curve::{Curve, negligible};
+use crate::curve::{EquilibriumCurve, negligible};
 
 /// The fields of the equilibrium with a given contact radius.
 ///
 /// ```
 /// use mdr_core::contact::{Control, Material, Shape};
-/// use mdr_numeric::{curve::Curve, fields::Fields, transform::Quadrature};
+/// use mdr_numeric::{curve::EquilibriumCurve, fields::Fields, transform::Quadrature};
 /// let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
 /// let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation);
-/// let fields = Fields::new(Curve::new(&ball, &material, &control), 0.1)?;
+/// let fields = Fields::new(EquilibriumCurve::new(&ball, &material, &control), 0.1)?;
 /// assert!(fields.pressure(&0.0)? > 0.0);   // compressed in the middle,
 /// assert!(fields.pressure(&0.0999)? < 0.0); // in tension at the edge
 /// assert!(fields.gap(&0.2)? > 0.0);
@@ -25,7 +25,7 @@ use crate::curve::{Curve, negligible};
 /// ```
 #[derive(Clone)]
 pub struct Fields<'a, R: Special> {
-    curve: Curve<'a, R>,
+    curve: EquilibriumCurve<'a, R>,
     contact_radius: R,
     indentation: R,
     /// g(a) − d, the elongation of the edge springs: Δl, but less if the contact is pressed against a vertical edge.
@@ -36,8 +36,8 @@ impl<'a, R: Special> Fields<'a, R> {
     /// The equilibrium of the curve at the given contact radius.
     ///
     /// # Errors
-    /// As [`Curve::indentation`].
-    pub fn new(curve: Curve<'a, R>, contact_radius: R) -> Result<Self> {
+    /// As [`EquilibriumCurve::indentation`].
+    pub fn new(curve: EquilibriumCurve<'a, R>, contact_radius: R) -> Result<Self> {
         let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
         let indentation = curve.indentation(&contact_radius)?;
         let edge = curve.elongation(&contact_radius);
@@ -48,9 +48,9 @@ impl<'a, R: Special> Fields<'a, R> {
     ///
     /// # Errors
     /// As [`Fields::new`].
-    pub fn of(curve: Curve<'a, R>, state: &Equilibrium<R>) -> Result<Self> {
+    pub fn of(curve: EquilibriumCurve<'a, R>, state: &Equilibrium<R>) -> Result<Self> {
         let fields = Self::new(curve, state.contact_radius.clone())?;
-        if fields.curve.wall().as_ref() != Some(&state.contact_radius) {
+        if fields.curve.vertical_edge().as_ref() != Some(&state.contact_radius) {
             return Ok(fields);
         }
         let edge = fields.curve.transform().g(&state.contact_radius)? - &state.indentation;
@@ -170,10 +170,10 @@ impl<'a, R: Special> Fields<'a, R> {
     /// vertical edge the radius is fixed, and it is 2E*a.
     ///
     /// # Errors
-    /// [`Error::Domain`] at the fold itself; as [`Curve::tangency`].
+    /// [`Error::Domain`] at the fold itself; as [`EquilibriumCurve::tangency`].
     pub fn stiffness(&self) -> Result<R> {
         let stiffness = (self.contact_radius.clone() * self.curve.effective_modulus()).times(2);
-        if self.curve.wall().as_ref() == Some(&self.contact_radius) {
+        if self.curve.vertical_edge().as_ref() == Some(&self.contact_radius) {
             return Ok(stiffness);
         }
         // d' = Δl'(τ − 1) and F' = 2E*a Δl'(τ − 3) with the tangency ratio τ = g'/Δl'.

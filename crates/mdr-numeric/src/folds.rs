@@ -3,16 +3,16 @@
 use std::ops::Deref;
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Result, Transform};
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Result, Transform};
 use mdr_core::number::Real;
 
-use crate::curve::Curve;
-use crate::rim;
+use crate::curve::EquilibriumCurve;
+use crate::equator;
 use crate::survey::{self, Crossing, Range};
 
 /// The quality of a search. Neither is a proof, which needs enclosures of g over intervals of radii.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Completeness {
+pub enum SearchQuality {
     /// Not proved; but the function was resolved everywhere in the range of radii, or stayed away from the condition by
     /// a margin.
     Resolved,
@@ -24,19 +24,19 @@ pub enum Completeness {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Folds<R> {
     /// By increasing radius.
-    pub folds: Vec<Instability<R>>,
+    pub folds: Vec<Fold<R>>,
     /// Radii where g, and with it the controlled quantity, diverges: the curve of equilibria is cut there as by a fold.
     /// By increasing radius; indentation and force are infinite.
-    pub poles: Vec<Instability<R>>,
+    pub poles: Vec<Fold<R>>,
     /// Folds whose force overflows or underflows, by increasing radius; only the radius is known.
-    pub beyond: Vec<Beyond<R>>,
+    pub out_of_range: Vec<OutOfRangeFold<R>>,
     /// Whether there may be more.
-    pub completeness: Completeness,
+    pub completeness: SearchQuality,
 }
 
 /// A fold whose force is out of the range of the arithmetic.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Beyond<R> {
+pub struct OutOfRangeFold<R> {
     /// a, in m.
     pub contact_radius: R,
     /// Whether the controlled quantity has its minimum or its maximum there.
@@ -46,10 +46,12 @@ pub struct Beyond<R> {
 }
 
 impl<R: Real> Folds<R> {
-    fn add(&mut self, curve: &Curve<'_, R>, contact_radius: R, kind: FoldKind) -> Result<()> {
+    fn add(&mut self, curve: &EquilibriumCurve<'_, R>, contact_radius: R, kind: FoldKind) -> Result<()> {
         match curve.state(&contact_radius) {
-            Ok((indentation, force)) => self.folds.push(Instability { contact_radius, indentation, force, kind }),
-            Err(error @ Error::OutOfRange { .. }) => self.beyond.push(Beyond { contact_radius, kind, error }),
+            Ok((indentation, force)) => self.folds.push(Fold { contact_radius, indentation, force, kind }),
+            Err(error @ Error::OutOfRange { .. }) => {
+                self.out_of_range.push(OutOfRangeFold { contact_radius, kind, error })
+            }
             Err(error) => return Err(error),
         }
         Ok(())
@@ -58,9 +60,9 @@ impl<R: Real> Folds<R> {
 
 /// The folds that have a state.
 impl<R> Deref for Folds<R> {
-    type Target = [Instability<R>];
+    type Target = [Fold<R>];
 
-    fn deref(&self) -> &[Instability<R>] {
+    fn deref(&self) -> &[Fold<R>] {
         &self.folds
     }
 }
@@ -87,8 +89,8 @@ impl<R> Deref for Folds<R> {
 /// # Errors
 /// As [`find`]; [`OutOfRange`](Error::OutOfRange) if the force of a fold is not representable in this arithmetic.
 pub fn folds<R: Real>(transform: &dyn Transform<R>, material: &Material<R>, control: &Control<R>) -> Result<Folds<R>> {
-    let found = find(&Curve::new(transform, material, control))?;
-    match found.beyond.first() {
+    let found = find(&EquilibriumCurve::new(transform, material, control))?;
+    match found.out_of_range.first() {
         Some(fold) => Err(fold.error.clone()),
         None => Ok(found),
     }
@@ -100,19 +102,19 @@ pub fn folds<R: Real>(transform: &dyn Transform<R>, material: &Material<R>, cont
 /// Those of the transform at a fold; [`Error::Domain`] unless the stiffness of a machine is positive and finite;
 /// [`Error::Undecided`] if the condition is satisfied, up to rounding, over a whole range of radii: n = 1/2 with C at a
 /// threshold (1.19).
-pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
+pub fn find<R: Real>(curve: &EquilibriumCurve<'_, R>) -> Result<Folds<R>> {
     curve.control().check()?;
     let range = Range::whole(curve.transform(), curve.material_length());
     let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold_at(a));
     let mut survey = survey::survey(&range, ratio)?;
-    let wall = curve.wall();
+    let wall = curve.vertical_edge();
     if let Some(wall) = &wall {
-        survey.crossings.extend(before_wall(wall, ratio)?);
+        survey.crossings.extend(before_vertical_edge(wall, ratio)?);
     }
     survey.resolved &= extend_to_end(curve, ratio, &mut survey.crossings)?;
-    let completeness = if survey.resolved { Completeness::Resolved } else { Completeness::Doubtful };
+    let completeness = if survey.resolved { SearchQuality::Resolved } else { SearchQuality::Doubtful };
     let (folds, poles) = (Vec::with_capacity(survey.crossings.len()), Vec::new());
-    let mut found = Folds { folds, poles, beyond: Vec::new(), completeness };
+    let mut found = Folds { folds, poles, out_of_range: Vec::new(), completeness };
     for crossing in &survey.crossings {
         // The derivative of the controlled quantity has the sign of ratio − 1.
         let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
@@ -127,7 +129,7 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
         };
         match added {
             // Neither a fold nor a known pole; or g' is too inaccurate to locate the fold.
-            Err(Error::Domain { .. } | Error::NoConvergence { .. }) => found.completeness = Completeness::Doubtful,
+            Err(Error::Domain { .. } | Error::NoConvergence { .. }) => found.completeness = SearchQuality::Doubtful,
             added => added?,
         }
     }
@@ -140,14 +142,14 @@ pub fn find<R: Real>(curve: &Curve<'_, R>) -> Result<Folds<R>> {
 }
 
 /// A fold with infinite indentation and force, where g diverges.
-pub fn pole<R: Real>(contact_radius: R, kind: FoldKind) -> Instability<R> {
+pub fn pole<R: Real>(contact_radius: R, kind: FoldKind) -> Fold<R> {
     let sign = if kind == FoldKind::Minimum { -1 } else { 1 };
     let infinite = contact_radius.lit(sign).over(0);
-    Instability { contact_radius, indentation: infinite.clone(), force: infinite, kind }
+    Fold { contact_radius, indentation: infinite.clone(), force: infinite, kind }
 }
 
 /// The kink at a crossing, if g has no value there.
-fn edge_within<R: Real>(crossing: &Crossing<R>, curve: &Curve<'_, R>, kinks: &[R]) -> Option<R> {
+fn edge_within<R: Real>(crossing: &Crossing<R>, curve: &EquilibriumCurve<'_, R>, kinks: &[R]) -> Option<R> {
     let singular = |kink: &R| matches!(curve.transform().g(kink), Err(Error::Domain { .. }));
     let mut within = kinks.iter().filter(|kink| **kink > crossing.lower && **kink < crossing.upper);
     within.find(|kink| singular(kink)).cloned()
@@ -163,19 +165,21 @@ fn radius_at<R: Real>(crossing: &Crossing<R>, ratio: impl Fn(&R) -> Result<R>) -
 /// Adds the crossing between the end of the survey and the end of a profile without a vertical edge. Returns whether it
 /// is certain that there is no other: if g diverges the ratio ends above one.
 fn extend_to_end<R: Real>(
-    curve: &Curve<'_, R>,
+    curve: &EquilibriumCurve<'_, R>,
     ratio: impl Fn(&R) -> Result<R>,
     crossings: &mut Vec<Crossing<R>>,
 ) -> Result<bool> {
-    let Some(outer) = curve.transform().outer_radius().filter(|_| curve.wall().is_none()) else { return Ok(true) };
+    let Some(outer) = curve.transform().outer_radius().filter(|_| curve.vertical_edge().is_none()) else {
+        return Ok(true);
+    };
     let lower = survey::surveyed_to(&outer);
-    let rim = curve.rim()?.is_some();
-    let upper = if rim { rim::last_before(&outer) } else { outer };
+    let equator = curve.equator()?.is_some();
+    let upper = if equator { equator::last_before(&outer) } else { outer };
     match [ratio(&lower), ratio(&upper)] {
         [Ok(before), Ok(after)] => {
             let ends_above = after >= after.lit(1);
             crossings.extend(between([lower, upper], [before, after]));
-            Ok(ends_above || !rim)
+            Ok(ends_above || !equator)
         }
         // The survey has already reported that it could not reach the end.
         [Ok(before), Err(_)] => Ok(before > before.lit(1)),
@@ -184,7 +188,7 @@ fn extend_to_end<R: Real>(
 }
 
 /// The crossing between the end of the survey and a vertical edge, if there is one.
-fn before_wall<R: Real>(wall: &R, ratio: impl Fn(&R) -> Result<R>) -> Result<Option<Crossing<R>>> {
+fn before_vertical_edge<R: Real>(wall: &R, ratio: impl Fn(&R) -> Result<R>) -> Result<Option<Crossing<R>>> {
     let surveyed = survey::surveyed_to(wall);
     let ratios = [ratio(&surveyed)?, ratio(wall)?];
     Ok(between([surveyed, wall.clone()], ratios))

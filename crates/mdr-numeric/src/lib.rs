@@ -5,13 +5,13 @@
 //!
 //! ```
 //! use mdr_core::contact::{Control, Material, Shape};
-//! use mdr_numeric::branch::Branched;
+//! use mdr_numeric::branch::EquilibriumBranches;
 //! use mdr_numeric::path::{EventKind, Path, Start};
-//! use mdr_numeric::{curve::Curve, equilibrium::Branches, transform::Quadrature};
+//! use mdr_numeric::{curve::EquilibriumCurve, equilibrium::SearchedBranches, transform::Quadrature};
 //!
 //! let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?; // R, A, λ in m
 //! let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation); // E* in Pa, w in J/m²
-//! let branches = Branches::new(Curve::new(&profile, &material, &control))?;
+//! let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control))?;
 //!
 //! let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
 //! assert_eq!(radii.len(), 3);
@@ -48,7 +48,7 @@
 //!
 //! # Accuracy and errors
 //! Quadrature is accurate to 32 unit roundoffs of the integral of the magnitude unless a tolerance is set, and returns an
-//! error estimate. A search in `f64` or arbitrary precision reports its [`Completeness`](folds::Completeness), which is
+//! error estimate. A search in `f64` or arbitrary precision reports its [`SearchQuality`](folds::SearchQuality), which is
 //! no proof; over intervals results are proved. Decisions that an arithmetic cannot make are
 //! [`Error::Undecided`](mdr_core::contact::Error::Undecided), integrals that miss their tolerance
 //! [`Error::NoConvergence`](mdr_core::contact::Error::NoConvergence).
@@ -60,6 +60,7 @@ pub mod branch;
 pub mod curve;
 pub mod dugdale;
 pub mod energy;
+mod equator;
 pub mod equilibrium;
 pub mod fields;
 pub mod folds;
@@ -67,7 +68,6 @@ pub mod path;
 pub mod profiles;
 #[cfg(feature = "mp")]
 pub mod proof;
-mod rim;
 pub mod springs;
 mod survey;
 pub mod table;

@@ -77,7 +77,7 @@ impl<R: Special> Profile<R> for Heights<R> {
         radii.reduce(|one, other| if other < one { other } else { one })
     }
 
-    fn wall(&self) -> bool {
+    fn vertical_edge(&self) -> bool {
         self.terms.iter().any(|shape| matches!(shape, Shape::FlatPunch { .. }))
     }
 

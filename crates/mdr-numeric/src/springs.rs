@@ -12,7 +12,7 @@
 //! * the force is the trapezoidal sum plus one more half strip E*Δx(d − g(a)) at either edge: at the critical radius
 //!   its error is −E*Δl(a_c)Δx and F'(a)|_d = −2E*Δl per unit of the error of the radius: first order.
 
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Outcome, Quantity, Result, Transform};
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Outcome, Quantity, Result, Transform};
 use mdr_core::number::Real;
 
 use crate::curve::relative_elongation;
@@ -47,7 +47,7 @@ pub struct Foundation<R> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cascade<R> {
     /// The state at which it starts.
-    pub instability: Instability<R>,
+    pub instability: Fold<R>,
     /// Where it ends.
     pub outcome: Outcome<R>,
 }
@@ -179,7 +179,7 @@ impl<R: Real> Foundation<R> {
 
     fn cascade(&self, i: usize, d: &R, kind: FoldKind, outcome: Outcome<R>) -> Cascade<R> {
         let instability =
-            Instability { contact_radius: self.position(i), indentation: d.clone(), force: self.force_on(i, d), kind };
+            Fold { contact_radius: self.position(i), indentation: d.clone(), force: self.force_on(i, d), kind };
         Cascade { instability, outcome }
     }
 }

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result, Transform};
 use mdr_numeric::admissible::{Admissibility, Basis, Verdict};
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::path::{EventKind, Ledger, Loss, Path, Start};
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::path::{Dissipation, EventKind, Path, PathEnergy, Start};
 use proptest::prelude::*;
 
 /// f = r²/2 + Σ cᵢ (r − bᵢ)²₊/2: a paraboloid whose curvature jumps, with
@@ -72,8 +72,12 @@ fn narrowest(profile: &Bent, a: f64, d: f64) -> f64 {
     (1..=600).map(|i| gap(profile, a, d, a + (until - a) * f64::from(i) / 600.0)).fold(f64::INFINITY, f64::min)
 }
 
-fn branches<'a>(profile: &'a Bent, material: &'a Material<f64>, control: &'a Control<f64>) -> Branches<'a, f64> {
-    Branches::new(Curve::new(profile, material, control)).expect("a search for folds")
+fn branches<'a>(
+    profile: &'a Bent,
+    material: &'a Material<f64>,
+    control: &'a Control<f64>,
+) -> SearchedBranches<'a, f64> {
+    SearchedBranches::new(EquilibriumCurve::new(profile, material, control)).expect("a search for folds")
 }
 
 /// Far above the error of the midpoint rule.
@@ -115,10 +119,10 @@ proptest! {
         let branches = branches(&profile, &material, &control);
         let start = if smallest { Start::Smallest } else { Start::Largest };
         let Ok(path) = Path::follow(&branches, &start, &ways) else { return Ok(()) };
-        let ledger = Ledger::new(&path, &branches).unwrap();
+        let ledger = PathEnergy::new(&path, &branches).unwrap();
         for (event, entry) in path.events.iter().zip(&ledger.entries) {
-            if let Loss::Finite(lost) = &entry.lost {
-                prop_assert!(lost.value >= -lost.error - 1e-14, "{:?}: {:?}", event, lost);
+            if let Dissipation::Finite(dissipated) = &entry.dissipated {
+                prop_assert!(dissipated.value >= -dissipated.error - 1e-14, "{:?}: {:?}", event, dissipated);
             }
             let Some(rest) = event.after.contact().filter(|rest| rest.contact_radius > 0.0) else { continue };
             let (a, d) = (rest.contact_radius, rest.indentation);

@@ -110,12 +110,12 @@ fn errors_of_a_sphere() {
 }
 
 /// A profile known by its heights only, which are counted.
-struct Counted<P> {
+struct CountingProfile<P> {
     profile: P,
     count: AtomicUsize,
 }
 
-impl<P: Profile<f64>> Profile<f64> for Counted<P> {
+impl<P: Profile<f64>> Profile<f64> for CountingProfile<P> {
     fn height<S: Lift<f64>>(&self, r: &S) -> S {
         self.count.fetch_add(1, Ordering::Relaxed);
         self.profile.height(r)
@@ -130,7 +130,7 @@ impl<P: Profile<f64>> Profile<f64> for Counted<P> {
 
 /// Evaluations of g, g' and mean g are all heights, including those of rules that failed, of noise and of kinks.
 fn count<P: Profile<f64>>(profile: P, x: f64) -> [usize; 3] {
-    let transform = Quadrature::new(Counted { profile, count: AtomicUsize::new(0) });
+    let transform = Quadrature::new(CountingProfile { profile, count: AtomicUsize::new(0) });
     let spent = || transform.profile().count.swap(0, Ordering::Relaxed);
     let one = |estimate: Estimate<f64>| {
         assert_eq!(estimate.evaluations, spent());

@@ -8,10 +8,10 @@ use approx::assert_relative_eq;
 use mdr_core::contact::{
     Control, Equilibrium, Error, Expression, Flank, FoldKind, Material, Outcome, Shape, Stability, Transform,
 };
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::{Branches, equilibria};
-use mdr_numeric::folds::{Completeness, find, folds};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
+use mdr_numeric::folds::{SearchQuality, find, folds};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use proptest::prelude::*;
@@ -70,7 +70,7 @@ fn a_soft_machine_makes_three_folds() {
     let (profile, material) =
         (Quadrature::of([Shape::Power { n: 0.6, c: 2.4829 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     let control = Control::machine(1.0).unwrap();
-    let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
+    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
     let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
     assert_eq!(radii.len(), 3);
     for (radius, expected) in radii.iter().zip([0.01271, 0.06940, 459.2]) {
@@ -98,7 +98,7 @@ fn at_a_threshold_of_one_half_nothing_is_decided() {
     for (rho, control) in [(1.0, Control::Indentation), (3.0, Control::Force), (1.0, machine)] {
         let profile = scale_free(rho);
         assert!(undecided(folds(&profile, &material, &control).err()), "{control:?}");
-        assert!(undecided(find(&Curve::new(&profile, &material, &control)).err()));
+        assert!(undecided(find(&EquilibriumCurve::new(&profile, &material, &control)).err()));
         assert!(undecided(equilibria(&profile, &material, &control, &0.0).err()));
     }
     let energy = mdr_numeric::energy::Energy::new(&scale_free(1.0), &material)
@@ -146,7 +146,7 @@ fn figure_4() -> (Quadrature<f64, Heights<f64>>, Material<f64>) {
 #[test]
 fn guduru_jumps_and_breaks() {
     let (profile, material) = figure_4();
-    let branches = Branches::new(Curve::new(&profile, &material, &Control::Indentation)).unwrap();
+    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &Control::Indentation)).unwrap();
     let start = branches.equilibria(&0.0).unwrap();
     assert_relative_eq!(start.last().unwrap().contact_radius, 0.0926, max_relative = 1e-3);
     let [breaks, up, jump] = branches.folds() else { panic!("three folds") };
@@ -167,7 +167,7 @@ fn no_fold_is_missed_that_a_fine_scan_finds() {
         Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-5, wavelength: 0.01 }]).unwrap(),
         Material::new(1.0, 1e-4).unwrap(),
     );
-    let curve = Curve::new(&profile, &material, &Control::Indentation);
+    let curve = EquilibriumCurve::new(&profile, &material, &Control::Indentation);
     let found = find(&curve).unwrap().folds;
     // A hundred points or more per wave, up to a radius where g' exceeds Δl' by more than the waves can compensate.
     let above = |i: u32| curve.tangency(&(1e-4 * f64::from(i))).unwrap() > 1.0;
@@ -180,11 +180,11 @@ fn no_fold_is_missed_that_a_fine_scan_finds() {
 fn powers_below_one_half_spread() {
     let profile = Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap();
     let material = Material::new(1.0, 1.0).unwrap();
-    let branches = Branches::new(Curve::new(&profile, &material, &Control::Indentation)).unwrap();
+    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &Control::Indentation)).unwrap();
     assert_eq!(branches.folds().len(), 1);
     assert_eq!(branches.folds()[0].kind, FoldKind::Maximum);
     assert_eq!(branches.outcome(0).unwrap(), Outcome::CompleteContact);
-    assert_eq!(branches.completeness(), Completeness::Resolved);
+    assert_eq!(branches.completeness(), SearchQuality::Resolved);
     // Figure 3: the only equilibrium at d = 0 is unstable.
     let at_zero = branches.equilibria(&0.0).unwrap();
     assert_eq!(at_zero.len(), 1);
@@ -248,9 +248,9 @@ fn a_tip_of_noise_hides_no_equilibrium() {
     assert!(noisy.g(&1e-10).is_err());
 
     let material = Material::new(1e6, 0.05).unwrap();
-    let curves = [&noisy as &dyn Transform<f64>, &smooth].map(|g| Curve::new(g, &material, &Control::Force));
-    let [found, expected] = curves.map(|curve| Branches::new(curve).unwrap());
-    assert_eq!(found.completeness(), Completeness::Doubtful);
+    let curves = [&noisy as &dyn Transform<f64>, &smooth].map(|g| EquilibriumCurve::new(g, &material, &Control::Force));
+    let [found, expected] = curves.map(|curve| SearchedBranches::new(curve).unwrap());
+    assert_eq!(found.completeness(), SearchQuality::Doubtful);
     for force in [0.0, 1e-3, -1.0] {
         let [found, expected] = [&found, &expected].map(|branches| branches.equilibria(&force).unwrap());
         assert_eq!(found.len(), expected.len());
@@ -262,7 +262,7 @@ fn a_tip_of_noise_hides_no_equilibrium() {
 }
 
 /// |g − d − Δl| relative to its terms: g and Δl are accurate to 16u(1+n), and the radius to one rounding.
-fn assert_residual(curve: &Curve<'_, f64>, state: &Equilibrium<f64>, value: f64, n: f64) {
+fn assert_residual(curve: &EquilibriumCurve<'_, f64>, state: &Equilibrium<f64>, value: f64, n: f64) {
     let a = &state.contact_radius;
     let terms = curve.transform().g(a).unwrap().abs()
         + curve.transform().mean(a).unwrap().abs()
@@ -283,8 +283,8 @@ proptest! {
         let control = if which == 0 { Control::Indentation } else { Control::Force };
         // d_F changes its sign at n = 3/2, but F_F and d_c keep theirs: fractions of them are on one side.
         let (profile, material) = (Quadrature::of([Shape::Power { n, c: 1.0 }]).unwrap(), Material::new(2.0, 3.0).unwrap());
-        let curve = Curve::new(&profile, &material, &control);
-        let branches = Branches::new(curve).unwrap();
+        let curve = EquilibriumCurve::new(&profile, &material, &control);
+        let branches = SearchedBranches::new(curve).unwrap();
         prop_assert_eq!(branches.folds().len(), 1);
         let fold = &branches.folds()[0];
         let extremum = control.controlled(&fold.indentation, &fold.force);
@@ -307,7 +307,7 @@ proptest! {
     #[test]
     fn pressing_makes_contact_larger(slope in 0.01..10.0_f64, d in -0.9..5.0_f64, more in 0.01..1.0_f64) {
         let (cone, material) = (Quadrature::of([Shape::Cone { flank: Flank::Slope(slope) }]).unwrap(), Material::new(1.0, 0.1).unwrap());
-        let branches = Branches::new(Curve::new(&cone, &material, &Control::Indentation)).unwrap();
+        let branches = SearchedBranches::new(EquilibriumCurve::new(&cone, &material, &Control::Indentation)).unwrap();
         let unit = branches.folds()[0].indentation.abs();
         let stable = |d: f64| {
             let found = branches.equilibria(&(d * unit)).unwrap();
@@ -332,7 +332,7 @@ fn jkr_to_fifty_digits() {
     assert!(relative(&fold.force, &(one.pi() * one.ratio(-5, 6))) < bound);
     let d = fold.indentation.clone() * one.ratio(9, 10);
     let found = equilibria(&ball, &material, &Control::Indentation, &d).unwrap();
-    let curve = Curve::new(&ball, &material, &Control::Indentation);
+    let curve = EquilibriumCurve::new(&ball, &material, &Control::Indentation);
     assert_eq!(found.len(), 2);
     for state in found.iter() {
         let residual = curve.direction(&state.contact_radius, &d).unwrap();
@@ -353,6 +353,6 @@ fn a_fold_at_a_hidden_kink() {
         let found = folds(&profile, &material, &Control::Indentation).unwrap();
         assert_eq!(found.len(), 1, "{text}: {found:?}");
         assert!((found[0].contact_radius - 1.0).abs() < 1e-11, "{text}: {found:?}");
-        assert_eq!(found.completeness, Completeness::Resolved, "{text}");
+        assert_eq!(found.completeness, SearchQuality::Resolved, "{text}");
     }
 }

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Error, Material, Shape, Transform};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::folds;
 use mdr_numeric::transform::Quadrature;
@@ -15,7 +15,8 @@ fn pull_off(profile: &dyn Transform<f64>, e_star: f64, work: f64, range: f64) ->
     let material = Material::new(e_star, work).unwrap();
     let radii: Vec<f64> =
         folds(profile, &material, &Control::Force).unwrap().iter().map(|fold| fold.contact_radius).collect();
-    let contact = Dugdale::new(Curve::new(profile, &material, &Control::Force), &separation(&range)).unwrap();
+    let contact =
+        Dugdale::new(EquilibriumCurve::new(profile, &material, &Control::Force), &separation(&range)).unwrap();
     contact.pull_off(&radii).unwrap().unwrap()
 }
 
@@ -71,7 +72,7 @@ fn a_flat_punch_goes_from_kendall_to_the_full_stress() {
 fn tabors_own_number() {
     let ball = Quadrature::of([Shape::Paraboloid { radius: 10e-9 }]).unwrap();
     let material = Material::new(5e9, 0.05).unwrap();
-    let curve = Curve::new(&ball, &material, &Control::Force);
+    let curve = EquilibriumCurve::new(&ball, &material, &Control::Force);
     let fold = folds(&ball, &material, &Control::Force).unwrap()[0].contact_radius;
     let tabor = (10e-9 * 0.05_f64.powi(2) / (5e9_f64.powi(2) * 0.3e-9_f64.powi(3))).cbrt();
     assert_relative_eq!(tabor_number(&curve, &fold, &0.3e-9).unwrap(), tabor, max_relative = 1e-13);
@@ -81,7 +82,7 @@ fn tabors_own_number() {
 fn inputs_out_of_their_domain() {
     let ball = Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap();
     let material = Material::new(1.0, 1e-6).unwrap();
-    let curve = || Curve::new(&ball, &material, &Control::Force);
+    let curve = || EquilibriumCurve::new(&ball, &material, &Control::Force);
     for bad in [0.0, -1e-9, f64::NAN, f64::INFINITY] {
         assert!(matches!(Dugdale::new(curve(), &bad), Err(Error::Domain { .. })), "{bad}");
         assert!(matches!(tabor_number(&curve(), &0.1, &bad), Err(Error::Domain { .. })), "{bad}");

@@ -2,7 +2,7 @@
 
 use mdr_core::calculus::quadrature::tanh_sinh;
 use mdr_core::contact::{Control, Error, Material, Profile, Result, Shape, Transform};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
@@ -15,7 +15,7 @@ fn jkr_pressure() -> Result<()> {
     let (radius, e, w, a) = (2.0, 3.0, 1e-3, 0.3);
     let ball = Quadrature::of([Shape::Paraboloid { radius }])?;
     let material = Material::new(e, w)?;
-    let fields = Fields::new(Curve::new(&ball, &material, &Control::Indentation), a)?;
+    let fields = Fields::new(EquilibriumCurve::new(&ball, &material, &Control::Indentation), a)?;
     for r in [0.0, 1e-6, 0.1, 0.2, 0.29, 0.29999] {
         let leg = ((a - r) * (a + r)).sqrt();
         let hertz = 2.0 * e / (std::f64::consts::PI * radius) * leg;
@@ -49,8 +49,8 @@ fn the_pressure_adds_up_to_the_force() -> Result<()> {
     let wavy = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
     let punch = Quadrature::of([Shape::RoundedPunch { radius: 1.0, flat: 0.05 }])?;
     let curves = [
-        (Curve::new(&wavy, &material, &Control::Indentation), 0.09, vec![]),
-        (Curve::new(&punch, &material, &Control::Indentation), 0.09, vec![0.05]),
+        (EquilibriumCurve::new(&wavy, &material, &Control::Indentation), 0.09, vec![]),
+        (EquilibriumCurve::new(&punch, &material, &Control::Indentation), 0.09, vec![0.05]),
     ];
     for (curve, a, kinks) in curves {
         let fields = Fields::new(curve, a)?;
@@ -67,7 +67,7 @@ fn the_gap_is_what_profile_and_displacement_leave() -> Result<()> {
     let material = Material::new(1.0, 1e-4)?;
     let profile = Heights::new([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
     let wavy = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
-    let fields = Fields::new(Curve::new(&wavy, &material, &Control::Indentation), 0.09)?;
+    let fields = Fields::new(EquilibriumCurve::new(&wavy, &material, &Control::Indentation), 0.09)?;
     for r in [0.0900001, 0.095, 0.13, 0.5, 3.0] {
         let apart = profile.height(&r) - fields.indentation() + fields.displacement(&r)?;
         let scale = profile.height(&r).abs() + 2.0 * fields.indentation().abs();
@@ -80,7 +80,7 @@ fn the_gap_is_what_profile_and_displacement_leave() -> Result<()> {
 fn stiffness_is_the_slope_of_force_against_indentation() -> Result<()> {
     let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
     let material = Material::new(1.0, 1e-3)?;
-    let curve = Curve::new(&ball, &material, &Control::Indentation);
+    let curve = EquilibriumCurve::new(&ball, &material, &Control::Indentation);
     let (a, step) = (0.2, 1e-5);
     let change = |f: &dyn Fn(&f64) -> Result<f64>| -> Result<f64> { Ok(f(&(a + step))? - f(&(a - step))?) };
     let difference = change(&|a| curve.force(a))? / change(&|a| curve.indentation(a))?;
@@ -113,7 +113,7 @@ impl Transform<f64> for Ball {
 fn fields_do_not_depend_on_the_unit_of_length() -> Result<()> {
     let ask = |unit: f64| -> Result<[f64; 6]> {
         let (ball, material) = (Ball(unit), Material::new(1.0, 1e-4 * unit)?);
-        let fields = Fields::new(Curve::new(&ball, &material, &Control::Indentation), 0.1 * unit)?;
+        let fields = Fields::new(EquilibriumCurve::new(&ball, &material, &Control::Indentation), 0.1 * unit)?;
         let pressure = |r: f64| fields.pressure(&(r * unit));
         let length = |value: Result<f64>| Ok(value? / unit);
         let (near, far) = (0.2 * unit, 30.0 * unit);
@@ -135,7 +135,7 @@ fn fields_do_not_depend_on_the_unit_of_length() -> Result<()> {
         assert_eq!(ask(2f64.powi(exponent))?, expected, "2^{exponent}");
     }
     let (ball, material) = (Ball(1.0), Material::new(1e308, 1e300)?);
-    let fields = Fields::new(Curve::new(&ball, &material, &Control::Indentation), 100.0)?;
+    let fields = Fields::new(EquilibriumCurve::new(&ball, &material, &Control::Indentation), 100.0)?;
     let Err(Error::OutOfRange { log10, .. }) = fields.pressure(&0.0) else { panic!("an infinite pressure") };
     // (2/π)E*a/R, independent of adhesion.
     assert!((log10 - 310.0 - (2.0 / std::f64::consts::PI).log10()).abs() < 1e-4, "{log10}");
@@ -175,7 +175,7 @@ impl Transform<f64> for FlatCone {
 fn the_pressure_inside_a_flat_face() {
     let (b, a): (f64, f64) = (FlatCone::FLAT, 0.4);
     let material = Material::new(1.0, 0.05).unwrap();
-    let curve = Curve::new(&FlatCone, &material, &Control::Indentation);
+    let curve = EquilibriumCurve::new(&FlatCone, &material, &Control::Indentation);
     let fields = Fields::new(curve, a).unwrap();
     let elongation = (2.0 * std::f64::consts::PI * a * 0.05f64).sqrt();
     for r in [0.0f64, 0.1, 0.19] {

@@ -6,10 +6,10 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Material, Shape, Transform};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::path::{Balance, EventKind, Ledger, Loss, Path, Start, State};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::path::{Balance, ContactState, Dissipation, EventKind, Path, PathEnergy, Start};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use proptest::prelude::*;
@@ -18,7 +18,7 @@ const U: f64 = f64::EPSILON / 2.0;
 
 struct Run {
     path: Path<f64>,
-    ledger: Ledger<f64>,
+    ledger: PathEnergy<f64>,
     balance: Option<Balance<f64>>,
 }
 
@@ -30,9 +30,9 @@ impl Run {
         start: Start<f64>,
         way: &[f64],
     ) -> Self {
-        let branches = Branches::new(Curve::new(transform, material, control)).unwrap();
+        let branches = SearchedBranches::new(EquilibriumCurve::new(transform, material, control)).unwrap();
         let path = Path::follow(&branches, &start, way).unwrap();
-        let ledger = Ledger::new(&path, &branches).unwrap();
+        let ledger = PathEnergy::new(&path, &branches).unwrap();
         let balance = ledger.balance(&path, &branches).unwrap();
         Run { path, ledger, balance }
     }
@@ -40,10 +40,10 @@ impl Run {
     /// The finite dissipation in the first event of a kind, and the radius on its contact side.
     fn loss(&self, kind: EventKind) -> (f64, f64) {
         let i = self.path.events.iter().position(|event| event.kind == kind).unwrap();
-        let Loss::Finite(lost) = &self.ledger.entries[i].lost else { panic!("unbounded") };
+        let Dissipation::Finite(dissipated) = &self.ledger.entries[i].dissipated else { panic!("unbounded") };
         let event = &self.path.events[i];
         let rest = event.before.contact().or(event.after.contact()).unwrap();
-        (lost.value, rest.contact_radius)
+        (dissipated.value, rest.contact_radius)
     }
 
     fn balanced(&self) -> &Balance<f64> {
@@ -51,7 +51,7 @@ impl Run {
         assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
         // A bound that allows anything would test nothing.
         let works: f64 = self.ledger.entries.iter().map(|entry| entry.work.value.abs()).sum();
-        assert!(balance.bound <= 1e-10 * (works + balance.lost + balance.stored.abs()), "{balance:?}");
+        assert!(balance.bound <= 1e-10 * (works + balance.dissipated + balance.stored.abs()), "{balance:?}");
         balance
     }
 }
@@ -66,19 +66,19 @@ fn losses_of_power_laws() {
         let material = Material::new(e, w).unwrap();
         let unit = |a: f64| PI * a * a * w;
         let run = Run::new(&profile, &material, &Control::Indentation, Start::Detached, &[0.0, -1e3]);
-        let (lost, a) = run.loss(EventKind::JumpIn);
+        let (dissipated, a) = run.loss(EventKind::JumpIn);
         // Quadrature to 128u of integrals over Δl², twice πa²w, and 2n for the rounding of a in g².
         let allowed = 256.0 * U * (1.0 + 2.0 * n);
-        assert_relative_eq!(lost / unit(a), (2.0 * n - 1.0) / (2.0 * n + 1.0), epsilon = allowed);
-        let (lost, a) = run.loss(EventKind::Detached);
+        assert_relative_eq!(dissipated / unit(a), (2.0 * n - 1.0) / (2.0 * n + 1.0), epsilon = allowed);
+        let (dissipated, a) = run.loss(EventKind::Detached);
         let fraction = n * (2.0 * n - 1.0) / ((n + 1.0) * (2.0 * n + 1.0));
         // (d/Δl)² there is (1 − 1/2n)².
-        assert_relative_eq!(lost / unit(a), fraction, epsilon = allowed);
+        assert_relative_eq!(dissipated / unit(a), fraction, epsilon = allowed);
         run.balanced();
 
         let run = Run::new(&profile, &material, &Control::Force, Start::Detached, &[0.0, 1.0]);
-        let (lost, a) = run.loss(EventKind::JumpIn);
-        assert_relative_eq!(lost / unit(a), (2.0 * n - 1.0) / (2.0 * n + 1.0), epsilon = allowed);
+        let (dissipated, a) = run.loss(EventKind::JumpIn);
+        assert_relative_eq!(dissipated / unit(a), (2.0 * n - 1.0) / (2.0 * n + 1.0), epsilon = allowed);
         run.balanced();
     }
 }
@@ -106,21 +106,21 @@ fn a_cycle_of_jkr_loses_its_area() {
     let run = Run::new(&ball, &material, &Control::Indentation, Start::Detached, &[-depth, depth, -depth]);
     let balance = run.balanced();
     let expected = PI * w * a_c * a_c * (0.4 + 0.6 * f64::cbrt(256.0));
-    assert_relative_eq!(balance.lost, expected, max_relative = 256.0 * U);
-    assert_relative_eq!(balance.work, balance.lost, max_relative = balance.bound / balance.lost);
+    assert_relative_eq!(balance.dissipated, expected, max_relative = 256.0 * U);
+    assert_relative_eq!(balance.work, balance.dissipated, max_relative = balance.bound / balance.dissipated);
     assert_eq!(balance.stored, 0.0);
 
     // A soft machine: Π of the spring is included; the dissipation lies in between.
     let machine = Control::machine(2.0 * e * a_c).unwrap();
     let soft = Run::new(&ball, &material, &machine, Start::Detached, &[-9.0 * depth, depth, -9.0 * depth]);
-    assert!(soft.balanced().lost > balance.lost);
+    assert!(soft.balanced().dissipated > balance.dissipated);
     let open = Run::new(&ball, &material, &machine, Start::Largest, &[0.0, depth]);
     let spring = open.path.events[1].after.contact().unwrap().force.powi(2) / (4.0 * e * a_c);
     assert!(open.balanced().stored > spring - 10.0 * PI * w * a_c * a_c);
 
     // Under a dead load the pull-off has no final state, and only it is unbounded.
     let dead = Run::new(&ball, &material, &Control::Force, Start::Largest, &[0.0, -100.0]);
-    assert_eq!((&dead.ledger.entries[1].lost, &dead.balance), (&Loss::Unbounded, &None));
+    assert_eq!((&dead.ledger.entries[1].dissipated, &dead.balance), (&Dissipation::Unbounded, &None));
     Run::new(&ball, &material, &Control::Force, Start::Detached, &[-1.0, 3.0, -0.1]).balanced();
 }
 
@@ -140,8 +140,8 @@ fn the_hysteresis_of_figure_4() {
     let [first, .., last] = cycle.path.events.as_slice() else { panic!("events") };
     assert_eq!(first.after, last.after);
     let balance = cycle.balanced();
-    assert!(balance.lost > 0.0);
-    assert_relative_eq!(balance.work, balance.lost, max_relative = balance.bound / balance.lost);
+    assert!(balance.dissipated > 0.0);
+    assert_relative_eq!(balance.work, balance.dissipated, max_relative = balance.bound / balance.dissipated);
     // The whole path: under every control the dissipation is positive and the energies balance.
     let stiff = Control::machine(0.05).unwrap();
     for control in [Control::Indentation, stiff] {
@@ -170,16 +170,16 @@ fn below_one_half_a_cycle_loses_nothing() {
     let (profile, material) =
         (Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
-        let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
+        let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
         let fold = &branches.folds()[0];
         let top = control.controlled(&fold.indentation, &fold.force);
         let run = Run::new(&profile, &material, &control, Start::Detached, &[-top, 0.9 * top]);
-        assert_eq!(run.balanced().lost, 0.0);
+        assert_eq!(run.balanced().dissipated, 0.0);
         let cycle = Run::new(&profile, &material, &control, Start::Detached, &[-top, 0.9 * top, -top]);
         let balance = cycle.balance.unwrap();
-        assert!(balance.work.abs() <= balance.bound && balance.lost == 0.0 && balance.stored == 0.0);
+        assert!(balance.work.abs() <= balance.bound && balance.dissipated == 0.0 && balance.stored == 0.0);
         let beyond = Run::new(&profile, &material, &control, Start::Detached, &[-top, 2.0 * top]);
-        assert_eq!((beyond.balance, beyond.ledger.entries[2].lost.clone()), (None, Loss::Unbounded));
+        assert_eq!((beyond.balance, beyond.ledger.entries[2].dissipated.clone()), (None, Dissipation::Unbounded));
     }
 }
 
@@ -213,10 +213,10 @@ proptest! {
         let balance = run.balance.as_ref().unwrap();
         prop_assert!(balance.residual.abs() <= balance.bound, "{:?}", balance);
         for (entry, event) in run.ledger.entries.iter().zip(&run.path.events) {
-            let Loss::Finite(lost) = &entry.lost else { panic!("unbounded") };
-            prop_assert!(lost.value >= 0.0);
-            let jumps = event.before != event.after && event.before != State::Detached;
-            prop_assert!(!jumps || lost.value > lost.error, "{:?}", event);
+            let Dissipation::Finite(dissipated) = &entry.dissipated else { panic!("unbounded") };
+            prop_assert!(dissipated.value >= 0.0);
+            let jumps = event.before != event.after && event.before != ContactState::Detached;
+            prop_assert!(!jumps || dissipated.value > dissipated.error, "{:?}", event);
         }
     }
 }

@@ -7,10 +7,10 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Error, Material, Profile, Shape, Stability, Transform};
 use mdr_core::number::Lift;
-use mdr_numeric::branch::{Branched, Onset};
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::path::{Event, EventKind, Path, Start, State};
+use mdr_numeric::branch::{EquilibriumBranches, FirstContact};
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::path::{ContactState, Event, EventKind, Path, Start};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
@@ -25,7 +25,7 @@ fn follow(
     start: Start<f64>,
     way: &[f64],
 ) -> Result<Vec<Event<f64>>, Error> {
-    let branches = Branches::new(Curve::new(transform, material, control)).unwrap();
+    let branches = SearchedBranches::new(EquilibriumCurve::new(transform, material, control)).unwrap();
     Path::follow(&branches, &start, way).map(|path| path.events)
 }
 
@@ -34,7 +34,7 @@ fn kinds(events: &[Event<f64>]) -> Vec<EventKind> {
 }
 
 /// The radius, 0 if the surfaces are separated.
-fn radius(state: &State<f64>) -> f64 {
+fn radius(state: &ContactState<f64>) -> f64 {
     state.contact().map_or(0.0, |rest| rest.contact_radius)
 }
 
@@ -98,7 +98,7 @@ fn a_cycle_of_jkr_under_every_control() {
         assert_relative_eq!(radius(&events[1].after), a_c * f64::cbrt(at_zero), max_relative = 64.0 * U);
         assert_relative_eq!(events[3].value, pull_off, max_relative = 64.0 * U);
         assert_relative_eq!(radius(&events[3].before), pull_off_radius, max_relative = 64.0 * U);
-        assert_eq!((&events[3].after, events[3].fold), (&State::Detached, Some(0)));
+        assert_eq!((&events[3].after, events[3].fold), (&ContactState::Detached, Some(0)));
         assert_eq!(events[5].after, events[6].after);
     }
     // A machine lies between the two.
@@ -114,7 +114,7 @@ fn a_multistable_machine() {
     let (profile, material) =
         (Quadrature::of([Shape::Power { n: 0.6, c: 2.4829 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     let control = Control::machine(1.0).unwrap();
-    let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
+    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
     let values: Vec<f64> =
         branches.folds().iter().map(|fold| control.controlled(&fold.indentation, &fold.force)).collect();
     let between = 0.5 * (values[0] + values[1]);
@@ -135,8 +135,8 @@ fn below_one_half_contact_begins_smoothly_and_ends_everywhere() {
     let (profile, material) =
         (Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
     for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
-        let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
-        assert_eq!(branches.onset().unwrap(), Onset::Smooth);
+        let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
+        assert_eq!(branches.onset().unwrap(), FirstContact::Smooth);
         let fold = &branches.folds()[0];
         let top = control.controlled(&fold.indentation, &fold.force);
         let way = [-top, 0.5 * top, -top, 0.0, 0.5 * top, 0.0, top, 2.0 * top, 0.0];
@@ -151,7 +151,7 @@ fn below_one_half_contact_begins_smoothly_and_ends_everywhere() {
         assert_eq!(at_top.after.contact().unwrap().stability, Stability::Neutral);
         assert_eq!(
             (events.events.last().unwrap().value, &events.events.last().unwrap().after),
-            (top, &State::Complete)
+            (top, &ContactState::Complete)
         );
         // Halfway the same state from either side.
         assert_eq!(events.events[2].after, events.events[7].after);
@@ -162,7 +162,7 @@ fn below_one_half_contact_begins_smoothly_and_ends_everywhere() {
 fn a_way_point_at_a_fold_is_a_place_to_rest() {
     let (profile, material) = figure_4();
     let control = Control::Indentation;
-    let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
+    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
     let fold = &branches.folds()[2];
     let d = fold.indentation;
     let events = Path::follow(&branches, &Start::Largest, &[0.0, d, 0.0, d, 1.000001 * d]).unwrap().events;
@@ -345,7 +345,7 @@ mod arbitrary_precision {
         let profile = Quadrature::of([Shape::Paraboloid { radius: one.clone() }]).unwrap();
         let asked = Asked { profile, farthest: AtomicU64::new(0) };
         let material = Material::new(one.clone(), one.clone() / 1000).unwrap();
-        let branches = Branches::new(Curve::new(&asked, &material, &Control::Indentation)).unwrap();
+        let branches = SearchedBranches::new(EquilibriumCurve::new(&asked, &material, &Control::Indentation)).unwrap();
         assert_eq!(branches.equilibria(&-one).unwrap(), []);
         drop(branches);
         let farthest = asked.farthest.into_inner();

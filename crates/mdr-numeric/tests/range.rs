@@ -1,7 +1,7 @@
 //! The range of radii for a proof.
 
 use mdr_core::contact::{Control, Material, Result, Shape};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::folds;
 use mdr_numeric::proof::range;
 use mdr_numeric::transform::Quadrature;
@@ -11,9 +11,9 @@ use mdr_numeric::transform::Quadrature;
 fn folds_out_of_range_are_looked_at() -> Result<()> {
     let (material, control) = (Material::new(1e300, 1e296)?, Control::Indentation);
     let ball = Quadrature::of([Shape::Paraboloid { radius: 1e20 }])?;
-    let curve = Curve::new(&ball, &material, &control);
+    let curve = EquilibriumCurve::new(&ball, &material, &control);
     let found = folds::find(&curve)?;
-    assert_eq!((found.folds.len(), found.beyond.len()), (0, 1));
+    assert_eq!((found.folds.len(), found.out_of_range.len()), (0, 1));
     let (lower, upper) = range(&curve, &found, 8.0, &[]);
     let fold = (std::f64::consts::PI * 1e-4 * 1e40 / 8.0).cbrt();
     assert!((lower * 8.0 / fold - 1.0).abs() < 1e-6 && (upper / 8.0 / fold - 1.0).abs() < 1e-6, "{lower} {upper}");
@@ -24,7 +24,7 @@ fn folds_out_of_range_are_looked_at() -> Result<()> {
 fn visited_radii_are_within() -> Result<()> {
     let (material, control) = (Material::new(1.0, 1e-3)?, Control::Indentation);
     let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
-    let curve = Curve::new(&ball, &material, &control);
+    let curve = EquilibriumCurve::new(&ball, &material, &control);
     let found = folds::find(&curve)?;
     let alone = range(&curve, &found, 8.0, &[]);
     assert_eq!(range(&curve, &found, 8.0, &[1e-9, 1e9]), (1e-9 / 4.0, 4e9));

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Flank, FoldKind, Material, Outcome, Shape, Stability, Transform};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::equilibria;
 use mdr_numeric::folds::folds;
@@ -94,7 +94,7 @@ fn nearly_hertzian_contacts_are_stationary_too() {
         let by_force = equilibria(transform, &material, &Control::Indentation, &d).unwrap();
         let by_energy = Energy::new(transform, &material).unwrap().equilibria(&Control::Indentation, &d).unwrap();
         assert_eq!((by_force.len(), by_energy.len()), (count, count), "d = {d}");
-        let curve = Curve::new(transform, &material, &Control::Indentation);
+        let curve = EquilibriumCurve::new(transform, &material, &Control::Indentation);
         for (force, energy) in by_force.iter().zip(&by_energy) {
             assert_eq!(force.stability, energy.stability);
             let a = force.contact_radius;

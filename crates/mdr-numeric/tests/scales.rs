@@ -6,10 +6,10 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Error, Material, Profile, Shape};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::energy::Energy;
-use mdr_numeric::equilibrium::{Branches, equilibria};
+use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
 use mdr_numeric::folds::{find, folds};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
@@ -46,9 +46,9 @@ fn a_fold_whose_force_is_out_of_range_keeps_its_radius() {
     // JKR with R = w/E* = 10²⁰⁰: a = (π/8)^(1/3) 10²⁰⁰ and F of the order of −10³⁵⁰.
     let (ball, material) =
         (Quadrature::of([Shape::Paraboloid { radius: 1e200 }]).unwrap(), Material::new(1e-50, 1e150).unwrap());
-    let found = find(&Curve::new(&ball, &material, &Control::Indentation)).unwrap();
+    let found = find(&EquilibriumCurve::new(&ball, &material, &Control::Indentation)).unwrap();
     assert!(found.folds.is_empty());
-    let [fold] = found.beyond.as_slice() else { panic!("{found:?}") };
+    let [fold] = found.out_of_range.as_slice() else { panic!("{found:?}") };
     assert_relative_eq!(fold.contact_radius, f64::cbrt(PI / 8.0) * 1e200, max_relative = ROUNDING);
     assert!(matches!(fold.error, Error::OutOfRange { log10, .. } if (350.0..351.0).contains(&log10)), "{fold:?}");
     assert!(folds(&ball, &material, &Control::Indentation).is_err());
@@ -105,7 +105,7 @@ proptest! {
                 1 => Control::Force,
                 _ => Control::machine(0.3 * modulus * length).unwrap(),
             };
-            let branches = Branches::new(Curve::new(&profile, &material, &control)).unwrap();
+            let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
             let fold = branches.folds()[0].clone();
             let value = share * control.controlled(&fold.indentation, &fold.force);
             let force = modulus * length * length;

@@ -1,11 +1,11 @@
 //! Inputs without a solution are errors, and no incomplete solution is returned silently.
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result, Shape};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::energy::Energy;
-use mdr_numeric::equilibrium::{Branches, equilibria};
-use mdr_numeric::folds::{Completeness, folds};
+use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
+use mdr_numeric::folds::{SearchQuality, folds};
 use mdr_numeric::path::{Path, Start};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
@@ -26,7 +26,7 @@ fn no_state_is_found_at_a_value_that_is_no_number() -> Result<()> {
     let (ball, material) = (ball()?, Material::new(1.0, 1.0)?);
     let energy = Energy::new(&ball, &material)?;
     for control in [Control::Indentation, Control::Force, Control::machine(1.0)?] {
-        let branches = Branches::new(Curve::new(&ball, &material, &control))?;
+        let branches = SearchedBranches::new(EquilibriumCurve::new(&ball, &material, &control))?;
         let quantity = Some(control.quantity());
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(refused(equilibria(&ball, &material, &control, &value)), quantity);
@@ -58,7 +58,7 @@ fn impossible_machines_are_refused() -> Result<()> {
 #[test]
 fn a_branch_that_does_not_exist_is_empty() -> Result<()> {
     let (ball, material) = (ball()?, Material::new(1.0, 1.0)?);
-    let branches = Branches::new(Curve::new(&ball, &material, &Control::Indentation))?;
+    let branches = SearchedBranches::new(EquilibriumCurve::new(&ball, &material, &Control::Indentation))?;
     assert!(branches.on_branch(1, &0.0)?.is_some());
     assert_eq!(branches.on_branch(2, &0.0)?, None);
     assert_eq!(branches.on_branch(99, &0.0)?, None);
@@ -72,7 +72,7 @@ fn radii_near_the_largest_numbers_are_looked_at() -> Result<()> {
     let found = folds(&blade, &glue, &Control::Indentation)?;
     assert!(found.len() == 1 && found[0].contact_radius > 1e280, "{found:?}");
     let states = equilibria(&blade, &glue, &Control::Indentation, &1e130)?;
-    assert_eq!((states.len(), states.completeness), (2, Completeness::Resolved));
+    assert_eq!((states.len(), states.completeness), (2, SearchQuality::Resolved));
     Ok(())
 }
 
@@ -82,12 +82,12 @@ fn radii_near_the_largest_numbers_are_looked_at() -> Result<()> {
 fn what_is_out_of_range_is_not_left_out_without_a_word() -> Result<()> {
     let (ball, glue) = (ball()?, Material::new(1.0, 1.0)?);
     for (value, count, completeness) in [
-        (-1e-100, 2, Completeness::Resolved),
-        (-1e-200, 1, Completeness::Doubtful),
-        (0.0, 1, Completeness::Resolved),
-        (1e-200, 1, Completeness::Resolved),
-        (-2.0, 0, Completeness::Resolved),
-        (1e100, 1, Completeness::Resolved),
+        (-1e-100, 2, SearchQuality::Resolved),
+        (-1e-200, 1, SearchQuality::Doubtful),
+        (0.0, 1, SearchQuality::Resolved),
+        (1e-200, 1, SearchQuality::Resolved),
+        (-2.0, 0, SearchQuality::Resolved),
+        (1e100, 1, SearchQuality::Resolved),
     ] {
         let found = equilibria(&ball, &glue, &Control::Indentation, &value)?;
         assert_eq!((found.len(), found.completeness), (count, completeness), "{value}");
@@ -99,7 +99,7 @@ fn what_is_out_of_range_is_not_left_out_without_a_word() -> Result<()> {
 fn a_curve_is_asked_at_radii_and_values_alone() -> Result<()> {
     let (ball, glue) = (ball()?, Material::new(1.0, 1.0)?);
     for control in [Control::Indentation, Control::Force, Control::machine(1.0)?] {
-        let curve = Curve::new(&ball, &glue, &control);
+        let curve = EquilibriumCurve::new(&ball, &glue, &control);
         for a in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
             assert_eq!(refused(curve.detachment_elongation(&a)), Some(Quantity::ContactRadius));
             assert_eq!(refused(curve.threshold(&a)), Some(Quantity::ContactRadius));
@@ -108,6 +108,6 @@ fn a_curve_is_asked_at_radii_and_values_alone() -> Result<()> {
         assert_eq!(refused(curve.direction(&0.1, &f64::NAN)), Some(control.quantity()));
     }
     let machine = Control::Machine { stiffness: -1.0 };
-    assert_eq!(refused(Curve::new(&ball, &glue, &machine).threshold(&0.1)), Some(Quantity::Stiffness));
+    assert_eq!(refused(EquilibriumCurve::new(&ball, &glue, &machine).threshold(&0.1)), Some(Quantity::Stiffness));
     Ok(())
 }

@@ -7,9 +7,9 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, FoldKind, Material, Outcome, Profile, Shape, Stability, Transform};
 use mdr_core::number::{Lift, Real};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::{Branches, equilibria};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
 use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::folds;
 use mdr_numeric::transform::Quadrature;
@@ -33,7 +33,7 @@ fn the_flat_punch_of_kendall() {
         assert_relative_eq!(found[0].indentation, -f64::sqrt(2.0 * PI * b * w / e), max_relative = ROUNDING);
         assert_relative_eq!(found[0].force, -f64::sqrt(8.0 * PI * b.powi(3) * e * w), max_relative = ROUNDING);
 
-        let branches = Branches::new(Curve::new(&punch, &material, &control)).unwrap();
+        let branches = SearchedBranches::new(EquilibriumCurve::new(&punch, &material, &control)).unwrap();
         assert_eq!(branches.outcome(0).unwrap(), Outcome::Detached);
         let pull_off = control.controlled(&found[0].indentation, &found[0].force);
         assert!(branches.equilibria(&(1.001 * pull_off)).unwrap().is_empty());
@@ -66,7 +66,7 @@ impl<R: Real> Profile<R> for Rod<R> {
     fn outer_radius(&self) -> Option<R> {
         Some(self.edge.clone())
     }
-    fn wall(&self) -> bool {
+    fn vertical_edge(&self) -> bool {
         true
     }
     fn tip_exponent(&self) -> Option<R> {
@@ -85,7 +85,7 @@ fn a_stable_contact_goes_on_along_the_wall() {
         let found = folds(&rod, &material, &control).unwrap();
         let on_wall = found.last().unwrap().contact_radius == edge;
         assert_eq!((found.len(), on_wall), (1, edge < a_c), "{edge}");
-        let curve = Curve::new(&rod, &material, &control);
+        let curve = EquilibriumCurve::new(&rod, &material, &control);
         let corner = curve.indentation(&edge).unwrap();
         let rest = |d: f64| equilibria(&rod, &material, &control, &d).unwrap().equilibria.pop().unwrap();
         let beyond = rest(corner + 0.01);
@@ -109,7 +109,7 @@ fn equilibria_are_found_up_to_the_equator() {
         (Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap(), Material::new(1.0, 1e-3).unwrap());
     for a in [0.3, 0.55, 0.8, 0.99] {
         let control = Control::Indentation;
-        let d = Curve::new(&ball, &material, &control).indentation(&a).unwrap();
+        let d = EquilibriumCurve::new(&ball, &material, &control).indentation(&a).unwrap();
         let found = equilibria(&ball, &material, &control, &d).unwrap();
         assert_relative_eq!(found.last().unwrap().contact_radius, a, max_relative = 1e-13);
     }
@@ -122,7 +122,7 @@ fn equilibria_are_found_up_to_the_equator() {
 fn the_pressure_under_a_flat_punch() {
     let (b, e, w) = (0.3, 2e6, 0.05);
     let (punch, material) = (Quadrature::of([Shape::FlatPunch { radius: b }]).unwrap(), Material::new(e, w).unwrap());
-    let curve = Curve::new(&punch, &material, &Control::Force);
+    let curve = EquilibriumCurve::new(&punch, &material, &Control::Force);
     for force in [500.0, -50.0] {
         let rest = equilibria(&punch, &material, &Control::Force, &force).unwrap().equilibria.pop().unwrap();
         let fields = Fields::of(curve, &rest).unwrap();

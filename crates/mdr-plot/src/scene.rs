@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use mdr::diagram::{Completeness, DECADES, Diagram, HeldCurve, Sample, Spot};
+use mdr::diagram::{DECADES, Diagram, HeldCurve, Sample, SearchQuality, Spot};
 use mdr::prelude::{Control, Stability};
 
 use crate::balance::{Balance, change, shifted};
@@ -158,8 +158,8 @@ fn description(data: &Diagram) -> String {
          dashed, jumps as arrows. The contact is assumed to be simply connected. {} folds in the range of radii shown, {}.",
         data.folds.len(),
         match data.completeness {
-            Completeness::Resolved => "not proved to be all",
-            Completeness::Doubtful => "and perhaps more that the search in f64 could not resolve",
+            SearchQuality::Resolved => "not proved to be all",
+            SearchQuality::Doubtful => "and perhaps more that the search in f64 could not resolve",
         }
     );
     for (index, event) in data.path.iter().enumerate().take(MOST_TOLD) {

@@ -1,7 +1,7 @@
 //! From a certified decimal to a record.
 
 use mdr_core::number::{Decimal, Literal, Real};
-use mdr_reference::{Certified, Hardness, Method, Record, Status};
+use mdr_reference::{Certified, DifficultyInputs, Method, Record, Status};
 use rug::{Float, Rational};
 
 use crate::DIGITS;
@@ -100,7 +100,8 @@ impl<'a> RecordBuilder<'a> {
         };
         record.flags.extend(value.is_zero().then(|| "exact-zero".to_owned()));
         let decades = self.decades().max(log10.unwrap_or(0.0).abs());
-        let hardness = Hardness { condition: record.total_condition(), decades, is_number: true, ..self.hardness() };
+        let hardness =
+            DifficultyInputs { condition: record.total_condition(), decades, is_number: true, ..self.hardness() };
         Record { difficulty: hardness.difficulty(), ..record }
     }
 
@@ -124,7 +125,7 @@ impl<'a> RecordBuilder<'a> {
             log10: None,
             scale: None,
             condition: Vec::new(),
-            difficulty: Hardness { is_number: false, ..self.hardness() }.difficulty(),
+            difficulty: DifficultyInputs { is_number: false, ..self.hardness() }.difficulty(),
             methods: formula.methods.iter().enumerate().map(method).collect(),
             proof: formula.proof.clone(),
             flags: self.flags.iter().map(|flag| (*flag).to_owned()).collect(),
@@ -132,14 +133,14 @@ impl<'a> RecordBuilder<'a> {
         }
     }
 
-    fn hardness(&self) -> Hardness {
+    fn hardness(&self) -> DifficultyInputs {
         let exponent = self.inputs.iter().find(|(name, _)| *name == "n").map(|(_, n)| n.to_rational());
         let from_half = exponent.map(|n| (n - Rational::from((1, 2))).abs()).filter(|distance| !distance.is_zero());
-        Hardness {
+        DifficultyInputs {
             fold_distance: self.fold_distance,
             decades: self.decades(),
             from_half: from_half.map_or(f64::INFINITY, |distance| distance.to_f64()),
-            ..Hardness::default()
+            ..DifficultyInputs::default()
         }
     }
 

@@ -5,7 +5,7 @@
 
 use mdr_core::contact::Result;
 use mdr_core::number::{Decimal, Precision, Real};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use rug::Float;
 
 use crate::contact::Contact;
@@ -37,7 +37,7 @@ pub(crate) fn agree(a: &Float, b: &Float, scale: &Float) -> bool {
 
 /// A fold: the tangency changes its sign at a, and d and F are on the curve of equilibria.
 pub(crate) fn fold(contact: &Contact, values: &[Decimal; 3], conditions: &[Conditions]) -> crate::Result<()> {
-    let tangency = |curve: &Curve<'_, Float>, a: &Float| Ok(curve.tangency(a)? - curve.threshold(a)?);
+    let tangency = |curve: &EquilibriumCurve<'_, Float>, a: &Float| Ok(curve.tangency(a)? - curve.threshold(a)?);
     Failure::unless("the fold", state(contact, values, precision(conditions), tangency)?)
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn equilibrium(
     values: &[Decimal; 3],
     ctx: Precision,
 ) -> crate::Result<()> {
-    let direction = |curve: &Curve<'_, Float>, a: &Float| curve.direction(a, value);
+    let direction = |curve: &EquilibriumCurve<'_, Float>, a: &Float| curve.direction(a, value);
     Failure::unless("the equilibrium", state(contact, values, ctx, direction)?)
 }
 
@@ -57,7 +57,7 @@ fn state(
     contact: &Contact,
     values: &[Decimal; 3],
     ctx: Precision,
-    f: impl Fn(&Curve<'_, Float>, &Float) -> Result<Float>,
+    f: impl Fn(&EquilibriumCurve<'_, Float>, &Float) -> Result<Float>,
 ) -> Result<bool> {
     contact.float(ctx)?.integrated(|curve| {
         let state = values.each_ref().map(|value| float(ctx, value));
@@ -66,7 +66,7 @@ fn state(
 }
 
 /// Whether d and F belong to a; they are compared to the terms of which they are the difference.
-pub(crate) fn on_curve(curve: &Curve<'_, Float>, [a, d, f]: [&Float; 3]) -> Result<bool> {
+pub(crate) fn on_curve(curve: &EquilibriumCurve<'_, Float>, [a, d, f]: [&Float; 3]) -> Result<bool> {
     let (indentation, force) = curve.state(a)?;
     let length = curve.detachment_elongation(a)? + d.clone().abs();
     let load = length.clone() * a * curve.effective_modulus();

@@ -7,7 +7,7 @@ use mdr_analytic::struve::Struve;
 use mdr_analytic::{Contact as Law, Kappa, PowerLaw};
 use mdr_core::contact::{self, Control, Error, Material, Quantity};
 use mdr_core::number::{Precision, Real};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -122,12 +122,12 @@ impl Contact {
 
 impl<R: Real> Model<R> {
     /// What `f` reads off the curve of equilibria of the closed form.
-    pub(crate) fn closed<T>(self, f: impl FnOnce(&Curve<'_, R>) -> contact::Result<T>) -> contact::Result<T>
+    pub(crate) fn closed<T>(self, f: impl FnOnce(&EquilibriumCurve<'_, R>) -> contact::Result<T>) -> contact::Result<T>
     where
         R: Struve + Kappa,
     {
         let terms = self.terms.into_iter().map(closed_form).collect::<contact::Result<_>>()?;
-        f(&Curve::new(&Sum::new(terms), &self.material, &self.control))
+        f(&EquilibriumCurve::new(&Sum::new(terms), &self.material, &self.control))
     }
 
     /// The power law.
@@ -151,7 +151,10 @@ impl<R: Real> Model<R> {
 
 impl Model<Float> {
     /// What `f` reads off the curve of equilibria by quadrature of the heights.
-    pub(crate) fn integrated<T>(self, f: impl FnOnce(&Curve<'_, Float>) -> contact::Result<T>) -> contact::Result<T> {
-        f(&Curve::new(&Quadrature::of(self.terms)?, &self.material, &self.control))
+    pub(crate) fn integrated<T>(
+        self,
+        f: impl FnOnce(&EquilibriumCurve<'_, Float>) -> contact::Result<T>,
+    ) -> contact::Result<T> {
+        f(&EquilibriumCurve::new(&Quadrature::of(self.terms)?, &self.material, &self.control))
     }
 }

@@ -5,7 +5,7 @@ use mdr::prelude::Literal;
 use mdr_analytic::detachment_elongation;
 use mdr_core::contact::{self, Error, Status as Outcome};
 use mdr_core::number::{Interval, Precision, Real, Special};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::{Record, Status};
@@ -72,6 +72,6 @@ fn enclosed_gap(contact: &Contact, (radius, offset): (&Literal, &Literal), a: &L
 fn integrated_gap(contact: &Contact, offset: &Literal, a: &Literal) -> contact::Result<bool> {
     let model = contact.model(Literal::nearest_f64)?;
     let transform = Quadrature::of(model.terms)?;
-    let curve = Curve::new(&transform, &model.material, &model.control);
+    let curve = EquilibriumCurve::new(&transform, &model.material, &model.control);
     Ok(Fields::new(curve, a.nearest_f64())?.gap(&offset.nearest_f64())? < 0.0)
 }

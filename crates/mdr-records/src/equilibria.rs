@@ -5,7 +5,7 @@ use mdr::prelude::{EventKind, Literal, Stability, Start, Value, Want};
 use mdr_core::contact::{self, Error, Quantity, Status as Outcome};
 use mdr_core::number::certify::{Enclosure, certify};
 use mdr_core::number::{Decimal, Dual, Interval, Precision, Real};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_reference::{Record, Status};
 use rug::Float;
 
@@ -41,7 +41,7 @@ impl Target<'_> {
     }
 
     /// The value while an input changes. At a fold it does not depend on the radius, which is a constant.
-    fn seeded(&self, curve: &Curve<'_, Seeded>, given: &Seeded) -> contact::Result<Seeded> {
+    fn seeded(&self, curve: &EquilibriumCurve<'_, Seeded>, given: &Seeded) -> contact::Result<Seeded> {
         match self {
             Target::Value(_) => Ok(given.clone()),
             Target::Share(_, fold) => Ok((given.lit(1) - given) * controlled(curve, &constant(&fold[0]))?),

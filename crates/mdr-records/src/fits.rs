@@ -10,7 +10,7 @@ use mdr::fit::{Certified, Fit, FittedRow, Observation, Problem};
 use mdr::prelude::{Literal, Shape};
 use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Decimal, Precision, Real};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::{DataSet, Method, Record};
 use rug::Float;
@@ -247,7 +247,7 @@ impl Rows<'_> {
         let required = |name| named(name).ok_or(Failure::Missing("modulus or work of adhesion"));
         let material = Material::new(required("e_star")?, required("work_of_adhesion")?)?;
         let control = Control::Indentation;
-        let curve = Curve::new(&transform, &material, &control);
+        let curve = EquilibriumCurve::new(&transform, &material, &control);
         let zero = self.rows[0][0].lit(0);
         let [contact_point, baseline] =
             ["contact_point", "baseline"].map(|name| named(name).unwrap_or_else(|| zero.clone()));

@@ -8,7 +8,7 @@ use mdr_analytic::flat_punch_pull_off;
 use mdr_core::contact::{self, Control, Error, Quantity, Shape};
 use mdr_core::number::{Decimal, Dual, Real};
 use mdr_numeric::admissible::{Admissibility, Verdict};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::Record;
 use rug::Float;
@@ -96,7 +96,7 @@ pub(crate) fn point(contact: &Contact, a: &Literal) -> Result<CurvePoint> {
 fn is_open(contact: &Contact, a: &Literal) -> contact::Result<bool> {
     let model = contact.model(Literal::nearest_f64)?;
     let transform = Arc::new(Quadrature::of(model.terms)?);
-    let curve = Curve::new(&*transform, &model.material, &Control::Indentation);
+    let curve = EquilibriumCurve::new(&*transform, &model.material, &Control::Indentation);
     let a = a.nearest_f64();
     let end = contact.range.as_ref().map_or(f64::INFINITY, |[_, end]| end.nearest_f64());
     let admissibility = Admissibility::new(transform.clone(), [1e-6 * a, end.min(2.0 * a)]);
@@ -125,9 +125,9 @@ pub(crate) fn pull_off(case: &Case) -> Result<Vec<Record>> {
 }
 
 /// The radius of the vertical edge.
-fn edge<R: Real>(curve: &Curve<'_, R>) -> contact::Result<R> {
+fn edge<R: Real>(curve: &EquilibriumCurve<'_, R>) -> contact::Result<R> {
     let (quantity, requirement) = (Quantity::Parameter("the profile"), "one with a vertical edge");
-    curve.wall().ok_or(Error::Domain { quantity, value: String::new(), requirement })
+    curve.vertical_edge().ok_or(Error::Domain { quantity, value: String::new(), requirement })
 }
 
 /// The energy E*bd² of the punch held at d, given to its rim: its derivative with respect to b is 2πbw, that with

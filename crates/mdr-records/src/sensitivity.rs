@@ -2,7 +2,7 @@
 
 use mdr_core::contact::Result;
 use mdr_core::number::{Decimal, Dual, Interval, Literal, Precision, Real};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 
 use crate::contact::{Contact, Model};
 use crate::float;
@@ -51,7 +51,7 @@ pub(crate) fn conditions<R: Real<Ctx = Precision>, const K: usize>(
 pub(crate) fn on_curve<const K: usize>(
     contact: &Contact,
     given: Option<(&'static str, &Literal)>,
-    quantities: impl Fn(&Curve<'_, Seeded>, &Seeded) -> Result<[Seeded; K]>,
+    quantities: impl Fn(&EquilibriumCurve<'_, Seeded>, &Seeded) -> Result<[Seeded; K]>,
 ) -> Result<[Conditions; K]> {
     conditions(contact, given, |model, given| model.closed(|curve| quantities(curve, &given)))
 }
@@ -71,7 +71,7 @@ pub(crate) fn implicit(a: &Seeded, residual: impl Fn(&Seeded) -> Result<Seeded>)
 }
 
 /// What is controlled at a contact radius.
-pub(crate) fn controlled(curve: &Curve<'_, Seeded>, a: &Seeded) -> Result<Seeded> {
+pub(crate) fn controlled(curve: &EquilibriumCurve<'_, Seeded>, a: &Seeded) -> Result<Seeded> {
     let (d, f) = curve.state(a)?;
     Ok(curve.control().controlled(&d, &f))
 }

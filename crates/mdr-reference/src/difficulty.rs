@@ -38,13 +38,13 @@ impl FromStr for Difficulty {
 /// Where there is no number, the question is at least of average difficulty.
 ///
 /// ```
-/// use mdr_reference::{Difficulty, Hardness};
-/// let plain = Hardness::default();
+/// use mdr_reference::{Difficulty, DifficultyInputs};
+/// let plain = DifficultyInputs::default();
 /// assert_eq!(plain.difficulty(), Difficulty::Lower);
-/// assert_eq!(Hardness { condition: 1e6, ..plain }.difficulty(), Difficulty::Higher);
+/// assert_eq!(DifficultyInputs { condition: 1e6, ..plain }.difficulty(), Difficulty::Higher);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hardness {
+pub struct DifficultyInputs {
     /// Σ|d ln value/d ln input|.
     pub condition: f64,
     /// The relative distance of the controlled quantity to its value at a fold; ∞ if that is irrelevant.
@@ -57,15 +57,15 @@ pub struct Hardness {
     pub is_number: bool,
 }
 
-impl Default for Hardness {
+impl Default for DifficultyInputs {
     /// The lowest difficulty.
     fn default() -> Self {
         let far = f64::INFINITY;
-        Hardness { condition: 1.0, fold_distance: far, decades: 0.0, from_half: far, is_number: true }
+        DifficultyInputs { condition: 1.0, fold_distance: far, decades: 0.0, from_half: far, is_number: true }
     }
 }
 
-impl Hardness {
+impl DifficultyInputs {
     /// The level.
     pub fn difficulty(&self) -> Difficulty {
         let higher = self.condition >= 1e4

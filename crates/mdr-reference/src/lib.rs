@@ -3,7 +3,7 @@
 //! These records are for adhesive contact what the Statistical Reference Datasets of NIST are for statistics: numbers
 //! with every digit proved, from easy to hard. A [`Record`] has a question (exact decimal inputs), fifty certified
 //! digits, the nearest double, the condition of the question with respect to each input, and a difficulty with
-//! published thresholds ([`Hardness`]). The judge marks answers and separates the error of an algorithm from the
+//! published thresholds ([`DifficultyInputs`]). The judge marks answers and separates the error of an algorithm from the
 //! condition of the question. Where wrong answers follow a mistaken convention, such as γ for w, it names that
 //! ([`Explanation`]). A [`Table`] is a few dozen rows to copy.
 //! A [`DataSet`] is a measured curve whose fit is certified.
@@ -45,7 +45,7 @@ mod write;
 pub use catalogue::{Family, Filter, FilterError, families, lines, record, records};
 pub use data_set::{DataSet, data_sets};
 pub use decimal::{Decimal, DecimalError};
-pub use difficulty::{Difficulty, Hardness};
+pub use difficulty::{Difficulty, DifficultyInputs};
 pub use judge::{
     Answer, Claim, ClaimError, Class, Explanation, Judge, Judged, Limits, Mark, Range, Refused, Report, Rules, Verdict,
     judge, mark,

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use mdr_reference::{Decimal, Difficulty, Filter, Hardness, Record, Status, data_sets, lines, record, records};
+use mdr_reference::{Decimal, Difficulty, DifficultyInputs, Filter, Record, Status, data_sets, lines, record, records};
 
 #[test]
 fn every_line_is_a_record() {
@@ -137,7 +137,7 @@ fn difficulties_are_those_of_their_measures() {
     let mut near = 0;
     for record in records().iter().filter(|record| record.formula != "fit") {
         let half = record.input_f64("n").map_or(f64::INFINITY, |n| (n - 0.5).abs());
-        let measured = Hardness {
+        let measured = DifficultyInputs {
             condition: record.total_condition(),
             fold_distance: record.fold_distance().unwrap_or(f64::INFINITY),
             decades: record.decades(),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use mdr_core::contact::{self, Evaluations, Tally};
+use mdr_core::contact::{self, EvaluationCounter, Evaluations};
 
 use crate::answer::{Output, OutputKind};
 use crate::scene::Want;
@@ -68,8 +68,8 @@ impl Stop {
     }
 
     /// A count of evaluations that ends with the run.
-    pub(crate) fn tally(&self) -> Arc<Tally> {
-        Arc::new(Tally::until(&self.0))
+    pub(crate) fn tally(&self) -> Arc<EvaluationCounter> {
+        Arc::new(EvaluationCounter::until(&self.0))
     }
 
     /// The same for each arithmetic.
@@ -99,7 +99,7 @@ impl<'a> Run<'a> {
 }
 
 /// The evaluations so far, by arithmetic.
-pub(crate) type Counts = [Arc<Tally>; ARITHMETICS.len()];
+pub(crate) type Counts = [Arc<EvaluationCounter>; ARITHMETICS.len()];
 
 /// A result that an answer can do without; a stop cannot be.
 ///

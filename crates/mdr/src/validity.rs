@@ -5,7 +5,7 @@
 //! large. For a paraboloid it is Tabor's own (Rw²/(E*²z₀³))^(1/3). Formulas and sources are in [`mdr_numeric::dugdale`].
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Result, Status};
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Result, Status};
 use mdr_core::named;
 use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::Admissibility;
@@ -247,7 +247,7 @@ fn record<R: SceneReal>(
 
 /// The state at which the contact breaks under a dead load: the lowest minimum of the force; else the fold beyond which it
 /// spreads.
-fn instability<R: Real>(folds: &Folds<R>) -> Result<Instability<R>> {
+fn instability<R: Real>(folds: &Folds<R>) -> Result<Fold<R>> {
     let mut minima: Vec<_> = folds.iter().filter(|fold| fold.kind == FoldKind::Minimum).collect();
     minima.sort_by(|one, other| mdr_core::number::order(&one.force, &other.force));
     let found = minima.first().copied().or(folds.last()).cloned();
@@ -256,7 +256,7 @@ fn instability<R: Real>(folds: &Folds<R>) -> Result<Instability<R>> {
 
 /// Whether a contact without a minimum of the force is stable under a dead load down to the smallest radii: the force then tends
 /// to zero as the contact does.
-fn vanishes<R: SceneReal>(model: &Model<R>, fold: Option<&Instability<R>>) -> Result<bool> {
+fn vanishes<R: SceneReal>(model: &Model<R>, fold: Option<&Fold<R>>) -> Result<bool> {
     let curve = model.curve();
     let scale = fold.map_or_else(|| curve.material_length(), |fold| fold.contact_radius.clone());
     let near = scale.lit(2).powi(-30) * scale;

@@ -1,9 +1,9 @@
 //! Certified answers.
 
-use mdr_core::contact::{Instability, Regime};
+use mdr_core::contact::{Fold, Regime};
 use mdr_core::number::certify::Decimal;
 
-use crate::critical::Critical;
+use crate::critical::State;
 
 /// Correctly rounded answers to a [`Question`](super::Question).
 #[derive(Clone, Debug, PartialEq)]
@@ -14,9 +14,9 @@ pub struct Answer {
     pub kappa: Decimal,
     /// The critical state; on a machine the first fold when leaving the stable branch. `None` at n = 1/2, except on a
     /// machine with 1 < ρ < 3.
-    pub critical: Option<Critical<Decimal>>,
+    pub critical: Option<State<Decimal>>,
     /// On a machine all folds, by increasing radius; otherwise empty.
-    pub folds: Vec<Instability<Decimal>>,
+    pub folds: Vec<Fold<Decimal>>,
     /// At n = 1/2 the threshold of C under this control (1.19), see [`threshold`](crate::threshold()); otherwise
     /// `None`.
     pub threshold: Option<Decimal>,

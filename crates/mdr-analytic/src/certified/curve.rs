@@ -27,7 +27,7 @@ use rug::Rational;
 use super::scaled::Scaled;
 use super::{Question, exact};
 use crate::contact::{Contact, ln_edge_length};
-use crate::machine::Tension;
+use crate::machine::CriticalRatio;
 use crate::newton;
 
 /// The equilibria of a [`Question`] under its control, over intervals of some precision.
@@ -126,7 +126,7 @@ impl Question {
             Control::Machine { stiffness } => {
                 let ln_length = contact.ln_machine_length(stiffness);
                 let folds = contact.machine_tangencies(stiffness)?.into_iter();
-                folds.map(|fold| (curve.tangent(fold.ln_s + &ln_length, &fold.tension), fold.kind)).collect()
+                folds.map(|fold| (curve.tangent(fold.ln_s + &ln_length, &fold.critical_ratio), fold.kind)).collect()
             }
             _ => curve.fold().into_iter().collect(),
         };
@@ -305,17 +305,18 @@ impl Curve {
         if self.excess == zero {
             return None;
         }
-        let tension = Tension::limit(if self.control == Control::Force { 3 } else { 1 }, &zero);
+        let critical_ratio = CriticalRatio::limit(if self.control == Control::Force { 3 } else { 1 }, &zero);
         // ln λ√B/N.
-        let ln_ratio = self.ln_edge.clone() + (tension.value().over(2) / &self.exponent).ln() - &self.ln_strength;
+        let ln_ratio =
+            self.ln_edge.clone() + (critical_ratio.value().over(2) / &self.exponent).ln() - &self.ln_strength;
         let kind = if self.excess > zero { FoldKind::Minimum } else { FoldKind::Maximum };
-        Some((self.tangent(ln_ratio.times(2) / &self.excess, &tension), kind))
+        Some((self.tangent(ln_ratio.times(2) / &self.excess, &critical_ratio), kind))
     }
 
     /// The state with 2ng = λt: 2nd = (λ − 2n)t.
-    fn tangent(&self, ln_radius: Interval, tension: &Tension<Interval>) -> Point {
+    fn tangent(&self, ln_radius: Interval, critical_ratio: &CriticalRatio<Interval>) -> Point {
         let length = self.elongation(&ln_radius);
-        let [indentation, depth] = [1, 3].map(|k| tension.less(k, &self.excess).over(2));
+        let [indentation, depth] = [1, 3].map(|k| critical_ratio.less(k, &self.excess).over(2));
         Point {
             indentation: length.by(&(indentation / &self.exponent)),
             depth: length.by(&depth),

@@ -2,14 +2,14 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Quantity, Regime, Result};
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Quantity, Regime, Result};
 use mdr_core::number::certify::{Decimal, Enclosure, certify, require_digits};
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use rug::{Integer, Rational};
 
 use super::{Answer, Question, exact};
 use crate::contact::Contact;
-use crate::critical::Critical;
+use crate::critical::State;
 use crate::newton::undecided;
 use crate::threshold::threshold;
 
@@ -58,7 +58,7 @@ impl Question {
         }
         let quantities = [Quantity::Kappa, Quantity::ContactRadius, Quantity::Indentation, Quantity::Force];
         let [kappa, a, d, f] = certify(quantities, digits, start, |precision| self.critical(precision))?;
-        let critical = Some(Critical { contact_radius: a, indentation: d, force: f });
+        let critical = Some(State { contact_radius: a, indentation: d, force: f });
         Ok(Answer { regime, kappa, critical, folds: Vec::new(), threshold: None, ratio: None })
     }
 
@@ -96,7 +96,7 @@ impl Question {
             _ => self.certified_folds::<9>(&kinds, digits, start)?,
         };
         let first = if regime == Regime::PullOff { folds.last() } else { folds.first() };
-        let critical = first.map(|Instability { contact_radius, indentation, force, .. }| Critical {
+        let critical = first.map(|Fold { contact_radius, indentation, force, .. }| State {
             contact_radius: contact_radius.clone(),
             indentation: indentation.clone(),
             force: force.clone(),
@@ -114,14 +114,14 @@ impl Question {
         kinds: &[FoldKind],
         digits: u32,
         start: Precision,
-    ) -> Result<Vec<Instability<Decimal>>> {
+    ) -> Result<Vec<Fold<Decimal>>> {
         const STATE: [Quantity; 3] = [Quantity::ContactRadius, Quantity::Indentation, Quantity::Force];
         let decimals = certify(std::array::from_fn(|i| STATE[i % 3]), digits, start, |precision| {
             let enclosures: Vec<Enclosure> = self.curve(precision)?.states().flat_map(|(_, state)| state).collect();
             let like = Interval::from_int(precision, 1);
             <[Enclosure; K]>::try_from(enclosures).map_err(|_| undecided(&like, "the number of folds"))
         })?;
-        let fold = |(kind, state): (&FoldKind, &[Decimal])| Instability {
+        let fold = |(kind, state): (&FoldKind, &[Decimal])| Fold {
             contact_radius: state[0].clone(),
             indentation: state[1].clone(),
             force: state[2].clone(),

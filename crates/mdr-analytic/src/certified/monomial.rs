@@ -11,7 +11,7 @@
 //! A cone has κ_1 = π/2, and √(Ba) is rational: a and F are rationals over π.
 
 use mdr_core::contact::Control;
-use mdr_core::number::{Counted, Interval, Precision};
+use mdr_core::number::{Interval, Precision, RoundingCount};
 use rug::{Float, Rational};
 
 use super::{Question, exact};
@@ -48,7 +48,7 @@ impl Monomials {
         work: &Rational,
         control: &Control<Rational>,
     ) -> Option<Self> {
-        let tension = match control {
+        let critical_ratio = match control {
             Control::Indentation => 1,
             Control::Force => 3,
             Control::Machine { .. } => return None,
@@ -62,15 +62,15 @@ impl Monomials {
         if up.abs() > LARGEST || down > LARGEST {
             return None;
         }
-        let indentation: Rational = (tension - Rational::from(n * 2u32)) / n;
+        let indentation: Rational = (critical_ratio - Rational::from(n * 2u32)) / n;
         let next = Rational::from(n + 1u32);
-        let force: Rational = (tension - Rational::from(&next * 2u32)) * 2u32 / next * e_star;
+        let force: Rational = (critical_ratio - Rational::from(&next * 2u32)) * 2u32 / next * e_star;
         if indentation.is_zero() || force.is_zero() {
             return None;
         }
         let negative = [indentation < 0, force < 0];
         let (indentation, force) = (indentation.abs(), force.abs());
-        let (edge, softness) = (Rational::from(work / e_star) / 2u32, tension / Rational::from(n * c));
+        let (edge, softness) = (Rational::from(work / e_star) / 2u32, critical_ratio / Rational::from(n * c));
         let cone = (*n == 1).then(|| {
             // √(Ba) with a = B(softness/κ_1)²
             let root = Rational::from(&edge * &softness) * 2u32;
@@ -83,12 +83,12 @@ impl Monomials {
     }
 
     /// κ_n, a, d and F. `None` if a value leaves the exponent range.
-    fn state(&self, kappa: Counted, working: Precision, precision: Precision) -> Option<[Interval; 4]> {
+    fn state(&self, kappa: RoundingCount, working: Precision, precision: Precision) -> Option<[Interval; 4]> {
         let [radius, indentation, force] = match &self.cone {
             Some(cone) => cone_state(cone, working),
             None => self.power_state(&kappa, working),
         };
-        let enclose = |number: &Counted, negative| {
+        let enclose = |number: &RoundingCount, negative| {
             let magnitude = number.enclosure(precision);
             let known = !magnitude.is_entire() && !magnitude.contains_zero();
             known.then_some(if negative { -magnitude } else { magnitude })
@@ -103,8 +103,8 @@ impl Monomials {
     }
 
     /// a, |d| and |F|.
-    fn power_state(&self, kappa: &Counted, working: Precision) -> [Counted; 3] {
-        let root_edge = Counted::pi(working).scaled(&self.edge).sqrt();
+    fn power_state(&self, kappa: &RoundingCount, working: Precision) -> [RoundingCount; 3] {
+        let root_edge = RoundingCount::pi(working).scaled(&self.edge).sqrt();
         let (up, down) = self.exponent;
         let ratio = root_edge.clone().scaled(&self.softness);
         // Square roots give a positive power directly, other roots a negative one; the opposite sign costs one more
@@ -122,9 +122,9 @@ impl Monomials {
 }
 
 /// a, |d| and |F| of a cone.
-fn cone_state([indentation, radius, force]: &[Rational; 3], working: Precision) -> [Counted; 3] {
-    let one = Counted::new(Float::with_val(working.bits(), 1), 0);
-    let per_pi = one.clone().over(&Counted::pi(working));
+fn cone_state([indentation, radius, force]: &[Rational; 3], working: Precision) -> [RoundingCount; 3] {
+    let one = RoundingCount::new(Float::with_val(working.bits(), 1), 0);
+    let per_pi = one.clone().over(&RoundingCount::pi(working));
     [per_pi.clone().scaled(radius), one.scaled(indentation), per_pi.scaled(force)]
 }
 
@@ -138,7 +138,7 @@ impl Question {
         let guard = 2 * u32::BITS - precision.bits().leading_zeros() - magnified.leading_zeros() + 4;
         let working = Precision::new(precision.bits() + guard);
         let kappa = match exact::kappa(&self.exponent) {
-            Some(kappa) => Counted::new(Float::with_val(working.bits(), kappa), 1),
+            Some(kappa) => RoundingCount::new(Float::with_val(working.bits(), kappa), 1),
             None => rational_kappa(working, &self.exponent),
         };
         monomials.state(kappa, working, precision)

@@ -54,7 +54,7 @@ impl Curve {
         let (mut defect, mut slope) = imbalance(&guess);
         // Close to a fold the initial accuracy is lower.
         for _ in 0..6 {
-            let next = (guess.clone() - defect.steer() / slope.steer()).steer();
+            let next = (guess.clone() - defect.midpoint() / slope.midpoint()).midpoint();
             if defect.contains_zero() || !next.is_finite() {
                 break;
             }
@@ -62,11 +62,11 @@ impl Curve {
             (defect, slope) = imbalance(&guess);
         }
         let ulps = (guess.abs() + guess.lit(1)) * guess.unit_roundoff().times(4);
-        let step = (defect.abs().times(4) / slope.steer()).abs().steer();
-        let mut radius = if step.is_finite() { (step + &ulps).steer() } else { ulps };
+        let step = (defect.abs().times(4) / slope.midpoint()).abs().midpoint();
+        let mut radius = if step.is_finite() { (step + &ulps).midpoint() } else { ulps };
         let zero = guess.lit(0);
         for _ in 0..guess.precision().div_ceil(4) {
-            let [from, to] = [guess.clone() - &radius, guess.clone() + &radius].map(|u| u.steer());
+            let [from, to] = [guess.clone() - &radius, guess.clone() + &radius].map(|u| u.midpoint());
             // The root lies between the folds, so the search does not pass them.
             let below = ends[0].filter(|fold| !(from > **fold));
             let above = ends[1].filter(|fold| !(to < **fold));
@@ -88,13 +88,13 @@ impl Curve {
     fn bracket(&self, value: &Scaled, ends: [Option<&Interval>; 2], rising: bool) -> Result<[Interval; 2]> {
         // At the radius where Q is of the magnitude of the value.
         let start = || {
-            let guess = (value.ln_magnitude() - &self.ln_edge).times(2).steer();
+            let guess = (value.ln_magnitude() - &self.ln_edge).times(2).midpoint();
             if guess.is_finite() { guess } else { guess.lit(0) }
         };
         let walk = |from: &Interval, outwards: bool| {
             let (mut step, zero) = (from.lit(if outwards { 1 } else { -1 }), from.lit(0));
             for _ in 0..from.precision() + 64 {
-                let next = (from.clone() + &step).steer();
+                let next = (from.clone() + &step).midpoint();
                 let excess = self.imbalance(&next, value).0;
                 if (outwards == rising && excess > zero) || (outwards != rising && excess < zero) {
                     return Ok(next);
@@ -103,7 +103,7 @@ impl Curve {
             }
             Err(self.undecided("where the equilibrium lies"))
         };
-        Ok(match ends.map(|end| end.map(Real::steer)) {
+        Ok(match ends.map(|end| end.map(Real::midpoint)) {
             [Some(lower), Some(upper)] => [lower, upper],
             [Some(lower), None] => [lower.clone(), walk(&lower, true)?],
             [None, Some(upper)] => [walk(&upper, false)?, upper],

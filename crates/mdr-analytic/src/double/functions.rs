@@ -1,12 +1,12 @@
 //! The functions of one point: states, critical states, jumps, the transformed profile and the scale-free case.
 
-use mdr_core::contact::{Control, Error, Instability, Material, Quantity, Ranged, Result, Transform};
-use mdr_core::number::Wide;
+use mdr_core::contact::{Control, Error, Fold, Material, Quantity, Ranged, Result, Transform};
+use mdr_core::number::Extended;
 
 use super::ziv::{decide, settle, undecided};
 use super::{contact, lifted, lifted_control, positive, power_law};
-use crate::critical::Critical;
-use crate::threshold::Fate;
+use crate::critical::State;
+use crate::threshold::ScaleFreeOutcome;
 
 /// Functions whose formula, generic in the arithmetic `W`, is decided by more and more words. The arguments after the
 /// semicolon are positive numbers of the quantities named; the quantity before the formula is that of an undecided result.
@@ -67,11 +67,11 @@ decided! {
         Force crate::universal_force::<W>(&n.into(), &scaled_radius.into());
 
     /// The critical state: (1.15) corrected and (1.17), or the first fold of a machine. There is none at n = 1/2.
-    pub fn critical(n: f64, c: f64, material: &Material<f64>, control: &Control<f64>;) -> Critical<Ranged<f64>> =
+    pub fn critical(n: f64, c: f64, material: &Material<f64>, control: &Control<f64>;) -> State<Ranged<f64>> =
         ContactRadius contact::<W>(n, c, material)?.critical(&lifted_control(control)?);
 
     /// All folds on a machine of stiffness k, by increasing radius.
-    pub fn machine_folds(n: f64, c: f64, material: &Material<f64>; stiffness: Stiffness) -> Vec<Instability<Ranged<f64>>> =
+    pub fn machine_folds(n: f64, c: f64, material: &Material<f64>; stiffness: Stiffness) -> Vec<Fold<Ranged<f64>>> =
         ContactRadius contact::<W>(n, c, material)?.machine_folds(&stiffness.into());
 
     /// a₀, the equilibrium radius at d = 0, in m.
@@ -98,11 +98,11 @@ decided! {
     pub fn ratio(c: f64, material: &Material<f64>;) -> Ranged<f64> = Coefficient contact::<W>(0.5, c, material)?.ratio();
 
     /// The outcome of the contact at n = 1/2 (1.19).
-    pub fn fate(c: f64, material: &Material<f64>, control: &Control<f64>;) -> Fate =
+    pub fn fate(c: f64, material: &Material<f64>, control: &Control<f64>;) -> ScaleFreeOutcome =
         Coefficient contact::<W>(0.5, c, material)?.fate(&lifted_control(control)?);
 
     /// The equilibrium of radius a at n = 1/2.
-    pub fn scale_free_state(c: f64, material: &Material<f64>; a: ContactRadius) -> Critical<Ranged<f64>> =
+    pub fn scale_free_state(c: f64, material: &Material<f64>; a: ContactRadius) -> State<Ranged<f64>> =
         Indentation contact::<W>(0.5, c, material)?.scale_free_state(&a.into());
 }
 
@@ -122,7 +122,7 @@ pub fn energy(n: f64, c: f64, material: &Material<f64>, a: f64, d: f64) -> Resul
 ///
 /// # Errors
 /// See the [module](super).
-pub fn flat_punch_pull_off(radius: f64, material: &Material<f64>) -> Result<Critical<Ranged<f64>>> {
+pub fn flat_punch_pull_off(radius: f64, material: &Material<f64>) -> Result<State<Ranged<f64>>> {
     positive(Quantity::Radius, radius)?;
     decide!(Quantity::Force, W => crate::flat_punch_pull_off::<W>(&radius.into(), &lifted(material)?))
 }

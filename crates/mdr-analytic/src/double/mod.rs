@@ -1,6 +1,6 @@
 //! The closed forms in `f64`, within one ulp wherever the result is representable.
 //!
-//! Each function evaluates the generic formula of this crate in extended precision ([`Wide`](mdr_core::number::Wide)),
+//! Each function evaluates the generic formula of this crate in extended precision ([`Extended`](mdr_core::number::Extended)),
 //! first with one word, whose error bound suffices for ordinary inputs, then, if it does not, with two and four words:
 //! near n = 1/2, near the zero of d(a) or F(a), at extreme ratios of scales. So no digits are lost near n = 1/2, no
 //! intermediate result overflows, and every result is within one ulp of the true value for the given doubles (0.6 ulp

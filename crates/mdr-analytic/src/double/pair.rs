@@ -3,7 +3,7 @@
 //! The error-free transformations are those of Knuth, Dekker and Veltkamp (T. J. Dekker, Numer. Math. 18 (1971) 224);
 //! they are valid while nothing overflows and no product is subnormal.
 
-use mdr_core::number::Wide;
+use mdr_core::number::Extended;
 
 /// How products round. With FMA the error of a product is one instruction; without it, Dekker's splitting gives the
 /// same exact value, since `f64::mul_add` would be a slow library call.
@@ -89,7 +89,7 @@ pub(super) struct Pair {
 
 impl Pair {
     /// The magnitude of a number within 2^±limit that is known to 2⁻⁴⁴, truncated at 2⁻¹⁰⁵.
-    pub(super) fn of_magnitude<const N: usize>(value: &Wide<N>, limit: u64) -> Option<Pair> {
+    pub(super) fn of_magnitude<const N: usize>(value: &Extended<N>, limit: u64) -> Option<Pair> {
         let known = value.error() < 2f64.powi(64 * N as i32 - 44);
         if !known || value.is_zero() || value.exponent().unsigned_abs() >= limit {
             return None;

@@ -1,10 +1,10 @@
 //! Ziv's strategy: the same formula with more words until its result can be rounded.
 
-use mdr_core::contact::{Error, Instability, Quantity, Ranged, Result};
-use mdr_core::number::Wide;
+use mdr_core::contact::{Error, Fold, Quantity, Ranged, Result};
+use mdr_core::number::Extended;
 
-use crate::critical::Critical;
-use crate::threshold::Fate;
+use crate::critical::State;
+use crate::threshold::ScaleFreeOutcome;
 
 /// A result in extended precision that can be rounded to `f64` if its error bound is small enough.
 pub(super) trait Round {
@@ -14,7 +14,7 @@ pub(super) trait Round {
     fn round(&self) -> Option<Self::Rounded>;
 }
 
-impl<const N: usize> Round for Wide<N> {
+impl<const N: usize> Round for Extended<N> {
     type Rounded = Ranged<f64>;
 
     #[inline(always)]
@@ -30,12 +30,12 @@ impl<const N: usize> Round for Wide<N> {
     }
 }
 
-impl<const N: usize> Round for Critical<Wide<N>> {
-    type Rounded = Critical<Ranged<f64>>;
+impl<const N: usize> Round for State<Extended<N>> {
+    type Rounded = State<Ranged<f64>>;
 
     #[inline(always)]
     fn round(&self) -> Option<Self::Rounded> {
-        Some(Critical {
+        Some(State {
             contact_radius: self.contact_radius.round()?,
             indentation: self.indentation.round()?,
             force: self.force.round()?,
@@ -43,11 +43,11 @@ impl<const N: usize> Round for Critical<Wide<N>> {
     }
 }
 
-impl<const N: usize> Round for Instability<Wide<N>> {
-    type Rounded = Instability<Ranged<f64>>;
+impl<const N: usize> Round for Fold<Extended<N>> {
+    type Rounded = Fold<Ranged<f64>>;
 
     fn round(&self) -> Option<Self::Rounded> {
-        Some(Instability {
+        Some(Fold {
             contact_radius: self.contact_radius.round()?,
             indentation: self.indentation.round()?,
             force: self.force.round()?,
@@ -56,10 +56,10 @@ impl<const N: usize> Round for Instability<Wide<N>> {
     }
 }
 
-impl Round for Fate {
-    type Rounded = Fate;
+impl Round for ScaleFreeOutcome {
+    type Rounded = ScaleFreeOutcome;
 
-    fn round(&self) -> Option<Fate> {
+    fn round(&self) -> Option<ScaleFreeOutcome> {
         Some(*self)
     }
 }
@@ -92,15 +92,15 @@ pub(super) fn undecided(quantity: Quantity) -> Error {
 macro_rules! decide {
     ($quantity:expr, $wide:ident => $formula:expr) => {{
         let one = {
-            type $wide = Wide<1>;
+            type $wide = Extended<1>;
             || settle(|| $formula)
         };
         let two = {
-            type $wide = Wide<2>;
+            type $wide = Extended<2>;
             || settle(|| $formula)
         };
         let four = {
-            type $wide = Wide<4>;
+            type $wide = Extended<4>;
             || settle(|| $formula)
         };
         one().or_else(two).or_else(four).unwrap_or_else(|| Err(undecided($quantity)))

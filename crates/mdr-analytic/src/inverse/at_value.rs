@@ -13,7 +13,7 @@ use super::family::{Family, Place};
 use super::start::Seed;
 use super::{Branch, Equilibria, Held};
 use crate::contact::Contact;
-use crate::critical::Critical;
+use crate::critical::State;
 use crate::newton;
 use crate::power_law::PowerLaw;
 use crate::range::representable;
@@ -28,11 +28,11 @@ impl<R: Real> Contact<R> {
         let (place, seed) = self.place(held, &family, (&ln_z, &fold), value);
         let state = |branch: Branch| {
             let v = family.first_of_far(&ln_z, family.first(&place.distance, seed, branch));
-            let ln_radius = ln_state.contact_radius.steer() + family.ln_growth(held, v).steer();
-            let first = representable(Quantity::ContactRadius, ln_radius.exp(), || ln_radius.clone())?.steer();
+            let ln_radius = ln_state.contact_radius.midpoint() + family.ln_growth(held, v).midpoint();
+            let first = representable(Quantity::ContactRadius, ln_radius.exp(), || ln_radius.clone())?.midpoint();
             let stability = branch.stability(regime);
             let radius = self.refined_radius(held, value, first, stability)?;
-            self.held_state(held, value, radius, stability)
+            self.equilibrium_at(held, value, radius, stability)
         };
         Equilibria::at(&place, || (*fold).clone(), state)
     }
@@ -42,7 +42,7 @@ impl<R: Real> Contact<R> {
         &self,
         held: Held,
         family: &Family<R>,
-        (ln_z, fold): (&R, &impl Deref<Target = Result<Critical<R>>>),
+        (ln_z, fold): (&R, &impl Deref<Target = Result<State<R>>>),
         value: &R,
     ) -> (Place<R>, Seed) {
         let zero = value.lit(0);
@@ -65,9 +65,9 @@ impl<R: Real> Contact<R> {
     /// The radius near `first` that is in equilibrium at x. An enclosure that proves a root also proves by the slope on
     /// which side of the fold it is; `first` is only a double.
     fn refined_radius(&self, held: Held, value: &R, first: R, stability: Stability) -> Result<R> {
-        let guess = self.steered()?.approximate_radius(held, &value.steer(), first)?;
+        let guess = self.steered()?.approximate_radius(held, &value.midpoint(), first)?;
         let step = self.newton(held, value, &guess, &guess)?.0 - &guess;
-        let radius = step.abs().steer().times(4) + tolerance(&guess).times(4);
+        let radius = step.abs().midpoint().times(4) + tolerance(&guess).times(4);
         let rising = stability == Stability::Stable;
         newton::enclosed(&guess, radius, rising, "where exactly the equilibrium lies", |a, neighbourhood| {
             self.newton(held, value, a, neighbourhood)
@@ -87,14 +87,14 @@ impl<R: Real> Contact<R> {
     fn approximate_radius(&self, held: Held, value: &R, first: R) -> Result<R> {
         let (mut a, mut last) = (first.clone(), first);
         for _ in 0..64 + a.precision() {
-            let next = self.newton(held, value, &a, &a)?.0.steer();
-            let step = (next.clone() - &a).abs().steer();
+            let next = self.newton(held, value, &a, &a)?.0.midpoint();
+            let step = (next.clone() - &a).abs().midpoint();
             if !(step < last) {
                 break;
             }
             // The error of the first approximation is smaller than that.
             let least = a.clone().over(8);
-            a = if next > least { next } else { least.steer() };
+            a = if next > least { next } else { least.midpoint() };
             if step <= tolerance(&a) {
                 break;
             }
@@ -106,9 +106,9 @@ impl<R: Real> Contact<R> {
     /// The same contact with representative points as parameters.
     fn steered(&self) -> Result<Self> {
         let (profile, material) = (self.profile(), self.material());
-        let kappa = profile.kappa().steer();
-        let profile = PowerLaw::with_kappa(profile.exponent().steer(), profile.coefficient().steer(), kappa)?;
-        let material = Material::new(material.effective_modulus().steer(), material.work_of_adhesion().steer())?;
+        let kappa = profile.kappa().midpoint();
+        let profile = PowerLaw::with_kappa(profile.exponent().midpoint(), profile.coefficient().midpoint(), kappa)?;
+        let material = Material::new(material.effective_modulus().midpoint(), material.work_of_adhesion().midpoint())?;
         Ok(Contact::new(profile, material))
     }
 }

@@ -78,7 +78,7 @@ impl<R: Real> Family<R> {
     #[inline(always)]
     pub(super) fn ln_growth(&self, held: Held, v: R) -> R {
         let v = if self.regime == Regime::PullOff { v } else { v * &self.parameter };
-        v.times(2).over(held.tension())
+        v.times(2).over(held.critical_ratio())
     }
 
     /// A first approximation of the root v, without uncertainty: accurate to half the digits of a double or more.
@@ -89,7 +89,7 @@ impl<R: Real> Family<R> {
             let t = (distance.clone().times(2) / &self.parameter).sqrt();
             let second = (self.parameter.clone() + t.lit(1)) * t.square() / t.lit(6);
             let first = if branch == Branch::Larger { t } else { -t };
-            return (first - &second).steer();
+            return (first - &second).midpoint();
         }
         let v = match branch {
             Branch::Larger => seed.larger(),
@@ -105,7 +105,7 @@ impl<R: Real> Family<R> {
             return v;
         }
         let growth = (v.clone() * &self.excess).exp_m1() / &self.excess;
-        let closer = (ln_z.clone() - (v.lit(1) - growth).abs().ln()).steer();
+        let closer = (ln_z.clone() - (v.lit(1) - growth).abs().ln()).midpoint();
         if closer.is_finite() { closer } else { v }
     }
 
@@ -125,7 +125,7 @@ impl<R: Real> Family<R> {
         let mut last = point.v.abs();
         while !self.is_last(&point, &step) && step.abs() < last {
             last = step.abs().over(2);
-            point = self.point((point.v - &step).steer());
+            point = self.point((point.v - &step).midpoint());
             step = self.newton(place, &point);
         }
         // An interval Newton step over a neighbourhood that contains its own image.
@@ -157,7 +157,7 @@ impl<R: Real> Family<R> {
                 <= step_allowed(point.v.precision());
         }
         let curvature = point.v.abs().inv() + step.lit(1) + &self.parameter;
-        (step.square() * curvature).steer() <= step.unit_roundoff()
+        (step.square() * curvature).midpoint() <= step.unit_roundoff()
     }
 
     #[inline(always)]
@@ -217,7 +217,7 @@ impl<R: Real> Family<R> {
 
     #[inline(always)]
     fn newton(&self, place: &Place<R>, point: &Point<R>) -> R {
-        (self.defect(place, point) / self.slope(point)).steer()
+        (self.defect(place, point) / self.slope(point)).midpoint()
     }
 
     /// Φ' on [v − r, v + r] for mr ≤ 1/16.

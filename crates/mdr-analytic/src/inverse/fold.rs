@@ -6,26 +6,26 @@ use mdr_core::number::Real;
 use super::family::{Family, Place};
 use super::{Branch, Count, Equilibria, Held};
 use crate::contact::Contact;
-use crate::critical::Critical;
+use crate::critical::State;
 use crate::newton::undecided;
 use crate::range::{product, representable};
 
 /// The fold of a contact under one control, prepared for many values.
 #[derive(Clone, Debug)]
-pub(crate) struct Fold<R> {
+pub(crate) struct FoldFrame<R> {
     pub(crate) held: Held,
-    pub(crate) state: Critical<R>,
+    pub(crate) state: State<R>,
     pub(crate) family: Family<R>,
 }
 
-impl<R: Real> Fold<R> {
+impl<R: Real> FoldFrame<R> {
     /// # Errors
     /// As [`Contact::critical`].
     #[inline(always)]
     pub(crate) fn new(contact: &Contact<R>, held: Held) -> Result<Self> {
         let state = contact.critical(&held.control())?;
         let family = Family::new(contact, held, contact.regime()?);
-        Ok(Fold { held, state, family })
+        Ok(FoldFrame { held, state, family })
     }
 
     /// x_fold.
@@ -72,7 +72,7 @@ impl<R: Real> Fold<R> {
             let radius = ln_growth.exp() * &self.state.contact_radius;
             let radius =
                 representable(Quantity::ContactRadius, radius, || self.state.contact_radius.ln() + &ln_growth)?;
-            contact.held_state(self.held, value, radius, branch.stability(self.family.regime))
+            contact.equilibrium_at(self.held, value, radius, branch.stability(self.family.regime))
         };
         Equilibria::at(place, || Ok(self.state.clone()), state)
     }
@@ -83,7 +83,7 @@ impl<R: Real> Equilibria<R> {
     #[inline(always)]
     pub(super) fn at(
         place: &Place<R>,
-        fold: impl FnOnce() -> Result<Critical<R>>,
+        fold: impl FnOnce() -> Result<State<R>>,
         state: impl Fn(Branch) -> Result<Equilibrium<R>>,
     ) -> Result<Self> {
         Ok(match Count::of(&place.distance, &place.value)? {

@@ -26,8 +26,8 @@ mod start;
 use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, Stability};
 use mdr_core::number::Real;
 
-pub(crate) use self::fold::Fold;
-pub(crate) use self::start::Outset;
+pub(crate) use self::fold::FoldFrame;
+pub(crate) use self::start::InitialGuess;
 use crate::contact::Contact;
 use crate::newton::undecided;
 use crate::range::{ordinary, product, representable};
@@ -89,7 +89,7 @@ impl Held {
     }
 
     /// q, which equals λ.
-    fn tension(self) -> i64 {
+    fn critical_ratio(self) -> i64 {
         self.pick(1, 3)
     }
 
@@ -192,13 +192,13 @@ impl<R: Real> Contact<R> {
             return Err(Error::domain(Quantity::Parameter("the distance from the fold"), distance, "finite"));
         }
         self.require_length_scale()?;
-        Fold::new(self, held)?.at_distance(self, distance)
+        FoldFrame::new(self, held)?.at_distance(self, distance)
     }
 
     /// n = 1/2: d = 2h√a or F = 4E*ha√a with h = κC/(2λ) − √B, each of one sign.
     fn scale_free_equilibria(&self, held: Held, value: &R) -> Result<Equilibria<R>> {
         let profile = self.profile();
-        let excess = profile.kappa().clone().over(2 * held.tension()) * profile.coefficient() - &self.edge_root;
+        let excess = profile.kappa().clone().over(2 * held.critical_ratio()) * profile.coefficient() - &self.edge_root;
         let zero = value.lit(0);
         let stable = match excess.partial_cmp(&zero) {
             Some(order) if order.is_ne() => order.is_gt(),
@@ -237,12 +237,12 @@ impl<R: Real> Contact<R> {
             }
         })?;
         let stability = if stable { Stability::Stable } else { Stability::Unstable };
-        Ok(Equilibria::One(self.held_state(held, value, radius, stability)?))
+        Ok(Equilibria::One(self.equilibrium_at(held, value, radius, stability)?))
     }
 
     /// The state of radius a with the given d or F.
     #[inline(always)]
-    pub(crate) fn held_state(&self, held: Held, value: &R, a: R, stability: Stability) -> Result<Equilibrium<R>> {
+    pub(crate) fn equilibrium_at(&self, held: Held, value: &R, a: R, stability: Stability) -> Result<Equilibrium<R>> {
         let (indentation, force) = match held {
             Held::Indentation => (value.clone(), self.force_at_indentation(&a, value)?),
             Held::Force => (self.indentation_at_force(&a, value)?, value.clone()),

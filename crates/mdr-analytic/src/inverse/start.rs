@@ -13,7 +13,7 @@
 ///
 /// The error of v, over 2/(m + 1/|v|), is below a tenth for m from 1.5 to 16, and below one from 1.02 to 40.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Outset {
+pub(crate) struct InitialGuess {
     m: f64,
     mu: f64,
     /// t/√τ.
@@ -26,7 +26,7 @@ pub(crate) struct Outset {
     third: f64,
 }
 
-impl Outset {
+impl InitialGuess {
     #[inline]
     pub(crate) fn new(mu: f64) -> Self {
         let m = 1.0 + mu;
@@ -36,7 +36,7 @@ impl Outset {
         let upper = lower + (2.0 - m) / 6.0;
         let second = (2.0 - m) / 3.0 * (2.0 / m);
         let third = (m / mu - 1.0 - width - second).min(3.0);
-        Outset { m, mu, width, upper, lower, second, third }
+        InitialGuess { m, mu, width, upper, lower, second, third }
     }
 
     /// e^{mv} − 1 on the larger branch.
@@ -85,7 +85,7 @@ impl Seed {
         if m * t < CLOSE {
             return t - (m + 1.0) * t * t / 6.0;
         }
-        let growth = Outset::new(self.mu).growth(self.tau);
+        let growth = InitialGuess::new(self.mu).growth(self.tau);
         let mut v = if growth.is_finite() { pxfm::f_log1p(growth) / m } else { (self.ln_z + self.mu.ln()) / m };
         for _ in 0..MOST_STEPS {
             let step = if self.z > -1.0 { self.step(v) } else { self.log_step(v) };
@@ -105,7 +105,7 @@ impl Seed {
         if m * t < CLOSE {
             return -t - (m + 1.0) * t * t / 6.0;
         }
-        let mut v = self.ln_z - pxfm::f_log(Outset::new(self.mu).quotient(self.tau));
+        let mut v = self.ln_z - pxfm::f_log(InitialGuess::new(self.mu).quotient(self.tau));
         v = v.min(-t / 2.0);
         for _ in 0..MOST_STEPS {
             let step = if v > -0.5 { self.step(v) } else { self.log_step(v) };

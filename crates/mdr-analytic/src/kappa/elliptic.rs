@@ -14,7 +14,7 @@
 
 use std::cell::RefCell;
 
-use mdr_core::number::{Counted, Precision};
+use mdr_core::number::{Precision, RoundingCount};
 use rug::{Float, Integer, Rational};
 
 /// Up to this many times the precision in bits for n, the factors (n+2)/(n+1) cost less than other expansions do.
@@ -29,7 +29,7 @@ const LEAST: u32 = 1024;
 
 /// κ_n with the given number of bits. `None` for other denominators, and for n so large that another expansion is
 /// faster.
-pub(super) fn kappa(n: &Rational, bits: u32) -> Option<Counted> {
+pub(super) fn kappa(n: &Rational, bits: u32) -> Option<RoundingCount> {
     let (p, q) = (n.numer().to_u32()?, n.denom().to_u32()?);
     if q > 4 || f64::from(p) > REACH * f64::from(q) * f64::from(bits) {
         return None;
@@ -47,15 +47,15 @@ pub(super) fn kappa(n: &Rational, bits: u32) -> Option<Counted> {
     let [tip, q, steps] = [tip, q, steps].map(u64::from);
     let above = product(tip + 2 * q, 2 * q, steps);
     let below = product(tip + q, 2 * q, steps);
-    Some(Counted::new(Float::with_val(bits, value.value() * &above) / &below, value.roundings() + 2))
+    Some(RoundingCount::new(Float::with_val(bits, value.value() * &above) / &below, value.roundings() + 2))
 }
 
-fn half_pi(bits: u32) -> Counted {
-    Counted::pi(Precision::new(bits)).scaled(&(1, 2).into())
+fn half_pi(bits: u32) -> RoundingCount {
+    RoundingCount::pi(Precision::new(bits)).scaled(&(1, 2).into())
 }
 
 /// κ_{p/q} for 0 < p < 2q without common factors, q from 2 to 4.
-fn reduced(p: u32, q: u32, bits: u32) -> Counted {
+fn reduced(p: u32, q: u32, bits: u32) -> RoundingCount {
     if p > q {
         half_pi(bits).scaled(&(p, q).into()).over(&reduced(p - q, q, bits))
     } else if p > 1 {
@@ -66,8 +66,8 @@ fn reduced(p: u32, q: u32, bits: u32) -> Counted {
 }
 
 /// κ_{1/q}.
-fn first(q: u32, bits: u32) -> Counted {
-    let pi = Counted::pi(Precision::new(bits));
+fn first(q: u32, bits: u32) -> RoundingCount {
+    let pi = RoundingCount::pi(Precision::new(bits));
     match q {
         2 => pi.over(&whole(1, bits).agm(&whole(2, bits).sqrt()).scaled(&2.into())),
         3 => {
@@ -84,7 +84,7 @@ fn first(q: u32, bits: u32) -> Counted {
 }
 
 /// cot(π/2q).
-fn cotangent(q: u32, bits: u32) -> Counted {
+fn cotangent(q: u32, bits: u32) -> RoundingCount {
     match q {
         2 => whole(1, bits),
         3 => whole(3, bits).sqrt(),
@@ -92,13 +92,13 @@ fn cotangent(q: u32, bits: u32) -> Counted {
     }
 }
 
-fn whole(number: u32, bits: u32) -> Counted {
-    Counted::new(Float::with_val(bits, number), 0)
+fn whole(number: u32, bits: u32) -> RoundingCount {
+    RoundingCount::new(Float::with_val(bits, number), 0)
 }
 
 thread_local! {
     /// κ_{p/q} for 0 < p < 2q, with p and q: ten numbers at most.
-    static KEPT: RefCell<Vec<([u32; 2], Counted)>> = const { RefCell::new(Vec::new()) };
+    static KEPT: RefCell<Vec<([u32; 2], RoundingCount)>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Frees the numbers that κ_n caches in this thread: at most ten, each as long as the longest that was requested. The
@@ -117,7 +117,7 @@ pub fn free_cache() {
 }
 
 /// κ_{p/q} for 0 < p < 2q, from the cache if it has enough bits, else computed.
-fn kept(p: u32, q: u32, bits: u32) -> Counted {
+fn kept(p: u32, q: u32, bits: u32) -> RoundingCount {
     KEPT.with_borrow_mut(|kept| {
         let needed = bits.saturating_add(GUARD).max(LEAST);
         let known = kept.iter().position(|(of, _)| *of == [p, q]);
@@ -128,7 +128,7 @@ fn kept(p: u32, q: u32, bits: u32) -> Counted {
             kept[index].1 = reduced(p, q, needed);
         }
         // The error of the cached number is less than a unit in the last place here.
-        Counted::new(Float::with_val(bits, kept[index].1.value()), 2)
+        RoundingCount::new(Float::with_val(bits, kept[index].1.value()), 2)
     })
 }
 

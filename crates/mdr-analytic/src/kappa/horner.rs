@@ -8,14 +8,14 @@
 
 use std::ops::{DivAssign, MulAssign};
 
-use mdr_core::number::Counted;
+use mdr_core::number::RoundingCount;
 use rug::{Assign, Float, Integer};
 
 use super::blocks::{Block, Series};
 
 /// The sum of the series with this number of binary places. `run(from, to)` gives a block of terms from `from`, at most
 /// up to `to`, with the first term that is left.
-pub(super) fn sum<T>(series: &Series, places: u32, run: impl Fn(u32, u32) -> (Block<T>, u32)) -> Counted
+pub(super) fn sum<T>(series: &Series, places: u32, run: impl Fn(u32, u32) -> (Block<T>, u32)) -> RoundingCount
 where
     Integer: for<'a> MulAssign<&'a T> + for<'a> DivAssign<&'a T> + for<'a> Assign<&'a T>,
 {
@@ -43,5 +43,5 @@ where
     }
     // One unit for each quotient, one for the end of the series, and one for the value as a float, which is at least 1.
     let value = Float::with_val(places, units) >> places;
-    Counted::new(value, blocks.len() as u64 + 2)
+    RoundingCount::new(value, blocks.len() as u64 + 2)
 }

@@ -1,6 +1,6 @@
 //! Enclosures of κ_n for a rational n and for an interval: the choice of the expansion.
 
-use mdr_core::number::{Counted, Interval, Precision, Real};
+use mdr_core::number::{Interval, Precision, Real, RoundingCount};
 use rug::float::Round;
 use rug::{Float, Rational};
 
@@ -32,13 +32,13 @@ fn guard(bits: u32) -> u32 {
 const LONG: u32 = 6000;
 
 /// κ_n for a rational n > 0, computed with the given number of bits.
-pub(crate) fn rational_kappa(precision: Precision, n: &Rational) -> Counted {
+pub(crate) fn rational_kappa(precision: Precision, n: &Rational) -> RoundingCount {
     let bits = precision.bits();
     elliptic::kappa(n, bits).unwrap_or_else(|| expansion(n, bits))
 }
 
 /// The same, for any denominator.
-pub(super) fn expansion(n: &Rational, bits: u32) -> Counted {
+pub(super) fn expansion(n: &Rational, bits: u32) -> RoundingCount {
     let series = if n.to_f64() < f64::from(bits) / 16.0 { Series::new(n, bits) } else { None };
     match series {
         Some(series) if bits <= LONG => horner::sum(&series, bits, |from, to| series.double_word(from, to)),

@@ -3,7 +3,7 @@
 //! A run of d factors is a polynomial in n of degree d with integer coefficients. With precomputed powers of n it costs
 //! d products with short numbers and one long product, instead of d long ones.
 
-use mdr_core::number::Counted;
+use mdr_core::number::RoundingCount;
 use rug::{Assign, Float, Integer};
 
 /// Π_{j<count} (n + first + 2j) for different `first`.
@@ -35,7 +35,7 @@ impl Rising {
     }
 
     /// The product for the given first summand ≥ 1; summands are two apart.
-    pub(super) fn product(&self, first: u32) -> Counted {
+    pub(super) fn product(&self, first: u32) -> RoundingCount {
         let degree = self.powers.len();
         let mut product = Float::with_val(self.places, 1);
         let mut roundings = 0;
@@ -58,7 +58,7 @@ impl Rising {
             roundings += 2 + (2 * u64::from(length).pow(2)).div_ceil(start);
             j += length;
         }
-        Counted::new(product, roundings)
+        RoundingCount::new(product, roundings)
     }
 }
 

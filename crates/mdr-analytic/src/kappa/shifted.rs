@@ -11,7 +11,7 @@
 //! A relative error δ of w_{k+2} becomes at most θδ/(1−θ) in w_k, θ = c_k c_{k+1}/((z+c_{k+1})(z+c_{k−1}+c_k)) (1 +
 //! |δ|), and one of w_1 less than 9δ/4w_1 in the result for w_1 ≥ 10. So later steps need fewer bits.
 
-use mdr_core::number::{Counted, Precision};
+use mdr_core::number::{Precision, RoundingCount};
 use rug::Float;
 
 use super::rising::Rising;
@@ -28,19 +28,19 @@ const LEAST: f64 = 8.0;
 const LARGEST: f64 = 1e75;
 
 /// κ_n for n ≥ 0, computed with the given number of bits.
-pub(super) fn kappa(n: &Float, bits: u32) -> Counted {
+pub(super) fn kappa(n: &Float, bits: u32) -> RoundingCount {
     let approximate = n.to_f64();
     let shifts = (((SHIFT * f64::from(bits)).max(LEAST) - approximate) / 2.0).ceil().max(0.0) as u32;
     // s = 2(n+2r) + 1 with two roundings; ln κ² changes at most twice as much as ln s.
     let s = Float::with_val(bits, n * 2u32) + (4 * shifts + 1);
     let ratio = Fraction::new(approximate + 2.0 * f64::from(shifts), bits).ratio(&s, bits);
-    let square = Counted::new(s, 4).times(&ratio).times(&Counted::pi(Precision::new(bits)));
+    let square = RoundingCount::new(s, 4).times(&ratio).times(&RoundingCount::pi(Precision::new(bits)));
     let mut result = square.sqrt();
     if let Some(rising) = Rising::new(n, shifts, bits) {
         result = result.times(&rising.product(1)).over(&rising.product(2));
     }
     // One more for the fixed point of n: d ln κ/dn < 1.
-    Counted::new(Float::with_val(bits, result.value() / 2u32), result.roundings() + 1)
+    RoundingCount::new(Float::with_val(bits, result.value() / 2u32), result.roundings() + 1)
 }
 
 /// The continued fraction, truncated for a given precision.
@@ -73,7 +73,7 @@ impl Fraction {
     }
 
     /// (w_1 + 1)/(w_1 − 1).
-    fn ratio(&self, s: &Float, bits: u32) -> Counted {
+    fn ratio(&self, s: &Float, bits: u32) -> RoundingCount {
         const MORE: u32 = 8;
         let last = self.gained.len() - 1;
         let precision = |step: usize| bits.saturating_sub(self.gained[step] as u32) + MORE;
@@ -92,11 +92,11 @@ impl Fraction {
         }
         let ratio = Float::with_val(bits, &x + &y) / Float::with_val(bits, &x - &y);
         if !self.proved {
-            return Counted::unknown(Precision::new(bits));
+            return RoundingCount::unknown(Precision::new(bits));
         }
         // For θ ≤ 1/16 the five roundings of a step, including those of z and of the sum, contribute 5 units of its
         // precision. One unit for the end of the fraction, three for the last line, one for the quotient below.
         let steps = (5 * last as u64) >> MORE;
-        Counted::new(ratio, steps + 5)
+        RoundingCount::new(ratio, steps + 5)
     }
 }

@@ -108,14 +108,14 @@ fn odd_series<R: Special>(t: &R, sign: i64, coefficient: impl Fn(i64) -> (i64, i
     };
     let mut power = t.lit(1);
     let mut sum = term(&power, 1);
-    let negligible = sum.abs().steer() * t.unit_roundoff();
+    let negligible = sum.abs().midpoint() * t.unit_roundoff();
     let mut k = 1;
     loop {
         k += 1;
         power *= &square;
         let last = term(&power, k);
         sum += &last;
-        if !(last.abs().steer() > negligible) {
+        if !(last.abs().midpoint() > negligible) {
             // Of any sign, and so are its derivatives: ±1 is a constant.
             let sign = t.lit(-1).either(&t.lit(1));
             return Some(sum + last * &sign);

@@ -59,7 +59,7 @@ trait ClosedForm<R: Special>: Scale {
         None
     }
     /// Whether it ends with a vertical edge; its formulas then hold at the end too.
-    fn wall(&self) -> bool {
+    fn vertical_edge(&self) -> bool {
         false
     }
     /// Whether g is nondecreasing, as for every f with nondecreasing r f'.
@@ -79,8 +79,8 @@ trait ClosedForm<R: Special>: Scale {
     fn checked<'a>(&self, x: &'a R) -> Result<&'a R> {
         let requirement = match self.end() {
             _ if !(*x > x.lit(0) && x.is_finite()) => "positive and finite",
-            Some(end) if self.wall() && !(x <= end) => "no larger than the radius where the profile ends",
-            Some(end) if !self.wall() && !(x < end) => "smaller than the radius where the profile ends",
+            Some(end) if self.vertical_edge() && !(x <= end) => "no larger than the radius where the profile ends",
+            Some(end) if !self.vertical_edge() && !(x < end) => "smaller than the radius where the profile ends",
             _ => return Ok(x),
         };
         Err(Error::domain(Quantity::Radius, x, requirement))
@@ -113,8 +113,8 @@ macro_rules! transform {
             fn outer_radius(&self) -> Option<R> {
                 self.end().cloned()
             }
-            fn wall(&self) -> bool {
-                ClosedForm::wall(self)
+            fn vertical_edge(&self) -> bool {
+                ClosedForm::vertical_edge(self)
             }
             fn kinks(&self) -> Vec<R> {
                 self.edge().cloned().into_iter().collect()

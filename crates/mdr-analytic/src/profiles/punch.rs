@@ -67,7 +67,7 @@ impl<R: Special> ClosedForm<R> for FlatPunch<R> {
     fn end(&self) -> Option<&R> {
         Some(&self.radius)
     }
-    fn wall(&self) -> bool {
+    fn vertical_edge(&self) -> bool {
         true
     }
     fn at_edge(&self, margin: &R) -> Option<Kink<R>> {

@@ -95,10 +95,10 @@ impl<R: Special> Transform<R> for Sum<R> {
         let ends = self.terms.iter().filter_map(|term| term.outer_radius());
         ends.reduce(|a, b| if b < a { b } else { a })
     }
-    fn wall(&self) -> bool {
+    fn vertical_edge(&self) -> bool {
         let Some(end) = self.outer_radius() else { return false };
         let mut last = self.terms.iter().filter(|term| term.outer_radius().is_some_and(|outer| !(outer > end)));
-        last.all(|term| term.wall())
+        last.all(|term| term.vertical_edge())
     }
     fn kinks(&self) -> Vec<R> {
         self.edges().into_iter().map(|edge| edge.radius).collect()
@@ -158,7 +158,7 @@ impl<R: Special> Sum<R> {
 /// The contribution of a term at the kink of another one: a kink that certainly coincides, or smooth values.
 fn share<R: Special>(term: &dyn Transform<R>, radius: &R, margin: &R) -> Result<Option<Kink<R>>> {
     let near = radius.clone().inflate(&(margin.clone() * radius));
-    let ends = term.outer_radius().filter(|_| !term.wall());
+    let ends = term.outer_radius().filter(|_| !term.vertical_edge());
     for (index, kink) in term.kinks().iter().chain(&ends).enumerate() {
         if kink == radius {
             return term.kink(index, margin);

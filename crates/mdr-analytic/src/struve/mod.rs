@@ -47,8 +47,8 @@ fn power_series<R: Real>(z: &R, first: R, order: i64) -> (R, R) {
         term *= &square;
         term = term.over((2 * k + 1) * (2 * k + 1 + 2 * order));
         // Once the terms decrease they keep decreasing.
-        let falling = !(z.steer() > z.lit(2 * k + 1));
-        if falling && !(term.abs().steer() > sum.abs().steer() * z.unit_roundoff()) {
+        let falling = !(z.midpoint() > z.lit(2 * k + 1));
+        if falling && !(term.abs().midpoint() > sum.abs().midpoint() * z.unit_roundoff()) {
             return (sum, term);
         }
         sum += &term;

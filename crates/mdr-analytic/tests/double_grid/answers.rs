@@ -1,9 +1,9 @@
 //! The results of the kernel and their errors.
 
-use mdr_analytic::double::grid::{Materials, Path, Points, States, Tally, critical_states_on};
+use mdr_analytic::double::grid::{BatchReport, Materials, Path, Points, States, critical_states_on};
 use mdr_analytic::{Contact, Kappa, PowerLaw};
 use mdr_core::contact::{Control, Material, Status};
-use mdr_core::number::{Real, Wide};
+use mdr_core::number::{Extended, Real};
 
 use super::points::{Point, columns};
 
@@ -13,7 +13,7 @@ pub(crate) const PROMISE: f64 = 2.0;
 pub(crate) struct Answers {
     pub(crate) values: [Vec<f64>; 4],
     pub(crate) status: Vec<Status>,
-    pub(crate) tally: Tally,
+    pub(crate) tally: BatchReport,
 }
 
 impl Answers {
@@ -39,29 +39,29 @@ pub(crate) fn answers(points: &[Point], path: Path, control: &Control<f64>) -> A
 }
 
 /// κ, a, d, F by the generic formulas.
-pub(crate) fn truth(p: &Point, control: &Control<f64>) -> [Wide<2>; 4] {
-    let wide = |x: f64| Wide::<2>::from(x);
+pub(crate) fn truth(p: &Point, control: &Control<f64>) -> [Extended<2>; 4] {
+    let wide = |x: f64| Extended::<2>::from(x);
     let control = match control {
         Control::Force => Control::Force,
         _ => Control::Indentation,
     };
     let material = Material::new(wide(p.e), wide(p.w)).unwrap();
     let state = Contact::new(PowerLaw::new(wide(p.n), wide(p.c)).unwrap(), material).critical(&control).unwrap();
-    [Wide::<2>::kappa(&wide(p.n)), state.contact_radius, state.indentation, state.force]
+    [Extended::<2>::kappa(&wide(p.n)), state.contact_radius, state.indentation, state.force]
 }
 
-pub(crate) fn ulps(value: f64, truth: &Wide<2>) -> f64 {
+pub(crate) fn ulps(value: f64, truth: &Extended<2>) -> f64 {
     let size = truth.approx().abs();
     if size == 0.0 {
         return value.abs() / f64::MIN_POSITIVE;
     }
     // By the exponent of the true value, not of a value rounded up to a power of two.
-    let ulp = if Wide::from(size) > truth.abs() { size - size.next_down() } else { size.next_up() - size };
-    (Wide::from(value) - truth).approx().abs() / ulp
+    let ulp = if Extended::from(size) > truth.abs() { size - size.next_down() } else { size.next_up() - size };
+    (Extended::from(value) - truth).approx().abs() / ulp
 }
 
 /// The worst errors of κ, a, d and F over the points whose results are normal; no point may fail.
-pub(crate) fn worst(points: &[Point], path: Path, control: &Control<f64>) -> ([f64; 4], Tally) {
+pub(crate) fn worst(points: &[Point], path: Path, control: &Control<f64>) -> ([f64; 4], BatchReport) {
     let answers = answers(points, path, control);
     let mut worst = [0.0f64; 4];
     for (i, p) in points.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! Errors against the bounds, and in the mean.
 
-use mdr_analytic::double::grid::{Path, Tally};
+use mdr_analytic::double::grid::{BatchReport, Path};
 use mdr_core::contact::Control;
-use mdr_core::number::{Real, Wide};
+use mdr_core::number::{Extended, Real};
 
 use super::answers::{answers, truth, ulps, worst};
 use super::points::{CONTROLS, Draw, Point, in_range, loaded};
@@ -19,7 +19,7 @@ fn measure(count: usize) {
         let mut all = [0.0f64; 4];
         for control in &CONTROLS {
             let (errors, tally) = worst(&loaded(&laboratory, control), path, control);
-            assert_eq!(tally, Tally::default(), "laboratory values take the fast path");
+            assert_eq!(tally, BatchReport::default(), "laboratory values take the fast path");
             let (extremes, tally) = worst(&loaded(&domain, control), path, control);
             // The rounding of C changes a near n = 1/2.
             assert!(tally.passed_on < domain.len() / 20, "{} of {}", tally.passed_on, domain.len());
@@ -57,7 +57,7 @@ fn moments(points: &[Point]) -> Vec<[[f64; 2]; 4]> {
         [0, 1, 2, 3].map(|q| {
             let errors = truths.iter().enumerate().map(|(i, truth)| {
                 let (value, truth) = (answers.values[q][i], &truth[q]);
-                ulps(value, truth).copysign((Wide::from(value.abs()) - truth.abs()).approx())
+                ulps(value, truth).copysign((Extended::from(value.abs()) - truth.abs()).approx())
             });
             let [sum, squares] = errors.fold([0.0, 0.0], |[x, y], error| [x + error, y + error * error]);
             [sum, squares].map(|sum| sum / points.len() as f64)

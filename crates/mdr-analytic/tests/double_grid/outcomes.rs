@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use mdr_analytic::double::grid::{Materials, Path, Points, States, Tally, critical_states};
-use mdr_analytic::{Critical, double};
+use mdr_analytic::double::grid::{BatchReport, Materials, Path, Points, States, critical_states};
+use mdr_analytic::{State, double};
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Status};
 
 use super::answers::{Answers, answers};
@@ -49,8 +49,8 @@ fn every_other_point_is_the_scalar_answer() {
 }
 
 #[track_caller]
-fn check(values: &[f64], status: Status, scalar: &mdr_core::contact::Result<Critical<Ranged<f64>>>, p: &Point) {
-    let Ok(Critical { contact_radius, indentation, force }) = scalar else {
+fn check(values: &[f64], status: Status, scalar: &mdr_core::contact::Result<State<Ranged<f64>>>, p: &Point) {
+    let Ok(State { contact_radius, indentation, force }) = scalar else {
         assert!(values.iter().all(|x| x.is_nan()), "{p:?}: {values:?}");
         let expected =
             if matches!(scalar, Err(Error::Domain { .. })) { Status::DomainError } else { Status::Undecided };
@@ -75,7 +75,7 @@ fn exact_results_are_exact() {
     let points = [1.5, 2.0, 6.0].map(|n| Point { n, c: 0.5, e: 1.0, w: 1.0 });
     for path in Path::available() {
         let answers = answers(&points, path, &Control::Force);
-        assert_eq!(answers.tally, Tally::default());
+        assert_eq!(answers.tally, BatchReport::default());
         assert_eq!(answers.at(0)[2], 0.0, "d of n = 3/2 under a dead load");
         assert_eq!(answers.at(1)[0], 2.0, "κ_2");
         assert_eq!(answers.at(2)[0], 3.2, "κ_6 = 16/5");
@@ -151,7 +151,7 @@ fn slices_of_different_lengths_are_refused() {
     }
     let error = Error::Length { quantity: Quantity::Force, len: 8, expected: 9 };
     assert_eq!(error.to_string(), "the normal force F: 8 given for 9 points");
-    let mut none = Answers { values: [(); 4].map(|()| vec![]), status: vec![], tally: Tally::default() };
+    let mut none = Answers { values: [(); 4].map(|()| vec![]), status: vec![], tally: BatchReport::default() };
     let [kappa, contact_radius, indentation, force] = &mut none.values;
     let mut states = States { kappa, contact_radius, indentation, force, status: &mut none.status };
     let gel = Material::new(1e4, 0.05).unwrap();

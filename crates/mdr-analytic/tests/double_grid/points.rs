@@ -1,6 +1,6 @@
 //! Given points and random points.
 
-use mdr_analytic::{Critical, double};
+use mdr_analytic::{State, double};
 use mdr_core::contact::{Control, Material, Ranged};
 use rand::rngs::SmallRng;
 use rand::{RngExt, SeedableRng};
@@ -34,7 +34,7 @@ pub(crate) fn loaded(points: &[Point], control: &Control<f64>) -> Vec<Point> {
 pub(crate) fn representable(mut points: Vec<Point>, control: &Control<f64>) -> Vec<Point> {
     points.retain(|p| {
         let state = Material::new(p.e, p.w).and_then(|m| double::critical(p.n, p.c, &m, control));
-        state.is_ok_and(|Critical { contact_radius, indentation, force }| {
+        state.is_ok_and(|State { contact_radius, indentation, force }| {
             [contact_radius, indentation, force]
                 .iter()
                 .all(|x| matches!(x, Ranged::Value(v) if v.is_normal() || *v == 0.0))

@@ -52,10 +52,10 @@ impl Scene {
 
     pub(crate) fn truth(self) -> Truth {
         let ln_factor = ln_kappa(&float(self.n)) + float(self.c).ln();
-        let tension = float(if self.by_force { 3.0 } else { 1.0 });
+        let critical_ratio = float(if self.by_force { 3.0 } else { 1.0 });
         let ln_edge = (Float::with_val(BITS, Constant::Pi) / 2u32 * self.w / self.e).ln();
         let ln_slope = ln_factor.clone() + float(self.n).ln();
-        let ln_fold = (ln_edge + (tension.ln() - ln_slope) * 2u32) / (float(self.n) * 2u32 - 1u32);
+        let ln_fold = (ln_edge + (critical_ratio.ln() - ln_slope) * 2u32) / (float(self.n) * 2u32 - 1u32);
         Truth { scene: self, ln_factor, ln_fold }
     }
 }

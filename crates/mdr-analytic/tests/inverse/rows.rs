@@ -1,8 +1,8 @@
 //! Rows of values.
 
 use mdr_analytic::double;
-use mdr_analytic::double::grid::{Path, Tally};
-use mdr_analytic::double::{Branches, Side};
+use mdr_analytic::double::grid::{BatchReport, Path};
+use mdr_analytic::double::{BranchSlices, InverseBatch};
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Status};
 use rug::Float;
 
@@ -13,7 +13,7 @@ use crate::common::mpfr::ulps;
 pub(crate) struct Many {
     sides: [[Vec<f64>; 2]; 2],
     status: Vec<Status>,
-    tally: Tally,
+    tally: BatchReport,
 }
 
 impl Many {
@@ -22,9 +22,9 @@ impl Many {
         let mut sides = [[new(), new()], [new(), new()]];
         let mut status = vec![Status::Undecided; values.len()];
         let [[a0, x0], [a1, x1]] = &mut sides;
-        let mut found = Branches {
-            smaller: Side { contact_radius: a0, uncontrolled: x0 },
-            larger: Side { contact_radius: a1, uncontrolled: x1 },
+        let mut found = InverseBatch {
+            smaller: BranchSlices { contact_radius: a0, uncontrolled: x0 },
+            larger: BranchSlices { contact_radius: a1, uncontrolled: x1 },
             status: &mut status,
         };
         let tally = inverse.branches(values, &mut found).unwrap();
@@ -154,7 +154,7 @@ fn what_many_values_may_be() {
     // F is out of range and a is not; for the smaller state a underflows, for the larger one both are values.
     assert!(many.at(4)[2] > 1e307 && many.at(4)[3].is_nan());
     assert!(many.at(5)[0].is_nan() && many.at(5)[2] > 0.1 && many.at(5)[3] < 0.0);
-    assert_eq!(many.tally, Tally { passed_on: 5, without_value: 5 });
+    assert_eq!(many.tally, BatchReport { passed_on: 5, without_value: 5 });
     // n = 1/2 has at most one equilibrium, which counts as the larger.
     let threshold = mdr_analytic::threshold(&unit, &Control::Indentation).unwrap();
     let above = double::Inverse::new(0.5, 2.0 * threshold, &unit, &Control::Indentation).unwrap();
@@ -171,9 +171,9 @@ fn slices_of_different_lengths_are_refused() {
     for (wrong, quantity) in quantities.into_iter().chain([Quantity::Parameter("the status")]).enumerate() {
         let len = |i: usize| if i == wrong { 8 } else { 9 };
         let ([mut a0, mut x0, mut a1, mut x1], mut status) = ([[0.0; 9]; 4], [Status::Ok; 9]);
-        let mut found = Branches {
-            smaller: Side { contact_radius: &mut a0[..len(0)], uncontrolled: &mut x0[..len(1)] },
-            larger: Side { contact_radius: &mut a1[..len(2)], uncontrolled: &mut x1[..len(3)] },
+        let mut found = InverseBatch {
+            smaller: BranchSlices { contact_radius: &mut a0[..len(0)], uncontrolled: &mut x0[..len(1)] },
+            larger: BranchSlices { contact_radius: &mut a1[..len(2)], uncontrolled: &mut x1[..len(3)] },
             status: &mut status[..len(4)],
         };
         assert_eq!(ball.branches(&[0.0; 9], &mut found), Err(Error::Length { quantity, len: 8, expected: 9 }));

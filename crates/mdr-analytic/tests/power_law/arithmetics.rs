@@ -1,7 +1,7 @@
 //! The same functions in other arithmetics.
 
 use approx::assert_relative_eq;
-use mdr_analytic::{Contact, Critical, PowerLaw, threshold};
+use mdr_analytic::{Contact, PowerLaw, State, threshold};
 use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use rug::Float;
@@ -16,7 +16,7 @@ fn everything<R: mdr_analytic::Kappa>(ctx: R::Ctx, inputs: [&str; 4]) -> Vec<R> 
     let contact = generic::<R>(ctx, inputs);
     let stiffness = contact.material().effective_modulus().clone();
     let mut numbers = vec![contact.profile().kappa().clone()];
-    let mut state = |state: Critical<R>| numbers.extend([state.contact_radius, state.indentation, state.force]);
+    let mut state = |state: State<R>| numbers.extend([state.contact_radius, state.indentation, state.force]);
     for control in [Control::Indentation, Control::Force, Control::machine(stiffness.clone()).unwrap()] {
         state(contact.critical(&control).unwrap());
     }

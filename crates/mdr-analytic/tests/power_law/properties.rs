@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use mdr_analytic::{Contact, Critical, PowerLaw, universal_force, universal_indentation};
+use mdr_analytic::{Contact, PowerLaw, State, universal_force, universal_indentation};
 use mdr_core::contact::{Control, Error, Material, Transform};
 use mdr_core::number::Dual;
 use proptest::prelude::*;
@@ -39,7 +39,7 @@ fn controls() -> impl Strategy<Value = Control<f64>> {
 }
 
 /// Whether all numbers on the way to the critical state are in the range of `f64`.
-fn in_range(result: &Result<Critical<f64>, Error>) -> bool {
+fn in_range(result: &Result<State<f64>, Error>) -> bool {
     result.as_ref().is_ok_and(|c| (1e-100..1e100).contains(&c.contact_radius))
 }
 
@@ -48,7 +48,7 @@ proptest! {
     fn critical_states_are_equilibria_and_extrema(contact in any_contact(), control in controls()) {
         let critical = contact.critical(&control);
         prop_assume!(in_range(&critical));
-        let Critical { contact_radius: a, indentation: d, force: f } = critical.unwrap();
+        let State { contact_radius: a, indentation: d, force: f } = critical.unwrap();
         let tolerance = bound(&contact, a) * (1.0 + contact.profile().exponent());
         // d = g − Δl and F = 2E*(ad − G), against the larger of the two terms.
         let elongation = contact.detachment_elongation(&a).unwrap();
@@ -91,7 +91,7 @@ proptest! {
     fn universal_curves(contact in any_contact(), ln_scaled in -2.0..2.0f64) {
         let critical = contact.critical(&Control::Indentation);
         prop_assume!(in_range(&critical));
-        let Critical { contact_radius: a_c, indentation, force } = critical.unwrap();
+        let State { contact_radius: a_c, indentation, force } = critical.unwrap();
         let (n, scaled) = (*contact.profile().exponent(), ln_scaled.exp());
         let a = scaled * a_c;
         let tolerance = bound(&contact, a_c) * (1.0 + n);
@@ -125,7 +125,7 @@ proptest! {
     fn work_lost_is_the_difference_in_energy(contact in contact_with(0.51..60.0)) {
         let critical = contact.critical(&Control::Indentation);
         prop_assume!(in_range(&critical));
-        let Critical { contact_radius: a, indentation: d, .. } = critical.unwrap();
+        let State { contact_radius: a, indentation: d, .. } = critical.unwrap();
         let adhesion = PI * a * a * contact.material().work_of_adhesion();
         let lost = contact.energy_lost_at_pull_off().unwrap();
         // Π = E*∫(d−g)² − πa²w cancels in part; the first term is at most a few times the second.

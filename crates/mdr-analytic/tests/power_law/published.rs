@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use mdr_analytic::{
-    Contact, Fate, PowerLaw, flat_punch_pull_off, lemniscate_constant, threshold, universal_indentation,
+    Contact, PowerLaw, ScaleFreeOutcome, flat_punch_pull_off, lemniscate_constant, threshold, universal_indentation,
 };
 use mdr_core::contact::{Control, Error, FoldKind, Material, Regime};
 
@@ -103,9 +103,9 @@ fn one_half() {
     let critical_c = threshold(unit.material(), &Control::Indentation).unwrap();
     assert!(matches!(unit.critical(&Control::Force), Err(Error::Domain { .. })));
     for (c, fate, under_force) in [
-        (0.9 * critical_c, Fate::CompleteContact, Fate::CompleteContact),
-        (1.1 * critical_c, Fate::Shrinks, Fate::CompleteContact),
-        (3.1 * critical_c, Fate::Shrinks, Fate::Shrinks),
+        (0.9 * critical_c, ScaleFreeOutcome::CompleteContact, ScaleFreeOutcome::CompleteContact),
+        (1.1 * critical_c, ScaleFreeOutcome::Shrinks, ScaleFreeOutcome::CompleteContact),
+        (3.1 * critical_c, ScaleFreeOutcome::Shrinks, ScaleFreeOutcome::Shrinks),
     ] {
         let contact = contact(0.5, c, 2.0 * PI, 1.0);
         assert_eq!(contact.fate(&Control::Indentation).unwrap(), fate);

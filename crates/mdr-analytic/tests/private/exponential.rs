@@ -1,21 +1,21 @@
 //! What is private in `mdr_analytic::double::exponential`.
 
-use mdr_core::number::{Real, Wide};
+use mdr_core::number::{Extended, Real};
 
 use super::*;
 use crate::double::pair::{Fused, Separate};
 
-fn wide(x: Pair) -> Wide<4> {
-    Wide::from(x.hi) + Wide::from(x.lo)
+fn wide(x: Pair) -> Extended<4> {
+    Extended::from(x.hi) + Extended::from(x.lo)
 }
 
-fn relative(found: Wide<4>, truth: Wide<4>) -> f64 {
+fn relative(found: Extended<4>, truth: Extended<4>) -> f64 {
     ((found - truth) / truth).approx().abs()
 }
 
 #[test]
 fn the_table_and_the_step() {
-    let ln_2 = Wide::<4>::from(2.0).ln();
+    let ln_2 = Extended::<4>::from(2.0).ln();
     assert!(relative(wide(STEP), ln_2.over(64)) < 2f64.powi(-90));
     for j in 0..64 {
         let truth = ln_2.times(j as i64).over(64).exp();
@@ -32,12 +32,12 @@ fn worst<A: Arithmetic>(arithmetic: A) -> [f64; 3] {
         let x = Pair { hi, lo: hi * 2f64.powi(-54) * f64::from(i % 16 - 8) / 8.0 };
         let truth = wide(x).exp();
         worst[0] = worst[0].max(relative(wide(exponential(arithmetic, x)), truth));
-        let truth = Wide::<4>::from(hi).exp();
-        let rough = relative(Wide::from(rough_exponential::<A>(hi)), truth) / (2.0 + hi.abs());
+        let truth = Extended::<4>::from(hi).exp();
+        let rough = relative(Extended::from(rough_exponential::<A>(hi)), truth) / (2.0 + hi.abs());
         worst[1] = worst[1].max(rough);
         let x = (hi / 2.0).exp();
-        let truth = Wide::<4>::from(x).ln();
-        worst[2] = worst[2].max(relative(Wide::from(rough_logarithm::<A>(x)), truth));
+        let truth = Extended::<4>::from(x).ln();
+        worst[2] = worst[2].max(relative(Extended::from(rough_logarithm::<A>(x)), truth));
     }
     worst
 }
@@ -58,10 +58,10 @@ fn no_term_of_the_cubic_is_missing() {
     for i in 0..2000 {
         let r = end * (1.0 - f64::from(i) / 20_000.0) * f64::from(1 - i % 2 * 2);
         let square = r * r;
-        let wide_r = Wide::<4>::from(r);
+        let wide_r = Extended::<4>::from(r);
         let truth = wide_r.exp_m1() - wide_r - wide_r.square().over(2);
         for found in [cubic::<Fused>(r, square), cubic::<Separate>(r, square)] {
-            assert!(relative(Wide::from(found), truth) < 3.0 * f64::EPSILON, "{r}");
+            assert!(relative(Extended::from(found), truth) < 3.0 * f64::EPSILON, "{r}");
         }
     }
 }

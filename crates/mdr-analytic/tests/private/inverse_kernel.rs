@@ -11,19 +11,19 @@ struct Question {
     constants: Constants,
     x: f64,
     /// By branch: v and the state.
-    roots: [(Branch, f64, Equilibrium<Wide<2>>); 2],
+    roots: [(Branch, f64, Equilibrium<Extended<2>>); 2],
 }
 
 impl Question {
     /// At x = `share`·x_fold.
     fn new(n: f64, held: Held, share: f64) -> Option<Self> {
-        let contact = contact::<Wide<2>>(n, 0.7, &Material::new(3.0, 0.1).ok()?).ok()?;
-        let fold = Fold::new(&contact, held).ok()?;
+        let contact = contact::<Extended<2>>(n, 0.7, &Material::new(3.0, 0.1).ok()?).ok()?;
+        let fold = FoldFrame::new(&contact, held).ok()?;
         let constants = Constants::new(&contact, &fold)?;
         let x = share * constants.fold;
         let found = fold.at_value(&contact, &x.into()).ok()?;
         let [smaller, larger] = found.as_slice() else { return None };
-        let root = |branch, state: &Equilibrium<Wide<2>>| {
+        let root = |branch, state: &Equilibrium<Extended<2>>| {
             let u = (state.contact_radius / fold.state.contact_radius).ln().approx() / 2.0;
             (branch, u / constants.stretch.hi, state.clone())
         };
@@ -53,9 +53,9 @@ fn questions() -> Vec<Question> {
     all.flatten().collect()
 }
 
-fn ulps(found: f64, truth: &Wide<2>) -> f64 {
+fn ulps(found: f64, truth: &Extended<2>) -> f64 {
     let size = truth.approx().abs();
-    (Wide::from(found) - truth).approx().abs() / (size.next_up() - size)
+    (Extended::from(found) - truth).approx().abs() / (size.next_up() - size)
 }
 
 /// K times the distance of v from the root, from 2⁻⁵ to 2⁻²⁰ on either side.

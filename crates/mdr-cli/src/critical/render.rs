@@ -6,7 +6,7 @@ use mdr::prelude::Value;
 
 use crate::error::Result;
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, table, text_table};
+use crate::table::{CellStyle, cell, render, table, text_table};
 use crate::validity;
 
 /// Writes answers in the `format` asked for; a single one for a reader with its sibling under the other control.
@@ -37,15 +37,15 @@ pub(crate) fn write(
 fn for_reader(answer: &CriticalAnswer, style: &NumberStyle) -> String {
     let mut table = table(&["quantity", "value", "unit"]);
     let kappa = style.number(&answer.kappa.to_string(), "");
-    table.add_row([cell("kappa_n", Tone::Plain), cell(kappa, Tone::Good), cell("", Tone::Faint)]);
+    table.add_row([cell("kappa_n", CellStyle::Plain), cell(kappa, CellStyle::Good), cell("", CellStyle::Faint)]);
     for (name, value, unit) in answer.quantities() {
         let tone = match value {
-            Some(Value::Unknown { .. }) => Tone::Bad,
-            Some(_) => Tone::Good,
-            None => Tone::Faint,
+            Some(Value::Unknown { .. }) => CellStyle::Bad,
+            Some(_) => CellStyle::Good,
+            None => CellStyle::Faint,
         };
         let text = value.map_or("none".to_owned(), |value| style.value(value, unit));
-        table.add_row([cell(name, Tone::Plain), cell(text, tone), cell(style.unit(unit), Tone::Faint)]);
+        table.add_row([cell(name, CellStyle::Plain), cell(text, tone), cell(style.unit(unit), CellStyle::Faint)]);
     }
     format!("{}\n\n{}\n\n{}", answer.heading(), render(&table), answer.explanation())
 }

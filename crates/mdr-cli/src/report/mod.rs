@@ -12,7 +12,7 @@ use mdr_plot::{Method, Question};
 
 use crate::error::Result;
 use crate::output::{Format, Output};
-use crate::table::{Tone, cell, render, table};
+use crate::table::{CellStyle, cell, render, table};
 use crate::{files, progress};
 
 /// Report error against run time, and how errors grow while questions become hard: pictures, tables and data.
@@ -65,11 +65,11 @@ impl Report {
                 let mut table = table(&["question", "methods", "most digits", "no answer", "what is asked"]);
                 for comparison in findings.comparisons() {
                     table.add_row([
-                        cell(&comparison.id, Tone::Good),
-                        cell(comparison.series.len(), Tone::Plain),
-                        cell(format_args!("{:.1}", comparison.most_digits()), Tone::Plain),
-                        cell(comparison.failures().count(), Tone::Plain),
-                        cell(&comparison.title, Tone::Plain),
+                        cell(&comparison.id, CellStyle::Good),
+                        cell(comparison.series.len(), CellStyle::Plain),
+                        cell(format_args!("{:.1}", comparison.most_digits()), CellStyle::Plain),
+                        cell(comparison.failures().count(), CellStyle::Plain),
+                        cell(&comparison.title, CellStyle::Plain),
                     ]);
                 }
                 let open = findings.ladders.iter().filter(|ladder| !ladder.accepted()).count();

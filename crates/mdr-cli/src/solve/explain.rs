@@ -6,7 +6,7 @@ use std::time::Duration;
 use mdr::Cost;
 
 use crate::error::{Failure, Result};
-use crate::table::{Tone, cell, render, table};
+use crate::table::{CellStyle, cell, render, table};
 
 /// A table on standard error: one row for each output and arithmetic.
 pub(crate) fn write(costs: &[(Cost, Duration)]) -> Result<()> {
@@ -19,9 +19,9 @@ pub(crate) fn write(costs: &[(Cost, Duration)]) -> Result<()> {
         for (arithmetic, evaluations) in rows {
             let [output, time] = std::mem::take(&mut ends);
             let counts = [evaluations.g, evaluations.slope, evaluations.integral];
-            let names = [cell(output, Tone::Strong), cell(arithmetic, Tone::Plain)].into_iter();
-            let counts = counts.map(|count| cell(count, Tone::Plain));
-            table.add_row(names.chain(counts).chain([cell(time, Tone::Faint)]));
+            let names = [cell(output, CellStyle::Strong), cell(arithmetic, CellStyle::Plain)].into_iter();
+            let counts = counts.map(|count| cell(count, CellStyle::Plain));
+            table.add_row(names.chain(counts).chain([cell(time, CellStyle::Faint)]));
         }
     }
     writeln!(std::io::stderr(), "{}", render(&table)).map_err(|error| Failure::file("standard error", error))

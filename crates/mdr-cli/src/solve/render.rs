@@ -7,7 +7,7 @@ use mdr::prelude::*;
 
 use crate::error::Result;
 use crate::output::{Format, Output as Out};
-use crate::table::{Tone, cell, render_whole, table};
+use crate::table::{CellStyle, cell, render_whole, table};
 use crate::{files, validity};
 
 /// Writes `answer` in the `format` asked for.
@@ -56,21 +56,21 @@ fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, sty
     for row in rows {
         table.add_row(keys.iter().map(|key| match find(row, key) {
             Some(FlatCell::Status(Status::NoEquilibrium)) if limited => {
-                cell(format!("{} within the range", Status::NoEquilibrium), Tone::Bad)
+                cell(format!("{} within the range", Status::NoEquilibrium), CellStyle::Bad)
             }
             Some(found) => cell(style.cell(found, unit(key)), tone(found)),
-            None => cell("", Tone::Plain),
+            None => cell("", CellStyle::Plain),
         }));
     }
     render_whole(&table)
 }
 
-pub(crate) fn tone(cell: &FlatCell) -> Tone {
+pub(crate) fn tone(cell: &FlatCell) -> CellStyle {
     match cell {
-        FlatCell::Number(_) => Tone::Good,
-        FlatCell::Text(_) => Tone::Plain,
-        FlatCell::Status(Status::Ok) | FlatCell::Empty => Tone::Faint,
-        FlatCell::Magnitude(_) | FlatCell::Status(_) => Tone::Bad,
+        FlatCell::Number(_) => CellStyle::Good,
+        FlatCell::Text(_) => CellStyle::Plain,
+        FlatCell::Status(Status::Ok) | FlatCell::Empty => CellStyle::Faint,
+        FlatCell::Magnitude(_) | FlatCell::Status(_) => CellStyle::Bad,
     }
 }
 

@@ -32,7 +32,7 @@ impl<R: Real> Estimate<R> {
     }
 
     fn is_within(&self, tolerance: &R, magnitude: &R) -> bool {
-        self.error <= tolerance.clone() * magnitude.steer()
+        self.error <= tolerance.clone() * magnitude.midpoint()
     }
 }
 
@@ -81,33 +81,33 @@ pub struct Tolerance<R> {
 impl<R: Real> Tolerance<R> {
     /// A goal that must be met; one below the rounding level ([`roundoff_tolerance`]) is raised to it.
     pub fn new(goal: &R) -> Self {
-        let goal = larger(goal.steer(), roundoff_tolerance(goal));
+        let goal = larger(goal.midpoint(), roundoff_tolerance(goal));
         let (noise, absolute) = (goal.unit_roundoff().times(8), goal.lit(0));
         Tolerance { limit: goal.clone(), last: goal.clone(), noise, absolute, goal }
     }
 
     /// The same goal; at the noise level of the integrand, an error below `limit` is accepted.
     pub fn or_noise_below(self, limit: R) -> Self {
-        let limit = larger(limit.steer(), self.goal.clone());
+        let limit = larger(limit.midpoint(), self.goal.clone());
         Tolerance { last: limit.clone(), limit, ..self }
     }
 
     /// The same goal; if the finest rule misses it, its value is accepted when its error is below `limit`. Slow
     /// convergence is not taken for noise.
     pub fn or_finest_below(self, limit: R) -> Self {
-        Tolerance { last: larger(limit.steer(), self.limit.clone()), ..self }
+        Tolerance { last: larger(limit.midpoint(), self.limit.clone()), ..self }
     }
 
     /// The same tolerance, or an absolute error below `absolute`.
     pub fn or_error_below(self, absolute: &R) -> Self {
-        Tolerance { absolute: absolute.steer(), ..self }
+        Tolerance { absolute: absolute.midpoint(), ..self }
     }
 
     /// The same tolerance for an integrand with this relative `noise`: a change no larger than that counts as rounding.
     /// Without it, the changes of two more refinements must be as small before they are trusted. The error estimate
     /// does not include the effect of the noise on the integral.
     pub fn with_noise(self, noise: &R) -> Self {
-        Tolerance { noise: larger(noise.steer(), self.noise), ..self }
+        Tolerance { noise: larger(noise.midpoint(), self.noise), ..self }
     }
 }
 
@@ -134,7 +134,7 @@ impl<R: Real> Refinement<R> {
         self.values.push(value.clone());
         let remainder = self.remainder(magnitude);
         let enough = remainder.is_some();
-        let error = (remainder.unwrap_or_else(|| magnitude.steer()) + known).steer();
+        let error = (remainder.unwrap_or_else(|| magnitude.midpoint()) + known).midpoint();
         let estimate = Estimate { value, error, evaluations };
         let within = |tolerance: &R| enough && estimate.is_within(tolerance, magnitude);
         let negligible = enough && estimate.error <= self.tolerance.absolute;
@@ -155,7 +155,7 @@ impl<R: Real> Refinement<R> {
     /// Whether the last change is not much smaller than the one before.
     fn is_noise(&self) -> bool {
         let [.., v1, v2, v3] = self.values.as_slice() else { return false };
-        let change = |new: &R, old: &R| (new.clone() - old).abs().steer();
+        let change = |new: &R, old: &R| (new.clone() - old).abs().midpoint();
         change(v3, v2).times(4) >= change(v2, v1)
     }
 
@@ -166,7 +166,7 @@ impl<R: Real> Refinement<R> {
     /// otherwise as the largest change, because a single one may be small by chance.
     fn remainder(&self, magnitude: &R) -> Option<R> {
         let [.., v0, v1, v2, v3] = self.values.as_slice() else { return None };
-        let change = |new: &R, old: &R| ((new.clone() - old).abs() / magnitude).steer();
+        let change = |new: &R, old: &R| ((new.clone() - old).abs() / magnitude).midpoint();
         let (e1, e2, e3) = (change(v3, v2), change(v2, v1), change(v1, v0));
         let doubles = |new: &R, old: &R| new.square().times(64) <= old.clone() * old.square();
         let relative = if *magnitude == e1.lit(0) {

@@ -206,7 +206,7 @@ impl<R: Real> Rule<R> {
         let (value, magnitude) = self.sums(&mut f)?;
         let distance =
             if self.nodes.len() == 1 { magnitude.clone() } else { (smaller.integrate(&mut f)? - &value).abs() };
-        let error = (distance + rounding(&magnitude, ROUNDINGS)).steer();
+        let error = (distance + rounding(&magnitude, ROUNDINGS)).midpoint();
         Ok(Estimate { value, error, evaluations: self.nodes.len() + smaller.nodes.len() })
     }
 
@@ -259,7 +259,7 @@ fn beta_function<R: Real>(a: &R, b: &R) -> R {
             term /= &plus(p, k + 1).times(2);
             total += &term;
             terms.push(term.clone());
-            if term.clone().times(64).steer() <= (total.clone() * total.unit_roundoff()).steer() {
+            if term.clone().times(64).midpoint() <= (total.clone() * total.unit_roundoff()).midpoint() {
                 break;
             }
         }

@@ -62,7 +62,7 @@ pub fn isolate<R: Real>(
 ) -> Result<Isolation<R>> {
     let [lower, upper] = [lower, upper].map(|end| Error::require_positive(Quantity::Radius, end.clone()));
     let (lower, upper) = (lower?, upper?);
-    if !(lower.steer() < upper.steer()) {
+    if !(lower.midpoint() < upper.midpoint()) {
         return Err(Error::domain(Quantity::Radius, &upper, "above the lower end of its range"));
     }
     let evaluations = Cell::new(0);
@@ -103,7 +103,7 @@ pub fn isolate<R: Real>(
 
 /// Whether a double zero and a pair of zeros can no longer be separated.
 fn is_narrow<R: Real>(lower: &R, upper: &R) -> bool {
-    (upper.clone() - lower).steer() <= (lower.unit_roundoff().sqrt() * lower).steer()
+    (upper.clone() - lower).midpoint() <= (lower.unit_roundoff().sqrt() * lower).midpoint()
 }
 
 /// A sample at the geometric mean, or slightly beside it if the function is exactly zero there.

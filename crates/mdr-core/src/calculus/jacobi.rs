@@ -104,8 +104,8 @@ impl<R: Real> Jacobi<R> {
         let mut shift = guess.lit(0);
         let mut terms = 2;
         loop {
-            let (value, slope) = horner(&coefficients[..terms], &shift.steer());
-            shift = shift.steer() - value / slope;
+            let (value, slope) = horner(&coefficients[..terms], &shift.midpoint());
+            shift = shift.midpoint() - value / slope;
             if terms == coefficients.len() {
                 break;
             }
@@ -113,8 +113,8 @@ impl<R: Real> Jacobi<R> {
         }
         // One more step with all terms, so that the derivatives of a dual number converge and the slope is that at the
         // zero.
-        let (value, slope) = horner(&coefficients, &shift.steer());
-        shift = shift.steer() - value / slope;
+        let (value, slope) = horner(&coefficients, &shift.midpoint());
+        shift = shift.midpoint() - value / slope;
         let (_, slope) = horner(&coefficients, &shift);
         (shift + guess, slope)
     }

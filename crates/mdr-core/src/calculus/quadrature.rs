@@ -101,10 +101,10 @@ pub fn pieces<R: Real>(
     breaks: &[R],
     mut integral: impl FnMut(&R, &R) -> Result<Estimate<R>>,
 ) -> Result<Estimate<R>> {
-    let (from, to) = (lower.steer(), upper.steer());
+    let (from, to) = (lower.midpoint(), upper.midpoint());
     let backwards = from > to;
     let (least, most) = if backwards { (to, from) } else { (from, to) };
-    let mut ends: Vec<&R> = breaks.iter().filter(|end| least < end.steer() && end.steer() < most).collect();
+    let mut ends: Vec<&R> = breaks.iter().filter(|end| least < end.midpoint() && end.midpoint() < most).collect();
     ends.sort_by(|one, other| order(*one, *other));
     if backwards {
         ends.reverse();
@@ -129,8 +129,8 @@ impl<R: Real> Node<R> {
 
     /// Whether x is still distinct from the ends.
     fn is_interior(&self, lower: &R, upper: &R) -> bool {
-        let x = self.x.steer();
-        self.is_normal() && x != lower.steer() && x != upper.steer()
+        let x = self.x.midpoint();
+        self.is_normal() && x != lower.midpoint() && x != upper.midpoint()
     }
 
     /// Whether the distances are still above underflow.
@@ -200,7 +200,7 @@ fn abscissae<R: Real>(like: &R, level: i64) -> Vec<Abscissa<R>> {
         let exponent = like.pi() * sinh;
         let decay = (-exponent.clone()).exp();
         let distance = decay.clone() / (decay.clone() + &one);
-        if exponent.steer() > reach || distance.clone() * like.unit_roundoff() == like.lit(0) {
+        if exponent.midpoint() > reach || distance.clone() * like.unit_roundoff() == like.lit(0) {
             break;
         }
         let weight = like.pi() * cosh * &distance / (decay + &one);
@@ -218,11 +218,11 @@ fn integrate<R: Real>(
 ) -> Result<Estimate<R>> {
     let width = upper.clone() - lower;
     let zero = width.lit(0);
-    if width.steer() < zero {
+    if width.midpoint() < zero {
         let mirrored = integrate(upper, lower, tolerance, f)?;
         return Ok(Estimate { value: -mirrored.value, ..mirrored });
     }
-    if width.steer() == zero {
+    if width.midpoint() == zero {
         return Ok(Estimate::exact(zero));
     }
     let panel = Panel { lower, upper, width };
@@ -296,7 +296,7 @@ impl<R: Real> Panel<'_, R> {
             let size = term.abs();
             magnitude += &size;
             terms.push(term);
-            if weight.steer() <= roundoff && size.steer() <= (magnitude.clone() * &roundoff).steer() {
+            if weight.midpoint() <= roundoff && size.midpoint() <= (magnitude.clone() * &roundoff).midpoint() {
                 return Ok(Walk { terms, magnitude, cut_off: width.lit(0) });
             }
         }
@@ -308,7 +308,7 @@ impl<R: Real> Panel<'_, R> {
 /// The geometric bound on the terms beyond the last; `None` when they do not decay.
 fn tail<R: Real>(terms: &[R]) -> Option<R> {
     let [.., before, last] = terms else { return None };
-    let (before, last) = (before.abs().steer(), last.abs().steer());
+    let (before, last) = (before.abs().midpoint(), last.abs().midpoint());
     if last == last.lit(0) {
         return Some(last);
     }

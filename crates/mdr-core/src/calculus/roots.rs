@@ -48,7 +48,7 @@ impl<R: Real> Sample<R> {
     /// # Errors
     /// [`Error::Domain`] when the value is not a number; whatever f returns.
     pub fn take(x: R, f: &mut impl FnMut(&R) -> Result<R>) -> Result<Self> {
-        let x = x.steer();
+        let x = x.midpoint();
         let value = f(&x)?;
         let sample = Sample { x, f: value };
         if sample.sign().is_none() && !sample.f.is_finite() {
@@ -107,7 +107,7 @@ pub(super) fn geometric_mean<R: Real>(lower: &R, upper: &R) -> R {
     let ratio = upper.clone() / lower;
     // The quotient of the whole exponent range overflows; its root does not.
     let root = if ratio.is_finite() { ratio.sqrt() } else { upper.sqrt() / lower.sqrt() };
-    (root * lower).steer()
+    (root * lower).midpoint()
 }
 
 /// The middle in log x for positive numbers more than an octave apart, (lower + upper)/2 otherwise.
@@ -115,7 +115,7 @@ fn middle<R: Real>(lower: &R, upper: &R) -> R {
     if *lower > lower.lit(0) && *upper > lower.clone().times(2) {
         geometric_mean(lower, upper)
     } else {
-        ((upper.clone() - lower).over(2) + lower).steer()
+        ((upper.clone() - lower).over(2) + lower).midpoint()
     }
 }
 
@@ -227,7 +227,7 @@ pub fn refine_with_slope<R: Real>(
     let with_slope = |x: &R| f(x).map(|(value, slope)| (value, Some(slope)));
     Search::new(bracket, tolerance).run(with_slope, |search, slope| {
         let Sample { x, f } = &search.newest;
-        Some((x.clone() - f.clone() / slope?).steer())
+        Some((x.clone() - f.clone() / slope?).midpoint())
     })
 }
 
@@ -250,9 +250,9 @@ impl<R: Real> Search<R> {
     fn new(bracket: Bracket<R>, tolerance: &R) -> Self {
         let Bracket { lower, upper, evaluations } = bracket;
         let larger = |x: R, y: R| if x > y { x } else { y };
-        let tolerance = larger(tolerance.steer(), tolerance.unit_roundoff());
+        let tolerance = larger(tolerance.midpoint(), tolerance.unit_roundoff());
         let length = if lower.x > lower.x.lit(0) { None } else { Some(larger(lower.x.abs(), upper.x.abs())) };
-        let pace = ((upper.x.clone() - &lower.x).steer(), upper.f.abs().steer(), 0);
+        let pace = ((upper.x.clone() - &lower.x).midpoint(), upper.f.abs().midpoint(), 0);
         Search { newest: upper, opposite: lower, earlier: None, evaluations, tolerance, length, pace }
     }
 
@@ -299,12 +299,12 @@ impl<R: Real> Search<R> {
 
     fn width(&self) -> R {
         let (lower, upper) = self.ends();
-        (upper.clone() - lower).steer()
+        (upper.clone() - lower).midpoint()
     }
 
     /// The end with the smaller |f|.
     fn best(&self) -> &Sample<R> {
-        let size = |sample: &Sample<R>| sample.f.abs().steer();
+        let size = |sample: &Sample<R>| sample.f.abs().midpoint();
         if size(&self.opposite) < size(&self.newest) { &self.opposite } else { &self.newest }
     }
 
@@ -319,7 +319,7 @@ impl<R: Real> Search<R> {
 
     /// Whether three steps neither halved the bracket nor reduced |f| to 1/64, as superlinear ones do.
     fn is_slow(&mut self) -> bool {
-        let (width, size) = (self.width(), self.best().f.abs().steer());
+        let (width, size) = (self.width(), self.best().f.abs().midpoint());
         if width.clone().times(2) <= self.pace.0 || size.clone().times(64) <= self.pace.1 {
             self.pace = (width, size, 0);
         }
@@ -340,8 +340,9 @@ impl<R: Real> Search<R> {
         let (lower, upper) = self.ends();
         let wide = *lower > lower.lit(0) && *upper > lower.clone().times(4);
         let margin = self.allowed();
-        let (first, last) = ((lower.clone() + &margin).steer(), (upper.clone() - &margin).steer());
-        let far = x < (first.clone() - margin.clone().times(2)).steer() || x > (last.clone() + margin.times(2)).steer();
+        let (first, last) = ((lower.clone() + &margin).midpoint(), (upper.clone() - &margin).midpoint());
+        let far =
+            x < (first.clone() - margin.clone().times(2)).midpoint() || x > (last.clone() + margin.times(2)).midpoint();
         if wide || far || !(first < last) || !x.is_finite() {
             None
         } else if x < first {
@@ -357,7 +358,7 @@ impl<R: Real> Search<R> {
     fn inverse_quadratic(&self) -> Option<R> {
         let (Sample { x: x1, f: f1 }, Sample { x: x2, f: f2 }) = (&self.newest, &self.opposite);
         let Sample { x: x3, f: f3 } = self.earlier.as_ref()?;
-        let quotient = |a: &R, b: &R, c: &R, d: &R| ((a.clone() - b) / (c.clone() - d)).steer();
+        let quotient = |a: &R, b: &R, c: &R, d: &R| ((a.clone() - b) / (c.clone() - d)).midpoint();
         let (xi, phi) = (quotient(x1, x2, x3, x2), quotient(f1, f2, f3, f2));
         let one = xi.lit(1);
         if !(phi.square() < xi && (one.clone() - &phi).square() < one - &xi) {
@@ -366,7 +367,7 @@ impl<R: Real> Search<R> {
         let zero = f1.lit(0);
         let first = quotient(f1, &zero, f2, f1) * quotient(f3, &zero, f2, f3);
         let second = quotient(x3, x1, x2, x1) * quotient(f1, &zero, f3, f1) * quotient(f2, &zero, f3, f2);
-        Some(((x2.clone() - x1) * (first + second) + x1).steer())
+        Some(((x2.clone() - x1) * (first + second) + x1).midpoint())
     }
 
     /// From a point of uncertain sign: steps outwards that double until the sign is certain on either side.
@@ -374,7 +375,7 @@ impl<R: Real> Search<R> {
         for outwards in [-1, 1] {
             let mut step = self.allowed().times(outwards);
             loop {
-                let candidate = (step.clone() + x).steer();
+                let candidate = (step.clone() + x).midpoint();
                 let (lower, upper) = self.ends();
                 if candidate <= *lower || candidate >= *upper {
                     break;

@@ -30,7 +30,7 @@ pub fn verify(
     mut slope: impl FnMut(&Interval) -> Result<Interval>,
 ) -> Result<Option<Interval>> {
     let mut newton = |x: &Interval| -> Result<Interval> {
-        let middle = x.steer();
+        let middle = x.midpoint();
         Ok(middle.clone() - f(&middle)? / slope(x)?)
     };
     let point = Interval::point(candidate.clone());

@@ -38,17 +38,17 @@ impl Sub for Evaluations {
     }
 }
 
-/// A count of evaluations that several [`CountedTransform`]s and threads may share.
+/// A count of evaluations that several [`CountingTransform`]s and threads may share.
 #[derive(Debug, Default)]
-pub struct Tally {
+pub struct EvaluationCounter {
     counts: [AtomicU64; 3],
     stop: Arc<AtomicBool>,
 }
 
-impl Tally {
+impl EvaluationCounter {
     /// A count with a stop flag: once `stop` is true every evaluation returns [`Error::Stopped`], which ends any loop.
     pub fn until(stop: &Arc<AtomicBool>) -> Self {
-        Tally { counts: Default::default(), stop: Arc::clone(stop) }
+        EvaluationCounter { counts: Default::default(), stop: Arc::clone(stop) }
     }
 
     /// The evaluations so far.
@@ -61,7 +61,7 @@ impl Tally {
 /// A transform that counts its evaluations and otherwise forwards every call to the transform inside.
 ///
 /// ```
-/// use mdr_core::contact::{CountedTransform, Evaluations, Result, Transform};
+/// use mdr_core::contact::{CountingTransform, Evaluations, Result, Transform};
 ///
 /// struct Paraboloid;
 /// impl Transform<f64> for Paraboloid {
@@ -75,25 +75,25 @@ impl Tally {
 ///         Ok(x.powi(3) / 3.0)
 ///     }
 /// }
-/// let counted = CountedTransform::new(Box::new(Paraboloid), &Default::default());
+/// let counted = CountingTransform::new(Box::new(Paraboloid), &Default::default());
 /// assert_eq!((counted.g(&2.0)?, counted.slope(&2.0)?, counted.slope(&3.0)?), (4.0, 4.0, 6.0));
 /// assert_eq!(counted.evaluations(), Evaluations { g: 1, slope: 2, integral: 0 });
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-pub struct CountedTransform<R> {
+pub struct CountingTransform<R> {
     inner: Arc<dyn Transform<R>>,
-    tally: Arc<Tally>,
+    tally: Arc<EvaluationCounter>,
 }
 
-impl<R: Real> CountedTransform<R> {
+impl<R: Real> CountingTransform<R> {
     /// Counts into `tally`.
-    pub fn new(inner: Box<dyn Transform<R>>, tally: &Arc<Tally>) -> Self {
+    pub fn new(inner: Box<dyn Transform<R>>, tally: &Arc<EvaluationCounter>) -> Self {
         Self::sharing(Arc::from(inner), tally)
     }
 
     /// The same of a transform that others use, too.
-    pub fn sharing(inner: Arc<dyn Transform<R>>, tally: &Arc<Tally>) -> Self {
-        CountedTransform { inner, tally: Arc::clone(tally) }
+    pub fn sharing(inner: Arc<dyn Transform<R>>, tally: &Arc<EvaluationCounter>) -> Self {
+        CountingTransform { inner, tally: Arc::clone(tally) }
     }
 
     /// The evaluations so far, of all transforms that share the count.
@@ -110,7 +110,7 @@ impl<R: Real> CountedTransform<R> {
     }
 }
 
-impl<R: Real> Transform<R> for CountedTransform<R> {
+impl<R: Real> Transform<R> for CountingTransform<R> {
     fn g(&self, x: &R) -> Result<R> {
         self.count(0)?.g(x)
     }
@@ -143,8 +143,8 @@ impl<R: Real> Transform<R> for CountedTransform<R> {
         self.inner.outer_radius()
     }
 
-    fn wall(&self) -> bool {
-        self.inner.wall()
+    fn vertical_edge(&self) -> bool {
+        self.inner.vertical_edge()
     }
 
     fn kinks(&self) -> Vec<R> {

@@ -12,7 +12,7 @@ mod state;
 mod transform;
 
 pub use control::{Control, ControlKind};
-pub use counted::{CountedTransform, Evaluations, Tally};
+pub use counted::{CountingTransform, EvaluationCounter, Evaluations};
 pub use error::{Error, Quantity, Result};
 #[cfg(feature = "mp")]
 pub use expression::Breaks;
@@ -21,5 +21,5 @@ pub use kink::{Kink, Slopes};
 pub use material::{Body, Elasticity, Material};
 pub use profile::Profile;
 pub use shape::{Flank, Shape};
-pub use state::{Equilibrium, FoldKind, Instability, Outcome, Ranged, Regime, Stability, Status};
+pub use state::{Equilibrium, Fold, FoldKind, Outcome, Ranged, Regime, Stability, Status};
 pub use transform::Transform;

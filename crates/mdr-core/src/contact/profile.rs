@@ -45,7 +45,7 @@ pub trait Profile<R: Real>: Send + Sync {
     }
 
     /// Whether the profile has a vertical edge at its outer radius, where f is the limit from inside.
-    fn wall(&self) -> bool {
+    fn vertical_edge(&self) -> bool {
         false
     }
 

@@ -88,7 +88,7 @@ pub enum Outcome<R> {
 
 /// A fold of the controlled quantity along the curve of equilibria.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Instability<R> {
+pub struct Fold<R> {
     /// a, in m.
     pub contact_radius: R,
     /// d, in m.
@@ -99,10 +99,10 @@ pub struct Instability<R> {
     pub kind: FoldKind,
 }
 
-impl<R> Instability<R> {
+impl<R> Fold<R> {
     /// The same fold with its numbers in another arithmetic.
-    pub fn map<S>(&self, number: impl Fn(&R) -> S) -> Instability<S> {
-        Instability {
+    pub fn map<S>(&self, number: impl Fn(&R) -> S) -> Fold<S> {
+        Fold {
             contact_radius: number(&self.contact_radius),
             indentation: number(&self.indentation),
             force: number(&self.force),
@@ -112,9 +112,9 @@ impl<R> Instability<R> {
 }
 
 /// The state at the fold: a double root.
-impl<R> From<Instability<R>> for Equilibrium<R> {
-    fn from(fold: Instability<R>) -> Self {
-        let Instability { contact_radius, indentation, force, .. } = fold;
+impl<R> From<Fold<R>> for Equilibrium<R> {
+    fn from(fold: Fold<R>) -> Self {
+        let Fold { contact_radius, indentation, force, .. } = fold;
         Equilibrium { contact_radius, indentation, force, stability: Stability::Neutral }
     }
 }

@@ -67,7 +67,7 @@ pub trait Transform<R: Real>: Send + Sync {
 
     /// Whether the profile has a vertical edge at its outer radius, so that the contact edge can stay there at any
     /// larger indentation. If so, g, g' and ∫g are defined at the outer radius too, as limits from inside.
-    fn wall(&self) -> bool {
+    fn vertical_edge(&self) -> bool {
         false
     }
 

@@ -4,7 +4,7 @@ use rug::float::{Constant, Round, Special, exp_min};
 use rug::ops::Pow;
 use rug::{Float, Rational};
 
-use super::{Interval, Precision, Real, Wide};
+use super::{Extended, Interval, Precision, Real};
 
 /// A positive number x represented by a `rug::Float` y of p bits and a count k of roundings: (1+u)^−k ≤ x/y ≤ (1+u)^k
 /// with u = 2⁻ᵖ.
@@ -17,42 +17,42 @@ use super::{Interval, Precision, Real, Wide};
 /// [enclosure](Self::enclosure).
 ///
 /// ```
-/// use mdr_core::number::{Counted, Precision};
+/// use mdr_core::number::{RoundingCount, Precision};
 /// // (π/3)^(−5/2)
 /// let precision = Precision::new(100);
-/// let number = Counted::pi(precision).scaled(&(1, 3).into()).power(-5, 2);
+/// let number = RoundingCount::pi(precision).scaled(&(1, 3).into()).power(-5, 2);
 /// let enclosure = number.enclosure(precision);
-/// assert!(enclosure.contains(&Counted::pi(Precision::new(200)).scaled(&(1, 3).into()).power(-5, 2).value()));
+/// assert!(enclosure.contains(&RoundingCount::pi(Precision::new(200)).scaled(&(1, 3).into()).power(-5, 2).value()));
 /// assert!(enclosure.accuracy_bits() > 94);
 /// ```
 #[derive(Clone, Debug)]
-pub struct Counted {
+pub struct RoundingCount {
     value: Float,
     roundings: u64,
 }
 
-impl Counted {
+impl RoundingCount {
     /// A positive value with this number of roundings.
     pub fn new(value: Float, roundings: u64) -> Self {
-        Counted { value, roundings }
+        RoundingCount { value, roundings }
     }
 
     /// A number of which nothing is known.
     pub fn unknown(precision: Precision) -> Self {
-        Counted { value: Float::with_val(precision.bits(), Special::Nan), roundings: 0 }
+        RoundingCount { value: Float::with_val(precision.bits(), Special::Nan), roundings: 0 }
     }
 
     /// The result of an operation; `None` roundings make it unknown.
     fn known(value: Float, roundings: Option<u64>) -> Self {
         match roundings {
-            Some(roundings) if is_relative(&value) => Counted { value, roundings },
+            Some(roundings) if is_relative(&value) => RoundingCount { value, roundings },
             _ => Self::unknown(Precision::new(value.prec())),
         }
     }
 
     /// π.
     pub fn pi(precision: Precision) -> Self {
-        Counted { value: Float::with_val(precision.bits(), Constant::Pi), roundings: 1 }
+        RoundingCount { value: Float::with_val(precision.bits(), Constant::Pi), roundings: 1 }
     }
 
     /// The stored value.
@@ -67,7 +67,7 @@ impl Counted {
 
     /// The number times a positive rational.
     pub fn scaled(self, factor: &Rational) -> Self {
-        let Counted { mut value, roundings } = self;
+        let RoundingCount { mut value, roundings } = self;
         let mut added = 0;
         if *factor.numer() != 1 {
             value *= factor.numer();
@@ -267,9 +267,9 @@ fn first_inverse_root(x: &Float, q: u32) -> Float {
     let (whole, near) = (exponent.div_euclid(q_signed), x.clone() >> (exponent - exponent.rem_euclid(q_signed)));
     let upper = near.to_f64();
     let lower = Float::with_val(53, near - upper).to_f64();
-    let [near, first] = [upper, upper.powf(-1.0 / f64::from(q))].map(|value| Wide::<2>::from_f64((), value));
-    let near = near + Wide::from_f64((), lower);
-    let (one, q) = (Wide::<2>::from_int((), 1), i64::from(q));
+    let [near, first] = [upper, upper.powf(-1.0 / f64::from(q))].map(|value| Extended::<2>::from_f64((), value));
+    let near = near + Extended::from_f64((), lower);
+    let (one, q) = (Extended::<2>::from_int((), 1), i64::from(q));
     let rest = one - near * first.powi(q_signed.into());
     let root = first * (one + (rest + rest.square().times(q + 1).over(2 * q)).over(q));
     let [low, high] = *root.limbs();

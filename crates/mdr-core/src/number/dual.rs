@@ -197,7 +197,7 @@ impl<R: Real> Real for Dual<R> {
         // d(x^y) = x^y (y dx/x + ln x dy): one power, and no x^(y−1) that could leave the range unless x^y does. The
         // second term is evaluated only where y varies.
         let value = self.value.pow(&exponent.value);
-        let vanishes = (value.unit_roundoff() * &value).steer() == value.lit(0);
+        let vanishes = (value.unit_roundoff() * &value).midpoint() == value.lit(0);
         let mut slope = if vanishes {
             self.value.pow(&(exponent.value.clone() - exponent.value.lit(1))) * &exponent.value * &self.slope
         } else {
@@ -250,8 +250,8 @@ impl<R: Real> Real for Dual<R> {
     fn either(&self, other: &Self) -> Self {
         Dual { value: self.value.either(&other.value), slope: self.slope.either(&other.slope) }
     }
-    fn steer(&self) -> Self {
-        Dual::constant(self.value.steer())
+    fn midpoint(&self) -> Self {
+        Dual::constant(self.value.midpoint())
     }
 }
 

@@ -7,6 +7,7 @@ mod counted;
 mod decimal;
 mod dual;
 mod exact;
+mod extended;
 mod float;
 #[cfg(feature = "mp")]
 mod interval;
@@ -14,17 +15,16 @@ mod literal;
 #[cfg(feature = "mp")]
 mod mp;
 mod real;
-mod wide;
 
 #[cfg(feature = "mp")]
-pub use counted::Counted;
+pub use counted::RoundingCount;
 pub use decimal::Decimal;
 pub use dual::Dual;
 pub use exact::Exact;
+pub use extended::Extended;
 #[cfg(feature = "mp")]
 pub use interval::Interval;
 pub use literal::{Literal, LiteralError};
 #[cfg(feature = "mp")]
 pub use mp::Precision;
 pub use real::{Gamma, Lift, Real, Special, order};
-pub use wide::Wide;

@@ -164,12 +164,12 @@ pub trait Real:
 
     /// A representative point for control flow (pivots, brackets, stopping): the value of a floating type, the midpoint
     /// of an interval as a point, a dual number without its slope. Never enters a result.
-    fn steer(&self) -> Self {
+    fn midpoint(&self) -> Self {
         self.clone()
     }
 }
 
-/// The order of numbers by their [representative points](Real::steer), which exists for overlapping enclosures too.
+/// The order of numbers by their [representative points](Real::midpoint), which exists for overlapping enclosures too.
 ///
 /// ```
 /// let mut radii = [3.0, 1.0, 2.0];
@@ -177,7 +177,7 @@ pub trait Real:
 /// assert_eq!(radii, [1.0, 2.0, 3.0]);
 /// ```
 pub fn order<R: Real>(x: &R, y: &R) -> Ordering {
-    x.steer().partial_cmp(&y.steer()).unwrap_or(Ordering::Equal)
+    x.midpoint().partial_cmp(&y.midpoint()).unwrap_or(Ordering::Equal)
 }
 
 /// The functions beyond algebra, exponential and natural logarithm: circular, hyperbolic, decimal logarithm.

@@ -1,7 +1,7 @@
 //! The f64 functions, which promise an ulp, or two for many points at once, against the same closed forms at 400 bits.
 
 use mdr_analytic::double::grid::{Materials, Path, Points, States, critical_states_on};
-use mdr_analytic::double::{Branches, Side};
+use mdr_analytic::double::{BranchSlices, InverseBatch};
 use mdr_analytic::{Contact, Equilibria, double};
 use mdr_core::contact::{Error, Ranged, Result, Status};
 use mdr_core::number::{Precision, Real};
@@ -161,9 +161,9 @@ fn branches(
 ) -> Result<()> {
     for path in Path::available() {
         let ([mut a0, mut x0, mut a1, mut x1], mut status) = ([[0.0]; 4], [Status::Ok]);
-        let mut found = Branches {
-            smaller: Side { contact_radius: &mut a0, uncontrolled: &mut x0 },
-            larger: Side { contact_radius: &mut a1, uncontrolled: &mut x1 },
+        let mut found = InverseBatch {
+            smaller: BranchSlices { contact_radius: &mut a0, uncontrolled: &mut x0 },
+            larger: BranchSlices { contact_radius: &mut a1, uncontrolled: &mut x1 },
             status: &mut status,
         };
         inverse.clone().with_instructions(path).branches(&[value], &mut found)?;

@@ -7,7 +7,7 @@ use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::{Tolerance, roundoff_tolerance};
 use mdr_core::contact::{Control, Error, Material, Profile, Result, Shape};
 use mdr_core::number::{Interval, Precision, Real};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, tabor_number};
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
@@ -37,7 +37,7 @@ pub(super) fn paraboloid<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ct
 
     let material = Material::new(e.clone(), w.clone())?;
     let heights = Quadrature::of([Shape::Paraboloid { radius: r.clone() }])?;
-    let curve = Curve::new(&heights, &material, &Control::Force);
+    let curve = EquilibriumCurve::new(&heights, &material, &Control::Force);
     let state = Dugdale::new(curve.clone(), &h0)?.state(&a)?;
     let c = &state.outer_radius;
     let closed = trial.closed.maugis_state(&r, &material, &h0, [&a, c])?;
@@ -91,7 +91,7 @@ pub(super) fn profile<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: 
     let [at, opening, s] = [&a, &h0, &strength].map(R::approx);
     trial.describe(format_args!("{profile}, a = {at:e}, h0 = {opening:e}, s = {s:e} ({})", R::NAME));
     let material = Material::new(e_star.clone(), work)?;
-    let contact = Dugdale::new(Curve::new(&*transform, &material, &Control::Force), &h0)?;
+    let contact = Dugdale::new(EquilibriumCurve::new(&*transform, &material, &Control::Force), &h0)?;
     let state = match contact.state(&a) {
         // The ring would reach beyond the equator of a sphere.
         Err(Error::Domain { .. }) if transform.outer_radius().is_some() => return Ok(()),
@@ -110,14 +110,14 @@ pub(super) fn profile<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: 
         largest = largest.greater(&g.abs());
         Ok(d.clone() - g)
     })?;
-    let rim = (c.clone() - &a) * &strength;
+    let equator = (c.clone() - &a) * &strength;
     let f = profile.heights()?.height(c);
     if !f.is_finite() {
         // The heights of a dimple end at its edge.
         return Ok(());
     }
-    let gap = f.clone() - d + (displaced.value - &rim) * (a.lit(2) / a.pi());
-    let scale = f.abs() + &largest + rim + &h0;
+    let gap = f.clone() - d + (displaced.value - &equator) * (a.lit(2) / a.pi());
+    let scale = f.abs() + &largest + equator + &h0;
     trial.compare_on(
         "gap at c",
         &gap,
@@ -143,7 +143,7 @@ pub(super) fn pull_off(trial: &mut Trial<'_>) -> Result<()> {
     let jkr = scene.contact()?.critical(&Control::Force)?;
     let transform = closed_form(Shape::Power { n: scene.n, c: scene.c })?;
     let material = scene.material()?;
-    let curve = Curve::new(&*transform, &material, &Control::Force);
+    let curve = EquilibriumCurve::new(&*transform, &material, &Control::Force);
     let separation = tabor_number(&curve, &jkr.contact_radius, &1.0)? / tabor;
     let contact = Dugdale::new(curve, &separation)?;
     let Some(state) = contact.pull_off(&[jkr.contact_radius])? else {

@@ -3,10 +3,10 @@
 
 use mdr_core::contact::{Control, Equilibrium, Result, Transform};
 use mdr_core::number::Dual;
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::energy::Energy;
-use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::equilibrium::SearchedBranches;
 
 use super::folds::transform;
 use crate::arithmetic::Arithmetic;
@@ -132,7 +132,8 @@ pub(super) fn routes(trial: &mut Trial<'_>) -> Result<()> {
     let value = contact.critical(&Control::Indentation)?.indentation * share;
     trial.describe_also(format_args!("d = {share:e} d_c"));
     let transform = transform(&scene)?;
-    let by_force = Branches::new(Curve::new(&transform, &material, &Control::Indentation))?.equilibria(&value)?;
+    let by_force = SearchedBranches::new(EquilibriumCurve::new(&transform, &material, &Control::Indentation))?
+        .equilibria(&value)?;
     let by_energy = Energy::new(&transform, &material)?.equilibria(&Control::Indentation, &value)?;
     let stabilities = |states: &[Equilibrium<f64>]| -> Vec<_> { states.iter().map(|state| state.stability).collect() };
     trial.demand("number and stability", stabilities(&by_force) == stabilities(&by_energy));

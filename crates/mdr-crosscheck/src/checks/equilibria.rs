@@ -2,9 +2,9 @@
 
 use mdr_analytic::Contact;
 use mdr_core::contact::{Control, Equilibrium, Outcome, Result, Stability, Transform};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
 
 use super::folds::{ClosedFold, Quadratures, transform};
 use crate::arithmetic::Arithmetic;
@@ -32,7 +32,7 @@ pub(super) fn beside<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
     let k = trial.uniform(1.0, bits + 1.0).floor() as i64;
     trial.describe_also(format_args!("{held}, k = {k}"));
     let distance = fold.value.lit(2).powi(-k);
-    let branches = Branches::new(Curve::new(&fold.transform, &material, &control))?;
+    let branches = SearchedBranches::new(EquilibriumCurve::new(&fold.transform, &material, &control))?;
 
     let before = fold.value.clone() * &(distance.lit(1) - &distance);
     let equilibria = branches.equilibria(&before)?;
@@ -131,7 +131,8 @@ impl<R: Arithmetic> Asked<'_, R> {
     fn numeric(&self, trial: &mut Trial<'_>) -> Result<Vec<Equilibrium<R>>> {
         let (transform, material) = (transform(self.scene)?, self.scene.material()?);
         let control: Control<R> = self.held.control();
-        let found = Branches::new(Curve::new(&transform, &material, &control))?.equilibria(self.value)?;
+        let found =
+            SearchedBranches::new(EquilibriumCurve::new(&transform, &material, &control))?.equilibria(self.value)?;
         trial.demand("at most two equilibria", found.len() <= 2);
         Ok(found)
     }

@@ -2,8 +2,8 @@
 //! discrete springs, the outer ones detaching by the rule of Heß; against the closed forms.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Outcome, Result, Shape};
-use mdr_numeric::curve::Curve;
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Outcome, Result, Shape};
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::folds::folds;
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::springs::Foundation;
@@ -81,12 +81,12 @@ pub(super) fn search<R: Arithmetic>(
     control: &Control<R>,
     round: usize,
     planted: f64,
-) -> Result<Vec<Instability<R>>> {
+) -> Result<Vec<Fold<R>>> {
     let material = scene.material()?;
     if finds_all::<R>(round) {
         return Ok(folds(transform, &material, control)?.folds);
     }
-    let curve = Curve::new(transform, &material, control);
+    let curve = EquilibriumCurve::new(transform, &material, control);
     let near = R::from_f64(scene.n.ctx(), planted);
     let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a)? - a.lit(1));
     let mut folds = Vec::new();
@@ -97,7 +97,7 @@ pub(super) fn search<R: Arithmetic>(
         let kind = if bracket.lower.f < bracket.upper.f { FoldKind::Minimum } else { FoldKind::Maximum };
         let contact_radius = roots::refine(bracket, &scene.n.unit_roundoff(), ratio)?.value;
         let (indentation, force) = curve.state(&contact_radius)?;
-        folds.push(Instability { contact_radius, indentation, force, kind });
+        folds.push(Fold { contact_radius, indentation, force, kind });
         break;
     }
     Ok(folds)
@@ -124,7 +124,7 @@ pub(super) fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: 
     let found = search(&transform, &scene, &control, round, scales.radius)?;
     trial.demand("one fold", found.len() == 1);
     let Some(fold) = found.first() else { return Ok(()) };
-    let closed = Instability {
+    let closed = Fold {
         contact_radius: state.contact_radius,
         indentation: state.indentation,
         force: state.force,
@@ -140,8 +140,8 @@ pub(super) fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: 
 /// Enters the three quantities and the kind of a fold.
 fn compare<R: Arithmetic>(
     trial: &mut Trial<'_>,
-    closed: &Instability<R>,
-    found: &Instability<R>,
+    closed: &Fold<R>,
+    found: &Fold<R>,
     material: &Material<R>,
     tangent: Tangent,
     (closed_radius, found_radius): (f64, f64),
@@ -177,8 +177,7 @@ pub(super) fn machine<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R
         if finds_all::<R>(round) { closed.len() == found.len() } else { !found.is_empty() },
     );
     for found in &found {
-        let distance =
-            |fold: &Instability<R>| (fold.contact_radius.clone() / &found.contact_radius).ln().abs().approx();
+        let distance = |fold: &Fold<R>| (fold.contact_radius.clone() / &found.contact_radius).ln().abs().approx();
         let Some(closed) = closed.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else { continue };
         let share = found.contact_radius.clone() * &scene.e_star / stiffness;
         let share = share.times(2);

@@ -3,11 +3,11 @@
 use mdr_analytic::profiles as closed;
 use mdr_core::contact::{Control, FoldKind, Material, Profile, Result, Shape, Stability, Transform};
 use mdr_core::number::Real;
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::fields::Fields;
-use mdr_numeric::path::{EventKind, Ledger, Loss, Path, Start};
+use mdr_numeric::path::{Dissipation, EventKind, Path, PathEnergy, Start};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
@@ -36,12 +36,12 @@ pub(super) fn admissible(trial: &mut Trial<'_>) -> Result<()> {
     ));
     let (profile, material) = (closed::WavyParaboloid::new(scale, amplitude, wavelength)?, Material::new(1.0, work)?);
     let height = Heights::new([Shape::WavyParaboloid { radius: scale, amplitude, wavelength }])?;
-    let curve = Curve::new(&profile, &material, &control);
-    let branches = Branches::new(curve)?;
+    let curve = EquilibriumCurve::new(&profile, &material, &control);
+    let branches = SearchedBranches::new(curve)?;
     let Ok(path) = Path::follow(&branches, &Start::Smallest, &ways) else { return Ok(()) };
-    let ledger = Ledger::new(&path, &branches)?;
-    let gains = |loss: &Loss<f64>| matches!(loss, Loss::Finite(lost) if lost.value < -lost.error);
-    trial.demand("no event gains energy", !ledger.entries.iter().any(|entry| gains(&entry.lost)));
+    let ledger = PathEnergy::new(&path, &branches)?;
+    let gains = |loss: &Dissipation<f64>| matches!(loss, Dissipation::Finite(dissipated) if dissipated.value < -dissipated.error);
+    trial.demand("no event gains energy", !ledger.entries.iter().any(|entry| gains(&entry.dissipated)));
     let Some(event) = path.events.last() else { return Ok(()) };
     if let (Some(ring), Some(rest)) = (&event.ring, event.after.contact())
         && ring.gap == 0.0
@@ -96,7 +96,7 @@ fn close_the_books<R: Arithmetic>(
     material: &Material<R>,
     control: &Control<R>,
 ) -> Result<()> {
-    let branches = Branches::new(Curve::new(transform, material, control))?;
+    let branches = SearchedBranches::new(EquilibriumCurve::new(transform, material, control))?;
     let Some(fold) = branches.folds().first() else { return Ok(()) };
     let unit = control.controlled(&fold.indentation, &fold.force).abs();
     // A pull-off by a dead load and complete contact have no finite energy.
@@ -111,14 +111,14 @@ fn close_the_books<R: Arithmetic>(
     let path = Path::follow(&branches, &Start::Detached, &way)?;
     let overlaps = path.events.last().is_some_and(|event| event.kind == EventKind::NotAdmissible);
     trial.demand("the path comes to its end", path.is_finished() || overlaps);
-    let ledger = Ledger::new(&path, &branches)?;
+    let ledger = PathEnergy::new(&path, &branches)?;
     let mut positive = true;
     let mut scale = unit.lit(0);
     for entry in &ledger.entries {
         scale += &entry.work.value.abs();
-        if let Loss::Finite(lost) = &entry.lost {
-            positive &= lost.value >= -lost.error.clone();
-            scale += &lost.value.abs();
+        if let Dissipation::Finite(dissipated) = &entry.dissipated {
+            positive &= dissipated.value >= -dissipated.error.clone();
+            scale += &dissipated.value.abs();
         }
     }
     trial.demand("no jump gains energy", positive);
@@ -128,7 +128,7 @@ fn close_the_books<R: Arithmetic>(
     };
     if scale > scale.lit(0) {
         let allowed = balance.bound / &scale / scale.unit_roundoff();
-        trial.compare_on("balance", &(balance.work - &balance.lost), &balance.stored, &scale, allowed.approx());
+        trial.compare_on("balance", &(balance.work - &balance.dissipated), &balance.stored, &scale, allowed.approx());
     }
     Ok(())
 }
@@ -144,7 +144,7 @@ pub(super) fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
     trial.describe_also(held);
     let (contact, material, control) = (scene.contact()?, scene.material()?, held.control());
     let transform = transform(&scene)?;
-    let branches = Branches::new(Curve::new(&transform, &material, &control))?;
+    let branches = SearchedBranches::new(EquilibriumCurve::new(&transform, &material, &control))?;
     let [zero, one] = [scene.n.lit(0), scene.n.lit(1)];
     let critical = contact.critical(&control)?;
     let beyond = control.controlled(&critical.indentation, &critical.force).times(2);
@@ -152,7 +152,7 @@ pub(super) fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
     let kinds: Vec<EventKind> = path.events.iter().map(|event| event.kind).collect();
     let expected = [EventKind::Start, EventKind::JumpIn, EventKind::Detached, EventKind::End];
     trial.demand("jump-in and pull-off", kinds == expected);
-    let ledger = Ledger::new(&path, &branches)?;
+    let ledger = PathEnergy::new(&path, &branches)?;
     let unit = |a: &R| a.pi() * a * a * &scene.work;
 
     let start = contact.radius_at_zero_indentation()?;
@@ -166,7 +166,7 @@ pub(super) fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
             EventKind::Detached => (&pull_off, "pull-off"),
             _ => continue,
         };
-        let Loss::Finite(lost) = &entry.lost else {
+        let Dissipation::Finite(dissipated) = &entry.dissipated else {
             trial.demand("only a dead load is unbounded", held == Held::Force && event.kind == EventKind::Detached);
             continue;
         };
@@ -176,9 +176,9 @@ pub(super) fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
         let tangent = scene.tangent(held.lambda(), a);
         let balance = 2.0 * (errors.g + errors.mean + TRANSFORM + ELONGATION + 8.0) / tangent.excess() + 4.0;
         let radius = balance + tangent.found_radius(errors.slope);
-        let error = (lost.error.clone() / unit(a) / a.unit_roundoff()).approx();
+        let error = (dissipated.error.clone() / unit(a) / a.unit_roundoff()).approx();
         let allowed = error + 2.0 * share.approx() * radius + 24.0;
-        trial.compare_on(name, &(lost.value.clone() / unit(a)), share, &one, allowed);
+        trial.compare_on(name, &(dissipated.value.clone() / unit(a)), share, &one, allowed);
     }
     Ok(())
 }
@@ -198,7 +198,7 @@ pub(super) fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx
     let transforms: [&dyn Transform<R>; 2] = [&by_form, &by_heights];
     let pull_off = control.controlled(&d, &f);
     for transform in transforms {
-        let branches = Branches::new(Curve::new(transform, &material, &control))?;
+        let branches = SearchedBranches::new(EquilibriumCurve::new(transform, &material, &control))?;
         let way = [pull_off.lit(0), -pull_off.clone(), pull_off.clone().times(2)];
         let path = Path::follow(&branches, &Start::Detached, &way)?;
         let [_, jump_in, pressed, breaks, _] = path.events.as_slice() else {
@@ -217,7 +217,7 @@ pub(super) fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx
         trial.compare("F", &breaks.force, &f, 32.0);
         trial.compare("F pressed", &pressed.force, &-f.clone(), 48.0);
         let adhesion = radius.pi() * &radius * &radius * &work;
-        for (entry, event) in Ledger::new(&path, &branches)?.entries.iter().zip(&path.events) {
+        for (entry, event) in PathEnergy::new(&path, &branches)?.entries.iter().zip(&path.events) {
             // The spring of a machine is let go with the contact.
             let expected = match (event.kind, &control) {
                 (EventKind::JumpIn, _) | (EventKind::Detached, Control::Indentation) => adhesion.clone(),
@@ -226,9 +226,9 @@ pub(super) fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx
                 }
                 _ => continue,
             };
-            let Loss::Finite(lost) = &entry.lost else { continue };
-            let allowed = lost.error.clone() / &expected / expected.unit_roundoff();
-            trial.compare("lost", &lost.value, &expected, allowed.approx() + 32.0);
+            let Dissipation::Finite(dissipated) = &entry.dissipated else { continue };
+            let allowed = dissipated.error.clone() / &expected / expected.unit_roundoff();
+            trial.compare("lost", &dissipated.value, &expected, allowed.approx() + 32.0);
         }
     }
     Ok(())

@@ -1,13 +1,13 @@
 //! What is proved over enclosures against closed forms and against the searches in f64, for every profile and control.
 
 use mdr_analytic::{Contact, PowerLaw};
-use mdr_core::contact::{Control, Error, FoldKind, Instability, Material, Quantity, Result, Stability, Transform};
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds;
-use mdr_numeric::proof::{self, EnclosedBranches, EnclosedCurve, ProvedFolds};
+use mdr_numeric::proof::{self, EnclosedCurve, ProvedBranches, ProvedFolds};
 use rug::Float;
 
 use super::machine::Machine;
@@ -44,8 +44,8 @@ impl<R: Real> Side<R> {
         Ok(Side { transform, material: Material::new(e_star, work)?, control })
     }
 
-    fn curve(&self) -> Curve<'_, R> {
-        Curve::new(self.transform.as_ref(), &self.material, &self.control)
+    fn curve(&self) -> EquilibriumCurve<'_, R> {
+        EquilibriumCurve::new(self.transform.as_ref(), &self.material, &self.control)
     }
 }
 
@@ -161,8 +161,8 @@ pub(super) fn equilibria(trial: &mut Trial<'_>) -> Result<()> {
     let at = library.radius * 2_f64.powf(-trial.uniform(0.1, 1.0));
     let Ok(value) = library.rough.curve().controlled(&at) else { return Ok(()) };
     trial.describe_also(format_args!("value {value:e}"));
-    let branches = EnclosedBranches::new(library.enclosed(), &proved)?;
-    let Ok(rough) = Branches::new(library.rough.curve()) else { return Ok(()) };
+    let branches = ProvedBranches::new(library.enclosed(), &proved)?;
+    let Ok(rough) = SearchedBranches::new(library.rough.curve()) else { return Ok(()) };
     let found = branches.equilibria(&Interval::from_f64(Precision::new(BITS), value))?;
     let expected = rough.equilibria(&value)?;
     trial.demand("as many equilibria", found.len() == expected.len());
@@ -202,15 +202,14 @@ pub(super) fn closed(trial: &mut Trial<'_>) -> Result<()> {
             let critical = trial.closed.critical(&contact, control)?;
             let kind = if scene.n < 0.5 { FoldKind::Maximum } else { FoldKind::Minimum };
             let (contact_radius, indentation, force) = (critical.contact_radius, critical.indentation, critical.force);
-            vec![Instability { contact_radius, indentation, force, kind }]
+            vec![Fold { contact_radius, indentation, force, kind }]
         }
     };
     // Wide enough for all three folds of a machine.
     let ends = [-60, 60].map(|octaves| Float::with_val(BITS, radius) << octaves);
     let enclosed = EnclosedCurve::new(plain.curve(), moving.curve());
-    let within = |fold: &&Instability<Interval>| {
-        *fold.contact_radius.lower() > ends[0] && *fold.contact_radius.upper() < ends[1]
-    };
+    let within =
+        |fold: &&Fold<Interval>| *fold.contact_radius.lower() > ends[0] && *fold.contact_radius.upper() < ends[1];
     let expected: Vec<_> = expected.iter().filter(within).collect();
     let proved = enclosed.folds(&ends[0], &ends[1], BUDGET)?;
     trial.demand("the proof is complete", proved.is_complete());

@@ -2,7 +2,7 @@
 
 use mdr_core::contact::{Control, Material, Result, Shape};
 use mdr_core::number::Real;
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::transform::Quadrature;
 
 use super::folds::transform;
@@ -16,7 +16,7 @@ const HALF: Exponent = Exponent::Fraction(1, 2);
 /// Whether a contact of radius `a` shrinks at d = 0 or F = 0.
 fn shrinks<R: Arithmetic>(c: &R, material: &Material<R>, control: &Control<R>, a: &R) -> Result<bool> {
     let transform = Quadrature::of([Shape::Power { n: c.ratio(1, 2), c: c.clone() }])?;
-    Ok(Curve::new(&transform, material, control).direction(a, &a.lit(0))? > a.lit(0))
+    Ok(EquilibriumCurve::new(&transform, material, control).direction(a, &a.lit(0))? > a.lit(0))
 }
 
 /// The C at which the fate of a contact at d = 0 (or F = 0) changes, by bisection on the direction of change (1.8), (1.9)
@@ -70,7 +70,7 @@ pub(super) fn states<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
 
     let transform = transform(&scene)?;
     let material = scene.material()?;
-    let curve = Curve::new(&transform, &material, &Control::Indentation);
+    let curve = EquilibriumCurve::new(&transform, &material, &Control::Indentation);
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
     let elongation = curve.detachment_elongation(&a)?;
     let numeric = quadrature(&g, 0.5);

@@ -30,7 +30,7 @@ use mdr_symbolic::{Domain, Error, Relation, Statement};
 use direct::Direct;
 pub use document::{Document, summary};
 pub(crate) use functions::hypergeometric;
-pub use mutation::{Fate, Mutants};
+pub use mutation::{MutantVerdict, Mutants};
 pub use point::{OCTAVES, Point, Points};
 
 /// Bits of the intervals.
@@ -81,7 +81,7 @@ impl Judgement {
 impl StepJudgement {
     /// Whether the step is what it claims to be, and no mutant survives.
     pub fn holds(&self) -> bool {
-        self.failure.is_none() && self.mutants.count(Fate::Survives) == 0
+        self.failure.is_none() && self.mutants.count(MutantVerdict::Survives) == 0
     }
 }
 

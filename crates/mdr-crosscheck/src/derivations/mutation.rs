@@ -11,7 +11,7 @@ use super::{POINTS, Truth, points, truth};
 named! {
     /// What became of a mutant, over all domains of its step the least favourable; the best first.
     #[derive(PartialOrd, Ord)]
-    pub enum Fate {
+    pub enum MutantVerdict {
         /// Its normal forms differ, or their difference has the other sign.
         NormalForm = "refuted by normal forms",
         /// Rigorous intervals contradict it at a random point.
@@ -29,13 +29,13 @@ named! {
 
 /// The distinct mutants of a step, or of several, and what became of each.
 #[derive(Clone, Debug, Default)]
-pub struct Mutants(Vec<(Statement, Fate)>);
+pub struct Mutants(Vec<(Statement, MutantVerdict)>);
 
 impl Mutants {
     pub(super) fn of(step: &Step, statement: &Statement) -> Result<Self, Error> {
         let fate = |mutant: &Statement| {
             let fates = step.domains.iter().map(|domain| fate(step, statement, mutant, *domain));
-            fates.max().unwrap_or(Fate::Undecided)
+            fates.max().unwrap_or(MutantVerdict::Undecided)
         };
         let mutants = step.mutants()?.into_iter();
         Ok(Mutants(mutants.map(|mutant| (fate(&mutant), mutant)).map(|(fate, mutant)| (mutant, fate)).collect()))
@@ -52,12 +52,12 @@ impl Mutants {
     }
 
     /// How many had this fate.
-    pub fn count(&self, fate: Fate) -> usize {
+    pub fn count(&self, fate: MutantVerdict) -> usize {
         self.with(fate).count()
     }
 
     /// Those of this fate.
-    pub fn with(&self, fate: Fate) -> impl Iterator<Item = &Statement> {
+    pub fn with(&self, fate: MutantVerdict) -> impl Iterator<Item = &Statement> {
         self.0.iter().filter(move |(_, other)| *other == fate).map(|(mutant, _)| mutant)
     }
 }
@@ -69,28 +69,28 @@ impl Sum for Mutants {
 }
 
 /// Normal forms first, intervals at the points of the statement where they do not decide.
-fn fate(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> Fate {
+fn fate(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> MutantVerdict {
     match mutant.decide(domain) {
-        Decision::Proved { .. } => Fate::Survives,
-        Decision::Refuted { .. } => Fate::NormalForm,
-        Decision::Undecided(_) if mutant.divides_by_zero(domain) => Fate::Meaningless,
+        Decision::Proved { .. } => MutantVerdict::Survives,
+        Decision::Refuted { .. } => MutantVerdict::NormalForm,
+        Decision::Undecided(_) if mutant.divides_by_zero(domain) => MutantVerdict::Meaningless,
         Decision::Undecided(_) => by_intervals(step, statement, mutant, domain),
     }
 }
 
-fn by_intervals(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> Fate {
+fn by_intervals(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> MutantVerdict {
     let count = if !step.point.is_empty() || mutant.is_number() { 1 } else { POINTS };
-    let mut fate = Fate::Meaningless;
+    let mut fate = MutantVerdict::Meaningless;
     for point in points(step, statement, domain).take(count as usize) {
         match truth(mutant, domain, &point) {
-            Ok(Truth::False) => return Fate::Enclosure,
-            Ok(Truth::Certain) => fate = Fate::Survives,
-            Ok(Truth::Possible | Truth::Unknown) => fate = fate.max(Fate::Undecided),
+            Ok(Truth::False) => return MutantVerdict::Enclosure,
+            Ok(Truth::Certain) => fate = MutantVerdict::Survives,
+            Ok(Truth::Possible | Truth::Unknown) => fate = fate.max(MutantVerdict::Undecided),
             Ok(Truth::Undefined) => {}
             // Exact algebra finds no value, at any point.
             Err(Error::DivisionByZero) => return fate,
             // Exact algebra has to carry out a part of it, and cannot.
-            Err(_) => return fate.max(Fate::Undecided),
+            Err(_) => return fate.max(MutantVerdict::Undecided),
         }
     }
     fate

@@ -1,8 +1,8 @@
 //! The closed forms under test, reached through one type so that a deliberate fault can be put into any of them.
 
 use mdr_analytic::certified::{self, Question};
-use mdr_analytic::{Contact, Critical, Fate, Kappa, MaugisState, PowerLaw};
-use mdr_core::contact::{Control, Equilibrium, Instability, Material, Result, Transform};
+use mdr_analytic::{Contact, Kappa, MaugisState, PowerLaw, ScaleFreeOutcome, State};
+use mdr_core::contact::{Control, Equilibrium, Fold, Material, Result, Transform};
 use mdr_core::number::certify::Decimal;
 use mdr_core::number::{Precision, Real, Special};
 use rug::{Float, Rational};
@@ -56,8 +56,8 @@ macro_rules! states {
 
 states! {
     MaugisState: balance indentation force;
-    Critical: contact_radius indentation force;
-    Instability: contact_radius indentation force;
+    State: contact_radius indentation force;
+    Fold: contact_radius indentation force;
     Equilibrium: contact_radius indentation force;
 }
 
@@ -199,11 +199,11 @@ subjects! {
             "Contact::force_slope" [ForceSlope] of ALONG => along(contact, a);
         fn energy<R: Real>(contact: &Contact<R>, a: &R, d: &R) -> R = contact.energy(a, d),
             "Contact::energy" [Energy] of ALONG => along(contact, a);
-        fn critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> Critical<R> = contact.critical(control),
+        fn critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> State<R> = contact.critical(control),
             "Contact::critical" [CriticalRadius, CriticalIndentation, CriticalForce] of GIVEN => given(contact);
-        fn ln_critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> Critical<R> = contact.ln_critical(control),
+        fn ln_critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> State<R> = contact.ln_critical(control),
             "Contact::ln_critical" [LnCriticalRadius, LnCriticalIndentation, LnCriticalForce] of GIVEN => given(contact);
-        fn machine_folds<R: Real>(contact: &Contact<R>, stiffness: &R) -> Vec<Instability<R>> =
+        fn machine_folds<R: Real>(contact: &Contact<R>, stiffness: &R) -> Vec<Fold<R>> =
             contact.machine_folds(stiffness),
             "Contact::machine_folds" [MachineFoldRadius, MachineFoldIndentation, MachineFoldForce]
             of GIVEN => given(contact);
@@ -238,7 +238,7 @@ subjects! {
             "Contact::scale_free_state" [ScaleFreeIndentation, ScaleFreeForce] of ALONG => along(contact, a);
         fn fate<R: Real>(contact: &Contact<R>, control: &Control<R>) -> R =
             contact.fate(control).map(|fate| contact.profile().exponent().lit(sign(fate))),
-            "Contact::fate" [Fate] of [] => [];
+            "Contact::fate" [ScaleFreeOutcome] of [] => [];
         fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> [R; 2] =
             mdr_analytic::flat_punch_pull_off(radius, material).map(|state| [state.indentation, state.force]),
             "flat_punch_pull_off" [FlatPunchIndentation, FlatPunchForce]
@@ -270,11 +270,11 @@ subjects! {
 }
 
 /// The fate as +1 (shrinks), −1 (complete contact) or 0.
-fn sign(fate: Fate) -> i64 {
+fn sign(fate: ScaleFreeOutcome) -> i64 {
     match fate {
-        Fate::Shrinks => 1,
-        Fate::CompleteContact => -1,
-        Fate::Indifferent => 0,
+        ScaleFreeOutcome::Shrinks => 1,
+        ScaleFreeOutcome::CompleteContact => -1,
+        ScaleFreeOutcome::Indifferent => 0,
     }
 }
 

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use mdr_analytic::{Contact, Critical, Kappa, PowerLaw, double, flat_punch_pull_off, threshold};
-use mdr_core::contact::{Control, Error, Instability, Material, Quantity, Ranged, Result, Transform};
+use mdr_analytic::{Contact, Kappa, PowerLaw, State, double, flat_punch_pull_off, threshold};
+use mdr_core::contact::{Control, Error, Fold, Material, Quantity, Ranged, Result, Transform};
 use mdr_core::number::Real;
 
 use super::routine::{Routine, routine, routines};
@@ -184,12 +184,12 @@ pub(crate) const CRITICAL_FORCE: [Routine; 3] = [
 ];
 
 /// A number of the critical state; its log₁₀ where one of the numbers is beyond the exponents of MPFR.
-fn state_of<R: Kappa>(contact: &Contact<R>, control: &Control<R>, part: fn(Critical<R>) -> R) -> Result<R> {
+fn state_of<R: Kappa>(contact: &Contact<R>, control: &Control<R>, part: fn(State<R>) -> R) -> Result<R> {
     /// Half of the decades that MPFR has.
     const DECADES: f64 = 1.5e8;
     let logarithms = contact.ln_critical(control)?;
     let log10 = |x: &R| x.approx() / std::f64::consts::LN_10;
-    let Critical { contact_radius, indentation, force } = &logarithms;
+    let State { contact_radius, indentation, force } = &logarithms;
     // A number with the logarithm of 0 is 0, and not beyond anything.
     let far = |x: &R| log10(x).is_finite() && log10(x).abs() > DECADES;
     if [contact_radius, indentation, force].into_iter().any(far) {
@@ -200,12 +200,12 @@ fn state_of<R: Kappa>(contact: &Contact<R>, control: &Control<R>, part: fn(Criti
 }
 
 /// The middle one of some folds.
-fn middle<R>(folds: Vec<Instability<R>>) -> Result<Instability<R>> {
+fn middle<R>(folds: Vec<Fold<R>>) -> Result<Fold<R>> {
     let at = folds.len() / 2;
     nth(folds, at)
 }
 
-fn nth<R>(folds: Vec<Instability<R>>, index: usize) -> Result<Instability<R>> {
+fn nth<R>(folds: Vec<Fold<R>>, index: usize) -> Result<Fold<R>> {
     let none = || Error::NoEquilibrium { quantity: Quantity::MachinePosition, value: "any".to_owned() };
     folds.into_iter().nth(index).ok_or_else(none)
 }

@@ -2,9 +2,9 @@
 
 use mdr_analytic::profiles::Paraboloid;
 use mdr_analytic::{Equilibria, Kappa, PowerLaw};
-use mdr_core::contact::{Control, Equilibrium, Error, Instability, Quantity, Ranged, Result};
+use mdr_core::contact::{Control, Equilibrium, Error, Fold, Quantity, Ranged, Result};
 use mdr_core::number::{Real, Special};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::equilibria;
 use mdr_numeric::fields::Fields;
@@ -15,7 +15,7 @@ use super::routine::{Routine, routine, routines};
 use super::textbook;
 
 /// The only fold of a contact with n > 5/2 − √3 or n < 1/2, from the closed form of g and the numerical search.
-fn only_fold(x: &[f64], control: &Control<f64>) -> Result<Instability<f64>> {
+fn only_fold(x: &[f64], control: &Control<f64>) -> Result<Fold<f64>> {
     let (profile, material) = (PowerLaw::new(x[0], x[1])?, material(&x[2..])?);
     let found = folds(&profile, &material, control)?;
     let none = || Error::NoEquilibrium { quantity: Quantity::ContactRadius, value: format!("{} folds", found.len()) };
@@ -88,7 +88,7 @@ pub(crate) const EQUILIBRIA: [Routine; 4] = [
 /// What the fields of f64 say of a paraboloid [R, E*, w, a, …].
 fn fields<T>(x: &[f64], ask: impl Fn(&Fields<'_, f64>) -> Result<T>) -> Result<T> {
     let (ball, material, control) = (Paraboloid::new(x[0])?, material(&x[1..])?, Control::Indentation);
-    ask(&Fields::new(Curve::new(&ball, &material, &control), x[3])?)
+    ask(&Fields::new(EquilibriumCurve::new(&ball, &material, &control), x[3])?)
 }
 
 /// What its energies are.

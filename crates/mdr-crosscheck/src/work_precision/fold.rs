@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use mdr_analytic::double;
 use mdr_core::calculus::roots::{self, Bracket, Root};
-use mdr_core::contact::{Control, CountedTransform, Error, Material, Quantity, Ranged, Result, Shape};
+use mdr_core::contact::{Control, CountingTransform, Error, Material, Quantity, Ranged, Result, Shape};
 use mdr_core::number::{Dual, Interval, Precision, Real, Special};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::folds::folds;
 use mdr_numeric::springs::Foundation;
 use mdr_numeric::transform::Quadrature;
@@ -85,7 +85,7 @@ fn truth(shape: &Shape<f64>, material: [f64; 2], bracket: [f64; 2]) -> Result<St
     let zero = lower.lit(0);
     let rising = excess(&lower)? < zero;
     for _ in 0..2 * BITS {
-        let middle = (lower.clone() + &upper).over(2).steer();
+        let middle = (lower.clone() + &upper).over(2).midpoint();
         match excess(&middle)?.partial_cmp(&zero) {
             Some(order) if order.is_lt() == rising => lower = middle,
             Some(order) if order.is_ne() => upper = middle,
@@ -185,9 +185,9 @@ impl Question {
     }
 
     /// The transform, with its evaluations counted.
-    fn counted<R: Special>(&self, ctx: R::Ctx) -> Result<CountedTransform<R>> {
+    fn counted<R: Special>(&self, ctx: R::Ctx) -> Result<CountingTransform<R>> {
         let transform = Quadrature::of([self.shape.map(|_, value| R::from_f64(ctx, *value))])?;
-        Ok(CountedTransform::new(Box::new(transform), &Arc::default()))
+        Ok(CountingTransform::new(Box::new(transform), &Arc::default()))
     }
 
     fn closed_form(&self, n: f64, c: f64) -> Result<Found> {
@@ -225,7 +225,7 @@ impl Question {
     ) -> Result<Found> {
         let transform = self.counted(())?;
         let material = self.material()?;
-        let curve = Curve::new(&transform, &material, &CONTROL);
+        let curve = EquilibriumCurve::new(&transform, &material, &CONTROL);
         let excess = |a: &f64| Ok(curve.tangency(a)? - 1.0);
         let [lower, upper] = self.bracket;
         let bracket = Bracket::new(&lower, &upper, excess)?.ok_or_else(|| nothing(lower))?;
@@ -246,7 +246,7 @@ impl Question {
         let moving = self.counted::<Dual<f64>>(())?;
         let [e_star, work] = self.material.map(Dual::constant);
         let (material, control) = (Material::new(e_star, work)?, Control::Indentation);
-        let curve = Curve::new(&moving, &material, &control);
+        let curve = EquilibriumCurve::new(&moving, &material, &control);
         let with_slope = |a: &f64| {
             let ratio = curve.tangency(&Dual::variable(*a))?;
             Ok((ratio.value - 1.0, ratio.slope))
@@ -259,7 +259,7 @@ impl Question {
     fn golden_section(&self, tolerance: f64) -> Result<Found> {
         let transform = self.counted(())?;
         let material = self.material()?;
-        let curve = Curve::new(&transform, &material, &CONTROL);
+        let curve = EquilibriumCurve::new(&transform, &material, &CONTROL);
         let sign = if self.breaks() { 1.0 } else { -1.0 };
         let height = |a: f64| Ok::<_, Error>(sign * curve.indentation(&a)?);
         let share = (5_f64.sqrt() - 1.0) / 2.0;

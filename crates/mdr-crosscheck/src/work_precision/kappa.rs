@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use mdr_analytic::Kappa;
 use mdr_core::contact::Result;
-use mdr_core::number::{Gamma, Interval, Precision, Real, Wide};
+use mdr_core::number::{Extended, Gamma, Interval, Precision, Real};
 
 use super::{Clock, Comparison, Outcome, Point, Series, Task};
 use crate::Level;
@@ -37,9 +37,9 @@ fn comparison(n: f64, name: &str, level: Level, clock: Clock) -> Comparison {
         terms.map(|terms| point(&format!("{terms} {unit}"), &|n| method(n, terms))).collect()
     };
     let words = [
-        point("64 bits", &|n| Wide::<1>::kappa(&n.into()).approx()),
-        point("128 bits", &|n| Wide::<2>::kappa(&n.into()).approx()),
-        point("256 bits", &|n| Wide::<4>::kappa(&n.into()).approx()),
+        point("64 bits", &|n| Extended::<1>::kappa(&n.into()).approx()),
+        point("128 bits", &|n| Extended::<2>::kappa(&n.into()).approx()),
+        point("256 bits", &|n| Extended::<4>::kappa(&n.into()).approx()),
     ];
     Comparison {
         id: format!("kappa-{name}"),

@@ -20,10 +20,10 @@ mod refine;
 
 use std::sync::Arc;
 
-use mdr_core::contact::{Instability, Result, Transform};
+use mdr_core::contact::{Fold, Result, Transform};
 use mdr_core::number::Real;
 
-use crate::curve::Curve;
+use crate::curve::EquilibriumCurve;
 
 use extrema::Terrain;
 
@@ -36,12 +36,12 @@ pub use refine::{Ring, Touch, first_touch, last_admissible};
 /// use std::sync::Arc;
 /// use mdr_core::contact::{Control, Material, Shape};
 /// use mdr_numeric::admissible::{Admissibility, Verdict};
-/// use mdr_numeric::{curve::Curve, transform::Quadrature};
+/// use mdr_numeric::{curve::EquilibriumCurve, transform::Quadrature};
 /// // Waves of 10 mm on a paraboloid of 1 m: the first crest alone cannot be pressed deep.
 /// let wavy = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 1e-2, wavelength: 0.1 }])?);
 /// let (material, control) = (Material::new(1.0, 1e-6)?, Control::Indentation);
 /// let admissibility = Admissibility::new(wavy.clone(), [1e-6, 0.3]);
-/// let curve = Curve::new(&*wavy, &material, &control);
+/// let curve = EquilibriumCurve::new(&*wavy, &material, &control);
 /// assert_eq!(admissibility.of(0.01, curve.indentation(&0.01)?), Verdict::Admissible);
 /// let Verdict::Interpenetrating { radius, gap } = admissibility.of(0.03, curve.indentation(&0.03)?) else { panic!() };
 /// assert!(gap < 0.0 && radius > 0.08 && radius < 0.12); // at the next crest
@@ -100,7 +100,7 @@ impl<'a> Admissibility<'a> {
     }
 
     /// For a transformed profile in any arithmetic, evaluated there and rounded.
-    pub(crate) fn rounded<R: Real>(curve: &Curve<'a, R>, folds: &[Instability<R>]) -> Self {
+    pub(crate) fn rounded<R: Real>(curve: &EquilibriumCurve<'a, R>, folds: &[Fold<R>]) -> Self {
         let (transform, length) = (curve.transform(), curve.material_length());
         let radii: Vec<f64> = folds.iter().map(|fold| fold.contact_radius.approx()).collect();
         Self::new(Arc::new(Rounded { transform, ctx: length.ctx() }), search_range(length.approx(), &radii))

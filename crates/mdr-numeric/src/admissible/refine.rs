@@ -5,7 +5,7 @@ use mdr_core::number::{Real, order};
 
 use super::extrema::Terrain;
 use super::{Admissibility, gap};
-use crate::curve::Curve;
+use crate::curve::EquilibriumCurve;
 
 /// A circle outside the contact on which the surfaces touch or interpenetrate.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,13 +35,13 @@ const AT_KINK: f64 = 1e-6;
 /// ```
 /// use mdr_core::contact::{Control, Material};
 /// use mdr_numeric::admissible::{Admissibility, first_touch};
-/// use mdr_numeric::{curve::Curve, table::MeasuredProfile};
+/// use mdr_numeric::{curve::EquilibriumCurve, table::MeasuredProfile};
 /// use std::sync::Arc;
 /// // A tip with a particle beside it, 5 nm further out than the tip.
 /// let rows = [(0.0, 0.0), (2e-8, 1e-8), (4e-8, 1e-8), (6e-8, -5e-9), (8e-8, 3e-8), (1e-7, 6e-8)];
 /// let tip = Arc::new(MeasuredProfile::new(rows.to_vec())?);
 /// let (material, control) = (Material::new(1e9, 0.01)?, Control::Indentation);
-/// let curve = Curve::new(&*tip, &material, &control);
+/// let curve = EquilibriumCurve::new(&*tip, &material, &control);
 /// let touch = first_touch(&curve, &Admissibility::new(tip.clone(), [1e-11, 1e-7]))?.expect("on a ring");
 /// assert!((touch.indentation + 5e-9).abs() < 1e-22 && (touch.radius - 6e-8).abs() < 1e-16);
 /// # Ok::<(), mdr_core::contact::Error>(())
@@ -49,7 +49,10 @@ const AT_KINK: f64 = 1e-6;
 ///
 /// # Errors
 /// Those of the transform and of the quadrature.
-pub fn first_touch<R: Real>(curve: &Curve<'_, R>, admissibility: &Admissibility<'_>) -> Result<Option<Touch<R>>> {
+pub fn first_touch<R: Real>(
+    curve: &EquilibriumCurve<'_, R>,
+    admissibility: &Admissibility<'_>,
+) -> Result<Option<Touch<R>>> {
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
     let Some([radius, _]) = first_touch_roughly(admissibility)? else { return Ok(None) };
     let ring = Locus::new(curve, terrain, 0.0, radius);
@@ -75,7 +78,7 @@ pub(crate) fn first_touch_roughly(admissibility: &Admissibility<'_>) -> Result<O
 /// # Errors
 /// Those of the transform and of the quadrature; [`Error::NoConvergence`].
 pub fn last_admissible<R: Real>(
-    curve: &Curve<'_, R>,
+    curve: &EquilibriumCurve<'_, R>,
     admissibility: &Admissibility<'_>,
     [from, to]: [&R; 2],
 ) -> Result<Option<(Equilibrium<R>, Ring<R>)>> {
@@ -105,7 +108,7 @@ pub fn last_admissible<R: Real>(
 
 /// The narrowest gap near a radius, in two arithmetics.
 struct Locus<'a, 'c, R: Real> {
-    curve: &'a Curve<'c, R>,
+    curve: &'a EquilibriumCurve<'c, R>,
     terrain: &'a Terrain<'a>,
     /// The radius of the ring in double precision.
     rough: f64,
@@ -115,7 +118,7 @@ struct Locus<'a, 'c, R: Real> {
 }
 
 impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
-    fn new(curve: &'a Curve<'c, R>, terrain: &'a Terrain<'a>, a: f64, rough: f64) -> Self {
+    fn new(curve: &'a EquilibriumCurve<'c, R>, terrain: &'a Terrain<'a>, a: f64, rough: f64) -> Self {
         let like = curve.effective_modulus();
         let transform = curve.transform();
         let mut breaks = transform.kinks();

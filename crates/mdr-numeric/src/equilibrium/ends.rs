@@ -2,12 +2,12 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Result};
+use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Result};
 use mdr_core::number::Real;
 
-use super::{Branches, sign};
+use super::{SearchedBranches, sign};
 
-impl<R: Real> Branches<'_, R> {
+impl<R: Real> SearchedBranches<'_, R> {
     /// Whether the direction of change at the tip, where d, F and D are zero, differs from that at the end of the first
     /// branch.
     pub(super) fn is_open_inwards(&self, value: &R) -> Result<bool> {
@@ -22,7 +22,7 @@ impl<R: Real> Branches<'_, R> {
     /// Whether the controlled quantity tends to `value` from the beginning of the last branch to the end of the
     /// searched range, and may reach it further out.
     pub(super) fn is_open_outwards(&self, value: &R) -> Result<bool> {
-        if self.curve.wall().is_some() {
+        if self.curve.vertical_edge().is_some() {
             return Ok(false);
         }
         let (at_beginning, rising) = match self.folds.last() {
@@ -41,7 +41,7 @@ impl<R: Real> Branches<'_, R> {
     }
 
     /// A radius between a pole and another radius, from which on the direction of change is that at the pole.
-    pub(super) fn beside_pole(&self, pole: &Instability<R>, other: &R, direction: Ordering, value: &R) -> Result<R> {
+    pub(super) fn beside_pole(&self, pole: &Fold<R>, other: &R, direction: Ordering, value: &R) -> Result<R> {
         let edge = &pole.contact_radius;
         let mut step = (other.clone() - edge).over(2);
         loop {
@@ -59,6 +59,6 @@ impl<R: Real> Branches<'_, R> {
 }
 
 /// Whether the controlled quantity is unbounded there.
-pub(super) fn is_pole<R: Real>(fold: &Instability<R>) -> bool {
+pub(super) fn is_pole<R: Real>(fold: &Fold<R>) -> bool {
     !fold.indentation.is_finite()
 }

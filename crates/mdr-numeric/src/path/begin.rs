@@ -5,12 +5,16 @@ use std::cmp::Ordering;
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::Real;
 
-use super::follow::{Place, certain, state};
-use super::{Start, State};
-use crate::branch::{Branched, End, Onset, beyond_reach};
+use super::follow::{Position, certain, state};
+use super::{ContactState, Start};
+use crate::branch::{End, EquilibriumBranches, FirstContact, beyond_reach};
 
 /// The position and the state in which a path begins at its first way point.
-pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, value: &R) -> Result<(Place, State<R>)> {
+pub(super) fn begin<R: Real, B: EquilibriumBranches<R>>(
+    branches: &B,
+    start: &Start<R>,
+    value: &R,
+) -> Result<(Position, ContactState<R>)> {
     branches.control().check_value(value)?;
     let count = branches.folds().len();
     let found = match start {
@@ -19,13 +23,13 @@ pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, val
             let depth = branches.first_touch()?.map_or(zero.clone(), |touch| touch.indentation);
             let touch = branches.control().controlled(&depth, &zero);
             let apart = certain(value, &touch, branches)? != Ordering::Greater;
-            apart.then_some((Place::Detached, State::Detached))
+            apart.then_some((Position::Detached, ContactState::Detached))
         }
         Start::Smallest => {
-            first_at_rest(branches, (0..=count).flat_map(|i| [Place::Branch(i), Place::Fold(i)]), value)?
+            first_at_rest(branches, (0..=count).flat_map(|i| [Position::Branch(i), Position::Fold(i)]), value)?
         }
         Start::Largest => {
-            first_at_rest(branches, (0..=count).rev().flat_map(|i| [Place::Fold(i), Place::Branch(i)]), value)?
+            first_at_rest(branches, (0..=count).rev().flat_map(|i| [Position::Fold(i), Position::Branch(i)]), value)?
         }
         Start::Nearest(radius) => nearest(branches, radius, value)?,
     };
@@ -33,11 +37,11 @@ pub(super) fn begin<R: Real, B: Branched<R>>(branches: &B, start: &Start<R>, val
 }
 
 /// The first of the positions at which a contact is in stable equilibrium at `value`.
-fn first_at_rest<R: Real, B: Branched<R>>(
+fn first_at_rest<R: Real, B: EquilibriumBranches<R>>(
     branches: &B,
-    places: impl Iterator<Item = Place>,
+    places: impl Iterator<Item = Position>,
     value: &R,
-) -> Result<Option<(Place, State<R>)>> {
+) -> Result<Option<(Position, ContactState<R>)>> {
     for place in places {
         if let Some(state) = at_rest(branches, place, value)? {
             return Ok(Some((place, state)));
@@ -47,47 +51,55 @@ fn first_at_rest<R: Real, B: Branched<R>>(
 }
 
 /// The position in stable equilibrium whose radius is nearest to `radius`, in ratio.
-fn nearest<R: Real, B: Branched<R>>(branches: &B, radius: &R, value: &R) -> Result<Option<(Place, State<R>)>> {
+fn nearest<R: Real, B: EquilibriumBranches<R>>(
+    branches: &B,
+    radius: &R,
+    value: &R,
+) -> Result<Option<(Position, ContactState<R>)>> {
     let radius = Error::require_positive(Quantity::ContactRadius, radius.clone())?;
-    let mut best: Option<(R, Place, State<R>)> = None;
-    for place in (0..=branches.folds().len()).flat_map(|i| [Place::Branch(i), Place::Fold(i)]) {
-        let Some(State::Contact(rest)) = at_rest(branches, place, value)? else { continue };
+    let mut best: Option<(R, Position, ContactState<R>)> = None;
+    for place in (0..=branches.folds().len()).flat_map(|i| [Position::Branch(i), Position::Fold(i)]) {
+        let Some(ContactState::Contact(rest)) = at_rest(branches, place, value)? else { continue };
         let distance = (rest.contact_radius.ln() - radius.ln()).abs();
         let nearer = match &best {
             Some((least, ..)) => certain(&distance, least, branches)? == Ordering::Less,
             None => true,
         };
         if nearer {
-            best = Some((distance, place, State::Contact(rest)));
+            best = Some((distance, place, ContactState::Contact(rest)));
         }
     }
     Ok(best.map(|(_, place, state)| (place, state)))
 }
 
 /// The state at a position, if the position is stable and has a state at `value`.
-fn at_rest<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Result<Option<State<R>>> {
+fn at_rest<R: Real, B: EquilibriumBranches<R>>(
+    branches: &B,
+    place: Position,
+    value: &R,
+) -> Result<Option<ContactState<R>>> {
     let side = |fold: Option<usize>| -> Result<Option<Ordering>> {
         fold.and_then(|fold| branches.folds().get(fold)).map(|fold| branches.compare(value, fold)).transpose()
     };
     let holds = match place {
-        Place::Branch(branch) => {
+        Position::Branch(branch) => {
             let stable = match branches.is_stable(branch) {
                 Some(stable) => stable,
-                None => branches.onset()? == Onset::Smooth,
+                None => branches.onset()? == FirstContact::Smooth,
             };
             // The ends of a stable branch are a minimum and a maximum.
             stable
                 && side(branch.checked_sub(1))?.is_none_or(|side| side == Ordering::Greater)
                 && side(Some(branch))?.is_none_or(|side| side == Ordering::Less)
         }
-        Place::Fold(fold) => side(Some(fold))? == Some(Ordering::Equal),
-        Place::Detached | Place::Ended => false,
+        Position::Fold(fold) => side(Some(fold))? == Some(Ordering::Equal),
+        Position::Detached | Position::Ended => false,
     };
     let found = if holds { state(branches, place, value)? } else { None };
     // The controlled quantity increases along the last stable branch to the end of the profile, so the branch has an
     // equilibrium unless it ends below the value.
     let rises_to_it = |branch: usize| branch == branches.folds().len() && (branch > 0 || *value > value.lit(0));
-    let missed = holds && found.is_none() && matches!(place, Place::Branch(branch) if rises_to_it(branch));
+    let missed = holds && found.is_none() && matches!(place, Position::Branch(branch) if rises_to_it(branch));
     if missed && branches.end()? == End::Unknown {
         return Err(beyond_reach(branches.control(), value));
     }

@@ -2,17 +2,17 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Equilibrium, Error, FoldKind, Instability, Quantity, Result, Stability};
+use mdr_core::contact::{Equilibrium, Error, Fold, FoldKind, Quantity, Result, Stability};
 use mdr_core::number::Real;
 
 use super::begin::begin;
-use super::{Event, EventKind, Start, State};
+use super::{ContactState, Event, EventKind, Start};
 use crate::admissible::{Ring, Verdict};
-use crate::branch::{Branched, End, Onset, Way, seek};
+use crate::branch::{End, EquilibriumBranches, FirstContact, Towards, next_stable};
 
 /// The position of the contact, apart from the value of the controlled quantity.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum Position {
     Detached,
     /// On a stable branch.
     Branch(usize),
@@ -24,14 +24,14 @@ pub(super) enum Place {
 
 struct Follower<'a, R, B> {
     branches: &'a B,
-    place: Place,
+    place: Position,
     value: R,
     events: Vec<Event<R>>,
 }
 
 /// The events of [`Path::follow`](super::Path::follow). `order` gives the order of each way point relative to the
 /// previous one if it is known; otherwise the numbers are compared.
-pub(super) fn follow<R: Real, B: Branched<R>>(
+pub(super) fn follow<R: Real, B: EquilibriumBranches<R>>(
     branches: &B,
     start: &Start<R>,
     way: &[R],
@@ -64,7 +64,7 @@ pub(super) fn follow<R: Real, B: Branched<R>>(
     Ok(follower.events)
 }
 
-impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
+impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     /// Changes the controlled quantity to `target`, which has the given order relative to the previous way point, and
     /// records the events in between.
     fn go(&mut self, target: &R, order: Ordering, arrival: EventKind) -> Result<()> {
@@ -73,24 +73,24 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
             Ordering::Greater => while self.press(target)? {},
             Ordering::Equal => {}
         }
-        if self.place == Place::Ended {
+        if self.place == Position::Ended {
             return Ok(());
         }
         match state(self.branches, self.place, target)? {
             Some(state) if order == Ordering::Greater && !self.grow(&state)? => {}
             Some(state) => self.stay(arrival, target, state),
-            None => self.run_out(target)?,
+            None => self.end_of_search(target)?,
         }
         Ok(())
     }
 
     /// No equilibrium was found on the last branch: the profile ends before `target`, or the reason is unknown.
-    fn run_out(&mut self, target: &R) -> Result<()> {
-        self.place = Place::Ended;
+    fn end_of_search(&mut self, target: &R) -> Result<()> {
+        self.place = Position::Ended;
         if let End::Profile(end) = self.branches.end()? {
             let value = self.branches.control().controlled(&end.indentation, &end.force);
             if certain(target, &value, self.branches)? == Ordering::Greater {
-                self.stay(EventKind::EndOfProfile, &value, State::Contact(end));
+                self.stay(EventKind::EndOfProfile, &value, ContactState::Contact(end));
                 return Ok(());
             }
         }
@@ -101,20 +101,20 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
     /// Decreases the controlled quantity to the next event; returns whether there was one before `target`.
     fn pull(&mut self, target: &R) -> Result<bool> {
         let fold = match self.place {
-            Place::Detached | Place::Ended => return Ok(false),
-            Place::Branch(0) => {
+            Position::Detached | Position::Ended => return Ok(false),
+            Position::Branch(0) => {
                 if certain(target, &target.lit(0), self.branches)? == Ordering::Greater {
                     return Ok(false);
                 }
                 self.vanish(target);
                 return Ok(false);
             }
-            Place::Branch(branch) => branch - 1,
-            Place::Fold(fold) if self.is_maximum(fold) => {
-                self.place = Place::Branch(fold);
+            Position::Branch(branch) => branch - 1,
+            Position::Fold(fold) if self.is_maximum(fold) => {
+                self.place = Position::Branch(fold);
                 return Ok(true);
             }
-            Place::Fold(fold) => fold,
+            Position::Fold(fold) => fold,
         };
         self.past(fold, target, Ordering::Less)
     }
@@ -122,12 +122,12 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
     /// Increases the controlled quantity to the next event; returns whether there was one before `target`.
     fn press(&mut self, target: &R) -> Result<bool> {
         let fold = match self.place {
-            Place::Detached => return self.approach(target),
-            Place::Ended => return Ok(false),
-            Place::Branch(branch) => branch,
-            Place::Fold(fold) if self.is_maximum(fold) => fold,
-            Place::Fold(fold) => {
-                self.place = Place::Branch(fold + 1);
+            Position::Detached => return self.approach(target),
+            Position::Ended => return Ok(false),
+            Position::Branch(branch) => branch,
+            Position::Fold(fold) if self.is_maximum(fold) => fold,
+            Position::Fold(fold) => {
+                self.place = Position::Branch(fold + 1);
                 return Ok(true);
             }
         };
@@ -139,7 +139,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         let Some(here) = self.branches.folds().get(fold) else { return Ok(false) };
         let side = self.branches.compare(target, here)?;
         if side == Ordering::Equal {
-            self.place = Place::Fold(fold);
+            self.place = Position::Fold(fold);
         }
         if side != beyond {
             return Ok(false);
@@ -148,44 +148,44 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         if beyond == Ordering::Greater && !self.grow(&at_fold(here))? {
             return Ok(false);
         }
-        match self.branches.landing(fold)? {
+        match self.branches.after_jump(fold)? {
             Some((_, rest))
                 if beyond == Ordering::Greater && !self.may_rest(&value, &here.contact_radius, &rest)? =>
             {
                 return Ok(false);
             }
             Some((branch, rest)) => {
-                self.place = Place::Branch(branch);
-                self.enter(EventKind::Jump, &value, at_fold(here), State::Contact(rest), Some(fold));
+                self.place = Position::Branch(branch);
+                self.enter(EventKind::Jump, &value, at_fold(here), ContactState::Contact(rest), Some(fold));
             }
             None if here.kind == FoldKind::Minimum => {
-                self.place = Place::Detached;
-                self.enter(EventKind::Detached, &value, at_fold(here), State::Detached, Some(fold));
+                self.place = Position::Detached;
+                self.enter(EventKind::Detached, &value, at_fold(here), ContactState::Detached, Some(fold));
             }
-            None => self.outgrow(&value, at_fold(here), Some(fold))?,
+            None => self.spread(&value, at_fold(here), Some(fold))?,
         }
         Ok(true)
     }
 
     /// The contact has grown along a stable branch to a state: returns whether that is admissible. If not, the path
     /// ends where admissibility was lost, after the last event or in that event itself.
-    fn grow(&mut self, state: &State<R>) -> Result<bool> {
+    fn grow(&mut self, state: &ContactState<R>) -> Result<bool> {
         let Some(rest) = state.contact().filter(|rest| rest.contact_radius > rest.contact_radius.lit(0)) else {
             return Ok(true);
         };
         let Some(overlap) = self.overlap(rest) else { return Ok(true) };
         let last = self.events.last().and_then(|event| event.after.contact());
         let from = last.map_or(rest.contact_radius.lit(0), |last| last.contact_radius.clone());
-        let lost = if from < rest.contact_radius {
+        let dissipated = if from < rest.contact_radius {
             self.branches.last_admissible([&from, &rest.contact_radius])?
         } else {
             None
         };
-        match lost {
+        match dissipated {
             Some((state, ring)) => {
                 let value = self.branches.control().controlled(&state.indentation, &state.force);
-                self.place = Place::Ended;
-                self.stay(EventKind::NotAdmissible, &value, State::Contact(state));
+                self.place = Position::Ended;
+                self.stay(EventKind::NotAdmissible, &value, ContactState::Contact(state));
                 self.touch_on(ring);
             }
             None => {
@@ -238,11 +238,11 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
 
     /// The contact grows from a state without reaching an equilibrium: it covers the whole surface, or reaches the end
     /// of the profile.
-    fn outgrow(&mut self, value: &R, before: State<R>, fold: Option<usize>) -> Result<()> {
-        self.place = Place::Ended;
+    fn spread(&mut self, value: &R, before: ContactState<R>, fold: Option<usize>) -> Result<()> {
+        self.place = Position::Ended;
         let kind = match self.branches.end()? {
             End::Open => {
-                self.enter(EventKind::CompleteContact, value, before, State::Complete, fold);
+                self.enter(EventKind::CompleteContact, value, before, ContactState::Complete, fold);
                 return Ok(());
             }
             End::Profile(end) => {
@@ -259,7 +259,7 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
     /// The surfaces are separated, and the controlled quantity increases to `target`, or is there at the start: they
     /// touch at zero, or before on a ring, where the path ends. Returns whether they touch at the tip.
     fn approach(&mut self, target: &R) -> Result<bool> {
-        if self.place != Place::Detached {
+        if self.place != Position::Detached {
             return Ok(false);
         }
         if let Some(touch) = self.branches.first_touch()? {
@@ -274,33 +274,33 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
         let zero = target.lit(0);
         let side = certain(target, &zero, self.branches)?;
         match self.branches.onset()? {
-            Onset::Dimple if side != Ordering::Less || *target > self.value => {
+            FirstContact::Dimple if side != Ordering::Less || *target > self.value => {
                 let value = self.value.clone();
                 self.leave(EventKind::NotAdmissible, &value);
                 Ok(false)
             }
-            Onset::Smooth if side == Ordering::Greater => {
-                self.place = Place::Branch(0);
-                self.enter(EventKind::Touch, &zero, State::Detached, State::Contact(point(&zero)), None);
+            FirstContact::Smooth if side == Ordering::Greater => {
+                self.place = Position::Branch(0);
+                self.enter(EventKind::Touch, &zero, ContactState::Detached, ContactState::Contact(point(&zero)), None);
                 Ok(true)
             }
-            Onset::Abrupt if side != Ordering::Less => {
+            FirstContact::Abrupt if side != Ordering::Less => {
                 self.jump_in(&zero)?;
                 Ok(true)
             }
-            Onset::Smooth | Onset::Abrupt | Onset::Dimple => Ok(false),
+            FirstContact::Smooth | FirstContact::Abrupt | FirstContact::Dimple => Ok(false),
         }
     }
 
     /// From a point contact to the next equilibrium at zero.
     fn jump_in(&mut self, zero: &R) -> Result<()> {
-        match seek(self.branches, zero, Some(1), Way::Larger)? {
+        match next_stable(self.branches, zero, Some(1), Towards::Larger)? {
             Some((_, rest)) if !self.may_rest(zero, zero, &rest)? => {}
             Some((branch, rest)) => {
-                self.place = Place::Branch(branch);
-                self.enter(EventKind::JumpIn, zero, State::Detached, State::Contact(rest), None);
+                self.place = Position::Branch(branch);
+                self.enter(EventKind::JumpIn, zero, ContactState::Detached, ContactState::Contact(rest), None);
             }
-            None => self.outgrow(zero, State::Detached, None)?,
+            None => self.spread(zero, ContactState::Detached, None)?,
         }
         Ok(())
     }
@@ -308,8 +308,8 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
     /// The contact has shrunk to a point, at zero, and the controlled quantity decreases to `target`.
     fn vanish(&mut self, target: &R) {
         let zero = target.lit(0);
-        self.place = Place::Detached;
-        self.enter(EventKind::Detached, &zero, State::Contact(point(&zero)), State::Detached, None);
+        self.place = Position::Detached;
+        self.enter(EventKind::Detached, &zero, ContactState::Contact(point(&zero)), ContactState::Detached, None);
     }
 
     fn is_maximum(&self, fold: usize) -> bool {
@@ -317,36 +317,47 @@ impl<R: Real, B: Branched<R>> Follower<'_, R, B> {
     }
 
     /// An event without a change of state.
-    fn stay(&mut self, kind: EventKind, value: &R, state: State<R>) {
+    fn stay(&mut self, kind: EventKind, value: &R, state: ContactState<R>) {
         self.enter(kind, value, state.clone(), state, None);
     }
 
     /// The path cannot be continued: it ends with the last known state.
     fn leave(&mut self, kind: EventKind, value: &R) {
-        self.place = Place::Ended;
-        let last = self.events.last().map_or(State::Detached, |event| event.after.clone());
+        self.place = Position::Ended;
+        let last = self.events.last().map_or(ContactState::Detached, |event| event.after.clone());
         self.enter(kind, value, last.clone(), last, None);
     }
 
-    fn enter(&mut self, kind: EventKind, value: &R, before: State<R>, after: State<R>, fold: Option<usize>) {
+    fn enter(
+        &mut self,
+        kind: EventKind,
+        value: &R,
+        before: ContactState<R>,
+        after: ContactState<R>,
+        fold: Option<usize>,
+    ) {
         self.value = value.clone();
         self.events.push(Event { kind, value: value.clone(), before, after, fold, ring: None });
     }
 }
 
 /// The state at `value`, with the contact at a position; `None` if it would be beyond the end of the last branch.
-pub(super) fn state<R: Real, B: Branched<R>>(branches: &B, place: Place, value: &R) -> Result<Option<State<R>>> {
+pub(super) fn state<R: Real, B: EquilibriumBranches<R>>(
+    branches: &B,
+    place: Position,
+    value: &R,
+) -> Result<Option<ContactState<R>>> {
     Ok(match place {
-        Place::Detached => Some(State::Detached),
-        Place::Branch(branch) => branches.on_branch(branch, value)?.map(State::Contact),
-        Place::Fold(fold) => branches.folds().get(fold).map(at_fold),
-        Place::Ended => None,
+        Position::Detached => Some(ContactState::Detached),
+        Position::Branch(branch) => branches.on_branch(branch, value)?.map(ContactState::Contact),
+        Position::Fold(fold) => branches.folds().get(fold).map(at_fold),
+        Position::Ended => None,
     })
 }
 
 /// The equilibrium at a fold.
-fn at_fold<R: Real>(fold: &Instability<R>) -> State<R> {
-    State::Contact(fold.clone().into())
+fn at_fold<R: Real>(fold: &Fold<R>) -> ContactState<R> {
+    ContactState::Contact(fold.clone().into())
 }
 
 /// The point contact with which contact begins or ends continuously.
@@ -356,7 +367,7 @@ fn point<R: Real>(zero: &R) -> Equilibrium<R> {
 }
 
 /// The order of two values of the controlled quantity, if it is certain.
-pub(super) fn certain<R: Real, B: Branched<R>>(one: &R, other: &R, branches: &B) -> Result<Ordering> {
+pub(super) fn certain<R: Real, B: EquilibriumBranches<R>>(one: &R, other: &R, branches: &B) -> Result<Ordering> {
     let undecided = || Error::undecided(branches.control().quantity(), one, "which of two values of it is larger");
     one.partial_cmp(other).ok_or_else(undecided)
 }

@@ -15,15 +15,15 @@ use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Real;
 
 use super::integral::Breaks;
-use super::{Event, EventKind, Path, State};
-use crate::branch::Branched;
-use crate::curve::{Curve, log10_of_product, negligible};
+use super::{ContactState, Event, EventKind, Path};
+use crate::branch::EquilibriumBranches;
+use crate::curve::{EquilibriumCurve, log10_of_product, negligible};
 use crate::energy::Energy;
-use crate::equilibrium::Branches;
+use crate::equilibrium::SearchedBranches;
 
 /// The energy dissipated in an event.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Loss<R> {
+pub enum Dissipation<R> {
     /// This energy, in J.
     Finite(Estimate<R>),
     /// More than any number: a body pulled off by a dead load falls without end; on a half-space complete contact
@@ -33,20 +33,20 @@ pub enum Loss<R> {
 
 /// The energies of one event.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Entry<R> {
+pub struct EventEnergy<R> {
     /// The work done by the control since the previous event, in J.
     pub work: Estimate<R>,
     /// The work done by the control in the event, in J: F(d₂ − d₁) under controlled force, else 0.
     pub work_in_event: R,
     /// The energy dissipated in the event.
-    pub lost: Loss<R>,
+    pub dissipated: Dissipation<R>,
 }
 
 /// The energies of the events of a path.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ledger<R> {
+pub struct PathEnergy<R> {
     /// One for each event of the path.
-    pub entries: Vec<Entry<R>>,
+    pub entries: Vec<EventEnergy<R>>,
 }
 
 /// The energy balance of a path, in J.
@@ -56,7 +56,7 @@ pub struct Balance<R> {
     /// hysteresis of the cycle.
     pub work: R,
     /// The energy dissipated in all events.
-    pub lost: R,
+    pub dissipated: R,
     /// The increase of the energy stored in the contact and in the spring of a machine.
     pub stored: R,
     /// work − lost − stored.
@@ -69,22 +69,22 @@ pub struct Balance<R> {
 /// Roundings of g, g', the mean of g and quantities derived from them, in unit roundoffs.
 const ROUNDINGS: i64 = 64;
 
-impl<R: Real> Ledger<R> {
+impl<R: Real> PathEnergy<R> {
     /// The energies of a path that was followed on the given branches.
     ///
     /// Each jump is integrated between its own two radii only, in pieces between the folds and kinks there.
     ///
     /// ```
     /// use mdr_core::contact::{Control, Material, Shape};
-    /// use mdr_numeric::path::{Ledger, Loss, Path, Start};
-    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, transform::Quadrature};
+    /// use mdr_numeric::path::{PathEnergy, Dissipation, Path, Start};
+    /// use mdr_numeric::{curve::EquilibriumCurve, equilibrium::SearchedBranches, transform::Quadrature};
     /// // The paraboloid loses 2/5 of πa²w when it is pulled off at fixed grips.
     /// let (ball, control) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Control::Indentation);
     /// let material = Material::new(1.0, 1e-3)?;
-    /// let branches = Branches::new(Curve::new(&ball, &material, &control))?;
+    /// let branches = SearchedBranches::new(EquilibriumCurve::new(&ball, &material, &control))?;
     /// let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.1])?;
-    /// let ledger = Ledger::new(&path, &branches)?;
-    /// let Loss::Finite(lost) = &ledger.entries[1].lost else { panic!("finite at fixed grips") };
+    /// let ledger = PathEnergy::new(&path, &branches)?;
+    /// let Dissipation::Finite(lost) = &ledger.entries[1].dissipated else { panic!("finite at fixed grips") };
     /// let a = path.events[1].before.contact().expect("in contact").contact_radius;
     /// assert!((lost.value / (std::f64::consts::PI * a * a * 1e-3) - 0.4).abs() < 1e-13);
     /// let balance = ledger.balance(&path, &branches)?.expect("nothing unbounded");
@@ -95,8 +95,8 @@ impl<R: Real> Ledger<R> {
     /// # Errors
     /// Those of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this
     /// arithmetic.
-    pub fn new(path: &Path<R>, branches: &Branches<'_, R>) -> Result<Self> {
-        let books = Books::new(branches);
+    pub fn new(path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Result<Self> {
+        let books = EnergyAccount::new(branches);
         let mut entries = Vec::with_capacity(path.events.len());
         let mut last: Option<&Event<R>> = None;
         for event in &path.events {
@@ -104,20 +104,20 @@ impl<R: Real> Ledger<R> {
                 Some(last) => books.work(&last.after, &event.before)?,
                 None => Estimate::exact(event.value.lit(0)),
             };
-            let (work_in_event, lost) = books.event(event)?;
-            entries.push(Entry { work, work_in_event, lost });
+            let (work_in_event, dissipated) = books.event(event)?;
+            entries.push(EventEnergy { work, work_in_event, dissipated });
             last = Some(event);
         }
-        Ok(Ledger { entries })
+        Ok(PathEnergy { entries })
     }
 
     /// The energy balance; `None` if a term is unbounded. It adds the energies stored at the beginning and at the end
     /// of the path, integrals over the whole contact.
     ///
     /// # Errors
-    /// As [`Ledger::new`].
-    pub fn balance(&self, path: &Path<R>, branches: &Branches<'_, R>) -> Result<Option<Balance<R>>> {
-        Books::new(branches).balance(path, &self.entries)
+    /// As [`PathEnergy::new`].
+    pub fn balance(&self, path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Result<Option<Balance<R>>> {
+        EnergyAccount::new(branches).balance(path, &self.entries)
     }
 }
 
@@ -125,39 +125,39 @@ impl<R: Real> Ledger<R> {
 /// complete contact.
 ///
 /// # Errors
-/// As [`Ledger::new`].
-pub fn stored<R: Real>(path: &Path<R>, branches: &Branches<'_, R>) -> Result<Option<Estimate<R>>> {
-    Books::new(branches).more_stored(path)
+/// As [`PathEnergy::new`].
+pub fn stored<R: Real>(path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Result<Option<Estimate<R>>> {
+    EnergyAccount::new(branches).more_stored(path)
 }
 
-impl<R: Real> Loss<R> {
+impl<R: Real> Dissipation<R> {
     /// The energies of the events of a path, computed separately, so that one may fail alone.
     ///
     /// # Errors
-    /// As [`Ledger::new`].
-    pub fn of_each(path: &Path<R>, branches: &Branches<'_, R>) -> Vec<Result<Self>> {
-        let books = Books::new(branches);
+    /// As [`PathEnergy::new`].
+    pub fn of_each(path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Vec<Result<Self>> {
+        let books = EnergyAccount::new(branches);
         path.events.iter().map(|event| Ok(books.event(event)?.1)).collect()
     }
 }
 
-struct Books<'a, 'c, R: Real> {
-    curve: &'a Curve<'c, R>,
+struct EnergyAccount<'a, 'c, R: Real> {
+    curve: &'a EquilibriumCurve<'c, R>,
     breaks: Breaks<R>,
 }
 
-impl<'a, 'c, R: Real> Books<'a, 'c, R> {
-    fn new(branches: &'a Branches<'c, R>) -> Self {
+impl<'a, 'c, R: Real> EnergyAccount<'a, 'c, R> {
+    fn new(branches: &'a SearchedBranches<'c, R>) -> Self {
         let folds = branches.folds().iter().map(|fold| fold.contact_radius.clone());
         let curve = branches.curve();
-        Books { curve, breaks: Breaks::new(curve.transform(), folds) }
+        EnergyAccount { curve, breaks: Breaks::new(curve.transform(), folds) }
     }
 
     /// The work of the control between two states on one branch.
-    fn work(&self, from: &State<R>, to: &State<R>) -> Result<Estimate<R>> {
-        let (State::Contact(from), State::Contact(to)) = (from, to) else { return Ok(self.none()) };
+    fn work(&self, from: &ContactState<R>, to: &ContactState<R>) -> Result<Estimate<R>> {
+        let (ContactState::Contact(from), ContactState::Contact(to)) = (from, to) else { return Ok(self.none()) };
         let mut work = self.along_curve(&from.contact_radius, &to.contact_radius)?;
-        if let Some(wall) = self.curve.wall() {
+        if let Some(wall) = self.curve.vertical_edge() {
             // At a vertical edge the contact is a linear spring from the end of the curve on.
             let corner = self.curve.state(&wall)?;
             for (state, sign) in [(from, -1), (to, 1)] {
@@ -199,29 +199,29 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
     }
 
     /// The work of the control in an event, and the dissipated energy.
-    fn event(&self, event: &Event<R>) -> Result<(R, Loss<R>)> {
+    fn event(&self, event: &Event<R>) -> Result<(R, Dissipation<R>)> {
         let zero = event.value.lit(0);
         let dead_load = *self.curve.control() == Control::Force;
         match event.kind {
-            EventKind::CompleteContact => Ok((zero, Loss::Unbounded)),
-            EventKind::Detached if dead_load && event.fold.is_some() => Ok((zero, Loss::Unbounded)),
+            EventKind::CompleteContact => Ok((zero, Dissipation::Unbounded)),
+            EventKind::Detached if dead_load && event.fold.is_some() => Ok((zero, Dissipation::Unbounded)),
             EventKind::Jump | EventKind::JumpIn | EventKind::Detached => {
-                let lost = self.lost(&event.before, &event.after, &event.value)?;
+                let dissipated = self.dissipated(&event.before, &event.after, &event.value)?;
                 let work = match (&event.before, &event.after) {
-                    (State::Contact(before), State::Contact(after)) if dead_load => {
+                    (ContactState::Contact(before), ContactState::Contact(after)) if dead_load => {
                         (after.indentation.clone() - &before.indentation) * &event.value
                     }
                     _ => zero,
                 };
-                Ok((work, Loss::Finite(lost)))
+                Ok((work, Dissipation::Finite(dissipated)))
             }
-            _ => Ok((zero, Loss::Finite(self.none()))),
+            _ => Ok((zero, Dissipation::Finite(self.none()))),
         }
     }
 
     /// E* ∫_{a₂}^{a₁} δ(δ + 2Δl) da with the direction of change δ = g − d − Δl at the fixed value.
-    fn lost(&self, before: &State<R>, after: &State<R>, value: &R) -> Result<Estimate<R>> {
-        let radius = |state: &State<R>| state.contact().map_or(value.lit(0), |rest| rest.contact_radius.clone());
+    fn dissipated(&self, before: &ContactState<R>, after: &ContactState<R>, value: &R) -> Result<Estimate<R>> {
+        let radius = |state: &ContactState<R>| state.contact().map_or(value.lit(0), |rest| rest.contact_radius.clone());
         let (from, to) = (radius(after), radius(before));
         if from == to {
             return Ok(self.none());
@@ -229,7 +229,7 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         // In units of Δl at the larger end: the product of two small lengths may underflow where the energy does not.
         let unit = self.curve.elongation(if from > to { &from } else { &to });
         let needed = negligible(&unit);
-        let lost = self.breaks.integrate(&from, &to, |a| {
+        let dissipated = self.breaks.integrate(&from, &to, |a| {
             let change = self.curve.direction_within(a, value, &needed)?;
             Ok((self.curve.elongation(a).times(2) + &change) / &unit * (change / &unit))
         })?;
@@ -240,13 +240,14 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
             Ok(change / &unit * (lengths / &unit))
         })?;
         let energy = |length: &R| self.energy(length, &unit);
-        let error = energy(&lost.error) + energy(&size.abs()) * size.unit_roundoff().times(2 * ROUNDINGS);
-        let value = energy(&lost.value);
-        if lost.value != value.lit(0) && value.unit_roundoff() * &value == value.lit(0) {
-            let log10 = log10_of_product([self.curve.effective_modulus().clone(), lost.value, unit.clone(), unit]);
+        let error = energy(&dissipated.error) + energy(&size.abs()) * size.unit_roundoff().times(2 * ROUNDINGS);
+        let value = energy(&dissipated.value);
+        if dissipated.value != value.lit(0) && value.unit_roundoff() * &value == value.lit(0) {
+            let log10 =
+                log10_of_product([self.curve.effective_modulus().clone(), dissipated.value, unit.clone(), unit]);
             return Err(Error::OutOfRange { quantity: Quantity::Energy, log10 });
         }
-        Ok(Estimate { value, error, evaluations: lost.evaluations })
+        Ok(Estimate { value, error, evaluations: dissipated.evaluations })
     }
 
     /// E* times a length and the square of `unit`, in an order that avoids underflow of small lengths.
@@ -277,25 +278,25 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
         size.abs() * size.unit_roundoff().times(ROUNDINGS) * self.curve.effective_modulus()
     }
 
-    fn balance(&self, path: &Path<R>, entries: &[Entry<R>]) -> Result<Option<Balance<R>>> {
+    fn balance(&self, path: &Path<R>, entries: &[EventEnergy<R>]) -> Result<Option<Balance<R>>> {
         let Some(stored) = self.more_stored(path)? else { return Ok(None) };
-        let (mut work, mut lost, mut bound) = (stored.value.lit(0), stored.value.lit(0), stored.error);
+        let (mut work, mut dissipated, mut bound) = (stored.value.lit(0), stored.value.lit(0), stored.error);
         for (entry, event) in entries.iter().zip(&path.events) {
-            let Loss::Finite(loss) = &entry.lost else { return Ok(None) };
+            let Dissipation::Finite(loss) = &entry.dissipated else { return Ok(None) };
             work += &(entry.work.value.clone() + &entry.work_in_event);
-            lost += &loss.value;
-            bound += &(entry.work.error.clone() + &loss.error + self.landing(event)?);
+            dissipated += &loss.value;
+            bound += &(entry.work.error.clone() + &loss.error + self.after_jump(event)?);
         }
         let stored = stored.value;
-        let residual = work.clone() - &lost - &stored;
+        let residual = work.clone() - &dissipated - &stored;
         if !residual.is_finite() {
             return Err(Error::OutOfRange { quantity: Quantity::Energy, log10: work.approx().abs().log10() });
         }
-        Ok(Some(Balance { work, lost, stored, residual, bound }))
+        Ok(Some(Balance { work, dissipated, stored, residual, bound }))
     }
 
     /// The effect of the rounding of d in the states of an event: the force times that rounding.
-    fn landing(&self, event: &Event<R>) -> Result<R> {
+    fn after_jump(&self, event: &Event<R>) -> Result<R> {
         let mut total = event.value.lit(0);
         for state in [&event.before, &event.after] {
             if let Some(rest) = state.contact().filter(|rest| rest.contact_radius > total.lit(0)) {
@@ -318,11 +319,11 @@ impl<'a, 'c, R: Real> Books<'a, 'c, R> {
     }
 
     /// Π, and F²/2k of a machine; `None` for complete contact.
-    fn stored(&self, state: &State<R>) -> Result<Option<Estimate<R>>> {
+    fn stored(&self, state: &ContactState<R>) -> Result<Option<Estimate<R>>> {
         let rest = match state {
-            State::Contact(rest) if rest.contact_radius > rest.contact_radius.lit(0) => rest,
-            State::Contact(_) | State::Detached => return Ok(Some(self.none())),
-            State::Complete => return Ok(None),
+            ContactState::Contact(rest) if rest.contact_radius > rest.contact_radius.lit(0) => rest,
+            ContactState::Contact(_) | ContactState::Detached => return Ok(Some(self.none())),
+            ContactState::Complete => return Ok(None),
         };
         let a = &rest.contact_radius;
         let energy = Energy::new(self.curve.transform(), self.curve.material())?;

@@ -17,9 +17,9 @@ use mdr_core::named;
 use mdr_core::number::Real;
 
 use crate::admissible::Ring;
-use crate::branch::Branched;
+use crate::branch::EquilibriumBranches;
 
-pub use ledger::{Balance, Entry, Ledger, Loss, stored};
+pub use ledger::{Balance, Dissipation, EventEnergy, PathEnergy, stored};
 
 /// The equilibrium at the first way point with which a path begins.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub enum Start<R> {
 
 /// The state of the two surfaces.
 #[derive(Clone, Debug, PartialEq)]
-pub enum State<R> {
+pub enum ContactState<R> {
     /// Equilibrium with contact on a disc; a point with a = d = F = 0 if contact begins or ends continuously.
     Contact(Equilibrium<R>),
     /// No contact; F = 0.
@@ -88,9 +88,9 @@ pub struct Event<R> {
     /// The controlled quantity.
     pub value: R,
     /// The state before.
-    pub before: State<R>,
+    pub before: ContactState<R>,
     /// The state after; the same if nothing changes.
-    pub after: State<R>,
+    pub after: ContactState<R>,
     /// The index of the fold that is passed.
     pub fold: Option<usize>,
     /// The ring on which the surfaces touch or would interpenetrate, for [`EventKind::NotAdmissible`]; the gap is 0
@@ -119,11 +119,11 @@ impl<R: Real> Path<R> {
     /// ```
     /// use mdr_core::contact::{Control, Material, Shape};
     /// use mdr_numeric::path::{EventKind, Path, Start};
-    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, transform::Quadrature};
+    /// use mdr_numeric::{curve::EquilibriumCurve, equilibrium::SearchedBranches, transform::Quadrature};
     /// // Figure 4 of the paper: pulled from d = 0, it jumps once and then breaks.
     /// let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
     /// let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation);
-    /// let branches = Branches::new(Curve::new(&profile, &material, &control))?;
+    /// let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control))?;
     /// let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.01])?;
     /// let kinds: Vec<EventKind> = path.events.iter().map(|event| event.kind).collect();
     /// assert_eq!(kinds, [EventKind::Start, EventKind::Jump, EventKind::Detached, EventKind::End]);
@@ -135,7 +135,7 @@ impl<R: Real> Path<R> {
     /// point, or for a detached start where the surfaces would interpenetrate;
     /// [`Domain`](mdr_core::contact::Error::Domain) without way points, or unless they are finite;
     /// [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures; those of the transform.
-    pub fn follow(branches: &impl Branched<R>, start: &Start<R>, way: &[R]) -> Result<Self> {
+    pub fn follow(branches: &impl EquilibriumBranches<R>, start: &Start<R>, way: &[R]) -> Result<Self> {
         follow::follow(branches, start, way, None).map(|events| Path { events })
     }
 
@@ -145,7 +145,7 @@ impl<R: Real> Path<R> {
     /// # Errors
     /// As [`Path::follow`].
     pub fn follow_ordered(
-        branches: &impl Branched<R>,
+        branches: &impl EquilibriumBranches<R>,
         start: &Start<R>,
         way: &[R],
         order: &[Ordering],
@@ -158,10 +158,10 @@ impl<R: Real> Path<R> {
     /// ```
     /// use mdr_core::contact::{Control, Material, Shape, Stability};
     /// use mdr_numeric::path::{Path, Start};
-    /// use mdr_numeric::{curve::Curve, equilibrium::Branches, transform::Quadrature};
+    /// use mdr_numeric::{curve::EquilibriumCurve, equilibrium::SearchedBranches, transform::Quadrature};
     /// let (ball, control) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Control::Indentation);
     /// let material = Material::new(1.0, 1e-3)?;
-    /// let branches = Branches::new(Curve::new(&ball, &material, &control))?;
+    /// let branches = SearchedBranches::new(EquilibriumCurve::new(&ball, &material, &control))?;
     /// let state = Path::first(&branches, &Start::Largest, &0.0)?;
     /// assert_eq!(state.contact().expect("in contact").stability, Stability::Stable);
     /// # Ok::<(), mdr_core::contact::Error>(())
@@ -169,7 +169,7 @@ impl<R: Real> Path<R> {
     ///
     /// # Errors
     /// As [`Path::follow`].
-    pub fn first(branches: &impl Branched<R>, start: &Start<R>, value: &R) -> Result<State<R>> {
+    pub fn first(branches: &impl EquilibriumBranches<R>, start: &Start<R>, value: &R) -> Result<ContactState<R>> {
         begin::begin(branches, start, value).map(|(_, state)| state)
     }
 
@@ -192,20 +192,20 @@ impl<R: Real> Path<R> {
     }
 }
 
-impl<R: Real> State<R> {
+impl<R: Real> ContactState<R> {
     /// The equilibrium, if the surfaces are in contact on a disc.
     pub fn contact(&self) -> Option<&Equilibrium<R>> {
         match self {
-            State::Contact(equilibrium) => Some(equilibrium),
-            State::Detached | State::Complete => None,
+            ContactState::Contact(equilibrium) => Some(equilibrium),
+            ContactState::Detached | ContactState::Complete => None,
         }
     }
 
-    fn map<S>(&self, number: impl Fn(&R) -> S) -> State<S> {
+    fn map<S>(&self, number: impl Fn(&R) -> S) -> ContactState<S> {
         match self {
-            State::Contact(equilibrium) => State::Contact(equilibrium.map(number)),
-            State::Detached => State::Detached,
-            State::Complete => State::Complete,
+            ContactState::Contact(equilibrium) => ContactState::Contact(equilibrium.map(number)),
+            ContactState::Detached => ContactState::Detached,
+            ContactState::Complete => ContactState::Complete,
         }
     }
 }

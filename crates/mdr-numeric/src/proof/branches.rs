@@ -4,14 +4,14 @@ use std::cmp::Ordering;
 use std::sync::{Arc, OnceLock};
 
 use mdr_core::calculus::roots::{self, Bracket, Sample};
-use mdr_core::contact::{Control, Equilibrium, Error, FoldKind, Instability, Quantity, Result, Stability};
+use mdr_core::contact::{Control, Equilibrium, Error, Fold, FoldKind, Quantity, Result, Stability};
 use mdr_core::number::{Dual, Interval, Real};
 use rug::Float;
 use rug::float::Round;
 
 use super::{EnclosedCurve, ProvedFolds, kinks};
 use crate::admissible::{self, Admissibility, Ring, Touch};
-use crate::branch::{self, Branched, Onset};
+use crate::branch::{self, EquilibriumBranches, FirstContact};
 
 /// The branches of a contact over enclosures, between folds that are proved to be complete in their range.
 ///
@@ -20,19 +20,19 @@ use crate::branch::{self, Branched, Onset};
 /// is [`Error::Undecided`], and more bits may decide. The value may itself be an enclosure, as that of a fold is: the
 /// result then holds for every number in it. Beyond the range, equilibria are searched outwards; one that is found
 /// certainly exists, but there may be more.
-pub struct EnclosedBranches<'a> {
+pub struct ProvedBranches<'a> {
     pub(super) curve: EnclosedCurve<'a>,
     /// Includes poles.
-    folds: Vec<Instability<Interval>>,
+    folds: Vec<Fold<Interval>>,
     range: (Float, Float),
-    pub(super) wall: Option<Wall>,
+    pub(super) edge: Option<VerticalEdge>,
     /// The equator, if no fold lies between the range and it.
-    pub(super) rim: Option<Interval>,
+    pub(super) equator: Option<Interval>,
     admissibility: OnceLock<Arc<Admissibility<'a>>>,
 }
 
 /// The vertical edge, with the mean of g and the controlled quantity of the state in which the contact just reaches it.
-pub(super) struct Wall {
+pub(super) struct VerticalEdge {
     radius: Interval,
     mean: Interval,
     controlled: Interval,
@@ -46,11 +46,11 @@ struct End {
     excess: Interval,
 }
 
-impl<'a> EnclosedBranches<'a> {
+impl<'a> ProvedBranches<'a> {
     /// The branches between folds that were proved in the precision of `curve` or in a lower one.
     ///
     /// # Errors
-    /// [`Error::Unproved`] with the first part of the range that was not decided; as [`EnclosedCurve::sharpen`].
+    /// [`Error::Unproved`] with the first part of the range that was not decided; as [`EnclosedCurve::refine`].
     pub fn new(curve: EnclosedCurve<'a>, proved: &ProvedFolds) -> Result<Self> {
         if let Some((from, to)) = proved.undecided.first() {
             let [from, to] = [(from, Round::Down), (to, Round::Up)]
@@ -58,31 +58,31 @@ impl<'a> EnclosedBranches<'a> {
             let remedy = "raise the precision or the budget, or narrow the range of radii";
             return Err(Error::Unproved { quantity: Quantity::ContactRadius, from, to, remedy });
         }
-        let mut folds = proved.folds.iter().map(|fold| curve.sharpen(fold)).collect::<Result<Vec<_>>>()?;
+        let mut folds = proved.folds.iter().map(|fold| curve.refine(fold)).collect::<Result<Vec<_>>>()?;
         folds.extend(proved.poles.iter().cloned());
         folds.sort_by(|one, other| one.contact_radius.lower().total_cmp(other.contact_radius.lower()));
-        let wall = curve.wall()?.filter(|wall| proved.range.1 >= *wall.radius.lower());
-        let rim = curve.stable_rim(&proved.range.1)?;
+        let edge = curve.vertical_edge()?.filter(|edge| proved.range.1 >= *edge.radius.lower());
+        let equator = curve.stable_equator(&proved.range.1)?;
         let admissibility = OnceLock::new();
-        Ok(EnclosedBranches { curve, folds, range: proved.range.clone(), wall, rim, admissibility })
+        Ok(ProvedBranches { curve, folds, range: proved.range.clone(), edge, equator, admissibility })
     }
 
-    /// As [`Branches::with_admissibility`](crate::equilibrium::Branches::with_admissibility).
+    /// As [`SearchedBranches::with_admissibility`](crate::equilibrium::SearchedBranches::with_admissibility).
     pub fn with_admissibility(self, admissibility: Arc<Admissibility<'a>>) -> Self {
-        EnclosedBranches { admissibility: OnceLock::from(admissibility), ..self }
+        ProvedBranches { admissibility: OnceLock::from(admissibility), ..self }
     }
 
-    /// The range of radii on which [all equilibria](Branched::equilibria) are found; some beyond it are reported too.
+    /// The range of radii on which [all equilibria](EquilibriumBranches::equilibria) are found; some beyond it are reported too.
     pub fn range(&self) -> &(Float, Float) {
         &self.range
     }
 
-    fn controlled(&self, fold: &Instability<Interval>) -> Interval {
+    fn controlled(&self, fold: &Fold<Interval>) -> Interval {
         self.control().controlled(&fold.indentation, &fold.force)
     }
 
     /// The end of a branch at a fold. At the value of the fold the sign is the same on both sides.
-    fn at_fold(&self, fold: &Instability<Interval>, radius: &Float, value: &Interval) -> Result<End> {
+    fn at_fold(&self, fold: &Fold<Interval>, radius: &Float, value: &Interval) -> Result<End> {
         let enclosure = fold.contact_radius.clone();
         let radius = self.curve.promoted(&Interval::point(radius.clone()));
         if !fold.indentation.is_finite() {
@@ -107,7 +107,7 @@ impl<'a> EnclosedBranches<'a> {
         Ok(End { enclosure: radius.clone(), radius, excess })
     }
 
-    /// As [`Curve::direction`](crate::curve::Curve::direction); if a point is not certainly on one side of a kink, more
+    /// As [`EquilibriumCurve::direction`](crate::curve::EquilibriumCurve::direction); if a point is not certainly on one side of a kink, more
     /// bits are needed.
     fn direction(&self, a: &Interval, value: &Interval) -> Result<Interval> {
         match self.curve.plain.direction_at(a, value) {
@@ -124,11 +124,11 @@ impl<'a> EnclosedBranches<'a> {
             Some(fold) => self.at_fold(fold, fold.contact_radius.upper(), value)?,
             None => self.at_radius(promoted(&self.range.0), value)?,
         };
-        let upper = match (self.folds.get(branch), &self.wall) {
+        let upper = match (self.folds.get(branch), &self.edge) {
             (Some(fold), _) => self.at_fold(fold, fold.contact_radius.lower(), value)?,
-            (None, Some(wall)) => {
-                let radius = promoted(wall.radius.lower());
-                End { enclosure: wall.radius.clone(), radius, excess: wall.controlled.clone() - value }
+            (None, Some(edge)) => {
+                let radius = promoted(edge.radius.lower());
+                End { enclosure: edge.radius.clone(), radius, excess: edge.controlled.clone() - value }
             }
             (None, None) => self.at_radius(promoted(&self.range.1), value)?,
         };
@@ -136,16 +136,16 @@ impl<'a> EnclosedBranches<'a> {
     }
 
     /// The contact at the vertical edge, if it is pressed beyond the state that just reaches it.
-    fn at_wall(&self, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
-        let Some(wall) = &self.wall else { return Ok(None) };
-        match value.partial_cmp(&wall.controlled) {
+    fn at_vertical_edge(&self, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
+        let Some(edge) = &self.edge else { return Ok(None) };
+        match value.partial_cmp(&edge.controlled) {
             None => Err(self.curve.undecided("whether the contact rests at the wall")),
             Some(Ordering::Less | Ordering::Equal) => Ok(None),
             Some(Ordering::Greater) => {
                 let curve = &self.curve.plain;
-                let d = curve.held_against(&wall.radius, value, || Ok(wall.mean.clone()))?;
-                let force = curve.edge_stiffness(&wall.radius) * (d.clone() - &wall.mean);
-                Ok(Some(self.equilibrium(wall.radius.clone(), d, force, value, Stability::Stable)))
+                let d = curve.held_against(&edge.radius, value, || Ok(edge.mean.clone()))?;
+                let force = curve.edge_stiffness(&edge.radius) * (d.clone() - &edge.mean);
+                Ok(Some(self.equilibrium(edge.radius.clone(), d, force, value, Stability::Stable)))
             }
         }
     }
@@ -182,7 +182,7 @@ impl<'a> EnclosedBranches<'a> {
 
     /// The same enclosure after a step of the interval Newton operator, if the slope has a certain sign.
     fn narrowed(&self, radius: Interval, value: &Interval) -> Result<Interval> {
-        let middle = radius.steer();
+        let middle = radius.midpoint();
         let at_middle = self.direction(&middle, value)?;
         let held = Dual::constant(value.clone());
         let slope = match self.curve.moving.direction_at(&Dual::variable(radius.clone()), &held) {
@@ -212,9 +212,9 @@ impl<'a> EnclosedBranches<'a> {
     /// The equilibrium beyond the range, on the last branch.
     fn outwards(&self, upper: End, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
         let grows = upper.excess < value.lit(0);
-        match (self.walk(upper, self.above(), value), &self.rim) {
+        match (self.walk(upper, self.above(), value), &self.equator) {
             ((last, Some(next)), _) => self.between([last, next], value).map(Some),
-            ((last, None), Some(rim)) if grows => self.before_rim(&last.radius, rim, value).map(Some),
+            ((last, None), Some(equator)) if grows => self.before_equator(&last.radius, equator, value).map(Some),
             ((last, None), None) if grows && branch::end(&self.curve.plain)? == branch::End::Unknown => {
                 Err(branch::beyond_reach(self.control(), &last.radius))
             }
@@ -238,7 +238,7 @@ impl<'a> EnclosedBranches<'a> {
         octaves().take_while(finest).map(move |octave| match &outer {
             Some(outer) => {
                 let step = outer.lit(2).powi(-octave - i64::from(kinks::FINEST)) * outer;
-                (outer.clone() - step).steer()
+                (outer.clone() - step).midpoint()
             }
             None => upper.lit(2).powi(octave) * &upper,
         })
@@ -250,7 +250,7 @@ fn octaves() -> impl Iterator<Item = i64> {
     (0..=20).map(|power| 1 << power)
 }
 
-impl Branched<Interval> for EnclosedBranches<'_> {
+impl EquilibriumBranches<Interval> for ProvedBranches<'_> {
     fn control(&self) -> &Control<Interval> {
         self.curve.plain.control()
     }
@@ -276,11 +276,11 @@ impl Branched<Interval> for EnclosedBranches<'_> {
         Err(not_enclosed(to.approx()))
     }
 
-    fn folds(&self) -> &[Instability<Interval>] {
+    fn folds(&self) -> &[Fold<Interval>] {
         &self.folds
     }
 
-    fn onset(&self) -> Result<Onset> {
+    fn onset(&self) -> Result<FirstContact> {
         branch::onset(&self.curve.plain, self.folds.first())
     }
 
@@ -293,10 +293,10 @@ impl Branched<Interval> for EnclosedBranches<'_> {
 
     fn on_branch(&self, branch: usize, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
         let last = branch == self.folds.len();
-        if last && let Some(rest) = self.at_wall(value)? {
+        if last && let Some(rest) = self.at_vertical_edge(value)? {
             return Ok(Some(rest));
         }
-        if last && self.wall_is_fold() {
+        if last && self.vertical_edge_is_fold() {
             return Ok(None);
         }
         let ends = self.ends(branch, value)?;
@@ -314,7 +314,7 @@ impl Branched<Interval> for EnclosedBranches<'_> {
         {
             return self.between([far, near], value).map(Some);
         }
-        if last && self.wall.is_none() { self.outwards(upper, value) } else { Ok(None) }
+        if last && self.edge.is_none() { self.outwards(upper, value) } else { Ok(None) }
     }
 }
 
@@ -324,23 +324,23 @@ fn not_enclosed(radius: f64) -> Error {
     Error::Unproved { quantity: Quantity::Radius, from, to, remedy: "where surfaces touch outside is not enclosed" }
 }
 
-impl EnclosedBranches<'_> {
+impl ProvedBranches<'_> {
     /// Whether the last fold is at the vertical edge, so that only the vertical edge follows.
-    fn wall_is_fold(&self) -> bool {
+    fn vertical_edge_is_fold(&self) -> bool {
         let last = self.folds.last();
-        self.wall.as_ref().is_some_and(|wall| last.is_some_and(|fold| fold.contact_radius.overlaps(&wall.radius)))
+        self.edge.as_ref().is_some_and(|edge| last.is_some_and(|fold| fold.contact_radius.overlaps(&edge.radius)))
     }
 }
 
 impl EnclosedCurve<'_> {
     /// The vertical edge, if g is known there.
-    fn wall(&self) -> Result<Option<Wall>> {
-        let Some(radius) = self.plain.wall() else { return Ok(None) };
+    fn vertical_edge(&self) -> Result<Option<VerticalEdge>> {
+        let Some(radius) = self.plain.vertical_edge() else { return Ok(None) };
         let index = self.plain.transform().kinks().len();
         let kink = self.plain.transform().kink(index, &radius.lit(2).powi(-i64::from(kinks::FINEST)))?;
         let Some((g, mean)) = kink.and_then(|kink| kink.value) else { return Ok(None) };
         let state = self.state_at_kink(&radius, &g, &mean, FoldKind::Minimum);
         let controlled = self.plain.control().controlled(&state.indentation, &state.force);
-        Ok(Some(Wall { radius, mean, controlled }))
+        Ok(Some(VerticalEdge { radius, mean, controlled }))
     }
 }

@@ -6,15 +6,15 @@ use mdr_core::contact::Result;
 use mdr_core::number::{Interval, Real};
 use rug::Float;
 
-use super::{EnclosedBranches, kinks};
-use crate::path::{EventKind, Path, State};
+use super::{ProvedBranches, kinks};
+use crate::path::{ContactState, EventKind, Path};
 
 /// The range on which the condition is enclosed at both ends, in octaves: contact radii of 2^±1048576 m.
 const FAR: f64 = 1_048_576.0;
 /// The most enclosures of the condition at each end.
 const CELLS: usize = 512;
 
-impl EnclosedBranches<'_> {
+impl ProvedBranches<'_> {
     /// Checks that a path uses proved results only. If it reaches radii outside the range, or no radius, it must be
     /// certain that no fold lies there. The choice of the largest state, say, refers to the range only.
     ///
@@ -24,14 +24,14 @@ impl EnclosedBranches<'_> {
         let states = || path.events.iter().flat_map(|event| [&event.before, &event.after]);
         let (lower, upper) = self.range();
         let inwards = states().any(|state| match state {
-            State::Contact(rest) => rest.contact_radius.lower() < lower,
-            State::Detached => true,
-            State::Complete => false,
+            ContactState::Contact(rest) => rest.contact_radius.lower() < lower,
+            ContactState::Detached => true,
+            ContactState::Complete => false,
         });
         let outwards = states().any(|state| match state {
-            State::Contact(rest) => rest.contact_radius.upper() > upper,
-            State::Detached => false,
-            State::Complete => true,
+            ContactState::Contact(rest) => rest.contact_radius.upper() > upper,
+            ContactState::Detached => false,
+            ContactState::Complete => true,
         }) || path.events.iter().any(|event| event.kind == EventKind::EndOfProfile);
         let free = (!inwards || self.is_free_inwards()?) && (!outwards || self.is_free_outwards()?);
         if free { Ok(()) } else { Err(self.curve.undecided("whether folds lie outside the radii of the proof")) }
@@ -48,7 +48,7 @@ impl EnclosedBranches<'_> {
     /// Whether it has one sign from the range outwards, to 2⁻ᵖ before an outer radius at a precision of p bits.
     fn is_free_outwards(&self) -> Result<bool> {
         let (_, upper) = self.range();
-        if self.wall.is_some() || self.rim.is_some() {
+        if self.edge.is_some() || self.equator.is_some() {
             return Ok(true);
         }
         let Some(outer) = self.curve.plain.transform().outer_radius() else {

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{FoldKind, Instability, Kink, Result, Slopes};
+use mdr_core::contact::{Fold, FoldKind, Kink, Result, Slopes};
 use mdr_core::number::{Interval, Real};
 use rug::Float;
 use rug::float::Special;
@@ -47,11 +47,11 @@ impl EnclosedCurve<'_> {
     /// The kinks, followed by the vertical edge.
     fn radii(&self) -> Vec<Interval> {
         let mut radii = self.plain.transform().kinks();
-        radii.extend(self.plain.wall());
+        radii.extend(self.plain.vertical_edge());
         radii
     }
 
-    fn is_wall(&self, index: usize) -> bool {
+    fn is_vertical_edge(&self, index: usize) -> bool {
         index == self.plain.transform().kinks().len()
     }
 
@@ -61,8 +61,9 @@ impl EnclosedCurve<'_> {
         let mut narrowest = None;
         for margin in MARGINS {
             let before = shifted(kink.lower(), -1, margin);
-            let after = if self.is_wall(index) { kink.upper().clone() } else { shifted(kink.upper(), 1, margin) };
-            let reached = if self.is_wall(index) { before < *to } else { after < *to };
+            let after =
+                if self.is_vertical_edge(index) { kink.upper().clone() } else { shifted(kink.upper(), 1, margin) };
+            let reached = if self.is_vertical_edge(index) { before < *to } else { after < *to };
             if !(before > *from && reached) {
                 continue;
             }
@@ -84,7 +85,7 @@ impl EnclosedCurve<'_> {
         let below = self.sign(&around, &kink.inside);
         let above = self.sign(&around, &kink.outside);
         let signs = match (below, above) {
-            (Some(below), _) if self.is_wall(index) => (below, None),
+            (Some(below), _) if self.is_vertical_edge(index) => (below, None),
             (Some(below), Some(above)) => (below, Some(above)),
             _ => return Ok(None),
         };
@@ -119,7 +120,7 @@ impl EnclosedCurve<'_> {
     }
 
     /// The state of the fold in this precision, if it is at a kink or at the vertical edge.
-    pub(super) fn fold_at_kink(&self, fold: &Instability<Interval>) -> Result<Option<Instability<Interval>>> {
+    pub(super) fn fold_at_kink(&self, fold: &Fold<Interval>) -> Result<Option<Fold<Interval>>> {
         for (index, radius) in self.radii().iter().enumerate() {
             if !radius.overlaps(&fold.contact_radius) {
                 continue;
@@ -135,16 +136,10 @@ impl EnclosedCurve<'_> {
     }
 
     /// The state at a kink, from g and its mean there.
-    pub(super) fn state_at_kink(
-        &self,
-        a: &Interval,
-        g: &Interval,
-        mean: &Interval,
-        kind: FoldKind,
-    ) -> Instability<Interval> {
+    pub(super) fn state_at_kink(&self, a: &Interval, g: &Interval, mean: &Interval, kind: FoldKind) -> Fold<Interval> {
         let indentation = g.clone() - self.plain.elongation(a);
         let force = self.plain.edge_stiffness(a) * (indentation.clone() - mean);
-        Instability { contact_radius: a.clone(), indentation, force, kind }
+        Fold { contact_radius: a.clone(), indentation, force, kind }
     }
 }
 
@@ -161,13 +156,13 @@ impl Known {
 }
 
 /// A fold with infinite indentation and force, somewhere in an enclosure of radii.
-fn pole(radius: Interval, kind: FoldKind) -> Instability<Interval> {
+fn pole(radius: Interval, kind: FoldKind) -> Fold<Interval> {
     let bits = radius.precision();
     let mut largest = Float::with_val(bits, Special::Infinity);
     largest.next_down();
     let infinite = Interval::new(largest, Float::with_val(bits, Special::Infinity));
     let value = if kind == FoldKind::Maximum { infinite } else { -infinite };
-    Instability { contact_radius: radius, indentation: value.clone(), force: value, kind }
+    Fold { contact_radius: radius, indentation: value.clone(), force: value, kind }
 }
 
 /// radius·(1 ± 2^−margin).

@@ -3,7 +3,7 @@
 //! The range is halved until on every cell an enclosure shows that the tangency condition (1.10) has no zero, or that
 //! it is monotone and so has at most one. The cost grows with the number of folds, unlike that of a scan, which grows
 //! with the ratio of the range to the distance of the closest pair. Between two folds the controlled quantity is
-//! monotone, so every equilibrium is a certain sign change: see [`EnclosedBranches`].
+//! monotone, so every equilibrium is a certain sign change: see [`ProvedBranches`].
 //!
 //! At a kink of g the condition jumps. There the profile itself gives bounds of g' on both sides
 //! ([`Transform::kink`](mdr_core::contact::Transform::kink)), which decide whether the kink is a fold and exclude folds
@@ -11,26 +11,26 @@
 
 mod branches;
 mod ends;
+mod equator;
 mod kinks;
 mod range;
-mod rim;
 
-pub use branches::EnclosedBranches;
+pub use branches::ProvedBranches;
 pub use range::range;
 
 use mdr_core::calculus::isolate::{Behaviour, isolate};
 use mdr_core::calculus::verify::verify;
-use mdr_core::contact::{Error, FoldKind, Instability, Quantity, Result};
+use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Result};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use rug::Float;
 
-use crate::curve::Curve;
+use crate::curve::EquilibriumCurve;
 
 /// One contact in two arithmetics: enclosures, and enclosures with derivatives.
 #[derive(Clone)]
 pub struct EnclosedCurve<'a> {
-    plain: Curve<'a, Interval>,
-    moving: Curve<'a, Dual<Interval>>,
+    plain: EquilibriumCurve<'a, Interval>,
+    moving: EquilibriumCurve<'a, Dual<Interval>>,
 }
 
 /// The folds found on a range of radii, and the parts left undecided.
@@ -39,10 +39,10 @@ pub struct ProvedFolds {
     /// The range. Nothing is claimed outside it.
     pub range: (Float, Float),
     /// The folds, by increasing radius; each quantity is an enclosure.
-    pub folds: Vec<Instability<Interval>>,
+    pub folds: Vec<Fold<Interval>>,
     /// Radii where g, and with it the controlled quantity, diverges: the curve of equilibria is cut there as by a fold.
     /// The radius is somewhere in its enclosure; indentation and force are unbounded.
-    pub poles: Vec<Instability<Interval>>,
+    pub poles: Vec<Fold<Interval>>,
     /// Parts of the range that may contain further folds: around kinks without known bounds, where two folds nearly
     /// merge, and cells left when the budget is spent.
     pub undecided: Vec<(Float, Float)>,
@@ -59,12 +59,12 @@ impl ProvedFolds {
 
 impl<'a> EnclosedCurve<'a> {
     /// The same contact in both arithmetics.
-    pub fn new(plain: Curve<'a, Interval>, moving: Curve<'a, Dual<Interval>>) -> Self {
+    pub fn new(plain: EquilibriumCurve<'a, Interval>, moving: EquilibriumCurve<'a, Dual<Interval>>) -> Self {
         EnclosedCurve { plain, moving }
     }
 
     /// The contact over enclosures.
-    pub fn plain(&self) -> &Curve<'a, Interval> {
+    pub fn plain(&self) -> &EquilibriumCurve<'a, Interval> {
         &self.plain
     }
 
@@ -74,14 +74,14 @@ impl<'a> EnclosedCurve<'a> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 < lower < upper, and unless the range begins before that end of the profile; as
-    /// [`Control::check`](mdr_core::contact::Control::check) and [`Curve::tangency`].
+    /// [`Control::check`](mdr_core::contact::Control::check) and [`EquilibriumCurve::tangency`].
     pub fn folds(&self, lower: &Float, upper: &Float, budget: usize) -> Result<ProvedFolds> {
         self.plain.control().check()?;
         let range = (lower.clone(), upper.clone());
         if !(*lower > 0 && lower < upper && upper.is_finite()) {
             return Err(Error::domain(Quantity::Radius, upper, "finite and above the lower end of the range, above 0"));
         }
-        let octaves = self.octaves_to_rim()?;
+        let octaves = self.octaves_to_equator()?;
         let end = self.plain.transform().outer_radius().map(|outer| kinks::shifted(outer.lower(), -1, octaves));
         if end.as_ref().is_some_and(|end| lower >= end) {
             return Err(Error::domain(Quantity::Radius, lower, "below the outer radius of the profile"));
@@ -98,10 +98,10 @@ impl<'a> EnclosedCurve<'a> {
             Some(end) if from < end => {
                 found.range.1 = if end < *upper { end.clone() } else { upper.clone() };
                 self.smooth_part(&from, &found.range.1.clone(), budget, &mut found)?;
-                if let Some(rim) = self.plain.rim()?.filter(|_| end < *upper)
-                    && self.stable_rim(&end)?.is_none()
+                if let Some(equator) = self.plain.equator()?.filter(|_| end < *upper)
+                    && self.stable_equator(&end)?.is_none()
                 {
-                    found.undecided.push((end, rim.upper().clone()));
+                    found.undecided.push((end, equator.upper().clone()));
                 }
             }
             Some(_) => found.range.1 = from,
@@ -137,8 +137,8 @@ impl<'a> EnclosedCurve<'a> {
     /// The same fold in the precision of this curve, from an enclosure in a lower precision.
     ///
     /// # Errors
-    /// [`Error::Undecided`] if the enclosure of the derivative contains zero; as [`Curve::tangency`].
-    pub fn sharpen(&self, fold: &Instability<Interval>) -> Result<Instability<Interval>> {
+    /// [`Error::Undecided`] if the enclosure of the derivative contains zero; as [`EquilibriumCurve::tangency`].
+    pub fn refine(&self, fold: &Fold<Interval>) -> Result<Fold<Interval>> {
         if let Some(kink) = self.fold_at_kink(fold)? {
             return Ok(kink);
         }
@@ -236,8 +236,8 @@ impl<'a> EnclosedCurve<'a> {
         })
     }
 
-    fn state(&self, contact_radius: Interval, kind: FoldKind) -> Result<Instability<Interval>> {
+    fn state(&self, contact_radius: Interval, kind: FoldKind) -> Result<Fold<Interval>> {
         let (indentation, force) = self.plain.state(&contact_radius)?;
-        Ok(Instability { contact_radius, indentation, force, kind })
+        Ok(Fold { contact_radius, indentation, force, kind })
     }
 }

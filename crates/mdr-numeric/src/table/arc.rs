@@ -102,7 +102,7 @@ impl<R: Real> Arc<R> {
 /// scheme of positive terms in which the error of the start decreases by z/2 per step. Started at ι_K = 1/(2K+1), the
 /// relative error is below (z/2)^(K−3). ι_K lies between 1/(2K+1) and 1/(2K+1)/(1 − z/2), and its derivative between 0
 /// and 1/(2K+1): an enclosure starts with these bounds, for any K, and so does its slope. A wide enclosure may extend
-/// far beyond the possible z, and so may its midpoint: then no number of steps would sharpen it.
+/// far beyond the possible z, and so may its midpoint: then no number of steps would refine it.
 fn versine_integrals<R: Real>(z: &R, sin: &R) -> [R; 5] {
     let middle = z.approx();
     let steps = if middle < 0.5 {

@@ -6,14 +6,14 @@ use mdr_core::contact::Profile;
 use mdr_core::number::{Lift, Real};
 
 /// The heights of a profile, and the number that were evaluated. It counts for one thread.
-pub(super) struct Counted<'a, P> {
+pub(super) struct CountingProfile<'a, P> {
     profile: &'a P,
     heights: AtomicUsize,
 }
 
-impl<'a, P> Counted<'a, P> {
+impl<'a, P> CountingProfile<'a, P> {
     pub(super) fn new(profile: &'a P) -> Self {
-        Counted { profile, heights: AtomicUsize::new(0) }
+        CountingProfile { profile, heights: AtomicUsize::new(0) }
     }
 
     pub(super) fn heights(&self) -> usize {
@@ -21,7 +21,7 @@ impl<'a, P> Counted<'a, P> {
     }
 }
 
-impl<R: Real, P: Profile<R>> Profile<R> for Counted<'_, P> {
+impl<R: Real, P: Profile<R>> Profile<R> for CountingProfile<'_, P> {
     fn height<S: Lift<R>>(&self, r: &S) -> S {
         // Only one thread counts, so no lock is needed.
         self.heights.store(self.heights() + 1, Ordering::Relaxed);

@@ -5,7 +5,7 @@ use mdr_core::contact::{Error, Profile, Quantity, Result};
 use mdr_core::number::Special;
 
 use super::angles::{Angles, sine_and_cosine};
-use super::counted::Counted;
+use super::counted::CountingProfile;
 use super::gauss;
 use super::integrand::{Integrand, kink_jump};
 use super::quadrature::{Quadrature, Rule};
@@ -14,7 +14,7 @@ use super::strides::strides;
 /// I[φ] at x.
 pub(super) struct Integral<'a, R, P> {
     quadrature: &'a Quadrature<R, P>,
-    profile: Counted<'a, P>,
+    profile: CountingProfile<'a, P>,
     x: &'a R,
     integrand: Integrand,
     /// An absolute error that is small enough; 0 if the tolerance decides.
@@ -23,7 +23,7 @@ pub(super) struct Integral<'a, R, P> {
 
 impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
     pub(super) fn new(quadrature: &'a Quadrature<R, P>, x: &'a R, integrand: Integrand, needed: R) -> Self {
-        Integral { quadrature, profile: Counted::new(&quadrature.profile), x, integrand, needed }
+        Integral { quadrature, profile: CountingProfile::new(&quadrature.profile), x, integrand, needed }
     }
 
     /// I[φ], for g' with the contributions of the kinks. All heights are counted, including those of rules that failed.

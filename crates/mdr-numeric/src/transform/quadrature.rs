@@ -171,7 +171,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
             return Err(Error::NoConvergence { quantity, evaluations: 0, error: 1.0 });
         }
         match self.profile.outer_radius() {
-            Some(outer) if *x > outer || (*x == outer && !self.profile.wall()) => {
+            Some(outer) if *x > outer || (*x == outer && !self.profile.vertical_edge()) => {
                 Err(Error::domain(Quantity::Radius, x, "below the outer radius of the profile"))
             }
             _ => Ok(()),
@@ -232,8 +232,8 @@ impl<R: Special, P: Profile<R>> Transform<R> for Quadrature<R, P> {
         self.profile.outer_radius()
     }
 
-    fn wall(&self) -> bool {
-        self.profile.wall()
+    fn vertical_edge(&self) -> bool {
+        self.profile.vertical_edge()
     }
 
     fn kinks(&self) -> Vec<R> {

@@ -2,9 +2,9 @@
 
 use mdr_core::contact::{Control, Error, FoldKind, Material, Result, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::folds::folds;
-use mdr_numeric::proof::{EnclosedBranches, EnclosedCurve};
+use mdr_numeric::proof::{EnclosedCurve, ProvedBranches};
 use mdr_numeric::table::{MeasuredProfile, Table};
 use rug::Float;
 
@@ -105,8 +105,8 @@ fn the_folds_of_a_table_are_proved() -> Result<()> {
         } else {
             (Control::Force, Control::Force, Control::Force)
         };
-        let curve = Curve::new(&plain, &material, &held);
-        let moving = Curve::new(&moving, &moving_material, &moving_held);
+        let curve = EquilibriumCurve::new(&plain, &material, &held);
+        let moving = EquilibriumCurve::new(&moving, &moving_material, &moving_held);
         let [lower, upper] = [1e-3, 1.1].map(|end| Float::with_val(BITS, end));
         let proved = EnclosedCurve::new(curve, moving).folds(&lower, &upper, 1_000_000)?;
         assert!(proved.is_complete(), "{work}: {:?}", proved.undecided);
@@ -130,13 +130,13 @@ fn a_refusal_names_the_undecided_part() -> Result<()> {
     let moving_material = Material::new(moving.kinks()[0].lit(1), moving.kinks()[0].lit(1))?;
     let (held, moving_held) = (Control::Indentation, Control::Indentation);
     let curve = || {
-        let moving = Curve::new(&moving, &moving_material, &moving_held);
-        EnclosedCurve::new(Curve::new(&plain, &material, &held), moving)
+        let moving = EquilibriumCurve::new(&moving, &moving_material, &moving_held);
+        EnclosedCurve::new(EquilibriumCurve::new(&plain, &material, &held), moving)
     };
     let [lower, upper] = [1e-3, 1.1].map(|end| Float::with_val(BITS, end));
     let proved = curve().folds(&lower, &upper, 2)?;
     let (first, last) = &proved.undecided[0];
-    let Err(Error::Unproved { from, to, .. }) = EnclosedBranches::new(curve(), &proved) else { panic!("proved") };
+    let Err(Error::Unproved { from, to, .. }) = ProvedBranches::new(curve(), &proved) else { panic!("proved") };
     for (told, end, direction) in [(from, first, -1.0), (to, last, 1.0)] {
         let outwards = direction * (told.parse::<f64>().unwrap() / end.to_f64() - 1.0);
         assert!((0.0..1e-3).contains(&outwards) && told.len() <= 9, "{told} for {end}");

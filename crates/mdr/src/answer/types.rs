@@ -1,6 +1,6 @@
 //! The records of an answer. Lengths in metres, forces in newtons, energies in joules, pressures in pascals.
 
-use mdr_core::contact::{self, FoldKind, Instability, Stability, Status};
+use mdr_core::contact::{self, FoldKind, Stability, Status};
 use mdr_core::named;
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::Verdict;
@@ -237,8 +237,8 @@ impl<N> Overlap<N> {
 }
 
 impl<N> Fold<N> {
-    pub(crate) fn new(fold: Instability<N>, verdict: Verdict) -> Self {
-        let Instability { contact_radius, indentation, force, kind } = fold;
+    pub(crate) fn new(fold: contact::Fold<N>, verdict: Verdict) -> Self {
+        let contact::Fold { contact_radius, indentation, force, kind } = fold;
         Fold {
             contact_radius: Value::Known(contact_radius),
             indentation: Value::Known(indentation),

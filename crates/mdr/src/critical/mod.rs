@@ -6,7 +6,7 @@ mod json;
 mod rows;
 mod words;
 
-use mdr_core::contact::{Control, Elasticity, Error, FoldKind, Instability, Quantity, Regime, Shape, Status};
+use mdr_core::contact::{Control, Elasticity, Error, Fold, FoldKind, Quantity, Regime, Shape, Status};
 use mdr_core::number::Literal;
 
 use crate::answer::record::{Numbers, Part, Row, record};
@@ -139,8 +139,8 @@ impl<N> CriticalState<N> {
     }
 }
 
-impl<N> From<Instability<N>> for CriticalFold<N> {
-    fn from(Instability { contact_radius, indentation, force, kind }: Instability<N>) -> Self {
+impl<N> From<Fold<N>> for CriticalFold<N> {
+    fn from(Fold { contact_radius, indentation, force, kind }: Fold<N>) -> Self {
         CriticalFold { state: CriticalState::known([contact_radius, indentation, force]), kind }
     }
 }
@@ -295,7 +295,7 @@ impl PowerLaw {
     }
 }
 
-fn folds<N>(folds: Vec<Instability<N>>) -> Vec<CriticalFold<N>> {
+fn folds<N>(folds: Vec<Fold<N>>) -> Vec<CriticalFold<N>> {
     folds.into_iter().map(CriticalFold::from).collect()
 }
 

@@ -2,14 +2,14 @@
 
 mod sampling;
 
-use mdr_core::contact::{self, Control, Instability};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::path::{self, EventKind, State};
+use mdr_core::contact::{self, Control, Fold};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::path::{self, ContactState, EventKind};
 
 pub use mdr_core::contact::Equilibrium;
-pub use mdr_numeric::folds::Completeness;
+pub use mdr_numeric::folds::SearchQuality;
 
 /// A state in the planes of the pictures: contact radius, indentation depth, force.
 pub use crate::double::State as Spot;
@@ -72,7 +72,7 @@ pub struct Diagram {
     /// The events of its path.
     pub path: Vec<Event>,
     /// Whether there may be folds that were not found.
-    pub completeness: Completeness,
+    pub completeness: SearchQuality,
 }
 
 /// At how many values of the controlled quantity the upper panel shows g − d.
@@ -157,7 +157,7 @@ impl Diagram {
     /// The diagram of a contact with the events of its path, if it has one, and its equilibria at some values of the controlled
     /// quantity, up to a contact radius or where it is worth a look.
     fn new(
-        branches: &Branches<'_, f64>,
+        branches: &SearchedBranches<'_, f64>,
         events: &[path::Event<f64>],
         values: &[f64],
         radius: Option<f64>,
@@ -200,7 +200,7 @@ impl Diagram {
 
 /// The values of the upper panel: of the path's beginning and of the instabilities it passes; else those asked for; else
 /// those of the folds.
-fn shown_values(branches: &Branches<'_, f64>, path: &[Event], asked: &[f64], most: usize) -> Vec<f64> {
+fn shown_values(branches: &SearchedBranches<'_, f64>, path: &[Event], asked: &[f64], most: usize) -> Vec<f64> {
     let turns = |event: &&Event| match event.kind {
         EventKind::JumpIn | EventKind::Jump | EventKind::Detached | EventKind::CompleteContact => true,
         EventKind::Start => event.in_contact().is_some(),
@@ -211,7 +211,7 @@ fn shown_values(branches: &Branches<'_, f64>, path: &[Event], asked: &[f64], mos
         values = asked.to_vec();
     }
     if values.is_empty() {
-        let value = |fold: &Instability<f64>| branches.control().controlled(&fold.indentation, &fold.force);
+        let value = |fold: &Fold<f64>| branches.control().controlled(&fold.indentation, &fold.force);
         values = branches.folds().iter().map(value).filter(|value| value.is_finite()).collect();
     }
     let mut shown: Vec<f64> = Vec::new();
@@ -224,7 +224,7 @@ fn shown_values(branches: &Branches<'_, f64>, path: &[Event], asked: &[f64], mos
 }
 
 /// The largest radius to show: all that are reached are below, or else the folds.
-fn upper_end(branches: &Branches<'_, f64>, reached: impl Iterator<Item = f64>) -> f64 {
+fn upper_end(branches: &SearchedBranches<'_, f64>, reached: impl Iterator<Item = f64>) -> f64 {
     const ROOM: f64 = 1.25;
     let curve = branches.curve();
     let largest = reached.fold(0.0, f64::max);
@@ -237,12 +237,13 @@ fn upper_end(branches: &Branches<'_, f64>, reached: impl Iterator<Item = f64>) -
         (false, None) => curve.material_length(),
     };
     // At a wall the profile itself ends.
-    let rim = outer.map_or(f64::INFINITY, |outer| if curve.wall().is_some() { outer } else { 0.999 * outer });
-    (ROOM * largest).min(rim)
+    let equator =
+        outer.map_or(f64::INFINITY, |outer| if curve.vertical_edge().is_some() { outer } else { 0.999 * outer });
+    (ROOM * largest).min(equator)
 }
 
 /// The smallest radius to show, below all folds.
-fn lower_end(branches: &Branches<'_, f64>, upper: f64) -> f64 {
+fn lower_end(branches: &SearchedBranches<'_, f64>, upper: f64) -> f64 {
     let folds = branches.folds().iter().map(|fold| fold.contact_radius);
     // A fold at a radius that is too small to be seen on a linear axis makes the axis logarithmic.
     let smallest = folds.filter(|fold| *fold < upper).fold(upper, f64::min);
@@ -253,7 +254,7 @@ fn lower_end(branches: &Branches<'_, f64>, upper: f64) -> f64 {
 pub const DECADES: f64 = 300.0;
 
 fn held(
-    curve: &Curve<'_, f64>,
+    curve: &EquilibriumCurve<'_, f64>,
     samples: &[Sample],
     value: f64,
     equilibria: Vec<Equilibrium<f64>>,
@@ -266,7 +267,7 @@ fn held(
 }
 
 /// The samples cut at the folds.
-fn cut(branches: &Branches<'_, f64>, nodes: &[f64], all: &[Sample]) -> Vec<Branch> {
+fn cut(branches: &SearchedBranches<'_, f64>, nodes: &[f64], all: &[Sample]) -> Vec<Branch> {
     let skipped =
         branches.folds().iter().filter(|fold| nodes.first().is_none_or(|first| fold.contact_radius < *first)).count();
     let mut parts: Vec<Branch> = Vec::new();
@@ -285,14 +286,14 @@ fn cut(branches: &Branches<'_, f64>, nodes: &[f64], all: &[Sample]) -> Vec<Branc
 }
 
 /// Whether a curve without folds is stable.
-fn rising(curve: &Curve<'_, f64>, samples: &[Sample]) -> bool {
+fn rising(curve: &EquilibriumCurve<'_, f64>, samples: &[Sample]) -> bool {
     let middle = samples[samples.len() / 2].contact_radius;
     matches!((curve.tangency(&middle), curve.threshold(&middle)), (Ok(ratio), Ok(threshold)) if ratio > threshold)
 }
 
 /// The states at a wall: the radius stays and the force is 2E*b times the indentation that is added.
-fn wall(curve: &Curve<'_, f64>, upper: f64) -> contact::Result<Option<[Spot; 2]>> {
-    let Some(radius) = curve.wall().filter(|radius| *radius <= upper) else { return Ok(None) };
+fn wall(curve: &EquilibriumCurve<'_, f64>, upper: f64) -> contact::Result<Option<[Spot; 2]>> {
+    let Some(radius) = curve.vertical_edge().filter(|radius| *radius <= upper) else { return Ok(None) };
     let (indentation, force) = curve.state(&radius)?;
     let added = 2.0 * curve.detachment_elongation(&radius)? + indentation.abs();
     let first = Spot { contact_radius: radius, indentation, force };
@@ -300,21 +301,21 @@ fn wall(curve: &Curve<'_, f64>, upper: f64) -> contact::Result<Option<[Spot; 2]>
     Ok(Some([first, Spot { contact_radius: radius, indentation: indentation + added, force }]))
 }
 
-fn fold_spot(fold: &Instability<f64>) -> Spot {
+fn fold_spot(fold: &Fold<f64>) -> Spot {
     Spot { contact_radius: fold.contact_radius, indentation: fold.indentation, force: fold.force }
 }
 
-fn happening(event: &path::Event<f64>, curve: &Curve<'_, f64>) -> Event {
-    let spot = |state: &State<f64>| match state {
-        State::Contact(rest) => {
+fn happening(event: &path::Event<f64>, curve: &EquilibriumCurve<'_, f64>) -> Event {
+    let spot = |state: &ContactState<f64>| match state {
+        ContactState::Contact(rest) => {
             Some(Spot { contact_radius: rest.contact_radius, indentation: rest.indentation, force: rest.force })
         }
         // Apart, nothing but the control itself is known: the force it applies, or where it holds the body.
-        State::Detached if *curve.control() == Control::Force => {
+        ContactState::Detached if *curve.control() == Control::Force => {
             Some(Spot { contact_radius: 0.0, indentation: f64::NAN, force: event.value })
         }
-        State::Detached => Some(Spot { contact_radius: 0.0, indentation: event.value, force: 0.0 }),
-        State::Complete => None,
+        ContactState::Detached => Some(Spot { contact_radius: 0.0, indentation: event.value, force: 0.0 }),
+        ContactState::Complete => None,
     };
     Event { kind: event.kind, value: event.value, before: spot(&event.before), after: spot(&event.after) }
 }

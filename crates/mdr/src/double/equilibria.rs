@@ -2,12 +2,12 @@
 
 use std::cmp::Ordering;
 
-use mdr_analytic::double::{Branches as Rows, Inverse, Side};
+use mdr_analytic::double::{BranchSlices, Inverse, InverseBatch as Rows};
 use mdr_core::contact::{Control, Equilibrium, Result, Stability, Status};
 use mdr_numeric::admissible::Verdict;
-use mdr_numeric::branch::Branched;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::folds::Completeness;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::folds::SearchQuality;
 
 use super::{Choice, Contact, Equilibria, States, numbers, status_of};
 use crate::run::Stop;
@@ -70,7 +70,11 @@ impl Contact {
 }
 
 /// The state of a branch at a value: an equilibrium on it, or the fold at one of its ends.
-fn on_branch(branches: &Branches<'_, f64>, branch: usize, value: &f64) -> Result<Option<(Equilibrium<f64>, Status)>> {
+fn on_branch(
+    branches: &SearchedBranches<'_, f64>,
+    branch: usize,
+    value: &f64,
+) -> Result<Option<(Equilibrium<f64>, Status)>> {
     if let Some(state) = branches.on_branch(branch, value)? {
         let status = match branches.admissibility().of(state.contact_radius, state.indentation) {
             Verdict::Interpenetrating { .. } => Status::NotAdmissible,
@@ -88,7 +92,11 @@ fn on_branch(branches: &Branches<'_, f64>, branch: usize, value: &f64) -> Result
 }
 
 /// The first state that is not unstable on the branches in their order.
-fn stable(branches: &Branches<'_, f64>, order: &[usize], value: &f64) -> Result<Option<(Equilibrium<f64>, Status)>> {
+fn stable(
+    branches: &SearchedBranches<'_, f64>,
+    order: &[usize],
+    value: &f64,
+) -> Result<Option<(Equilibrium<f64>, Status)>> {
     branches.control().check_value(value)?;
     for branch in order {
         let found = on_branch(branches, *branch, value)?;
@@ -100,15 +108,15 @@ fn stable(branches: &Branches<'_, f64>, order: &[usize], value: &f64) -> Result<
 }
 
 /// What it means that no state was found.
-fn nothing(branches: &Branches<'_, f64>) -> Status {
+fn nothing(branches: &SearchedBranches<'_, f64>) -> Status {
     match branches.completeness() {
-        Completeness::Doubtful => Status::Undecided,
+        SearchQuality::Doubtful => Status::Undecided,
         _ => Status::NoEquilibrium,
     }
 }
 
 /// All equilibria by search on each branch.
-fn searched(branches: &Branches<'_, f64>, values: &[f64]) -> Result<Equilibria> {
+fn searched(branches: &SearchedBranches<'_, f64>, values: &[f64]) -> Result<Equilibria> {
     let (len, control) = (values.len(), branches.control());
     let count = branches.folds().len() + 1;
     let mut stable: Vec<Option<bool>> = (0..count).map(|branch| branches.is_stable(branch)).collect();
@@ -151,8 +159,8 @@ fn by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values
         let rows = index * BLOCK..index * BLOCK + block.len();
         let (a0, a1) = contact_radius.split_at_mut(len);
         let (x0, x1) = uncontrolled.split_at_mut(len);
-        let smaller = Side { contact_radius: &mut a0[rows.clone()], uncontrolled: &mut x0[rows.clone()] };
-        let larger = Side { contact_radius: &mut a1[rows.clone()], uncontrolled: &mut x1[rows.clone()] };
+        let smaller = BranchSlices { contact_radius: &mut a0[rows.clone()], uncontrolled: &mut x0[rows.clone()] };
+        let larger = BranchSlices { contact_radius: &mut a1[rows.clone()], uncontrolled: &mut x1[rows.clone()] };
         inverse.branches(block, &mut Rows { smaller, larger, status: &mut status[rows.clone()] })?;
         for branch in [rows.clone(), rows.start + len..rows.end + len] {
             let states = block.iter().zip(&contact_radius[branch.clone()]);
@@ -173,8 +181,8 @@ fn stable_by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>,
     let mut states = States::with_capacity(values.len());
     for block in values.chunks(BLOCK) {
         let len = block.len();
-        let stable = Side { contact_radius: &mut a[..len], uncontrolled: &mut x[..len] };
-        let unstable = Side { contact_radius: &mut other_a[..len], uncontrolled: &mut other_x[..len] };
+        let stable = BranchSlices { contact_radius: &mut a[..len], uncontrolled: &mut x[..len] };
+        let unstable = BranchSlices { contact_radius: &mut other_a[..len], uncontrolled: &mut other_x[..len] };
         let (smaller, larger) = if large { (unstable, stable) } else { (stable, unstable) };
         inverse.branches(block, &mut Rows { smaller, larger, status: &mut status[..len] })?;
         for (a, status) in a.iter().zip(&mut status[..len]) {

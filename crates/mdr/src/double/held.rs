@@ -1,7 +1,7 @@
 //! The balance at the edge of a contact of any radius, in equilibrium or not, and the stability of equilibria.
 
 use mdr_core::contact::{Control, Error, Quantity, Result, Stability, Transform};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 
 use super::{Contact, within};
 use crate::run::Stop;
@@ -28,7 +28,7 @@ impl Contact {
         control.check()?;
         control.check_value(&value)?;
         let transform = self.counted(stop);
-        let curve = Curve::new(&transform, &self.material, control);
+        let curve = EquilibriumCurve::new(&transform, &self.material, control);
         let mut balance = Balance::default();
         for a in radii {
             let sides = Error::require_positive(Quantity::ContactRadius, *a).and_then(|a| {
@@ -55,7 +55,7 @@ impl Contact {
     pub fn stability(&self, control: &Control<f64>, radii: &[f64], stop: &Stop) -> Result<Vec<Option<Stability>>> {
         control.check()?;
         let transform = self.counted(stop);
-        let curve = Curve::new(&transform, &self.material, control);
+        let curve = EquilibriumCurve::new(&transform, &self.material, control);
         let at = |a: &f64| {
             let positive = Error::require_positive(Quantity::ContactRadius, *a);
             let margin = within(positive.and_then(|a| Ok(curve.tangency(&a)? - curve.threshold(&a)?)))?;

@@ -1,9 +1,9 @@
 //! What a contact does while the controlled quantity moves slowly from value to value.
 
 use mdr_core::contact::{self, Control, Error, Result, Status};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::path::{self, EventKind, Ledger, Loss, Path};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::path::{self, Dissipation, EventKind, Path, PathEnergy};
 
 use super::{Contact, States, numbers};
 use crate::run::{Stop, lack};
@@ -65,7 +65,7 @@ impl Contact {
     pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>, stop: &Stop) -> Result<History> {
         self.branched(control, stop, true, |branches| {
             let path = Path::follow(branches, start, values)?;
-            let losses = Loss::of_each(&path, branches);
+            let losses = Dissipation::of_each(&path, branches);
             let mut states = States::with_capacity(values.len());
             for event in path.events.iter().filter(|event| solve::is_arrival(event.kind)).take(values.len()) {
                 let state = State::of(&event.after, control, event.value);
@@ -100,10 +100,10 @@ impl Contact {
     ) -> Result<LoadingPath> {
         self.branched(control, stop, true, |branches| {
             let path = Path::follow(branches, start, way)?;
-            let losses = Loss::of_each(&path, branches);
-            let balance = lack(Ledger::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)))?;
+            let losses = Dissipation::of_each(&path, branches);
+            let balance = lack(PathEnergy::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)))?;
             let balance = balance.map_or(Some([f64::NAN; 3]), |balance| {
-                balance.map(|balance| [balance.work, balance.lost, balance.stored])
+                balance.map(|balance| [balance.work, balance.dissipated, balance.stored])
             });
             let events = events(&path, &losses, control)?;
             Ok(LoadingPath { curve: curve(branches, &events, between)?, events, balance })
@@ -117,7 +117,7 @@ impl Contact {
     /// [`Error::NoEquilibrium`] where there is no contact to begin with, or where it does not come off; as [`Contact::follow`].
     pub fn pull_off(&self, control: &Control<f64>, stop: &Stop) -> Result<State> {
         self.branched(control, stop, true, |branches| {
-            let value = |fold: &contact::Instability<f64>| control.controlled(&fold.indentation, &fold.force);
+            let value = |fold: &contact::Fold<f64>| control.controlled(&fold.indentation, &fold.force);
             let lowest = branches.folds().iter().map(value).filter(|value| value.is_finite()).fold(-1e-150, f64::min);
             let path = Path::follow(branches, &Start::Largest, &[0.0, 2.0 * lowest])?;
             let off = path.events.iter().rev().find(|event| event.kind == EventKind::Detached);
@@ -128,12 +128,12 @@ impl Contact {
 }
 
 impl State {
-    fn of(state: &path::State<f64>, control: &Control<f64>, value: f64) -> Self {
+    fn of(state: &path::ContactState<f64>, control: &Control<f64>, value: f64) -> Self {
         let [contact_radius, indentation, force] = match state {
-            path::State::Contact(rest) => numbers(rest, control, value),
-            path::State::Detached if *control == Control::Force => [0.0, f64::NAN, 0.0],
-            path::State::Detached => [0.0, value, 0.0],
-            path::State::Complete => [f64::NAN; 3],
+            path::ContactState::Contact(rest) => numbers(rest, control, value),
+            path::ContactState::Detached if *control == Control::Force => [0.0, f64::NAN, 0.0],
+            path::ContactState::Detached => [0.0, value, 0.0],
+            path::ContactState::Complete => [f64::NAN; 3],
         };
         State { contact_radius, indentation, force }
     }
@@ -144,12 +144,12 @@ impl State {
 }
 
 /// The events with the energy lost in each.
-fn events(path: &Path<f64>, losses: &[Result<Loss<f64>>], control: &Control<f64>) -> Result<Vec<Event>> {
-    let described = |(event, loss): (&path::Event<f64>, &Result<Loss<f64>>)| {
+fn events(path: &Path<f64>, losses: &[Result<Dissipation<f64>>], control: &Control<f64>) -> Result<Vec<Event>> {
+    let described = |(event, loss): (&path::Event<f64>, &Result<Dissipation<f64>>)| {
         let dissipated = match loss {
             _ if !solve::changes(event.kind) => 0.0,
-            Ok(Loss::Finite(lost)) => lost.value,
-            Ok(Loss::Unbounded) => f64::INFINITY,
+            Ok(Dissipation::Finite(dissipated)) => dissipated.value,
+            Ok(Dissipation::Unbounded) => f64::INFINITY,
             Err(Error::Stopped) => return Err(Error::Stopped),
             Err(_) => f64::NAN,
         };
@@ -160,7 +160,7 @@ fn events(path: &Path<f64>, losses: &[Result<Loss<f64>>], control: &Control<f64>
 }
 
 /// The states of the events, and between two of them states at equal steps of the radius.
-fn curve(branches: &Branches<'_, f64>, events: &[Event], between: usize) -> Result<Vec<State>> {
+fn curve(branches: &SearchedBranches<'_, f64>, events: &[Event], between: usize) -> Result<Vec<State>> {
     let mut states: Vec<State> = Vec::new();
     let mut last: Option<State> = None;
     for event in events {

@@ -11,13 +11,13 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use mdr_analytic::double::Inverse;
 use mdr_core::contact::{
-    Control, CountedTransform, Equilibrium, Error, Instability, Material, Quantity, Result, Status, Transform,
+    Control, CountingTransform, Equilibrium, Error, Fold, Material, Quantity, Result, Status, Transform,
 };
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, search_range};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::curve::Curve;
-use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::{self, Folds};
 
@@ -135,7 +135,7 @@ impl Contact {
     /// As [`Contact::transform`].
     pub fn curve(&self, radii: &[f64], stop: &Stop) -> Result<States> {
         let transform = self.counted(stop);
-        let curve = Curve::new(&transform, &self.material, &Control::Indentation);
+        let curve = EquilibriumCurve::new(&transform, &self.material, &Control::Indentation);
         let mut states = States::with_capacity(radii.len());
         for a in radii {
             let positive = Error::require_positive(Quantity::ContactRadius, *a);
@@ -155,7 +155,7 @@ impl Contact {
     pub fn field(&self, field: Field, contact_radius: f64, radii: &[f64], stop: &Stop) -> Result<Vec<f64>> {
         let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
         let transform = self.counted(stop);
-        let curve = Curve::new(&transform, &self.material, &Control::Indentation);
+        let curve = EquilibriumCurve::new(&transform, &self.material, &Control::Indentation);
         let fields = Fields::new(curve, contact_radius)?;
         let at = |r: &f64| match field {
             Field::Pressure => fields.pressure(r),
@@ -169,14 +169,14 @@ impl Contact {
     ///
     /// # Errors
     /// A stiffness that is not positive; as [`Contact::transform`]; a fold beyond the range of f64.
-    pub fn folds(&self, control: &Control<f64>, stop: &Stop) -> Result<Vec<Instability<f64>>> {
+    pub fn folds(&self, control: &Control<f64>, stop: &Stop) -> Result<Vec<Fold<f64>>> {
         self.branched(control, stop, false, |branches| {
             Ok(branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect())
         })
     }
 
-    fn counted(&self, stop: &Stop) -> CountedTransform<f64> {
-        CountedTransform::sharing(Arc::clone(&self.transform), &stop.tally())
+    fn counted(&self, stop: &Stop) -> CountingTransform<f64> {
+        CountingTransform::sharing(Arc::clone(&self.transform), &stop.tally())
     }
 
     /// What `ask` finds on the branches under a control; with the admissibility of their states where that matters.
@@ -185,11 +185,11 @@ impl Contact {
         control: &Control<f64>,
         stop: &Stop,
         judged: bool,
-        ask: impl FnOnce(&Branches<'_, f64>) -> Result<T>,
+        ask: impl FnOnce(&SearchedBranches<'_, f64>) -> Result<T>,
     ) -> Result<T> {
         control.check()?;
         let transform = self.counted(stop);
-        let curve = Curve::new(&transform, &self.material, control);
+        let curve = EquilibriumCurve::new(&transform, &self.material, control);
         let last = self.last_known().clone().filter(|last| last.control == *control);
         let known = match last {
             Some(known) => known,
@@ -199,10 +199,10 @@ impl Contact {
             }
         };
         *self.last_known() = Some(Arc::clone(&known));
-        if let Some(fold) = known.folds.beyond.first() {
+        if let Some(fold) = known.folds.out_of_range.first() {
             return Err(fold.error.clone());
         }
-        let branches = Branches::cut_at(curve, known.folds.clone());
+        let branches = SearchedBranches::cut_at(curve, known.folds.clone());
         if !judged {
             return ask(&branches);
         }

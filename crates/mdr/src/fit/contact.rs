@@ -129,7 +129,7 @@ pub(super) struct Contact<'t, R: Real> {
 
 impl<'t, R: Struve + Kappa> Contact<'t, R> {
     pub(super) fn new(tip: &'t Tip<R>, numbers: Numbers<R>, observation: Observation) -> Self {
-        let edge = tip.transform.outer_radius().filter(|_| tip.transform.wall());
+        let edge = tip.transform.outer_radius().filter(|_| tip.transform.vertical_edge());
         Contact { tip, numbers, observation, edge }
     }
 

@@ -1,9 +1,9 @@
 //! The output `force-curve`: the loading path as a measurement shows it, sampled, with a break at every jump.
 
 use mdr_core::contact::{Control, Error, Result};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::path::{Event, EventKind, Loss, Path, State};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::path::{self, ContactState, Event, EventKind, Path};
 
 use super::path::{changes, follow, quantities};
 use super::states::States;
@@ -53,18 +53,29 @@ impl States<'_, f64> {
 }
 
 /// The state at a value between those of two events, on the branch on which both are.
-fn between(branches: &Branches<'_, f64>, from: &State<f64>, to: &State<f64>, value: f64) -> Result<State<f64>> {
-    let (Some(from), Some(to)) = (from.contact(), to.contact()) else { return Ok(State::Detached) };
+fn between(
+    branches: &SearchedBranches<'_, f64>,
+    from: &ContactState<f64>,
+    to: &ContactState<f64>,
+    value: f64,
+) -> Result<ContactState<f64>> {
+    let (Some(from), Some(to)) = (from.contact(), to.contact()) else { return Ok(ContactState::Detached) };
     let middle = f64::midpoint(from.contact_radius, to.contact_radius);
     let branch = branches.folds().partition_point(|fold| fold.contact_radius < middle);
     match branches.on_branch(branch, &value)? {
-        Some(state) => Ok(State::Contact(state)),
+        Some(state) => Ok(ContactState::Contact(state)),
         None => Err(Error::no_equilibrium(branches.control().quantity(), &value)),
     }
 }
 
 /// None where the surfaces touch everywhere.
-fn sample(control: &Control<f64>, segment: usize, step: f64, value: f64, state: &State<f64>) -> Option<ForceSample> {
+fn sample(
+    control: &Control<f64>,
+    segment: usize,
+    step: f64,
+    value: f64,
+    state: &ContactState<f64>,
+) -> Option<ForceSample> {
     let known = |value: Value<f64>| value.and_then(|value| Value::Known(Number::Double(value)));
     let [contact_radius, indentation, force] = quantities(control, state, &value).map(|quantity| quantity.map(known));
     Some(ForceSample {
@@ -77,18 +88,18 @@ fn sample(control: &Control<f64>, segment: usize, step: f64, value: f64, state: 
     })
 }
 
-fn summary(path: &Path<f64>, branches: &Branches<'_, f64>, samples: &[ForceSample]) -> CurveSummary {
+fn summary(path: &Path<f64>, branches: &SearchedBranches<'_, f64>, samples: &[ForceSample]) -> CurveSummary {
     let known = |value: f64| Value::Known(Number::Double(value));
     let first = |kind: EventKind| path.events.iter().find(|event| event.kind == kind);
-    let force_of = |state: &State<f64>| state.contact().map(|rest| known(rest.force));
+    let force_of = |state: &ContactState<f64>| state.contact().map(|rest| known(rest.force));
     let forces = samples.iter().filter_map(|sample| sample.force.to_f64());
-    let lost: Option<f64> = path
+    let dissipated: Option<f64> = path
         .events
         .iter()
-        .zip(Loss::of_each(path, branches))
+        .zip(path::Dissipation::of_each(path, branches))
         .filter(|(event, _): &(&Event<f64>, _)| changes(event.kind))
         .map(|(_, loss)| match loss {
-            Ok(Loss::Finite(energy)) => Some(energy.value),
+            Ok(path::Dissipation::Finite(energy)) => Some(energy.value),
             _ => None,
         })
         .sum();
@@ -96,6 +107,6 @@ fn summary(path: &Path<f64>, branches: &Branches<'_, f64>, samples: &[ForceSampl
         pull_off_force: first(EventKind::Detached).and_then(|event| force_of(&event.before)),
         jump_in_force: first(EventKind::JumpIn).and_then(|event| force_of(&event.after)),
         minimum_force: forces.reduce(f64::min).map(known),
-        hysteresis: lost.map(known),
+        hysteresis: dissipated.map(known),
     }
 }

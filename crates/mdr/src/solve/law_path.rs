@@ -3,12 +3,12 @@
 use std::cmp::Ordering;
 
 use mdr_analytic::certified::{Curve, Point, Scaled};
-use mdr_core::contact::{Control, ControlKind, Equilibrium, Error, FoldKind, Instability, Result};
+use mdr_core::contact::{Control, ControlKind, Equilibrium, Error, Fold, FoldKind, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Real};
 use mdr_numeric::admissible::{Admissibility, Ring, Touch};
-use mdr_numeric::branch::{Branched, End, Onset, unordered};
-use mdr_numeric::path::{Event, EventKind, Path, Start, State};
+use mdr_numeric::branch::{End, EquilibriumBranches, FirstContact, unordered};
+use mdr_numeric::path::{ContactState, Event, EventKind, Path, Start};
 use rug::Rational;
 
 use super::path;
@@ -25,7 +25,7 @@ pub(super) fn start(law: &PowerLaw<'_>, curve: &Curve, first: &Literal) -> Resul
     let value = law.number(first);
     let branches = Branches::new(law, curve, vec![value.clone()]);
     match Path::first(&branches, &branches.begin(), &branches.enclose(&value)) {
-        Ok(State::Contact(rest)) => Ok(Some(branches.at(&value, &rest)?.point)),
+        Ok(ContactState::Contact(rest)) => Ok(Some(branches.at(&value, &rest)?.point)),
         Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
         Err(error) => Err(error),
     }
@@ -73,7 +73,7 @@ struct Line<'a> {
     states: [Option<Known>; 2],
     /// The controlled quantity.
     value: Enclosure,
-    lost: Option<Dissipation<Sum>>,
+    dissipated: Option<Dissipation<Sum>>,
 }
 
 /// A sum of stored energies, each with how often it is in it: what cancels, cancels exactly.
@@ -114,14 +114,14 @@ struct Branches<'a> {
     law: &'a PowerLaw<'a>,
     curve: &'a Curve,
     way: Vec<Rational>,
-    folds: Vec<Instability<Interval>>,
+    folds: Vec<Fold<Interval>>,
 }
 
 impl<'a> Branches<'a> {
     fn new(law: &'a PowerLaw<'a>, curve: &'a Curve, way: Vec<Rational>) -> Self {
         let fold = |(point, kind): &(Point, FoldKind)| {
             let Equilibrium { contact_radius, indentation, force, .. } = state(curve, point);
-            Instability { contact_radius, indentation, force, kind: *kind }
+            Fold { contact_radius, indentation, force, kind: *kind }
         };
         Branches { law, curve, way, folds: curve.folds().iter().map(fold).collect() }
     }
@@ -181,8 +181,8 @@ impl<'a> Branches<'a> {
             kind if path::changes(kind) && event.fold.is_none() => Some(Rational::new()),
             _ => None,
         };
-        let found = |state: &State<Interval>| match (state, &held) {
-            (State::Contact(rest), Some(value)) if rest.contact_radius > rest.contact_radius.lit(0) => {
+        let found = |state: &ContactState<Interval>| match (state, &held) {
+            (ContactState::Contact(rest), Some(value)) if rest.contact_radius > rest.contact_radius.lit(0) => {
                 self.at(value, rest).map(Some)
             }
             _ => Ok(None),
@@ -202,7 +202,7 @@ impl<'a> Branches<'a> {
             (None, None) => event.value.clone().into(),
         };
         let falls = event.fold.is_some() && *self.control() == Control::Force;
-        let lost = match event.kind {
+        let dissipated = match event.kind {
             EventKind::CompleteContact => Some(Dissipation::Unbounded),
             EventKind::Detached if falls => Some(Dissipation::Unbounded),
             kind if path::changes(kind) => {
@@ -210,7 +210,7 @@ impl<'a> Branches<'a> {
             }
             _ => None,
         };
-        Ok(Line { event, states, value, lost })
+        Ok(Line { event, states, value, dissipated })
     }
 
     /// Gives an event its numbers at any scale, exact where they are.
@@ -233,29 +233,29 @@ impl<'a> Branches<'a> {
                 put(force, &state.force);
             }
             match (control, state) {
-                (ControlKind::Indentation, _) | (ControlKind::Machine, State::Detached) => {
+                (ControlKind::Indentation, _) | (ControlKind::Machine, ContactState::Detached) => {
                     put(indentation, &line.value)
                 }
-                (ControlKind::Force, State::Contact(_)) => put(force, &line.value),
+                (ControlKind::Force, ContactState::Contact(_)) => put(force, &line.value),
                 _ => {}
             }
         }
         let sum = |sum: Sum| Value::Known(sum.value(self.curve));
-        record.dissipated = line.lost.clone().map_part(&mut |value| value.and_then(sum));
+        record.dissipated = line.dissipated.clone().map_part(&mut |value| value.and_then(sum));
     }
 
     /// The work of the control, the energy lost, and what is stored more than at the start. None where one of them has no
     /// bound.
     fn balance(&self, lines: &[Line<'_>]) -> Option<Balance<Enclosure>> {
-        let lost = lines.iter().try_fold(Sum::default(), |sum, line| match &line.lost {
+        let dissipated = lines.iter().try_fold(Sum::default(), |sum, line| match &line.dissipated {
             None => Some(sum),
-            Some(Dissipation::Finite(Value::Known(lost))) => Some(sum.plus(lost)),
+            Some(Dissipation::Finite(Value::Known(dissipated))) => Some(sum.plus(dissipated)),
             Some(_) => None,
         })?;
         let [first, last] = [lines.first()?, lines.last()?].map(|line| line.states[1].as_ref());
         let stored = Sum::between(last, first);
-        let work = lost.clone().plus(&stored);
-        let [work, dissipated, stored] = [work, lost, stored].map(Value::Known);
+        let work = dissipated.clone().plus(&stored);
+        let [work, dissipated, stored] = [work, dissipated, stored].map(Value::Known);
         Some(Balance { work, dissipated, stored }.convert(|sum| sum.value(self.curve)))
     }
 }
@@ -270,12 +270,12 @@ fn state(curve: &Curve, point: &Point) -> Equilibrium<Interval> {
     }
 }
 
-impl Branched<Interval> for Branches<'_> {
+impl EquilibriumBranches<Interval> for Branches<'_> {
     fn control(&self) -> &Control<Interval> {
         self.curve.control()
     }
 
-    fn folds(&self) -> &[Instability<Interval>] {
+    fn folds(&self) -> &[Fold<Interval>] {
         &self.folds
     }
 
@@ -284,7 +284,7 @@ impl Branched<Interval> for Branches<'_> {
         Ok(point.map(|point| state(self.curve, &point)))
     }
 
-    fn compare(&self, value: &Interval, fold: &Instability<Interval>) -> Result<Ordering> {
+    fn compare(&self, value: &Interval, fold: &Fold<Interval>) -> Result<Ordering> {
         let unordered = || unordered(self.control(), value);
         let index = self.folds.iter().position(|other| std::ptr::eq(other, fold)).ok_or_else(unordered)?;
         let mut met = self.way.iter().filter(|point| value.lower() <= *point && value.upper() >= *point).peekable();
@@ -294,8 +294,8 @@ impl Branched<Interval> for Branches<'_> {
         self.curve.compare(&value.clone().into(), &self.curve.folds()[index].0)
     }
 
-    fn onset(&self) -> Result<Onset> {
-        Ok(if self.curve.begins_smoothly()? { Onset::Smooth } else { Onset::Abrupt })
+    fn onset(&self) -> Result<FirstContact> {
+        Ok(if self.curve.begins_smoothly()? { FirstContact::Smooth } else { FirstContact::Abrupt })
     }
 
     fn end(&self) -> Result<End<Interval>> {
@@ -318,7 +318,7 @@ impl Branched<Interval> for Branches<'_> {
         Ok(false)
     }
 
-    fn landing(&self, fold: usize) -> Result<Option<(usize, Equilibrium<Interval>)>> {
+    fn after_jump(&self, fold: usize) -> Result<Option<(usize, Equilibrium<Interval>)>> {
         Ok(self.resting(fold)?.map(|(branch, point)| (branch, state(self.curve, &point))))
     }
 }

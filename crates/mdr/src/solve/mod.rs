@@ -39,7 +39,7 @@ use std::sync::Arc;
 
 use mdr_core::contact;
 use mdr_numeric::admissible::Admissibility;
-use mdr_numeric::equilibrium::Branches;
+use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::Folds;
 
 use self::model::Model;
@@ -113,7 +113,7 @@ fn once<T>(cell: &OnceCell<T>, compute: impl FnOnce() -> contact::Result<T>) -> 
 pub(crate) fn drawn<T>(
     scene: &Scene,
     octaves: i64,
-    draw: impl FnOnce(&Model<f64>, &Branches<'_, f64>) -> contact::Result<T>,
+    draw: impl FnOnce(&Model<f64>, &SearchedBranches<'_, f64>) -> contact::Result<T>,
 ) -> Result<T> {
     let counts = Stop::default().counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;

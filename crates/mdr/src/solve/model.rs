@@ -5,11 +5,11 @@ use std::sync::Arc;
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Control, CountedTransform, Error, Material, Quantity, Result, Transform};
+use mdr_core::contact::{Control, CountingTransform, Error, Material, Quantity, Result, Transform};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Dual, Interval};
-use mdr_numeric::curve::Curve;
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::transform::Quadrature;
 
 use crate::run::Counts;
@@ -79,7 +79,7 @@ impl<R: SceneReal> Model<R> {
     fn with(scene: &Scene, ctx: R::Ctx, material: Material<R>, control: Control<R>, counts: &Counts) -> Result<Self> {
         let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
         let transform = transform(&scene.profile, ctx, number, R::accepted(scene, ctx).as_ref())?;
-        let transform = Arc::new(CountedTransform::new(transform, &counts[R::INDEX]));
+        let transform = Arc::new(CountingTransform::new(transform, &counts[R::INDEX]));
         Ok(Model { ctx, transform, material, control })
     }
 
@@ -97,8 +97,8 @@ impl<R: SceneReal> Model<R> {
         &*self.transform
     }
 
-    pub(crate) fn curve(&self) -> Curve<'_, R> {
-        Curve::new(&*self.transform, &self.material, &self.control)
+    pub(crate) fn curve(&self) -> EquilibriumCurve<'_, R> {
+        EquilibriumCurve::new(&*self.transform, &self.material, &self.control)
     }
 }
 

@@ -16,14 +16,14 @@ pub(super) const DIGITS: u32 = 25;
 /// the smallest normal double. A sample of zeros is a flat face.
 pub(super) fn lost_numbers(output: &Output) -> bool {
     let Output::Transform(list) = output else { return false };
-    let lost = |sample: &TransformSample| {
+    let dissipated = |sample: &TransformSample| {
         let values = [&sample.g, &sample.slope, &sample.integral];
         let known: Vec<f64> = values.iter().filter_map(|value| value.number().map(Number::to_f64)).collect();
         let small = known.iter().filter(|x| x.abs() < f64::MIN_POSITIVE).count();
         let unknown_magnitude = |value: &&Value| value.log10().is_some_and(|log10| !log10.is_finite());
         small > 0 && small < known.len() || values.iter().any(unknown_magnitude)
     };
-    list.items.iter().any(lost)
+    list.items.iter().any(dissipated)
 }
 
 /// The output in doubles, with the status and log10 of each number that is none.

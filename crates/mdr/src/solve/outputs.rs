@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{self, Error, Instability, Quantity, Result, Stability};
+use mdr_core::contact::{self, Error, Quantity, Result, Stability};
 use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::Admissibility;
 
@@ -67,7 +67,7 @@ pub(crate) fn curve<R: SceneReal>(
 }
 
 /// A fold, and whether it is admissible.
-pub(crate) fn fold<R: Real>(fold: Instability<R>, admissibility: &Admissibility<'_>) -> Fold<R> {
+pub(crate) fn fold<R: Real>(fold: contact::Fold<R>, admissibility: &Admissibility<'_>) -> Fold<R> {
     let verdict = admissibility.of(fold.contact_radius.approx(), fold.indentation.approx());
     Fold::new(fold, verdict)
 }

@@ -6,9 +6,9 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Control, Error, Result, Status};
 use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::{Admissibility, Ring, Verdict};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::path::{Event, EventKind, Loss, Path, Start, State, stored};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::path::{self, ContactState, Event, EventKind, Path, Start, stored};
 
 use super::model::{Model, SceneReal};
 use crate::answer::record::Numbers;
@@ -20,7 +20,11 @@ use crate::scene::Scene;
 ///
 /// # Errors
 /// As [`Path::follow`].
-pub(crate) fn follow<R: SceneReal>(model: &Model<R>, branches: &impl Branched<R>, scene: &Scene) -> Result<Path<R>> {
+pub(crate) fn follow<R: SceneReal>(
+    model: &Model<R>,
+    branches: &impl EquilibriumBranches<R>,
+    scene: &Scene,
+) -> Result<Path<R>> {
     let way: Vec<R> = scene.path.iter().map(|point| model.number(point)).collect();
     let order: Vec<Ordering> = scene.path.windows(2).map(|pair| pair[1].compare(&pair[0])).collect();
     Path::follow_ordered(branches, &start(scene, |radius| model.number(radius)), &way, &order)
@@ -70,7 +74,7 @@ fn remedy<R: SceneReal>(event: &Event<R>, ring: &Ring<R>) -> String {
     let remedy = "begin with a contact that reaches beyond it, start = \"largest\", or stay below this value";
     let happens = match event.after {
         _ if ring.gap < ring.gap.lit(0) => "in the state that comes next the surfaces would overlap",
-        State::Contact(_) => "outside of the contact the surfaces touch",
+        ContactState::Contact(_) => "outside of the contact the surfaces touch",
         _ => "coming closer the surfaces first touch not at the tip but",
     };
     format!(
@@ -101,19 +105,23 @@ fn of_event<R: SceneReal>(control: &Control<R>, event: &Event<R>, admissible: Ad
 }
 
 /// Radius, indentation and force of a state; the controlled one has the value of the control.
-pub(super) fn quantities<R: SceneReal>(control: &Control<R>, state: &State<R>, value: &R) -> [Option<Value<R>>; 3] {
+pub(super) fn quantities<R: SceneReal>(
+    control: &Control<R>,
+    state: &ContactState<R>,
+    value: &R,
+) -> [Option<Value<R>>; 3] {
     let known = |number: &R| Some(Value::Known(number.clone()));
     match state {
-        State::Contact(rest) => {
+        ContactState::Contact(rest) => {
             let rest = rest.clone().controlled(control, value.clone());
             [rest.contact_radius, rest.indentation, rest.force].map(|number| Some(Value::Known(number)))
         }
         // Without a force the spring of a machine is slack; a dead load leaves the position open.
-        State::Detached => match control {
+        ContactState::Detached => match control {
             Control::Force => [None, None, known(&value.lit(0))],
             _ => [None, known(value), known(&value.lit(0))],
         },
-        State::Complete => [None, None, None],
+        ContactState::Complete => [None, None, None],
     }
 }
 
@@ -136,9 +144,9 @@ fn not_found<R: SceneReal>(control: &Control<R>, value: &R) -> [Option<Value<R>>
 pub(crate) fn with_energy<R: SceneReal>(
     path: &Path<R>,
     way: &[Literal],
-    branches: &Branches<'_, R>,
+    branches: &SearchedBranches<'_, R>,
 ) -> Result<PathNumbers<Estimate<R>>> {
-    let losses = path.events.iter().zip(Loss::of_each(path, branches));
+    let losses = path.events.iter().zip(path::Dissipation::of_each(path, branches));
     let losses = losses.map(|(event, loss)| dissipated(event, loss)).collect::<Result<Vec<_>>>()?;
     let balance = balance(path, way, branches, &losses)?;
     let events =
@@ -148,11 +156,16 @@ pub(crate) fn with_energy<R: SceneReal>(
 }
 
 /// The energy lost in an event; unknown where its integral does not converge.
-fn dissipated<R: SceneReal>(event: &Event<R>, loss: Result<Loss<R>>) -> Result<Option<Dissipation<Estimate<R>>>> {
+fn dissipated<R: SceneReal>(
+    event: &Event<R>,
+    loss: Result<path::Dissipation<R>>,
+) -> Result<Option<Dissipation<Estimate<R>>>> {
     Ok(match loss {
         _ if !changes(event.kind) => None,
-        Ok(Loss::Unbounded) => Some(Dissipation::Unbounded),
-        Ok(Loss::Finite(lost)) => Some(Dissipation::Finite(beyond_noise(&lost, &lost.error))),
+        Ok(path::Dissipation::Unbounded) => Some(Dissipation::Unbounded),
+        Ok(path::Dissipation::Finite(dissipated)) => {
+            Some(Dissipation::Finite(beyond_noise(&dissipated, &dissipated.error)))
+        }
         Err(error) => Some(Dissipation::Finite(unknown(error)?)),
     })
 }
@@ -176,7 +189,7 @@ fn unknown<N>(error: Error) -> Result<Value<N>> {
 fn balance<R: SceneReal>(
     path: &Path<R>,
     way: &[Literal],
-    branches: &Branches<'_, R>,
+    branches: &SearchedBranches<'_, R>,
     losses: &[Option<Dissipation<Estimate<R>>>],
 ) -> Result<Option<Balance<Estimate<R>>>> {
     let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
@@ -218,12 +231,14 @@ fn returns<R: SceneReal>(path: &Path<R>, way: &[Literal]) -> bool {
 }
 
 /// The work of the control, unless it is nothing but the rounding of what it is the sum of.
-fn work<R: SceneReal>(lost: &Value<Estimate<R>>, stored: &Value<Estimate<R>>) -> Value<Estimate<R>> {
+fn work<R: SceneReal>(dissipated: &Value<Estimate<R>>, stored: &Value<Estimate<R>>) -> Value<Estimate<R>> {
     /// Unit roundoffs of an energy.
     const ROUNDINGS: i64 = 1024;
-    let work = plus(lost, stored);
-    let (Value::Known(sum), Value::Known(lost), Value::Known(stored)) = (&work, lost, stored) else { return work };
-    let noise = (lost.value.abs() + stored.value.abs()) * sum.value.unit_roundoff().times(ROUNDINGS);
+    let work = plus(dissipated, stored);
+    let (Value::Known(sum), Value::Known(dissipated), Value::Known(stored)) = (&work, dissipated, stored) else {
+        return work;
+    };
+    let noise = (dissipated.value.abs() + stored.value.abs()) * sum.value.unit_roundoff().times(ROUNDINGS);
     beyond_noise(sum, &noise)
 }
 

@@ -1,9 +1,7 @@
 //! Power laws by their own closed forms: folds, equilibria, paths and energies, all proved, on all radii and at any scale.
 
 use mdr_analytic::certified::{Curve, Elasticity, Point, Question};
-use mdr_core::contact::{
-    self, Control, ControlKind, Error, FoldKind, Instability, Quantity, Regime, Result, Stability,
-};
+use mdr_core::contact::{self, Control, ControlKind, Error, FoldKind, Quantity, Regime, Result, Stability};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Literal, Precision};
 use mdr_numeric::admissible::Verdict;
@@ -99,7 +97,7 @@ impl<'s> PowerLaw<'s> {
             Control::Machine { .. } => answer.folds,
             _ => answer
                 .critical
-                .map(|c| Instability {
+                .map(|c| contact::Fold {
                     contact_radius: c.contact_radius,
                     indentation: c.indentation,
                     force: c.force,

@@ -1,13 +1,13 @@
 //! Folds, equilibria and paths over enclosures: each digit and each decision proved, and nothing missed on a range of radii.
 
-use mdr_core::contact::{self, Control, Error, Instability, Quantity, Result};
+use mdr_core::contact::{self, Control, Error, Quantity, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
-use mdr_numeric::branch::Branched;
-use mdr_numeric::equilibrium::Branches;
-use mdr_numeric::folds::{Completeness as SearchQuality, Folds};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::folds::{Folds, SearchQuality};
 use mdr_numeric::path::{Event, Path};
-use mdr_numeric::proof::{EnclosedBranches, EnclosedCurve, ProvedFolds};
+use mdr_numeric::proof::{EnclosedCurve, ProvedBranches, ProvedFolds};
 use rug::Float;
 use rug::float::Round;
 
@@ -66,8 +66,8 @@ impl FoldProof {
             }
         };
         let mut enclosed = Enclosed::new(certified, Precision::new(ISOLATION))?;
-        // Cells as close to a rim as folds may be.
-        let bits = ISOLATION.max(3 * enclosed.curve().octaves_to_rim()? - ISOLATION);
+        // Cells as close to an equator as folds may be.
+        let bits = ISOLATION.max(3 * enclosed.curve().octaves_to_equator()? - ISOLATION);
         let precision = Precision::new(bits);
         if bits > ISOLATION {
             enclosed = Enclosed::new(certified, precision)?;
@@ -76,7 +76,7 @@ impl FoldProof {
         let budget = if certified.scene.profile.is_closed() { BUDGET } else { BUDGET_OF_ROWS };
         let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget)?;
         let [from, to] = range;
-        let to = match enclosed.value.curve().wall() {
+        let to = match enclosed.value.curve().vertical_edge() {
             Some(wall) if *wall.lower() < *upper.upper() => Number::Double(wall.approx()).to_string(),
             _ if proved.range.1 < *upper.lower() => proved.range.1.to_string_radix_round(10, Some(10), Round::Down),
             _ => to.to_string(),
@@ -99,13 +99,13 @@ fn reason(undecided: &[(Float, Float)]) -> String {
 }
 
 /// # Errors
-/// As [`EnclosedCurve::sharpen`].
+/// As [`EnclosedCurve::refine`].
 pub(super) fn folds(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
     let items = decide(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let curve = enclosed.curve();
         let admissibility = certified.admissibility()?;
-        let refined = |fold: &Instability<Interval>| Ok(outputs::fold(curve.sharpen(fold)?, &admissibility));
+        let refined = |fold: &contact::Fold<Interval>| Ok(outputs::fold(curve.refine(fold)?, &admissibility));
         let refined: Result<Vec<Fold<Interval>>> = folds.proved.folds.iter().map(refined).collect();
         Ok(refined?.convert(Enclosure::from))
     })?;
@@ -115,7 +115,7 @@ pub(super) fn folds(certified: &Certified<'_>, folds: &FoldProof) -> Result<List
 /// All equilibria at values, with what is proved of them; none where that cannot be proved.
 ///
 /// # Errors
-/// As [`Branched::equilibria`].
+/// As [`EquilibriumBranches::equilibria`].
 pub(super) fn equilibria(
     certified: &Certified<'_>,
     folds: &FoldProof,
@@ -134,7 +134,7 @@ pub(super) fn equilibria(
 /// be proved.
 ///
 /// # Errors
-/// As [`Branched::equilibria`].
+/// As [`EquilibriumBranches::equilibria`].
 pub(super) fn equilibria_at(
     certified: &Certified<'_>,
     folds: &FoldProof,
@@ -143,7 +143,7 @@ pub(super) fn equilibria_at(
     let limits = certified.scene.range.as_ref();
     let items = decide(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
-        let branches = EnclosedBranches::new(enclosed.curve(), &folds.proved)?;
+        let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
         let admissibility = certified.admissibility()?;
         let at = |literal: &Literal| {
             let mut states = Vec::new();
@@ -188,7 +188,7 @@ fn is_within(state: &contact::Equilibrium<Interval>, [lower, upper]: &[Literal; 
 /// A path that was followed over enclosures.
 pub(super) struct Followed {
     path: Path<Interval>,
-    folds: Vec<Instability<Interval>>,
+    folds: Vec<contact::Fold<Interval>>,
     control: Control<Interval>,
     bits: u32,
 }
@@ -200,7 +200,7 @@ impl Followed {
     /// As [`Path::follow`]; [`Error::Unproved`] where more bits do not help.
     fn new(certified: &Certified<'_>, folds: &FoldProof, precision: Precision) -> Result<Self> {
         let enclosed = Enclosed::new(certified, precision)?;
-        let branches = EnclosedBranches::new(enclosed.curve(), &folds.proved)?;
+        let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
         let branches = branches.with_admissibility(certified.admissibility()?);
         let control = &enclosed.value.control;
         let unproved = || {
@@ -235,9 +235,10 @@ impl Followed {
             let model: Model<Float> = certified.model(precision)?;
             let rounded = |number: &Interval| Float::with_val(precision.bits(), number.mid());
             let folds = self.folds.iter().map(|fold| fold.map(rounded)).collect();
-            let (poles, beyond) = (Vec::new(), Vec::new());
-            let folds = Folds { folds, poles, beyond, completeness: SearchQuality::Resolved };
-            let branches = Branches::cut_at(model.curve(), folds).with_admissibility(certified.admissibility()?);
+            let (poles, out_of_range) = (Vec::new(), Vec::new());
+            let folds = Folds { folds, poles, out_of_range, completeness: SearchQuality::Resolved };
+            let branches =
+                SearchedBranches::cut_at(model.curve(), folds).with_admissibility(certified.admissibility()?);
             path::with_energy(&self.path.map(rounded), &certified.scene.path, &branches)
         })
     }

@@ -1,8 +1,8 @@
 //! Folds that a search in f64 has found, in another arithmetic.
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Error, Instability, Quantity, Result};
-use mdr_numeric::curve::Curve;
+use mdr_core::contact::{Error, Fold, Quantity, Result};
+use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::folds::{Folds, pole};
 
 use super::model::{Model, SceneReal};
@@ -17,14 +17,14 @@ pub(crate) fn refined<R: SceneReal>(model: &Model<R>, searched: &Folds<f64>) -> 
     let kinks = model.transform().kinks();
     let at = |radius: f64| kinks.iter().find(|kink| kink.approx() == radius).cloned();
     let poles = searched.poles.iter().filter_map(|found| Some(pole(at(found.contact_radius)?, found.kind))).collect();
-    Ok(Folds { folds, poles, beyond: Vec::new(), completeness: searched.completeness })
+    Ok(Folds { folds, poles, out_of_range: Vec::new(), completeness: searched.completeness })
 }
 
-fn refine<R: SceneReal>(model: &Model<R>, curve: &Curve<'_, R>, searched: &Instability<f64>) -> Result<Instability<R>> {
+fn refine<R: SceneReal>(model: &Model<R>, curve: &EquilibriumCurve<'_, R>, searched: &Fold<f64>) -> Result<Fold<R>> {
     let centre = model.double(searched.contact_radius);
-    if let Some(wall) = curve.wall().filter(|wall| wall.approx() == searched.contact_radius) {
+    if let Some(wall) = curve.vertical_edge().filter(|wall| wall.approx() == searched.contact_radius) {
         let (indentation, force) = curve.state(&wall)?;
-        return Ok(Instability { contact_radius: wall, indentation, force, kind: searched.kind });
+        return Ok(Fold { contact_radius: wall, indentation, force, kind: searched.kind });
     }
     let excess = |a: &R| Ok(curve.tangency(a)? - curve.threshold(a)?);
     for halvings in [44, 36, 28, 20, 12] {
@@ -36,7 +36,7 @@ fn refine<R: SceneReal>(model: &Model<R>, curve: &Curve<'_, R>, searched: &Insta
         let Some(bracket) = Bracket::new(&lower, &upper, excess)? else { continue };
         let contact_radius = roots::refine(bracket, &centre.unit_roundoff(), excess)?.value;
         let (indentation, force) = curve.state(&contact_radius)?;
-        return Ok(Instability { contact_radius, indentation, force, kind: searched.kind });
+        return Ok(Fold { contact_radius, indentation, force, kind: searched.kind });
     }
     Err(Error::NoConvergence { quantity: Quantity::ContactRadius, evaluations: 10, error: 2f64.powi(-12) })
 }

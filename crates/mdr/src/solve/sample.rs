@@ -1,6 +1,6 @@
 //! Radii that the program chooses where the scene names none: short decimals, so that they are exact in any arithmetic.
 
-use mdr_core::contact::{Error, Instability, Quantity, Result};
+use mdr_core::contact::{Error, Fold, Quantity, Result};
 use mdr_core::number::Literal;
 use mdr_numeric::folds::Folds;
 #[cfg(feature = "mp")]
@@ -36,7 +36,7 @@ pub(crate) fn radii(model: &Model<f64>, folds: &Folds<f64>) -> Result<Vec<Litera
     let (length, outer) = (model.curve().material_length(), model.transform().outer_radius());
     // Around w/E* where there is no fold.
     let middle = outer.map_or(length, |outer| length.min(outer / 2.0));
-    let at = |fold: Option<&Instability<f64>>| fold.map_or(middle, |fold| fold.contact_radius);
+    let at = |fold: Option<&Fold<f64>>| fold.map_or(middle, |fold| fold.contact_radius);
     let (lower, upper) = (at(folds.folds.first()) / MARGIN, at(folds.folds.last()) * MARGIN);
     let upper = upper.min(outer.map_or(f64::MAX, |outer| outer * (1.0 - RIM)));
     let step = (upper / lower).ln() / (POINTS - 1) as f64;

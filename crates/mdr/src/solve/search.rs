@@ -4,10 +4,10 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Instability, Result, Status};
+use mdr_core::contact::{Fold, Result, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, search_range};
-use mdr_numeric::folds::{self, Beyond, Completeness as SearchQuality, Folds};
+use mdr_numeric::folds::{self, Folds, OutOfRangeFold, SearchQuality};
 
 use super::model::Model;
 use super::states::States;
@@ -66,12 +66,12 @@ impl<'s> Search<'s> {
         once(&self.folds, || {
             let curve = self.model.curve();
             let mut found = folds::find(&curve)?;
-            for Beyond { contact_radius, kind, error } in std::mem::take(&mut found.beyond) {
+            for OutOfRangeFold { contact_radius, kind, error } in std::mem::take(&mut found.out_of_range) {
                 if !self.radii_suffice {
                     return Err(error);
                 }
                 let indentation = curve.indentation(&contact_radius)?;
-                found.folds.push(Instability { contact_radius, indentation, force: f64::NAN, kind });
+                found.folds.push(Fold { contact_radius, indentation, force: f64::NAN, kind });
             }
             found.folds.sort_by(|one, other| one.contact_radius.total_cmp(&other.contact_radius));
             Ok(found)
@@ -89,7 +89,7 @@ impl<'s> Search<'s> {
                 Output::Transform(list(outputs::transform(&self.model, at)?.convert(Estimate::exact)))
             }
             Want::Folds { .. } => {
-                let judged = |fold: &Instability<f64>| outputs::fold(fold.clone(), &self.admissibility());
+                let judged = |fold: &Fold<f64>| outputs::fold(fold.clone(), &self.admissibility());
                 let folds: Vec<_> = self.folds()?.folds.iter().map(judged).collect();
                 Output::Folds(list(folds.convert(Estimate::exact)).complete(self.completeness()?))
             }

@@ -6,12 +6,12 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Error, Result, Stability, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, Verdict};
-use mdr_numeric::branch::Branched;
+use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::energy::Energy;
-use mdr_numeric::equilibrium::{Branches, Equilibria};
+use mdr_numeric::equilibrium::{Equilibria, SearchedBranches};
 use mdr_numeric::fields::Fields;
-use mdr_numeric::folds::{Completeness, Folds};
-use mdr_numeric::path::{Path, State};
+use mdr_numeric::folds::{Folds, SearchQuality};
+use mdr_numeric::path::{ContactState, Path};
 
 use super::model::{Model, SceneReal};
 use super::outputs::equilibrium;
@@ -32,7 +32,7 @@ const REACH: i64 = 1000;
 /// A contact and its folds.
 pub(crate) struct States<'a, R: SceneReal> {
     pub(super) model: &'a Model<R>,
-    pub(super) branches: Branches<'a, R>,
+    pub(super) branches: SearchedBranches<'a, R>,
 }
 
 impl<'a, R: SceneReal> States<'a, R> {
@@ -45,7 +45,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     }
 
     /// All equilibria at a value of the controlled quantity, which they have exactly, and how they were searched.
-    fn at(&self, literal: &Literal) -> Result<(Vec<contact::Equilibrium<R>>, Completeness)> {
+    fn at(&self, literal: &Literal) -> Result<(Vec<contact::Equilibrium<R>>, SearchQuality)> {
         let value = self.model.number(literal);
         let Equilibria { equilibria, completeness } = self.branches.search(&value)?;
         Ok((equilibria.into_iter().map(|state| self.with_value(state, &value)).collect(), completeness))
@@ -69,7 +69,7 @@ impl<'a, R: SceneReal> States<'a, R> {
         match self.at(literal) {
             Ok((states, completeness)) => {
                 let mut at = AtValue::new(literal, states.into_iter().map(describe).collect::<Result<_>>()?);
-                if completeness == Completeness::Doubtful && at.status == Status::NoEquilibrium {
+                if completeness == SearchQuality::Doubtful && at.status == Status::NoEquilibrium {
                     at.status = Status::Undecided;
                 }
                 Ok(at)
@@ -82,7 +82,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// All equilibria at values of the controlled quantity.
     ///
     /// # Errors
-    /// As [`Branches::search`], of what concerns more than one value.
+    /// As [`SearchedBranches::search`], of what concerns more than one value.
     pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium<Estimate<R>>>>> {
         let describe = |state| Ok(equilibrium(state, self.branches.admissibility()).convert(Estimate::exact));
         values.iter().map(|literal| self.described_at(literal, describe)).collect()
@@ -129,7 +129,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     fn first(&self, scene: &Scene, first: &Literal) -> Result<Option<contact::Equilibrium<R>>> {
         let value = self.model.number(first);
         match Path::first(&self.branches, &path::start(scene, |radius| self.model.number(radius)), &value) {
-            Ok(State::Contact(state)) => Ok(Some(self.with_value(state, &value))),
+            Ok(ContactState::Contact(state)) => Ok(Some(self.with_value(state, &value))),
             Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
             Err(error) => Err(error),
         }
@@ -229,10 +229,10 @@ fn estimate<R: SceneReal>(estimate: Result<Estimate<R>>, settled: impl FnOnce() 
 }
 
 /// The branches between radii that many octaves below the folds and above; around w/E* where there is no fold.
-pub(crate) fn branches<R: SceneReal>(model: &Model<R>, folds: Folds<R>, octaves: i64) -> Branches<'_, R> {
+pub(crate) fn branches<R: SceneReal>(model: &Model<R>, folds: Folds<R>, octaves: i64) -> SearchedBranches<'_, R> {
     let length = model.curve().material_length();
     let first = folds.folds.first().map_or(&length, |fold| &fold.contact_radius);
     let last = folds.folds.last().map_or(&length, |fold| &fold.contact_radius);
     let [lower, upper] = [length.lit(2).powi(-octaves) * first, length.lit(2).powi(octaves) * last];
-    Branches::cut_at(model.curve(), folds).within(lower, upper)
+    SearchedBranches::cut_at(model.curve(), folds).within(lower, upper)
 }

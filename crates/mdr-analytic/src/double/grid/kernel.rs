@@ -152,7 +152,7 @@ pub(super) struct Results<'a> {
 /// The steps and their intermediate results.
 pub(super) struct Kernel<A> {
     arithmetic: A,
-    tension: f64,
+    critical_ratio: f64,
     kappa_squared: Pairs,
     tanh: Pairs,
     binary_exponent: Row,
@@ -166,10 +166,10 @@ pub(super) struct Kernel<A> {
 impl<A: Arithmetic> Kernel<A> {
     /// For λ = `tension`.
     #[inline(always)]
-    pub(super) fn new(arithmetic: A, tension: f64) -> Self {
+    pub(super) fn new(arithmetic: A, critical_ratio: f64) -> Self {
         Kernel {
             arithmetic,
-            tension,
+            critical_ratio,
             kappa_squared: Pairs::new(),
             tanh: Pairs::new(),
             binary_exponent: [0.0; LEN],
@@ -209,7 +209,7 @@ impl<A: Arithmetic> Kernel<A> {
     fn tanh(&mut self, n: &Row, c: &Row, edges: impl Edges) {
         for i in 0..LEN {
             let slope = A::product(n[i], c[i]).square(self.arithmetic).times(self.arithmetic, self.kappa_squared.at(i));
-            let edge = edges.at(i).length.scaled(self.arithmetic, self.tension * self.tension);
+            let edge = edges.at(i).length.scaled(self.arithmetic, self.critical_ratio * self.critical_ratio);
             // The bits of a double are a piecewise linear logarithm: e is rounded from their difference, |log₂ m| <
             // 0.59.
             let difference = edge.hi.to_bits().wrapping_sub(slope.hi.to_bits());
@@ -276,11 +276,11 @@ impl<A: Arithmetic> Kernel<A> {
             let next = Pair::quick_sum(1.0, n);
             let reciprocal = 1.0 / (n * next.hi);
 
-            let factor = Pair::quick_sum(self.tension, -(n + n));
+            let factor = Pair::quick_sum(self.critical_ratio, -(n + n));
             let product = root.times(arithmetic, factor);
             let d = product.over(arithmetic, Pair { hi: n, lo: 0.0 }, next.hi * reciprocal);
 
-            let factor = Pair::quick_sum(2.0 - self.tension, n + n);
+            let factor = Pair::quick_sum(2.0 - self.critical_ratio, n + n);
             let product = y_squared.times(arithmetic, root).scaled(arithmetic, -2.0 * edge.modulus);
             let f = product.times(arithmetic, factor).over(arithmetic, next, n * reciprocal);
 

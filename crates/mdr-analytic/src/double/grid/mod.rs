@@ -4,7 +4,7 @@
 //! doubles without branches, several points per instruction; the instruction set is chosen at run time ([`Path`]).
 //! Ordinary means: n between 2⁻³⁰ and 512 and not within 2⁻³⁷ of 1/2, E* and w between 10⁻²⁴ and 10²⁴ of their units, C
 //! between 10⁻¹¹⁷ and 10¹¹⁷, and a between 10⁻⁸⁶ and 10⁸⁶ m. All other points, and every point under a machine, are
-//! passed on to [`double::critical`](super::critical), within 1 ulp at some hundred nanoseconds; [`Tally::passed_on`]
+//! passed on to [`double::critical`](super::critical), within 1 ulp at some hundred nanoseconds; [`BatchReport::passed_on`]
 //! counts them.
 //!
 //! Every point gets a [`Status`]. A quantity without a value is NaN, and then the status is not `Ok`:
@@ -96,7 +96,7 @@ pub struct States<'a> {
 
 /// The number of points that were not ordinary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tally {
+pub struct BatchReport {
     /// Points computed in extended precision, one by one.
     pub passed_on: usize,
     /// Points whose status is not `Ok`.
@@ -108,7 +108,7 @@ pub struct Tally {
 /// # Errors
 /// [`Error::Length`] when slices differ in length, [`Error::Domain`] for a machine whose stiffness is not positive and
 /// finite. Failures at a point are reported by its status.
-pub fn critical_states(points: &Points<'_>, control: &Control<f64>, states: &mut States<'_>) -> Result<Tally> {
+pub fn critical_states(points: &Points<'_>, control: &Control<f64>, states: &mut States<'_>) -> Result<BatchReport> {
     critical_states_on(Path::fastest(), points, control, states)
 }
 
@@ -121,19 +121,19 @@ pub fn critical_states_on(
     points: &Points<'_>,
     control: &Control<f64>,
     states: &mut States<'_>,
-) -> Result<Tally> {
+) -> Result<BatchReport> {
     require_one_length(points, states)?;
-    let tension = match control {
+    let critical_ratio = match control {
         Control::Indentation => 1.0,
         Control::Force => 3.0,
         Control::Machine { stiffness } => {
             super::positive(Quantity::Stiffness, *stiffness)?;
-            let mut tally = Tally::default();
+            let mut tally = BatchReport::default();
             (0..points.exponent.len()).for_each(|i| pass_on(points, control, i, states, &mut tally));
             return Ok(tally);
         }
     };
-    let mut grid = Grid { points, control, tension, states, tally: Tally::default() };
+    let mut grid = Grid { points, control, critical_ratio, states, tally: BatchReport::default() };
     path.run(&mut grid);
     Ok(grid.tally)
 }
@@ -165,9 +165,9 @@ fn require_one_length(points: &Points<'_>, states: &States<'_>) -> Result<()> {
 struct Grid<'g, 's> {
     points: &'g Points<'g>,
     control: &'g Control<f64>,
-    tension: f64,
+    critical_ratio: f64,
     states: &'g mut States<'s>,
-    tally: Tally,
+    tally: BatchReport,
 }
 
 impl Work for &mut Grid<'_, '_> {
@@ -213,7 +213,7 @@ impl Grid<'_, '_> {
         arithmetic: A,
         mut run: impl FnMut(usize, &mut Kernel<A>, &Row, &Row, &mut Results<'_>) -> bool,
     ) {
-        let mut kernel = Kernel::new(arithmetic, self.tension);
+        let mut kernel = Kernel::new(arithmetic, self.critical_ratio);
         let mut pad = [[1.0; LEN]; 6];
         let len = self.points.exponent.len();
         for start in (0..len).step_by(LEN) {
@@ -265,7 +265,7 @@ fn row_mut(slice: &mut [f64], start: usize) -> Option<&mut Row> {
 /// One point in extended precision.
 #[cold]
 #[inline(never)]
-fn pass_on(points: &Points<'_>, control: &Control<f64>, i: usize, states: &mut States<'_>, tally: &mut Tally) {
+fn pass_on(points: &Points<'_>, control: &Control<f64>, i: usize, states: &mut States<'_>, tally: &mut BatchReport) {
     let (n, c) = (points.exponent[i], points.coefficient[i]);
     let critical = match points.material {
         Materials::One(material) => super::critical(n, c, material, control),

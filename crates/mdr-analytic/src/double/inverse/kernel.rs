@@ -2,7 +2,7 @@
 //!
 //! In the variables of [`inverse`](crate::inverse), f(v) = mE − P − μz with E = e^v and P = e^{mv}, so that f' = m(E − P):
 //!
-//! 1. v from [`Outset`], and steps in doubles until one of them is short: with s = −f/f', α = f''/2f' and β = f'''/6f',
+//! 1. v from [`InitialGuess`], and steps in doubles until one of them is short: with s = −f/f', α = f''/2f' and β = f'''/6f',
 //!    δ = s − αs² + (2α² − β)s³.
 //! 2. One more such step from v, taken as an exact double, with E, P and f in pairs. The root is v + δ.
 //! 3. With H = e^u, which is E, P or, under force, one more exponential,
@@ -20,12 +20,12 @@
 //! fold, to n = 1/2 or to a zero of d or F, or far out of range) extended precision is used.
 
 use mdr_core::contact::Regime;
-use mdr_core::number::{Real, Wide};
+use mdr_core::number::{Extended, Real};
 
 use super::super::exponential::{self, exponential, rough_exponential, rough_logarithm};
 use super::super::pair::{Arithmetic, Native, Pair};
 use crate::contact::Contact;
-use crate::inverse::{Branch, Count, Fold, Held, Outset};
+use crate::inverse::{Branch, Count, FoldFrame, Held, InitialGuess};
 
 /// Half an ulp of any number, reduced slightly for roundings of the bounds themselves.
 const ENOUGH: f64 = 0.4999 * f64::EPSILON / 2.0;
@@ -54,7 +54,7 @@ struct Known {
 }
 
 impl Known {
-    fn new<const N: usize>(value: &Wide<N>) -> Option<Self> {
+    fn new<const N: usize>(value: &Extended<N>) -> Option<Self> {
         let magnitude = Pair::of_magnitude(value, CONSTANTS)?;
         let pair = if *value < value.lit(0) { Pair { hi: -magnitude.hi, lo: -magnitude.lo } } else { magnitude };
         Some(Known { pair, error: value.error() * 2f64.powi(-64 * N as i32) + PAIR })
@@ -69,7 +69,7 @@ pub(super) struct Constants {
     n: f64,
     m: Pair,
     inverse_m: f64,
-    outset: Outset,
+    outset: InitialGuess,
     /// x_fold, and the τ above which its rounding and uncertainty are negligible.
     pub(super) fold: f64,
     nearest: f64,
@@ -96,8 +96,8 @@ pub(super) struct Lanes<const N: usize> {
 
 impl Constants {
     /// `None` if a constant is out of range.
-    pub(super) fn new<const N: usize>(contact: &Contact<Wide<N>>, fold: &Fold<Wide<N>>) -> Option<Self> {
-        let Fold { held, state, family } = fold;
+    pub(super) fn new<const N: usize>(contact: &Contact<Extended<N>>, fold: &FoldFrame<Extended<N>>) -> Option<Self> {
+        let FoldFrame { held, state, family } = fold;
         let (held, excess, regime) = (*held, &family.excess, family.regime);
         let n = *contact.profile().exponent();
         let next = n + n.lit(1);
@@ -113,7 +113,7 @@ impl Constants {
             n: n.approx(),
             m,
             inverse_m: m.hi.recip(),
-            outset: Outset::new(excess.approx()),
+            outset: InitialGuess::new(excess.approx()),
             fold: value.pair.hi,
             nearest: 1e-12 + 4.0 * value.error,
             share: Known::new(&(*excess / at_fold))?,

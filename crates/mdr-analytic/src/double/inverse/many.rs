@@ -4,7 +4,7 @@ use mdr_core::contact::{Error, Quantity, Ranged, Result, Stability, Status};
 
 use super::Inverse;
 use super::kernel::{Constants, Lanes};
-use crate::double::grid::{Tally, Work};
+use crate::double::grid::{BatchReport, Work};
 use crate::double::pair::Arithmetic;
 use crate::inverse::{Branch, Count, Held};
 
@@ -14,7 +14,7 @@ type Row = [f64; LEN];
 
 /// The equilibria with the smaller radius, or those with the larger. NaN if there is none or it is out of range.
 #[derive(Debug)]
-pub struct Side<'a> {
+pub struct BranchSlices<'a> {
     /// a, in m.
     pub contact_radius: &'a mut [f64],
     /// The quantity that is not controlled: F, in N, or d, in m.
@@ -32,11 +32,11 @@ pub struct Side<'a> {
 /// | `DomainError` | the value is not finite |
 /// | `Undecided` | 256 bits do not decide, see [the module](super::super#errors) |
 #[derive(Debug)]
-pub struct Branches<'a> {
+pub struct InverseBatch<'a> {
     /// Stable for n < 1/2.
-    pub smaller: Side<'a>,
+    pub smaller: BranchSlices<'a>,
     /// Stable for n > 1/2. The only equilibrium at n = 1/2, stable or not, is stored here too.
-    pub larger: Side<'a>,
+    pub larger: BranchSlices<'a>,
     /// The number of equilibria, or why there is none.
     pub status: &'a mut [Status],
 }
@@ -46,13 +46,13 @@ impl Inverse {
     /// [`Inverse::equilibria`], several values per instruction.
     ///
     /// ```
-    /// use mdr_analytic::double::{Branches, Inverse, Side};
+    /// use mdr_analytic::double::{InverseBatch, Inverse, BranchSlices};
     /// use mdr_core::contact::{Control, Material, Status};
     /// let ball = Inverse::new(2.0, 0.5, &Material::new(1.0, 1.0)?, &Control::Indentation)?;
     /// let ([mut a0, mut f0, mut a1, mut f1], mut status) = ([[0.0; 3]; 4], [Status::Ok; 3]);
-    /// let tally = ball.branches(&[-2.0, -1.0, 0.0], &mut Branches {
-    ///     smaller: Side { contact_radius: &mut a0, uncontrolled: &mut f0 },
-    ///     larger: Side { contact_radius: &mut a1, uncontrolled: &mut f1 },
+    /// let tally = ball.branches(&[-2.0, -1.0, 0.0], &mut InverseBatch {
+    ///     smaller: BranchSlices { contact_radius: &mut a0, uncontrolled: &mut f0 },
+    ///     larger: BranchSlices { contact_radius: &mut a1, uncontrolled: &mut f1 },
     ///     status: &mut status,
     /// })?;
     /// assert_eq!(status, [Status::NoEquilibrium, Status::Ok, Status::Ok]);
@@ -64,8 +64,8 @@ impl Inverse {
     ///
     /// # Errors
     /// [`Error::Length`] when slices differ in length. Failures at a value are reported by its status.
-    pub fn branches(&self, values: &[f64], branches: &mut Branches<'_>) -> Result<Tally> {
-        let Branches { smaller, larger, status } = branches;
+    pub fn branches(&self, values: &[f64], branches: &mut InverseBatch<'_>) -> Result<BatchReport> {
+        let InverseBatch { smaller, larger, status } = branches;
         let expected = values.len();
         for (quantity, len) in [
             (Quantity::ContactRadius, smaller.contact_radius.len()),
@@ -78,7 +78,7 @@ impl Inverse {
                 return Err(Error::Length { quantity, len, expected });
             }
         }
-        let mut tally = Tally::default();
+        let mut tally = BatchReport::default();
         match self.better() {
             Some(constants) => self.path.run(Rows { inverse: self, constants, values, branches, tally: &mut tally }),
             None => (0..expected).for_each(|i| self.pass_on(values[i], i, branches, &mut tally)),
@@ -89,7 +89,7 @@ impl Inverse {
     /// One value in extended precision.
     #[cold]
     #[inline(never)]
-    fn pass_on(&self, value: f64, i: usize, branches: &mut Branches<'_>, tally: &mut Tally) {
+    fn pass_on(&self, value: f64, i: usize, branches: &mut InverseBatch<'_>, tally: &mut BatchReport) {
         let mut status = Status::Ok;
         let mut number = |x: &Ranged<f64>| {
             if status == Status::Ok {
@@ -132,8 +132,8 @@ struct Rows<'a, 's> {
     inverse: &'a Inverse,
     constants: &'a Constants,
     values: &'a [f64],
-    branches: &'a mut Branches<'s>,
-    tally: &'a mut Tally,
+    branches: &'a mut InverseBatch<'s>,
+    tally: &'a mut BatchReport,
 }
 
 impl Work for Rows<'_, '_> {
@@ -188,7 +188,7 @@ impl Rows<'_, '_> {
             self.inverse.pass_on(value, i, self.branches, self.tally);
             return;
         }
-        let Branches { smaller: left, larger: right, status } = &mut *self.branches;
+        let InverseBatch { smaller: left, larger: right, status } = &mut *self.branches;
         for (side, lanes, exists) in [(left, smaller, has_smaller), (right, larger, has_larger)] {
             side.contact_radius[i] = if exists { lanes.radius[lane] } else { f64::NAN };
             side.uncontrolled[i] = if exists { lanes.other[lane] } else { f64::NAN };

@@ -6,16 +6,16 @@ mod many;
 use std::sync::OnceLock;
 
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Ranged, Regime, Result};
-use mdr_core::number::Wide;
+use mdr_core::number::Extended;
 
 use self::kernel::Constants;
-pub use self::many::{Branches, Side};
+pub use self::many::{BranchSlices, InverseBatch};
 use super::grid::{Path, Work};
 use super::pair::Arithmetic;
 use super::ziv::{Round, decide, settle, undecided};
 use super::{contact, lifted_control};
 use crate::contact::Contact;
-use crate::inverse::{Branch, Count, Equilibria, Fold, Held};
+use crate::inverse::{Branch, Count, Equilibria, FoldFrame, Held};
 
 /// The equilibria at a given indentation depth or force, with their stability; see
 /// [`Contact::equilibria`](crate::Contact::equilibria).
@@ -70,7 +70,7 @@ pub struct Inverse {
     held: Held,
     path: Path,
     /// The contact and its fold in one word, unless n = 1/2 or one word is not precise enough.
-    word: Option<(Contact<Wide<1>>, Fold<Wide<1>>)>,
+    word: Option<(Contact<Extended<1>>, FoldFrame<Extended<1>>)>,
     /// The constants of the kernel from one word, and from two words once they are needed.
     constants: Option<Constants>,
     better: OnceLock<Option<Constants>>,
@@ -84,8 +84,8 @@ impl Inverse {
     #[inline]
     pub fn new(n: f64, c: f64, material: &Material<f64>, control: &Control<f64>) -> Result<Self> {
         let held = Held::of(control)?;
-        let contact = contact::<Wide<1>>(n, c, material)?;
-        let word = if n == 0.5 { None } else { Fold::new(&contact, held).ok().map(|fold| (contact, fold)) };
+        let contact = contact::<Extended<1>>(n, c, material)?;
+        let word = if n == 0.5 { None } else { FoldFrame::new(&contact, held).ok().map(|fold| (contact, fold)) };
         let constants = word.as_ref().and_then(|(contact, fold)| Constants::new(contact, fold));
         let (material, path, better) = (material.clone(), Path::fastest(), OnceLock::new());
         Ok(Inverse { n, c, material, held, path, word, constants, better })
@@ -127,8 +127,8 @@ impl Inverse {
     #[inline]
     fn better(&self) -> &Option<Constants> {
         self.better.get_or_init(|| {
-            let contact = contact::<Wide<2>>(self.n, self.c, &self.material).ok()?;
-            let fold = if self.n == 0.5 { None } else { Fold::new(&contact, self.held).ok() };
+            let contact = contact::<Extended<2>>(self.n, self.c, &self.material).ok()?;
+            let fold = if self.n == 0.5 { None } else { FoldFrame::new(&contact, self.held).ok() };
             Constants::new(&contact, &fold?)
         })
     }
@@ -171,7 +171,7 @@ impl Inverse {
             let value = value.into();
             let by_fold = match contact.regime()? {
                 Regime::ScaleFree => None,
-                _ => Fold::new(&contact, self.held).and_then(|fold| fold.at_value(&contact, &value)).ok(),
+                _ => FoldFrame::new(&contact, self.held).and_then(|fold| fold.at_value(&contact, &value)).ok(),
             };
             // At n = 1/2 there is no fold, and close to 1/2 it is far out of range.
             match by_fold {
@@ -213,7 +213,7 @@ fn finite(value: f64) -> Result<f64> {
     Err(Error::domain(Quantity::Parameter("the given value"), &value, "finite"))
 }
 
-impl<const N: usize> Round for Equilibria<Wide<N>> {
+impl<const N: usize> Round for Equilibria<Extended<N>> {
     type Rounded = Equilibria<Ranged<f64>>;
 
     #[inline(always)]

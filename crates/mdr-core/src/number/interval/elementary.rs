@@ -164,7 +164,7 @@ impl Real for Interval {
     fn either(&self, other: &Interval) -> Interval {
         self.hull(other)
     }
-    fn steer(&self) -> Interval {
+    fn midpoint(&self) -> Interval {
         Interval::point(self.mid())
     }
 }

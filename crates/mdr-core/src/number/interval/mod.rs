@@ -158,7 +158,7 @@ impl Interval {
         Interval::new(lo.clone(), hi.clone())
     }
 
-    /// The intersection: two enclosures of one number sharpen each other. `None` when they are disjoint.
+    /// The intersection: two enclosures of one number refine each other. `None` when they are disjoint.
     pub fn intersect(&self, other: &Interval) -> Option<Interval> {
         let lo = if self.lo >= other.lo { &self.lo } else { &other.lo };
         let hi = if self.hi <= other.hi { &self.hi } else { &other.hi };

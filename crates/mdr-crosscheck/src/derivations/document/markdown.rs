@@ -4,7 +4,7 @@ use mdr_symbolic::Symbol;
 use mdr_symbolic::formula::Definition;
 
 use super::{Document, errata, heading, hypotheses, joined, place, prose, step_verdict, summary, witness};
-use crate::derivations::{AGREEMENT, Fate, Judgement, OCTAVES, POINTS, StepJudgement};
+use crate::derivations::{AGREEMENT, Judgement, MutantVerdict, OCTAVES, POINTS, StepJudgement};
 
 /// The longest witness that is shown, in characters of TeX.
 const LONGEST: usize = 260;
@@ -120,7 +120,7 @@ fn entry(judgement: &Judgement, level: &str) -> String {
         section += &format!("\n\n**Erratum.** {}", words(erratum.text));
     }
     let mutants = judgement.mutants();
-    for (fate, name) in [(Fate::Meaningless, "Meaningless"), (Fate::Undecided, "Undecided")] {
+    for (fate, name) in [(MutantVerdict::Meaningless, "Meaningless"), (MutantVerdict::Undecided, "Undecided")] {
         let named: Vec<_> = mutants.with(fate).map(|mutant| format!("$`{}`$", mutant.tex())).collect();
         if !named.is_empty() {
             section += &format!("\n\n{name} mutants: {}.", named.join("; "));

@@ -8,7 +8,7 @@ mod text;
 use mdr_symbolic::derivations::{Erratum, Verdict};
 use mdr_symbolic::{Decision, Domain};
 
-use super::{AGREEMENT, Fate, Judgement, Mutants, StepJudgement};
+use super::{AGREEMENT, Judgement, MutantVerdict, Mutants, StepJudgement};
 
 /// What is written.
 ///
@@ -39,7 +39,7 @@ fn heading(judgement: &Judgement) -> String {
 
 /// The verdict on a step: one word, and why where it failed.
 fn step_verdict(step: &StepJudgement) -> String {
-    let survivors: Vec<_> = step.mutants.with(Fate::Survives).map(|mutant| mutant.text()).collect();
+    let survivors: Vec<_> = step.mutants.with(MutantVerdict::Survives).map(|mutant| mutant.text()).collect();
     match &step.failure {
         Some(failure) => format!("FAILED: {failure}"),
         None if !survivors.is_empty() => format!("FAILED: this is not refuted either: {}", survivors.join("; ")),
@@ -105,7 +105,7 @@ pub fn summary(judgements: &[Judgement]) -> String {
     let failed = steps().filter(|step| !step.holds()).count();
     let failed = if failed == 0 { String::new() } else { format!(", {failed} FAILED") };
     let mutants: Mutants = judgements.iter().map(Judgement::mutants).sum();
-    let fates = fates(&mutants, |fate| mutants.count(fate) > 0 || fate == Fate::Undecided);
+    let fates = fates(&mutants, |fate| mutants.count(fate) > 0 || fate == MutantVerdict::Undecided);
     format!(
         "{} entries, {} with theorems of Coq; {} steps: {counts}{failed}. {} distinct mutants: {fates}.",
         judgements.len(),
@@ -123,15 +123,15 @@ fn tally<'a>(steps: impl Iterator<Item = &'a StepJudgement> + Clone) -> String {
 }
 
 /// How many mutants had each of some fates.
-fn fates(mutants: &Mutants, told: impl Fn(Fate) -> bool) -> String {
-    let fates = Fate::ALL.into_iter().filter(|fate| told(*fate));
+fn fates(mutants: &Mutants, told: impl Fn(MutantVerdict) -> bool) -> String {
+    let fates = MutantVerdict::ALL.into_iter().filter(|fate| told(*fate));
     fates.map(|fate| format!("{} {}", mutants.count(fate), fate.name())).collect::<Vec<_>>().join(", ")
 }
 
 /// How many distinct mutants there were, and what became of them.
 fn mutants(mutants: &Mutants) -> String {
     let occurs = |fate| mutants.count(fate) > 0;
-    match (mutants.len(), &Fate::ALL.into_iter().filter(|fate| occurs(*fate)).collect::<Vec<_>>()[..]) {
+    match (mutants.len(), &MutantVerdict::ALL.into_iter().filter(|fate| occurs(*fate)).collect::<Vec<_>>()[..]) {
         (1, [fate]) => format!("1 mutant, {}.", fate.name()),
         (count, [fate]) => format!("{count} distinct mutants, all {}.", fate.name()),
         (count, _) => format!("{count} distinct mutants: {}.", fates(mutants, occurs)),

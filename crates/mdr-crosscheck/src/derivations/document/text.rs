@@ -1,6 +1,8 @@
 //! Derivations for a terminal.
 
-use super::{Document, Fate, Judgement, errata, heading, hypotheses, mutants, place, prose, step_verdict, witness};
+use super::{
+    Document, Judgement, MutantVerdict, errata, heading, hypotheses, mutants, place, prose, step_verdict, witness,
+};
 
 /// Columns of prose.
 const WIDTH: usize = 100;
@@ -50,7 +52,7 @@ fn entry(judgement: &Judgement) -> String {
     }
     let all = judgement.mutants();
     lines.push(format!("\n{}", mutants(&all)));
-    for fate in [Fate::Meaningless, Fate::Undecided] {
+    for fate in [MutantVerdict::Meaningless, MutantVerdict::Undecided] {
         let named = all.with(fate).map(|mutant| format!("{}: {}", fate.name(), mutant.text()));
         lines.extend(named.map(|mutant| wrapped(&mutant, "  ")));
     }

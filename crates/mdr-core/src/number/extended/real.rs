@@ -1,6 +1,6 @@
 //! `Real` for extended precision.
 
-use super::Wide;
+use super::Extended;
 use super::tables::PI;
 use crate::number::{Literal, Real};
 
@@ -13,7 +13,7 @@ macro_rules! functions {
     )*};
 }
 
-impl<const N: usize> Real for Wide<N> {
+impl<const N: usize> Real for Extended<N> {
     type Ctx = ();
 
     #[inline]
@@ -51,7 +51,7 @@ impl<const N: usize> Real for Wide<N> {
     }
     #[inline]
     fn abs(&self) -> Self {
-        Wide { negative: false, ..*self }
+        Extended { negative: false, ..*self }
     }
     #[inline]
     fn square(&self) -> Self {
@@ -88,13 +88,13 @@ impl<const N: usize> Real for Wide<N> {
     fn inflate(self, bound: &Self) -> Self {
         if bound.is_zero() { self } else { self.blurred(bound.exponent.saturating_add(1)) }
     }
-    fn steer(&self) -> Self {
+    fn midpoint(&self) -> Self {
         self.exactly()
     }
 }
 
 /// Any double is represented exactly.
-impl<const N: usize> From<f64> for Wide<N> {
+impl<const N: usize> From<f64> for Extended<N> {
     fn from(value: f64) -> Self {
         Self::from_double(value)
     }

@@ -1,9 +1,9 @@
 //! ln x, and powers.
 
 use super::tables::{LN_2, LOG2_RECIPROCAL, LOG2_SERIES, RECIPROCAL};
-use super::{Wide, limbs, power_of_two, truncation};
+use super::{Extended, limbs, power_of_two, truncation};
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> Extended<N> {
     /// ln self; unknown unless self > 0.
     pub(super) fn logarithm(&self) -> Self {
         if self.is_hollow() || self.negative {
@@ -19,7 +19,7 @@ impl<const N: usize> Wide<N> {
         }
         // self = m·2^k with m in [1/√2, √2) and y ≈ ln m a double: ln m = y + 2 artanh((m − e^y)/(m + e^y)).
         let mut k = self.exponent;
-        let mut m = Wide { exponent: 0, error: 0.0, ..*self };
+        let mut m = Extended { exponent: 0, error: 0.0, ..*self };
         if m.to_double() < std::f64::consts::FRAC_1_SQRT_2 {
             m.exponent = 1;
             k -= 1;

@@ -1,8 +1,8 @@
 //! Square roots: exact where the root is representable.
 
-use super::{TWO_64, Wide, limbs};
+use super::{Extended, TWO_64, limbs};
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> Extended<N> {
     /// √self; unknown for a negative number.
     #[inline]
     pub(super) fn root(&self) -> Self {
@@ -18,7 +18,7 @@ impl<const N: usize> Wide<N> {
         if N == 1 {
             return Self::from_parts(false, limbs, exponent, error + if exact { 0.0 } else { 3.0 });
         }
-        Self::from_parts(false, limbs, 0, 0.0).root_by_newton(&Wide { exponent: -odd, ..*self }).scaled(exponent)
+        Self::from_parts(false, limbs, 0, 0.0).root_by_newton(&Extended { exponent: -odd, ..*self }).scaled(exponent)
     }
 
     /// The root of the upper word over 2^odd to a unit in the last place, and whether it is exact: from a double and
@@ -60,7 +60,7 @@ impl<const N: usize> Wide<N> {
         half[(below / 64) as usize] = 1 << (below % 64);
         let (sum, carry) = limbs::add(&limbs, &half);
         if carry {
-            return Wide { limbs: Self::from_double(1.0).limbs, exponent: self.exponent + 1, ..*self }.exactly();
+            return Extended { limbs: Self::from_double(1.0).limbs, exponent: self.exponent + 1, ..*self }.exactly();
         }
         limbs = sum;
         below += 1;
@@ -69,7 +69,7 @@ impl<const N: usize> Wide<N> {
             *limb = if cleared == 64 { 0 } else { *limb >> cleared << cleared };
             below -= 64;
         }
-        Wide { limbs, ..*self }.exactly()
+        Extended { limbs, ..*self }.exactly()
     }
 }
 

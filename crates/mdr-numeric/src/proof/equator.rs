@@ -6,7 +6,7 @@ use mdr_core::contact::{Equilibrium, Result, Stability};
 use mdr_core::number::{Interval, Real};
 use rug::Float;
 
-use super::{EnclosedBranches, EnclosedCurve, kinks};
+use super::{EnclosedCurve, ProvedBranches, kinks};
 
 /// The relative distance 2^−k from an equator within which folds are not searched.
 const CLOSEST: u32 = 2560;
@@ -17,8 +17,8 @@ impl EnclosedCurve<'_> {
     ///
     /// # Errors
     /// As [`Transform::kink`](mdr_core::contact::Transform::kink).
-    pub fn octaves_to_rim(&self) -> Result<u32> {
-        let Some(outer) = self.plain.rim()? else { return Ok(kinks::FINEST) };
+    pub fn octaves_to_equator(&self) -> Result<u32> {
+        let Some(outer) = self.plain.equator()? else { return Ok(kinks::FINEST) };
         let mut octaves = kinks::FINEST;
         while octaves < CLOSEST && !self.is_stable_from(&outer.lit(2).powi(-i64::from(octaves)), &outer)? {
             octaves *= 2;
@@ -27,38 +27,38 @@ impl EnclosedCurve<'_> {
     }
 
     /// The equator, if the condition is certainly positive from a radius up to it.
-    pub(super) fn stable_rim(&self, from: &Float) -> Result<Option<Interval>> {
-        let Some(outer) = self.plain.rim()? else { return Ok(None) };
+    pub(super) fn stable_equator(&self, from: &Float) -> Result<Option<Interval>> {
+        let Some(outer) = self.plain.equator()? else { return Ok(None) };
         let margin = (outer.clone() - Interval::point(from.clone())) / &outer;
         let certain = margin > margin.lit(0) && margin < margin.ratio(1, 4) && self.is_stable_from(&margin, &outer)?;
         Ok(certain.then_some(outer))
     }
 
     /// Whether the condition is certainly positive from a relative distance up to the equator.
-    fn is_stable_from(&self, margin: &Interval, rim: &Interval) -> Result<bool> {
+    fn is_stable_from(&self, margin: &Interval, equator: &Interval) -> Result<bool> {
         let transform = self.plain.transform();
-        let around = rim.clone().inflate(&(margin.clone() * rim));
+        let around = equator.clone().inflate(&(margin.clone() * equator));
         let end = transform.kink(transform.kinks().len(), margin)?;
         Ok(end.is_some_and(|end| self.sign(&around, &end.inside) == Some(Ordering::Greater)))
     }
 }
 
-impl EnclosedBranches<'_> {
+impl ProvedBranches<'_> {
     /// The equilibrium between a radius at which the contact grows and the equator; the two may be adjacent numbers of
     /// this precision.
     ///
     /// Up to the equilibrium g increases, to d + Δl. So its integral is that up to the last radius plus at most the
     /// distance times the larger of both heights. As d depends on the mean of g by a factor of at most one, a distance
     /// below half the radius makes d + Δl less than twice its value with the mean from the last radius alone.
-    pub(super) fn before_rim(
+    pub(super) fn before_equator(
         &self,
         last: &Interval,
-        rim: &Interval,
+        equator: &Interval,
         value: &Interval,
     ) -> Result<Equilibrium<Interval>> {
         let curve = &self.curve.plain;
-        let radius = last.hull(rim);
-        let distance = (rim.clone() - last) / &radius;
+        let radius = last.hull(equator);
+        let distance = (equator.clone() - last) / &radius;
         if !(distance < distance.ratio(1, 2)) {
             return Err(self.curve.undecided("how far from the outer radius the equilibrium lies"));
         }

@@ -13,7 +13,7 @@ mod tables;
 /// A number of 64·N bits together with a bound on its relative error: ball arithmetic in a few machine words.
 ///
 /// * The exponent is a separate `i64`, so intermediate results of a formula do not overflow or underflow.
-/// * Every operation adds its rounding error and the errors of its operands to [`error`](Wide::error). An operation
+/// * Every operation adds its rounding error and the errors of its operands to [`error`](Extended::error). An operation
 ///   whose result is representable is exact and adds nothing, so `0` and the sign of a difference are decided by
 ///   arithmetic, never by a tolerance.
 /// * A difference of numbers that is smaller than their errors is *around zero*: only a bound of its magnitude is
@@ -21,21 +21,21 @@ mod tables;
 ///   [finite](super::Real::is_finite). Comparisons are certain or `None`. If the result is not precise enough, evaluate
 ///   the same formula with a larger `N` (Ziv's strategy).
 ///
-/// `Wide<1>` is the fastest: about 2⁻⁶³ per operation, with table-driven exponential and logarithm, in integer
+/// `Extended<1>` is the fastest: about 2⁻⁶³ per operation, with table-driven exponential and logarithm, in integer
 /// arithmetic only, so that every machine gives the same bits. N is 1, 2, 3 or 4.
 ///
 /// ```
-/// use mdr_core::number::{Real, Wide};
-/// let x = Wide::<1>::from_f64((), 2.0);
+/// use mdr_core::number::{Real, Extended};
+/// let x = Extended::<1>::from_f64((), 2.0);
 /// assert_eq!(x.sqrt().nearest_f64(), Some(2.0_f64.sqrt()));
 /// // 10³⁰⁰ squared does not overflow, and its square root comes back.
-/// let big = Wide::<1>::from_f64((), 1e300);
+/// let big = Extended::<1>::from_f64((), 1e300);
 /// assert_eq!(big.square().sqrt().nearest_f64(), Some(1e300));
 /// // √2·√2 − 2 is zero or it is not: 64 bits cannot say.
 /// assert_eq!((x.sqrt().square() - x).partial_cmp(&x.lit(0)), None);
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Wide<const N: usize> {
+pub struct Extended<const N: usize> {
     negative: bool,
     /// Least significant first; the top bit is set unless the number is zero or unknown.
     limbs: [u64; N],
@@ -51,7 +51,7 @@ const TWO_64: f64 = (1u128 << 64) as f64;
 /// Exponents stay within ± this.
 const EXPONENT_LIMIT: i64 = 1 << 62;
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> Extended<N> {
     /// Above this error, an eighth of the magnitude, only a bound of the magnitude is kept.
     const ERROR_LIMIT: f64 = (1u128 << 61) as f64 * Self::UNITS;
 
@@ -62,10 +62,10 @@ impl<const N: usize> Wide<N> {
     const BITS: i64 = 64 * N as i64;
 
     /// Exactly zero.
-    const ZERO: Self = Wide { negative: false, limbs: [0; N], exponent: 0, error: 0.0 };
+    const ZERO: Self = Extended { negative: false, limbs: [0; N], exponent: 0, error: 0.0 };
 
     /// Nothing is known.
-    const NOTHING: Self = Wide { negative: false, limbs: [0; N], exponent: i64::MAX, error: f64::INFINITY };
+    const NOTHING: Self = Extended { negative: false, limbs: [0; N], exponent: i64::MAX, error: f64::INFINITY };
 
     /// The magnitude is at most 2^exponent.
     #[cold]
@@ -73,7 +73,7 @@ impl<const N: usize> Wide<N> {
         if exponent > EXPONENT_LIMIT {
             return Self::NOTHING;
         }
-        Wide { negative: false, limbs: [0; N], exponent: exponent.max(-EXPONENT_LIMIT), error: f64::INFINITY }
+        Extended { negative: false, limbs: [0; N], exponent: exponent.max(-EXPONENT_LIMIT), error: f64::INFINITY }
     }
 
     /// ±(0.limbs)·2^exponent with a relative error of at most `error` units of 2^(−64N). The top bit of the last limb must
@@ -86,7 +86,7 @@ impl<const N: usize> Wide<N> {
         if (error > Self::ERROR_LIMIT) | (exponent.unsigned_abs() > EXPONENT_LIMIT as u64) {
             return Self::given_up(exponent, error);
         }
-        Wide { negative, limbs, exponent, error }
+        Extended { negative, limbs, exponent, error }
     }
 
     /// The result for a number whose error, or whose exponent, is too large.
@@ -101,7 +101,7 @@ impl<const N: usize> Wide<N> {
     fn constant((limbs, exponent): ([u64; 4], i64)) -> Self {
         let mut top = [0; N];
         top.copy_from_slice(&limbs[4 - N..]);
-        Wide { negative: false, limbs: top, exponent, error: 2.0 }
+        Extended { negative: false, limbs: top, exponent, error: 2.0 }
     }
 
     /// The significand 0.limbs, in [1/2, 1) unless the number is zero; least significant limb first.
@@ -184,7 +184,7 @@ impl<const N: usize> Wide<N> {
 
     /// The stored number, regarded as exact.
     fn exactly(self) -> Self {
-        if self.is_nothing() { self } else { Wide { error: 0.0, ..self } }
+        if self.is_nothing() { self } else { Extended { error: 0.0, ..self } }
     }
 
     /// self · 2^k, exactly.

@@ -4,9 +4,9 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use num_traits::Inv;
 
-use super::{Wide, limbs, power_of_two, truncation};
+use super::{Extended, limbs, power_of_two, truncation};
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> Extended<N> {
     /// The error of a product or quotient: the sum of both, the truncation, and the terms of second order.
     #[inline]
     fn combined(a: f64, b: f64, inexact: bool) -> f64 {
@@ -82,7 +82,7 @@ impl<const N: usize> Wide<N> {
     #[inline]
     fn sum(&self, other: &Self, other_negative: bool) -> Self {
         if self.is_hollow() || other.is_hollow() {
-            let other = Wide { negative: other_negative && !other.is_hollow(), ..*other };
+            let other = Extended { negative: other_negative && !other.is_hollow(), ..*other };
             return match (self.is_zero(), other.is_zero(), other.is_around_zero()) {
                 (true, ..) => other,
                 (_, true, _) => *self,
@@ -221,7 +221,7 @@ impl<const N: usize> Wide<N> {
     /// −self if `flip`.
     #[inline]
     pub(super) fn flipped(self, flip: bool) -> Self {
-        Wide { negative: self.negative != flip && !self.is_hollow(), ..self }
+        Extended { negative: self.negative != flip && !self.is_hollow(), ..self }
     }
 
     /// self · k.
@@ -274,7 +274,7 @@ impl<const N: usize> Wide<N> {
     }
 }
 
-impl<const N: usize> Neg for Wide<N> {
+impl<const N: usize> Neg for Extended<N> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -282,11 +282,11 @@ impl<const N: usize> Neg for Wide<N> {
     }
 }
 
-impl<const N: usize> Inv for Wide<N> {
+impl<const N: usize> Inv for Extended<N> {
     type Output = Self;
     #[inline]
     fn inv(self) -> Self {
-        let mut one = Wide { negative: false, limbs: [0; N], exponent: 1, error: 0.0 };
+        let mut one = Extended { negative: false, limbs: [0; N], exponent: 1, error: 0.0 };
         one.limbs[N - 1] = 1 << 63;
         one.quotient(&self)
     }
@@ -295,7 +295,7 @@ impl<const N: usize> Inv for Wide<N> {
 /// Each operator in the forms that `Real` requires, from one function.
 macro_rules! operators {
     ($($operator:ident $method:ident $assigning:ident $assign:ident: |$a:ident, $b:ident| $value:expr;)*) => {$(
-        impl<const N: usize> $operator<&Self> for Wide<N> {
+        impl<const N: usize> $operator<&Self> for Extended<N> {
             type Output = Self;
             #[inline]
             fn $method(self, other: &Self) -> Self {
@@ -303,14 +303,14 @@ macro_rules! operators {
                 $value
             }
         }
-        impl<const N: usize> $operator for Wide<N> {
+        impl<const N: usize> $operator for Extended<N> {
             type Output = Self;
             #[inline]
             fn $method(self, other: Self) -> Self {
                 self.$method(&other)
             }
         }
-        impl<const N: usize> $assigning<&Self> for Wide<N> {
+        impl<const N: usize> $assigning<&Self> for Extended<N> {
             #[inline]
             fn $assign(&mut self, other: &Self) {
                 *self = self.$method(other);

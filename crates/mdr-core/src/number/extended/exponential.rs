@@ -1,9 +1,9 @@
 //! e^x and 2^x.
 
 use super::tables::{EXP2, EXP2_TAYLOR, INVERSE_FACTORIAL, LN_2};
-use super::{EXPONENT_LIMIT, Wide, limbs, power_of_two};
+use super::{EXPONENT_LIMIT, Extended, limbs, power_of_two};
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> Extended<N> {
     /// e^self.
     pub(super) fn exponential(&self) -> Self {
         if self.exponent > 62 || self.is_around_zero() && self.exponent > -2 {

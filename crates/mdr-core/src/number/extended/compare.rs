@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 
-use super::{Wide, limbs};
+use super::{Extended, limbs};
 
 /// Overlapping numbers have no order, and only exact numbers are ever equal.
-impl<const N: usize> PartialOrd for Wide<N> {
+impl<const N: usize> PartialOrd for Extended<N> {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         // The usual comparisons: against zero, and of exact numbers.
@@ -26,7 +26,7 @@ impl<const N: usize> PartialOrd for Wide<N> {
     }
 }
 
-impl<const N: usize> PartialEq for Wide<N> {
+impl<const N: usize> PartialEq for Extended<N> {
     #[inline]
     fn eq(&self, other: &Self) -> bool {
         self.partial_cmp(other) == Some(Ordering::Equal)

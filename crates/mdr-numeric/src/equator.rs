@@ -6,7 +6,7 @@
 use mdr_core::contact::{Control, Result};
 use mdr_core::number::Real;
 
-use crate::curve::Curve;
+use crate::curve::EquilibriumCurve;
 
 /// The relative distance 2^−k from the equator at which the bounds of the profile are evaluated.
 const MARGIN: i64 = 40;
@@ -14,14 +14,14 @@ const MARGIN: i64 = 40;
 /// from its radius.
 const NEAR: i64 = 8;
 
-impl<R: Real> Curve<'_, R> {
+impl<R: Real> EquilibriumCurve<'_, R> {
     /// The outer radius, if g is known to diverge there.
     ///
     /// # Errors
     /// As [`Transform::kink`](mdr_core::contact::Transform::kink).
-    pub(crate) fn rim(&self) -> Result<Option<R>> {
+    pub(crate) fn equator(&self) -> Result<Option<R>> {
         let transform = self.transform();
-        let Some(outer) = transform.outer_radius().filter(|_| !transform.wall()) else { return Ok(None) };
+        let Some(outer) = transform.outer_radius().filter(|_| !transform.vertical_edge()) else { return Ok(None) };
         let end = transform.kink(transform.kinks().len(), &outer.lit(2).powi(-MARGIN))?;
         Ok(end.filter(|end| end.value.is_none() && end.inside.least.is_some()).map(|_| outer))
     }
@@ -30,14 +30,14 @@ impl<R: Real> Curve<'_, R> {
     ///
     /// The mean of g is that up to the last radius, since g is close to its mean over the remainder: it grows as the
     /// logarithm of the distance, or d would not be finite.
-    pub(crate) fn state_before_rim(&self, last: &R, rim: &R, value: &R) -> Result<(R, R)> {
-        let share = (rim.clone() - last) / rim;
+    pub(crate) fn state_before_equator(&self, last: &R, equator: &R, value: &R) -> Result<(R, R)> {
+        let share = (equator.clone() - last) / equator;
         let mean = self.transform().mean(last)?;
         let mean = (self.transform().g(last)? - &mean) * share + mean;
-        let d = self.held_against(rim, value, || Ok(mean.clone()))?;
+        let d = self.held_against(equator, value, || Ok(mean.clone()))?;
         let force = match self.control() {
             Control::Force => value.clone(),
-            _ => self.edge_stiffness(rim) * (d.clone() - mean),
+            _ => self.edge_stiffness(equator) * (d.clone() - mean),
         };
         Ok((d, force))
     }
@@ -58,8 +58,8 @@ pub(crate) fn last_before<R: Real>(outer: &R) -> R {
 }
 
 /// Whether a radius is so close to the equator that g is much more accurate than from the rounded radius.
-pub(crate) fn is_near<R: Real>(a: &R, rim: &R) -> bool {
-    *a > before(rim, NEAR)
+pub(crate) fn is_near<R: Real>(a: &R, equator: &R) -> bool {
+    *a > before(equator, NEAR)
 }
 
 /// outer·(1 − 2^−k).

@@ -1,8 +1,8 @@
 //! Conversion from and to doubles.
 
-use super::{Wide, power_of_two};
+use super::{Extended, power_of_two};
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> Extended<N> {
     /// The exact value of a finite double; unknown for NaN and ∞.
     #[inline]
     pub(super) fn from_double(value: f64) -> Self {
@@ -24,14 +24,14 @@ impl<const N: usize> Wide<N> {
         let zeros = magnitude.leading_zeros();
         let mut limbs = [0; N];
         limbs[N - 1] = magnitude << zeros;
-        Wide { negative, limbs, exponent: 64 - i64::from(zeros), error: 0.0 }
+        Extended { negative, limbs, exponent: 64 - i64::from(zeros), error: 0.0 }
     }
 
     /// The double nearest to the true value or next to the nearest one: within one unit in the last place, half of it
     /// from this rounding, gradual underflow included. `None` when the error bound does not guarantee that.
     ///
     /// ±∞ stands for a magnitude beyond the largest double, and ±0 for one at or below half the smallest;
-    /// [`log10`](Wide::log10) gives its order of magnitude. An exact zero is 0.
+    /// [`log10`](Extended::log10) gives its order of magnitude. An exact zero is 0.
     #[inline]
     pub fn nearest_f64(&self) -> Option<f64> {
         if self.is_around_zero() {
@@ -80,7 +80,7 @@ impl<const N: usize> Wide<N> {
     /// log₁₀ of the magnitude of the stored value, rounded once; within an ulp where log₁₀ is above 1.
     #[cold]
     pub fn log10(&self) -> f64 {
-        let magnitude = Wide { negative: false, ..*self };
+        let magnitude = Extended { negative: false, ..*self };
         magnitude.logarithm().quotient(&Self::from_double(10.0).logarithm()).to_double()
     }
 }
