@@ -1,4 +1,4 @@
-//! Cost of the search for folds in f64, of a loading path over them and of its ledger, by the number of folds: it has to be
+//! Cost of the search for folds in f64, of a loading path over them and of its energies, by the number of folds: it has to be
 //! the same for each fold. What the search finds is compared with what was proved.
 #![allow(clippy::print_stdout, reason = "the counts are part of the result")]
 
@@ -45,7 +45,7 @@ fn paths(criterion: &mut Criterion) {
         let (ledger, accounting) = during(&counted, || PathEnergy::new(&path, &branches));
         let jumps = path.events.iter().filter(|event| event.kind == EventKind::Jump).count();
         assert!(path.events.iter().any(|event| event.kind == EventKind::Detached) && ledger.is_ok());
-        for (task, evaluations) in [("folds", searching), ("path", following), ("ledger", accounting)] {
+        for (task, evaluations) in [("folds", searching), ("path", following), ("energies", accounting)] {
             println!("{task}: {:.1} evaluations a fold", evaluations as f64 / folds as f64);
         }
         println!("path: {jumps} jumps and the detachment");
@@ -53,7 +53,7 @@ fn paths(criterion: &mut Criterion) {
         group.throughput(Throughput::Elements(folds as u64));
         group.bench_function(BenchmarkId::new("folds", folds), |bencher| bencher.iter(|| black_box(search())));
         group.bench_function(BenchmarkId::new("path", folds), |bencher| bencher.iter(|| pull(black_box(&branches))));
-        group.bench_function(BenchmarkId::new("ledger", folds), |bencher| {
+        group.bench_function(BenchmarkId::new("energies", folds), |bencher| {
             bencher.iter(|| PathEnergy::new(black_box(&path), &branches));
         });
     }

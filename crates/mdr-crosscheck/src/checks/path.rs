@@ -1,4 +1,4 @@
-//! Loading paths and their energy ledgers.
+//! Loading paths and the balance of their energy.
 
 use mdr_analytic::profiles as closed;
 use mdr_core::contact::{Control, FoldKind, Material, Profile, Result, Shape, Stability, Transform};
@@ -66,7 +66,7 @@ fn control<R: Real>(turn: usize, stiffness: &R) -> Result<Control<R>> {
 
 /// work − lost = Π(end) − Π(start) along random paths of power laws, by quadrature, and of wavy paraboloids.
 ///
-/// The bound is that of the ledger: errors of its quadratures, and the rounding of their integrands.
+/// The bound is that of the energies of the path: errors of their quadratures, and the rounding of their integrands.
 pub(super) fn balance<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let by_waves = !round.is_multiple_of(3);
     let n = if by_waves { 2.0 } else { [trial.uniform(0.6, 6.0), trial.uniform(0.2, 0.45)][round / 3 % 2] };

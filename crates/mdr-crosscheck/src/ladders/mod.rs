@@ -137,11 +137,6 @@ pub enum Found {
 pub const MOST_EXCESS: f64 = 1.0;
 
 impl Rung {
-    /// What the question costs in double precision, in roundoffs of the result.
-    pub fn attainable(&self) -> f64 {
-        self.condition.unwrap_or(1.0).max(1.0)
-    }
-
     /// The excess loss; none where there is no number.
     pub fn excess(&self) -> Option<f64> {
         match self.found {
