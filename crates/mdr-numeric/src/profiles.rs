@@ -18,7 +18,7 @@ use mdr_core::number::{Lift, Real, Special};
 /// let wedge = Heights::new([Shape::Cone { flank: Flank::HalfAngleDegrees(60.0) }])?;
 /// assert!((wedge.height(&3f64.sqrt()) - 1.0).abs() < 1e-15, "tan 30°");
 /// let punch = Heights::new([Shape::FlatPunch { radius: 2.0 }])?;
-/// assert!(punch.wall() && punch.outer_radius() == Some(2.0) && punch.height(&1.0) == 0.0);
+/// assert!(punch.vertical_edge() && punch.outer_radius() == Some(2.0) && punch.height(&1.0) == 0.0);
 /// let error = Heights::new([Shape::Sphere { radius: -5.0 }]).unwrap_err();
 /// assert_eq!(error.to_string(), "radius must be positive and finite, got -5");
 /// # Ok::<(), mdr_core::contact::Error>(())

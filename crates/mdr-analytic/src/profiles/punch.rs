@@ -17,7 +17,7 @@ profiles! {
 /// use mdr_analytic::profiles::FlatPunch;
 /// use mdr_core::contact::Transform;
 /// let punch = FlatPunch::new(2.0)?;
-/// assert_eq!((punch.g(&2.0)?, punch.wall()), (0.0, true));
+/// assert_eq!((punch.g(&2.0)?, punch.vertical_edge()), (0.0, true));
 /// assert!(punch.g(&2.1).is_err());
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
