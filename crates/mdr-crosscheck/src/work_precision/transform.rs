@@ -23,6 +23,7 @@ use mdr_numeric::transform::{Quadrature, Rule};
 
 use super::{Clock, Comparison, Outcome, Point, Series, Task, kappa};
 use crate::Level;
+use crate::subject::profiles::terms;
 
 /// The task.
 pub(super) const TASK: Task = Task {
@@ -39,14 +40,10 @@ fn comparisons(level: Level, clock: Clock) -> Result<Vec<Comparison>> {
         |name: &str, words: &str, x, shape| Question { name: name.to_owned(), words: words.to_owned(), x, shape };
     let powers = [0.05, 0.25, 0.5, 1.0, 2.0, 3.7, 20.0];
     let mut all: Vec<_> = powers.into_iter().map(Question::power).collect();
+    let mut punch = terms("rounded-punch", |key| if key == "flat" { 0.3 } else { 1.0 });
     all.extend([
         question("sphere", "the sphere of radius 1", 0.6, Shape::Sphere { radius: 1.0 }),
-        question(
-            "rounded-punch",
-            "f = (r − 0.3)²/2, flat up to r = 0.3",
-            0.7,
-            Shape::RoundedPunch { radius: 1.0, flat: 0.3 },
-        ),
+        question("rounded-punch", "f = (r − 0.3)²/2, flat up to r = 0.3", 0.7, punch.remove(0)),
         question(
             "wavy",
             "the wavy paraboloid of figure 4",
