@@ -25,7 +25,7 @@ pub trait EquilibriumBranches<R: Real> {
     fn folds(&self) -> &[Fold<R>];
 
     /// The equilibrium at `value` of the controlled quantity on a branch, its ends excluded. On the last branch of a
-    /// profile with a [vertical edge](mdr_core::contact::Transform::wall) the contact edge may be at the vertical edge.
+    /// profile with a [vertical edge](mdr_core::contact::Transform::vertical_edge) the contact edge may be at the vertical edge.
     /// `None` on a branch that does not exist.
     ///
     /// # Errors

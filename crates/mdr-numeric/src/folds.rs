@@ -70,7 +70,7 @@ impl<R> Deref for Folds<R> {
 /// All folds by tangency: g'(a) = Δl'(a) (1.10) under controlled indentation, g' = 3Δl' under controlled force, and
 /// g' = Δl'·(k+6E*a)/(k+2E*a) on a machine. By increasing radius.
 ///
-/// If the curve is unstable up to a [vertical edge](Transform::wall), the last fold is a minimum at the vertical edge:
+/// If the curve is unstable up to a [vertical edge](Transform::vertical_edge), the last fold is a minimum at the vertical edge:
 /// the contact edge stays there when the controlled quantity is larger.
 ///
 /// At a fold the relative error of the radius is the error of g' over |d ln(g'/Δl')/d ln a|, n − 1/2 for a power law;

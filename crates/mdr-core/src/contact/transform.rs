@@ -82,7 +82,7 @@ pub trait Transform<R: Real>: Send + Sync {
     }
 
     /// Bounds of g at the kink with this index and up to the relative distance `margin` < 1/4 on both sides of it;
-    /// `None` if nothing is known. A [vertical edge](Transform::wall) has the index after the last kink, with nothing
+    /// `None` if nothing is known. A [vertical edge](Transform::vertical_edge) has the index after the last kink, with nothing
     /// outside. So does an outer radius at which g diverges: it has no value there, and the lower bound of the slope
     /// inside holds from the margin on.
     ///

@@ -69,7 +69,7 @@ impl<'a> EnclosedCurve<'a> {
     }
 
     /// All folds with radii in (lower, upper), with at most about `budget` evaluations between two kinks. The range
-    /// ends with the profile, at its vertical edge or [slightly](EnclosedCurve::octaves_to_rim) before its outer
+    /// ends with the profile, at its vertical edge or [slightly](EnclosedCurve::octaves_to_equator) before its outer
     /// radius.
     ///
     /// # Errors
