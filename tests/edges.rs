@@ -104,7 +104,7 @@ fn a_path_starts_beside_a_pole() -> Result<()> {
 
 /// A truncated tip breaks off its edge as the flat punch does, which loses πb²w.
 #[test]
-fn the_ledger_of_a_truncated_tip_closes() -> Result<()> {
+fn the_energy_of_a_truncated_tip_is_balanced() -> Result<()> {
     let glue = glue()?;
     let (cone, paraboloid) = (TruncatedCone::new(0.2, EDGE)?, TruncatedParaboloid::new(1.0, EDGE)?);
     for tip in [&cone as &dyn Transform<f64>, &paraboloid] {
@@ -112,14 +112,14 @@ fn the_ledger_of_a_truncated_tip_closes() -> Result<()> {
         assert_eq!(branches.completeness(), SearchQuality::Resolved);
         let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.5])?;
         assert_eq!(path.events[1].kind, EventKind::Detached);
-        let ledger = PathEnergy::new(&path, &branches)?;
-        let Dissipation::Finite(dissipated) = &ledger.entries[1].dissipated else { panic!("finite at fixed grips") };
+        let energies = PathEnergy::new(&path, &branches)?;
+        let Dissipation::Finite(dissipated) = &energies.entries[1].dissipated else { panic!("finite at fixed grips") };
         let expected = std::f64::consts::PI * EDGE * EDGE * LENGTH;
         assert!(
             (dissipated.value - expected).abs() <= dissipated.error.max(8.0 * f64::EPSILON * expected),
             "{dissipated:?}"
         );
-        let balance = ledger.balance(&path, &branches)?.expect("nothing unbounded");
+        let balance = energies.balance(&path, &branches)?.expect("nothing unbounded");
         // The bound is that of roundings, not of a quadrature that stops at the edge.
         assert!(balance.bound < 1e-10 * balance.work, "{balance:?}");
         assert!(balance.residual.abs() <= balance.bound, "{balance:?}");

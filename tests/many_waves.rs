@@ -105,7 +105,7 @@ fn as_many_folds_as_are_proved() -> Result<()> {
 
 /// The books of a path over hundreds of jumps are closed: all energies are integrated piece by piece between the folds.
 #[test]
-fn the_books_of_many_jumps_are_closed() -> Result<()> {
+fn the_energy_of_many_jumps_is_balanced() -> Result<()> {
     for (count, folds) in &waves::CASES[..3] {
         let (waves, control) = (waves::waves::<f64>((), *count)?, Control::Indentation);
         let material = Material::new(1.0, 1e-4)?;

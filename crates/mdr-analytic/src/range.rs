@@ -17,7 +17,7 @@ fn beyond<R: Real>(quantity: Quantity, ln_magnitude: &R) -> Error {
     if ln_magnitude.is_finite() {
         return Error::OutOfRange { quantity, log10: ln_magnitude.approx() / std::f64::consts::LN_10 };
     }
-    Error::Undecided { quantity, bits: ln_magnitude.precision(), what: "its magnitude" }
+    Error::undecided(quantity, ln_magnitude, "its magnitude")
 }
 
 /// `plus` − `minus`, both nonnegative; one that is 0 has underflowed and is negligible beside the other. Their

@@ -42,9 +42,9 @@ fn paths(criterion: &mut Criterion) {
         println!("{folds} folds found of {proved} that were proved, {:?}", found.completeness);
         let branches = SearchedBranches::cut_at(curve, found);
         let (path, following) = during(&counted, || pull(&branches));
-        let (ledger, accounting) = during(&counted, || PathEnergy::new(&path, &branches));
+        let (energies, accounting) = during(&counted, || PathEnergy::new(&path, &branches));
         let jumps = path.events.iter().filter(|event| event.kind == EventKind::Jump).count();
-        assert!(path.events.iter().any(|event| event.kind == EventKind::Detached) && ledger.is_ok());
+        assert!(path.events.iter().any(|event| event.kind == EventKind::Detached) && energies.is_ok());
         for (task, evaluations) in [("folds", searching), ("path", following), ("energies", accounting)] {
             println!("{task}: {:.1} evaluations a fold", evaluations as f64 / folds as f64);
         }

@@ -24,7 +24,7 @@ pub(crate) struct Trial<'a> {
     /// The index of the case among those of its check.
     pub(crate) index: usize,
     random: Xoshiro256PlusPlus,
-    /// The inputs as they are told.
+    /// The inputs, as a report prints them.
     pub(crate) inputs: String,
     /// What was compared; nothing where the question cannot be asked in this arithmetic.
     pub(crate) comparisons: Vec<Finding>,

@@ -13,12 +13,11 @@
 
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::roots::{self, Bracket, bracket_geometric};
-use mdr_core::calculus::roundoff_tolerance;
+use mdr_core::calculus::{Tolerance, roundoff_tolerance};
 use mdr_core::contact::{Error, Material, Quantity, Result};
 use mdr_core::number::{Special, order};
 
 use crate::curve::{EquilibriumCurve, negligible};
-use crate::fields::tolerance;
 
 /// The range of adhesion, for errors.
 const RANGE: Quantity = Quantity::Parameter("the range of adhesion");
@@ -286,7 +285,7 @@ impl<'a, R: Special> Dugdale<'a, R> {
         // g(x) − g(a) cannot be better than its terms.
         let rounding = roundoff_tolerance(&level).times(4) * level.abs() * &ring.angle + &needed;
         let half = rounding.unit_roundoff().sqrt().times(16);
-        let tolerance = tolerance(&ring.a).or_finest_below(half).or_error_below(&rounding);
+        let tolerance = Tolerance::of_cancelling(&ring.a).or_finest_below(half).or_error_below(&rounding);
         let shape = tanh_sinh_pieces(&ring.a.lit(0), &ring.angle, &self.breaks(ring), tolerance, |angle| {
             Ok(beside_singular(on(ring, angle), |x| self.curve.transform().g_within(x, &needed))? - &level)
         })?;
@@ -299,7 +298,8 @@ impl<'a, R: Special> Dugdale<'a, R> {
         let elastic = (c.clone() / a * angle * (c.clone() * angle) + width) * &self.strength;
         // Where g' has an inverse root half of the digits are left, and as the force is stationary that is enough for it.
         let half = a.unit_roundoff().sqrt().times(4096);
-        let tolerance = tolerance(a).or_finest_below(half).or_error_below(&(elastic.clone() * a.unit_roundoff()));
+        let tolerance =
+            Tolerance::of_cancelling(a).or_finest_below(half).or_error_below(&(elastic.clone() * a.unit_roundoff()));
         let weighted = |angle: &R| {
             let x = on(ring, angle);
             Ok(beside_singular(x.clone(), |x| self.curve.transform().slope(x))? * x)

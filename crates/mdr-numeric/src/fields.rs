@@ -4,9 +4,9 @@
 //! square-root singularities, and every integral is split at the kinks of g.
 
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
-use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi, roundoff_tolerance};
+use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi};
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
-use mdr_core::number::{Real, Special};
+use mdr_core::number::Special;
 
 use crate::curve::{EquilibriumCurve, negligible};
 
@@ -255,32 +255,23 @@ fn integrate_from_kink<R: Special>(kink: &R, upper: &R, r: &R, slope: impl Fn(&R
         let sinh = ((x.clone() - kink) / &near).sqrt();
         Ok(slope(&x)? * (near.clone() / (x + r)).sqrt() * sinh)
     };
-    let integral = match gauss_jacobi::integrate(&zero, &zero, tolerance(upper), weighted) {
+    let integral = match gauss_jacobi::integrate(&zero, &zero, Tolerance::of_cancelling(upper), weighted) {
         Err(Error::NoConvergence { .. }) => tanh_sinh_pieces(&zero, &one, &[], or_half_of_the_digits(upper), weighted)?,
         integral => integral?,
     };
     Ok(integral.scaled(&width.times(2)))
 }
 
-/// The factor by which the accuracy may miss the goal when rounding dominates an integrand that cancels.
-const CANCELLED: i64 = 4096;
-
-/// The tightest tolerance, for an integrand whose terms may cancel.
-pub(crate) fn tolerance<R: Real>(like: &R) -> Tolerance<R> {
-    let goal = roundoff_tolerance(like);
-    Tolerance::new(&goal).or_noise_below(goal.times(CANCELLED))
-}
-
-/// The same, or the result of the finest rule with its error.
+/// The tightest tolerance, or the result of the finest rule with its error.
 fn or_half_of_the_digits<R: Special>(like: &R) -> Tolerance<R> {
-    tolerance(like).or_finest_below(like.unit_roundoff().sqrt().times(16))
+    Tolerance::of_cancelling(like).or_finest_below(like.unit_roundoff().sqrt().times(16))
 }
 
 /// The value of an estimate that meets the tolerance, relative to itself or to the contribution of the edge.
 fn settled<R: Special>(estimate: Estimate<R>, edge: &R) -> Result<R> {
     let Estimate { value, error, evaluations } = estimate;
     let size = value.abs() + edge.abs();
-    if error <= roundoff_tolerance(&value).times(CANCELLED) * &size {
+    if error <= Tolerance::of_cancelling(&value).limit().clone() * &size {
         return Ok(value);
     }
     let error = (error / size).approx();

@@ -119,8 +119,8 @@ proptest! {
         let branches = branches(&profile, &material, &control);
         let start = if smallest { Start::Smallest } else { Start::Largest };
         let Ok(path) = Path::follow(&branches, &start, &ways) else { return Ok(()) };
-        let ledger = PathEnergy::new(&path, &branches).unwrap();
-        for (event, entry) in path.events.iter().zip(&ledger.entries) {
+        let energies = PathEnergy::new(&path, &branches).unwrap();
+        for (event, entry) in path.events.iter().zip(&energies.entries) {
             if let Dissipation::Finite(dissipated) = &entry.dissipated {
                 prop_assert!(dissipated.value >= -dissipated.error - 1e-14, "{:?}: {:?}", event, dissipated);
             }

@@ -6,8 +6,8 @@ mod claims;
 mod contact;
 mod dugdale;
 mod fields;
-mod ledger;
 mod path;
+mod path_energy;
 #[cfg(feature = "mp")]
 mod range;
 mod routes;

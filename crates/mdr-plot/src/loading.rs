@@ -1,6 +1,6 @@
 //! Force against indentation depth or against contact radius, with branches, folds and the events of a path.
 
-use mdr::diagram::{Branch, Diagram, Event, Sample, Spot};
+use mdr::diagram::{Branch, Diagram, Event, Sample, State};
 use mdr::prelude::EventKind;
 
 use crate::balance::LOSS;
@@ -23,10 +23,10 @@ const MOST_NUMBERS: usize = 14;
 /// The panel of one plane.
 pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
     let states = states(data);
-    let force = Axis::around("normal force *F*", Unit::Si("N"), states.iter().map(|spot| spot.force));
+    let force = Axis::around("normal force *F*", Unit::Si("N"), states.iter().map(|state| state.force));
     let (heading, x) = match plane {
         Plane::Indentation => {
-            let values = states.iter().map(|spot| spot.indentation);
+            let values = states.iter().map(|state| state.indentation);
             ("(b)  force and indentation depth", Axis::around("indentation depth *d*", Unit::Si("m"), values))
         }
         Plane::Radius => ("(c)  force and contact radius", radius_axis(data)),
@@ -36,11 +36,11 @@ pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
     layers.extend(branches(data, plane));
     layers.extend(travelled(data, plane));
     if let Some(wall) = data.wall {
-        let points = wall.map(|spot| plane.point(&spot)).to_vec();
+        let points = wall.map(|state| plane.point(&state)).to_vec();
         layers.push(Layer::curve("at the wall", points, Stroke::Solid).meaning("stable"));
     }
     if !data.folds.is_empty() && data.folds.len() <= MOST_MARKS {
-        let points = data.folds.iter().map(|spot| plane.point(spot)).collect();
+        let points = data.folds.iter().map(|state| plane.point(state)).collect();
         layers.push(Layer::marks("folds", points, Mark::Diamond).meaning("fold"));
     }
     layers.extend(events(data, plane, &x));
@@ -52,30 +52,30 @@ pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
 }
 
 impl Plane {
-    fn point(self, spot: &Spot) -> Point {
+    fn point(self, state: &State) -> Point {
         match self {
-            Plane::Indentation => [spot.indentation, spot.force],
-            Plane::Radius => [spot.contact_radius, spot.force],
+            Plane::Indentation => [state.indentation, state.force],
+            Plane::Radius => [state.contact_radius, state.force],
         }
     }
 }
 
 /// The states that must be seen: in contact, with the curve between them.
-fn states(data: &Diagram) -> Vec<Spot> {
+fn states(data: &Diagram) -> Vec<State> {
     let reached = data.path.iter().flat_map(|event| [event.before, event.after]).flatten();
-    let mut states: Vec<Spot> = reached.filter(|spot| spot.contact_radius > 0.0).collect();
+    let mut states: Vec<State> = reached.filter(|state| state.contact_radius > 0.0).collect();
     if states.is_empty() {
-        states.extend(data.held.iter().flat_map(|held| &held.equilibria).map(|state| Spot {
+        states.extend(data.held.iter().flat_map(|held| &held.equilibria).map(|state| State {
             contact_radius: state.contact_radius,
             indentation: state.indentation,
             force: state.force,
         }));
     }
     states.extend(data.folds.iter().copied());
-    let radii = || states.iter().map(|spot| spot.contact_radius).filter(|radius| *radius > 0.0);
+    let radii = || states.iter().map(|state| state.contact_radius).filter(|radius| *radius > 0.0);
     let (least, most) = (radii().fold(f64::INFINITY, f64::min), radii().fold(0.0, f64::max));
     let seen = |sample: &&Sample| states.is_empty() || (least..=most).contains(&sample.contact_radius);
-    let between: Vec<Spot> = data.samples().filter(seen).map(spot).collect();
+    let between: Vec<State> = data.samples().filter(seen).map(state).collect();
     states.extend(between);
     states.extend(data.wall.iter().flatten());
     states.extend(near(data, &states));
@@ -84,16 +84,16 @@ fn states(data: &Diagram) -> Vec<Spot> {
 
 /// The states before there is a contact and after it has come off, unless they are so far away that nothing else would be seen: a soft machine
 /// draws the body back a long way.
-fn near(data: &Diagram, states: &[Spot]) -> Vec<Spot> {
-    let depths = || states.iter().map(|spot| spot.indentation);
+fn near(data: &Diagram, states: &[State]) -> Vec<State> {
+    let depths = || states.iter().map(|state| state.indentation);
     let (least, most) = (depths().fold(0.0, f64::min), depths().fold(0.0, f64::max));
     let apart = data.path.iter().filter(|event| matches!(event.kind, EventKind::Detached | EventKind::Start));
     let apart = apart.filter_map(|event| event.after);
-    apart.filter(|spot| (2.0 * least - most..=2.0 * most - least).contains(&spot.indentation)).collect()
+    apart.filter(|state| (2.0 * least - most..=2.0 * most - least).contains(&state.indentation)).collect()
 }
 
-fn spot(sample: &Sample) -> Spot {
-    Spot { contact_radius: sample.contact_radius, indentation: sample.indentation, force: sample.force }
+fn state(sample: &Sample) -> State {
+    State { contact_radius: sample.contact_radius, indentation: sample.indentation, force: sample.force }
 }
 
 /// Stable branches solid, thin beside a path, unstable ones dashed; of very many, every so many.
@@ -109,7 +109,7 @@ fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
         let stroke = strokes[usize::from(step > 1 || (stable && !data.path.is_empty()))];
         let shown = data.branches.iter().step_by(step).filter(|branch| branch.stable == stable);
         layers.extend(shown.map(|Branch { samples, .. }| {
-            let points = samples.iter().map(|sample| plane.point(&spot(sample))).collect();
+            let points = samples.iter().map(|sample| plane.point(&state(sample))).collect();
             Layer::curve(name, points, stroke).meaning(format!("{name}{every}"))
         }));
     }
@@ -120,7 +120,7 @@ fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
 fn travelled(data: &Diagram, plane: Plane) -> Vec<Layer> {
     let legs = data.path.windows(2).filter_map(|pair| Some((pair[0].after?, pair[1].before?)));
     let legs = legs.filter(|(from, to)| from != to && from.contact_radius > 0.0 && to.contact_radius > 0.0);
-    let points = |(from, to)| smooth(data, &from, &to).iter().map(|spot| plane.point(spot)).collect();
+    let points = |(from, to)| smooth(data, &from, &to).iter().map(|state| plane.point(state)).collect();
     legs.map(|leg| Layer::curve("path", points(leg), Stroke::Solid).meaning("path")).collect()
 }
 
@@ -132,9 +132,9 @@ fn loop_area(data: &Diagram, plane: Plane) -> Option<Layer> {
     let mut outline: Vec<Point> = Vec::new();
     for pair in data.path.windows(2) {
         if let (Some(from), Some(to)) = (pair[0].after, pair[1].before) {
-            outline.extend(smooth(data, &from, &to).iter().map(|spot| plane.point(spot)));
+            outline.extend(smooth(data, &from, &to).iter().map(|state| plane.point(state)));
         }
-        outline.extend(pair[1].after.iter().map(|spot| plane.point(spot)));
+        outline.extend(pair[1].after.iter().map(|state| plane.point(state)));
     }
     let finite = outline.iter().flatten().all(|value| value.is_finite());
     finite.then(|| Layer::area("hysteresis", outline).coloured(LOSS).meaning("work lost in the cycle"))
@@ -154,18 +154,18 @@ fn is_cycle(path: &[Event]) -> bool {
 }
 
 /// The states on a branch from one to another; in a straight line where they are apart or at a wall.
-fn smooth(data: &Diagram, from: &Spot, to: &Spot) -> Vec<Spot> {
+fn smooth(data: &Diagram, from: &State, to: &State) -> Vec<State> {
     let (lower, upper) = (from.contact_radius.min(to.contact_radius), from.contact_radius.max(to.contact_radius));
     // Apart there is no branch.
     let between = |a: f64| lower != 0.0 && a > lower && a < upper;
     let inner = data.samples().filter(|sample| between(sample.contact_radius));
-    let mut spots: Vec<Spot> = inner.map(spot).collect();
+    let mut states: Vec<State> = inner.map(state).collect();
     if from.contact_radius > to.contact_radius {
-        spots.reverse();
+        states.reverse();
     }
-    spots.insert(0, *from);
-    spots.push(*to);
-    spots
+    states.insert(0, *from);
+    states.push(*to);
+    states
 }
 
 /// Jumps as arrows; events numbered as in the caption.
@@ -178,7 +178,7 @@ fn events(data: &Diagram, plane: Plane, x: &Axis) -> Vec<Layer> {
             // The line of the control.
             Plane::Indentation => vec![plane.point(&from), plane.point(&to)],
             Plane::Radius => {
-                data.jump(event).unwrap_or_else(|| vec![from, to]).iter().map(|spot| plane.point(spot)).collect()
+                data.jump(event).unwrap_or_else(|| vec![from, to]).iter().map(|state| plane.point(state)).collect()
             }
         };
         // Where a body that has come off goes to under its load, and how far a contact spreads, is not in the diagram.
@@ -196,8 +196,8 @@ fn events(data: &Diagram, plane: Plane, x: &Axis) -> Vec<Layer> {
         }
         // Out of contact the radius tells nothing.
         let apart = event.after.filter(|_| plane == Plane::Indentation);
-        if let Some(spot) = event.in_contact().or(apart).filter(|_| data.path.len() <= MOST_NUMBERS) {
-            layers.push(Layer::label((index + 1).to_string(), vec![plane.point(&spot)], Side::Left));
+        if let Some(state) = event.in_contact().or(apart).filter(|_| data.path.len() <= MOST_NUMBERS) {
+            layers.push(Layer::label((index + 1).to_string(), vec![plane.point(&state)], Side::Left));
         }
     }
     layers

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use mdr::diagram::{DECADES, Diagram, HeldCurve, Sample, SearchQuality, Spot};
+use mdr::diagram::{DECADES, Diagram, HeldCurve, Sample, SearchQuality, State};
 use mdr::prelude::{Control, Stability};
 
 use crate::balance::{Balance, change, shifted};
@@ -164,8 +164,9 @@ fn description(data: &Diagram) -> String {
     );
     for (index, event) in data.path.iter().enumerate().take(MOST_TOLD) {
         text.push_str(&format!(" Event {}: {}", index + 1, event.kind.name()));
-        for (word, spot) in [("from", event.before), ("to", event.after.filter(|after| Some(*after) != event.before))] {
-            if let Some(Spot { contact_radius, indentation, force }) = spot {
+        for (word, state) in [("from", event.before), ("to", event.after.filter(|after| Some(*after) != event.before))]
+        {
+            if let Some(State { contact_radius, indentation, force }) = state {
                 text.push_str(&format!(" {word} a = {contact_radius:.6e} m"));
                 if indentation.is_finite() {
                     text.push_str(&format!(", d = {indentation:.6e} m, F = {force:.6e} N"));

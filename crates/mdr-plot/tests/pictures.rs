@@ -113,7 +113,7 @@ fn a_jump_goes_through_states_that_its_control_leaves() {
     // The force (1.6) of a paraboloid: 2E*(a d − a³/3R).
     let force = |a: f64, d: f64| 2.0 * 5e10 * (a * d - a.powi(3) / (3.0 * 50e-9));
     let near = |left: f64, right: f64| (left - right).abs() <= 1e-12 * (left.abs() + right.abs());
-    let held = |spot: &mdr::diagram::Spot, control: &Control<f64>| match control {
+    let held = |spot: &mdr::diagram::State, control: &Control<f64>| match control {
         Control::Indentation => spot.indentation,
         Control::Force => spot.force,
         Control::Machine { stiffness } => spot.indentation + spot.force / stiffness,

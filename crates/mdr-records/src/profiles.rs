@@ -130,7 +130,7 @@ fn edge<R: Real>(curve: &EquilibriumCurve<'_, R>) -> contact::Result<R> {
     curve.vertical_edge().ok_or(Error::Domain { quantity, value: String::new(), requirement })
 }
 
-/// The energy E*bd² of the punch held at d, given to its rim: its derivative with respect to b is 2πbw, that with
+/// The energy E*bd² of the punch held at d, given to its edge: its derivative with respect to b is 2πbw, that with
 /// respect to d is F.
 fn is_balanced(contact: &Contact, values: &[Decimal; 2]) -> contact::Result<bool> {
     let ctx = confirm::precision(&[]);

@@ -87,7 +87,7 @@ impl Question {
         let mut kinds = Vec::new();
         // An exact result of one digit: it certifies the number of folds.
         certify([Quantity::ContactRadius], 1, Precision::new(96), |precision| {
-            kinds = self.folds(precision)?.into_iter().map(|(kind, _)| kind).collect();
+            kinds = self.folds(&self.contact(precision)?)?.into_iter().map(|(kind, _)| kind).collect();
             Ok([Rational::from(kinds.len()).into()])
         })?;
         let folds = match kinds.len() {
@@ -117,7 +117,8 @@ impl Question {
     ) -> Result<Vec<Fold<Decimal>>> {
         const STATE: [Quantity; 3] = [Quantity::ContactRadius, Quantity::Indentation, Quantity::Force];
         let decimals = certify(std::array::from_fn(|i| STATE[i % 3]), digits, start, |precision| {
-            let enclosures: Vec<Enclosure> = self.folds(precision)?.into_iter().flat_map(|(_, state)| state).collect();
+            let enclosures: Vec<Enclosure> =
+                self.folds(&self.contact(precision)?)?.into_iter().flat_map(|(_, state)| state).collect();
             let like = Interval::from_int(precision, 1);
             <[Enclosure; K]>::try_from(enclosures).map_err(|_| undecided(&like, "the number of folds"))
         })?;
@@ -167,35 +168,32 @@ impl Question {
         }
     }
 
-    /// The closed forms over intervals; where a number may be zero or leaves the range of MPFR, the fold of the curve.
+    /// κ_n, a, d and F at the fold of a control that has one.
     pub(super) fn general_critical(&self, precision: Precision) -> Result<[Enclosure; 4]> {
         let contact = self.contact(precision)?;
-        let exact_depth = exact::indentation(self, &self.control);
-        let [a, d, f] = match contact.critical(&self.control(precision)) {
-            Ok(State { contact_radius: a, indentation: d, force: f })
-                if !a.contains_zero() && !f.contains_zero() && (exact_depth.is_some() || !d.contains_zero()) =>
-            {
-                [a, d, f].map(Enclosure::from)
-            }
-            Ok(_) | Err(Error::OutOfRange { .. }) => {
-                let fold = self.curve_of(&contact)?.states().next();
-                fold.ok_or_else(|| undecided(contact.profile().exponent(), "the number of folds"))?.1
-            }
-            Err(error) => return Err(error),
-        };
-        Ok([self.kappa_of(&contact), a, exact_depth.map_or(d, Enclosure::Exact), f])
+        let fold = self.folds(&contact)?.into_iter().next();
+        let (_, [a, d, f]) = fold.ok_or_else(|| undecided(contact.profile().exponent(), "the number of folds"))?;
+        Ok([self.kappa_of(&contact), a, exact::indentation(self, &self.control).map_or(d, Enclosure::Exact), f])
     }
 
-    /// a, d and F at each fold on a machine, by the same two ways.
-    fn folds(&self, precision: Precision) -> Result<Vec<(FoldKind, [Enclosure; 3])>> {
-        let contact = self.contact(precision)?;
-        let Control::Machine { stiffness } = self.control(precision) else { return Ok(Vec::new()) };
-        let state = |fold: Fold<Interval>| (fold.kind, [fold.contact_radius, fold.indentation, fold.force]);
-        match contact.machine_folds(&stiffness).map(|folds| folds.into_iter().map(state).collect::<Vec<_>>()) {
+    /// a, d and F at each fold: by the closed forms over intervals; on the curve, which computes in logarithms, where a number
+    /// may be zero or leaves the range of MPFR.
+    fn folds(&self, contact: &Contact<Interval>) -> Result<Vec<(FoldKind, [Enclosure; 3])>> {
+        let only = if self.regime() == Regime::PullOff { FoldKind::Minimum } else { FoldKind::Maximum };
+        let by_value = |fold: Fold<Interval>| (fold.kind, [fold.contact_radius, fold.indentation, fold.force]);
+        let found: Result<Vec<(FoldKind, [Interval; 3])>> = match self.control(contact.profile().exponent().ctx()) {
+            Control::Machine { stiffness } => {
+                contact.machine_folds(&stiffness).map(|folds| folds.into_iter().map(by_value).collect())
+            }
+            control => contact
+                .critical(&control)
+                .map(|state| vec![(only, [state.contact_radius, state.indentation, state.force])]),
+        };
+        match found {
             Ok(folds) if !folds.iter().any(|(_, state)| state.iter().any(Interval::contains_zero)) => {
                 Ok(folds.into_iter().map(|(kind, state)| (kind, state.map(Enclosure::from))).collect())
             }
-            Ok(_) | Err(Error::OutOfRange { .. }) => Ok(self.curve_of(&contact)?.states().collect()),
+            Ok(_) | Err(Error::OutOfRange { .. }) => Ok(self.curve_of(contact)?.states().collect()),
             Err(error) => Err(error),
         }
     }

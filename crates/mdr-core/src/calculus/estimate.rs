@@ -86,6 +86,17 @@ impl<R: Real> Tolerance<R> {
         Tolerance { limit: goal.clone(), last: goal.clone(), noise, absolute, goal }
     }
 
+    /// The tightest for an integrand whose terms may cancel: an error of 4096 times the goal is accepted at the noise level.
+    pub fn of_cancelling(like: &R) -> Self {
+        let goal = roundoff_tolerance(like);
+        Tolerance::new(&goal).or_noise_below(goal.times(4096))
+    }
+
+    /// The largest relative error that is accepted at the noise level of the integrand.
+    pub fn limit(&self) -> &R {
+        &self.limit
+    }
+
     /// The same goal; at the noise level of the integrand, an error below `limit` is accepted.
     pub fn or_noise_below(self, limit: R) -> Self {
         let limit = larger(limit.midpoint(), self.goal.clone());

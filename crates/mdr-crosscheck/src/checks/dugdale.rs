@@ -3,8 +3,8 @@
 
 use mdr_analytic::profiles::closed_form;
 use mdr_analytic::{Contact, PowerLaw};
+use mdr_core::calculus::Tolerance;
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
-use mdr_core::calculus::{Tolerance, roundoff_tolerance};
 use mdr_core::contact::{Control, Error, Material, Profile, Result, Shape};
 use mdr_core::number::{Interval, Precision, Real};
 use mdr_numeric::curve::EquilibriumCurve;
@@ -100,8 +100,7 @@ pub(super) fn profile<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: 
     let CohesiveState { outer_radius: c, indentation: d, force, .. } = &state;
     let leg = (c.clone() - &a).sqrt() * (c.clone() + &a).sqrt();
     let angle = (a.clone() / &leg).atan();
-    let goal = roundoff_tolerance(&a);
-    let tolerance = Tolerance::new(&goal).or_noise_below(goal.times(4096));
+    let tolerance = Tolerance::of_cancelling(&a);
     let breaks: Vec<R> =
         transform.kinks().iter().filter(|kink| **kink < a).map(|kink| (kink.clone() / c).asin()).collect();
     let mut largest = d.abs();

@@ -39,9 +39,9 @@ pub(super) fn admissible(trial: &mut Trial<'_>) -> Result<()> {
     let curve = EquilibriumCurve::new(&profile, &material, &control);
     let branches = SearchedBranches::new(curve)?;
     let Ok(path) = Path::follow(&branches, &Start::Smallest, &ways) else { return Ok(()) };
-    let ledger = PathEnergy::new(&path, &branches)?;
+    let energies = PathEnergy::new(&path, &branches)?;
     let gains = |loss: &Dissipation<f64>| matches!(loss, Dissipation::Finite(dissipated) if dissipated.value < -dissipated.error);
-    trial.demand("no event gains energy", !ledger.entries.iter().any(|entry| gains(&entry.dissipated)));
+    trial.demand("no event gains energy", !energies.entries.iter().any(|entry| gains(&entry.dissipated)));
     let Some(event) = path.events.last() else { return Ok(()) };
     if let (Some(ring), Some(rest)) = (&event.ring, event.after.contact())
         && ring.gap == 0.0
@@ -84,13 +84,13 @@ pub(super) fn balance<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R
         let amplitude = wavelength.square() / wavelength.pi().square() / curvature.clone().times(4) * steepness;
         trial.describe_also(format_args!("A = {:e}, λ = {:e}", amplitude.approx(), wavelength.approx()));
         let profile = closed::WavyParaboloid::new(curvature, amplitude, wavelength)?;
-        close_the_books(trial, &profile, &material, &control)
+        balance_energy(trial, &profile, &material, &control)
     } else {
-        close_the_books(trial, &transform(&scene)?, &material, &control)
+        balance_energy(trial, &transform(&scene)?, &material, &control)
     }
 }
 
-fn close_the_books<R: Arithmetic>(
+fn balance_energy<R: Arithmetic>(
     trial: &mut Trial<'_>,
     transform: &dyn Transform<R>,
     material: &Material<R>,
@@ -111,10 +111,10 @@ fn close_the_books<R: Arithmetic>(
     let path = Path::follow(&branches, &Start::Detached, &way)?;
     let overlaps = path.events.last().is_some_and(|event| event.kind == EventKind::NotAdmissible);
     trial.demand("the path comes to its end", path.is_finished() || overlaps);
-    let ledger = PathEnergy::new(&path, &branches)?;
+    let energies = PathEnergy::new(&path, &branches)?;
     let mut positive = true;
     let mut scale = unit.lit(0);
-    for entry in &ledger.entries {
+    for entry in &energies.entries {
         scale += &entry.work.value.abs();
         if let Dissipation::Finite(dissipated) = &entry.dissipated {
             positive &= dissipated.value >= -dissipated.error.clone();
@@ -122,7 +122,7 @@ fn close_the_books<R: Arithmetic>(
         }
     }
     trial.demand("no jump gains energy", positive);
-    let Some(balance) = ledger.balance(&path, &branches)? else {
+    let Some(balance) = energies.balance(&path, &branches)? else {
         trial.fail("an energy is unbounded");
         return Ok(());
     };
@@ -152,7 +152,7 @@ pub(super) fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
     let kinds: Vec<EventKind> = path.events.iter().map(|event| event.kind).collect();
     let expected = [EventKind::Start, EventKind::JumpIn, EventKind::Detached, EventKind::End];
     trial.demand("jump-in and pull-off", kinds == expected);
-    let ledger = PathEnergy::new(&path, &branches)?;
+    let energies = PathEnergy::new(&path, &branches)?;
     let unit = |a: &R| a.pi() * a * a * &scene.work;
 
     let start = contact.radius_at_zero_indentation()?;
@@ -160,7 +160,7 @@ pub(super) fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
     let jump_in = trial.closed.energy_lost_at_jump_in(&contact)? / unit(&start);
     let fixed_grips = contact.critical(&Control::Indentation)?.contact_radius;
     let pull_off = trial.closed.energy_lost_at_pull_off(&contact)? / unit(&fixed_grips);
-    for (entry, event) in ledger.entries.iter().zip(&path.events) {
+    for (entry, event) in energies.entries.iter().zip(&path.events) {
         let (share, name) = match event.kind {
             EventKind::JumpIn => (&jump_in, "jump-in"),
             EventKind::Detached => (&pull_off, "pull-off"),

@@ -33,12 +33,12 @@ pub struct Mutants(Vec<(Statement, MutantVerdict)>);
 
 impl Mutants {
     pub(super) fn of(step: &Step, statement: &Statement) -> Result<Self, Error> {
-        let fate = |mutant: &Statement| {
-            let fates = step.domains.iter().map(|domain| fate(step, statement, mutant, *domain));
-            fates.max().unwrap_or(MutantVerdict::Undecided)
+        let verdict = |mutant: &Statement| {
+            let verdicts = step.domains.iter().map(|domain| verdict(step, statement, mutant, *domain));
+            verdicts.max().unwrap_or(MutantVerdict::Undecided)
         };
         let mutants = step.mutants()?.into_iter();
-        Ok(Mutants(mutants.map(|mutant| (fate(&mutant), mutant)).map(|(fate, mutant)| (mutant, fate)).collect()))
+        Ok(Mutants(mutants.map(|mutant| (verdict(&mutant), mutant)).map(|(verdict, mutant)| (mutant, verdict)).collect()))
     }
 
     /// How many there are.
@@ -51,14 +51,14 @@ impl Mutants {
         self.0.is_empty()
     }
 
-    /// How many had this fate.
-    pub fn count(&self, fate: MutantVerdict) -> usize {
-        self.with(fate).count()
+    /// How many had this verdict.
+    pub fn count(&self, verdict: MutantVerdict) -> usize {
+        self.with(verdict).count()
     }
 
-    /// Those of this fate.
-    pub fn with(&self, fate: MutantVerdict) -> impl Iterator<Item = &Statement> {
-        self.0.iter().filter(move |(_, other)| *other == fate).map(|(mutant, _)| mutant)
+    /// Those of this verdict.
+    pub fn with(&self, verdict: MutantVerdict) -> impl Iterator<Item = &Statement> {
+        self.0.iter().filter(move |(_, other)| *other == verdict).map(|(mutant, _)| mutant)
     }
 }
 
@@ -69,7 +69,7 @@ impl Sum for Mutants {
 }
 
 /// Normal forms first, intervals at the points of the statement where they do not decide.
-fn fate(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> MutantVerdict {
+fn verdict(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> MutantVerdict {
     match mutant.decide(domain) {
         Decision::Proved { .. } => MutantVerdict::Survives,
         Decision::Refuted { .. } => MutantVerdict::NormalForm,
@@ -80,18 +80,18 @@ fn fate(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) 
 
 fn by_intervals(step: &Step, statement: &Statement, mutant: &Statement, domain: Domain) -> MutantVerdict {
     let count = if !step.point.is_empty() || mutant.is_number() { 1 } else { POINTS };
-    let mut fate = MutantVerdict::Meaningless;
+    let mut verdict = MutantVerdict::Meaningless;
     for point in points(step, statement, domain).take(count as usize) {
         match truth(mutant, domain, &point) {
             Ok(Truth::False) => return MutantVerdict::Enclosure,
-            Ok(Truth::Certain) => fate = MutantVerdict::Survives,
-            Ok(Truth::Possible | Truth::Unknown) => fate = fate.max(MutantVerdict::Undecided),
+            Ok(Truth::Certain) => verdict = MutantVerdict::Survives,
+            Ok(Truth::Possible | Truth::Unknown) => verdict = verdict.max(MutantVerdict::Undecided),
             Ok(Truth::Undefined) => {}
             // Exact algebra finds no value, at any point.
-            Err(Error::DivisionByZero) => return fate,
+            Err(Error::DivisionByZero) => return verdict,
             // Exact algebra has to carry out a part of it, and cannot.
-            Err(_) => return fate.max(MutantVerdict::Undecided),
+            Err(_) => return verdict.max(MutantVerdict::Undecided),
         }
     }
-    fate
+    verdict
 }

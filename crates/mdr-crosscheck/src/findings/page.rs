@@ -46,8 +46,8 @@ fn cell(comparison: &Comparison, digits: f64) -> String {
     let best = |ours: bool| fastest(comparison.series.iter().filter(move |series| series.ours == ours), digits);
     let ours = best(true).map(|(seconds, method)| format!("**{}** {method}", time(seconds)));
     let textbook = best(false).map(|(seconds, method)| format!("{} {method}", time(seconds)));
-    let told: Vec<_> = ours.into_iter().chain(textbook).collect();
-    if told.is_empty() { "—".to_owned() } else { told.join("<br>") }
+    let shown: Vec<_> = ours.into_iter().chain(textbook).collect();
+    if shown.is_empty() { "—".to_owned() } else { shown.join("<br>") }
 }
 
 fn fastest<'a>(series: impl Iterator<Item = &'a Series>, digits: f64) -> Option<(f64, &'static str)> {
@@ -113,24 +113,24 @@ fn limit(family: Family, ladders: &[&Ladder]) -> String {
     let worst = ladders.iter().max_by(|one, other| loss(one).total_cmp(&loss(other)));
     let naive = |ladder: &Ladder| ladder.worst_naive().unwrap_or(f64::NEG_INFINITY);
     let textbook = ladders.iter().max_by(|one, other| naive(one).total_cmp(&naive(other)));
-    let told = worst.map_or_else(String::new, |ladder| format!("{} | `{}`", excess(ladder), escaped(&ladder.function)));
+    let shown = worst.map_or_else(String::new, |ladder| format!("{} | `{}`", excess(ladder), escaped(&ladder.function)));
     let typed = textbook.and_then(|ladder| Some(format!("{} | `{}`", size(ladder.worst_naive()?), ladder.function)));
-    format!("| {} | {} | {open} | {told} | {} |\n", family.title(), ladders.len(), typed.unwrap_or("— |".to_owned()))
+    format!("| {} | {} | {open} | {shown} | {} |\n", family.title(), ladders.len(), typed.unwrap_or("— |".to_owned()))
 }
 
 /// A ladder by its worst rung.
 fn function(ladder: &Ladder) -> String {
     let rung = ladder.worst();
-    let told = |x: Option<f64>| x.map_or_else(|| "—".to_owned(), size);
+    let shown = |x: Option<f64>| x.map_or_else(|| "—".to_owned(), size);
     let verdict = if ladder.accepted() { "" } else { "open, not yet explained" };
     format!(
         "| `{}` | {} | {} | {} | {} | {} | {} |\n",
         escaped(&ladder.function),
         escaped(&ladder.toward),
-        told(rung.and_then(Rung::ulp)),
-        told(rung.and_then(|rung| rung.condition)),
+        shown(rung.and_then(Rung::ulp)),
+        shown(rung.and_then(|rung| rung.condition)),
         excess(ladder),
-        told(ladder.worst_naive()),
+        shown(ladder.worst_naive()),
         verdict
     )
 }
@@ -173,8 +173,8 @@ mod tests {
 
     #[test]
     fn times_have_three_digits_and_a_unit() {
-        let told = [1.5e-8, 9.999e-7, 1.234e-4, 0.02, 3.0].map(time);
-        assert_eq!(told, ["15 ns", "1 µs", "123 µs", "20 ms", "3 s"]);
+        let shown = [1.5e-8, 9.999e-7, 1.234e-4, 0.02, 3.0].map(time);
+        assert_eq!(shown, ["15 ns", "1 µs", "123 µs", "20 ms", "3 s"]);
     }
 
     #[test]

@@ -3,14 +3,13 @@
 
 use std::sync::{Arc, LazyLock};
 
-use mdr_core::calculus::Estimate;
 use mdr_core::calculus::gauss_jacobi::{self, Rule};
 use mdr_core::calculus::quadrature::{Node as Abscissa, pieces, tanh_sinh_near_ends};
+use mdr_core::calculus::{Estimate, Tolerance};
 use mdr_core::contact::{Error, Result, Transform};
 use mdr_core::number::Real;
 
 use super::extrema::{Terrain, in_octaves};
-use crate::fields::tolerance;
 
 /// g at a node of a panel, with the weight of the node.
 #[derive(Clone, Copy, Debug)]
@@ -131,7 +130,7 @@ fn weighted<R: Real>(a: &R, r: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) ->
             Err(Error::Domain { .. }) if node.x == *from || node.x == *to => Ok(node.x.lit(0)),
             value => Ok(value? / (beyond.clone() + &node.from_upper).sqrt() / (node.x.clone() + r).sqrt()),
         };
-        tanh_sinh_near_ends(from, to, tolerance(r), at)
+        tanh_sinh_near_ends(from, to, Tolerance::of_cancelling(r), at)
     })?;
     Ok(integral.scaled(&(r.lit(2) / r.pi())))
 }

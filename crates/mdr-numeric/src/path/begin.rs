@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::Real;
 
-use super::follow::{Position, certain, state};
+use super::position::{Position, certain, state};
 use super::{ContactState, Start};
 use crate::branch::{End, EquilibriumBranches, FirstContact, beyond_reach};
 

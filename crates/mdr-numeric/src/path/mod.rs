@@ -6,9 +6,10 @@
 //! enclosures each decision is proved.
 
 mod begin;
+mod energy;
 mod follow;
 mod integral;
-mod ledger;
+mod position;
 
 use std::cmp::Ordering;
 
@@ -19,7 +20,7 @@ use mdr_core::number::Real;
 use crate::admissible::Ring;
 use crate::branch::EquilibriumBranches;
 
-pub use ledger::{Balance, Dissipation, EventEnergy, PathEnergy, stored};
+pub use energy::{Balance, Dissipation, EventEnergy, PathEnergy, stored};
 
 /// The equilibrium at the first way point with which a path begins.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +33,18 @@ pub enum Start<R> {
     Nearest(R),
     /// The surfaces are separated.
     Detached,
+}
+
+impl<R> Start<R> {
+    /// The same with its radius in another arithmetic.
+    pub fn map<S>(&self, number: impl FnOnce(&R) -> S) -> Start<S> {
+        match self {
+            Start::Largest => Start::Largest,
+            Start::Smallest => Start::Smallest,
+            Start::Nearest(radius) => Start::Nearest(number(radius)),
+            Start::Detached => Start::Detached,
+        }
+    }
 }
 
 /// The state of the two surfaces.

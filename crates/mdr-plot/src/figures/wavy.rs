@@ -1,7 +1,7 @@
 //! Figure 4: a paraboloid with waves, whose contact jumps from crest to crest while it is pulled off.
 
 use mdr::Result;
-use mdr::diagram::Spot;
+use mdr::diagram::State;
 use mdr::prelude::{Elasticity, EventKind, Scene, Shape};
 
 use super::study::{ARROW_HEIGHT, Study};
@@ -34,7 +34,7 @@ pub(super) fn figure_4() -> Result<Picture> {
         let panel = Panel::new(format!("({letter})  *g*(*a*) − *d*, {waves}"), x, y);
         let mut study = Study::new(scene, [1.0; 2], &[], panel)?;
         let history = History::of(&study);
-        description.push_str(&format!(" ({letter}) A = {amplitude} m, λ = {wavelength} m: {}", history.told()));
+        description.push_str(&format!(" ({letter}) A = {amplitude} m, λ = {wavelength} m: {}", history.description()));
         let deepest = history.jumps.iter().map(|jump| jump.d).fold(0.0, f64::min);
         study.panel.y = axis("length", UNPULLED - deepest);
         history.draw(&mut study);
@@ -62,7 +62,7 @@ struct Jump {
 
 impl History {
     fn of(study: &Study) -> Self {
-        let radius = |spot: Option<Spot>| spot.map(|spot| spot.contact_radius).filter(|radius| *radius > 0.0);
+        let radius = |state: Option<State>| state.map(|state| state.contact_radius).filter(|radius| *radius > 0.0);
         let path = &study.sides.diagram.path;
         let jumps = path.iter().filter(|event| matches!(event.kind, EventKind::Jump | EventKind::Detached));
         History {
@@ -74,7 +74,7 @@ impl History {
     }
 
     /// The history in words and numbers.
-    fn told(&self) -> String {
+    fn description(&self) -> String {
         let mut text = format!("a_0 = {:.7} m;", self.start);
         for Jump { from, d, to } in &self.jumps {
             let end = match to {

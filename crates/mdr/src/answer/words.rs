@@ -4,7 +4,7 @@ use super::{Completeness, NumberStyle, Output};
 #[cfg(feature = "fit")]
 use crate::fit::{Event, Fit, Interval, SmoothedFit};
 
-/// Reasons that are told of one output.
+/// Reasons that belong to one output.
 const MOST_REASONS: usize = 5;
 
 impl Output {

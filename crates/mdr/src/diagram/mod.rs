@@ -12,7 +12,7 @@ pub use mdr_core::contact::Equilibrium;
 pub use mdr_numeric::folds::SearchQuality;
 
 /// A state in the planes of the pictures: contact radius, indentation depth, force.
-pub use crate::double::State as Spot;
+pub use crate::double::State;
 pub use sampling::Sample;
 
 use sampling::samples;
@@ -38,9 +38,9 @@ pub struct Event {
     /// The controlled quantity.
     pub value: f64,
     /// Where it begins and where it ends; detached is a = F = 0, and none where the surfaces touch everywhere.
-    pub before: Option<Spot>,
+    pub before: Option<State>,
     /// Likewise.
-    pub after: Option<Spot>,
+    pub after: Option<State>,
 }
 
 /// The diagram (g − d, Δl) while the controlled quantity is held.
@@ -64,9 +64,9 @@ pub struct Diagram {
     /// By increasing radius; neighbours share the point of their fold.
     pub branches: Vec<Branch>,
     /// Where the contact rests at a wall: from the first state on, along a straight line.
-    pub wall: Option<[Spot; 2]>,
+    pub wall: Option<[State; 2]>,
     /// The folds within the range of radii.
-    pub folds: Vec<Spot>,
+    pub folds: Vec<State>,
     /// At the values that the scene asks for.
     pub held: Vec<HeldCurve>,
     /// The events of its path.
@@ -80,8 +80,8 @@ const MOST_HELD: usize = 3;
 
 impl Event {
     /// The state before it, or after it where contact begins; none while the surfaces are apart.
-    pub fn in_contact(&self) -> Option<Spot> {
-        [self.before, self.after].into_iter().flatten().find(|spot| spot.contact_radius > 0.0)
+    pub fn in_contact(&self) -> Option<State> {
+        [self.before, self.after].into_iter().flatten().find(|state| state.contact_radius > 0.0)
     }
 }
 
@@ -131,19 +131,19 @@ impl Diagram {
 
     /// The states between the two ends of a jump, out of equilibrium: at each contact radius, the indentation depth and the force
     /// (1.6), 2E*(a d − ∫g), that the control leaves. None where the surfaces touch everywhere.
-    pub fn jump(&self, event: &Event) -> Option<Vec<Spot>> {
+    pub fn jump(&self, event: &Event) -> Option<Vec<State>> {
         let (from, to) = (event.before?, event.after?);
         let (lower, upper) = (from.contact_radius.min(to.contact_radius), from.contact_radius.max(to.contact_radius));
         let between = self.samples().filter(|sample| sample.contact_radius > lower && sample.contact_radius < upper);
-        let mut spots: Vec<Spot> = between.map(|sample| self.out_of_equilibrium(sample, event.value)).collect();
+        let mut states: Vec<State> = between.map(|sample| self.out_of_equilibrium(sample, event.value)).collect();
         if from.contact_radius > to.contact_radius {
-            spots.reverse();
+            states.reverse();
         }
-        Some([from].into_iter().chain(spots).chain([to]).collect())
+        Some([from].into_iter().chain(states).chain([to]).collect())
     }
 
     /// The state at the contact radius of an equilibrium, with the controlled quantity at `value`.
-    fn out_of_equilibrium(&self, sample: &Sample, value: f64) -> Spot {
+    fn out_of_equilibrium(&self, sample: &Sample, value: f64) -> State {
         let Sample { contact_radius, indentation: depth, force: rest, .. } = *sample;
         let slope = 2.0 * self.effective_modulus * contact_radius;
         let indentation = match &self.control {
@@ -151,7 +151,7 @@ impl Diagram {
             Control::Force => depth + (value - rest) / slope,
             Control::Machine { stiffness } => (stiffness * value - rest + slope * depth) / (slope + stiffness),
         };
-        Spot { contact_radius, indentation, force: rest + slope * (indentation - depth) }
+        State { contact_radius, indentation, force: rest + slope * (indentation - depth) }
     }
 
     /// The diagram of a contact with the events of its path, if it has one, and its equilibria at some values of the controlled
@@ -170,7 +170,7 @@ impl Diagram {
             states.push(branches.equilibria(value)?);
         }
         let reached = path.iter().flat_map(|event| [event.before, event.after]).flatten();
-        let mut radii: Vec<f64> = reached.map(|spot| spot.contact_radius).filter(|radius| *radius > 0.0).collect();
+        let mut radii: Vec<f64> = reached.map(|state| state.contact_radius).filter(|radius| *radius > 0.0).collect();
         if radii.is_empty() {
             radii = states.iter().flatten().map(|state| state.contact_radius).collect();
         }
@@ -190,7 +190,7 @@ impl Diagram {
             effective_modulus: *curve.effective_modulus(),
             branches: cut(branches, &nodes, &all),
             wall: wall(curve, upper)?,
-            folds: folds.into_iter().filter(|fold| fold.indentation.is_finite()).map(fold_spot).collect(),
+            folds: folds.into_iter().filter(|fold| fold.indentation.is_finite()).map(at_fold).collect(),
             held,
             path,
             completeness: branches.completeness(),
@@ -292,30 +292,30 @@ fn rising(curve: &EquilibriumCurve<'_, f64>, samples: &[Sample]) -> bool {
 }
 
 /// The states at a wall: the radius stays and the force is 2E*b times the indentation that is added.
-fn wall(curve: &EquilibriumCurve<'_, f64>, upper: f64) -> contact::Result<Option<[Spot; 2]>> {
+fn wall(curve: &EquilibriumCurve<'_, f64>, upper: f64) -> contact::Result<Option<[State; 2]>> {
     let Some(radius) = curve.vertical_edge().filter(|radius| *radius <= upper) else { return Ok(None) };
     let (indentation, force) = curve.state(&radius)?;
     let added = 2.0 * curve.detachment_elongation(&radius)? + indentation.abs();
-    let first = Spot { contact_radius: radius, indentation, force };
+    let first = State { contact_radius: radius, indentation, force };
     let force = force + 2.0 * curve.effective_modulus() * radius * added;
-    Ok(Some([first, Spot { contact_radius: radius, indentation: indentation + added, force }]))
+    Ok(Some([first, State { contact_radius: radius, indentation: indentation + added, force }]))
 }
 
-fn fold_spot(fold: &Fold<f64>) -> Spot {
-    Spot { contact_radius: fold.contact_radius, indentation: fold.indentation, force: fold.force }
+fn at_fold(fold: &Fold<f64>) -> State {
+    State { contact_radius: fold.contact_radius, indentation: fold.indentation, force: fold.force }
 }
 
 fn happening(event: &path::Event<f64>, curve: &EquilibriumCurve<'_, f64>) -> Event {
-    let spot = |state: &ContactState<f64>| match state {
+    let numbers = |state: &ContactState<f64>| match state {
         ContactState::Contact(rest) => {
-            Some(Spot { contact_radius: rest.contact_radius, indentation: rest.indentation, force: rest.force })
+            Some(State { contact_radius: rest.contact_radius, indentation: rest.indentation, force: rest.force })
         }
         // Apart, nothing but the control itself is known: the force it applies, or where it holds the body.
         ContactState::Detached if *curve.control() == Control::Force => {
-            Some(Spot { contact_radius: 0.0, indentation: f64::NAN, force: event.value })
+            Some(State { contact_radius: 0.0, indentation: f64::NAN, force: event.value })
         }
-        ContactState::Detached => Some(Spot { contact_radius: 0.0, indentation: event.value, force: 0.0 }),
+        ContactState::Detached => Some(State { contact_radius: 0.0, indentation: event.value, force: 0.0 }),
         ContactState::Complete => None,
     };
-    Event { kind: event.kind, value: event.value, before: spot(&event.before), after: spot(&event.after) }
+    Event { kind: event.kind, value: event.value, before: numbers(&event.before), after: numbers(&event.after) }
 }

@@ -101,7 +101,8 @@ impl Contact {
         self.branched(control, stop, true, |branches| {
             let path = Path::follow(branches, start, way)?;
             let losses = Dissipation::of_each(&path, branches);
-            let balance = lack(PathEnergy::new(&path, branches).and_then(|ledger| ledger.balance(&path, branches)))?;
+            let balance =
+                lack(PathEnergy::new(&path, branches).and_then(|energies| energies.balance(&path, branches)))?;
             let balance = balance.map_or(Some([f64::NAN; 3]), |balance| {
                 balance.map(|balance| [balance.work, balance.dissipated, balance.stored])
             });

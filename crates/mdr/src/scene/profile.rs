@@ -84,12 +84,12 @@ impl Formula {
     }
 
     fn with(text: &str, parameters: BTreeMap<String, Literal>) -> std::result::Result<Formula, String> {
-        let told = |error: mdr_core::contact::ExpressionError| error.to_string();
-        let expression: Expression = text.parse().map_err(told)?;
-        expression.bind::<f64>((), &parameters).map_err(told)?;
+        let refused = |error: mdr_core::contact::ExpressionError| error.to_string();
+        let expression: Expression = text.parse().map_err(refused)?;
+        expression.bind::<f64>((), &parameters).map_err(refused)?;
         zero_at_the_tip(&expression, &parameters)?;
         #[cfg(feature = "mp")]
-        let breaks = expression.breaks(&parameters).map_err(told)?;
+        let breaks = expression.breaks(&parameters).map_err(refused)?;
         #[cfg(not(feature = "mp"))]
         if !expression.is_smooth() {
             return Err(

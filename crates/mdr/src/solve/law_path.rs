@@ -131,7 +131,7 @@ impl<'a> Branches<'a> {
     }
 
     fn begin(&self) -> Start<Interval> {
-        path::start(self.law.scene, |radius| self.enclose(&self.law.number(radius)))
+        self.law.scene.start.map(|radius| self.enclose(&self.law.number(radius)))
     }
 
     fn fold(&self, fold: usize) -> Known {

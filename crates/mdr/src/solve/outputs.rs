@@ -50,7 +50,7 @@ pub(crate) fn curve<R: SceneReal>(
             Ok(Some(Ordering::Equal)) => Value::Known(Stability::Neutral),
             Ok(None) => {
                 let what = "whether the equilibrium is stable";
-                return Err(Error::Undecided { quantity: Quantity::ContactRadius, bits: a.precision(), what });
+                return Err(Error::undecided(Quantity::ContactRadius, &a, what));
             }
             Err(error) => Value::from_result(Err(error))?,
         };

@@ -4,11 +4,11 @@ use std::cmp::Ordering;
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Control, Error, Result, Status};
-use mdr_core::number::{Literal, Real};
+use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, Ring, Verdict};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
-use mdr_numeric::path::{self, ContactState, Event, EventKind, Path, Start, stored};
+use mdr_numeric::path::{self, ContactState, Event, EventKind, Path, stored};
 
 use super::model::{Model, SceneReal};
 use crate::answer::record::Numbers;
@@ -27,17 +27,7 @@ pub(crate) fn follow<R: SceneReal>(
 ) -> Result<Path<R>> {
     let way: Vec<R> = scene.path.iter().map(|point| model.number(point)).collect();
     let order: Vec<Ordering> = scene.path.windows(2).map(|pair| pair[1].compare(&pair[0])).collect();
-    Path::follow_ordered(branches, &start(scene, |radius| model.number(radius)), &way, &order)
-}
-
-/// Where the path of a scene starts.
-pub(super) fn start<R: Real>(scene: &Scene, number: impl FnOnce(&Literal) -> R) -> Start<R> {
-    match &scene.start {
-        Start::Largest => Start::Largest,
-        Start::Smallest => Start::Smallest,
-        Start::Nearest(radius) => Start::Nearest(number(radius)),
-        Start::Detached => Start::Detached,
-    }
+    Path::follow_ordered(branches, &scene.start.map(|radius| model.number(radius)), &way, &order)
 }
 
 /// The events of a path, without the energy that is lost in each.

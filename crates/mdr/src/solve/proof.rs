@@ -181,7 +181,7 @@ fn is_within(state: &contact::Equilibrium<Interval>, [lower, upper]: &[Literal; 
         Ok(true)
     } else {
         let what = "whether an equilibrium lies within the range of the scene";
-        Err(Error::Undecided { quantity: Quantity::ContactRadius, bits: radius.precision(), what })
+        Err(Error::undecided(Quantity::ContactRadius, radius, what))
     }
 }
 

@@ -128,7 +128,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// The equilibrium in which the path starts; none where it cannot, or where the surfaces are apart.
     fn first(&self, scene: &Scene, first: &Literal) -> Result<Option<contact::Equilibrium<R>>> {
         let value = self.model.number(first);
-        match Path::first(&self.branches, &path::start(scene, |radius| self.model.number(radius)), &value) {
+        match Path::first(&self.branches, &scene.start.map(|radius| self.model.number(radius)), &value) {
             Ok(ContactState::Contact(state)) => Ok(Some(self.with_value(state, &value))),
             Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
             Err(error) => Err(error),

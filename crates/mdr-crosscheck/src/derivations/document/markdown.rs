@@ -120,8 +120,8 @@ fn entry(judgement: &Judgement, level: &str) -> String {
         section += &format!("\n\n**Erratum.** {}", words(erratum.text));
     }
     let mutants = judgement.mutants();
-    for (fate, name) in [(MutantVerdict::Meaningless, "Meaningless"), (MutantVerdict::Undecided, "Undecided")] {
-        let named: Vec<_> = mutants.with(fate).map(|mutant| format!("$`{}`$", mutant.tex())).collect();
+    for (verdict, name) in [(MutantVerdict::Meaningless, "Meaningless"), (MutantVerdict::Undecided, "Undecided")] {
+        let named: Vec<_> = mutants.with(verdict).map(|mutant| format!("$`{}`$", mutant.tex())).collect();
         if !named.is_empty() {
             section += &format!("\n\n{name} mutants: {}.", named.join("; "));
         }

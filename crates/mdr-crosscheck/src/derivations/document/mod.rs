@@ -105,9 +105,9 @@ pub fn summary(judgements: &[Judgement]) -> String {
     let failed = steps().filter(|step| !step.holds()).count();
     let failed = if failed == 0 { String::new() } else { format!(", {failed} FAILED") };
     let mutants: Mutants = judgements.iter().map(Judgement::mutants).sum();
-    let fates = fates(&mutants, |fate| mutants.count(fate) > 0 || fate == MutantVerdict::Undecided);
+    let verdicts = verdicts(&mutants, |verdict| mutants.count(verdict) > 0 || verdict == MutantVerdict::Undecided);
     format!(
-        "{} entries, {} with theorems of Coq; {} steps: {counts}{failed}. {} distinct mutants: {fates}.",
+        "{} entries, {} with theorems of Coq; {} steps: {counts}{failed}. {} distinct mutants: {verdicts}.",
         judgements.len(),
         judgements.iter().filter(|judgement| judgement.entry.theorems().next().is_some()).count(),
         steps().count(),
@@ -122,19 +122,19 @@ fn tally<'a>(steps: impl Iterator<Item = &'a StepJudgement> + Clone) -> String {
     counts.map(|verdict| format!("{} {}", count(verdict), verdict.word())).collect::<Vec<_>>().join(", ")
 }
 
-/// How many mutants had each of some fates.
-fn fates(mutants: &Mutants, told: impl Fn(MutantVerdict) -> bool) -> String {
-    let fates = MutantVerdict::ALL.into_iter().filter(|fate| told(*fate));
-    fates.map(|fate| format!("{} {}", mutants.count(fate), fate.name())).collect::<Vec<_>>().join(", ")
+/// How many mutants had each of some verdicts.
+fn verdicts(mutants: &Mutants, shown: impl Fn(MutantVerdict) -> bool) -> String {
+    let verdicts = MutantVerdict::ALL.into_iter().filter(|verdict| shown(*verdict));
+    verdicts.map(|verdict| format!("{} {}", mutants.count(verdict), verdict.name())).collect::<Vec<_>>().join(", ")
 }
 
 /// How many distinct mutants there were, and what became of them.
 fn mutants(mutants: &Mutants) -> String {
-    let occurs = |fate| mutants.count(fate) > 0;
-    match (mutants.len(), &MutantVerdict::ALL.into_iter().filter(|fate| occurs(*fate)).collect::<Vec<_>>()[..]) {
-        (1, [fate]) => format!("1 mutant, {}.", fate.name()),
-        (count, [fate]) => format!("{count} distinct mutants, all {}.", fate.name()),
-        (count, _) => format!("{count} distinct mutants: {}.", fates(mutants, occurs)),
+    let occurs = |verdict| mutants.count(verdict) > 0;
+    match (mutants.len(), &MutantVerdict::ALL.into_iter().filter(|verdict| occurs(*verdict)).collect::<Vec<_>>()[..]) {
+        (1, [verdict]) => format!("1 mutant, {}.", verdict.name()),
+        (count, [verdict]) => format!("{count} distinct mutants, all {}.", verdict.name()),
+        (count, _) => format!("{count} distinct mutants: {}.", verdicts(mutants, occurs)),
     }
 }
 

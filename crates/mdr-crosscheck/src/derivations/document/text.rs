@@ -52,8 +52,8 @@ fn entry(judgement: &Judgement) -> String {
     }
     let all = judgement.mutants();
     lines.push(format!("\n{}", mutants(&all)));
-    for fate in [MutantVerdict::Meaningless, MutantVerdict::Undecided] {
-        let named = all.with(fate).map(|mutant| format!("{}: {}", fate.name(), mutant.text()));
+    for verdict in [MutantVerdict::Meaningless, MutantVerdict::Undecided] {
+        let named = all.with(verdict).map(|mutant| format!("{}: {}", verdict.name(), mutant.text()));
         lines.extend(named.map(|mutant| wrapped(&mutant, "  ")));
     }
     lines.join("\n")

@@ -167,11 +167,8 @@ fn point(
     equation: impl Fn(&Point<Moving>) -> Result<(Moving, Moving)>,
 ) -> Result<Point<Moving>> {
     let precision = contact.numbers.e_star.ctx();
-    let undecided = || Error::Undecided {
-        quantity: Quantity::ContactRadius,
-        bits: precision.bits(),
-        what: "whether a row has one state on its arc",
-    };
+    let what = "whether a row has one state on its arc";
+    let undecided = || Error::undecided(Quantity::ContactRadius, &contact.numbers.e_star, what);
     let at = |s: &Interval| equation(&contact.point(&Dual::constant(s.clone()))?);
     let mut middle = Interval::from_f64(precision, near);
     let mut found: Option<Interval> = None;

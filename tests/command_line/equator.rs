@@ -101,10 +101,10 @@ fn stable_states_before_the_equator() {
     }
 }
 
-/// A lens of height c: its fold is at 1 − a ≈ 1.26 c, and the stable states are so close to the rim, 1 − a = 10^(−4·10⁵)
+/// A lens of height c: its fold is at 1 − a ≈ 1.26 c, and the stable states are so close to the equator, 1 − a = 10^(−4·10⁵)
 /// and less for c = 1e-7, that no precision tells them from it.
 #[test]
-fn a_flat_ellipsoid_has_its_fold_at_the_rim() {
+fn a_flat_ellipsoid_has_its_fold_at_the_equator() {
     let lens = |height: &str| {
         format!(
             "material = {{ e_star = 1, work_of_adhesion = \"0.1\" }}\n\
@@ -131,7 +131,7 @@ fn a_flat_ellipsoid_has_its_fold_at_the_rim() {
             assert_eq!(answer["complete"]["folds"]["proved"], flags != "--f64");
         }
     }
-    // In f64 no number is left between this fold and the rim: the list is not said to be all. Enclosures take more bits.
+    // In f64 no number is left between this fold and the equator: the list is not said to be all. Enclosures take more bits.
     let answer = solved(&lens("1e-40"), "--f64");
     assert!(answer["folds"].as_array().unwrap().is_empty());
     assert!(answer["complete"]["folds"]["why"].as_str().unwrap().contains("not resolved"), "{answer}");

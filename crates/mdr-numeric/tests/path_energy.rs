@@ -18,7 +18,7 @@ const U: f64 = f64::EPSILON / 2.0;
 
 struct Run {
     path: Path<f64>,
-    ledger: PathEnergy<f64>,
+    energies: PathEnergy<f64>,
     balance: Option<Balance<f64>>,
 }
 
@@ -32,15 +32,15 @@ impl Run {
     ) -> Self {
         let branches = SearchedBranches::new(EquilibriumCurve::new(transform, material, control)).unwrap();
         let path = Path::follow(&branches, &start, way).unwrap();
-        let ledger = PathEnergy::new(&path, &branches).unwrap();
-        let balance = ledger.balance(&path, &branches).unwrap();
-        Run { path, ledger, balance }
+        let energies = PathEnergy::new(&path, &branches).unwrap();
+        let balance = energies.balance(&path, &branches).unwrap();
+        Run { path, energies, balance }
     }
 
     /// The finite dissipation in the first event of a kind, and the radius on its contact side.
     fn loss(&self, kind: EventKind) -> (f64, f64) {
         let i = self.path.events.iter().position(|event| event.kind == kind).unwrap();
-        let Dissipation::Finite(dissipated) = &self.ledger.entries[i].dissipated else { panic!("unbounded") };
+        let Dissipation::Finite(dissipated) = &self.energies.entries[i].dissipated else { panic!("unbounded") };
         let event = &self.path.events[i];
         let rest = event.before.contact().or(event.after.contact()).unwrap();
         (dissipated.value, rest.contact_radius)
@@ -50,7 +50,7 @@ impl Run {
         let balance = self.balance.as_ref().unwrap();
         assert!(balance.residual.abs() <= balance.bound, "{balance:?}");
         // A bound that allows anything would test nothing.
-        let works: f64 = self.ledger.entries.iter().map(|entry| entry.work.value.abs()).sum();
+        let works: f64 = self.energies.entries.iter().map(|entry| entry.work.value.abs()).sum();
         assert!(balance.bound <= 1e-10 * (works + balance.dissipated + balance.stored.abs()), "{balance:?}");
         balance
     }
@@ -92,7 +92,7 @@ fn the_flat_punch_gives_all_it_has() {
     for kind in [EventKind::JumpIn, EventKind::Detached] {
         assert_relative_eq!(run.loss(kind).0, PI * b * b * w, max_relative = 256.0 * U);
     }
-    assert_relative_eq!(run.ledger.entries[2].work.value, e * b * 1e-6, max_relative = 16.0 * U);
+    assert_relative_eq!(run.energies.entries[2].work.value, e * b * 1e-6, max_relative = 16.0 * U);
     run.balanced();
 }
 
@@ -120,7 +120,7 @@ fn a_cycle_of_jkr_loses_its_area() {
 
     // Under a dead load the pull-off has no final state, and only it is unbounded.
     let dead = Run::new(&ball, &material, &Control::Force, Start::Largest, &[0.0, -100.0]);
-    assert_eq!((&dead.ledger.entries[1].dissipated, &dead.balance), (&Dissipation::Unbounded, &None));
+    assert_eq!((&dead.energies.entries[1].dissipated, &dead.balance), (&Dissipation::Unbounded, &None));
     Run::new(&ball, &material, &Control::Force, Start::Detached, &[-1.0, 3.0, -0.1]).balanced();
 }
 
@@ -159,7 +159,7 @@ fn a_small_force_control_jump_is_paid_by_the_load() {
     let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 2e-3, wavelength: 0.1 }]).unwrap();
     let material = Material::new(1.0, 1e-4).unwrap();
     let run = Run::new(&profile, &material, &Control::Force, Start::Detached, &[0.0, 0.02]);
-    let jumps: Vec<f64> = run.ledger.entries.iter().map(|entry| entry.work_in_event).collect();
+    let jumps: Vec<f64> = run.energies.entries.iter().map(|entry| entry.work_in_event).collect();
     assert!(run.path.events.iter().any(|event| event.kind == EventKind::Jump), "{:?}", run.path);
     assert!(jumps.iter().any(|work| *work > 0.0));
     run.balanced();
@@ -179,7 +179,7 @@ fn below_one_half_a_cycle_loses_nothing() {
         let balance = cycle.balance.unwrap();
         assert!(balance.work.abs() <= balance.bound && balance.dissipated == 0.0 && balance.stored == 0.0);
         let beyond = Run::new(&profile, &material, &control, Start::Detached, &[-top, 2.0 * top]);
-        assert_eq!((beyond.balance, beyond.ledger.entries[2].dissipated.clone()), (None, Dissipation::Unbounded));
+        assert_eq!((beyond.balance, beyond.energies.entries[2].dissipated.clone()), (None, Dissipation::Unbounded));
     }
 }
 
@@ -212,7 +212,7 @@ proptest! {
         prop_assert!(run.path.is_finished());
         let balance = run.balance.as_ref().unwrap();
         prop_assert!(balance.residual.abs() <= balance.bound, "{:?}", balance);
-        for (entry, event) in run.ledger.entries.iter().zip(&run.path.events) {
+        for (entry, event) in run.energies.entries.iter().zip(&run.path.events) {
             let Dissipation::Finite(dissipated) = &entry.dissipated else { panic!("unbounded") };
             prop_assert!(dissipated.value >= 0.0);
             let jumps = event.before != event.after && event.before != ContactState::Detached;

@@ -83,11 +83,11 @@ impl<R: Real> PathEnergy<R> {
     /// let material = Material::new(1.0, 1e-3)?;
     /// let branches = SearchedBranches::new(EquilibriumCurve::new(&ball, &material, &control))?;
     /// let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.1])?;
-    /// let ledger = PathEnergy::new(&path, &branches)?;
-    /// let Dissipation::Finite(lost) = &ledger.entries[1].dissipated else { panic!("finite at fixed grips") };
+    /// let energies = PathEnergy::new(&path, &branches)?;
+    /// let Dissipation::Finite(lost) = &energies.entries[1].dissipated else { panic!("finite at fixed grips") };
     /// let a = path.events[1].before.contact().expect("in contact").contact_radius;
     /// assert!((lost.value / (std::f64::consts::PI * a * a * 1e-3) - 0.4).abs() < 1e-13);
-    /// let balance = ledger.balance(&path, &branches)?.expect("nothing unbounded");
+    /// let balance = energies.balance(&path, &branches)?.expect("nothing unbounded");
     /// assert!(balance.residual.abs() <= balance.bound);
     /// # Ok::<(), mdr_core::contact::Error>(())
     /// ```
@@ -96,15 +96,15 @@ impl<R: Real> PathEnergy<R> {
     /// Those of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this
     /// arithmetic.
     pub fn new(path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Result<Self> {
-        let books = EnergyAccount::new(branches);
+        let integrals = EnergyIntegrals::new(branches);
         let mut entries = Vec::with_capacity(path.events.len());
         let mut last: Option<&Event<R>> = None;
         for event in &path.events {
             let work = match last {
-                Some(last) => books.work(&last.after, &event.before)?,
+                Some(last) => integrals.work(&last.after, &event.before)?,
                 None => Estimate::exact(event.value.lit(0)),
             };
-            let (work_in_event, dissipated) = books.event(event)?;
+            let (work_in_event, dissipated) = integrals.event(event)?;
             entries.push(EventEnergy { work, work_in_event, dissipated });
             last = Some(event);
         }
@@ -117,7 +117,7 @@ impl<R: Real> PathEnergy<R> {
     /// # Errors
     /// As [`PathEnergy::new`].
     pub fn balance(&self, path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Result<Option<Balance<R>>> {
-        EnergyAccount::new(branches).balance(path, &self.entries)
+        EnergyIntegrals::new(branches).balance(path, &self.entries)
     }
 }
 
@@ -127,7 +127,7 @@ impl<R: Real> PathEnergy<R> {
 /// # Errors
 /// As [`PathEnergy::new`].
 pub fn stored<R: Real>(path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Result<Option<Estimate<R>>> {
-    EnergyAccount::new(branches).more_stored(path)
+    EnergyIntegrals::new(branches).more_stored(path)
 }
 
 impl<R: Real> Dissipation<R> {
@@ -136,21 +136,21 @@ impl<R: Real> Dissipation<R> {
     /// # Errors
     /// As [`PathEnergy::new`].
     pub fn of_each(path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Vec<Result<Self>> {
-        let books = EnergyAccount::new(branches);
-        path.events.iter().map(|event| Ok(books.event(event)?.1)).collect()
+        let integrals = EnergyIntegrals::new(branches);
+        path.events.iter().map(|event| Ok(integrals.event(event)?.1)).collect()
     }
 }
 
-struct EnergyAccount<'a, 'c, R: Real> {
+struct EnergyIntegrals<'a, 'c, R: Real> {
     curve: &'a EquilibriumCurve<'c, R>,
     breaks: Breaks<R>,
 }
 
-impl<'a, 'c, R: Real> EnergyAccount<'a, 'c, R> {
+impl<'a, 'c, R: Real> EnergyIntegrals<'a, 'c, R> {
     fn new(branches: &'a SearchedBranches<'c, R>) -> Self {
         let folds = branches.folds().iter().map(|fold| fold.contact_radius.clone());
         let curve = branches.curve();
-        EnergyAccount { curve, breaks: Breaks::new(curve.transform(), folds) }
+        EnergyIntegrals { curve, breaks: Breaks::new(curve.transform(), folds) }
     }
 
     /// The work of the control between two states on one branch.
