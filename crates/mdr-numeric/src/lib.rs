@@ -4,14 +4,15 @@
 //! crest, and then breaks.
 //!
 //! ```
+//! use std::sync::Arc;
 //! use mdr_core::contact::{Control, Material, Shape};
 //! use mdr_numeric::branch::EquilibriumBranches;
 //! use mdr_numeric::path::{EventKind, Path, Start};
-//! use mdr_numeric::{curve::EquilibriumCurve, equilibrium::SearchedBranches, transform::Quadrature};
+//! use mdr_numeric::{contact::Contact, equilibrium::SearchedBranches, transform::Quadrature};
 //!
-//! let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?; // R, A, λ in m
+//! let profile = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?); // R, A, λ in m
 //! let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation); // E* in Pa, w in J/m²
-//! let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control))?;
+//! let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &control))?;
 //!
 //! let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
 //! assert_eq!(radii.len(), 3);
@@ -57,13 +58,14 @@
 
 pub mod admissible;
 pub mod branch;
-pub mod curve;
+pub mod contact;
 pub mod dugdale;
 pub mod energy;
 mod equator;
 pub mod equilibrium;
 pub mod fields;
 pub mod folds;
+pub mod medium;
 pub mod path;
 pub mod profiles;
 #[cfg(feature = "mp")]

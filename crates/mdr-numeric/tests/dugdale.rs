@@ -3,27 +3,37 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Error, Material, Shape, Transform};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::folds;
 use mdr_numeric::transform::Quadrature;
 
-fn pull_off(profile: &dyn Transform<f64>, e_star: f64, work: f64, range: f64) -> CohesiveState<f64> {
+fn pull_off(
+    profile: &(impl Transform<f64> + Clone + 'static),
+    e_star: f64,
+    work: f64,
+    range: f64,
+) -> CohesiveState<f64> {
     let material = Material::new(e_star, work).unwrap();
-    let radii: Vec<f64> =
-        folds(profile, &material, &Control::Force).unwrap().iter().map(|fold| fold.contact_radius).collect();
+    let radii: Vec<f64> = folds(&Arc::new(profile.clone()), &material, &Control::Force)
+        .unwrap()
+        .iter()
+        .map(|fold| fold.contact_radius)
+        .collect();
     let contact =
-        Dugdale::new(EquilibriumCurve::new(profile, &material, &Control::Force), &separation(&range)).unwrap();
+        Dugdale::new(Contact::half_space(&Arc::new(profile.clone()), &material, &Control::Force), &separation(&range))
+            .unwrap();
     contact.pull_off(&radii).unwrap().unwrap()
 }
 
 #[test]
 fn a_paraboloid_is_between_jkr_and_dmt() {
     // Units of πwR: 3/2 for a short range, 2 for a long one, and in between as in the table of Maugis.
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap());
     let share = |range: f64| -pull_off(&ball, 1.0, 1e-6, range).force / (PI * 1e-6);
     let shares: Vec<f64> = [1e-8, 1e-5, 1e-4, 1e-3, 1e-1].map(share).to_vec();
     assert!(shares.is_sorted(), "{shares:?}");
@@ -34,7 +44,7 @@ fn a_paraboloid_is_between_jkr_and_dmt() {
 
 #[test]
 fn results_do_not_depend_on_units() {
-    let ball = |radius: f64| Quadrature::of([Shape::Paraboloid { radius }]).unwrap();
+    let ball = Arc::new(|radius: f64| Quadrature::of([Shape::Paraboloid { radius }]).unwrap());
     let nature = pull_off(&ball(1.0), 1.0, 1e-6, 3e-4);
     // Lengths times 10⁻⁸ and forces times 10⁻⁷.
     for (length, force) in [(1e-8, 1e-7), (1e40, 1e-60)] {
@@ -70,9 +80,9 @@ fn a_flat_punch_goes_from_kendall_to_the_full_stress() {
 
 #[test]
 fn tabors_own_number() {
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 10e-9 }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 10e-9 }]).unwrap());
     let material = Material::new(5e9, 0.05).unwrap();
-    let curve = EquilibriumCurve::new(&ball, &material, &Control::Force);
+    let curve = Contact::half_space(&ball, &material, &Control::Force);
     let fold = folds(&ball, &material, &Control::Force).unwrap()[0].contact_radius;
     let tabor = (10e-9 * 0.05_f64.powi(2) / (5e9_f64.powi(2) * 0.3e-9_f64.powi(3))).cbrt();
     assert_relative_eq!(tabor_number(&curve, &fold, &0.3e-9).unwrap(), tabor, max_relative = 1e-13);
@@ -80,9 +90,9 @@ fn tabors_own_number() {
 
 #[test]
 fn inputs_out_of_their_domain() {
-    let ball = Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap());
     let material = Material::new(1.0, 1e-6).unwrap();
-    let curve = || EquilibriumCurve::new(&ball, &material, &Control::Force);
+    let curve = || Contact::half_space(&ball, &material, &Control::Force);
     for bad in [0.0, -1e-9, f64::NAN, f64::INFINITY] {
         assert!(matches!(Dugdale::new(curve(), &bad), Err(Error::Domain { .. })), "{bad}");
         assert!(matches!(tabor_number(&curve(), &0.1, &bad), Err(Error::Domain { .. })), "{bad}");

@@ -23,7 +23,7 @@ use std::sync::Arc;
 use mdr_core::contact::{Fold, Result, Transform};
 use mdr_core::number::Real;
 
-use crate::curve::EquilibriumCurve;
+use crate::contact::Contact;
 
 use extrema::Terrain;
 
@@ -36,19 +36,19 @@ pub use refine::{Ring, Touch, first_touch, last_admissible};
 /// use std::sync::Arc;
 /// use mdr_core::contact::{Control, Material, Shape};
 /// use mdr_numeric::admissible::{Admissibility, Verdict};
-/// use mdr_numeric::{curve::EquilibriumCurve, transform::Quadrature};
+/// use mdr_numeric::{contact::Contact, transform::Quadrature};
 /// // Waves of 10 mm on a paraboloid of 1 m: the first crest alone cannot be pressed deep.
 /// let wavy = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 1e-2, wavelength: 0.1 }])?);
 /// let (material, control) = (Material::new(1.0, 1e-6)?, Control::Indentation);
 /// let admissibility = Admissibility::new(wavy.clone(), [1e-6, 0.3]);
-/// let curve = EquilibriumCurve::new(&*wavy, &material, &control);
+/// let curve = Contact::half_space(&wavy, &material, &control);
 /// assert_eq!(admissibility.of(0.01, curve.indentation(&0.01)?), Verdict::Admissible);
 /// let Verdict::Interpenetrating { radius, gap } = admissibility.of(0.03, curve.indentation(&0.03)?) else { panic!() };
 /// assert!(gap < 0.0 && radius > 0.08 && radius < 0.12); // at the next crest
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-pub struct Admissibility<'a> {
-    terrain: Option<Terrain<'a>>,
+pub struct Admissibility {
+    terrain: Option<Terrain>,
 }
 
 /// The admissibility of a state.
@@ -78,10 +78,10 @@ pub enum Basis {
     Doubtful,
 }
 
-impl<'a> Admissibility<'a> {
+impl Admissibility {
     /// For a transformed profile whose extrema are searched between two radii, and up to the last kink or the end of
     /// the profile; [`search_range`] gives radii for a contact.
-    pub fn new(transform: Arc<dyn Transform<f64> + 'a>, radii: [f64; 2]) -> Self {
+    pub fn new(transform: Arc<dyn Transform<f64>>, radii: [f64; 2]) -> Self {
         if transform.rises() {
             return Self::of_rising();
         }
@@ -94,14 +94,14 @@ impl<'a> Admissibility<'a> {
     }
 
     /// The same, shared by all such profiles.
-    pub fn rising() -> &'static Admissibility<'static> {
-        static RISING: Admissibility<'static> = Admissibility { terrain: None };
+    pub fn rising() -> &'static Admissibility {
+        static RISING: Admissibility = Admissibility { terrain: None };
         &RISING
     }
 
     /// For a transformed profile in any arithmetic, evaluated there and rounded.
-    pub(crate) fn rounded<R: Real>(curve: &EquilibriumCurve<'a, R>, folds: &[Fold<R>]) -> Self {
-        let (transform, length) = (curve.transform(), curve.material_length());
+    pub(crate) fn rounded<R: Real>(curve: &Contact<R>, folds: &[Fold<R>]) -> Self {
+        let (transform, length) = (Arc::clone(curve.shared_transform()), curve.material_length());
         let radii: Vec<f64> = folds.iter().map(|fold| fold.contact_radius.approx()).collect();
         Self::new(Arc::new(Rounded { transform, ctx: length.ctx() }), search_range(length.approx(), &radii))
     }
@@ -158,18 +158,18 @@ pub fn search_range(length: f64, folds: &[f64]) -> [f64; 2] {
 }
 
 /// A transform of another arithmetic, in doubles.
-struct Rounded<'a, R: Real> {
-    transform: &'a dyn Transform<R>,
+struct Rounded<R: Real> {
+    transform: Arc<dyn Transform<R>>,
     ctx: R::Ctx,
 }
 
-impl<R: Real> Rounded<'_, R> {
+impl<R: Real> Rounded<R> {
     fn at(&self, x: f64) -> R {
         R::from_f64(self.ctx, x)
     }
 }
 
-impl<R: Real> Transform<f64> for Rounded<'_, R> {
+impl<R: Real> Transform<f64> for Rounded<R> {
     fn g(&self, x: &f64) -> Result<f64> {
         Ok(self.transform.g(&self.at(*x))?.approx())
     }

@@ -41,6 +41,7 @@ pub enum Rule {
 /// assert!(cone.g(&-1.0).is_err());
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
+#[derive(Clone)]
 pub struct Quadrature<R, P> {
     pub(super) profile: P,
     pub(super) rule: Rule,

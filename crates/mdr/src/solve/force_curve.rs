@@ -44,7 +44,7 @@ impl States<'_, f64> {
                     _ if index == count => to.before.clone(),
                     _ => between(branches, &from.after, &to.before, value)?,
                 };
-                samples.extend(sample(&model.control, segment, step, value, &state));
+                samples.extend(sample(model.control(), segment, step, value, &state));
             }
         }
         let summary = summary(&path, branches, &samples);
@@ -54,7 +54,7 @@ impl States<'_, f64> {
 
 /// The state at a value between those of two events, on the branch on which both are.
 fn between(
-    branches: &SearchedBranches<'_, f64>,
+    branches: &SearchedBranches<f64>,
     from: &ContactState<f64>,
     to: &ContactState<f64>,
     value: f64,
@@ -88,7 +88,7 @@ fn sample(
     })
 }
 
-fn summary(path: &Path<f64>, branches: &SearchedBranches<'_, f64>, samples: &[ForceSample]) -> CurveSummary {
+fn summary(path: &Path<f64>, branches: &SearchedBranches<f64>, samples: &[ForceSample]) -> CurveSummary {
     let known = |value: f64| Value::Known(Number::Double(value));
     let first = |kind: EventKind| path.events.iter().find(|event| event.kind == kind);
     let force_of = |state: &ContactState<f64>| state.contact().map(|rest| known(rest.force));
