@@ -79,8 +79,8 @@ macro_rules! contact {
         let ctx = Precision::new($bits);
         $crate::Contact {
             bits: $bits,
-            plain: Arc::new($profile::new($($crate::number::<Interval>(ctx, $parameter)),*)?),
-            moving: Arc::new($profile::new($($crate::number::<Dual<Interval>>(ctx, $parameter)),*)?),
+            plain: std::sync::Arc::new($profile::new($($crate::number::<Interval>(ctx, $parameter)),*)?),
+            moving: std::sync::Arc::new($profile::new($($crate::number::<Dual<Interval>>(ctx, $parameter)),*)?),
             work: $work,
             held: $held,
         }

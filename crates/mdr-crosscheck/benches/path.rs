@@ -41,7 +41,7 @@ fn paths(criterion: &mut Criterion) {
         let (found, searching) = during(&counted, search);
         let folds = found.folds.len();
         println!("{folds} folds found of {proved} that were proved, {:?}", found.completeness);
-        let branches = SearchedBranches::cut_at(curve, found);
+        let branches = SearchedBranches::cut_at(curve.clone(), found);
         let (path, following) = during(&counted, || pull(&branches));
         let (energies, accounting) = during(&counted, || PathEnergy::new(&path, &branches));
         let jumps = path.events.iter().filter(|event| event.kind == EventKind::Jump).count();
