@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._numbers import Floats, Number, array, double, exact, positive, shaped
+from ._numbers import Floats, Number, array, digits_of, double, exact, positive, shaped
 from ._profiles import Files, Profile
 from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Trace
 
@@ -142,7 +142,7 @@ class Contact:
         control : {"indentation", "force"} or Machine
             What is held. There is no default: pull-off at fixed grips and under a dead load differ.
         digits : int, optional
-            So many certified digits as ``Decimal``; doubles without.
+            So many certified digits as ``Decimal``, from 1 to 100 000; doubles without.
 
         Raises
         ------
@@ -164,7 +164,7 @@ class Contact:
         k = None if stiffness is None else exact(stiffness, "stiffness")
         if digits is None:
             return State(*self._core.critical(held, k))
-        a, d, force = self._core.certified(held, digits, k)
+        a, d, force = self._core.certified(held, digits_of(digits), k)
         return State(a, d, force)
 
     def pull_off(self, control: Control) -> State[float]:
