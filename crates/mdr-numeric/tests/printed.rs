@@ -66,7 +66,7 @@ fn every_shape_has_its_row_and_f_as_printed_is_what_the_program_computes() {
     assert_eq!(kinds.len(), 16, "{kinds:?}");
     for row in &rows {
         let (heights, formula, values) = heights(row);
-        let used: Vec<String> = formula.parameters().map(str::to_owned).collect();
+        let used: Vec<String> = formula.parameters().collect();
         let given = values.iter().filter(|(letter, _)| used.contains(letter));
         let given =
             given.map(|(letter, value)| (letter.clone(), value.to_string().parse::<Literal>().expect("a decimal")));

@@ -34,7 +34,7 @@ def test_json_at_fault_says_what_and_names_no_file() -> None:
         mdr.solve('{"profile": ')
 
 
-HIDDEN = np.ma.masked_invalid([0.0, np.nan, 2e-7])
+HIDDEN = np.ma.masked_invalid([1e-8, np.nan, 2e-7])
 HIDDEN.data[1] = 1e-7  # a number below the mask
 
 
