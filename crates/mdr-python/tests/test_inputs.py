@@ -96,6 +96,8 @@ def test_scalars_of_no_dimension(ball: mdr.Contact) -> None:
     zero = np.array(0.0)
     assert ball.states(force=zero).force == 0 and np.shape(ball.states(force=zero).force) == ()
     assert mdr.jkr(np.array(1e-6), np.float64(1e6), np.array(0.05)).critical("force") == ball.critical("force")
+    one = mdr.Contact(mdr.Paraboloid(np.array(1e-6)), e_star=np.array(1e6), work_of_adhesion=np.array(0.05))
+    assert one == ball and hash(one) == hash(ball) and hash(mdr.Machine(np.array(1.0))) == hash(mdr.Machine(1.0))
     with pytest.raises(TypeError):
         mdr.jkr(np.array([1e-6]), 1e6, 0.05)
 

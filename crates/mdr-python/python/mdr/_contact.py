@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._numbers import Floats, Number, array, digits_of, double, exact, positive, shaped
+from ._numbers import Floats, Number, array, digits_of, double, exact, plain, positive, shaped
 from ._profiles import Files, Profile
 from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Trace
 
@@ -36,6 +36,7 @@ class Machine:
     stiffness: Number
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "stiffness", plain(self.stiffness))
         positive(self.stiffness, "stiffness", "the machine stiffness k")
 
 
@@ -97,7 +98,7 @@ class Contact:
     def __init__(self, profile: Profile, *, e_star: Number, work_of_adhesion: Number) -> None:
         positive(e_star, "e_star", "the effective modulus E*")
         positive(work_of_adhesion, "work_of_adhesion", "the work of adhesion w")
-        self._profile, self._e_star, self._work = profile, e_star, work_of_adhesion
+        self._profile, self._e_star, self._work = profile, plain(e_star), plain(work_of_adhesion)
         self._core = core_of(profile, e_star, work_of_adhesion)
 
     @property

@@ -25,10 +25,18 @@ def refuse_units(x: object, name: str) -> None:
         raise TypeError(f"{name} has units: give its magnitude in SI units, such as {name}.to_base_units().magnitude")
 
 
+def plain(x: Number) -> Number:
+    """An array of one number and no dimension as a number, which can be hashed; all else as it is."""
+    value: Any = x
+    if isinstance(value, np.ndarray) and value.ndim == 0 and not isinstance(value, np.ma.MaskedArray):
+        number: Number = value[()]
+        return number
+    return x
+
+
 def exact(x: Number, name: str) -> str:
     """A number as it was typed: 0.05 is 1/20, whatever double is next to it."""
-    if isinstance(x, np.ndarray) and x.ndim == 0 and not isinstance(x, np.ma.MaskedArray):
-        x = x[()]  # an array of one number, as indexing gives it
+    x = plain(x)
     if isinstance(x, str):
         return x.strip()
     if isinstance(x, Fraction):
@@ -114,7 +122,7 @@ def _unmasked(x: Any, name: str) -> Any:
     if isinstance(x, np.ma.MaskedArray):
         if x.dtype.kind not in "fiuO":
             raise TypeError(f"{name}: expected real numbers, got dtype {x.dtype}")
-        return x.astype(x.dtype if x.dtype.kind in "fO" else np.float64).filled(math.nan)
+        return np.ma.filled(x.astype(x.dtype if x.dtype.kind in "fO" else np.float64), math.nan)
     if isinstance(x, (list, tuple)) and any(isinstance(item, (np.ma.MaskedArray, list, tuple)) for item in x):
         return [_unmasked(item, name) for item in x]
     return x

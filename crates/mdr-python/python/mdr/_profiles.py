@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._errors import DomainError
-from ._numbers import Floats, Number, array, double, exact, positive, row, shaped
+from ._numbers import Floats, Number, array, double, exact, plain, positive, row, shaped
 
 # How complaints call the parameters; those that are not here by their name.
 _QUANTITIES = {
@@ -45,6 +45,7 @@ class Profile:
         if not self.kind:
             raise TypeError("a profile is one of the kinds, such as Paraboloid")
         for name, value in self.parameters.items():
+            object.__setattr__(self, name, plain(value))
             if name == "amplitude":  # waves may begin with a trough
                 double(value, name)
             else:
