@@ -29,8 +29,7 @@ def plain(x: Number) -> Number:
     """An array of one number and no dimension as a number, which can be hashed; all else as it is."""
     value: Any = x
     if isinstance(value, np.ndarray) and value.ndim == 0 and not isinstance(value, np.ma.MaskedArray):
-        number: Number = value[()]
-        return number
+        x = value.item()
     return x
 
 
