@@ -6,8 +6,14 @@
 
 Closed forms are evaluated in ball arithmetic; zeros are confirmed by a certain change of sign between mid - rad and
 mid + rad, and refined; integrals are rigorous quadratures. A record is confirmed when the ball of the recomputed number
-lies within rad of mid, and its conditions are the differences that small changes of the inputs make. Nothing is shared
-with the Rust code: not a formula, not a library.
+lies within rad of mid, and its conditions are the differences that small changes of the inputs make.
+
+With the Rust code it shares no line and no library (Arb in the place of MPFR and of the enclosures there), but formulas of
+the theory, written once more: the definitions d = g - dl, F = 2 E* (a d - G) and dl = sqrt(2 pi a w/E*); the conditions of
+tangency at a fold; the closed forms of kappa_n, of g of every profile, of a_c, d_c and F_c, of the thresholds at n = 1/2 and
+of the energies of power laws. A wrong formula of these would be confirmed; quadrature of the heights, the second method of
+each record, would not confirm a wrong g. Other than in Rust are g' (by power series, but of waves), G (by rigorous
+quadrature, but of power laws and waves), conditions (by differences) and the certain changes of sign.
 
 Exit status: 0 all confirmed, 1 a record differs, 77 python-flint is not there.
 """

@@ -98,7 +98,7 @@ pub(crate) fn of_entry(entry: &Entry, ids: &[String]) -> Result<Markup> {
     Ok(html! {
         @if shown.is_empty() && rest.is_empty() { p { "No certified record rests on this entry by itself; it enters those of the equations that follow." } }
         @if !shown.is_empty() {
-            p.hint { "Every digit is proved by enclosures and confirmed by a method that shares no formula with them." }
+            p.hint { "Every digit is proved by enclosures and confirmed by quadrature of the heights, which shares the definitions of d and F with them and no closed form." }
             div.table tabindex="0" role="group" aria-label="Certified values" { table.values {
                 thead { tr { th { "question" } th { "quantity" } th { "value" } } }
                 tbody { @for record in &shown { tr {

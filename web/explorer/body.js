@@ -22,8 +22,8 @@ function drawBody(state) {
   const solid = mirrored(rows.map(([r, f]) => [r, f - drop]));
   const free = mirrored(rows.map(([r, f, gap]) => [r, state.kind === 0 ? 0 : f - d - gap]));
   const half = high < side ? [[-1.1 * side, 0], ...free, [1.1 * side, 0]] : free;
-  set(p.solid, { d: `${p.path(solid)}V-40H${p.x(-high)}Z` });
-  set(p.half, { d: `${p.path(half)}V${p.h + 40}H${p.x(-1.06 * side)}Z` });
+  set(p.solid, { d: rows.length ? `${p.path(solid)}V-40H${p.x(-high)}Z` : '' });
+  set(p.half, { d: rows.length ? `${p.path(half)}V${p.h + 40}H${p.x(-1.06 * side)}Z` : '' });
   set(p.touching, { d: a > 0 ? p.path(solid.filter(([x]) => Math.abs(x) <= a)) : '' });
   set(p.level, { d: `M${p.box[0]} ${p.y(0)}H${p.box[2]}` });
   for (const layer of [p.springs, p.edge, p.gauge]) set(layer, { d: '' });
@@ -46,7 +46,7 @@ function drawSprings(state) {
   const { a, drop } = placed(state, 1.02 * side);
   const profile = engine.curve(side * 1e-5, Math.min(side, engine.outer() * 0.9999), 110).map((r) => [r[0], r[1] - drop]);
   const solid = mirrored(profile);
-  set(p.solid, { d: `${p.path(solid)}V-40H${p.x(solid[0][0])}Z` });
+  set(p.solid, { d: solid.length ? `${p.path(solid)}V-40H${p.x(solid[0][0])}Z` : '' });
   set(p.touching, { d: a > 0 ? p.path(solid.filter(([x]) => Math.abs(x) <= a)) : '' });
   const base = p.h - 26;
   const spring = (x, top) => {

@@ -91,7 +91,8 @@ function middleOf(polygon) {
 /** An arrow for each jump; where it has no end, to the border. */
 function drawLeaps(leaps) {
   const p = force;
-  const arrows = leaps.map(({ points: [from, to] }) => {
+  const begun = leaps.filter(({ points: [from] }) => !Number.isNaN(inPlane(from)[0] + inPlane(from)[1]));
+  const arrows = begun.map(({ points: [from, to] }) => {
     const [x0, y0] = inPlane(from);
     const [x1, y1] = to ? inPlane(to) : folding() ? [1e9, y0] : [x0, -1e9];
     return [p.x(x0), p.y(y0), Number.isFinite(x1) ? p.x(x1) : p.box[0] - 30, p.y(folding() ? y0 : y1)];
@@ -112,11 +113,14 @@ function drawHeld() {
   const p = force;
   const [l, t, right, b] = p.box;
   const [x0, x1, y0, y1] = p.now;
-  // In pixels without the limits of p.x and p.y, which would bend a steep line.
-  const pixel = (x, y) => `${l + ((x - x0) / (x1 - x0)) * (right - l)} ${b - ((y - y0) / (y1 - y0)) * (b - t)}`;
   let d = `M${l} ${p.y(value)}H${right}`;
   if (!folding() && P.control === 'd') d = `M${p.x(value)} ${t}V${b}`;
-  if (!folding() && P.control === 'D') d = `M${pixel(x0, P.k * (value - x0))}L${pixel(x1, P.k * (value - x1))}`;
+  if (!folding() && P.control === 'D') {
+    // Between the borders that it crosses: at the left and the right, or where it is steep at the bottom and the top.
+    const steep = P.k * (x1 - x0) > y1 - y0;
+    const ends = steep ? [y0, y1].map((y) => [value - y / P.k, y]) : [x0, x1].map((x) => [x, P.k * (value - x)]);
+    d = p.path(ends);
+  }
   set(p.load, { d });
   set(p.hit, { d });
 }

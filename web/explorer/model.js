@@ -25,6 +25,37 @@ const controlled = (d, F) => (P.control === 'd' ? d : P.control === 'F' ? F : d 
 const heldKind = () => (P.control === 'F' ? 'F' : 'd');
 const within = (x, [lo, hi]) => Math.min(hi, Math.max(lo, x));
 
+/** What was drawn last without a failure of the engine, and how many failures that is after. */
+let good = null;
+let mended = 0;
+let attempts = 0;
+function keepGood() {
+  good = { P: { ...P }, value, S, origin };
+  attempts = 0;
+}
+/** After a failure of the engine: what could be shown last, at rest, or the first preset. False where that has failed as well. */
+function fallBack() {
+  mended = failures;
+  attempts += 1;
+  stop();
+  finish();
+  probe = null;
+  if (attempts > 3) {
+    $('story').textContent = 'The engine fails again and again: reload the page.';
+    return false;
+  }
+  if (good) {
+    P = { ...good.P };
+    ({ value, S, origin } = good);
+  }
+  if (!good || !rebuild()) preset(0);
+  good = null; // one that fails once more is not tried again
+  clearTrail();
+  note = FAILED;
+  sync();
+  return true;
+}
+
 /** The contact from scratch: its folds, the range of the control, how far to look. False where the profile is refused. */
 function rebuild() {
   const table = P.shape === 'table' ? tableFile(system('none')) : '';
@@ -39,7 +70,7 @@ function rebuild() {
   }
   trouble = found.failure ? found.message.replace(/^.*profile\.csv: |^profile\.file: /, '') : '';
   if (found.failure) return false;
-  const cap = P.shape === 'wavy' ? WAVES_SHOWN : Infinity;
+  const cap = P.shape === 'wavy' ? WAVES_SHOWN : FOLDS_SHOWN;
   folds = found.folds.map(([a, d, F, kind]) => ({ a, d, F, max: kind === 1, v: controlled(d, F) }));
   const seen = folds.filter((f) => f.a < cap);
   const values = seen.map((f) => f.v);
@@ -206,7 +237,7 @@ function nudge(to) {
   const from = S;
   value = to;
   const here = engine.at(to, S.a);
-  S = relaxed(from.a, here[1] - here[2]);
+  S = here ? relaxed(from.a, here[1] - here[2]) : away();
   if (!reduced.matches) anim = { from, to: S, start: performance.now(), time: 700 };
   clearTrail();
   request();
@@ -286,7 +317,7 @@ function preset(index) {
   const graph = P.graph;
   P = { ...DEFAULTS, ...kept, uR: P.uR, uE: P.uE, uw: P.uw, view: P.view, ...parameters };
   if (P.graph !== graph) turn(P.graph);
-  rebuild();
+  if (!rebuild()) return request();
   value = v;
   S = settle(start);
   clearTrail();

@@ -75,6 +75,7 @@ function readout() {
     jumps,
     folds: folds.length,
     degenerate,
+    failures,
   });
   const scene = $('scene');
   if (scene.closest('details').open) scene.textContent = sceneFile();
@@ -111,7 +112,11 @@ function frame(now) {
   const before = spent;
   if (playing) play(now);
   spent = 0;
+  if (!wasm) return; // a new instance of the engine asks for a frame
+  if (failures > mended && !fallBack()) return;
   const moving = draw();
+  if (failures > mended) return request();
+  keepGood();
   if (start - lastSlow > 60 || (!moving && !playing)) {
     readout();
     tell();

@@ -175,3 +175,5 @@ const CONTROLS = {
 };
 /** Of waves, folds without end: beyond this radius neither folds nor the range of the control are shown. */
 const WAVES_SHOWN = 1.45;
+/** Near n = ½ folds are at 10¹⁷⁵ R₀: the range of the control does not go so far. */
+const FOLDS_SHOWN = 1e3;

@@ -257,10 +257,11 @@ const MAGNIFIED = 4;
 function drawInset(state, visible) {
   const p = balance;
   const focus = state.kind === 1 && state.a > 0 ? state.a : visible.length ? visible[0].a : 0;
+  const shown = focus > 0 && focus < reach && p.w > 420; // beyond the picture there is nothing to magnify
   const [l, t, right, b] = p.box;
   const [width, height] = [0.34 * (right - l), 0.2 * (b - t)];
   const [x0, middle] = [l + 12, t + 12 + height / 2];
-  const excess = focus && p.w > 420 ? engine.around(value, focus / 3, Math.min(3 * focus, reach), 60) : [];
+  const excess = shown ? engine.around(value, focus / 3, Math.min(3 * focus, reach), 60) : [];
   // Scaled to the smaller half of the differences; the others leave the frame.
   const differences = excess.map((r) => Math.abs(r[1] - r[2])).sort((u, v) => u - v);
   const size = 1.4 * differences[differences.length >> 1];

@@ -17,6 +17,9 @@ function set(node, attributes) {
 /** The logarithmic axis of radii shows so many times the smallest one. */
 const DECADES = 3000;
 
+/** A share of the window, at most nine windows away from it; so far, too, where there is no number. */
+const onSheet = (share) => (Number.isNaN(share) ? -9 : within(share, [-9, 10]));
+
 /** Pixels, the window (`now`, on the way to `goal`: left, right, bottom, top), and layers that are made once. */
 class Plot {
   constructor(id, margin, layers) {
@@ -42,6 +45,8 @@ class Plot {
     set(this.clip, { x: l, y: t, width: Math.max(1, width - l - r), height: Math.max(1, height - t - b) });
   }
   aim(goal) {
+    // A window without numbers is none: the last one stays.
+    if (!goal.every(Number.isFinite)) goal = this.goal || [0, 1, 0, 1];
     this.goal = goal;
     if (!this.now || reduced.matches) this.now = [...goal];
   }
@@ -64,10 +69,10 @@ class Plot {
     return (v - this.now[2]) / (this.now[3] - this.now[2]);
   }
   x(v) {
-    return this.box[0] + within(this.shareX(v), [-9, 10]) * (this.box[2] - this.box[0]);
+    return this.box[0] + onSheet(this.shareX(v)) * (this.box[2] - this.box[0]);
   }
   y(v) {
-    return this.box[3] - within(this.shareY(v), [-9, 10]) * (this.box[3] - this.box[1]);
+    return this.box[3] - onSheet(this.shareY(v)) * (this.box[3] - this.box[1]);
   }
   /** The world's height of a pixel. */
   perY() {

@@ -4,8 +4,8 @@ use std::cell::RefCell;
 
 use mdr::double::{Contact, Start};
 use mdr::prelude::*;
-use mdr::{Error, scene};
-use mdr_core::contact::{Profile as Heights, Transform};
+use mdr::{ContactError, Error, scene};
+use mdr_core::contact::{Profile as Heights, Quantity, Transform};
 use mdr_numeric::profiles;
 use mdr_numeric::table::{MeasuredProfile, Table};
 use mdr_numeric::transform::Quadrature;
@@ -40,7 +40,11 @@ impl Engine {
                 let shape = shape.clone().map(|_, literal| literal.nearest_f64());
                 Profile::Shape(profiles::Heights::new([shape])?)
             }
-            _ => Profile::Table(Table::from_csv(table).map_err(refused)?.profile(())?),
+            scene::Profile::Table(_) => Profile::Table(Table::from_csv(table).map_err(refused)?.profile(())?),
+            _ => {
+                let why = "the page shows one shape of the library, or a table".to_owned();
+                return Err(Error::Scene { place: None, key: "profile.kind".to_owned(), why });
+            }
         };
         let control = scene.controlled().try_map(|stiffness| Ok::<_, Error>(stiffness.nearest_f64()))?;
         Ok(Engine {
@@ -122,12 +126,14 @@ impl Engine {
     }
 
     pub(crate) fn surface(&self, a: f64, d: f64, high: f64, count: u32) -> Rows<3> {
-        let high = high.min(self.outer_radius());
-        let edge = a.clamp(0.0, high);
+        ContactError::require_finite(Quantity::ContactRadius, &a)?;
+        ContactError::require_finite(Quantity::Indentation, &d)?;
+        let high = ContactError::require_positive(Quantity::Radius, high)?.min(self.outer_radius());
+        let edge = a.max(0.0).min(high);
         let outside = count / 2;
-        let inside = picture::radii(0.0, edge, count - outside, 2.0).into_iter().map(|r| (r, 0.0));
+        let inside = picture::radii(0.0, edge, count - outside, 2.0)?.into_iter().map(|r| (r, 0.0));
         // Closest to the edge, where the neck is steep.
-        let beyond: Vec<f64> = picture::radii(0.0, high - edge, outside, 2.0).iter().map(|from| edge + from).collect();
+        let beyond: Vec<f64> = picture::radii(0.0, high - edge, outside, 2.0)?.iter().map(|from| edge + from).collect();
         let gaps = if a > 0.0 { self.gaps(a, d, high, &beyond)? } else { vec![0.0; beyond.len()] };
         let all = inside.chain(beyond.into_iter().zip(gaps));
         Ok(all.map(|(r, gap)| [r, self.height(r), gap]).filter(known).collect())
@@ -136,7 +142,7 @@ impl Engine {
     fn gaps(&self, a: f64, d: f64, high: f64, radii: &[f64]) -> Result<Vec<f64>, Error> {
         let mut sampled = self.sampled.borrow_mut();
         if sampled.as_ref().is_none_or(|sampled| sampled.high() != high) {
-            let [g, ..] = self.contact.transform(&Sampled::radii(high), &self.stop)?;
+            let [g, ..] = self.contact.transform(&Sampled::radii(high)?, &self.stop)?;
             *sampled = Some(Sampled::new(high, g));
         }
         let g = sampled.as_ref().map(|sampled| move |x| sampled.at(x));
@@ -157,7 +163,9 @@ impl Engine {
             Profile::Shape(shape) => Quadrature::new(shape.clone()).g(&a)?,
             Profile::Table(table) => Quadrature::new(table.clone()).g(&a)?,
         };
-        Ok([g[0], quadrature, (g[0] - quadrature).abs() / g[0].abs()])
+        let g = g.first().copied().unwrap_or(f64::NAN);
+        let difference = if g == quadrature { 0.0 } else { (g - quadrature).abs() / g.abs() };
+        Ok([g, quadrature, difference])
     }
 }
 
@@ -165,7 +173,7 @@ impl Engine {
 pub(crate) fn kappa(n: f64) -> Result<f64, Error> {
     let law = Scene::new(Shape::Power { n, c: 1.0 }, Elasticity::effective(1)?, 1)?;
     let [g, ..] = Contact::new(&law)?.transform(&[1.0], &Stop::default())?;
-    Ok(g[0])
+    Ok(g.first().copied().unwrap_or(f64::NAN))
 }
 
 /// A row of numbers that all are known.

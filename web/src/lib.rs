@@ -3,7 +3,7 @@
 //! A contact comes in as the text of a scene, the same that `mdr solve` reads, so that the page shows the numbers of the program.
 //! Numbers go in as arguments. Results come out as rows of doubles in one buffer, [`out`], and every function returns how many
 //! rows there are, or a negative [`Failure`], of which [`message`] says more. No other thing crosses the border: no objects, no
-//! generated glue.
+//! generated glue. Whatever comes in, a call returns: a panic would end the instance, of which the page then makes a new one.
 
 mod engine;
 mod picture;
@@ -55,9 +55,15 @@ fn rows<const N: usize>(found: Result<Vec<[f64; N]>, mdr::Error>) -> i32 {
     }
 }
 
-/// The same of the contact that is open.
+/// Fills the buffer with the answer to a question about the contact that is open; the number of rows.
 fn ask<const N: usize>(question: impl FnOnce(&Engine) -> Result<Vec<[f64; N]>, mdr::Error>) -> i32 {
-    ENGINE.with_borrow(|engine| engine.as_ref().map_or(Failure::Empty as i32, |engine| rows(question(engine))))
+    ENGINE.with_borrow(|engine| match engine {
+        Some(engine) => rows(question(engine)),
+        None => {
+            MESSAGE.set("no contact is open".to_owned());
+            Failure::Empty as i32
+        }
+    })
 }
 
 /// Where the rows are.
@@ -81,12 +87,20 @@ pub extern "C" fn message_length() -> usize {
     MESSAGE.with_borrow(String::len)
 }
 
-/// Room for `length` bytes of text, to be written before [`contact`].
+/// The most bytes of a scene and its table.
+pub const MOST_BYTES: usize = 1 << 23;
+
+/// Room for `length` bytes of text, to be written before [`contact`]; null, with words in [`message`], where `length` is more
+/// than [`MOST_BYTES`].
 #[allow(unsafe_code, reason = "an exported name")]
 #[unsafe(no_mangle)]
 pub extern "C" fn input(length: usize) -> *mut u8 {
     INPUT.with_borrow_mut(|input| {
         input.clear();
+        if length > MOST_BYTES {
+            MESSAGE.set(format!("a scene and its table may have {MOST_BYTES} bytes, got {length}"));
+            return std::ptr::null_mut();
+        }
         input.resize(length, 0);
         input.as_mut_ptr()
     })
@@ -132,20 +146,20 @@ pub extern "C" fn outer_radius() -> f64 {
     ENGINE.with_borrow(|engine| engine.as_ref().map_or(f64::NAN, Engine::outer_radius))
 }
 
-/// The curve of equilibria: rows of a, g, Δl, d, F, stable. Radii where g is not known are left out. `power` as in
-/// [`balance`].
+/// The curve of equilibria: rows of a, g, Δl, d, F, stable. Radii where g is not known are left out; which they are, and which
+/// are refused, as in [`balance`].
 #[allow(unsafe_code, reason = "an exported name")]
 #[unsafe(no_mangle)]
 pub extern "C" fn curve(low: f64, high: f64, count: u32, power: f64) -> i32 {
-    ask(|engine| engine.curve(&picture::radii(low, high, count, power)))
+    ask(|engine| engine.curve(&picture::radii(low, high, count, power)?))
 }
 
 /// The balance at the edge while the control is held at `value`: rows of a, g − d, Δl, and d. The radii are evenly spaced in
-/// a^(1/power), or in ln a for power 0.
+/// a^(1/power), or in ln a for power 0. [`Failure::Refused`] unless 0 ≤ low ≤ high, all finite, power ≥ 0, count ≤ 10 000.
 #[allow(unsafe_code, reason = "an exported name")]
 #[unsafe(no_mangle)]
 pub extern "C" fn balance(value: f64, low: f64, high: f64, count: u32, power: f64) -> i32 {
-    ask(|engine| engine.balance(value, &picture::radii(low, high, count, power)))
+    ask(|engine| engine.balance(value, &picture::radii(low, high, count, power)?))
 }
 
 /// All equilibria at a value of the control: rows of a, d, F, stability (1 stable, −1 unstable), by increasing radius.

@@ -2,17 +2,38 @@
 
 use std::f64::consts::FRAC_2_PI;
 
+use mdr_core::contact::{Error, Quantity, Result};
+
+/// The most samples of one picture.
+pub(crate) const MOST: u32 = 10_000;
+
 /// `count` radii from `low` to `high`, evenly spaced in a^(1/power), or in ln a for power 0.
-pub(crate) fn radii(low: f64, high: f64, count: u32, power: f64) -> Vec<f64> {
+///
+/// # Errors
+/// Unless 0 ≤ `low` ≤ `high`, both finite, `power` is 0 or positive and finite, and `count` at most [`MOST`].
+pub(crate) fn radii(low: f64, high: f64, count: u32, power: f64) -> Result<Vec<f64>> {
+    let within = |valid: bool, quantity, value: f64, requirement| {
+        if valid { Ok(()) } else { Err(Error::domain(quantity, &value, requirement)) }
+    };
+    within(
+        low >= 0.0 && low.is_finite(),
+        Quantity::Parameter("the smallest radius"),
+        low,
+        "0 or positive, and finite",
+    )?;
+    let wide = high >= low && high.is_finite();
+    within(wide, Quantity::Parameter("the largest radius"), high, "finite and no smaller than the smallest radius")?;
+    within(power >= 0.0 && power.is_finite(), Quantity::Parameter("power"), power, "0 or positive, and finite")?;
+    within(count <= MOST, Quantity::Parameter("count"), f64::from(count), "at most 10000")?;
     let at = |i: u32| {
         let t = f64::from(i) / f64::from(count.max(2) - 1);
         if power == 0.0 {
             return (low.ln() * (1.0 - t) + high.ln() * t).exp();
         }
         let [from, to] = [low, high].map(|a| a.powf(power.recip()));
-        (from + (to - from) * t).powf(power).clamp(low, high)
+        (from + (to - from) * t).powf(power).max(low).min(high)
     };
-    (0..count).map(at).collect()
+    Ok((0..count).map(at).collect())
 }
 
 /// A function at radii that are evenly spaced in √r, and between them along straight lines.
@@ -25,7 +46,10 @@ impl Sampled {
     const COUNT: u32 = 600;
 
     /// Where it is to be known.
-    pub(crate) fn radii(high: f64) -> Vec<f64> {
+    ///
+    /// # Errors
+    /// As [`radii`].
+    pub(crate) fn radii(high: f64) -> Result<Vec<f64>> {
         // Not at the tip itself, which is no radius.
         radii(1e-12 * high, high, Self::COUNT, 2.0)
     }
@@ -39,12 +63,16 @@ impl Sampled {
         self.high
     }
 
+    /// NaN where nothing is known.
     pub(crate) fn at(&self, r: f64) -> f64 {
-        let last = self.values.len() - 1;
+        let last = self.values.len().saturating_sub(1);
         let place = (r / self.high).sqrt().clamp(0.0, 1.0) * last as f64;
-        let below = (place as usize).min(last - 1);
+        let below = (place as usize).min(last.saturating_sub(1));
         let share = place - below as f64;
-        self.values[below] * (1.0 - share) + self.values[below + 1] * share
+        match self.values.get(below..below + 2) {
+            Some([before, after]) => before * (1.0 - share) + after * share,
+            _ => f64::NAN,
+        }
     }
 }
 

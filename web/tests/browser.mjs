@@ -12,13 +12,14 @@ const executablePath = process.env.CHROMIUM || '/usr/bin/chromium';
 
 export const launch = () => chromium.launch({ executablePath, args: ['--no-sandbox'] });
 
-/** A new page; what it complains of and asks for is recorded. */
-export async function open(browser, hash = '', options = {}) {
+/** A new page; what it complains of and asks for is recorded. `script` runs before those of the page. */
+export async function open(browser, hash = '', { script, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, reducedMotion: 'reduce', ...options });
   Object.assign(page, { problems: [], requests: [] });
   page.on('console', (m) => m.type() === 'error' && page.problems.push(m.text()));
   page.on('pageerror', (e) => page.problems.push(e.message));
   page.on('request', (r) => page.requests.push(r.url()));
+  if (script) await page.addInitScript(script);
   await page.goto(file.href + hash);
   await page.waitForSelector('#explorer[data-ready="true"]', { state: 'attached' });
   await page.waitForTimeout(150);

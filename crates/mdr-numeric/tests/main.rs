@@ -8,6 +8,7 @@ mod dugdale;
 mod fields;
 mod path;
 mod path_energy;
+mod printed;
 #[cfg(feature = "mp")]
 mod range;
 mod routes;

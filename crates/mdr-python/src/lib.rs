@@ -27,6 +27,7 @@ mod _core {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("CERTIFIED", cfg!(feature = "mp"))?;
+        module.add("MAX_DIGITS", mdr::scene::MAX_DIGITS)?;
         module.add("VERSION", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -1,9 +1,9 @@
 //! Generates the certified records of `mdr-reference`.
 //!
 //! The cases are data: `data/*.toml` name contacts and what is asked of them. Each is answered by [`mdr`] to fifty
-//! proved digits, with |d ln value/d ln input| from dual numbers, and confirmed by a second method that shares no
-//! formula with the first: quadrature of the heights f(r). [`generate`] gives the files of the release, bit for bit the
-//! same on every machine.
+//! proved digits, with |d ln value/d ln input| from dual numbers, and confirmed by a second method that shares no closed
+//! form with the first, only the definitions of d and F: quadrature of the heights f(r). [`generate`] gives the files of the
+//! release, bit for bit the same on every machine.
 //!
 //! ```no_run
 //! for (file, content) in mdr_records::generate()? {

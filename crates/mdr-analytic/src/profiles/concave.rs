@@ -13,8 +13,8 @@ transform!(DisplacedParaboloid, ParabolicDimple, EllipticalDimple);
 scaled!(EllipticalDimple { depth: length, radius: length, inside: Scale::scaled });
 
 profiles! {
-/// The displaced paraboloid f = (r − b)²/2R (a torus-like ridge at b): g = x²/R − πbx/2R (Argatov, Li, Pohrt & Popov
-/// 2016).
+/// The displaced paraboloid f = ((r − b)² − b²)/2R, a torus-like ridge at b, b²/2R below the tip: g = x²/R − πbx/2R
+/// (Argatov, Li, Pohrt & Popov 2016).
 pub struct DisplacedParaboloid { radius: length, offset: length }
 
 impl DisplacedParaboloid {
@@ -22,7 +22,7 @@ impl DisplacedParaboloid {
     pub fn new;
 }
 
-/// A flat punch with a parabolic dimple, f = h(1 − r²/b²) for r < b, 0 beyond: g = −2hx²/b² inside,
+/// A flat punch with a parabolic dimple, f = −hr²/b² for r < b, −h beyond: g = −2hx²/b² inside,
 /// −2hx/(x + √(x² − b²)) beyond.
 pub struct ParabolicDimple { depth: length, radius: length }
 
@@ -114,7 +114,7 @@ impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
     }
 }
 
-/// A flat punch with an elliptical dimple, f = h√(1 − r²/b²) for r < b, 0 beyond: g = −(hx/b) artanh(x/b) inside,
+/// A flat punch with an elliptical dimple, f = h(√(1 − r²/b²) − 1) for r < b, −h beyond: g = −(hx/b) artanh(x/b) inside,
 /// −(hx/b) artanh(b/x) beyond, with a logarithmic singularity at b.
 #[derive(Clone, Debug)]
 pub struct EllipticalDimple<R> {

@@ -53,9 +53,10 @@ macro_rules! shapes {
 
 shapes! {
     /// A profile f(r) of the library with parameters of type `N`: [`Literal`](crate::number::Literal)s in a scene, numbers of an
-    /// arithmetic in a formula. Lengths are in metres.
+    /// arithmetic in a formula. Lengths are in metres, and heights count from the tip, outward: f(0) = 0.
     ///
-    /// The formulas of f are in the numeric crate, the transforms g in the analytic crate.
+    /// Formulas are written as an [`Expression`](crate::contact::Expression). The heights f are in the numeric crate, the
+    /// transforms g in the analytic crate.
     ///
     /// ```
     /// use mdr_core::contact::Shape;
@@ -65,110 +66,113 @@ shapes! {
     /// assert_eq!(millimetres, Shape::RoundedPunch { radius: 2e3, flat: 0.5e3 });
     /// ```
     {
-        /// f = C rⁿ, the family of the paper (1.11).
+        /// f = `C*r^n`, the family of the paper (1.11).
         Power = "power" {
             /// n.
             n: N,
             /// C, in m^(1−n).
             c: N,
         },
-        /// f = r²/2R, the profile of the JKR theory.
+        /// f = `r^2/(2*R)`, the profile of the JKR theory.
         Paraboloid = "paraboloid" {
             /// R, the radius of curvature.
             radius: N,
         },
-        /// f = r tan θ.
+        /// f = `t*r`, t the slope tan θ.
         Cone = "cone" {
-            /// The steepness.
+            /// The steepness, of slope t.
             flank: Flank<N>,
         },
-        /// f = R − √(R² − r²), up to the equator.
+        /// f = `R - sqrt(R^2 - r^2)`, up to the equator.
         Sphere = "sphere" {
             /// R.
             radius: N,
         },
-        /// f = h (1 − √(1 − r²/b²)), up to the equator.
+        /// f = `h*(1 - sqrt(1 - r^2/b^2))`, up to the equator.
         Ellipsoid = "ellipsoid" {
-            /// The half axis b in the plane of contact.
+            /// b, the half axis in the plane of contact.
             lateral: N,
-            /// The half axis h across it.
+            /// h, the half axis across it.
             height: N,
         },
-        /// A flat face with a vertical edge.
+        /// A flat face, f = `0`, with a vertical edge at b.
         FlatPunch = "flat-punch" {
-            /// The radius of the face.
+            /// b, the radius of the face.
             radius: N,
         },
-        /// A cone with a flat face instead of its tip.
+        /// A cone with a flat face instead of its tip: f = `t*max(r - b, 0)`.
         TruncatedCone = "truncated-cone" {
-            /// The steepness.
+            /// The steepness, of slope t.
             flank: Flank<N>,
-            /// The radius of the face.
+            /// b, the radius of the face.
             flat: N,
         },
-        /// A paraboloid with a flat face instead of its tip.
+        /// A paraboloid with a flat face instead of its tip: f = `max(r^2 - b^2, 0)/(2*R)`.
         TruncatedParaboloid = "truncated-paraboloid" {
-            /// The radius of curvature.
+            /// R, the radius of curvature.
             radius: N,
-            /// The radius of the face.
+            /// b, the radius of the face.
             flat: N,
         },
-        /// A cone that begins as a paraboloid, with one slope where they meet.
+        /// A cone that begins as a paraboloid, with one slope where they meet:
+        /// f = `t*min(r, b)^2/(2*b) + t*max(r - b, 0)`.
         ConeParabolicCap = "cone-parabolic-cap" {
-            /// The steepness.
+            /// The steepness, of slope t.
             flank: Flank<N>,
-            /// The radius where they meet.
+            /// b, the radius where they meet.
             cap: N,
         },
-        /// A cone that begins as a sphere, with one slope where they meet.
+        /// A cone that begins as a sphere, with one slope where they meet:
+        /// f = `R - sqrt(R^2 - min(r, R*t/sqrt(1 + t^2))^2) + t*max(r - R*t/sqrt(1 + t^2), 0)`.
         ConeSphericalCap = "cone-spherical-cap" {
-            /// The steepness.
+            /// The steepness, of slope t.
             flank: Flank<N>,
-            /// The radius of the sphere.
+            /// R, the radius of the sphere.
             radius: N,
         },
-        /// A hyperboloid of revolution.
+        /// A hyperboloid of revolution: f = `t*(sqrt(r^2 + b^2) - b)`.
         Hyperboloid = "hyperboloid" {
-            /// The steepness of the asymptote.
+            /// The steepness of the asymptote, of slope t.
             flank: Flank<N>,
-            /// The half axis in the plane of contact.
+            /// b, the half axis in the plane of contact.
             lateral: N,
         },
-        /// A flat face with a parabolic rounding around it.
+        /// A flat face with a parabolic rounding around it: f = `max(r - b, 0)^2/(2*R)`.
         RoundedPunch = "rounded-punch" {
-            /// The radius of curvature of the rounding.
+            /// R, the radius of curvature of the rounding.
             radius: N,
-            /// The radius of the face.
+            /// b, the radius of the face.
             flat: N,
         },
-        /// A parabola with its vertex beside the axis: f = r²/2R − b r/R.
+        /// A parabola with its vertex beside the axis: f = `(r^2 - 2*b*r)/(2*R)`. The vertex is a ridge, b²/2R below the tip.
         DisplacedParaboloid = "displaced-paraboloid" {
-            /// The radius of curvature R.
+            /// R, the radius of curvature.
             radius: N,
             /// b, the distance of the vertex from the axis.
             offset: N,
         },
-        /// A parabolic dimple in a flat face.
+        /// A parabolic dimple in a flat face, which is h below the tip: f = `-h*min(r, b)^2/b^2`.
         ParabolicDimple = "parabolic-dimple" {
-            /// Its depth.
+            /// h, its depth.
             depth: N,
-            /// Its radius.
+            /// b, its radius.
             radius: N,
         },
-        /// An elliptical dimple in a flat face.
+        /// An elliptical dimple in a flat face, which is h below the tip: f = `h*(sqrt(1 - min(r, b)^2/b^2) - 1)`.
+        /// Heights are known up to b, where g is −∞.
         EllipticalDimple = "elliptical-dimple" {
-            /// Its depth.
+            /// h, its depth.
             depth: N,
-            /// Its radius.
+            /// b, its radius.
             radius: N,
         },
-        /// f = r²/2R + A (1 − cos 2πr/λ), figure 4 of the paper.
+        /// f = `r^2/(2*R) + A*(1 - cos(2*pi*r/L))`, figure 4 of the paper.
         WavyParaboloid = "wavy-paraboloid" {
             /// R, the radius of curvature.
             radius: N,
             /// A, of either sign.
             amplitude: N,
-            /// λ.
+            /// L, the wavelength λ.
             wavelength: N,
         },
     }

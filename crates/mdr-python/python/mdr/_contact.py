@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._numbers import Floats, Number, array, double, exact, positive, shaped
+from ._numbers import Floats, Number, array, digits_of, double, exact, plain, positive, shaped
 from ._profiles import Files, Profile
 from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Trace
 
@@ -36,6 +36,7 @@ class Machine:
     stiffness: Number
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "stiffness", plain(self.stiffness))
         positive(self.stiffness, "stiffness", "the machine stiffness k")
 
 
@@ -97,7 +98,7 @@ class Contact:
     def __init__(self, profile: Profile, *, e_star: Number, work_of_adhesion: Number) -> None:
         positive(e_star, "e_star", "the effective modulus E*")
         positive(work_of_adhesion, "work_of_adhesion", "the work of adhesion w")
-        self._profile, self._e_star, self._work = profile, e_star, work_of_adhesion
+        self._profile, self._e_star, self._work = profile, plain(e_star), plain(work_of_adhesion)
         self._core = core_of(profile, e_star, work_of_adhesion)
 
     @property
@@ -142,7 +143,7 @@ class Contact:
         control : {"indentation", "force"} or Machine
             What is held. There is no default: pull-off at fixed grips and under a dead load differ.
         digits : int, optional
-            So many certified digits as ``Decimal``; doubles without.
+            So many certified digits as ``Decimal``, from 1 to 100 000; doubles without.
 
         Raises
         ------
@@ -164,7 +165,7 @@ class Contact:
         k = None if stiffness is None else exact(stiffness, "stiffness")
         if digits is None:
             return State(*self._core.critical(held, k))
-        a, d, force = self._core.certified(held, digits, k)
+        a, d, force = self._core.certified(held, digits_of(digits), k)
         return State(a, d, force)
 
     def pull_off(self, control: Control) -> State[float]:

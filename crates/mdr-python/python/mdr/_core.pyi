@@ -11,6 +11,7 @@ from ._numbers import Floats
 
 __all__ = [
     "CERTIFIED",
+    "MAX_DIGITS",
     "VERSION",
     "Contact",
     "critical_states",
@@ -25,6 +26,7 @@ __all__ = [
 ]
 
 CERTIFIED: Final[bool]
+MAX_DIGITS: Final[int]
 VERSION: Final[str]
 
 _Codes: TypeAlias = NDArray[np.int8]

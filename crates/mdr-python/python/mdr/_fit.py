@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._numbers import Floats, Number, array, exact
+from ._numbers import Floats, Number, digits_of, exact, row
 from ._profiles import Files, Profile
 from ._scene import Picture, _double, _numbers
 from ._states import html_table
@@ -235,17 +235,19 @@ def fit(
     >>> found.status, [float(f"{value:.8g}") for value in found.parameters.values()]
     ('fitted', [2000000.0, 0.05])
     """
-    (xs, _), (ys, _) = array(x, "x"), array(y, "y")
+    xs, ys = row(x, "x"), row(y, "y")
     if len(xs) != len(ys):
         raise ValueError(f"x and y must have as many rows, got {len(xs)} and {len(ys)}")
     if leg is not None and len(leg) != len(xs):
         raise ValueError(f"leg must have as many rows as x, got {len(leg)} and {len(xs)}")
-    if not (np.isfinite(xs).all() and np.isfinite(ys).all()):
-        raise ValueError("x and y must be finite: leave out rows that were not measured")
+    for name, column in (("x", xs), ("y", ys)):
+        if not np.isfinite(column).all():
+            at = int(np.argmin(np.isfinite(column)))
+            raise ValueError(f"x and y must be finite: leave out rows that were not measured, {name}[{at}] is {column[at]}")
     files: Files = {}
-    rows: list[list[Any]] = [list(row) for row in zip(xs.tolist(), ys.tolist())]
+    rows: list[list[Any]] = [list(pair) for pair in zip(xs.tolist(), ys.tolist())]
     if leg is not None:
-        rows = [[*row, of] for row, of in zip(rows, leg)]
+        rows = [[*pair, of] for pair, of in zip(rows, leg)]
     problem: dict[str, Any] = {
         "profile": profile._scene(files),
         "data": {"observation": observation, "rows": rows},
@@ -274,7 +276,7 @@ def fit(
     if profile_likelihood:
         output["intervals"] = "profile-likelihood"
     if digits is not None:
-        output["digits"] = digits
+        output["digits"] = digits_of(digits)
     if output:
         problem["output"] = output
     text = json.dumps(problem)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._contact import Contact, Control, held_by, stiffness_of
 from ._errors import DomainError
-from ._numbers import Number, array, exact, positive, shaped
+from ._numbers import Number, array, digits_of, exact, positive, shaped
 from ._profiles import Paraboloid
 from ._states import States
 
@@ -82,7 +82,7 @@ def kappa(n: Number, *, digits: int | None = None) -> float | Decimal:
     Decimal('1.5707963267948966192')
     """
     positive(n, "n", "the exponent n")
-    return _core.kappa(exact(n, "n"), digits)
+    return _core.kappa(exact(n, "n"), None if digits is None else digits_of(digits))
 
 
 def context(digits: int) -> decimal.Context:
@@ -91,7 +91,7 @@ def context(digits: int) -> decimal.Context:
     The default context of ``decimal`` makes 0 of numbers below 1e-999999. Arithmetic with certified digits is not certified.
     """
     traps = [decimal.InvalidOperation, decimal.DivisionByZero, decimal.Overflow, decimal.Underflow]
-    return decimal.Context(prec=digits, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=traps)
+    return decimal.Context(prec=digits_of(digits), Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=traps)
 
 
 def effective_modulus(e1: float, nu1: float, e2: float | None = None, nu2: float | None = None) -> float:

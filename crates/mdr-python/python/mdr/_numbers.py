@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import decimal
 import math
+import operator
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, TypeAlias, Union
@@ -11,6 +12,7 @@ from typing import Any, TypeAlias, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._core import MAX_DIGITS
 from ._errors import DomainError
 
 Number: TypeAlias = Union[int, float, str, Decimal, Fraction]
@@ -23,8 +25,17 @@ def refuse_units(x: object, name: str) -> None:
         raise TypeError(f"{name} has units: give its magnitude in SI units, such as {name}.to_base_units().magnitude")
 
 
+def plain(x: Number) -> Number:
+    """An array of one number and no dimension as a number, which can be hashed; all else as it is."""
+    value: Any = x
+    if isinstance(value, np.ndarray) and value.ndim == 0 and not isinstance(value, np.ma.MaskedArray):
+        x = value.item()
+    return x
+
+
 def exact(x: Number, name: str) -> str:
     """A number as it was typed: 0.05 is 1/20, whatever double is next to it."""
+    x = plain(x)
     if isinstance(x, str):
         return x.strip()
     if isinstance(x, Fraction):
@@ -71,13 +82,69 @@ def _sign(text: str, name: str) -> float:
     return sign
 
 
+def digits_of(digits: int) -> int:
+    """The number of digits that is asked for: one limit, wherever digits are."""
+    if isinstance(digits, (bool, np.bool_)) or not hasattr(digits, "__index__"):
+        raise TypeError(f"digits: expected a whole number, got {type(digits).__name__}")
+    count = operator.index(digits)
+    if not 1 <= count <= MAX_DIGITS:
+        requirement = f"a whole number from 1 to {MAX_DIGITS}"
+        raise DomainError(f"digits must be {requirement}, got {count}", "digits", str(count), requirement)
+    return count
+
+
 def array(x: ArrayLike, name: str) -> tuple[Floats, tuple[int, ...]]:
-    """Doubles in one row, and the shape that they had."""
+    """Doubles in one row, and the shape that they had. What is masked or missing is NaN: the number below a mask counts for
+    nothing."""
     refuse_units(x, name)
-    values = np.asarray(x)
+    try:
+        values = np.asarray(_unmasked(x, name))
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"{name}: {error}") from None
+    if values.dtype.kind == "O":
+        values = _of_objects(values, name)
     if values.dtype.kind not in "fiu":
         raise TypeError(f"{name}: expected real numbers, got dtype {values.dtype}")
     return np.ascontiguousarray(values, dtype=np.float64).reshape(-1), values.shape
+
+
+def row(x: ArrayLike, name: str) -> Floats:
+    """Doubles that came in one row."""
+    values, shape = array(x, name)
+    if len(shape) != 1:
+        raise ValueError(f"{name} must have one dimension, got shape {shape}")
+    return values
+
+
+def _unmasked(x: Any, name: str) -> Any:
+    """The same with NaN in the place of what is masked, in lists of arrays as well."""
+    if isinstance(x, np.ma.MaskedArray):
+        if x.dtype.kind not in "fiuO":
+            raise TypeError(f"{name}: expected real numbers, got dtype {x.dtype}")
+        return np.ma.filled(x.astype(x.dtype if x.dtype.kind in "fO" else np.float64), math.nan)
+    if isinstance(x, (list, tuple)) and any(isinstance(item, (np.ma.MaskedArray, list, tuple)) for item in x):
+        return [_unmasked(item, name) for item in x]
+    return x
+
+
+def _of_objects(values: NDArray[Any], name: str) -> Floats:
+    """The nearest doubles of numbers of Python, such as ``Decimal`` and ``Fraction``; NaN where pandas has none."""
+    found = np.empty(values.shape)
+    for at, item in np.ndenumerate(values):
+        if type(item).__name__ == "NAType":
+            found[at] = math.nan
+        elif isinstance(item, str):
+            raise TypeError(f"{name}: expected real numbers, got a str at index {_place(at)}")
+        else:
+            try:
+                found[at] = double(item, name)
+            except TypeError as error:
+                raise TypeError(f"{error} at index {_place(at)}") from None
+    return found
+
+
+def _place(at: tuple[int, ...]) -> str:
+    return ", ".join(map(str, at))
 
 
 def shaped(column: NDArray[Any], shape: tuple[int, ...]) -> Any:

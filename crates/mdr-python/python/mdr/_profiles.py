@@ -9,9 +9,11 @@ from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import Any, ClassVar
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from ._numbers import Floats, Number, array, double, exact, positive, shaped
+from ._errors import DomainError
+from ._numbers import Floats, Number, array, double, exact, plain, positive, row, shaped
 
 # How complaints call the parameters; those that are not here by their name.
 _QUANTITIES = {
@@ -23,6 +25,9 @@ _QUANTITIES = {
     "wavelength": "the wavelength λ",
 }
 
+# The least number of rows of a measured profile.
+_ROWS = 4
+
 Files = dict[str, bytes]
 
 
@@ -30,7 +35,8 @@ Files = dict[str, bytes]
 class Profile:
     """A profile: immutable, hashable, to be pickled; equal to another of the same kind and parameters.
 
-    Parameters are exact as typed (``int``, ``float``, ``str``, ``Decimal``, ``Fraction``), in SI units.
+    Parameters are exact as typed (``int``, ``float``, ``str``, ``Decimal``, ``Fraction``), in SI units. Heights f count from the tip,
+    outward: f(0) = 0.
     """
 
     kind: ClassVar[str] = ""
@@ -39,6 +45,7 @@ class Profile:
         if not self.kind:
             raise TypeError("a profile is one of the kinds, such as Paraboloid")
         for name, value in self.parameters.items():
+            object.__setattr__(self, name, plain(value))
             if name == "amplitude":  # waves may begin with a trough
                 double(value, name)
             else:
@@ -87,7 +94,7 @@ class Profile:
 
 @dataclass(frozen=True)
 class PowerLaw(Profile):
-    """f = c·rⁿ, with c in m^(1−n)."""
+    """f = ``C*r^n`` with C = ``c``, in m^(1−n)."""
 
     kind: ClassVar[str] = "power"
     n: Number
@@ -96,7 +103,7 @@ class PowerLaw(Profile):
 
 @dataclass(frozen=True)
 class Paraboloid(Profile):
-    """f = r²/2R, what the JKR theory calls a sphere."""
+    """f = ``r^2/(2*R)``, what the JKR theory calls a sphere."""
 
     kind: ClassVar[str] = "paraboloid"
     radius: Number
@@ -104,7 +111,7 @@ class Paraboloid(Profile):
 
 @dataclass(frozen=True)
 class Cone(Profile):
-    """f = r·slope; the slope is tan θ of the flank against the plane of contact."""
+    """f = ``t*r``; the slope t is tan θ of the flank against the plane of contact."""
 
     kind: ClassVar[str] = "cone"
     slope: Number
@@ -112,7 +119,7 @@ class Cone(Profile):
 
 @dataclass(frozen=True)
 class Sphere(Profile):
-    """f = R − √(R² − r²), the true sphere. JKR's is a :class:`Paraboloid`."""
+    """f = ``R - sqrt(R^2 - r^2)``, the true sphere. JKR's is a :class:`Paraboloid`."""
 
     kind: ClassVar[str] = "sphere"
     radius: Number
@@ -120,7 +127,7 @@ class Sphere(Profile):
 
 @dataclass(frozen=True)
 class Ellipsoid(Profile):
-    """Half axes ``lateral`` in the plane of contact and ``height`` across it."""
+    """f = ``h*(1 - sqrt(1 - r^2/b^2))``, half axes ``lateral`` b in the plane of contact and ``height`` h across it."""
 
     kind: ClassVar[str] = "ellipsoid"
     lateral: Number
@@ -129,7 +136,7 @@ class Ellipsoid(Profile):
 
 @dataclass(frozen=True)
 class FlatPunch(Profile):
-    """A flat face with a vertical edge."""
+    """A flat face, f = ``0``, with a vertical edge."""
 
     kind: ClassVar[str] = "flat-punch"
     radius: Number
@@ -137,7 +144,7 @@ class FlatPunch(Profile):
 
 @dataclass(frozen=True)
 class TruncatedCone(Profile):
-    """A cone with a flat face of radius ``flat`` instead of its tip."""
+    """A cone with a flat face of radius ``flat`` b instead of its tip: f = ``t*max(r - b, 0)``."""
 
     kind: ClassVar[str] = "truncated-cone"
     slope: Number
@@ -146,7 +153,7 @@ class TruncatedCone(Profile):
 
 @dataclass(frozen=True)
 class TruncatedParaboloid(Profile):
-    """A paraboloid with a flat face of radius ``flat`` instead of its tip."""
+    """A paraboloid with a flat face of radius ``flat`` b instead of its tip: f = ``max(r^2 - b^2, 0)/(2*R)``."""
 
     kind: ClassVar[str] = "truncated-paraboloid"
     radius: Number
@@ -155,7 +162,10 @@ class TruncatedParaboloid(Profile):
 
 @dataclass(frozen=True)
 class ConeParabolicCap(Profile):
-    """A cone that a paraboloid caps up to the radius ``cap``, with one slope where they meet."""
+    """A cone that a paraboloid caps up to the radius ``cap`` b, with one slope where they meet.
+
+    f = ``t*min(r, b)^2/(2*b) + t*max(r - b, 0)``.
+    """
 
     kind: ClassVar[str] = "cone-parabolic-cap"
     slope: Number
@@ -164,7 +174,10 @@ class ConeParabolicCap(Profile):
 
 @dataclass(frozen=True)
 class ConeSphericalCap(Profile):
-    """A cone that a sphere of ``radius`` caps, with one slope where they meet."""
+    """A cone that a sphere of ``radius`` R caps, with one slope where they meet.
+
+    f = ``R - sqrt(R^2 - min(r, R*t/sqrt(1 + t^2))^2) + t*max(r - R*t/sqrt(1 + t^2), 0)``.
+    """
 
     kind: ClassVar[str] = "cone-spherical-cap"
     slope: Number
@@ -173,7 +186,7 @@ class ConeSphericalCap(Profile):
 
 @dataclass(frozen=True)
 class Hyperboloid(Profile):
-    """Asymptote of the given slope, half axis ``lateral`` in the plane of contact."""
+    """f = ``t*(sqrt(r^2 + b^2) - b)``: asymptote of slope t, half axis ``lateral`` b in the plane of contact."""
 
     kind: ClassVar[str] = "hyperboloid"
     slope: Number
@@ -182,7 +195,7 @@ class Hyperboloid(Profile):
 
 @dataclass(frozen=True)
 class RoundedPunch(Profile):
-    """A flat face of radius ``flat`` with a parabolic rounding of ``radius`` around it."""
+    """A flat face of radius ``flat`` b with a parabolic rounding around it: f = ``max(r - b, 0)^2/(2*R)``."""
 
     kind: ClassVar[str] = "rounded-punch"
     radius: Number
@@ -191,7 +204,10 @@ class RoundedPunch(Profile):
 
 @dataclass(frozen=True)
 class DisplacedParaboloid(Profile):
-    """A parabola with its vertex at the distance ``offset`` from the axis."""
+    """A parabola with its vertex, a ridge, at the distance ``offset`` b from the axis.
+
+    f = ``(r^2 - 2*b*r)/(2*R)``: heights count from the tip, and the ridge is b²/2R below it.
+    """
 
     kind: ClassVar[str] = "displaced-paraboloid"
     radius: Number
@@ -200,7 +216,10 @@ class DisplacedParaboloid(Profile):
 
 @dataclass(frozen=True)
 class ParabolicDimple(Profile):
-    """A parabolic dimple in a flat face."""
+    """A parabolic dimple in a flat face: f = ``-h*min(r, b)^2/b^2``.
+
+    Heights count from the tip, and the face is h below it.
+    """
 
     kind: ClassVar[str] = "parabolic-dimple"
     depth: Number
@@ -209,7 +228,10 @@ class ParabolicDimple(Profile):
 
 @dataclass(frozen=True)
 class EllipticalDimple(Profile):
-    """An elliptical dimple in a flat face."""
+    """An elliptical dimple in a flat face: f = ``h*(sqrt(1 - min(r, b)^2/b^2) - 1)``.
+
+    Heights count from the tip, and the face is h below it. Heights are known up to b, where g is −∞.
+    """
 
     kind: ClassVar[str] = "elliptical-dimple"
     depth: Number
@@ -218,7 +240,7 @@ class EllipticalDimple(Profile):
 
 @dataclass(frozen=True)
 class WavyParaboloid(Profile):
-    """f = r²/2R + A(1 − cos(2πr/λ)), figure 4 of the paper; the amplitude A may be negative."""
+    """f = ``r^2/(2*R) + A*(1 - cos(2*pi*r/L))``, figure 4 of the paper; the amplitude A may be negative."""
 
     kind: ClassVar[str] = "wavy-paraboloid"
     radius: Number
@@ -301,7 +323,8 @@ def _expression(formula: str, values: dict[str, Number]) -> Expression:
 
 @dataclass(frozen=True, init=False, repr=False)
 class Table(Profile):
-    """A measured profile: at least four rows of ascending radii and of heights from the tip.
+    """A measured profile: at least four rows of ascending radii and of heights from the tip. What is none is refused with its
+    row.
 
     Parameters
     ----------
@@ -327,9 +350,10 @@ class Table(Profile):
     def __init__(
         self, r: ArrayLike, f: ArrayLike, *, offset: Number | None = None, smooth: Number | None = None
     ) -> None:
-        (radii, _), (heights, _) = array(r, "r"), array(f, "f")
+        radii, heights = row(r, "r"), row(f, "f")
         if radii.shape != heights.shape:
             raise ValueError(f"r and f differ in length: {len(radii)} and {len(heights)}")
+        _check_rows(radii, heights)
         rows = zip(radii.tolist(), heights.tolist())
         self._set("r,f\n" + "".join(f"{one!r},{other!r}\n" for one, other in rows), offset, smooth)
 
@@ -364,23 +388,44 @@ class Table(Profile):
         return f"<Table of {self.csv.count(chr(10)) - 1} rows>"
 
 
+def _check_rows(radii: Floats, heights: Floats) -> None:
+    """Refuses what is no measured profile, by the first row at fault; rows count from 0, as those of an array."""
+    if len(radii) < _ROWS:
+        requirement = f"{_ROWS} or more"
+        raise DomainError(f"the rows of r and f must be {requirement}, got {len(radii)}", "rows", str(len(radii)), requirement)
+    rising = np.empty(len(radii), dtype=bool)
+    rising[0], rising[1:] = radii[0] >= 0, radii[1:] > radii[:-1]
+    good = np.isfinite(radii) & np.isfinite(heights) & rising
+    if good.all():
+        return
+    at = int(np.argmin(good))
+    for name, column in (("r", radii), ("f", heights)):
+        if not np.isfinite(column[at]):
+            message = f"{name}[{at}] must be finite, got {column[at]}: leave out rows that were not measured"
+            raise DomainError(message, f"{name}[{at}]", str(column[at]), "finite")
+    requirement = "zero or positive" if at == 0 else f"larger than r[{at - 1}] = {radii[at - 1]}"
+    raise DomainError(f"r[{at}] must be {requirement}, got {radii[at]}", f"r[{at}]", str(radii[at]), requirement)
+
+
 def _table(csv: str, offset: Number | None, smooth: Number | None) -> Table:
     table = Table.__new__(Table)
     table._set(csv, offset, smooth)
     return table
 
 
-def scene_of(value: Any, files: Files) -> Any:
-    """A scene of plain values: profiles become tables, numbers stay as typed."""
+def scene_of(value: Any, files: Files, key: str = "the scene") -> Any:
+    """A scene of plain values: profiles become tables, numbers stay as typed. What is masked is refused with its key."""
     if isinstance(value, Profile):
         return value._scene(files)
     if isinstance(value, Mapping):
-        return {str(key): scene_of(item, files) for key, item in value.items()}
+        return {str(name): scene_of(item, files, str(name)) for name, item in value.items()}
     if isinstance(value, (list, tuple)) or hasattr(value, "tolist") and getattr(value, "ndim", 0) > 0:
-        return [scene_of(item, files) for item in value]
+        return [scene_of(item, files, key) for item in value]
+    if value is np.ma.masked:
+        raise TypeError(f"{key}: a value is masked; leave it out")
     if value is None or isinstance(value, (bool, str, int)):
         return value
-    return exact(value, "a value of the scene")
+    return exact(value, key)
 
 
 __all__ = [

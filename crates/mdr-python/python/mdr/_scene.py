@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import Any, Literal, TypeAlias, Union, final
 
 from . import _core
+from ._numbers import digits_of
 from ._profiles import Files, scene_of
 from ._states import html_table
 
@@ -137,9 +138,10 @@ def solve(scene: Mapping[str, Any] | File, *, digits: int | None = None, f64: bo
     ----------
     scene : mapping or str or path
         A mapping with the keys of a scene, whose profile may be a :class:`Profile`; the name of a ``.toml`` or ``.json``
-        file; or TOML itself, which is a ``str`` with a line break. Numbers are exact as typed, floats too.
+        file; JSON itself, a ``str`` that begins with ``{``; or TOML itself, a ``str`` with a line break. Numbers are exact as
+        typed, floats too.
     digits : int, optional
-        So many significant digits; what the scene says without, else 20. Takes precedence over the scene.
+        So many significant digits, from 1 to 100 000; what the scene says without, else 20. Takes precedence over the scene.
     f64 : bool
         Answer in doubles.
 
@@ -165,8 +167,14 @@ def solve(scene: Mapping[str, Any] | File, *, digits: int | None = None, f64: bo
     Decimal('-0.0023561944901923449288')
     """
     files: Files = {}
+    if digits is not None:
+        digits = digits_of(digits)
+    if isinstance(scene, str):
+        scene = scene.removeprefix("\ufeff")
     if isinstance(scene, Mapping):
         form, text = "json", json.dumps(scene_of(scene, files))
+    elif isinstance(scene, str) and scene.lstrip().startswith("{"):
+        form, text = "json", scene
     elif isinstance(scene, str) and "\n" in scene:
         form, text = "toml", scene
     else:
