@@ -30,9 +30,10 @@
 //!
 //! | task | module |
 //! |---|---|
-//! | heights f(r) | [`profiles`]; measured ones from a CSV file: [`table`] |
+//! | heights f(r) | [`profiles`]; measured ones from a CSV file: [`table`]; of your own: [`function`] |
 //! | g, g' and ∫g of any profile, by quadrature | [`transform`] |
-//! | states (a, d, F) by (1.5) and (1.6), and the direction of change off equilibrium | [`curve`] |
+//! | what is pressed, as a row of springs | [`medium`] |
+//! | a profile on a medium: states (a, d, F) by (1.5) and (1.6), and the direction of change off equilibrium | [`contact`] |
 //! | folds by tangency (1.10), under every control | [`folds`] |
 //! | equilibria at an indentation, a force or a machine position | [`equilibrium`] |
 //! | outcome of an instability; the curve cut at its folds | [`branch`] |
@@ -65,6 +66,7 @@ mod equator;
 pub mod equilibrium;
 pub mod fields;
 pub mod folds;
+pub mod function;
 pub mod medium;
 pub mod path;
 pub mod profiles;
