@@ -101,7 +101,7 @@ impl fmt::Display for Failure {
                 write!(f, "{flag}: {}, got {}", printable(why), excerpt(got))
             }
             Failure::Answer(error) => printable(&error.to_string()).fmt(f),
-            Failure::File { name, source } => write!(f, "{}: {}", excerpt(name), excerpt(&source.to_string())),
+            Failure::File { name, source } => write!(f, "{}: {}", excerpt(name), printable(&source.to_string())),
         }
     }
 }

@@ -2,11 +2,11 @@
 
 use std::fmt::{self, Write};
 
-/// The most characters of an input that a message repeats.
+/// The most characters with which a message repeats an input.
 pub const QUOTED: usize = 200;
 
-/// A text in a message: at most [`QUOTED`] characters of it, on one line, and every character that is not printed escaped. A
-/// longer text ends in `… (N characters)`.
+/// A text in a message: on one line, every character that is not printed escaped, and cut after at most [`QUOTED`] characters,
+/// escapes included. What is cut ends in `… (N characters)`, with the number of those of the text.
 ///
 /// ```
 /// use mdr_core::text::excerpt;
@@ -24,10 +24,15 @@ pub struct Excerpt<'a>(&'a str);
 
 impl fmt::Display for Excerpt<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0.char_indices().nth(QUOTED) {
-            None => printable(self.0).fmt(f),
-            Some((end, _)) => write!(f, "{}… ({} characters)", printable(&self.0[..end]), self.0.chars().count()),
+        let mut written = 0;
+        for (start, letter) in self.0.char_indices() {
+            written += escaped(letter).count();
+            if written > QUOTED {
+                let shown = &self.0[..start];
+                return write!(f, "{}… ({} characters)", printable(shown), self.0.chars().count());
+            }
         }
+        printable(self.0).fmt(f)
     }
 }
 
@@ -50,9 +55,12 @@ pub struct Printable<'a>(&'a str);
 
 impl fmt::Display for Printable<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.chars().try_for_each(|letter| match letter {
-            '"' | '\'' | '\\' => f.write_char(letter),
-            letter => write!(f, "{}", letter.escape_debug()),
-        })
+        self.0.chars().flat_map(escaped).try_for_each(|letter| f.write_char(letter))
     }
+}
+
+/// A character as it is shown.
+fn escaped(letter: char) -> impl Iterator<Item = char> {
+    let plain = matches!(letter, '"' | '\'' | '\\').then_some(letter);
+    plain.into_iter().chain(letter.escape_debug().filter(move |_| plain.is_none()))
 }

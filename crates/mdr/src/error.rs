@@ -50,7 +50,7 @@ pub enum Error {
     #[error("{0}")]
     Contact(#[source] contact::Error),
     /// A file could not be read.
-    #[error("{}: {source}", excerpt(name))]
+    #[error("{}: {}", excerpt(name), printable(&source.to_string()))]
     Io {
         /// Its name.
         name: String,

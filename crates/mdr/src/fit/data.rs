@@ -164,8 +164,9 @@ fn records(text: &str) -> std::result::Result<Vec<Line>, String> {
     let mut records = Vec::new();
     while let Some(row) = rows.next() {
         // A header and units are no rows.
-        if records.len() == MOST_ROWS + 2 {
-            let given = records.len() + 1 + rows.count();
+        let words = records.iter().take(2).take_while(|line: &&Line| is_words(&line.fields)).count();
+        if records.len() - words == MOST_ROWS {
+            let given = MOST_ROWS + 1 + rows.count();
             return Err(format!("{given} rows; at most {MOST_ROWS} are read: {FEWER_ROWS}"));
         }
         records.push(row.map_err(|error| error.to_string())?);
@@ -189,6 +190,6 @@ fn column(header: Option<&StringRecord>, name: &str) -> std::result::Result<usiz
     };
     header.iter().position(|field| field == name).ok_or_else(|| {
         let known: Vec<&str> = header.iter().collect();
-        crate::scene::tree::unknown_name("column", name, &known)
+        crate::scene::tree::unknown_name_of_input("column", name, &known)
     })
 }

@@ -303,7 +303,7 @@ impl Problem {
             Some(index) => Ok(&mut self.parameters[index]),
             None => {
                 let known: Vec<&str> = self.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-                Err(refuse(key, crate::scene::tree::unknown_name("name", name, &known)))
+                Err(refuse(key, crate::scene::tree::unknown_name_of_input("name", name, &known)))
             }
         }
     }

@@ -314,17 +314,19 @@ impl<'a> Value<'a> {
 
 /// "unknown key `wavelenght`; did you mean `wavelength`?", or the list of names when none is near.
 pub(crate) fn unknown_name(what: &str, name: &str, known: &[&str]) -> String {
-    /// So many known names are listed: those of the program are fewer.
-    const LISTED: usize = 40;
-    let near = nearest(name, known).map(excerpt);
-    let name = excerpt(name);
-    match near {
-        Some(candidate) => format!("unknown {what} `{name}`; did you mean `{candidate}`?"),
-        None if known.len() > LISTED => {
-            let first = known[..LISTED].join("`, `");
-            format!("unknown {what} `{name}`; expected one of {}, such as `{}`", known.len(), excerpt(&first))
-        }
-        None => format!("unknown {what} `{name}`; expected one of `{}`", known.join("`, `")),
+    unknown(what, name, known, &format!("`{}`", known.join("`, `")))
+}
+
+/// The complaint of [`unknown_name`] where the known names come from an input, too, and may be many or long.
+#[cfg(feature = "fit")]
+pub(crate) fn unknown_name_of_input(what: &str, name: &str, known: &[&str]) -> String {
+    unknown(what, name, known, &excerpt(&format!("`{}`", known.join("`, `"))).to_string())
+}
+
+fn unknown(what: &str, name: &str, known: &[&str], all: &str) -> String {
+    match nearest(name, known) {
+        Some(candidate) => format!("unknown {what} `{}`; did you mean `{}`?", excerpt(name), excerpt(candidate)),
+        None => format!("unknown {what} `{}`; expected one of {all}", excerpt(name)),
     }
 }
 
