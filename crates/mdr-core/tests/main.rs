@@ -18,3 +18,4 @@ mod number_interval;
 mod number_literal;
 mod number_support;
 mod number_wide;
+mod text;

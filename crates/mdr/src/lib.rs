@@ -63,6 +63,7 @@ pub mod critical;
 pub mod diagram;
 pub mod double;
 mod error;
+pub mod files;
 #[cfg(feature = "fit")]
 pub mod fit;
 mod run;

@@ -217,3 +217,49 @@ fn a_force_curve_is_the_path_as_it_is_measured() {
     assert!(number(&curve.summary.jump_in_force).is_some_and(|force| force < 0.0));
     assert!(number(&curve.summary.hysteresis).is_some_and(|energy| energy > 0.0));
 }
+
+/// A thread of a test has 2 MiB of stack, which is less than a program or Python has.
+#[test]
+fn nesting_is_refused_at_a_stated_depth() {
+    let sums = |count: usize| {
+        let profile = format!(
+            "{}{{\"kind\":\"cone\",\"slope\":1}}{}",
+            "{\"kind\":\"sum\",\"term\":[".repeat(count),
+            "]}".repeat(count)
+        );
+        format!("{{\"profile\":{profile},\"output\":{{\"want\":[\"transform\"],\"transform\":{{\"at\":[1]}}}}}}")
+    };
+    let json = |text: &str| Scene::from_json(text, "scene.json", &no_files);
+    // The sum is level 1, its terms are level 2, each of them level 3.
+    assert!(json(&sums(31)).expect("level 63").in_arithmetic(Some(Arithmetic::Double)).solve().is_ok());
+    let inline = |count: usize| format!("x = {}1{}", "{a.a.a.a = ".repeat(count), "}".repeat(count));
+    let keys = (0..70).fold("1".to_owned(), |value, _| format!("{{{} = {value}}}", ["a"; 79].join(".")));
+    let array = format!("[[profile{}]]\na = 1\n", ".term".repeat(70));
+    for count in [32, 33, 2000, 100_000] {
+        let error = json(&sums(count)).expect_err("too deep").to_string();
+        assert!(error.starts_with("scene.json:1: not JSON: nested deeper than 64 levels"), "{count}: {error}");
+    }
+    for text in [inline(17), format!("x = {keys}"), array] {
+        let error = complaint(&text);
+        assert!(error.starts_with("scene.toml:1: not TOML: nested deeper than 64 levels"), "{error}");
+    }
+    assert!(complaint(&inline(100_000)).contains("not TOML: "));
+    assert!(complaint(&format!("{} = 1", vec!["a"; 100_000].join("."))).contains("not TOML: "));
+}
+
+/// What a program reads from a file or a pipe is bounded there; what it builds, here.
+#[test]
+fn lists_that_are_built_have_the_length_of_lists_that_are_read() {
+    let scene = || {
+        let elasticity = Elasticity::effective("1").expect("a modulus");
+        Scene::new(Shape::Paraboloid { radius: "1" }, elasticity, "1e-4")
+            .expect("a contact")
+            .arithmetic(Arithmetic::Double)
+    };
+    let many = |count: usize| (0..count).map(|value| Literal::from(value as i64)).collect::<Vec<_>>();
+    let path = scene().path(many(10_001)).expect("numbers").want(Want::Path).solve();
+    assert!(path.expect_err("too long").to_string().starts_with("control.path: 10001 way points; at most 10000"));
+    let field = Want::Pressure { states: many(101), at: many(1000) };
+    let error = scene().want(field).solve().expect_err("too many").to_string();
+    assert!(error.contains("`pressure` would have 101000 rows; at most 100000"), "{error}");
+}

@@ -3,7 +3,7 @@
 mod explain;
 pub(crate) mod render;
 
-use std::io::Read;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -60,9 +60,10 @@ pub(crate) struct Solve {
 
 impl Solve {
     /// Answers on `out`.
-    pub(crate) fn run(&self, out: &mut Out<impl std::io::Write>) -> Result<()> {
+    pub(crate) fn run(&self, out: &mut Out<impl io::Write>) -> Result<()> {
         let drawn = self.picture.wanted()?;
         let style = self.style.style(self.out.is_some() || self.format == Format::Table)?;
+        self.out.as_deref().map_or(Ok(()), |folder| files::check_folder("--out", folder))?;
         let scene = open(&self.scene)?.in_arithmetic(self.arithmetic.given()?);
         if drawn && !scene.has_material() {
             let why = "a picture shows equilibria, and needs [material] in the scene";
@@ -85,9 +86,9 @@ fn open(path: &Path) -> Result<Scene> {
     if path != Path::new("-") {
         return Ok(Scene::open(path)?);
     }
-    let mut text = String::new();
-    files::open(path)?.read_to_string(&mut text).map_err(|error| Failure::file("standard input", error))?;
-    let files = |file: &str| std::fs::read(file);
+    let text = mdr::files::bounded(io::stdin()).and_then(mdr::files::text);
+    let text = text.map_err(|error| Failure::file("standard input", error))?;
+    let files = |file: &str| mdr::files::named(file);
     Ok(match text.trim_start().starts_with('{') {
         true => Scene::from_json(&text, "<stdin>", &files),
         false => Scene::from_toml(&text, "<stdin>", &files),
