@@ -117,27 +117,28 @@ fn the_edge_of_a_sum() -> Result<()> {
     Ok(())
 }
 
-/// Two truncated cones: edges that are equal or apart by more than 2⁻³⁸ are decided, closer ones are named.
+/// Two truncated cones: edges that are apart by more than 2⁻³⁸, or equal and exact in binary, are decided; others are named.
 #[test]
 fn edges_beside_each_other() -> Result<()> {
-    fn sum<R: mdr_core::number::Special>(ctx: R::Ctx, second: &str) -> Result<Sum<R>> {
+    fn sum<R: mdr_core::number::Special>(ctx: R::Ctx, first: &str, second: &str) -> Result<Sum<R>> {
         let cone =
             |slope: &str, flat: &str| TruncatedCone::new(crate::number::<R>(ctx, slope), crate::number(ctx, flat));
-        Ok(Sum::new(vec![Box::new(cone("0.2", "0.05")?), Box::new(cone("0.1", second)?)]))
+        Ok(Sum::new(vec![Box::new(cone("0.2", first)?), Box::new(cone("0.1", second)?)]))
     }
     let ctx = Precision::new(64);
     for held in [Held::Indentation, Held::Force, Held::Machine("0.1")] {
-        for (second, decided) in [
-            ("0.05", true),
-            ("0.0500000000005", true),
-            ("0.049999999", true),
-            ("0.05000000000001", false),
-            ("0.0499999999999999", false),
+        for (one, second, decided) in [
+            ("0.0625", "0.0625", true),
+            ("0.05", "0.05", false),
+            ("0.05", "0.0500000000005", true),
+            ("0.05", "0.049999999", true),
+            ("0.05", "0.05000000000001", false),
+            ("0.05", "0.0499999999999999", false),
         ] {
-            let (plain, moving) = (Box::new(sum(ctx, second)?), Box::new(sum(ctx, second)?));
+            let (plain, moving) = (Box::new(sum(ctx, one, second)?), Box::new(sum(ctx, one, second)?));
             let proved = Contact { bits: 64, plain, moving, work: "1e-4", held }.folds(1e-4, 1e2)?;
             assert_eq!(proved.is_complete(), decided, "{second}: {proved:?}");
-            let first: f64 = second.parse::<f64>().unwrap().min(0.05);
+            let first = second.parse::<f64>().unwrap().min(one.parse().unwrap());
             if decided {
                 assert!(proved.folds.len() == 1, "{second}: {proved:?}");
                 assert!((proved.folds[0].contact_radius.approx() - first).abs() < 1e-17, "{second}: {proved:?}");

@@ -269,7 +269,7 @@ fn the_minimum_force_of_a_power_law() {
 fn the_minimum_force_does_not_depend_on_the_samples() {
     let profiles = [
         ("kind = \"sphere\"\nradius = 1", "[-0.1, 0.1, -1]"),
-        ("kind = \"hyperboloid\"\nradius = 1\nangle = 1.2", "[-0.1, 0.1, -1]"),
+        ("kind = \"hyperboloid\"\nhalf_angle_degrees = 70\nlateral = 1", "[-0.1, 0.1, -1]"),
         ("kind = \"truncated-cone\"\nslope = 0.2\nflat = 0.1", "[-0.1, 0.1, -1]"),
         ("kind = \"truncated-cone\"\nslope = 0.02\nflat = 0.001", "[-0.1, 0.1, -1]"),
         ("kind = \"flat-punch\"\nradius = 0.1", "[0.1, -1]"),
