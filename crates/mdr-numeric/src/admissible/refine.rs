@@ -182,7 +182,7 @@ impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
             }
             last = size;
         }
-        Err(self.open())
+        Err(open(last))
     }
 
     /// The radius at which f is smallest.
@@ -196,23 +196,32 @@ impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
     fn loss(&self, a: f64, indentation: &dyn Fn(f64) -> Result<f64>) -> Result<(R, R)> {
         let breaks: Vec<f64> = self.breaks.iter().map(R::approx).collect();
         let rough = |a: f64| Ok(gap::gap(&*self.terrain.transform, &a, &indentation(a)?, &self.rough, &breaks)?.value);
-        let step = 1e-5 * a;
-        let fall: f64 = (rough(a + step)? - rough(a - step)?) / (2.0 * step);
-        if !(fall < 0.0) {
-            return Err(self.open());
-        }
         let start = self.number(a);
         let d = self.curve.indentation(&start)?;
-        let bend = || self.bend(a, indentation(a)?);
-        self.settle([start, d], bend, |a, d, radius| {
-            let next = a.clone() - self.gap(a, d, radius)? / self.number(fall);
-            let d = self.curve.indentation(&next)?;
-            Ok(Some((next, d)))
-        })
+        // Of a table that scatters from row to row the slope changes within a wide step.
+        let mut unsettled = open(1.0);
+        for width in [1e-5, 1e-7, 1e-9] {
+            let step = width * a;
+            let fall: f64 = (rough(a + step)? - rough(a - step)?) / (2.0 * step);
+            if !(fall < 0.0) {
+                continue;
+            }
+            let bend = || self.bend(a, indentation(a)?);
+            let settled = self.settle([start.clone(), d.clone()], bend, |a, d, radius| {
+                let next = a.clone() - self.gap(a, d, radius)? / self.number(fall);
+                let d = self.curve.indentation(&next)?;
+                Ok(Some((next, d)))
+            });
+            match settled {
+                Err(error @ Error::NoConvergence { .. }) => unsettled = error,
+                settled => return settled,
+            }
+        }
+        Err(unsettled)
     }
+}
 
-    fn open(&self) -> Error {
-        let what = "where the contact ceases to be admissible";
-        Error::undecided(Quantity::ContactRadius, self.curve.effective_modulus(), what)
-    }
+/// The iteration has not found where the surfaces meet: the relative change of the last step.
+fn open(error: f64) -> Error {
+    Error::NoConvergence { quantity: Quantity::ContactRadius, evaluations: STEPS, error }
 }

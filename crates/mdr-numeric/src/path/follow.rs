@@ -165,19 +165,26 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
         let Some(overlap) = self.overlap(rest) else { return Ok(true) };
         let last = self.events.last().and_then(|event| event.after.contact());
         let from = last.map_or(rest.contact_radius.lit(0), |last| last.contact_radius.clone());
-        let dissipated = if from < rest.contact_radius {
-            self.branches.last_admissible([&from, &rest.contact_radius])?
+        let last = if from < rest.contact_radius {
+            self.branches.last_admissible([&from, &rest.contact_radius])
         } else {
-            None
+            Ok(None)
         };
-        match dissipated {
-            Some((state, ring)) => {
+        match last {
+            // Lost on the way, but the state is not known to the digits of this arithmetic.
+            Err(Error::NoConvergence { .. }) => {
+                let value = self.value.clone();
+                self.leave(EventKind::Undecided, &value);
+                self.touch_on(overlap);
+            }
+            Err(error) => return Err(error),
+            Ok(Some((state, ring))) => {
                 let value = self.branches.control().controlled(&state.indentation, &state.force);
                 self.place = Position::Ended;
                 self.stay(EventKind::NotAdmissible, &value, ContactState::Contact(state));
                 self.touch_on(ring);
             }
-            None => {
+            Ok(None) => {
                 let value = self.value.clone();
                 self.leave(EventKind::NotAdmissible, &value);
                 self.touch_on(overlap);

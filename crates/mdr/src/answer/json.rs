@@ -131,7 +131,8 @@ impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Number::Certified(decimal) | Number::Estimated(decimal) => serializer.serialize_str(&decimal.to_string()),
-            Number::Double(value) => serializer.serialize_f64(*value),
+            // −0 is written as 0.
+            Number::Double(value) => serializer.serialize_f64(*value + 0.0),
         }
     }
 }

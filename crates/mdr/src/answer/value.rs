@@ -53,7 +53,9 @@ impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Number::Certified(decimal) | Number::Estimated(decimal) => decimal.fmt(f),
-            Number::Double(value) if *value == 0.0 || (1e-6..1e16).contains(&value.abs()) => write!(f, "{value}"),
+            // −0 is no other number than 0.
+            Number::Double(0.0) => f.write_str("0"),
+            Number::Double(value) if (1e-6..1e16).contains(&value.abs()) => write!(f, "{value}"),
             Number::Double(value) => write!(f, "{value:e}"),
         }
     }

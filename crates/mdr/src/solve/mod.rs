@@ -32,6 +32,7 @@ mod roughness;
 mod sample;
 pub(crate) mod search;
 pub(crate) mod states;
+mod summary;
 mod unused;
 
 use std::cell::OnceCell;

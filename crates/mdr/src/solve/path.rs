@@ -233,7 +233,7 @@ fn work<R: SceneReal>(dissipated: &Value<Estimate<R>>, stored: &Value<Estimate<R
 }
 
 /// An energy, unless it is nothing but its error: a zero that is not exact is none, however many precisions agree on it.
-fn beyond_noise<R: SceneReal>(energy: &Estimate<R>, noise: &R) -> Value<Estimate<R>> {
+pub(super) fn beyond_noise<R: SceneReal>(energy: &Estimate<R>, noise: &R) -> Value<Estimate<R>> {
     if energy.value.abs() > *noise || *noise == noise.lit(0) {
         return Value::Known(energy.clone());
     }
