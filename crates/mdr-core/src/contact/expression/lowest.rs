@@ -120,7 +120,7 @@ enum Found {
     Minimum,
     /// A smaller cell may tell.
     Halve,
-    /// No smaller cell tells.
+    /// The profile falls to its end: no smaller cell tells.
     Open,
 }
 
@@ -150,16 +150,17 @@ impl Cells {
         for _ in 0..BUDGET {
             let Some(cell) = cells.pop() else { return true };
             let r = Interval::new(cell.0.clone(), cell.1.clone());
-            let falls = |jet: &Jet, r: &Interval| jet.slope.clone() + jet.curvature.clone() * r;
+            // (r f')'; an operation outside of its domain leaves the entire line, whose lower end is −∞.
+            let change_of = |jet: &Jet, r: &Interval| jet.slope.clone() + jet.curvature.clone() * r;
             let jet = Jet::at(&self.root, &r);
-            let change = falls(&jet, &r);
-            if change.is_finite() && *change.lower() >= 0 && jet.bend.is_upward() {
+            let change = change_of(&jet, &r);
+            if *change.lower() >= 0 && jet.bend.is_upward() {
                 continue;
             }
             let middle = r.midpoint();
             let at_middle = Jet::at(&self.root, &middle);
-            let change = falls(&at_middle, &middle);
-            if change.is_finite() && *change.upper() < 0 {
+            let change = change_of(&at_middle, &middle);
+            if *change.upper() < 0 {
                 return false;
             }
             match self.halves(&cell) {
@@ -235,10 +236,8 @@ impl Cells {
             if last { Found::Open } else { Found::Nothing }
         } else {
             let convex = jet.curvature.is_finite() && *jet.curvature.lower() > 0 && jet.bend.is_upward();
-            let fine = self.halves(&(lower.clone(), upper.clone())).is_none();
-            if !convex && !(fine && jet.bend.is_upward()) {
-                Found::Halve
-            } else {
+            let at_kink = jet.bend.is_upward() && self.halves(&(lower.clone(), upper.clone())).is_none();
+            if convex || at_kink {
                 let [first, end] = [lower, upper].map(|r| Jet::at(&self.root, &Interval::point(r.clone())).slope);
                 let rises = *first.lower() > 0;
                 match (*first.upper() < 0, *end.lower() > 0) {
@@ -246,6 +245,8 @@ impl Cells {
                     _ if rises || *end.upper() < 0 && !last => Found::Nothing,
                     _ => Found::Halve,
                 }
+            } else {
+                Found::Halve
             }
         };
         (found, height)
