@@ -3,7 +3,8 @@
 //!
 //! With r = x sin θ the transform is g(x) = x ∫ f'(r) dθ over (0, π/2), and g'(x) = ∫ (r f')' dθ. So g falls nowhere where
 //! r f' does not: f' + r f'' ≥ 0 on cells that cover all radii, and f' jumps upwards at every kink. Separated surfaces
-//! first touch at min f, which is isolated by bisection with f, f' and f'' on each cell.
+//! first touch at min f, which is isolated by bisection with f, f' and f'' on each cell. Nothing is proved of a formula that
+//! overflows the exponents of MPFR at some radius, such as cosh r.
 
 use std::collections::BTreeMap;
 
