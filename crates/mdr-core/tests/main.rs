@@ -8,6 +8,7 @@ mod calculus_roots;
 mod contact_breaks;
 mod contact_counted;
 mod contact_expression;
+mod contact_lowest;
 mod number_algebra;
 mod number_certify;
 mod number_counted;

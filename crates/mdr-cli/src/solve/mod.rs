@@ -9,12 +9,12 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use indicatif::ProgressBar;
-use mdr::Cost;
 use mdr::prelude::*;
+use mdr::{BUDGET, Cost};
 use mdr_plot::Picture;
 
 use crate::error::{Failure, Result};
-use crate::flags::{ArithmeticFlags, StyleFlags};
+use crate::flags::{ArithmeticFlags, Flag, StyleFlags};
 use crate::output::{Format, Output as Out};
 use crate::plot::PictureFlags;
 use crate::{files, progress};
@@ -53,6 +53,10 @@ pub(crate) struct Solve {
     #[command(flatten)]
     style: StyleFlags,
 
+    /// Work for each output, in seconds of a fast machine (counted, not timed); what it does not suffice for is undecided
+    #[arg(long, value_name = "SECONDS", default_value_t = BUDGET.to_string())]
+    budget: String,
+
     /// Tell on standard error what each output cost: evaluations of g, its slope and its integral, and time
     #[arg(long)]
     explain: bool,
@@ -69,8 +73,9 @@ impl Solve {
             let why = "a picture shows equilibria, and needs [material] in the scene";
             return Err(Failure::refused("--plot", why));
         }
+        let budget = Flag::new("--budget", &self.budget).positive()?.nearest_f64();
         let mut progress = Progress::default();
-        let mut answer = scene.solve_with(&mut Run::new(&mut progress, Stop::default()))?;
+        let mut answer = scene.solve_with(&mut Run::new(&mut progress, Stop::default()).within(budget))?;
         answer.notes.extend(scene.unused(drawn));
         match &self.out {
             Some(folder) => render::write_files(&scene, &answer, folder, &style, out)?,

@@ -146,6 +146,14 @@ pub enum Error {
         /// What could not be decided.
         what: &'static str,
     },
+    /// The work that may be spent on an answer was spent before it was found.
+    #[error(
+        "the budget was spent, after {evaluations} evaluations of g and of what it is made of, before this was decided"
+    )]
+    BudgetSpent {
+        /// What was spent.
+        evaluations: u64,
+    },
     /// The computation was stopped by its caller.
     #[error("stopped before the end")]
     Stopped,

@@ -23,6 +23,8 @@ pub(super) struct Terrain<'a> {
     least: Vec<f64>,
     /// Whether the search resolved g everywhere.
     pub(super) resolved: bool,
+    /// The largest distance between two radii at which the search has seen g, over the smaller one.
+    pub(super) width: f64,
     /// The radii between which the search was made.
     searched: [f64; 2],
     /// Nodes between an edge and the next one, evaluated once.
@@ -56,7 +58,7 @@ impl<'a> Terrain<'a> {
         // Where g is constant up to rounding its direction does not matter.
         let reach = [(scale / lower).ln(), (upper / scale).ln()];
         let found = survey::crossings(&Range { reach, ..Range::whole(&*transform, scale) }, ratio);
-        let resolved = found.resolved;
+        let (resolved, width) = (found.resolved, found.widest.exp_m1());
         let searched = [lower, upper];
         let mut radii = kinks.clone();
         for crossing in &found.crossings {
@@ -66,7 +68,7 @@ impl<'a> Terrain<'a> {
         }
         radii.sort_by(f64::total_cmp);
         let mut terrain =
-            Terrain { transform, edges: Vec::new(), least: Vec::new(), resolved, searched, panels: Vec::new() };
+            Terrain { transform, edges: Vec::new(), least: Vec::new(), resolved, width, searched, panels: Vec::new() };
         for pair in in_octaves(&radii) {
             terrain.push(pair);
         }

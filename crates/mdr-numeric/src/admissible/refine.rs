@@ -4,7 +4,7 @@ use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
 use mdr_core::number::{Real, order};
 
 use super::extrema::Terrain;
-use super::{Admissibility, gap};
+use super::{Admissibility, FirstTouch, gap};
 use crate::curve::EquilibriumCurve;
 
 /// A circle outside the contact on which the surfaces touch or interpenetrate.
@@ -48,11 +48,14 @@ const AT_KINK: f64 = 1e-6;
 /// ```
 ///
 /// # Errors
-/// Those of the transform and of the quadrature.
+/// Those of the transform and of the quadrature; [`Error::Undecided`] where it is not known, of a formula.
 pub fn first_touch<R: Real>(
     curve: &EquilibriumCurve<'_, R>,
     admissibility: &Admissibility<'_>,
 ) -> Result<Option<Touch<R>>> {
+    if let Some(touch) = &admissibility.touch {
+        return of_formula(touch, curve.effective_modulus());
+    }
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
     let Some([radius, _]) = first_touch_roughly(admissibility)? else { return Ok(None) };
     let ring = Locus::new(curve, terrain, 0.0, radius);
@@ -62,11 +65,30 @@ pub fn first_touch<R: Real>(
     Ok((indentation < zero).then_some(Touch { radius, indentation }))
 }
 
+/// The first contact of a formula, in the arithmetic of a number.
+fn of_formula<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>> {
+    match touch {
+        FirstTouch::Tip => Ok(None),
+        #[cfg(feature = "mp")]
+        FirstTouch::Ring(ring) => {
+            let [radius, indentation] = ring.at::<R>(like.ctx());
+            Ok(Some(Touch { radius, indentation }))
+        }
+        FirstTouch::Open { .. } => {
+            let what = "where the surfaces first touch: enclosures of the formula do not tell its lowest point";
+            Err(Error::undecided(Quantity::Indentation, like, what))
+        }
+    }
+}
+
 /// The radius and the height at which f < 0 is smallest, in double precision; `None` if f ≥ 0.
 ///
 /// # Errors
-/// Those of the transform.
+/// As [`first_touch`].
 pub(crate) fn first_touch_roughly(admissibility: &Admissibility<'_>) -> Result<Option<[f64; 2]>> {
+    if let Some(touch) = &admissibility.touch {
+        return Ok(of_formula(touch, &0.0)?.map(|touch| [touch.radius, touch.indentation]));
+    }
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
     let lowest = terrain.narrowest(0.0, 0.0, false)?;
     Ok(lowest.filter(|(_, height)| *height < 0.0).map(|(radius, height)| [radius, height]))

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use mdr_core::contact::{Equilibrium, Error, FoldKind, Quantity, Result, Stability};
 use mdr_core::number::Real;
 
-use super::begin::begin;
+use super::begin::{begin, still_apart};
 use super::position::{Position, at_fold, certain, state};
 use super::{ContactState, Event, EventKind, Start};
 use crate::admissible::{Ring, Verdict};
@@ -256,6 +256,13 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     /// touch at zero, or before on a ring, where the path ends. Returns whether they touch at the tip.
     fn approach(&mut self, target: &R) -> Result<bool> {
         if self.place != Position::Detached {
+            return Ok(false);
+        }
+        if let Some(bound) = still_apart(self.branches, target) {
+            let value = self.branches.control().controlled(&bound, &target.lit(0));
+            if certain(target, &value, self.branches)? != Ordering::Less {
+                self.leave(EventKind::Undecided, target);
+            }
             return Ok(false);
         }
         if let Some(touch) = self.branches.first_touch()? {

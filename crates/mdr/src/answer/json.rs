@@ -38,7 +38,10 @@ impl Serialize for Answer {
             }
         }
         if let Some(basis) = self.admissibility {
-            map.serialize_entry("admissibility", described(basis))?;
+            map.serialize_entry("admissibility", &described(basis))?;
+            if let Basis::Unproved { width } = basis {
+                map.serialize_entry("admissibility_resolved_width", &width)?;
+            }
         }
         if let Some(validity) = &self.validity {
             map.serialize_entry("validity", validity)?;

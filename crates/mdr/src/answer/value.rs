@@ -91,7 +91,9 @@ impl<N> Value<N> {
             Ok(value) => Value::Known(value),
             Err(Error::OutOfRange { log10, .. }) => Value::out_of_range(log10),
             Err(error @ Error::Domain { .. }) => Value::unknown(Status::DomainError, error.to_string()),
-            Err(error @ Error::NoConvergence { .. }) => Value::unknown(Status::Undecided, error.to_string()),
+            Err(error @ (Error::NoConvergence { .. } | Error::BudgetSpent { .. })) => {
+                Value::unknown(Status::Undecided, error.to_string())
+            }
             Err(error) => return Err(error),
         })
     }

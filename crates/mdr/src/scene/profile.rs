@@ -187,6 +187,15 @@ impl Profile {
         }
     }
 
+    /// Whether it is a formula, or a sum with one.
+    pub(crate) fn has_formula(&self) -> bool {
+        match self {
+            Profile::Sum(terms) => terms.iter().any(Profile::has_formula),
+            Profile::Formula(_) => true,
+            Profile::Shape(_) | Profile::Table(_) => false,
+        }
+    }
+
     /// The rows of a table.
     pub(crate) fn rows(&self) -> Option<usize> {
         if let Profile::Table(measured) = self { Some(measured.table.rows().len()) } else { None }

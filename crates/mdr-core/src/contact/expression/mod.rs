@@ -2,10 +2,14 @@
 
 #[cfg(feature = "mp")]
 mod breaks;
+#[cfg(feature = "mp")]
+mod lowest;
 mod parse;
 
 #[cfg(feature = "mp")]
 pub use breaks::Breaks;
+#[cfg(feature = "mp")]
+pub use lowest::{FormulaShape, Lowest, LowestRing};
 
 use std::collections::BTreeMap;
 
