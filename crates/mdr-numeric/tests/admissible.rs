@@ -84,7 +84,7 @@ fn branches<'a>(
 const CLEAR: f64 = 1e-4;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 48 / 256))]
 
     /// Any state, in equilibrium or not, against the gap on a grid.
     #[test]
