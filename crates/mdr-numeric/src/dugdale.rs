@@ -305,7 +305,8 @@ impl<'a, R: Special> Dugdale<'a, R> {
         // g(x) − g(a) cannot be better than its terms.
         let rounding = roundoff_tolerance(&level).times(4) * level.abs() * &ring.angle + &needed;
         let (transform, half) = (self.curve.transform(), rounding.unit_roundoff().sqrt().times(16));
-        let (kinks, rise) = (transform.kinks(), |x: &R| Ok(transform.g_within(x, &needed)? - &level));
+        let (kinks, rise) =
+            (transform.kinks(), |x: &R| Ok(beside_singular(x, |x| transform.g_within(x, &needed))? - &level));
         let rounding = rounding + ring.rounding(&kinks, rise)?;
         let tolerance = Tolerance::of_cancelling(&ring.a).or_finest_below(half).or_error_below(&rounding);
         let shape = ring.integral(&kinks, &tolerance, rise)?;
@@ -321,7 +322,8 @@ impl<'a, R: Special> Dugdale<'a, R> {
         let tolerance =
             Tolerance::of_cancelling(a).or_finest_below(half).or_error_below(&(elastic.clone() * a.unit_roundoff()));
         let transform = self.curve.transform();
-        let weighted = ring.integral(&transform.kinks(), &tolerance, |x| Ok(transform.slope(x)? * x))?;
+        let weighted =
+            ring.integral(&transform.kinks(), &tolerance, |x| Ok(beside_singular(x, |x| transform.slope(x))? * x))?;
         Ok(weighted.value - elastic)
     }
 
@@ -332,6 +334,14 @@ impl<'a, R: Special> Dugdale<'a, R> {
         let attraction = (c.clone() / a * c * angle + leg).over(2) * &self.strength;
         let force = self.curve.force_of(a, &(self.curve.transform().above_mean(a)? - attraction))?;
         Ok(CohesiveState { contact_radius: a.clone(), outer_radius: c.clone(), indentation, force })
+    }
+}
+
+/// A function of the profile at x, or beside it where x is rounded to the end of the profile or to a radius where g diverges.
+fn beside_singular<R: Special>(x: &R, f: impl Fn(&R) -> Result<R>) -> Result<R> {
+    match f(x) {
+        Err(Error::Domain { .. }) => f(&(x.clone() - x.unit_roundoff().times(8) * x)),
+        value => value,
     }
 }
 
