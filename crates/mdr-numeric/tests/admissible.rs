@@ -68,7 +68,10 @@ fn gap(profile: &Bent, a: f64, d: f64, r: f64) -> f64 {
 
 /// The least gap on a grid.
 fn narrowest(profile: &Bent, a: f64, d: f64) -> f64 {
-    let until = profile.0.last().map_or(a, |bend| bend.0).max(a) * 1.5;
+    let last = profile.0.last().map_or(a, |bend| bend.0).max(a) * 1.5;
+    // Beyond the last bend g turns upwards; where it has risen above d, a gap that is open stays so.
+    let risen = |x: &f64| profile.slope(x).is_ok_and(|slope| slope > 0.0) && profile.g(x).is_ok_and(|g| g > d);
+    let until = (0..40).map(|step| last * 1.25f64.powi(step)).find(risen).unwrap_or(last);
     (1..=600).map(|i| gap(profile, a, d, a + (until - a) * f64::from(i) / 600.0)).fold(f64::INFINITY, f64::min)
 }
 
