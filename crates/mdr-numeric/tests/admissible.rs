@@ -83,6 +83,31 @@ fn branches<'a>(
     SearchedBranches::new(EquilibriumCurve::new(profile, material, control)).expect("a search for folds")
 }
 
+/// Between an extremum of g and a kink beside it x g' vanishes but for rounding. Separated surfaces touch beyond them.
+#[test]
+fn an_extremum_of_g_beside_a_kink() {
+    let smooth = vec![(0.1, -3.0), (0.5, 3.0)];
+    let valley = Bent(smooth.clone());
+    // g has its minimum beyond the last bend, and f beyond that of g.
+    let (mut falling, mut rising) = (0.51, 1.2);
+    for _ in 0..60 {
+        let middle = (falling + rising) / 2.0;
+        *if valley.slope(&middle).unwrap() < 0.0 { &mut falling } else { &mut rising } = middle;
+    }
+    let (material, control) = (Material::new(1.0, 1e-6).unwrap(), Control::Indentation);
+    for distance in (3..50).flat_map(|bits| [2f64.powi(-bits), -2f64.powi(-bits)]) {
+        let kink = falling * (1.0 + distance);
+        let profile = Bent([smooth.clone(), vec![(kink, 0.5)]].concat());
+        // From f' = 0, with f'' = 3/2 there.
+        let slope = kink + smooth.iter().map(|(b, c)| c * (kink - b)).sum::<f64>();
+        let lowest = profile.height(kink - slope / 1.5);
+        let branches = branches(&profile, &material, &control);
+        let path = Path::follow(&branches, &Start::Detached, &[-50.0, 1e-4]);
+        let touch = path.unwrap_or_else(|error| panic!("{distance}: {error}")).events.swap_remove(1);
+        assert!(touch.kind == EventKind::NotAdmissible && (touch.value - lowest).abs() < 1e-9, "{distance}: {touch:?}");
+    }
+}
+
 /// Far above the error of the midpoint rule.
 const CLEAR: f64 = 1e-4;
 
