@@ -95,8 +95,8 @@ fn inputs_out_of_their_domain() {
 
 #[test]
 fn the_ring_of_a_flat_tip_ends_at_the_edge_of_the_flat() {
-    // With g = 0 under the contact and under the ring, the gap at c = b fixes a; there g' jumps from 0 to infinity, and the force
-    // turns. The balance h₀ = (2/π)s(qθ − (c − a)) was solved with 40 digits by other means.
+    // With g = 0 under the contact and under the ring, the gap at c = b fixes a, h₀ = (2/π)s(qθ − (c − a)), and
+    // F = −E*s(c²θ + aq); there g' jumps from 0 to infinity, and the force turns.
     let flat = 0.1;
     let tips =
         [Shape::TruncatedCone { flank: Flank::Slope(0.2), flat }, Shape::TruncatedParaboloid { radius: 0.5, flat }];
