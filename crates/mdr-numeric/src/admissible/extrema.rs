@@ -198,7 +198,7 @@ impl<'a> Terrain<'a> {
         beyond.map(|(x, _)| self.reach(d, last, x))
     }
 
-    /// The narrowest gap on an interval: the least sample, refined between its neighbours.
+    /// The narrowest gap on an interval: the samples that are least among their neighbours, refined between these.
     fn narrowest_on(&self, radii: &[f64], a: f64, d: f64) -> Result<(f64, f64)> {
         let ends: Vec<f64> = radii.iter().copied().filter(|r| *r > a).collect();
         let first = radii.first().filter(|first| **first > a).into_iter().copied();
@@ -207,10 +207,19 @@ impl<'a> Terrain<'a> {
         for r in first.chain(within).filter(|r| *r > a) {
             samples.push((r, self.gap(a, d, r)?));
         }
-        let least = (0..samples.len()).min_by(|&i, &j| samples[i].1.total_cmp(&samples[j].1));
-        let Some(least) = least else { return Ok((ends.last().copied().unwrap_or(a), 0.0)) };
-        let [lower, upper] = [least.saturating_sub(1), (least + 1).min(samples.len() - 1)].map(|i| samples[i].0);
-        self.least_between(lower, upper, samples[least], |r| self.gap(a, d, r))
+        // Of two valleys the deeper one may have the higher sample, so each is refined.
+        let mut best: Option<(f64, f64)> = None;
+        for (i, sample) in samples.iter().enumerate() {
+            let [before, after] = [i.saturating_sub(1), (i + 1).min(samples.len() - 1)].map(|i| samples[i]);
+            if sample.1 > before.1 || sample.1 > after.1 {
+                continue;
+            }
+            let found = self.least_between(before.0, after.0, *sample, |r| self.gap(a, d, r))?;
+            if best.is_none_or(|best| found.1 < best.1) {
+                best = Some(found);
+            }
+        }
+        Ok(best.unwrap_or((ends.last().copied().unwrap_or(a), 0.0)))
     }
 
     /// The minimum of a function between two radii, by golden section search.
