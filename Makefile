@@ -1,5 +1,6 @@
 # make verify   the theory against the independent computation (arguments: make verify ARGS="--quick")
 # make test     all tests
+# make nightly  both with many more cases
 # The first build compiles GMP and MPFR from source and takes some minutes.
 
 # Where rustup puts cargo, and where Homebrew hides m4, when the shell does not look there.
@@ -7,13 +8,17 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test build deps bench doc confirm proofs dist peers peers-fit python oracle book site site-test site-tools
+.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit python oracle book site site-test site-tools
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
 
 test: deps
 	cargo test --locked
+
+# The full cross-check at the seed of the day, and the random properties with thirty times their cases: an hour or two.
+nightly: deps
+	@sh scripts/nightly.sh
 
 build: deps
 	cargo build --locked --release --package mdr-cli

@@ -284,6 +284,17 @@ fn several_exponents_are_rows_of_one_table() {
     let lines = output(&format!("critical --n 1,2,1/3 {flags} --format json"));
     assert_eq!(lines.lines().count(), 3);
     assert_eq!(lines.lines().nth(1).unwrap(), output(&format!("critical --n 2 {flags} --format json")).trim());
+    // The row of n = 1/2 has its threshold, which a table without that row has no column for.
+    let threshold = output("critical --n 0.25:0.75:0.25 --c 1 --e-star 1 --work 1 --digits 6");
+    assert!(threshold.contains("threshold of C, m^(1/2)") && threshold.contains("1.91196"), "{threshold}");
+    assert!(!output(&format!("critical --n 1,2 {flags}")).contains("threshold"));
+    for (range, part) in
+        [("1:2:0", "step"), ("1:2:-1", "step"), ("0:2:1", "first"), ("1:-2:1", "last"), ("1:2:x", "step")]
+    {
+        let refused = mdr(&format!("critical --n {range} {flags}")).assert().code(2);
+        let error = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+        assert!(error.starts_with(&format!("error: --n: the {part} of the range")), "{range}: {error}");
+    }
     for bad in ["1:2", "1,", "2:1:1", "1:2:0"] {
         mdr(&format!("critical --n {bad} {flags}")).assert().code(2);
     }

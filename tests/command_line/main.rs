@@ -7,6 +7,7 @@ mod critical;
 mod decimal;
 mod dependencies;
 mod derive;
+mod doors;
 mod doubles;
 mod equator;
 mod figures;

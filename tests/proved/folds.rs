@@ -119,6 +119,55 @@ fn the_edge_of_a_sum() -> Result<()> {
     Ok(())
 }
 
+/// Two truncated cones: edges that are apart by more than 2⁻³⁸, or equal and exact in binary, are decided; others are named.
+#[test]
+fn edges_beside_each_other() -> Result<()> {
+    fn sum<R: mdr_core::number::Special>(ctx: R::Ctx, first: &str, second: &str) -> Result<Sum<R>> {
+        let cone =
+            |slope: &str, flat: &str| TruncatedCone::new(crate::number::<R>(ctx, slope), crate::number(ctx, flat));
+        Ok(Sum::new(vec![Box::new(cone("0.2", first)?), Box::new(cone("0.1", second)?)]))
+    }
+    let ctx = Precision::new(64);
+    for held in [Held::Indentation, Held::Force, Held::Machine("0.1")] {
+        for (one, second, decided) in [
+            ("0.0625", "0.0625", true),
+            ("0.05", "0.05", false),
+            ("0.05", "0.0500000000005", true),
+            ("0.05", "0.049999999", true),
+            ("0.05", "0.05000000000001", false),
+            ("0.05", "0.0499999999999999", false),
+        ] {
+            let (plain, moving) = (Box::new(sum(ctx, one, second)?), Box::new(sum(ctx, one, second)?));
+            let proved = Contact { bits: 64, plain, moving, work: "1e-4", held }.folds(1e-4, 1e2)?;
+            assert_eq!(proved.is_complete(), decided, "{second}: {proved:?}");
+            let first = second.parse::<f64>().unwrap().min(one.parse().unwrap());
+            if decided {
+                assert!(proved.folds.len() == 1, "{second}: {proved:?}");
+                assert!((proved.folds[0].contact_radius.approx() - first).abs() < 1e-17, "{second}: {proved:?}");
+            } else {
+                let holds = |(lower, upper): &(Float, Float)| *lower <= first && *upper >= first;
+                assert!(proved.undecided.iter().any(holds), "{second}: {proved:?}");
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A range that ends at a kink, where g' has no value, includes it.
+#[test]
+fn a_range_that_ends_at_a_kink() -> Result<()> {
+    for held in [Held::Indentation, Held::Force, Held::Machine("0.1")] {
+        for (lower, upper, count) in [(1e-3, 0.01, 1), (0.01, 1.0, 1), (0.01, 0.02, 1), (0.011, 1.0, 0)] {
+            let cone = contact!(64, TruncatedCone("0.5", "0.01"), "1e-4", held);
+            let proved = cone.folds(lower, upper)?;
+            assert!(proved.is_complete() && proved.folds.len() == count, "{lower} {upper}: {proved:?}");
+        }
+        let dimple = contact!(64, EllipticalDimple("1e-3", "0.03"), "1e-4", held);
+        assert!(dimple.folds(1e-3, 0.03)?.is_complete() && dimple.folds(0.03, 1.0)?.is_complete());
+    }
+    Ok(())
+}
+
 /// Without its own word on a kink, a profile has no proof there.
 #[test]
 fn a_kink_is_not_passed_over_in_silence() -> Result<()> {

@@ -108,7 +108,7 @@ fn kappa_over_all_magnitudes() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 400 / 256))]
 
     #[test]
     fn ordinary_points(n in 0.05..4.0f64, e in 3.0..11.0f64, w in -3.0..0.0f64, a in -8.0..-1.0f64) {

@@ -3,6 +3,7 @@
 use std::{fmt, io};
 
 use mdr_core::contact::{Error as ContactError, Quantity};
+use mdr_core::text::{excerpt, printable};
 
 /// The result of a command.
 pub(crate) type Result<T> = std::result::Result<T, Failure>;
@@ -92,20 +93,15 @@ fn flag_of(quantity: Quantity) -> Option<&'static str> {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Failure::Flag { flag, why, got: None } => write!(f, "{flag}: {why}"),
-            Failure::Flag { flag, why, got: Some(got) } => write!(f, "{flag}: {why}, got {}", abridged(got)),
-            Failure::Answer(error) => error.fmt(f),
-            Failure::File { name, source } => write!(f, "{name}: {source}"),
+            Failure::Flag { flag, why, got: None } => write!(f, "{flag}: {}", printable(why)),
+            Failure::Flag { flag, why, got: Some(got) } if got.is_empty() => {
+                write!(f, "{flag}: {}, got an empty text", printable(why))
+            }
+            Failure::Flag { flag, why, got: Some(got) } => {
+                write!(f, "{flag}: {}, got {}", printable(why), excerpt(got))
+            }
+            Failure::Answer(error) => printable(&error.to_string()).fmt(f),
+            Failure::File { name, source } => write!(f, "{}: {}", excerpt(name), printable(&source.to_string())),
         }
-    }
-}
-
-/// At most 80 characters of `text`, on one line.
-fn abridged(text: &str) -> String {
-    let escape = |part: &str| part.escape_debug().to_string();
-    match text.char_indices().nth(80) {
-        Some((end, _)) => format!("{}… ({} characters)", escape(&text[..end]), text.chars().count()),
-        None if text.is_empty() => "an empty text".to_owned(),
-        None => escape(text),
     }
 }

@@ -6,6 +6,7 @@ use clap::Args;
 use indicatif::ParallelProgressIterator;
 use mdr::answer::NumberStyle;
 use mdr::fit::{Fit as Answer, FitStatus, Problem};
+use mdr_core::text::excerpt;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use crate::error::{Failure, Result};
@@ -60,34 +61,45 @@ impl Fit {
     /// Answers on `out`; whether every curve is fitted.
     ///
     /// # Errors
-    /// A file that cannot be read, and with a single curve what is wrong with it.
+    /// A file that cannot be read or fitted; of several curves after all answers, with how many there are.
     pub(crate) fn run(&self, out: &mut Out<impl std::io::Write>) -> Result<bool> {
         let drawn = self.picture.wanted()?;
         let curves = self.curves()?;
         if drawn && curves.len() > 1 {
             return Err(Failure::refused("--plot", "draws one curve"));
         }
-        let fitted = match curves.is_empty() {
+        let mut fitted = match curves.is_empty() {
             true => vec![(self.fit.display().to_string(), Ok(self.asked(Problem::open(&self.fit)?).fit()?))],
-            false => self.fit_all(&curves),
+            false => self.fit_all(&curves)?,
         };
+        if fitted.len() == 1 {
+            // One curve is refused as the file of a fit is.
+            fitted = fitted.into_iter().map(|(file, answer)| Ok((file, Ok(answer?)))).collect::<Result<_>>()?;
+        }
         if let [(_, Ok(answer))] = fitted.as_slice() {
             self.draw(answer)?;
         }
         write(&fitted, self.format, out)?;
+        let mut refused = fitted.iter().filter_map(|(file, answer)| Some((file, answer.as_ref().err()?)));
+        if let Some((file, why)) = refused.next() {
+            let [count, all] = [1 + refused.count(), fitted.len()];
+            let why = format_args!("{count} of {all} cannot be fitted; the first is {}: {why}", excerpt(file));
+            return Err(Failure::refused("CURVE.csv", why));
+        }
         Ok(fitted.iter().all(|(_, answer)| answer.as_ref().is_ok_and(|answer| answer.status == FitStatus::Fitted)))
     }
 
     /// On all cores, with a bar.
-    fn fit_all(&self, curves: &[PathBuf]) -> Vec<Fitted> {
+    fn fit_all(&self, curves: &[PathBuf]) -> Result<Vec<Fitted>> {
+        let open = Problem::opener(&self.fit)?;
         let bar = progress::bar(curves.len());
         let fit = |curve: &PathBuf| {
-            let answer = Problem::open_for(&self.fit, curve).and_then(|problem| self.asked(problem).fit());
+            let answer = open(curve).and_then(|problem| self.asked(problem).fit());
             (curve.display().to_string(), answer)
         };
         let fitted = curves.par_iter().progress_with(bar.clone()).map(fit).collect();
         bar.finish_and_clear();
-        fitted
+        Ok(fitted)
     }
 
     fn asked(&self, problem: Problem) -> Problem {
@@ -108,6 +120,10 @@ impl Fit {
                 entries.map(|entry| entry.map(|entry| entry.path())).collect::<std::io::Result<_>>().map_err(failed)?;
             found.retain(|path| path.extension().is_some_and(|extension| extension == "csv"));
             found.sort();
+            if let Some(other) = found.iter().find(|path| !path.is_file()) {
+                let why = "no regular file: a folder, a device or a pipe";
+                return Err(Failure::flag("--batch", why, &other.display().to_string()));
+            }
             if found.is_empty() {
                 return Err(Failure::flag("--batch", "there is no .csv file in it", &folder.display().to_string()));
             }
@@ -151,8 +167,9 @@ fn write(fitted: &[Fitted], format: Format, out: &mut Out<impl std::io::Write>) 
         },
         Format::Table => {
             let rows = fitted.iter().flat_map(|(file, answer)| cells(file, answer));
-            let rows =
-                rows.map(|[file, status, name, value, stderr, _, unit]| [file, status, name, value, stderr, unit]);
+            let rows = rows.map(|[file, status, name, value, stderr, _, unit]| {
+                [excerpt(&file).to_string(), status, name, value, stderr, unit]
+            });
             let header = ["file", "status", "number", "estimate", "standard error", "unit"];
             out.text(text_table(&header, rows))
         }

@@ -141,6 +141,9 @@ impl StyleFlags {
 pub(crate) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<(&'a str, bool)> {
     /// Names that share so much are meant for each other.
     const ALIKE: f64 = 0.6;
+    /// A longer name is no slip, and the distance takes memory as the product of the lengths.
+    const LONGEST: usize = 100;
+    let name = if name.len() > LONGEST { "" } else { name };
     let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
     let best = known.into_iter().max_by(|one, other| likeness(one).total_cmp(&likeness(other)))?;
     Some((best, likeness(best) >= ALIKE))

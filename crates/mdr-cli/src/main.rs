@@ -20,11 +20,14 @@ mod table;
 mod validity;
 mod verify;
 
+use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser, Subcommand};
+use mdr_core::text::excerpt;
 
-use crate::error::Result;
+use crate::error::{Failure, Result};
 use crate::output::Output;
 
 /// Reference software for adhesion instabilities of axisymmetric contacts.
@@ -61,22 +64,70 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let program = Program::parse();
+    let program = match Program::try_parse() {
+        Ok(program) => program,
+        Err(error) if error.use_stderr() => return usage(error),
+        Err(help) => return ending(print_help(&help)),
+    };
     let mut out = Output::stdout();
-    match program.command.run(&mut out) {
+    ending(program.command.run(&mut out).and_then(|holds| out.close().map(|()| holds)))
+}
+
+/// The exit status of a command; a failure is said on standard error.
+fn ending(result: Result<bool>) -> ExitCode {
+    match result {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
         Err(failure) => {
             // A closed standard error changes nothing.
-            let _ = std::io::Write::write_fmt(&mut std::io::stderr(), format_args!("error: {failure}\n"));
+            let _ = std::io::stderr().write_fmt(format_args!("error: {failure}\n"));
             ExitCode::from(2)
         }
     }
 }
 
+/// The help or the version, on standard output.
+fn print_help(help: &clap::Error) -> Result<bool> {
+    match help.print().and_then(|()| std::io::stdout().flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::file("standard output", error)),
+        _ => Ok(true),
+    }
+}
+
+/// Arguments that make no command: what they are is repeated as in every other message.
+fn usage(mut error: clap::Error) -> ExitCode {
+    let given: Vec<_> = error.context().map(|(kind, value)| (kind, value.clone())).collect();
+    let mut changed = false;
+    let mut shown = |text: String| {
+        let short = excerpt(&text).to_string();
+        changed |= short != text;
+        short
+    };
+    let shown: Vec<_> = given
+        .into_iter()
+        .filter_map(|(kind, value)| match value {
+            ContextValue::String(text) => Some((kind, ContextValue::String(shown(text)))),
+            ContextValue::Strings(texts) => {
+                Some((kind, ContextValue::Strings(texts.into_iter().map(&mut shown).collect())))
+            }
+            _ => None,
+        })
+        .collect();
+    for (kind, value) in shown {
+        error.insert(kind, value);
+    }
+    if changed {
+        // A suggestion repeats the argument as it is.
+        error.insert(ContextKind::Suggested, ContextValue::None);
+    }
+    // A closed standard error changes nothing.
+    let _ = error.print();
+    ExitCode::from(2)
+}
+
 impl Command {
     /// Whether everything that was checked holds.
-    fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
+    fn run(&self, out: &mut Output<impl Write>) -> Result<bool> {
         match self {
             Command::Verify(verify) => verify.run(out),
             Command::Critical(critical) => critical.run(out),
@@ -88,12 +139,16 @@ impl Command {
             Command::Judge(judge) => judge.run(out),
             Command::Derive(derive) => derive.run(out),
             Command::Completions { shell } => {
-                clap_complete::generate(*shell, &mut Program::command(), "mdr", out);
-                Ok(true)
+                // The writer of scripts panics where it cannot write.
+                let mut script = Vec::new();
+                clap_complete::generate(*shell, &mut Program::command(), "mdr", &mut script);
+                out.bytes(&script).map(|()| true)
             }
             Command::Man => {
-                let page = clap_mangen::Man::new(Program::command()).render(out);
-                page.map(|()| true).map_err(|error| error::Failure::file("standard output", error))
+                let mut page = Vec::new();
+                let rendered = clap_mangen::Man::new(Program::command()).render(&mut page);
+                rendered.map_err(|error| Failure::file("standard output", error))?;
+                out.bytes(&page).map(|()| true)
             }
         }
     }

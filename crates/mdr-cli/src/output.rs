@@ -38,6 +38,16 @@ impl<W: Write> Output<W> {
         self.finish(|out| writeln!(out, "{text}"))
     }
 
+    /// What is written already.
+    pub(crate) fn bytes(&mut self, bytes: &[u8]) -> Result<()> {
+        self.finish(|out| out.write_all(bytes))
+    }
+
+    /// The end of all that is written.
+    pub(crate) fn close(&mut self) -> Result<()> {
+        self.finish(|_| Ok(()))
+    }
+
     /// One line of JSON.
     pub(crate) fn json(&mut self, value: &impl Serialize) -> Result<()> {
         self.finish(|out| {

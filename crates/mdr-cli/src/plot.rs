@@ -58,20 +58,21 @@ pub(crate) fn theme() -> impl TypedValueParser<Value = Theme> {
 /// Refuses a file whose name would be that of its own data, or whose data would take the place of another file.
 ///
 /// # Errors
-/// Unless the name ends in `.svg`, and the CSV file beside it is not there, or is the data of a picture.
+/// Unless the name ends in `.svg`, both files can be made in their folder, and the CSV file beside it is not there, or is the data of a picture.
 fn check(to: &Path) -> Result<()> {
     let refuse = |why: &str| Err(Failure::flag("--plot", why, &to.display().to_string()));
     if !to.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg")) {
         return refuse("must be the name of an .svg file");
     }
     let beside = to.with_extension("csv");
-    if File::open(&beside).is_ok_and(|file| !mdr_plot::is_data(file)) {
+    // A pipe of this name is not opened: it may never be written to.
+    if beside.is_file() && File::open(&beside).is_ok_and(|file| !mdr_plot::is_data(file)) {
         return refuse(&format!(
             "the data of the picture would replace {}, which was not written with a picture: choose another name",
             beside.display()
         ));
     }
-    Ok(())
+    [to, &beside].into_iter().try_for_each(|file| files::check("--plot", file))
 }
 
 /// Writes the SVG file `to`, and a CSV file of the data beside it; names in complaints follow the `flag` that asked for it.

@@ -139,7 +139,7 @@ fn export(file: &Path, chosen: &[&Record], out: &mut Output<impl std::io::Write>
         Some("csv") => Format::Csv,
         _ => return Err(Failure::flag("--export", "must end in .jsonl or .csv", &name)),
     };
-    write(format, chosen, &mut files::create("--export", file)?)?;
+    files::create("--export", file, |out| write(format, chosen, out))?;
     out.text(format_args!("{name}: {} records", chosen.len()))
 }
 

@@ -102,7 +102,8 @@ impl Verify {
     fn merged(&self) -> Result<Report> {
         let mut lines = String::new();
         for path in &self.merge {
-            let text = std::fs::read_to_string(path).map_err(|error| files::of_flag("--merge", path, error))?;
+            let text = mdr::files::argument(path).and_then(mdr::files::text);
+            let text = text.map_err(|error| files::of_flag("--merge", path, error))?;
             lines.push_str(&text);
             lines.push('\n');
         }

@@ -25,6 +25,7 @@
 //! | find zeros: one, all on a range, with proof | [`calculus::roots`], [`calculus::isolate`], `calculus::verify` |
 //! | name materials, profiles, controls, states | [`contact`]: [`Material`](contact::Material), [`Shape`](contact::Shape), [`Control`](contact::Control), [`Equilibrium`](contact::Equilibrium) |
 //! | define a profile by a formula | [`contact::Expression`] |
+//! | repeat the text of others in a message | [`text`]: [`excerpt`](text::excerpt) |
 //! | provide a transform g(x) | [`contact::Transform`] |
 //!
 //! # Features
@@ -43,3 +44,4 @@ pub mod calculus;
 pub mod contact;
 mod named;
 pub mod number;
+pub mod text;

@@ -66,8 +66,6 @@ fn an_exhausted_budget_is_reported() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
-
     #[test]
     fn planted_roots_are_found(logs in prop::collection::btree_set(-200_000..200_000i32, 1..8)) {
         // Distinct roots e^(k/1000): never closer than one part in 10³.

@@ -123,7 +123,7 @@ fn kinks_have_the_digits_of_the_arithmetic() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 64 / 256))]
 
     /// Products of linear and quadratic factors with random roots, in every function that has kinks.
     #[test]

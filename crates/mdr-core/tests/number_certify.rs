@@ -98,7 +98,7 @@ fn bits(words: [u64; 4], precision: u32) -> Float {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 500 / 256))]
 
     /// Against the conversion of MPFR, which rounds correctly too: a number and the same number as a rational.
     #[test]

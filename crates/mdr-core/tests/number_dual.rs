@@ -67,7 +67,7 @@ fn close_to(enclosure: &Interval, value: &Float) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 60 / 256))]
 
     /// First and second derivatives as enclosures: right, and of at least 80 of the 100 bits where they are not small.
     #[test]

@@ -25,7 +25,7 @@ where
 macro_rules! unary {
     ($($name:ident: $operation:expr, $reference:expr, $arguments:expr, $ulps:expr, $extrema:expr;)*) => {$(
         proptest! {
-            #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
+            #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 500 / 256))]
             #[test]
             fn $name((bits, x) in arguments($arguments)) {
                 let operation: fn(&Interval) -> Interval = $operation;
@@ -162,7 +162,7 @@ fn powers(bits: u32) -> impl Strategy<Value = (Interval, Interval)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 1000 / 256))]
 
     #[test]
     fn sum((bits, (x, y)) in arguments(pairs)) {

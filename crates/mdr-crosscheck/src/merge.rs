@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use mdr_core::text::excerpt;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -36,7 +37,7 @@ enum Content {
 #[non_exhaustive]
 pub enum MergeError {
     /// A line is not one of ours.
-    #[error("line {line} is not a line of a verification: {source}")]
+    #[error("line {line} is not a line of a verification: {}", excerpt(&source.to_string()))]
     Line {
         /// Counted from 1.
         line: usize,
@@ -52,7 +53,7 @@ pub enum MergeError {
         what: &'static str,
     },
     /// Not every part is there exactly once.
-    #[error("check {check}: the shards do not make a whole: {got} of {count} are here")]
+    #[error("check {}: the shards do not make a whole: {got} of {count} are here", excerpt(check))]
     Incomplete {
         /// The check.
         check: String,
@@ -62,7 +63,7 @@ pub enum MergeError {
         count: u32,
     },
     /// The same part of the same check twice.
-    #[error("line {line}: shard {shard} of check {check} is here twice")]
+    #[error("line {line}: shard {shard} of check {} is here twice", excerpt(check))]
     Repeated {
         /// Counted from 1.
         line: usize,

@@ -11,13 +11,18 @@
 //! Along these states the force is stationary where ∫₀^θ x g'(x) dφ = s (c²θ²/a + c − a), x = c cos φ; h₀ → 0 gives the
 //! fold under a dead load, g'(a) = 3√(πw/2E*a).
 
-use mdr_core::calculus::quadrature::tanh_sinh_pieces;
-use mdr_core::calculus::roots::{self, Bracket, bracket_geometric};
+mod ring;
+
+use std::cmp::Ordering;
+
+use mdr_core::calculus::roots::{self, Bracket, Sample};
 use mdr_core::calculus::{Tolerance, roundoff_tolerance};
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Special, order};
 
 use crate::contact::{Contact, negligible};
+
+use ring::Ring;
 
 /// The range of adhesion, for errors.
 const RANGE: Quantity = Quantity::Parameter("the range of adhesion");
@@ -77,31 +82,7 @@ pub struct CohesiveState<R> {
     pub force: R,
 }
 
-/// The ring of attraction: its width y = c − a, which may be far below a.
-#[derive(Clone)]
-struct Ring<R> {
-    a: R,
-    width: R,
-    c: R,
-    /// q.
-    leg: R,
-    /// θ.
-    angle: R,
-}
-
-impl<R: Special> Ring<R> {
-    fn new(a: &R, width: &R) -> Self {
-        let leg = width.sqrt() * (a.clone().times(2) + width).sqrt();
-        Ring { a: a.clone(), width: width.clone(), c: a.clone() + width, angle: (leg.clone() / a).atan(), leg }
-    }
-
-    /// q θ − (c − a).
-    fn opening(&self) -> R {
-        self.leg.clone() * &self.angle - &self.width
-    }
-}
-
-impl<R: Special> Dugdale<R> {
+impl<'a, R: Special> Dugdale<R> {
     /// A contact with the separation h₀ up to which the surfaces attract each other, in m; [`separation`] takes it from the
     /// range of adhesion. The control of the curve is not used.
     ///
@@ -164,9 +145,8 @@ impl<R: Special> Dugdale<R> {
         for doublings in 0..bits {
             let margin = radius.lit(2).powi(doublings - bits) * radius;
             let [lower, upper] = [radius.clone() - &margin, radius.clone() + margin];
-            let excess = |a: &R| self.excess(&self.ring(a, None)?);
-            if let Some(bracket) = Bracket::new(&lower, &upper, excess)? {
-                return self.state(&roots::refine(bracket, &radius.unit_roundoff(), excess)?.value);
+            if let Some(state) = self.minimum(lower, upper, None)? {
+                return Ok(state);
             }
         }
         Err(Error::NoConvergence { quantity: Quantity::ContactRadius, evaluations: 2 * bits as usize, error: 0.5 })
@@ -209,7 +189,7 @@ impl<R: Special> Dugdale<R> {
             let rises = excess > a.lit(0);
             if let Some((upper, true)) = above.replace((a.clone(), rises))
                 && !rises
-                && let Some(minimum) = self.minimum(&a, &upper, &ring.width)?
+                && let Some(minimum) = self.minimum(a.clone(), upper, Some(&ring.width))?
             {
                 minima.push(minimum);
             }
@@ -221,12 +201,52 @@ impl<R: Special> Dugdale<R> {
         }
     }
 
-    /// The minimum between two radii, the force falling at the lower one and rising at the upper.
-    fn minimum(&self, lower: &R, upper: &R, width: &R) -> Result<Option<CohesiveState<R>>> {
-        let excess = |a: &R| self.excess(&self.ring(a, Some(width))?);
-        let Some(bracket) = Bracket::new(lower, upper, excess)? else { return Ok(None) };
+    /// The minimum between two radii, if the force falls with a growing contact at the lower one and rises at the upper. Where
+    /// the slope of g jumps up at a kink, as at the edge of a flat face, the force turns where the ring reaches the kink.
+    fn minimum(&self, mut lower: R, mut upper: R, width: Option<&R>) -> Result<Option<CohesiveState<R>>> {
+        let excess = |a: &R| self.excess(&self.ring(a, width)?);
+        let Some(bracket) = Bracket::new(&lower, &upper, excess)? else { return Ok(None) };
+        let mut kinks = self.curve.transform().kinks();
+        if !kinks.is_empty() {
+            let [inner, outer] = [&lower, &upper].map(|a| self.ring(a, width).map(|ring| ring.c));
+            let (inner, outer) = (inner?, outer?);
+            kinks.retain(|kink| *kink > inner && *kink < outer);
+        }
+        let mut left = kinks.as_slice();
+        while let [below @ .., _] = left {
+            let (below, rest) = left.split_at(below.len() / 2);
+            let Some((ring, side)) = self.at_kink(&rest[0], &lower, &upper)? else { break };
+            (lower, upper, left) = match side {
+                Ordering::Less => (ring.a, upper, &rest[1..]),
+                Ordering::Equal => return self.state_of(&ring).map(Some),
+                Ordering::Greater => (lower, ring.a, below),
+            };
+        }
+        let bracket = if kinks.is_empty() { bracket } else { Bracket::new(&lower, &upper, excess)?.unwrap_or(bracket) };
         let a = roots::refine(bracket, &lower.unit_roundoff(), excess)?.value;
-        self.state_of(&self.ring(&a, Some(width))?).map(Some)
+        self.state_of(&self.ring(&a, width)?).map(Some)
+    }
+
+    /// The ring that ends at a kink, of a contact between two radii, and whether the force falls with a growing contact there, or
+    /// rises, or is least. `None` if there is no such ring.
+    fn at_kink(&self, kink: &R, lower: &R, upper: &R) -> Result<Option<(Ring<R>, Ordering)>> {
+        let rounding = kink.unit_roundoff().times(4) * kink;
+        let gap = |a: &R| self.excess_gap(&Ring::new(a, &(kink.clone() - a)));
+        let upper = upper.lesser(&(kink.clone() - &rounding));
+        if *lower >= upper {
+            return Ok(None);
+        }
+        let Some(bracket) = Bracket::new(lower, &upper, gap)? else { return Ok(None) };
+        let a = roots::refine(bracket, &kink.unit_roundoff(), gap)?.value;
+        let width = kink.clone() - &a;
+        let excess = |width: R| Ok(self.excess(&Ring::new(&a, &width))? > kink.lit(0));
+        let [within, beyond] = [width.clone() - &rounding, width.clone() + rounding].map(excess);
+        let side = match (within?, beyond?) {
+            (false, false) => Ordering::Less,
+            (false, true) => Ordering::Equal,
+            (true, _) => Ordering::Greater,
+        };
+        Ok(Some((Ring::new(&a, &width), side)))
     }
 
     /// At a vertical edge of radius b: the ring can reach it and not beyond, so that the state with c = b is a minimum if the
@@ -267,7 +287,7 @@ impl<R: Special> Dugdale<R> {
         };
         // The width that the opening of the ring alone would have where a is far larger.
         let guess = width.cloned().unwrap_or_else(|| self.separation.clone() / &self.strength * a.pi().over(2));
-        let Some(mut bracket) = bracket_geometric(&guess, within)? else {
+        let Some(mut bracket) = bracket(guess, within)? else {
             return Err(Error::domain(RANGE, &self.separation, "one at which the gap outside the contact passes"));
         };
         if !transform.rises() {
@@ -285,11 +305,12 @@ impl<R: Special> Dugdale<R> {
         let level = self.curve.transform().g_within(&ring.a, &needed)?;
         // g(x) − g(a) cannot be better than its terms.
         let rounding = roundoff_tolerance(&level).times(4) * level.abs() * &ring.angle + &needed;
-        let half = rounding.unit_roundoff().sqrt().times(16);
+        let (transform, half) = (self.curve.transform(), rounding.unit_roundoff().sqrt().times(16));
+        let (kinks, rise) =
+            (transform.kinks(), |x: &R| Ok(beside_singular(x, |x| transform.g_within(x, &needed))? - &level));
+        let rounding = rounding + ring.rounding(&kinks, rise)?;
         let tolerance = Tolerance::of_cancelling(&ring.a).or_finest_below(half).or_error_below(&rounding);
-        let shape = tanh_sinh_pieces(&ring.a.lit(0), &ring.angle, &self.breaks(ring), tolerance, |angle| {
-            Ok(beside_singular(on(ring, angle), |x| self.curve.transform().g_within(x, &needed))? - &level)
-        })?;
+        let shape = ring.integral(&kinks, &tolerance, rise)?;
         Ok(shape.value + elastic - limit)
     }
 
@@ -301,11 +322,10 @@ impl<R: Special> Dugdale<R> {
         let half = a.unit_roundoff().sqrt().times(4096);
         let tolerance =
             Tolerance::of_cancelling(a).or_finest_below(half).or_error_below(&(elastic.clone() * a.unit_roundoff()));
-        let weighted = |angle: &R| {
-            let x = on(ring, angle);
-            Ok(beside_singular(x.clone(), |x| self.curve.transform().slope(x))? * x)
-        };
-        Ok(tanh_sinh_pieces(&a.lit(0), angle, &self.breaks(ring), tolerance, weighted)?.value - elastic)
+        let transform = self.curve.transform();
+        let weighted =
+            ring.integral(&transform.kinks(), &tolerance, |x| Ok(beside_singular(x, |x| transform.slope(x))? * x))?;
+        Ok(weighted.value - elastic)
     }
 
     fn state_of(&self, ring: &Ring<R>) -> Result<CohesiveState<R>> {
@@ -316,25 +336,35 @@ impl<R: Special> Dugdale<R> {
         let force = self.curve.force_of(a, &(self.curve.transform().above_mean(a)? - attraction))?;
         Ok(CohesiveState { contact_radius: a.clone(), outer_radius: c.clone(), indentation, force })
     }
-
-    /// The angles of the kinks of g under the ring.
-    fn breaks(&self, ring: &Ring<R>) -> Vec<R> {
-        let kinks = self.curve.transform().kinks().into_iter().filter(|kink| *kink > ring.a && *kink < ring.c);
-        kinks.map(|kink| (((ring.c.clone() - &kink) * (kink.clone() + &ring.c)).sqrt() / kink).atan()).collect()
-    }
 }
 
-/// c cos φ, within the ring.
-fn on<R: Special>(ring: &Ring<R>, angle: &R) -> R {
-    (angle.cos() * &ring.c).greater(&ring.a).lesser(&ring.c)
-}
-
-/// A function of the profile at x, or beside it where x is rounded to a kink at which it has no value.
-fn beside_singular<R: Special>(x: R, f: impl Fn(&R) -> Result<R>) -> Result<R> {
-    match f(&x) {
-        Err(Error::Domain { .. }) => f(&(x.clone() - x.unit_roundoff().times(8) * &x)),
+/// A function of the profile at x, or beside it where x is rounded to the end of the profile or to a radius where g diverges.
+fn beside_singular<R: Special>(x: &R, f: impl Fn(&R) -> Result<R>) -> Result<R> {
+    match f(x) {
+        Err(Error::Domain { .. }) => f(&(x.clone() - x.unit_roundoff().times(8) * x)),
         value => value,
     }
+}
+
+/// A sign change of a function that is negative near zero, from a guess downwards where it is positive there, and upwards
+/// otherwise, in steps that double in the logarithm: far above its zero the function may be hard to compute. `None` if there is
+/// none in the range of the arithmetic.
+fn bracket<R: Special>(guess: R, mut f: impl FnMut(&R) -> Result<R>) -> Result<Option<Bracket<R>>> {
+    let mut last = Sample::take(guess, &mut f)?;
+    let downwards = last.f > last.f.lit(0);
+    for (evaluations, doubling) in (2..).zip(0..i64::from(i32::BITS)) {
+        let octaves = 1_i64 << doubling;
+        let x = last.x.lit(2).powi(if downwards { -octaves } else { octaves }) * &last.x;
+        if !(x.is_finite() && x > x.lit(0)) {
+            break;
+        }
+        let next = Sample::take(x, &mut f)?;
+        if let Some(bracket) = Bracket::between(last, next.clone(), evaluations) {
+            return Ok(Some(bracket));
+        }
+        last = next;
+    }
+    Ok(None)
 }
 
 /// The lowest of the zeros that sixteen steps up to the bracket show.

@@ -66,7 +66,8 @@ impl<R: Special> Fields<R> {
     /// The pressure p(r) = (E*/π)[∫ᵣᵃ g'(x)/√(x² − r²) dx − (g(a) − d)/√(a² − r²)] for 0 ≤ r < a, in Pa (Popov & Heß
     /// 2014), with g(a) − d = Δl away from a vertical edge; negative is tension. With q² = a² − r² and x² = r² + q²t²
     /// the integral is ∫ g'(x) q/x dt up to the first kink b > r, or to a, where all ratios of lengths are moderate.
-    /// Beyond a kink, where g' may begin with 1/√(x − b), the variable is τ in x = b + (b − r) sinh²τ.
+    /// Beyond a kink, where g' may begin with 1/√(x − b), the variable is τ in x = b + (b − r) sinh²τ; with a kink b just inside
+    /// r it is that in x = r + (r − b) sinh²τ.
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 ≤ r < a, and where the pressure is infinite: at the tip of a cone, and at some kinks;
@@ -89,13 +90,16 @@ impl<R: Special> Fields<R> {
         let aside = r.clone() / &reach;
         let kinks = self.kinks(r, a);
         let first = kinks.first().unwrap_or(a);
-        let mut bulk = integrate(&r.lit(0), &(leg(first, r) / &reach), &[], |t| {
-            let share = hypotenuse(&aside, t);
-            // Rounding must not lead beyond a kink: a piece in which g' is 0 would consist of such a point only.
-            let x = (share.clone() * &reach).greater(r).lesser(first);
-            Ok(self.curve.transform().slope(&self.off_axis(x))? / share)
-        })
-        .map_err(|error| if self.is_infinite_at(r) { infinite_at(r) } else { error })?;
+        let mut bulk = match self.kink_just_inside(r, first) {
+            Some(kink) => integrate_beside_kink(&kink, first, r, |x| self.curve.transform().slope(x))?,
+            None => integrate(&r.lit(0), &(leg(first, r) / &reach), &[], |t| {
+                let share = hypotenuse(&aside, t);
+                // Rounding must not lead beyond a kink: a piece in which g' is 0 would consist of such a point only.
+                let x = (share.clone() * &reach).greater(r).lesser(first);
+                Ok(self.curve.transform().slope(&self.off_axis(x))? / share)
+            })
+            .map_err(|error| if self.is_infinite_at(r) { infinite_at(r) } else { error })?,
+        };
         for (i, kink) in kinks.iter().enumerate() {
             let next = kinks.get(i + 1).unwrap_or(a);
             bulk += &integrate_from_kink(kink, next, r, |x| self.curve.transform().slope(x))?;
@@ -108,6 +112,12 @@ impl<R: Special> Fields<R> {
         }
         let log10 = (strain.abs().ln() + self.curve.modulus().ln()).approx() / std::f64::consts::LN_10;
         Err(Error::OutOfRange { quantity: Quantity::Parameter("the pressure p"), log10 })
+    }
+
+    /// The kink b below r, if it is much closer to r than the next radius at which the integral is split.
+    fn kink_just_inside(&self, r: &R, first: &R) -> Option<R> {
+        let kink = self.curve.transform().kinks().into_iter().rfind(|kink| kink < r)?;
+        ((r.clone() - &kink).times(16) < first.clone() - r).then_some(kink)
     }
 
     /// Whether the quadrature is expected to fail: at the tip if g' does not vanish there, and at a kink.
@@ -235,30 +245,58 @@ fn integrate<R: Special>(lower: &R, upper: &R, breaks: &[R], f: impl Fn(&R) -> R
     tanh_sinh_pieces(lower, upper, breaks, or_half_of_the_digits(upper), f)
 }
 
+/// ∫ g'(x)/√(x² − r²) dx from r, where g' may have an inverse root at a kink b < r: in τ with x = r + (r − b) sinh²τ, which
+/// removes that root and the one of x − r however close r is, 2∫ g'(x) √((x − b)/(x + r)) dτ.
+fn integrate_beside_kink<R: Special>(
+    kink: &R,
+    upper: &R,
+    r: &R,
+    slope: impl Fn(&R) -> Result<R>,
+) -> Result<Estimate<R>> {
+    let near = r.clone() - kink;
+    let width = arsinh(&((upper.clone() - r) / &near).sqrt());
+    let weighted = |t: &R| {
+        let x = (sinh(&(t.clone() * &width)).square() * &near + r).lesser(upper);
+        Ok(slope(&x)? * ((x.clone() - kink) / (x + r)).sqrt())
+    };
+    Ok(over_unit_interval(upper, weighted)?.scaled(&width.times(2)))
+}
+
 /// ∫ g'(x)/√(x² − r²) dx from a kink b > r, where g' may have an inverse root: in τ with x = b + (b − r) sinh²τ, which
 /// removes that root and the one of x − r however close r is, 2∫ g'(x) √((b − r)/(x + r)) sinh τ dτ.
-///
-/// By Gauss–Legendre, whose nodes stay away from the kink: next to it x − b would consist of the rounding of x only.
-/// Tanh-sinh if a singularity is close.
 fn integrate_from_kink<R: Special>(kink: &R, upper: &R, r: &R, slope: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
-    let (zero, one, near) = (upper.lit(0), upper.lit(1), kink.clone() - r);
+    let near = kink.clone() - r;
     let beside = kink.unit_roundoff().times(2) * kink + kink;
-    let end = ((upper.clone() - kink) / &near).sqrt();
-    // arsinh of the end, without cancellation.
-    let width = (end.square() / ((end.square() + &one).sqrt() + &one) + &end).ln_1p();
+    let width = arsinh(&((upper.clone() - kink) / &near).sqrt());
     let weighted = |t: &R| {
-        let excess = (t.clone() * &width).exp_m1();
-        let sinh = (excess.clone() / (excess.clone() + &one) + excess).over(2);
-        let x = (sinh.square() * &near + kink).lesser(upper).greater(&beside);
+        let x = (sinh(&(t.clone() * &width)).square() * &near + kink).lesser(upper).greater(&beside);
         // sinh at the rounded radius, at which the slope is evaluated.
         let sinh = ((x.clone() - kink) / &near).sqrt();
         Ok(slope(&x)? * (near.clone() / (x + r)).sqrt() * sinh)
     };
-    let integral = match gauss_jacobi::integrate(&zero, &zero, Tolerance::of_cancelling(upper), weighted) {
-        Err(Error::NoConvergence { .. }) => tanh_sinh_pieces(&zero, &one, &[], or_half_of_the_digits(upper), weighted)?,
-        integral => integral?,
-    };
-    Ok(integral.scaled(&width.times(2)))
+    Ok(over_unit_interval(upper, weighted)?.scaled(&width.times(2)))
+}
+
+/// arsinh x for x ≥ 0, without cancellation.
+fn arsinh<R: Special>(x: &R) -> R {
+    let one = x.lit(1);
+    (x.square() / ((x.square() + &one).sqrt() + &one) + x).ln_1p()
+}
+
+/// sinh x, without cancellation.
+fn sinh<R: Special>(x: &R) -> R {
+    let excess = x.exp_m1();
+    (excess.clone() / (excess.clone() + excess.lit(1)) + excess).over(2)
+}
+
+/// ∫ f from 0 to 1 by Gauss–Legendre, whose nodes stay away from a kink: next to it x − b would consist of the rounding of x
+/// only. Tanh-sinh if a singularity is close.
+fn over_unit_interval<R: Special>(like: &R, f: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
+    let (zero, one) = (like.lit(0), like.lit(1));
+    match gauss_jacobi::integrate(&zero, &zero, Tolerance::of_cancelling(like), &f) {
+        Err(Error::NoConvergence { .. }) => tanh_sinh_pieces(&zero, &one, &[], or_half_of_the_digits(like), &f),
+        integral => integral,
+    }
 }
 
 /// The tightest tolerance, or the result of the finest rule with its error.

@@ -4,7 +4,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Result, Transform};
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Quantity, Result, Transform};
 use mdr_core::number::Real;
 
 use crate::contact::Contact;
@@ -111,7 +111,13 @@ where
 /// threshold (1.19).
 pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
     curve.control().check()?;
-    let range = Range::whole(curve.transform(), curve.material_length());
+    let length = curve.material_length();
+    // The square of the unit roundoff is what the search leaves of the smallest numbers.
+    if !(length.is_finite() && length.unit_roundoff().square() * &length > length.lit(0)) {
+        let requirement = "of a ratio to E* within the range of this arithmetic, where the search for states begins";
+        return Err(Error::domain(Quantity::WorkOfAdhesion, &length, requirement));
+    }
+    let range = Range::whole(curve.transform(), length);
     let ratio = |a: &R| Ok(curve.tangency(a)? / curve.critical_ratio_at(a));
     let mut survey = survey::survey(&range, ratio)?;
     let wall = curve.vertical_edge();

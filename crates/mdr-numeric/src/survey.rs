@@ -36,10 +36,14 @@ pub(crate) struct Survey<R> {
     pub(crate) resolved: bool,
     /// Whether the ratio is one up to rounding over a whole panel, so that every radius there may be a crossing.
     pub(crate) flat: bool,
+    /// The largest step in ln a between two samples, from two below the scale on.
+    pub(crate) widest: f64,
 }
 
 /// The range of a search.
-pub(crate) struct Range<R> {
+pub(crate) struct Range<'a, R> {
+    /// What the search costs is read off this.
+    pub(crate) transform: &'a dyn Transform<R>,
     /// The length ℓ.
     pub(crate) scale: R,
     /// Radii where the ratio may jump, ascending.
@@ -48,12 +52,15 @@ pub(crate) struct Range<R> {
     pub(crate) outer: Option<R>,
     /// The largest −t and t of the search, at most [`REACH`].
     pub(crate) reach: [f64; 2],
+    /// The most heights that are evaluated for it.
+    pub(crate) heights: u64,
 }
 
-impl<R: Real> Range<R> {
+impl<'a, R: Real> Range<'a, R> {
     /// All radii of a profile, in units of ℓ = `scale`.
-    pub(crate) fn whole(transform: &dyn Transform<R>, scale: R) -> Self {
-        Range { scale, kinks: transform.kinks(), outer: transform.outer_radius(), reach: [REACH; 2] }
+    pub(crate) fn whole(transform: &'a dyn Transform<R>, scale: R) -> Self {
+        let (kinks, outer) = (transform.kinks(), transform.outer_radius());
+        Range { transform, scale, kinks, outer, reach: [REACH; 2], heights: HEIGHTS }
     }
 }
 
@@ -69,6 +76,10 @@ const QUIET: usize = 3;
 /// A bound of the number of panels, which increases with each crossing found: the two of a wave take about ten panels.
 const BUDGET: usize = 20_000;
 const PER_CROSSING: usize = 64;
+/// The search ends, unresolved, when so many crossings are found, or so many heights were evaluated for it. (Ten thousand
+/// waves take 10⁴ crossings, an ordinary formula 10⁵ heights.)
+const MOST: usize = 30_000;
+const HEIGHTS: u64 = 20_000_000;
 /// The uncertainty of the logarithm of a ratio, in unit roundoffs of the arithmetic: four times the accuracy of a
 /// quadrature.
 const NOISE: f64 = 128.0;
@@ -80,7 +91,7 @@ const CEILING: f64 = 600.0;
 ///
 /// # Errors
 /// [`Error::Undecided`] where it is.
-pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Survey<R>> {
+pub(crate) fn survey<R: Real>(range: &Range<'_, R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Survey<R>> {
     let found = crossings(range, ratio);
     if found.flat {
         let what = "which radius it is: the condition holds up to rounding over a whole range of them";
@@ -90,14 +101,17 @@ pub(crate) fn survey<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>)
 }
 
 /// Finds the crossings of `ratio` through one.
-pub(crate) fn crossings<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<R>) -> Survey<R> {
+pub(crate) fn crossings<R: Real>(range: &Range<'_, R>, ratio: impl Fn(&R) -> Result<R>) -> Survey<R> {
     let roundoff = range.scale.unit_roundoff().approx();
     let crossings = Vec::new();
     let kinks = range.kinks.iter().map(|kink| position(kink, &range.scale)).collect();
     let scale = &range.scale;
-    let mut search = Search { scale, kinks, ratio, roundoff, crossings, resolved: true, flat: false, panels: 0 };
+    let (resolved, flat, widest, panels) = (true, false, 0.0, 0);
+    let (transform, last) = (range.transform, range.transform.work().saturating_add(range.heights));
+    let mut search =
+        Search { transform, last, scale, kinks, ratio, roundoff, crossings, resolved, flat, widest, panels };
     let mut edge: Option<Sample> = None;
-    for (lower, upper) in panels(range) {
+    for (lower, upper) in cut(range) {
         let (first, last) = search.panel(lower, upper, 0);
         // Across a kink, or between two panels that were settled separately.
         if let (Some(before), Some(after)) = (edge, first)
@@ -108,7 +122,8 @@ pub(crate) fn crossings<R: Real>(range: &Range<R>, ratio: impl Fn(&R) -> Result<
         edge = last;
     }
     search.crossings.sort_by(|a, b| order(&a.lower, &b.lower));
-    Survey { crossings: search.crossings, resolved: search.resolved, flat: search.flat }
+    let Search { crossings, resolved, flat, widest, .. } = search;
+    Survey { crossings, resolved, flat, widest }
 }
 
 /// The radius up to which a search goes before an outer radius.
@@ -117,7 +132,7 @@ pub(crate) fn surveyed_to<R: Real>(outer: &R) -> R {
 }
 
 /// ± [0, 2], [2, 4], [4, 8], …, cut at kinks and ends.
-fn panels<R: Real>(range: &Range<R>) -> Vec<(f64, f64)> {
+fn cut<R: Real>(range: &Range<'_, R>) -> Vec<(f64, f64)> {
     let position = |a: &R| position(a, &range.scale);
     let lowest = reach(&range.scale, -range.reach[0]);
     let highest = match &range.outer {
@@ -174,6 +189,9 @@ struct Sample {
 }
 
 struct Search<'a, R, F> {
+    transform: &'a dyn Transform<R>,
+    /// The work of the transform at which the search ends.
+    last: u64,
     scale: &'a R,
     /// In t, ascending.
     kinks: Vec<f64>,
@@ -184,12 +202,18 @@ struct Search<'a, R, F> {
     resolved: bool,
     /// Whether the ratio was one over a whole panel.
     flat: bool,
+    /// The largest step between the samples of panels that were not halved.
+    widest: f64,
     panels: usize,
 }
 
 impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
     /// Searches one panel, which is nested in `quiet` quiet ones; returns its first and last sample, if they exist.
     fn panel(&mut self, lower: f64, upper: f64, quiet: usize) -> (Option<Sample>, Option<Sample>) {
+        if self.crossings.len() >= MOST || self.transform.work() >= self.last {
+            self.resolved = false;
+            return (None, None);
+        }
         let (samples, blind) = self.samples(lower, upper);
         self.panels += 1;
         let (first, last) = (samples[0], samples[DEGREE]);
@@ -202,6 +226,9 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
             Some(by_level) => settle(&known, &by_level, self.roundoff),
             None => outside(&known, upper - lower, blind),
         };
+        if (!matches!(verdict, Verdict::Open) || narrow) && lower >= -2.0 {
+            self.widest = self.widest.max((upper - lower) * (share(DEGREE / 2 + 1) - share(DEGREE / 2)));
+        }
         match verdict {
             Verdict::Empty => {}
             Verdict::Flat => self.flat = true,

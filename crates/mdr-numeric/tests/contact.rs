@@ -279,7 +279,7 @@ fn assert_residual(curve: &Contact<f64>, state: &Equilibrium<f64>, value: f64, n
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 48 / 256))]
 
     /// On the existing side of the fold there are two equilibria, of opposite stability: the larger is stable for n > 1/2,
     /// the smaller for n < 1/2. On the other side there is none.

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use mdr_core::contact::{Control, Error, Material, Shape, Transform};
+use mdr_core::contact::{Control, Error, Flank, Material, Shape, Transform};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::folds;
@@ -59,7 +59,7 @@ fn results_do_not_depend_on_units() {
 fn a_sharp_tip_has_a_finite_pull_off_force() {
     // n = 1/4: with a short range the force is that of the stress w/h₀ on the disc on which the gap of the rigid tip is
     // below h₀.
-    let tip = Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap();
+    let tip = Arc::new(Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap());
     let range = 1e-3;
     let opening = separation(&range);
     let state = pull_off(&tip, 1.0, 1e-4, range);
@@ -101,4 +101,62 @@ fn inputs_out_of_their_domain() {
     // The gap at the equator is 1 at most: no ring of attraction ends on the sphere.
     let message = Dugdale::new(curve(), &10.0).unwrap().pull_off(&[0.01]).unwrap_err().to_string();
     assert!(message.contains("the range of adhesion") && message.contains("within the profile"), "{message}");
+}
+
+#[test]
+fn the_ring_of_a_flat_tip_ends_at_the_edge_of_the_flat() {
+    // With g = 0 under the contact and under the ring, the gap at c = b fixes a, h₀ = (2/π)s(qθ − (c − a)), and
+    // F = −E*s(c²θ + aq); there g' jumps from 0 to infinity, and the force turns.
+    let flat = 0.1;
+    let tips =
+        [Shape::TruncatedCone { flank: Flank::Slope(0.2), flat }, Shape::TruncatedParaboloid { radius: 0.5, flat }];
+    for tip in tips {
+        let state = pull_off(&Quadrature::of([tip]).unwrap(), 1.0, 1e-5, 1e-4);
+        assert_relative_eq!(state.contact_radius, 0.099_253_049_041_879_585, max_relative = 1e-12);
+        assert_relative_eq!(state.outer_radius, flat, max_relative = 1e-12);
+        assert_relative_eq!(state.force, -4.997_680_871_569_79e-4, max_relative = 1e-12);
+    }
+}
+
+/// The states of a tip with a flat face along its contact radius, with the edge of the flat under the contact, in the ring, at
+/// its ends and beyond: F is the integral of its slope, and continuous.
+#[test]
+fn a_ring_over_the_edge_of_a_flat_is_resolved() {
+    let flat = 0.1;
+    let tip = Arc::new(Quadrature::of([Shape::TruncatedCone { flank: Flank::Slope(0.2), flat }]).unwrap());
+    let material = Material::new(1.0, 1e-5).unwrap();
+    let contact = Dugdale::new(Contact::half_space(&tip, &material, &Control::Force), &separation(&1e-4)).unwrap();
+    let force = |a: f64| contact.state(&a).unwrap().force;
+    let edge = 0.099_253_049_041_879_585;
+    let near = (1..50).step_by(8).map(|bits| 2_f64.powi(-bits));
+    let radii: Vec<f64> =
+        near.flat_map(|step| [edge, flat].map(|a| [a * (1.0 - step), a * (1.0 + step)]).concat()).collect();
+    for a in radii {
+        let force = force(a);
+        assert!(force.is_finite(), "{a}");
+    }
+    for centre in [edge, flat] {
+        // The force has at most a bend: over a step that halves, so does its change, but for a root.
+        let change = |step: f64| (force(centre * (1.0 + step)) - force(centre * (1.0 - step))).abs();
+        assert!(change(1e-12) < 1e-4 * 5e-4 && change(1e-13) < 1e-4 * 5e-4, "{} {}", change(1e-12), change(1e-13));
+    }
+}
+
+/// The ring is looked for from its narrow side: far beyond its end it would hold hundreds of waves.
+#[test]
+fn a_ring_over_waves() {
+    for wavelength in [0.58244, 0.2] {
+        let (radius, a) = (1.2603, 1.52324);
+        let amplitude = wavelength * wavelength / (32.0 * radius);
+        let tip = Arc::new(|amplitude| Quadrature::of([Shape::WavyParaboloid { radius, amplitude, wavelength }]).unwrap());
+        let material = Material::new(1.0, 0.63694).unwrap();
+        let state = |tip: &dyn Transform<f64>| {
+            let curve = Contact::half_space(tip, &material, &Control::Force);
+            Dugdale::new(curve, &2.70147).unwrap().state(&a).unwrap()
+        };
+        let (flat, wavy) = (state(&tip(0.0)), state(&tip(amplitude)));
+        // The waves change the gap by their height, 2A of 2.7, and g by more, with the root of the number of waves.
+        let waves = (a / wavelength).sqrt() * amplitude * 8.0;
+        assert!((wavy.outer_radius - flat.outer_radius).abs() < waves, "{wavy:?} {flat:?}");
+    }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use mdr_core::calculus::quadrature::tanh_sinh;
-use mdr_core::contact::{Control, Error, Material, Profile, Result, Shape, Transform};
+use mdr_core::contact::{Control, Error, Flank, Material, Profile, Result, Shape, Transform};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::profiles::Heights;
@@ -201,4 +201,30 @@ fn the_pressure_inside_a_flat_face() {
     }
     // At the edge of the face it is infinite.
     assert!(matches!(fields.pressure(&b), Err(Error::Domain { .. })));
+}
+
+/// Just outside the edge of a truncated cone, where the pressure grows like a logarithm of the distance; the values for these
+/// doubles were computed by other means (mpmath, 40 digits).
+#[test]
+fn the_pressure_just_outside_an_edge() -> Result<()> {
+    let known = [
+        (1e-3, 0.6219272964775535604),
+        (1e-5, 0.91494405626078859008),
+        (1e-7, 1.2081152677895519875),
+        (1e-9, 1.50128945733661749),
+        (1e-11, 1.7944633429013914985),
+        (1e-13, 2.0876888450605505196),
+        (1e-15, 2.3741556258627718462),
+    ];
+    let cone = Arc::new(Quadrature::of([Shape::TruncatedCone { flank: Flank::Slope(0.2), flat: 0.1 }])?);
+    let material = Material::new(2.0, 1e-3)?;
+    let fields = Fields::new(Contact::half_space(&cone, &material, &Control::Indentation), 0.3)?;
+    // Of the edge, which is subtracted.
+    let edge = (2.0 * 2.0 * 1e-3 * 0.3 / std::f64::consts::PI).sqrt() / 0.08_f64.sqrt();
+    for (distance, expected) in known {
+        let p = fields.pressure(&(0.1 * (1.0 + distance)))?;
+        assert!((p - expected).abs() <= QUADRATURE * (expected + edge), "{distance:e}: {p} against {expected}");
+    }
+    assert!(matches!(fields.pressure(&0.1), Err(Error::Domain { .. })));
+    Ok(())
 }

@@ -194,7 +194,7 @@ fn kinks_do_no_harm() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 12 / 256))]
 
     /// Random wavy profiles, way points and controls: the energies balance, and every jump dissipates energy.
     #[test]

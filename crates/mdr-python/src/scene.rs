@@ -77,7 +77,7 @@ fn read(form: &str, text: &str, files: &HashMap<String, Vec<u8>>) -> mdr::Result
 
 /// What a text names, among the files and then on the disk.
 fn at_hand(files: &HashMap<String, Vec<u8>>) -> impl Fn(&str) -> io::Result<Vec<u8>> {
-    |name| files.get(name).cloned().map_or_else(|| std::fs::read(name), Ok)
+    |name| files.get(name).cloned().map_or_else(|| mdr::files::named(name), Ok)
 }
 
 /// The class `decimal.Decimal`.

@@ -66,7 +66,8 @@
 //!
 //! **A divisor whose normal form is 0** is 0 on the whole domain: a formula that divides by it has a value nowhere,
 //! whatever the rest of it is ([`Statement::divides_by_zero`]). Then nothing can be proved or refuted. The divisors are
-//! those of the formula as written: x²/x² has no value at x = 0, although its normal form is 1.
+//! those of the formula as written: x²/x² has no value at x = 0, although its normal form is 1. Below an integral it is one
+//! if it is 0 along the whole range. A base is one unless its exponent is certainly not negative, and so is a pole of Γ.
 //!
 //! **A value for one of several that belong together**, for g while g' or ∫g occurs, is refused ([`Error::Related`]).
 //!

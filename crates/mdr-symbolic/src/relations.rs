@@ -24,6 +24,12 @@ impl Symbol {
             [&PROFILE[..], &ANGLE].into_iter().find(|family| family.contains(&self.name())).unwrap_or_default();
         family.iter().filter_map(|name| Symbol::named(name)).filter(move |other| *other != self)
     }
+
+    /// Whether it is a number of its own: neither κ nor Γ, which n determines, nor one of a profile or an angle.
+    pub(crate) fn is_free(self) -> bool {
+        let of_n = [Symbol::KAPPA, Symbol::GAMMA_LOWER, Symbol::GAMMA_UPPER, Symbol::GAMMA_THREE_QUARTERS];
+        !of_n.contains(&self) && self.relatives().next().is_none()
+    }
 }
 
 impl Expression {

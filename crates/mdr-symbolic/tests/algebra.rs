@@ -18,7 +18,7 @@ fn function() -> impl Strategy<Value = RationalFunction> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 64 / 256))]
 
     #[test]
     fn rational_functions_are_a_field(f in function(), g in function(), h in function()) {
@@ -135,7 +135,7 @@ fn points() -> impl Iterator<Item = Exact> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 96 / 256))]
 
     /// A normal form has the values of its formula, exactly; it is 0 if and only if they all vanish; and the normal
     /// form of a normal form is itself.

@@ -172,6 +172,65 @@ fn cancelled_divisors() {
     proved("at((2*n - 1)/(2*n - 1), n, 1/2 + 1) = 1", Domain::Positive);
 }
 
+/// A divisor hides below an integral, in a bound, under an exponent that has to be calculated, or as a pole of Γ.
+#[test]
+fn hidden_divisors() {
+    let cases = [
+        // In an integrand, where it is 0 along the whole range.
+        ("at(int(y/y, x, a), y, 0) = a", Domain::Positive),
+        ("at(int(x*y/y, x, a), y, 0) = a^2/2", Domain::Positive),
+        ("at(int(0*y^(-1), x, a), y, 0) = 0", Domain::Positive),
+        ("at(int((y - d)/(y - d), x, a), y, d) = a", Domain::Positive),
+        ("at(int(at(t/t, t, y), x, a), y, 0) = a", Domain::Positive),
+        ("at(int(int(y/y, t, x), x, a), y, 0) = a^2/2", Domain::Positive),
+        ("at(int(y/y, x, y), y, 0) = 0", Domain::Positive),
+        ("at(diff(int(y/y, x, a), a), y, 0) = 1", Domain::Positive),
+        ("at(at(int((y - z)/(y - z), x, a), y, d), z, d) = a", Domain::Positive),
+        ("at(int((2*n - 1)/(2*n - 1), x, a), n, 1/2) = a", Domain::Positive),
+        ("at(int((x*y)*(x*y)^(-1), x, a), y, 0) = a", Domain::Positive),
+        // In a bound.
+        ("at(int(1, x, y/y), y, 0) = 1", Domain::Positive),
+        ("at(int(x, x, y^(n - n - 1)*y), y, 0) = 1/2", Domain::Positive),
+        ("at(int(int(1, t, y/y), x, a), y, 0) = a", Domain::Positive),
+        // Under a calculated exponent.
+        ("at(x^(n - n - 1)*x, x, 0) = 1", Domain::Positive),
+        ("at(x^(-n/n)*x, x, 0) = 1", Domain::Positive),
+        ("at(x^((1 - n)/(n - 1))*x, x, 0) = 1", Domain::Positive),
+        ("at(x^(2*n - 2*n - 2)*x^2, x, 0) = 1", Domain::Positive),
+        ("at((x - a)^(n - n - 1)*(x - a), x, a) = 1", Domain::Positive),
+        ("at(0*x^(n - n - 1), x, 0) = 0", Domain::Positive),
+        ("at((n - n)*x^(n - 1 - n), x, 0) = 0", Domain::Positive),
+        ("at(diff(x^(n - n - 1)*x, x), x, 0) = 0", Domain::Positive),
+        ("at(x^(at(t, t, n) - n - 1)*x, x, 0) = 1", Domain::Positive),
+        ("at(at(x^(n - n - 1)*x, x, y), y, 0) = 1", Domain::Positive),
+        ("at(at(x^(n - n - 1)*x, n, 2), x, 0) = 1", Domain::Positive),
+        ("at(x^(4*n - 3)*x, x, 0) = 1", Domain::Half),
+        ("at((2*n - 1)^(n - n - 1)*(2*n - 1), n, 1/2) = 1", Domain::Positive),
+        ("at((x^(n - n - 1))^(n - n - 1), x, 0) = 0", Domain::Positive),
+        ("at((x^(n - n - 1) + 1)*x - x, x, 0) = 1", Domain::Positive),
+        // Γ and κ have poles.
+        ("at((n - 2)*Γ((n - 2)/2)/2, n, 2) = 1", Domain::Positive),
+        ("at(1/Γ(n/2 - 1), n, 2) = 0", Domain::Positive),
+    ];
+    for (text, domain) in cases {
+        let error = refusal(text, domain);
+        assert!(matches!(error, Error::DivisionByZero), "{text}: {error}");
+    }
+    // An exponent that is an integer only at the n that is put in.
+    let error = refusal("at(at(x^(n - 3), n, 2)*x, x, 0) = 1", Domain::Positive);
+    assert!(matches!(error, Error::Substitution { .. }), "{error}");
+    // The variable of an integral is no symbol outside of it, and what is not 0 at the value is no pole.
+    proved("at(int(x*y/(x*y), x, a), y, x) = a", Domain::Positive);
+    proved("at(int(x/x, x, a), x, 0) = a", Domain::Positive);
+    proved("at(int(x/x, x, a), a, 0) = 0", Domain::Positive);
+    proved("at(int(y/y, x, a), y, d) = a", Domain::Positive);
+    proved("at(x^(n - n - 1)*x, x, a) = 1", Domain::Positive);
+    proved("at(x^(n - n + 1), x, 0) = 0", Domain::Positive);
+    proved("at(x^(4*n - 1), x, 0) = 0", Domain::Half);
+    proved("at(at(x^(n - n + 2), n, 3), x, 0) = 0", Domain::Positive);
+    proved("at(n*Γ(n/2), n, 2) = 2", Domain::Positive);
+}
+
 /// A value for g leaves its slope and its integrals those of another function; so does one for the sine of an angle.
 #[test]
 fn values_for_one_of_a_family() {

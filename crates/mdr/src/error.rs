@@ -4,6 +4,7 @@ use std::{fmt, io};
 
 use mdr_core::contact;
 use mdr_core::number::LiteralError;
+use mdr_core::text::{excerpt, printable};
 
 /// A result of this crate.
 pub type Result<T> = std::result::Result<T, Error>;
@@ -20,7 +21,7 @@ pub struct Place {
 /// `file:line`.
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}", self.file, self.line)
+        write!(f, "{}:{}", excerpt(&self.file), self.line)
     }
 }
 
@@ -36,7 +37,7 @@ impl fmt::Display for Place {
 #[non_exhaustive]
 pub enum Error {
     /// An input of the scene is refused.
-    #[error("{}{key}: {why}", place.as_ref().map_or_else(String::new, |place| format!("{place}: ")))]
+    #[error("{}{}: {}", place.as_ref().map_or_else(String::new, |place| format!("{place}: ")), excerpt(key), printable(why))]
     Scene {
         /// Where it stands; none in a scene that was built.
         place: Option<Place>,
@@ -49,7 +50,7 @@ pub enum Error {
     #[error("{0}")]
     Contact(#[source] contact::Error),
     /// A file could not be read.
-    #[error("{name}: {source}")]
+    #[error("{}: {}", excerpt(name), printable(&source.to_string()))]
     Io {
         /// Its name.
         name: String,

@@ -64,6 +64,7 @@ pub mod critical;
 pub mod diagram;
 pub mod double;
 mod error;
+pub mod files;
 #[cfg(feature = "fit")]
 pub mod fit;
 mod run;
@@ -75,7 +76,7 @@ pub use answer::Answer;
 pub use critical::critical;
 pub use error::{Error, Place, Result};
 pub use mdr_core::contact::Error as ContactError;
-pub use run::{ARITHMETICS, Cost, Observer, Run, Stop, free_thread_cache};
+pub use run::{ARITHMETICS, BUDGET, Cost, Observer, Run, Stop, free_thread_cache};
 pub use scene::{Scene, no_files};
 pub use validity::Validity;
 

@@ -84,17 +84,43 @@ pub fn free_thread_cache() {
     rug::float::free_cache(rug::float::FreeCache::Local);
 }
 
-/// How a scene is solved: who is told, and what stops it; by default nobody and nothing.
+/// How a scene is solved: who is told, what stops it, and how much it may work; by default nobody, nothing, and
+/// [`BUDGET`] an output.
 #[derive(Default)]
 pub struct Run<'a> {
     pub(crate) observer: Option<&'a mut dyn Observer>,
     pub(crate) stop: Stop,
+    pub(crate) budget: Option<f64>,
 }
+
+/// The work for an output, in seconds of a fast machine. It is counted and not timed, so that no answer depends on how busy the
+/// machine is.
+pub const BUDGET: f64 = 10.0;
+
+/// What may be spent in a second of the budget in each of the [`ARITHMETICS`], in values of g and in heights of its
+/// quadratures.
+const PER_SECOND: [f64; ARITHMETICS.len()] = [1e7, 5e5, 4e5, 4e5];
+/// So many values of what is controlled have the budget of one output.
+const VALUES: usize = 64;
 
 impl<'a> Run<'a> {
     /// With an observer and a stop.
     pub fn new(observer: &'a mut dyn Observer, stop: Stop) -> Self {
-        Run { observer: Some(observer), stop }
+        Run { observer: Some(observer), stop, budget: None }
+    }
+
+    /// The same with another [`BUDGET`]. What is not found within it is `undecided`.
+    #[must_use]
+    pub fn within(self, seconds: f64) -> Self {
+        Run { budget: Some(seconds), ..self }
+    }
+
+    /// Allows the work for an output with so many values of what is controlled.
+    pub(crate) fn allow(&self, counts: &Counts, values: usize) {
+        let seconds = self.budget.unwrap_or(BUDGET) * (1 + values / VALUES) as f64;
+        for (count, rate) in counts.iter().zip(PER_SECOND) {
+            count.allow((rate * seconds) as u64);
+        }
     }
 }
 

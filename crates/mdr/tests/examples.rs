@@ -74,7 +74,9 @@ fn close(one: &Json, other: &Json, scale: f64, place: &str) {
             }
         }
         (Json::Object(ones), Json::Object(others)) => {
-            for (key, other) in others.iter().filter(|(key, _)| *key != "why") {
+            // Of a formula it is proved by enclosures, and not known without them.
+            let unproved = |key: &str| !cfg!(feature = "mp") && key == "admissible" && ones[key].is_null();
+            for (key, other) in others.iter().filter(|(key, _)| *key != "why" && !unproved(key)) {
                 let scale = largest(others, key);
                 close(&ones[key], other, scale, &format!("{place}.{key}"));
             }

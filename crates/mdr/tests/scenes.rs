@@ -1,5 +1,6 @@
 //! Scenes from TOML, from JSON and from the builder: one value, and complaints that name file, line and key.
 
+use mdr::answer::{ForceCurve, ForceSample};
 use mdr::no_files;
 use mdr::prelude::*;
 
@@ -216,4 +217,155 @@ fn a_force_curve_is_the_path_as_it_is_measured() {
     assert!(number(&curve.summary.minimum_force).expect("known") <= pull_off);
     assert!(number(&curve.summary.jump_in_force).is_some_and(|force| force < 0.0));
     assert!(number(&curve.summary.hysteresis).is_some_and(|energy| energy > 0.0));
+}
+
+/// A thread of a test has 2 MiB of stack, which is less than a program or Python has.
+#[test]
+fn nesting_is_refused_at_a_stated_depth() {
+    let sums = |count: usize| {
+        let profile = format!(
+            "{}{{\"kind\":\"cone\",\"slope\":1}}{}",
+            "{\"kind\":\"sum\",\"term\":[".repeat(count),
+            "]}".repeat(count)
+        );
+        format!("{{\"profile\":{profile},\"output\":{{\"want\":[\"transform\"],\"transform\":{{\"at\":[1]}}}}}}")
+    };
+    let json = |text: &str| Scene::from_json(text, "scene.json", &no_files);
+    // The sum is level 1, its terms are level 2, each of them level 3.
+    assert!(json(&sums(31)).expect("level 63").in_arithmetic(Some(Arithmetic::Double)).solve().is_ok());
+    let inline = |count: usize| format!("x = {}1{}", "{a.a.a.a = ".repeat(count), "}".repeat(count));
+    let keys = (0..70).fold("1".to_owned(), |value, _| format!("{{{} = {value}}}", ["a"; 79].join(".")));
+    let array = format!("[[profile{}]]\na = 1\n", ".term".repeat(70));
+    for count in [32, 33, 2000, 100_000] {
+        let error = json(&sums(count)).expect_err("too deep").to_string();
+        assert!(error.starts_with("scene.json:1: not JSON: nested deeper than 64 levels"), "{count}: {error}");
+    }
+    for text in [inline(17), format!("x = {keys}"), array] {
+        let error = complaint(&text);
+        assert!(error.starts_with("scene.toml:1: not TOML: nested deeper than 64 levels"), "{error}");
+    }
+    assert!(complaint(&inline(100_000)).contains("not TOML: "));
+    assert!(complaint(&format!("{} = 1", vec!["a"; 100_000].join("."))).contains("not TOML: "));
+}
+
+/// What a program reads from a file or a pipe is bounded there; what it builds, here.
+#[test]
+fn lists_that_are_built_have_the_length_of_lists_that_are_read() {
+    let scene = || {
+        let elasticity = Elasticity::effective("1").expect("a modulus");
+        Scene::new(Shape::Paraboloid { radius: "1" }, elasticity, "1e-4")
+            .expect("a contact")
+            .arithmetic(Arithmetic::Double)
+    };
+    let many = |count: usize| (0..count).map(|value| Literal::from(value as i64)).collect::<Vec<_>>();
+    let path = scene().path(many(10_001)).expect("numbers").want(Want::Path).solve();
+    assert!(path.expect_err("too long").to_string().starts_with("control.path: 10001 way points; at most 10000"));
+    let field = Want::Pressure { states: many(101), at: many(1000) };
+    let error = scene().want(field).solve().expect_err("too many").to_string();
+    assert!(error.contains("`pressure` would have 101000 rows; at most 100000"), "{error}");
+}
+
+fn number(value: &Option<Value>) -> f64 {
+    value.as_ref().and_then(Value::to_f64).unwrap_or_else(|| panic!("{value:?}"))
+}
+
+/// The force curve of a contact with E* = 1 and w = 10⁻⁴.
+fn force_curve(profile: &str, control: &str, points: u32) -> ForceCurve {
+    let text = format!(
+        "[material]\ne_star = 1\nwork_of_adhesion = 1e-4\n[profile]\n{profile}\n[control]\n{control}\n\
+         [output]\nwant = [\"force-curve\"]\npoints = {points}\n"
+    );
+    let scene = Scene::from_toml(&text, "scene.toml", &no_files).expect("a good scene").arithmetic(Arithmetic::Double);
+    scene.solve().expect("an answer").force_curve().expect("wanted").clone()
+}
+
+/// Power laws held at their depth and by machines, soft and stiff, with the curve sampled coarsely and finely: the minimum is
+/// that of F = 2E*a(n/(n + 1) κ C aⁿ − √(2πaw/E*)), where its slope vanishes, if the path passes it.
+#[test]
+fn the_minimum_force_of_a_power_law() {
+    use std::f64::consts::PI;
+    // κ_n = (√π/2) n Γ(n/2)/Γ((n + 1)/2).
+    for (n, kappa) in [(1.0, PI / 2.0), (1.5, 1.797_210_352_103_388_3), (2.0, 2.0), (3.0, 0.75 * PI)] {
+        let (slope, root) = (kappa * 0.3, (2.0 * PI * 1e-4_f64).sqrt());
+        let force = |a: f64| 2.0 * a * (n / (n + 1.0) * slope * a.powf(n) - root * a.sqrt());
+        // n κ C aⁿ⁻¹ = 3√(πw/2E*a).
+        let exact = force((1.5 * root / (n * slope)).powf(1.0 / (n - 0.5)));
+        let machines = ["0.001", "0.1", "1", "1000"].map(|k| format!("kind = \"machine\"\nstiffness = {k}"));
+        for held in ["kind = \"indentation\"".to_owned()].into_iter().chain(machines) {
+            let profile = format!("kind = \"power\"\nn = {n}\nc = 0.3");
+            let cycle = format!("{held}\npath = [-0.5, 0.5, -20]\nstart = \"detached\"");
+            for points in [2, 30, 400] {
+                let summary = force_curve(&profile, &cycle, points).summary;
+                // Some roundings of two terms that have opposite signs and the size of their sum.
+                let found = number(&summary.minimum_force);
+                assert!((found / exact - 1.0).abs() < 1e-14, "n = {n}, {held}, {points}: {found:e} {exact:e}");
+                assert!(number(&summary.pull_off_force) >= found, "n = {n}, {held}");
+            }
+            // Not pulled far enough to pass it, the minimum is at an end.
+            let held = format!("{held}\npath = [0.5, 0.4]");
+            let curve = force_curve(&profile, &held, 2);
+            let ends = curve.samples.items.iter().filter_map(|sample| sample.force.to_f64());
+            assert_eq!(Some(number(&curve.summary.minimum_force)), ends.reduce(f64::min), "n = {n}, {held}");
+        }
+    }
+}
+
+/// However coarsely a curve is sampled, its minimum force is one number, and no finer sample is below it.
+#[test]
+fn the_minimum_force_does_not_depend_on_the_samples() {
+    let profiles = [
+        ("kind = \"sphere\"\nradius = 1", "[-0.1, 0.1, -1]"),
+        ("kind = \"hyperboloid\"\nhalf_angle_degrees = 70\nlateral = 1", "[-0.1, 0.1, -1]"),
+        ("kind = \"truncated-cone\"\nslope = 0.2\nflat = 0.1", "[-0.1, 0.1, -1]"),
+        ("kind = \"truncated-cone\"\nslope = 0.02\nflat = 0.001", "[-0.1, 0.1, -1]"),
+        ("kind = \"flat-punch\"\nradius = 0.1", "[0.1, -1]"),
+        ("kind = \"wavy-paraboloid\"\nradius = 1\namplitude = 5e-4\nwavelength = 0.1", "[0, -1]"),
+        ("kind = \"wavy-paraboloid\"\nradius = 1\namplitude = 2e-3\nwavelength = 0.05", "[0, -1]"),
+    ];
+    for (profile, path) in profiles {
+        for held in
+            ["kind = \"indentation\"", "kind = \"machine\"\nstiffness = 0.01", "kind = \"machine\"\nstiffness = 10"]
+        {
+            let start = if path.starts_with("[-") { "detached" } else { "largest" };
+            let control = format!("{held}\npath = {path}\nstart = \"{start}\"");
+            let [coarse, fine] = [2, 3000].map(|points| force_curve(profile, &control, points));
+            let least = number(&coarse.summary.minimum_force);
+            assert_eq!(least, number(&fine.summary.minimum_force), "{profile}, {held}");
+            let force = |sample: &ForceSample| sample.force.to_f64().expect("a force");
+            let samples = &fine.samples.items;
+            let sampled = samples.iter().map(force).reduce(f64::min).expect("samples");
+            // The minimum lies between two samples of one stretch, which are no further apart than this.
+            let pairs = samples.windows(2).filter(|pair| pair[0].segment == pair[1].segment);
+            let step = pairs.map(|pair| (force(&pair[0]) - force(&pair[1])).abs()).fold(0.0, f64::max);
+            assert!(least <= sampled && sampled <= least + step, "{profile}, {held}: {least:e} {sampled:e}");
+        }
+    }
+}
+
+/// A tip that is sharper than √r touches continuously, grows, and then jumps: that is its jump into contact, and the jump back is
+/// its pull-off.
+#[test]
+fn a_sharp_tip_jumps_after_it_has_touched() {
+    let profile = "kind = \"sum\"\n[[profile.term]]\nkind = \"power\"\nn = 0.3\nc = 0.01\n[[profile.term]]\nkind = \"paraboloid\"\nradius = 1";
+    for held in ["kind = \"indentation\"", "kind = \"machine\"\nstiffness = 0.1"] {
+        let curve = force_curve(profile, &format!("{held}\npath = [-0.1, 0.1, -1]\nstart = \"detached\""), 200);
+        let samples = &curve.samples.items;
+        let segment = |number: usize| samples.iter().filter(move |sample| sample.segment == number);
+        // Apart, in contact at the sharp end, in contact after the jump.
+        assert!(segment(2).next().expect("a touch").contact_radius.as_ref().and_then(Value::to_f64) == Some(0.0));
+        let after = segment(3).next().and_then(|sample| sample.force.to_f64()).expect("a jump");
+        assert_eq!(number(&curve.summary.jump_in_force), after);
+        let pull_off = number(&curve.summary.pull_off_force);
+        assert!(pull_off < 0.0 && samples.iter().any(|sample| sample.force.to_f64() == Some(pull_off)), "{pull_off:e}");
+    }
+}
+
+/// Nothing is lost on a path without a jump, and nothing is written as −0.
+#[test]
+fn no_number_is_minus_zero() {
+    let curve = force_curve("kind = \"paraboloid\"\nradius = 1", "kind = \"indentation\"\npath = [0.1, 0.2]", 2);
+    assert_eq!(curve.summary.hysteresis.as_ref().map(Value::to_string).as_deref(), Some("0"));
+    assert!(curve.summary.sentence(&mdr::answer::NumberStyle::default()).contains("hysteresis 0 J"));
+    let zero = Value::Known(mdr::answer::Number::Double(-0.0));
+    assert_eq!((zero.to_string(), serde_json::to_string(&zero).expect("a number")), ("0".to_owned(), "0.0".to_owned()));
 }

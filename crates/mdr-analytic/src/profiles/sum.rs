@@ -103,6 +103,10 @@ impl<R: Special> Transform<R> for Sum<R> {
     fn kinks(&self) -> Vec<R> {
         self.edges().into_iter().map(|edge| edge.radius).collect()
     }
+    fn work(&self) -> u64 {
+        self.terms.iter().map(|term| term.work()).sum()
+    }
+
     fn rises(&self) -> bool {
         self.terms.iter().all(|term| term.rises())
     }

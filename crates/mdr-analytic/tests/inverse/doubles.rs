@@ -47,7 +47,7 @@ fn check_double(scene: Scene, value: f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 150 / 256))]
 
     #[test]
     fn doubles_between_the_fold_and_zero(

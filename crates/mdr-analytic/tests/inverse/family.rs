@@ -11,7 +11,7 @@ use super::bisection::{BITS, Scene, float};
 use crate::common::mpfr::ulps;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 150 / 256))]
 
     #[test]
     fn every_arithmetic_agrees(n in 0.05..6.0f64, f in 0.01..0.999f64, other in any::<bool>(), by_force in any::<bool>()) {

@@ -75,8 +75,16 @@ fn exponents(flag: Flag<'_>) -> Result<Vec<Literal>> {
         match ends[..] {
             [one] => all.push(Flag::new(flag.name, one).positive()?),
             [first, last, step] => {
-                let [first, last, step] = [first, last, step].map(|text| Flag::new(flag.name, text).positive());
-                let (mut n, last, step) = (first?.to_rational(), last?.to_rational(), step?.to_rational());
+                let part = |name: &str, text: &str| {
+                    Flag::new(flag.name, text).positive().map_err(|failure| match failure {
+                        Failure::Flag { why, .. } => {
+                            flag.refuse(format!("the {name} of the range {why}, it is {text}"))
+                        }
+                        other => other,
+                    })
+                };
+                let [first, last, step] = [part("first", first)?, part("last", last)?, part("step", step)?];
+                let (mut n, last, step) = (first.to_rational(), last.to_rational(), step.to_rational());
                 while n <= last {
                     if all.len() == MOST {
                         return Err(flag.refuse(format!("at most {MOST} exponents")));

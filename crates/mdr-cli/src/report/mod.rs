@@ -46,9 +46,10 @@ impl Report {
             let questions: Vec<_> = comparisons.iter().map(question).collect();
             write(&format!("{}.svg", task.name), &mdr_plot::comparison(task.title, &questions).svg())?;
         }
-        let create = |name: &str| files::create("", &self.out.join(name));
-        create("work-precision.csv")?.records(findings.comparisons().flat_map(Comparison::rows))?;
-        create("ladders.csv")?.records(findings.ladders.iter().map(Ladder::row))?;
+        files::create("", &self.out.join("work-precision.csv"), |out| {
+            out.records(findings.comparisons().flat_map(Comparison::rows))
+        })?;
+        files::create("", &self.out.join("ladders.csv"), |out| out.records(findings.ladders.iter().map(Ladder::row)))?;
         let command = if self.quick { "mdr report --quick" } else { "mdr report" };
         let origin =
             format!("    {command}\n\nMedians of {runs} runs, fewer where an answer takes long. {}", footer::machine());

@@ -3,18 +3,18 @@
 mod explain;
 pub(crate) mod render;
 
-use std::io::Read;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use indicatif::ProgressBar;
-use mdr::Cost;
 use mdr::prelude::*;
+use mdr::{BUDGET, Cost};
 use mdr_plot::Picture;
 
 use crate::error::{Failure, Result};
-use crate::flags::{ArithmeticFlags, StyleFlags};
+use crate::flags::{ArithmeticFlags, Flag, StyleFlags};
 use crate::output::{Format, Output as Out};
 use crate::plot::PictureFlags;
 use crate::{files, progress};
@@ -53,6 +53,10 @@ pub(crate) struct Solve {
     #[command(flatten)]
     style: StyleFlags,
 
+    /// Work for each output, in seconds of a fast machine (counted, not timed); what it does not suffice for is undecided
+    #[arg(long, value_name = "SECONDS", default_value_t = BUDGET.to_string())]
+    budget: String,
+
     /// Tell on standard error what each output cost: evaluations of g, its slope and its integral, and time
     #[arg(long)]
     explain: bool,
@@ -60,16 +64,18 @@ pub(crate) struct Solve {
 
 impl Solve {
     /// Answers on `out`.
-    pub(crate) fn run(&self, out: &mut Out<impl std::io::Write>) -> Result<()> {
+    pub(crate) fn run(&self, out: &mut Out<impl io::Write>) -> Result<()> {
         let drawn = self.picture.wanted()?;
         let style = self.style.style(self.out.is_some() || self.format == Format::Table)?;
+        self.out.as_deref().map_or(Ok(()), |folder| files::check_folder("--out", folder))?;
         let scene = open(&self.scene)?.in_arithmetic(self.arithmetic.given()?);
         if drawn && !scene.has_material() {
             let why = "a picture shows equilibria, and needs [material] in the scene";
             return Err(Failure::refused("--plot", why));
         }
+        let budget = Flag::new("--budget", &self.budget).positive()?.nearest_f64();
         let mut progress = Progress::default();
-        let mut answer = scene.solve_with(&mut Run::new(&mut progress, Stop::default()))?;
+        let mut answer = scene.solve_with(&mut Run::new(&mut progress, Stop::default()).within(budget))?;
         answer.notes.extend(scene.unused(drawn));
         match &self.out {
             Some(folder) => render::write_files(&scene, &answer, folder, &style, out)?,
@@ -85,9 +91,9 @@ fn open(path: &Path) -> Result<Scene> {
     if path != Path::new("-") {
         return Ok(Scene::open(path)?);
     }
-    let mut text = String::new();
-    files::open(path)?.read_to_string(&mut text).map_err(|error| Failure::file("standard input", error))?;
-    let files = |file: &str| std::fs::read(file);
+    let text = mdr::files::bounded(io::stdin()).and_then(mdr::files::text);
+    let text = text.map_err(|error| Failure::file("standard input", error))?;
+    let files = |file: &str| mdr::files::named(file);
     Ok(match text.trim_start().starts_with('{') {
         true => Scene::from_json(&text, "<stdin>", &files),
         false => Scene::from_toml(&text, "<stdin>", &files),

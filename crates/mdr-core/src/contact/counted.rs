@@ -42,13 +42,35 @@ impl Sub for Evaluations {
 #[derive(Debug, Default)]
 pub struct EvaluationCounter {
     counts: [AtomicU64; 3],
+    /// What was spent within the transforms, as far as they tell.
+    work: AtomicU64,
+    /// The sum of counts and work up to which evaluations are allowed; 0 without a limit.
+    limit: AtomicU64,
     stop: Arc<AtomicBool>,
 }
 
 impl EvaluationCounter {
     /// A count with a stop flag: once `stop` is true every evaluation returns [`Error::Stopped`], which ends any loop.
     pub fn until(stop: &Arc<AtomicBool>) -> Self {
-        EvaluationCounter { counts: Default::default(), stop: Arc::clone(stop) }
+        EvaluationCounter { stop: Arc::clone(stop), ..Self::default() }
+    }
+
+    /// Allows so much from now on: evaluations, and the [work](Transform::work) within them. Once it is spent every evaluation
+    /// returns [`Error::BudgetSpent`].
+    pub fn allow(&self, work: u64) {
+        self.limit.store(self.spent().saturating_add(work).max(1), Ordering::Relaxed);
+    }
+
+    fn spent(&self) -> u64 {
+        self.read().total().saturating_add(self.work.load(Ordering::Relaxed))
+    }
+
+    /// Counts what a transform does during an evaluation.
+    fn working<T>(&self, work: impl Fn() -> u64, evaluate: impl FnOnce() -> T) -> T {
+        let before = work();
+        let value = evaluate();
+        self.work.fetch_add(work().saturating_sub(before), Ordering::Relaxed);
+        value
     }
 
     /// The evaluations so far.
@@ -101,42 +123,47 @@ impl<R: Real> CountingTransform<R> {
         self.tally.read()
     }
 
-    fn count(&self, part: usize) -> Result<&dyn Transform<R>> {
-        if self.tally.stop.load(Ordering::Relaxed) {
+    fn count<T>(&self, part: usize, evaluate: impl FnOnce(&dyn Transform<R>) -> Result<T>) -> Result<T> {
+        let tally = &self.tally;
+        if tally.stop.load(Ordering::Relaxed) {
             return Err(Error::Stopped);
         }
-        self.tally.counts[part].fetch_add(1, Ordering::Relaxed);
-        Ok(&*self.inner)
+        let (limit, spent) = (tally.limit.load(Ordering::Relaxed), tally.spent());
+        if limit > 0 && spent >= limit {
+            return Err(Error::BudgetSpent { evaluations: spent });
+        }
+        tally.counts[part].fetch_add(1, Ordering::Relaxed);
+        tally.working(|| self.inner.work(), || evaluate(&*self.inner))
     }
 }
 
 impl<R: Real> Transform<R> for CountingTransform<R> {
     fn g(&self, x: &R) -> Result<R> {
-        self.count(0)?.g(x)
+        self.count(0, |inner| inner.g(x))
     }
 
     fn slope(&self, x: &R) -> Result<R> {
-        self.count(1)?.slope(x)
+        self.count(1, |inner| inner.slope(x))
     }
 
     fn integral(&self, x: &R) -> Result<R> {
-        self.count(2)?.integral(x)
+        self.count(2, |inner| inner.integral(x))
     }
 
     fn mean(&self, x: &R) -> Result<R> {
-        self.count(2)?.mean(x)
+        self.count(2, |inner| inner.mean(x))
     }
 
     fn g_within(&self, x: &R, needed: &R) -> Result<R> {
-        self.count(0)?.g_within(x, needed)
+        self.count(0, |inner| inner.g_within(x, needed))
     }
 
     fn mean_within(&self, x: &R, needed: &R) -> Result<R> {
-        self.count(2)?.mean_within(x, needed)
+        self.count(2, |inner| inner.mean_within(x, needed))
     }
 
     fn above_mean(&self, x: &R) -> Result<R> {
-        self.count(2)?.above_mean(x)
+        self.count(2, |inner| inner.above_mean(x))
     }
 
     fn outer_radius(&self) -> Option<R> {
@@ -157,5 +184,9 @@ impl<R: Real> Transform<R> for CountingTransform<R> {
 
     fn rises(&self) -> bool {
         self.inner.rises()
+    }
+
+    fn work(&self) -> u64 {
+        self.inner.work()
     }
 }

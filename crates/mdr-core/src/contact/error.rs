@@ -5,6 +5,7 @@ use std::fmt;
 use thiserror::Error as ThisError;
 
 use crate::number::Real;
+use crate::text::excerpt;
 
 /// A result of this workspace.
 pub type Result<T> = std::result::Result<T, Error>;
@@ -98,7 +99,7 @@ impl fmt::Display for Quantity {
 #[non_exhaustive]
 pub enum Error {
     /// An input outside its domain.
-    #[error("{quantity} must be {requirement}, got {value}")]
+    #[error("{quantity} must be {requirement}, got {}", excerpt(value))]
     Domain {
         /// Which input.
         quantity: Quantity,
@@ -118,7 +119,7 @@ pub enum Error {
         log10: f64,
     },
     /// No state satisfies the equations.
-    #[error("there is no equilibrium at {quantity} = {value}")]
+    #[error("there is no equilibrium at {quantity} = {}", excerpt(value))]
     NoEquilibrium {
         /// The controlled quantity.
         quantity: Quantity,
@@ -145,6 +146,14 @@ pub enum Error {
         /// What could not be decided.
         what: &'static str,
     },
+    /// The work that may be spent on an answer was spent before it was found.
+    #[error(
+        "the budget was spent, after {evaluations} evaluations of g and of what it is made of, before this was decided"
+    )]
+    BudgetSpent {
+        /// What was spent.
+        evaluations: u64,
+    },
     /// The computation was stopped by its caller.
     #[error("stopped before the end")]
     Stopped,
@@ -159,7 +168,7 @@ pub enum Error {
         expected: usize,
     },
     /// A part of a range that a proof does not cover.
-    #[error("nothing is proved of {quantity} between {from} and {to}: {remedy}")]
+    #[error("nothing is proved of {quantity} between {} and {}: {remedy}", excerpt(from), excerpt(to))]
     Unproved {
         /// The quantity of which nothing is proved.
         quantity: Quantity,

@@ -83,6 +83,12 @@ pub trait Transform<R: Real>: Send + Sync {
         false
     }
 
+    /// What the evaluations so far have cost beside their number, in heights f(r): what a budget counts. 0 where an evaluation
+    /// is a closed form.
+    fn work(&self) -> u64 {
+        0
+    }
+
     /// Bounds of g at the kink with this index and up to the relative distance `margin` < 1/4 on both sides of it;
     /// `None` if nothing is known. A [vertical edge](Transform::vertical_edge) has the index after the last kink, with nothing
     /// outside. So does an outer radius at which g diverges: it has no value there, and the lower bound of the slope

@@ -23,6 +23,8 @@ pub(super) struct Terrain {
     least: Vec<f64>,
     /// Whether the search resolved g everywhere.
     pub(super) resolved: bool,
+    /// The largest distance between two radii at which the search has seen g, over the smaller one.
+    pub(super) width: f64,
     /// The radii between which the search was made.
     searched: [f64; 2],
     /// Nodes between an edge and the next one, evaluated once.
@@ -56,7 +58,7 @@ impl Terrain {
         // Where g is constant up to rounding its direction does not matter.
         let reach = [(scale / lower).ln(), (upper / scale).ln()];
         let found = survey::crossings(&Range { reach, ..Range::whole(&*transform, scale) }, ratio);
-        let resolved = found.resolved;
+        let (resolved, width) = (found.resolved, found.widest.exp_m1());
         let searched = [lower, upper];
         let mut radii = kinks.clone();
         for crossing in &found.crossings {
@@ -66,7 +68,7 @@ impl Terrain {
         }
         radii.sort_by(f64::total_cmp);
         let mut terrain =
-            Terrain { transform, edges: Vec::new(), least: Vec::new(), resolved, searched, panels: Vec::new() };
+            Terrain { transform, edges: Vec::new(), least: Vec::new(), resolved, width, searched, panels: Vec::new() };
         for pair in in_octaves(&radii) {
             terrain.push(pair);
         }
@@ -196,7 +198,7 @@ impl Terrain {
         beyond.map(|(x, _)| self.reach(d, last, x))
     }
 
-    /// The narrowest gap on an interval: the least sample, refined between its neighbours.
+    /// The narrowest gap on an interval: the samples that are least among their neighbours, refined between these.
     fn narrowest_on(&self, radii: &[f64], a: f64, d: f64) -> Result<(f64, f64)> {
         let ends: Vec<f64> = radii.iter().copied().filter(|r| *r > a).collect();
         let first = radii.first().filter(|first| **first > a).into_iter().copied();
@@ -205,10 +207,19 @@ impl Terrain {
         for r in first.chain(within).filter(|r| *r > a) {
             samples.push((r, self.gap(a, d, r)?));
         }
-        let least = (0..samples.len()).min_by(|&i, &j| samples[i].1.total_cmp(&samples[j].1));
-        let Some(least) = least else { return Ok((ends.last().copied().unwrap_or(a), 0.0)) };
-        let [lower, upper] = [least.saturating_sub(1), (least + 1).min(samples.len() - 1)].map(|i| samples[i].0);
-        self.least_between(lower, upper, samples[least], |r| self.gap(a, d, r))
+        // Of two valleys the deeper one may have the higher sample, so each is refined.
+        let mut best: Option<(f64, f64)> = None;
+        for (i, sample) in samples.iter().enumerate() {
+            let [before, after] = [i.saturating_sub(1), (i + 1).min(samples.len() - 1)].map(|i| samples[i]);
+            if sample.1 > before.1 || sample.1 > after.1 {
+                continue;
+            }
+            let found = self.least_between(before.0, after.0, *sample, |r| self.gap(a, d, r))?;
+            if best.is_none_or(|best| found.1 < best.1) {
+                best = Some(found);
+            }
+        }
+        Ok(best.unwrap_or((ends.last().copied().unwrap_or(a), 0.0)))
     }
 
     /// The minimum of a function between two radii, by golden section search.

@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 
 use mdr_core::calculus::gauss_jacobi::{self, Rule};
 use mdr_core::calculus::quadrature::{Node as Abscissa, pieces, tanh_sinh_near_ends};
-use mdr_core::calculus::{Estimate, Tolerance};
+use mdr_core::calculus::{Estimate, Tolerance, roundoff_tolerance};
 use mdr_core::contact::{Error, Result, Transform};
 use mdr_core::number::Real;
 
@@ -106,7 +106,7 @@ impl Terrain {
 /// # Errors
 /// Those of the transform and of the quadrature.
 pub(super) fn gap<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, breaks: &[R]) -> Result<Estimate<R>> {
-    weighted(a, r, breaks, |x| Ok(transform.g(x)? - d))
+    weighted([a, r], breaks, d.abs(), |x| Ok(transform.g(x)? - d))
 }
 
 /// h'(r) = (2/πr) [∫ₐʳ x g'/√(r² − x²) dx + a (g(a) − d)/√(r² − a²)].
@@ -114,7 +114,7 @@ pub(super) fn gap<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, br
 /// # Errors
 /// As [`gap`].
 pub(super) fn slope<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, breaks: &[R]) -> Result<R> {
-    let bulk = weighted(a, r, breaks, |x| Ok(transform.slope(x)? * x))?.value / r;
+    let bulk = weighted([a, r], breaks, r.lit(0), |x| Ok(transform.slope(x)? * x))?.value / r;
     if *a == a.lit(0) {
         return Ok(bulk);
     }
@@ -123,14 +123,29 @@ pub(super) fn slope<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, 
 }
 
 /// (2/π) ∫ₐʳ f/√(r² − x²) dx; at an end of a piece, where f may be undefined, it is taken as zero.
-fn weighted<R: Real>(a: &R, r: &R, breaks: &[R], f: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
+///
+/// f may vanish all but for rounding over a piece, as between a kink and an extremum of g that is a few roundings away. So an
+/// error is accepted, too, which is below the tolerance relative to the integral of `term`, the largest of the terms that cancel
+/// in f, and of the largest |f| in the middle of a piece.
+fn weighted<R: Real>([a, r]: [&R; 2], breaks: &[R], term: R, f: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
+    let mut largest = r.lit(0);
+    pieces(a, r, breaks, |from, to| {
+        match f(&(from.clone() + to).over(2)).map(|middle| middle.abs()) {
+            Ok(middle) if middle > largest => largest = middle,
+            Ok(_) | Err(Error::Domain { .. }) => {}
+            Err(error) => return Err(error),
+        }
+        Ok(Estimate::exact(r.lit(0)))
+    })?;
+    let rounding = roundoff_tolerance(r) * (largest + term) * r.pi().over(2);
+    let tolerance = Tolerance::of_cancelling(r).or_error_below(&rounding);
     let integral = pieces(a, r, breaks, |from, to| {
         let beyond = r.clone() - to;
         let at = |node: &Abscissa<R>| match f(&node.x) {
             Err(Error::Domain { .. }) if node.x == *from || node.x == *to => Ok(node.x.lit(0)),
             value => Ok(value? / (beyond.clone() + &node.from_upper).sqrt() / (node.x.clone() + r).sqrt()),
         };
-        tanh_sinh_near_ends(from, to, Tolerance::of_cancelling(r), at)
+        tanh_sinh_near_ends(from, to, tolerance.clone(), at)
     })?;
     Ok(integral.scaled(&(r.lit(2) / r.pi())))
 }

@@ -20,6 +20,8 @@ mod refine;
 
 use std::sync::Arc;
 
+#[cfg(feature = "mp")]
+use mdr_core::contact::LowestRing;
 use mdr_core::contact::{Fold, Result, Transform};
 use mdr_core::number::Real;
 
@@ -49,6 +51,23 @@ pub use refine::{Ring, Touch, first_touch, last_admissible};
 /// ```
 pub struct Admissibility {
     terrain: Option<Terrain>,
+    /// For a formula, whose narrow dips the search may miss.
+    touch: Option<FirstTouch>,
+}
+
+/// Where the separated surfaces of a formula first touch, as far as enclosures of f tell.
+#[derive(Clone, Debug)]
+pub enum FirstTouch {
+    /// At the tip: f ≥ 0.
+    Tip,
+    /// On a ring, where f < 0.
+    #[cfg(feature = "mp")]
+    Ring(Box<LowestRing>),
+    /// Not known.
+    Open {
+        /// The indentation, in m, at which they certainly do not touch yet; −∞ if there is none.
+        at_least: f64,
+    },
 }
 
 /// The admissibility of a state.
@@ -68,7 +87,7 @@ pub enum Verdict {
 }
 
 /// The basis of the verdicts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Basis {
     /// The form of the profile: its g is nondecreasing.
     Bound,
@@ -76,6 +95,12 @@ pub enum Basis {
     Searched,
     /// The search did not resolve g everywhere: an interpenetration that is found is certain, but others may exist.
     Doubtful,
+    /// The profile is a formula, and may have dips between the radii of the search: an interpenetration that is found is
+    /// certain, and no state is called admissible.
+    Unproved {
+        /// The largest distance between two radii at which the search has seen g, over the smaller one.
+        width: f64,
+    },
 }
 
 impl Admissibility {
@@ -85,17 +110,23 @@ impl Admissibility {
         if transform.rises() {
             return Self::of_rising();
         }
-        Admissibility { terrain: Some(Terrain::new(transform, radii)) }
+        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None }
+    }
+
+    /// For a transformed formula of which nothing else is proved: as [`Admissibility::new`], but what the search does not
+    /// find may exist nevertheless.
+    pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
+        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: Some(touch) }
     }
 
     /// For a profile with nondecreasing g: every state is admissible.
     pub fn of_rising() -> Self {
-        Admissibility { terrain: None }
+        Admissibility { terrain: None, touch: None }
     }
 
     /// The same, shared by all such profiles.
     pub fn rising() -> &'static Admissibility {
-        static RISING: Admissibility = Admissibility { terrain: None };
+        static RISING: Admissibility = Admissibility { terrain: None, touch: None };
         &RISING
     }
 
@@ -110,6 +141,7 @@ impl Admissibility {
     pub fn basis(&self) -> Basis {
         match &self.terrain {
             None => Basis::Bound,
+            Some(terrain) if self.touch.is_some() => Basis::Unproved { width: terrain.width },
             Some(terrain) if terrain.resolved => Basis::Searched,
             Some(_) => Basis::Doubtful,
         }
@@ -121,8 +153,13 @@ impl Admissibility {
         if !(a > 0.0 && a.is_finite() && d.is_finite()) {
             return Verdict::Undecided("its contact radius or its indentation is no double");
         }
-        let unresolved = Verdict::Undecided("g is not resolved everywhere outside the contact");
-        let apart = if terrain.knows(a) { Verdict::Admissible } else { unresolved };
+        let apart = if !terrain.knows(a) {
+            Verdict::Undecided("g is not resolved everywhere outside the contact")
+        } else if self.touch.is_some() {
+            Verdict::Undecided("the formula may dip between the radii at which g was looked at")
+        } else {
+            Verdict::Admissible
+        };
         match terrain.narrowest(a, d, true) {
             Err(_) => Verdict::Undecided("g cannot be computed everywhere outside the contact"),
             Ok(Some((radius, _))) => match terrain.sign(a, d, radius) {
@@ -131,6 +168,15 @@ impl Admissibility {
                 None => Verdict::Undecided("the gap closes up to rounding"),
             },
             Ok(None) => apart,
+        }
+    }
+
+    /// For a formula, where it is not known at which indentation separated surfaces first touch: one at which they do not
+    /// touch yet, in m.
+    pub(crate) fn open_touch(&self) -> Option<f64> {
+        match self.touch {
+            Some(FirstTouch::Open { at_least }) => Some(at_least),
+            _ => None,
         }
     }
 

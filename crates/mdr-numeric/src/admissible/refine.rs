@@ -4,7 +4,7 @@ use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
 use mdr_core::number::{Real, order};
 
 use super::extrema::Terrain;
-use super::{Admissibility, gap};
+use super::{Admissibility, FirstTouch, gap};
 use crate::contact::Contact;
 
 /// A circle outside the contact on which the surfaces touch or interpenetrate.
@@ -48,8 +48,14 @@ const AT_KINK: f64 = 1e-6;
 /// ```
 ///
 /// # Errors
-/// Those of the transform and of the quadrature.
-pub fn first_touch<R: Real>(curve: &Contact<R>, admissibility: &Admissibility) -> Result<Option<Touch<R>>> {
+/// Those of the transform and of the quadrature; [`Error::Undecided`] where it is not known, of a formula.
+pub fn first_touch<R: Real>(
+    curve: &Contact<R>,
+    admissibility: &Admissibility,
+) -> Result<Option<Touch<R>>> {
+    if let Some(touch) = &admissibility.touch {
+        return of_formula(touch, curve.modulus());
+    }
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
     let Some([radius, _]) = first_touch_roughly(admissibility)? else { return Ok(None) };
     let ring = Locus::new(curve, terrain, 0.0, radius);
@@ -59,11 +65,30 @@ pub fn first_touch<R: Real>(curve: &Contact<R>, admissibility: &Admissibility) -
     Ok((indentation < zero).then_some(Touch { radius, indentation }))
 }
 
+/// The first contact of a formula, in the arithmetic of a number.
+fn of_formula<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>> {
+    match touch {
+        FirstTouch::Tip => Ok(None),
+        #[cfg(feature = "mp")]
+        FirstTouch::Ring(ring) => {
+            let [radius, indentation] = ring.at::<R>(like.ctx());
+            Ok(Some(Touch { radius, indentation }))
+        }
+        FirstTouch::Open { .. } => {
+            let what = "where the surfaces first touch: enclosures of the formula do not tell its lowest point";
+            Err(Error::undecided(Quantity::Indentation, like, what))
+        }
+    }
+}
+
 /// The radius and the height at which f < 0 is smallest, in double precision; `None` if f ≥ 0.
 ///
 /// # Errors
-/// Those of the transform.
+/// As [`first_touch`].
 pub(crate) fn first_touch_roughly(admissibility: &Admissibility) -> Result<Option<[f64; 2]>> {
+    if let Some(touch) = &admissibility.touch {
+        return Ok(of_formula(touch, &0.0)?.map(|touch| [touch.radius, touch.indentation]));
+    }
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
     let lowest = terrain.narrowest(0.0, 0.0, false)?;
     Ok(lowest.filter(|(_, height)| *height < 0.0).map(|(radius, height)| [radius, height]))
@@ -179,7 +204,7 @@ impl<'a, R: Real> Locus<'a, R> {
             }
             last = size;
         }
-        Err(self.open())
+        Err(open(last))
     }
 
     /// The radius at which f is smallest.
@@ -193,23 +218,32 @@ impl<'a, R: Real> Locus<'a, R> {
     fn loss(&self, a: f64, indentation: &dyn Fn(f64) -> Result<f64>) -> Result<(R, R)> {
         let breaks: Vec<f64> = self.breaks.iter().map(R::approx).collect();
         let rough = |a: f64| Ok(gap::gap(&*self.terrain.transform, &a, &indentation(a)?, &self.rough, &breaks)?.value);
-        let step = 1e-5 * a;
-        let fall: f64 = (rough(a + step)? - rough(a - step)?) / (2.0 * step);
-        if !(fall < 0.0) {
-            return Err(self.open());
-        }
         let start = self.number(a);
         let d = self.curve.indentation(&start)?;
-        let bend = || self.bend(a, indentation(a)?);
-        self.settle([start, d], bend, |a, d, radius| {
-            let next = a.clone() - self.gap(a, d, radius)? / self.number(fall);
-            let d = self.curve.indentation(&next)?;
-            Ok(Some((next, d)))
-        })
+        // Of a table that scatters from row to row the slope changes within a wide step.
+        let mut unsettled = open(1.0);
+        for width in [1e-5, 1e-7, 1e-9] {
+            let step = width * a;
+            let fall: f64 = (rough(a + step)? - rough(a - step)?) / (2.0 * step);
+            if !(fall < 0.0) {
+                continue;
+            }
+            let bend = || self.bend(a, indentation(a)?);
+            let settled = self.settle([start.clone(), d.clone()], bend, |a, d, radius| {
+                let next = a.clone() - self.gap(a, d, radius)? / self.number(fall);
+                let d = self.curve.indentation(&next)?;
+                Ok(Some((next, d)))
+            });
+            match settled {
+                Err(error @ Error::NoConvergence { .. }) => unsettled = error,
+                settled => return settled,
+            }
+        }
+        Err(unsettled)
     }
+}
 
-    fn open(&self) -> Error {
-        let what = "where the contact ceases to be admissible";
-        Error::undecided(Quantity::ContactRadius, self.curve.modulus(), what)
-    }
+/// The iteration has not found where the surfaces meet: the relative change of the last step.
+fn open(error: f64) -> Error {
+    Error::NoConvergence { quantity: Quantity::ContactRadius, evaluations: STEPS, error }
 }

@@ -18,13 +18,7 @@ pub(super) fn begin<R: Real, B: EquilibriumBranches<R>>(
     branches.control().check_value(value)?;
     let count = branches.folds().len();
     let found = match start {
-        Start::Detached => {
-            let zero = value.lit(0);
-            let depth = branches.first_touch()?.map_or(zero.clone(), |touch| touch.indentation);
-            let touch = branches.control().controlled(&depth, &zero);
-            let apart = certain(value, &touch, branches)? != Ordering::Greater;
-            apart.then_some((Position::Detached, ContactState::Detached))
-        }
+        Start::Detached => is_apart(branches, value)?.then_some((Position::Detached, ContactState::Detached)),
         Start::Smallest => {
             first_at_rest(branches, (0..=count).flat_map(|i| [Position::Branch(i), Position::Fold(i)]), value)?
         }
@@ -34,6 +28,27 @@ pub(super) fn begin<R: Real, B: EquilibriumBranches<R>>(
         Start::Nearest(radius) => nearest(branches, radius, value)?,
     };
     found.ok_or_else(|| Error::no_equilibrium(branches.control().quantity(), value))
+}
+
+/// Whether the surfaces are apart at `value`, or just touch.
+fn is_apart<R: Real, B: EquilibriumBranches<R>>(branches: &B, value: &R) -> Result<bool> {
+    let zero = value.lit(0);
+    let reaches = |depth: &R| certain(value, &branches.control().controlled(depth, &zero), branches);
+    if let Some(bound) = still_apart(branches, &zero) {
+        return match reaches(&bound)? {
+            Ordering::Greater if *value > zero => Ok(false),
+            Ordering::Greater => branches.first_touch().map(|_| false),
+            _ => Ok(true),
+        };
+    }
+    let depth = branches.first_touch()?.map_or(zero.clone(), |touch| touch.indentation);
+    Ok(reaches(&depth)? != Ordering::Greater)
+}
+
+/// Where it is not known at which indentation separated surfaces first touch, one at which they do not yet.
+pub(super) fn still_apart<R: Real, B: EquilibriumBranches<R>>(branches: &B, like: &R) -> Option<R> {
+    let bound = branches.admissibility().open_touch()?;
+    Some(R::from_f64(like.ctx(), if bound.is_finite() { bound } else { -f64::MAX }))
 }
 
 /// The first of the positions at which a contact is in stable equilibrium at `value`.

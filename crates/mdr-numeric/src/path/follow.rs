@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use mdr_core::contact::{Equilibrium, Error, FoldKind, Quantity, Result, Stability};
 use mdr_core::number::Real;
 
-use super::begin::begin;
+use super::begin::{begin, still_apart};
 use super::position::{Position, at_fold, certain, state};
 use super::{ContactState, Event, EventKind, Start};
 use crate::admissible::{Ring, Verdict};
@@ -165,19 +165,26 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
         let Some(overlap) = self.overlap(rest) else { return Ok(true) };
         let last = self.events.last().and_then(|event| event.after.contact());
         let from = last.map_or(rest.contact_radius.lit(0), |last| last.contact_radius.clone());
-        let dissipated = if from < rest.contact_radius {
-            self.branches.last_admissible([&from, &rest.contact_radius])?
+        let last = if from < rest.contact_radius {
+            self.branches.last_admissible([&from, &rest.contact_radius])
         } else {
-            None
+            Ok(None)
         };
-        match dissipated {
-            Some((state, ring)) => {
+        match last {
+            // Lost on the way, but the state is not known to the digits of this arithmetic.
+            Err(Error::NoConvergence { .. }) => {
+                let value = self.value.clone();
+                self.leave(EventKind::Undecided, &value);
+                self.touch_on(overlap);
+            }
+            Err(error) => return Err(error),
+            Ok(Some((state, ring))) => {
                 let value = self.branches.control().controlled(&state.indentation, &state.force);
                 self.place = Position::Ended;
                 self.stay(EventKind::NotAdmissible, &value, ContactState::Contact(state));
                 self.touch_on(ring);
             }
-            None => {
+            Ok(None) => {
                 let value = self.value.clone();
                 self.leave(EventKind::NotAdmissible, &value);
                 self.touch_on(overlap);
@@ -249,6 +256,13 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     /// touch at zero, or before on a ring, where the path ends. Returns whether they touch at the tip.
     fn approach(&mut self, target: &R) -> Result<bool> {
         if self.place != Position::Detached {
+            return Ok(false);
+        }
+        if let Some(bound) = still_apart(self.branches, target) {
+            let value = self.branches.control().controlled(&bound, &target.lit(0));
+            if certain(target, &value, self.branches)? != Ordering::Less {
+                self.leave(EventKind::Undecided, target);
+            }
             return Ok(false);
         }
         if let Some(touch) = self.branches.first_touch()? {

@@ -51,7 +51,15 @@ impl<R: Real> Breaks<R> {
     pub(super) fn integrate(&self, from: &R, to: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
         let goal = roundoff_tolerance(from).times(4);
         let tolerance = Tolerance::new(&goal).or_noise_below(from.unit_roundoff().sqrt());
-        self.by_pieces(from, to, |lower, upper| self.piece([lower, upper], &tolerance, HALVINGS, &mut f))
+        match self.by_pieces(from, to, |lower, upper| self.piece([lower, upper], &tolerance, HALVINGS, &mut f)) {
+            // Over a short piece the terms of f may cancel all but for rounding, which is nothing beside the whole.
+            Err(error @ Error::NoConvergence { .. }) => {
+                let whole = self.roughly(from, to, |a| Ok(f(a)?.abs())).map_err(|_| error)?.abs();
+                let negligible = tolerance.clone().or_error_below(&(goal * whole));
+                self.by_pieces(from, to, |lower, upper| self.piece([lower, upper], &negligible, HALVINGS, &mut f))
+            }
+            result => result,
+        }
     }
 
     /// The magnitude of ∫ f(a) da of a positive f, by one small rule per piece.

@@ -79,8 +79,9 @@ named! {
         /// radius; after a jump at a fold or after a touch, the one it jumped from.
         EndOfProfile = "end-of-profile",
         /// No equilibrium was found up to this value: it is out of the range of the arithmetic, or the profile has an outer
-        /// radius at which g is not known. The path ends; the states are the last known one, at the value of the previous
-        /// event.
+        /// radius at which g is not known. Or it is not known where the surfaces of a formula first touch, or in which state
+        /// those outside the contact do, on a [ring](Event::ring). The path ends; the states are the last known one, at the
+        /// value of the previous event.
         Undecided = "undecided",
         /// The surfaces touch on a [ring](Event::ring) outside the contact, and would interpenetrate beyond: along a stable
         /// branch, in the state to which a jump leads, or separated, if they do not first touch at the tip. The theory of a
@@ -106,7 +107,8 @@ pub struct Event<R> {
     pub after: ContactState<R>,
     /// The index of the fold that is passed.
     pub fold: Option<usize>,
-    /// The ring on which the surfaces touch or would interpenetrate, for [`EventKind::NotAdmissible`]; the gap is 0
+    /// The ring on which the surfaces touch or would interpenetrate, for [`EventKind::NotAdmissible`], and for
+    /// [`EventKind::Undecided`] where that is why; the gap is 0
     /// where they touch, and negative if the path jumped to or started from a state that is not admissible.
     pub ring: Option<Ring<R>>,
 }

@@ -11,7 +11,7 @@ use super::{EnclosedCurve, ProvedFolds};
 
 /// Relative distances 2^−k from a kink at which the range may be cut, in the order in which they are tried.
 const MARGINS: [u32; 4] = [6, 12, 24, FINEST];
-/// The smallest of them.
+/// The smallest of them. Kinks that are closer than twice that distance are left undecided.
 pub(super) const FINEST: u32 = 40;
 
 /// An interval around a kink or a vertical edge, with the proved sign of the fold condition on each side.
@@ -42,6 +42,22 @@ impl EnclosedCurve {
             }
         }
         Ok(gaps)
+    }
+
+    /// The ends of a range, each moved beyond the kink that is there: g' has no value at it, and a fold may be there.
+    pub(super) fn beyond_kinks(&self, lower: &Float, upper: &Float) -> (Float, Float) {
+        let (mut from, mut to) = (lower.clone(), upper.clone());
+        for kink in self.plain.transform().kinks() {
+            let [before, after] = [shifted(kink.lower(), -1, FINEST), shifted(kink.upper(), 1, FINEST)];
+            let holds = |end: &Float| before <= *end && *end <= after;
+            if holds(lower) {
+                from = shifted(kink.lower(), -1, FINEST - 1);
+            }
+            if holds(upper) {
+                to = shifted(kink.upper(), 1, FINEST - 1);
+            }
+        }
+        (from, to)
     }
 
     /// The kinks, followed by the vertical edge.

@@ -70,17 +70,18 @@ impl EnclosedCurve {
 
     /// All folds with radii in (lower, upper), with at most about `budget` evaluations between two kinks. The range
     /// ends with the profile, at its vertical edge or [slightly](EnclosedCurve::octaves_to_equator) before its outer
-    /// radius.
+    /// radius. An end at a kink of g includes the kink.
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 < lower < upper, and unless the range begins before that end of the profile; as
     /// [`Control::check`](mdr_core::contact::Control::check) and [`Contact::tangency`].
     pub fn folds(&self, lower: &Float, upper: &Float, budget: usize) -> Result<ProvedFolds> {
         self.plain.control().check()?;
-        let range = (lower.clone(), upper.clone());
         if !(*lower > 0 && lower < upper && upper.is_finite()) {
             return Err(Error::domain(Quantity::Radius, upper, "finite and above the lower end of the range, above 0"));
         }
+        let range = self.beyond_kinks(lower, upper);
+        let (lower, upper) = &range.clone();
         let octaves = self.octaves_to_equator()?;
         let end = self.plain.transform().outer_radius().map(|outer| kinks::shifted(outer.lower(), -1, octaves));
         if end.as_ref().is_some_and(|end| lower >= end) {

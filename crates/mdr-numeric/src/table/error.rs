@@ -2,6 +2,7 @@
 
 use mdr_core::named;
 use mdr_core::number::LiteralError;
+use mdr_core::text::excerpt;
 use thiserror::Error;
 
 use super::MINIMUM_ROWS;
@@ -25,7 +26,7 @@ pub enum TableError {
     #[error("the table cannot be read: {0}")]
     Read(#[from] std::io::Error),
     /// It is not text with separated columns, or not UTF-8.
-    #[error("line {line}: not a row of UTF-8 text with separated columns: {reason}")]
+    #[error("line {line}: not a row of UTF-8 text with separated columns: {}", excerpt(reason))]
     Malformed {
         /// The line.
         line: usize,
@@ -33,7 +34,10 @@ pub enum TableError {
         reason: String,
     },
     /// The header has no column of that name.
-    #[error("line {line}: no column `{column}` among `{found}`; the header must name the columns `r` and `f`")]
+    #[error(
+        "line {line}: no column `{column}` among `{}`; the header must name the columns `r` and `f`",
+        excerpt(found)
+    )]
     MissingColumn {
         /// The line of the header.
         line: usize,
@@ -56,7 +60,10 @@ pub enum TableError {
         expected: usize,
     },
     /// A unit that is not a length.
-    #[error("line {line}, column {column}: unknown unit `{unit}`; expected m, alone or with an SI prefix: nm, um, mm")]
+    #[error(
+        "line {line}, column {column}: unknown unit `{}`; expected m, alone or with an SI prefix: nm, um, mm",
+        excerpt(unit)
+    )]
     UnknownUnit {
         /// The line of the units.
         line: usize,
@@ -66,7 +73,7 @@ pub enum TableError {
         unit: String,
     },
     /// A field that is not a finite number.
-    #[error("line {line}, column {column}: `{text}` is {reason}")]
+    #[error("line {line}, column {column}: `{}` is {reason}", excerpt(text))]
     NotANumber {
         /// The line.
         line: usize,
@@ -79,8 +86,9 @@ pub enum TableError {
     },
     /// A radius below zero.
     #[error(
-        "line {line}, column r: the radius {radius} is negative; fold the trace at the tip, so that r ≥ 0 is the \
-         distance from the axis"
+        "line {line}, column r: the radius {} is negative; fold the trace at the tip, so that r ≥ 0 is the \
+         distance from the axis",
+        excerpt(radius)
     )]
     NegativeRadius {
         /// The line.
@@ -90,8 +98,10 @@ pub enum TableError {
     },
     /// A radius smaller than the previous one.
     #[error(
-        "line {line}, column r: the radius {radius} is smaller than {previous} on line {previous_line}; sort the rows \
-         by increasing r"
+        "line {line}, column r: the radius {} is smaller than {} on line {previous_line}; sort the rows \
+         by increasing r",
+        excerpt(radius),
+        excerpt(previous)
     )]
     Unsorted {
         /// The line.
@@ -105,8 +115,9 @@ pub enum TableError {
     },
     /// A radius that equals the previous one as a double.
     #[error(
-        "line {line}, column r: the radius {radius} was already given on line {previous_line}; keep one of the two \
-         rows, or their mean"
+        "line {line}, column r: the radius {} was already given on line {previous_line}; keep one of the two \
+         rows, or their mean",
+        excerpt(radius)
     )]
     Repeated {
         /// The line.
@@ -118,7 +129,8 @@ pub enum TableError {
     },
     /// f(0) ≠ 0.
     #[error(
-        "line {line}, column f: the profile is not zero at the tip, f(0) = {height}; subtract {height} from every f"
+        "line {line}, column f: the profile is not zero at the tip, f(0) = {0}; subtract {0} from every f",
+        excerpt(height)
     )]
     TipNotZero {
         /// The line.
@@ -128,8 +140,11 @@ pub enum TableError {
     },
     /// Heights that do not extrapolate to f(0) = 0.
     #[error(
-        "line {line}, column f: the rows begin with {height} at r = {radius} and do not lead to f(0) = 0, but to about \
-         {tip}; heights are measured from the tip: subtract the height of the tip from every f"
+        "line {line}, column f: the rows begin with {} at r = {} and do not lead to f(0) = 0, but to about \
+         {}; heights are measured from the tip: subtract the height of the tip from every f",
+        excerpt(height),
+        excerpt(radius),
+        excerpt(tip)
     )]
     TipElsewhere {
         /// The line.
@@ -148,6 +163,14 @@ pub enum TableError {
         length: f64,
         /// The reason.
         why: String,
+    },
+    /// A line that no row needs, or more of them than a table may have.
+    #[error("{what}; {remedy}")]
+    TooLarge {
+        /// What is too large, and how large it is.
+        what: String,
+        /// What may help.
+        remedy: &'static str,
     },
     /// Not enough rows.
     #[error(

@@ -37,6 +37,7 @@ mod transform;
 mod units;
 
 pub use error::{Column, TableError};
+pub use read::{Line, separated};
 pub use rough::Scatter;
 pub use units::length;
 
@@ -47,6 +48,9 @@ use mdr_core::number::{Literal, Special};
 
 /// The fewest rows of a table. With four, two radii have slopes from data on both sides.
 pub const MINIMUM_ROWS: usize = 4;
+
+/// The most rows of a table. Each takes about 1.3 kB while a contact is computed.
+pub const MAXIMUM_ROWS: usize = 100_000;
 
 /// One row of a table, in metres, with the line it was read from.
 #[derive(Clone, Debug, PartialEq, Eq)]

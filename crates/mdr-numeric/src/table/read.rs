@@ -8,12 +8,15 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use mdr_core::number::{Literal, LiteralError, order};
 
 use super::units::{decimal_power, scaled};
-use super::{Column, MINIMUM_ROWS, Row, Table, TableError};
+use super::{Column, MAXIMUM_ROWS, MINIMUM_ROWS, Row, Table, TableError};
 
-/// A record of the file and its line number.
-struct Line {
-    number: usize,
-    fields: StringRecord,
+/// A row of separated columns and the number of its line.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// The line in the file, from 1; of a row with line breaks in quotation marks, the last.
+    pub number: usize,
+    /// Its columns, without blanks around them.
+    pub fields: StringRecord,
 }
 
 impl Line {
@@ -124,7 +127,7 @@ impl Table {
     pub fn from_csv_above_any_zero(mut source: impl Read) -> Result<Table, TableError> {
         let mut bytes = Vec::new();
         source.read_to_end(&mut bytes)?;
-        let mut lines = records(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes)).peekable();
+        let mut lines = separated(&bytes)?.peekable();
         let mut words = || lines.next_if(|line| line.as_ref().is_ok_and(Line::is_words)).transpose();
 
         let mut layout = Layout::plain();
@@ -138,7 +141,7 @@ impl Table {
         }
         // Rows read so far, and the last radius as given.
         let (mut rows, mut previous) = (Vec::<Row>::new(), String::new());
-        for line in lines {
+        while let Some(line) = lines.next() {
             let line = line?;
             let (given, row) = layout.row(&line)?;
             if let Some(last) = rows.last() {
@@ -148,6 +151,11 @@ impl Table {
                     Ordering::Equal => return Err(TableError::Repeated { line, radius, previous_line }),
                     Ordering::Greater => {}
                 }
+            }
+            if rows.len() == MAXIMUM_ROWS {
+                let given = rows.len() + lines.count() + 1;
+                let what = format!("{given} rows; at most {MAXIMUM_ROWS} are read");
+                return Err(TableError::TooLarge { what, remedy: "keep every tenth row, or the rows near the tip" });
             }
             given.clone_into(&mut previous);
             rows.push(row);
@@ -159,7 +167,26 @@ impl Table {
     }
 }
 
-/// The records of a text without its comments and blank lines.
+/// The longest line that is read.
+const LONGEST_LINE: usize = 1 << 20;
+
+/// The rows of a text without its byte order mark, comments and blank lines. Columns are separated by commas, semicolons or
+/// tabs: the first row decides. Lines end with a line feed, a carriage return, or both.
+///
+/// # Errors
+/// [`TableError::TooLarge`] for a line of more than 1 MiB; of each row [`TableError::Malformed`] where it is not UTF-8.
+pub fn separated(text: &[u8]) -> Result<impl Iterator<Item = Result<Line, TableError>> + '_, TableError> {
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let longest = text.split(|byte| *byte == b'\n').position(|line| line.len() > LONGEST_LINE);
+    match longest {
+        None => Ok(records(text)),
+        Some(line) => {
+            let what = format!("line {} is longer than {LONGEST_LINE} bytes", line + 1);
+            Err(TableError::TooLarge { what, remedy: "a row has its numbers on a line of its own" })
+        }
+    }
+}
+
 fn records(text: &[u8]) -> impl Iterator<Item = Result<Line, TableError>> + '_ {
     let mut reader = ReaderBuilder::new()
         .has_headers(false)
@@ -187,7 +214,8 @@ fn records(text: &[u8]) -> impl Iterator<Item = Result<Line, TableError>> + '_ {
 
 /// The separator of the first line that is neither blank nor a comment.
 fn separator(text: &[u8]) -> u8 {
-    let first = text.split(|&b| b == b'\n').map(<[u8]>::trim_ascii).find(|line| !matches!(line, [] | [b'#', ..]));
+    let first =
+        text.split(|&b| b == b'\n' || b == b'\r').map(<[u8]>::trim_ascii).find(|line| !matches!(line, [] | [b'#', ..]));
     let first = first.unwrap_or_default();
     [b'\t', b';'].into_iter().find(|separator| first.contains(separator)).unwrap_or(b',')
 }
@@ -200,11 +228,20 @@ struct LineCounter<'a> {
 }
 
 impl LineCounter<'_> {
+    /// Whether a line ends with this byte: a line feed, or a carriage return without one after it.
+    fn ends_line(&self, place: usize) -> bool {
+        match self.text[place] {
+            b'\n' => true,
+            b'\r' => self.text.get(place + 1) != Some(&b'\n'),
+            _ => false,
+        }
+    }
+
     /// The line of the record that ends, including its line break, before byte `end`.
     fn of_record_before(&mut self, end: usize) -> usize {
         let fresh: Range<usize> = self.seen..end.saturating_sub(1).max(self.seen);
         self.seen = fresh.end;
-        self.line += self.text[fresh].iter().filter(|&&b| b == b'\n').count();
+        self.line += fresh.filter(|&place| self.ends_line(place)).count();
         self.line
     }
 }

@@ -15,6 +15,6 @@ mod gauss;
 mod integral;
 mod integrand;
 mod quadrature;
-mod strides;
+pub(crate) mod strides;
 
 pub use quadrature::{Quadrature, Rule};

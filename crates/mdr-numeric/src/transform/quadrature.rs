@@ -1,6 +1,7 @@
 //! The transform of a profile by quadrature, with its options.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use mdr_core::calculus::{Estimate, roundoff_tolerance};
 use mdr_core::contact::{Error, Profile, Quantity, Result, Shape, Transform};
@@ -54,6 +55,8 @@ pub struct Quadrature<R, P> {
     fixed: OnceLock<Result<[Vec<gauss::Node<R>>; 2]>>,
     /// The most pieces of an integral.
     pub(super) strides: i64,
+    /// Heights evaluated so far.
+    heights: Arc<AtomicU64>,
 }
 
 /// Waves in the narrowest piece; a rule can integrate about forty.
@@ -85,6 +88,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
             ladder,
             fixed: OnceLock::new(),
             strides: PATIENCE / WAVES,
+            heights: Arc::default(),
             profile,
         }
     }
@@ -160,7 +164,14 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
 
     fn estimate_within(&self, x: &R, integrand: Integrand, needed: R) -> Result<Estimate<R>> {
         self.check(x)?;
-        Integral::new(self, x, integrand, needed).estimate()
+        let estimate = Integral::new(self, x, integrand, needed).estimate();
+        let heights = match &estimate {
+            Ok(estimate) => estimate.evaluations,
+            Err(Error::NoConvergence { evaluations, .. }) => *evaluations,
+            Err(_) => 0,
+        };
+        self.heights.fetch_add(heights as u64, Ordering::Relaxed);
+        estimate
     }
 
     fn check(&self, x: &R) -> Result<()> {
@@ -239,5 +250,9 @@ impl<R: Special, P: Profile<R>> Transform<R> for Quadrature<R, P> {
 
     fn kinks(&self) -> Vec<R> {
         self.kinks.clone()
+    }
+
+    fn work(&self) -> u64 {
+        self.heights.load(Ordering::Relaxed)
     }
 }

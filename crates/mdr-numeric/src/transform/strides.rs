@@ -10,7 +10,7 @@ use mdr_core::number::Real;
 ///
 /// So nothing needs to be known of the waves, whose number in a stride the rule itself decides, and few evaluations are
 /// spent on strides that are too wide. If the narrowest does not converge, the integral fails.
-pub(super) fn strides<R: Real>(
+pub(crate) fn strides<R: Real>(
     lower: &R,
     upper: &R,
     most: i64,

@@ -15,7 +15,7 @@ impl Formula {
     ///
     /// A value substituted for a symbol must be positive on the domain, as is assumed of the symbol, unless only the
     /// four operations and integer powers act on the symbol. A value of n must lie in the domain. At neither may a divisor,
-    /// as written, be 0. What belongs to the symbol, as g' does to g, must not occur beside it.
+    /// as written, be 0, nor a base that is not certainly without a negative exponent, nor Γ have a pole. What belongs to the symbol, as g' does to g, must not occur beside it.
     ///
     /// # Errors
     /// [`Error::Substitution`], [`Error::OutsideDomain`], [`Error::DivisionByZero`] and [`Error::Related`] for such values,
@@ -50,9 +50,9 @@ impl Formula {
             }
             Formula::At(inner, Variable::Symbol(symbol), value) => {
                 inner.refuse_relatives(*symbol, domain)?;
-                let value = inner.admitted(*symbol, value, domain)?;
-                let put_in = |normal: &Quotient| normal.substitute(*symbol, &value, domain);
-                inner.refuse_poles(domain, put_in)?;
+                let admitted = inner.admitted(*symbol, value, domain)?;
+                let put_in = |normal: &Quotient| normal.substitute(*symbol, &admitted, domain);
+                inner.refuse_poles(domain, value, put_in)?;
                 put_in(&of(inner)?)
             }
             Formula::At(inner, Variable::N, value) => {
@@ -63,7 +63,7 @@ impl Formula {
                     true => Ok(normal.clone()),
                     false => normal.at_n(&n, domain),
                 };
-                inner.refuse_poles(domain, put_in)?;
+                inner.refuse_poles(domain, value, put_in)?;
                 put_in(&of(inner)?)
             }
             Formula::Function(function @ (Function::Gamma | Function::Kappa), arguments) => {

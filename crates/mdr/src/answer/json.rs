@@ -38,7 +38,10 @@ impl Serialize for Answer {
             }
         }
         if let Some(basis) = self.admissibility {
-            map.serialize_entry("admissibility", described(basis))?;
+            map.serialize_entry("admissibility", &described(basis))?;
+            if let Basis::Unproved { width } = basis {
+                map.serialize_entry("admissibility_resolved_width", &width)?;
+            }
         }
         if let Some(validity) = &self.validity {
             map.serialize_entry("validity", validity)?;
@@ -131,7 +134,8 @@ impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Number::Certified(decimal) | Number::Estimated(decimal) => serializer.serialize_str(&decimal.to_string()),
-            Number::Double(value) => serializer.serialize_f64(*value),
+            // −0 is written as 0.
+            Number::Double(value) => serializer.serialize_f64(*value + 0.0),
         }
     }
 }

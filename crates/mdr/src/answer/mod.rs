@@ -10,6 +10,8 @@ pub(crate) mod types;
 mod value;
 mod words;
 
+use std::borrow::Cow;
+
 use mdr_core::contact::ControlKind;
 use mdr_core::named;
 use mdr_numeric::admissible::Basis;
@@ -281,8 +283,8 @@ impl Answer {
 }
 
 /// How admissibility was decided, in words.
-pub fn described(basis: Basis) -> &'static str {
-    match basis {
+pub fn described(basis: Basis) -> Cow<'static, str> {
+    Cow::Borrowed(match basis {
         Basis::Bound => {
             "every state is, by the form of the profile: its g falls nowhere, so that no gap closes outside of a contact"
         }
@@ -294,5 +296,11 @@ pub fn described(basis: Basis) -> &'static str {
             "decided in f64; the extrema of g were not resolved everywhere: an overlap that is found is one, and where none is \
              found it is not known"
         }
-    }
+        Basis::Unproved { width } => {
+            return Cow::Owned(format!(
+                "not decided where no overlap is found: g of a formula was searched in f64, at radii up to {width:.2} of \
+                 themselves apart, and a narrower dip of the formula may be missed; an overlap that is found is one"
+            ));
+        }
+    })
 }

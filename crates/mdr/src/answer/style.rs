@@ -32,7 +32,7 @@ struct Unit {
 
 /// A unit that nothing in an answer has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no unit of m, N, Pa, J or N/m with prefixes from q to Q, such as nm,nN,kPa,aJ,nN/nm")]
+#[error("`{}` is no unit of m, N, Pa, J or N/m with prefixes from q to Q, such as nm,nN,kPa,aJ,nN/nm", mdr_core::text::excerpt(.0))]
 pub struct UnitError(String);
 
 /// Prefixes and their powers of ten.

@@ -179,11 +179,13 @@ record! {
 
     /// What is read off a force curve; what the path does not reach has no value.
     CurveSummary {
-        /// F at the fold where the contact breaks.
+        /// F at the fold from which the contact breaks. Where it shrinks to a point from a smaller contact, to which it has jumped
+        /// before, F at the fold of that jump.
         pull_off_force: Option<Value<N>>,
-        /// F just after the surfaces have jumped into contact.
+        /// F just after the surfaces have jumped into contact; where contact begins continuously, after the first jump of the
+        /// contact that grows from there.
         jump_in_force: Option<Value<N>>,
-        /// The smallest F of all samples.
+        /// The minimum of F along the path, at an end of a stretch between two events or at a fold of F on it.
         minimum_force: Option<Value<N>>,
         /// The energy lost in all events, in joules; none where it has no bound.
         hysteresis: Option<Value<N>>,

@@ -53,7 +53,9 @@ impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Number::Certified(decimal) | Number::Estimated(decimal) => decimal.fmt(f),
-            Number::Double(value) if *value == 0.0 || (1e-6..1e16).contains(&value.abs()) => write!(f, "{value}"),
+            // −0 is no other number than 0.
+            Number::Double(0.0) => f.write_str("0"),
+            Number::Double(value) if (1e-6..1e16).contains(&value.abs()) => write!(f, "{value}"),
             Number::Double(value) => write!(f, "{value:e}"),
         }
     }
@@ -89,7 +91,9 @@ impl<N> Value<N> {
             Ok(value) => Value::Known(value),
             Err(Error::OutOfRange { log10, .. }) => Value::out_of_range(log10),
             Err(error @ Error::Domain { .. }) => Value::unknown(Status::DomainError, error.to_string()),
-            Err(error @ Error::NoConvergence { .. }) => Value::unknown(Status::Undecided, error.to_string()),
+            Err(error @ (Error::NoConvergence { .. } | Error::BudgetSpent { .. })) => {
+                Value::unknown(Status::Undecided, error.to_string())
+            }
             Err(error) => return Err(error),
         })
     }

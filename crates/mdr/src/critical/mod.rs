@@ -8,6 +8,7 @@ mod words;
 
 use mdr_core::contact::{Control, Elasticity, Error, Fold, FoldKind, Quantity, Regime, Shape, Status};
 use mdr_core::number::Literal;
+use mdr_core::text::excerpt;
 
 use crate::answer::record::{Numbers, Part, Row, record};
 use crate::answer::{Number, Value};
@@ -213,7 +214,8 @@ impl PowerLaw {
         let refuse = |key: &str, why: String| Location::built(key).refuse(why);
         let number = |key: &str| -> Result<Literal> {
             let text = text(key).ok_or_else(|| refuse(key, "missing".to_owned()))?;
-            let literal: Literal = text.parse().map_err(|error| refuse(key, format!("`{text}` is {error}")))?;
+            let literal: Literal =
+                text.parse().map_err(|error| refuse(key, format!("`{}` is {error}", excerpt(text))))?;
             Location::built(key).require_positive(literal)
         };
         let control = match text("control").unwrap_or("indentation") {
@@ -221,7 +223,10 @@ impl PowerLaw {
             "force" => Control::Force,
             "machine" => Control::Machine { stiffness: number("stiffness")? },
             other => {
-                return Err(refuse("control", format!("expected indentation, force or machine, got `{other}`")));
+                return Err(refuse(
+                    "control",
+                    format!("expected indentation, force or machine, got `{}`", excerpt(other)),
+                ));
             }
         };
         Ok(PowerLaw {

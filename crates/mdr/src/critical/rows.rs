@@ -114,15 +114,20 @@ pub fn spreadsheet(answers: &[CriticalAnswer]) -> Vec<Vec<String>> {
 }
 
 /// The columns of [`overview`]: key, title, unit, and whether it is a number.
-const OVERVIEW: [(&str, &str, &str, bool); 7] = [
+const OVERVIEW: [(&str, &str, &str, bool); 9] = [
     ("n", "n", "", false),
     ("kappa", "kappa_n", "", true),
     ("contact_radius", "contact radius", "m", true),
     ("indentation", "indentation", "m", true),
     ("force", "force", "N", true),
+    ("threshold_c", "threshold of C", "m^(1/2)", true),
+    ("ratio", "C / threshold", "", true),
     ("kind", "fold", "", false),
     ("status", "status", "", false),
 ];
+
+/// The columns of [`OVERVIEW`] that only n = 1/2 has.
+const OF_HALF: [&str; 2] = ["threshold_c", "ratio"];
 
 /// What [`overview`] tells of [`Validity`](crate::Validity) where an answer has one.
 const OF_VALIDITY: [&str; 3] = ["tabor", "regime", "maugis_dugdale_pull_off"];
@@ -131,7 +136,9 @@ const OF_VALIDITY: [&str; 3] = ["tabor", "regime", "maugis_dugdale_pull_off"];
 pub fn overview(answers: &[CriticalAnswer], style: &NumberStyle) -> Vec<Vec<String>> {
     let asked = answers.iter().any(|answer| answer.validity.is_some());
     let added = if asked { &OF_VALIDITY[..] } else { &[] };
-    let own = OVERVIEW.iter().map(|(_, name, unit, _)| (*name, *unit));
+    let scale_free = answers.iter().any(|answer| answer.threshold.is_some());
+    let shown: Vec<_> = OVERVIEW.iter().filter(|(key, ..)| scale_free || !OF_HALF.contains(key)).collect();
+    let own = shown.iter().map(|(_, name, unit, _)| (*name, *unit));
     let titles = own.chain(added.iter().map(|key| title(key, None)));
     let mut table = vec![titles.map(|(name, unit)| style.titled(name, unit)).collect()];
     for answer in answers {
@@ -139,7 +146,7 @@ pub fn overview(answers: &[CriticalAnswer], style: &NumberStyle) -> Vec<Vec<Stri
         let added = added.iter().map(|key| find(&validity, key).map(|cell| style.cell(cell, title(key, None).1)));
         let added: Vec<String> = added.map(Option::unwrap_or_default).collect();
         for row in answer.rows() {
-            let own = OVERVIEW.iter().map(|(key, _, unit, is_number)| {
+            let own = shown.iter().map(|(key, _, unit, is_number)| {
                 let text = row.get(key).unwrap_or_default();
                 if *is_number { style.number(text, unit) } else { text.to_owned() }
             });

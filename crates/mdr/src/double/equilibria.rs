@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use mdr_analytic::double::{BranchSlices, Inverse, InverseBatch as Rows};
 use mdr_core::contact::{Control, Equilibrium, Result, Stability, Status};
-use mdr_numeric::admissible::Verdict;
+use mdr_numeric::admissible::{Basis, Verdict};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::SearchQuality;
@@ -123,11 +123,12 @@ fn searched(branches: &SearchedBranches<f64>, values: &[f64]) -> Result<Equilibr
     let [mut contact_radius, mut indentation, mut force] = [(); 3].map(|()| vec![f64::NAN; count * len]);
     let mut admissible = vec![false; count * len];
     let mut statuses = Vec::with_capacity(len);
+    let decided = !matches!(branches.admissibility().basis(), Basis::Unproved { .. });
     for (i, value) in values.iter().enumerate() {
         let mut enter = |branch: usize, state: &Equilibrium<f64>, status: Status| {
             let at = branch * len + i;
             [contact_radius[at], indentation[at], force[at]] = numbers(state, control, *value);
-            admissible[at] = status != Status::NotAdmissible;
+            admissible[at] = decided && status != Status::NotAdmissible;
             stable[branch].get_or_insert(state.stability == Stability::Stable);
         };
         let found = control.check_value(value).and_then(|()| {

@@ -14,7 +14,7 @@ use mdr_core::contact::{
     Control, CountingTransform, Equilibrium, Error, Fold, Material, Quantity, Result, Status, Transform,
 };
 use mdr_core::number::Literal;
-use mdr_numeric::admissible::{Admissibility, search_range};
+use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact;
 use mdr_numeric::equilibrium::SearchedBranches;
@@ -23,7 +23,7 @@ use mdr_numeric::folds::{self, Folds};
 
 use crate::answer::Field;
 use crate::run::Stop;
-use crate::scene::Scene;
+use crate::scene::{Profile, Scene};
 use crate::solve;
 
 pub use held::Balance;
@@ -53,7 +53,8 @@ pub struct Equilibria {
     pub indentation: Vec<f64>,
     /// F, likewise.
     pub force: Vec<f64>,
-    /// Whether the surfaces of the state stay apart outside of the contact, likewise; false where there is no state.
+    /// Whether the surfaces of the state are known to stay apart outside of the contact, likewise; false where there is no
+    /// state, and where that is not decided, as for a formula that may have narrow dips.
     pub admissible: Vec<bool>,
     /// Of each value.
     pub status: Vec<Status>,
@@ -84,6 +85,7 @@ pub enum Choice {
 pub struct Contact {
     /// Its control is not used.
     contact: contact::Contact<f64>,
+    profile: Profile,
     material: Material<f64>,
     /// n and C of a power law.
     law: Option<[f64; 2]>,
@@ -114,6 +116,7 @@ impl Contact {
         let (medium, adhesion) = ((&material).into(), (&material).into());
         Ok(Contact {
             contact: contact::Contact::sharing(transform, medium, adhesion, Control::Indentation),
+            profile: scene.profile.clone(),
             material,
             law: scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius),
             inverses: Default::default(),
@@ -211,8 +214,8 @@ impl Contact {
         }
         let search = || {
             let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
-            let range = search_range(branches.curve().material_length(), &radii);
-            Arc::new(Admissibility::new(Arc::clone(self.contact.shared_transform()), range))
+            let length = branches.curve().material_length();
+            Arc::new(solve::admissibility(&self.profile, Arc::clone(self.contact.shared_transform()), length, &radii))
         };
         let admissibility = Arc::clone(known.admissibility.get_or_init(search));
         ask(&branches.with_admissibility(admissibility))
@@ -269,7 +272,7 @@ fn status_of(error: Error) -> Result<Status> {
     match error {
         Error::Domain { .. } => Ok(Status::DomainError),
         Error::OutOfRange { log10, .. } => Ok(if log10 > 0.0 { Status::Overflow } else { Status::Underflow }),
-        Error::NoConvergence { .. } | Error::Undecided { .. } => Ok(Status::Undecided),
+        Error::NoConvergence { .. } | Error::Undecided { .. } | Error::BudgetSpent { .. } => Ok(Status::Undecided),
         error => Err(error),
     }
 }

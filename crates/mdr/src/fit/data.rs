@@ -1,12 +1,19 @@
 //! Rows of a measured curve: columns by name, units, legs.
 
-use csv::{ReaderBuilder, StringRecord, Trim};
-use mdr_numeric::table;
+use csv::StringRecord;
+use mdr_core::text::excerpt;
+use mdr_numeric::table::{self, Line};
 
 use super::observation::Leg;
 use super::problem::DataRow;
 use crate::error::Result;
 use crate::scene::Location;
+
+/// The most rows of a measured curve.
+pub(super) const MOST_ROWS: usize = 1_000_000;
+
+/// What makes a curve shorter.
+pub(super) const FEWER_ROWS: &str = "average or leave out neighbouring rows";
 
 /// Rows from slices, with their legs by the order of X where none are given.
 pub(super) fn rows(x: &[f64], y: &[f64], legs: Option<&[Leg]>) -> Result<Vec<DataRow>> {
@@ -76,8 +83,8 @@ pub(super) struct Columns {
 pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::result::Result<Vec<DataRow>, String> {
     let records = records(text)?;
     let mut lines = records.iter().peekable();
-    let header = lines.next_if(|(_, record)| is_words(record) && !is_units(record)).map(|(_, record)| record);
-    let units = lines.next_if(|(_, record)| is_words(record) && is_units(record)).map(|(_, record)| record);
+    let header = lines.next_if(|line| is_words(&line.fields) && !is_units(&line.fields)).map(|line| &line.fields);
+    let units = lines.next_if(|line| is_words(&line.fields) && is_units(&line.fields)).map(|line| &line.fields);
     let place = |name: &Option<String>, otherwise: usize| match name {
         None => Ok(otherwise),
         Some(name) => column(header, name),
@@ -96,7 +103,11 @@ pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::resu
         };
         match si("1", unit, bases[axis]) {
             Some(_) => Ok(unit.to_owned()),
-            None => Err(format!("`{unit}` is no unit of {}", if bases[axis] == "N" { "force" } else { "length" })),
+            None => Err(format!(
+                "`{}` is no unit of {}",
+                excerpt(unit),
+                if bases[axis] == "N" { "force" } else { "length" }
+            )),
         }
     };
     let named = [unit(0, places[0])?, unit(1, places[1])?];
@@ -104,20 +115,20 @@ pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::resu
         [0, 1].map(|axis| sigma[axis].and_then(|place| unit(axis, place).ok()).unwrap_or(named[axis].clone()));
     let mut rows = Vec::with_capacity(records.len());
     let mut legs = Vec::new();
-    for (line, record) in lines {
+    for Line { number: line, fields: record } in lines {
         let number = |place: usize, unit: &str, axis: usize| {
             let text = record.get(place).ok_or_else(|| format!("line {line}: there is no column {}", place + 1))?;
             si(text, unit, bases[axis]).filter(|value| value.is_finite()).ok_or_else(|| {
                 let name = header.and_then(|header| header.get(place)).unwrap_or(["x", "y"][axis]);
-                format!("line {line}: `{text}` in the column `{name}` is not a number")
+                format!("line {line}: `{}` in the column `{}` is not a number", excerpt(text), excerpt(name))
             })
         };
         let own = |axis: usize| sigma[axis].map(|place| number(place, &of_sigma[axis], axis)).transpose();
         legs.push(
             leg.map(|place| {
-                leg_of(record.get(place).unwrap_or("")).ok_or_else(|| {
-                    format!("line {line}: a leg is `approach` or `retract`, got `{}`", record.get(place).unwrap_or(""))
-                })
+                let name = record.get(place).unwrap_or("");
+                leg_of(name)
+                    .ok_or_else(|| format!("line {line}: a leg is `approach` or `retract`, got `{}`", excerpt(name)))
             })
             .transpose()?,
         );
@@ -147,23 +158,20 @@ pub(super) fn si(number: &str, unit: &str, base: &str) -> Option<f64> {
     table::length(&format!("{} {as_length}", number.trim())).map(|literal| literal.nearest_f64())
 }
 
-/// The records with the lines they stand in.
-fn records(text: &str) -> std::result::Result<Vec<(u64, StringRecord)>, String> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let first = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or("");
-    let delimiter = *b";\t,".iter().find(|mark| first.as_bytes().contains(mark)).unwrap_or(&b',');
-    let mut reader = ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .trim(Trim::All)
-        .comment(Some(b'#'))
-        .delimiter(delimiter)
-        .from_reader(text.as_bytes());
-    let record = |record: csv::Result<StringRecord>| {
-        let record = record.map_err(|error| error.to_string())?;
-        Ok((record.position().map_or(0, csv::Position::line), record))
-    };
-    reader.records().map(record).collect()
+/// The rows of a file, with the numbers of their lines.
+fn records(text: &str) -> std::result::Result<Vec<Line>, String> {
+    let mut rows = table::separated(text.as_bytes()).map_err(|error| error.to_string())?;
+    let mut records = Vec::new();
+    while let Some(row) = rows.next() {
+        // A header and units are no rows.
+        let words = records.iter().take(2).take_while(|line: &&Line| is_words(&line.fields)).count();
+        if records.len() - words == MOST_ROWS {
+            let given = MOST_ROWS + 1 + rows.count();
+            return Err(format!("{given} rows; at most {MOST_ROWS} are read: {FEWER_ROWS}"));
+        }
+        records.push(row.map_err(|error| error.to_string())?);
+    }
+    Ok(records)
 }
 
 /// Whether no field is a number, as in a header.
@@ -178,10 +186,10 @@ fn is_units(record: &StringRecord) -> bool {
 
 fn column(header: Option<&StringRecord>, name: &str) -> std::result::Result<usize, String> {
     let Some(header) = header else {
-        return Err(format!("there is no header that names the column `{name}`"));
+        return Err(format!("there is no header that names the column `{}`", excerpt(name)));
     };
     header.iter().position(|field| field == name).ok_or_else(|| {
         let known: Vec<&str> = header.iter().collect();
-        crate::scene::tree::unknown_name("column", name, &known)
+        crate::scene::tree::unknown_name_of_input("column", name, &known)
     })
 }

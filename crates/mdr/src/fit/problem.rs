@@ -1,5 +1,7 @@
 //! What is fitted: a profile, an observation, rows, and what is unknown.
 
+use mdr_core::text::excerpt;
+
 use super::answer::Fit;
 use super::observation::{Leg, Loss, Observation};
 use crate::error::{Error, Result};
@@ -180,7 +182,10 @@ impl Problem {
         let parameter = self.parameter_mut(name, "fit.bounds")?;
         let bounds = [parameter.checked(lower, "fit.bounds")?, parameter.checked(upper, "fit.bounds")?];
         if bounds[0] >= bounds[1] {
-            return Err(refuse("fit.bounds", format!("the bounds of `{name}` must ascend, got {lower} to {upper}")));
+            return Err(refuse(
+                "fit.bounds",
+                format!("the bounds of `{}` must ascend, got {lower} to {upper}", excerpt(name)),
+            ));
         }
         parameter.bounds = Some(bounds);
         Ok(self)
@@ -298,7 +303,7 @@ impl Problem {
             Some(index) => Ok(&mut self.parameters[index]),
             None => {
                 let known: Vec<&str> = self.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-                Err(refuse(key, crate::scene::tree::unknown_name("name", name, &known)))
+                Err(refuse(key, crate::scene::tree::unknown_name_of_input("name", name, &known)))
             }
         }
     }
@@ -326,7 +331,7 @@ impl Parameter {
             if value.is_finite() {
                 return Ok(value);
             }
-            return Err(refuse(key, format!("`{}` must be finite, got {value}", self.name)));
+            return Err(refuse(key, format!("`{}` must be finite, got {value}", excerpt(&self.name))));
         }
         positive(key, &self.name, value)
     }
@@ -340,7 +345,7 @@ fn positive(key: &str, name: &str, value: f64) -> Result<f64> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
     } else {
-        Err(refuse(key, format!("`{name}` must be positive and finite, got {value}")))
+        Err(refuse(key, format!("`{}` must be positive and finite, got {value}", excerpt(name))))
     }
 }
 

@@ -2,10 +2,13 @@
 
 use std::path::Path;
 
+use mdr_core::text::excerpt;
+
 use super::data::{self, Columns};
 use super::observation::{Loss, Observation};
 use super::problem::{DataRow, Problem};
 use crate::error::{Error, Result};
+use crate::files;
 use crate::scene::tree::{Files, Section, Value};
 use crate::scene::{Location, MAX_DIGITS, Profile, parse};
 
@@ -23,10 +26,21 @@ impl Problem {
     /// # Errors
     /// As [`Problem::open`].
     pub fn open_for(file: impl AsRef<Path>, curve: impl AsRef<Path>) -> Result<Problem> {
-        let curve = curve.as_ref();
-        let absolute =
-            std::path::absolute(curve).map_err(|source| Error::Io { name: curve.display().to_string(), source })?;
-        parse::open(file.as_ref(), |top| read(top, absolute.to_str()))
+        Problem::opener(file)?(curve.as_ref())
+    }
+
+    /// What opens a fit for one curve after the other. The fit is read once, so that it may be a pipe; so may each curve.
+    ///
+    /// # Errors
+    /// A fit that cannot be read; for each curve as [`Problem::open`].
+    pub fn opener(file: impl AsRef<Path>) -> Result<impl Fn(&Path) -> Result<Problem> + Sync> {
+        let source = parse::Source::open(file.as_ref())?;
+        Ok(move |curve: &Path| {
+            let name = curve.display().to_string();
+            let text = files::argument(curve).and_then(files::text);
+            let text = text.map_err(|source| Error::Io { name: name.clone(), source })?;
+            source.read(|top| read(top, Some(Curve { name: &name, text: &text })))
+        })
     }
 
     /// Reads a fit as TOML. `name` stands in complaints; `files` reads what it names.
@@ -47,7 +61,14 @@ impl Problem {
     }
 }
 
-fn read(top: &Section<'_>, curve: Option<&str>) -> Result<Problem> {
+/// A curve in place of the data of a fit.
+#[derive(Clone, Copy)]
+struct Curve<'c> {
+    name: &'c str,
+    text: &'c str,
+}
+
+fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     let shape = top.section("profile")?;
     let profile = Profile::read(&shape)?;
     if let Profile::Table(measured) = &profile {
@@ -92,7 +113,7 @@ fn read(top: &Section<'_>, curve: Option<&str>) -> Result<Problem> {
 fn rows_of(
     data: &Section<'_>,
     observation: Observation,
-    curve: Option<&str>,
+    curve: Option<Curve<'_>>,
 ) -> Result<(Vec<DataRow>, [Option<f64>; 2])> {
     let bases = observation.units();
     let mut columns = Columns::default();
@@ -120,15 +141,24 @@ fn rows_of(
     let (which, value) = data.one_of(&["file", "rows", "x"])?;
     let rows = match which {
         0 => {
-            let name = curve.map_or_else(|| value.text(), Ok)?;
-            let refuse = |why: &dyn std::fmt::Display| value.refuse_file(name, why);
-            let text = String::from_utf8(value.bytes(name)?).map_err(|error| refuse(&error))?;
-            data::read(&text, &columns, bases).map_err(|why| refuse(&why))?
+            let own = match curve {
+                Some(_) => String::new(),
+                None => {
+                    let name = value.text()?;
+                    files::text(value.bytes(name)?).map_err(|error| value.refuse_file(name, &error))?
+                }
+            };
+            let refuse = |why: String| match curve {
+                Some(curve) => value.refuse(format!("{}: {why}", excerpt(curve.name))),
+                None => value.refuse_file(value.text().unwrap_or_default(), &why),
+            };
+            data::read(curve.map_or(own.as_str(), |curve| curve.text), &columns, bases).map_err(refuse)?
         }
         1 => inline(&value, &columns, bases)?,
         _ => {
             let list = |value: &Value<'_>, axis: usize| -> Result<Vec<f64>> {
-                value.list()?.iter().map(|item| in_si(item, &columns, axis, bases)).collect()
+                let list = value.list_of(data::MOST_ROWS, data::FEWER_ROWS)?;
+                list.iter().map(|item| in_si(item, &columns, axis, bases)).collect()
             };
             data::rows(&list(&value, 0)?, &list(&data.required("y")?, 1)?, None)?
         }
@@ -139,7 +169,7 @@ fn rows_of(
 /// Rows `[[x, y], …]`, or with their leg `[x, y, "approach"]`.
 fn inline(value: &Value<'_>, columns: &Columns, bases: [&str; 2]) -> Result<Vec<DataRow>> {
     let (mut points, mut legs) = (Vec::new(), Vec::new());
-    for row in value.list()? {
+    for row in value.list_of(data::MOST_ROWS, data::FEWER_ROWS)? {
         let items = row.list()?;
         let [x, y, rest @ ..] = items.as_slice() else {
             return Err(row.refuse(format!("a row is [x, y], got {} numbers", items.len())));
@@ -155,11 +185,11 @@ fn inline(value: &Value<'_>, columns: &Columns, bases: [&str; 2]) -> Result<Vec<
 
 /// A number of the data, in SI.
 fn in_si(value: &Value<'_>, columns: &Columns, axis: usize, bases: [&str; 2]) -> Result<f64> {
-    let literal = value.number()?;
+    let literal = value.row_number()?;
     match &columns.units {
         None => Ok(literal.nearest_f64()),
         Some(units) => data::si(&literal.to_string(), &units[axis], bases[axis])
-            .ok_or_else(|| value.refuse(format!("`{}` is no unit of it", units[axis]))),
+            .ok_or_else(|| value.refuse(format!("`{}` is no unit of it", excerpt(&units[axis])))),
     }
 }
 

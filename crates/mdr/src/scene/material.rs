@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use mdr_core::contact::{Body, Elasticity};
 use mdr_core::number::Literal;
+use mdr_core::text::excerpt;
 
 use super::place::Location;
 use crate::error::Result;
@@ -29,7 +30,7 @@ pub(super) fn effective_modulus(elasticity: &Elasticity) -> Result<Literal> {
 pub(super) fn refused_ratio(ratio: &Literal) -> Option<String> {
     let above = ratio.compare(&Literal::from(-1)) == Ordering::Greater;
     let within = above && "1/2".parse().is_ok_and(|half: Literal| ratio.compare(&half) != Ordering::Greater);
-    (!within).then(|| format!("Poisson's ratio must be within (-1, 1/2], got {ratio}"))
+    (!within).then(|| format!("Poisson's ratio must be within (-1, 1/2], got {}", excerpt(&ratio.to_string())))
 }
 
 /// E* of two bodies, exactly.

@@ -27,10 +27,11 @@ use crate::validity::{self, Validity};
 pub use measured::Measured;
 pub(crate) use place::{Location, Places};
 pub use profile::{Formula, IntoProfile, Profile};
+use read::FEWER_WAY_POINTS;
 pub(crate) use read::LISTS;
 pub use read::no_files;
 pub use tree::Files;
-pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, POINTS, Want};
+pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, MOST_ROWS, MOST_WAY_POINTS, POINTS, Want};
 
 #[cfg(feature = "mp")]
 pub use material::decimal;
@@ -273,7 +274,18 @@ impl Scene {
 
     /// Whether no output lacks an input.
     fn check_needs(&self) -> Result<()> {
+        if self.path.len() > MOST_WAY_POINTS {
+            let given = self.path.len();
+            let why = format!("{given} way points; at most {MOST_WAY_POINTS} are followed: {FEWER_WAY_POINTS}");
+            return Err(self.places.of("control.path").refuse(why));
+        }
         for want in &self.wants {
+            if want.rows() > MOST_ROWS as usize {
+                let (name, rows) = (want.name(), want.rows());
+                let why = "ask for fewer values or radii, or in several scenes";
+                let why = format!("`{name}` would have {rows} rows; at most {MOST_ROWS} are computed: {why}");
+                return Err(self.places.of("output.want").refuse(why));
+            }
             if let Some(missing) = want.missing(self.has_material, &self.path) {
                 return Err(self.places.of("output.want").refuse(format!("`{}` needs {missing}", want.name())));
             }

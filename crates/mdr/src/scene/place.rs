@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use mdr_core::contact::{self, Quantity};
 use mdr_core::number::Literal;
+use mdr_core::text::excerpt;
 
 use crate::error::{Error, Place, Result};
 
@@ -23,7 +24,7 @@ impl Location {
     /// A number that must be above zero.
     pub(crate) fn require_positive(&self, number: Literal) -> Result<Literal> {
         if number.is_zero() || number.is_negative() {
-            return Err(self.refuse(format!("must be positive, got {number}")));
+            return Err(self.refuse(format!("must be positive, got {}", excerpt(&number.to_string()))));
         }
         Ok(number)
     }
@@ -91,7 +92,10 @@ impl Places {
     pub(crate) fn require_doubles(&self, remedy: &str) -> Result<()> {
         match self.numbers.iter().find(|(number, _)| double(number).is_none()) {
             None => Ok(()),
-            Some((number, place)) => Err(place.refuse(format!("out of the range of f64 ({remedy}), got {number}"))),
+            Some((number, place)) => {
+                let number = number.to_string();
+                Err(place.refuse(format!("out of the range of f64 ({remedy}), got {}", excerpt(&number))))
+            }
         }
     }
 }

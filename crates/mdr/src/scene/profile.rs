@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use mdr_core::contact::Breaks;
 use mdr_core::contact::{Expression, Flank, Profile as Height, Shape};
 use mdr_core::number::{Exact, Literal};
+use mdr_core::text::excerpt;
 
 use super::Location;
 use super::measured::Measured;
@@ -186,6 +187,15 @@ impl Profile {
         }
     }
 
+    /// Whether it is a formula, or a sum with one.
+    pub(crate) fn has_formula(&self) -> bool {
+        match self {
+            Profile::Sum(terms) => terms.iter().any(Profile::has_formula),
+            Profile::Formula(_) => true,
+            Profile::Shape(_) | Profile::Table(_) => false,
+        }
+    }
+
     /// The rows of a table.
     pub(crate) fn rows(&self) -> Option<usize> {
         if let Profile::Table(measured) = self { Some(measured.table.rows().len()) } else { None }
@@ -271,16 +281,23 @@ fn shape(section: &Section<'_>, mut blank: Shape<()>) -> Result<Profile> {
         let value = section.required(key)?;
         let number = if key == "amplitude" { value.number() } else { value.positive() }?;
         if key == "half_angle_degrees" && number.compare(&Literal::from(90)).is_ge() {
-            return Err(value.refuse(format!("must be below 90 degrees, got {number}")));
+            return Err(value.refuse(format!("must be below 90 degrees, got {}", excerpt(&number.to_string()))));
         }
         Ok(number)
     })?;
     Ok(Profile::Shape(shape))
 }
 
+/// The most terms of a sum.
+const MOST_TERMS: usize = 1000;
+
 fn sum(section: &Section<'_>) -> Result<Profile> {
     let list = section.required("term")?;
-    let terms: Vec<Profile> = list.list()?.iter().map(|term| Profile::read(&term.section()?)).collect::<Result<_>>()?;
+    let terms: Vec<Profile> = list
+        .list_of(MOST_TERMS, "add up terms of one kind")?
+        .iter()
+        .map(|term| Profile::read(&term.section()?))
+        .collect::<Result<_>>()?;
     if terms.is_empty() {
         return Err(list.refuse("a sum needs at least one [[profile.term]]"));
     }
@@ -299,9 +316,13 @@ fn formula(section: &Section<'_>) -> Result<Profile> {
     let formula = Formula::with(text.text()?, parameters).map_err(|why| text.refuse(why))?;
     let names: Vec<String> = formula.expression.parameters().collect();
     if let Some(unused) = formula.parameters.keys().find(|name| !names.contains(name)) {
-        let known = if names.is_empty() { "none".to_owned() } else { format!("`{}`", names.join("`, `")) };
+        let known = if names.is_empty() {
+            "none".to_owned()
+        } else {
+            excerpt(&format!("`{}`", names.join("`, `"))).to_string()
+        };
         let place = section.optional("parameters").map_or_else(|| section.place(), |value| value.place());
-        return Err(place.refuse(format!("the formula has no parameter `{unused}`; it has {known}")));
+        return Err(place.refuse(format!("the formula has no parameter `{}`; it has {known}", excerpt(unused))));
     }
     Ok(Profile::Formula(formula))
 }

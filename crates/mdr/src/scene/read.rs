@@ -6,11 +6,12 @@ use std::path::Path;
 
 use mdr_core::contact::{Body, Control, ControlKind};
 use mdr_core::number::Literal;
+use mdr_core::text::excerpt;
 
 use super::place::{Location, Places};
 use super::profile::Profile;
 use super::tree::{Files, Section, Value};
-use super::want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, POINTS, Want};
+use super::want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, MOST_ROWS, MOST_WAY_POINTS, POINTS, Want};
 use super::{Scene, Start, material, parse};
 use crate::answer::OutputKind;
 use crate::error::Result;
@@ -151,6 +152,9 @@ fn start_of(value: &Value<'_>) -> Result<Start> {
     }
 }
 
+/// What shortens a path.
+pub(super) const FEWER_WAY_POINTS: &str = "leave out those on the way to others, or follow it in parts with `start`";
+
 /// How a number of a list is read.
 type Reader = fn(&Value<'_>) -> Result<Literal>;
 
@@ -176,7 +180,9 @@ impl Scene {
         };
         self.has_control = true;
         if let Some(path) = section.optional("path") {
-            self.path = path.numbers(Value::number)?;
+            self.places.read.push(("control.path", path.place()));
+            let points = path.list_of(MOST_WAY_POINTS, FEWER_WAY_POINTS)?;
+            self.path = points.iter().map(Value::number).collect::<Result<_>>()?;
             self.given.extend((!self.path.is_empty()).then(|| "[control] path".to_owned()));
         }
         if let Some(start) = section.optional("start") {
@@ -207,7 +213,7 @@ impl Scene {
             self.given.push("[output.folds] range".to_owned());
             self.places.read.push(("output.folds.range", place));
         }
-        let points = section.optional("points").map(|points| points.whole(2, 1_000_000)).transpose()?;
+        let points = section.optional("points").map(|points| points.whole(2, MOST_ROWS)).transpose()?;
         self.given.extend(points.map(|_| "[output] points".to_owned()));
         let at =
             |kind: OutputKind| lists.iter().find(|(known, _)| *known == kind).map_or(Vec::new(), |(_, at)| at.clone());
@@ -292,7 +298,10 @@ fn range(section: &Section<'_>) -> Result<Option<([Literal; 2], Location)>> {
     let [lower, upper] = <[Literal; 2]>::try_from(ends)
         .map_err(|ends| list.refuse(format!("expected two contact radii, got {}", ends.len())))?;
     if lower.compare(&upper) != Ordering::Less {
-        return Err(list.refuse(format!("the range must ascend, got {lower} to {upper}")));
+        return Err(list.refuse({
+            let [lower, upper] = [lower, upper].map(|end| end.to_string());
+            format!("the range must ascend, got {} to {}", excerpt(&lower), excerpt(&upper))
+        }));
     }
     Ok(Some(([lower, upper], list.place())))
 }

@@ -5,6 +5,7 @@ use std::io;
 use std::ops::Range;
 
 use mdr_core::number::Literal;
+use mdr_core::text::excerpt;
 use mdr_numeric::table;
 
 use super::place::Location;
@@ -39,6 +40,12 @@ pub(crate) struct Entry {
     pub(crate) span: Range<usize>,
     pub(crate) value: Node,
 }
+
+/// How deep tables and lists may be nested, counted from the scene, which is 0: a term of a sum within a sum is 4 deeper.
+pub(crate) const DEEPEST: usize = 64;
+
+/// The most entries of a list; those of measured rows have a limit of their own.
+pub(crate) const MOST_ENTRIES: usize = 100_000;
 
 /// A scene file, and the numbers that have been read from it.
 pub(crate) struct Document<'f> {
@@ -149,7 +156,7 @@ impl<'a> Section<'a> {
             let place = self.document.place(entry.span.clone(), &self.full(&entry.key));
             return place.refuse(unknown_name("key", &entry.key, keys));
         }
-        let place = if self.name.is_empty() { "the scene".to_owned() } else { format!("[{}]", self.name) };
+        let place = if self.name.is_empty() { "the scene".to_owned() } else { format!("[{}]", excerpt(&self.name)) };
         let name = if self.name.is_empty() { keys[0] } else { &self.name };
         let why = format!("missing key `{}` in {place}", keys.join("` or `"));
         self.document.place(self.span.clone(), name).refuse(why)
@@ -185,7 +192,8 @@ impl<'a> Value<'a> {
     /// Such a file is refused, which is called with the folder of the scene.
     pub(crate) fn refuse_file(&self, file: &str, why: &dyn std::fmt::Display) -> Error {
         let folder = std::path::Path::new(&self.document.name).parent().unwrap_or(std::path::Path::new(""));
-        self.refuse(format!("{}: {why}", folder.join(file).display()))
+        let file = folder.join(file).display().to_string();
+        self.refuse(format!("{}: {why}", excerpt(&file)))
     }
 
     /// It is not what is expected.
@@ -195,12 +203,17 @@ impl<'a> Value<'a> {
 
     /// An exact number: a number, whose decimals are kept, or a string such as "1e-4" or "1/3".
     pub(crate) fn number(&self) -> Result<Literal> {
+        let number = self.row_number()?;
+        self.document.numbers.borrow_mut().push((number.clone(), self.place()));
+        Ok(number)
+    }
+
+    /// A number of measured data, whose place is not kept for later complaints.
+    pub(crate) fn row_number(&self) -> Result<Literal> {
         let (Content::Text(text) | Content::Number(text)) = &self.node.content else {
             return Err(self.expected("a number"));
         };
-        let number: Literal = text.parse().map_err(|error| self.refuse(format!("`{text}` is {error}")))?;
-        self.document.numbers.borrow_mut().push((number.clone(), self.place()));
-        Ok(number)
+        text.parse().map_err(|error| self.refuse(format!("`{}` is {error}", excerpt(text))))
     }
 
     /// A length: a number, or one with its unit, `"2 nm"`, in metres.
@@ -208,7 +221,8 @@ impl<'a> Value<'a> {
         match &self.node.content {
             Content::Text(text) if text.ends_with(|c: char| !c.is_ascii_digit() && c != '.') => {
                 let unit = "expected a number, alone or with a unit of length, such as \"2 nm\"";
-                let number = table::length(text).ok_or_else(|| self.refuse(format!("{unit}, got `{text}`")))?;
+                let number =
+                    table::length(text).ok_or_else(|| self.refuse(format!("{unit}, got `{}`", excerpt(text))))?;
                 self.document.numbers.borrow_mut().push((number.clone(), self.place()));
                 Ok(number)
             }
@@ -230,7 +244,7 @@ impl<'a> Value<'a> {
     pub(crate) fn not_negative(&self) -> Result<Literal> {
         let number = self.number()?;
         if number.is_negative() {
-            return Err(self.refuse(format!("must not be negative, got {number}")));
+            return Err(self.refuse(format!("must not be negative, got {}", excerpt(&number.to_string()))));
         }
         Ok(number)
     }
@@ -259,11 +273,23 @@ impl<'a> Value<'a> {
     pub(crate) fn whole(&self, least: u32, most: u32) -> Result<u32> {
         let number = self.number()?;
         let whole = number.to_string().parse::<u32>().ok().filter(|value| (least..=most).contains(value));
-        whole.ok_or_else(|| self.refuse(format!("must be a whole number from {least} to {most}, got {number}")))
+        let given = number.to_string();
+        whole.ok_or_else(|| {
+            self.refuse(format!("must be a whole number from {least} to {most}, got {}", excerpt(&given)))
+        })
     }
 
+    /// A list of at most [`MOST_ENTRIES`].
     pub(crate) fn list(&self) -> Result<Vec<Value<'a>>> {
+        self.list_of(MOST_ENTRIES, "ask for fewer, or in several scenes")
+    }
+
+    /// A list of so many entries at `most`, or of fewer by the `remedy`.
+    pub(crate) fn list_of(&self, most: usize, remedy: &str) -> Result<Vec<Value<'a>>> {
         match &self.node.content {
+            Content::List(items) if items.len() > most => {
+                Err(self.refuse(format!("a list of {} entries; at most {most} are read: {remedy}", items.len())))
+            }
             Content::List(items) => {
                 let item = |node| Value { document: self.document, key: self.key.clone(), node };
                 Ok(items.iter().map(item).collect())
@@ -281,21 +307,37 @@ impl<'a> Value<'a> {
                 entries,
                 asked: RefCell::default(),
             }),
-            _ => Err(self.expected(&format!("a table [{}]", self.key))),
+            _ => Err(self.expected(&format!("a table [{}]", excerpt(&self.key)))),
         }
     }
 }
 
 /// "unknown key `wavelenght`; did you mean `wavelength`?", or the list of names when none is near.
 pub(crate) fn unknown_name(what: &str, name: &str, known: &[&str]) -> String {
+    unknown(what, name, known, &format!("`{}`", known.join("`, `")))
+}
+
+/// The complaint of [`unknown_name`] where the known names come from an input, too, and may be many or long.
+#[cfg(feature = "fit")]
+pub(crate) fn unknown_name_of_input(what: &str, name: &str, known: &[&str]) -> String {
+    unknown(what, name, known, &excerpt(&format!("`{}`", known.join("`, `"))).to_string())
+}
+
+fn unknown(what: &str, name: &str, known: &[&str], all: &str) -> String {
     match nearest(name, known) {
-        Some(candidate) => format!("unknown {what} `{name}`; did you mean `{candidate}`?"),
-        None => format!("unknown {what} `{name}`; expected one of `{}`", known.join("`, `")),
+        Some(candidate) => format!("unknown {what} `{}`; did you mean `{}`?", excerpt(name), excerpt(candidate)),
+        None => format!("unknown {what} `{}`; expected one of {all}", excerpt(name)),
     }
 }
 
 /// The known name that differs from `name` by a slip of the finger or two.
 fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    /// A longer name is no slip, and the distance takes memory as the product of the lengths.
+    const LONGEST: usize = 100;
+    if name.len() > LONGEST {
+        return None;
+    }
+    let known: Vec<&str> = known.iter().filter(|candidate| candidate.len() <= LONGEST).copied().collect();
     let distance = |candidate: &&str| strsim::damerau_levenshtein(name, candidate);
     let candidate = *known.iter().min_by_key(|candidate| distance(candidate))?;
     (1..=2.min(name.chars().count() / 3)).contains(&distance(&candidate)).then_some(candidate)

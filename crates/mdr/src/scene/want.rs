@@ -106,6 +106,15 @@ pub enum Want {
     },
 }
 
+/// The most rows of one output, states times radii: each takes up to 4 kB of memory.
+pub const MOST_ROWS: u32 = 100_000;
+
+/// The most way points of a path.
+pub const MOST_WAY_POINTS: usize = 10_000;
+
+/// About so many radii of a field the program chooses itself.
+const CHOSEN_RADII: usize = 41;
+
 /// The samples of a force curve when their number is not given.
 pub const POINTS: u32 = 400;
 
@@ -141,6 +150,17 @@ impl Want {
             | Want::Energy { states: values } => values,
             _ => &[],
         }
+    }
+
+    /// How many rows it has at least, by what is given.
+    pub(super) fn rows(&self) -> usize {
+        let radii = match self {
+            Want::Transform { at } | Want::Curve { at } => return at.len(),
+            Want::ForceCurve { points } => return *points as usize,
+            Want::Pressure { at, .. } | Want::Gap { at, .. } | Want::Displacement { at, .. } => at.len(),
+            _ => 1,
+        };
+        self.values().len().max(1).saturating_mul(if radii == 0 { CHOSEN_RADII } else { radii })
     }
 
     /// What it lacks in a scene with or without a material and a path.

@@ -1,13 +1,14 @@
 //! The output `force-curve`: the loading path as a measurement shows it, sampled, with a break at every jump.
 
-use mdr_core::contact::{Control, Error, Result};
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Result};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
-use mdr_numeric::path::{self, ContactState, Event, EventKind, Path};
+use mdr_numeric::path::ContactState;
 
 use super::path::{changes, follow, quantities};
 use super::states::States;
-use crate::answer::{CurveSummary, ForceCurve, ForceSample, List, Number, Optional, Promise, Value};
+use super::summary::summary;
+use crate::answer::{ForceCurve, ForceSample, List, Number, Optional, Promise, Value};
 use crate::scene::Scene;
 
 /// At least so many samples between two events.
@@ -47,7 +48,7 @@ impl States<'_, f64> {
                 samples.extend(sample(model.control(), segment, step, value, &state));
             }
         }
-        let summary = summary(&path, branches, &samples);
+        let summary = summary(model, &path, branches, &samples)?;
         Ok(ForceCurve { samples: List::new(Promise::Double, samples), summary })
     }
 }
@@ -61,7 +62,12 @@ fn between(
 ) -> Result<ContactState<f64>> {
     let (Some(from), Some(to)) = (from.contact(), to.contact()) else { return Ok(ContactState::Detached) };
     let middle = f64::midpoint(from.contact_radius, to.contact_radius);
-    let branch = branches.folds().partition_point(|fold| fold.contact_radius < middle);
+    // A branch that keeps its radius lies at a vertical edge, beyond the fold that is there.
+    let below = |fold: &Fold<f64>| match fold.kind {
+        FoldKind::Minimum => fold.contact_radius <= middle,
+        FoldKind::Maximum => fold.contact_radius < middle,
+    };
+    let branch = branches.folds().partition_point(below);
     match branches.on_branch(branch, &value)? {
         Some(state) => Ok(ContactState::Contact(state)),
         None => Err(Error::no_equilibrium(branches.control().quantity(), &value)),
@@ -86,27 +92,4 @@ fn sample(
         force: force?,
         contact_radius,
     })
-}
-
-fn summary(path: &Path<f64>, branches: &SearchedBranches<f64>, samples: &[ForceSample]) -> CurveSummary {
-    let known = |value: f64| Value::Known(Number::Double(value));
-    let first = |kind: EventKind| path.events.iter().find(|event| event.kind == kind);
-    let force_of = |state: &ContactState<f64>| state.contact().map(|rest| known(rest.force));
-    let forces = samples.iter().filter_map(|sample| sample.force.to_f64());
-    let dissipated: Option<f64> = path
-        .events
-        .iter()
-        .zip(path::Dissipation::of_each(path, branches))
-        .filter(|(event, _): &(&Event<f64>, _)| changes(event.kind))
-        .map(|(_, loss)| match loss {
-            Ok(path::Dissipation::Finite(energy)) => Some(energy.value),
-            _ => None,
-        })
-        .sum();
-    CurveSummary {
-        pull_off_force: first(EventKind::Detached).and_then(|event| force_of(&event.before)),
-        jump_in_force: first(EventKind::JumpIn).and_then(|event| force_of(&event.after)),
-        minimum_force: forces.reduce(f64::min).map(known),
-        hysteresis: dissipated.map(known),
-    }
 }

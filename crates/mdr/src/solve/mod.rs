@@ -10,6 +10,7 @@
 //! A certified scene is proved where that can be, output by output, and estimated elsewhere; energies and fields of other profiles
 //! than power laws are always estimated.
 
+mod admissible;
 #[cfg(feature = "mp")]
 mod certified;
 #[cfg(feature = "mp")]
@@ -32,6 +33,8 @@ mod roughness;
 mod sample;
 pub(crate) mod search;
 pub(crate) mod states;
+mod summary;
+mod undecided;
 mod unused;
 
 use std::cell::OnceCell;
@@ -40,7 +43,7 @@ use std::sync::Arc;
 use mdr_core::contact;
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::equilibrium::SearchedBranches;
-use mdr_numeric::folds::Folds;
+use mdr_numeric::folds::{Folds, SearchQuality};
 
 use self::model::Model;
 use self::search::Search;
@@ -50,6 +53,7 @@ use crate::run::{Cost, Counts, Run, Stop};
 use crate::scene::{Scene, Start, Want};
 use crate::validity;
 
+pub(crate) use admissible::admissibility;
 pub(crate) use model::transform_in_doubles;
 pub(crate) use path::{changes, follow, is_arrival};
 pub(crate) use unused::unused;
@@ -66,12 +70,16 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
             observer.begin(want);
         }
         let before = counts.each_ref().map(|count| count.read());
+        run.allow(&counts, want.values().len());
         let output = solver.output(want);
         // A stop may have been taken for a number that cannot be had.
         if run.stop.is_stopped() {
             return Err(Error::Stopped);
         }
-        let output = output.map_err(|error| solver.complaint(want, error))?;
+        let output = match output.map_err(|error| solver.doubted(want, error)) {
+            Err(error) if undecided::is_open(&error) => undecided::output(scene, want, &error),
+            output => output.map_err(|error| solver.complaint(want, error))?,
+        };
         let evaluations = std::array::from_fn(|index| counts[index].read() - before[index]);
         let cost = Cost { output: want.kind(), evaluations };
         if let Some(observer) = &mut run.observer {
@@ -80,6 +88,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
         outputs.push(output);
         costs.push(cost);
     }
+    run.allow(&counts, 0);
     let validity = validity::of(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver.search().ok()));
@@ -212,6 +221,19 @@ impl<'s> Solver<'s> {
             ))),
             _ => Ok(()),
         }
+    }
+
+    /// Where a path cannot start but the search was not resolved everywhere, it is not known whether it can.
+    fn doubted(&self, want: &Want, error: contact::Error) -> contact::Error {
+        let moves = matches!(want.kind(), OutputKind::Path | OutputKind::ForceCurve);
+        let contact::Error::NoEquilibrium { quantity, .. } = error else { return error };
+        let doubtful =
+            || self.search().and_then(Search::folds).map(|folds| folds.completeness == SearchQuality::Doubtful);
+        if !moves || self.scene.start == Start::Detached || !doubtful().unwrap_or(true) {
+            return error;
+        }
+        let what = "whether there is an equilibrium to start from: the search for folds was not resolved everywhere";
+        contact::Error::Undecided { quantity, bits: 53, what }
     }
 
     /// What is wrong with the scene when it has no answer.

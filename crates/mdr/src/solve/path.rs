@@ -41,6 +41,9 @@ pub(crate) fn events<R: SceneReal>(
 
 /// Whether the states of an event are admissible: all are up to the one that ends the path for that.
 fn admission<R: SceneReal>(event: &Event<R>, admissibility: &Admissibility) -> Admission<R> {
+    if event.kind == EventKind::Undecided {
+        return Admission::Unknown { why: open_reason(event) };
+    }
     if let Some(ring) = &event.ring {
         let verdict = Verdict::Interpenetrating { radius: ring.radius.approx(), gap: ring.gap.approx() };
         return match Admission::of(verdict) {
@@ -52,7 +55,6 @@ fn admission<R: SceneReal>(event: &Event<R>, admissibility: &Admissibility) -> A
     }
     let in_contact = |state: &&contact::Equilibrium<R>| state.contact_radius > state.contact_radius.lit(0);
     Admission::of(match event.after.contact().or(event.before.contact()).filter(in_contact) {
-        _ if event.kind == EventKind::Undecided => Verdict::Undecided("the state was not found"),
         Some(rest) => admissibility.of(rest.contact_radius.approx(), rest.indentation.approx()),
         None => Verdict::Admissible,
     })
@@ -74,7 +76,7 @@ fn remedy<R: SceneReal>(event: &Event<R>, ring: &Ring<R>) -> String {
 
 fn of_event<R: SceneReal>(control: &Control<R>, event: &Event<R>, admissible: Admission<R>) -> PathEvent<R> {
     let [contact_radius, indentation, force] = match event.kind {
-        EventKind::Undecided => not_found(control, &event.value),
+        EventKind::Undecided => not_found(control, &event.value, open_reason(event)),
         _ => quantities(control, &event.before, &event.value),
     };
     let [to_contact_radius, to_indentation, to_force] =
@@ -115,9 +117,21 @@ pub(super) fn quantities<R: SceneReal>(
     }
 }
 
+/// Why a path cannot be followed to the state of an event.
+fn open_reason<R: SceneReal>(event: &Event<R>) -> &'static str {
+    match event.before {
+        _ if event.ring.is_some() => {
+            "on the way on the surfaces come to touch outside of the contact; in which state is not decided"
+        }
+        ContactState::Detached => {
+            "where the surfaces first touch is not decided: the formula may be lower elsewhere than at the tip"
+        }
+        _ => "no equilibrium was found up to here, and none is known at an end of the profile",
+    }
+}
+
 /// What is known of a state that was not found.
-fn not_found<R: SceneReal>(control: &Control<R>, value: &R) -> [Option<Value<R>>; 3] {
-    let why = "no equilibrium was found up to here, and none is known at an end of the profile";
+fn not_found<R: SceneReal>(control: &Control<R>, value: &R, why: &'static str) -> [Option<Value<R>>; 3] {
     let open = || Some(Value::unknown(Status::Undecided, why));
     let given = || Some(Value::Known(value.clone()));
     match control {
@@ -233,7 +247,7 @@ fn work<R: SceneReal>(dissipated: &Value<Estimate<R>>, stored: &Value<Estimate<R
 }
 
 /// An energy, unless it is nothing but its error: a zero that is not exact is none, however many precisions agree on it.
-fn beyond_noise<R: SceneReal>(energy: &Estimate<R>, noise: &R) -> Value<Estimate<R>> {
+pub(super) fn beyond_noise<R: SceneReal>(energy: &Estimate<R>, noise: &R) -> Value<Estimate<R>> {
     if energy.value.abs() > *noise || *noise == noise.lit(0) {
         return Value::Known(energy.clone());
     }

@@ -92,7 +92,12 @@ fn reason(undecided: &[(Float, Float)]) -> String {
     if undecided.is_empty() {
         return "enclosures of the tangency condition leave no room for another fold".to_owned();
     }
-    let gap = |(lower, upper): &(Float, Float)| format!("{:.8e} to {:.8e}", lower.to_f64(), upper.to_f64());
+    // As many digits as tell the two ends apart.
+    let gap = |(lower, upper): &(Float, Float)| {
+        let pair = |digits| [lower, upper].map(|end| format!("{:.digits$e}", end.to_f64()));
+        let [from, to] = Some(pair(8)).filter(|[from, to]| from != to).unwrap_or_else(|| pair(16));
+        format!("{from} to {to}")
+    };
     let shown: Vec<_> = undecided.iter().take(3).map(gap).collect();
     let more = if undecided.len() > 3 { format!(" and {} more", undecided.len() - 3) } else { String::new() };
     format!("undecided at contact radii {}{more}", shown.join(", "))

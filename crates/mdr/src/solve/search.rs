@@ -6,12 +6,12 @@ use std::sync::Arc;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Fold, Result, Status};
 use mdr_core::number::Literal;
-use mdr_numeric::admissible::{Admissibility, search_range};
+use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::folds::{self, Folds, OutOfRangeFold, SearchQuality};
 
 use super::model::Model;
 use super::states::States;
-use super::{once, outputs, sample};
+use super::{admissible, once, outputs, sample};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Field, List, LoadingPath, Number, Output, Promise, Value};
 use crate::run::Counts;
@@ -55,10 +55,8 @@ impl<'s> Search<'s> {
             let radii: Vec<f64> =
                 folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
             let length = self.model.contact().material_length();
-            Arc::new(Admissibility::new(
-                Arc::clone(self.model.contact().shared_transform()),
-                search_range(length, &radii),
-            ))
+            let transform = Arc::clone(self.model.contact().shared_transform());
+            Arc::new(admissible::admissibility(&self.scene.profile, transform, length, &radii))
         };
         Arc::clone(self.admissibility.get_or_init(search))
     }

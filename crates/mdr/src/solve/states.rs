@@ -74,7 +74,9 @@ impl<'a, R: SceneReal> States<'a, R> {
                 }
                 Ok(at)
             }
-            Err(error @ (Error::Undecided { .. } | Error::NoConvergence { .. })) => Ok(AtValue::open(literal, &error)),
+            Err(error @ (Error::Undecided { .. } | Error::NoConvergence { .. } | Error::BudgetSpent { .. })) => {
+                Ok(AtValue::open(literal, &error))
+            }
             Err(error) => Err(error),
         }
     }

@@ -15,7 +15,7 @@ use crate::calculus::roots::{self, Bracket};
 use crate::number::{Dual, Interval, Literal, Precision, Real, Special};
 
 /// The range of radii, 2^±1000 m. Its ends are no exact zeros of a plausible formula.
-const SEARCHED: (f64, f64) = (1.06e-301, 1.07e301);
+pub(super) const SEARCHED: (f64, f64) = (1.06e-301, 1.07e301);
 /// Bits of the enclosures.
 const BITS: u32 = 128;
 /// Bits that resolve 1 − cos r and the like at the smallest radius.
@@ -104,6 +104,11 @@ impl Expression {
 }
 
 impl Breaks {
+    /// The radius where the profile ends, to so many bits.
+    pub(super) fn outer_radius(&self, bits: u32) -> Option<Float> {
+        self.outer.as_ref().map(|end| end.sharpened(bits))
+    }
+
     /// The break beyond which a part of the formula is not a number.
     fn end_of(&self, node: &Node<Constant>) -> Option<usize> {
         let precision = Precision::new(BITS);

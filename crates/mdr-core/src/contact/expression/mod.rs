@@ -2,10 +2,14 @@
 
 #[cfg(feature = "mp")]
 mod breaks;
+#[cfg(feature = "mp")]
+mod lowest;
 mod parse;
 
 #[cfg(feature = "mp")]
 pub use breaks::Breaks;
+#[cfg(feature = "mp")]
+pub use lowest::{FormulaShape, Lowest, LowestRing};
 
 use std::collections::BTreeMap;
 
@@ -13,6 +17,7 @@ use thiserror::Error;
 
 use super::Profile;
 use crate::number::{Lift, Literal, Real, Special};
+use crate::text::excerpt;
 
 /// Why a formula cannot be used, and the column at fault.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -258,7 +263,7 @@ impl Node<Constant> {
 /// The message for a name that has no meaning, with the known names.
 fn unknown_name<'a>(name: &str, parameters: impl Iterator<Item = &'a String>) -> String {
     let known: Vec<&str> = ["r", "pi"].into_iter().chain(parameters.map(String::as_str)).collect();
-    format!("unknown name `{name}`; known here: {}", known.join(", "))
+    format!("unknown name `{}`; known here: {}", excerpt(name), excerpt(&known.join(", ")))
 }
 
 /// A formula with values, as a profile.

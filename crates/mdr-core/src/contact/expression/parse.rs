@@ -4,10 +4,14 @@ use std::str::FromStr;
 
 use super::{Constant, EXTREMES, Expression, ExpressionError, Function, Node, Operator};
 use crate::number::Literal;
+use crate::text::excerpt;
 
 /// Deeper nesting, and longer formulas, are rejected to protect the stack.
 const DEEPEST: usize = 200;
 const LONGEST: usize = 2000;
+
+/// The most characters of a formula, so that none is read for long before it is refused.
+const LONGEST_TEXT: usize = 1_000_000;
 
 #[derive(Clone, Debug, PartialEq)]
 enum Token {
@@ -34,37 +38,45 @@ impl FromStr for Expression {
 
 /// The tokens with their columns; the last is `End`.
 fn tokens(formula: &str) -> Result<Vec<(Token, usize)>, ExpressionError> {
+    let length = formula.chars().take(LONGEST_TEXT + 1).count();
+    if length > LONGEST_TEXT {
+        return Err(ExpressionError { column: length, reason: format!("longer than {LONGEST_TEXT} characters") });
+    }
     let text: Vec<char> = formula.chars().collect();
     let mut tokens = Vec::new();
     let mut at = 0;
     while at < text.len() {
         let start = at;
         let is_name = |c: char| c.is_alphanumeric() || c == '_';
-        let token =
-            match text[at] {
-                c if c.is_whitespace() => {
-                    at += 1;
-                    continue;
-                }
-                c if c.is_ascii_digit() || c == '.' => {
-                    at = end_of_number(&text, at);
-                    let number: String = text[start..at].iter().collect();
-                    let literal = number.parse();
-                    Token::Number(literal.map_err(|error| ExpressionError {
-                        column: start + 1,
-                        reason: format!("`{number}` is {error}"),
-                    })?)
-                }
-                c if is_name(c) => {
-                    at += text[at..].iter().take_while(|c| is_name(**c)).count();
-                    Token::Name(text[start..at].iter().collect())
-                }
-                c if "+-*/^(),".contains(c) => {
-                    at += 1;
-                    Token::Symbol(c)
-                }
-                c => return Err(ExpressionError { column: start + 1, reason: format!("unexpected character `{c}`") }),
-            };
+        let token = match text[at] {
+            c if c.is_whitespace() => {
+                at += 1;
+                continue;
+            }
+            c if c.is_ascii_digit() || c == '.' => {
+                at = end_of_number(&text, at);
+                let number: String = text[start..at].iter().collect();
+                let literal = number.parse();
+                Token::Number(literal.map_err(|error| ExpressionError {
+                    column: start + 1,
+                    reason: format!("`{}` is {error}", excerpt(&number)),
+                })?)
+            }
+            c if is_name(c) => {
+                at += text[at..].iter().take_while(|c| is_name(**c)).count();
+                Token::Name(text[start..at].iter().collect())
+            }
+            c if "+-*/^(),".contains(c) => {
+                at += 1;
+                Token::Symbol(c)
+            }
+            c => {
+                return Err(ExpressionError {
+                    column: start + 1,
+                    reason: format!("unexpected character `{}`", excerpt(c.encode_utf8(&mut [0; 4]))),
+                });
+            }
+        };
         if tokens.len() == LONGEST {
             return Err(ExpressionError { column: start + 1, reason: format!("longer than {LONGEST} symbols") });
         }
@@ -253,7 +265,7 @@ fn unknown_function(name: &str) -> String {
         Function::ALL.iter().map(|(known, _)| *known).chain(EXTREMES.map(|(known, _)| known)).collect();
     match name {
         "log" => "unknown function `log`; the natural logarithm is `ln`, the decimal one `log10`".to_owned(),
-        _ => format!("unknown function `{name}`; known: {}", known.join(", ")),
+        _ => format!("unknown function `{}`; known: {}", excerpt(name), known.join(", ")),
     }
 }
 

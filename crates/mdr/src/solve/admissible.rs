@@ -1,0 +1,68 @@
+//! Which states of a profile are admissible: by its form, by what enclosures prove of a formula, else by a search in f64.
+
+use std::sync::Arc;
+
+use mdr_core::contact::Transform;
+use mdr_numeric::admissible::{Admissibility, FirstTouch, search_range};
+
+use crate::scene::Profile;
+
+/// What is known of a profile with a formula in it.
+struct Known {
+    /// Whether g falls nowhere.
+    rises: bool,
+    touch: FirstTouch,
+}
+
+/// The admissibility of states with folds at the given contact radii, for the length w/E*.
+pub(crate) fn admissibility(
+    profile: &Profile,
+    transform: Arc<dyn Transform<f64>>,
+    length: f64,
+    folds: &[f64],
+) -> Admissibility {
+    let range = search_range(length, folds);
+    if !profile.has_formula() {
+        return Admissibility::new(transform, range);
+    }
+    let Known { rises, touch } = known(profile);
+    if rises {
+        return Admissibility::of_rising();
+    }
+    // A ring below any radius of the contact is the tip.
+    let touch = match touch {
+        #[cfg(feature = "mp")]
+        FirstTouch::Ring(ring) if ring.at::<f64>(())[0] < range[0] => FirstTouch::Tip,
+        touch => touch,
+    };
+    Admissibility::of_formula(transform, range, touch)
+}
+
+fn known(profile: &Profile) -> Known {
+    let nothing = Known { rises: false, touch: FirstTouch::Open { at_least: f64::NEG_INFINITY } };
+    match profile {
+        #[cfg(feature = "mp")]
+        Profile::Formula(formula) => {
+            use mdr_core::contact::Lowest;
+            let shape = formula.expression.shape(&formula.parameters, &formula.breaks);
+            shape.map_or(nothing, |shape| Known {
+                rises: shape.rises,
+                touch: match shape.lowest {
+                    Lowest::Tip => FirstTouch::Tip,
+                    Lowest::Ring(ring) => FirstTouch::Ring(Box::new(ring)),
+                    Lowest::Open { at_least } => FirstTouch::Open { at_least },
+                },
+            })
+        }
+        Profile::Sum(terms) if terms.iter().all(rises) => Known { rises: true, touch: FirstTouch::Tip },
+        _ => nothing,
+    }
+}
+
+/// Whether g of a profile is proved to fall nowhere.
+fn rises(profile: &Profile) -> bool {
+    if profile.has_formula() {
+        return known(profile).rises;
+    }
+    super::transform_in_doubles(profile).is_ok_and(|transform| transform.rises())
+}

@@ -1,0 +1,136 @@
+//! What is read off a force curve: pull-off force, jump-in, minimum force, hysteresis.
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{Control, Error, FoldKind, Result, Status};
+use mdr_numeric::contact::Contact;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::folds::{self, SearchQuality};
+use mdr_numeric::path::{Dissipation, Event, EventKind, Path};
+
+use super::model::Model;
+use super::path::{beyond_noise, changes};
+use crate::answer::{CurveSummary, ForceSample, Number, Value};
+
+/// The summary of a path. The samples hold the force at both ends of every stretch between two events.
+///
+/// # Errors
+/// As [`folds::find`], apart from what is not decided.
+pub(super) fn summary(
+    model: &Model<f64>,
+    path: &Path<f64>,
+    branches: &SearchedBranches<f64>,
+    samples: &[ForceSample],
+) -> Result<CurveSummary> {
+    Ok(CurveSummary {
+        pull_off_force: pull_off(&path.events).map(known),
+        jump_in_force: jump_in(&path.events).map(known),
+        minimum_force: minimum(model, path, samples)?,
+        hysteresis: hysteresis(path, branches)?,
+    })
+}
+
+fn known(value: f64) -> Value {
+    Value::Known(Number::Double(value))
+}
+
+/// A number that was not found takes nothing else with it.
+fn unknown(error: Error) -> Result<Value> {
+    match error {
+        Error::Undecided { .. } => Ok(Value::unknown(Status::Undecided, error.to_string())),
+        error => Value::from_result(Err(error)),
+    }
+}
+
+/// The contact radii before and after an event, if both states are in contact.
+fn radii(event: &Event<f64>) -> Option<[f64; 2]> {
+    Some([event.before.contact()?.contact_radius, event.after.contact()?.contact_radius])
+}
+
+/// The force from which the contact breaks for the first time. Where it shrinks to a point from a smaller contact, to which it
+/// has jumped before, that of the jump.
+fn pull_off(events: &[Event<f64>]) -> Option<f64> {
+    let breaks = events.iter().position(|event| event.kind == EventKind::Detached)?;
+    let jumps = |event: &&Event<f64>| changes(event.kind) && radii(event).is_some();
+    let last = events[..breaks].iter().rfind(jumps).filter(|_| events[breaks].fold.is_none());
+    let shrinks = |event: &&Event<f64>| radii(event).is_some_and(|[before, after]| after < before);
+    let event = last.filter(shrinks).unwrap_or(&events[breaks]);
+    event.before.contact().map(|state| state.force)
+}
+
+/// The force just after the surfaces have jumped into contact for the first time. Where contact begins continuously, after the
+/// first jump to a larger radius of the contact that grows from there.
+fn jump_in(events: &[Event<f64>]) -> Option<f64> {
+    let mut grows_from_a_point = false;
+    let event = events.iter().find(|event| {
+        match event.kind {
+            EventKind::Touch => grows_from_a_point = true,
+            EventKind::Detached => grows_from_a_point = false,
+            EventKind::JumpIn => return true,
+            _ => {}
+        }
+        let grows = || radii(event).is_some_and(|[before, after]| after > before);
+        grows_from_a_point && event.kind == EventKind::Jump && grows()
+    })?;
+    event.after.contact().map(|state| state.force)
+}
+
+/// The minimum of F along the path: at an end of a stretch between two events, or at a fold of F that lies on it. There
+/// dF/da = 2E*a(g' − 3Δl') vanishes, g' = 3√(πw/(2E*a)).
+///
+/// `undecided` where the folds of F were not resolved.
+fn minimum(model: &Model<f64>, path: &Path<f64>, samples: &[ForceSample]) -> Result<Option<Value>> {
+    let at_ends = samples.iter().filter_map(|sample| sample.force.to_f64()).reduce(f64::min);
+    let stretches: Vec<[f64; 2]> = path
+        .events
+        .windows(2)
+        .filter_map(|pair| Some([pair[0].after.contact()?.contact_radius, pair[1].before.contact()?.contact_radius]))
+        .filter(|[from, to]| from != to)
+        .collect();
+    // A controlled force changes in one direction from event to event.
+    if matches!(model.control(), Control::Force) || stretches.is_empty() {
+        return Ok(at_ends.map(known));
+    }
+    let curve = model.contact().with_control(Control::Force);
+    let found = match folds::find(&curve) {
+        Err(error) => return unknown(error).map(Some),
+        Ok(found) => found,
+    };
+    if found.completeness == SearchQuality::Doubtful {
+        let why = "a minimum of the force between the ends of the path: its folds were not resolved everywhere";
+        return Ok(Some(Value::unknown(Status::Undecided, why)));
+    }
+    let wall = curve.vertical_edge();
+    let passes = |radius: f64| {
+        let reached = wall == Some(radius);
+        stretches
+            .iter()
+            .any(|[from, to]| from.min(*to) < radius && (radius < from.max(*to) || reached && radius == from.max(*to)))
+    };
+    for fold in found.out_of_range.iter().filter(|fold| fold.kind == FoldKind::Minimum) {
+        if passes(fold.contact_radius) {
+            return unknown(fold.error.clone()).map(Some);
+        }
+    }
+    let at_folds = found.folds.iter().filter(|fold| fold.kind == FoldKind::Minimum && passes(fold.contact_radius));
+    Ok(at_folds.map(|fold| fold.force).chain(at_ends).reduce(f64::min).map(known))
+}
+
+/// The energy lost in all events; none where it has no bound.
+fn hysteresis(path: &Path<f64>, branches: &SearchedBranches<f64>) -> Result<Option<Value>> {
+    let mut lost = Estimate::exact(0.0);
+    let mut out_of_range = None;
+    let losses = path.events.iter().zip(Dissipation::of_each(path, branches));
+    for (_, loss) in losses.filter(|(event, _)| changes(event.kind)) {
+        match loss {
+            Ok(Dissipation::Unbounded) => return Ok(None),
+            Ok(Dissipation::Finite(energy)) => lost += &energy,
+            Err(Error::OutOfRange { log10, .. }) => out_of_range = Some(out_of_range.unwrap_or(log10).max(log10)),
+            Err(error) => return unknown(error).map(Some),
+        }
+    }
+    Ok(Some(match out_of_range {
+        // What underflows is nothing beside what does not.
+        Some(log10) if log10 > 0.0 || lost.value == 0.0 => Value::out_of_range(log10),
+        _ => beyond_noise(&lost, &lost.error).and_then(|energy| known(energy.value)),
+    }))
+}

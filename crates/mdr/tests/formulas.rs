@@ -1,0 +1,158 @@
+//! Formulas that a search in f64 cannot see, and searches that would not end: what is not known is not said, within a budget, and
+//! takes nothing else with it.
+#![cfg(all(feature = "mp", feature = "serde", feature = "toml"))]
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use mdr::no_files;
+use mdr::prelude::*;
+use serde_json::Value;
+
+fn scene(text: &str) -> Scene {
+    Scene::from_toml(text, "scene.toml", &no_files).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn solved(text: &str) -> Value {
+    let answer = scene(text).solve().unwrap_or_else(|error| panic!("{error}"));
+    serde_json::from_str(&answer.to_json()).unwrap()
+}
+
+fn formula(formula: &str, rest: &str) -> String {
+    format!(
+        "material = {{ e_star = 1, work_of_adhesion = \"1e-4\" }}
+        profile = {{ kind = \"expression\", formula = \"{formula}\" }}\n{rest}"
+    )
+}
+
+fn dip(s: &str) -> String {
+    format!("r^2/2 - 0.2*(exp(-((r-0.5037)/{s})^2) - exp(-(0.5037/{s})^2))")
+}
+
+/// The surfaces overlap by 0.073 at the bottom of the dip, whose width is 10⁻³ … 10⁻⁹ of its radius.
+#[test]
+fn no_state_beside_a_narrow_dip_is_called_admissible() {
+    for s in ["5e-4", "1e-6", "1e-9"] {
+        for arithmetic in ["arithmetic = \"f64\"", "digits = 5"] {
+            let rest = format!("output = {{ want = [\"equilibria\"], equilibria.at = [0], {arithmetic} }}");
+            let answer = solved(&formula(&dip(s), &rest));
+            for state in answer["equilibria"][0]["equilibria"].as_array().unwrap() {
+                assert!(state["admissible"] != true, "{answer}");
+                assert!(state["admissible"] == false || state["why"].as_str().unwrap().contains("formula"), "{answer}");
+            }
+            assert!(answer["admissibility"].as_str().unwrap().contains("not decided"), "{answer}");
+            let width = answer["admissibility_resolved_width"].as_f64().unwrap();
+            assert!(width > 1e-6 && width < 10.0, "{width}");
+        }
+    }
+}
+
+/// Separated surfaces first touch at min f, not at the tip.
+#[test]
+fn surfaces_first_touch_in_a_narrow_dip() {
+    for s in ["5e-4", "1e-6", "1e-9"] {
+        let rest = "control = { kind = \"indentation\", path = [-1, 0.01], start = \"detached\" }
+            output = { want = [\"path\"], arithmetic = \"f64\" }";
+        let answer = solved(&formula(&dip(s), rest));
+        let event = &answer["path"][1];
+        assert_eq!((&event["event"], &event["admissible"]), (&"not-admissible".into(), &false.into()), "{answer}");
+        let depth = event["indentation"].as_f64().unwrap();
+        let c: f64 = 0.5037;
+        assert!((depth - (c * c / 2.0 - 0.2)).abs() < 1e-6, "{depth}");
+        let ring = event["interpenetration"]["r"].as_str().map_or_else(
+            || event["interpenetration"][0]["r"].as_str().unwrap().parse::<f64>().unwrap(),
+            |text| text.parse::<f64>().unwrap(),
+        );
+        assert!((ring - c).abs() < 1e-5, "{answer}");
+    }
+}
+
+/// Rings of one height without end: it is not known where the surfaces touch, and the path says so.
+#[test]
+fn an_unknown_first_touch_is_undecided() {
+    let rest = "control = { kind = \"indentation\", path = [-3, 0.01], start = \"detached\" }
+        output = { want = [\"path\", \"transform\"], transform.at = [0.1], arithmetic = \"f64\" }";
+    let answer = solved(&formula("cos(r) - 1", rest));
+    let last = answer["path"].as_array().unwrap().last().unwrap();
+    assert_eq!(last["event"], "undecided", "{answer}");
+    assert_eq!(answer["transform"][0]["status"], "ok", "{answer}");
+}
+
+/// f' + r f'' ≥ 0: every state is admissible, by a proof.
+#[test]
+fn formulas_that_rise_are_admissible() {
+    for text in ["r^2/2", "r^2/2 + 0.001*(1-cos(10*r))", "max(0.02*r, r^2/2) + 0.2*max(0, r - 0.1)"] {
+        let rest = "output = { want = [\"equilibria\"], equilibria.at = [\"0.01\"], arithmetic = \"f64\" }";
+        let answer = solved(&formula(text, rest));
+        assert_eq!(answer["equilibria"][0]["equilibria"][0]["admissible"], true, "{answer}");
+        assert!(answer["admissibility"].as_str().unwrap().contains("falls nowhere"), "{answer}");
+        assert!(answer["admissibility_resolved_width"].is_null(), "{answer}");
+    }
+}
+
+/// The contact ceases to be admissible at a = 0.0922972, d = 0.00775725, because of the ring at r = 0.12309. The other output is
+/// there whatever becomes of the path.
+#[test]
+fn a_path_that_leaves_admissibility_takes_nothing_with_it() {
+    for arithmetic in ["arithmetic = \"f64\"", "digits = 6"] {
+        let text = format!(
+            "material = {{ e_star = 1, work_of_adhesion = \"1e-6\" }}
+            profile = {{ kind = \"expression\", formula = \"r^2/2 - 0.1*max(0,r-0.1)\" }}
+            control = {{ kind = \"indentation\", path = [0, 1], start = \"smallest\" }}
+            output = {{ want = [\"path\", \"transform\"], transform.at = [\"0.05\"], {arithmetic} }}"
+        );
+        let answer = solved(&text);
+        assert_eq!(answer["transform"][0]["status"], "ok");
+        let last = answer["path"].as_array().unwrap().last().unwrap();
+        let number = |key: &str| match &last[key] {
+            Value::String(text) => text.parse::<f64>().unwrap(),
+            value => value.as_f64().unwrap_or(f64::NAN),
+        };
+        match last["event"].as_str().unwrap() {
+            "not-admissible" => {
+                assert!((number("contact_radius") / 0.092_297_2 - 1.0).abs() < 1e-5, "{answer}");
+                assert!((number("indentation") / 0.007_757_25 - 1.0).abs() < 1e-5, "{answer}");
+            }
+            other => assert_eq!(other, "undecided", "{answer}"),
+        }
+    }
+}
+
+/// What did not end. The budget is of work, so that a test may bound it tightly.
+#[test]
+fn searches_end_within_their_budget() {
+    for (material, profile, path) in [
+        ("e_star = \"1e6\", work_of_adhesion = \"1e-4\"", "kind = \"expression\", formula = \"sin(r)\"", "1, 5"),
+        (
+            "e_star = 1, work_of_adhesion = \"1e-4\"",
+            "kind = \"wavy-paraboloid\", radius = 1, amplitude = \"1e6\", wavelength = \"0.1\"",
+            "0, 1",
+        ),
+    ] {
+        let text = format!(
+            "material = {{ {material} }}\nprofile = {{ {profile} }}
+            control = {{ kind = \"indentation\", path = [{path}] }}
+            output = {{ want = [\"path\", \"transform\"], transform.at = [\"0.05\"], arithmetic = \"f64\" }}"
+        );
+        let answer = scene(&text).solve_with(&mut Run::new(&mut (), Stop::default()).within(0.1));
+        let answer: Value = serde_json::from_str(&answer.unwrap().to_json()).unwrap();
+        assert_eq!(answer["transform"][0]["status"], "ok", "{answer}");
+        assert!(!answer["path"].as_array().unwrap().is_empty(), "{answer}");
+        assert_eq!(answer["complete"]["path"]["proved"], false, "{answer}");
+        let why = answer["complete"]["path"]["why"].as_str().unwrap();
+        assert!(why.contains("not resolved everywhere") || why.contains("budget"), "{why}");
+    }
+}
+
+/// Of w/E* that no double holds, nothing is searched.
+#[test]
+fn ratios_out_of_range_are_refused() {
+    for (modulus, work) in [("1e300", "1e-300"), ("1e-200", "1e200")] {
+        let text = format!(
+            "material = {{ e_star = \"{modulus}\", work_of_adhesion = \"{work}\" }}
+            profile = {{ kind = \"expression\", formula = \"r^2/2\" }}
+            control = {{ kind = \"indentation\", path = [1, 5] }}
+            output = {{ want = [\"path\"], arithmetic = \"f64\" }}"
+        );
+        let error = scene(&text).solve().unwrap_err().to_string();
+        assert!(error.contains("material.work_of_adhesion") && error.contains("ratio to E*"), "{error}");
+    }
+}
