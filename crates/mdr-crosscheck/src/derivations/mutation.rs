@@ -38,7 +38,9 @@ impl Mutants {
             verdicts.max().unwrap_or(MutantVerdict::Undecided)
         };
         let mutants = step.mutants()?.into_iter();
-        Ok(Mutants(mutants.map(|mutant| (verdict(&mutant), mutant)).map(|(verdict, mutant)| (mutant, verdict)).collect()))
+        Ok(Mutants(
+            mutants.map(|mutant| (verdict(&mutant), mutant)).map(|(verdict, mutant)| (mutant, verdict)).collect(),
+        ))
     }
 
     /// How many there are.

@@ -113,7 +113,8 @@ fn limit(family: Family, ladders: &[&Ladder]) -> String {
     let worst = ladders.iter().max_by(|one, other| loss(one).total_cmp(&loss(other)));
     let naive = |ladder: &Ladder| ladder.worst_naive().unwrap_or(f64::NEG_INFINITY);
     let textbook = ladders.iter().max_by(|one, other| naive(one).total_cmp(&naive(other)));
-    let shown = worst.map_or_else(String::new, |ladder| format!("{} | `{}`", excess(ladder), escaped(&ladder.function)));
+    let shown =
+        worst.map_or_else(String::new, |ladder| format!("{} | `{}`", excess(ladder), escaped(&ladder.function)));
     let typed = textbook.and_then(|ladder| Some(format!("{} | `{}`", size(ladder.worst_naive()?), ladder.function)));
     format!("| {} | {} | {open} | {shown} | {} |\n", family.title(), ladders.len(), typed.unwrap_or("— |".to_owned()))
 }

@@ -47,7 +47,8 @@ impl Errors<'_> {
             let known = index.is_none_or(|index| status != FitStatus::Unidentifiable || !undetermined[index]);
             let stderr = |scale: f64| {
                 let gradient = self.gradient(index.filter(|_| known)?);
-                Some(scale * self.spectrum.covariance(&gradient, &gradient).sqrt())
+                // Beyond the range of a double where σ is stated so.
+                Some(scale * self.spectrum.covariance(&gradient, &gradient).sqrt()).filter(|stderr| stderr.is_finite())
             };
             Estimate {
                 name: parameter.name.clone(),
