@@ -215,7 +215,7 @@ pub struct Fit {
     pub rss_unit: &'static str,
     /// Rows and priors less free numbers.
     pub dof: usize,
-    /// The sum of squares in units of σ, where σ is given.
+    /// The sum of squares in units of σ, where σ is given; none where it is beyond the range of a double.
     pub chi2: Option<f64>,
     /// The probability of at least this χ².
     pub chi2_p: Option<f64>,

@@ -16,6 +16,9 @@ pub(super) const CONVERGED: f64 = 1e-6;
 /// A row is at the fold within this share of the scale of X beyond it; where the iteration does not converge, within that scale.
 pub(super) const AT_FOLD: f64 = 1e-2;
 
+/// A minimum with the fold at the last row is looked for where the fold is within so many widths of the noise of it.
+const WIDTHS: f64 = 9.0;
+
 /// The sum of squares over the degrees of freedom below which no search is begun, where the noise is only seen in the data.
 const GOOD: f64 = 3.0;
 
@@ -158,46 +161,116 @@ impl Search {
     }
 }
 
-/// The minimum of all rows near a start. Where x is exact and the fold presses against the last row of its arc, it is that with the fold
-/// there: rows in contact lie on the curve, so that the fold is at or beyond the last of them.
+/// The least minimum of all rows near a start.
+///
+/// Where x is exact the fold is at or beyond the last row of its arc, since rows in contact lie on the curve. Beside a fold the curve rises
+/// or falls as the root of the distance, so that there may be several minima: one with the fold at the row, where the sum of squares has a
+/// kink, and others with the fold beyond it, to which the other rows lead, or at which the curve goes through the row.
 fn settled(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
     objective.at_fold.clear();
-    let (fitted, more) = minimise::descend(objective, start, 1e-12, 100)?;
-    let free = minimise::polish(objective, &fitted, evaluations + more)?;
+    let free = descended(objective, start, evaluations)?;
     if objective.x_scale.is_some() {
         return Ok(free);
     }
-    let rows = pressed(objective, &free);
+    let rows = near_fold(objective, &free)?;
     if rows.is_empty() {
         return Ok(free);
     }
-    objective.at_fold = rows;
-    let held = minimise::descend(objective, &free.fitted, 1e-12, 100)
-        .and_then(|(fitted, more)| minimise::polish(objective, &fitted, free.evaluations + more));
-    let is_needed = free.evaluation.feet.iter().flatten().any(|foot| foot.is_end);
-    match held {
-        Ok(held) if is_needed || held.evaluation.cost() <= free.evaluation.cost() * (1.0 + 1e-6) => Ok(held),
-        _ => {
-            objective.at_fold.clear();
-            Ok(free)
+    let mut evaluations = free.evaluations;
+    let mut ends = Vec::new();
+    if !is_beyond(&free) {
+        ends.push(free);
+    } else if let Ok(led) = led_by_others(objective, start, &rows, evaluations) {
+        evaluations = led.evaluations;
+        if !is_beyond(&led) {
+            ends.push(led);
         }
+    }
+    let from = ends.first().map_or(start, |end| &end.fitted).to_vec();
+    objective.at_fold.clone_from(&rows);
+    let held = descended(objective, &from, evaluations);
+    if let Ok(held) = held {
+        evaluations = held.evaluations;
+        if let Ok(released) = released(objective, &held, evaluations)
+            && !is_beyond(&released)
+        {
+            ends.push(released);
+        }
+        ends.push(held);
+    }
+    objective.at_fold.clear();
+    let least = ends.into_iter().min_by(|one, other| one.evaluation.cost().total_cmp(&other.evaluation.cost()));
+    match least {
+        Some(minimum) => {
+            objective.at_fold.clone_from(&minimum.at_fold);
+            Ok(minimum)
+        }
+        None => descended(objective, start, evaluations),
     }
 }
 
-/// The last rows of arcs whose inner fold lies further in, or at them.
-fn pressed(objective: &Objective<'_>, minimum: &Minimum) -> Vec<AtFold> {
+fn descended(objective: &Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
+    let (fitted, more) = minimise::descend(objective, start, 1e-12, 100)?;
+    minimise::polish(objective, &fitted, evaluations + more)
+}
+
+/// The minimum to which all rows but these lead, then with them.
+fn led_by_others(
+    objective: &mut Objective<'_>,
+    start: &[f64],
+    rows: &[AtFold],
+    evaluations: usize,
+) -> mdr_core::contact::Result<Minimum> {
+    let all = objective.rows.clone();
+    let kept =
+        |(index, row): (usize, &super::problem::DataRow)| (!rows.iter().any(|held| held.row == index)).then_some(*row);
+    objective.rows = all.iter().enumerate().filter_map(kept).collect();
+    let led = minimise::descend(objective, start, 1e-8, 30);
+    objective.rows = all;
+    let (fitted, more) = led?;
+    descended(objective, &fitted, evaluations + more)
+}
+
+/// The minimum beyond a held one: the fold is moved so far that the curve goes through the row, then it is free.
+fn released(objective: &mut Objective<'_>, held: &Minimum, evaluations: usize) -> mdr_core::contact::Result<Minimum> {
+    let contact = held.evaluation.contact(objective.problem.observation);
+    let mut moved = held.at_fold.clone();
+    for fold in &mut moved {
+        let residual = held.evaluation.residuals[fold.row] / objective.noise.unit;
+        let width = objective.width_of_fold(&contact, &held.evaluation, fold)?;
+        fold.beyond = width * residual.powi(2).clamp(1.0, 1e3);
+    }
+    objective.at_fold = moved;
+    let away = minimise::descend(objective, &held.fitted, 1e-8, 30);
+    objective.at_fold.clear();
+    let (fitted, more) = away?;
+    descended(objective, &fitted, evaluations + more)
+}
+
+/// Whether a row is compared with the fold at which its arc ends.
+fn is_beyond(minimum: &Minimum) -> bool {
+    let Minimum { evaluation, gradient, .. } = minimum;
+    *gradient >= CONVERGED || evaluation.feet.iter().flatten().any(|foot| foot.is_end)
+}
+
+/// The last rows of arcs that lie beyond the fold or nearer to it than the noise tells.
+fn near_fold(objective: &Objective<'_>, minimum: &Minimum) -> mdr_core::contact::Result<Vec<AtFold>> {
     let evaluation = &minimum.evaluation;
-    let reach = objective.noise.beyond * if minimum.gradient < CONVERGED { AT_FOLD } else { 1.0 };
-    let mut held = Vec::new();
+    let contact = evaluation.contact(objective.problem.observation);
+    let least = objective.noise.beyond * if minimum.gradient < CONVERGED { AT_FOLD } else { 1.0 };
+    let mut near = Vec::new();
     for (index, arc) in evaluation.arcs.iter().enumerate() {
         let Some(fold) = Arc::inner_fold(arc) else { continue };
         let on_arc = (0..objective.rows.len()).filter(|row| evaluation.labels[*row] == index + 1);
         let last = on_arc.min_by(|one, other| objective.rows[*one].x.total_cmp(&objective.rows[*other].x));
-        if let Some(row) = last.filter(|row| objective.rows[*row].x - fold.at[0] < reach) {
-            held.push(AtFold { row, level: index + 1 });
+        let Some(row) = last else { continue };
+        let at_fold = AtFold { row, level: index + 1, beyond: 0.0 };
+        let reach = least.max(WIDTHS * objective.width_of_fold(&contact, evaluation, &at_fold)?);
+        if objective.rows[row].x - fold.at[0] < reach {
+            near.push(at_fold);
         }
     }
-    held
+    Ok(near)
 }
 
 /// Why nothing was found.

@@ -37,12 +37,29 @@ pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Fit> {
     let mut objective = Objective::new(problem, x_scale, scatter.noise)?;
     let Found { minimum, tried } = descents::least(&mut objective, sources, scatter.stated)?;
     if minimum.evaluation.labels.iter().all(|label| *label == 0) {
-        return Err(problem.place.refuse(
-            "all rows are out of contact for every E* and w that was tried: nothing of the contact is in the data; \
-             check the signs of x and y (pressing in and pressing are positive) and their units",
-        ));
+        return Err(problem.place.refuse(out_of_contact(problem)));
     }
     answer(&objective, &scatter, &minimum, &tried)
+}
+
+/// What is wrong where no row is in contact.
+fn out_of_contact(problem: &Problem) -> String {
+    let given = problem.parameters.iter().filter(|parameter| {
+        !parameter.free && matches!(parameter.kind, Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::Stiffness)
+    });
+    let given: Vec<String> = given
+        .filter_map(|parameter| Some(format!("`{}` = {:e} {}", parameter.name, parameter.value?, parameter.unit)))
+        .collect();
+    if given.is_empty() {
+        return "all rows are out of contact for every E* and w that was tried: nothing of the contact is in the data; check the signs of x \
+                and y (pressing in and pressing are positive) and their units"
+            .to_owned();
+    }
+    format!(
+        "all rows are out of contact for all free numbers that were tried, with {} as given: check what is given, the signs of x and y \
+         (pressing in and pressing are positive) and their units",
+        given.join(", ")
+    )
 }
 
 /// What is not a problem of fitting.

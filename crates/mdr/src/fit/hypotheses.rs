@@ -27,6 +27,9 @@ const BEFORE: [f64; 9] = [1e-3, 3e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.5, 1.0];
 /// How many minima of a hypothesis are followed.
 const MINIMA: usize = 3;
 
+/// Legs up to which each may have begun or ended where the surfaces touch, too.
+const PARTS: usize = 4;
+
 /// How often the grid is refined around a minimum.
 const ROUNDS: usize = 8;
 
@@ -323,7 +326,8 @@ fn least(parts: &[Part<'_>], curve: &Curve, shift: f64, given: Given, has_tail: 
         } else {
             let touch = part.touch(shift);
             let least = choices.iter().map(|choice| choice.1).min().unwrap_or(0);
-            let kept = choices.iter().filter(|(_, detached)| *detached == least || *detached == touch.max(least));
+            let touch = if parts.len() > PARTS { least } else { touch.max(least) };
+            let kept = choices.iter().filter(|(_, detached)| *detached == least || *detached == touch);
             before = kept.flat_map(|one| before.iter().map(|other| (plus(one.0, other.0), one.1 + other.1))).collect();
         }
     }

@@ -58,12 +58,14 @@ impl Noise {
 }
 
 /// A row that holds a fold: x is exact and the row is in contact, so that the fold cannot lie further in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct AtFold {
     /// The row.
     pub(super) row: usize,
     /// Its level.
     pub(super) level: usize,
+    /// How far beyond the row the fold is held; the row is at the fold where that is zero.
+    pub(super) beyond: f64,
 }
 
 /// What the distance in X of a held fold is multiplied by, against that of a row beyond it.
@@ -234,7 +236,9 @@ impl<'p> Objective<'p> {
         }
         for held in &self.at_fold {
             let fold = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold);
-            residuals.push(fold.map_or(0.0, |fold| (fold.at[0] - self.rows[held.row].x) / self.noise.beyond * HELD));
+            residuals.push(
+                fold.map_or(0.0, |fold| (fold.at[0] + held.beyond - self.rows[held.row].x) / self.noise.beyond * HELD),
+            );
         }
         evaluation.residuals = DVector::from_vec(residuals);
         Ok(evaluation)
@@ -266,7 +270,7 @@ impl<'p> Objective<'p> {
             let of_rows = costs.chunks_mut(levels).zip(found.chunks_mut(levels));
             for (row, (costs, feet)) in leg.iter().zip(of_rows) {
                 let scales = self.scales(row);
-                let held = self.at_fold.iter().find(|held| held.row == index_of_row);
+                let held = self.at_fold.iter().find(|held| held.row == index_of_row && held.beyond == 0.0);
                 index_of_row += 1;
                 if let Some(fold) = held.and_then(|held| arcs.get(held.level - 1)).and_then(Arc::inner_fold) {
                     let level = held.map_or(0, |held| held.level);
@@ -409,7 +413,12 @@ impl<'p> Objective<'p> {
 
     /// How far beyond the last row in contact a fold may be: where the curve has risen by the noise. Near a fold at X₀ it rises as
     /// Y' √(2 (X − X₀)/X''), with derivatives along the curve.
-    fn width_of_fold(&self, contact: &Contact<'_, f64>, evaluation: &Evaluation, held: &AtFold) -> Result<f64> {
+    pub(super) fn width_of_fold(
+        &self,
+        contact: &Contact<'_, f64>,
+        evaluation: &Evaluation,
+        held: &AtFold,
+    ) -> Result<f64> {
         let Some(fold) = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold) else {
             return Ok(self.noise.beyond);
         };
