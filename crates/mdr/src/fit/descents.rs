@@ -1,11 +1,13 @@
 //! From starts to the least minimum that is found.
 
+use mdr_core::contact::Shape;
+
 use super::arcs::Arc;
 use super::minimise::{self, Minimum};
 use super::objective::{AtFold, Objective};
 use super::start::{self, Source};
 use crate::error::Result;
-use crate::scene::Location;
+use crate::scene::{Location, Profile};
 
 /// Scales of X, in its last scale, from which the labels of a bad start find their way.
 const CONTINUATION: [f64; 3] = [70.0, 15.0, 4.0];
@@ -58,7 +60,12 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
     let enough = if is_stated { (dof + (2.0 * dof).sqrt()) * objective.noise.unit.powi(2) } else { GOOD * dof };
     let has_start = objective.problem.parameters.iter().any(|parameter| parameter.start.is_some());
     let mut search = Search { tried: Vec::new(), evaluations: 0, failure: None };
-    for &source in sources {
+    let mut sources = sources.to_vec();
+    if matches!(objective.problem.profile, Profile::Shape(Shape::WavyParaboloid { .. }) | Profile::Formula(_)) {
+        // A curve of many arcs has its folds searched anew at each step from a poor start: the search, which knows them, goes first.
+        sources.sort_by_key(|source| *source == Source::Record);
+    }
+    for source in sources {
         // A search takes long; what hypotheses on the record find is mostly as good.
         let is_good = search.tried.iter().any(|attempt| attempt.cost < enough);
         if source == Source::Search && is_good {

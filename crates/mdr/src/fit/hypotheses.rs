@@ -33,7 +33,7 @@ const PARTS: usize = 4;
 /// How often the grid is refined around a minimum.
 const ROUNDS: usize = 8;
 
-/// The sum of squares of a minimum against the least of its hypothesis, above which it is not followed.
+/// The sum of squares of a minimum against the least of all, above which it is not followed unless it is the best of its hypothesis.
 const WORSE: f64 = 1e2;
 
 /// A row as a state; force without the known baseline.
@@ -172,7 +172,13 @@ fn search(problem: &Problem, transform: &dyn Transform<f64>) -> Option<Vec<(&'st
     };
     let found =
         grids.iter().enumerate().flat_map(|(which, grid)| minima(grid).into_iter().map(move |found| (which, found)));
-    Some(found.map(|(which, found)| (NAMES[which], start(&refined(found, which)))).collect())
+    let mut found: Vec<(usize, Found)> = found.map(|(which, found)| (which, refined(found, which))).collect();
+    found.sort_by(|one, other| one.1.cost.total_cmp(&other.1.cost));
+    // The best of each hypothesis, and what is not far above the best of all.
+    let least = found.first().map_or(0.0, |(_, found)| found.cost);
+    let is_first = |place: usize| found[..place].iter().all(|(which, _)| *which != found[place].0);
+    let kept = (0..found.len()).filter(|place| is_first(*place) || found[*place].1.cost <= WORSE * least);
+    Some(kept.map(|place| (NAMES[found[place].0], start(&found[place].1))).collect())
 }
 
 /// Where the fold may be: at rows, and before the first.
@@ -212,8 +218,6 @@ fn minima(grid: &[Vec<Option<Found>>]) -> Vec<Found> {
         }
     }
     minima.sort_by(|one, other| one.cost.total_cmp(&other.cost));
-    let least = minima.first().map_or(0.0, |found| found.cost);
-    minima.retain(|found| found.cost <= WORSE * least);
     minima.truncate(MINIMA);
     minima
 }
