@@ -280,6 +280,9 @@ fn a_common_factor_of_sigma_moves_no_estimate() {
                 }
             }
             assert!(factor > 0.1 || other.reason.contains("σ is too small"), "{}", other.reason);
+            for (one, other) in plain.correlation.iter().flatten().zip(other.correlation.iter().flatten()) {
+                assert!((one - other).abs() < 1e-6, "{factor}: {one} {other}");
+            }
             assert!(other.rows.iter().all(|row| row.residual.is_finite()));
         }
     }

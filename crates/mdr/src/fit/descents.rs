@@ -256,8 +256,7 @@ fn released(objective: &mut Objective<'_>, held: &Minimum, evaluations: usize) -
 
 /// Whether a row is compared with the fold at which its arc ends.
 fn is_beyond(minimum: &Minimum) -> bool {
-    let Minimum { evaluation, gradient, .. } = minimum;
-    *gradient >= CONVERGED || evaluation.feet.iter().flatten().any(|foot| foot.is_end)
+    minimum.evaluation.feet.iter().flatten().any(|foot| foot.is_end)
 }
 
 /// The last rows of arcs that lie beyond the fold or nearer to it than the noise tells.

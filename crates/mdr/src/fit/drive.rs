@@ -209,14 +209,15 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     };
     let rows = rows(objective, minimum)?;
     let residuals: Vec<f64> = rows.iter().map(|row| row.residual).collect();
-    let covariance = if status.has_estimates() { errors.covariance() } else { Vec::new() };
+    let covariance = if status.has_estimates() { errors.covariance(scales[0]) } else { Vec::new() };
     let mut fit = Fit {
         status,
         reason,
         profile: problem.profile.name(),
         observation: problem.observation,
         parameters: errors.estimates(status),
-        correlation: correlation(&covariance),
+        // Without a factor of σ, which may be so small or large that products leave the range of doubles.
+        correlation: if status.has_estimates() { correlation(&errors.covariance(1.0)) } else { Vec::new() },
         covariance,
         invariants,
         singular_values: spectrum.values.clone(),
