@@ -43,6 +43,7 @@ fn what_the_data_cannot_tell_is_said_with_status_one() {
 fn digits_are_proved_on_request() {
     let text = output(&format!("fit {} --digits 12", example("tip.toml")));
     assert!(text.contains("4991617.81812") && text.contains("unique within"), "{text}");
+    assert!(text.contains("Proved: a local minimum"), "{text}");
 }
 
 #[test]
@@ -54,7 +55,30 @@ fn a_batch_has_rows_for_every_curve() {
     }
     let csv = output(&format!("fit {} --batch {} --format csv", example("tip.toml"), folder.display()));
     assert_eq!(csv.lines().count(), 1 + 2 * 4, "{csv}");
-    assert!(csv.starts_with("file,status,name,value,stderr,scaled_stderr,unit\n"), "{csv}");
+    assert!(csv.starts_with("file,status,name,value,stderr,scaled_stderr,unit,chi2,chi2_p,reason,warnings\n"), "{csv}");
+}
+
+/// What is said of one curve is said of it in a batch, in every format: warnings, and why a fit is poor.
+#[test]
+fn a_batch_says_what_may_mislead() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fit-batch-warnings");
+    std::fs::create_dir_all(&folder).unwrap();
+    for name in ["one.csv", "two.csv"] {
+        std::fs::copy(example("tip.csv"), folder.join(name)).unwrap();
+    }
+    let text = std::fs::read_to_string(example("tip.toml")).unwrap();
+    let (small, poor) = ("χ² = ", "the stated σ is too small");
+    for (name, sigma, code) in [("large", "2e-9", 0), ("small", "2e-13", 1)] {
+        let text = text.replace("tip.csv", &example("tip.csv")).replace("y = \"2e-10\"", &format!("y = \"{sigma}\""));
+        let fit = file(&format!("fit-batch-{name}.toml"), &text);
+        for format in ["csv", "json", "table"] {
+            let answer = mdr(&format!("fit {} --batch {} --format {format}", fit.display(), folder.display()));
+            let answer = answer.assert().code(code);
+            let answer = String::from_utf8(answer.get_output().stdout.clone()).unwrap();
+            assert!(answer.matches(small).count() >= 2, "{answer}");
+            assert_eq!(answer.contains(poor) && answer.contains("poor-fit"), code == 1, "{answer}");
+        }
+    }
 }
 
 #[test]

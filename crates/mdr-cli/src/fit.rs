@@ -158,8 +158,24 @@ fn write(fitted: &[Fitted], format: Format, out: &mut Out<impl std::io::Write>) 
             Ok(())
         }
         Format::Csv => {
-            let header = ["file", "status", "name", "value", "stderr", "scaled_stderr", "unit"];
-            out.csv(&header, fitted.iter().flat_map(|(file, answer)| cells(file, answer)))
+            let header = [
+                "file",
+                "status",
+                "name",
+                "value",
+                "stderr",
+                "scaled_stderr",
+                "unit",
+                "chi2",
+                "chi2_p",
+                "reason",
+                "warnings",
+            ];
+            let rows = fitted.iter().flat_map(|(file, answer)| {
+                let more = remarks(answer);
+                cells(file, answer).into_iter().map(move |row| row.into_iter().chain(more.clone()).collect::<Vec<_>>())
+            });
+            out.csv(&header, rows)
         }
         Format::Table if fitted.len() == 1 => match &fitted[0].1 {
             Ok(answer) => out.text(for_reader(answer)),
@@ -171,7 +187,14 @@ fn write(fitted: &[Fitted], format: Format, out: &mut Out<impl std::io::Write>) 
                 [excerpt(&file).to_string(), status, name, value, stderr, unit]
             });
             let header = ["file", "status", "number", "estimate", "standard error", "unit"];
-            out.text(text_table(&header, rows))
+            let warnings = fitted.iter().flat_map(|(file, answer)| {
+                let warnings = answer.iter().flat_map(|answer| &answer.warnings);
+                let warnings = warnings.map(move |warning| format!("{file}: Warning: {warning}."));
+                let reason = answer.iter().filter(|answer| !answer.reason.is_empty());
+                reason.map(move |answer| format!("{file}: Reason: {}.", answer.reason)).chain(warnings)
+            });
+            let parts: Vec<String> = std::iter::once(text_table(&header, rows)).chain(warnings).collect();
+            out.text(parts.join("\n\n"))
         }
     }
 }
@@ -202,6 +225,17 @@ fn cells(file: &str, answer: &mdr::Result<Answer>) -> Vec<[String; 7]> {
     }
 }
 
+/// χ², its probability, the reason of the status, and the warnings, as cells of a curve.
+fn remarks(answer: &mdr::Result<Answer>) -> [String; 4] {
+    match answer {
+        Err(error) => ["", "", &error.to_string(), ""].map(str::to_owned),
+        Ok(answer) => {
+            let number = |value: Option<f64>| value.map(|value| format!("{value:.9e}")).unwrap_or_default();
+            [number(answer.chi2), number(answer.chi2_p), answer.reason.clone(), answer.warnings.join("; ")]
+        }
+    }
+}
+
 fn for_reader(answer: &Answer) -> String {
     let mut parts = vec![answer.heading()];
     parts.push(estimates(answer));
@@ -220,6 +254,10 @@ fn for_reader(answer: &Answer) -> String {
         });
         let header = ["certified", "estimate", "scaled by residuals", "unique within"];
         parts.push(text_table(&header, rows));
+        parts.push(match certified.local_minimum {
+            true => "Proved: a local minimum of the sum of squares, with these labels of the rows.".to_owned(),
+            false => "Proved: a stationary point of the sum of squares, with these labels of the rows.".to_owned(),
+        });
     }
     if !answer.invariants.is_empty() {
         let rows = answer.invariants.iter().map(|invariant| {
@@ -228,10 +266,11 @@ fn for_reader(answer: &Answer) -> String {
         let header = ["what the data determine", "value, SI", "standard error"];
         parts.push(text_table(&header, rows));
     }
-    if answer.status == FitStatus::Fitted && answer.parameters.len() > 1 {
+    if answer.status.has_estimates() && answer.parameters.len() > 1 {
         parts.push(correlations(answer));
     }
     parts.push(answer.quality());
+    parts.push(answer.attempts());
     parts.extend(answer.events());
     parts.extend(answer.validity.iter().map(|validity| validity::text(validity, &NumberStyle::default())));
     parts.extend(answer.warnings.iter().map(|warning| format!("Warning: {warning}.")));

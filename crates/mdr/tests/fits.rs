@@ -208,6 +208,7 @@ fn certified_digits_are_those_of_another_program() {
         };
         pairs("estimate", certified.parameters.iter().map(|estimate| estimate.value.to_f64()).collect());
         pairs("sd_scaled", certified.parameters.iter().map(|estimate| estimate.scaled_stderr.to_f64()).collect());
+        assert!(certified.local_minimum, "{id}");
         assert!(self::digits(certified.rss.to_f64(), number(&set["certified"]["rss"])) > 14.5, "{id}");
     }
 }

@@ -59,7 +59,7 @@ class Fit:
         self._text, self._problem, self._files = text, problem, files
         answer: dict[str, Any] = json.loads(text)
         self._answer = answer
-        self.status: Literal["fitted", "unidentifiable", "not-converged"] = answer["status"]
+        self.status: Literal["fitted", "poor-fit", "unidentifiable", "not-converged"] = answer["status"]
         """How it ended. Where it is ``"unidentifiable"``, :attr:`invariants` are what the data determine."""
         self.reason: str = answer["reason"]
         """What the status means for these data; empty when all is well."""
@@ -199,7 +199,7 @@ def fit(
     e_star, work_of_adhesion, stiffness : Number, optional
         Where they are known: Pa, J/m², N/m.
     sigma_x, sigma_y : Number, optional
-        Standard deviations. Without ``sigma_y`` the residuals tell it.
+        Standard deviations. Without ``sigma_x`` x is exact; without ``sigma_y`` the residuals tell it.
     leg : sequence of {"approach", "retract"}, optional
         Of each row; legs end where x turns without it.
     start, fixed : mapping, optional

@@ -69,13 +69,35 @@ impl Fit {
         let unit = if self.rss_unit == "1" { String::new() } else { format!(" {}", self.rss_unit) };
         let mut text = format!("Residual sum of squares: {rss:.5e}{unit}; degrees of freedom: {dof}.");
         if let (Some(chi2), Some(p)) = (self.chi2, self.chi2_p) {
-            text.push_str(&format!(" χ² = {chi2:.2}, p = {p:.3}."));
+            let size = if chi2 < 1e6 { format!("{chi2:.2}") } else { format!("{chi2:.4e}") };
+            text.push_str(&format!(" χ² = {size}, p = {p:.3}."));
         }
         if let Some(test) = self.runs_test {
             let (runs, expected, p) = (test.runs, test.expected, test.p);
             text.push_str(&format!(" Runs of equal sign: {runs}, expected {expected:.1}, p = {p:.3}."));
         }
         text
+    }
+
+    /// Which starts led where, in a sentence.
+    pub fn attempts(&self) -> String {
+        let ends: Vec<String> = self
+            .tried
+            .iter()
+            .map(|attempt| {
+                format!(
+                    "{} rows detached, sum of squares {:.4e} (from `{}`)",
+                    attempt.detached, attempt.rss, attempt.start
+                )
+            })
+            .collect();
+        match ends.as_slice() {
+            [] => String::new(),
+            [one] => format!("All starts led to one end: {one}."),
+            [first, rest @ ..] => {
+                format!("Of {} ends the first is the answer: {first}; {}.", ends.len(), rest.join("; "))
+            }
+        }
     }
 
     /// Pull-off and first touch, predicted and measured, a sentence for each that is known.

@@ -9,12 +9,21 @@ use crate::validity::Validity;
 named! {
     /// How a fit ended.
     pub enum FitStatus {
-        /// The estimates are a minimum of the objective, and the data determine all of them.
+        /// The estimates are the stationary point of least cost that was found, and the data determine all of them.
         Fitted = "fitted",
+        /// So are these, but the stated σ leaves a χ² as large as this a probability below 10⁻⁶.
+        PoorFit = "poor-fit",
         /// The data determine only the [invariants](Fit::invariants).
         Unidentifiable = "unidentifiable",
         /// The iteration ended before its tolerance was met.
         NotConverged = "not-converged",
+    }
+}
+
+impl FitStatus {
+    /// Whether there are estimates of all free numbers at a stationary point.
+    pub fn has_estimates(self) -> bool {
+        matches!(self, FitStatus::Fitted | FitStatus::PoorFit)
     }
 }
 
@@ -136,6 +145,9 @@ pub struct Certified {
     pub digits: u32,
     /// In the order of the free numbers.
     pub parameters: Vec<CertifiedEstimate>,
+    /// Whether the second derivatives are proved to be positive definite, so that the estimates are a local minimum of the sum of
+    /// squares. Otherwise they are proved to be a stationary point.
+    pub local_minimum: bool,
     /// The sum of squares.
     #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
     pub rss: Decimal,
@@ -155,6 +167,22 @@ pub struct CertifiedEstimate {
     pub scaled_stderr: Decimal,
     /// No other stationary point lies within this distance in each number at once.
     pub unique_within: f64,
+}
+
+/// An end of a descent: where it began, and what it came to.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Attempt {
+    /// `given`, by the problem; `two-points`, of a power law; `regression`, of known contact radii; `all-in-contact` and `jump`, hypotheses
+    /// on the record; `search`, over w/E*.
+    pub start: &'static str,
+    /// How many rows are out of contact.
+    pub detached: usize,
+    /// The free numbers, in their order.
+    pub estimates: Vec<f64>,
+    /// The sum of squares, in the unit of [`Fit::rss_unit`]. Of an end that was not followed because others are better it is larger
+    /// than at the minimum nearby.
+    pub rss: f64,
 }
 
 /// The answer to a [`Problem`](super::Problem).
@@ -187,7 +215,7 @@ pub struct Fit {
     pub rss_unit: &'static str,
     /// Rows and priors less free numbers.
     pub dof: usize,
-    /// The sum of squares in units of σ, where σ is given.
+    /// The sum of squares in units of σ, where σ is given; none where it is beyond the range of a double.
     pub chi2: Option<f64>,
     /// The probability of at least this χ².
     pub chi2_p: Option<f64>,
@@ -205,18 +233,24 @@ pub struct Fit {
     pub predicted_pull_off: Option<Event>,
     /// The last row in contact before the first detached one.
     pub measured_pull_off: Option<Event>,
+    /// X of the last row in contact and of the first detached one: the contact breaks between them.
+    pub pull_off_between: Option<[f64; 2]>,
     /// Where the surfaces touch, by the fitted curve.
     pub predicted_jump_in: Option<Event>,
     /// The first row in contact after the last detached one.
     pub measured_jump_in: Option<Event>,
+    /// X of the last detached row and of the first in contact: the contact forms between them.
+    pub jump_in_between: Option<[f64; 2]>,
     /// Whether the theory holds for the fitted contact, where the range of adhesion is given and the data determine it.
     pub validity: Option<Box<Validity>>,
     /// What may mislead.
     pub warnings: Vec<String>,
     /// Proved digits, where they were asked for and are given; a warning says why they are not.
     pub certified: Option<Certified>,
-    /// Evaluations of the whole curve.
+    /// Evaluations of the curve.
     pub evaluations: usize,
+    /// Different ends of the descents from all starts, the least sum of squares first, which is the answer.
+    pub tried: Vec<Attempt>,
     /// Intervals of the free numbers, where [`profile_likelihood`](super::Problem::profile_likelihood) asks for them.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub intervals: Vec<Interval>,

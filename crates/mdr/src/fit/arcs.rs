@@ -11,6 +11,9 @@ use super::problem::Kind;
 /// How many points of an arc a search begins with.
 const SAMPLES: usize = 48;
 
+/// The smallest radius of these points after the first, against the largest.
+const NARROWEST: f64 = 1e-9;
+
 /// A part of the curve along which X grows with the contact radius.
 #[derive(Debug)]
 pub(super) struct Arc {
@@ -144,9 +147,15 @@ impl Arc {
         };
         let last = grown(contact, first, last, x[1])?;
         let folds = [lower.is_some_and(|turn| turn.is_fold), upper.is_some_and(|turn| turn.is_fold && last == turn.s)];
-        let ratio = (last / first).ln() / (SAMPLES - 1) as f64;
+        // Of a fold that is as good as the tip, with next to no adhesion, the rest of the arc is sampled.
+        let from = first.max(NARROWEST * last);
+        let ratio = (last / from).ln() / (SAMPLES - 1) as f64;
         let sample = |index: usize| {
-            let s = if index + 1 == SAMPLES { last } else { first * (ratio * index as f64).exp() };
+            let s = match index {
+                0 => first,
+                index if index + 1 == SAMPLES => last,
+                index => from * (ratio * index as f64).exp(),
+            };
             let Point { at, mut tangent, .. } = contact.point(&s)?;
             if index == 0 && tangent[0] < 0.0 {
                 tangent = contact.point(&(s * (1.0 + 1e-9)))?.tangent;
@@ -233,7 +242,7 @@ fn grown(contact: &Contact<'_, f64>, first: f64, last: Option<f64>, x: f64) -> R
             Some(last) if next >= last => return Ok(last),
             _ => s = next,
         }
-        if contact.point(&s)?.at[0] > x || s > 1e40 * first {
+        if contact.point(&s)?.at[0] > x || s > 1e40 * first.max(x.abs()) {
             return Ok(s);
         }
         step *= 1.5;

@@ -1,28 +1,23 @@
-//! From a problem to its answer: starts, continuation, the minimum, and what it says.
+//! From a problem to its answer: the scatter of its rows, the least minimum, and what that says.
 
 use super::answer::{Fit, FitStatus, FittedRow};
 use super::arcs;
+use super::descents::{self, AT_FOLD, Attempt, CONVERGED, Found};
 use super::errors::Errors;
 use super::judge::{self, Spectrum};
 use super::minimise::{self, Minimum};
-use super::objective::Objective;
+use super::objective::{Noise, Objective};
 use super::observation::Loss;
 use super::problem::{Kind, Problem};
-use super::start::{self, Source};
+use super::start::Source;
 use crate::error::Result;
 use crate::scene::{Location, Profile};
 
-/// Scales of X, in its last scale, from which the labels of a bad start find their way.
-const CONTINUATION: [f64; 3] = [70.0, 15.0, 4.0];
+/// The length of a column of the Jacobian below which a change of the number by its own size is less than a standard deviation of the noise.
+const VANISHING: f64 = 1.0;
 
-/// The cosine between residuals and the Jacobian below which a minimum is one.
-const CONVERGED: f64 = 1e-6;
-
-/// A row is at the fold within this share of the scale of X beyond it.
-const AT_FOLD: f64 = 1e-2;
-
-/// The sum of squares over the degrees of freedom below which no other start is tried, where the noise is only seen in the data.
-const GOOD: f64 = 3.0;
+/// The probability of χ² below which a fit is called poor.
+const IMPROBABLE: f64 = 1e-6;
 
 pub(super) fn fit(problem: &Problem) -> Result<Fit> {
     let mut fit = fit_from(problem, &Source::ALL)?;
@@ -33,31 +28,38 @@ pub(super) fn fit(problem: &Problem) -> Result<Fit> {
 /// The fit with the tip as it is given, from starts of these sources.
 pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Fit> {
     check(problem)?;
-    let noise = Noise::of(problem);
-    noise.check(problem)?;
-    let given = problem.sigma[0].or(problem.rows[0].sigma[0].map(|_| 0.0));
-    // Before labels are known a jump may be in the data.
-    let first = match given {
-        Some(0.0) if problem.rows[0].sigma[0].is_none() => None,
-        Some(sigma) => Some(sigma),
-        None => Some(noise.beyond),
-    };
-    let mut objective = Objective::new(problem, first, noise.y, noise.beyond)?;
-    let mut minimum = least(&mut objective, sources, noise.stated)?;
-    let jumps = minimum.evaluation.labels.iter().any(|label| *label != minimum.evaluation.labels[0]);
-    if given.is_none() && !jumps {
-        objective.x_scale = None;
-        let evaluations = minimum.evaluations;
-        let (fitted, more) = minimise::descend(&objective, &minimum.fitted, 1e-14, 100)?;
-        minimum = minimise::polish(&objective, &fitted, evaluations + more)?;
-    }
+    let scatter = Scatter::of(problem);
+    scatter.check(problem)?;
+    let own = problem.rows[0].sigma[0].map(|_| 0.0);
+    // What is far below the rounding of x is none.
+    let stated = problem.sigma[0].map(|sigma| scatter.noise.scaled(sigma));
+    let x_scale = stated.filter(|sigma| *sigma > f64::EPSILON * scatter.span).or(own);
+    let mut objective = Objective::new(problem, x_scale, scatter.noise)?;
+    let Found { minimum, tried } = descents::least(&mut objective, sources, scatter.stated)?;
     if minimum.evaluation.labels.iter().all(|label| *label == 0) {
-        return Err(problem.place.refuse(
-            "all rows are out of contact for every E* and w that was tried: nothing of the contact is in the data; \
-             check the signs of x and y (pressing in and pressing are positive) and their units",
-        ));
+        return Err(problem.place.refuse(out_of_contact(problem)));
     }
-    answer(&objective, &noise, &minimum)
+    answer(&objective, &scatter, &minimum, &tried)
+}
+
+/// What is wrong where no row is in contact.
+fn out_of_contact(problem: &Problem) -> String {
+    let given = problem.parameters.iter().filter(|parameter| {
+        !parameter.free && matches!(parameter.kind, Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::Stiffness)
+    });
+    let given: Vec<String> = given
+        .filter_map(|parameter| Some(format!("`{}` = {:e} {}", parameter.name, parameter.value?, parameter.unit)))
+        .collect();
+    if given.is_empty() {
+        return "all rows are out of contact for every E* and w that was tried: nothing of the contact is in the data; check the signs of x \
+                and y (pressing in and pressing are positive) and their units"
+            .to_owned();
+    }
+    format!(
+        "all rows are out of contact for all free numbers that were tried, with {} as given: check what is given, the signs of x and y \
+         (pressing in and pressing are positive) and their units",
+        given.join(", ")
+    )
 }
 
 /// What is not a problem of fitting.
@@ -107,16 +109,17 @@ fn check(problem: &Problem) -> Result<()> {
 }
 
 /// The scatter of the data.
-struct Noise {
-    y: f64,
+struct Scatter {
+    noise: Noise,
     /// Whether σ_Y is stated.
     stated: bool,
-    beyond: f64,
     /// As it shows in the second differences of Y.
     seen: f64,
+    /// The range of X.
+    span: f64,
 }
 
-impl Noise {
+impl Scatter {
     fn of(problem: &Problem) -> Self {
         let rows = &problem.rows;
         let steps: Vec<f64> =
@@ -128,16 +131,27 @@ impl Noise {
             .filter(|three| three[0].leg == three[2].leg)
             .map(|three| (three[0].y - 2.0 * three[1].y + three[2].y).abs())
             .collect();
-        let range =
-            rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.y), high.max(row.y)]);
-        let range = range[1] - range[0];
+        let range = |of: fn(&super::problem::DataRow) -> f64| {
+            let ends = rows
+                .iter()
+                .map(of)
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)]);
+            ends[1] - ends[0]
+        };
+        let (range, span) = (range(|row| row.y), range(|row| row.x));
         let seen = judge::median(seconds) / (0.6745 * 6f64.sqrt());
         let own = rows.iter().all(|row| row.sigma[1].is_some());
-        let y =
-            problem.sigma[1].unwrap_or_else(|| if seen.is_finite() { seen.max(1e-4 * range) } else { 1e-2 * range });
-        let stated_x = problem.sigma[0].filter(|sigma| *sigma > 0.0);
-        let beyond = stated_x.unwrap_or(spacing / 12f64.sqrt());
-        Noise { y, stated: own || problem.sigma[1].is_some(), beyond, seen }
+        let natural = if seen.is_finite() { seen.max(1e-4 * range) } else { 1e-2 * range };
+        // Rows may have their own.
+        let stated = match own {
+            true => Some(judge::median(rows.iter().filter_map(|row| row.sigma[1]).collect())),
+            false => problem.sigma[1],
+        };
+        let (y, unit) = stated.map_or((natural, 1.0), |sigma| (sigma, (sigma / natural).clamp(1e-300, 1e300)));
+        let mut noise = Noise { y, y_scale: natural, unit, beyond: spacing / 12f64.sqrt() };
+        let stated_x = problem.sigma[0].map(|sigma| noise.scaled(sigma)).filter(|sigma| *sigma > f64::EPSILON * span);
+        noise.beyond = stated_x.unwrap_or(noise.beyond);
+        Scatter { noise, stated: stated.is_some(), seen, span }
     }
 
     /// Refuses rows that are nothing but noise.
@@ -154,77 +168,9 @@ impl Noise {
     }
 }
 
-/// The minimum of least cost that is found from the starts, until one fits as well as noise lets it: within a standard deviation of χ²
-/// where σ is stated, since a second minimum may be little worse.
-fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated: bool) -> Result<Minimum> {
-    let dof = objective.rows.len().saturating_sub(objective.free.len()).max(1) as f64;
-    let enough = if is_stated { dof + (2.0 * dof).sqrt() } else { GOOD * dof };
-    let mut best: Option<Minimum> = None;
-    let mut failure = None;
-    let has_start = objective.problem.parameters.iter().any(|parameter| parameter.start.is_some());
-    for &source in sources {
-        // What the data say themselves is near enough.
-        let scales: &[f64] = if source == Source::Given || has_start { &CONTINUATION } else { &CONTINUATION[2..] };
-        for start in start::candidates(objective, source) {
-            match from(objective, &start, scales) {
-                Ok(minimum) => {
-                    if best.as_ref().is_none_or(|best| minimum.evaluation.cost() < best.evaluation.cost()) {
-                        best = Some(minimum);
-                    }
-                }
-                Err(error) => failure = Some(error),
-            }
-            let good = |best: &Minimum| best.evaluation.cost() < enough && best.gradient < CONVERGED;
-            if let Some(best) = best.take_if(|best| good(best)) {
-                return Ok(best);
-            }
-        }
-    }
-    best.ok_or_else(|| match failure {
-        Some(error) => objective.problem.place.refuse(format!(
-            "no minimum was found from any start: {error} on the way; give a start, bounds, or fewer free numbers"
-        )),
-        None => {
-            let names: Vec<&str> = (0..objective.free.len())
-                .map(|place| objective.parameter(place))
-                .filter(|parameter| parameter.start.or(parameter.value).is_none())
-                .map(|parameter| parameter.name.as_str())
-                .collect();
-            Location::built("fit.start").refuse(format!(
-                "no values to begin from were found in the data: give a start for `{}`",
-                names.join("`, `")
-            ))
-        }
-    })
-}
-
-/// The minimum that is reached from one start: the scale of X falls through `scales` to its value, on a part of the rows; then all rows.
-fn from(objective: &mut Objective<'_>, start: &[f64], scales: &[f64]) -> mdr_core::contact::Result<Minimum> {
-    let (scale, all) = (objective.x_scale, objective.rows.clone());
-    let last = scale.filter(|scale| *scale > 0.0).unwrap_or(objective.beyond);
-    let mut end = (start.to_vec(), 0);
-    objective.rows = all.iter().copied().step_by(all.len().div_ceil(150).max(1)).collect();
-    for factor in scales {
-        objective.x_scale = Some(factor * last);
-        // A step of the continuation that fails leaves its start to the next.
-        if let Ok((fitted, evaluations)) = minimise::descend(objective, &end.0, 1e-5, 30) {
-            end = (fitted, end.1 + evaluations);
-        }
-    }
-    (objective.rows, objective.x_scale) = (all, Some(last));
-    if let Ok((fitted, evaluations)) = minimise::descend(objective, &end.0, 1e-8, 100) {
-        end = (fitted, end.1 + evaluations);
-    }
-    if scale != Some(last) {
-        objective.x_scale = scale;
-        let (fitted, evaluations) = minimise::descend(objective, &end.0, 1e-12, 100)?;
-        end = (fitted, end.1 + evaluations);
-    }
-    minimise::polish(objective, &end.0, end.1)
-}
-
 /// The answer at a minimum.
-fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result<Fit> {
+fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried: &[Attempt]) -> Result<Fit> {
+    let Noise { unit: noise_unit, .. } = objective.noise;
     let Minimum { fitted, evaluation, jacobian, .. } = minimum;
     let problem = objective.problem;
     let held = minimise::held(objective, fitted, jacobian, evaluation);
@@ -236,17 +182,22 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     let counted = problem.rows.len() + problem.priors() + usize::from(problem.pull_off.is_some());
     let dof = counted.saturating_sub(kept.len() - spectrum.nullity());
     let by_residuals = (cost / dof.max(1) as f64).sqrt();
-    let scales = [if noise.stated { 1.0 } else { by_residuals }, by_residuals];
+    let scales = [if scatter.stated { noise_unit } else { by_residuals }, by_residuals];
     let errors = Errors { objective, fitted, kept: &kept, spectrum: &spectrum, scales };
     let determined = spectrum.nullity() == 0;
     let converged = minimum.gradient < CONVERGED || is_exact(objective, minimum);
+    let in_sigma = (cost.sqrt() / noise_unit).powi(2);
+    let chi2 = scatter.stated.then_some(in_sigma);
+    let chi2_p = chi2.and_then(|chi2| judge::chi2_p(chi2, dof));
     let status = match (determined, converged) {
         (false, _) => FitStatus::Unidentifiable,
+        (true, true) if chi2_p.is_some_and(|p| p < IMPROBABLE) => FitStatus::PoorFit,
         (true, true) => FitStatus::Fitted,
         (true, false) => FitStatus::NotConverged,
     };
     let (invariants, reason) = match status {
         FitStatus::Fitted => (Vec::new(), String::new()),
+        FitStatus::PoorFit => (Vec::new(), poor_fit(in_sigma, dof, chi2_p.unwrap_or(0.0))),
         FitStatus::Unidentifiable => errors.invariants(),
         FitStatus::NotConverged => (Vec::new(), not_converged(objective, minimum)),
     };
@@ -257,37 +208,40 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
         _ => "m^2",
     };
     let rows = rows(objective, minimum)?;
-    let chi2 = noise.stated.then_some(cost);
     let residuals: Vec<f64> = rows.iter().map(|row| row.residual).collect();
-    let covariance = if status == FitStatus::Fitted { errors.covariance() } else { Vec::new() };
+    let covariance = if status.has_estimates() { errors.covariance(scales[0]) } else { Vec::new() };
     let mut fit = Fit {
         status,
         reason,
         profile: problem.profile.name(),
         observation: problem.observation,
         parameters: errors.estimates(status),
-        correlation: correlation(&covariance),
+        // Without a factor of σ, which may be so small or large that products leave the range of doubles.
+        correlation: if status.has_estimates() { correlation(&errors.covariance(1.0)) } else { Vec::new() },
         covariance,
         invariants,
         singular_values: spectrum.values.clone(),
-        rss: if alike { cost * noise.y * noise.y } else { cost },
+        rss: if alike { cost * objective.noise.y_scale.powi(2) } else { in_sigma },
         rss_unit: if alike { unit } else { "1" },
         dof,
-        chi2,
-        chi2_p: chi2.and_then(|chi2| judge::chi2_p(chi2, dof)),
-        sigma: [objective.x_scale.unwrap_or(0.0), noise.y],
+        chi2: chi2.filter(|chi2| chi2.is_finite()),
+        chi2_p,
+        sigma: [objective.x_scale.and(problem.sigma[0]).unwrap_or(0.0), objective.noise.y],
         distance: if vertical { "vertical" } else { "orthogonal" },
         runs_test: judge::runs_test(&residuals),
         rows,
         arcs: evaluation.arcs.iter().rev().map(|arc| drawn(objective, minimum, arc)).collect::<Result<_>>()?,
         predicted_pull_off: None,
         measured_pull_off: None,
+        pull_off_between: None,
         predicted_jump_in: None,
         measured_jump_in: None,
+        jump_in_between: None,
         validity: None,
         warnings: Vec::new(),
         certified: None,
         evaluations: minimum.evaluations,
+        tried: tried.iter().map(|attempt| described(objective, attempt, alike)).collect(),
         intervals: Vec::new(),
         smoothing: Vec::new(),
     };
@@ -297,11 +251,13 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
         fit.rows.iter_mut().for_each(|row| row.contact_radius = None);
     }
     super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
-    if problem.profile_likelihood && fit.status == FitStatus::Fitted {
-        super::profile::add(&mut fit, &errors, minimum, noise.stated);
+    super::warnings::of_minima(&mut fit, objective, tried, scales[0]);
+    super::warnings::of_scatter(&mut fit, scatter.seen, by_residuals * objective.noise.y_scale);
+    if problem.profile_likelihood && fit.status.has_estimates() {
+        super::profile::add(&mut fit, &errors, minimum, scatter.stated);
     }
     super::validity::add(&mut fit, problem, &minimum.evaluation.numbers)?;
-    match problem.digits.filter(|_| fit.status == FitStatus::Fitted) {
+    match problem.digits.filter(|_| fit.status.has_estimates()) {
         None => {}
         #[cfg(feature = "mp")]
         Some(digits) => match super::certified::certified(objective, minimum, digits, dof) {
@@ -314,17 +270,49 @@ fn answer(objective: &Objective<'_>, noise: &Noise, minimum: &Minimum) -> Result
     Ok(fit)
 }
 
-/// Why a minimum is none, and what helps.
+/// What a descent came to.
+fn described(objective: &Objective<'_>, attempt: &descents::Attempt, alike: bool) -> super::answer::Attempt {
+    let unit = if alike { objective.noise.y_scale } else { 1.0 / objective.noise.unit };
+    let estimates = attempt.fitted.iter().enumerate().map(|(place, fitted)| objective.value(place, *fitted));
+    super::answer::Attempt {
+        start: attempt.start,
+        detached: attempt.detached,
+        estimates: estimates.collect(),
+        rss: (attempt.cost.sqrt() * unit).powi(2),
+    }
+}
+
+/// Why estimates are not to be trusted.
+fn poor_fit(chi2: f64, dof: usize, p: f64) -> String {
+    let size = if chi2.is_finite() { format!("{chi2:.5e}") } else { "beyond the range of a double".to_owned() };
+    format!(
+        "χ² is {size} for {dof} degrees of freedom (p = {p:.1e}): the stated σ is too small, or neither this tip nor the theory describes \
+         these rows; the numbers are those of the least sum of squares that was found"
+    )
+}
+
+/// Why an end is no stationary point, and what helps.
 fn not_converged(objective: &Objective<'_>, minimum: &Minimum) -> String {
     let Minimum { evaluation, gradient, evaluations, .. } = minimum;
     let is_at_fold = |(row, label): (&super::problem::DataRow, &usize)| {
         let end = label.checked_sub(1).and_then(|arc| evaluation.arcs[arc].inner_fold());
-        end.is_some_and(|end| (row.x - end.at[0]).abs() < AT_FOLD * objective.beyond)
+        end.is_some_and(|end| (row.x - end.at[0]).abs() < AT_FOLD * objective.noise.beyond)
     };
     if objective.x_scale.is_none() && objective.rows.iter().zip(&evaluation.labels).any(is_at_fold) {
         return "a row lies at the fold, where the curve is vertical: the sum of squares of vertical distances has a kink there and no \
                 derivative; give the standard deviation of x: sigma = { x = \"…\" }"
             .to_owned();
+    }
+    // A logarithm that runs away: its column of the Jacobian is as good as zero beside the others.
+    let lengths: Vec<f64> = minimum.jacobian.column_iter().map(|column| column.norm()).collect();
+    let vanishing = (0..lengths.len()).find(|place| !objective.is_offset(*place) && lengths[*place] < VANISHING);
+    if let Some(place) = vanishing {
+        let name = &objective.parameter(place).name;
+        return format!(
+            "`{name}` tends to zero, {:.1e} {}: the rows are fitted as well without it; give it as a small fixed number, or a lower bound",
+            objective.value(place, minimum.fitted[place]),
+            objective.parameter(place).unit
+        );
     }
     format!(
         "the residuals still fall: the cosine between them and a derivative is {gradient:.1e} after {evaluations} evaluations; give a \
@@ -336,7 +324,7 @@ fn not_converged(objective: &Objective<'_>, minimum: &Minimum) -> String {
 fn is_exact(objective: &Objective<'_>, minimum: &Minimum) -> bool {
     let largest = objective.rows.iter().map(|row| row.y.abs()).fold(0.0, f64::max);
     let count = objective.rows.len() as f64;
-    minimum.evaluation.cost().sqrt() * objective.y_scale <= 1e-11 * largest * count.sqrt()
+    minimum.evaluation.cost().sqrt() * objective.noise.y_scale <= 1e-11 * largest * count.sqrt()
 }
 
 fn correlation(covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -361,7 +349,7 @@ fn rows(objective: &Objective<'_>, minimum: &Minimum) -> Result<Vec<FittedRow>> 
     // Labels count from the outermost arc on which a row lies.
     let outermost = evaluation.labels.iter().copied().max().unwrap_or(0) as i32;
     let row = |(index, row): (usize, &super::problem::DataRow)| {
-        let residual = evaluation.residuals[index];
+        let residual = evaluation.residuals[index] / objective.noise.unit;
         let (fitted, contact_radius, label) = match &evaluation.feet[index] {
             Some(foot) => {
                 let point = contact.point(&foot.s)?;

@@ -47,7 +47,8 @@ impl Errors<'_> {
             let known = index.is_none_or(|index| status != FitStatus::Unidentifiable || !undetermined[index]);
             let stderr = |scale: f64| {
                 let gradient = self.gradient(index.filter(|_| known)?);
-                Some(scale * self.spectrum.covariance(&gradient, &gradient).sqrt())
+                // Beyond the range of a double where σ is stated so.
+                Some(scale * self.spectrum.covariance(&gradient, &gradient).sqrt()).filter(|stderr| stderr.is_finite())
             };
             Estimate {
                 name: parameter.name.clone(),
@@ -60,13 +61,13 @@ impl Errors<'_> {
         (0..self.fitted.len()).map(estimate).collect()
     }
 
-    /// Of all free numbers; zero for one that a bound holds.
-    pub(super) fn covariance(&self) -> Vec<Vec<f64>> {
+    /// Of all free numbers where a residual has this standard deviation; zero for one that a bound holds.
+    pub(super) fn covariance(&self, scale: f64) -> Vec<Vec<f64>> {
         let mut covariance = vec![vec![0.0; self.fitted.len()]; self.fitted.len()];
         for (one, row) in self.kept.iter().enumerate() {
             for (other, column) in self.kept.iter().enumerate() {
                 let value = self.spectrum.covariance(&self.gradient(one), &self.gradient(other));
-                covariance[*row][*column] = value * self.scales[0] * self.scales[0];
+                covariance[*row][*column] = value * scale * scale;
             }
         }
         covariance

@@ -25,7 +25,10 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
         .find(|index| pair(Leg::Approach, *index) && rows[*index].label >= 0 && rows[*index - 1].label < 0);
     let [pull_off, jump_in] =
         [breaks, touches].map(|index| index.map(|index| measured(errors, minimum, [rows[index].x, rows[index].y])));
+    let between = |first: Option<usize>| first.map(|index| [rows[index].x, rows[index + 1].x]);
+    let (pull_off_between, jump_in_between) = (between(breaks), between(touches.map(|index| index - 1)));
     (fit.measured_pull_off, fit.measured_jump_in) = (pull_off, jump_in);
+    (fit.pull_off_between, fit.jump_in_between) = (pull_off_between, jump_in_between);
     if touches.is_some() {
         fit.predicted_jump_in = Some(first_touch(errors, minimum));
     }

@@ -203,6 +203,11 @@ fn normal(tangent: [f64; 2], scales: [f64; 2]) -> [f64; 2] {
     [-y / length, x / length]
 }
 
+/// The fold at which an arc ends, for a row whose X is held there: the distance in Y.
+pub(super) fn at_fold(end: &Sample, row: [f64; 2], y_scale: f64) -> Foot {
+    Foot { s: end.s, residual: (end.at[1] - row[1]) / y_scale, weights: [0.0, 1.0 / y_scale], is_end: true }
+}
+
 /// The end of an arc as the nearest point.
 fn foot_at_end(end: &Sample, row: [f64; 2], scales: [f64; 2]) -> Foot {
     let [x, y] = scaled(end.at, row, scales);

@@ -175,7 +175,7 @@ pub(super) fn runs_test(residuals: &[f64]) -> Option<RunsTest> {
 
 /// The probability of at least this χ².
 pub(super) fn chi2_p(chi2: f64, dof: usize) -> Option<f64> {
-    ChiSquared::new(dof as f64).ok().map(|distribution| distribution.sf(chi2))
+    ChiSquared::new(dof as f64).ok().map(|distribution| if chi2.is_finite() { distribution.sf(chi2) } else { 0.0 })
 }
 
 /// The median; NaN of nothing.

@@ -1,11 +1,11 @@
-//! Levenberg–Marquardt on an objective, and the Gauss–Newton steps that end it.
+//! Levenberg–Marquardt on an objective, and the Gauss–Newton steps that end it, at a stationary point.
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
-use super::objective::{Evaluation, Objective};
+use super::objective::{AtFold, Evaluation, Objective};
 
-/// An end of the minimisation.
+/// An end of a descent.
 pub(super) struct Minimum {
     pub(super) fitted: Vec<f64>,
     pub(super) evaluation: Evaluation,
@@ -13,6 +13,8 @@ pub(super) struct Minimum {
     /// The largest cosine between the residuals and a column of the Jacobian that is not held by a bound.
     pub(super) gradient: f64,
     pub(super) evaluations: usize,
+    /// The rows that hold a fold there.
+    pub(super) at_fold: Vec<AtFold>,
 }
 
 /// What residuals grow by where the objective has no value: far above any that is a sum of squares of data, so that the step is
@@ -150,8 +152,9 @@ pub(super) fn polish(
         }
     }
     let held = held(objective, &fitted, &jacobian, &evaluation);
-    let gradient = gradient(&jacobian, &evaluation.residuals, &held);
-    Ok(Minimum { fitted, evaluation, jacobian, gradient, evaluations })
+    let gradient = gradient(&jacobian, &evaluation.residuals, &held, objective.at_fold.len());
+    let at_fold = objective.at_fold.clone();
+    Ok(Minimum { fitted, evaluation, jacobian, gradient, evaluations, at_fold })
 }
 
 /// The second derivatives of half the sum of squares, as differences of its exact gradient, in units in which the columns of the
@@ -232,10 +235,11 @@ fn step(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, held: &[bool]) -> DVe
     )
 }
 
-fn gradient(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, held: &[bool]) -> f64 {
+/// The largest cosine; the last rows, of held folds, do not count in the lengths of columns.
+fn gradient(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, held: &[bool], folds: usize) -> f64 {
     let norm = residuals.norm();
     let cosine = |(place, column): (usize, nalgebra::DVectorView<'_, f64>)| {
-        let length = column.norm() * norm;
+        let length = column.rows(0, column.len() - folds).norm() * norm;
         if held[place] || length == 0.0 { 0.0 } else { column.dot(residuals).abs() / length }
     };
     jacobian.column_iter().enumerate().map(cosine).fold(0.0, f64::max)

@@ -25,12 +25,13 @@
 //! detached; the labels of a leg are those of least cost that are monotone along it.
 //!
 //! # The objective
-//! A row in contact has its orthogonal distance to its arc, the end of the arc included, in units of (σ_X, σ_Y); with σ_X = 0 the
-//! vertical distance. A detached row has (Y − baseline)/σ_Y. Levenberg–Marquardt minimises the sum of squares with exact
+//! A row in contact has its orthogonal distance to its arc, the end of the arc included, in units of (σ_X, σ_Y); with x exact,
+//! the default, the vertical distance, and the fold is at or beyond the last row of its arc. A detached row has (Y − baseline)/σ_Y.
+//! Levenberg–Marquardt leads from several starts to stationary points of the sum of squares, of which the least counts, with exact
 //! derivatives: at fixed a, ∂d/∂ln E* = Δl/2 and ∂F/∂ln E* = F + E*aΔl; for numbers of the profile by dual numbers.
 //!
 //! # Accuracy
-//! Estimates in f64, converged to the rounding of the residuals. Standard errors are those of the linearised model.
+//! Estimates in f64, converged to the rounding of the residuals; a common factor of all stated standard deviations does not move them. Standard errors are those of the linearised model.
 
 #![cfg_attr(
     not(any(feature = "toml", feature = "serde")),
@@ -43,10 +44,12 @@ mod arcs;
 mod certified;
 mod contact;
 mod data;
+mod descents;
 mod drive;
 mod errors;
 mod events;
 mod foot;
+mod hypotheses;
 mod judge;
 mod labels;
 mod minimise;
@@ -61,7 +64,7 @@ mod validity;
 mod warnings;
 
 pub use answer::{
-    Certified, CertifiedEstimate, Estimate, Event, Fit, FitStatus, FittedRow, Interval, Invariant, RunsTest,
+    Attempt, Certified, CertifiedEstimate, Estimate, Event, Fit, FitStatus, FittedRow, Interval, Invariant, RunsTest,
     SmoothedFit,
 };
 pub use observation::{Leg, Loss, Observation};

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::arcs::{self, Arc, Turn};
 use super::contact::{Contact, Numbers, Tip};
-use super::foot::{Foot, Scales};
+use super::foot::{self, Foot, Scales};
 use super::labels::cheapest;
 use super::observation::{Leg, Loss, Observation};
 use super::problem::{DataRow, Kind, Parameter, Problem};
@@ -20,16 +20,56 @@ pub(super) struct Objective<'p> {
     pub(super) problem: &'p Problem,
     /// Indices of the free parameters.
     pub(super) free: Vec<usize>,
-    /// σ_X and σ_Y where a row has none of its own; σ_X of `None` asks for vertical distances.
+    pub(super) noise: Noise,
+    /// The scale of X where a row has none of its own, in the unit of the noise; `None` for vertical distances.
     pub(super) x_scale: Option<f64>,
-    pub(super) y_scale: f64,
-    /// The scale of X for what lies beyond the end of an arc.
-    pub(super) beyond: f64,
     /// Which rows count.
     pub(super) rows: Vec<DataRow>,
+    /// Rows whose X is that of the fold at which their arc ends.
+    pub(super) at_fold: Vec<AtFold>,
     /// The profile, where all its numbers are known.
     tip: Option<Shared<Tip<f64>>>,
 }
+
+/// The scatter of the data. The objective counts in a unit in which σ_Y is what the data show, so that a common factor of all stated
+/// standard deviations moves no estimate, and none is too small or too large for a double.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Noise {
+    /// σ_Y, as it is stated or as the data show it.
+    pub(super) y: f64,
+    /// σ_Y as the data show it.
+    pub(super) y_scale: f64,
+    /// The one over the other: what a distance in units of σ is multiplied by. One where σ is not stated.
+    pub(super) unit: f64,
+    /// The scale of X for what lies beyond the end of an arc.
+    pub(super) beyond: f64,
+}
+
+impl Noise {
+    /// The standard deviation of a prior or of an event, in the unit of the noise.
+    fn unit_of(&self, sd: f64) -> f64 {
+        sd / self.unit
+    }
+
+    /// A stated standard deviation in the unit of the noise.
+    pub(super) fn scaled(&self, sigma: f64) -> f64 {
+        sigma / self.y * self.y_scale
+    }
+}
+
+/// A row that holds a fold: x is exact and the row is in contact, so that the fold cannot lie further in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct AtFold {
+    /// The row.
+    pub(super) row: usize,
+    /// Its level.
+    pub(super) level: usize,
+    /// How far beyond the row the fold is held; the row is at the fold where that is zero.
+    pub(super) beyond: f64,
+}
+
+/// What the distance in X of a held fold is multiplied by, against that of a row beyond it.
+const HELD: f64 = 1e3;
 
 /// The residuals at one set of numbers.
 pub(super) struct Evaluation {
@@ -51,17 +91,17 @@ impl Evaluation {
         Contact::new(&*self.tip, self.numbers.clone(), observation)
     }
 
-    /// Half of what is minimised.
+    /// The sum of squares, in the unit of the noise.
     pub(super) fn cost(&self) -> f64 {
         self.residuals.norm_squared()
     }
 }
 
 impl<'p> Objective<'p> {
-    pub(super) fn new(problem: &'p Problem, x_scale: Option<f64>, y_scale: f64, beyond: f64) -> Result<Self> {
+    pub(super) fn new(problem: &'p Problem, x_scale: Option<f64>, noise: Noise) -> Result<Self> {
         let free: Vec<usize> = (0..problem.parameters.len()).filter(|index| problem.parameters[*index].free).collect();
         let mut objective =
-            Objective { problem, free, x_scale, y_scale, beyond, rows: problem.rows.clone(), tip: None };
+            Objective { problem, free, noise, x_scale, rows: problem.rows.clone(), at_fold: Vec::new(), tip: None };
         if objective.free_of_profile().is_empty() {
             let numbers: Vec<f64> = {
                 let given = |index: usize| problem.parameters[index].value.unwrap_or(f64::NAN);
@@ -141,9 +181,22 @@ impl<'p> Objective<'p> {
             && self.priors().next().is_none()
     }
 
+    /// σ_Y of a row, in the unit of the noise.
+    fn y_scale(&self, row: &DataRow) -> f64 {
+        row.sigma[1].map_or(self.noise.y_scale, |own| self.noise.scaled(own))
+    }
+
+    /// The scales of a row, in the unit of the noise.
     pub(super) fn scales(&self, row: &DataRow) -> Scales {
-        let y = row.sigma[1].unwrap_or(self.y_scale);
-        Scales { x: self.x_scale.map(|x| row.sigma[0].map_or(x, |own| own.max(x))), y, beyond: self.beyond }
+        let own = |x: f64| row.sigma[0].map_or(x, |own| x.max(self.noise.scaled(own)));
+        Scales { x: self.x_scale.map(own).filter(|x| *x > 0.0), y: self.y_scale(row), beyond: self.noise.beyond }
+    }
+
+    /// The scales of a row as they are stated, so that their decimals are exact.
+    #[cfg(feature = "mp")]
+    pub(super) fn stated_scales(&self, row: &DataRow) -> Scales {
+        let x = row.sigma[0].or(self.problem.sigma[0]).filter(|_| self.x_scale.is_some());
+        Scales { x, y: row.sigma[1].unwrap_or(self.noise.y), beyond: self.noise.beyond }
     }
 
     /// The residuals at these fitted values; folds are followed from an earlier evaluation where there is one.
@@ -161,7 +214,7 @@ impl<'p> Objective<'p> {
             Some(turns) => turns,
             None => arcs::turns(&contact)?,
         };
-        let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.beyond);
+        let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.noise.beyond);
         let range = self
             .rows
             .iter()
@@ -179,14 +232,20 @@ impl<'p> Objective<'p> {
             Evaluation { tip: Shared::clone(&tip), numbers, turns, arcs, labels, feet, residuals: DVector::zeros(0) };
         if let Some([place, sd]) = self.problem.pull_off {
             let end = evaluation.last_fold().map(|s| contact.point(&s)).transpose()?;
-            residuals.push(end.map_or(0.0, |end| (end.at[0] - place) / sd));
+            residuals.push(end.map_or(0.0, |end| (end.at[0] - place) / self.noise.unit_of(sd)));
+        }
+        for held in &self.at_fold {
+            let fold = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold);
+            residuals.push(
+                fold.map_or(0.0, |fold| (fold.at[0] + held.beyond - self.rows[held.row].x) / self.noise.beyond * HELD),
+            );
         }
         evaluation.residuals = DVector::from_vec(residuals);
         Ok(evaluation)
     }
 
     fn detached(&self, numbers: &Numbers<f64>, row: &DataRow) -> f64 {
-        (numbers.baseline - row.y) / row.sigma[1].unwrap_or(self.y_scale)
+        (numbers.baseline - row.y) / self.y_scale(row)
     }
 
     /// Whether a row can be detached: where the contact radius is given, one of radius zero must be.
@@ -202,6 +261,7 @@ impl<'p> Objective<'p> {
     fn label(&self, contact: &Contact<'_, f64>, arcs: &[Arc]) -> Result<(Vec<usize>, Vec<Option<Foot>>)> {
         let mut labels = Vec::with_capacity(self.rows.len());
         let mut feet = Vec::with_capacity(self.rows.len());
+        let mut index_of_row = 0;
         for leg in self.rows.chunk_by(|one, other| one.leg == other.leg) {
             // Level 0 is detached, each other that of an arc.
             let levels = arcs.len() + 1;
@@ -210,6 +270,15 @@ impl<'p> Objective<'p> {
             let of_rows = costs.chunks_mut(levels).zip(found.chunks_mut(levels));
             for (row, (costs, feet)) in leg.iter().zip(of_rows) {
                 let scales = self.scales(row);
+                let held = self.at_fold.iter().find(|held| held.row == index_of_row && held.beyond == 0.0);
+                index_of_row += 1;
+                if let Some(fold) = held.and_then(|held| arcs.get(held.level - 1)).and_then(Arc::inner_fold) {
+                    let level = held.map_or(0, |held| held.level);
+                    let foot = foot::at_fold(fold, [row.x, row.y], scales.y);
+                    costs[level] = self.loss(foot.residual)[0].powi(2);
+                    feet[level] = Some(foot);
+                    continue;
+                }
                 if self.can_be(row, true) || arcs.is_empty() {
                     costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
                 }
@@ -230,11 +299,12 @@ impl<'p> Objective<'p> {
 
     /// A residual as it counts, and its derivative with respect to the distance.
     fn loss(&self, residual: f64) -> [f64; 2] {
-        if self.problem.loss == Loss::LeastSquares || residual.abs() <= HUBER {
+        let huber = HUBER * self.noise.unit;
+        if self.problem.loss == Loss::LeastSquares || residual.abs() <= huber {
             return [residual, 1.0];
         }
-        let counted = (2.0 * HUBER * residual.abs() - HUBER * HUBER).sqrt();
-        [counted.copysign(residual), HUBER / counted]
+        let counted = (2.0 * huber * residual.abs() - huber * huber).sqrt();
+        [counted.copysign(residual), huber / counted]
     }
 
     /// The mean and the standard deviation of free parameters that have a prior, by their place.
@@ -243,7 +313,9 @@ impl<'p> Objective<'p> {
     }
 
     fn prior_residuals(&self, fitted: &[f64]) -> Vec<f64> {
-        self.priors().map(|(place, [mean, sd])| (self.value(place, fitted[place]) - mean) / sd).collect()
+        let residual =
+            |(place, [mean, sd]): (usize, [f64; 2])| (self.value(place, fitted[place]) - mean) / self.noise.unit_of(sd);
+        self.priors().map(residual).collect()
     }
 
     /// The derivatives of the residuals with respect to the fitted values. A number at a bound that it presses against has none.
@@ -256,8 +328,7 @@ impl<'p> Objective<'p> {
         let moving = self.moving(fitted);
         for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
             let Some(foot) = foot else {
-                let y = row.sigma[1].unwrap_or(self.y_scale);
-                let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / y;
+                let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
                 for (place, _) in moving.iter().filter(|(_, kind)| *kind == Kind::Baseline) {
                     jacobian[(index, *place)] = slope;
                 }
@@ -274,15 +345,29 @@ impl<'p> Objective<'p> {
         let mut index = self.rows.len();
         for (place, [_, sd]) in self.priors() {
             let value = self.value(place, fitted[place]);
-            jacobian[(index, place)] = if self.is_offset(place) { 1.0 / sd } else { value / sd };
+            jacobian[(index, place)] = if self.is_offset(place) { 1.0 } else { value } / self.noise.unit_of(sd);
             index += 1;
         }
-        if let (Some([_, sd]), Some(s)) = (self.problem.pull_off, evaluation.last_fold()) {
+        // How the place of a fold moves with each number.
+        let mut fold = |index: usize, s: f64, unit: f64| -> Result<()> {
             let point = contact.point(&s)?;
             for (place, kind) in &moving {
                 let speed = arcs::end_speed(&contact, *kind, &point)?;
-                jacobian[(index, *place)] = (contact.partial(*kind, &point)?[0] + point.tangent[0] * speed) / sd;
+                jacobian[(index, *place)] = (contact.partial(*kind, &point)?[0] + point.tangent[0] * speed) / unit;
             }
+            Ok(())
+        };
+        if let Some([_, sd]) = self.problem.pull_off {
+            if let Some(s) = evaluation.last_fold() {
+                fold(index, s, self.noise.unit_of(sd))?;
+            }
+            index += 1;
+        }
+        for held in &self.at_fold {
+            if let Some(end) = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold) {
+                fold(index, end.s, self.noise.beyond / HELD)?;
+            }
+            index += 1;
         }
         Ok(jacobian)
     }
@@ -307,16 +392,40 @@ impl<'p> Objective<'p> {
             }
             Ok(row)
         };
-        let feet = evaluation.feet.iter().enumerate();
+        let is_held = |index: usize| self.at_fold.iter().any(|held| held.row == index);
+        let feet = evaluation.feet.iter().enumerate().filter(|(index, _)| !is_held(*index));
         let ends = feet.filter_map(|(index, foot)| Some((index, foot.as_ref().filter(|foot| foot.is_end)?)));
         let rows: Vec<Vec<f64>> = ends.map(across).collect::<Result<_>>()?;
-        let jacobian = self.jacobian(fitted, evaluation)?;
+        let mut jacobian = self.jacobian(fitted, evaluation)?;
         let known = jacobian.nrows();
+        for (index, held) in self.at_fold.iter().enumerate() {
+            let width = self.width_of_fold(&contact, evaluation, held)?;
+            jacobian
+                .row_mut(known - self.at_fold.len() + index)
+                .scale_mut(self.noise.unit * self.noise.beyond / HELD / width);
+        }
         let mut information = jacobian.resize_vertically(known + rows.len(), 0.0);
         for (index, row) in rows.iter().enumerate() {
             information.row_mut(known + index).copy_from_slice(row);
         }
         Ok(information)
+    }
+
+    /// How far beyond the last row in contact a fold may be: where the curve has risen by the noise. Near a fold at X₀ it rises as
+    /// Y' √(2 (X − X₀)/X''), with derivatives along the curve.
+    pub(super) fn width_of_fold(
+        &self,
+        contact: &Contact<'_, f64>,
+        evaluation: &Evaluation,
+        held: &AtFold,
+    ) -> Result<f64> {
+        let Some(fold) = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold) else {
+            return Ok(self.noise.beyond);
+        };
+        let point = contact.point(&fold.s)?;
+        let sigma = self.y_scale(&self.rows[held.row]) * self.noise.unit;
+        let curvature = contact.curvature(&point)?[0];
+        Ok((sigma / point.tangent[1]).powi(2) * 0.5 * curvature.abs())
     }
 
     /// The free numbers but those whose fitted value lies beyond a bound: these do not follow it.
@@ -364,7 +473,8 @@ mod tests {
     fn derivatives_are_those_of_differences() {
         let problem = problem();
         for x_scale in [None, Some(3e-8)] {
-            let objective = Objective::new(&problem, x_scale, 4e-9, 3e-8).unwrap();
+            let noise = Noise { y: 4e-9, y_scale: 4e-9, unit: 1.0, beyond: 3e-8 };
+            let objective = Objective::new(&problem, x_scale, noise).unwrap();
             let fitted = [8.1e5f64.ln(), 0.0401f64.ln(), 1.21f64.ln(), 1e-9, 1e-10, 5.02e-6f64.ln()];
             let evaluation = objective.evaluate(&fitted, None).unwrap();
             assert!(evaluation.feet.iter().flatten().any(|foot| foot.is_end) && evaluation.labels.contains(&0));

@@ -191,8 +191,8 @@ impl Problem {
         Ok(self)
     }
 
-    /// The same with the standard deviation of what is given, for all rows; 0 for vertical distances. Without it: the spacing
-    /// of the rows over √12 where a jump is in the data, else 0.
+    /// The same with the standard deviation of what is given, for all rows. Without it, or with 0, it is exact: distances are
+    /// vertical.
     ///
     /// # Errors
     /// A number that is negative or not finite.
@@ -202,7 +202,7 @@ impl Problem {
     }
 
     /// The same with the standard deviation of what is measured, for all rows. Without it, or with 0, standard errors are scaled
-    /// by the residuals.
+    /// by the residuals. A factor common to it and to all other standard deviations moves no estimate.
     ///
     /// # Errors
     /// A number that is negative or not finite.

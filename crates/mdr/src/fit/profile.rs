@@ -24,9 +24,17 @@ const TOLERANCE: f64 = 1e-7;
 /// How often the distance from the estimate doubles before the interval is open.
 const DOUBLINGS: i32 = 7;
 
-/// Adds the intervals of the numbers that no bound holds; `stated` is whether σ is.
+/// How many evaluations of the curve all intervals may take.
+const BUDGET: usize = 12_000;
+
+/// The rise of the sum of squares at an end, against itself, below which it is lost in rounding.
+const RESOLVED: f64 = 1e-10;
+
+/// Adds the intervals of the numbers that no bound holds; `stated` is whether σ is. Those that are left out are named in a warning.
 pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum, stated: bool) {
     let (objective, deviation) = (errors.objective, errors.scales[0]);
+    let mut budget = BUDGET;
+    let mut left: Vec<String> = Vec::new();
     for place in errors.kept {
         let name = &objective.parameter(*place).name;
         let Some(stderr) = fit.parameters[*place].stderr.filter(|stderr| *stderr > 0.0) else { continue };
@@ -37,21 +45,45 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum, stated:
                 Some(student) => student.inverse_cdf(tail),
                 None => Normal::standard().inverse_cdf(tail),
             };
+            if budget == 0 {
+                left.push(format!("`{name}` at {level}"));
+                continue;
+            }
+            if !((deviation * quantile).powi(2) > RESOLVED * minimum.evaluation.cost()) {
+                fit.warnings.push(
+                    "intervals by profile likelihood are not given: σ is so small against the residuals that the rise of the sum of squares \
+                     is lost in rounding"
+                        .to_owned(),
+                );
+                return;
+            }
             let mut ends = [-1.0, 1.0].map(|direction| {
                 let mut profile = Profile::new(objective, minimum, *place, deviation * quantile);
+                profile.budget = budget;
                 let end = profile.end(direction * stderr / slope, quantile);
                 if profile.lowest < minimum.evaluation.cost() * (1.0 - 1e-6) - 1e-6 * (deviation * quantile).powi(2) {
                     fit.warnings.push(format!(
-                        "the sum of squares is smaller at other values of `{name}`: the estimates are a local minimum; give a start"
+                        "the sum of squares is smaller at other values of `{name}`: the estimates are not its least; give a start"
                     ));
                 }
+                budget = profile.budget;
                 end
             });
+            if budget == 0 {
+                left.push(format!("`{name}` at {level}"));
+                continue;
+            }
             if ends.iter().flatten().count() == 2 && ends[0] > ends[1] {
                 ends.swap(0, 1);
             }
             fit.intervals.push(Interval { name: name.clone(), level, lower: ends[0], upper: ends[1] });
         }
+    }
+    if !left.is_empty() {
+        fit.warnings.push(format!(
+            "{BUDGET} evaluations of the curve were not enough for all intervals by profile likelihood: left out are {}",
+            left.join(", ")
+        ));
     }
     fit.warnings.dedup();
 }
@@ -68,6 +100,8 @@ struct Profile<'o, 'p> {
     /// Where the others were last, from which they go on.
     others: Vec<f64>,
     lowest: f64,
+    /// Evaluations that are left.
+    budget: usize,
 }
 
 impl<'o, 'p> Profile<'o, 'p> {
@@ -76,7 +110,7 @@ impl<'o, 'p> Profile<'o, 'p> {
         problem.parameters[objective.free[place]].free = false;
         let mut others = minimum.fitted.clone();
         others.remove(place);
-        Profile { objective, minimum, problem, place, rise, others, lowest: f64::INFINITY }
+        Profile { objective, minimum, problem, place, rise, others, lowest: f64::INFINITY, budget: BUDGET }
     }
 
     /// The end of the interval in steps of `step` from the fitted value, the first of them `quantile` long; none where the sum of
@@ -107,19 +141,26 @@ impl<'o, 'p> Profile<'o, 'p> {
 
     /// √(S(p) − S) less that of an end, relative to it.
     fn sample(&mut self, step: f64, distance: f64) -> contact::Result<Sample<f64>> {
+        if self.budget == 0 {
+            let quantity = contact::Quantity::ContactRadius;
+            return Err(contact::Error::NoConvergence { quantity, evaluations: BUDGET, error: 1.0 });
+        }
         let value = self.value(step, distance);
         let index = self.objective.free[self.place];
         self.problem.parameters[index].value = Some(value);
         let given = &self.objective;
-        let objective = Objective::new(&self.problem, given.x_scale, given.y_scale, given.beyond)?;
+        let mut objective = Objective::new(&self.problem, given.x_scale, given.noise)?;
+        objective.at_fold.clone_from(&given.at_fold);
         let mut cost = match self.problem.parameters[index].prior {
-            Some([mean, sd]) => ((value - mean) / sd).powi(2),
+            Some([mean, sd]) => ((value - mean) / sd * given.noise.unit).powi(2),
             None => 0.0,
         };
         if self.others.is_empty() {
+            self.budget = self.budget.saturating_sub(1);
             cost += objective.evaluate(&[], None)?.cost();
         } else {
-            let (others, _) = minimise::descend(&objective, &self.others, 1e-13, 100)?;
+            let (others, evaluations) = minimise::descend(&objective, &self.others, 1e-13, 100)?;
+            self.budget = self.budget.saturating_sub(evaluations);
             cost += objective.evaluate(&others, None)?.cost();
             self.others = others;
         }

@@ -1,6 +1,6 @@
 //! How the estimates move with the smoothing of a measured tip: what its noise does to them.
 
-use super::answer::{Fit, FitStatus, SmoothedFit};
+use super::answer::{Fit, SmoothedFit};
 use super::drive;
 use super::problem::Problem;
 use super::start::Source;
@@ -15,7 +15,7 @@ const SPACINGS: [f64; 3] = [2.0, 8.0, 32.0];
 /// Adds the fits with other smoothings of the tip, and a warning where an estimate moves by more than its standard error tells.
 pub(super) fn add(fit: &mut Fit, problem: &Problem) {
     let tables = problem.profile.tables();
-    let Some(first) = tables.first().filter(|_| fit.status == FitStatus::Fitted) else { return };
+    let Some(first) = tables.first().filter(|_| fit.status.has_estimates()) else { return };
     let stated = tables.iter().find_map(|table| table.length());
     let lengths: Vec<Option<f64>> = match stated {
         Some(length) => FACTORS.iter().map(|factor| factor.map(|factor| factor * length)).collect(),

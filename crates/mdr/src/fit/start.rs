@@ -6,6 +6,7 @@ use mdr_numeric::folds;
 use nalgebra::{DMatrix, DVector};
 
 use super::contact::Tip;
+use super::hypotheses;
 use super::objective::Objective;
 use super::observation::{Leg, Observation};
 use super::problem::{Kind, Problem};
@@ -36,16 +37,19 @@ pub(super) enum Source {
     Given,
     /// The two-point method of a power law; linear regression where the contact radius is known.
     Formula,
+    /// Hypotheses on the record: all rows in contact, or a jump between any two.
+    Record,
     /// A search over w/E*.
     Search,
 }
 
 impl Source {
-    pub(super) const ALL: [Source; 3] = [Source::Given, Source::Formula, Source::Search];
+    pub(super) const ALL: [Source; 4] = [Source::Given, Source::Formula, Source::Record, Source::Search];
 }
 
-/// Fitted values to begin from, in the order of the free numbers: what is given, completed from the data; then the data alone.
-pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<Vec<f64>> {
+/// Fitted values to begin from with their names, in the order of the free numbers: what is given, completed from the data; then the data
+/// alone.
+pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<(&'static str, Vec<f64>)> {
     let problem = objective.problem;
     let given = (0..objective.free.len()).map(|place| {
         let parameter = objective.parameter(place);
@@ -62,10 +66,10 @@ pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<Vec<f
         given.iter().enumerate().map(value).collect()
     };
     if source == Source::Given {
-        return complete(&|_| None, true).into_iter().collect();
+        return complete(&|_| None, true).map(|start| ("given", start)).into_iter().collect();
     }
     let mut candidates = Vec::new();
-    for [e_star, work, contact_point, baseline] in from_data(problem, source) {
+    for (name, [e_star, work, contact_point, baseline]) in from_data(problem, source) {
         let of = |kind: Kind| match kind {
             Kind::EffectiveModulus => Some(e_star),
             Kind::WorkOfAdhesion => Some(work),
@@ -73,14 +77,15 @@ pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<Vec<f
             Kind::Baseline => Some(baseline),
             _ => None,
         };
-        candidates.extend([true, false].into_iter().filter_map(|keep| complete(&of, keep)));
+        let completed = [true, false].into_iter().filter_map(|keep| complete(&of, keep));
+        candidates.extend(completed.map(|start| (name, start)));
     }
-    candidates.dedup();
+    candidates.dedup_by(|one, other| one.1 == other.1);
     candidates
 }
 
 /// E*, w, contact point and baseline by the record, the likeliest first.
-fn from_data(problem: &Problem, source: Source) -> Vec<[f64; 4]> {
+fn from_data(problem: &Problem, source: Source) -> Vec<(&'static str, [f64; 4])> {
     let numbers: Vec<f64> = problem
         .parameters
         .iter()
@@ -89,9 +94,17 @@ fn from_data(problem: &Problem, source: Source) -> Vec<[f64; 4]> {
         .collect();
     let Ok(tip) = Tip::<f64>::new(&problem.profile, (), &numbers, &[]) else { return Vec::new() };
     match (problem.observation.sees_radius(), source) {
-        (true, Source::Formula) => by_regression(problem, &tip).into_iter().collect(),
-        (false, Source::Formula) => two_points(problem, &record(problem), &numbers).into_iter().collect(),
-        (false, Source::Search) => by_search(problem, &record(problem), &tip),
+        (true, Source::Formula) => {
+            by_regression(problem, &tip).map(|numbers| ("regression", numbers)).into_iter().collect()
+        }
+        (false, Source::Formula) => {
+            let found = two_points(problem, &record(problem), &numbers);
+            found.map(|numbers| ("two-points", numbers)).into_iter().collect()
+        }
+        (false, Source::Record) => hypotheses::starts(problem, &*tip.transform),
+        (false, Source::Search) => {
+            by_search(problem, &record(problem), &tip).into_iter().map(|numbers| ("search", numbers)).collect()
+        }
         _ => Vec::new(),
     }
 }

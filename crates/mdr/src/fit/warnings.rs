@@ -3,6 +3,7 @@
 use mdr_core::contact::Shape;
 
 use super::answer::{Fit, FitStatus};
+use super::descents::Attempt;
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::observation::Observation;
@@ -11,6 +12,15 @@ use crate::scene::Profile;
 
 /// A singular value below this share of the largest leaves a direction nearly open.
 const NEARLY_OPEN: f64 = 1e-3;
+
+/// The standard error of a positive number, against it, above which zero is not excluded.
+const NEAR_ZERO: f64 = 0.4;
+
+/// The difference of χ² up to which the data do not tell two minima apart.
+const ALIKE: f64 = 9.0;
+
+/// The deviation of the residuals over the scatter of neighbouring rows above which there is a warning.
+const LARGER: f64 = 2.0;
 
 /// Adds the warnings.
 pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, held: &[bool], smallest: f64) {
@@ -25,6 +35,16 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
             "the data hardly determine all free numbers: the smallest singular value is {smallest:.1e} of the largest; standard \
              errors are those of the linearised model"
         ));
+    }
+    for (place, estimate) in fit.parameters.iter().enumerate() {
+        let share = estimate.stderr.zip(estimate.value).map(|(stderr, value)| stderr / value.abs());
+        if let Some(share) = share.filter(|share| !objective.is_offset(place) && *share > NEAR_ZERO) {
+            warnings.push(format!(
+                "the data hardly tell `{}` from zero: its standard error, of the linearised model, is {share:.1} times its value; see \
+                 --profile-likelihood",
+                estimate.name
+            ));
+        }
     }
     let detached = fit.rows.iter().any(|row| row.label < 0);
     let sees_jump =
@@ -66,5 +86,48 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
             if p < 0.5 { "larger than the stated σ explains" } else { "smaller than the stated σ explains" };
         warnings.push(format!("χ² = {chi2:.4} for {} degrees of freedom is {verdict} (p = {p:.1e})", fit.dof));
     }
+    if !objective.at_fold.is_empty() {
+        warnings.push(
+            "the fold of the curve is held at the last row in contact, since x is exact there: errors of w and of the contact point are \
+             rough; where x has noise, state it: sigma = { x = \"…\" }"
+                .to_owned(),
+        );
+    }
     fit.warnings = warnings;
+}
+
+/// Warns of another minimum that these data do not exclude: χ² rises by less than nine, three standard deviations of one number.
+pub(super) fn of_minima(fit: &mut Fit, objective: &Objective<'_>, tried: &[Attempt], deviation: f64) {
+    let Some(least) = tried.first() else { return };
+    let near = |other: &&Attempt| other.cost - least.cost < ALIKE * deviation * deviation;
+    let moved = |other: &Attempt| {
+        let far = |(place, estimate): (usize, &super::answer::Estimate)| {
+            let value = objective.value(place, other.fitted[place]);
+            let distance = (value - estimate.value?).abs();
+            Some(distance > 2.0 * estimate.stderr? && distance > 1e-3 * estimate.value?.abs())
+        };
+        fit.parameters.iter().enumerate().any(|estimate| far(estimate) == Some(true))
+    };
+    let Some(other) = tried[1..].iter().filter(near).find(|other| moved(other)) else { return };
+    let numbers = fit.parameters.iter().zip(&other.fitted).enumerate().map(|(place, (estimate, fitted))| {
+        format!("{} = {:.4e} {}", estimate.name, objective.value(place, *fitted), estimate.unit)
+    });
+    let warning = format!(
+        "the data hardly tell this minimum from another, with {} rows detached: {}; χ² is larger there by {:.2} only",
+        other.detached,
+        numbers.collect::<Vec<_>>().join(", "),
+        (other.cost - least.cost) / (deviation * deviation)
+    );
+    fit.warnings.push(warning);
+}
+
+/// Warns where σ is not stated and residuals are larger than the scatter of neighbouring rows.
+pub(super) fn of_scatter(fit: &mut Fit, seen: f64, residual: f64) {
+    if fit.chi2.is_none() && fit.chi2_p.is_none() && fit.rows.len() > 20 && seen > 0.0 && residual > LARGER * seen {
+        fit.warnings.push(format!(
+            "the residuals are {:.1} times as large as the scatter of neighbouring rows, {seen:.2e} {}: the curve misses the data",
+            residual / seen,
+            fit.observation.units()[1]
+        ));
+    }
 }

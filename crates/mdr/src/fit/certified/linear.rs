@@ -48,3 +48,41 @@ pub(super) fn solve(mut matrix: Vec<Vec<Interval>>, mut right: Vec<Vec<Interval>
     }
     Some(right)
 }
+
+/// Whether every symmetric matrix within these entries is positive definite: the pivots of its elimination are all positive. `false` proves
+/// nothing.
+pub(super) fn is_positive_definite(mut matrix: Vec<Vec<Interval>>) -> bool {
+    for place in 0..matrix.len() {
+        let pivot = matrix[place].clone();
+        let is_positive = pivot[place].is_finite() && *pivot[place].lower() > 0;
+        if !is_positive {
+            return false;
+        }
+        for row in &mut matrix[place + 1..] {
+            let factor = row[place].clone() / &pivot[place];
+            for (entry, pivot) in row.iter_mut().zip(&pivot).skip(place) {
+                *entry -= &(factor.clone() * pivot);
+            }
+        }
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mdr_core::number::Precision;
+
+    #[test]
+    fn positive_definite_or_not_proved() {
+        let matrix = |entries: [[f64; 2]; 2]| {
+            let entry = |value: &f64| Interval::from_f64(Precision::new(80), *value);
+            entries.iter().map(|row| row.iter().map(entry).collect()).collect::<Vec<Vec<_>>>()
+        };
+        assert!(is_positive_definite(matrix([[2.0, 1.0], [1.0, 2.0]])));
+        // A saddle, a maximum, and a valley.
+        for other in [[[1.0, 2.0], [2.0, 1.0]], [[-2.0, 1.0], [1.0, -2.0]], [[1.0, 1.0], [1.0, 1.0]]] {
+            assert!(!is_positive_definite(matrix(other)));
+        }
+    }
+}

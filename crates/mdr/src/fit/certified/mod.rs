@@ -2,7 +2,9 @@
 //!
 //! With the labels of the fit, and each row compared with a point of the same kind, G = Jᵀr is a smooth function of the fitted values.
 //! Krawczyk's operator K = m − C·G(m) + (1 − C·H(B))·(B − m), with H the derivatives of G over the box B by dual numbers over intervals
-//! and C near H⁻¹, maps B into its interior only if G has exactly one zero in B; the zero lies in K (Krawczyk 1969; Neumaier 1990).
+//! and C near H⁻¹, maps B into its interior only if G has exactly one zero in B; the zero lies in K (Krawczyk 1969; Neumaier 1990). The
+//! zero is a stationary point of the sum of squares. Where all pivots of H over the enclosure are positive, H is positive definite there, and
+//! the zero is a local minimum.
 
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
@@ -243,7 +245,8 @@ impl<'a> Proof<'a> {
             let name = parameter.name.clone();
             parameters.push(CertifiedEstimate { name, value, scaled_stderr, unique_within: reach * factor.approx() });
         }
-        Ok(text(normal.rss).map(|rss| Certified { digits, parameters, rss }))
+        let local_minimum = linear::is_positive_definite(normal.hessian);
+        Ok(text(normal.rss).map(|rss| Certified { digits, parameters, local_minimum, rss }))
     }
 }
 

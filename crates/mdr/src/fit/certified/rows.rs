@@ -55,9 +55,12 @@ pub(super) fn rows(
     let exact = |value: f64| exact(precision, value).map(Dual::constant).ok_or(OUT_OF_RANGE);
     let mut rows = Vec::with_capacity(objective.rows.len());
     for (index, row) in objective.rows.iter().enumerate() {
-        let scales = objective.scales(row);
+        let scales = objective.stated_scales(row);
         let foot = match &evaluation.feet[index] {
             None => Foot::Detached,
+            Some(_) if objective.at_fold.iter().any(|held| held.row == index) => {
+                return Err("certified digits are not given with a fold at the last row of its arc: a kink of the sum of squares".to_owned());
+            }
             Some(foot) if !foot.is_end && scales.x.is_none() => Foot::Vertical(foot.s),
             Some(foot) if !foot.is_end => Foot::Nearest(foot.s),
             Some(foot) if evaluation.arcs[evaluation.labels[index] - 1].is_fold(foot.s) => Foot::Fold(foot.s),

@@ -1,0 +1,300 @@
+//! From starts to the least minimum that is found.
+
+use mdr_core::contact::Shape;
+
+use super::arcs::Arc;
+use super::minimise::{self, Minimum};
+use super::objective::{AtFold, Objective};
+use super::start::{self, Source};
+use crate::error::Result;
+use crate::scene::{Location, Profile};
+
+/// Scales of X, in its last scale, from which the labels of a bad start find their way.
+const CONTINUATION: [f64; 3] = [70.0, 15.0, 4.0];
+
+/// The cosine between residuals and the Jacobian below which a point is stationary.
+pub(super) const CONVERGED: f64 = 1e-6;
+
+/// A row is at the fold within this share of the scale of X beyond it; where the iteration does not converge, within that scale.
+pub(super) const AT_FOLD: f64 = 1e-2;
+
+/// A minimum with the fold at the last row is looked for where the fold is within so many widths of the noise of it.
+const WIDTHS: f64 = 9.0;
+
+/// The sum of squares over the degrees of freedom below which no search is begun, where the noise is only seen in the data.
+const GOOD: f64 = 3.0;
+
+/// How many rows the first descents have.
+const FEW: usize = 150;
+
+/// The sum of squares at a hypothesis, against that of a good fit, above which it is not followed.
+const HOPELESS: f64 = 50.0;
+
+/// How many evaluations the first descents take for each free number: from a start that may be far off, and from the data.
+const PATIENCE: [usize; 2] = [30, 8];
+
+/// How many minima are followed to the end, and how much larger their sum of squares may be: by a share and by a number of variances.
+const FOLLOWED: usize = 4;
+const NEAR: [f64; 2] = [1.5, 20.0];
+
+/// A minimum on the way, with the sum of squares of all rows there.
+pub(super) struct Attempt {
+    pub(super) start: &'static str,
+    pub(super) fitted: Vec<f64>,
+    pub(super) cost: f64,
+    pub(super) detached: usize,
+}
+
+/// The least minimum, and what was tried.
+pub(super) struct Found {
+    pub(super) minimum: Minimum,
+    pub(super) tried: Vec<Attempt>,
+}
+
+/// The minimum of least cost that is reached from all starts of these sources.
+///
+/// # Errors
+/// No start, or none at which the objective has a value.
+pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated: bool) -> Result<Found> {
+    let dof = objective.rows.len().saturating_sub(objective.free.len()).max(1) as f64;
+    let enough = if is_stated { (dof + (2.0 * dof).sqrt()) * objective.noise.unit.powi(2) } else { GOOD * dof };
+    let has_start = objective.problem.parameters.iter().any(|parameter| parameter.start.is_some());
+    let mut search = Search { tried: Vec::new(), evaluations: 0, failure: None };
+    let mut sources = sources.to_vec();
+    if matches!(objective.problem.profile, Profile::Shape(Shape::WavyParaboloid { .. }) | Profile::Formula(_)) {
+        // A curve of many arcs has its folds searched anew at each step from a poor start: the search, which knows them, goes first.
+        sources.sort_by_key(|source| *source == Source::Record);
+    }
+    for source in sources {
+        // A search takes long; what hypotheses on the record find is mostly as good.
+        let is_good = search.tried.iter().any(|attempt| attempt.cost < enough);
+        if source == Source::Search && is_good {
+            continue;
+        }
+        // What the data say themselves is near enough.
+        let scales: &[f64] = if source == Source::Given || has_start { &CONTINUATION } else { &CONTINUATION[2..] };
+        for (name, start) in start::candidates(objective, source) {
+            // From far above a fit that is good nothing better is reached.
+            let good =
+                search.tried.iter().map(|attempt| attempt.cost).filter(|cost| *cost < enough).fold(f64::NAN, f64::min);
+            let cost = || objective.evaluate(&start, None).map_or(f64::INFINITY, |evaluation| evaluation.cost());
+            if source != Source::Record || good.is_nan() || cost() < HOPELESS * (good + dof) {
+                search.descend(objective, name, &start, scales);
+            }
+        }
+    }
+    search.end(objective)
+}
+
+struct Search {
+    tried: Vec<Attempt>,
+    evaluations: usize,
+    failure: Option<mdr_core::contact::Error>,
+}
+
+impl Search {
+    /// Descends on a part of the rows: the scale of X falls through `scales` to its value. The end is kept unless it is known.
+    fn descend(&mut self, objective: &mut Objective<'_>, start: &'static str, values: &[f64], scales: &[f64]) {
+        match self.reduced(objective, values, scales) {
+            Ok((fitted, cost, detached)) => {
+                let is_same = |other: &Attempt| {
+                    other.detached == detached && (other.cost - cost).abs() <= 1e-4 * cost.min(other.cost)
+                };
+                if !self.tried.iter().any(is_same) {
+                    self.tried.push(Attempt { start, fitted, cost, detached });
+                }
+            }
+            Err(error) => self.failure = Some(error),
+        }
+    }
+
+    fn reduced(
+        &mut self,
+        objective: &mut Objective<'_>,
+        start: &[f64],
+        scales: &[f64],
+    ) -> mdr_core::contact::Result<(Vec<f64>, f64, usize)> {
+        let (scale, all) = (objective.x_scale, objective.rows.clone());
+        let last = scale.filter(|scale| *scale > 0.0).unwrap_or(objective.noise.beyond);
+        let mut fitted = start.to_vec();
+        let patience = if scales.len() > 1 { PATIENCE[0] } else { PATIENCE[1] };
+        objective.rows = all.iter().copied().step_by(all.len().div_ceil(FEW).max(1)).collect();
+        for factor in scales.iter().chain([&1.0]) {
+            objective.x_scale = Some(factor * last);
+            // A step of the continuation that fails leaves its start to the next.
+            if let Ok((next, evaluations)) = minimise::descend(objective, &fitted, 1e-5, patience) {
+                (fitted, self.evaluations) = (next, self.evaluations + evaluations);
+            }
+        }
+        objective.x_scale = scale;
+        if let Ok((next, evaluations)) = minimise::descend(objective, &fitted, 1e-8, 2 * patience) {
+            (fitted, self.evaluations) = (next, self.evaluations + evaluations);
+        }
+        objective.rows = all;
+        let evaluation = objective.evaluate(&fitted, None)?;
+        let detached = evaluation.labels.iter().filter(|label| **label == 0).count();
+        Ok((fitted, evaluation.cost(), detached))
+    }
+
+    /// All rows, from the best ends on.
+    fn end(mut self, objective: &mut Objective<'_>) -> Result<Found> {
+        self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
+        let least = self.tried.first().map_or(f64::INFINITY, |attempt| attempt.cost);
+        let mut best: Option<Minimum> = None;
+        for attempt in self.tried.iter_mut().take(FOLLOWED).filter(|attempt| attempt.cost <= NEAR[0] * least + NEAR[1])
+        {
+            match settled(objective, &attempt.fitted, self.evaluations) {
+                Ok(minimum) => {
+                    attempt.fitted.clone_from(&minimum.fitted);
+                    attempt.cost = minimum.evaluation.cost();
+                    attempt.detached = minimum.evaluation.labels.iter().filter(|label| **label == 0).count();
+                    self.evaluations = minimum.evaluations;
+                    if best.as_ref().is_none_or(|best| minimum.evaluation.cost() < best.evaluation.cost()) {
+                        best = Some(minimum);
+                    }
+                }
+                Err(error) => self.failure = Some(error),
+            }
+        }
+        self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
+        match best {
+            Some(mut minimum) => {
+                minimum.evaluations = self.evaluations;
+                objective.at_fold.clone_from(&minimum.at_fold);
+                Ok(Found { minimum, tried: self.tried })
+            }
+            None => Err(no_start(objective, self.failure)),
+        }
+    }
+}
+
+/// The least minimum of all rows near a start.
+///
+/// Where x is exact the fold is at or beyond the last row of its arc, since rows in contact lie on the curve. Beside a fold the curve rises
+/// or falls as the root of the distance, so that there may be several minima: one with the fold at the row, where the sum of squares has a
+/// kink, and others with the fold beyond it, to which the other rows lead, or at which the curve goes through the row.
+fn settled(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
+    objective.at_fold.clear();
+    let free = descended(objective, start, evaluations)?;
+    if objective.x_scale.is_some() {
+        return Ok(free);
+    }
+    let rows = near_fold(objective, &free)?;
+    if rows.is_empty() {
+        return Ok(free);
+    }
+    let mut evaluations = free.evaluations;
+    let mut ends = Vec::new();
+    if !is_beyond(&free) {
+        ends.push(free);
+    } else if let Ok(led) = led_by_others(objective, start, &rows, evaluations) {
+        evaluations = led.evaluations;
+        if !is_beyond(&led) {
+            ends.push(led);
+        }
+    }
+    let from = ends.first().map_or(start, |end| &end.fitted).to_vec();
+    objective.at_fold.clone_from(&rows);
+    let held = descended(objective, &from, evaluations);
+    if let Ok(held) = held {
+        evaluations = held.evaluations;
+        if let Ok(released) = released(objective, &held, evaluations)
+            && !is_beyond(&released)
+        {
+            ends.push(released);
+        }
+        ends.push(held);
+    }
+    objective.at_fold.clear();
+    let least = ends.into_iter().min_by(|one, other| one.evaluation.cost().total_cmp(&other.evaluation.cost()));
+    match least {
+        Some(minimum) => {
+            objective.at_fold.clone_from(&minimum.at_fold);
+            Ok(minimum)
+        }
+        None => descended(objective, start, evaluations),
+    }
+}
+
+fn descended(objective: &Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
+    let (fitted, more) = minimise::descend(objective, start, 1e-12, 100)?;
+    minimise::polish(objective, &fitted, evaluations + more)
+}
+
+/// The minimum to which all rows but these lead, then with them.
+fn led_by_others(
+    objective: &mut Objective<'_>,
+    start: &[f64],
+    rows: &[AtFold],
+    evaluations: usize,
+) -> mdr_core::contact::Result<Minimum> {
+    let all = objective.rows.clone();
+    let kept =
+        |(index, row): (usize, &super::problem::DataRow)| (!rows.iter().any(|held| held.row == index)).then_some(*row);
+    objective.rows = all.iter().enumerate().filter_map(kept).collect();
+    let led = minimise::descend(objective, start, 1e-8, 30);
+    objective.rows = all;
+    let (fitted, more) = led?;
+    descended(objective, &fitted, evaluations + more)
+}
+
+/// The minimum beyond a held one: the fold is moved so far that the curve goes through the row, then it is free.
+fn released(objective: &mut Objective<'_>, held: &Minimum, evaluations: usize) -> mdr_core::contact::Result<Minimum> {
+    let contact = held.evaluation.contact(objective.problem.observation);
+    let mut moved = held.at_fold.clone();
+    for fold in &mut moved {
+        let residual = held.evaluation.residuals[fold.row] / objective.noise.unit;
+        let width = objective.width_of_fold(&contact, &held.evaluation, fold)?;
+        fold.beyond = width * residual.powi(2).clamp(1.0, 1e3);
+    }
+    objective.at_fold = moved;
+    let away = minimise::descend(objective, &held.fitted, 1e-8, 30);
+    objective.at_fold.clear();
+    let (fitted, more) = away?;
+    descended(objective, &fitted, evaluations + more)
+}
+
+/// Whether a row is compared with the fold at which its arc ends.
+fn is_beyond(minimum: &Minimum) -> bool {
+    minimum.evaluation.feet.iter().flatten().any(|foot| foot.is_end)
+}
+
+/// The last rows of arcs that lie beyond the fold or nearer to it than the noise tells.
+fn near_fold(objective: &Objective<'_>, minimum: &Minimum) -> mdr_core::contact::Result<Vec<AtFold>> {
+    let evaluation = &minimum.evaluation;
+    let contact = evaluation.contact(objective.problem.observation);
+    let least = objective.noise.beyond * if minimum.gradient < CONVERGED { AT_FOLD } else { 1.0 };
+    let mut near = Vec::new();
+    for (index, arc) in evaluation.arcs.iter().enumerate() {
+        let Some(fold) = Arc::inner_fold(arc) else { continue };
+        let on_arc = (0..objective.rows.len()).filter(|row| evaluation.labels[*row] == index + 1);
+        let last = on_arc.min_by(|one, other| objective.rows[*one].x.total_cmp(&objective.rows[*other].x));
+        let Some(row) = last else { continue };
+        let at_fold = AtFold { row, level: index + 1, beyond: 0.0 };
+        let reach = least.max(WIDTHS * objective.width_of_fold(&contact, evaluation, &at_fold)?);
+        if objective.rows[row].x - fold.at[0] < reach {
+            near.push(at_fold);
+        }
+    }
+    Ok(near)
+}
+
+/// Why nothing was found.
+fn no_start(objective: &Objective<'_>, failure: Option<mdr_core::contact::Error>) -> crate::Error {
+    match failure {
+        Some(error) => objective.problem.place.refuse(format!(
+            "no minimum was found from any start: {error} on the way; give a start, bounds, or fewer free numbers"
+        )),
+        None => {
+            let names: Vec<&str> = (0..objective.free.len())
+                .map(|place| objective.parameter(place))
+                .filter(|parameter| parameter.start.or(parameter.value).is_none())
+                .map(|parameter| parameter.name.as_str())
+                .collect();
+            Location::built("fit.start").refuse(format!(
+                "no values to begin from were found in the data: give a start for `{}`",
+                names.join("`, `")
+            ))
+        }
+    }
+}

@@ -1,0 +1,407 @@
+//! Values to begin from by what a record may hold: all its rows in contact, or a jump between any two of them.
+//!
+//! With w/E* and the contact point given, the states of a tip are known but for the scale of forces, F = E*·φ(d), and the sum of squares
+//! of a record whose rows are in contact up to a jump and detached beyond it is that of a linear regression for E* and the baseline. On a
+//! grid of w/E* and contact points it is found for every jump from running sums. Its least minima are where descents begin: those without
+//! any detached row, and those with a jump, each by themselves.
+
+use mdr_core::contact::Transform;
+
+use super::observation::{Leg, Observation};
+use super::problem::{Kind, Problem};
+
+/// w/E* against the span of depths, or E* against that of the largest force: four in a decade.
+const LENGTHS: std::ops::RangeInclusive<i32> = -28..=6;
+const MODULI: std::ops::RangeInclusive<i32> = -20..=16;
+const IN_A_DECADE: f64 = 4.0;
+
+/// Rows that are looked at, and radii at which the tip is.
+const ROWS: usize = 90;
+const RADII: usize = 360;
+const OCTAVES: f64 = 18.0;
+
+/// Folds inside the record, and before its first row in shares of its span.
+const INSIDE: usize = 36;
+const BEFORE: [f64; 9] = [1e-3, 3e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.5, 1.0];
+
+/// How many minima of a hypothesis are followed.
+const MINIMA: usize = 3;
+
+/// Legs up to which each may have begun or ended where the surfaces touch, too.
+const PARTS: usize = 4;
+
+/// How often the grid is refined around a minimum.
+const ROUNDS: usize = 8;
+
+/// The sum of squares of a minimum against the least of all, above which it is not followed unless it is the best of its hypothesis.
+const WORSE: f64 = 1e2;
+
+/// A row as a state; force without the known baseline.
+#[derive(Clone, Copy)]
+struct State {
+    depth: f64,
+    force: f64,
+}
+
+/// A part of the record with its leg.
+struct Part<'s> {
+    leg: Leg,
+    states: &'s [State],
+    /// Indices by increasing depth.
+    order: Vec<usize>,
+}
+
+/// A number, or the least squares for it.
+#[derive(Clone, Copy)]
+struct Given {
+    e_star: Option<f64>,
+    baseline: Option<f64>,
+}
+
+/// The least sum of squares of one hypothesis at one place of the grid.
+#[derive(Clone, Copy)]
+struct Found {
+    cost: f64,
+    e_star: f64,
+    length: f64,
+    /// The depth that is zero of the tip.
+    shift: f64,
+    baseline: f64,
+}
+
+/// The names of the hypotheses: no row is detached, or some are.
+const NAMES: [&str; 2] = ["all-in-contact", "jump"];
+
+/// The starts of all hypotheses with their names, those of the least sums of squares first: E*, w, contact point and baseline.
+pub(super) fn starts(problem: &Problem, transform: &dyn Transform<f64>) -> Vec<(&'static str, [f64; 4])> {
+    search(problem, transform).unwrap_or_default()
+}
+
+fn search(problem: &Problem, transform: &dyn Transform<f64>) -> Option<Vec<(&'static str, [f64; 4])>> {
+    let baseline = problem.known(Kind::Baseline).unwrap_or(0.0);
+    let stiffness = problem.known(Kind::Stiffness).unwrap_or(f64::INFINITY);
+    let stride = problem.rows.len().div_ceil(ROWS).max(1);
+    let rows: Vec<_> = problem.rows.iter().step_by(stride).collect();
+    let state = |row: &&super::problem::DataRow| {
+        let [depth, force] = problem.observation.state([row.x, row.y], [0.0, baseline], stiffness);
+        State { depth, force }
+    };
+    let states: Vec<State> = rows.iter().map(state).collect();
+    let mut parts = Vec::new();
+    let mut first = 0;
+    for leg in rows.chunk_by(|one, other| one.leg == other.leg) {
+        let states = &states[first..first + leg.len()];
+        first += leg.len();
+        let mut order: Vec<usize> = (0..states.len()).collect();
+        order.sort_by(|one, other| states[*one].depth.total_cmp(&states[*other].depth));
+        parts.push(Part { leg: leg[0].leg, states, order });
+    }
+    let mut depths: Vec<f64> = states.iter().map(|state| state.depth).collect();
+    depths.sort_by(f64::total_cmp);
+    let span = depths.last()? - depths.first()?;
+    let largest = states.iter().map(|state| state.force.abs()).fold(0.0, f64::max);
+    // A baseline that is free moves the depth of a row on a machine.
+    let moves =
+        problem.is_free(Kind::ContactPoint) || (problem.is_free(Kind::Baseline) && problem.observation.has_machine());
+    let point = problem.known(Kind::ContactPoint).unwrap_or(0.0);
+    let deepest = if moves { 2.5 * span } else { (depths.last()? - point).max(0.0) + 0.1 * span };
+    let tip = Sampled::new(transform, deepest)?;
+    let given = |kind: Kind| problem.known(kind).filter(|_| !problem.is_free(kind));
+    let given_baseline = given(Kind::Baseline).map(|_| 0.0);
+    let lengths: Vec<(f64, Option<f64>)> = match [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(given) {
+        [Some(e_star), Some(work)] => vec![(work / e_star, Some(e_star))],
+        [None, Some(work)] => {
+            let scale = largest / (tip.widest(span) * span);
+            let e_star = |power: i32| scale * 10f64.powf(f64::from(power) / IN_A_DECADE);
+            MODULI.map(e_star).map(|e_star| (work / e_star, Some(e_star))).collect()
+        }
+        [e_star, None] => LENGTHS.map(|power| (span * 10f64.powf(f64::from(power) / IN_A_DECADE), e_star)).collect(),
+    };
+    let has_tail = problem.observation != Observation::IndentationOfForce;
+    // At w/E* with the given E*, and where the fold is or, if the depth has no offset, that being given.
+    let at = |[length, fold]: [f64; 2], e_star: Option<f64>, which: usize| {
+        let curve = tip.curve(length, problem.observation)?;
+        let shift = if moves { fold - curve.fold() } else { point };
+        least(&parts, &curve, shift, Given { e_star, baseline: given_baseline }, has_tail)[which]
+    };
+    let mut grids = [Vec::new(), Vec::new()];
+    for (length, e_star) in lengths {
+        let curve = tip.curve(length, problem.observation);
+        let shifts = if moves {
+            curve.as_ref().map_or_else(Vec::new, |curve| shifts(&depths, span, curve))
+        } else {
+            vec![point]
+        };
+        let given = Given { e_star, baseline: given_baseline };
+        let of = |shift: &f64| curve.as_ref().map_or([None; 2], |curve| least(&parts, curve, *shift, given, has_tail));
+        let found: Vec<[Option<Found>; 2]> = shifts.iter().map(of).collect();
+        for (grid, which) in grids.iter_mut().zip(0..) {
+            grid.push(found.iter().map(|found| found[which]).collect::<Vec<_>>());
+        }
+    }
+    // E* follows w/E* where w is given.
+    let work = given(Kind::WorkOfAdhesion);
+    let e_star_of = |length: f64| given(Kind::EffectiveModulus).or(work.map(|work| work / length));
+    let refined = |found: Found, which: usize| {
+        let is_given = work.is_some() && given(Kind::EffectiveModulus).is_some();
+        let mut best = found;
+        let mut steps =
+            [if is_given { 0.0 } else { 0.5 / IN_A_DECADE }, if moves { span / INSIDE as f64 } else { 0.0 }];
+        for _ in 0..ROUNDS {
+            let length = best.length;
+            let fold = tip.curve(length, problem.observation).map_or(0.0, |curve| curve.fold()) + best.shift;
+            for (along, across) in (-1..=1).flat_map(|along| (-1..=1).map(move |across| (along, across))) {
+                let length = length * 10f64.powf(steps[0] * f64::from(along));
+                let other = at([length, fold + steps[1] * f64::from(across)], e_star_of(length), which);
+                if let Some(other) = other.filter(|other| other.cost < best.cost) {
+                    best = other;
+                }
+            }
+            steps = steps.map(|step| 0.6 * step);
+        }
+        best
+    };
+    let start = |found: &Found| {
+        let Found { e_star, length, shift, baseline: more, .. } = *found;
+        let (moved, offset) = match problem.observation {
+            Observation::ForceOfPosition => (more / stiffness, more),
+            Observation::DeflectionOfPosition => (more / stiffness, more / stiffness),
+            _ => (0.0, more),
+        };
+        [e_star, e_star * length, shift + moved, baseline + offset]
+    };
+    let found =
+        grids.iter().enumerate().flat_map(|(which, grid)| minima(grid).into_iter().map(move |found| (which, found)));
+    let mut found: Vec<(usize, Found)> = found.map(|(which, found)| (which, refined(found, which))).collect();
+    found.sort_by(|one, other| one.1.cost.total_cmp(&other.1.cost));
+    // The best of each hypothesis, and what is not far above the best of all.
+    let least = found.first().map_or(0.0, |(_, found)| found.cost);
+    let is_first = |place: usize| found[..place].iter().all(|(which, _)| *which != found[place].0);
+    let kept = (0..found.len()).filter(|place| is_first(*place) || found[*place].1.cost <= WORSE * least);
+    Some(kept.map(|place| (NAMES[found[place].0], start(&found[place].1))).collect())
+}
+
+/// Where the fold may be: at rows, and before the first.
+fn shifts(depths: &[f64], span: f64, curve: &Curve) -> Vec<f64> {
+    let fold = curve.fold();
+    let lowest = depths[0];
+    let mut folds: Vec<f64> = BEFORE.iter().map(|share| lowest - share * span).collect();
+    folds.extend(
+        [0.03, 0.1, 0.3, 1.0].map(|share| lowest - share * fold.abs()).iter().filter(|at| **at > lowest - span),
+    );
+    folds.extend((0..INSIDE).map(|index| depths[index * (depths.len() - 1) / INSIDE]));
+    folds.sort_by(f64::total_cmp);
+    folds.dedup();
+    folds.into_iter().map(|at| at - fold).collect()
+}
+
+/// The local minima on the grid, the least first.
+fn minima(grid: &[Vec<Option<Found>>]) -> Vec<Found> {
+    let cost = |row: Option<usize>, column: Option<usize>| {
+        let found =
+            row.and_then(|row| grid.get(row)).zip(column).and_then(|(row, column)| row.get(column).copied().flatten());
+        found.map_or(f64::INFINITY, |found| found.cost)
+    };
+    let mut minima: Vec<Found> = Vec::new();
+    for (row, line) in grid.iter().enumerate() {
+        for (column, found) in line.iter().enumerate() {
+            let Some(found) = found else { continue };
+            let beside = [
+                cost(row.checked_sub(1), Some(column)),
+                cost(Some(row + 1), Some(column)),
+                cost(Some(row), column.checked_sub(1)),
+                cost(Some(row), Some(column + 1)),
+            ];
+            if beside.iter().all(|beside| found.cost <= *beside) {
+                minima.push(*found);
+            }
+        }
+    }
+    minima.sort_by(|one, other| one.cost.total_cmp(&other.cost));
+    minima.truncate(MINIMA);
+    minima
+}
+
+/// The tip at many radii: a, g and the mean of g.
+struct Sampled {
+    points: Vec<[f64; 3]>,
+    /// Depths beyond a vertical edge, where the contact stays.
+    beyond: f64,
+}
+
+/// The states of a tip at one w/E*, as (d, F/E*), by increasing depth.
+struct Curve {
+    /// w/E*.
+    length: f64,
+    /// From the inside: each arc is left where it ends.
+    approach: Vec<[f64; 2]>,
+    /// From the outside.
+    retract: Vec<[f64; 2]>,
+}
+
+impl Curve {
+    /// The smallest depth.
+    fn fold(&self) -> f64 {
+        self.retract.first().map_or(0.0, |point| point[0])
+    }
+}
+
+impl Sampled {
+    /// Up to radii at which the contact is `deepest` without adhesion.
+    fn new(transform: &dyn Transform<f64>, deepest: f64) -> Option<Self> {
+        let outer = transform.outer_radius().map(|outer| outer * (1.0 - 1e-12));
+        let reaches = |a: f64| transform.g(&a).map_or(true, |g| g >= deepest);
+        let mut last = outer.map_or(deepest, |outer| outer.min(deepest));
+        for _ in 0..400 {
+            if reaches(last) || outer.is_some_and(|outer| last >= outer) {
+                break;
+            }
+            last = outer.map_or(2.0 * last, |outer| outer.min(2.0 * last));
+        }
+        for _ in 0..400 {
+            if !reaches(0.5 * last) {
+                break;
+            }
+            last *= 0.5;
+        }
+        let radius = |index: usize| last * 2f64.powf(-OCTAVES * (1.0 - index as f64 / (RADII - 1) as f64));
+        let point = |a: f64| {
+            let point = [a, transform.g(&a).ok()?, transform.mean(&a).ok()?];
+            point.iter().all(|value| value.is_finite()).then_some(point)
+        };
+        let points: Vec<[f64; 3]> = (0..RADII).map(radius).filter_map(point).collect();
+        let beyond = if transform.vertical_edge() { deepest } else { 0.0 };
+        (points.len() > 2).then_some(Sampled { points, beyond })
+    }
+
+    /// The radius at which the contact is so deep without adhesion.
+    fn widest(&self, depth: f64) -> f64 {
+        let after = self.points.partition_point(|[_, g, _]| *g < depth).min(self.points.len() - 1);
+        self.points[after][0]
+    }
+
+    fn curve(&self, length: f64, observation: Observation) -> Option<Curve> {
+        let state = |[a, g, mean]: [f64; 3], more: f64| {
+            let d = g - (2.0 * std::f64::consts::PI * a * length).sqrt() + more;
+            [d, 2.0 * a * (d - mean)]
+        };
+        let mut states: Vec<[f64; 2]> = self.points.iter().map(|point| state(*point, 0.0)).collect();
+        if self.beyond > 0.0 {
+            let last = self.points[self.points.len() - 1];
+            states.extend((1..=8).map(|step| state(last, self.beyond * f64::from(step) / 4.0)));
+        }
+        // What is held grows along a stable arc: depth, or force.
+        let held = usize::from(observation == Observation::IndentationOfForce);
+        let rising = |states: &mut dyn Iterator<Item = [f64; 2]>, sign: f64| {
+            let mut best = f64::NEG_INFINITY;
+            let mut kept: Vec<[f64; 2]> = states
+                .filter(|state| {
+                    let is_further = sign * state[held] > best;
+                    best = best.max(sign * state[held]);
+                    is_further
+                })
+                .collect();
+            kept.sort_by(|one, other| one[0].total_cmp(&other[0]));
+            kept
+        };
+        let retract = rising(&mut states.iter().rev().copied(), -1.0);
+        let lowest = states.iter().position(|state| Some(state) == retract.first())?;
+        let approach = rising(&mut states[lowest..].iter().copied(), 1.0);
+        (retract.len() > 2 && approach.len() > 2).then_some(Curve { length, approach, retract })
+    }
+}
+
+/// Running sums of φ, φ² and φF over the rows of a part in contact.
+type Sums = [f64; 3];
+
+fn plus(one: Sums, other: Sums) -> Sums {
+    [0, 1, 2].map(|index| one[index] + other[index])
+}
+
+/// The least sums of squares at one w/E* and shift: with all rows in contact, and with some detached.
+fn least(parts: &[Part<'_>], curve: &Curve, shift: f64, given: Given, has_tail: bool) -> [Option<Found>; 2] {
+    // Of all but the last part: in contact from where it can be, or from the first touch.
+    let mut before: Vec<(Sums, usize)> = vec![([0.0; 3], 0)];
+    let mut last: Vec<(Sums, usize)> = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        let choices = part.choices(curve, shift);
+        if index + 1 == parts.len() {
+            last = choices;
+        } else {
+            let touch = part.touch(shift);
+            let least = choices.iter().map(|choice| choice.1).min().unwrap_or(0);
+            let touch = if parts.len() > PARTS { least } else { touch.max(least) };
+            let kept = choices.iter().filter(|(_, detached)| *detached == least || *detached == touch);
+            before = kept.flat_map(|one| before.iter().map(|other| (plus(one.0, other.0), one.1 + other.1))).collect();
+        }
+    }
+    let states = || parts.iter().flat_map(|part| part.states);
+    let count = states().count() as f64;
+    let (y, yy) = states().fold((0.0, 0.0), |(y, yy), state| (y + state.force, yy + state.force * state.force));
+    let mut found = [None::<Found>; 2];
+    for (first, more) in &before {
+        for (sums, detached) in &last {
+            let detached = detached + more;
+            if detached > 0 && !has_tail {
+                continue;
+            }
+            let [p, pp, py] = plus(*first, *sums);
+            let solved = match (given.e_star, given.baseline) {
+                (Some(e_star), Some(baseline)) => [e_star, baseline],
+                (Some(e_star), None) => [e_star, (y - e_star * p) / count],
+                (None, Some(baseline)) => [(py - baseline * p) / pp, baseline],
+                (None, None) => {
+                    let e_star = (py * count - p * y) / (pp * count - p * p);
+                    [e_star, (y - e_star * p) / count]
+                }
+            };
+            let [e_star, baseline] = solved;
+            let cost = e_star * e_star * pp + 2.0 * e_star * baseline * p + baseline * baseline * count
+                - 2.0 * e_star * py
+                - 2.0 * baseline * y
+                + yy;
+            let best = &mut found[usize::from(detached > 0)];
+            if e_star > 0.0 && cost.is_finite() && best.as_ref().is_none_or(|best| cost < best.cost) {
+                *best = Some(Found { cost, e_star, length: curve.length, shift, baseline });
+            }
+        }
+    }
+    found
+}
+
+impl Part<'_> {
+    /// The sums of the rows in contact for every number of detached ones that is possible, with that number.
+    fn choices(&self, curve: &Curve, shift: f64) -> Vec<(Sums, usize)> {
+        let points = if self.leg == Leg::Approach { &curve.approach } else { &curve.retract };
+        let mut forces = vec![None; self.states.len()];
+        let mut at = 1;
+        for index in &self.order {
+            let depth = self.states[*index].depth - shift;
+            while at + 1 < points.len() && points[at][0] < depth {
+                at += 1;
+            }
+            let [[d0, f0], [d1, f1]] = [points[at - 1], points[at]];
+            // A row at the fold may be a little beyond it by rounding.
+            forces[*index] =
+                (depth >= points[0][0] - 1e-9 * (d1 - d0)).then(|| f0 + (f1 - f0) * (depth - d0) / (d1 - d0));
+        }
+        // Contact is lost on the way out, and found on the way in: rows count from the end that is in contact.
+        let rows: Vec<usize> = match self.leg {
+            Leg::Retract => (0..forces.len()).collect(),
+            Leg::Approach => (0..forces.len()).rev().collect(),
+        };
+        let mut sums = [0.0; 3];
+        let mut choices = vec![(sums, rows.len())];
+        for (count, row) in rows.iter().enumerate() {
+            let Some(force) = forces[*row] else { break };
+            sums = plus(sums, [force, force * force, force * self.states[*row].force]);
+            choices.push((sums, rows.len() - count - 1));
+        }
+        choices
+    }
+
+    /// How many rows lie before the first touch.
+    fn touch(&self, shift: f64) -> usize {
+        self.states.iter().filter(|state| state.depth < shift).count()
+    }
+}
