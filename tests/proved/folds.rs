@@ -137,7 +137,7 @@ fn edges_beside_each_other() -> Result<()> {
             ("0.05", "0.05000000000001", false),
             ("0.05", "0.0499999999999999", false),
         ] {
-            let (plain, moving) = (Box::new(sum(ctx, one, second)?), Box::new(sum(ctx, one, second)?));
+            let (plain, moving) = (Arc::new(sum(ctx, one, second)?), Arc::new(sum(ctx, one, second)?));
             let proved = Contact { bits: 64, plain, moving, work: "1e-4", held }.folds(1e-4, 1e2)?;
             assert_eq!(proved.is_complete(), decided, "{second}: {proved:?}");
             let first = second.parse::<f64>().unwrap().min(one.parse().unwrap());

@@ -219,7 +219,8 @@ impl<R: Real> Energy<R> {
     /// range of radii, as at d = 0 at the threshold of n = 1/2.
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
         control.check_value(value)?;
-        let range = Range { heights: u64::MAX, ..Range::whole(self.contact.transform(), self.contact.material_length()) };
+        let range =
+            Range { heights: u64::MAX, ..Range::whole(self.contact.transform(), self.contact.material_length()) };
         let survey = survey::survey(&range, |a| self.edge_excess(control, value, a, true))?;
         let excess = |a: &R| Ok(self.edge_excess(control, value, a, false)? - a.lit(1));
         let mut found = Vec::new();

@@ -10,6 +10,7 @@ use mdr_core::contact::{Control, Error, Flank, Material, Shape, Transform};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::folds;
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
 fn pull_off(
@@ -148,13 +149,13 @@ fn a_ring_over_waves() {
     for wavelength in [0.58244, 0.2] {
         let (radius, a) = (1.2603, 1.52324);
         let amplitude = wavelength * wavelength / (32.0 * radius);
-        let tip = Arc::new(|amplitude| Quadrature::of([Shape::WavyParaboloid { radius, amplitude, wavelength }]).unwrap());
+        let tip = |amplitude| Quadrature::of([Shape::WavyParaboloid { radius, amplitude, wavelength }]).unwrap();
         let material = Material::new(1.0, 0.63694).unwrap();
-        let state = |tip: &dyn Transform<f64>| {
-            let curve = Contact::half_space(tip, &material, &Control::Force);
+        let state = |tip: Quadrature<f64, Heights<f64>>| {
+            let curve = Contact::half_space(&Arc::new(tip), &material, &Control::Force);
             Dugdale::new(curve, &2.70147).unwrap().state(&a).unwrap()
         };
-        let (flat, wavy) = (state(&tip(0.0)), state(&tip(amplitude)));
+        let (flat, wavy) = (state(tip(0.0)), state(tip(amplitude)));
         // The waves change the gap by their height, 2A of 2.7, and g by more, with the root of the number of waves.
         let waves = (a / wavelength).sqrt() * amplitude * 8.0;
         assert!((wavy.outer_radius - flat.outer_radius).abs() < waves, "{wavy:?} {flat:?}");

@@ -49,10 +49,7 @@ const AT_KINK: f64 = 1e-6;
 ///
 /// # Errors
 /// Those of the transform and of the quadrature; [`Error::Undecided`] where it is not known, of a formula.
-pub fn first_touch<R: Real>(
-    curve: &Contact<R>,
-    admissibility: &Admissibility,
-) -> Result<Option<Touch<R>>> {
+pub fn first_touch<R: Real>(curve: &Contact<R>, admissibility: &Admissibility) -> Result<Option<Touch<R>>> {
     if let Some(touch) = &admissibility.touch {
         return of_formula(touch, curve.modulus());
     }

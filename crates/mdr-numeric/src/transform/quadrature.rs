@@ -1,7 +1,7 @@
 //! The transform of a profile by quadrature, with its options.
 
-use std::sync::{Arc, OnceLock};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use mdr_core::calculus::{Estimate, roundoff_tolerance};
 use mdr_core::contact::{Error, Profile, Quantity, Result, Shape, Transform};

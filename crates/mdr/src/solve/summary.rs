@@ -2,7 +2,6 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Error, FoldKind, Result, Status};
-use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{self, SearchQuality};
 use mdr_numeric::path::{Dissipation, Event, EventKind, Path};

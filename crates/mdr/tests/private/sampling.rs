@@ -7,7 +7,7 @@ use super::*;
 
 #[test]
 fn a_singular_radius_is_passed_by() {
-    let dimple = EllipticalDimple::new(1e-6, 1e-4).unwrap();
+    let dimple = std::sync::Arc::new(EllipticalDimple::new(1e-6, 1e-4).unwrap());
     let material = Material::new(1e6, 0.05).unwrap();
     let curve = Contact::half_space(&dimple, &material, &Control::Indentation);
     assert!(curve.state(&1e-4).is_err());
@@ -17,7 +17,7 @@ fn a_singular_radius_is_passed_by() {
 
 #[test]
 fn the_polyline_stays_with_the_curve_and_passes_through_the_nodes() {
-    let wavy = WavyParaboloid::new(1.0, 2e-4, 0.03).unwrap();
+    let wavy = std::sync::Arc::new(WavyParaboloid::new(1.0, 2e-4, 0.03).unwrap());
     let material = Material::new(1.0, 1e-4).unwrap();
     let curve = Contact::half_space(&wavy, &material, &Control::Indentation);
     let nodes = [0.0275, 0.0834567];
