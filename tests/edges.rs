@@ -1,9 +1,11 @@
 //! Contacts whose edge meets an edge of the profile, in f64: g' has an inverse root there, or g is −∞.
 
+use std::sync::Arc;
+
 use mdr_analytic::profiles::{EllipticalDimple, ParabolicDimple, Paraboloid, Sum, TruncatedCone, TruncatedParaboloid};
 use mdr_core::contact::{Control, Error, Material, Result, Stability, Transform};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
 use mdr_numeric::folds::{SearchQuality, find};
@@ -54,7 +56,7 @@ fn a_pole_ends_branches() -> Result<()> {
     let loaded = [(0.003, -0.001), (0.001, 0.0), (0.001, -0.0005), (0.003, -0.003)];
     let questions = indented.map(|question| (Control::Indentation, question)).into_iter();
     for (control, (depth, value)) in questions.chain(loaded.map(|question| (Control::Force, question))) {
-        let found = equilibria(&dimple(depth)?, &glue, &control, &value)?;
+        let found = equilibria(&Arc::new(dimple(depth)?), &glue, &control, &value)?;
         let expected = scanned(depth, &control, value);
         assert_eq!(found.len(), expected.len(), "{control:?} {depth} {value}: {found:?} {expected:?}");
         assert_eq!(found.completeness, SearchQuality::Resolved);
@@ -68,8 +70,8 @@ fn a_pole_ends_branches() -> Result<()> {
 
 #[test]
 fn the_pole_is_told_apart_from_folds() -> Result<()> {
-    let (dimple, glue) = (dimple(0.003)?, glue()?);
-    let curve = EquilibriumCurve::new(&dimple, &glue, &Control::Indentation);
+    let (dimple, glue) = (Arc::new(dimple(0.003)?), glue()?);
+    let curve = Contact::half_space(&dimple, &glue, &Control::Indentation);
     let found = find(&curve)?;
     assert_eq!((found.folds.len(), found.completeness), (2, SearchQuality::Resolved));
     let [pole] = found.poles.as_slice() else { panic!("{:?}", found.poles) };
@@ -83,8 +85,8 @@ fn the_pole_is_told_apart_from_folds() -> Result<()> {
 /// Pressed out of the dimple and pulled back, the contact stays outside the edge.
 #[test]
 fn a_path_starts_beside_a_pole() -> Result<()> {
-    let (dimple, glue) = (dimple(0.003)?, glue()?);
-    let branches = SearchedBranches::new(EquilibriumCurve::new(&dimple, &glue, &Control::Indentation))?;
+    let (dimple, glue) = (Arc::new(dimple(0.003)?), glue()?);
+    let branches = SearchedBranches::new(Contact::half_space(&dimple, &glue, &Control::Indentation))?;
     let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.01, 0.0])?;
     let kinds: Vec<EventKind> = path.events.iter().map(|event| event.kind).collect();
     assert_eq!(kinds, [EventKind::Start, EventKind::WayPoint, EventKind::End]);
@@ -107,8 +109,8 @@ fn a_path_starts_beside_a_pole() -> Result<()> {
 fn the_energy_of_a_truncated_tip_is_balanced() -> Result<()> {
     let glue = glue()?;
     let (cone, paraboloid) = (TruncatedCone::new(0.2, EDGE)?, TruncatedParaboloid::new(1.0, EDGE)?);
-    for tip in [&cone as &dyn Transform<f64>, &paraboloid] {
-        let branches = SearchedBranches::new(EquilibriumCurve::new(tip, &glue, &Control::Indentation))?;
+    for tip in [Arc::new(cone) as Arc<dyn Transform<f64>>, Arc::new(paraboloid)] {
+        let branches = SearchedBranches::new(Contact::half_space(&tip, &glue, &Control::Indentation))?;
         assert_eq!(branches.completeness(), SearchQuality::Resolved);
         let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.5])?;
         assert_eq!(path.events[1].kind, EventKind::Detached);
@@ -135,19 +137,19 @@ fn the_energy_is_stationary_at_the_same_states() -> Result<()> {
     let paraboloid = TruncatedParaboloid::new(1.0, EDGE)?;
     let ridge: Sum<f64> = Sum::new(vec![Box::new(Paraboloid::new(1.0)?), Box::new(ParabolicDimple::new(0.003, EDGE)?)]);
     let (shallow, deep) = (dimple(0.001)?, dimple(0.003)?);
-    let tips: [(&dyn Transform<f64>, &[f64]); 5] = [
-        (&cone, &[0.01, -0.0079]),
-        (&paraboloid, &[0.0]),
-        (&ridge, &[-0.005]),
-        (&shallow, &[0.0, -0.001]),
-        (&deep, &[-0.003]),
+    let tips: [(Arc<dyn Transform<f64>>, &[f64]); 5] = [
+        (Arc::new(cone), &[0.01, -0.0079]),
+        (Arc::new(paraboloid), &[0.0]),
+        (Arc::new(ridge), &[-0.005]),
+        (Arc::new(shallow), &[0.0, -0.001]),
+        (Arc::new(deep), &[-0.003]),
     ];
-    for (tip, values) in tips {
-        for value in values {
+    for (tip, values) in &tips {
+        for value in *values {
             for (control, value) in [(Control::Indentation, *value), (Control::Force, 0.1 * value)] {
-                let by_energy = Energy::new(tip, &glue)?.equilibria(&control, &value)?;
+                let curve = Contact::half_space(tip, &glue, &control);
+                let by_energy = Energy::new(curve.clone())?.equilibria(&control, &value)?;
                 let by_force = equilibria(tip, &glue, &control, &value)?;
-                let curve = EquilibriumCurve::new(tip, &glue, &control);
                 assert_eq!(by_energy.len(), by_force.len(), "{control:?} {value}: {by_energy:?} {by_force:?}");
                 for (one, other) in by_energy.iter().zip(by_force.iter()) {
                     let a = other.contact_radius;

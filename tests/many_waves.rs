@@ -4,11 +4,13 @@
 #[path = "../crates/mdr-crosscheck/benches/waves/mod.rs"]
 mod waves;
 
+use std::sync::Arc;
+
 use mdr_analytic::profiles::WavyParaboloid as Closed;
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Control, FoldKind, Material, Result, Shape, Transform};
 use mdr_core::number::{Literal, Precision, Real, Special};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{SearchQuality, find};
 use mdr_numeric::path::{Path, PathEnergy, Start};
@@ -71,9 +73,9 @@ fn ten_thousand_waves_to_fifty_digits() -> Result<()> {
 fn folds_of_waves(count: f64) -> Result<(usize, SearchQuality)> {
     let wavelength = 0.01;
     let k = 2.0 * std::f64::consts::PI / wavelength;
-    let waves = Closed::new(1.0, (8.0 * count).sqrt() / (k * k), wavelength)?;
+    let waves = Arc::new(Closed::new(1.0, (8.0 * count).sqrt() / (k * k), wavelength)?);
     let material = Material::new(1.0, 1e-4)?;
-    let found = find(&EquilibriumCurve::new(&waves, &material, &Control::Indentation))?;
+    let found = find(&Contact::half_space(&waves, &material, &Control::Indentation))?;
     assert!(found.folds.windows(2).all(|pair| pair[0].contact_radius < pair[1].contact_radius));
     assert!(found.folds.windows(2).all(|pair| pair[0].kind != pair[1].kind), "a fold is missing");
     assert!(found.folds.first().is_none_or(|fold| fold.kind == FoldKind::Minimum));
@@ -95,9 +97,9 @@ fn folds_by_the_thousand() -> Result<()> {
 #[test]
 fn as_many_folds_as_are_proved() -> Result<()> {
     for (count, proved) in waves::CASES {
-        let waves = waves::waves::<f64>((), count)?;
+        let waves = Arc::new(waves::waves::<f64>((), count)?);
         let material = Material::new(1.0, 1e-4)?;
-        let found = find(&EquilibriumCurve::new(&waves, &material, &Control::Indentation))?;
+        let found = find(&Contact::half_space(&waves, &material, &Control::Indentation))?;
         assert_eq!((found.folds.len(), found.completeness), (proved, SearchQuality::Resolved));
     }
     Ok(())
@@ -107,9 +109,9 @@ fn as_many_folds_as_are_proved() -> Result<()> {
 #[test]
 fn the_energy_of_many_jumps_is_balanced() -> Result<()> {
     for (count, folds) in &waves::CASES[..3] {
-        let (waves, control) = (waves::waves::<f64>((), *count)?, Control::Indentation);
+        let (waves, control) = (Arc::new(waves::waves::<f64>((), *count)?), Control::Indentation);
         let material = Material::new(1.0, 1e-4)?;
-        let branches = SearchedBranches::new(EquilibriumCurve::new(&waves, &material, &control))?;
+        let branches = SearchedBranches::new(Contact::half_space(&waves, &material, &control))?;
         let path = Path::follow(&branches, &Start::Largest, &[0.0, -1.0])?;
         let balance = PathEnergy::new(&path, &branches)?.balance(&path, &branches)?.expect("nothing unbounded");
         assert!(balance.residual.abs() <= balance.bound, "{balance:?}");

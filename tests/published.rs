@@ -7,7 +7,7 @@
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
-use mdr_analytic::{Contact, PowerLaw, State, flat_punch_pull_off, kappa, lemniscate_constant, threshold};
+use mdr_analytic::{PowerLaw, PowerLawContact, State, flat_punch_pull_off, kappa, lemniscate_constant, threshold};
 use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::{Literal, Precision, Real};
 use rug::Float;
@@ -43,11 +43,11 @@ fn both(material: &Material<Float>) -> (&Float, &Float) {
 }
 
 fn critical(profile: Result<PowerLaw<Float>>, material: &Material<Float>, control: &Control<Float>) -> State<Float> {
-    Contact::new(profile.unwrap(), material.clone()).critical(control).unwrap()
+    PowerLawContact::new(profile.unwrap(), material.clone()).critical(control).unwrap()
 }
 
 /// Johnson, Kendall & Roberts, Proc. R. Soc. Lond. A 324 (1971) 301–313: the pull-off force −(3/2)πwR and
-/// the radius (3πwR²/2K)^{1/3} at it. The depth is that of Maugis, Contact, Adhesion and Rupture of Elastic Solids,
+/// the radius (3πwR²/2K)^{1/3} at it. The depth is that of Maugis, PowerLawContact, Adhesion and Rupture of Elastic Solids,
 /// Springer 2000: −(π²w²R/12K²)^{1/3}.
 #[test]
 fn jkr_sphere_under_a_dead_load() {
@@ -151,7 +151,7 @@ fn lemniscate() {
     agree(&constant, &number("2.62205755429211981046483958989111941368275495143162"));
 }
 
-/// κ_n of the named profiles: 2 (paraboloid), π/2 (cone); Popov & Heß, Method of Dimensionality Reduction in Contact
+/// κ_n of the named profiles: 2 (paraboloid), π/2 (cone); Popov & Heß, Method of Dimensionality Reduction in PowerLawContact
 /// Mechanics and Friction, Springer 2015, also have n = 3: 3π/4, and n = 4: 8/3.
 #[test]
 fn tabulated_kappa() {
@@ -167,7 +167,7 @@ fn tabulated_kappa() {
 #[test]
 fn machine_between_the_limits() {
     let material = Material::new(number("1e6"), number("0.05")).unwrap();
-    let contact = Contact::new(PowerLaw::paraboloid(number("0.01")).unwrap(), material.clone());
+    let contact = PowerLawContact::new(PowerLaw::paraboloid(number("0.01")).unwrap(), material.clone());
     let stiff = contact.critical(&Control::Indentation).unwrap().contact_radius;
     for (scaled, published) in [
         ("0.1", "2.0365865307982584792988855998458288453856451985841"),
@@ -186,7 +186,7 @@ fn machine_between_the_limits() {
 #[test]
 fn energy_lost_in_a_jump() {
     let material = Material::new(number("1e6"), number("0.05")).unwrap();
-    let contact = Contact::new(PowerLaw::paraboloid(number("0.01")).unwrap(), material.clone());
+    let contact = PowerLawContact::new(PowerLaw::paraboloid(number("0.01")).unwrap(), material.clone());
     let disc = |a: &Float| a.pi() * a.powi(2) * material.work_of_adhesion();
     let critical = contact.critical(&Control::Indentation).unwrap().contact_radius;
     agree(&contact.energy_lost_at_pull_off().unwrap(), &disc(&critical).times(2).over(5));

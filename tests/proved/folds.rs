@@ -1,5 +1,7 @@
 //! All folds, and none hidden.
 
+use std::sync::Arc;
+
 use mdr_analytic::PowerLaw;
 use mdr_analytic::profiles::*;
 use mdr_core::contact::{Error, FoldKind, Result, Transform};
@@ -110,7 +112,7 @@ fn the_edge_of_a_sum() -> Result<()> {
         Ok(Sum::new(vec![Box::new(Paraboloid::new(crate::number(ctx, "1"))?), Box::new(punch)]))
     }
     let ctx = Precision::new(64);
-    let (plain, moving) = (Box::new(sum(ctx)?), Box::new(sum(ctx)?));
+    let (plain, moving) = (Arc::new(sum(ctx)?), Arc::new(sum(ctx)?));
     let contact = Contact { bits: 64, plain, moving, work: "1e-4", held: Held::Indentation };
     let proved = contact.folds(1e-6, 1e3)?;
     assert!(proved.is_complete() && proved.folds.len() == 1 && proved.folds[0].contact_radius.approx() == 0.01);
@@ -135,7 +137,7 @@ fn edges_beside_each_other() -> Result<()> {
             ("0.05", "0.05000000000001", false),
             ("0.05", "0.0499999999999999", false),
         ] {
-            let (plain, moving) = (Box::new(sum(ctx, one, second)?), Box::new(sum(ctx, one, second)?));
+            let (plain, moving) = (Arc::new(sum(ctx, one, second)?), Arc::new(sum(ctx, one, second)?));
             let proved = Contact { bits: 64, plain, moving, work: "1e-4", held }.folds(1e-4, 1e2)?;
             assert_eq!(proved.is_complete(), decided, "{second}: {proved:?}");
             let first = second.parse::<f64>().unwrap().min(one.parse().unwrap());
@@ -187,7 +189,7 @@ fn a_kink_is_not_passed_over_in_silence() -> Result<()> {
     let ctx = Precision::new(64);
     let cone = TruncatedCone::new(crate::number::<Interval>(ctx, "0.5"), crate::number(ctx, "0.01"))?;
     let moving = TruncatedCone::new(crate::number::<Dual<Interval>>(ctx, "0.5"), crate::number(ctx, "0.01"))?;
-    let (plain, moving) = (Box::new(Silent(cone)), Box::new(Silent(moving)));
+    let (plain, moving) = (Arc::new(Silent(cone)), Arc::new(Silent(moving)));
     let contact = Contact { bits: 64, plain, moving, work: "1e-4", held: Held::Indentation };
     let proved = contact.folds(1e-6, 1e3)?;
     let gap = |(lower, upper): &(Float, Float)| *lower < 0.01 && *upper > 0.01;
@@ -218,7 +220,7 @@ fn kinks_beyond_the_end_of_a_sum() -> Result<()> {
     let ellipsoid = ("0.1155517071642064907204393851584350767026", "-0.02023894323412937005836218408484247109995");
     let ctx = Precision::new(64);
     for (case, (radius, indentation)) in [ball, ball, ball, dimpled, ellipsoid].into_iter().enumerate() {
-        let (plain, moving) = (Box::new(terms(ctx, case)?), Box::new(terms(ctx, case)?));
+        let (plain, moving) = (Arc::new(terms(ctx, case)?), Arc::new(terms(ctx, case)?));
         let contact = Contact { bits: 64, plain, moving, work: "1e-3", held: Held::Indentation };
         let proved = contact.folds(1e-4, 1e3)?;
         let [fold] = &proved.folds[..] else { panic!("{case}: {proved:?}") };
@@ -248,7 +250,7 @@ fn three_folds_of_a_machine() -> Result<()> {
     let one = Interval::from_int(Precision::new(64), 1);
     let profile = PowerLaw::new(crate::number(Precision::new(64), "0.6"), crate::number(Precision::new(64), "2.4829"))?;
     let material = mdr_core::contact::Material::new(one.clone(), one.clone())?;
-    let closed = mdr_analytic::Contact::new(profile, material).machine_folds(&one)?;
+    let closed = mdr_analytic::PowerLawContact::new(profile, material).machine_folds(&one)?;
     for (fold, closed) in proved.folds.iter().zip(&closed) {
         assert!(fold.contact_radius.overlaps(&closed.contact_radius) && fold.kind == closed.kind);
         assert!(fold.indentation.overlaps(&closed.indentation) && fold.force.overlaps(&closed.force));

@@ -3,9 +3,10 @@
 mod equilibria;
 mod folds;
 
+use std::sync::Arc;
+
 use mdr_core::contact::{Control, Fold, Material, Result, Transform};
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
-use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::proof::{EnclosedCurve, ProvedBranches, ProvedFolds};
 use rug::Float;
 
@@ -38,21 +39,21 @@ impl Held {
 /// A contact with E* = 1: a profile in both arithmetics, w/E*, and what is controlled.
 pub(crate) struct Contact {
     pub(crate) bits: u32,
-    pub(crate) plain: Box<dyn Transform<Interval>>,
-    pub(crate) moving: Box<dyn Transform<Dual<Interval>>>,
+    pub(crate) plain: Arc<dyn Transform<Interval>>,
+    pub(crate) moving: Arc<dyn Transform<Dual<Interval>>>,
     pub(crate) work: &'static str,
     pub(crate) held: Held,
 }
 
 impl Contact {
     /// Answers a question about it.
-    pub(crate) fn ask<T>(&self, answer: impl FnOnce(EnclosedCurve<'_>) -> Result<T>) -> Result<T> {
+    pub(crate) fn ask<T>(&self, answer: impl FnOnce(EnclosedCurve) -> Result<T>) -> Result<T> {
         let ctx = Precision::new(self.bits);
         let material = Material::new(number(ctx, "1"), number(ctx, self.work))?;
         let moving_material = Material::new(number(ctx, "1"), number(ctx, self.work))?;
         let (control, moving_control) = (self.held.control(ctx)?, self.held.control(ctx)?);
-        let plain = EquilibriumCurve::new(self.plain.as_ref(), &material, &control);
-        let moving = EquilibriumCurve::new(self.moving.as_ref(), &moving_material, &moving_control);
+        let plain = mdr_numeric::contact::Contact::half_space(&self.plain, &material, &control);
+        let moving = mdr_numeric::contact::Contact::half_space(&self.moving, &moving_material, &moving_control);
         answer(EnclosedCurve::new(plain, moving))
     }
 
@@ -66,7 +67,7 @@ impl Contact {
     pub(crate) fn branches<T>(
         &self,
         folds: &ProvedFolds,
-        answer: impl FnOnce(ProvedBranches<'_>) -> Result<T>,
+        answer: impl FnOnce(ProvedBranches) -> Result<T>,
     ) -> Result<T> {
         self.ask(|curve| answer(ProvedBranches::new(curve, folds)?))
     }
@@ -78,8 +79,8 @@ macro_rules! contact {
         let ctx = Precision::new($bits);
         $crate::Contact {
             bits: $bits,
-            plain: Box::new($profile::new($($crate::number::<Interval>(ctx, $parameter)),*)?),
-            moving: Box::new($profile::new($($crate::number::<Dual<Interval>>(ctx, $parameter)),*)?),
+            plain: std::sync::Arc::new($profile::new($($crate::number::<Interval>(ctx, $parameter)),*)?),
+            moving: std::sync::Arc::new($profile::new($($crate::number::<Dual<Interval>>(ctx, $parameter)),*)?),
             work: $work,
             held: $held,
         }

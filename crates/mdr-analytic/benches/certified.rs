@@ -9,7 +9,7 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use mdr_analytic::certified::{Elasticity, Question, kappa};
-use mdr_analytic::{Contact, Kappa, PowerLaw, kappa_enclosure};
+use mdr_analytic::{Kappa, PowerLaw, PowerLawContact, kappa_enclosure};
 use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Literal, Precision, Real};
 use rug::Float;
@@ -59,7 +59,7 @@ fn criticals(criterion: &mut Criterion) {
         });
         let [n, c, e, w] = [EXPONENT, "1.5", "1e6", "0.05"].map(|text| float(digits, text));
         let state = |profile: PowerLaw<Float>| {
-            Contact::new(profile, Material::new(e.clone(), w.clone()).unwrap()).critical(&Control::Indentation)
+            PowerLawContact::new(profile, Material::new(e.clone(), w.clone()).unwrap()).critical(&Control::Indentation)
         };
         group.bench_function(BenchmarkId::new("bare", digits), |b| {
             b.iter(|| state(PowerLaw::new(black_box(n.clone()), c.clone()).unwrap()));

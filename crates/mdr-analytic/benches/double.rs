@@ -12,7 +12,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use mdr_analytic::double::grid::{BatchReport, Materials, Path, Points, States, critical_states_on};
-use mdr_analytic::{Contact, PowerLaw, State, double};
+use mdr_analytic::{PowerLaw, PowerLawContact, State, double};
 use mdr_core::contact::{Control, Material, Ranged, Status};
 use mdr_core::number::Extended;
 use rand::rngs::SmallRng;
@@ -78,7 +78,7 @@ fn decided_in_one_word(p: &Point) -> bool {
     let wide = |x: f64| Extended::<1>::from(x);
     let state = PowerLaw::new(wide(p.n), wide(p.c)).and_then(|profile| {
         let material = Material::new(wide(*p.material.effective_modulus()), wide(*p.material.work_of_adhesion()))?;
-        Contact::new(profile, material).critical(&Control::Indentation)
+        PowerLawContact::new(profile, material).critical(&Control::Indentation)
     });
     state.is_ok_and(|s| [s.contact_radius, s.indentation, s.force].iter().all(|x| x.nearest_f64().is_some()))
 }

@@ -51,16 +51,16 @@ const FORCE_SLOPE: Quantity = Quantity::Parameter("the slope F' of the normal fo
 /// load.
 ///
 /// ```
-/// use mdr_analytic::{Contact, PowerLaw};
+/// use mdr_analytic::{PowerLawContact, PowerLaw};
 /// use mdr_core::contact::{Control, Material};
-/// let ball = Contact::new(PowerLaw::new(2.0, 0.5)?, Material::new(1.0, 1.0)?);
+/// let ball = PowerLawContact::new(PowerLaw::new(2.0, 0.5)?, Material::new(1.0, 1.0)?);
 /// // Johnson, Kendall and Roberts: F = −(3/2)πwR under a dead load.
 /// let critical = ball.critical(&Control::Force)?;
 /// assert!((critical.force / (-1.5 * std::f64::consts::PI) - 1.0).abs() < 1e-14);
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Contact<R> {
+pub struct PowerLawContact<R> {
     profile: PowerLaw<R>,
     material: Material<R>,
     /// B = πw/(2E*), in m. It may be out of range where its root is not.
@@ -69,13 +69,13 @@ pub struct Contact<R> {
     pub(crate) edge_root: R,
 }
 
-impl<R: Real> Contact<R> {
+impl<R: Real> PowerLawContact<R> {
     /// The given profile on the given material.
     #[inline(always)]
     pub fn new(profile: PowerLaw<R>, material: Material<R>) -> Self {
         let edge_length = edge_length(&material);
         let edge_root = edge_root(&material, &edge_length);
-        Contact { profile, material, edge_length, edge_root }
+        PowerLawContact { profile, material, edge_length, edge_root }
     }
 
     /// The profile.
@@ -123,7 +123,7 @@ impl<R: Real> Contact<R> {
     /// F(a) = 2E* a (n/(n+1) κ_n C aⁿ − Δl(a)) (1.6), (1.16), in N.
     ///
     /// # Errors
-    /// As [`Contact::indentation`].
+    /// As [`PowerLawContact::indentation`].
     pub fn force(&self, a: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let n = self.profile.exponent();
@@ -202,7 +202,7 @@ impl<R: Real> Contact<R> {
     /// d'(a) = N aⁿ⁻¹ − √(B/a) along the equilibria; its zero is the condition (1.10), (1.14).
     ///
     /// # Errors
-    /// As [`Contact::indentation`].
+    /// As [`PowerLawContact::indentation`].
     pub fn indentation_slope(&self, a: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let (n, one) = (self.profile.exponent(), a.lit(1));
@@ -216,7 +216,7 @@ impl<R: Real> Contact<R> {
     /// F'(a) = 2E*(a d'(a) − Δl(a)) = 2E* a (N aⁿ⁻¹ − 3√(B/a)) along the equilibria, in N/m.
     ///
     /// # Errors
-    /// As [`Contact::indentation`].
+    /// As [`PowerLawContact::indentation`].
     pub fn force_slope(&self, a: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let n = self.profile.exponent();

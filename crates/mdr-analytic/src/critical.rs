@@ -3,7 +3,7 @@
 use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, Stability};
 use mdr_core::number::Real;
 
-use crate::contact::{Contact, ln_edge_length};
+use crate::contact::{PowerLawContact, ln_edge_length};
 use crate::machine::CriticalRatio;
 use crate::range::{ordinary, product, representable};
 
@@ -26,7 +26,7 @@ impl<R> State<R> {
     }
 }
 
-impl<R: Real> Contact<R> {
+impl<R: Real> PowerLawContact<R> {
     /// The critical state under the given control.
     ///
     /// | control | a | d | F |
@@ -36,7 +36,7 @@ impl<R: Real> Contact<R> {
     ///
     /// with B = πw/(2E*), N = nκ_nC: (1.15) with its exponent corrected, and (1.17). For n > 1/2 the contact breaks
     /// there, for n < 1/2 it spreads over the whole surface. No terms cancel in these forms. On a machine it is the
-    /// first fold when leaving the stable branch, see [`Contact::machine_folds`].
+    /// first fold when leaving the stable branch, see [`PowerLawContact::machine_folds`].
     ///
     /// # Errors
     /// [`Error::Domain`] at n = 1/2, where the problem has no length scale (see [`threshold`](crate::threshold()));
@@ -116,7 +116,7 @@ impl<R: Real> Contact<R> {
         self.ln_length_scale(critical_ratio).exp()
     }
 
-    /// ln of [`Contact::length_scale`], with intermediate results in range.
+    /// ln of [`PowerLawContact::length_scale`], with intermediate results in range.
     pub(crate) fn ln_length_scale(&self, critical_ratio: &R) -> R {
         let ln_slope = self.profile().kappa().ln() + self.profile().coefficient().ln() + self.profile().exponent().ln();
         (ln_edge_length(self.material()) + (critical_ratio.ln() - &ln_slope).times(2)) / self.profile().excess()

@@ -3,10 +3,10 @@
 use mdr_core::contact::{Error, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::range::{product, representable};
 
-impl<R: Real> Contact<R> {
+impl<R: Real> PowerLawContact<R> {
     /// a₀, the equilibrium radius at d = 0: (2πw/(E*κ²C²))^{1/(2n−1)}. Stable for n > 1/2, unstable for n < 1/2.
     ///
     /// # Errors

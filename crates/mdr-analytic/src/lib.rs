@@ -5,10 +5,10 @@
 //! derivatives.
 //!
 //! ```
-//! use mdr_analytic::{Contact, PowerLaw};
+//! use mdr_analytic::{PowerLawContact, PowerLaw};
 //! use mdr_core::contact::{Control, Material, Regime};
 //! // f = 1 · r^0.25 on rubber: E* = 1 MPa, w = 0.05 J/m².
-//! let tip = Contact::new(PowerLaw::new(0.25, 1.0)?, Material::new(1e6, 0.05)?);
+//! let tip = PowerLawContact::new(PowerLaw::new(0.25, 1.0)?, Material::new(1e6, 0.05)?);
 //! assert_eq!(tip.regime()?, Regime::CompleteContact);
 //! let critical = tip.critical(&Control::Indentation)?;
 //! assert!((critical.indentation / 603.9026733142962 - 1.0).abs() < 1e-13);
@@ -20,13 +20,13 @@
 //! | transform of a power law, g = κ_n C xⁿ | (1.12) | [`PowerLaw`], [`kappa()`] |
 //! | transform of another shape | | [`profiles`], [`struve`] |
 //! | elongation of the edge springs at detachment | (1.4) | [`detachment_elongation`] |
-//! | d(a), F(a), Π(a, d) | (1.5), (1.6), (1.13), (1.16) | [`Contact::indentation`], [`Contact::force`], [`Contact::energy`] |
-//! | tangency d'(a), F'(a) | (1.10), (1.14) | [`Contact::indentation_slope`], [`Contact::force_slope`] |
-//! | critical states | (1.15) corrected, (1.17) | [`Contact::critical`] |
-//! | folds on a machine of finite stiffness | | [`Contact::machine_folds`] |
-//! | n = 1/2 | (1.18), (1.19) | [`threshold()`], [`Contact::ratio`], [`Contact::fate`] |
-//! | equilibria at a given d or F | | [`Contact::equilibria`], [`Contact::equilibria_at_distance`] |
-//! | energy dissipated in a jump | | [`Contact::energy_lost_at_pull_off`], [`Contact::energy_lost_at_jump_in`] |
+//! | d(a), F(a), Π(a, d) | (1.5), (1.6), (1.13), (1.16) | [`PowerLawContact::indentation`], [`PowerLawContact::force`], [`PowerLawContact::energy`] |
+//! | tangency d'(a), F'(a) | (1.10), (1.14) | [`PowerLawContact::indentation_slope`], [`PowerLawContact::force_slope`] |
+//! | critical states | (1.15) corrected, (1.17) | [`PowerLawContact::critical`] |
+//! | folds on a machine of finite stiffness | | [`PowerLawContact::machine_folds`] |
+//! | n = 1/2 | (1.18), (1.19) | [`threshold()`], [`PowerLawContact::ratio`], [`PowerLawContact::fate`] |
+//! | equilibria at a given d or F | | [`PowerLawContact::equilibria`], [`PowerLawContact::equilibria_at_distance`] |
+//! | energy dissipated in a jump | | [`PowerLawContact::energy_lost_at_pull_off`], [`PowerLawContact::energy_lost_at_jump_in`] |
 //! | all power laws as one family | | [`universal_indentation`], [`universal_force`] |
 //! | paraboloid, cone, flat punch | | [`PowerLaw::paraboloid`], [`PowerLaw::cone`], [`flat_punch_pull_off`] |
 //! | range of adhesion: Tabor's number, Maugis's states of a paraboloid | | [`tabor_number`], [`maugis_state`] |
@@ -36,12 +36,12 @@
 //! The sensitivity to an input is the slope of a dual number, here that of the pull-off force to the exponent:
 //!
 //! ```
-//! use mdr_analytic::{Contact, PowerLaw};
+//! use mdr_analytic::{PowerLawContact, PowerLaw};
 //! use mdr_core::contact::{Control, Material};
 //! use mdr_core::number::Dual;
 //! let constant = |x| Dual::constant(x);
 //! let profile = PowerLaw::new(Dual::variable(2.0), constant(0.5))?;
-//! let contact = Contact::new(profile, Material::new(constant(1.0), constant(1.0))?);
+//! let contact = PowerLawContact::new(profile, Material::new(constant(1.0), constant(1.0))?);
 //! let force = contact.critical(&Control::Indentation)?.force;
 //! let relative = force.slope / force.value;
 //! assert!((relative - -0.3149099619498).abs() < 1e-12);
@@ -79,7 +79,7 @@ pub mod struve;
 mod threshold;
 mod universal;
 
-pub use contact::{Contact, detachment_elongation};
+pub use contact::{PowerLawContact, detachment_elongation};
 pub use critical::State;
 pub use inverse::Equilibria;
 pub use kappa::{Kappa, kappa};

@@ -21,19 +21,19 @@
 use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
-use crate::contact::{Contact, ln_edge_length};
+use crate::contact::{PowerLawContact, ln_edge_length};
 use crate::critical::State;
 use crate::newton::{self, tolerance, undecided};
 use crate::range::{ordinary, representable};
 
-impl<R: Real> Contact<R> {
+impl<R: Real> PowerLawContact<R> {
     /// All folds on a machine of stiffness k (N/m), by increasing radius: one, or three for some machines when
     /// 1/2 < n < 5/2 − √3; at n = 1/2 one or none. Each is a minimum or a maximum of D = d + F/k.
     ///
     /// ```
-    /// use mdr_analytic::{Contact, PowerLaw};
+    /// use mdr_analytic::{PowerLawContact, PowerLaw};
     /// use mdr_core::contact::Material;
-    /// let contact = Contact::new(PowerLaw::new(0.6, 2.4829)?, Material::new(1.0, 1.0)?);
+    /// let contact = PowerLawContact::new(PowerLaw::new(0.6, 2.4829)?, Material::new(1.0, 1.0)?);
     /// let folds = contact.machine_folds(&1.0)?;
     /// assert_eq!(folds.len(), 3);
     /// assert!((folds[2].contact_radius / 459.2 - 1.0).abs() < 1e-3);
@@ -66,7 +66,7 @@ impl<R: Real> Contact<R> {
         stiffness.clone() / self.material().effective_modulus().clone().times(2)
     }
 
-    /// ln of [`Contact::machine_length`], which itself may be out of range.
+    /// ln of [`PowerLawContact::machine_length`], which itself may be out of range.
     pub(crate) fn ln_machine_length(&self, stiffness: &R) -> R {
         let scale = self.machine_length(stiffness);
         if ordinary(&scale) {
@@ -183,7 +183,7 @@ struct Piece<R> {
 }
 
 impl<R: Real> Balance<R> {
-    fn new(contact: &Contact<R>, stiffness: &R) -> Self {
+    fn new(contact: &PowerLawContact<R>, stiffness: &R) -> Self {
         let slope = contact.profile().excess().over(2);
         let ratio = contact.slope_coefficient() / &contact.edge_root;
         let ln_ratio = if ordinary(&ratio) {
@@ -296,7 +296,7 @@ mod tests {
     fn the_fold_at_one_half_moves_with_n() -> Result<()> {
         let at = |n: Dual<f64>| {
             let [c, e_star, work, stiffness] = [2.4, 1.0, 1.0, 0.7].map(Dual::constant);
-            let contact = Contact::new(PowerLaw::new(n, c)?, Material::new(e_star, work)?);
+            let contact = PowerLawContact::new(PowerLaw::new(n, c)?, Material::new(e_star, work)?);
             let fold = contact.machine_folds(&stiffness)?.remove(0);
             Ok([fold.contact_radius, fold.indentation, fold.force])
         };

@@ -3,7 +3,7 @@
 use mdr_core::contact::{Error, Material, Quantity, Result};
 use mdr_core::number::{Real, Special};
 
-use crate::contact::{Contact, detachment_elongation, ln_edge_length};
+use crate::contact::{PowerLawContact, detachment_elongation, ln_edge_length};
 use crate::critical::State;
 use crate::kappa::Kappa;
 use crate::power_law::PowerLaw;
@@ -13,9 +13,9 @@ impl<R: Kappa> PowerLaw<R> {
     /// The paraboloid r²/(2R) of Johnson, Kendall and Roberts (1971), R in m: n = 2, κ = 2, g = x²/R.
     ///
     /// ```
-    /// use mdr_analytic::{Contact, PowerLaw};
+    /// use mdr_analytic::{PowerLawContact, PowerLaw};
     /// use mdr_core::contact::{Control, Material};
-    /// let ball = Contact::new(PowerLaw::paraboloid(1.0)?, Material::new(1.0, 1.0)?);
+    /// let ball = PowerLawContact::new(PowerLaw::paraboloid(1.0)?, Material::new(1.0, 1.0)?);
     /// // Fixed grips: F = −(5/6)πwR.
     /// let critical = ball.critical(&Control::Indentation)?;
     /// assert!((critical.force / (-5.0 / 6.0 * std::f64::consts::PI) - 1.0).abs() < 1e-14);
@@ -80,7 +80,7 @@ pub fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> Resul
     Ok(State { contact_radius: b, indentation, force })
 }
 
-impl<R: Real> Contact<R> {
+impl<R: Real> PowerLawContact<R> {
     /// Kendall's punch with the radius C⁻^{1/n} that this profile approaches for n → ∞.
     ///
     /// # Errors

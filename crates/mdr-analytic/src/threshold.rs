@@ -3,7 +3,7 @@
 use mdr_core::contact::{Control, Error, Material, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
-use crate::contact::{Contact, edge_length, edge_root, ln_edge_length};
+use crate::contact::{PowerLawContact, edge_length, edge_root, ln_edge_length};
 use crate::critical::State;
 use crate::machine::CriticalRatio;
 use crate::range::representable;
@@ -31,7 +31,7 @@ fn arithmetic_geometric_mean<R: Real>(x: &R, y: &R) -> R {
 /// The coefficient C at n = 1/2 that separates the two outcomes (1.19), in √m.
 ///
 /// Under controlled indentation (2/ϖ)√(2πw/E*) = 0.7627…√(2πw/E*), under controlled force three times that. On a
-/// machine no single C decides: between the two thresholds there is one fold ([`Contact::machine_folds`]); the value
+/// machine no single C decides: between the two thresholds there is one fold ([`PowerLawContact::machine_folds`]); the value
 /// returned is the lower one, that of the stiff limit.
 ///
 /// ```
@@ -72,7 +72,7 @@ pub enum ScaleFreeOutcome {
     Indifferent,
 }
 
-impl<R: Real> Contact<R> {
+impl<R: Real> PowerLawContact<R> {
     /// ρ = κ_{1/2}C/√(2πw/E*) at n = 1/2: the ratio of C to its threshold under controlled indentation, three times the
     /// ratio under controlled force.
     ///

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mdr_analytic::certified::{Answer, Elasticity, Question, kappa};
-use mdr_analytic::{Contact, PowerLaw};
+use mdr_analytic::{PowerLaw, PowerLawContact};
 use mdr_core::contact::{Body, Control, Error, Material, Quantity, Regime, Result};
 use mdr_core::number::Literal;
 
@@ -85,8 +85,10 @@ fn radii_about_the_end_of_the_range_have_digits() {
     for c in ["1.770", "1.765", "1.760", "2.075", "2.080", "2.085"] {
         let answer = answer("0.5000000001", c, "1", "1", &Control::Indentation, 20);
         let radius = answer.critical.unwrap().contact_radius.log10_f64();
-        let contact =
-            Contact::new(PowerLaw::new(0.5000000001, c.parse().unwrap()).unwrap(), Material::new(1.0, 1.0).unwrap());
+        let contact = PowerLawContact::new(
+            PowerLaw::new(0.5000000001, c.parse().unwrap()).unwrap(),
+            Material::new(1.0, 1.0).unwrap(),
+        );
         let expected = contact.ln_critical(&Control::Indentation).unwrap().contact_radius / std::f64::consts::LN_10;
         assert!(
             (3e8..4e8).contains(&radius.abs()) && (radius / expected - 1.0).abs() < 1e-5,

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
 use mdr_analytic::certified::{Curve, Elasticity, Question};
-use mdr_analytic::{Contact, PowerLaw};
+use mdr_analytic::{PowerLaw, PowerLawContact};
 use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision};
@@ -20,7 +20,7 @@ fn literal(text: &str) -> Literal {
 
 struct Case {
     curve: Curve,
-    contact: Contact<Interval>,
+    contact: PowerLawContact<Interval>,
     control: Control<Interval>,
 }
 
@@ -35,7 +35,8 @@ fn case([n, c, e_star, work, k]: [&str; 5], control: &Control<()>) -> Result<Cas
     };
     let elasticity = Elasticity::Effective(literal(e_star));
     let question = Question::new(&literal(n), &literal(c), &elasticity, &literal(work), &exact)?;
-    let contact = Contact::new(PowerLaw::new(number(n), number(c))?, Material::new(number(e_star), number(work))?);
+    let contact =
+        PowerLawContact::new(PowerLaw::new(number(n), number(c))?, Material::new(number(e_star), number(work))?);
     Ok(Case { curve: question.curve(Precision::new(BITS))?, contact, control })
 }
 

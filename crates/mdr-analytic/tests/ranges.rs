@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mdr_analytic::{
-    Contact, PowerLaw, ScaleFreeOutcome, detachment_elongation, double, threshold, universal_force,
+    PowerLaw, PowerLawContact, ScaleFreeOutcome, detachment_elongation, double, threshold, universal_force,
     universal_indentation,
 };
 use mdr_core::contact::{Control, Equilibrium, Error, Material, Ranged, Result, Transform};
@@ -154,7 +154,7 @@ fn held_values(n: f64, c: f64, material: &Material<f64>, control: &Control<f64>)
     }
 }
 
-fn check_equilibria(contact: &Contact<f64>, control: &Control<f64>, value: f64) {
+fn check_equilibria(contact: &PowerLawContact<f64>, control: &Control<f64>, value: f64) {
     let (profile, material) = (contact.profile(), contact.material());
     let what = format!("{contact:?}, {control:?} of {value:e}");
     let expected = double::equilibria(*profile.exponent(), *profile.coefficient(), material, control, value).unwrap();

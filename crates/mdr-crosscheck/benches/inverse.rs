@@ -7,14 +7,15 @@
 
 use std::array::from_fn;
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::Instant;
 
 use mdr_analytic::double::grid::Path;
 use mdr_analytic::double::{self, BranchSlices, Inverse, InverseBatch as Found};
-use mdr_analytic::{Contact, PowerLaw};
+use mdr_analytic::{PowerLaw, PowerLawContact};
 use mdr_core::contact::{Control, Error, Material, Quantity, Status};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 
 const VALUES: usize = 64;
@@ -52,8 +53,9 @@ fn main() -> Result<(), Error> {
         let c = 50.0;
         let at_fold = double::critical(n, c, &material, &control)?.indentation.value(Quantity::Indentation)?;
         let ready = Inverse::new(n, c, &material, &control)?;
-        let contact = Contact::new(PowerLaw::new(n, c)?, material.clone());
-        let branches = SearchedBranches::new(EquilibriumCurve::new(contact.profile(), &material, &control))?;
+        let contact = PowerLawContact::new(PowerLaw::new(n, c)?, material.clone());
+        let branches =
+            SearchedBranches::new(Contact::half_space(&Arc::new(contact.profile().clone()), &material, &control))?;
         let one_by_one = |path: Path| {
             let ready = ready.clone().with_instructions(path);
             each(&format!("Inverse::equilibria, {path}"), move |d| {
@@ -66,7 +68,7 @@ fn main() -> Result<(), Error> {
             each("double::equilibria", |d| {
                 black_box(double::equilibria(n, c, &material, &control, d)).map_or(0, |found| found.as_slice().len())
             }),
-            each("Contact::equilibria in f64", |d| {
+            each("PowerLawContact::equilibria in f64", |d| {
                 black_box(contact.equilibria(&control, &d)).map_or(0, |found| found.as_slice().len())
             }),
             each("branches, folds known", |d| black_box(branches.equilibria(&d)).map_or(0, |found| found.len())),

@@ -5,11 +5,12 @@
 mod waves;
 
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use mdr_core::contact::{Control, CountingTransform, Material};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{self, Folds};
 use mdr_numeric::path::{EventKind, Path, PathEnergy, Start};
@@ -23,7 +24,7 @@ fn during<T>(counted: &CountingTransform<f64>, task: impl FnOnce() -> T) -> (T, 
 }
 
 /// From d = 0 down until the surfaces are apart.
-fn pull(branches: &SearchedBranches<'_, f64>) -> Path<f64> {
+fn pull(branches: &SearchedBranches<f64>) -> Path<f64> {
     Path::follow(branches, &Start::Largest, &[0.0, -1.0]).expect("a path")
 }
 
@@ -34,13 +35,13 @@ fn paths(criterion: &mut Criterion) {
     let (material, control) = (Material::new(1.0, 1e-4).expect("a material"), Control::Indentation);
     for (count, proved) in CASES {
         let profile = Box::new(waves((), count).expect("a profile"));
-        let counted = CountingTransform::new(profile, &Default::default());
-        let curve = EquilibriumCurve::new(&counted, &material, &control);
+        let counted = Arc::new(CountingTransform::new(profile, &Default::default()));
+        let curve = Contact::half_space(&counted, &material, &control);
         let search = || -> Folds<f64> { folds::find(&curve).expect("folds") };
         let (found, searching) = during(&counted, search);
         let folds = found.folds.len();
         println!("{folds} folds found of {proved} that were proved, {:?}", found.completeness);
-        let branches = SearchedBranches::cut_at(curve, found);
+        let branches = SearchedBranches::cut_at(curve.clone(), found);
         let (path, following) = during(&counted, || pull(&branches));
         let (energies, accounting) = during(&counted, || PathEnergy::new(&path, &branches));
         let jumps = path.events.iter().filter(|event| event.kind == EventKind::Jump).count();

@@ -4,12 +4,13 @@
 mod waves;
 
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::{Dual, Interval, Precision, Real};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::proof::{EnclosedCurve, ProvedFolds};
 use rug::Float;
 use waves::{CASES, waves};
@@ -18,12 +19,12 @@ const BITS: u32 = 64;
 
 fn prove(count: u32) -> Result<ProvedFolds> {
     let ctx = Precision::new(BITS);
-    let (plain, moving) = (waves::<Interval>(ctx, count)?, waves::<Dual<Interval>>(ctx, count)?);
+    let (plain, moving) = (Arc::new(waves::<Interval>(ctx, count)?), Arc::new(waves::<Dual<Interval>>(ctx, count)?));
     let material = Material::new(Interval::from_int(ctx, 1), Interval::from_int(ctx, 1).over(10_000))?;
     let lifted = |value: &Interval| Dual::constant(value.clone());
     let moving_material = Material::new(lifted(material.effective_modulus()), lifted(material.work_of_adhesion()))?;
-    let curve = EquilibriumCurve::new(&plain, &material, &Control::Indentation);
-    let moving = EquilibriumCurve::new(&moving, &moving_material, &Control::Indentation);
+    let curve = Contact::half_space(&plain, &material, &Control::Indentation);
+    let moving = Contact::half_space(&moving, &moving_material, &Control::Indentation);
     let ends = [1e-6, 1e3].map(|end| Float::with_val(BITS, end));
     EnclosedCurve::new(curve, moving).folds(&ends[0], &ends[1], 100_000_000)
 }

@@ -6,6 +6,7 @@
 
 use std::f64::consts::PI;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use mdr_analytic::PowerLaw;
 use mdr_core::contact::{Control, Error, Material, Stability};
@@ -63,7 +64,7 @@ impl Sphere {
 
     /// The equilibria of this workspace in f64: the stable one.
     fn workspace(&self) -> Result<Option<f64>, Error> {
-        let profile = PowerLaw::new(2.0, 0.5 / self.radius)?;
+        let profile = Arc::new(PowerLaw::new(2.0, 0.5 / self.radius)?);
         let material = Material::new(self.e_star, self.work)?;
         let found = equilibria(&profile, &material, &Control::Indentation, &self.d)?;
         Ok(found.iter().rfind(|state| state.stability == Stability::Stable).map(|state| state.contact_radius))

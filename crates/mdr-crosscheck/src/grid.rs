@@ -7,7 +7,7 @@
 
 use std::fmt;
 
-use mdr_analytic::{Contact, Kappa, PowerLaw};
+use mdr_analytic::{Kappa, PowerLaw, PowerLawContact};
 use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::Real;
 use rug::Float;
@@ -221,8 +221,8 @@ impl<R> Scene<R> {
 
 impl<R: Kappa> Scene<R> {
     /// The closed forms of this contact.
-    pub(crate) fn contact(&self) -> Result<Contact<R>> {
-        Ok(Contact::new(PowerLaw::new(self.n.clone(), self.c.clone())?, self.material()?))
+    pub(crate) fn contact(&self) -> Result<PowerLawContact<R>> {
+        Ok(PowerLawContact::new(PowerLaw::new(self.n.clone(), self.c.clone())?, self.material()?))
     }
 
     /// Its material.

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
-use mdr_analytic::{Contact, Kappa, PowerLaw, flat_punch_pull_off, kappa, threshold};
+use mdr_analytic::{Kappa, PowerLaw, PowerLawContact, flat_punch_pull_off, kappa, threshold};
 use mdr_analytic::{universal_force, universal_indentation};
 use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::{Interval, Real};
@@ -36,8 +36,8 @@ impl<R: Kappa> At<R> {
     fn material(&self) -> Material<R> {
         Material::new(self.value("E"), self.value("w")).unwrap()
     }
-    fn contact(&self) -> Contact<R> {
-        Contact::new(PowerLaw::new(self.n(), self.value("C")).unwrap(), self.material())
+    fn contact(&self) -> PowerLawContact<R> {
+        PowerLawContact::new(PowerLaw::new(self.n(), self.value("C")).unwrap(), self.material())
     }
     fn machine(&self) -> Control<R> {
         Control::Machine { stiffness: self.value("k") }

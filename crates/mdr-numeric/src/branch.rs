@@ -6,7 +6,7 @@ use mdr_core::contact::{Control, Equilibrium, Error, Fold, FoldKind, Outcome, Qu
 use mdr_core::number::Real;
 
 use crate::admissible::{Admissibility, Ring, Touch};
-use crate::curve::EquilibriumCurve;
+use crate::contact::Contact;
 
 /// The curve of equilibria cut at its folds. Between two folds the controlled quantity is monotone, so each branch
 /// contains at most one equilibrium at a value.
@@ -48,7 +48,7 @@ pub trait EquilibriumBranches<R: Real> {
     fn onset(&self) -> Result<FirstContact>;
 
     /// The admissibility of states.
-    fn admissibility(&self) -> &Admissibility<'_>;
+    fn admissibility(&self) -> &Admissibility;
 
     /// The first contact of separated surfaces, if it is not at the tip.
     ///
@@ -150,7 +150,7 @@ pub enum End<R> {
 ///
 /// # Errors
 /// Those of the transform.
-pub(crate) fn end<R: Real>(curve: &EquilibriumCurve<'_, R>) -> Result<End<R>> {
+pub(crate) fn end<R: Real>(curve: &Contact<R>) -> Result<End<R>> {
     let Some(contact_radius) = curve.transform().outer_radius() else { return Ok(End::Open) };
     if curve.vertical_edge().is_some() {
         return Ok(End::Unknown);
@@ -182,7 +182,7 @@ pub enum FirstContact {
 ///
 /// # Errors
 /// Those of the transform; [`Error::Undecided`] over enclosures that do not decide.
-pub fn onset<R: Real>(curve: &EquilibriumCurve<'_, R>, first: Option<&Fold<R>>) -> Result<FirstContact> {
+pub fn onset<R: Real>(curve: &Contact<R>, first: Option<&Fold<R>>) -> Result<FirstContact> {
     let length = curve.material_length();
     let radius = first.map(|fold| fold.contact_radius.clone()).filter(|radius| *radius < length).unwrap_or(length);
     let close = (radius.unit_roundoff() * &radius).midpoint();
@@ -196,7 +196,7 @@ pub fn onset<R: Real>(curve: &EquilibriumCurve<'_, R>, first: Option<&Fold<R>>) 
     }
     let stable = match first {
         Some(fold) => fold.kind == FoldKind::Maximum,
-        None => match curve.tangency(&close)?.partial_cmp(&curve.threshold_at(&close)) {
+        None => match curve.tangency(&close)?.partial_cmp(&curve.critical_ratio_at(&close)) {
             Some(order) => order == Ordering::Greater,
             None => return Err(undecided("whether contact grows smoothly from a point")),
         },

@@ -17,10 +17,10 @@ use std::cmp::Ordering;
 
 use mdr_core::calculus::roots::{self, Bracket, Sample};
 use mdr_core::calculus::{Tolerance, roundoff_tolerance};
-use mdr_core::contact::{Error, Material, Quantity, Result};
+use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Special, order};
 
-use crate::curve::{EquilibriumCurve, negligible};
+use crate::contact::{Contact, negligible};
 
 use ring::Ring;
 
@@ -39,7 +39,7 @@ pub fn separation<R: Special>(range: &R) -> R {
 ///
 /// # Errors
 /// [`Error::Domain`] unless a and z₀ are positive and finite.
-pub fn tabor_number<R: Special>(curve: &EquilibriumCurve<'_, R>, a: &R, range: &R) -> Result<R> {
+pub fn tabor_number<R: Special>(curve: &Contact<R>, a: &R, range: &R) -> Result<R> {
     let range = Error::require_positive(RANGE, range.clone())?;
     let constant = (a.pi().times(9).over(8).ln().over(3).exp() * a.pi()).times(2).sqrt();
     Ok(curve.detachment_elongation(a)? / range / constant)
@@ -48,21 +48,22 @@ pub fn tabor_number<R: Special>(curve: &EquilibriumCurve<'_, R>, a: &R, range: &
 /// A profile in contact whose surfaces attract each other up to a finite separation.
 ///
 /// ```
+/// use std::sync::Arc;
 /// use mdr_core::contact::{Control, Material, Shape};
-/// use mdr_numeric::{curve::EquilibriumCurve, dugdale::{Dugdale, separation}, folds::folds};
+/// use mdr_numeric::{contact::Contact, dugdale::{Dugdale, separation}, folds::folds};
 /// use mdr_numeric::transform::Quadrature;
 /// // A ball of 10 nm with z₀ = 0.3 nm: its pull-off force is between 3/2 πwR (JKR) and 2πwR (DMT).
-/// let ball = Quadrature::of([Shape::Paraboloid { radius: 10e-9 }])?;
+/// let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 10e-9 }])?);
 /// let material = Material::new(5e9, 0.05)?;
-/// let contact = Dugdale::new(EquilibriumCurve::new(&ball, &material, &Control::Force), &separation(&0.3e-9))?;
+/// let contact = Dugdale::new(Contact::half_space(&ball, &material, &Control::Force), &separation(&0.3e-9))?;
 /// let jkr = folds(&ball, &material, &Control::Force)?[0].contact_radius;
 /// let pull_off = contact.pull_off(&[jkr])?.expect("it breaks");
 /// let share = -pull_off.force / (std::f64::consts::PI * 0.05 * 10e-9);
 /// assert!(1.5 < share && share < 2.0);
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-pub struct Dugdale<'a, R: Special> {
-    curve: EquilibriumCurve<'a, R>,
+pub struct Dugdale<R: Special> {
+    curve: Contact<R>,
     separation: R,
     /// s = 2σ₀/E*, without a unit.
     strength: R,
@@ -81,13 +82,13 @@ pub struct CohesiveState<R> {
     pub force: R,
 }
 
-impl<'a, R: Special> Dugdale<'a, R> {
+impl<'a, R: Special> Dugdale<R> {
     /// A contact with the separation h₀ up to which the surfaces attract each other, in m; [`separation`] takes it from the
     /// range of adhesion. The control of the curve is not used.
     ///
     /// # Errors
     /// [`Error::Domain`] unless h₀ is positive and finite; [`Error::OutOfRange`] if w/(E*h₀) is not representable.
-    pub fn new(curve: EquilibriumCurve<'a, R>, separation: &R) -> Result<Self> {
+    pub fn new(curve: Contact<R>, separation: &R) -> Result<Self> {
         let separation = Error::require_positive(RANGE, separation.clone())?;
         let strength = (curve.material_length() / &separation).times(2);
         if !(strength > strength.lit(0) && strength.is_finite()) {
@@ -97,9 +98,9 @@ impl<'a, R: Special> Dugdale<'a, R> {
         Ok(Dugdale { curve, separation, strength })
     }
 
-    /// E* and w.
-    pub fn material(&self) -> &'a Material<R> {
-        self.curve.material()
+    /// The contact without the ring.
+    pub fn contact(&self) -> &Contact<R> {
+        &self.curve
     }
 
     /// The state with the contact radius `a`. Outside a contact whose gap is not monotonic the ring ends where the gap first

@@ -12,45 +12,44 @@ mod mean;
 
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh_pieces, roundoff_tolerance};
-use mdr_core::contact::{Control, Equilibrium, Error, Material, Quantity, Result, Stability, Transform};
+use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Real};
 
-use crate::curve::{EquilibriumCurve, in_range, negligible, relative_elongation};
+use crate::contact::{Contact, in_range, negligible};
 use crate::survey::{self, Crossing, Range};
 use mean::Grade;
 
 /// The potential energy of a profile in contact.
 ///
 /// ```
+/// use std::sync::Arc;
 /// use mdr_core::contact::{Control, Material, Shape, Stability};
+/// use mdr_numeric::contact::Contact;
 /// use mdr_numeric::{energy::Energy, transform::Quadrature};
-/// let (ball, glue) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Material::new(1.0, 1e-3)?);
-/// let stationary = Energy::new(&ball, &glue)?.equilibria(&Control::Indentation, &-0.01)?;
+/// let (ball, glue) = (Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?), Material::new(1.0, 1e-3)?);
+/// let stationary = Energy::new(Contact::half_space(&ball, &glue, &Control::Indentation))?.equilibria(&Control::Indentation, &-0.01)?;
 /// assert_eq!(stationary.len(), 2);
 /// assert_eq!(stationary[1].stability, Stability::Stable); // the minimum
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-pub struct Energy<'a, R: Real> {
-    transform: &'a dyn Transform<R>,
-    material: &'a Material<R>,
-    /// w/E*.
-    length: R,
+pub struct Energy<R: Real> {
+    contact: Contact<R>,
     /// p of g ≈ c xᵖ at the tip, estimated from g; `None` beside kinks.
     tip: Option<R>,
 }
 
-impl<'a, R: Real> Energy<'a, R> {
-    /// The energy of a transformed profile against a material.
+impl<R: Real> Energy<R> {
+    /// The energy of a contact, whose control is not used.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if w/E* is not representable in this arithmetic.
-    pub fn new(transform: &'a dyn Transform<R>, material: &'a Material<R>) -> Result<Self> {
-        let length = material.work_of_adhesion().clone() / material.effective_modulus();
+    pub fn new(contact: Contact<R>) -> Result<Self> {
+        let (transform, length) = (contact.transform(), contact.material_length());
         if !(length > length.lit(0) && length.is_finite()) {
             return Err(Error::OutOfRange { quantity: Quantity::Energy, log10: length.approx().log10() });
         }
         let tip = if transform.kinks().is_empty() { tip_exponent(transform, &length) } else { None };
-        Ok(Energy { transform, material, length, tip })
+        Ok(Energy { contact, tip })
     }
 
     /// Π(a, d), in J, zero for separated surfaces.
@@ -72,10 +71,11 @@ impl<'a, R: Real> Energy<'a, R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let unit = self.unit(&a);
         let needed = negligible(&unit);
-        let elastic = mean(&|x| Ok(((d.clone() - g(self.transform, x, &needed)?) / &unit).square()))?;
+        let elastic = mean(&|x| Ok(((d.clone() - g(self.contact.transform(), x, &needed)?) / &unit).square()))?;
         let reduced = elastic.times(2) - a.lit(1);
-        let potential = a.clone() * self.material.work_of_adhesion() * a.pi() * &a * &reduced;
-        let factors = || [a.pi(), a.clone(), a.clone(), self.material.work_of_adhesion().clone(), reduced.clone()];
+        let [pi, width, radius] = self.contact.medium().area_factors(&a);
+        let potential = width.clone() * self.work() * &pi * &radius * &reduced;
+        let factors = || [pi.clone(), width, radius, self.work().clone(), reduced.clone()];
         in_range(Quantity::Energy, potential, &reduced, factors)
     }
 
@@ -88,7 +88,7 @@ impl<'a, R: Real> Energy<'a, R> {
         let [from, to] = [from, to].map(|a| Error::require_positive(Quantity::ContactRadius, a.clone()));
         let (from, to) = (from?, to?);
         let unit = self.unit(&from);
-        let (kinks, distance) = (self.transform.kinks(), (from.clone() - &to).abs());
+        let (kinks, distance) = (self.contact.transform().kinks(), (from.clone() - &to).abs());
         if distance == from.lit(0) {
             return Ok(distance);
         }
@@ -100,14 +100,15 @@ impl<'a, R: Real> Energy<'a, R> {
         let [lower, upper] = if shrinks { [&to, &from] } else { [&from, &to] };
         let needed = negligible(&unit);
         let gained = tanh_sinh_pieces(lower, upper, &kinks, tolerance, |x| {
-            let (excess, length) = (d.clone() - g(self.transform, x, &needed)?, self.unit(x));
+            let (excess, length) = (d.clone() - g(self.contact.transform(), x, &needed)?, self.unit(x));
             Ok((excess.clone() - &length) / &unit * ((excess + length) / &unit))
         })?
         .value;
         let reduced = if shrinks { gained } else { -gained };
         // In units of 2πaw, as the potential of πa²w.
-        let lost = (from.clone() * self.material.work_of_adhesion() * from.pi()).times(2) * &reduced;
-        let factors = || [from.pi().times(2), from.clone(), self.material.work_of_adhesion().clone(), reduced.clone()];
+        let [pi, radius, _] = self.contact.medium().area_factors(&from);
+        let lost = (radius.clone() * self.work() * &pi).times(2) * &reduced;
+        let factors = || [pi.times(2), radius, self.work().clone(), reduced.clone()];
         in_range(Quantity::Energy, lost, &reduced, factors)
     }
 
@@ -122,7 +123,7 @@ impl<'a, R: Real> Energy<'a, R> {
     pub fn release(&self, a: &R, d: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let unit = self.unit(&a);
-        let excess = (d.clone() - g(self.transform, &a, &negligible(&unit))?) / &unit;
+        let excess = (d.clone() - g(self.contact.transform(), &a, &negligible(&unit))?) / &unit;
         in_range(Quantity::Energy, excess.square(), &excess, || [excess.clone(), excess.clone()])
     }
 
@@ -130,10 +131,12 @@ impl<'a, R: Real> Energy<'a, R> {
     /// [`Energy::equilibria`]. It is accurate to a few roundings of the energy.
     ///
     /// ```
+    /// use std::sync::Arc;
     /// use mdr_core::contact::{Flank, Material, Shape};
+    /// use mdr_numeric::contact::Contact;
     /// use mdr_numeric::{energy::Energy, transform::Quadrature};
-    /// let (cone, glue) = (Quadrature::of([Shape::Cone { flank: Flank::Slope(0.3) }])?, Material::new(2.0, 1e-3)?);
-    /// let energy = Energy::new(&cone, &glue)?;
+    /// let (cone, glue) = (Arc::new(Quadrature::of([Shape::Cone { flank: Flank::Slope(0.3) }])?), Material::new(2.0, 1e-3)?);
+    /// let energy = Energy::new(Contact::half_space(&cone, &glue, &Control::Indentation))?;
     /// let (at_the_end, of_the_integral) = (energy.release(&0.08, &-0.01)?, energy.release_by_variation(&0.08, &-0.01)?);
     /// assert!((at_the_end - of_the_integral).abs() < 1e-12 * at_the_end);
     /// # Ok::<(), mdr_core::contact::Error>(())
@@ -152,7 +155,7 @@ impl<'a, R: Real> Energy<'a, R> {
         // kink b on depends on a, so there it is (a − b) d/da, x − b and the mean over it: g' may have an inverse root
         // or a pole at b, but (x − b)g' has not.
         let unit = self.unit(a);
-        let edge = self.transform.kinks().into_iter().rfind(|kink| kink < a);
+        let edge = self.contact.transform().kinks().into_iter().rfind(|kink| kink < a);
         let from = edge.clone().unwrap_or_else(|| a.lit(0));
         self.mean_beyond(edge.as_ref(), a, grade, |x| {
             let radius = Dual { value: a.lit(1), slope: a.lit(1) };
@@ -160,7 +163,7 @@ impl<'a, R: Real> Energy<'a, R> {
             let g = if vanishes(&x.value) {
                 x.lit(0)
             } else {
-                x.chain(self.transform.g(&x.value)?, self.transform.slope(&x.value)?)
+                x.chain(self.contact.transform().g(&x.value)?, self.contact.transform().slope(&x.value)?)
             };
             let v = (Dual::constant(d.clone()) - g) / Dual::constant(unit.clone());
             Ok((v.square() * radius).slope)
@@ -168,19 +171,25 @@ impl<'a, R: Real> Energy<'a, R> {
     }
 
     /// The force balance of the contact; methods of the curve that use the rule of Heß are not called.
-    fn balance<'b>(&'b self, control: &'b Control<R>) -> EquilibriumCurve<'b, R> {
-        EquilibriumCurve::new(self.transform, self.material, control)
+    fn balance(&self, control: &Control<R>) -> Contact<R> {
+        self.contact.with_control(control.clone())
+    }
+
+    /// w.
+    fn work(&self) -> &R {
+        self.contact.adhesion().work()
     }
 
     /// The indentation that makes the energy stationary in d at radius `a`: ∂Π/∂d = 2E* ∫₀ᵃ (d − g) dx is F, or k(D − d).
     fn indentation(&self, control: &Control<R>, value: &R, a: &R, grade: &Grade<R>) -> Result<R> {
         let needed = negligible(&self.unit(a));
-        self.balance(control).held_against(a, value, || self.mean(a, grade, |x| g(self.transform, x, &needed)))
+        self.balance(control)
+            .held_against(a, value, || self.mean(a, grade, |x| g(self.contact.transform(), x, &needed)))
     }
 
-    /// √(2πaw/E*), the unit of displacement at radius `a`.
+    /// Δl(a), the unit of displacement at radius `a`.
     fn unit(&self, a: &R) -> R {
-        relative_elongation(a, &self.length) * a
+        self.contact.elongation(a)
     }
 
     /// A quantity that equals one at equilibria only: the root of the release rate, positive where the edge is in
@@ -194,7 +203,7 @@ impl<'a, R: Real> Energy<'a, R> {
         let grade = |scale: R| if coarse { Grade::Coarse(scale) } else { Grade::Full };
         let d = self.indentation(control, value, a, &grade(self.unit(a)))?;
         let root = self.varied(a, &d, &grade(a.lit(1)))?.abs().sqrt();
-        Ok(if self.transform.g(a)? > d { root } else { -root })
+        Ok(if self.contact.transform().g(a)? > d { root } else { -root })
     }
 
     /// All equilibria at `value` of the controlled quantity, as stationary points of the energy where the edge is in
@@ -210,7 +219,8 @@ impl<'a, R: Real> Energy<'a, R> {
     /// range of radii, as at d = 0 at the threshold of n = 1/2.
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
         control.check_value(value)?;
-        let range = Range { heights: u64::MAX, ..Range::whole(self.transform, self.length.clone()) };
+        let range =
+            Range { heights: u64::MAX, ..Range::whole(self.contact.transform(), self.contact.material_length()) };
         let survey = survey::survey(&range, |a| self.edge_excess(control, value, a, true))?;
         let excess = |a: &R| Ok(self.edge_excess(control, value, a, false)? - a.lit(1));
         let mut found = Vec::new();
@@ -219,7 +229,7 @@ impl<'a, R: Real> Energy<'a, R> {
             let a = roots::refine(bracket, &roundoff_tolerance(&crossing.lower).over(8), excess)?.value;
             let d = self.indentation(control, value, &a, &Grade::Full)?;
             let needed = negligible(&self.unit(&a));
-            let excess = d.clone() - self.mean(&a, &Grade::Full, |x| g(self.transform, x, &needed))?;
+            let excess = d.clone() - self.mean(&a, &Grade::Full, |x| g(self.contact.transform(), x, &needed))?;
             let force = self.balance(control).force_of(&a, &excess)?;
             let stability = if crossing.rising { Stability::Stable } else { Stability::Unstable };
             found.push(Equilibrium { contact_radius: a, indentation: d, force, stability });
@@ -310,14 +320,16 @@ mod tests {
     use mdr_core::contact::{Flank, Shape};
 
     use super::*;
+    use crate::medium::{Adhesion, Medium};
     use crate::transform::Quadrature;
 
     /// The derivative of the integral is the integrand at its end: to the tolerance of the integral, 128 roundoffs of
     /// ∫|v² + 2v x g'/Δl| < 3 max v², and v² < 10 at all x < a here.
     #[test]
     fn varied_is_released() -> Result<()> {
-        let (cone, glue) = (Quadrature::of([Shape::Cone { flank: Flank::Slope(0.3) }])?, Material::new(2.0, 1e-3)?);
-        let energy = Energy::new(&cone, &glue)?;
+        let cone = Quadrature::of([Shape::Cone { flank: Flank::Slope(0.3) }])?;
+        let (medium, adhesion) = (Medium::half_space(2.0)?, Adhesion::new(1e-3)?);
+        let energy = Energy::new(Contact::new(cone, medium, adhesion, Control::Indentation))?;
         for (a, d) in [(0.08, -0.01), (0.03, 0.0), (0.05, 0.03)] {
             let (local, varied) = (energy.release(&a, &d)?, energy.varied(&a, &d, &Grade::Full)?);
             assert!(local < 10.0 && (local - varied).abs() < 64.0 * f64::EPSILON * 30.0, "{local} {varied}");

@@ -6,7 +6,7 @@
 use mdr_core::contact::{Control, Result};
 use mdr_core::number::Real;
 
-use crate::curve::EquilibriumCurve;
+use crate::contact::Contact;
 
 /// The relative distance 2^−k from the equator at which the bounds of the profile are evaluated.
 const MARGIN: i64 = 40;
@@ -14,7 +14,7 @@ const MARGIN: i64 = 40;
 /// from its radius.
 const NEAR: i64 = 8;
 
-impl<R: Real> EquilibriumCurve<'_, R> {
+impl<R: Real> Contact<R> {
     /// The outer radius, if g is known to diverge there.
     ///
     /// # Errors
@@ -37,7 +37,7 @@ impl<R: Real> EquilibriumCurve<'_, R> {
         let d = self.held_against(equator, value, || Ok(mean.clone()))?;
         let force = match self.control() {
             Control::Force => value.clone(),
-            _ => self.edge_stiffness(equator) * (d.clone() - mean),
+            _ => self.stiffness(equator) * (d.clone() - mean),
         };
         Ok((d, force))
     }

@@ -15,14 +15,14 @@ use mdr_core::number::{Real, order};
 
 use crate::admissible::{self, Admissibility, Ring, Touch};
 use crate::branch::{End, EquilibriumBranches, FirstContact, Towards, end, onset, unordered};
-use crate::curve::EquilibriumCurve;
+use crate::contact::Contact;
 use crate::folds::{self, Folds, SearchQuality};
 use crate::{equator, survey};
 use ends::is_pole;
 
 /// The branches of a contact under one control: the curve of equilibria cut at its folds.
-pub struct SearchedBranches<'a, R: Real> {
-    curve: EquilibriumCurve<'a, R>,
+pub struct SearchedBranches<R: Real> {
+    curve: Contact<R>,
     /// Includes poles.
     folds: Vec<Fold<R>>,
     completeness: SearchQuality,
@@ -30,7 +30,7 @@ pub struct SearchedBranches<'a, R: Real> {
     reach: Option<[R; 2]>,
     /// The outer radius where g diverges: a growing contact comes to equilibrium before it.
     equator: Option<R>,
-    admissibility: OnceLock<Arc<Admissibility<'a>>>,
+    admissibility: OnceLock<Arc<Admissibility>>,
 }
 
 /// All equilibria at `value` of the controlled quantity (d, F, or D = d + F/k), by increasing radius; the list may be
@@ -42,7 +42,9 @@ pub struct SearchedBranches<'a, R: Real> {
 /// ```
 /// use mdr_core::contact::{Control, Material, Shape, Stability};
 /// use mdr_numeric::{equilibrium::equilibria, transform::Quadrature};
-/// let (ball, glue) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Material::new(1.0, 1e-3)?);
+/// use std::sync::Arc;
+/// let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?);
+/// let glue = Material::new(1.0, 1e-3)?;
 /// let pulled = equilibria(&ball, &glue, &Control::Indentation, &-0.01)?;
 /// assert_eq!(pulled.len(), 2);
 /// assert_eq!(pulled[1].stability, Stability::Stable);
@@ -52,13 +54,17 @@ pub struct SearchedBranches<'a, R: Real> {
 ///
 /// # Errors
 /// Those of the transform; [`OutOfRange`](Error::OutOfRange) if a force is not representable in this arithmetic.
-pub fn equilibria<R: Real>(
-    transform: &dyn Transform<R>,
+pub fn equilibria<R, T>(
+    transform: &Arc<T>,
     material: &Material<R>,
     control: &Control<R>,
     value: &R,
-) -> Result<Equilibria<R>> {
-    SearchedBranches::new(EquilibriumCurve::new(transform, material, control))?.search(value)
+) -> Result<Equilibria<R>>
+where
+    R: Real,
+    T: Transform<R> + ?Sized + 'static,
+{
+    SearchedBranches::new(Contact::half_space(transform, material, control))?.search(value)
 }
 
 /// The equilibria at one value, and the quality of the search.
@@ -80,12 +86,12 @@ impl<R> Deref for Equilibria<R> {
     }
 }
 
-impl<'a, R: Real> SearchedBranches<'a, R> {
+impl<R: Real> SearchedBranches<R> {
     /// Finds the folds of the curve. Call it once for many values.
     ///
     /// # Errors
     /// As [`folds::folds`].
-    pub fn new(curve: EquilibriumCurve<'a, R>) -> Result<Self> {
+    pub fn new(curve: Contact<R>) -> Result<Self> {
         let folds = folds::find(&curve)?;
         match folds.out_of_range.first() {
             Some(fold) => Err(fold.error.clone()),
@@ -94,7 +100,7 @@ impl<'a, R: Real> SearchedBranches<'a, R> {
     }
 
     /// The curve cut at known folds: those of the same contact under the same control, all with a state.
-    pub fn cut_at(curve: EquilibriumCurve<'a, R>, folds: Folds<R>) -> Self {
+    pub fn cut_at(curve: Contact<R>, folds: Folds<R>) -> Self {
         let Folds { mut folds, poles, completeness, .. } = folds;
         folds.extend(poles);
         folds.sort_by(|one, other| order(&one.contact_radius, &other.contact_radius));
@@ -103,7 +109,7 @@ impl<'a, R: Real> SearchedBranches<'a, R> {
     }
 
     /// The same with a known admissibility, which is otherwise searched when needed.
-    pub fn with_admissibility(self, admissibility: Arc<Admissibility<'a>>) -> Self {
+    pub fn with_admissibility(self, admissibility: Arc<Admissibility>) -> Self {
         SearchedBranches { admissibility: OnceLock::from(admissibility), ..self }
     }
 
@@ -113,7 +119,7 @@ impl<'a, R: Real> SearchedBranches<'a, R> {
     }
 
     /// The curve.
-    pub fn curve(&self) -> &EquilibriumCurve<'a, R> {
+    pub fn curve(&self) -> &Contact<R> {
         &self.curve
     }
 
@@ -302,7 +308,7 @@ impl<'a, R: Real> SearchedBranches<'a, R> {
     }
 }
 
-impl<R: Real> EquilibriumBranches<R> for SearchedBranches<'_, R> {
+impl<R: Real> EquilibriumBranches<R> for SearchedBranches<R> {
     fn control(&self) -> &Control<R> {
         self.curve.control()
     }
@@ -311,7 +317,7 @@ impl<R: Real> EquilibriumBranches<R> for SearchedBranches<'_, R> {
         self.curve.is_pushed_back(radius, value)
     }
 
-    fn admissibility(&self) -> &Admissibility<'_> {
+    fn admissibility(&self) -> &Admissibility {
         let search = || Arc::new(Admissibility::rounded(&self.curve, &self.folds));
         self.admissibility.get_or_init(search)
     }

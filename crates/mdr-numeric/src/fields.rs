@@ -5,39 +5,40 @@
 
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi};
-use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
+use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Special;
 
-use crate::curve::{EquilibriumCurve, negligible};
+use crate::contact::{Contact, negligible};
 
 /// The fields of the equilibrium with a given contact radius.
 ///
 /// ```
+/// use std::sync::Arc;
 /// use mdr_core::contact::{Control, Material, Shape};
-/// use mdr_numeric::{curve::EquilibriumCurve, fields::Fields, transform::Quadrature};
-/// let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
+/// use mdr_numeric::{contact::Contact, fields::Fields, transform::Quadrature};
+/// let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?);
 /// let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation);
-/// let fields = Fields::new(EquilibriumCurve::new(&ball, &material, &control), 0.1)?;
+/// let fields = Fields::new(Contact::half_space(&ball, &material, &control), 0.1)?;
 /// assert!(fields.pressure(&0.0)? > 0.0);   // compressed in the middle,
 /// assert!(fields.pressure(&0.0999)? < 0.0); // in tension at the edge
 /// assert!(fields.gap(&0.2)? > 0.0);
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
 #[derive(Clone)]
-pub struct Fields<'a, R: Special> {
-    curve: EquilibriumCurve<'a, R>,
+pub struct Fields<R: Special> {
+    curve: Contact<R>,
     contact_radius: R,
     indentation: R,
     /// g(a) − d, the elongation of the edge springs: Δl, but less if the contact is pressed against a vertical edge.
     edge: R,
 }
 
-impl<'a, R: Special> Fields<'a, R> {
+impl<R: Special> Fields<R> {
     /// The equilibrium of the curve at the given contact radius.
     ///
     /// # Errors
-    /// As [`EquilibriumCurve::indentation`].
-    pub fn new(curve: EquilibriumCurve<'a, R>, contact_radius: R) -> Result<Self> {
+    /// As [`Contact::indentation`].
+    pub fn new(curve: Contact<R>, contact_radius: R) -> Result<Self> {
         let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
         let indentation = curve.indentation(&contact_radius)?;
         let edge = curve.elongation(&contact_radius);
@@ -48,7 +49,7 @@ impl<'a, R: Special> Fields<'a, R> {
     ///
     /// # Errors
     /// As [`Fields::new`].
-    pub fn of(curve: EquilibriumCurve<'a, R>, state: &Equilibrium<R>) -> Result<Self> {
+    pub fn of(curve: Contact<R>, state: &Equilibrium<R>) -> Result<Self> {
         let fields = Self::new(curve, state.contact_radius.clone())?;
         if fields.curve.vertical_edge().as_ref() != Some(&state.contact_radius) {
             return Ok(fields);
@@ -73,10 +74,7 @@ impl<'a, R: Special> Fields<'a, R> {
     /// [`Error::NoConvergence`] if the quadrature does not converge; [`Error::OutOfRange`] if it is not representable
     /// in this arithmetic.
     pub fn pressure(&self, r: &R) -> Result<R> {
-        settled(
-            self.pressure_estimate(r)?,
-            &(self.edge.abs() / leg(&self.contact_radius, r) * self.curve.effective_modulus()),
-        )
+        settled(self.pressure_estimate(r)?, &(self.edge.abs() / leg(&self.contact_radius, r) * self.curve.modulus()))
     }
 
     /// The pressure with its estimated error, also if that exceeds the limit of [`Fields::pressure`].
@@ -107,12 +105,12 @@ impl<'a, R: Special> Fields<'a, R> {
             bulk += &integrate_from_kink(kink, next, r, |x| self.curve.transform().slope(x))?;
         }
         let strain = (bulk.value - self.edge.clone() / &reach) / r.pi();
-        let pressure = strain.clone() * self.curve.effective_modulus();
+        let pressure = strain.clone() * self.curve.modulus();
         if pressure.is_finite() && (pressure != r.lit(0) || strain == r.lit(0)) {
-            let error = bulk.error / r.pi() * self.curve.effective_modulus();
+            let error = bulk.error / r.pi() * self.curve.modulus();
             return Ok(Estimate { value: pressure, error, evaluations: bulk.evaluations });
         }
-        let log10 = (strain.abs().ln() + self.curve.effective_modulus().ln()).approx() / std::f64::consts::LN_10;
+        let log10 = (strain.abs().ln() + self.curve.modulus().ln()).approx() / std::f64::consts::LN_10;
         Err(Error::OutOfRange { quantity: Quantity::Parameter("the pressure p"), log10 })
     }
 
@@ -177,16 +175,16 @@ impl<'a, R: Special> Fields<'a, R> {
     }
 
     /// The stiffness of the contact along the equilibria, dF/dd = F'(a)/d'(a), in N/m; infinite at a fold of d. At a
-    /// vertical edge the radius is fixed, and it is 2E*a.
+    /// vertical edge the radius is fixed, and it is that of a punch.
     ///
     /// # Errors
-    /// [`Error::Domain`] at the fold itself; as [`EquilibriumCurve::tangency`].
+    /// [`Error::Domain`] at the fold itself; as [`Contact::tangency`].
     pub fn stiffness(&self) -> Result<R> {
-        let stiffness = (self.contact_radius.clone() * self.curve.effective_modulus()).times(2);
+        let stiffness = self.curve.stiffness(&self.contact_radius);
         if self.curve.vertical_edge().as_ref() == Some(&self.contact_radius) {
             return Ok(stiffness);
         }
-        // d' = Δl'(τ − 1) and F' = 2E*a Δl'(τ − 3) with the tangency ratio τ = g'/Δl'.
+        // d' = Δl'(τ − 1) and F' = SΔl'(τ − 1 − q/p) with the tangency ratio τ = g'/Δl'.
         let tangency = self.curve.tangency(&self.contact_radius)?;
         let fold = tangency.clone() - tangency.lit(1);
         if fold == fold.lit(0) {
@@ -196,7 +194,8 @@ impl<'a, R: Special> Fields<'a, R> {
                 "off the fold of the indentation",
             ));
         }
-        Ok((tangency.clone() - tangency.lit(3)) / fold * stiffness)
+        let dead_load = self.curve.medium().critical_ratio(&self.contact_radius, &Control::Force);
+        Ok((tangency - dead_load) / fold * stiffness)
     }
 
     /// The contact radius, for a radius outside it.

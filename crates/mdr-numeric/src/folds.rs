@@ -1,12 +1,13 @@
 //! Instabilities: the folds of the controlled quantity along the curve of equilibria.
 
 use std::ops::Deref;
+use std::sync::Arc;
 
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Quantity, Result, Transform};
 use mdr_core::number::Real;
 
-use crate::curve::EquilibriumCurve;
+use crate::contact::Contact;
 use crate::equator;
 use crate::survey::{self, Crossing, Range};
 
@@ -46,7 +47,7 @@ pub struct OutOfRangeFold<R> {
 }
 
 impl<R: Real> Folds<R> {
-    fn add(&mut self, curve: &EquilibriumCurve<'_, R>, contact_radius: R, kind: FoldKind) -> Result<()> {
+    fn add(&mut self, curve: &Contact<R>, contact_radius: R, kind: FoldKind) -> Result<()> {
         match curve.state(&contact_radius) {
             Ok((indentation, force)) => self.folds.push(Fold { contact_radius, indentation, force, kind }),
             Err(error @ Error::OutOfRange { .. }) => {
@@ -79,8 +80,10 @@ impl<R> Deref for Folds<R> {
 /// ```
 /// use mdr_core::contact::{Control, Material, Shape};
 /// use mdr_numeric::{folds::folds, transform::Quadrature};
+/// use std::sync::Arc;
 /// // The pull-off force of JKR, −(3/2)πwR (Johnson, Kendall, Roberts 1971).
-/// let (ball, rubber) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Material::new(1e6, 0.05)?);
+/// let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?);
+/// let rubber = Material::new(1e6, 0.05)?;
 /// let pull_off = &folds(&ball, &rubber, &Control::Force)?[0];
 /// assert!((pull_off.force / (-1.5 * 0.05 * std::f64::consts::PI) - 1.0).abs() < 1e-13);
 /// # Ok::<(), mdr_core::contact::Error>(())
@@ -88,8 +91,12 @@ impl<R> Deref for Folds<R> {
 ///
 /// # Errors
 /// As [`find`]; [`OutOfRange`](Error::OutOfRange) if the force of a fold is not representable in this arithmetic.
-pub fn folds<R: Real>(transform: &dyn Transform<R>, material: &Material<R>, control: &Control<R>) -> Result<Folds<R>> {
-    let found = find(&EquilibriumCurve::new(transform, material, control))?;
+pub fn folds<R, T>(transform: &Arc<T>, material: &Material<R>, control: &Control<R>) -> Result<Folds<R>>
+where
+    R: Real,
+    T: Transform<R> + ?Sized + 'static,
+{
+    let found = find(&Contact::half_space(transform, material, control))?;
     match found.out_of_range.first() {
         Some(fold) => Err(fold.error.clone()),
         None => Ok(found),
@@ -102,7 +109,7 @@ pub fn folds<R: Real>(transform: &dyn Transform<R>, material: &Material<R>, cont
 /// Those of the transform at a fold; [`Error::Domain`] unless the stiffness of a machine is positive and finite;
 /// [`Error::Undecided`] if the condition is satisfied, up to rounding, over a whole range of radii: n = 1/2 with C at a
 /// threshold (1.19).
-pub fn find<R: Real>(curve: &EquilibriumCurve<'_, R>) -> Result<Folds<R>> {
+pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
     curve.control().check()?;
     let length = curve.material_length();
     // The square of the unit roundoff is what the search leaves of the smallest numbers.
@@ -111,7 +118,7 @@ pub fn find<R: Real>(curve: &EquilibriumCurve<'_, R>) -> Result<Folds<R>> {
         return Err(Error::domain(Quantity::WorkOfAdhesion, &length, requirement));
     }
     let range = Range::whole(curve.transform(), length);
-    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold_at(a));
+    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.critical_ratio_at(a));
     let mut survey = survey::survey(&range, ratio)?;
     let wall = curve.vertical_edge();
     if let Some(wall) = &wall {
@@ -155,7 +162,7 @@ pub fn pole<R: Real>(contact_radius: R, kind: FoldKind) -> Fold<R> {
 }
 
 /// The kink at a crossing, if g has no value there.
-fn edge_within<R: Real>(crossing: &Crossing<R>, curve: &EquilibriumCurve<'_, R>, kinks: &[R]) -> Option<R> {
+fn edge_within<R: Real>(crossing: &Crossing<R>, curve: &Contact<R>, kinks: &[R]) -> Option<R> {
     let singular = |kink: &R| matches!(curve.transform().g(kink), Err(Error::Domain { .. }));
     let mut within = kinks.iter().filter(|kink| **kink > crossing.lower && **kink < crossing.upper);
     within.find(|kink| singular(kink)).cloned()
@@ -171,7 +178,7 @@ fn radius_at<R: Real>(crossing: &Crossing<R>, ratio: impl Fn(&R) -> Result<R>) -
 /// Adds the crossing between the end of the survey and the end of a profile without a vertical edge. Returns whether it
 /// is certain that there is no other: if g diverges the ratio ends above one.
 fn extend_to_end<R: Real>(
-    curve: &EquilibriumCurve<'_, R>,
+    curve: &Contact<R>,
     ratio: impl Fn(&R) -> Result<R>,
     crossings: &mut Vec<Crossing<R>>,
 ) -> Result<bool> {

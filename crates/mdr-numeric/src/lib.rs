@@ -4,14 +4,15 @@
 //! crest, and then breaks.
 //!
 //! ```
+//! use std::sync::Arc;
 //! use mdr_core::contact::{Control, Material, Shape};
 //! use mdr_numeric::branch::EquilibriumBranches;
 //! use mdr_numeric::path::{EventKind, Path, Start};
-//! use mdr_numeric::{curve::EquilibriumCurve, equilibrium::SearchedBranches, transform::Quadrature};
+//! use mdr_numeric::{contact::Contact, equilibrium::SearchedBranches, transform::Quadrature};
 //!
-//! let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?; // R, A, λ in m
+//! let profile = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?); // R, A, λ in m
 //! let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation); // E* in Pa, w in J/m²
-//! let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control))?;
+//! let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &control))?;
 //!
 //! let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
 //! assert_eq!(radii.len(), 3);
@@ -29,9 +30,10 @@
 //!
 //! | task | module |
 //! |---|---|
-//! | heights f(r) | [`profiles`]; measured ones from a CSV file: [`table`] |
+//! | heights f(r) | [`profiles`]; measured ones from a CSV file: [`table`]; of your own: [`function`] |
 //! | g, g' and ∫g of any profile, by quadrature | [`transform`] |
-//! | states (a, d, F) by (1.5) and (1.6), and the direction of change off equilibrium | [`curve`] |
+//! | what is pressed, as a row of springs | [`medium`] |
+//! | a profile on a medium: states (a, d, F) by (1.5) and (1.6), and the direction of change off equilibrium | [`contact`] |
 //! | folds by tangency (1.10), under every control | [`folds`] |
 //! | equilibria at an indentation, a force or a machine position | [`equilibrium`] |
 //! | outcome of an instability; the curve cut at its folds | [`branch`] |
@@ -57,13 +59,15 @@
 
 pub mod admissible;
 pub mod branch;
-pub mod curve;
+pub mod contact;
 pub mod dugdale;
 pub mod energy;
 mod equator;
 pub mod equilibrium;
 pub mod fields;
 pub mod folds;
+pub mod function;
+pub mod medium;
 pub mod path;
 pub mod profiles;
 #[cfg(feature = "mp")]

@@ -15,7 +15,7 @@
 use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Outcome, Quantity, Result, Transform};
 use mdr_core::number::Real;
 
-use crate::curve::relative_elongation;
+use crate::medium::Medium;
 
 /// Springs under a transformed profile.
 ///
@@ -62,18 +62,18 @@ impl<R: Real> Foundation<R> {
         if reach == 0 {
             return Err(Error::domain(Quantity::Parameter("the number of springs"), &spacing.lit(0), "at least 1"));
         }
-        let length = material.work_of_adhesion().clone() / material.effective_modulus();
+        let medium = Medium::from(material);
         let zero = spacing.lit(0);
         let (mut profile, mut critical, mut heights) = (vec![zero.clone()], vec![zero.clone()], vec![zero]);
         for i in 1..=reach {
             let x = spacing.clone().times(i64::try_from(i).unwrap_or(i64::MAX));
             let height = transform.g(&x)?;
-            let elongation = relative_elongation(&x, &length) * x;
+            let elongation = medium.elongation(material.work_of_adhesion(), &x);
             heights.push(height.clone().times(2) + &heights[i - 1]);
             critical.push(height.clone() - elongation);
             profile.push(height);
         }
-        let stiffness = spacing.clone() * material.effective_modulus();
+        let stiffness = spacing.clone() * medium.half_stiffness_slope(&spacing);
         Ok(Foundation { spacing, stiffness, profile, critical, heights })
     }
 

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result, Transform};
 use mdr_numeric::admissible::{Admissibility, Basis, Verdict};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{Dissipation, EventKind, Path, PathEnergy, Start};
 use proptest::prelude::*;
 
 /// f = r²/2 + Σ cᵢ (r − bᵢ)²₊/2: a paraboloid whose curvature jumps, with
 /// g = x² + Σ cᵢ x [√(x² − bᵢ²) − bᵢ arccos(bᵢ/x)].
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Bent(Vec<(f64, f64)>);
 
 impl Bent {
@@ -75,12 +75,9 @@ fn narrowest(profile: &Bent, a: f64, d: f64) -> f64 {
     (1..=600).map(|i| gap(profile, a, d, a + (until - a) * f64::from(i) / 600.0)).fold(f64::INFINITY, f64::min)
 }
 
-fn branches<'a>(
-    profile: &'a Bent,
-    material: &'a Material<f64>,
-    control: &'a Control<f64>,
-) -> SearchedBranches<'a, f64> {
-    SearchedBranches::new(EquilibriumCurve::new(profile, material, control)).expect("a search for folds")
+fn branches(profile: &Bent, material: &Material<f64>, control: &Control<f64>) -> SearchedBranches<f64> {
+    SearchedBranches::new(Contact::half_space(&Arc::new(profile.clone()), material, control))
+        .expect("a search for folds")
 }
 
 /// Between an extremum of g and a kink beside it x g' vanishes but for rounding. Separated surfaces touch beyond them.

@@ -3,13 +3,14 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{
     Control, Equilibrium, Error, Expression, Flank, FoldKind, Material, Outcome, Shape, Stability, Transform,
 };
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
 use mdr_numeric::folds::{SearchQuality, find, folds};
 use mdr_numeric::profiles::Heights;
@@ -28,7 +29,7 @@ fn fold_rounding(n: f64) -> f64 {
 fn jkr() {
     // K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. A 324 (1971) 301.
     let (radius, e, w) = (3.0, 7e5, 0.02);
-    let ball = Quadrature::of([Shape::Paraboloid { radius }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius }]).unwrap());
     let material = Material::new(e, w).unwrap();
     let fixed_grips = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
     let dead_load = &folds(&ball, &material, &Control::Force).unwrap()[0];
@@ -55,7 +56,7 @@ fn rounded_punch_tends_to_kendall() {
     // K. Kendall, J. Phys. D 4 (1971) 1186: d = −√(2πbw/E*), F = −√(8πb³E*w) for a flat punch of radius b. A sharp
     // rounding of radius R moves the edge by (δ/b) ~ (R²ℓ/b³)^(1/3) at most; here 1e-4.
     let material = Material::new(1.0, 1e-6).unwrap();
-    let punch = Quadrature::of([Shape::RoundedPunch { radius: 1e-3, flat: 1.0 }]).unwrap();
+    let punch = Arc::new(Quadrature::of([Shape::RoundedPunch { radius: 1e-3, flat: 1.0 }]).unwrap());
     for control in [Control::Indentation, Control::Force] {
         let found = folds(&punch, &material, &control).unwrap();
         assert_eq!(found.len(), 1);
@@ -68,9 +69,9 @@ fn rounded_punch_tends_to_kendall() {
 fn a_soft_machine_makes_three_folds() {
     // n = 0.6, C = 2.4829, E* = w = k = 1, radii by an independent computation.
     let (profile, material) =
-        (Quadrature::of([Shape::Power { n: 0.6, c: 2.4829 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
+        (Arc::new(Quadrature::of([Shape::Power { n: 0.6, c: 2.4829 }]).unwrap()), Material::new(1.0, 1.0).unwrap());
     let control = Control::machine(1.0).unwrap();
-    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
+    let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &control)).unwrap();
     let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
     assert_eq!(radii.len(), 3);
     for (radius, expected) in radii.iter().zip([0.01271, 0.06940, 459.2]) {
@@ -96,18 +97,22 @@ fn at_a_threshold_of_one_half_nothing_is_decided() {
     let undecided = |error: Option<Error>| matches!(error, Some(Error::Undecided { .. }));
     let machine = Control::machine(1.0).unwrap();
     for (rho, control) in [(1.0, Control::Indentation), (3.0, Control::Force), (1.0, machine)] {
-        let profile = scale_free(rho);
+        let profile = Arc::new(scale_free(rho));
         assert!(undecided(folds(&profile, &material, &control).err()), "{control:?}");
-        assert!(undecided(find(&EquilibriumCurve::new(&profile, &material, &control)).err()));
+        assert!(undecided(find(&Contact::half_space(&profile, &material, &control)).err()));
         assert!(undecided(equilibria(&profile, &material, &control, &0.0).err()));
     }
-    let energy = mdr_numeric::energy::Energy::new(&scale_free(1.0), &material)
-        .and_then(|energy| energy.equilibria(&Control::Indentation, &0.0));
+    let energy = mdr_numeric::energy::Energy::new(Contact::half_space(
+        &Arc::new(scale_free(1.0)),
+        &material,
+        &Control::Indentation,
+    ))
+    .and_then(|energy| energy.equilibria(&Control::Indentation, &0.0));
     assert!(undecided(energy.err()));
 
     // Close to it there is no fold, and one equilibrium on the side of the sign of ρ − 1: d = (ρ−1)√(2πa).
     for off in [1e-9, -1e-9] {
-        let profile = scale_free(1.0 + off);
+        let profile = Arc::new(scale_free(1.0 + off));
         assert!(folds(&profile, &material, &Control::Indentation).unwrap().is_empty());
         let at = |d: f64| equilibria(&profile, &material, &Control::Indentation, &d).unwrap();
         let [state] = at(off).equilibria.try_into().unwrap();
@@ -123,7 +128,7 @@ fn folds_that_have_nearly_merged_are_still_three() {
     // n = 3/4 is just below 5/2 − √3. ln(g'/Δl') minus its critical value falls to −10⁻⁵ between radii 3 % apart, while
     // it changes by 0.02 in a panel of the search. Radii by the closed condition for a machine.
     let (profile, material) = (
-        Quadrature::of([Shape::Power { n: 0.75, c: 4.148093971349991e-4 }]).unwrap(),
+        Arc::new(Quadrature::of([Shape::Power { n: 0.75, c: 4.148093971349991e-4 }]).unwrap()),
         Material::new(7e10, 0.1).unwrap(),
     );
     let found = folds(&profile, &material, &Control::machine(275.4555976740107).unwrap()).unwrap();
@@ -136,9 +141,9 @@ fn folds_that_have_nearly_merged_are_still_three() {
 }
 
 /// R = 1, A = 5e-4, λ = 0.1, w/E* = 1e-4: figure 4 of the paper.
-fn figure_4() -> (Quadrature<f64, Heights<f64>>, Material<f64>) {
+fn figure_4() -> (Arc<Quadrature<f64, Heights<f64>>>, Material<f64>) {
     (
-        Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }]).unwrap(),
+        Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }]).unwrap()),
         Material::new(1.0, 1e-4).unwrap(),
     )
 }
@@ -146,7 +151,7 @@ fn figure_4() -> (Quadrature<f64, Heights<f64>>, Material<f64>) {
 #[test]
 fn guduru_jumps_and_breaks() {
     let (profile, material) = figure_4();
-    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &Control::Indentation)).unwrap();
+    let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &Control::Indentation)).unwrap();
     let start = branches.equilibria(&0.0).unwrap();
     assert_relative_eq!(start.last().unwrap().contact_radius, 0.0926, max_relative = 1e-3);
     let [breaks, up, jump] = branches.folds() else { panic!("three folds") };
@@ -164,10 +169,10 @@ fn guduru_jumps_and_breaks() {
 #[test]
 fn no_fold_is_missed_that_a_fine_scan_finds() {
     let (profile, material) = (
-        Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-5, wavelength: 0.01 }]).unwrap(),
+        Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-5, wavelength: 0.01 }]).unwrap()),
         Material::new(1.0, 1e-4).unwrap(),
     );
-    let curve = EquilibriumCurve::new(&profile, &material, &Control::Indentation);
+    let curve = Contact::half_space(&profile, &material, &Control::Indentation);
     let found = find(&curve).unwrap().folds;
     // A hundred points or more per wave, up to a radius where g' exceeds Δl' by more than the waves can compensate.
     let above = |i: u32| curve.tangency(&(1e-4 * f64::from(i))).unwrap() > 1.0;
@@ -178,9 +183,9 @@ fn no_fold_is_missed_that_a_fine_scan_finds() {
 
 #[test]
 fn powers_below_one_half_spread() {
-    let profile = Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap();
+    let profile = Arc::new(Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap());
     let material = Material::new(1.0, 1.0).unwrap();
-    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &Control::Indentation)).unwrap();
+    let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &Control::Indentation)).unwrap();
     assert_eq!(branches.folds().len(), 1);
     assert_eq!(branches.folds()[0].kind, FoldKind::Maximum);
     assert_eq!(branches.outcome(0).unwrap(), Outcome::CompleteContact);
@@ -196,7 +201,7 @@ fn one_half_has_no_fold() {
     // d = (ρ−1)·const·√a: one equilibrium of either kind, stable where C is above the threshold (1.19), 0.7628·√(2π).
     let material = Material::new(1.0, 1.0).unwrap();
     for (c, d, stability) in [(3.0, 0.7, Stability::Stable), (1.0, -0.7, Stability::Unstable)] {
-        let profile = Quadrature::of([Shape::Power { n: 0.5, c }]).unwrap();
+        let profile = Arc::new(Quadrature::of([Shape::Power { n: 0.5, c }]).unwrap());
         assert!(folds(&profile, &material, &Control::Indentation).unwrap().is_empty());
         let found = equilibria(&profile, &material, &Control::Indentation, &d).unwrap();
         assert_eq!(found.iter().map(|state| state.stability).collect::<Vec<_>>(), [stability]);
@@ -207,7 +212,7 @@ fn one_half_has_no_fold() {
 #[test]
 fn the_fold_itself_is_one_neutral_state() {
     let (ball, material) =
-        (Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
+        (Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap()), Material::new(1.0, 1.0).unwrap());
     for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
         let fold = &folds(&ball, &material, &control).unwrap()[0];
         let value = control.controlled(&fold.indentation, &fold.force);
@@ -222,7 +227,7 @@ fn half_the_digits_are_lost_at_a_fold_and_no_more() {
     // d/|d_c| = (ã² − 4√ã)/3 near ã = 1 is −1 + (ã−1)²/2·… : with d'' = 3/|…| the radii at d_c(1−ε) are 1 ± √(2ε)
     // to first order; the next order is relative √ε.
     let (ball, material) =
-        (Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
+        (Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap()), Material::new(1.0, 1.0).unwrap());
     let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
     for exponent in [4, 8, 12] {
         let epsilon = f64::powi(10.0, -exponent);
@@ -248,7 +253,8 @@ fn a_tip_of_noise_hides_no_equilibrium() {
     assert!(noisy.g(&1e-10).is_err());
 
     let material = Material::new(1e6, 0.05).unwrap();
-    let curves = [&noisy as &dyn Transform<f64>, &smooth].map(|g| EquilibriumCurve::new(g, &material, &Control::Force));
+    let curves = [Arc::new(noisy) as Arc<dyn Transform<f64>>, Arc::new(smooth)]
+        .map(|g| Contact::half_space(&g, &material, &Control::Force));
     let [found, expected] = curves.map(|curve| SearchedBranches::new(curve).unwrap());
     assert_eq!(found.completeness(), SearchQuality::Doubtful);
     for force in [0.0, 1e-3, -1.0] {
@@ -262,7 +268,7 @@ fn a_tip_of_noise_hides_no_equilibrium() {
 }
 
 /// |g − d − Δl| relative to its terms: g and Δl are accurate to 16u(1+n), and the radius to one rounding.
-fn assert_residual(curve: &EquilibriumCurve<'_, f64>, state: &Equilibrium<f64>, value: f64, n: f64) {
+fn assert_residual(curve: &Contact<f64>, state: &Equilibrium<f64>, value: f64, n: f64) {
     let a = &state.contact_radius;
     let terms = curve.transform().g(a).unwrap().abs()
         + curve.transform().mean(a).unwrap().abs()
@@ -282,9 +288,9 @@ proptest! {
         prop_assume!((n - 0.5).abs() > 0.05);
         let control = if which == 0 { Control::Indentation } else { Control::Force };
         // d_F changes its sign at n = 3/2, but F_F and d_c keep theirs: fractions of them are on one side.
-        let (profile, material) = (Quadrature::of([Shape::Power { n, c: 1.0 }]).unwrap(), Material::new(2.0, 3.0).unwrap());
-        let curve = EquilibriumCurve::new(&profile, &material, &control);
-        let branches = SearchedBranches::new(curve).unwrap();
+        let (profile, material) = (Arc::new(Quadrature::of([Shape::Power { n, c: 1.0 }]).unwrap()), Material::new(2.0, 3.0).unwrap());
+        let curve = Contact::half_space(&profile, &material, &control);
+        let branches = SearchedBranches::new(curve.clone()).unwrap();
         prop_assert_eq!(branches.folds().len(), 1);
         let fold = &branches.folds()[0];
         let extremum = control.controlled(&fold.indentation, &fold.force);
@@ -306,8 +312,8 @@ proptest! {
     /// Along the stable branch of a cone the radius grows with the indentation.
     #[test]
     fn pressing_makes_contact_larger(slope in 0.01..10.0_f64, d in -0.9..5.0_f64, more in 0.01..1.0_f64) {
-        let (cone, material) = (Quadrature::of([Shape::Cone { flank: Flank::Slope(slope) }]).unwrap(), Material::new(1.0, 0.1).unwrap());
-        let branches = SearchedBranches::new(EquilibriumCurve::new(&cone, &material, &Control::Indentation)).unwrap();
+        let (cone, material) = (Arc::new(Quadrature::of([Shape::Cone { flank: Flank::Slope(slope) }]).unwrap()), Material::new(1.0, 0.1).unwrap());
+        let branches = SearchedBranches::new(Contact::half_space(&cone, &material, &Control::Indentation)).unwrap();
         let unit = branches.folds()[0].indentation.abs();
         let stable = |d: f64| {
             let found = branches.equilibria(&(d * unit)).unwrap();
@@ -323,7 +329,7 @@ fn jkr_to_fifty_digits() {
     use mdr_core::number::{Precision, Real};
     use rug::Float;
     let one = Float::from_int(Precision::from_digits(50), 1);
-    let ball = Quadrature::of([Shape::Paraboloid { radius: one.clone() }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: one.clone() }]).unwrap());
     let material = Material::new(one.clone(), one.clone()).unwrap();
     let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
     let relative = |value: &Float, truth: &Float| ((value.clone() - truth) / truth).abs();
@@ -332,7 +338,7 @@ fn jkr_to_fifty_digits() {
     assert!(relative(&fold.force, &(one.pi() * one.ratio(-5, 6))) < bound);
     let d = fold.indentation.clone() * one.ratio(9, 10);
     let found = equilibria(&ball, &material, &Control::Indentation, &d).unwrap();
-    let curve = EquilibriumCurve::new(&ball, &material, &Control::Indentation);
+    let curve = Contact::half_space(&ball, &material, &Control::Indentation);
     assert_eq!(found.len(), 2);
     for state in found.iter() {
         let residual = curve.direction(&state.contact_radius, &d).unwrap();
@@ -349,7 +355,7 @@ fn a_fold_at_a_hidden_kink() {
         let formula: Expression = text.parse().unwrap();
         let values = std::collections::BTreeMap::new();
         let breaks = formula.breaks(&values).unwrap();
-        let profile = Quadrature::new(formula.bind::<f64>((), &values).unwrap().broken_at((), &breaks));
+        let profile = Arc::new(Quadrature::new(formula.bind::<f64>((), &values).unwrap().broken_at((), &breaks)));
         let found = folds(&profile, &material, &Control::Indentation).unwrap();
         assert_eq!(found.len(), 1, "{text}: {found:?}");
         assert!((found[0].contact_radius - 1.0).abs() < 1e-11, "{text}: {found:?}");

@@ -3,27 +3,38 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Error, Flank, Material, Shape, Transform};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::folds;
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
-fn pull_off(profile: &dyn Transform<f64>, e_star: f64, work: f64, range: f64) -> CohesiveState<f64> {
+fn pull_off(
+    profile: &(impl Transform<f64> + Clone + 'static),
+    e_star: f64,
+    work: f64,
+    range: f64,
+) -> CohesiveState<f64> {
     let material = Material::new(e_star, work).unwrap();
-    let radii: Vec<f64> =
-        folds(profile, &material, &Control::Force).unwrap().iter().map(|fold| fold.contact_radius).collect();
+    let radii: Vec<f64> = folds(&Arc::new(profile.clone()), &material, &Control::Force)
+        .unwrap()
+        .iter()
+        .map(|fold| fold.contact_radius)
+        .collect();
     let contact =
-        Dugdale::new(EquilibriumCurve::new(profile, &material, &Control::Force), &separation(&range)).unwrap();
+        Dugdale::new(Contact::half_space(&Arc::new(profile.clone()), &material, &Control::Force), &separation(&range))
+            .unwrap();
     contact.pull_off(&radii).unwrap().unwrap()
 }
 
 #[test]
 fn a_paraboloid_is_between_jkr_and_dmt() {
     // Units of πwR: 3/2 for a short range, 2 for a long one, and in between as in the table of Maugis.
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap());
     let share = |range: f64| -pull_off(&ball, 1.0, 1e-6, range).force / (PI * 1e-6);
     let shares: Vec<f64> = [1e-8, 1e-5, 1e-4, 1e-3, 1e-1].map(share).to_vec();
     assert!(shares.is_sorted(), "{shares:?}");
@@ -34,7 +45,7 @@ fn a_paraboloid_is_between_jkr_and_dmt() {
 
 #[test]
 fn results_do_not_depend_on_units() {
-    let ball = |radius: f64| Quadrature::of([Shape::Paraboloid { radius }]).unwrap();
+    let ball = Arc::new(|radius: f64| Quadrature::of([Shape::Paraboloid { radius }]).unwrap());
     let nature = pull_off(&ball(1.0), 1.0, 1e-6, 3e-4);
     // Lengths times 10⁻⁸ and forces times 10⁻⁷.
     for (length, force) in [(1e-8, 1e-7), (1e40, 1e-60)] {
@@ -49,7 +60,7 @@ fn results_do_not_depend_on_units() {
 fn a_sharp_tip_has_a_finite_pull_off_force() {
     // n = 1/4: with a short range the force is that of the stress w/h₀ on the disc on which the gap of the rigid tip is
     // below h₀.
-    let tip = Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap();
+    let tip = Arc::new(Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap());
     let range = 1e-3;
     let opening = separation(&range);
     let state = pull_off(&tip, 1.0, 1e-4, range);
@@ -70,9 +81,9 @@ fn a_flat_punch_goes_from_kendall_to_the_full_stress() {
 
 #[test]
 fn tabors_own_number() {
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 10e-9 }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 10e-9 }]).unwrap());
     let material = Material::new(5e9, 0.05).unwrap();
-    let curve = EquilibriumCurve::new(&ball, &material, &Control::Force);
+    let curve = Contact::half_space(&ball, &material, &Control::Force);
     let fold = folds(&ball, &material, &Control::Force).unwrap()[0].contact_radius;
     let tabor = (10e-9 * 0.05_f64.powi(2) / (5e9_f64.powi(2) * 0.3e-9_f64.powi(3))).cbrt();
     assert_relative_eq!(tabor_number(&curve, &fold, &0.3e-9).unwrap(), tabor, max_relative = 1e-13);
@@ -80,9 +91,9 @@ fn tabors_own_number() {
 
 #[test]
 fn inputs_out_of_their_domain() {
-    let ball = Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap());
     let material = Material::new(1.0, 1e-6).unwrap();
-    let curve = || EquilibriumCurve::new(&ball, &material, &Control::Force);
+    let curve = || Contact::half_space(&ball, &material, &Control::Force);
     for bad in [0.0, -1e-9, f64::NAN, f64::INFINITY] {
         assert!(matches!(Dugdale::new(curve(), &bad), Err(Error::Domain { .. })), "{bad}");
         assert!(matches!(tabor_number(&curve(), &0.1, &bad), Err(Error::Domain { .. })), "{bad}");
@@ -113,9 +124,9 @@ fn the_ring_of_a_flat_tip_ends_at_the_edge_of_the_flat() {
 #[test]
 fn a_ring_over_the_edge_of_a_flat_is_resolved() {
     let flat = 0.1;
-    let tip = Quadrature::of([Shape::TruncatedCone { flank: Flank::Slope(0.2), flat }]).unwrap();
+    let tip = Arc::new(Quadrature::of([Shape::TruncatedCone { flank: Flank::Slope(0.2), flat }]).unwrap());
     let material = Material::new(1.0, 1e-5).unwrap();
-    let contact = Dugdale::new(EquilibriumCurve::new(&tip, &material, &Control::Force), &separation(&1e-4)).unwrap();
+    let contact = Dugdale::new(Contact::half_space(&tip, &material, &Control::Force), &separation(&1e-4)).unwrap();
     let force = |a: f64| contact.state(&a).unwrap().force;
     let edge = 0.099_253_049_041_879_585;
     let near = (1..50).step_by(8).map(|bits| 2_f64.powi(-bits));
@@ -140,11 +151,11 @@ fn a_ring_over_waves() {
         let amplitude = wavelength * wavelength / (32.0 * radius);
         let tip = |amplitude| Quadrature::of([Shape::WavyParaboloid { radius, amplitude, wavelength }]).unwrap();
         let material = Material::new(1.0, 0.63694).unwrap();
-        let state = |tip: &dyn Transform<f64>| {
-            let curve = EquilibriumCurve::new(tip, &material, &Control::Force);
+        let state = |tip: Quadrature<f64, Heights<f64>>| {
+            let curve = Contact::half_space(&Arc::new(tip), &material, &Control::Force);
             Dugdale::new(curve, &2.70147).unwrap().state(&a).unwrap()
         };
-        let (flat, wavy) = (state(&tip(0.0)), state(&tip(amplitude)));
+        let (flat, wavy) = (state(tip(0.0)), state(tip(amplitude)));
         // The waves change the gap by their height, 2A of 2.7, and g by more, with the root of the number of waves.
         let waves = (a / wavelength).sqrt() * amplitude * 8.0;
         assert!((wavy.outer_radius - flat.outer_radius).abs() < waves, "{wavy:?} {flat:?}");

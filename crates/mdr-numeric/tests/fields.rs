@@ -1,8 +1,10 @@
 //! Pressure, displacement and gap: against each other, against (1.6), and against Johnson, Kendall and Roberts (1971).
 
+use std::sync::Arc;
+
 use mdr_core::calculus::quadrature::tanh_sinh;
 use mdr_core::contact::{Control, Error, Flank, Material, Profile, Result, Shape, Transform};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
@@ -13,9 +15,9 @@ const QUADRATURE: f64 = 64.0 * f64::EPSILON;
 #[test]
 fn jkr_pressure() -> Result<()> {
     let (radius, e, w, a) = (2.0, 3.0, 1e-3, 0.3);
-    let ball = Quadrature::of([Shape::Paraboloid { radius }])?;
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius }])?);
     let material = Material::new(e, w)?;
-    let fields = Fields::new(EquilibriumCurve::new(&ball, &material, &Control::Indentation), a)?;
+    let fields = Fields::new(Contact::half_space(&ball, &material, &Control::Indentation), a)?;
     for r in [0.0, 1e-6, 0.1, 0.2, 0.29, 0.29999] {
         let leg = ((a - r) * (a + r)).sqrt();
         let hertz = 2.0 * e / (std::f64::consts::PI * radius) * leg;
@@ -27,7 +29,7 @@ fn jkr_pressure() -> Result<()> {
 }
 
 /// ∫ 2πr p dr over 0 < r < a, with r = a sin θ to remove the singularity of p at the edge.
-fn force_of_pressure(fields: &Fields<'_, f64>, a: f64, kinks: &[f64]) -> Result<f64> {
+fn force_of_pressure(fields: &Fields<f64>, a: f64, kinks: &[f64]) -> Result<f64> {
     let mut total = 0.0;
     let mut from = 0.0;
     for to in kinks.iter().map(|kink| (kink / a).asin()).chain([std::f64::consts::FRAC_PI_2]) {
@@ -46,14 +48,14 @@ fn force_of_pressure(fields: &Fields<'_, f64>, a: f64, kinks: &[f64]) -> Result<
 #[test]
 fn the_pressure_adds_up_to_the_force() -> Result<()> {
     let material = Material::new(1.0, 1e-4)?;
-    let wavy = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
-    let punch = Quadrature::of([Shape::RoundedPunch { radius: 1.0, flat: 0.05 }])?;
+    let wavy = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?);
+    let punch = Arc::new(Quadrature::of([Shape::RoundedPunch { radius: 1.0, flat: 0.05 }])?);
     let curves = [
-        (EquilibriumCurve::new(&wavy, &material, &Control::Indentation), 0.09, vec![]),
-        (EquilibriumCurve::new(&punch, &material, &Control::Indentation), 0.09, vec![0.05]),
+        (Contact::half_space(&wavy, &material, &Control::Indentation), 0.09, vec![]),
+        (Contact::half_space(&punch, &material, &Control::Indentation), 0.09, vec![0.05]),
     ];
     for (curve, a, kinks) in curves {
-        let fields = Fields::new(curve, a)?;
+        let fields = Fields::new(curve.clone(), a)?;
         let force = force_of_pressure(&fields, a, &kinks)?;
         // The edge term alone is −4√(πE*wa³/2)·…: its scale bounds what can cancel. r = a sin θ rounds at √u from π/2.
         let scale = (8.0 * std::f64::consts::PI * 1e-4 * a.powi(3)).sqrt();
@@ -66,8 +68,8 @@ fn the_pressure_adds_up_to_the_force() -> Result<()> {
 fn the_gap_is_what_profile_and_displacement_leave() -> Result<()> {
     let material = Material::new(1.0, 1e-4)?;
     let profile = Heights::new([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
-    let wavy = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
-    let fields = Fields::new(EquilibriumCurve::new(&wavy, &material, &Control::Indentation), 0.09)?;
+    let wavy = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?);
+    let fields = Fields::new(Contact::half_space(&wavy, &material, &Control::Indentation), 0.09)?;
     for r in [0.0900001, 0.095, 0.13, 0.5, 3.0] {
         let apart = profile.height(&r) - fields.indentation() + fields.displacement(&r)?;
         let scale = profile.height(&r).abs() + 2.0 * fields.indentation().abs();
@@ -78,15 +80,17 @@ fn the_gap_is_what_profile_and_displacement_leave() -> Result<()> {
 
 #[test]
 fn stiffness_is_the_slope_of_force_against_indentation() -> Result<()> {
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?);
     let material = Material::new(1.0, 1e-3)?;
-    let curve = EquilibriumCurve::new(&ball, &material, &Control::Indentation);
+    let curve = Contact::half_space(&ball, &material, &Control::Indentation);
     let (a, step) = (0.2, 1e-5);
     let change = |f: &dyn Fn(&f64) -> Result<f64>| -> Result<f64> { Ok(f(&(a + step))? - f(&(a - step))?) };
     let difference = change(&|a| curve.force(a))? / change(&|a| curve.indentation(a))?;
     // The relative error of a central difference is (h/a)², plus rounding u a/h.
-    assert!((Fields::new(curve, a)?.stiffness()? / difference - 1.0).abs() < 1e-7);
-    assert!(Fields::new(curve, a)?.pressure(&0.3).is_err() && Fields::new(curve, a)?.gap(&0.1).is_err());
+    assert!((Fields::new(curve.clone(), a)?.stiffness()? / difference - 1.0).abs() < 1e-7);
+    assert!(
+        Fields::new(curve.clone(), a)?.pressure(&0.3).is_err() && Fields::new(curve.clone(), a)?.gap(&0.1).is_err()
+    );
     Ok(())
 }
 
@@ -112,8 +116,8 @@ impl Transform<f64> for Ball {
 #[test]
 fn fields_do_not_depend_on_the_unit_of_length() -> Result<()> {
     let ask = |unit: f64| -> Result<[f64; 6]> {
-        let (ball, material) = (Ball(unit), Material::new(1.0, 1e-4 * unit)?);
-        let fields = Fields::new(EquilibriumCurve::new(&ball, &material, &Control::Indentation), 0.1 * unit)?;
+        let (ball, material) = (Arc::new(Ball(unit)), Material::new(1.0, 1e-4 * unit)?);
+        let fields = Fields::new(Contact::half_space(&ball, &material, &Control::Indentation), 0.1 * unit)?;
         let pressure = |r: f64| fields.pressure(&(r * unit));
         let length = |value: Result<f64>| Ok(value? / unit);
         let (near, far) = (0.2 * unit, 30.0 * unit);
@@ -134,8 +138,8 @@ fn fields_do_not_depend_on_the_unit_of_length() -> Result<()> {
     for exponent in [-1000, -666, -530, -300, 300, 530, 666, 1000] {
         assert_eq!(ask(2f64.powi(exponent))?, expected, "2^{exponent}");
     }
-    let (ball, material) = (Ball(1.0), Material::new(1e308, 1e300)?);
-    let fields = Fields::new(EquilibriumCurve::new(&ball, &material, &Control::Indentation), 100.0)?;
+    let (ball, material) = (Arc::new(Ball(1.0)), Material::new(1e308, 1e300)?);
+    let fields = Fields::new(Contact::half_space(&ball, &material, &Control::Indentation), 100.0)?;
     let Err(Error::OutOfRange { log10, .. }) = fields.pressure(&0.0) else { panic!("an infinite pressure") };
     // (2/π)E*a/R, independent of adhesion.
     assert!((log10 - 310.0 - (2.0 / std::f64::consts::PI).log10()).abs() < 1e-4, "{log10}");
@@ -175,8 +179,8 @@ impl Transform<f64> for FlatCone {
 fn the_pressure_inside_a_flat_face() {
     let (b, a): (f64, f64) = (FlatCone::FLAT, 0.4);
     let material = Material::new(1.0, 0.05).unwrap();
-    let curve = EquilibriumCurve::new(&FlatCone, &material, &Control::Indentation);
-    let fields = Fields::new(curve, a).unwrap();
+    let curve = Contact::half_space(&Arc::new(FlatCone), &material, &Control::Indentation);
+    let fields = Fields::new(curve.clone(), a).unwrap();
     let elongation = (2.0 * std::f64::consts::PI * a * 0.05f64).sqrt();
     for r in [0.0f64, 0.1, 0.19] {
         // x = b + (a − b)s², by the midpoint rule in s after s = φ(v) with vanishing derivatives at both ends.
@@ -212,9 +216,9 @@ fn the_pressure_just_outside_an_edge() -> Result<()> {
         (1e-13, 2.0876888450605505196),
         (1e-15, 2.3741556258627718462),
     ];
-    let cone = Quadrature::of([Shape::TruncatedCone { flank: Flank::Slope(0.2), flat: 0.1 }])?;
+    let cone = Arc::new(Quadrature::of([Shape::TruncatedCone { flank: Flank::Slope(0.2), flat: 0.1 }])?);
     let material = Material::new(2.0, 1e-3)?;
-    let fields = Fields::new(EquilibriumCurve::new(&cone, &material, &Control::Indentation), 0.3)?;
+    let fields = Fields::new(Contact::half_space(&cone, &material, &Control::Indentation), 0.3)?;
     // Of the edge, which is subtracted.
     let edge = (2.0 * 2.0 * 1e-3 * 0.3 / std::f64::consts::PI).sqrt() / 0.08_f64.sqrt();
     for (distance, expected) in known {

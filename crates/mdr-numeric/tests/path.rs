@@ -3,12 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Error, Material, Profile, Shape, Stability, Transform};
 use mdr_core::number::Lift;
 use mdr_numeric::branch::{EquilibriumBranches, FirstContact};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{ContactState, Event, EventKind, Path, Start};
 use mdr_numeric::profiles::Heights;
@@ -19,13 +20,13 @@ use EventKind::{CompleteContact, Detached, End, Jump, JumpIn, NotAdmissible, Tou
 const U: f64 = f64::EPSILON / 2.0;
 
 fn follow(
-    transform: &dyn Transform<f64>,
+    transform: &(impl Transform<f64> + Clone + 'static),
     material: &Material<f64>,
     control: &Control<f64>,
     start: Start<f64>,
     way: &[f64],
 ) -> Result<Vec<Event<f64>>, Error> {
-    let branches = SearchedBranches::new(EquilibriumCurve::new(transform, material, control)).unwrap();
+    let branches = SearchedBranches::new(Contact::half_space(&Arc::new(transform.clone()), material, control)).unwrap();
     Path::follow(&branches, &start, way).map(|path| path.events)
 }
 
@@ -39,9 +40,9 @@ fn radius(state: &ContactState<f64>) -> f64 {
 }
 
 /// R = 1, A = 5e-4, λ = 0.1, w/E* = 1e-4.
-fn figure_4() -> (Quadrature<f64, Heights<f64>>, Material<f64>) {
+fn figure_4() -> (Arc<Quadrature<f64, Heights<f64>>>, Material<f64>) {
     (
-        Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }]).unwrap(),
+        Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }]).unwrap()),
         Material::new(1.0, 1e-4).unwrap(),
     )
 }
@@ -112,9 +113,9 @@ fn a_cycle_of_jkr_under_every_control() {
 fn a_multistable_machine() {
     // n = 0.6, C = 2.4829, E* = w = k = 1: folds at a ≈ 0.01271 (minimum), 0.06940 (maximum), 459.2 (minimum).
     let (profile, material) =
-        (Quadrature::of([Shape::Power { n: 0.6, c: 2.4829 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
+        (Arc::new(Quadrature::of([Shape::Power { n: 0.6, c: 2.4829 }]).unwrap()), Material::new(1.0, 1.0).unwrap());
     let control = Control::machine(1.0).unwrap();
-    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
+    let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &control)).unwrap();
     let values: Vec<f64> =
         branches.folds().iter().map(|fold| control.controlled(&fold.indentation, &fold.force)).collect();
     let between = 0.5 * (values[0] + values[1]);
@@ -133,9 +134,9 @@ fn a_multistable_machine() {
 #[test]
 fn below_one_half_contact_begins_smoothly_and_ends_everywhere() {
     let (profile, material) =
-        (Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
+        (Arc::new(Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap()), Material::new(1.0, 1.0).unwrap());
     for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
-        let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
+        let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &control)).unwrap();
         assert_eq!(branches.onset().unwrap(), FirstContact::Smooth);
         let fold = &branches.folds()[0];
         let top = control.controlled(&fold.indentation, &fold.force);
@@ -162,7 +163,7 @@ fn below_one_half_contact_begins_smoothly_and_ends_everywhere() {
 fn a_way_point_at_a_fold_is_a_place_to_rest() {
     let (profile, material) = figure_4();
     let control = Control::Indentation;
-    let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
+    let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &control)).unwrap();
     let fold = &branches.folds()[2];
     let d = fold.indentation;
     let events = Path::follow(&branches, &Start::Largest, &[0.0, d, 0.0, d, 1.000001 * d]).unwrap().events;
@@ -190,6 +191,7 @@ fn the_flat_punch_jumps_onto_its_whole_face() {
 }
 
 /// The displaced paraboloid (r−b)²/2R minus its height at the axis: it first touches on a ring.
+#[derive(Clone)]
 struct Ring;
 
 impl Profile<f64> for Ring {
@@ -343,12 +345,11 @@ mod arbitrary_precision {
     fn walks_end_where_folds_are_searched() {
         let one = Float::with_val(64, 1);
         let profile = Quadrature::of([Shape::Paraboloid { radius: one.clone() }]).unwrap();
-        let asked = Asked { profile, farthest: AtomicU64::new(0) };
+        let asked = Arc::new(Asked { profile, farthest: AtomicU64::new(0) });
         let material = Material::new(one.clone(), one.clone() / 1000).unwrap();
-        let branches = SearchedBranches::new(EquilibriumCurve::new(&asked, &material, &Control::Indentation)).unwrap();
+        let branches = SearchedBranches::new(Contact::half_space(&asked, &material, &Control::Indentation)).unwrap();
         assert_eq!(branches.equilibria(&-one).unwrap(), []);
-        drop(branches);
-        let farthest = asked.farthest.into_inner();
+        let farthest = asked.farthest.load(Ordering::Relaxed);
         assert!(1_000_000 < farthest && farthest < 1_050_000, "{farthest}");
     }
 }

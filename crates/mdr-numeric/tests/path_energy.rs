@@ -3,11 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Material, Shape, Transform};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{Balance, ContactState, Dissipation, EventKind, Path, PathEnergy, Start};
 use mdr_numeric::profiles::Heights;
@@ -24,13 +25,14 @@ struct Run {
 
 impl Run {
     fn new(
-        transform: &dyn Transform<f64>,
+        transform: &(impl Transform<f64> + Clone + 'static),
         material: &Material<f64>,
         control: &Control<f64>,
         start: Start<f64>,
         way: &[f64],
     ) -> Self {
-        let branches = SearchedBranches::new(EquilibriumCurve::new(transform, material, control)).unwrap();
+        let branches =
+            SearchedBranches::new(Contact::half_space(&Arc::new(transform.clone()), material, control)).unwrap();
         let path = Path::follow(&branches, &start, way).unwrap();
         let energies = PathEnergy::new(&path, &branches).unwrap();
         let balance = energies.balance(&path, &branches).unwrap();
@@ -61,7 +63,7 @@ fn losses_of_power_laws() {
     // At fixed grips n(2n−1)/((n+1)(2n+1)) of πa_c²w at pull-off; (2n−1)/(2n+1) at jump-in from d = 0, and from F = 0 too:
     // there d(a) is the mean of g and the integrand Δl² − (n/(n+1))²g², with (n/(n+1))g = Δl at the end.
     for n in [0.6, 1.0, 2.0, 3.5, 12.0] {
-        let profile = Quadrature::of([Shape::Power { n, c: 0.7 }]).unwrap();
+        let profile = Arc::new(Quadrature::of([Shape::Power { n, c: 0.7 }]).unwrap());
         let (e, w) = (3e5, 0.04);
         let material = Material::new(e, w).unwrap();
         let unit = |a: f64| PI * a * a * w;
@@ -156,7 +158,8 @@ fn the_hysteresis_of_figure_4() {
 #[test]
 fn a_small_force_control_jump_is_paid_by_the_load() {
     // Waves with folds under a dead load: F(d₂ − d₁) is part of the work.
-    let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 2e-3, wavelength: 0.1 }]).unwrap();
+    let profile =
+        Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 2e-3, wavelength: 0.1 }]).unwrap());
     let material = Material::new(1.0, 1e-4).unwrap();
     let run = Run::new(&profile, &material, &Control::Force, Start::Detached, &[0.0, 0.02]);
     let jumps: Vec<f64> = run.energies.entries.iter().map(|entry| entry.work_in_event).collect();
@@ -168,9 +171,9 @@ fn a_small_force_control_jump_is_paid_by_the_load() {
 #[test]
 fn below_one_half_a_cycle_loses_nothing() {
     let (profile, material) =
-        (Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
+        (Arc::new(Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap()), Material::new(1.0, 1.0).unwrap());
     for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
-        let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
+        let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &control)).unwrap();
         let fold = &branches.folds()[0];
         let top = control.controlled(&fold.indentation, &fold.force);
         let run = Run::new(&profile, &material, &control, Start::Detached, &[-top, 0.9 * top]);
@@ -199,7 +202,7 @@ proptest! {
         amplitude in 1e-4..1e-3, wavelength in 0.07..0.3, ways in prop::collection::vec(-1.0..1.0, 1..5),
         stiffness in -3.0..1.0, by_machine in any::<bool>(),
     ) {
-        let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude, wavelength }]).unwrap();
+        let profile = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude, wavelength }]).unwrap());
         let material = Material::new(1.0, 1e-4).unwrap();
         let control = if by_machine {
             Control::machine(10f64.powf(stiffness)).unwrap()

@@ -1,7 +1,9 @@
 //! The range of radii for a proof.
 
+use std::sync::Arc;
+
 use mdr_core::contact::{Control, Material, Result, Shape};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::folds;
 use mdr_numeric::proof::range;
 use mdr_numeric::transform::Quadrature;
@@ -10,8 +12,8 @@ use mdr_numeric::transform::Quadrature;
 #[test]
 fn folds_out_of_range_are_looked_at() -> Result<()> {
     let (material, control) = (Material::new(1e300, 1e296)?, Control::Indentation);
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 1e20 }])?;
-    let curve = EquilibriumCurve::new(&ball, &material, &control);
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1e20 }])?);
+    let curve = Contact::half_space(&ball, &material, &control);
     let found = folds::find(&curve)?;
     assert_eq!((found.folds.len(), found.out_of_range.len()), (0, 1));
     let (lower, upper) = range(&curve, &found, 8.0, &[]);
@@ -23,8 +25,8 @@ fn folds_out_of_range_are_looked_at() -> Result<()> {
 #[test]
 fn visited_radii_are_within() -> Result<()> {
     let (material, control) = (Material::new(1.0, 1e-3)?, Control::Indentation);
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
-    let curve = EquilibriumCurve::new(&ball, &material, &control);
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?);
+    let curve = Contact::half_space(&ball, &material, &control);
     let found = folds::find(&curve)?;
     let alone = range(&curve, &found, 8.0, &[]);
     assert_eq!(range(&curve, &found, 8.0, &[1e-9, 1e9]), (1e-9 / 4.0, 4e9));

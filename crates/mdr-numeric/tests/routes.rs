@@ -3,10 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Flank, FoldKind, Material, Outcome, Shape, Stability, Transform};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::equilibria;
 use mdr_numeric::folds::folds;
@@ -14,9 +15,17 @@ use mdr_numeric::springs::Foundation;
 use mdr_numeric::transform::Quadrature;
 
 /// The method of force balance and the rule of Heß, against that of the energy, state by state.
-fn assert_routes_agree(transform: &dyn Transform<f64>, material: &Material<f64>, control: &Control<f64>, value: f64) {
-    let forces = equilibria(transform, material, control, &value).unwrap();
-    let energies = Energy::new(transform, material).unwrap().equilibria(control, &value).unwrap();
+fn assert_routes_agree(
+    transform: &(impl Transform<f64> + Clone + 'static),
+    material: &Material<f64>,
+    control: &Control<f64>,
+    value: f64,
+) {
+    let forces = equilibria(&Arc::new(transform.clone()), material, control, &value).unwrap();
+    let energies = Energy::new(Contact::half_space(&Arc::new(transform.clone()), material, &Control::Indentation))
+        .unwrap()
+        .equilibria(control, &value)
+        .unwrap();
     assert_eq!(forces.len(), energies.len(), "{forces:?} {energies:?}");
     for (by_force, by_energy) in forces.iter().zip(&energies) {
         assert_eq!(by_force.stability, by_energy.stability);
@@ -32,7 +41,7 @@ fn assert_routes_agree(transform: &dyn Transform<f64>, material: &Material<f64>,
 fn energy_agrees_with_forces() {
     let material = Material::new(1.0, 1.0).unwrap();
     for n in [0.25, 0.6, 2.0] {
-        let profile = Quadrature::of([Shape::Power { n, c: 1.0 }]).unwrap();
+        let profile = Arc::new(Quadrature::of([Shape::Power { n, c: 1.0 }]).unwrap());
         for control in [Control::Indentation, Control::Force, Control::machine(1.0).unwrap()] {
             let fold = &folds(&profile, &material, &control).unwrap()[0];
             let extremum = control.controlled(&fold.indentation, &fold.force);
@@ -63,9 +72,11 @@ fn energy_agrees_with_forces_on_other_profiles() {
 
 #[test]
 fn stable_means_minimum() {
-    let (cone, material) =
-        (Quadrature::of([Shape::Cone { flank: Flank::Slope(1.0) }]).unwrap(), Material::new(1.0, 1.0).unwrap());
-    let energy = Energy::new(&cone, &material).unwrap();
+    let (cone, material) = (
+        Arc::new(Quadrature::of([Shape::Cone { flank: Flank::Slope(1.0) }]).unwrap()),
+        Material::new(1.0, 1.0).unwrap(),
+    );
+    let energy = Energy::new(Contact::half_space(&cone, &material, &Control::Indentation)).unwrap();
     let d = -0.5;
     let found = energy.equilibria(&Control::Indentation, &d).unwrap();
     for state in &found {
@@ -85,16 +96,19 @@ fn stable_means_minimum() {
 #[test]
 fn nearly_hertzian_contacts_are_stationary_too() {
     let material = Material::new(1.0, 1e-3).unwrap();
-    let blade = Quadrature::of([Shape::Power { n: 0.17, c: 1.0 }]).unwrap();
+    let blade = Arc::new(Quadrature::of([Shape::Power { n: 0.17, c: 1.0 }]).unwrap());
     let fold = &folds(&blade, &material, &Control::Indentation).unwrap()[0];
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap();
-    let cases: [(&dyn Transform<f64>, f64, usize); 3] =
-        [(&blade, 0.1 * fold.indentation, 2), (&blade, 0.01 * fold.indentation, 2), (&ball, 100.0, 1)];
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap());
+    let cases: [(Arc<dyn Transform<f64>>, f64, usize); 3] =
+        [(blade.clone(), 0.1 * fold.indentation, 2), (blade.clone(), 0.01 * fold.indentation, 2), (ball, 100.0, 1)];
     for (transform, d, count) in cases {
-        let by_force = equilibria(transform, &material, &Control::Indentation, &d).unwrap();
-        let by_energy = Energy::new(transform, &material).unwrap().equilibria(&Control::Indentation, &d).unwrap();
+        let by_force = equilibria(&transform, &material, &Control::Indentation, &d).unwrap();
+        let by_energy = Energy::new(Contact::half_space(&transform, &material, &Control::Indentation))
+            .unwrap()
+            .equilibria(&Control::Indentation, &d)
+            .unwrap();
         assert_eq!((by_force.len(), by_energy.len()), (count, count), "d = {d}");
-        let curve = EquilibriumCurve::new(transform, &material, &Control::Indentation);
+        let curve = Contact::half_space(&transform, &material, &Control::Indentation);
         for (force, energy) in by_force.iter().zip(&by_energy) {
             assert_eq!(force.stability, energy.stability);
             let a = force.contact_radius;
@@ -111,8 +125,8 @@ fn nearly_hertzian_contacts_are_stationary_too() {
 fn energy_lost_when_a_ball_breaks_away() {
     // From the fold to separation 2/5, and in the jump into contact at d = 0, 3/5 of πa²w.
     let (ball, material) =
-        (Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
-    let energy = Energy::new(&ball, &material).unwrap();
+        (Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap()), Material::new(1.0, 1.0).unwrap());
+    let energy = Energy::new(Contact::half_space(&ball, &material, &Control::Indentation)).unwrap();
     let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
     let lost = energy.potential(&fold.contact_radius, &fold.indentation).unwrap();
     // At the fold Π is stationary in a, and dΠ/dd = F: 64 roundings of terms five times as large.
@@ -126,12 +140,12 @@ fn energy_lost_when_a_ball_breaks_away() {
 /// The worst errors of a, d, F relative to the continuous fold, over sixteen spacings near 1/count of the critical radius
 /// for which the fold lies at sixteen different places between two springs.
 fn spring_errors(
-    transform: &dyn Transform<f64>,
+    transform: &(impl Transform<f64> + Clone + 'static),
     material: &Material<f64>,
     control: &Control<f64>,
     count: f64,
 ) -> [f64; 3] {
-    let fold = &folds(transform, material, control).unwrap()[0];
+    let fold = &folds(&Arc::new(transform.clone()), material, control).unwrap()[0];
     let mut worst = [0.0; 3];
     for j in 0..16 {
         let spacing = fold.contact_radius / (count + (f64::from(j) + 0.5) / 16.0);
@@ -158,7 +172,11 @@ fn spring_errors(
 }
 
 /// The exponents of h in the errors, by regression over 1/25, 1/50, …, 1/800 of the critical radius.
-fn spring_orders(transform: &dyn Transform<f64>, material: &Material<f64>, control: &Control<f64>) -> [f64; 3] {
+fn spring_orders(
+    transform: &(impl Transform<f64> + Clone + 'static),
+    material: &Material<f64>,
+    control: &Control<f64>,
+) -> [f64; 3] {
     let counts: Vec<f64> = (0..6).map(|k| 25.0 * f64::powi(2.0, k)).collect();
     let errors: Vec<[f64; 3]> =
         counts.iter().map(|count| spring_errors(transform, material, control, *count)).collect();
@@ -175,14 +193,12 @@ fn spring_orders(transform: &dyn Transform<f64>, material: &Material<f64>, contr
 #[test]
 fn springs_converge_at_their_orders() {
     let material = Material::new(1.0, 1.0).unwrap();
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap();
-    let blade = Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap());
+    let blade = Arc::new(Quadrature::of([Shape::Power { n: 0.25, c: 1.0 }]).unwrap());
     // Orders 1, 2, 1, derived in the module. The next order is at most 1/25 on the first of six octaves: it changes a
     // slope by about 0.01.
-    for (profile, control) in
-        [(&ball as &dyn Transform<f64>, Control::Indentation), (&blade as &dyn Transform<f64>, Control::Indentation)]
-    {
-        let orders = spring_orders(profile, &material, &control);
+    for (profile, control) in [(ball.clone(), Control::Indentation), (blade, Control::Indentation)] {
+        let orders = spring_orders(&profile, &material, &control);
         for (order, expected) in orders.into_iter().zip([1.0, 2.0, 1.0]) {
             assert_relative_eq!(order, expected, epsilon = 0.05);
         }
@@ -196,7 +212,7 @@ fn springs_converge_at_their_orders() {
 #[test]
 fn springs_stay_within_their_bounds() {
     let material = Material::new(1.0, 1.0).unwrap();
-    let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap();
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap());
     let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
     let h = 1e-3;
     let [a, d, force] = spring_errors(&ball, &material, &Control::Indentation, 1.0 / h);
@@ -214,7 +230,7 @@ fn springs_stay_within_their_bounds() {
 #[test]
 fn springs_follow_the_jumps_of_a_wavy_profile() {
     let (profile, material) = (
-        Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }]).unwrap(),
+        Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }]).unwrap()),
         Material::new(1.0, 1e-4).unwrap(),
     );
     let spacing = 2e-5;
@@ -236,7 +252,7 @@ fn springs_follow_the_jumps_of_a_wavy_profile() {
 #[test]
 fn bad_foundations_are_refused() {
     let (ball, material) =
-        (Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap(), Material::new(1.0, 1.0).unwrap());
+        (Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap()), Material::new(1.0, 1.0).unwrap());
     assert!(Foundation::new(&ball, &material, 0.0, 10).is_err());
     assert!(Foundation::new(&ball, &material, f64::NAN, 10).is_err());
     assert!(Foundation::new(&ball, &material, 0.1, 0).is_err());

@@ -3,11 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, Error, Material, Profile, Shape};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
 use mdr_numeric::folds::{find, folds};
@@ -23,7 +24,7 @@ const ROUNDING: f64 = 80.0 * f64::EPSILON;
 fn extreme_scales() {
     // a_c³ = πwR²/(8E*) with lengths of 10^±200 and forces of order one.
     for scale in [1e-200, 1e-100, 1e100, 1e200] {
-        let ball = Quadrature::of([Shape::Paraboloid { radius: scale }]).unwrap();
+        let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: scale }]).unwrap());
         let material = Material::new(1.0 / scale, 1.0).unwrap();
         let fold = &folds(&ball, &material, &Control::Indentation).unwrap()[0];
         assert_relative_eq!(fold.contact_radius / scale, (PI / 8.0).cbrt(), max_relative = ROUNDING);
@@ -33,8 +34,10 @@ fn extreme_scales() {
         assert!(equilibria(&ball, &material, &Control::Indentation, &(1.1 * fold.indentation)).unwrap().is_empty());
     }
     // A force that is not representable in f64 is an error with its logarithm, not 0.
-    let (ball, material) =
-        (Quadrature::of([Shape::Paraboloid { radius: 1e-200 }]).unwrap(), Material::new(1.0, 1e-200).unwrap());
+    let (ball, material) = (
+        Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1e-200 }]).unwrap()),
+        Material::new(1.0, 1e-200).unwrap(),
+    );
     match folds(&ball, &material, &Control::Indentation) {
         Err(Error::OutOfRange { log10, .. }) => assert_relative_eq!(log10, -399.582, epsilon = 1e-3),
         other => panic!("{other:?}"),
@@ -44,9 +47,11 @@ fn extreme_scales() {
 #[test]
 fn a_fold_whose_force_is_out_of_range_keeps_its_radius() {
     // JKR with R = w/E* = 10²⁰⁰: a = (π/8)^(1/3) 10²⁰⁰ and F of the order of −10³⁵⁰.
-    let (ball, material) =
-        (Quadrature::of([Shape::Paraboloid { radius: 1e200 }]).unwrap(), Material::new(1e-50, 1e150).unwrap());
-    let found = find(&EquilibriumCurve::new(&ball, &material, &Control::Indentation)).unwrap();
+    let (ball, material) = (
+        Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1e200 }]).unwrap()),
+        Material::new(1e-50, 1e150).unwrap(),
+    );
+    let found = find(&Contact::half_space(&ball, &material, &Control::Indentation)).unwrap();
     assert!(found.folds.is_empty());
     let [fold] = found.out_of_range.as_slice() else { panic!("{found:?}") };
     assert_relative_eq!(fold.contact_radius, f64::cbrt(PI / 8.0) * 1e200, max_relative = ROUNDING);
@@ -58,11 +63,14 @@ fn a_fold_whose_force_is_out_of_range_keeps_its_radius() {
 /// method by energy meets such a force at the fold, −(5/6)πwR.
 #[test]
 fn an_equilibrium_whose_force_is_out_of_range_is_refused() {
-    let (ball, material) =
-        (Quadrature::of([Shape::Paraboloid { radius: 1e100 }]).unwrap(), Material::new(1e250, 1e245).unwrap());
+    let (ball, material) = (
+        Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1e100 }]).unwrap()),
+        Material::new(1e250, 1e245).unwrap(),
+    );
     let (control, d) = (Control::Indentation, 0.0);
     let by_forces = equilibria(&ball, &material, &control, &d).map(|found| found.equilibria);
-    let by_energy = Energy::new(&ball, &material).unwrap().equilibria(&control, &d);
+    let by_energy =
+        Energy::new(Contact::half_space(&ball, &material, &Control::Indentation)).unwrap().equilibria(&control, &d);
     for (found, factor) in [(by_forces, 5.0 / 6.0), (by_energy, 4.0 / 3.0)] {
         match found {
             Err(Error::OutOfRange { log10, .. }) => {
@@ -98,14 +106,14 @@ proptest! {
         which in 0..3,
     ) {
         let solve = |length: f64, modulus: f64| {
-            let profile = Quadrature::of([Shape::WavyParaboloid { radius: length, amplitude: 5e-4 * length, wavelength: 0.1 * length }]).unwrap();
+            let profile = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: length, amplitude: 5e-4 * length, wavelength: 0.1 * length }]).unwrap());
             let material = Material::new(modulus, w * modulus * length).unwrap();
-            let control = match which {
+            let control = Arc::new(match which {
                 0 => Control::Indentation,
                 1 => Control::Force,
                 _ => Control::machine(0.3 * modulus * length).unwrap(),
-            };
-            let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control)).unwrap();
+            });
+            let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &control)).unwrap();
             let fold = branches.folds()[0].clone();
             let value = share * control.controlled(&fold.indentation, &fold.force);
             let force = modulus * length * length;

@@ -1,8 +1,10 @@
 //! Inputs without a solution are errors, and no incomplete solution is returned silently.
 
+use std::sync::Arc;
+
 use mdr_core::contact::{Control, Error, Material, Quantity, Result, Shape};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
 use mdr_numeric::folds::{SearchQuality, folds};
@@ -23,10 +25,10 @@ fn refused<T>(result: Result<T>) -> Option<Quantity> {
 
 #[test]
 fn no_state_is_found_at_a_value_that_is_no_number() -> Result<()> {
-    let (ball, material) = (ball()?, Material::new(1.0, 1.0)?);
-    let energy = Energy::new(&ball, &material)?;
+    let (ball, material) = (Arc::new(ball()?), Material::new(1.0, 1.0)?);
+    let energy = Energy::new(Contact::half_space(&ball, &material, &Control::Indentation))?;
     for control in [Control::Indentation, Control::Force, Control::machine(1.0)?] {
-        let branches = SearchedBranches::new(EquilibriumCurve::new(&ball, &material, &control))?;
+        let branches = SearchedBranches::new(Contact::half_space(&ball, &material, &control))?;
         let quantity = Some(control.quantity());
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(refused(equilibria(&ball, &material, &control, &value)), quantity);
@@ -44,10 +46,10 @@ fn no_state_is_found_at_a_value_that_is_no_number() -> Result<()> {
 
 #[test]
 fn impossible_machines_are_refused() -> Result<()> {
-    let (ball, material) = (ball()?, Material::new(1.0, 1.0)?);
-    let energy = Energy::new(&ball, &material)?;
+    let (ball, material) = (Arc::new(ball()?), Material::new(1.0, 1.0)?);
+    let energy = Energy::new(Contact::half_space(&ball, &material, &Control::Indentation))?;
     for stiffness in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
-        let machine = Control::Machine { stiffness };
+        let machine = Arc::new(Control::Machine { stiffness });
         assert_eq!(refused(folds(&ball, &material, &machine)), Some(Quantity::Stiffness));
         assert_eq!(refused(equilibria(&ball, &material, &machine, &0.0)), Some(Quantity::Stiffness));
         assert_eq!(refused(energy.equilibria(&machine, &0.0)), Some(Quantity::Stiffness));
@@ -57,8 +59,8 @@ fn impossible_machines_are_refused() -> Result<()> {
 
 #[test]
 fn a_branch_that_does_not_exist_is_empty() -> Result<()> {
-    let (ball, material) = (ball()?, Material::new(1.0, 1.0)?);
-    let branches = SearchedBranches::new(EquilibriumCurve::new(&ball, &material, &Control::Indentation))?;
+    let (ball, material) = (Arc::new(ball()?), Material::new(1.0, 1.0)?);
+    let branches = SearchedBranches::new(Contact::half_space(&ball, &material, &Control::Indentation))?;
     assert!(branches.on_branch(1, &0.0)?.is_some());
     assert_eq!(branches.on_branch(2, &0.0)?, None);
     assert_eq!(branches.on_branch(99, &0.0)?, None);
@@ -68,7 +70,7 @@ fn a_branch_that_does_not_exist_is_empty() -> Result<()> {
 /// n = 0.48, κC = 5·10⁵, E* = w = 10⁻²⁰⁰: the fold is at 10²⁸⁰, where a dead load would leave the range.
 #[test]
 fn radii_near_the_largest_numbers_are_looked_at() -> Result<()> {
-    let (blade, glue) = (Quadrature::of([Shape::Power { n: 0.48, c: 8e5 }])?, Material::new(1e-200, 1e-200)?);
+    let (blade, glue) = (Arc::new(Quadrature::of([Shape::Power { n: 0.48, c: 8e5 }])?), Material::new(1e-200, 1e-200)?);
     let found = folds(&blade, &glue, &Control::Indentation)?;
     assert!(found.len() == 1 && found[0].contact_radius > 1e280, "{found:?}");
     let states = equilibria(&blade, &glue, &Control::Indentation, &1e130)?;
@@ -80,7 +82,7 @@ fn radii_near_the_largest_numbers_are_looked_at() -> Result<()> {
 /// representable.
 #[test]
 fn what_is_out_of_range_is_not_left_out_without_a_word() -> Result<()> {
-    let (ball, glue) = (ball()?, Material::new(1.0, 1.0)?);
+    let (ball, glue) = (Arc::new(ball()?), Material::new(1.0, 1.0)?);
     for (value, count, completeness) in [
         (-1e-100, 2, SearchQuality::Resolved),
         (-1e-200, 1, SearchQuality::Doubtful),
@@ -97,17 +99,17 @@ fn what_is_out_of_range_is_not_left_out_without_a_word() -> Result<()> {
 
 #[test]
 fn a_curve_is_asked_at_radii_and_values_alone() -> Result<()> {
-    let (ball, glue) = (ball()?, Material::new(1.0, 1.0)?);
+    let (ball, glue) = (Arc::new(ball()?), Material::new(1.0, 1.0)?);
     for control in [Control::Indentation, Control::Force, Control::machine(1.0)?] {
-        let curve = EquilibriumCurve::new(&ball, &glue, &control);
+        let curve = Contact::half_space(&ball, &glue, &control);
         for a in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
             assert_eq!(refused(curve.detachment_elongation(&a)), Some(Quantity::ContactRadius));
-            assert_eq!(refused(curve.threshold(&a)), Some(Quantity::ContactRadius));
+            assert_eq!(refused(curve.critical_ratio(&a)), Some(Quantity::ContactRadius));
             assert!(curve.direction(&a, &0.0).is_err() && curve.state(&a).is_err() && curve.tangency(&a).is_err());
         }
         assert_eq!(refused(curve.direction(&0.1, &f64::NAN)), Some(control.quantity()));
     }
-    let machine = Control::Machine { stiffness: -1.0 };
-    assert_eq!(refused(EquilibriumCurve::new(&ball, &glue, &machine).threshold(&0.1)), Some(Quantity::Stiffness));
+    let machine = Arc::new(Control::Machine { stiffness: -1.0 });
+    assert_eq!(refused(Contact::half_space(&ball, &glue, &machine).critical_ratio(&0.1)), Some(Quantity::Stiffness));
     Ok(())
 }

@@ -3,12 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use mdr_core::contact::{Control, FoldKind, Material, Outcome, Profile, Shape, Stability, Transform};
 use mdr_core::number::{Lift, Real};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::{SearchedBranches, equilibria};
 use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::folds;
@@ -25,7 +26,8 @@ fn controls() -> [Control<f64>; 3] {
 fn the_flat_punch_of_kendall() {
     // K. Kendall, J. Phys. D 4 (1971) 1186: d = −√(2πbw/E*), F = −√(8πb³E*w), under every control.
     let (b, e, w) = (0.3, 2e6, 0.05);
-    let (punch, material) = (Quadrature::of([Shape::FlatPunch { radius: b }]).unwrap(), Material::new(e, w).unwrap());
+    let (punch, material) =
+        (Arc::new(Quadrature::of([Shape::FlatPunch { radius: b }]).unwrap()), Material::new(e, w).unwrap());
     for control in controls() {
         let found = folds(&punch, &material, &control).unwrap();
         assert_eq!(found.len(), 1);
@@ -33,7 +35,7 @@ fn the_flat_punch_of_kendall() {
         assert_relative_eq!(found[0].indentation, -f64::sqrt(2.0 * PI * b * w / e), max_relative = ROUNDING);
         assert_relative_eq!(found[0].force, -f64::sqrt(8.0 * PI * b.powi(3) * e * w), max_relative = ROUNDING);
 
-        let branches = SearchedBranches::new(EquilibriumCurve::new(&punch, &material, &control)).unwrap();
+        let branches = SearchedBranches::new(Contact::half_space(&punch, &material, &control)).unwrap();
         assert_eq!(branches.outcome(0).unwrap(), Outcome::Detached);
         let pull_off = control.controlled(&found[0].indentation, &found[0].force);
         assert!(branches.equilibria(&(1.001 * pull_off)).unwrap().is_empty());
@@ -81,11 +83,11 @@ fn a_stable_contact_goes_on_along_the_wall() {
     let a_c = f64::cbrt(PI * 1e-3 / 8.0);
     let control = Control::Indentation;
     for edge in [0.5, a_c * (1.0 + 1e-7), a_c * (1.0 - 1e-7), 0.05] {
-        let rod = Quadrature::new(Rod { curvature: 1.0, edge });
+        let rod = Arc::new(Quadrature::new(Rod { curvature: 1.0, edge }));
         let found = folds(&rod, &material, &control).unwrap();
         let on_wall = found.last().unwrap().contact_radius == edge;
         assert_eq!((found.len(), on_wall), (1, edge < a_c), "{edge}");
-        let curve = EquilibriumCurve::new(&rod, &material, &control);
+        let curve = Contact::half_space(&rod, &material, &control);
         let corner = curve.indentation(&edge).unwrap();
         let rest = |d: f64| equilibria(&rod, &material, &control, &d).unwrap().equilibria.pop().unwrap();
         let beyond = rest(corner + 0.01);
@@ -106,10 +108,10 @@ fn a_stable_contact_goes_on_along_the_wall() {
 #[test]
 fn equilibria_are_found_up_to_the_equator() {
     let (ball, material) =
-        (Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap(), Material::new(1.0, 1e-3).unwrap());
+        (Arc::new(Quadrature::of([Shape::Sphere { radius: 1.0 }]).unwrap()), Material::new(1.0, 1e-3).unwrap());
     for a in [0.3, 0.55, 0.8, 0.99] {
         let control = Control::Indentation;
-        let d = EquilibriumCurve::new(&ball, &material, &control).indentation(&a).unwrap();
+        let d = Contact::half_space(&ball, &material, &control).indentation(&a).unwrap();
         let found = equilibria(&ball, &material, &control, &d).unwrap();
         assert_relative_eq!(found.last().unwrap().contact_radius, a, max_relative = 1e-13);
     }
@@ -121,11 +123,12 @@ fn equilibria_are_found_up_to_the_equator() {
 #[test]
 fn the_pressure_under_a_flat_punch() {
     let (b, e, w) = (0.3, 2e6, 0.05);
-    let (punch, material) = (Quadrature::of([Shape::FlatPunch { radius: b }]).unwrap(), Material::new(e, w).unwrap());
-    let curve = EquilibriumCurve::new(&punch, &material, &Control::Force);
+    let (punch, material) =
+        (Arc::new(Quadrature::of([Shape::FlatPunch { radius: b }]).unwrap()), Material::new(e, w).unwrap());
+    let curve = Contact::half_space(&punch, &material, &Control::Force);
     for force in [500.0, -50.0] {
         let rest = equilibria(&punch, &material, &Control::Force, &force).unwrap().equilibria.pop().unwrap();
-        let fields = Fields::of(curve, &rest).unwrap();
+        let fields = Fields::of(curve.clone(), &rest).unwrap();
         for r in [0.0_f64, 0.1, 0.29] {
             let expected = force / (2.0 * PI * b * (b * b - r * r).sqrt());
             assert_relative_eq!(fields.pressure(&r).unwrap(), expected, max_relative = ROUNDING);

@@ -9,7 +9,7 @@ use rug::ops::Pow;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use crate::contact::Contact;
+use crate::contact::CaseContact;
 use crate::{Answer, Failure, KINDS, RecordError, Result};
 
 /// The files of the release, and the cases of each.
@@ -28,7 +28,7 @@ pub(crate) struct Case {
     pub(crate) formula: Formula,
     /// The name of the contact.
     pub(crate) name: String,
-    pub(crate) contact: Contact,
+    pub(crate) contact: CaseContact,
     pub(crate) flags: Vec<String>,
     /// Whether the records name what is controlled.
     pub(crate) has_control: bool,
@@ -231,7 +231,7 @@ fn or_none<T, S>(items: impl Iterator<Item = T>, list: &[S]) -> impl Iterator<It
 }
 
 impl ContactRow {
-    fn contact(&self, control: Option<&str>) -> Result<Contact> {
+    fn contact(&self, control: Option<&str>) -> Result<CaseContact> {
         let mut numbers = self.numbers.clone();
         let mut term = |kind: &str| {
             let blank = known("profile", kind, Shape::by_name(kind))?;
@@ -249,7 +249,7 @@ impl ContactRow {
         let range = self.range.as_ref().map(|[from, to]| Ok::<_, Failure>([number(from)?, number(to)?])).transpose()?;
         match numbers.keys().next() {
             Some(unknown) => known("use for", unknown, None),
-            None => Ok(Contact { terms, e_star, work_of_adhesion, control, range }),
+            None => Ok(CaseContact { terms, e_star, work_of_adhesion, control, range }),
         }
     }
 }

@@ -5,10 +5,10 @@
 
 use mdr_core::contact::Result;
 use mdr_core::number::{Decimal, Precision, Real};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use rug::Float;
 
-use crate::contact::Contact;
+use crate::contact::CaseContact;
 use crate::sensitivity::{Conditions, largest};
 use crate::{Failure, float};
 
@@ -36,28 +36,28 @@ pub(crate) fn agree(a: &Float, b: &Float, scale: &Float) -> bool {
 }
 
 /// A fold: the tangency changes its sign at a, and d and F are on the curve of equilibria.
-pub(crate) fn fold(contact: &Contact, values: &[Decimal; 3], conditions: &[Conditions]) -> crate::Result<()> {
-    let tangency = |curve: &EquilibriumCurve<'_, Float>, a: &Float| Ok(curve.tangency(a)? - curve.threshold(a)?);
+pub(crate) fn fold(contact: &CaseContact, values: &[Decimal; 3], conditions: &[Conditions]) -> crate::Result<()> {
+    let tangency = |curve: &Contact<Float>, a: &Float| Ok(curve.tangency(a)? - curve.critical_ratio(a)?);
     Failure::unless("the fold", state(contact, values, precision(conditions), tangency)?)
 }
 
 /// An equilibrium at a value of what is controlled: the direction of change turns at a, and d and F are on the curve.
 pub(crate) fn equilibrium(
-    contact: &Contact,
+    contact: &CaseContact,
     value: &Float,
     values: &[Decimal; 3],
     ctx: Precision,
 ) -> crate::Result<()> {
-    let direction = |curve: &EquilibriumCurve<'_, Float>, a: &Float| curve.direction(a, value);
+    let direction = |curve: &Contact<Float>, a: &Float| curve.direction(a, value);
     Failure::unless("the equilibrium", state(contact, values, ctx, direction)?)
 }
 
 /// Whether a function on the curve changes its sign at a, to which d and F belong.
 fn state(
-    contact: &Contact,
+    contact: &CaseContact,
     values: &[Decimal; 3],
     ctx: Precision,
-    f: impl Fn(&EquilibriumCurve<'_, Float>, &Float) -> Result<Float>,
+    f: impl Fn(&Contact<Float>, &Float) -> Result<Float>,
 ) -> Result<bool> {
     contact.float(ctx)?.integrated(|curve| {
         let state = values.each_ref().map(|value| float(ctx, value));
@@ -66,9 +66,9 @@ fn state(
 }
 
 /// Whether d and F belong to a; they are compared to the terms of which they are the difference.
-pub(crate) fn on_curve(curve: &EquilibriumCurve<'_, Float>, [a, d, f]: [&Float; 3]) -> Result<bool> {
+pub(crate) fn on_curve(curve: &Contact<Float>, [a, d, f]: [&Float; 3]) -> Result<bool> {
     let (indentation, force) = curve.state(a)?;
     let length = curve.detachment_elongation(a)? + d.clone().abs();
-    let load = length.clone() * a * curve.effective_modulus();
+    let load = length.clone() * a * curve.modulus();
     Ok(agree(&indentation, d, &length) && agree(&force, f, &load.times(2)))
 }

@@ -1,13 +1,15 @@
 //! A contact of the records: a scene, and the same in other arithmetics.
 
+use std::sync::Arc;
+
 use mdr::prelude::{Arithmetic, Elasticity, Literal, Profile, Scene, Shape, Want};
 use mdr::{Answer, critical};
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_analytic::{Contact as Law, Kappa, PowerLaw};
+use mdr_analytic::{Kappa, PowerLaw, PowerLawContact as Law};
 use mdr_core::contact::{self, Control, Error, Material, Quantity};
 use mdr_core::number::{Precision, Real};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
@@ -15,7 +17,7 @@ use crate::{DIGITS, Failure, Result};
 
 /// Profile, material and control, exactly as the cases have them.
 #[derive(Clone, Debug)]
-pub(crate) struct Contact {
+pub(crate) struct CaseContact {
     /// The profile, or the terms of a sum.
     pub(crate) terms: Vec<Shape<Literal>>,
     pub(crate) e_star: Literal,
@@ -35,7 +37,7 @@ pub(crate) struct Model<R> {
 /// The symbol of a stiffness among the inputs.
 const STIFFNESS: &str = "k";
 
-impl Contact {
+impl CaseContact {
     /// As scenes name it.
     pub(crate) fn profile_name(&self) -> &'static str {
         match self.terms.as_slice() {
@@ -106,7 +108,7 @@ impl Contact {
         Ok(critical::critical(&law, Arithmetic::Certified { digits: DIGITS })?)
     }
 
-    /// Its numbers in an arithmetic; `number` gets them in the order of [`Contact::inputs`].
+    /// Its numbers in an arithmetic; `number` gets them in the order of [`CaseContact::inputs`].
     pub(crate) fn model<R: Real>(&self, mut number: impl FnMut(&Literal) -> R) -> contact::Result<Model<R>> {
         let terms = self.terms.iter().map(|shape| shape.map(|_, literal| number(literal))).collect();
         let material = Material::new(number(&self.e_star), number(&self.work_of_adhesion))?;
@@ -122,12 +124,12 @@ impl Contact {
 
 impl<R: Real> Model<R> {
     /// What `f` reads off the curve of equilibria of the closed form.
-    pub(crate) fn closed<T>(self, f: impl FnOnce(&EquilibriumCurve<'_, R>) -> contact::Result<T>) -> contact::Result<T>
+    pub(crate) fn closed<T>(self, f: impl FnOnce(&Contact<R>) -> contact::Result<T>) -> contact::Result<T>
     where
         R: Struve + Kappa,
     {
         let terms = self.terms.into_iter().map(closed_form).collect::<contact::Result<_>>()?;
-        f(&EquilibriumCurve::new(&Sum::new(terms), &self.material, &self.control))
+        f(&Contact::half_space(&Arc::new(Sum::new(terms)), &self.material, &self.control))
     }
 
     /// The power law.
@@ -151,10 +153,7 @@ impl<R: Real> Model<R> {
 
 impl Model<Float> {
     /// What `f` reads off the curve of equilibria by quadrature of the heights.
-    pub(crate) fn integrated<T>(
-        self,
-        f: impl FnOnce(&EquilibriumCurve<'_, Float>) -> contact::Result<T>,
-    ) -> contact::Result<T> {
-        f(&EquilibriumCurve::new(&Quadrature::of(self.terms)?, &self.material, &self.control))
+    pub(crate) fn integrated<T>(self, f: impl FnOnce(&Contact<Float>) -> contact::Result<T>) -> contact::Result<T> {
+        f(&Contact::half_space(&Arc::new(Quadrature::of(self.terms)?), &self.material, &self.control))
     }
 }

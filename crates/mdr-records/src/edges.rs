@@ -1,18 +1,20 @@
 //! Questions without a number: outside of their domain, and states that would interpenetrate.
 
+use std::sync::Arc;
+
 use mdr::answer::Admission;
 use mdr::prelude::Literal;
 use mdr_analytic::detachment_elongation;
 use mdr_core::contact::{self, Error, Status as Outcome};
 use mdr_core::number::{Interval, Precision, Real, Special};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::{Record, Status};
 
 use crate::builder::RecordBuilder;
 use crate::cases::Case;
-use crate::contact::Contact;
+use crate::contact::CaseContact;
 use crate::{Failure, Result, profiles};
 
 /// A critical state that is asked for with inputs for which there is none.
@@ -54,11 +56,12 @@ pub(crate) fn interpenetrating(case: &Case) -> Result<Vec<Record>> {
 
 /// Whether the gap at the ridge is certainly negative: at r it is (2/π)∫(g(r cos φ) − d) dφ over 0 < φ < Φ =
 /// arccos(a/r), which is (2/π)[r²(Φ + sin Φ cos Φ)/2R − πbr sin Φ/2R − dΦ], here at r = b.
-fn enclosed_gap(contact: &Contact, (radius, offset): (&Literal, &Literal), a: &Literal) -> contact::Result<bool> {
+fn enclosed_gap(contact: &CaseContact, (radius, offset): (&Literal, &Literal), a: &Literal) -> contact::Result<bool> {
     let ctx = Precision::new(128);
     let [a, b, radius] = [a, offset, radius].map(|literal| Interval::from_literal(ctx, literal));
     let model = contact.model(|literal| Interval::from_literal(ctx, literal))?;
-    let d = model.closed(|curve| Ok(curve.transform().g(&a)? - detachment_elongation(curve.material(), &a)?))?;
+    let elongation = detachment_elongation(&model.material, &a)?;
+    let d = model.closed(|curve| Ok(curve.transform().g(&a)? - elongation))?;
     let cosine = a / &b;
     let angle = cosine.acos();
     let sine = angle.sin();
@@ -69,9 +72,9 @@ fn enclosed_gap(contact: &Contact, (radius, offset): (&Literal, &Literal), a: &L
 }
 
 /// The same by quadrature of the transform by quadrature, in f64.
-fn integrated_gap(contact: &Contact, offset: &Literal, a: &Literal) -> contact::Result<bool> {
+fn integrated_gap(contact: &CaseContact, offset: &Literal, a: &Literal) -> contact::Result<bool> {
     let model = contact.model(Literal::nearest_f64)?;
-    let transform = Quadrature::of(model.terms)?;
-    let curve = EquilibriumCurve::new(&transform, &model.material, &model.control);
+    let transform = Arc::new(Quadrature::of(model.terms)?);
+    let curve = Contact::half_space(&transform, &model.material, &model.control);
     Ok(Fields::new(curve, a.nearest_f64())?.gap(&offset.nearest_f64())? < 0.0)
 }

@@ -2,7 +2,7 @@
 
 use mdr::answer::{Dissipation, PathEvent};
 use mdr::prelude::{Literal, Start, Want};
-use mdr_analytic::Contact as Law;
+use mdr_analytic::PowerLawContact as Law;
 use mdr_core::contact;
 use mdr_core::number::{Decimal, Real};
 use mdr_numeric::energy::Energy;
@@ -10,7 +10,7 @@ use mdr_reference::Record;
 
 use crate::builder::RecordBuilder;
 use crate::cases::{Case, number};
-use crate::contact::Contact;
+use crate::contact::CaseContact;
 use crate::sensitivity::{Seeded, conditions};
 use crate::{Failure, Result, confirm, decimals, float};
 
@@ -41,8 +41,8 @@ pub(crate) fn record(case: &Case) -> Result<Vec<Record>> {
     let ctx = confirm::precision(&[]);
     let agrees = contact.float(ctx)?.integrated(|curve| {
         let [a, d, energy] = [&state[0], &state[1], &energy].map(|value| float(ctx, value));
-        let potential = Energy::new(curve.transform(), curve.material())?.potential(&a, &d)?.times(sign);
-        let scale = a.pi() * a.square() * curve.material().work_of_adhesion();
+        let potential = Energy::new(curve.clone())?.potential(&a, &d)?.times(sign);
+        let scale = a.pi() * a.square() * curve.adhesion().work();
         Ok(confirm::agree(&potential, &energy, &scale))
     });
     Failure::unless("the energy", agrees?)?;
@@ -53,7 +53,7 @@ pub(crate) fn record(case: &Case) -> Result<Vec<Record>> {
 
 /// What a path loses in its first event that loses energy: −Π after it where the contact `forms`, Π before it where it
 /// breaks.
-fn lost(contact: &Contact, path: [Literal; 2], start: Start, forms: bool) -> Result<Jump> {
+fn lost(contact: &CaseContact, path: [Literal; 2], start: Start, forms: bool) -> Result<Jump> {
     let answer = contact.scene()?.path(path)?.start(start).want(Want::Path).solve()?;
     let events = answer.path().map(|path| path.events.items.as_slice()).unwrap_or_default();
     let loss = |event: &PathEvent| match &event.dissipated {
@@ -71,7 +71,7 @@ fn lost(contact: &Contact, path: [Literal; 2], start: Start, forms: bool) -> Res
 }
 
 /// Π of the equilibrium at d = 0.
-fn barrier(contact: &Contact) -> Result<Jump> {
+fn barrier(contact: &CaseContact) -> Result<Jump> {
     let answer = contact.answer([Want::Energy { states: vec![Literal::from(0)] }])?;
     let states = answer.energy().into_iter().flat_map(|list| &list.items).flat_map(|item| &item.items);
     let top = states.last().ok_or(Failure::Missing("equilibrium"))?;

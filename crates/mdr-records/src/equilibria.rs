@@ -5,13 +5,13 @@ use mdr::prelude::{EventKind, Literal, Stability, Start, Value, Want};
 use mdr_core::contact::{self, Error, Quantity, Status as Outcome};
 use mdr_core::number::certify::{Enclosure, certify};
 use mdr_core::number::{Decimal, Dual, Interval, Precision, Real};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_reference::{Record, Status};
 use rug::Float;
 
 use crate::builder::RecordBuilder;
 use crate::cases::Case;
-use crate::contact::Contact;
+use crate::contact::CaseContact;
 use crate::sensitivity::{Conditions, Seeded, constant, controlled, implicit, on_curve};
 use crate::{DIGITS, Failure, Result, confirm, decimals, float};
 
@@ -32,7 +32,7 @@ enum Target<'a> {
 
 impl Target<'_> {
     /// The input that says so.
-    fn given(&self, contact: &Contact) -> Option<(&'static str, &Literal)> {
+    fn given(&self, contact: &CaseContact) -> Option<(&'static str, &Literal)> {
         match self {
             Target::Value(value) => Some((contact.symbol(), value)),
             Target::Share(share, _) => Some(("tau", share)),
@@ -41,7 +41,7 @@ impl Target<'_> {
     }
 
     /// The value while an input changes. At a fold it does not depend on the radius, which is a constant.
-    fn seeded(&self, curve: &EquilibriumCurve<'_, Seeded>, given: &Seeded) -> contact::Result<Seeded> {
+    fn seeded(&self, curve: &Contact<Seeded>, given: &Seeded) -> contact::Result<Seeded> {
         match self {
             Target::Value(_) => Ok(given.clone()),
             Target::Share(_, fold) => Ok((given.lit(1) - given) * controlled(curve, &constant(&fold[0]))?),
@@ -50,7 +50,7 @@ impl Target<'_> {
     }
 
     /// The value for the second method.
-    fn float(&self, contact: &Contact, ctx: Precision) -> contact::Result<Float> {
+    fn float(&self, contact: &CaseContact, ctx: Precision) -> contact::Result<Float> {
         let control = contact.float(ctx)?.control;
         Ok(match self {
             Target::Value(value) => Float::from_literal(ctx, value),
@@ -64,7 +64,7 @@ impl Target<'_> {
     }
 
     /// Confirms a state there; its conditions, by the implicit function theorem for what is controlled less the target.
-    fn confirmed(&self, contact: &Contact, state: &State) -> Result<[Conditions; 3]> {
+    fn confirmed(&self, contact: &CaseContact, state: &State) -> Result<[Conditions; 3]> {
         let conditions = on_curve(contact, self.given(contact), |curve, given| {
             let target = self.seeded(curve, given)?.slope;
             let residual = |a: &Seeded| {
@@ -171,7 +171,7 @@ struct States {
     all: Vec<(State, Stability)>,
 }
 
-fn states(contact: &Contact, at: &Literal) -> Result<States> {
+fn states(contact: &CaseContact, at: &Literal) -> Result<States> {
     let answer = contact.answer([contact.all_folds(), Want::Equilibria { at: vec![at.clone()] }])?;
     let (folds, list) = answer.folds().zip(answer.equilibria()).ok_or(Failure::Missing("equilibria"))?;
     let decided = |status| matches!(status, Outcome::Ok | Outcome::NoEquilibrium);
@@ -188,7 +188,7 @@ fn states(contact: &Contact, at: &Literal) -> Result<States> {
 }
 
 /// The relative distance of a value to the critical one.
-fn distance(contact: &Contact, at: &Literal, [_, d, f]: &State) -> f64 {
+fn distance(contact: &CaseContact, at: &Literal, [_, d, f]: &State) -> f64 {
     let ctx = Precision::new(BITS);
     let critical = if contact.symbol() == "d" { d } else { f };
     (Float::from_literal(ctx, at) / float(ctx, critical) - 1u32).abs().to_f64()

@@ -5,12 +5,13 @@
 //! standard errors have to hold for these.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use mdr::fit::{Certified, Fit, FittedRow, Observation, Problem};
 use mdr::prelude::{Literal, Shape};
 use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Decimal, Precision, Real};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::{DataSet, Method, Record};
 use rug::Float;
@@ -243,11 +244,11 @@ impl Rows<'_> {
     fn residuals(&self, numbers: &BTreeMap<String, Float>, places: &mut [Place]) -> Result<Vec<Float>> {
         let named = |name: &str| numbers.get(name).cloned();
         let terms = vec![self.shape.try_map(|key, _| named(key).ok_or(Failure::Missing("number of the profile")))?];
-        let transform = Quadrature::of(terms)?;
+        let transform = Arc::new(Quadrature::of(terms)?);
         let required = |name| named(name).ok_or(Failure::Missing("modulus or work of adhesion"));
         let material = Material::new(required("e_star")?, required("work_of_adhesion")?)?;
         let control = Control::Indentation;
-        let curve = EquilibriumCurve::new(&transform, &material, &control);
+        let curve = Contact::half_space(&transform, &material, &control);
         let zero = self.rows[0][0].lit(0);
         let [contact_point, baseline] =
             ["contact_point", "baseline"].map(|name| named(name).unwrap_or_else(|| zero.clone()));

@@ -7,7 +7,7 @@ use rug::Float;
 
 use crate::builder::RecordBuilder;
 use crate::cases::Case;
-use crate::contact::Contact;
+use crate::contact::CaseContact;
 use crate::sensitivity::{Conditions, constant, implicit, on_curve};
 use crate::{Failure, Result, confirm, decimals, float};
 
@@ -62,7 +62,7 @@ impl Fold {
     }
 }
 
-fn folds(contact: &Contact) -> Result<Vec<Fold>> {
+fn folds(contact: &CaseContact) -> Result<Vec<Fold>> {
     let answer = contact.answer([contact.all_folds()])?;
     let folds = answer.folds().ok_or(Failure::Missing("fold"))?;
     let is_complete = folds.complete.as_ref().is_some_and(|complete| complete.proved);
@@ -81,9 +81,9 @@ fn folds(contact: &Contact) -> Result<Vec<Fold>> {
 }
 
 /// By the implicit function theorem for the condition of tangency; that of d = 0 relative to Δl(a).
-fn conditions(contact: &Contact, [a, d, _]: &[Decimal; 3]) -> contact::Result<[Conditions; 3]> {
+fn conditions(contact: &CaseContact, [a, d, _]: &[Decimal; 3]) -> contact::Result<[Conditions; 3]> {
     on_curve(contact, None, |curve, _| {
-        let a = implicit(&constant(a), |a| Ok(curve.tangency(a)? - curve.threshold(a)?))?;
+        let a = implicit(&constant(a), |a| Ok(curve.tangency(a)? - curve.critical_ratio(a)?))?;
         let (depth, f) = curve.state(&a)?;
         let value = if d.is_zero() { curve.detachment_elongation(&a)?.value } else { depth.value };
         Ok([a, Dual { value, slope: depth.slope }, f])

@@ -5,28 +5,28 @@ use std::sync::Arc;
 use mdr::answer::{Admission, CurvePoint, TransformSample};
 use mdr::prelude::{Literal, Want};
 use mdr_analytic::flat_punch_pull_off;
-use mdr_core::contact::{self, Control, Error, Quantity, Shape};
+use mdr_core::contact::{self, Control, Error, Material, Quantity, Shape};
 use mdr_core::number::{Decimal, Dual, Real};
 use mdr_numeric::admissible::{Admissibility, Verdict};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::Record;
 use rug::Float;
 
 use crate::builder::{RecordBuilder, STATE};
 use crate::cases::Case;
-use crate::contact::Contact;
+use crate::contact::CaseContact;
 use crate::sensitivity::{Conditions, on_curve};
 use crate::{Failure, Result, confirm, decimals, float};
 
 /// g at a radius as the scene answers it.
-pub(crate) fn sample(contact: &Contact, x: &Literal) -> Result<TransformSample> {
+pub(crate) fn sample(contact: &CaseContact, x: &Literal) -> Result<TransformSample> {
     let answer = contact.answer([Want::Transform { at: vec![x.clone()] }])?;
     answer.transform().and_then(|list| list.items.first()).cloned().ok_or(Failure::Missing("transform"))
 }
 
 /// g, g' and ∫g with their conditions.
-fn certified(contact: &Contact, x: &Literal) -> Result<([Decimal; 3], [Conditions; 3])> {
+fn certified(contact: &CaseContact, x: &Literal) -> Result<([Decimal; 3], [Conditions; 3])> {
     let sample = sample(contact, x)?;
     let values = decimals([&sample.g, &sample.slope, &sample.integral])?;
     let conditions = on_curve(contact, Some(("x", x)), |curve, x| {
@@ -60,7 +60,7 @@ pub(crate) fn transform(case: &Case) -> Result<Vec<Record>> {
 pub(crate) fn kappa(case: &Case) -> Result<Vec<Record>> {
     let [Shape::Power { n, .. }] = case.contact.terms.as_slice() else { return Err(Failure::Missing("exponent")) };
     let one = Literal::from(1);
-    let contact = Contact { terms: vec![Shape::Power { n: n.clone(), c: one.clone() }], ..case.contact.clone() };
+    let contact = CaseContact { terms: vec![Shape::Power { n: n.clone(), c: one.clone() }], ..case.contact.clone() };
     let ([kappa, ..], [conditions, ..]) = certified(&contact, &one)?;
     let builder = RecordBuilder::new(case, vec![("n", n)]);
     Ok(vec![builder.number(("kappa", "1"), &kappa, conditions, None)])
@@ -86,17 +86,17 @@ pub(crate) fn state(case: &Case) -> Result<Vec<Record>> {
 }
 
 /// The state with a contact radius as the scene answers it.
-pub(crate) fn point(contact: &Contact, a: &Literal) -> Result<CurvePoint> {
+pub(crate) fn point(contact: &CaseContact, a: &Literal) -> Result<CurvePoint> {
     let answer = contact.answer([Want::Curve { at: vec![a.clone()] }])?;
     answer.curve().and_then(|list| list.items.first()).cloned().ok_or(Failure::Missing("state"))
 }
 
 /// Whether the surfaces are apart outside of the contact, by quadrature in f64: out to twice the radius, or the end of
 /// the range. All profiles of which this is asked are convex beyond it.
-fn is_open(contact: &Contact, a: &Literal) -> contact::Result<bool> {
+fn is_open(contact: &CaseContact, a: &Literal) -> contact::Result<bool> {
     let model = contact.model(Literal::nearest_f64)?;
     let transform = Arc::new(Quadrature::of(model.terms)?);
-    let curve = EquilibriumCurve::new(&*transform, &model.material, &Control::Indentation);
+    let curve = Contact::half_space(&transform, &model.material, &Control::Indentation);
     let a = a.nearest_f64();
     let end = contact.range.as_ref().map_or(f64::INFINITY, |[_, end]| end.nearest_f64());
     let admissibility = Admissibility::new(transform.clone(), [1e-6 * a, end.min(2.0 * a)]);
@@ -117,7 +117,8 @@ pub(crate) fn pull_off(case: &Case) -> Result<Vec<Record>> {
     let fold = answer.folds().and_then(|folds| folds.items.first()).ok_or(Failure::Missing("fold"))?;
     let values = decimals([&fold.indentation, &fold.force])?;
     let conditions = on_curve(contact, None, |curve, _| {
-        let state = flat_punch_pull_off(&edge(curve)?, curve.material())?;
+        let material = Material::new(curve.modulus().clone(), curve.adhesion().work().clone())?;
+        let state = flat_punch_pull_off(&edge(curve)?, &material)?;
         Ok([state.indentation, state.force])
     })?;
     Failure::unless("pull-off", is_balanced(contact, &values)?)?;
@@ -125,22 +126,22 @@ pub(crate) fn pull_off(case: &Case) -> Result<Vec<Record>> {
 }
 
 /// The radius of the vertical edge.
-fn edge<R: Real>(curve: &EquilibriumCurve<'_, R>) -> contact::Result<R> {
+fn edge<R: Real>(curve: &Contact<R>) -> contact::Result<R> {
     let (quantity, requirement) = (Quantity::Parameter("the profile"), "one with a vertical edge");
     curve.vertical_edge().ok_or(Error::Domain { quantity, value: String::new(), requirement })
 }
 
 /// The energy E*bd² of the punch held at d, given to its edge: its derivative with respect to b is 2πbw, that with
 /// respect to d is F.
-fn is_balanced(contact: &Contact, values: &[Decimal; 2]) -> contact::Result<bool> {
+fn is_balanced(contact: &CaseContact, values: &[Decimal; 2]) -> contact::Result<bool> {
     let ctx = confirm::precision(&[]);
     let [d, f] = values.each_ref().map(|value| float(ctx, value));
     contact.float(ctx)?.integrated(|curve| {
-        let (b, e_star) = (edge(curve)?, curve.effective_modulus());
+        let (b, e_star) = (edge(curve)?, curve.modulus());
         let energy = |b: Dual<Float>, d: Dual<Float>| (Dual::constant(e_star.clone()) * b * d.square()).slope;
         let released = energy(Dual::variable(b.clone()), Dual::constant(d.clone()));
         let pull = energy(Dual::constant(b.clone()), Dual::variable(d.clone()));
-        let spent = (b.pi() * &b * curve.material().work_of_adhesion()).times(2);
+        let spent = (b.pi() * &b * curve.adhesion().work()).times(2);
         Ok(d < d.lit(0) && confirm::agree(&released, &spent, &spent) && confirm::agree(&pull, &f, &f.clone().abs()))
     })
 }

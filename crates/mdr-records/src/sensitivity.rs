@@ -2,9 +2,9 @@
 
 use mdr_core::contact::Result;
 use mdr_core::number::{Decimal, Dual, Interval, Literal, Precision, Real};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 
-use crate::contact::{Contact, Model};
+use crate::contact::{CaseContact, Model};
 use crate::float;
 
 /// Conditions by the names of the inputs.
@@ -24,7 +24,7 @@ pub(crate) fn largest(conditions: &[Conditions]) -> f64 {
 /// The conditions of what `quantities` computes of a contact, with respect to its inputs and to a number that is given
 /// with it.
 pub(crate) fn conditions<R: Real<Ctx = Precision>, const K: usize>(
-    contact: &Contact,
+    contact: &CaseContact,
     given: Option<(&'static str, &Literal)>,
     quantities: impl Fn(Model<Dual<R>>, Dual<R>) -> Result<[Dual<R>; K]>,
 ) -> Result<[Conditions; K]> {
@@ -49,9 +49,9 @@ pub(crate) fn conditions<R: Real<Ctx = Precision>, const K: usize>(
 
 /// The conditions of what `quantities` reads off the curve of equilibria of the closed form.
 pub(crate) fn on_curve<const K: usize>(
-    contact: &Contact,
+    contact: &CaseContact,
     given: Option<(&'static str, &Literal)>,
-    quantities: impl Fn(&EquilibriumCurve<'_, Seeded>, &Seeded) -> Result<[Seeded; K]>,
+    quantities: impl Fn(&Contact<Seeded>, &Seeded) -> Result<[Seeded; K]>,
 ) -> Result<[Conditions; K]> {
     conditions(contact, given, |model, given| model.closed(|curve| quantities(curve, &given)))
 }
@@ -71,7 +71,7 @@ pub(crate) fn implicit(a: &Seeded, residual: impl Fn(&Seeded) -> Result<Seeded>)
 }
 
 /// What is controlled at a contact radius.
-pub(crate) fn controlled(curve: &EquilibriumCurve<'_, Seeded>, a: &Seeded) -> Result<Seeded> {
+pub(crate) fn controlled(curve: &Contact<Seeded>, a: &Seeded) -> Result<Seeded> {
     let (d, f) = curve.state(a)?;
     Ok(curve.control().controlled(&d, &f))
 }

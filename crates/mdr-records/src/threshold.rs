@@ -9,7 +9,7 @@ use rug::Float;
 
 use crate::builder::RecordBuilder;
 use crate::cases::Case;
-use crate::contact::{Contact, Model};
+use crate::contact::{CaseContact, Model};
 use crate::sensitivity::{Conditions, conditions};
 use crate::{Failure, Result, confirm, decimals, float};
 
@@ -32,7 +32,7 @@ pub(crate) fn records(case: &Case) -> Result<Vec<Record>> {
 }
 
 /// In arbitrary precision: the enclosed mean of the lemniscate constant has no enclosed slope.
-fn slopes(contact: &Contact) -> contact::Result<[Conditions; 2]> {
+fn slopes(contact: &CaseContact) -> contact::Result<[Conditions; 2]> {
     conditions(contact, None, |model: Model<Dual<Float>>, _| {
         let control = model.control.clone();
         let law = model.law()?;
@@ -43,12 +43,12 @@ fn slopes(contact: &Contact) -> contact::Result<[Conditions; 2]> {
 }
 
 /// Whether with this C the curves touch: at any radius, here at 1.
-fn is_tangent(contact: &Contact, value: &Decimal) -> contact::Result<bool> {
+fn is_tangent(contact: &CaseContact, value: &Decimal) -> contact::Result<bool> {
     let ctx = confirm::precision(&[]);
     confirm::changes_sign(&float(ctx, value), |c| {
         let Model { material, control, .. } = contact.float(ctx)?;
         let one = Float::with_val(ctx.bits(), 1);
         let terms = vec![Shape::Power { n: one.clone() / 2u32, c: c.clone() }];
-        Model { terms, material, control }.integrated(|curve| Ok(curve.tangency(&one)? - curve.threshold(&one)?))
+        Model { terms, material, control }.integrated(|curve| Ok(curve.tangency(&one)? - curve.critical_ratio(&one)?))
     })
 }

@@ -44,6 +44,7 @@
 //! | whether the theory holds | [`Scene::range_of_adhesion`], [`validity`] |
 //! | many states in f64, from slices | [`batch`] |
 //! | one contact at arrays of values | [`double`] |
+//! | a profile of your own, from a closure or slices | [`contact`], [`Measured::from_rows`](scene::Measured::from_rows) |
 //!
 //! # Features
 //! * `mp` (default): certified digits, by GMP and MPFR. Without it the crate is pure Rust, builds for `wasm32-unknown-unknown`,
@@ -82,6 +83,36 @@ pub use validity::Validity;
 /// Critical states of many power laws in f64: slices in, slices out.
 pub mod batch {
     pub use mdr_analytic::double::grid::*;
+}
+
+/// One contact in Rust: your own profile on a medium, with everything that can be asked of it in any arithmetic.
+///
+/// ```
+/// use mdr::contact::{Adhesion, Contact, Function, Medium, Quadrature, folds};
+/// use mdr::prelude::*;
+/// // A tip f = r²/2R + r⁴/8R³, from f, f' and f''; R = 20 nm.
+/// let r0 = 20e-9_f64;
+/// let tip = Function::new(move |r| {
+///     let s = r / r0;
+///     [r0 * (s * s / 2.0 + s.powi(4) / 8.0), s + s.powi(3) / 2.0, (1.0 + 1.5 * s * s) / r0]
+/// })?;
+/// let contact = Contact::new(Quadrature::new(tip), Medium::half_space(1e9)?, Adhesion::new(0.05)?, Control::Force);
+/// let pull_off = folds::find(&contact)?[0].force;
+/// assert!(pull_off < 0.0 && (pull_off / -4.7124e-9 - 1.0).abs() < 0.02); // near −3/2 πwR
+/// # Ok::<(), mdr::ContactError>(())
+/// ```
+pub mod contact {
+    pub use mdr_core::contact::{Profile, Transform};
+    pub use mdr_numeric::admissible;
+    pub use mdr_numeric::branch::EquilibriumBranches;
+    pub use mdr_numeric::contact::Contact;
+    pub use mdr_numeric::equilibrium::SearchedBranches;
+    pub use mdr_numeric::fields::Fields;
+    pub use mdr_numeric::folds;
+    pub use mdr_numeric::function::{Differentiated, Function};
+    pub use mdr_numeric::medium::{Adhesion, Medium};
+    pub use mdr_numeric::path;
+    pub use mdr_numeric::transform::Quadrature;
 }
 
 /// What a program needs: `use mdr::prelude::*`.

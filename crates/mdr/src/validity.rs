@@ -148,7 +148,7 @@ pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
         _ => {
             let search = Search::new(scene, counts)?;
             let folds = lack(search.folds().cloned())?;
-            let pull_off = |dugdale: &Dugdale<'_, f64>| dugdale.pull_off(&radii(&folds));
+            let pull_off = |dugdale: &Dugdale<f64>| dugdale.pull_off(&radii(&folds));
             doubles(record(scene, &search.model, range, &folds, &search.admissibility(), pull_off)?)
         }
     }))
@@ -166,7 +166,7 @@ fn in_digits(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Re
     let search = Search::of_lengths(scene, counts)?;
     let folds = lack(search.folds().cloned())?;
     let model = &search.model;
-    let curve = model.curve();
+    let curve = model.contact();
     let start =
         Dugdale::new(curve, &separation(&model.number(range))).and_then(|dugdale| dugdale.pull_off(&radii(&folds)));
     agree(digits, |precision| {
@@ -190,10 +190,10 @@ fn record<R: SceneReal>(
     model: &Model<R>,
     range: &Literal,
     folds: &Result<Folds<R>>,
-    admissibility: &Admissibility<'_>,
-    pull_off: impl FnOnce(&Dugdale<'_, R>) -> Result<Option<CohesiveState<R>>>,
+    admissibility: &Admissibility,
+    pull_off: impl FnOnce(&Dugdale<R>) -> Result<Option<CohesiveState<R>>>,
 ) -> Result<Validity<Estimate<R>>> {
-    let (curve, z0) = (model.curve(), model.number(range));
+    let (curve, z0) = (model.contact(), model.number(range));
     let fold = lack(folds.as_ref().map_err(Clone::clone).and_then(|folds| instability(folds)))?;
     let at = |of: &dyn Fn(&R) -> Result<R>| {
         value(fold.as_ref().map_err(Clone::clone).and_then(|fold| of(&fold.contact_radius)))
@@ -257,7 +257,7 @@ fn instability<R: Real>(folds: &Folds<R>) -> Result<Fold<R>> {
 /// Whether a contact without a minimum of the force is stable under a dead load down to the smallest radii: the force then tends
 /// to zero as the contact does.
 fn vanishes<R: SceneReal>(model: &Model<R>, fold: Option<&Fold<R>>) -> Result<bool> {
-    let curve = model.curve();
+    let curve = model.contact();
     let scale = fold.map_or_else(|| curve.material_length(), |fold| fold.contact_radius.clone());
     let near = scale.lit(2).powi(-30) * scale;
     Ok(lack(curve.tangency(&near))?.is_ok_and(|ratio| ratio > near.lit(3)))

@@ -4,7 +4,7 @@
 //!
 //! d = (φ + t)/n,  F = 2E*aφ/(n+1),  Π = E*a [2φ(φ + t)/((n+1)(2n+1)) − (2n−1)t²/(2(2n+1))],
 //!
-//! the last by (1.13) from [`Contact::energy`]. The controlled quantity is the difference P − Q of two positive,
+//! the last by (1.13) from [`PowerLawContact::energy`]. The controlled quantity is the difference P − Q of two positive,
 //! increasing functions of u:
 //!
 //! | control | P | Q |
@@ -26,7 +26,7 @@ use rug::Rational;
 
 use super::scaled::Scaled;
 use super::{Question, exact};
-use crate::contact::{Contact, ln_edge_length};
+use crate::contact::{PowerLawContact, ln_edge_length};
 use crate::machine::CriticalRatio;
 use crate::newton;
 
@@ -103,7 +103,7 @@ impl Question {
     }
 
     /// The same for the contact over intervals.
-    pub(super) fn curve_of(&self, contact: &Contact<Interval>) -> Result<Curve> {
+    pub(super) fn curve_of(&self, contact: &PowerLawContact<Interval>) -> Result<Curve> {
         let (profile, material) = (contact.profile(), contact.material());
         let precision = profile.exponent().ctx();
         let control = self.control(precision);

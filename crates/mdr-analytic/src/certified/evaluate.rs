@@ -8,7 +8,7 @@ use mdr_core::number::{Interval, Literal, Precision, Real};
 use rug::{Integer, Rational};
 
 use super::{Answer, Question, exact};
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::critical::State;
 use crate::newton::undecided;
 use crate::threshold::threshold;
@@ -178,7 +178,7 @@ impl Question {
 
     /// a, d and F at each fold: by the closed forms over intervals; on the curve, which computes in logarithms, where a number
     /// may be zero or leaves the range of MPFR.
-    fn folds(&self, contact: &Contact<Interval>) -> Result<Vec<(FoldKind, [Enclosure; 3])>> {
+    fn folds(&self, contact: &PowerLawContact<Interval>) -> Result<Vec<(FoldKind, [Enclosure; 3])>> {
         let only = if self.regime() == Regime::PullOff { FoldKind::Minimum } else { FoldKind::Maximum };
         let by_value = |fold: Fold<Interval>| (fold.kind, [fold.contact_radius, fold.indentation, fold.force]);
         let found: Result<Vec<(FoldKind, [Interval; 3])>> = match self.control(contact.profile().exponent().ctx()) {
@@ -199,7 +199,7 @@ impl Question {
     }
 
     /// κ_n of the contact, exact where it is rational.
-    fn kappa_of(&self, contact: &Contact<Interval>) -> Enclosure {
+    fn kappa_of(&self, contact: &PowerLawContact<Interval>) -> Enclosure {
         let enclosed = || contact.profile().kappa().clone().into();
         exact::kappa(&self.exponent).map_or_else(enclosed, Enclosure::Exact)
     }

@@ -6,7 +6,7 @@
 //!
 //! For n = p/q the exponent is q/(2p−q): an integer power and a root. If both are of moderate degree, this is several
 //! times faster than the logarithm and exponential of the general formula,
-//! [`Contact::critical`](crate::Contact::critical).
+//! [`PowerLawContact::critical`](crate::PowerLawContact::critical).
 //!
 //! A cone has κ_1 = π/2, and √(Ba) is rational: a and F are rationals over π.
 

@@ -6,7 +6,7 @@ use rug::Rational;
 
 use super::exact;
 use super::monomial::Monomials;
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::power_law::PowerLaw;
 
 /// A power law f = C rⁿ on a material under a control, with exact inputs that have been checked.
@@ -62,12 +62,12 @@ impl Question {
     }
 
     /// The contact over intervals.
-    pub(super) fn contact(&self, precision: Precision) -> Result<Contact<Interval>> {
+    pub(super) fn contact(&self, precision: Precision) -> Result<PowerLawContact<Interval>> {
         let enclose = |value| Interval::from_rational(precision, value);
         let kappa = exact::kappa_interval(precision, &self.exponent);
         let profile = PowerLaw::with_kappa(enclose(&self.exponent), enclose(&self.coefficient), kappa)?;
         let material = Material::new(enclose(&self.effective_modulus), enclose(&self.work_of_adhesion))?;
-        Ok(Contact::new(profile, material))
+        Ok(PowerLawContact::new(profile, material))
     }
 
     /// The control over intervals.

@@ -45,7 +45,7 @@ use mdr_core::contact::{Control, Error, Material, Quantity, Result};
 
 pub use self::functions::*;
 pub use self::inverse::*;
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::kappa::Kappa;
 use crate::power_law::PowerLaw;
 
@@ -76,8 +76,8 @@ fn lifted<R: Kappa + From<f64>>(material: &Material<f64>) -> Result<Material<R>>
 }
 
 #[inline(always)]
-fn contact<R: Kappa + From<f64>>(n: f64, c: f64, material: &Material<f64>) -> Result<Contact<R>> {
-    Ok(Contact::new(power_law(n, c)?, lifted(material)?))
+fn contact<R: Kappa + From<f64>>(n: f64, c: f64, material: &Material<f64>) -> Result<PowerLawContact<R>> {
+    Ok(PowerLawContact::new(power_law(n, c)?, lifted(material)?))
 }
 
 #[inline(always)]

@@ -12,13 +12,13 @@ use mdr_core::number::Real;
 use super::family::{Family, Place};
 use super::start::Seed;
 use super::{Branch, Equilibria, Held};
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::critical::State;
 use crate::newton;
 use crate::power_law::PowerLaw;
 use crate::range::representable;
 
-impl<R: Real> Contact<R> {
+impl<R: Real> PowerLawContact<R> {
     /// The equilibria at x for n ≠ 1/2.
     pub(super) fn equilibria_by_residual(&self, held: Held, regime: Regime, value: &R) -> Result<Equilibria<R>> {
         let ln_state = self.ln_critical(&held.control())?;
@@ -109,7 +109,7 @@ impl<R: Real> Contact<R> {
         let kappa = profile.kappa().midpoint();
         let profile = PowerLaw::with_kappa(profile.exponent().midpoint(), profile.coefficient().midpoint(), kappa)?;
         let material = Material::new(material.effective_modulus().midpoint(), material.work_of_adhesion().midpoint())?;
-        Ok(Contact::new(profile, material))
+        Ok(PowerLawContact::new(profile, material))
     }
 }
 

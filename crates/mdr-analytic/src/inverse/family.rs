@@ -5,7 +5,7 @@ use mdr_core::number::Real;
 
 use super::start::Seed;
 use super::{Branch, Held};
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::newton::undecided;
 
 /// The parameter m of the family of a contact under one control.
@@ -56,7 +56,7 @@ const FAR: f64 = (1_u64 << 33) as f64;
 
 impl<R: Real> Family<R> {
     #[inline(always)]
-    pub(super) fn new(contact: &Contact<R>, held: Held, regime: Regime) -> Self {
+    pub(super) fn new(contact: &PowerLawContact<R>, held: Held, regime: Regime) -> Self {
         let excess = contact.profile().excess();
         // p/q and p/q − 1.
         let (parameter, excess) = match held {

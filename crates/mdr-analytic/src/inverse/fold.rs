@@ -5,7 +5,7 @@ use mdr_core::number::Real;
 
 use super::family::{Family, Place};
 use super::{Branch, Count, Equilibria, Held};
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::critical::State;
 use crate::newton::undecided;
 use crate::range::{product, representable};
@@ -20,9 +20,9 @@ pub(crate) struct FoldFrame<R> {
 
 impl<R: Real> FoldFrame<R> {
     /// # Errors
-    /// As [`Contact::critical`].
+    /// As [`PowerLawContact::critical`].
     #[inline(always)]
-    pub(crate) fn new(contact: &Contact<R>, held: Held) -> Result<Self> {
+    pub(crate) fn new(contact: &PowerLawContact<R>, held: Held) -> Result<Self> {
         let state = contact.critical(&held.control())?;
         let family = Family::new(contact, held, contact.regime()?);
         Ok(FoldFrame { held, state, family })
@@ -34,7 +34,7 @@ impl<R: Real> FoldFrame<R> {
     }
 
     /// The equilibria at x_fold(1 − τ).
-    pub(super) fn at_distance(&self, contact: &Contact<R>, distance: &R) -> Result<Equilibria<R>> {
+    pub(super) fn at_distance(&self, contact: &PowerLawContact<R>, distance: &R) -> Result<Equilibria<R>> {
         let place = Place { distance: distance.clone(), value: distance.lit(1) - distance };
         let value = place.value.clone() * self.value();
         self.equilibria(contact, &place, &value, |branch| Ok(self.family.polish(&place, self.root(&place, branch)?)))
@@ -42,7 +42,7 @@ impl<R: Real> FoldFrame<R> {
 
     /// The equilibria at x, as accurate as the fold is known: the faster method if n is not too close to 1/2.
     #[inline(always)]
-    pub(crate) fn at_value(&self, contact: &Contact<R>, value: &R) -> Result<Equilibria<R>> {
+    pub(crate) fn at_value(&self, contact: &PowerLawContact<R>, value: &R) -> Result<Equilibria<R>> {
         let place =
             Place { distance: contact.distance(self.held, self.value(), value), value: value.clone() / self.value() };
         self.equilibria(contact, &place, value, |branch| self.root(&place, branch))
@@ -62,7 +62,7 @@ impl<R: Real> FoldFrame<R> {
     #[inline(always)]
     fn equilibria(
         &self,
-        contact: &Contact<R>,
+        contact: &PowerLawContact<R>,
         place: &Place<R>,
         value: &R,
         root: impl Fn(Branch) -> Result<R>,
@@ -95,7 +95,7 @@ impl<R: Real> Equilibria<R> {
     }
 }
 
-impl<R: Real> Contact<R> {
+impl<R: Real> PowerLawContact<R> {
     /// τ = 1 − x/x_fold; for a cone 1 + dE*C/w, whose sign is exact in exact arithmetic.
     #[inline(always)]
     pub(super) fn distance(&self, held: Held, at_fold: &R, value: &R) -> R {

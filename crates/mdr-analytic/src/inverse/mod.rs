@@ -28,7 +28,7 @@ use mdr_core::number::Real;
 
 pub(crate) use self::fold::FoldFrame;
 pub(crate) use self::start::InitialGuess;
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::newton::undecided;
 use crate::range::{ordinary, product, representable};
 
@@ -125,7 +125,7 @@ pub(crate) enum Count {
     Larger,
 }
 
-impl<R: Real> Contact<R> {
+impl<R: Real> PowerLawContact<R> {
     /// The equilibria at a given indentation depth or force, each with its stability under that control.
     ///
     /// | n | x against x_fold | equilibria |
@@ -138,14 +138,14 @@ impl<R: Real> Contact<R> {
     /// | | 0 or of the other sign | none |
     ///
     /// Accuracy: the residual of (1.13) or (1.16) is at the rounding level of its terms. The error of the radius is
-    /// that times its condition, which grows as 1/√τ towards the fold ([`Contact::equilibria_at_distance`] avoids this
+    /// that times its condition, which grows as 1/√τ towards the fold ([`PowerLawContact::equilibria_at_distance`] avoids this
     /// loss). Over intervals existence, number and values are proved. The uncontrolled quantity follows from the radius
     /// as F = 2E*a(nd − Δl)/(n+1).
     ///
     /// ```
-    /// use mdr_analytic::{Contact, PowerLaw};
+    /// use mdr_analytic::{PowerLawContact, PowerLaw};
     /// use mdr_core::contact::{Control, Material, Stability};
-    /// let ball = Contact::new(PowerLaw::paraboloid(1.0)?, Material::new(1.0, 1e-3)?);
+    /// let ball = PowerLawContact::new(PowerLaw::paraboloid(1.0)?, Material::new(1.0, 1e-3)?);
     /// let pulled = ball.equilibria(&Control::Indentation, &-0.01)?;
     /// let [smaller, larger] = pulled.as_slice() else { panic!("two equilibria") };
     /// assert!(smaller.contact_radius < larger.contact_radius && larger.stability == Stability::Stable);
@@ -173,9 +173,9 @@ impl<R: Real> Contact<R> {
     /// rounding of x. At any τ ≥ 0 the radius is accurate to rounding, relative to that of the fold.
     ///
     /// ```
-    /// use mdr_analytic::{Contact, PowerLaw};
+    /// use mdr_analytic::{PowerLawContact, PowerLaw};
     /// use mdr_core::contact::{Control, Material};
-    /// let cone = Contact::new(PowerLaw::cone(1.0)?, Material::new(1.0, 1.0)?);
+    /// let cone = PowerLawContact::new(PowerLaw::cone(1.0)?, Material::new(1.0, 1.0)?);
     /// let near = cone.equilibria_at_distance(&Control::Indentation, &1e-30)?;
     /// // For a cone a = a_c(1 ± √τ)².
     /// let [smaller, larger] = near.as_slice() else { panic!("two equilibria") };
@@ -185,7 +185,7 @@ impl<R: Real> Contact<R> {
     /// ```
     ///
     /// # Errors
-    /// As [`Contact::equilibria`]; [`Error::Domain`] at n = 1/2, where there is no fold.
+    /// As [`PowerLawContact::equilibria`]; [`Error::Domain`] at n = 1/2, where there is no fold.
     pub fn equilibria_at_distance(&self, control: &Control<R>, distance: &R) -> Result<Equilibria<R>> {
         let held = Held::of(control)?;
         if !distance.is_finite() {

@@ -4,11 +4,11 @@
 #[cfg(feature = "mp")]
 pub(crate) mod mpfr;
 
-use mdr_analytic::{Contact, PowerLaw, double};
+use mdr_analytic::{PowerLaw, PowerLawContact, double};
 use mdr_core::contact::Material;
 
-pub(crate) fn contact(n: f64, c: f64, e_star: f64, work: f64) -> Contact<f64> {
-    Contact::new(PowerLaw::new(n, c).unwrap(), Material::new(e_star, work).unwrap())
+pub(crate) fn contact(n: f64, c: f64, e_star: f64, work: f64) -> PowerLawContact<f64> {
+    PowerLawContact::new(PowerLaw::new(n, c).unwrap(), Material::new(e_star, work).unwrap())
 }
 
 /// C for which the radius of the fold is about `a`: `tension` is 1 under fixed grips and 3 under a dead load.

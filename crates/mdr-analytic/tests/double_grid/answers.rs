@@ -1,7 +1,7 @@
 //! The results of the kernel and their errors.
 
 use mdr_analytic::double::grid::{BatchReport, Materials, Path, Points, States, critical_states_on};
-use mdr_analytic::{Contact, Kappa, PowerLaw};
+use mdr_analytic::{Kappa, PowerLaw, PowerLawContact};
 use mdr_core::contact::{Control, Material, Status};
 use mdr_core::number::{Extended, Real};
 
@@ -46,7 +46,8 @@ pub(crate) fn truth(p: &Point, control: &Control<f64>) -> [Extended<2>; 4] {
         _ => Control::Indentation,
     };
     let material = Material::new(wide(p.e), wide(p.w)).unwrap();
-    let state = Contact::new(PowerLaw::new(wide(p.n), wide(p.c)).unwrap(), material).critical(&control).unwrap();
+    let state =
+        PowerLawContact::new(PowerLaw::new(wide(p.n), wide(p.c)).unwrap(), material).critical(&control).unwrap();
     [Extended::<2>::kappa(&wide(p.n)), state.contact_radius, state.indentation, state.force]
 }
 

@@ -1,6 +1,6 @@
 //! A contact as doubles, and its equilibria over MPFR by bisection.
 
-use mdr_analytic::{Contact, PowerLaw, double};
+use mdr_analytic::{PowerLaw, PowerLawContact, double};
 use mdr_core::contact::{Control, Material};
 use rug::Float;
 use rug::float::Constant;
@@ -40,10 +40,10 @@ impl Scene {
         Material::new(self.e, self.w).unwrap()
     }
 
-    pub(crate) fn contact<R: mdr_analytic::Kappa>(&self, ctx: R::Ctx) -> Contact<R> {
+    pub(crate) fn contact<R: mdr_analytic::Kappa>(&self, ctx: R::Ctx) -> PowerLawContact<R> {
         let number = |x| R::from_f64(ctx, x);
         let profile = PowerLaw::new(number(self.n), number(self.c)).unwrap();
-        Contact::new(profile, Material::new(number(self.e), number(self.w)).unwrap())
+        PowerLawContact::new(profile, Material::new(number(self.e), number(self.w)).unwrap())
     }
 
     pub(crate) fn inverse(&self) -> double::Inverse {

@@ -1,6 +1,6 @@
 //! The generic functions in every arithmetic, and identities of the family and of physics.
 
-use mdr_analytic::{Contact, Equilibria, PowerLaw, double};
+use mdr_analytic::{Equilibria, PowerLaw, PowerLawContact, double};
 use mdr_core::contact::{Control, Equilibrium, Material, Ranged, Stability};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use proptest::prelude::*;
@@ -75,7 +75,7 @@ proptest! {
 
         let constant = Dual::constant;
         let profile = PowerLaw::new(constant(scene.n), constant(scene.c)).unwrap();
-        let dual = Contact::new(profile, Material::new(constant(scene.e), constant(scene.w)).unwrap());
+        let dual = PowerLawContact::new(profile, Material::new(constant(scene.e), constant(scene.w)).unwrap());
         let control = if by_force { Control::Force } else { Control::Indentation };
         let moved = dual.equilibria(&control, &Dual::variable(value)).unwrap();
         for (state, moved) in states.iter().zip(moved.as_slice()) {
@@ -115,7 +115,7 @@ proptest! {
         let material = Material::new(1e6, 0.05).unwrap();
         let control = if by_force { Control::Force } else { Control::Indentation };
         let c = factor * mdr_analytic::threshold(&material, &control).unwrap();
-        let contact = Contact::new(PowerLaw::new(0.5, c).unwrap(), material.clone());
+        let contact = PowerLawContact::new(PowerLaw::new(0.5, c).unwrap(), material.clone());
         let found = contact.equilibria(&control, &value).unwrap();
         prop_assert_eq!(found.as_slice().len(), usize::from((factor > 1.0) == (value > 0.0)));
         let doubles = double::equilibria(0.5, c, &material, &control, value).unwrap();

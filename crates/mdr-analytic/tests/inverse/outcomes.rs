@@ -1,6 +1,6 @@
 //! At the fold, beyond it, out of range, and rejected inputs.
 
-use mdr_analytic::{Contact, Equilibria, PowerLaw, double};
+use mdr_analytic::{Equilibria, PowerLaw, PowerLawContact, double};
 use mdr_core::contact::{Control, Error, Material, Ranged, Stability};
 
 #[test]
@@ -13,7 +13,7 @@ fn the_fold_itself_and_beyond() {
     assert_eq!(fold.contact_radius, Ranged::Value(std::f64::consts::FRAC_2_PI));
     assert_eq!(ask(-1.0 - f64::EPSILON), Equilibria::None);
     assert_eq!(ask(-1.0 + f64::EPSILON / 2.0).as_slice().len(), 2);
-    let ball = Contact::new(PowerLaw::new(2.0, 0.5).unwrap(), unit.clone());
+    let ball = PowerLawContact::new(PowerLaw::new(2.0, 0.5).unwrap(), unit.clone());
     for control in [Control::Indentation, Control::Force] {
         let fold = ball.equilibria_at_distance(&control, &0.0).unwrap();
         assert_eq!(fold.as_slice()[0].contact_radius, ball.critical(&control).unwrap().contact_radius);
@@ -55,7 +55,7 @@ fn out_of_range() {
     let Equilibria::Two([tiny, _]) = ready.equilibria(-1e-200).unwrap() else { panic!("two equilibria") };
     let expected = -400.0 - (2.0 * std::f64::consts::PI).log10();
     assert!(matches!(tiny.contact_radius, Ranged::Underflow { log10 } if (log10 - expected).abs() < 1e-10));
-    let plain = Contact::new(PowerLaw::new(2.0, 0.5).unwrap(), unit);
+    let plain = PowerLawContact::new(PowerLaw::new(2.0, 0.5).unwrap(), unit);
     let refused = plain.equilibria(&Control::Indentation, &-1e-200);
     assert!(matches!(refused, Err(Error::OutOfRange { .. })), "{refused:?}");
 }

@@ -1,14 +1,14 @@
 //! The same functions in other arithmetics.
 
 use approx::assert_relative_eq;
-use mdr_analytic::{Contact, PowerLaw, State, threshold};
+use mdr_analytic::{PowerLaw, PowerLawContact, State, threshold};
 use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use rug::Float;
 
-fn generic<R: mdr_analytic::Kappa>(ctx: R::Ctx, inputs: [&str; 4]) -> Contact<R> {
+fn generic<R: mdr_analytic::Kappa>(ctx: R::Ctx, inputs: [&str; 4]) -> PowerLawContact<R> {
     let [n, c, e, w] = inputs.map(|text| R::from_literal(ctx, &text.parse::<Literal>().unwrap()));
-    Contact::new(PowerLaw::new(n, c).unwrap(), Material::new(e, w).unwrap())
+    PowerLawContact::new(PowerLaw::new(n, c).unwrap(), Material::new(e, w).unwrap())
 }
 
 /// All numbers that the closed forms give, in one arithmetic.
@@ -68,7 +68,7 @@ fn duals_carry_the_derivatives_of_folds() {
     let at = |text: &str| {
         let n = Float::with_val(300, Float::parse(text).unwrap());
         let one = Float::with_val(300, 1);
-        let contact = Contact::new(
+        let contact = PowerLawContact::new(
             PowerLaw::new(Dual::variable(n), Dual::constant(one.clone())).unwrap(),
             Material::new(Dual::constant(one.clone()), Dual::constant(one.clone())).unwrap(),
         );
@@ -83,7 +83,7 @@ fn duals_carry_the_derivatives_of_folds() {
     // Over intervals derivative and value are enclosures: n in 9/10 ± 2⁻⁹⁶.
     let one = Interval::from_int(Precision::new(100), 1);
     let n = one.ratio(9, 10).inflate(&one.lit(2).powi(-96));
-    let contact = Contact::new(
+    let contact = PowerLawContact::new(
         PowerLaw::new(Dual::variable(n), Dual::constant(one.clone())).unwrap(),
         Material::new(Dual::constant(one.clone()), Dual::constant(one.clone())).unwrap(),
     );

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use mdr_analytic::{Contact, PowerLaw, State, universal_force, universal_indentation};
+use mdr_analytic::{PowerLaw, PowerLawContact, State, universal_force, universal_indentation};
 use mdr_core::contact::{Control, Error, Material, Transform};
 use mdr_core::number::Dual;
 use proptest::prelude::*;
@@ -15,7 +15,7 @@ fn machine(stiffness: f64) -> Control<f64> {
 
 /// A relative bound for quantities that need ln(B/N²)/(2n−1): the error of the logarithm is a few units of 2⁻⁵³ from
 /// its argument, 2n−1 divides that, and the quotient, as an exponent, contributes its own magnitude.
-fn bound(contact: &Contact<f64>, a: f64) -> f64 {
+fn bound(contact: &PowerLawContact<f64>, a: f64) -> f64 {
     let excess = (2.0 * contact.profile().exponent() - 1.0).abs();
     f64::EPSILON * (10.0 + 10.0 / excess + 3.0 * a.ln().abs())
 }
@@ -25,12 +25,12 @@ prop_compose! {
 }
 
 prop_compose! {
-    fn contact_with(n: impl Strategy<Value = f64>)(n in n, c in -3.0..3.0f64, e in -3.0..9.0f64, w in -3.0..1.0f64) -> Contact<f64> {
+    fn contact_with(n: impl Strategy<Value = f64>)(n in n, c in -3.0..3.0f64, e in -3.0..9.0f64, w in -3.0..1.0f64) -> PowerLawContact<f64> {
         contact(n, 10f64.powf(c), 10f64.powf(e), 10f64.powf(w))
     }
 }
 
-fn any_contact() -> impl Strategy<Value = Contact<f64>> {
+fn any_contact() -> impl Strategy<Value = PowerLawContact<f64>> {
     contact_with(exponent())
 }
 
@@ -71,7 +71,7 @@ proptest! {
         let dual = |x: f64| Dual::constant(x);
         let profile = PowerLaw::new(dual(*contact.profile().exponent()), dual(*contact.profile().coefficient())).unwrap();
         let (e, w) = (contact.material().effective_modulus(), contact.material().work_of_adhesion());
-        let lifted = Contact::new(profile, Material::new(dual(*e), dual(*w)).unwrap());
+        let lifted = PowerLawContact::new(profile, Material::new(dual(*e), dual(*w)).unwrap());
         let a = ln_a.exp();
         let variable = Dual::variable(a);
         let (d, f) = (lifted.indentation(&variable).unwrap(), lifted.force(&variable).unwrap());
@@ -142,7 +142,7 @@ proptest! {
     fn powers_of_two(contact in any_contact(), shift in -40..40i32) {
         let factor = 2f64.powi(shift);
         let (e, w) = (contact.material().effective_modulus(), contact.material().work_of_adhesion());
-        let scaled = Contact::new(contact.profile().clone(), Material::new(e * factor, w * factor).unwrap());
+        let scaled = PowerLawContact::new(contact.profile().clone(), Material::new(e * factor, w * factor).unwrap());
         for control in [Control::Indentation, Control::Force] {
             let (one, other) = (contact.critical(&control), scaled.critical(&control));
             prop_assume!(in_range(&one));

@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use mdr_analytic::{
-    Contact, PowerLaw, ScaleFreeOutcome, flat_punch_pull_off, lemniscate_constant, threshold, universal_indentation,
+    PowerLaw, PowerLawContact, ScaleFreeOutcome, flat_punch_pull_off, lemniscate_constant, threshold,
+    universal_indentation,
 };
 use mdr_core::contact::{Control, Error, FoldKind, Material, Regime};
 
@@ -13,7 +14,7 @@ use crate::common::contact;
 #[test]
 fn johnson_kendall_roberts() {
     let (radius, e_star, work) = (2e-3, 3e6, 0.07);
-    let ball = Contact::new(PowerLaw::paraboloid(radius).unwrap(), Material::new(e_star, work).unwrap());
+    let ball = PowerLawContact::new(PowerLaw::paraboloid(radius).unwrap(), Material::new(e_star, work).unwrap());
     let force = ball.critical(&Control::Force).unwrap();
     assert_relative_eq!(force.force, -1.5 * PI * work * radius, max_relative = 1e-14);
     let grips = ball.critical(&Control::Indentation).unwrap();
@@ -58,7 +59,7 @@ fn kendall() {
 #[test]
 fn cone() {
     let material = Material::new(4.0, 0.3).unwrap();
-    let cone = Contact::new(PowerLaw::cone(0.2).unwrap(), material.clone());
+    let cone = PowerLawContact::new(PowerLaw::cone(0.2).unwrap(), material.clone());
     let critical = cone.critical(&Control::Indentation).unwrap();
     // a = 2w/(πE*tan²θ), d = −w/(E*tanθ), F = −6w²/(πE*tan³θ); a dead load −54w²/(πE*tan³θ)
     // (Popov, Heß, Willert, Handbook of Contact Mechanics, 3.5.2).

@@ -1,5 +1,7 @@
 //! The interface between closed forms and quadrature: the MDR-transformed profile.
 
+use std::sync::Arc;
+
 use super::{Kink, Result};
 use crate::number::Real;
 
@@ -100,3 +102,60 @@ pub trait Transform<R: Real>: Send + Sync {
         Ok(None)
     }
 }
+
+/// Forwards every method of [`Transform`] to the transform inside a smart pointer.
+macro_rules! forward {
+    ($($pointer:ident),*) => {$(
+        impl<R: Real, T: Transform<R> + ?Sized> Transform<R> for $pointer<T> {
+            fn g(&self, x: &R) -> Result<R> {
+                (**self).g(x)
+            }
+
+            fn slope(&self, x: &R) -> Result<R> {
+                (**self).slope(x)
+            }
+
+            fn integral(&self, x: &R) -> Result<R> {
+                (**self).integral(x)
+            }
+
+            fn mean(&self, x: &R) -> Result<R> {
+                (**self).mean(x)
+            }
+
+            fn g_within(&self, x: &R, needed: &R) -> Result<R> {
+                (**self).g_within(x, needed)
+            }
+
+            fn mean_within(&self, x: &R, needed: &R) -> Result<R> {
+                (**self).mean_within(x, needed)
+            }
+
+            fn above_mean(&self, x: &R) -> Result<R> {
+                (**self).above_mean(x)
+            }
+
+            fn outer_radius(&self) -> Option<R> {
+                (**self).outer_radius()
+            }
+
+            fn vertical_edge(&self) -> bool {
+                (**self).vertical_edge()
+            }
+
+            fn kinks(&self) -> Vec<R> {
+                (**self).kinks()
+            }
+
+            fn rises(&self) -> bool {
+                (**self).rises()
+            }
+
+            fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
+                (**self).kink(index, margin)
+            }
+        }
+    )*};
+}
+
+forward!(Arc, Box);

@@ -49,11 +49,19 @@ impl<R: Special> Lift<R> for Dual<R> {
     fn lift(constant: &R) -> Self {
         Dual::constant(constant.clone())
     }
+
+    fn value_of(&self) -> R {
+        self.value.clone()
+    }
 }
 
 impl<R: Special> Lift<R> for Dual<Dual<R>> {
     fn lift(constant: &R) -> Self {
         Dual::constant(Dual::constant(constant.clone()))
+    }
+
+    fn value_of(&self) -> R {
+        self.value.value.clone()
     }
 }
 

@@ -223,10 +223,17 @@ pub trait Gamma: Real {
 pub trait Lift<R: Real>: Special {
     /// `constant` as a number of this kind with zero derivatives.
     fn lift(constant: &R) -> Self;
+
+    /// The number without its derivatives.
+    fn value_of(&self) -> R;
 }
 
 impl<R: Special> Lift<R> for R {
     fn lift(constant: &R) -> Self {
         constant.clone()
+    }
+
+    fn value_of(&self) -> R {
+        self.clone()
     }
 }

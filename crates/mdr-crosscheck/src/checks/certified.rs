@@ -1,6 +1,6 @@
 //! Certified digits: right to half a unit of the last one, and the beginning of every longer answer.
 
-use mdr_analytic::Contact;
+use mdr_analytic::PowerLawContact;
 use mdr_analytic::certified::{Elasticity, Question};
 use mdr_core::contact::{Error, Quantity, Regime, Result};
 use mdr_core::number::certify::Decimal;
@@ -35,7 +35,7 @@ impl Exact {
     }
 
     /// The closed forms at the given precision.
-    fn contact(&self, precision: Precision) -> Result<Contact<Float>> {
+    fn contact(&self, precision: Precision) -> Result<PowerLawContact<Float>> {
         self.scene.map(|x| Float::with_val(precision.bits(), x)).contact()
     }
 }

@@ -2,7 +2,7 @@
 
 use mdr_analytic::double::grid::{Materials, Path, Points, States, critical_states_on};
 use mdr_analytic::double::{BranchSlices, InverseBatch};
-use mdr_analytic::{Contact, Equilibria, double};
+use mdr_analytic::{Equilibria, PowerLawContact, double};
 use mdr_core::contact::{Error, Ranged, Result, Status};
 use mdr_core::number::{Precision, Real};
 use rug::Float;
@@ -87,7 +87,7 @@ fn compare(trial: &mut Trial<'_>, routines: &[Routine], inputs: &[f64]) -> Resul
 }
 
 /// The critical state as a batch of one point, by all instructions that the processor has.
-fn batch(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &Contact<Float>) -> Result<()> {
+fn batch(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &PowerLawContact<Float>) -> Result<()> {
     let material = scene.material()?;
     let points = Points { exponent: &[scene.n], coefficient: &[scene.c], material: Materials::One(&material) };
     let expected = exact.critical(&held.control())?;
@@ -119,7 +119,7 @@ fn batch(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &Contact<
 }
 
 /// Both sides of the fold, from close to it to far: at a value, fresh and ready, and at a distance.
-fn equilibria(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &Contact<Float>) -> Result<()> {
+fn equilibria(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &PowerLawContact<Float>) -> Result<()> {
     let (n, c, material, control) = (scene.n, scene.c, scene.material()?, held.control::<f64>());
     let fold = double::critical(n, c, &material, &control)?;
     let Ranged::Value(at_fold) = held.of([fold.indentation, fold.force]) else { return Ok(()) };
@@ -205,7 +205,7 @@ fn float(x: f64) -> Float {
 }
 
 /// The same contact at 400 bits.
-fn wide(scene: &Scene<f64>) -> Result<Contact<Float>> {
+fn wide(scene: &Scene<f64>) -> Result<PowerLawContact<Float>> {
     scene.map(|x| float(*x)).contact()
 }
 

@@ -1,13 +1,15 @@
 //! Adhesion of finite range: the numerical route of Maugis and Dugdale against the closed equations of Maugis (1992) for the
 //! paraboloid, against the gap of the heights for the profiles of the library, and the pull-off force against its limits.
 
+use std::sync::Arc;
+
 use mdr_analytic::profiles::closed_form;
-use mdr_analytic::{Contact, PowerLaw};
+use mdr_analytic::{PowerLaw, PowerLawContact};
 use mdr_core::calculus::Tolerance;
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
-use mdr_core::contact::{Control, Error, Material, Profile, Result, Shape};
+use mdr_core::contact::{Control, Error, Material, Profile, Result, Shape, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, tabor_number};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
@@ -37,8 +39,8 @@ pub(super) fn paraboloid<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ct
     let [r, e, w, h0, a] = [radius, e_star, work, separation, a].map(|value| R::from_f64(ctx, value));
 
     let material = Material::new(e.clone(), w.clone())?;
-    let heights = Quadrature::of([Shape::Paraboloid { radius: r.clone() }])?;
-    let curve = EquilibriumCurve::new(&heights, &material, &Control::Force);
+    let heights = Arc::new(Quadrature::of([Shape::Paraboloid { radius: r.clone() }])?);
+    let curve = Contact::half_space(&heights, &material, &Control::Force);
     let state = Dugdale::new(curve.clone(), &h0)?.state(&a)?;
     let c = &state.outer_radius;
     let closed = trial.closed.maugis_state(&r, &material, &h0, [&a, c])?;
@@ -54,7 +56,8 @@ pub(super) fn paraboloid<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ct
     trial.compare_on("F", &state.force, &closed.force, &scale, 40.0 * (2.0 + thin));
     enclose(trial, [&r, &e, &w, &h0, &a], c, allowed)?;
 
-    let pull_off = Contact::new(PowerLaw::paraboloid(r.clone())?, material.clone()).critical(&Control::Force)?;
+    let pull_off =
+        PowerLawContact::new(PowerLaw::paraboloid(r.clone())?, material.clone()).critical(&Control::Force)?;
     let tabor = trial.closed.tabor_number(&r, &material, &h0)?;
     // a_F errs by a third of the roundings under its root, μ by as many under its own.
     trial.compare("Tabor", &tabor_number(&curve, &pull_off.contact_radius, &h0)?, &tabor, 40.0);
@@ -85,7 +88,7 @@ pub(super) fn profile<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: 
     let profile = Drawn::<R>::draw(trial, ctx);
     let beyond = trial.uniform(0.0, 1.0) < 0.7;
     let a = profile.radius(trial, beyond, ctx);
-    let transform = profile.closed::<R>()?;
+    let transform: Arc<dyn Transform<R>> = Arc::from(profile.closed::<R>()?);
     let e_star = R::from_f64(ctx, 10_f64.powf(trial.uniform(-9.0, 9.0)));
     // A separation and an opening near the height of the contact.
     let height = transform.slope(&a)?.abs().greater(&profile.steepness().over(16)) * &a;
@@ -95,7 +98,7 @@ pub(super) fn profile<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: 
     let [at, opening, s] = [&a, &h0, &strength].map(R::approx);
     trial.describe(format_args!("{profile}, a = {at:e}, h0 = {opening:e}, s = {s:e} ({})", R::NAME));
     let material = Material::new(e_star.clone(), work)?;
-    let contact = Dugdale::new(EquilibriumCurve::new(&*transform, &material, &Control::Force), &h0)?;
+    let contact = Dugdale::new(Contact::half_space(&transform, &material, &Control::Force), &h0)?;
     let state = match contact.state(&a) {
         // The ring would reach beyond the equator of a sphere.
         Err(Error::Domain { .. }) if transform.outer_radius().is_some() => return Ok(()),
@@ -127,7 +130,7 @@ pub(super) fn profile<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: 
     trial.compare_on("gap at c", &gap, &h0, &scale, allowed);
     let ring = (c.square() * (leg.clone() / &a).atan() - a.clone() * &leg) * &strength * &e_star;
     let inner = (a.clone() * d - transform.integral(&a)?) * e_star.times(2);
-    let scale = (largest * &a + strength * leg * c) * contact.material().effective_modulus().clone().times(2);
+    let scale = (largest * &a + strength * leg * c) * contact.contact().modulus().clone().times(2);
     trial.compare_on("F", force, &(inner - ring), &scale, 400.0);
     Ok(())
 }
@@ -149,9 +152,9 @@ pub(super) fn pull_off(trial: &mut Trial<'_>) -> Result<()> {
     let tabor = 10_f64.powf(trial.uniform(-2.0, 4.0));
     trial.describe_also(format_args!("μ = {tabor:e}"));
     let jkr = scene.contact()?.critical(&Control::Force)?;
-    let transform = closed_form(Shape::Power { n: scene.n, c: scene.c })?;
+    let transform: Arc<dyn Transform<f64>> = Arc::from(closed_form(Shape::Power { n: scene.n, c: scene.c })?);
     let material = scene.material()?;
-    let curve = EquilibriumCurve::new(&*transform, &material, &Control::Force);
+    let curve = Contact::half_space(&transform, &material, &Control::Force);
     let separation = tabor_number(&curve, &jkr.contact_radius, &1.0)? / tabor;
     let contact = Dugdale::new(curve, &separation)?;
     let Some(state) = contact.pull_off(&[jkr.contact_radius])? else {

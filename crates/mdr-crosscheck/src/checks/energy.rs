@@ -4,7 +4,7 @@
 use mdr_core::contact::{Control, Equilibrium, Result, Transform};
 use mdr_core::number::Dual;
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::SearchedBranches;
 
@@ -89,7 +89,7 @@ pub(super) fn potential<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx:
     let scene: Scene<R> = trial.scene(round, exponent, 1.0, ctx);
     let (contact, material) = (scene.contact()?, scene.material()?);
     let transform = transform(&scene)?;
-    let energy = Energy::new(&transform, &material)?;
+    let energy = Energy::new(Contact::half_space(&transform, &material, &Control::Indentation))?;
     let critical = trial.closed.critical(&contact, &Control::Indentation)?;
     let n = scene.n.approx();
     let stretch = R::from_f64(ctx, trial.uniform(-1.0, 1.0)) / (scene.n.clone() + scene.n.lit(1));
@@ -132,9 +132,10 @@ pub(super) fn routes(trial: &mut Trial<'_>) -> Result<()> {
     let value = contact.critical(&Control::Indentation)?.indentation * share;
     trial.describe_also(format_args!("d = {share:e} d_c"));
     let transform = transform(&scene)?;
-    let by_force = SearchedBranches::new(EquilibriumCurve::new(&transform, &material, &Control::Indentation))?
-        .equilibria(&value)?;
-    let by_energy = Energy::new(&transform, &material)?.equilibria(&Control::Indentation, &value)?;
+    let by_force =
+        SearchedBranches::new(Contact::half_space(&transform, &material, &Control::Indentation))?.equilibria(&value)?;
+    let by_energy = Energy::new(Contact::half_space(&transform, &material, &Control::Indentation))?
+        .equilibria(&Control::Indentation, &value)?;
     let stabilities = |states: &[Equilibrium<f64>]| -> Vec<_> { states.iter().map(|state| state.stability).collect() };
     trial.demand("number and stability", stabilities(&by_force) == stabilities(&by_energy));
     for (force, energy) in by_force.iter().zip(&by_energy) {

@@ -1,9 +1,9 @@
 //! Equilibria and their stability on both sides of a fold, and at a given value of the controlled quantity.
 
-use mdr_analytic::Contact;
+use mdr_analytic::PowerLawContact;
 use mdr_core::contact::{Control, Equilibrium, Outcome, Result, Stability, Transform};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 
 use super::folds::{ClosedFold, Quadratures, transform};
@@ -32,7 +32,7 @@ pub(super) fn beside<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
     let k = trial.uniform(1.0, bits + 1.0).floor() as i64;
     trial.describe_also(format_args!("{held}, k = {k}"));
     let distance = fold.value.lit(2).powi(-k);
-    let branches = SearchedBranches::new(EquilibriumCurve::new(&fold.transform, &material, &control))?;
+    let branches = SearchedBranches::new(Contact::half_space(&fold.transform, &material, &control))?;
 
     let before = fold.value.clone() * &(distance.lit(1) - &distance);
     let equilibria = branches.equilibria(&before)?;
@@ -121,7 +121,7 @@ fn scale_free<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -
 /// A question.
 struct Asked<'a, R> {
     scene: &'a Scene<R>,
-    contact: &'a Contact<R>,
+    contact: &'a PowerLawContact<R>,
     held: Held,
     value: &'a R,
 }
@@ -132,7 +132,7 @@ impl<R: Arithmetic> Asked<'_, R> {
         let (transform, material) = (transform(self.scene)?, self.scene.material()?);
         let control: Control<R> = self.held.control();
         let found =
-            SearchedBranches::new(EquilibriumCurve::new(&transform, &material, &control))?.equilibria(self.value)?;
+            SearchedBranches::new(Contact::half_space(&transform, &material, &control))?.equilibria(self.value)?;
         trial.demand("at most two equilibria", found.len() <= 2);
         Ok(found)
     }

@@ -1,9 +1,11 @@
 //! Critical states: the folds that the numerical route finds by tangency, or by the procedure of the paper taken literally,
 //! discrete springs, the outer ones detaching by the rule of Heß; against the closed forms.
 
+use std::sync::Arc;
+
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Outcome, Result, Shape};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::folds;
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::springs::Foundation;
@@ -16,8 +18,8 @@ use crate::tolerance::{Tangent, quadrature};
 use crate::trial::Trial;
 
 /// A power law for the numerical route, which knows nothing of it but its heights.
-pub(super) fn transform<R: Arithmetic>(scene: &Scene<R>) -> Result<Quadrature<R, Heights<R>>> {
-    Quadrature::of([Shape::Power { n: scene.n.clone(), c: scene.c.clone() }])
+pub(super) fn transform<R: Arithmetic>(scene: &Scene<R>) -> Result<Arc<Quadrature<R, Heights<R>>>> {
+    Quadrature::of([Shape::Power { n: scene.n.clone(), c: scene.c.clone() }]).map(Arc::new)
 }
 
 /// Errors of the quadratures at a radius.
@@ -41,7 +43,7 @@ impl Quadratures {
 /// The fold of a power law by its closed form, for checks of what is beside it.
 pub(super) struct ClosedFold<R> {
     /// The law for the numerical route.
-    pub(super) transform: Quadrature<R, Heights<R>>,
+    pub(super) transform: Arc<Quadrature<R, Heights<R>>>,
     pub(super) tangent: Tangent,
     /// The controlled quantity at the fold.
     pub(super) value: R,
@@ -76,7 +78,7 @@ impl<R: Arithmetic> ClosedFold<R> {
 /// The folds. In f64, and in every eighth case of arbitrary precision, by the search over all radii; in the others by
 /// refinement of the tangency around the planted radius, which costs a hundredth.
 pub(super) fn search<R: Arithmetic>(
-    transform: &Quadrature<R, Heights<R>>,
+    transform: &Arc<Quadrature<R, Heights<R>>>,
     scene: &Scene<R>,
     control: &Control<R>,
     round: usize,
@@ -86,9 +88,9 @@ pub(super) fn search<R: Arithmetic>(
     if finds_all::<R>(round) {
         return Ok(folds(transform, &material, control)?.folds);
     }
-    let curve = EquilibriumCurve::new(transform, &material, control);
+    let curve = Contact::half_space(transform, &material, control);
     let near = R::from_f64(scene.n.ctx(), planted);
-    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.threshold(a)? - a.lit(1));
+    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.critical_ratio(a)? - a.lit(1));
     let mut folds = Vec::new();
     // Of two folds in one bracket nothing is seen: closer then.
     for k in [3, 6, 9, 12] {
@@ -231,7 +233,7 @@ pub(super) fn foundation(trial: &mut Trial<'_>) -> Result<()> {
     let transform = transform(&scene)?;
     let reach = 2 * springs;
     let spacing = a / springs as f64;
-    let foundation = Foundation::new(&transform, &material, spacing, reach)?;
+    let foundation = Foundation::new(&*transform, &material, spacing, reach)?;
     let pull_off = n > 0.5;
     let (cascades, end) = if pull_off {
         (foundation.pull(reach, &Control::Indentation)?, Outcome::Detached)

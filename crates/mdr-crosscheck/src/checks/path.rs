@@ -1,10 +1,12 @@
 //! Loading paths and the balance of their energy.
 
+use std::sync::Arc;
+
 use mdr_analytic::profiles as closed;
 use mdr_core::contact::{Control, FoldKind, Material, Profile, Result, Shape, Stability, Transform};
 use mdr_core::number::Real;
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::path::{Dissipation, EventKind, Path, PathEnergy, Start};
@@ -34,10 +36,11 @@ pub(super) fn admissible(trial: &mut Trial<'_>) -> Result<()> {
     trial.describe(format_args!(
         "R = {scale:e}, A = {amplitude:e}, λ = {wavelength:e}, w = {work:e}, {control:?}, {ways:?}"
     ));
-    let (profile, material) = (closed::WavyParaboloid::new(scale, amplitude, wavelength)?, Material::new(1.0, work)?);
+    let profile = Arc::new(closed::WavyParaboloid::new(scale, amplitude, wavelength)?);
+    let material = Material::new(1.0, work)?;
     let height = Heights::new([Shape::WavyParaboloid { radius: scale, amplitude, wavelength }])?;
-    let curve = EquilibriumCurve::new(&profile, &material, &control);
-    let branches = SearchedBranches::new(curve)?;
+    let curve = Contact::half_space(&profile, &material, &control);
+    let branches = SearchedBranches::new(curve.clone())?;
     let Ok(path) = Path::follow(&branches, &Start::Smallest, &ways) else { return Ok(()) };
     let energies = PathEnergy::new(&path, &branches)?;
     let gains = |loss: &Dissipation<f64>| matches!(loss, Dissipation::Finite(dissipated) if dissipated.value < -dissipated.error);
@@ -84,23 +87,19 @@ pub(super) fn balance<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R
         let amplitude = wavelength.square() / wavelength.pi().square() / curvature.clone().times(4) * steepness;
         trial.describe_also(format_args!("A = {:e}, λ = {:e}", amplitude.approx(), wavelength.approx()));
         let profile = closed::WavyParaboloid::new(curvature, amplitude, wavelength)?;
-        balance_energy(trial, &profile, &material, &control)
+        balance_energy(trial, Contact::half_space(&Arc::new(profile), &material, &control))
     } else {
-        balance_energy(trial, &transform(&scene)?, &material, &control)
+        balance_energy(trial, Contact::half_space(&transform(&scene)?, &material, &control))
     }
 }
 
-fn balance_energy<R: Arithmetic>(
-    trial: &mut Trial<'_>,
-    transform: &dyn Transform<R>,
-    material: &Material<R>,
-    control: &Control<R>,
-) -> Result<()> {
-    let branches = SearchedBranches::new(EquilibriumCurve::new(transform, material, control))?;
+fn balance_energy<R: Arithmetic>(trial: &mut Trial<'_>, contact: Contact<R>) -> Result<()> {
+    let control = contact.control().clone();
+    let branches = SearchedBranches::new(contact)?;
     let Some(fold) = branches.folds().first() else { return Ok(()) };
     let unit = control.controlled(&fold.indentation, &fold.force).abs();
     // A pull-off by a dead load and complete contact have no finite energy.
-    let (least, most) = match (fold.kind, control) {
+    let (least, most) = match (fold.kind, &control) {
         (FoldKind::Maximum, _) => (-1.0, 0.9),
         (FoldKind::Minimum, Control::Force) => (-0.1, 4.0),
         (FoldKind::Minimum, _) => (-2.0, 4.0),
@@ -144,7 +143,7 @@ pub(super) fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
     trial.describe_also(held);
     let (contact, material, control) = (scene.contact()?, scene.material()?, held.control());
     let transform = transform(&scene)?;
-    let branches = SearchedBranches::new(EquilibriumCurve::new(&transform, &material, &control))?;
+    let branches = SearchedBranches::new(Contact::half_space(&transform, &material, &control))?;
     let [zero, one] = [scene.n.lit(0), scene.n.lit(1)];
     let critical = contact.critical(&control)?;
     let beyond = control.controlled(&critical.indentation, &critical.force).times(2);
@@ -195,10 +194,10 @@ pub(super) fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx
     let [d, f] = trial.closed.flat_punch_pull_off(&radius, &material)?;
     let by_heights = Quadrature::of([Shape::FlatPunch { radius: radius.clone() }])?;
     let by_form = closed::FlatPunch::new(radius.clone())?;
-    let transforms: [&dyn Transform<R>; 2] = [&by_form, &by_heights];
+    let transforms: [Arc<dyn Transform<R>>; 2] = [Arc::new(by_form), Arc::new(by_heights)];
     let pull_off = control.controlled(&d, &f);
     for transform in transforms {
-        let branches = SearchedBranches::new(EquilibriumCurve::new(transform, &material, &control))?;
+        let branches = SearchedBranches::new(Contact::half_space(&transform, &material, &control))?;
         let way = [pull_off.lit(0), -pull_off.clone(), pull_off.clone().times(2)];
         let path = Path::follow(&branches, &Start::Detached, &way)?;
         let [_, jump_in, pressed, breaks, _] = path.events.as_slice() else {

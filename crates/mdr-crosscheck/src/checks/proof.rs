@@ -1,10 +1,12 @@
 //! What is proved over enclosures against closed forms and against the searches in f64, for every profile and control.
 
-use mdr_analytic::{Contact, PowerLaw};
+use std::sync::Arc;
+
+use mdr_analytic::{PowerLaw, PowerLawContact};
 use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds;
 use mdr_numeric::proof::{self, EnclosedCurve, ProvedBranches, ProvedFolds};
@@ -25,7 +27,7 @@ const REACH: f64 = 1_048_576.0;
 
 /// A contact in one arithmetic.
 struct Side<R: Real> {
-    transform: Box<dyn Transform<R>>,
+    transform: Arc<dyn Transform<R>>,
     material: Material<R>,
     control: Control<R>,
 }
@@ -41,11 +43,11 @@ impl<R: Real> Side<R> {
         let [e_star, work] = [material.effective_modulus(), material.work_of_adhesion()].map(|x| R::from_f64(ctx, *x));
         let control =
             control.try_map(|stiffness| Error::require_positive(Quantity::Stiffness, R::from_f64(ctx, *stiffness)))?;
-        Ok(Side { transform, material: Material::new(e_star, work)?, control })
+        Ok(Side { transform: transform.into(), material: Material::new(e_star, work)?, control })
     }
 
-    fn curve(&self) -> EquilibriumCurve<'_, R> {
-        EquilibriumCurve::new(self.transform.as_ref(), &self.material, &self.control)
+    fn curve(&self) -> Contact<R> {
+        Contact::half_space(&self.transform, &self.material, &self.control)
     }
 }
 
@@ -95,7 +97,7 @@ impl Library {
         })
     }
 
-    fn enclosed(&self) -> EnclosedCurve<'_> {
+    fn enclosed(&self) -> EnclosedCurve {
         EnclosedCurve::new(self.plain.curve(), self.moving.curve())
     }
 
@@ -114,7 +116,7 @@ impl Library {
         }
         let (curve, a) = (self.steered.curve(), Dual::variable(a));
         let condition = |f: Dual<f64>| (f.slope * a.value / f.value).abs();
-        let steepness = condition(curve.tangency(&a)? / curve.threshold(&a)?);
+        let steepness = condition(curve.tangency(&a)? / curve.critical_ratio(&a)?);
         Ok(ROUNDINGS * (2.0 + condition(self.steered.transform.slope(&a)?)) / steepness + 4.0)
     }
 
@@ -194,7 +196,7 @@ pub(super) fn closed(trial: &mut Trial<'_>) -> Result<()> {
     let law = PowerLaw::new(Interval::from_f64(ctx, scene.n), Interval::from_f64(ctx, scene.c))?;
     let moving = PowerLaw::new(Dual::<Interval>::from_f64(ctx, scene.n), Dual::from_f64(ctx, scene.c))?;
     let plain = Side::new(Box::new(law.clone()), &material, &control, ctx)?;
-    let contact = Contact::new(law, plain.material.clone());
+    let contact = PowerLawContact::new(law, plain.material.clone());
     let moving = Side::new(Box::new(moving), &material, &control, ctx)?;
     let expected = match &plain.control {
         Control::Machine { stiffness } => trial.closed.machine_folds(&contact, stiffness)?,

@@ -3,7 +3,7 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Result, Shape};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 
 use super::folds::transform;
@@ -64,7 +64,7 @@ pub(super) fn curves<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
 
     let transform = transform(&scene)?;
     let material = scene.material()?;
-    let curve = EquilibriumCurve::new(&transform, &material, &Control::Indentation);
+    let curve = Contact::half_space(&transform, &material, &Control::Indentation);
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
     let elongation = curve.detachment_elongation(&a)?;
     let tangent = scene.tangent(1.0, &critical.contact_radius);

@@ -1,8 +1,10 @@
 //! n = 1/2, where no length is singled out: (1.18), (1.19).
 
+use std::sync::Arc;
+
 use mdr_core::contact::{Control, Material, Result, Shape};
 use mdr_core::number::Real;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 
 use super::folds::transform;
@@ -15,8 +17,8 @@ const HALF: Exponent = Exponent::Fraction(1, 2);
 
 /// Whether a contact of radius `a` shrinks at d = 0 or F = 0.
 fn shrinks<R: Arithmetic>(c: &R, material: &Material<R>, control: &Control<R>, a: &R) -> Result<bool> {
-    let transform = Quadrature::of([Shape::Power { n: c.ratio(1, 2), c: c.clone() }])?;
-    Ok(EquilibriumCurve::new(&transform, material, control).direction(a, &a.lit(0))? > a.lit(0))
+    let transform = Arc::new(Quadrature::of([Shape::Power { n: c.ratio(1, 2), c: c.clone() }])?);
+    Ok(Contact::half_space(&transform, material, control).direction(a, &a.lit(0))? > a.lit(0))
 }
 
 /// The C at which the fate of a contact at d = 0 (or F = 0) changes, by bisection on the direction of change (1.8), (1.9)
@@ -70,7 +72,7 @@ pub(super) fn states<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
 
     let transform = transform(&scene)?;
     let material = scene.material()?;
-    let curve = EquilibriumCurve::new(&transform, &material, &Control::Indentation);
+    let curve = Contact::half_space(&transform, &material, &Control::Indentation);
     let (g, mean) = (transform.g_estimate(&a)?, transform.mean_estimate(&a)?);
     let elongation = curve.detachment_elongation(&a)?;
     let numeric = quadrature(&g, 0.5);

@@ -1,7 +1,7 @@
 //! The closed forms under test, reached through one type so that a deliberate fault can be put into any of them.
 
 use mdr_analytic::certified::{self, Question};
-use mdr_analytic::{Contact, Kappa, MaugisState, PowerLaw, ScaleFreeOutcome, State};
+use mdr_analytic::{Kappa, MaugisState, PowerLaw, PowerLawContact, ScaleFreeOutcome, State};
 use mdr_core::contact::{Control, Equilibrium, Fold, Material, Result, Transform};
 use mdr_core::number::certify::Decimal;
 use mdr_core::number::{Precision, Real, Special};
@@ -189,56 +189,56 @@ subjects! {
             mdr_analytic::detachment_elongation(material, a),
             "detachment_elongation" [DetachmentElongation]
             of ["a", "E*", "w"] => [a, material.effective_modulus(), material.work_of_adhesion()];
-        fn indentation<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.indentation(a),
-            "Contact::indentation" [Indentation] of ALONG => along(contact, a);
-        fn indentation_slope<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.indentation_slope(a),
-            "Contact::indentation_slope" [IndentationSlope] of ALONG => along(contact, a);
-        fn force<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.force(a),
-            "Contact::force" [Force] of ALONG => along(contact, a);
-        fn force_slope<R: Real>(contact: &Contact<R>, a: &R) -> R = contact.force_slope(a),
-            "Contact::force_slope" [ForceSlope] of ALONG => along(contact, a);
-        fn energy<R: Real>(contact: &Contact<R>, a: &R, d: &R) -> R = contact.energy(a, d),
-            "Contact::energy" [Energy] of ALONG => along(contact, a);
-        fn critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> State<R> = contact.critical(control),
-            "Contact::critical" [CriticalRadius, CriticalIndentation, CriticalForce] of GIVEN => given(contact);
-        fn ln_critical<R: Real>(contact: &Contact<R>, control: &Control<R>) -> State<R> = contact.ln_critical(control),
-            "Contact::ln_critical" [LnCriticalRadius, LnCriticalIndentation, LnCriticalForce] of GIVEN => given(contact);
-        fn machine_folds<R: Real>(contact: &Contact<R>, stiffness: &R) -> Vec<Fold<R>> =
+        fn indentation<R: Real>(contact: &PowerLawContact<R>, a: &R) -> R = contact.indentation(a),
+            "PowerLawContact::indentation" [Indentation] of ALONG => along(contact, a);
+        fn indentation_slope<R: Real>(contact: &PowerLawContact<R>, a: &R) -> R = contact.indentation_slope(a),
+            "PowerLawContact::indentation_slope" [IndentationSlope] of ALONG => along(contact, a);
+        fn force<R: Real>(contact: &PowerLawContact<R>, a: &R) -> R = contact.force(a),
+            "PowerLawContact::force" [Force] of ALONG => along(contact, a);
+        fn force_slope<R: Real>(contact: &PowerLawContact<R>, a: &R) -> R = contact.force_slope(a),
+            "PowerLawContact::force_slope" [ForceSlope] of ALONG => along(contact, a);
+        fn energy<R: Real>(contact: &PowerLawContact<R>, a: &R, d: &R) -> R = contact.energy(a, d),
+            "PowerLawContact::energy" [Energy] of ALONG => along(contact, a);
+        fn critical<R: Real>(contact: &PowerLawContact<R>, control: &Control<R>) -> State<R> = contact.critical(control),
+            "PowerLawContact::critical" [CriticalRadius, CriticalIndentation, CriticalForce] of GIVEN => given(contact);
+        fn ln_critical<R: Real>(contact: &PowerLawContact<R>, control: &Control<R>) -> State<R> = contact.ln_critical(control),
+            "PowerLawContact::ln_critical" [LnCriticalRadius, LnCriticalIndentation, LnCriticalForce] of GIVEN => given(contact);
+        fn machine_folds<R: Real>(contact: &PowerLawContact<R>, stiffness: &R) -> Vec<Fold<R>> =
             contact.machine_folds(stiffness),
-            "Contact::machine_folds" [MachineFoldRadius, MachineFoldIndentation, MachineFoldForce]
+            "PowerLawContact::machine_folds" [MachineFoldRadius, MachineFoldIndentation, MachineFoldForce]
             of GIVEN => given(contact);
         fn universal_indentation<R: Real>(n: &R, scaled: &R) -> R = mdr_analytic::universal_indentation(n, scaled),
             "universal_indentation" [UniversalIndentation] of ["a/a_c"] => [scaled];
         fn universal_force<R: Real>(n: &R, scaled: &R) -> R = mdr_analytic::universal_force(n, scaled),
             "universal_force" [UniversalForce] of ["a/a_c"] => [scaled];
-        fn equilibria<R: Real>(contact: &Contact<R>, control: &Control<R>, value: &R) -> Vec<Equilibrium<R>> =
+        fn equilibria<R: Real>(contact: &PowerLawContact<R>, control: &Control<R>, value: &R) -> Vec<Equilibrium<R>> =
             contact.equilibria(control, value).map(|found| found.as_slice().to_vec()),
-            "Contact::equilibria" [EquilibriumRadius, EquilibriumIndentation, EquilibriumForce] of GIVEN => given(contact);
-        fn equilibria_at_distance<R: Real>(contact: &Contact<R>, control: &Control<R>, distance: &R) -> Vec<Equilibrium<R>> =
+            "PowerLawContact::equilibria" [EquilibriumRadius, EquilibriumIndentation, EquilibriumForce] of GIVEN => given(contact);
+        fn equilibria_at_distance<R: Real>(contact: &PowerLawContact<R>, control: &Control<R>, distance: &R) -> Vec<Equilibrium<R>> =
             contact.equilibria_at_distance(control, distance).map(|found| found.as_slice().to_vec()),
-            "Contact::equilibria_at_distance" [DistanceRadius, DistanceIndentation, DistanceForce]
+            "PowerLawContact::equilibria_at_distance" [DistanceRadius, DistanceIndentation, DistanceForce]
             of GIVEN => given(contact);
-        fn radius_at_zero_indentation<R: Real>(contact: &Contact<R>) -> R = contact.radius_at_zero_indentation(),
-            "Contact::radius_at_zero_indentation" [ZeroIndentationRadius] of GIVEN => given(contact);
-        fn energy_lost_at_pull_off<R: Real>(contact: &Contact<R>) -> R = contact.energy_lost_at_pull_off(),
-            "Contact::energy_lost_at_pull_off" [PullOffLoss] of GIVEN => given(contact);
-        fn energy_lost_at_jump_in<R: Real>(contact: &Contact<R>) -> R = contact.energy_lost_at_jump_in(),
-            "Contact::energy_lost_at_jump_in" [JumpInLoss] of GIVEN => given(contact);
-        fn barrier_to_complete_contact<R: Real>(contact: &Contact<R>) -> R = contact.barrier_to_complete_contact(),
-            "Contact::barrier_to_complete_contact" [CompleteContactBarrier] of GIVEN => given(contact);
+        fn radius_at_zero_indentation<R: Real>(contact: &PowerLawContact<R>) -> R = contact.radius_at_zero_indentation(),
+            "PowerLawContact::radius_at_zero_indentation" [ZeroIndentationRadius] of GIVEN => given(contact);
+        fn energy_lost_at_pull_off<R: Real>(contact: &PowerLawContact<R>) -> R = contact.energy_lost_at_pull_off(),
+            "PowerLawContact::energy_lost_at_pull_off" [PullOffLoss] of GIVEN => given(contact);
+        fn energy_lost_at_jump_in<R: Real>(contact: &PowerLawContact<R>) -> R = contact.energy_lost_at_jump_in(),
+            "PowerLawContact::energy_lost_at_jump_in" [JumpInLoss] of GIVEN => given(contact);
+        fn barrier_to_complete_contact<R: Real>(contact: &PowerLawContact<R>) -> R = contact.barrier_to_complete_contact(),
+            "PowerLawContact::barrier_to_complete_contact" [CompleteContactBarrier] of GIVEN => given(contact);
         fn lemniscate_constant<R: Real>(like: &R) -> R = Result::Ok(mdr_analytic::lemniscate_constant(like)),
             "lemniscate_constant" [LemniscateConstant] of [] => [];
         fn threshold<R: Real>(material: &Material<R>, control: &Control<R>) -> R =
             mdr_analytic::threshold(material, control),
             "threshold" [Threshold] of ["E*", "w"] => [material.effective_modulus(), material.work_of_adhesion()];
-        fn ratio<R: Real>(contact: &Contact<R>) -> R = contact.ratio(),
-            "Contact::ratio" [ScaleFreeRatio] of GIVEN => given(contact);
-        fn scale_free_state<R: Real>(contact: &Contact<R>, a: &R) -> [R; 2] =
+        fn ratio<R: Real>(contact: &PowerLawContact<R>) -> R = contact.ratio(),
+            "PowerLawContact::ratio" [ScaleFreeRatio] of GIVEN => given(contact);
+        fn scale_free_state<R: Real>(contact: &PowerLawContact<R>, a: &R) -> [R; 2] =
             contact.scale_free_state(a).map(|state| [state.indentation, state.force]),
-            "Contact::scale_free_state" [ScaleFreeIndentation, ScaleFreeForce] of ALONG => along(contact, a);
-        fn fate<R: Real>(contact: &Contact<R>, control: &Control<R>) -> R =
+            "PowerLawContact::scale_free_state" [ScaleFreeIndentation, ScaleFreeForce] of ALONG => along(contact, a);
+        fn fate<R: Real>(contact: &PowerLawContact<R>, control: &Control<R>) -> R =
             contact.fate(control).map(|fate| contact.profile().exponent().lit(sign(fate))),
-            "Contact::fate" [ScaleFreeOutcome] of [] => [];
+            "PowerLawContact::fate" [ScaleFreeOutcome] of [] => [];
         fn flat_punch_pull_off<R: Real>(radius: &R, material: &Material<R>) -> [R; 2] =
             mdr_analytic::flat_punch_pull_off(radius, material).map(|state| [state.indentation, state.force]),
             "flat_punch_pull_off" [FlatPunchIndentation, FlatPunchForce]
@@ -252,9 +252,9 @@ subjects! {
             "maugis_state" [MaugisBalance, MaugisIndentation, MaugisForce]
             of ["R", "E*", "w", "h0", "a", "c"]
             => [radius, material.effective_modulus(), material.work_of_adhesion(), separation, ring[0], ring[1]];
-        fn flat_punch_limit<R: Real>(contact: &Contact<R>) -> R =
+        fn flat_punch_limit<R: Real>(contact: &PowerLawContact<R>) -> R =
             contact.flat_punch_limit().map(|state| state.contact_radius),
-            "Contact::flat_punch_limit" [FlatPunchLimit] of ["C"] => [contact.profile().coefficient()];
+            "PowerLawContact::flat_punch_limit" [FlatPunchLimit] of ["C"] => [contact.profile().coefficient()];
     }
     certified {
         "kappa_enclosure": KappaEnclosure;
@@ -279,13 +279,13 @@ fn sign(fate: ScaleFreeOutcome) -> i64 {
 }
 
 /// C, E*, w: what a critical state depends on beside n.
-fn given<R: Real>(contact: &Contact<R>) -> [&R; 3] {
+fn given<R: Real>(contact: &PowerLawContact<R>) -> [&R; 3] {
     let (profile, material) = (contact.profile(), contact.material());
     [profile.coefficient(), material.effective_modulus(), material.work_of_adhesion()]
 }
 
 /// a, C, E*, w: what a state along the equilibria depends on beside n.
-fn along<'a, R: Real>(contact: &'a Contact<R>, a: &'a R) -> [&'a R; 4] {
+fn along<'a, R: Real>(contact: &'a PowerLawContact<R>, a: &'a R) -> [&'a R; 4] {
     let [c, e_star, work] = given(contact);
     [a, c, e_star, work]
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use mdr_analytic::{Contact, Kappa, PowerLaw, State, double, flat_punch_pull_off, threshold};
+use mdr_analytic::{Kappa, PowerLaw, PowerLawContact, State, double, flat_punch_pull_off, threshold};
 use mdr_core::contact::{Control, Error, Fold, Material, Quantity, Ranged, Result, Transform};
 use mdr_core::number::Real;
 
@@ -24,12 +24,12 @@ pub(crate) fn material<R: Real>(x: &[R]) -> Result<Material<R>> {
 }
 
 /// The contact of [n, C, E*, w, …].
-pub(crate) fn contact<R: Kappa>(x: &[R]) -> Result<Contact<R>> {
-    Ok(Contact::new(profile(x)?, material(&x[2..])?))
+pub(crate) fn contact<R: Kappa>(x: &[R]) -> Result<PowerLawContact<R>> {
+    Ok(PowerLawContact::new(profile(x)?, material(&x[2..])?))
 }
 
 /// The contact of [C, E*, w, …] at n = 1/2.
-fn half<R: Kappa>(x: &[R]) -> Result<Contact<R>> {
+fn half<R: Kappa>(x: &[R]) -> Result<PowerLawContact<R>> {
     contact(&[x[0].ratio(1, 2), x[0].clone(), x[1].clone(), x[2].clone()])
 }
 
@@ -184,7 +184,7 @@ pub(crate) const CRITICAL_FORCE: [Routine; 3] = [
 ];
 
 /// A number of the critical state; its log₁₀ where one of the numbers is beyond the exponents of MPFR.
-fn state_of<R: Kappa>(contact: &Contact<R>, control: &Control<R>, part: fn(State<R>) -> R) -> Result<R> {
+fn state_of<R: Kappa>(contact: &PowerLawContact<R>, control: &Control<R>, part: fn(State<R>) -> R) -> Result<R> {
     /// Half of the decades that MPFR has.
     const DECADES: f64 = 1.5e8;
     let logarithms = contact.ln_critical(control)?;

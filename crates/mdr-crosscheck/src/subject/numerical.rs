@@ -1,10 +1,12 @@
 //! The numerical route in f64 against closed forms: folds, equilibria, fields and energies.
 
+use std::sync::Arc;
+
 use mdr_analytic::profiles::Paraboloid;
 use mdr_analytic::{Equilibria, Kappa, PowerLaw};
 use mdr_core::contact::{Control, Equilibrium, Error, Fold, Quantity, Ranged, Result};
 use mdr_core::number::{Real, Special};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::equilibria;
 use mdr_numeric::fields::Fields;
@@ -16,7 +18,7 @@ use super::textbook;
 
 /// The only fold of a contact with n > 5/2 − √3 or n < 1/2, from the closed form of g and the numerical search.
 fn only_fold(x: &[f64], control: &Control<f64>) -> Result<Fold<f64>> {
-    let (profile, material) = (PowerLaw::new(x[0], x[1])?, material(&x[2..])?);
+    let (profile, material) = (Arc::new(PowerLaw::new(x[0], x[1])?), material(&x[2..])?);
     let found = folds(&profile, &material, control)?;
     let none = || Error::NoEquilibrium { quantity: Quantity::ContactRadius, value: format!("{} folds", found.len()) };
     let [fold] = found.folds.as_slice() else { return Err(none()) };
@@ -52,7 +54,7 @@ fn radius<R: Clone>(state: Option<&Equilibrium<R>>) -> Result<R> {
 
 /// The equilibria of a power law by the numerical search, with the controlled value after E* and w.
 fn searched(x: &[f64], control: &Control<f64>) -> Result<Vec<Equilibrium<f64>>> {
-    Ok(equilibria(&PowerLaw::new(x[0], x[1])?, &material(&x[2..])?, control, &x[4])?.equilibria)
+    Ok(equilibria(&Arc::new(PowerLaw::new(x[0], x[1])?), &material(&x[2..])?, control, &x[4])?.equilibria)
 }
 
 /// The same in closed form.
@@ -86,15 +88,15 @@ pub(crate) const EQUILIBRIA: [Routine; 4] = [
 ];
 
 /// What the fields of f64 say of a paraboloid [R, E*, w, a, …].
-fn fields<T>(x: &[f64], ask: impl Fn(&Fields<'_, f64>) -> Result<T>) -> Result<T> {
-    let (ball, material, control) = (Paraboloid::new(x[0])?, material(&x[1..])?, Control::Indentation);
-    ask(&Fields::new(EquilibriumCurve::new(&ball, &material, &control), x[3])?)
+fn fields<T>(x: &[f64], ask: impl Fn(&Fields<f64>) -> Result<T>) -> Result<T> {
+    let (ball, material, control) = (Arc::new(Paraboloid::new(x[0])?), material(&x[1..])?, Control::Indentation);
+    ask(&Fields::new(Contact::half_space(&ball, &material, &control), x[3])?)
 }
 
 /// What its energies are.
-fn energy<T>(x: &[f64], ask: impl Fn(&Energy<'_, f64>) -> Result<T>) -> Result<T> {
-    let (ball, material) = (Paraboloid::new(x[0])?, material(&x[1..])?);
-    ask(&Energy::new(&ball, &material)?)
+fn energy<T>(x: &[f64], ask: impl Fn(&Energy<f64>) -> Result<T>) -> Result<T> {
+    let (ball, material) = (Arc::new(Paraboloid::new(x[0])?), material(&x[1..])?);
+    ask(&Energy::new(Contact::half_space(&ball, &material, &Control::Indentation))?)
 }
 
 /// Δl and d of [R, E*, w, a, …].

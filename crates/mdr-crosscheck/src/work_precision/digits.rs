@@ -4,7 +4,7 @@
 //! compared as everywhere.
 
 use mdr_analytic::certified::{self, Elasticity};
-use mdr_analytic::{Contact, PowerLaw, kappa, kappa_enclosure};
+use mdr_analytic::{PowerLaw, PowerLawContact, kappa, kappa_enclosure};
 use mdr_core::contact::{Control, Material, Result, Shape, Transform};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
@@ -184,7 +184,7 @@ fn interval(number: Enclosure, precision: Precision) -> Interval {
 
 /// κ, a, d, F of a contact in plain arbitrary precision.
 fn state(n: Float, kappa: Float, [c, e, w]: [Float; 3]) -> Result<Vec<Float>> {
-    let contact = Contact::new(PowerLaw::with_kappa(n, c, kappa.clone())?, Material::new(e, w)?);
+    let contact = PowerLawContact::new(PowerLaw::with_kappa(n, c, kappa.clone())?, Material::new(e, w)?);
     let critical = contact.critical(&Control::Indentation)?;
     Ok(vec![kappa, critical.contact_radius, critical.indentation, critical.force])
 }

@@ -8,7 +8,7 @@ use mdr_analytic::double;
 use mdr_core::calculus::roots::{self, Bracket, Root};
 use mdr_core::contact::{Control, CountingTransform, Error, Material, Quantity, Ranged, Result, Shape};
 use mdr_core::number::{Dual, Interval, Precision, Real, Special};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::folds;
 use mdr_numeric::springs::Foundation;
 use mdr_numeric::transform::Quadrature;
@@ -185,9 +185,9 @@ impl Question {
     }
 
     /// The transform, with its evaluations counted.
-    fn counted<R: Special>(&self, ctx: R::Ctx) -> Result<CountingTransform<R>> {
+    fn counted<R: Special>(&self, ctx: R::Ctx) -> Result<Arc<CountingTransform<R>>> {
         let transform = Quadrature::of([self.shape.map(|_, value| R::from_f64(ctx, *value))])?;
-        Ok(CountingTransform::new(Box::new(transform), &Arc::default()))
+        Ok(Arc::new(CountingTransform::new(Box::new(transform), &Arc::default())))
     }
 
     fn closed_form(&self, n: f64, c: f64) -> Result<Found> {
@@ -225,7 +225,7 @@ impl Question {
     ) -> Result<Found> {
         let transform = self.counted(())?;
         let material = self.material()?;
-        let curve = EquilibriumCurve::new(&transform, &material, &CONTROL);
+        let curve = Contact::half_space(&transform, &material, &CONTROL);
         let excess = |a: &f64| Ok(curve.tangency(a)? - 1.0);
         let [lower, upper] = self.bracket;
         let bracket = Bracket::new(&lower, &upper, excess)?.ok_or_else(|| nothing(lower))?;
@@ -246,7 +246,7 @@ impl Question {
         let moving = self.counted::<Dual<f64>>(())?;
         let [e_star, work] = self.material.map(Dual::constant);
         let (material, control) = (Material::new(e_star, work)?, Control::Indentation);
-        let curve = EquilibriumCurve::new(&moving, &material, &control);
+        let curve = Contact::half_space(&moving, &material, &control);
         let with_slope = |a: &f64| {
             let ratio = curve.tangency(&Dual::variable(*a))?;
             Ok((ratio.value - 1.0, ratio.slope))
@@ -259,7 +259,7 @@ impl Question {
     fn golden_section(&self, tolerance: f64) -> Result<Found> {
         let transform = self.counted(())?;
         let material = self.material()?;
-        let curve = EquilibriumCurve::new(&transform, &material, &CONTROL);
+        let curve = Contact::half_space(&transform, &material, &CONTROL);
         let sign = if self.breaks() { 1.0 } else { -1.0 };
         let height = |a: f64| Ok::<_, Error>(sign * curve.indentation(&a)?);
         let share = (5_f64.sqrt() - 1.0) / 2.0;
@@ -294,7 +294,7 @@ impl Question {
     fn springs(&self, springs: usize) -> Result<Found> {
         let transform = self.counted(())?;
         let spacing = self.reach / springs as f64;
-        let foundation = Foundation::new(&transform, &self.material()?, spacing, springs)?;
+        let foundation = Foundation::new(&*transform, &self.material()?, spacing, springs)?;
         let breaks = self.breaks();
         let cascades = if breaks { foundation.pull(springs, &CONTROL)? } else { foundation.press(1, &CONTROL)? };
         let found = &cascades.first().ok_or_else(|| nothing(spacing))?.instability;
@@ -321,7 +321,7 @@ mod tests {
             assert!(condition.is_finite() && condition > 4.0 / (2.0 * n - 1.0).abs(), "{condition}");
             let ([n, c], [e_star, work]) = ([n, c].map(exact), question.material.map(exact));
             let profile = mdr_analytic::PowerLaw::new(n, c).unwrap();
-            let contact = mdr_analytic::Contact::new(profile, Material::new(e_star, work).unwrap());
+            let contact = mdr_analytic::PowerLawContact::new(profile, Material::new(e_star, work).unwrap());
             let state = contact.critical(&Control::Indentation).unwrap();
             assert!(state.contact_radius.overlaps(&truth[0]), "{}", question.name);
             assert!(state.indentation.overlaps(&truth[1]), "{}", question.name);

@@ -15,8 +15,8 @@ pub(super) struct Edge {
 }
 
 /// g between edges, in double precision.
-pub(super) struct Terrain<'a> {
-    pub(super) transform: Arc<dyn Transform<f64> + 'a>,
+pub(super) struct Terrain {
+    pub(super) transform: Arc<dyn Transform<f64>>,
     /// By increasing radius. Beyond the last one g increases, or is not defined.
     pub(super) edges: Vec<Edge>,
     /// The least g from an edge on.
@@ -42,8 +42,8 @@ const HALVINGS: usize = 44;
 /// Fractions of a piece at which the gap is sampled, apart from the ends of the interval.
 const SAMPLES: [f64; 4] = [0.15, 0.5, 0.85, 1.0];
 
-impl<'a> Terrain<'a> {
-    pub(super) fn new(transform: Arc<dyn Transform<f64> + 'a>, [lower, upper]: [f64; 2]) -> Self {
+impl Terrain {
+    pub(super) fn new(transform: Arc<dyn Transform<f64>>, [lower, upper]: [f64; 2]) -> Self {
         let outer = transform.outer_radius();
         let kinks = transform.kinks();
         let upper = kinks.last().map_or(upper, |kink| upper.max(2.0 * kink));

@@ -30,7 +30,7 @@ const ROUNDINGS: f64 = 64.0;
 
 static RULE: LazyLock<Option<Arc<Rule<f64>>>> = LazyLock::new(|| gauss_jacobi::rule(NODES, &0.0, &0.0).ok());
 
-impl Terrain<'_> {
+impl Terrain {
     /// The gap at r > a by the fast rule, in m; a may be 0.
     ///
     /// # Errors

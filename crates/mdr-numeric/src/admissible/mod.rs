@@ -25,7 +25,7 @@ use mdr_core::contact::LowestRing;
 use mdr_core::contact::{Fold, Result, Transform};
 use mdr_core::number::Real;
 
-use crate::curve::EquilibriumCurve;
+use crate::contact::Contact;
 
 use extrema::Terrain;
 
@@ -38,19 +38,19 @@ pub use refine::{Ring, Touch, first_touch, last_admissible};
 /// use std::sync::Arc;
 /// use mdr_core::contact::{Control, Material, Shape};
 /// use mdr_numeric::admissible::{Admissibility, Verdict};
-/// use mdr_numeric::{curve::EquilibriumCurve, transform::Quadrature};
+/// use mdr_numeric::{contact::Contact, transform::Quadrature};
 /// // Waves of 10 mm on a paraboloid of 1 m: the first crest alone cannot be pressed deep.
 /// let wavy = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 1e-2, wavelength: 0.1 }])?);
 /// let (material, control) = (Material::new(1.0, 1e-6)?, Control::Indentation);
 /// let admissibility = Admissibility::new(wavy.clone(), [1e-6, 0.3]);
-/// let curve = EquilibriumCurve::new(&*wavy, &material, &control);
+/// let curve = Contact::half_space(&wavy, &material, &control);
 /// assert_eq!(admissibility.of(0.01, curve.indentation(&0.01)?), Verdict::Admissible);
 /// let Verdict::Interpenetrating { radius, gap } = admissibility.of(0.03, curve.indentation(&0.03)?) else { panic!() };
 /// assert!(gap < 0.0 && radius > 0.08 && radius < 0.12); // at the next crest
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-pub struct Admissibility<'a> {
-    terrain: Option<Terrain<'a>>,
+pub struct Admissibility {
+    terrain: Option<Terrain>,
     /// For a formula, whose narrow dips the search may miss.
     touch: Option<FirstTouch>,
 }
@@ -103,10 +103,10 @@ pub enum Basis {
     },
 }
 
-impl<'a> Admissibility<'a> {
+impl Admissibility {
     /// For a transformed profile whose extrema are searched between two radii, and up to the last kink or the end of
     /// the profile; [`search_range`] gives radii for a contact.
-    pub fn new(transform: Arc<dyn Transform<f64> + 'a>, radii: [f64; 2]) -> Self {
+    pub fn new(transform: Arc<dyn Transform<f64>>, radii: [f64; 2]) -> Self {
         if transform.rises() {
             return Self::of_rising();
         }
@@ -115,7 +115,7 @@ impl<'a> Admissibility<'a> {
 
     /// For a transformed formula of which nothing else is proved: as [`Admissibility::new`], but what the search does not
     /// find may exist nevertheless.
-    pub fn of_formula(transform: Arc<dyn Transform<f64> + 'a>, radii: [f64; 2], touch: FirstTouch) -> Self {
+    pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
         Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: Some(touch) }
     }
 
@@ -125,14 +125,14 @@ impl<'a> Admissibility<'a> {
     }
 
     /// The same, shared by all such profiles.
-    pub fn rising() -> &'static Admissibility<'static> {
-        static RISING: Admissibility<'static> = Admissibility { terrain: None, touch: None };
+    pub fn rising() -> &'static Admissibility {
+        static RISING: Admissibility = Admissibility { terrain: None, touch: None };
         &RISING
     }
 
     /// For a transformed profile in any arithmetic, evaluated there and rounded.
-    pub(crate) fn rounded<R: Real>(curve: &EquilibriumCurve<'a, R>, folds: &[Fold<R>]) -> Self {
-        let (transform, length) = (curve.transform(), curve.material_length());
+    pub(crate) fn rounded<R: Real>(curve: &Contact<R>, folds: &[Fold<R>]) -> Self {
+        let (transform, length) = (Arc::clone(curve.shared_transform()), curve.material_length());
         let radii: Vec<f64> = folds.iter().map(|fold| fold.contact_radius.approx()).collect();
         Self::new(Arc::new(Rounded { transform, ctx: length.ctx() }), search_range(length.approx(), &radii))
     }
@@ -204,18 +204,18 @@ pub fn search_range(length: f64, folds: &[f64]) -> [f64; 2] {
 }
 
 /// A transform of another arithmetic, in doubles.
-struct Rounded<'a, R: Real> {
-    transform: &'a dyn Transform<R>,
+struct Rounded<R: Real> {
+    transform: Arc<dyn Transform<R>>,
     ctx: R::Ctx,
 }
 
-impl<R: Real> Rounded<'_, R> {
+impl<R: Real> Rounded<R> {
     fn at(&self, x: f64) -> R {
         R::from_f64(self.ctx, x)
     }
 }
 
-impl<R: Real> Transform<f64> for Rounded<'_, R> {
+impl<R: Real> Transform<f64> for Rounded<R> {
     fn g(&self, x: &f64) -> Result<f64> {
         Ok(self.transform.g(&self.at(*x))?.approx())
     }

@@ -5,7 +5,7 @@ use mdr_core::number::{Real, order};
 
 use super::extrema::Terrain;
 use super::{Admissibility, FirstTouch, gap};
-use crate::curve::EquilibriumCurve;
+use crate::contact::Contact;
 
 /// A circle outside the contact on which the surfaces touch or interpenetrate.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,13 +35,13 @@ const AT_KINK: f64 = 1e-6;
 /// ```
 /// use mdr_core::contact::{Control, Material};
 /// use mdr_numeric::admissible::{Admissibility, first_touch};
-/// use mdr_numeric::{curve::EquilibriumCurve, table::MeasuredProfile};
+/// use mdr_numeric::{contact::Contact, table::MeasuredProfile};
 /// use std::sync::Arc;
 /// // A tip with a particle beside it, 5 nm further out than the tip.
 /// let rows = [(0.0, 0.0), (2e-8, 1e-8), (4e-8, 1e-8), (6e-8, -5e-9), (8e-8, 3e-8), (1e-7, 6e-8)];
 /// let tip = Arc::new(MeasuredProfile::new(rows.to_vec())?);
 /// let (material, control) = (Material::new(1e9, 0.01)?, Control::Indentation);
-/// let curve = EquilibriumCurve::new(&*tip, &material, &control);
+/// let curve = Contact::half_space(&tip, &material, &control);
 /// let touch = first_touch(&curve, &Admissibility::new(tip.clone(), [1e-11, 1e-7]))?.expect("on a ring");
 /// assert!((touch.indentation + 5e-9).abs() < 1e-22 && (touch.radius - 6e-8).abs() < 1e-16);
 /// # Ok::<(), mdr_core::contact::Error>(())
@@ -49,17 +49,14 @@ const AT_KINK: f64 = 1e-6;
 ///
 /// # Errors
 /// Those of the transform and of the quadrature; [`Error::Undecided`] where it is not known, of a formula.
-pub fn first_touch<R: Real>(
-    curve: &EquilibriumCurve<'_, R>,
-    admissibility: &Admissibility<'_>,
-) -> Result<Option<Touch<R>>> {
+pub fn first_touch<R: Real>(curve: &Contact<R>, admissibility: &Admissibility) -> Result<Option<Touch<R>>> {
     if let Some(touch) = &admissibility.touch {
-        return of_formula(touch, curve.effective_modulus());
+        return of_formula(touch, curve.modulus());
     }
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
     let Some([radius, _]) = first_touch_roughly(admissibility)? else { return Ok(None) };
     let ring = Locus::new(curve, terrain, 0.0, radius);
-    let zero = curve.effective_modulus().lit(0);
+    let zero = curve.modulus().lit(0);
     let radius = ring.lowest()?;
     let indentation = ring.gap(&zero, &zero, &radius)?;
     Ok((indentation < zero).then_some(Touch { radius, indentation }))
@@ -85,7 +82,7 @@ fn of_formula<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>>
 ///
 /// # Errors
 /// As [`first_touch`].
-pub(crate) fn first_touch_roughly(admissibility: &Admissibility<'_>) -> Result<Option<[f64; 2]>> {
+pub(crate) fn first_touch_roughly(admissibility: &Admissibility) -> Result<Option<[f64; 2]>> {
     if let Some(touch) = &admissibility.touch {
         return Ok(of_formula(touch, &0.0)?.map(|touch| [touch.radius, touch.indentation]));
     }
@@ -100,13 +97,13 @@ pub(crate) fn first_touch_roughly(admissibility: &Admissibility<'_>) -> Result<O
 /// # Errors
 /// Those of the transform and of the quadrature; [`Error::NoConvergence`].
 pub fn last_admissible<R: Real>(
-    curve: &EquilibriumCurve<'_, R>,
-    admissibility: &Admissibility<'_>,
+    curve: &Contact<R>,
+    admissibility: &Admissibility,
     [from, to]: [&R; 2],
 ) -> Result<Option<(Equilibrium<R>, Ring<R>)>> {
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
-    let length = curve.material_length().approx();
-    let indentation = |a: f64| Ok(terrain.transform.g(&a)? - a * crate::curve::relative_elongation(&a, &length));
+    let (medium, work) = (curve.medium().of_unit_modulus(), curve.material_length().approx());
+    let indentation = |a: f64| Ok(terrain.transform.g(&a)? - medium.elongation(&work, &a));
     let narrowest = |a: f64| terrain.narrowest(a, indentation(a)?, false);
     let (mut lower, mut upper) = (from.approx(), to.approx());
     let Some(mut ring) = narrowest(upper)?.filter(|ring| ring.1 < 0.0) else { return Ok(None) };
@@ -129,9 +126,9 @@ pub fn last_admissible<R: Real>(
 }
 
 /// The narrowest gap near a radius, in two arithmetics.
-struct Locus<'a, 'c, R: Real> {
-    curve: &'a EquilibriumCurve<'c, R>,
-    terrain: &'a Terrain<'a>,
+struct Locus<'a, R: Real> {
+    curve: &'a Contact<R>,
+    terrain: &'a Terrain,
     /// The radius of the ring in double precision.
     rough: f64,
     /// The kink or the end of the profile at which the ring is, if it is at one.
@@ -139,9 +136,9 @@ struct Locus<'a, 'c, R: Real> {
     breaks: Vec<R>,
 }
 
-impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
-    fn new(curve: &'a EquilibriumCurve<'c, R>, terrain: &'a Terrain<'a>, a: f64, rough: f64) -> Self {
-        let like = curve.effective_modulus();
+impl<'a, R: Real> Locus<'a, R> {
+    fn new(curve: &'a Contact<R>, terrain: &'a Terrain, a: f64, rough: f64) -> Self {
+        let like = curve.modulus();
         let transform = curve.transform();
         let mut breaks = transform.kinks();
         let known: Vec<f64> = breaks.iter().map(R::approx).collect();
@@ -159,7 +156,7 @@ impl<'a, 'c, R: Real> Locus<'a, 'c, R> {
     }
 
     fn number(&self, x: f64) -> R {
-        R::from_f64(self.curve.effective_modulus().ctx(), x)
+        R::from_f64(self.curve.modulus().ctx(), x)
     }
 
     /// The second derivative of the gap at the ring, in double precision.

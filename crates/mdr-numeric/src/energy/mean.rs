@@ -21,7 +21,7 @@ pub(super) enum Grade<R> {
 /// Nodes of a coarse integral, and of the one it is compared with.
 const COARSE: [usize; 2] = [12, 8];
 
-impl<R: Real> Energy<'_, R> {
+impl<R: Real> Energy<R> {
     /// (1/a) ∫₀ᵃ h(x) dx.
     pub(super) fn mean(&self, a: &R, grade: &Grade<R>, mut h: impl FnMut(&R) -> Result<R>) -> Result<R> {
         if let Grade::Coarse(scale) = grade
@@ -92,7 +92,7 @@ impl<R: Real> Energy<'_, R> {
         tolerance: impl Into<Tolerance<R>>,
         h: &mut impl FnMut(&R) -> Result<R>,
     ) -> Result<Estimate<R>> {
-        let integral = tanh_sinh_pieces(&a.lit(0), a, &self.transform.kinks(), tolerance, h)?;
+        let integral = tanh_sinh_pieces(&a.lit(0), a, &self.contact.transform().kinks(), tolerance, h)?;
         Ok(integral.scaled(&a.clone().inv()))
     }
 }

@@ -7,7 +7,7 @@ use mdr_core::number::Real;
 
 use super::{SearchedBranches, sign};
 
-impl<R: Real> SearchedBranches<'_, R> {
+impl<R: Real> SearchedBranches<R> {
     /// Whether the direction of change at the tip, where d, F and D are zero, differs from that at the end of the first
     /// branch.
     pub(super) fn is_open_inwards(&self, value: &R) -> Result<bool> {
@@ -29,7 +29,7 @@ impl<R: Real> SearchedBranches<'_, R> {
             Some(fold) => (self.beside(fold, value)?, fold.kind == FoldKind::Minimum),
             None => {
                 let start = self.start();
-                let rising = self.curve.tangency(&start)? > self.curve.threshold_at(&start);
+                let rising = self.curve.tangency(&start)? > self.curve.critical_ratio_at(&start);
                 (sign(&self.curve.direction_at(&start, value)?), rising)
             }
         };

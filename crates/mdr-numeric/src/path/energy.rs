@@ -17,7 +17,7 @@ use mdr_core::number::Real;
 use super::integral::Breaks;
 use super::{ContactState, Event, EventKind, Path};
 use crate::branch::EquilibriumBranches;
-use crate::curve::{EquilibriumCurve, log10_of_product, negligible};
+use crate::contact::{Contact, log10_of_product, negligible};
 use crate::energy::Energy;
 use crate::equilibrium::SearchedBranches;
 
@@ -75,13 +75,14 @@ impl<R: Real> PathEnergy<R> {
     /// Each jump is integrated between its own two radii only, in pieces between the folds and kinks there.
     ///
     /// ```
+    /// use std::sync::Arc;
     /// use mdr_core::contact::{Control, Material, Shape};
     /// use mdr_numeric::path::{PathEnergy, Dissipation, Path, Start};
-    /// use mdr_numeric::{curve::EquilibriumCurve, equilibrium::SearchedBranches, transform::Quadrature};
+    /// use mdr_numeric::{contact::Contact, equilibrium::SearchedBranches, transform::Quadrature};
     /// // The paraboloid loses 2/5 of πa²w when it is pulled off at fixed grips.
-    /// let (ball, control) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Control::Indentation);
+    /// let (ball, control) = (Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?), Control::Indentation);
     /// let material = Material::new(1.0, 1e-3)?;
-    /// let branches = SearchedBranches::new(EquilibriumCurve::new(&ball, &material, &control))?;
+    /// let branches = SearchedBranches::new(Contact::half_space(&ball, &material, &control))?;
     /// let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.1])?;
     /// let energies = PathEnergy::new(&path, &branches)?;
     /// let Dissipation::Finite(lost) = &energies.entries[1].dissipated else { panic!("finite at fixed grips") };
@@ -95,7 +96,7 @@ impl<R: Real> PathEnergy<R> {
     /// # Errors
     /// Those of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this
     /// arithmetic.
-    pub fn new(path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Result<Self> {
+    pub fn new(path: &Path<R>, branches: &SearchedBranches<R>) -> Result<Self> {
         let integrals = EnergyIntegrals::new(branches);
         let mut entries = Vec::with_capacity(path.events.len());
         let mut last: Option<&Event<R>> = None;
@@ -116,7 +117,7 @@ impl<R: Real> PathEnergy<R> {
     ///
     /// # Errors
     /// As [`PathEnergy::new`].
-    pub fn balance(&self, path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Result<Option<Balance<R>>> {
+    pub fn balance(&self, path: &Path<R>, branches: &SearchedBranches<R>) -> Result<Option<Balance<R>>> {
         EnergyIntegrals::new(branches).balance(path, &self.entries)
     }
 }
@@ -126,7 +127,7 @@ impl<R: Real> PathEnergy<R> {
 ///
 /// # Errors
 /// As [`PathEnergy::new`].
-pub fn stored<R: Real>(path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Result<Option<Estimate<R>>> {
+pub fn stored<R: Real>(path: &Path<R>, branches: &SearchedBranches<R>) -> Result<Option<Estimate<R>>> {
     EnergyIntegrals::new(branches).more_stored(path)
 }
 
@@ -135,19 +136,19 @@ impl<R: Real> Dissipation<R> {
     ///
     /// # Errors
     /// As [`PathEnergy::new`].
-    pub fn of_each(path: &Path<R>, branches: &SearchedBranches<'_, R>) -> Vec<Result<Self>> {
+    pub fn of_each(path: &Path<R>, branches: &SearchedBranches<R>) -> Vec<Result<Self>> {
         let integrals = EnergyIntegrals::new(branches);
         path.events.iter().map(|event| Ok(integrals.event(event)?.1)).collect()
     }
 }
 
-struct EnergyIntegrals<'a, 'c, R: Real> {
-    curve: &'a EquilibriumCurve<'c, R>,
+struct EnergyIntegrals<'a, R: Real> {
+    curve: &'a Contact<R>,
     breaks: Breaks<R>,
 }
 
-impl<'a, 'c, R: Real> EnergyIntegrals<'a, 'c, R> {
-    fn new(branches: &'a SearchedBranches<'c, R>) -> Self {
+impl<'a, R: Real> EnergyIntegrals<'a, R> {
+    fn new(branches: &'a SearchedBranches<R>) -> Self {
         let folds = branches.folds().iter().map(|fold| fold.contact_radius.clone());
         let curve = branches.curve();
         EnergyIntegrals { curve, breaks: Breaks::new(curve.transform(), folds) }
@@ -183,9 +184,8 @@ impl<'a, 'c, R: Real> EnergyIntegrals<'a, 'c, R> {
         if from == to {
             return Ok(self.none());
         }
-        let slopes = |a: &R| -> Result<(R, R)> {
-            Ok((self.curve.transform().slope(a)?, self.curve.elongation(a) / a.clone().times(2)))
-        };
+        let slopes =
+            |a: &R| -> Result<(R, R)> { Ok((self.curve.transform().slope(a)?, self.curve.elongation_slope(a))) };
         let mut work = self.breaks.integrate(from, to, |a| {
             let (rise, fall) = slopes(a)?;
             Ok(self.curve.force(a)? * (rise - fall))
@@ -243,8 +243,7 @@ impl<'a, 'c, R: Real> EnergyIntegrals<'a, 'c, R> {
         let error = energy(&dissipated.error) + energy(&size.abs()) * size.unit_roundoff().times(2 * ROUNDINGS);
         let value = energy(&dissipated.value);
         if dissipated.value != value.lit(0) && value.unit_roundoff() * &value == value.lit(0) {
-            let log10 =
-                log10_of_product([self.curve.effective_modulus().clone(), dissipated.value, unit.clone(), unit]);
+            let log10 = log10_of_product([self.curve.modulus().clone(), dissipated.value, unit.clone(), unit]);
             return Err(Error::OutOfRange { quantity: Quantity::Energy, log10 });
         }
         Ok(Estimate { value, error, evaluations: dissipated.evaluations })
@@ -252,7 +251,7 @@ impl<'a, 'c, R: Real> EnergyIntegrals<'a, 'c, R> {
 
     /// E* times a length and the square of `unit`, in an order that avoids underflow of small lengths.
     fn energy(&self, length: &R, unit: &R) -> R {
-        self.curve.effective_modulus().clone() * unit * length * unit
+        self.curve.modulus().clone() * unit * length * unit
     }
 
     /// The magnitude of the lengths that make up d and the force at radius `a`, including the rounding of a itself.
@@ -275,7 +274,7 @@ impl<'a, 'c, R: Real> EnergyIntegrals<'a, 'c, R> {
 
     /// The rounding of an energy E*·`size`.
     fn rounding(&self, size: R) -> R {
-        size.abs() * size.unit_roundoff().times(ROUNDINGS) * self.curve.effective_modulus()
+        size.abs() * size.unit_roundoff().times(ROUNDINGS) * self.curve.modulus()
     }
 
     fn balance(&self, path: &Path<R>, entries: &[EventEnergy<R>]) -> Result<Option<Balance<R>>> {
@@ -326,7 +325,7 @@ impl<'a, 'c, R: Real> EnergyIntegrals<'a, 'c, R> {
             ContactState::Complete => return Ok(None),
         };
         let a = &rest.contact_radius;
-        let energy = Energy::new(self.curve.transform(), self.curve.material())?;
+        let energy = Energy::new(self.curve.clone())?;
         // Piece by piece between the folds, because thousands of waves are too many for one rule.
         let mut error = a.lit(0);
         let mut value = energy.potential_by(a, &rest.indentation, |square| {
@@ -335,7 +334,7 @@ impl<'a, 'c, R: Real> EnergyIntegrals<'a, 'c, R> {
             Ok(integral.value / a)
         })?;
         // In units of Δl(a)² = 2πaw/E*.
-        error *= &(self.curve.elongation(a).square() * self.curve.effective_modulus());
+        error *= &(self.curve.elongation(a).square() * self.curve.modulus());
         let lengths = self.terms(a)? + rest.indentation.abs();
         error += &self.rounding(lengths.square() * a);
         if let Control::Machine { stiffness } = self.curve.control() {
@@ -347,7 +346,7 @@ impl<'a, 'c, R: Real> EnergyIntegrals<'a, 'c, R> {
     }
 
     fn none(&self) -> Estimate<R> {
-        Estimate::exact(self.curve.effective_modulus().lit(0))
+        Estimate::exact(self.curve.modulus().lit(0))
     }
 }
 

@@ -132,13 +132,14 @@ impl<R: Real> Path<R> {
     /// The cost is one equilibrium per event and comparisons between folds, also for 10⁴ jumps.
     ///
     /// ```
+    /// use std::sync::Arc;
     /// use mdr_core::contact::{Control, Material, Shape};
     /// use mdr_numeric::path::{EventKind, Path, Start};
-    /// use mdr_numeric::{curve::EquilibriumCurve, equilibrium::SearchedBranches, transform::Quadrature};
+    /// use mdr_numeric::{contact::Contact, equilibrium::SearchedBranches, transform::Quadrature};
     /// // Figure 4 of the paper: pulled from d = 0, it jumps once and then breaks.
-    /// let profile = Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?;
+    /// let profile = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 5e-4, wavelength: 0.1 }])?);
     /// let (material, control) = (Material::new(1.0, 1e-4)?, Control::Indentation);
-    /// let branches = SearchedBranches::new(EquilibriumCurve::new(&profile, &material, &control))?;
+    /// let branches = SearchedBranches::new(Contact::half_space(&profile, &material, &control))?;
     /// let path = Path::follow(&branches, &Start::Largest, &[0.0, -0.01])?;
     /// let kinds: Vec<EventKind> = path.events.iter().map(|event| event.kind).collect();
     /// assert_eq!(kinds, [EventKind::Start, EventKind::Jump, EventKind::Detached, EventKind::End]);
@@ -171,12 +172,13 @@ impl<R: Real> Path<R> {
     /// The state in which a path begins: that of the first event of [`follow`](Path::follow).
     ///
     /// ```
+    /// use std::sync::Arc;
     /// use mdr_core::contact::{Control, Material, Shape, Stability};
     /// use mdr_numeric::path::{Path, Start};
-    /// use mdr_numeric::{curve::EquilibriumCurve, equilibrium::SearchedBranches, transform::Quadrature};
-    /// let (ball, control) = (Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?, Control::Indentation);
+    /// use mdr_numeric::{contact::Contact, equilibrium::SearchedBranches, transform::Quadrature};
+    /// let (ball, control) = (Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?), Control::Indentation);
     /// let material = Material::new(1.0, 1e-3)?;
-    /// let branches = SearchedBranches::new(EquilibriumCurve::new(&ball, &material, &control))?;
+    /// let branches = SearchedBranches::new(Contact::half_space(&ball, &material, &control))?;
     /// let state = Path::first(&branches, &Start::Largest, &0.0)?;
     /// assert_eq!(state.contact().expect("in contact").stability, Stability::Stable);
     /// # Ok::<(), mdr_core::contact::Error>(())

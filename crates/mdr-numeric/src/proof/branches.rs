@@ -20,15 +20,15 @@ use crate::branch::{self, EquilibriumBranches, FirstContact};
 /// is [`Error::Undecided`], and more bits may decide. The value may itself be an enclosure, as that of a fold is: the
 /// result then holds for every number in it. Beyond the range, equilibria are searched outwards; one that is found
 /// certainly exists, but there may be more.
-pub struct ProvedBranches<'a> {
-    pub(super) curve: EnclosedCurve<'a>,
+pub struct ProvedBranches {
+    pub(super) curve: EnclosedCurve,
     /// Includes poles.
     folds: Vec<Fold<Interval>>,
     range: (Float, Float),
     pub(super) edge: Option<VerticalEdge>,
     /// The equator, if no fold lies between the range and it.
     pub(super) equator: Option<Interval>,
-    admissibility: OnceLock<Arc<Admissibility<'a>>>,
+    admissibility: OnceLock<Arc<Admissibility>>,
 }
 
 /// The vertical edge, with the mean of g and the controlled quantity of the state in which the contact just reaches it.
@@ -46,12 +46,12 @@ struct End {
     excess: Interval,
 }
 
-impl<'a> ProvedBranches<'a> {
+impl ProvedBranches {
     /// The branches between folds that were proved in the precision of `curve` or in a lower one.
     ///
     /// # Errors
     /// [`Error::Unproved`] with the first part of the range that was not decided; as [`EnclosedCurve::refine`].
-    pub fn new(curve: EnclosedCurve<'a>, proved: &ProvedFolds) -> Result<Self> {
+    pub fn new(curve: EnclosedCurve, proved: &ProvedFolds) -> Result<Self> {
         if let Some((from, to)) = proved.undecided.first() {
             let [from, to] = [(from, Round::Down), (to, Round::Up)]
                 .map(|(end, outwards)| end.to_string_radix_round(10, Some(4), outwards));
@@ -68,7 +68,7 @@ impl<'a> ProvedBranches<'a> {
     }
 
     /// As [`SearchedBranches::with_admissibility`](crate::equilibrium::SearchedBranches::with_admissibility).
-    pub fn with_admissibility(self, admissibility: Arc<Admissibility<'a>>) -> Self {
+    pub fn with_admissibility(self, admissibility: Arc<Admissibility>) -> Self {
         ProvedBranches { admissibility: OnceLock::from(admissibility), ..self }
     }
 
@@ -107,7 +107,7 @@ impl<'a> ProvedBranches<'a> {
         Ok(End { enclosure: radius.clone(), radius, excess })
     }
 
-    /// As [`EquilibriumCurve::direction`](crate::curve::EquilibriumCurve::direction); if a point is not certainly on one side of a kink, more
+    /// As [`Contact::direction`](crate::contact::Contact::direction); if a point is not certainly on one side of a kink, more
     /// bits are needed.
     fn direction(&self, a: &Interval, value: &Interval) -> Result<Interval> {
         match self.curve.plain.direction_at(a, value) {
@@ -144,7 +144,7 @@ impl<'a> ProvedBranches<'a> {
             Some(Ordering::Greater) => {
                 let curve = &self.curve.plain;
                 let d = curve.held_against(&edge.radius, value, || Ok(edge.mean.clone()))?;
-                let force = curve.edge_stiffness(&edge.radius) * (d.clone() - &edge.mean);
+                let force = curve.stiffness(&edge.radius) * (d.clone() - &edge.mean);
                 Ok(Some(self.equilibrium(edge.radius.clone(), d, force, value, Stability::Stable)))
             }
         }
@@ -250,7 +250,7 @@ fn octaves() -> impl Iterator<Item = i64> {
     (0..=20).map(|power| 1 << power)
 }
 
-impl EquilibriumBranches<Interval> for ProvedBranches<'_> {
+impl EquilibriumBranches<Interval> for ProvedBranches {
     fn control(&self) -> &Control<Interval> {
         self.curve.plain.control()
     }
@@ -260,7 +260,7 @@ impl EquilibriumBranches<Interval> for ProvedBranches<'_> {
     }
 
     /// In double precision: evidence, not proof.
-    fn admissibility(&self) -> &Admissibility<'_> {
+    fn admissibility(&self) -> &Admissibility {
         let search = || Arc::new(Admissibility::rounded(&self.curve.plain, &self.folds));
         self.admissibility.get_or_init(search)
     }
@@ -286,7 +286,7 @@ impl EquilibriumBranches<Interval> for ProvedBranches<'_> {
 
     fn end(&self) -> Result<branch::End<Interval>> {
         match branch::end(&self.curve.plain)? {
-            branch::End::Unknown => Err(branch::beyond_reach(self.control(), self.curve.plain.effective_modulus())),
+            branch::End::Unknown => Err(branch::beyond_reach(self.control(), self.curve.plain.modulus())),
             end => Ok(end),
         }
     }
@@ -324,7 +324,7 @@ fn not_enclosed(radius: f64) -> Error {
     Error::Unproved { quantity: Quantity::Radius, from, to, remedy: "where surfaces touch outside is not enclosed" }
 }
 
-impl ProvedBranches<'_> {
+impl ProvedBranches {
     /// Whether the last fold is at the vertical edge, so that only the vertical edge follows.
     fn vertical_edge_is_fold(&self) -> bool {
         let last = self.folds.last();
@@ -332,7 +332,7 @@ impl ProvedBranches<'_> {
     }
 }
 
-impl EnclosedCurve<'_> {
+impl EnclosedCurve {
     /// The vertical edge, if g is known there.
     fn vertical_edge(&self) -> Result<Option<VerticalEdge>> {
         let Some(radius) = self.plain.vertical_edge() else { return Ok(None) };

@@ -14,7 +14,7 @@ const FAR: f64 = 1_048_576.0;
 /// The most enclosures of the condition at each end.
 const CELLS: usize = 512;
 
-impl ProvedBranches<'_> {
+impl ProvedBranches {
     /// Checks that a path uses proved results only. If it reaches radii outside the range, or no radius, it must be
     /// certain that no fold lies there. The choice of the largest state, say, refers to the range only.
     ///

@@ -11,7 +11,7 @@ use super::{EnclosedCurve, ProvedBranches, kinks};
 /// The relative distance 2^−k from an equator within which folds are not searched.
 const CLOSEST: u32 = 2560;
 
-impl EnclosedCurve<'_> {
+impl EnclosedCurve {
     /// The k for which a search for folds ends at a relative distance 2^−k before the outer radius: 40, or before an
     /// equator the first of 40, 80, 160, … for which there is certainly no fold closer to it.
     ///
@@ -43,7 +43,7 @@ impl EnclosedCurve<'_> {
     }
 }
 
-impl ProvedBranches<'_> {
+impl ProvedBranches {
     /// The equilibrium between a radius at which the contact grows and the equator; the two may be adjacent numbers of
     /// this precision.
     ///
@@ -68,7 +68,7 @@ impl ProvedBranches<'_> {
         let highest = (below + at_state.times(2)) * distance.abs();
         let mean = mean.inflate(&highest);
         let d = curve.held_against(&radius, value, || Ok(mean.clone()))?;
-        let force = curve.edge_stiffness(&radius) * (d.clone() - &mean);
+        let force = curve.stiffness(&radius) * (d.clone() - &mean);
         Ok(self.equilibrium(radius, d, force, value, Stability::Stable))
     }
 }

@@ -28,7 +28,7 @@ struct Known {
     signs: (Ordering, Option<Ordering>),
 }
 
-impl EnclosedCurve<'_> {
+impl EnclosedCurve {
     /// The intervals around all kinks in (lower, upper), and around the vertical edge if it is there.
     pub(super) fn gaps(&self, lower: &Float, upper: &Float) -> Result<Vec<Gap>> {
         let kinks = self.radii();
@@ -110,7 +110,7 @@ impl EnclosedCurve<'_> {
 
     /// The sign of the condition at all radii of a cell, from bounds of g'.
     pub(super) fn sign(&self, cell: &Interval, slopes: &Slopes<Interval>) -> Option<Ordering> {
-        let threshold = self.plain.threshold_at(cell);
+        let threshold = self.plain.critical_ratio_at(cell);
         let ratio = |slope: &Interval| self.plain.tangency_of(slope.clone(), cell);
         if slopes.greatest.as_ref().is_some_and(|greatest| ratio(greatest) < threshold) {
             Some(Ordering::Less)
@@ -154,7 +154,7 @@ impl EnclosedCurve<'_> {
     /// The state at a kink, from g and its mean there.
     pub(super) fn state_at_kink(&self, a: &Interval, g: &Interval, mean: &Interval, kind: FoldKind) -> Fold<Interval> {
         let indentation = g.clone() - self.plain.elongation(a);
-        let force = self.plain.edge_stiffness(a) * (indentation.clone() - mean);
+        let force = self.plain.stiffness(a) * (indentation.clone() - mean);
         Fold { contact_radius: a.clone(), indentation, force, kind }
     }
 }

@@ -24,13 +24,13 @@ use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Result};
 use mdr_core::number::{Dual, Interval, Precision, Real};
 use rug::Float;
 
-use crate::curve::EquilibriumCurve;
+use crate::contact::Contact;
 
 /// One contact in two arithmetics: enclosures, and enclosures with derivatives.
 #[derive(Clone)]
-pub struct EnclosedCurve<'a> {
-    plain: EquilibriumCurve<'a, Interval>,
-    moving: EquilibriumCurve<'a, Dual<Interval>>,
+pub struct EnclosedCurve {
+    plain: Contact<Interval>,
+    moving: Contact<Dual<Interval>>,
 }
 
 /// The folds found on a range of radii, and the parts left undecided.
@@ -57,14 +57,14 @@ impl ProvedFolds {
     }
 }
 
-impl<'a> EnclosedCurve<'a> {
+impl EnclosedCurve {
     /// The same contact in both arithmetics.
-    pub fn new(plain: EquilibriumCurve<'a, Interval>, moving: EquilibriumCurve<'a, Dual<Interval>>) -> Self {
+    pub fn new(plain: Contact<Interval>, moving: Contact<Dual<Interval>>) -> Self {
         EnclosedCurve { plain, moving }
     }
 
     /// The contact over enclosures.
-    pub fn plain(&self) -> &EquilibriumCurve<'a, Interval> {
+    pub fn plain(&self) -> &Contact<Interval> {
         &self.plain
     }
 
@@ -74,7 +74,7 @@ impl<'a> EnclosedCurve<'a> {
     ///
     /// # Errors
     /// [`Error::Domain`] unless 0 < lower < upper, and unless the range begins before that end of the profile; as
-    /// [`Control::check`](mdr_core::contact::Control::check) and [`EquilibriumCurve::tangency`].
+    /// [`Control::check`](mdr_core::contact::Control::check) and [`Contact::tangency`].
     pub fn folds(&self, lower: &Float, upper: &Float, budget: usize) -> Result<ProvedFolds> {
         self.plain.control().check()?;
         if !(*lower > 0 && lower < upper && upper.is_finite()) {
@@ -138,7 +138,7 @@ impl<'a> EnclosedCurve<'a> {
     /// The same fold in the precision of this curve, from an enclosure in a lower precision.
     ///
     /// # Errors
-    /// [`Error::Undecided`] if the enclosure of the derivative contains zero; as [`EquilibriumCurve::tangency`].
+    /// [`Error::Undecided`] if the enclosure of the derivative contains zero; as [`Contact::tangency`].
     pub fn refine(&self, fold: &Fold<Interval>) -> Result<Fold<Interval>> {
         if let Some(kink) = self.fold_at_kink(fold)? {
             return Ok(kink);
@@ -153,11 +153,11 @@ impl<'a> EnclosedCurve<'a> {
     }
 
     fn undecided(&self, what: &'static str) -> Error {
-        Error::undecided(Quantity::ContactRadius, self.plain.effective_modulus(), what)
+        Error::undecided(Quantity::ContactRadius, self.plain.modulus(), what)
     }
 
     fn precision(&self) -> Precision {
-        self.plain.effective_modulus().ctx()
+        self.plain.modulus().ctx()
     }
 
     /// The tangency ratio minus its critical value: positive where equilibria are stable, zero at a fold. The entire
@@ -165,7 +165,7 @@ impl<'a> EnclosedCurve<'a> {
     fn condition(&self, a: &Interval) -> Result<Interval> {
         match self.plain.tangency(a) {
             Err(Error::Domain { .. }) => Ok(Interval::entire(a.ctx())),
-            ratio => Ok(ratio? - self.plain.threshold_at(a)),
+            ratio => Ok(ratio? - self.plain.critical_ratio_at(a)),
         }
     }
 
@@ -180,7 +180,7 @@ impl<'a> EnclosedCurve<'a> {
                 let unknown = Interval::entire(a.ctx());
                 Ok(Dual { value: unknown.clone(), slope: unknown })
             }
-            ratio => Ok(ratio? - self.moving.threshold_at(&a)),
+            ratio => Ok(ratio? - self.moving.critical_ratio_at(&a)),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use mdr_core::contact::Fold;
 
-use crate::curve::EquilibriumCurve;
+use crate::contact::Contact;
 use crate::folds::Folds;
 
 /// The factor by which the range extends beyond radii that a contact is known to visit.
@@ -12,7 +12,7 @@ const MARGIN: f64 = 4.0;
 /// `f64` (folds, poles and folds whose force is out of range), extended by a factor `reach` on both sides. Around w/E*
 /// if nothing was found, or around half the outer radius if that is smaller. It includes the radii `visited`, by a
 /// factor of four, and the outer radius.
-pub fn range(curve: &EquilibriumCurve<'_, f64>, found: &Folds<f64>, reach: f64, visited: &[f64]) -> (f64, f64) {
+pub fn range(curve: &Contact<f64>, found: &Folds<f64>, reach: f64, visited: &[f64]) -> (f64, f64) {
     let transform = curve.transform();
     let radius = |fold: &Fold<f64>| fold.contact_radius;
     let mut radii: Vec<f64> = found.folds.iter().chain(&found.poles).map(radius).collect();

@@ -11,6 +11,7 @@ use mdr_core::contact::Result;
 use mdr_core::number::Real;
 
 /// A node s and the weight of φ(xs).
+#[derive(Clone)]
 pub(super) struct Node<R> {
     s: R,
     weight: R,
@@ -43,6 +44,7 @@ pub(super) fn sum<R: Real>(nodes: &[Node<R>], zero: R, mut sample: impl FnMut(&R
 const RUNGS: [usize; 8] = [1, 2, 3, 6, 12, 24, 48, 96];
 
 /// Rules of increasing size for one tip exponent, computed when first needed.
+#[derive(Clone)]
 pub(super) struct Ladder<R> {
     p: R,
     /// `None` inside if the rule could not be computed, as for a hundred nodes crowded by p = 1000.

@@ -1,7 +1,7 @@
 //! The transform of a profile by quadrature, with its options.
 
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use mdr_core::calculus::{Estimate, roundoff_tolerance};
 use mdr_core::contact::{Error, Profile, Quantity, Result, Shape, Transform};
@@ -42,6 +42,7 @@ pub enum Rule {
 /// assert!(cone.g(&-1.0).is_err());
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
+#[derive(Clone)]
 pub struct Quadrature<R, P> {
     pub(super) profile: P,
     pub(super) rule: Rule,
@@ -55,7 +56,7 @@ pub struct Quadrature<R, P> {
     /// The most pieces of an integral.
     pub(super) strides: i64,
     /// Heights evaluated so far.
-    heights: AtomicU64,
+    heights: Arc<AtomicU64>,
 }
 
 /// Waves in the narrowest piece; a rule can integrate about forty.
@@ -87,7 +88,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
             ladder,
             fixed: OnceLock::new(),
             strides: PATIENCE / WAVES,
-            heights: AtomicU64::new(0),
+            heights: Arc::default(),
             profile,
         }
     }

@@ -1,8 +1,10 @@
 //! Measured profiles over enclosures: they contain the results with many bits, and the folds of a table are proved.
 
+use std::sync::Arc;
+
 use mdr_core::contact::{Control, Error, FoldKind, Material, Result, Transform};
 use mdr_core::number::{Dual, Interval, Precision, Real};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::folds;
 use mdr_numeric::proof::{EnclosedCurve, ProvedBranches};
 use mdr_numeric::table::{MeasuredProfile, Table};
@@ -94,8 +96,8 @@ fn a_row_is_not_straddled() {
 fn the_folds_of_a_table_are_proved() -> Result<()> {
     let precision = Precision::new(BITS);
     let number = |text: &str| Interval::from_literal(precision, &text.parse().unwrap());
-    let (plain, moving) = (enclosed::<Interval>(), enclosed::<Dual<Interval>>());
-    let rough: MeasuredProfile<f64> = table().profile(())?;
+    let (plain, moving) = (Arc::new(enclosed::<Interval>()), Arc::new(enclosed::<Dual<Interval>>()));
+    let rough: Arc<MeasuredProfile<f64>> = Arc::new(table().profile(())?);
     for (work, control) in [("1e-3", true), ("1e-2", true), ("1e-3", false)] {
         let lift = Dual::constant;
         let material = Material::new(number("1"), number(work))?;
@@ -105,8 +107,8 @@ fn the_folds_of_a_table_are_proved() -> Result<()> {
         } else {
             (Control::Force, Control::Force, Control::Force)
         };
-        let curve = EquilibriumCurve::new(&plain, &material, &held);
-        let moving = EquilibriumCurve::new(&moving, &moving_material, &moving_held);
+        let curve = Contact::half_space(&plain, &material, &held);
+        let moving = Contact::half_space(&moving, &moving_material, &moving_held);
         let [lower, upper] = [1e-3, 1.1].map(|end| Float::with_val(BITS, end));
         let proved = EnclosedCurve::new(curve, moving).folds(&lower, &upper, 1_000_000)?;
         assert!(proved.is_complete(), "{work}: {:?}", proved.undecided);
@@ -125,13 +127,13 @@ fn the_folds_of_a_table_are_proved() -> Result<()> {
 /// The parts that a small budget leaves undecided are given in few digits, rounded outwards.
 #[test]
 fn a_refusal_names_the_undecided_part() -> Result<()> {
-    let (plain, moving) = (enclosed::<Interval>(), enclosed::<Dual<Interval>>());
+    let (plain, moving) = (Arc::new(enclosed::<Interval>()), Arc::new(enclosed::<Dual<Interval>>()));
     let material = Material::new(plain.kinks()[0].lit(1), plain.kinks()[0].lit(1))?;
     let moving_material = Material::new(moving.kinks()[0].lit(1), moving.kinks()[0].lit(1))?;
     let (held, moving_held) = (Control::Indentation, Control::Indentation);
     let curve = || {
-        let moving = EquilibriumCurve::new(&moving, &moving_material, &moving_held);
-        EnclosedCurve::new(EquilibriumCurve::new(&plain, &material, &held), moving)
+        let moving = Contact::half_space(&moving, &moving_material, &moving_held);
+        EnclosedCurve::new(Contact::half_space(&plain, &material, &held), moving)
     };
     let [lower, upper] = [1e-3, 1.1].map(|end| Float::with_val(BITS, end));
     let proved = curve().folds(&lower, &upper, 2)?;

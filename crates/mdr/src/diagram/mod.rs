@@ -4,7 +4,7 @@ mod sampling;
 
 use mdr_core::contact::{self, Control, Fold};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{self, ContactState, EventKind};
 
@@ -157,7 +157,7 @@ impl Diagram {
     /// The diagram of a contact with the events of its path, if it has one, and its equilibria at some values of the controlled
     /// quantity, up to a contact radius or where it is worth a look.
     fn new(
-        branches: &SearchedBranches<'_, f64>,
+        branches: &SearchedBranches<f64>,
         events: &[path::Event<f64>],
         values: &[f64],
         radius: Option<f64>,
@@ -187,7 +187,7 @@ impl Diagram {
             .collect::<contact::Result<_>>()?;
         Ok(Diagram {
             control: curve.control().clone(),
-            effective_modulus: *curve.effective_modulus(),
+            effective_modulus: *curve.modulus(),
             branches: cut(branches, &nodes, &all),
             wall: wall(curve, upper)?,
             folds: folds.into_iter().filter(|fold| fold.indentation.is_finite()).map(at_fold).collect(),
@@ -200,7 +200,7 @@ impl Diagram {
 
 /// The values of the upper panel: of the path's beginning and of the instabilities it passes; else those asked for; else
 /// those of the folds.
-fn shown_values(branches: &SearchedBranches<'_, f64>, path: &[Event], asked: &[f64], most: usize) -> Vec<f64> {
+fn shown_values(branches: &SearchedBranches<f64>, path: &[Event], asked: &[f64], most: usize) -> Vec<f64> {
     let turns = |event: &&Event| match event.kind {
         EventKind::JumpIn | EventKind::Jump | EventKind::Detached | EventKind::CompleteContact => true,
         EventKind::Start => event.in_contact().is_some(),
@@ -224,7 +224,7 @@ fn shown_values(branches: &SearchedBranches<'_, f64>, path: &[Event], asked: &[f
 }
 
 /// The largest radius to show: all that are reached are below, or else the folds.
-fn upper_end(branches: &SearchedBranches<'_, f64>, reached: impl Iterator<Item = f64>) -> f64 {
+fn upper_end(branches: &SearchedBranches<f64>, reached: impl Iterator<Item = f64>) -> f64 {
     const ROOM: f64 = 1.25;
     let curve = branches.curve();
     let largest = reached.fold(0.0, f64::max);
@@ -243,7 +243,7 @@ fn upper_end(branches: &SearchedBranches<'_, f64>, reached: impl Iterator<Item =
 }
 
 /// The smallest radius to show, below all folds.
-fn lower_end(branches: &SearchedBranches<'_, f64>, upper: f64) -> f64 {
+fn lower_end(branches: &SearchedBranches<f64>, upper: f64) -> f64 {
     let folds = branches.folds().iter().map(|fold| fold.contact_radius);
     // A fold at a radius that is too small to be seen on a linear axis makes the axis logarithmic.
     let smallest = folds.filter(|fold| *fold < upper).fold(upper, f64::min);
@@ -254,7 +254,7 @@ fn lower_end(branches: &SearchedBranches<'_, f64>, upper: f64) -> f64 {
 pub const DECADES: f64 = 300.0;
 
 fn held(
-    curve: &EquilibriumCurve<'_, f64>,
+    curve: &Contact<f64>,
     samples: &[Sample],
     value: f64,
     equilibria: Vec<Equilibrium<f64>>,
@@ -267,7 +267,7 @@ fn held(
 }
 
 /// The samples cut at the folds.
-fn cut(branches: &SearchedBranches<'_, f64>, nodes: &[f64], all: &[Sample]) -> Vec<Branch> {
+fn cut(branches: &SearchedBranches<f64>, nodes: &[f64], all: &[Sample]) -> Vec<Branch> {
     let skipped =
         branches.folds().iter().filter(|fold| nodes.first().is_none_or(|first| fold.contact_radius < *first)).count();
     let mut parts: Vec<Branch> = Vec::new();
@@ -286,18 +286,18 @@ fn cut(branches: &SearchedBranches<'_, f64>, nodes: &[f64], all: &[Sample]) -> V
 }
 
 /// Whether a curve without folds is stable.
-fn rising(curve: &EquilibriumCurve<'_, f64>, samples: &[Sample]) -> bool {
+fn rising(curve: &Contact<f64>, samples: &[Sample]) -> bool {
     let middle = samples[samples.len() / 2].contact_radius;
-    matches!((curve.tangency(&middle), curve.threshold(&middle)), (Ok(ratio), Ok(threshold)) if ratio > threshold)
+    matches!((curve.tangency(&middle), curve.critical_ratio(&middle)), (Ok(ratio), Ok(threshold)) if ratio > threshold)
 }
 
 /// The states at a wall: the radius stays and the force is 2E*b times the indentation that is added.
-fn wall(curve: &EquilibriumCurve<'_, f64>, upper: f64) -> contact::Result<Option<[State; 2]>> {
+fn wall(curve: &Contact<f64>, upper: f64) -> contact::Result<Option<[State; 2]>> {
     let Some(radius) = curve.vertical_edge().filter(|radius| *radius <= upper) else { return Ok(None) };
     let (indentation, force) = curve.state(&radius)?;
     let added = 2.0 * curve.detachment_elongation(&radius)? + indentation.abs();
     let first = State { contact_radius: radius, indentation, force };
-    let force = force + 2.0 * curve.effective_modulus() * radius * added;
+    let force = force + 2.0 * curve.modulus() * radius * added;
     Ok(Some([first, State { contact_radius: radius, indentation: indentation + added, force }]))
 }
 
@@ -305,7 +305,7 @@ fn at_fold(fold: &Fold<f64>) -> State {
     State { contact_radius: fold.contact_radius, indentation: fold.indentation, force: fold.force }
 }
 
-fn happening(event: &path::Event<f64>, curve: &EquilibriumCurve<'_, f64>) -> Event {
+fn happening(event: &path::Event<f64>, curve: &Contact<f64>) -> Event {
     let numbers = |state: &ContactState<f64>| match state {
         ContactState::Contact(rest) => {
             Some(State { contact_radius: rest.contact_radius, indentation: rest.indentation, force: rest.force })

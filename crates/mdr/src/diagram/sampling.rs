@@ -1,7 +1,7 @@
 //! The curve of equilibria as a polyline that no reader can tell from the curve.
 
 use mdr_core::contact::Result;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 
 /// A point of the curve of equilibria, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub struct Sample {
 }
 
 impl Sample {
-    fn at(curve: &EquilibriumCurve<'_, f64>, a: f64) -> Result<Self> {
+    fn at(curve: &Contact<f64>, a: f64) -> Result<Self> {
         let (indentation, force) = curve.state(&a)?;
         let (transformed, elongation) = (curve.transform().g(&a)?, curve.detachment_elongation(&a)?);
         Ok(Sample { contact_radius: a, indentation, force, transformed, elongation })
@@ -44,7 +44,7 @@ const DEPTH: u32 = 14;
 ///
 /// # Errors
 /// Those of the transform.
-pub(super) fn samples(curve: &EquilibriumCurve<'_, f64>, lower: f64, upper: f64, nodes: &[f64]) -> Result<Vec<Sample>> {
+pub(super) fn samples(curve: &Contact<f64>, lower: f64, upper: f64, nodes: &[f64]) -> Result<Vec<Sample>> {
     const COARSE: u32 = 64;
     // Equal steps in √a: near the tip everything changes as a root or faster.
     let root = |share: f64| (lower.sqrt() + share * (upper.sqrt() - lower.sqrt())).powi(2);
@@ -64,7 +64,7 @@ pub(super) fn samples(curve: &EquilibriumCurve<'_, f64>, lower: f64, upper: f64,
 }
 
 /// The radius itself, or where the profile is singular its two neighbours.
-fn regular(curve: &EquilibriumCurve<'_, f64>, a: f64) -> Vec<f64> {
+fn regular(curve: &Contact<f64>, a: f64) -> Vec<f64> {
     if curve.state(&a).is_ok() { vec![a] } else { vec![a * (1.0 - BESIDE), a * (1.0 + BESIDE)] }
 }
 
@@ -81,7 +81,7 @@ fn ranges(samples: &[Sample]) -> [f64; 4] {
 
 /// Adds the points after the first of the pair, up to its second.
 fn refine(
-    curve: &EquilibriumCurve<'_, f64>,
+    curve: &Contact<f64>,
     (from, to): (Sample, Sample),
     scales: &[f64; 4],
     depth: u32,

@@ -71,7 +71,7 @@ impl Contact {
 
 /// The state of a branch at a value: an equilibrium on it, or the fold at one of its ends.
 fn on_branch(
-    branches: &SearchedBranches<'_, f64>,
+    branches: &SearchedBranches<f64>,
     branch: usize,
     value: &f64,
 ) -> Result<Option<(Equilibrium<f64>, Status)>> {
@@ -93,7 +93,7 @@ fn on_branch(
 
 /// The first state that is not unstable on the branches in their order.
 fn stable(
-    branches: &SearchedBranches<'_, f64>,
+    branches: &SearchedBranches<f64>,
     order: &[usize],
     value: &f64,
 ) -> Result<Option<(Equilibrium<f64>, Status)>> {
@@ -108,7 +108,7 @@ fn stable(
 }
 
 /// What it means that no state was found.
-fn nothing(branches: &SearchedBranches<'_, f64>) -> Status {
+fn nothing(branches: &SearchedBranches<f64>) -> Status {
     match branches.completeness() {
         SearchQuality::Doubtful => Status::Undecided,
         _ => Status::NoEquilibrium,
@@ -116,7 +116,7 @@ fn nothing(branches: &SearchedBranches<'_, f64>) -> Status {
 }
 
 /// All equilibria by search on each branch.
-fn searched(branches: &SearchedBranches<'_, f64>, values: &[f64]) -> Result<Equilibria> {
+fn searched(branches: &SearchedBranches<f64>, values: &[f64]) -> Result<Equilibria> {
     let (len, control) = (values.len(), branches.control());
     let count = branches.folds().len() + 1;
     let mut stable: Vec<Option<bool>> = (0..count).map(|branch| branches.is_stable(branch)).collect();

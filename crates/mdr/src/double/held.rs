@@ -1,7 +1,6 @@
 //! The balance at the edge of a contact of any radius, in equilibrium or not, and the stability of equilibria.
 
-use mdr_core::contact::{Control, Error, Quantity, Result, Stability, Transform};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_core::contact::{Control, Error, Quantity, Result, Stability};
 
 use super::{Contact, within};
 use crate::run::Stop;
@@ -27,14 +26,13 @@ impl Contact {
     pub fn balance(&self, control: &Control<f64>, value: f64, radii: &[f64], stop: &Stop) -> Result<Balance> {
         control.check()?;
         control.check_value(&value)?;
-        let transform = self.counted(stop);
-        let curve = EquilibriumCurve::new(&transform, &self.material, control);
+        let curve = self.counted(control, stop);
         let mut balance = Balance::default();
         for a in radii {
             let sides = Error::require_positive(Quantity::ContactRadius, *a).and_then(|a| {
                 let elongation = curve.detachment_elongation(&a)?;
                 let excess = curve.direction(&a, &value)? + elongation;
-                Ok([excess, elongation, transform.g(&a)? - excess])
+                Ok([excess, elongation, curve.transform().g(&a)? - excess])
             });
             let [excess, elongation, indentation] = match sides {
                 Err(Error::Domain { .. }) => [f64::NAN; 3],
@@ -54,11 +52,10 @@ impl Contact {
     /// A stiffness that is not positive; as [`Contact::transform`].
     pub fn stability(&self, control: &Control<f64>, radii: &[f64], stop: &Stop) -> Result<Vec<Option<Stability>>> {
         control.check()?;
-        let transform = self.counted(stop);
-        let curve = EquilibriumCurve::new(&transform, &self.material, control);
+        let curve = self.counted(control, stop);
         let at = |a: &f64| {
             let positive = Error::require_positive(Quantity::ContactRadius, *a);
-            let margin = within(positive.and_then(|a| Ok(curve.tangency(&a)? - curve.threshold(&a)?)))?;
+            let margin = within(positive.and_then(|a| Ok(curve.tangency(&a)? - curve.critical_ratio(&a)?)))?;
             Ok(margin.partial_cmp(&0.0).map(|order| match order {
                 std::cmp::Ordering::Greater => Stability::Stable,
                 std::cmp::Ordering::Equal => Stability::Neutral,

@@ -161,7 +161,7 @@ fn events(path: &Path<f64>, losses: &[Result<Dissipation<f64>>], control: &Contr
 }
 
 /// The states of the events, and between two of them states at equal steps of the radius.
-fn curve(branches: &SearchedBranches<'_, f64>, events: &[Event], between: usize) -> Result<Vec<State>> {
+fn curve(branches: &SearchedBranches<f64>, events: &[Event], between: usize) -> Result<Vec<State>> {
     let mut states: Vec<State> = Vec::new();
     let mut last: Option<State> = None;
     for event in events {

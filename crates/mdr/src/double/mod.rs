@@ -16,7 +16,7 @@ use mdr_core::contact::{
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::folds::{self, Folds};
@@ -83,7 +83,8 @@ pub enum Choice {
 /// # Ok::<(), mdr::Error>(())
 /// ```
 pub struct Contact {
-    transform: Arc<dyn Transform<f64>>,
+    /// Its control is not used.
+    contact: contact::Contact<f64>,
     profile: Profile,
     material: Material<f64>,
     /// n and C of a power law.
@@ -99,7 +100,7 @@ struct Known {
     control: Control<f64>,
     folds: Folds<f64>,
     /// Once it has been needed.
-    admissibility: OnceLock<Arc<Admissibility<'static>>>,
+    admissibility: OnceLock<Arc<Admissibility>>,
 }
 
 impl Contact {
@@ -110,10 +111,13 @@ impl Contact {
     pub fn new(scene: &Scene) -> crate::Result<Self> {
         scene.places.require_doubles("ask for certified digits")?;
         let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(Literal::nearest_f64);
+        let transform = Arc::from(solve::transform_in_doubles(&scene.profile)?);
+        let material = Material::new(modulus, work)?;
+        let (medium, adhesion) = ((&material).into(), (&material).into());
         Ok(Contact {
-            transform: Arc::from(solve::transform_in_doubles(&scene.profile)?),
+            contact: contact::Contact::sharing(transform, medium, adhesion, Control::Indentation),
             profile: scene.profile.clone(),
-            material: Material::new(modulus, work)?,
+            material,
             law: scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius),
             inverses: Default::default(),
             known: Mutex::default(),
@@ -125,9 +129,9 @@ impl Contact {
     /// # Errors
     /// A quadrature that does not converge; [`Error::Stopped`].
     pub fn transform(&self, radii: &[f64], stop: &Stop) -> Result<[Vec<f64>; 3]> {
-        let transform = self.counted(stop);
+        let counted = self.counted(&Control::Indentation, stop);
         let at = |part: fn(&dyn Transform<f64>, &f64) -> Result<f64>| {
-            radii.iter().map(|x| within(part(&transform, x))).collect::<Result<Vec<_>>>()
+            radii.iter().map(|x| within(part(counted.transform(), x))).collect::<Result<Vec<_>>>()
         };
         Ok([at(|t, x| t.g(x))?, at(|t, x| t.slope(x))?, at(|t, x| t.integral(x))?])
     }
@@ -137,8 +141,7 @@ impl Contact {
     /// # Errors
     /// As [`Contact::transform`].
     pub fn curve(&self, radii: &[f64], stop: &Stop) -> Result<States> {
-        let transform = self.counted(stop);
-        let curve = EquilibriumCurve::new(&transform, &self.material, &Control::Indentation);
+        let curve = self.counted(&Control::Indentation, stop);
         let mut states = States::with_capacity(radii.len());
         for a in radii {
             let positive = Error::require_positive(Quantity::ContactRadius, *a);
@@ -157,8 +160,7 @@ impl Contact {
     /// A contact radius that is not positive, or outside of the profile; as [`Contact::transform`].
     pub fn field(&self, field: Field, contact_radius: f64, radii: &[f64], stop: &Stop) -> Result<Vec<f64>> {
         let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
-        let transform = self.counted(stop);
-        let curve = EquilibriumCurve::new(&transform, &self.material, &Control::Indentation);
+        let curve = self.counted(&Control::Indentation, stop);
         let fields = Fields::new(curve, contact_radius)?;
         let at = |r: &f64| match field {
             Field::Pressure => fields.pressure(r),
@@ -178,8 +180,10 @@ impl Contact {
         })
     }
 
-    fn counted(&self, stop: &Stop) -> CountingTransform<f64> {
-        CountingTransform::sharing(Arc::clone(&self.transform), &stop.tally())
+    /// The contact under a control, with its evaluations counted.
+    fn counted(&self, control: &Control<f64>, stop: &Stop) -> contact::Contact<f64> {
+        let counted = CountingTransform::sharing(Arc::clone(self.contact.shared_transform()), &stop.tally());
+        self.contact.with_transform(Arc::new(counted)).with_control(control.clone())
     }
 
     /// What `ask` finds on the branches under a control; with the admissibility of their states where that matters.
@@ -188,11 +192,10 @@ impl Contact {
         control: &Control<f64>,
         stop: &Stop,
         judged: bool,
-        ask: impl FnOnce(&SearchedBranches<'_, f64>) -> Result<T>,
+        ask: impl FnOnce(&SearchedBranches<f64>) -> Result<T>,
     ) -> Result<T> {
         control.check()?;
-        let transform = self.counted(stop);
-        let curve = EquilibriumCurve::new(&transform, &self.material, control);
+        let curve = self.counted(control, stop);
         let last = self.last_known().clone().filter(|last| last.control == *control);
         let known = match last {
             Some(known) => known,
@@ -212,7 +215,7 @@ impl Contact {
         let search = || {
             let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
             let length = branches.curve().material_length();
-            Arc::new(solve::admissibility(&self.profile, Arc::clone(&self.transform), length, &radii))
+            Arc::new(solve::admissibility(&self.profile, Arc::clone(self.contact.shared_transform()), length, &radii))
         };
         let admissibility = Arc::clone(known.admissibility.get_or_init(search));
         ask(&branches.with_admissibility(admissibility))

@@ -1,7 +1,6 @@
 //! The stable arcs of an observed curve between the folds of X.
 
 use mdr_core::contact::{Control, FoldKind, Material, Result};
-use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::folds;
 
 use super::contact::{Contact, Point};
@@ -53,7 +52,7 @@ pub(super) fn turns(contact: &Contact<'_, f64>) -> Result<Vec<Turn>> {
         (_, Some(stiffness)) => Control::Machine { stiffness },
         (_, None) => Control::Indentation,
     };
-    let found = folds::find(&EquilibriumCurve::new(&*contact.tip.transform, &material, &control))?;
+    let found = folds::find(&contact.tip.on(&material, control))?;
     let turn = |is_fold: bool| {
         move |fold: &mdr_core::contact::Fold<f64>| Turn { s: fold.contact_radius, kind: fold.kind, is_fold }
     };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Result, Transform};
+use mdr_core::contact::{Control, Material, Result, Transform};
 use mdr_core::number::{Dual, Literal, Real};
 
 use super::observation::Observation;
@@ -91,7 +91,13 @@ impl<R: Struve + Kappa> Tip<R> {
         Ok(Tip { transform: Arc::from(transform), curvature: dual(None)?, seeded })
     }
 
-    /// The same with the logarithm of a number of the profile seeded.
+    /// The tip on a half-space, under a control.
+    pub(super) fn on(&self, material: &Material<R>, control: Control<R>) -> mdr_numeric::contact::Contact<R> {
+        let (medium, adhesion) = (material.into(), material.into());
+        mdr_numeric::contact::Contact::sharing(Arc::clone(&self.transform), medium, adhesion, control)
+    }
+
+    /// The transform with the logarithm of a number of the profile seeded.
     fn seeded(&self, kind: Kind) -> Option<&DualTransform<R>> {
         let Kind::Profile(index) = kind else { return None };
         self.seeded.iter().find(|(seed, _)| *seed == index).map(|(_, dual)| dual)

@@ -1,7 +1,7 @@
 //! Values to begin from: by the two-point method, or by a search.
 
 use mdr_core::contact::{Control, Flank, Fold, Material, Shape};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::folds;
 use nalgebra::{DMatrix, DVector};
 
@@ -251,7 +251,7 @@ fn with_length(
         Anchor::SmallestForce => (Control::Force, record.lowest()),
         Anchor::PullOff => (Control::Indentation, record.last?),
     };
-    let curve = EquilibriumCurve::new(&*tip.transform, &material, &control);
+    let curve = tip.on(&material, control);
     let folds = folds::find(&curve).ok()?;
     let held = |fold: &Fold<f64>| if anchor == Anchor::PullOff { fold.indentation } else { fold.force };
     let lowest = folds.folds.iter().min_by(|one, other| held(one).total_cmp(&held(other)))?;
@@ -293,7 +293,7 @@ fn with_length(
 }
 
 /// The first radius from `radius` outward at which the contact is this deep, to a hundredth.
-fn radius_at(curve: &EquilibriumCurve<'_, f64>, mut radius: f64, depth: f64) -> Option<f64> {
+fn radius_at(curve: &Contact<f64>, mut radius: f64, depth: f64) -> Option<f64> {
     for _ in 0..2000 {
         if curve.indentation(&radius).ok()? >= depth {
             return Some(radius);

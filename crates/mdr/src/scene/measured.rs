@@ -40,6 +40,34 @@ impl Measured {
         measured.checked(refuse)
     }
 
+    /// From radii and heights in metres, with f = 0 at r = 0.
+    ///
+    /// ```
+    /// use mdr::prelude::*;
+    /// let tip = Measured::from_rows(&[0.0, 1e-8, 2e-8, 3e-8], &[0.0, 5e-9, 2e-8, 4.5e-8])?;
+    /// let scene = Scene::new(Profile::Table(tip), Elasticity::effective("1e9")?, "0.05")?;
+    /// assert!(Measured::from_rows(&[0.0, 1e-8], &[0.0]).is_err());
+    /// # Ok::<(), mdr::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Slices of different lengths; a number that is not finite, with its index; as [`Measured::from_csv`], where a line is
+    /// the index of a row plus one.
+    pub fn from_rows(radii: &[f64], heights: &[f64]) -> Result<Measured> {
+        let refuse = |why: String| Err(Location::built("profile.file").refuse(why));
+        if radii.len() != heights.len() {
+            return refuse(format!("as many heights as radii are needed, got {} and {}", heights.len(), radii.len()));
+        }
+        let mut csv = String::with_capacity(40 * radii.len());
+        for (index, (radius, height)) in radii.iter().zip(heights).enumerate() {
+            if !(radius.is_finite() && height.is_finite()) {
+                return refuse(format!("row {index} must be finite, got {radius}, {height}"));
+            }
+            csv.push_str(&format!("{radius:e},{height:e}\n"));
+        }
+        Measured::from_csv(&csv)
+    }
+
     fn as_given(raw: Table, file: Table) -> Self {
         Measured { table: raw.clone(), raw, file, smoothing: None }
     }

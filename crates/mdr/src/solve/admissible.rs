@@ -20,7 +20,7 @@ pub(crate) fn admissibility(
     transform: Arc<dyn Transform<f64>>,
     length: f64,
     folds: &[f64],
-) -> Admissibility<'static> {
+) -> Admissibility {
     let range = search_range(length, folds);
     if !profile.has_formula() {
         return Admissibility::new(transform, range);

@@ -35,7 +35,7 @@ pub(crate) struct Certified<'s> {
     counts: &'s Counts,
     search: OnceCell<Search<'s>>,
     folds: OnceCell<Option<FoldProof>>,
-    admissibility: OnceCell<Arc<Admissibility<'static>>>,
+    admissibility: OnceCell<Arc<Admissibility>>,
 }
 
 /// The states at values, in the arithmetic of an estimate.
@@ -51,7 +51,7 @@ impl<'s> Certified<'s> {
     ///
     /// # Errors
     /// As [`Model::new`], and as [`Certified::search`].
-    pub(super) fn admissibility(&self) -> Result<Arc<Admissibility<'static>>> {
+    pub(super) fn admissibility(&self) -> Result<Arc<Admissibility>> {
         let found = once(&self.admissibility, || {
             let rises = self.model::<Float>(start(self.digits))?.transform().rises();
             Ok(if rises { Arc::new(Admissibility::of_rising()) } else { self.search()?.admissibility() })

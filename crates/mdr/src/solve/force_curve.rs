@@ -45,7 +45,7 @@ impl States<'_, f64> {
                     _ if index == count => to.before.clone(),
                     _ => between(branches, &from.after, &to.before, value)?,
                 };
-                samples.extend(sample(&model.control, segment, step, value, &state));
+                samples.extend(sample(model.control(), segment, step, value, &state));
             }
         }
         let summary = summary(model, &path, branches, &samples)?;
@@ -55,7 +55,7 @@ impl States<'_, f64> {
 
 /// The state at a value between those of two events, on the branch on which both are.
 fn between(
-    branches: &SearchedBranches<'_, f64>,
+    branches: &SearchedBranches<f64>,
     from: &ContactState<f64>,
     to: &ContactState<f64>,
     value: f64,

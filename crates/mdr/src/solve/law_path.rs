@@ -302,7 +302,7 @@ impl EquilibriumBranches<Interval> for Branches<'_> {
         Ok(End::Open)
     }
 
-    fn admissibility(&self) -> &Admissibility<'_> {
+    fn admissibility(&self) -> &Admissibility {
         Admissibility::rising()
     }
 

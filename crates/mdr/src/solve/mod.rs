@@ -122,7 +122,7 @@ fn once<T>(cell: &OnceCell<T>, compute: impl FnOnce() -> contact::Result<T>) -> 
 pub(crate) fn drawn<T>(
     scene: &Scene,
     octaves: i64,
-    draw: impl FnOnce(&Model<f64>, &SearchedBranches<'_, f64>) -> contact::Result<T>,
+    draw: impl FnOnce(&Model<f64>, &SearchedBranches<f64>) -> contact::Result<T>,
 ) -> Result<T> {
     let counts = Stop::default().counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
@@ -203,7 +203,7 @@ impl<'s> Solver<'s> {
     }
 
     /// Which states are admissible; none where that cannot be had.
-    fn admissibility(&self) -> Option<Arc<Admissibility<'static>>> {
+    fn admissibility(&self) -> Option<Arc<Admissibility>> {
         match &self.route {
             Route::Search(search) => Some(search.admissibility()),
             #[cfg(feature = "mp")]

@@ -9,7 +9,7 @@ use mdr_core::contact::{Control, CountingTransform, Error, Material, Quantity, R
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Dual, Interval};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 
 use crate::run::Counts;
@@ -60,9 +60,7 @@ impl SceneReal for Dual<Interval> {
 /// Profile, material and control in one arithmetic.
 pub(crate) struct Model<R: SceneReal> {
     ctx: R::Ctx,
-    pub(crate) transform: Arc<dyn Transform<R>>,
-    pub(crate) material: Material<R>,
-    pub(crate) control: Control<R>,
+    contact: Contact<R>,
 }
 
 impl<R: SceneReal> Model<R> {
@@ -80,7 +78,7 @@ impl<R: SceneReal> Model<R> {
         let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
         let transform = transform(&scene.profile, ctx, number, R::accepted(scene, ctx).as_ref())?;
         let transform = Arc::new(CountingTransform::new(transform, &counts[R::INDEX]));
-        Ok(Model { ctx, transform, material, control })
+        Ok(Model { ctx, contact: Contact::sharing(transform, (&material).into(), (&material).into(), control) })
     }
 
     pub(crate) fn number(&self, literal: &Literal) -> R {
@@ -94,11 +92,15 @@ impl<R: SceneReal> Model<R> {
     }
 
     pub(crate) fn transform(&self) -> &dyn Transform<R> {
-        &*self.transform
+        self.contact.transform()
     }
 
-    pub(crate) fn curve(&self) -> EquilibriumCurve<'_, R> {
-        EquilibriumCurve::new(&*self.transform, &self.material, &self.control)
+    pub(crate) fn control(&self) -> &Control<R> {
+        self.contact.control()
+    }
+
+    pub(crate) fn contact(&self) -> Contact<R> {
+        self.contact.clone()
     }
 }
 

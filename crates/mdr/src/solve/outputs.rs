@@ -34,16 +34,16 @@ pub(crate) fn transform<R: SceneReal>(model: &Model<R>, radii: &[Literal]) -> Re
 pub(crate) fn curve<R: SceneReal>(
     model: &Model<R>,
     radii: &[Literal],
-    admissibility: &Admissibility<'_>,
+    admissibility: &Admissibility,
 ) -> Result<Vec<CurvePoint<R>>> {
-    let curve = model.curve();
+    let curve = model.contact();
     let at = |literal: &Literal| {
         let a = model.number(literal);
         let (indentation, force) = match curve.state(&a) {
             Ok((indentation, force)) => (Ok(indentation), Ok(force)),
             Err(error) => (curve.indentation(&a), Err(error)),
         };
-        let stability = curve.tangency(&a).and_then(|ratio| Ok(ratio.partial_cmp(&curve.threshold(&a)?)));
+        let stability = curve.tangency(&a).and_then(|ratio| Ok(ratio.partial_cmp(&curve.critical_ratio(&a)?)));
         let stability = match stability {
             Ok(Some(Ordering::Greater)) => Value::Known(Stability::Stable),
             Ok(Some(Ordering::Less)) => Value::Known(Stability::Unstable),
@@ -67,16 +67,13 @@ pub(crate) fn curve<R: SceneReal>(
 }
 
 /// A fold, and whether it is admissible.
-pub(crate) fn fold<R: Real>(fold: contact::Fold<R>, admissibility: &Admissibility<'_>) -> Fold<R> {
+pub(crate) fn fold<R: Real>(fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
     let verdict = admissibility.of(fold.contact_radius.approx(), fold.indentation.approx());
     Fold::new(fold, verdict)
 }
 
 /// An equilibrium, and whether it is admissible.
-pub(crate) fn equilibrium<R: Real>(
-    state: contact::Equilibrium<R>,
-    admissibility: &Admissibility<'_>,
-) -> Equilibrium<R> {
+pub(crate) fn equilibrium<R: Real>(state: contact::Equilibrium<R>, admissibility: &Admissibility) -> Equilibrium<R> {
     let verdict = admissibility.of(state.contact_radius.approx(), state.indentation.approx());
     Equilibrium::new(state, verdict)
 }

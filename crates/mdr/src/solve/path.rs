@@ -34,13 +34,13 @@ pub(crate) fn follow<R: SceneReal>(
 pub(crate) fn events<R: SceneReal>(
     control: &Control<R>,
     path: &Path<R>,
-    admissibility: &Admissibility<'_>,
+    admissibility: &Admissibility,
 ) -> Vec<PathEvent<R>> {
     path.events.iter().map(|event| of_event(control, event, admission(event, admissibility))).collect()
 }
 
 /// Whether the states of an event are admissible: all are up to the one that ends the path for that.
-fn admission<R: SceneReal>(event: &Event<R>, admissibility: &Admissibility<'_>) -> Admission<R> {
+fn admission<R: SceneReal>(event: &Event<R>, admissibility: &Admissibility) -> Admission<R> {
     if event.kind == EventKind::Undecided {
         return Admission::Unknown { why: open_reason(event) };
     }
@@ -148,7 +148,7 @@ fn not_found<R: SceneReal>(control: &Control<R>, value: &R, why: &'static str) -
 pub(crate) fn with_energy<R: SceneReal>(
     path: &Path<R>,
     way: &[Literal],
-    branches: &SearchedBranches<'_, R>,
+    branches: &SearchedBranches<R>,
 ) -> Result<PathNumbers<Estimate<R>>> {
     let losses = path.events.iter().zip(path::Dissipation::of_each(path, branches));
     let losses = losses.map(|(event, loss)| dissipated(event, loss)).collect::<Result<Vec<_>>>()?;
@@ -193,7 +193,7 @@ fn unknown<N>(error: Error) -> Result<Value<N>> {
 fn balance<R: SceneReal>(
     path: &Path<R>,
     way: &[Literal],
-    branches: &SearchedBranches<'_, R>,
+    branches: &SearchedBranches<R>,
     losses: &[Option<Dissipation<Estimate<R>>>],
 ) -> Result<Option<Balance<Estimate<R>>>> {
     let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);

@@ -40,8 +40,8 @@ impl Enclosed {
         Ok(Enclosed { value: certified.model(precision)?, dual: certified.model(precision)? })
     }
 
-    fn curve(&self) -> EnclosedCurve<'_> {
-        EnclosedCurve::new(self.value.curve(), self.dual.curve())
+    fn curve(&self) -> EnclosedCurve {
+        EnclosedCurve::new(self.value.contact(), self.dual.contact())
     }
 }
 
@@ -76,7 +76,7 @@ impl FoldProof {
         let budget = if certified.scene.profile.is_closed() { BUDGET } else { BUDGET_OF_ROWS };
         let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget)?;
         let [from, to] = range;
-        let to = match enclosed.value.curve().vertical_edge() {
+        let to = match enclosed.value.contact().vertical_edge() {
             Some(wall) if *wall.lower() < *upper.upper() => Number::Double(wall.approx()).to_string(),
             _ if proved.range.1 < *upper.lower() => proved.range.1.to_string_radix_round(10, Some(10), Round::Down),
             _ => to.to_string(),
@@ -207,7 +207,7 @@ impl Followed {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
         let branches = branches.with_admissibility(certified.admissibility()?);
-        let control = &enclosed.value.control;
+        let control = enclosed.value.control();
         let unproved = || {
             let (from, to) = ("0".to_owned(), "infinity".to_owned());
             Error::Unproved { quantity: control.quantity(), from, to, remedy: "name a wider range of radii" }
@@ -243,7 +243,7 @@ impl Followed {
             let (poles, out_of_range) = (Vec::new(), Vec::new());
             let folds = Folds { folds, poles, out_of_range, completeness: SearchQuality::Resolved };
             let branches =
-                SearchedBranches::cut_at(model.curve(), folds).with_admissibility(certified.admissibility()?);
+                SearchedBranches::cut_at(model.contact(), folds).with_admissibility(certified.admissibility()?);
             path::with_energy(&self.path.map(rounded), &certified.scene.path, &branches)
         })
     }

@@ -2,7 +2,7 @@
 
 use mdr_core::calculus::roots::{self, Bracket};
 use mdr_core::contact::{Error, Fold, Quantity, Result};
-use mdr_numeric::curve::EquilibriumCurve;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::{Folds, pole};
 
 use super::model::{Model, SceneReal};
@@ -12,7 +12,7 @@ use super::model::{Model, SceneReal};
 /// # Errors
 /// Those of the transform; [`Error::NoConvergence`] when a fold is not found again.
 pub(crate) fn refined<R: SceneReal>(model: &Model<R>, searched: &Folds<f64>) -> Result<Folds<R>> {
-    let curve = model.curve();
+    let curve = model.contact();
     let folds = searched.folds.iter().map(|fold| refine(model, &curve, fold)).collect::<Result<_>>()?;
     let kinks = model.transform().kinks();
     let at = |radius: f64| kinks.iter().find(|kink| kink.approx() == radius).cloned();
@@ -20,13 +20,13 @@ pub(crate) fn refined<R: SceneReal>(model: &Model<R>, searched: &Folds<f64>) -> 
     Ok(Folds { folds, poles, out_of_range: Vec::new(), completeness: searched.completeness })
 }
 
-fn refine<R: SceneReal>(model: &Model<R>, curve: &EquilibriumCurve<'_, R>, searched: &Fold<f64>) -> Result<Fold<R>> {
+fn refine<R: SceneReal>(model: &Model<R>, curve: &Contact<R>, searched: &Fold<f64>) -> Result<Fold<R>> {
     let centre = model.double(searched.contact_radius);
     if let Some(wall) = curve.vertical_edge().filter(|wall| wall.approx() == searched.contact_radius) {
         let (indentation, force) = curve.state(&wall)?;
         return Ok(Fold { contact_radius: wall, indentation, force, kind: searched.kind });
     }
-    let excess = |a: &R| Ok(curve.tangency(a)? - curve.threshold(a)?);
+    let excess = |a: &R| Ok(curve.tangency(a)? - curve.critical_ratio(a)?);
     for halvings in [44, 36, 28, 20, 12] {
         let margin = centre.lit(2).powi(-halvings) * &centre;
         let (lower, mut upper) = (centre.clone() - &margin, centre.clone() + &margin);

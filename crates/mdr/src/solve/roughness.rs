@@ -1,5 +1,7 @@
 //! What the roughness of measured rows does to the answer, and what smoothing does about it.
 
+use std::sync::Arc;
+
 use mdr_core::contact::{Control, Material};
 use mdr_numeric::folds;
 use mdr_numeric::table::{Scatter, Table};
@@ -43,11 +45,11 @@ fn warning(scene: &Scene, search: &Search<'_>, measured: &Measured) -> Option<St
     if scatter.of_rows().iter().all(|sigma| *sigma == 0.0) {
         return None;
     }
-    let curve = search.model.curve();
+    let curve = search.model.contact();
     let radii: Vec<f64> = search.folds().ok()?.iter().map(|fold| fold.contact_radius).collect();
     // What the scatter does to the tangency ratio g'/Δl' = 2a g'/Δl.
     let of_ratio = |a: f64| Some(scatter.of_slope(a) * 2.0 * a / curve.detachment_elongation(&a).ok()?);
-    let excess = |a: f64| Some(curve.tangency(&a).ok()? - curve.threshold(&a).ok()?);
+    let excess = |a: f64| Some(curve.tangency(&a).ok()? - curve.critical_ratio(&a).ok()?);
     let is_scatter = |pair: &[f64]| {
         let inner = [0.25, 0.5, 0.75].map(|t| excess(pair[0] + t * (pair[1] - pair[0])));
         let largest = inner.into_iter().flatten().map(f64::abs).fold(0.0, f64::max);
@@ -56,7 +58,7 @@ fn warning(scene: &Scene, search: &Search<'_>, measured: &Measured) -> Option<St
     let pairs: Vec<bool> = radii.windows(2).map(is_scatter).collect();
     let from_scatter = |fold: usize| pairs.get(fold) == Some(&true) || fold > 0 && pairs[fold - 1];
     let count = (0..radii.len()).filter(|fold| from_scatter(*fold)).count();
-    let is_shifted = |a: f64| Some(of_ratio(a)? > SHARE * curve.threshold(&a).ok()?);
+    let is_shifted = |a: f64| Some(of_ratio(a)? > SHARE * curve.critical_ratio(&a).ok()?);
     let affected: Vec<f64> = radii
         .iter()
         .enumerate()
@@ -122,7 +124,7 @@ struct Tension {
 fn tension(scene: &Scene, length: Option<f64>, profile: &Profile) -> Option<Tension> {
     let transform = model::transform_in_doubles(profile).ok()?;
     let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(|literal| literal.nearest_f64());
-    let folds = folds::folds(&*transform, &Material::new(modulus, work).ok()?, &Control::Force).ok()?;
+    let folds = folds::folds(&Arc::new(transform), &Material::new(modulus, work).ok()?, &Control::Force).ok()?;
     let force = folds.iter().map(|fold| fold.force).min_by(f64::total_cmp)?;
     Some(Tension { length, force, folds: folds.len() })
 }

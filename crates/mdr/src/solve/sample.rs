@@ -33,7 +33,7 @@ pub(crate) fn decimal(value: f64, digits: usize) -> Result<Literal> {
 /// # Errors
 /// When w/E* or a fold is out of the range of f64.
 pub(crate) fn radii(model: &Model<f64>, folds: &Folds<f64>) -> Result<Vec<Literal>> {
-    let (length, outer) = (model.curve().material_length(), model.transform().outer_radius());
+    let (length, outer) = (model.contact().material_length(), model.transform().outer_radius());
     // Around w/E* where there is no fold.
     let middle = outer.map_or(length, |outer| length.min(outer / 2.0));
     let at = |fold: Option<&Fold<f64>>| fold.map_or(middle, |fold| fold.contact_radius);
@@ -50,7 +50,7 @@ pub(crate) fn radii(model: &Model<f64>, folds: &Folds<f64>) -> Result<Vec<Litera
 /// # Errors
 /// As [`radii`].
 pub(crate) fn range(model: &Model<f64>, folds: &Folds<f64>, visited: &[f64]) -> Result<[Literal; 2]> {
-    let (lower, upper) = proof::range(&model.curve(), folds, REACH, visited);
+    let (lower, upper) = proof::range(&model.contact(), folds, REACH, visited);
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);
     Ok([power(lower)?, power(upper)?])
 }

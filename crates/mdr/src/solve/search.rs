@@ -22,7 +22,7 @@ pub(crate) struct Search<'s> {
     scene: &'s Scene,
     pub(crate) model: Model<f64>,
     folds: OnceCell<Folds<f64>>,
-    admissibility: OnceCell<Arc<Admissibility<'static>>>,
+    admissibility: OnceCell<Arc<Admissibility>>,
     /// Whether a fold is of use without its force, which is out of range.
     radii_suffice: bool,
 }
@@ -48,14 +48,14 @@ impl<'s> Search<'s> {
     }
 
     /// Which states are admissible: searched when something needs it, and once, around the folds that are known.
-    pub(crate) fn admissibility(&self) -> Arc<Admissibility<'static>> {
+    pub(crate) fn admissibility(&self) -> Arc<Admissibility> {
         let search = || {
             let rises = self.model.transform().rises();
             let folds = self.folds().ok().filter(|_| !rises);
             let radii: Vec<f64> =
                 folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
-            let length = self.model.curve().material_length();
-            let transform = Arc::clone(&self.model.transform);
+            let length = self.model.contact().material_length();
+            let transform = Arc::clone(self.model.contact().shared_transform());
             Arc::new(admissible::admissibility(&self.scene.profile, transform, length, &radii))
         };
         Arc::clone(self.admissibility.get_or_init(search))
@@ -65,7 +65,7 @@ impl<'s> Search<'s> {
     /// As [`folds::find`].
     pub(crate) fn folds(&self) -> Result<&Folds<f64>> {
         once(&self.folds, || {
-            let curve = self.model.curve();
+            let curve = self.model.contact();
             let mut found = folds::find(&curve)?;
             for OutOfRangeFold { contact_radius, kind, error } in std::mem::take(&mut found.out_of_range) {
                 if !self.radii_suffice {

@@ -32,11 +32,11 @@ const REACH: i64 = 1000;
 /// A contact and its folds.
 pub(crate) struct States<'a, R: SceneReal> {
     pub(super) model: &'a Model<R>,
-    pub(super) branches: SearchedBranches<'a, R>,
+    pub(super) branches: SearchedBranches<R>,
 }
 
 impl<'a, R: SceneReal> States<'a, R> {
-    pub(crate) fn new(model: &'a Model<R>, folds: Folds<R>, admissibility: Arc<Admissibility<'static>>) -> Self {
+    pub(crate) fn new(model: &'a Model<R>, folds: Folds<R>, admissibility: Arc<Admissibility>) -> Self {
         States { model, branches: branches(model, folds, REACH).with_admissibility(admissibility) }
     }
 
@@ -55,7 +55,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     fn with_value(&self, state: contact::Equilibrium<R>, value: &R) -> contact::Equilibrium<R> {
         match state.stability {
             Stability::Neutral => state,
-            _ => state.controlled(&self.model.control, value.clone()),
+            _ => state.controlled(self.model.control(), value.clone()),
         }
     }
 
@@ -149,7 +149,7 @@ impl<'a, R: SceneReal> States<'a, R> {
         radii: &[Literal],
     ) -> Result<Vec<AtValue<FieldState<Estimate<R>>>>> {
         self.described(scene, values, |state| {
-            let fields = Fields::of(self.model.curve(), &state)?;
+            let fields = Fields::of(self.model.contact(), &state)?;
             let samples = self.samples(field, &fields, radii, &state.contact_radius)?;
             let admissible = self.admission(field, &fields, &state)?;
             Ok(FieldState {
@@ -167,8 +167,8 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// As [`States::equilibria`].
     pub(crate) fn energies(&self, scene: &Scene, values: &[Literal]) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
         self.described(scene, values, |state| {
-            let fields = Fields::of(self.model.curve(), &state)?;
-            let energy = Energy::new(self.model.transform(), &self.model.material)?;
+            let fields = Fields::of(self.model.contact(), &state)?;
+            let energy = Energy::new(self.model.contact())?;
             let potential = energy.potential(&state.contact_radius, &state.indentation);
             let admissible = Admission::of(self.verdict(&state));
             let energy = Value::from_result(potential)?;
@@ -180,7 +180,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     fn samples(
         &self,
         field: Field,
-        fields: &Fields<'_, R>,
+        fields: &Fields<R>,
         radii: &[Literal],
         a: &R,
     ) -> Result<Vec<FieldSample<Estimate<R>>>> {
@@ -205,7 +205,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     fn admission(
         &self,
         field: Field,
-        fields: &Fields<'_, R>,
+        fields: &Fields<R>,
         state: &contact::Equilibrium<R>,
     ) -> Result<Admission<Estimate<R>>> {
         let verdict = self.verdict(state);
@@ -231,10 +231,10 @@ fn estimate<R: SceneReal>(estimate: Result<Estimate<R>>, settled: impl FnOnce() 
 }
 
 /// The branches between radii that many octaves below the folds and above; around w/E* where there is no fold.
-pub(crate) fn branches<R: SceneReal>(model: &Model<R>, folds: Folds<R>, octaves: i64) -> SearchedBranches<'_, R> {
-    let length = model.curve().material_length();
+pub(crate) fn branches<R: SceneReal>(model: &Model<R>, folds: Folds<R>, octaves: i64) -> SearchedBranches<R> {
+    let length = model.contact().material_length();
     let first = folds.folds.first().map_or(&length, |fold| &fold.contact_radius);
     let last = folds.folds.last().map_or(&length, |fold| &fold.contact_radius);
     let [lower, upper] = [length.lit(2).powi(-octaves) * first, length.lit(2).powi(octaves) * last];
-    SearchedBranches::cut_at(model.curve(), folds).within(lower, upper)
+    SearchedBranches::cut_at(model.contact(), folds).within(lower, upper)
 }

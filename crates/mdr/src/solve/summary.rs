@@ -2,7 +2,6 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Error, FoldKind, Result, Status};
-use mdr_numeric::curve::EquilibriumCurve;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{self, SearchQuality};
 use mdr_numeric::path::{Dissipation, Event, EventKind, Path};
@@ -18,7 +17,7 @@ use crate::answer::{CurveSummary, ForceSample, Number, Value};
 pub(super) fn summary(
     model: &Model<f64>,
     path: &Path<f64>,
-    branches: &SearchedBranches<'_, f64>,
+    branches: &SearchedBranches<f64>,
     samples: &[ForceSample],
 ) -> Result<CurveSummary> {
     Ok(CurveSummary {
@@ -87,10 +86,10 @@ fn minimum(model: &Model<f64>, path: &Path<f64>, samples: &[ForceSample]) -> Res
         .filter(|[from, to]| from != to)
         .collect();
     // A controlled force changes in one direction from event to event.
-    if matches!(model.control, Control::Force) || stretches.is_empty() {
+    if matches!(model.control(), Control::Force) || stretches.is_empty() {
         return Ok(at_ends.map(known));
     }
-    let curve = EquilibriumCurve::new(model.transform(), &model.material, &Control::Force);
+    let curve = model.contact().with_control(Control::Force);
     let found = match folds::find(&curve) {
         Err(error) => return unknown(error).map(Some),
         Ok(found) => found,
@@ -116,7 +115,7 @@ fn minimum(model: &Model<f64>, path: &Path<f64>, samples: &[ForceSample]) -> Res
 }
 
 /// The energy lost in all events; none where it has no bound.
-fn hysteresis(path: &Path<f64>, branches: &SearchedBranches<'_, f64>) -> Result<Option<Value>> {
+fn hysteresis(path: &Path<f64>, branches: &SearchedBranches<f64>) -> Result<Option<Value>> {
     let mut lost = Estimate::exact(0.0);
     let mut out_of_range = None;
     let losses = path.events.iter().zip(Dissipation::of_each(path, branches));

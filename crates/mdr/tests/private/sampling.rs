@@ -7,9 +7,9 @@ use super::*;
 
 #[test]
 fn a_singular_radius_is_passed_by() {
-    let dimple = EllipticalDimple::new(1e-6, 1e-4).unwrap();
+    let dimple = std::sync::Arc::new(EllipticalDimple::new(1e-6, 1e-4).unwrap());
     let material = Material::new(1e6, 0.05).unwrap();
-    let curve = EquilibriumCurve::new(&dimple, &material, &Control::Indentation);
+    let curve = Contact::half_space(&dimple, &material, &Control::Indentation);
     assert!(curve.state(&1e-4).is_err());
     let samples = samples(&curve, 1e-7, 3e-4, &[]).unwrap();
     assert!(samples.iter().all(|sample| sample.indentation.is_finite()));
@@ -17,9 +17,9 @@ fn a_singular_radius_is_passed_by() {
 
 #[test]
 fn the_polyline_stays_with_the_curve_and_passes_through_the_nodes() {
-    let wavy = WavyParaboloid::new(1.0, 2e-4, 0.03).unwrap();
+    let wavy = std::sync::Arc::new(WavyParaboloid::new(1.0, 2e-4, 0.03).unwrap());
     let material = Material::new(1.0, 1e-4).unwrap();
-    let curve = EquilibriumCurve::new(&wavy, &material, &Control::Indentation);
+    let curve = Contact::half_space(&wavy, &material, &Control::Indentation);
     let nodes = [0.0275, 0.0834567];
     let samples = samples(&curve, 1e-6, 0.11, &nodes).unwrap();
     assert!(samples.len() < 3000, "{}", samples.len());

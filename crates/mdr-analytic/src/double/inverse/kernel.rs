@@ -24,7 +24,7 @@ use mdr_core::number::{Extended, Real};
 
 use super::super::exponential::{self, exponential, rough_exponential, rough_logarithm};
 use super::super::pair::{Arithmetic, Native, Pair};
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::inverse::{Branch, Count, FoldFrame, Held, InitialGuess};
 
 /// Half an ulp of any number, reduced slightly for roundings of the bounds themselves.
@@ -96,7 +96,10 @@ pub(super) struct Lanes<const N: usize> {
 
 impl Constants {
     /// `None` if a constant is out of range.
-    pub(super) fn new<const N: usize>(contact: &Contact<Extended<N>>, fold: &FoldFrame<Extended<N>>) -> Option<Self> {
+    pub(super) fn new<const N: usize>(
+        contact: &PowerLawContact<Extended<N>>,
+        fold: &FoldFrame<Extended<N>>,
+    ) -> Option<Self> {
         let FoldFrame { held, state, family } = fold;
         let (held, excess, regime) = (*held, &family.excess, family.regime);
         let n = *contact.profile().exponent();

@@ -14,11 +14,11 @@ use super::grid::{Path, Work};
 use super::pair::Arithmetic;
 use super::ziv::{Round, decide, settle, undecided};
 use super::{contact, lifted_control};
-use crate::contact::Contact;
+use crate::contact::PowerLawContact;
 use crate::inverse::{Branch, Count, Equilibria, FoldFrame, Held};
 
 /// The equilibria at a given indentation depth or force, with their stability; see
-/// [`Contact::equilibria`](crate::Contact::equilibria).
+/// [`PowerLawContact::equilibria`](crate::PowerLawContact::equilibria).
 ///
 /// # Errors
 /// See the [module](super).
@@ -33,7 +33,7 @@ pub fn equilibria(
 }
 
 /// The equilibria at x_fold(1 − τ); see
-/// [`Contact::equilibria_at_distance`](crate::Contact::equilibria_at_distance).
+/// [`PowerLawContact::equilibria_at_distance`](crate::PowerLawContact::equilibria_at_distance).
 ///
 /// # Errors
 /// See the [module](super).
@@ -70,7 +70,7 @@ pub struct Inverse {
     held: Held,
     path: Path,
     /// The contact and its fold in one word, unless n = 1/2 or one word is not precise enough.
-    word: Option<(Contact<Extended<1>>, FoldFrame<Extended<1>>)>,
+    word: Option<(PowerLawContact<Extended<1>>, FoldFrame<Extended<1>>)>,
     /// The constants of the kernel from one word, and from two words once they are needed.
     constants: Option<Constants>,
     better: OnceLock<Option<Constants>>,

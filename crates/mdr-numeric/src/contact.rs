@@ -1,28 +1,100 @@
-//! The curve of equilibria a ↦ (d, F), and the direction of change of the contact off it.
+//! A contact: a profile on a medium, with its adhesion and its control. Its equilibria form the curve a ↦ (d, F).
+
+use std::sync::Arc;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result, Transform};
 use mdr_core::number::Real;
 
-/// The states of (1.5) and (1.6), parametrised by the contact radius.
+use crate::medium::{Adhesion, Medium};
+
+/// A contact: the transformed profile, the medium below it, the adhesion at its edge, and what is controlled.
 ///
-/// Equilibria are points of this curve at a given value of the controlled quantity; folds are the extrema of that
-/// quantity along it.
-#[derive(Clone, Copy)]
-pub struct EquilibriumCurve<'a, R: Real> {
-    transform: &'a dyn Transform<R>,
-    material: &'a Material<R>,
-    control: &'a Control<R>,
+/// Its states are those of (1.5) and (1.6), parametrised by the contact radius. Equilibria are points of this curve at a given
+/// value of the controlled quantity; folds are the extrema of that quantity along it. A contact owns or shares what it needs,
+/// and copies of it are cheap.
+///
+/// ```
+/// use mdr_core::contact::{Control, Shape};
+/// use mdr_numeric::{contact::Contact, folds, transform::Quadrature};
+/// use mdr_numeric::medium::{Adhesion, Medium};
+/// let ball = Quadrature::of([Shape::Paraboloid { radius: 0.01 }])?;
+/// let contact = Contact::new(ball, Medium::half_space(1e6)?, Adhesion::new(0.05)?, Control::Force);
+/// let pull_off = &folds::find(&contact)?[0];
+/// assert!((pull_off.force / (-1.5 * std::f64::consts::PI * 0.05 * 0.01) - 1.0).abs() < 1e-13);
+/// // The tension at fixed grips, with the same profile, medium and adhesion.
+/// let at_grips = &folds::find(&contact.with_control(Control::Indentation))?[0];
+/// assert!(at_grips.force > pull_off.force);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Contact<R: Real> {
+    transform: Arc<dyn Transform<R>>,
+    medium: Medium<R>,
+    adhesion: Adhesion<R>,
+    control: Control<R>,
 }
 
-impl<'a, R: Real> EquilibriumCurve<'a, R> {
-    /// The curve of a profile in contact, under the given control.
-    pub fn new(transform: &'a dyn Transform<R>, material: &'a Material<R>, control: &'a Control<R>) -> Self {
-        EquilibriumCurve { transform, material, control }
+impl<R: Real> Contact<R> {
+    /// A profile on a medium, under the given control. The transformed profile is that of the medium; an `Arc` of a transform
+    /// is one, too.
+    pub fn new(
+        transform: impl Transform<R> + 'static,
+        medium: Medium<R>,
+        adhesion: Adhesion<R>,
+        control: Control<R>,
+    ) -> Self {
+        Contact { transform: Arc::new(transform), medium, adhesion, control }
+    }
+
+    /// A profile that others may use as well, on a half-space of the effective modulus of the material, with its work of
+    /// adhesion.
+    pub fn half_space<T>(transform: &Arc<T>, material: &Material<R>, control: &Control<R>) -> Self
+    where
+        T: Transform<R> + ?Sized + 'static,
+    {
+        Self::new(Arc::clone(transform), material.into(), material.into(), control.clone())
+    }
+
+    /// A profile behind a shared pointer, which is called without a detour.
+    pub fn sharing(
+        transform: Arc<dyn Transform<R>>,
+        medium: Medium<R>,
+        adhesion: Adhesion<R>,
+        control: Control<R>,
+    ) -> Self {
+        Contact { transform, medium, adhesion, control }
+    }
+
+    /// The contact with its transformed profile replaced: by one that counts its evaluations, for example.
+    #[must_use]
+    pub fn with_transform(&self, transform: Arc<dyn Transform<R>>) -> Self {
+        Contact { transform, ..self.clone() }
+    }
+
+    /// The contact of the same profile, medium and adhesion under another control.
+    #[must_use]
+    pub fn with_control(&self, control: Control<R>) -> Self {
+        Contact { control, ..self.clone() }
     }
 
     /// The transformed profile.
-    pub fn transform(&self) -> &'a dyn Transform<R> {
-        self.transform
+    pub fn transform(&self) -> &dyn Transform<R> {
+        &*self.transform
+    }
+
+    /// The transformed profile, to be shared.
+    pub fn shared_transform(&self) -> &Arc<dyn Transform<R>> {
+        &self.transform
+    }
+
+    /// What is pressed.
+    pub fn medium(&self) -> &Medium<R> {
+        &self.medium
+    }
+
+    /// The adhesion at the edge.
+    pub fn adhesion(&self) -> &Adhesion<R> {
+        &self.adhesion
     }
 
     /// The outer radius of a profile with a vertical edge there.
@@ -31,26 +103,21 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
     }
 
     /// The controlled quantity.
-    pub fn control(&self) -> &'a Control<R> {
-        self.control
+    pub fn control(&self) -> &Control<R> {
+        &self.control
     }
 
-    /// E* and w.
-    pub fn material(&self) -> &'a Material<R> {
-        self.material
+    /// The modulus of the medium, in Pa; E* of a half-space.
+    pub fn modulus(&self) -> &R {
+        self.medium.modulus()
     }
 
-    /// E*, in Pa.
-    pub fn effective_modulus(&self) -> &'a R {
-        self.material.effective_modulus()
-    }
-
-    /// ℓ = w/E*, the length scale of the material, in m.
+    /// The length of the material, in m: w/E* on a half-space.
     pub fn material_length(&self) -> R {
-        self.material.work_of_adhesion().clone() / self.material.effective_modulus()
+        self.medium.length(self.adhesion.work())
     }
 
-    /// Δl(a) = √(2πaw/E*), the rule of Heß (1.4), in m.
+    /// Δl(a), the elongation at which the springs at the edge detach (1.4), in m: see [`Medium::elongation`].
     ///
     /// # Errors
     /// [`Error::Domain`] unless a is positive and finite.
@@ -58,14 +125,14 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
         Ok(self.elongation(&Error::require_positive(Quantity::ContactRadius, a.clone())?))
     }
 
-    /// The same for a > 0, written as a√(2πℓ/a), which stays in range if the product aw does not.
+    /// Δl(a) for a > 0, unchecked.
     pub(crate) fn elongation(&self, a: &R) -> R {
-        a.clone() * self.root(a)
+        self.medium.elongation(self.adhesion.work(), a)
     }
 
-    /// √(2πℓ/a) = Δl/a.
-    fn root(&self, a: &R) -> R {
-        relative_elongation(a, &self.material_length())
+    /// Δl'(a) for a > 0, unchecked.
+    pub(crate) fn elongation_slope(&self, a: &R) -> R {
+        self.medium.elongation_slope(self.adhesion.work(), a)
     }
 
     /// d(a) = g(a) − Δl(a) (1.5), in m.
@@ -77,12 +144,12 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
         Ok(self.transform.g_within(a, &negligible(&elongation))? - elongation)
     }
 
-    /// F(a) = 2E* ∫₀ᵃ (d − g) dx (1.6) = 2E*a (g − Δl − mean of g), in N.
+    /// F(a) = S(a)(g − Δl − mean of g) (1.6), in N, with the stiffness S of the medium.
     ///
     /// # Errors
     /// As [`Transform::above_mean`].
     pub fn force(&self, a: &R) -> Result<R> {
-        Ok(self.edge_stiffness(a) * self.depth_below_mean(a)?)
+        Ok(self.stiffness(a) * self.depth_below_mean(a)?)
     }
 
     /// d minus the mean of g, in equilibrium.
@@ -92,12 +159,12 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
 
     /// The force of (1.6) at a contact radius and an indentation that need not be in equilibrium.
     pub(crate) fn force_at(&self, a: &R, d: &R) -> Result<R> {
-        Ok(self.edge_stiffness(a) * (d.clone() - self.transform.mean(a)?))
+        Ok(self.stiffness(a) * (d.clone() - self.transform.mean(a)?))
     }
 
-    /// 2E*a, the stiffness of the contact at fixed radius, in N/m.
-    pub(crate) fn edge_stiffness(&self, a: &R) -> R {
-        (a.clone() * self.material.effective_modulus()).times(2)
+    /// S(a), the stiffness of the contact at fixed radius, in N/m.
+    pub fn stiffness(&self, a: &R) -> R {
+        self.medium.stiffness(a)
     }
 
     /// The controlled quantity along the curve.
@@ -106,17 +173,17 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
     /// As [`Transform::mean`].
     pub fn controlled(&self, a: &R) -> Result<R> {
         let d = self.indentation(a)?;
-        match self.control {
+        match &self.control {
             Control::Indentation => Ok(d),
             control => Ok(control.controlled(&d, &self.force(a)?)),
         }
     }
 
     /// The indentation at radius `a`, a fixed `value` of the controlled quantity and this mean of g, equilibrium or not: d
-    /// itself, F/(2E*a) + mean g, or (kD + 2E*a·mean g)/(k + 2E*a).
+    /// itself, F/S + mean g, or (kD + S·mean g)/(k + S).
     pub(crate) fn held_against(&self, a: &R, value: &R, mean: impl FnOnce() -> Result<R>) -> Result<R> {
-        let stiffness = self.edge_stiffness(a);
-        Ok(match self.control {
+        let stiffness = self.stiffness(a);
+        Ok(match &self.control {
             Control::Indentation => value.clone(),
             Control::Force => value.clone() / stiffness + mean()?,
             Control::Machine { stiffness: k } => {
@@ -128,11 +195,11 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
 
     /// Indentation and force in equilibrium at radius `a`, which was found at this `value` of the controlled quantity.
     ///
-    /// On a machine softer than the contact the force is that of its spring, k(D − d): as 2E*a times a difference of
-    /// lengths it would lose log₁₀(2E*a/k) digits.
+    /// On a machine softer than the contact the force is that of its spring, k(D − d): as S(a) times a difference of lengths it
+    /// would lose log₁₀(S/k) digits.
     ///
     /// # Errors
-    /// As [`EquilibriumCurve::state`].
+    /// As [`Contact::state`].
     pub(crate) fn state_at(&self, a: &R, value: &R) -> Result<(R, R)> {
         match self.soft_spring(a) {
             Some(k) => {
@@ -145,9 +212,9 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
     }
 
     /// The stiffness of a machine, if it is less than that of the contact.
-    fn soft_spring(&self, a: &R) -> Option<&'a R> {
-        match self.control {
-            Control::Machine { stiffness } if *stiffness < self.edge_stiffness(a) => Some(stiffness),
+    fn soft_spring(&self, a: &R) -> Option<&R> {
+        match &self.control {
+            Control::Machine { stiffness } if *stiffness < self.stiffness(a) => Some(stiffness),
             _ => None,
         }
     }
@@ -155,10 +222,10 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
     /// Indentation and force at radius `a` and a fixed `value` of the controlled quantity, equilibrium or not.
     ///
     /// # Errors
-    /// As [`EquilibriumCurve::state`].
+    /// As [`Contact::state`].
     pub(crate) fn equilibrium_at(&self, a: &R, value: &R) -> Result<(R, R)> {
         let d = self.held_against(a, value, || self.transform.mean(a))?;
-        let force = match (self.control, self.soft_spring(a)) {
+        let force = match (&self.control, self.soft_spring(a)) {
             (Control::Force, _) => value.clone(),
             (_, Some(k)) => spring_force(k, value.clone() - &d)?,
             _ => self.force_of(a, &(d.clone() - self.transform.mean(a)?))?,
@@ -176,12 +243,12 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
         self.direction_at(a, value)
     }
 
-    /// The same at a value that has been checked.
+    /// The [direction of change](Contact::direction) at a value that has been checked.
     pub(crate) fn direction_at(&self, a: &R, value: &R) -> Result<R> {
         self.direction_within(a, value, &negligible(&self.elongation(a)))
     }
 
-    /// The same, with g and its mean to the absolute error `needed`.
+    /// The [direction of change](Contact::direction), from g and its mean to the absolute error `needed`.
     pub(crate) fn direction_within(&self, a: &R, value: &R, needed: &R) -> Result<R> {
         let held = self.held_against(a, value, || self.transform.mean_within(a, needed))?;
         Ok(self.transform.g_within(a, needed)? - self.elongation(a) - held)
@@ -200,35 +267,27 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
         Ok(self.tangency_of(self.transform.slope(a)?, a))
     }
 
-    /// The same, with a given g'.
+    /// The tangency ratio for a given g'.
     pub(crate) fn tangency_of(&self, slope: R, a: &R) -> R {
-        slope.times(2) / self.root(a)
+        self.medium.tangency(self.adhesion.work(), slope, a)
     }
 
-    /// The value of the [tangency ratio](EquilibriumCurve::tangency) at which the controlled quantity is stationary.
+    /// The value of the [tangency ratio](Contact::tangency) at which the controlled quantity is stationary.
     ///
-    /// With d' = g' − Δl' and, from (1.6) along the curve, F' = 2E*(a d' − Δl), the condition d' + F'/k = 0 reads
-    /// g'/Δl' = (k + 6E*a)/(k + 2E*a): 1 for fixed grips (k → ∞), 3 for a dead load (k → 0). Equilibria are stable where
-    /// the ratio exceeds it.
+    /// With d' = g' − Δl' and F' = S d' − S' Δl along the curve, d' + F'/k = 0 reads g'/Δl' = 1 + (q/p)/(1 + k/S), where q and p
+    /// are the orders of S and Δl in a. On a half-space, where q/p = 2, it is 1 for fixed grips (k → ∞) and 3 for a dead load
+    /// (k → 0). Equilibria are stable where the ratio exceeds it.
     ///
     /// # Errors
     /// [`Error::Domain`] unless a and the stiffness of a machine are positive and finite.
-    pub fn threshold(&self, a: &R) -> Result<R> {
+    pub fn critical_ratio(&self, a: &R) -> Result<R> {
         self.control.check()?;
-        Ok(self.threshold_at(&Error::require_positive(Quantity::ContactRadius, a.clone())?))
+        Ok(self.critical_ratio_at(&Error::require_positive(Quantity::ContactRadius, a.clone())?))
     }
 
-    /// The same for a > 0, unchecked.
-    pub(crate) fn threshold_at(&self, a: &R) -> R {
-        match self.control {
-            Control::Indentation => a.lit(1),
-            Control::Force => a.lit(3),
-            Control::Machine { stiffness: k } => {
-                // 1 + 2/(1 + k/(2E*a)), which stays in range at both ends.
-                let share = (k.clone() / self.edge_stiffness(a) + a.lit(1)).inv();
-                share.times(2) + a.lit(1)
-            }
-        }
+    /// The critical tangency ratio for a > 0, unchecked.
+    pub(crate) fn critical_ratio_at(&self, a: &R) -> R {
+        self.medium.critical_ratio(a, &self.control)
     }
 
     /// Indentation and force at radius `a`.
@@ -241,10 +300,13 @@ impl<'a, R: Real> EquilibriumCurve<'a, R> {
         Ok((d, force))
     }
 
-    /// 2E*a times the indentation minus the mean of g, or [`Error::OutOfRange`].
+    /// S(a) times the indentation minus the mean of g, or [`Error::OutOfRange`].
     pub(crate) fn force_of(&self, a: &R, excess: &R) -> Result<R> {
-        let force = self.edge_stiffness(a) * excess;
-        let factors = || [a.lit(2), a.clone(), self.material.effective_modulus().clone(), excess.abs()];
+        let force = self.stiffness(a) * excess;
+        let factors = || {
+            let [two, radius, modulus] = self.medium.stiffness_factors(a);
+            [two, radius, modulus, excess.abs()]
+        };
         in_range(Quantity::Force, force, excess, factors)
     }
 }
@@ -276,11 +338,4 @@ pub(crate) fn in_range<R: Real, const N: usize>(
 /// log₁₀ of the magnitude of a product that the arithmetic cannot represent.
 pub(crate) fn log10_of_product<R: Real, const N: usize>(factors: [R; N]) -> f64 {
     factors.iter().map(|x| x.abs().ln().approx()).sum::<f64>() / std::f64::consts::LN_10
-}
-
-/// Δl/a = √(2πℓ/a), also if the quotient itself is out of range.
-pub(crate) fn relative_elongation<R: Real>(a: &R, material_length: &R) -> R {
-    let square = (material_length.clone() / a * a.pi()).times(2);
-    let normal = square.is_finite() && square.clone() * a.unit_roundoff() > a.lit(0);
-    if normal { square.sqrt() } else { a.pi().times(2).sqrt() * material_length.sqrt() / a.sqrt() }
 }
