@@ -6,10 +6,10 @@
 //!
 //! * d = g(a) − s q,
 //! * (π/2) h₀ = ∫₀^θ (g(c cos φ) − g(a)) dφ + s (q θ − (c − a)), the gap at r = c,
-//! * F = 2E*a [g(a) − mean of g − (s/2a)(c²θ + a q)].
+//! * F = S(a) [g(a) − mean of g − (s/2a)(c²θ + a q)].
 //!
 //! Along these states the force is stationary where ∫₀^θ x g'(x) dφ = s (c²θ²/a + c − a), x = c cos φ; h₀ → 0 gives the
-//! fold under a dead load, g'(a) = 3√(πw/2E*a).
+//! fold under a dead load, g'(a) = 3Δl'(a).
 
 mod ring;
 

@@ -6,7 +6,7 @@
 //! its end the integrand is ((d − g(a))/Δl)², which is equivalent to that rule: [`Energy::release`], the cheaper
 //! method.)
 //!
-//! In units of 2πa²w: Π/(2πa²w) = ∫₀¹ v² dt − 1/2 with v = (d − g(at))/√(2πaw/E*), which is in range at any scale.
+//! In units of 2πa²w: Π/(2πa²w) = ∫₀¹ v² dt − 1/2 with v = (d − g(at))/Δl(a), which is in range at any scale.
 
 mod mean;
 

@@ -163,7 +163,7 @@ impl<R: Real> SearchedBranches<R> {
         };
         let (lengths, roundings) = if beyond > value.lit(0) { (2, 8) } else { (1, 2) };
         let displacement = fold.indentation.abs() + self.curve.elongation(a).times(lengths);
-        // The force is 2E*a times a difference of lengths of this magnitude.
+        // The force is S(a) times a difference of lengths of this magnitude.
         let force = match self.curve.force_at(a, &displacement) {
             Ok(force) => force.abs() + fold.force.abs(),
             Err(_) => fold.force.abs(),

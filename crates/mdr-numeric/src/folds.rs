@@ -69,7 +69,8 @@ impl<R> Deref for Folds<R> {
 }
 
 /// All folds by tangency: g'(a) = Δl'(a) (1.10) under controlled indentation, g' = 3Δl' under controlled force, and
-/// g' = Δl'·(k+6E*a)/(k+2E*a) on a machine. By increasing radius.
+/// g' = Δl'(1 + (q/p)/(1 + k/S)) on a machine of stiffness k, with S, q and p of the [medium](crate::medium). By increasing
+/// radius.
 ///
 /// If the curve is unstable up to a [vertical edge](Transform::vertical_edge), the last fold is a minimum at the vertical edge:
 /// the contact edge stays there when the controlled quantity is larger.

@@ -229,6 +229,26 @@ impl Scene {
         self.arithmetic
     }
 
+    /// The contact in f64: profile, half-space, adhesion and control, for questions that a scene does not have.
+    ///
+    /// ```
+    /// use mdr::prelude::*;
+    /// let ball = Scene::new(Shape::Paraboloid { radius: "0.01" }, Elasticity::effective("1e6")?, "0.05")?;
+    /// let contact = ball.control(Control::Force).contact()?;
+    /// let (depth, force) = contact.state(&5e-4)?;
+    /// assert!(depth > 0.0 && force > 0.0);
+    /// # Ok::<(), mdr::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A number that no double holds; a parameter out of its domain, with its place.
+    pub fn contact(&self) -> Result<crate::contact::Contact<f64>> {
+        self.places.require_doubles("ask for certified digits")?;
+        let counts = crate::Stop::default().counts();
+        let model = solve::model::Model::new(self, (), &counts);
+        Ok(model.map_err(|error| self.places.complaint_about_profile(error))?.contact())
+    }
+
     /// Whether one of the outputs is such.
     pub(crate) fn has(&self, which: impl Fn(OutputKind) -> bool) -> bool {
         self.wants.iter().any(|want| which(want.kind()))
@@ -254,7 +274,7 @@ impl Scene {
         self.solve_with(&mut Run::default())
     }
 
-    /// The same while an observer is told of each output, and until the run is stopped.
+    /// The answer, like that of [`Scene::solve`], while an observer hears of each output; the run can be stopped.
     ///
     /// # Errors
     /// As [`Scene::solve`]; [`Error::Stopped`].
