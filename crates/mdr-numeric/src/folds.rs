@@ -113,8 +113,7 @@ where
 pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
     curve.control().check()?;
     let length = curve.material_length();
-    // The square of the unit roundoff is what the search leaves of the smallest numbers.
-    if !(length.is_finite() && length.unit_roundoff().square() * &length > length.lit(0)) {
+    if !(length.is_finite() && length.unit_roundoff() * &length > length.lit(0)) {
         let requirement = "of a ratio to E* within the range of this arithmetic, where the search for states begins";
         return Err(Error::domain(Quantity::WorkOfAdhesion, &length, requirement));
     }
