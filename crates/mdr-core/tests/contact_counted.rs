@@ -56,6 +56,34 @@ impl Transform<f64> for Peculiar {
     fn rises(&self) -> bool {
         true
     }
+
+    fn work(&self) -> u64 {
+        8
+    }
+}
+
+/// What a transform answers to each of its methods.
+fn answers(transform: &dyn Transform<f64>) -> String {
+    let numbers = [transform.g(&10.0), transform.slope(&10.0), transform.integral(&10.0), transform.mean(&10.0)];
+    let more = [transform.above_mean(&10.0), transform.g_within(&10.0, &0.5), transform.mean_within(&10.0, &0.5)];
+    let ends = (transform.outer_radius(), transform.vertical_edge(), transform.kinks(), transform.kink(2, &0.5));
+    format!("{numbers:?} {more:?} {ends:?} {} {}", transform.rises(), transform.work())
+}
+
+/// A method that a pointer does not pass on answers with the default of the trait, and nothing else would tell.
+#[test]
+fn pointers_pass_every_question_on() {
+    let expected = answers(&Peculiar);
+    assert_eq!(answers(&Arc::new(Peculiar)), expected);
+    assert_eq!(answers(&Box::new(Peculiar)), expected);
+    let shared: Arc<dyn Transform<f64>> = Arc::new(Peculiar);
+    assert_eq!(answers(&shared), expected);
+    assert_eq!(answers(&CountingTransform::sharing(shared, &Arc::default())), expected);
+    // Each method of the trait is among them.
+    let source = include_str!("../src/contact/transform.rs");
+    let (declared, forwarded) = source.split_once("macro_rules! forward").expect("the macro after the trait");
+    let methods = |text: &str| text.matches("  fn ").count();
+    assert_eq!((methods(declared), methods(forwarded)), (13, 13));
 }
 
 #[test]
