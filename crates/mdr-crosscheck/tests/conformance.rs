@@ -109,11 +109,14 @@ fn every_name_of_the_table_exists() {
 
 #[test]
 fn a_name_that_is_gone_is_found() {
-    for path in ["path::Ledger", "mdr_numeric::path::Ledger", "Contact::fates", "mdr_analytic::dugdale", "double::gone"]
+    for path in
+        ["path::Ledger", "mdr_numeric::path::Ledger", "PowerLawContact::fates", "mdr_analytic::dugdale", "double::gone"]
     {
         assert!(!exists(path), "{path}");
     }
-    for path in ["mdr_numeric::path::PathEnergy", "Contact::fate", "Control::Force", "profiles::FlatPunch", "struve"] {
+    for path in
+        ["mdr_numeric::path::PathEnergy", "PowerLawContact::fate", "Control::Force", "profiles::FlatPunch", "struve"]
+    {
         assert!(exists(path), "{path}");
     }
 }

@@ -21,10 +21,10 @@ const EXEMPT: &[(&str, &str)] = &[
     ("PowerLaw::coefficient", "an accessor"),
     ("PowerLaw::kappa", "an accessor; κ_n itself has its rows"),
     ("PowerLaw::regime", "a comparison of n with 1/2"),
-    ("Contact::new", "a constructor"),
-    ("Contact::profile", "an accessor"),
-    ("Contact::material", "an accessor"),
-    ("Contact::regime", "a comparison of n with 1/2"),
+    ("PowerLawContact::new", "a constructor"),
+    ("PowerLawContact::profile", "an accessor"),
+    ("PowerLawContact::material", "an accessor"),
+    ("PowerLawContact::regime", "a comparison of n with 1/2"),
     ("Equilibria::as_slice", "an accessor"),
     ("Equilibria::stable", "an accessor"),
     ("free_cache", "frees memory; no number comes out"),
@@ -44,7 +44,7 @@ const EXEMPT: &[(&str, &str)] = &[
     ("Sum::slope", "the sum of its terms; the library has a sum"),
     ("Sum::integral", "the sum of its terms; the library has a sum"),
     ("FlatPunch::new", "g = 0 has no factor to be wrong; the row of the flat punch runs its contact"),
-    ("Contact::detachment_elongation", "calls detachment_elongation"),
+    ("PowerLawContact::detachment_elongation", "calls detachment_elongation"),
     ("Question::curve", "a constructor; see Curve"),
     ("Question::exact_indentation", "a rational of two inputs; certified-range demands where d is 0"),
     ("Question::is_fold_of_force", "a comparison of two rationals"),
@@ -52,7 +52,7 @@ const EXEMPT: &[(&str, &str)] = &[
 
 /// Types whose functions are compared with closed forms that have rows, elsewhere.
 const COMPARED: &[(&str, &str)] = &[
-    ("Curve::", "states in logarithms: crates/mdr-analytic/tests/curve.rs has them beside those of Contact"),
+    ("Curve::", "states in logarithms: crates/mdr-analytic/tests/curve.rs has them beside those of PowerLawContact"),
     ("Point::", "accessors of such a state"),
     ("Scaled::", "sums and signs of enclosures with an exponent of their own"),
 ];

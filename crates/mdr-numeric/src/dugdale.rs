@@ -320,11 +320,18 @@ impl<'a, R: Special> Dugdale<R> {
         let elastic = (c.clone() / a * angle * (c.clone() * angle) + width) * &self.strength;
         // Where g' has an inverse root half of the digits are left, and as the force is stationary that is enough for it.
         let half = a.unit_roundoff().sqrt().times(4096);
-        let tolerance =
-            Tolerance::of_cancelling(a).or_finest_below(half).or_error_below(&(elastic.clone() * a.unit_roundoff()));
+        let tolerance = Tolerance::of_cancelling(a)
+            .or_finest_below(half.clone())
+            .or_error_below(&(elastic.clone() * a.unit_roundoff()));
         let transform = self.curve.transform();
-        let weighted =
-            ring.integral(&transform.kinks(), &tolerance, |x| Ok(beside_singular(x, |x| transform.slope(x))? * x))?;
+        let (kinks, slope) = (transform.kinks(), |x: &R| Ok(beside_singular(x, |x| transform.slope(x))? * x));
+        let weighted = match ring.integral(&kinks, &tolerance, slope) {
+            // A piece of a few roundings beside a kink is a small part of the whole, and need not be known better.
+            Err(Error::NoConvergence { .. }) => {
+                ring.integral(&kinks, &tolerance.or_error_below(&(elastic.clone() * &half)), slope)
+            }
+            weighted => weighted,
+        }?;
         Ok(weighted.value - elastic)
     }
 

@@ -161,3 +161,15 @@ fn a_ring_over_waves() {
         assert!((wavy.outer_radius - flat.outer_radius).abs() < waves, "{wavy:?} {flat:?}");
     }
 }
+
+/// A table has a kink at every row, and a ring may end a few roundings beyond one of them.
+#[test]
+fn the_pull_off_of_a_table() {
+    let rows: Vec<(f64, f64)> = (0..=200).map(|i| f64::from(i) / 200.0).map(|r| (r, r * r / 2.0)).collect();
+    let table = Arc::new(mdr_numeric::table::MeasuredProfile::new(rows).unwrap());
+    let ball = Arc::new(Quadrature::of([Shape::Paraboloid { radius: 1.0 }]).unwrap());
+    let [table, ball] = [pull_off(&table, 1.0, 1e-4, 1e-3), pull_off(&ball, 1.0, 1e-4, 1e-3)];
+    // A table reproduces the paraboloid; half of the digits of the integrals stand, where the force is stationary.
+    assert_relative_eq!(table.force, ball.force, max_relative = 1e-10);
+    assert_relative_eq!(table.contact_radius, ball.contact_radius, max_relative = 1e-4);
+}
