@@ -132,7 +132,7 @@ impl<R: Real> Energy<R> {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use mdr_core::contact::{Flank, Material, Shape};
+    /// use mdr_core::contact::{Control, Flank, Material, Shape};
     /// use mdr_numeric::contact::Contact;
     /// use mdr_numeric::{energy::Energy, transform::Quadrature};
     /// let (cone, glue) = (Arc::new(Quadrature::of([Shape::Cone { flank: Flank::Slope(0.3) }])?), Material::new(2.0, 1e-3)?);

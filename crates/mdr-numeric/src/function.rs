@@ -15,7 +15,7 @@ pub type Differentiated = Dual<Dual<f64>>;
 /// use mdr_numeric::{folds, function::Function, transform::Quadrature};
 /// // f = r⁴/4L³, L = 1 mm: once by its derivatives, once by differentiating numbers.
 /// let cubed = 4.0 * 1e-3_f64.powi(3);
-/// let by_hand = Function::new(|r: f64| [r.powi(4), 4.0 * r.powi(3), 12.0 * r.powi(2)].map(|x| x / cubed))?;
+/// let by_hand = Function::new(move |r: f64| [r.powi(4), 4.0 * r.powi(3), 12.0 * r.powi(2)].map(|x| x / cubed))?;
 /// let by_duals = Function::differentiated(|r| {
 ///     use mdr_core::number::Real;
 ///     r.square().square() * r.lit(250_000_000)

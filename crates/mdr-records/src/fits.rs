@@ -46,7 +46,7 @@ fn of(set: &DataSet) -> Result<Vec<Record>> {
     known.confirm(&problem, &fit, proved)?;
     let ys = problem.data().map(|[_, y]| y.abs()).fold(0.0, f64::max);
     // How far an error of the data, relative to the largest of them, moves residuals of the size of their scatter.
-    let amplified = ys / (fit.rss / fit.dof as f64).sqrt();
+    let amplified = ys / (proved.rss.to_f64() / fit.dof as f64).sqrt();
     let mut records = Vec::new();
     for (estimate, digits) in fit.parameters.iter().zip(&proved.parameters) {
         let (value, stderr) = (&digits.value, &digits.scaled_stderr);
