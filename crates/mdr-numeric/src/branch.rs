@@ -29,13 +29,13 @@ pub trait EquilibriumBranches<R: Real> {
     /// `None` on a branch that does not exist.
     ///
     /// # Errors
-    /// Those of the transform; [`Error::Undecided`].
+    /// Errors of the transform; [`Error::Undecided`] if the arithmetic does not decide.
     fn on_branch(&self, branch: usize, value: &R) -> Result<Option<Equilibrium<R>>>;
 
     /// The order of `value` and the value of the fold; equal if this arithmetic does not distinguish them.
     ///
     /// # Errors
-    /// Those of the transform; [`Error::Undecided`].
+    /// Errors of the transform; [`Error::Undecided`] if the arithmetic does not decide.
     fn compare(&self, value: &R, fold: &Fold<R>) -> Result<Ordering> {
         let at_fold = self.control().controlled(&fold.indentation, &fold.force);
         value.partial_cmp(&at_fold).ok_or_else(|| unordered(self.control(), value))
@@ -44,7 +44,7 @@ pub trait EquilibriumBranches<R: Real> {
     /// How contact begins at the tip; see [`onset`].
     ///
     /// # Errors
-    /// Those of the transform; [`Error::Undecided`].
+    /// Errors of the transform; [`Error::Undecided`] if the arithmetic does not decide.
     fn onset(&self) -> Result<FirstContact>;
 
     /// The admissibility of states.
@@ -53,35 +53,38 @@ pub trait EquilibriumBranches<R: Real> {
     /// The first contact of separated surfaces, if it is not at the tip.
     ///
     /// # Errors
-    /// As [`first_touch`](crate::admissible::first_touch); [`Error::Unproved`] over enclosures.
+    /// Errors of the transform and of the quadrature; [`Error::Undecided`] for a formula whose first contact is not decided, see
+    /// [`first_touch`](crate::admissible::first_touch); [`Error::Unproved`] over enclosures.
     fn first_touch(&self) -> Result<Option<Touch<R>>>;
 
     /// The last admissible state on the stable branch between two contact radii, and the ring on which the surfaces
     /// touch.
     ///
     /// # Errors
-    /// As [`last_admissible`](crate::admissible::last_admissible); [`Error::Unproved`] over enclosures.
+    /// Errors of the transform and of the quadrature; [`Error::NoConvergence`], see
+    /// [`last_admissible`](crate::admissible::last_admissible); [`Error::Unproved`] over enclosures.
     fn last_admissible(&self, radii: [&R; 2]) -> Result<Option<(Equilibrium<R>, Ring<R>)>>;
 
     /// Whether growth of the contact at a fixed controlled value would require energy at this radius: g − d < −Δl, the
     /// edge is in compression.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     fn is_pushed_back(&self, radius: &R, value: &R) -> Result<bool>;
 
     /// The end of the last branch.
     ///
     /// # Errors
-    /// Those of the transform; over enclosures [`Error::Undecided`] in place of [`End::Unknown`], because more bits may
-    /// find the missing equilibrium.
+    /// Errors of the transform; over enclosures [`Error::Undecided`] in place of [`End::Unknown`], because more bits may find the
+    /// missing equilibrium.
     fn end(&self) -> Result<End<R>>;
 
     /// All equilibria at `value`, by increasing radius; the list may be empty. At a fold the double root counts as one,
     /// [`Neutral`](mdr_core::contact::Stability::Neutral).
     ///
     /// # Errors
-    /// As [`EquilibriumBranches::on_branch`]; [`Error::Domain`] unless the value is finite.
+    /// [`Error::Domain`] unless the value is finite; errors of the transform; [`Error::Undecided`] if the arithmetic does not
+    /// decide.
     fn equilibria(&self, value: &R) -> Result<Vec<Equilibrium<R>>> {
         self.control().check_value(value)?;
         let mut found = Vec::new();
@@ -106,7 +109,7 @@ pub trait EquilibriumBranches<R: Real> {
     /// the next one in the direction of change, smaller after a minimum, larger after a maximum.
     ///
     /// # Errors
-    /// As [`EquilibriumBranches::on_branch`].
+    /// Errors of the transform; [`Error::Undecided`] if the arithmetic does not decide.
     fn after_jump(&self, fold: usize) -> Result<Option<(usize, Equilibrium<R>)>> {
         let Some(start) = self.folds().get(fold) else { return Ok(None) };
         let value = self.control().controlled(&start.indentation, &start.force);
@@ -120,8 +123,8 @@ pub trait EquilibriumBranches<R: Real> {
     /// that is reached; if there is none, detachment after a minimum, complete contact after a maximum.
     ///
     /// # Errors
-    /// As [`EquilibriumBranches::on_branch`]; [`Error::Undecided`] after a maximum if the profile ends. An index that does not exist
-    /// gives [`Outcome::Detached`].
+    /// Errors of the transform; [`Error::Undecided`] if the arithmetic does not decide, and after a maximum if the profile ends.
+    /// An index that does not exist gives [`Outcome::Detached`].
     fn outcome(&self, fold: usize) -> Result<Outcome<R>> {
         let kind = self.folds().get(fold).map(|fold| fold.kind);
         Ok(match (self.after_jump(fold)?, kind) {
@@ -138,18 +141,18 @@ pub trait EquilibriumBranches<R: Real> {
 /// The end of the last branch.
 #[derive(Clone, Debug, PartialEq)]
 pub enum End<R> {
-    /// None: the contact can grow without limit.
+    /// No end: the contact can grow without limit.
     Open,
     /// The outer radius, in this state.
     Profile(Equilibrium<R>),
-    /// An outer radius without a known state: at a vertical edge, where g diverges, or where it cannot be computed.
+    /// An outer radius without a state: at a vertical edge, where g diverges, or where it cannot be computed.
     Unknown,
 }
 
 /// The end of the last branch of a curve.
 ///
 /// # Errors
-/// Those of the transform.
+/// Errors of the transform.
 pub(crate) fn end<R: Real>(curve: &Contact<R>) -> Result<End<R>> {
     let Some(contact_radius) = curve.transform().outer_radius() else { return Ok(End::Open) };
     if curve.vertical_edge().is_some() {
@@ -181,7 +184,7 @@ pub enum FirstContact {
 /// "Close" is the unit roundoff times w/E* or times the radius of the fold, whichever is smaller.
 ///
 /// # Errors
-/// Those of the transform; [`Error::Undecided`] over enclosures that do not decide.
+/// Errors of the transform; [`Error::Undecided`] over enclosures that do not decide.
 pub fn onset<R: Real>(curve: &Contact<R>, first: Option<&Fold<R>>) -> Result<FirstContact> {
     let length = curve.material_length();
     let radius = first.map(|fold| fold.contact_radius.clone()).filter(|radius| *radius < length).unwrap_or(length);

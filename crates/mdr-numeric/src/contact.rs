@@ -7,11 +7,11 @@ use mdr_core::number::Real;
 
 use crate::medium::{Adhesion, Medium};
 
-/// A contact: the transformed profile, the medium below it, the adhesion at its edge, and what is controlled.
+/// A contact: the transformed profile, the medium below it, the adhesion at its edge, and the control.
 ///
-/// Its states are those of (1.5) and (1.6), parametrised by the contact radius. Equilibria are points of this curve at a given
-/// value of the controlled quantity; folds are the extrema of that quantity along it. A contact owns or shares what it needs,
-/// and copies of it are cheap.
+/// Its states satisfy (1.5) and (1.6), parametrised by the contact radius. Equilibria are points of this curve at a given value
+/// of the controlled quantity; folds are the extrema of that quantity along it. A contact owns or shares its parts, and copies of
+/// it are cheap.
 ///
 /// ```
 /// use mdr_core::contact::{Control, Shape};
@@ -35,8 +35,8 @@ pub struct Contact<R: Real> {
 }
 
 impl<R: Real> Contact<R> {
-    /// A profile on a medium, under the given control. The transformed profile is that of the medium; an `Arc` of a transform
-    /// is one, too.
+    /// A profile on a medium, under the given control. The transformed profile is that of the medium; an `Arc` of a transform is
+    /// also a transform.
     pub fn new(
         transform: impl Transform<R> + 'static,
         medium: Medium<R>,
@@ -87,7 +87,7 @@ impl<R: Real> Contact<R> {
         &self.transform
     }
 
-    /// What is pressed.
+    /// The elastic medium below the profile.
     pub fn medium(&self) -> &Medium<R> {
         &self.medium
     }
@@ -138,7 +138,7 @@ impl<R: Real> Contact<R> {
     /// d(a) = g(a) − Δl(a) (1.5), in m.
     ///
     /// # Errors
-    /// As [`Transform::g`].
+    /// Errors of the transform at a; see [`Transform::g`].
     pub fn indentation(&self, a: &R) -> Result<R> {
         let elongation = self.elongation(a);
         Ok(self.transform.g_within(a, &negligible(&elongation))? - elongation)
@@ -147,7 +147,7 @@ impl<R: Real> Contact<R> {
     /// F(a) = S(a)(g − Δl − mean of g) (1.6), in N, with the stiffness S of the medium.
     ///
     /// # Errors
-    /// As [`Transform::above_mean`].
+    /// Errors of the transform at a; see [`Transform::above_mean`].
     pub fn force(&self, a: &R) -> Result<R> {
         Ok(self.stiffness(a) * self.depth_below_mean(a)?)
     }
@@ -170,7 +170,7 @@ impl<R: Real> Contact<R> {
     /// The controlled quantity along the curve.
     ///
     /// # Errors
-    /// As [`Transform::mean`].
+    /// Errors of the transform at a; see [`Transform::g`].
     pub fn controlled(&self, a: &R) -> Result<R> {
         let d = self.indentation(a)?;
         match &self.control {
@@ -199,7 +199,7 @@ impl<R: Real> Contact<R> {
     /// would lose log₁₀(S/k) digits.
     ///
     /// # Errors
-    /// As [`Contact::state`].
+    /// Errors of the transform at a; [`Error::OutOfRange`] if the force is not representable in this arithmetic.
     pub(crate) fn state_at(&self, a: &R, value: &R) -> Result<(R, R)> {
         match self.soft_spring(a) {
             Some(k) => {
@@ -222,7 +222,7 @@ impl<R: Real> Contact<R> {
     /// Indentation and force at radius `a` and a fixed `value` of the controlled quantity, equilibrium or not.
     ///
     /// # Errors
-    /// As [`Contact::state`].
+    /// Errors of the transform at a; [`Error::OutOfRange`] if the force is not representable in this arithmetic.
     pub(crate) fn equilibrium_at(&self, a: &R, value: &R) -> Result<(R, R)> {
         let d = self.held_against(a, value, || self.transform.mean(a))?;
         let force = match (&self.control, self.soft_spring(a)) {
@@ -237,7 +237,8 @@ impl<R: Real> Contact<R> {
     /// where it is positive (1.8), grows where it is negative (1.9) and is in equilibrium where it vanishes.
     ///
     /// # Errors
-    /// As [`Control::check_value`] and [`Transform::mean`].
+    /// [`Error::Domain`] unless `value` is finite and the stiffness of a machine positive and finite; errors of the transform at
+    /// a.
     pub fn direction(&self, a: &R, value: &R) -> Result<R> {
         self.control.check_value(value)?;
         self.direction_at(a, value)
@@ -262,7 +263,7 @@ impl<R: Real> Contact<R> {
     /// The tangency ratio g'(a)/Δl'(a): under controlled indentation it is 1 at a fold (1.10).
     ///
     /// # Errors
-    /// As [`Transform::slope`].
+    /// Errors of the transform at a; see [`Transform::slope`].
     pub fn tangency(&self, a: &R) -> Result<R> {
         Ok(self.tangency_of(self.transform.slope(a)?, a))
     }
@@ -293,7 +294,7 @@ impl<R: Real> Contact<R> {
     /// Indentation and force at radius `a`.
     ///
     /// # Errors
-    /// As [`Transform::mean`]; [`Error::OutOfRange`] if the force is not representable in this arithmetic.
+    /// Errors of the transform at a; [`Error::OutOfRange`] if the force is not representable in this arithmetic.
     pub fn state(&self, a: &R) -> Result<(R, R)> {
         let d = self.indentation(a)?;
         let force = self.force_of(a, &self.depth_below_mean(a)?)?;

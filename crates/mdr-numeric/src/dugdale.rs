@@ -107,21 +107,22 @@ impl<'a, R: Special> Dugdale<R> {
     /// reaches h₀.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless a is positive and finite, and where the ring would reach beyond the profile; as
-    /// [`Transform::g`](mdr_core::contact::Transform::g); [`Error::OutOfRange`] if the force is not representable.
+    /// [`Error::Domain`] unless a is positive and finite, and if the ring would reach beyond the profile; errors of the
+    /// transform; [`Error::OutOfRange`] if the force is not representable.
     pub fn state(&self, a: &R) -> Result<CohesiveState<R>> {
         let ring = self.ring(&Error::require_positive(Quantity::ContactRadius, a.clone())?, None)?;
         self.state_of(&ring)
     }
 
-    /// The state of greatest tension at which a contact breaks under a dead load that is lowered step by step: the lowest
-    /// of the minima of the force along the states. `None` where there is no minimum, because the contact spreads by itself.
+    /// The state of greatest tension at which a contact breaks under a dead load that is lowered step by step: the lowest of the
+    /// minima of the force along the states. `None` if there is no minimum, because the contact spreads by itself.
     ///
     /// The minima are looked for among contact radii an octave apart, from four times the largest of the `folds` of the
     /// short-range theory under a dead load downwards, and around each of them.
     ///
     /// # Errors
-    /// As [`Dugdale::state`].
+    /// [`Error::Domain`] if the ring would reach beyond the profile; errors of the transform; [`Error::OutOfRange`] if a force is
+    /// not representable.
     pub fn pull_off(&self, folds: &[R]) -> Result<Option<CohesiveState<R>>> {
         let mut lowest: Option<CohesiveState<R>> = None;
         for state in self.minima(folds)? {
@@ -132,10 +133,11 @@ impl<'a, R: Special> Dugdale<R> {
         Ok(lowest)
     }
 
-    /// The minimum of the force whose contact radius is known to `bits` bits, as from another arithmetic.
+    /// The minimum of the force, from its contact radius to `bits` bits in another arithmetic.
     ///
     /// # Errors
-    /// [`Error::NoConvergence`] where there is none nearby; as [`Dugdale::state`].
+    /// [`Error::NoConvergence`] if there is no minimum nearby; [`Error::Domain`] if the ring would reach beyond the profile;
+    /// errors of the transform; [`Error::OutOfRange`] if the force is not representable.
     pub fn pull_off_near(&self, radius: &R, bits: i64) -> Result<CohesiveState<R>> {
         if let Some(state) = self.at_vertical_edge()?
             && (state.contact_radius.clone() / radius - radius.lit(1)).abs() <= radius.lit(2).powi(-bits)

@@ -55,13 +55,13 @@ impl<R: Real> Energy<R> {
     /// Π(a, d), in J, zero for separated surfaces.
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature; [`Error::OutOfRange`] if it is not representable in this
-    /// arithmetic.
+    /// [`Error::Domain`] unless a is positive and finite; errors of the transform and of the quadrature; [`Error::OutOfRange`] if
+    /// Π is not representable in this arithmetic.
     pub fn potential(&self, a: &R, d: &R) -> Result<R> {
         self.potential_by(a, d, |square| self.mean(a, &Grade::Full, square))
     }
 
-    /// The same with a given method for the mean of v² over the contact.
+    /// Π(a, d), in J, with a given method for the mean of v² over the contact.
     pub(crate) fn potential_by(
         &self,
         a: &R,
@@ -83,7 +83,8 @@ impl<R: Real> Energy<R> {
     /// computed as E* ∫ ((d − g)² − Δl²) dx from `to` to `from`. It is not a difference of energies, so a small jump
     /// keeps its accuracy.
     /// # Errors
-    /// As [`Energy::potential`].
+    /// [`Error::Domain`] unless both radii are positive and finite; errors of the transform and of the quadrature;
+    /// [`Error::OutOfRange`] if the energy is not representable in this arithmetic.
     pub fn dissipated(&self, from: &R, to: &R, d: &R) -> Result<R> {
         let [from, to] = [from, to].map(|a| Error::require_positive(Quantity::ContactRadius, a.clone()));
         let (from, to) = (from?, to?);
@@ -119,7 +120,8 @@ impl<R: Real> Energy<R> {
     /// accurate near its zero as d − g(a) is.
     ///
     /// # Errors
-    /// Those of the transform; [`Error::OutOfRange`] if it is not representable in this arithmetic.
+    /// [`Error::Domain`] unless a is positive and finite; errors of the transform; [`Error::OutOfRange`] if the rate is not
+    /// representable in this arithmetic.
     pub fn release(&self, a: &R, d: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let unit = self.unit(&a);
@@ -127,8 +129,8 @@ impl<R: Real> Energy<R> {
         in_range(Quantity::Energy, excess.square(), &excess, || [excess.clone(), excess.clone()])
     }
 
-    /// The same as the derivative of the integral, without the integrand at its end: the method of
-    /// [`Energy::equilibria`]. It is accurate to a few roundings of the energy.
+    /// The energy release rate of [`Energy::release`], as the derivative of the integral, without the integrand at its end: the
+    /// method of [`Energy::equilibria`]. It is accurate to a few roundings of the energy.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -143,7 +145,7 @@ impl<R: Real> Energy<R> {
     /// ```
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature; [`Error::Domain`] unless a is positive and finite.
+    /// [`Error::Domain`] unless a is positive and finite; errors of the transform and of the quadrature.
     pub fn release_by_variation(&self, a: &R, d: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         self.varied(&a, d, &Grade::Full)
@@ -214,9 +216,9 @@ impl<R: Real> Energy<R> {
     /// and g'; the cost is about ten milliseconds in f64, and seconds at 50 digits if g is itself a quadrature.
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature; as [`Control::check_value`]; [`Error::OutOfRange`] if a force is
-    /// not representable in this arithmetic; [`Error::Undecided`] if Π is stationary, up to rounding, over a whole
-    /// range of radii, as at d = 0 at the threshold of n = 1/2.
+    /// [`Error::Domain`] unless `value` is finite and the stiffness of a machine positive and finite; errors of the transform and
+    /// of the quadrature; [`Error::OutOfRange`] if a force is not representable in this arithmetic; [`Error::Undecided`] if Π is
+    /// stationary, up to rounding, over a whole range of radii, as at d = 0 at the threshold of n = 1/2.
     pub fn equilibria(&self, control: &Control<R>, value: &R) -> Result<Vec<Equilibrium<R>>> {
         control.check_value(value)?;
         let range =

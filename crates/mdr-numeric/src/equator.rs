@@ -18,7 +18,7 @@ impl<R: Real> Contact<R> {
     /// The outer radius, if g is known to diverge there.
     ///
     /// # Errors
-    /// As [`Transform::kink`](mdr_core::contact::Transform::kink).
+    /// Errors of the transform near its outer radius; see [`Transform::kink`](mdr_core::contact::Transform::kink).
     pub(crate) fn equator(&self) -> Result<Option<R>> {
         let transform = self.transform();
         let Some(outer) = transform.outer_radius().filter(|_| !transform.vertical_edge()) else { return Ok(None) };

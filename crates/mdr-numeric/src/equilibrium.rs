@@ -53,7 +53,7 @@ pub struct SearchedBranches<R: Real> {
 /// ```
 ///
 /// # Errors
-/// Those of the transform; [`OutOfRange`](Error::OutOfRange) if a force is not representable in this arithmetic.
+/// Errors of the transform; [`OutOfRange`](Error::OutOfRange) if a force is not representable in this arithmetic.
 pub fn equilibria<R, T>(
     transform: &Arc<T>,
     material: &Material<R>,
@@ -70,7 +70,7 @@ where
 /// The equilibria at one value, and the quality of the search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibria<R> {
-    /// By increasing radius.
+    /// The equilibria, by increasing radius.
     pub equilibria: Vec<Equilibrium<R>>,
     /// [`Doubtful`](SearchQuality::Doubtful) if there may be more: on branches between folds that were not found, or at
     /// radii outside the searched range.
@@ -90,7 +90,8 @@ impl<R: Real> SearchedBranches<R> {
     /// Finds the folds of the curve. Call it once for many values.
     ///
     /// # Errors
-    /// As [`folds::folds`].
+    /// Errors of the transform; [`Error::Domain`] unless the stiffness of a machine is positive and finite; [`Error::Undecided`]
+    /// at a threshold of n = 1/2; [`Error::OutOfRange`] if the force of a fold is not representable. See [`folds::folds`].
     pub fn new(curve: Contact<R>) -> Result<Self> {
         let folds = folds::find(&curve)?;
         match folds.out_of_range.first() {
@@ -99,7 +100,7 @@ impl<R: Real> SearchedBranches<R> {
         }
     }
 
-    /// The curve cut at known folds: those of the same contact under the same control, all with a state.
+    /// The curve cut at given folds: all folds of the same contact under the same control, each with a state.
     pub fn cut_at(curve: Contact<R>, folds: Folds<R>) -> Self {
         let Folds { mut folds, poles, completeness, .. } = folds;
         folds.extend(poles);
@@ -108,7 +109,7 @@ impl<R: Real> SearchedBranches<R> {
         SearchedBranches { curve, folds, completeness, reach: None, equator, admissibility: OnceLock::new() }
     }
 
-    /// The same with a known admissibility, which is otherwise searched when needed.
+    /// Sets the admissibility, which is otherwise searched when needed.
     pub fn with_admissibility(self, admissibility: Arc<Admissibility>) -> Self {
         SearchedBranches { admissibility: OnceLock::from(admissibility), ..self }
     }
@@ -128,10 +129,11 @@ impl<R: Real> SearchedBranches<R> {
         self.completeness
     }
 
-    /// All equilibria at `value`, as [`EquilibriumBranches::equilibria`], and whether there may be more.
+    /// All equilibria at `value`, by increasing radius, and whether there may be more.
     ///
     /// # Errors
-    /// As [`equilibria`].
+    /// [`Error::Domain`] unless the value is finite; errors of the transform; [`Error::OutOfRange`] if a force is not
+    /// representable.
     pub fn search(&self, value: &R) -> Result<Equilibria<R>> {
         let equilibria = self.equilibria(value)?;
         let found = |outwards: &dyn Fn(&Equilibrium<R>) -> bool| equilibria.iter().any(outwards);

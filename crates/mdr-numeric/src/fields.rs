@@ -37,7 +37,7 @@ impl<R: Special> Fields<R> {
     /// The equilibrium of the curve at the given contact radius.
     ///
     /// # Errors
-    /// As [`Contact::indentation`].
+    /// [`Error::Domain`] unless the contact radius is positive and finite; errors of the transform there.
     pub fn new(curve: Contact<R>, contact_radius: R) -> Result<Self> {
         let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
         let indentation = curve.indentation(&contact_radius)?;
@@ -48,7 +48,7 @@ impl<R: Special> Fields<R> {
     /// An equilibrium that was found on the curve, or at its vertical edge.
     ///
     /// # Errors
-    /// As [`Fields::new`].
+    /// [`Error::Domain`] unless the contact radius is positive and finite; errors of the transform there.
     pub fn of(curve: Contact<R>, state: &Equilibrium<R>) -> Result<Self> {
         let fields = Self::new(curve, state.contact_radius.clone())?;
         if fields.curve.vertical_edge().as_ref() != Some(&state.contact_radius) {
@@ -80,7 +80,8 @@ impl<R: Special> Fields<R> {
     /// The pressure with its estimated error, also if that exceeds the limit of [`Fields::pressure`].
     ///
     /// # Errors
-    /// As [`Fields::pressure`].
+    /// [`Error::Domain`] unless 0 ≤ r < a, and where the pressure is infinite; [`Error::NoConvergence`] if the quadrature does
+    /// not converge; [`Error::OutOfRange`] if the pressure is not representable in this arithmetic.
     pub fn pressure_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = &self.contact_radius;
         if !(*r >= r.lit(0) && r < a) {
@@ -132,7 +133,7 @@ impl<R: Special> Fields<R> {
     /// It is f(r) − d + u(r), with the profile itself written as the inverse transform of g.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless r > a; as [`Transform::g`](mdr_core::contact::Transform::g).
+    /// [`Error::Domain`] unless r > a; errors of the transform between a and r.
     pub fn gap(&self, r: &R) -> Result<R> {
         settled(self.gap_estimate(r)?, &self.edge)
     }
@@ -140,7 +141,7 @@ impl<R: Special> Fields<R> {
     /// The gap with its estimated error, also if that exceeds the limit of [`Fields::gap`].
     ///
     /// # Errors
-    /// As [`Fields::gap`].
+    /// [`Error::Domain`] unless r > a; errors of the transform between a and r.
     pub fn gap_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = self.outside(r)?;
         let angle = |x: &R| (leg(r, x) / x).atan();
@@ -154,7 +155,7 @@ impl<R: Special> Fields<R> {
     /// u(r) = (2/π) ∫ (d − g(r sin θ)) dθ over 0 < θ < arcsin(a/r).
     ///
     /// # Errors
-    /// As [`Fields::gap`].
+    /// [`Error::Domain`] unless r > a; errors of the transform within the contact.
     pub fn displacement(&self, r: &R) -> Result<R> {
         settled(self.displacement_estimate(r)?, &self.edge)
     }
@@ -162,7 +163,7 @@ impl<R: Special> Fields<R> {
     /// The displacement with its estimated error, also if that exceeds the limit of [`Fields::displacement`].
     ///
     /// # Errors
-    /// As [`Fields::displacement`].
+    /// [`Error::Domain`] unless r > a; errors of the transform within the contact.
     pub fn displacement_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = self.outside(r)?;
         let angle = |x: &R| (x.clone() / &leg(r, x)).atan();
@@ -178,7 +179,7 @@ impl<R: Special> Fields<R> {
     /// vertical edge the radius is fixed, and it is that of a punch.
     ///
     /// # Errors
-    /// [`Error::Domain`] at the fold itself; as [`Contact::tangency`].
+    /// [`Error::Domain`] at the fold itself; errors of the transform at the contact radius.
     pub fn stiffness(&self) -> Result<R> {
         let stiffness = self.curve.stiffness(&self.contact_radius);
         if self.curve.vertical_edge().as_ref() == Some(&self.contact_radius) {

@@ -24,12 +24,12 @@ pub enum SearchQuality {
 /// The folds of one contact under one control.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Folds<R> {
-    /// By increasing radius.
+    /// The folds, by increasing radius.
     pub folds: Vec<Fold<R>>,
     /// Radii where g, and with it the controlled quantity, diverges: the curve of equilibria is cut there as by a fold.
     /// By increasing radius; indentation and force are infinite.
     pub poles: Vec<Fold<R>>,
-    /// Folds whose force overflows or underflows, by increasing radius; only the radius is known.
+    /// Folds whose force overflows or underflows, by increasing radius; only the radius is computed.
     pub out_of_range: Vec<OutOfRangeFold<R>>,
     /// Whether there may be more.
     pub completeness: SearchQuality,
@@ -91,7 +91,9 @@ impl<R> Deref for Folds<R> {
 /// ```
 ///
 /// # Errors
-/// As [`find`]; [`OutOfRange`](Error::OutOfRange) if the force of a fold is not representable in this arithmetic.
+/// Errors of the transform at a fold; [`Error::Domain`] unless the stiffness of a machine is positive and finite;
+/// [`Error::Undecided`] at a threshold of n = 1/2; [`OutOfRange`](Error::OutOfRange) if the force of a fold is not representable.
+/// See [`find`].
 pub fn folds<R, T>(transform: &Arc<T>, material: &Material<R>, control: &Control<R>) -> Result<Folds<R>>
 where
     R: Real,
@@ -104,12 +106,12 @@ where
     }
 }
 
-/// As [`folds`], including those whose force is out of range.
+/// All folds of a contact by tangency, including those whose force is out of range; [`folds`] states the condition.
 ///
 /// # Errors
-/// Those of the transform at a fold; [`Error::Domain`] unless the stiffness of a machine is positive and finite;
-/// [`Error::Undecided`] if the condition is satisfied, up to rounding, over a whole range of radii: n = 1/2 with C at a
-/// threshold (1.19).
+/// Errors of the transform at a fold; [`Error::Domain`] unless the stiffness of a machine is positive and finite;
+/// [`Error::Undecided`] if the condition is satisfied, up to rounding, over a whole range of radii: n = 1/2 with C at a threshold
+/// (1.19).
 pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
     curve.control().check()?;
     let length = curve.material_length();

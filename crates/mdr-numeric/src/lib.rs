@@ -32,7 +32,7 @@
 //! |---|---|
 //! | heights f(r) | [`profiles`]; measured ones from a CSV file: [`table`]; of your own: [`function`] |
 //! | g, g' and ∫g of any profile, by quadrature | [`transform`] |
-//! | what is pressed, as a row of springs | [`medium`] |
+//! | the elastic medium, as a row of springs | [`medium`] |
 //! | a profile on a medium: states (a, d, F) by (1.5) and (1.6), and the direction of change off equilibrium | [`contact`] |
 //! | folds by tangency (1.10), under every control | [`folds`] |
 //! | equilibria at an indentation, a force or a machine position | [`equilibrium`] |

@@ -1,4 +1,4 @@
-//! What is pressed: an elastic medium as a row of independent springs.
+//! The elastic medium, as a row of independent springs.
 //!
 //! The method of dimensionality reduction needs three functions of the size a of a contact: the stiffness S(a) of a flat
 //! punch of that size, the area A(a), and the depth g(a) without adhesion. Springs of stiffness S'(x)dx under the profile
@@ -20,7 +20,7 @@
 use mdr_core::contact::{Control, Error, Material, Quantity, Result};
 use mdr_core::number::Real;
 
-/// An elastic medium, with what is known of it in one arithmetic.
+/// An elastic medium, with its properties in one arithmetic.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Medium<R> {
@@ -56,8 +56,8 @@ impl<R: Real> Medium<R> {
         }
     }
 
-    /// The medium with a modulus of one, in doubles: forces and works of adhesion are then those over the modulus, and lengths
-    /// stay what they are, also where a modulus is out of the range of doubles.
+    /// The medium with a modulus of one, in doubles: forces and works of adhesion are then divided by the modulus, and lengths
+    /// are unchanged, also if a modulus is out of the range of doubles.
     pub(crate) fn of_unit_modulus(&self) -> Medium<f64> {
         match self {
             Medium::HalfSpace { .. } => Medium::HalfSpace { modulus: 1.0 },

@@ -29,7 +29,7 @@ pub struct Heights<R> {
 }
 
 impl<R: Special> Heights<R> {
-    /// The sum of shapes; of none of them it is the plane.
+    /// The sum of shapes; an empty list is the plane.
     ///
     /// # Errors
     /// [`Error::Domain`] unless every parameter is positive and finite; the amplitude of waves may have either sign, and
@@ -168,7 +168,7 @@ fn outer_radius<R>(shape: &Shape<R>) -> Option<&R> {
     }
 }
 
-/// p of f ≈ c rᵖ at the tip; none for a flat face.
+/// The exponent p of f ≈ c rᵖ at the tip; `None` for a flat face.
 fn tip_exponent<R: Special>(shape: &Shape<R>) -> Option<R> {
     let (like, exponent) = match shape {
         Shape::Power { n, .. } => return Some(n.clone()),

@@ -48,7 +48,7 @@ pub struct Foundation<R> {
 pub struct Cascade<R> {
     /// The state at which it starts.
     pub instability: Fold<R>,
-    /// Where it ends.
+    /// The outcome of the cascade.
     pub outcome: Outcome<R>,
 }
 
@@ -56,7 +56,7 @@ impl<R: Real> Foundation<R> {
     /// Springs at 0, ±Δx, …, ±NΔx for N = `reach`.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless Δx is positive and finite and N at least 1; those of the transform at NΔx.
+    /// [`Error::Domain`] unless Δx is positive and finite and N at least 1; errors of the transform at NΔx.
     pub fn new(transform: &dyn Transform<R>, material: &Material<R>, spacing: R, reach: usize) -> Result<Self> {
         let spacing = Error::require_positive(Quantity::Spacing, spacing)?;
         if reach == 0 {
@@ -99,7 +99,7 @@ impl<R: Real> Foundation<R> {
     /// Elongation of spring i at indentation `d`, in m; negative when it is compressed.
     ///
     /// # Errors
-    /// As [`Foundation::force`].
+    /// [`Error::Domain`] when there is no spring i, or d is not finite.
     pub fn elongation(&self, i: usize, d: &R) -> Result<R> {
         self.check(i, d)?;
         Ok(self.profile[i].clone() - d)
@@ -118,7 +118,7 @@ impl<R: Real> Foundation<R> {
     /// of one makes others follow at the same value, that is an instability. Returns all of them in order.
     ///
     /// # Errors
-    /// As [`Control::check`].
+    /// [`Error::Domain`] unless the stiffness of a machine is positive and finite.
     pub fn pull(&self, start: usize, control: &Control<R>) -> Result<Vec<Cascade<R>>> {
         control.check()?;
         let mut cascades = Vec::new();
@@ -143,7 +143,7 @@ impl<R: Real> Foundation<R> {
     /// is complete contact.
     ///
     /// # Errors
-    /// As [`Control::check`].
+    /// [`Error::Domain`] unless the stiffness of a machine is positive and finite.
     pub fn press(&self, start: usize, control: &Control<R>) -> Result<Vec<Cascade<R>>> {
         control.check()?;
         let last = self.profile.len() - 1;

@@ -109,7 +109,7 @@ fn errors_of_a_sphere() {
     }
 }
 
-/// A profile known by its heights only, which are counted.
+/// A profile that gives its heights only, which are counted.
 struct CountingProfile<P> {
     profile: P,
     count: AtomicUsize,

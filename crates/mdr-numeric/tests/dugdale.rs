@@ -1,4 +1,4 @@
-//! Adhesion of finite range: limits, edges and scales. That the states are those of Maugis 1992 is a check of mdr-crosscheck.
+//! Adhesion of finite range: limits, edges and scales. A check of mdr-crosscheck compares the states with those of Maugis 1992.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

@@ -19,7 +19,7 @@ fn document(path: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The rows of shapes; those of sums, formulas and tables print no formula.
+/// The rows of shapes; rows of sums, formulas and tables print no formula.
 fn rows() -> Vec<Row> {
     let text = document("docs/scenes.md");
     let quoted = |cell: &str| cell.split('`').nth(1).map(str::to_owned);

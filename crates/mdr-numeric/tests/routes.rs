@@ -1,4 +1,4 @@
-//! The same contact by energy and by springs.
+//! Energy and springs give the contact that tangency and the rule of Heß give.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

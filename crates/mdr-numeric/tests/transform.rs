@@ -204,7 +204,7 @@ fn one_node_claims_nothing() {
     assert!((estimate.value - exact).abs() <= estimate.error, "{estimate:?} {exact}");
 }
 
-/// r² + A(1 − cos kr), k = 2π/λ, known by its heights only; they are counted.
+/// r² + A(1 − cos kr), k = 2π/λ, given by its heights only; they are counted.
 struct Waves {
     amplitude: f64,
     wavelength: f64,
@@ -255,7 +255,7 @@ fn luck_is_not_convergence() {
     }
 }
 
-/// Waves of the opposite phase, a trough on the axis, subtract what the others add.
+/// Waves of the opposite phase, a trough on the axis, subtract the heights that the others add.
 #[test]
 fn a_negative_amplitude_is_the_opposite_phase() {
     let g = |amplitude, x| {

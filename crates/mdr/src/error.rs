@@ -25,7 +25,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// Why a scene has no answer: which input is wrong, where it stands, and what would be right.
+/// The reason why a scene has no answer: which input is wrong, its place, and a valid input.
 ///
 /// ```
 /// use mdr::prelude::*;
@@ -39,11 +39,11 @@ pub enum Error {
     /// An input of the scene is refused.
     #[error("{}{}: {}", place.as_ref().map_or_else(String::new, |place| format!("{place}: ")), excerpt(key), printable(why))]
     Scene {
-        /// Where it stands; none in a scene that was built.
+        /// The place of the input; `None` in a scene that was built in Rust.
         place: Option<Place>,
         /// The key with the names of its tables: `profile.radius`.
         key: String,
-        /// What is wrong, and what would be right.
+        /// The fault, and a valid input.
         why: String,
     },
     /// The question has no answer: a quantity out of its domain, no equilibrium, a decision that stays open.
@@ -52,7 +52,7 @@ pub enum Error {
     /// A file could not be read.
     #[error("{}: {}", excerpt(name), printable(&source.to_string()))]
     Io {
-        /// Its name.
+        /// The name of the file.
         name: String,
         /// The reason.
         source: io::Error,
@@ -60,7 +60,7 @@ pub enum Error {
     /// Certified digits in a build without the feature `mp`.
     #[error("{what} needs the feature `mp` (GMP and MPFR), which this build is without; ask for f64")]
     NeedsMp {
-        /// What was asked for.
+        /// The request that needs the feature.
         what: &'static str,
     },
     /// The run was [stopped](crate::Stop).

@@ -1,4 +1,4 @@
-//! Files of scenes, fits and arguments, none of which is read without end.
+//! Files of scenes, fits and arguments, each of which is read up to a limit.
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
@@ -36,7 +36,7 @@ pub fn argument(path: impl AsRef<Path>) -> io::Result<Vec<u8>> {
 /// All that can be read, to its end.
 ///
 /// # Errors
-/// Those of reading; more than [`MOST_BYTES`].
+/// Errors of reading; more than [`MOST_BYTES`].
 pub fn bounded(from: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     from.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;

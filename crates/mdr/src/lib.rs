@@ -1,7 +1,7 @@
 //! Adhesive contacts of axisymmetric tips: pull-off forces, jumps and force curves, with digits that are proved.
 //!
-//! A [`Scene`] says what is pressed, what is controlled, and what is wanted; its [`Answer`] has a typed output for each want,
-//! and every number carries its [promise](answer::Promise) or the reason why there is none.
+//! A [`Scene`] has a contact, its control, and the requested outputs; its [`Answer`] has a typed output for each request, and
+//! every number carries its [promise](answer::Promise) or the reason why there is none.
 //!
 //! ```
 //! use mdr::prelude::*;
@@ -16,7 +16,7 @@
 //! # Ok::<(), mdr::Error>(())
 //! ```
 //!
-//! The same scene as TOML, for [`Scene::from_toml`] and the command line:
+//! This scene as TOML, for [`Scene::from_toml`] and the command line:
 //!
 //! ```toml
 //! [profile]
@@ -49,7 +49,7 @@
 //! # Features
 //! * `mp` (default): certified digits, by GMP and MPFR. Without it the crate is pure Rust, builds for `wasm32-unknown-unknown`,
 //!   and answers in f64; certified digits are [`Error::NeedsMp`]. E* of two bodies and f(0) = 0 of a formula are then decided in
-//!   doubles, formulas with `abs`, `min` or `max` are refused, and numbers out of range have their log₁₀ where f64 knows it.
+//!   doubles, formulas with `abs`, `min` or `max` are refused, and numbers out of range have their log₁₀ if f64 can compute it.
 //! * `fit` (default): fits of measured curves, by `levenberg-marquardt` and `nalgebra`.
 //! * `toml`, `serde` (default): scenes as TOML; scenes and answers as JSON.
 //!
@@ -85,7 +85,7 @@ pub mod batch {
     pub use mdr_analytic::double::grid::*;
 }
 
-/// One contact in Rust: your own profile on a medium, with everything that can be asked of it in any arithmetic.
+/// One contact in Rust: your own profile on a medium, with every computation of the library in any arithmetic.
 ///
 /// ```
 /// use mdr::contact::{Adhesion, Contact, Function, Medium, Quadrature, folds};
@@ -115,7 +115,7 @@ pub mod contact {
     pub use mdr_numeric::transform::Quadrature;
 }
 
-/// What a program needs: `use mdr::prelude::*`.
+/// The items that a program needs: `use mdr::prelude::*`.
 pub mod prelude {
     pub use mdr_core::contact::{Body, Control, ControlKind, Elasticity, Flank, FoldKind, Shape, Stability, Status};
     pub use mdr_core::number::{Exact, Literal};

@@ -43,7 +43,7 @@ impl AdhesionRegime {
         }
     }
 
-    /// What it means for the numbers of the short-range theory, in a sentence.
+    /// The consequence for the numbers of the short-range theory, in a sentence.
     pub fn advice(self) -> &'static str {
         match self {
             AdhesionRegime::Jkr => "the theory of short range holds: the Tabor number is above 5",
@@ -62,22 +62,22 @@ impl AdhesionRegime {
 }
 
 record! {
-    /// What the range of adhesion z₀ says of a contact, all of it under a dead load.
+    /// The validity of the short-range theory for a contact, by the range of adhesion z₀, all of it under a dead load.
     Validity {
         /// z₀, in m.
         range_of_adhesion: Literal,
         /// The generalised Tabor number μ at `contact_radius`.
         tabor: Value<N>,
-        /// What μ calls for.
+        /// The regime of adhesion at this μ.
         regime: AdhesionRegime,
         /// a at the pull-off of the short-range theory; where there is none, at the fold beyond which the contact spreads.
         contact_radius: Value<N>,
-        /// The pull-off force F of the short-range theory: exactly 0 where a contact shrinks to nothing first (n < 1/2); none
-        /// where the contact never breaks.
+        /// The pull-off force F of the short-range theory: exactly 0 if a contact shrinks to nothing first (n < 1/2); `None` if
+        /// the contact never breaks.
         jkr_pull_off: Option<Value<N>>,
         /// The pull-off force F by Maugis and Dugdale.
         maugis_dugdale_pull_off: Value<N>,
-        /// Their ratio less one; none where the short-range pull-off force is 0 or there is none.
+        /// Their ratio less one; `None` if the short-range pull-off force is 0 or there is none.
         correction: Option<Value<N>>,
         /// a of that state, within which the surfaces touch.
         maugis_dugdale_contact_radius: Value<N>,
@@ -85,7 +85,7 @@ record! {
         maugis_dugdale_outer_radius: Value<N>,
         /// d of that state.
         maugis_dugdale_indentation: Value<N>,
-        /// g'(a) at `contact_radius`: the half-space asks for slopes far below 1. For a paraboloid it is 2a/R.
+        /// g'(a) at `contact_radius`: the half-space requires slopes far below 1. For a paraboloid it is 2a/R.
         slope: Value<N>,
         /// a/R at `contact_radius`, of a profile with a radius of curvature R.
         a_over_r: Optional<N>,
@@ -99,7 +99,7 @@ constant_parts! {
 }
 
 impl Validity {
-    /// Its row, whose cells have the keys of an answer.
+    /// The row of the validity, whose cells have the keys of an answer.
     pub fn row(&self) -> Row<'_> {
         self.rows().remove(0)
     }
@@ -111,7 +111,7 @@ impl Validity {
         numbers.into_iter().find_map(Value::promise).unwrap_or(Promise::Double)
     }
 
-    /// What it means, in sentences.
+    /// The consequence for the numbers, in sentences.
     pub fn advice(&self) -> String {
         let change = self.correction.as_ref().and_then(Value::to_f64).map_or_else(String::new, |correction| {
             format!("; adhesion of finite range changes the pull-off force by {:+.2} %", 100.0 * correction)
@@ -132,7 +132,7 @@ impl Validity {
 /// The slope of a paraboloid at a/R = 0.3, above which a contact is not small.
 const STEEP: f64 = 0.6;
 
-/// What the range of adhesion of a scene says; none without one.
+/// The validity of the theory by the range of adhesion of a scene; `None` without one.
 ///
 /// # Errors
 /// A number of the scene that is out of its domain; [`Error::Stopped`].
@@ -154,7 +154,7 @@ pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
     }))
 }
 
-/// Digits on which two precisions agree; f64 tells where to look.
+/// Digits on which two precisions agree, near the radii that were found in f64.
 #[cfg(feature = "mp")]
 fn in_digits(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Result<Validity> {
     use rug::Float;
@@ -263,7 +263,7 @@ fn vanishes<R: SceneReal>(model: &Model<R>, fold: Option<&Fold<R>>) -> Result<bo
     Ok(lack(curve.tangency(&near))?.is_ok_and(|ratio| ratio > near.lit(3)))
 }
 
-/// A number that may be lacking; what concerns the whole computation is an error.
+/// A number that may be lacking; an error that concerns the whole computation is returned.
 fn value<R>(result: Result<R>) -> Result<Value<R>> {
     match result {
         Err(Error::Undecided { what, .. }) => Ok(Value::unknown(Status::Undecided, what)),

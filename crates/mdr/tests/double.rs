@@ -8,7 +8,7 @@ fn contact(shape: Shape<&str>) -> Contact {
     Contact::new(&Scene::new(shape, elasticity, "1e-3").expect("a scene")).expect("a contact")
 }
 
-/// r²/2R as a power law, and as a sum of one term, of which no closed form is known.
+/// r²/2R as a power law, and as a sum of one term, which has no closed form here.
 fn ball_in_two_ways() -> [Contact; 2] {
     let scene = r#"{"profile": {"kind": "sum", "term": [{"kind": "paraboloid", "radius": 1}]},
         "material": {"e_star": 1, "work_of_adhesion": "1e-3"}, "output": {"want": ["folds"]}}"#;

@@ -26,7 +26,7 @@ fn names() -> Vec<String> {
     names
 }
 
-/// Byte for byte what the command line prints, whose answers are checked in.
+/// The output of the command line byte for byte, whose answers are checked in.
 #[cfg(feature = "mp")]
 #[test]
 fn certified_answers_are_those_of_the_command_line() {
@@ -59,8 +59,8 @@ fn needs_mp(name: &str) -> bool {
     name == "kinked"
 }
 
-/// The same structure, with numbers as close as the condition of the example scenes allows on any platform. Of two numbers in
-/// one list the smaller may be a difference of larger ones, so that all are measured against the largest.
+/// Asserts equal structure, with numbers as close as the condition of the example scenes allows on any platform. Of two numbers
+/// in one list the smaller may be a difference of larger ones, so that all are measured against the largest.
 fn close(one: &Json, other: &Json, scale: f64, place: &str) {
     match (one, other) {
         (Json::Number(x), Json::Number(y)) => {
@@ -85,7 +85,7 @@ fn close(one: &Json, other: &Json, scale: f64, place: &str) {
     }
 }
 
-/// What cancels in a force, an indentation depth or an energy is as large as those beside it.
+/// The terms that cancel in a force, an indentation depth or an energy are as large as the numbers beside it.
 fn largest(record: &serde_json::Map<String, Json>, key: &str) -> f64 {
     let beside: &[&str] = match key {
         "work" | "dissipated" | "stored" | "energy" => &["work", "dissipated", "stored", "energy"],

@@ -109,7 +109,7 @@ fn tips_are_recovered_from_anywhere() {
     }
 }
 
-/// Rows that lie close together at the fold, with noise in X too, a short tail, and nothing stated: no start, no σ.
+/// Rows that lie close together at the fold, with noise in X and Y, a short tail, and nothing stated: no start, no σ.
 #[test]
 fn a_crowded_record_needs_no_start() {
     for (tip, formula, range) in tips() {
@@ -142,7 +142,7 @@ fn a_record_may_begin_in_tension() {
     }
 }
 
-/// How often the intervals of 68.3 and 95.4 % contain what the curves were made from.
+/// How often the intervals of 68.3 and 95.4 % contain the numbers from which the curves were made.
 fn coverage(curves: u64) -> [f64; 2] {
     let (mut inside, mut count) = ([0.0; 2], 0.0);
     for (tip, formula, range) in tips() {
@@ -198,7 +198,7 @@ fn wild_rows_priors_and_bounds() {
     assert!((prior.parameters[0].value.unwrap() - 1.9e6).abs() < 10.0);
 }
 
-/// A ball of 10 µm that was measured with heights wrong by a nanometre: smoothing takes that away, and the fit shows what it does.
+/// A ball of 10 µm that was measured with heights wrong by a nanometre: smoothing removes that, and the fit shows its effect.
 #[test]
 fn noise_of_a_measured_tip_moves_the_estimates() {
     let mut noise = Normal(5);

@@ -168,7 +168,7 @@ fn estimate(fit: &Fit, name: &str) -> [f64; 2] {
     [estimate.value.unwrap_or(f64::NAN), estimate.stderr.unwrap_or(f64::NAN)]
 }
 
-/// What is wrong with a fit of a curve, if anything.
+/// The fault of a fit of a curve, if there is one.
 fn fault(record: &Record, tip: &Tip, free: &[&str]) -> Option<String> {
     let curve = record.curve(tip);
     let what = format!("{} {record:?} {}", tip.shape.name(), free.len());
@@ -227,7 +227,7 @@ fn no_record_is_fitted_above_the_truth() {
     check(records);
 }
 
-/// Where the last row is as near to the fold as the noise tells, the sum of squares has a kink and several minima.
+/// If the last row is nearer to the fold than the noise resolves, the sum of squares has a kink and several minima.
 #[test]
 fn the_last_row_may_be_at_the_fold() {
     let record =
@@ -252,7 +252,7 @@ fn an_approach_alone_is_fitted_at_the_least() {
     }));
 }
 
-/// All stated standard deviations times a factor: the estimates stay, errors follow, and the status says what χ² says.
+/// All stated standard deviations times a factor: the estimates stay, errors follow, and the status follows from χ².
 #[test]
 fn a_common_factor_of_sigma_moves_no_estimate() {
     let tips = tips();
@@ -288,7 +288,7 @@ fn a_common_factor_of_sigma_moves_no_estimate() {
     }
 }
 
-/// What is typed far off: numbers to begin from, and numbers that are given.
+/// Numbers that are typed far off: starting values and given values.
 #[test]
 fn absurd_numbers_are_answered_or_refused() {
     for tip in tips() {

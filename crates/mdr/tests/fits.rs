@@ -174,8 +174,8 @@ fn degenerate_is_refused_with_what_the_data_fix() {
 }
 
 /// Digits of another program, proved here: estimates, standard errors and sums of squares.
-/// Deflection on a cantilever tells neither the scale of forces nor that of lateral lengths. No force is told then, and steps of the
-/// iteration that leave the range of numbers do not end it.
+/// Deflection on a cantilever determines neither the scale of forces nor that of lateral lengths. No force is reported then, and
+/// steps of the iteration that leave the range of numbers do not end it.
 #[test]
 fn two_scales_that_a_cantilever_does_not_tell() {
     let mut set = set("Hyper1");

@@ -1,5 +1,5 @@
-//! Formulas that a search in f64 cannot see, and searches that would not end: what is not known is not said, within a budget, and
-//! takes nothing else with it.
+//! Formulas that a search in f64 does not resolve, and searches that would not end: within a budget, an open result is not stated
+//! and takes nothing else with it.
 #![cfg(all(feature = "mp", feature = "serde", feature = "toml"))]
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -65,7 +65,7 @@ fn surfaces_first_touch_in_a_narrow_dip() {
     }
 }
 
-/// Rings of one height without end: it is not known where the surfaces touch, and the path says so.
+/// Rings of one height without end: where the surfaces touch is not decided, and the path has that status.
 #[test]
 fn an_unknown_first_touch_is_undecided() {
     let rest = "control = { kind = \"indentation\", path = [-3, 0.01], start = \"detached\" }
@@ -116,7 +116,7 @@ fn a_path_that_leaves_admissibility_takes_nothing_with_it() {
     }
 }
 
-/// What did not end. The budget is of work, so that a test may bound it tightly.
+/// Searches that did not end. The budget is of work, so that a test may bound it tightly.
 #[test]
 fn searches_end_within_their_budget() {
     for (material, profile, path) in [

@@ -248,7 +248,7 @@ fn nesting_is_refused_at_a_stated_depth() {
     assert!(complaint(&format!("{} = 1", vec!["a"; 100_000].join("."))).contains("not TOML: "));
 }
 
-/// What a program reads from a file or a pipe is bounded there; what it builds, here.
+/// Lists from a file or a pipe are bounded where they are read; lists of a scene built in Rust, here.
 #[test]
 fn lists_that_are_built_have_the_length_of_lists_that_are_read() {
     let scene = || {

@@ -1,4 +1,4 @@
-//! Whether the theory holds: the same answer from every door, and what it says at its edges.
+//! Whether the theory holds: the same answer through every interface, and the answers at its limits.
 
 use std::f64::consts::PI;
 

@@ -87,7 +87,7 @@ impl Terrain {
         terrain
     }
 
-    /// Adds an edge if g is known at it or beside it; the smaller value if g jumps.
+    /// Adds an edge if g can be computed at it or beside it; the smaller value if g jumps.
     fn push(&mut self, x: f64) {
         let g = |x: f64| self.transform.g(&x).ok().filter(|g| !g.is_nan());
         let beside = || [x * (1.0 - BESIDE), x * (1.0 + BESIDE)].into_iter().filter_map(g).reduce(f64::min);
@@ -117,8 +117,7 @@ impl Terrain {
         }
     }
 
-    /// Whether g is known outside a contact radius: where its extrema were searched, and beyond if some samples
-    /// increase.
+    /// Whether g is covered outside a contact radius: where its extrema were searched, and beyond if some samples increase.
     pub(super) fn knows(&self, a: f64) -> bool {
         let g = |x: f64| self.transform.g(&x).ok();
         let rises = || {
@@ -137,7 +136,7 @@ impl Terrain {
     /// than d. With `any` the first gap that is clearly negative is returned.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn narrowest(&self, a: f64, d: f64, any: bool) -> Result<Option<(f64, f64)>> {
         if self.transform.outer_radius().is_some_and(|outer| a >= outer) {
             return Ok(None);

@@ -34,7 +34,7 @@ impl Terrain {
     /// The gap at r > a by the fast rule, in m; a may be 0.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn gap(&self, a: f64, d: f64, r: f64) -> Result<f64> {
         let first = self.edges.partition_point(|edge| edge.x <= a);
         let last = self.edges.partition_point(|edge| edge.x < r);
@@ -104,7 +104,7 @@ impl Terrain {
 /// h(r) = (2/π) ∫ₐʳ (g − d)/√(r² − x²) dx, with the error of the integral.
 ///
 /// # Errors
-/// Those of the transform and of the quadrature.
+/// Errors of the transform and of the quadrature.
 pub(super) fn gap<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, breaks: &[R]) -> Result<Estimate<R>> {
     weighted([a, r], breaks, d.abs(), |x| Ok(transform.g(x)? - d))
 }
@@ -112,7 +112,7 @@ pub(super) fn gap<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, br
 /// h'(r) = (2/πr) [∫ₐʳ x g'/√(r² − x²) dx + a (g(a) − d)/√(r² − a²)].
 ///
 /// # Errors
-/// As [`gap`].
+/// Errors of the transform and of the quadrature.
 pub(super) fn slope<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, breaks: &[R]) -> Result<R> {
     let bulk = weighted([a, r], breaks, r.lit(0), |x| Ok(transform.slope(x)? * x))?.value / r;
     if *a == a.lit(0) {
@@ -124,9 +124,9 @@ pub(super) fn slope<R: Real>(transform: &dyn Transform<R>, a: &R, d: &R, r: &R, 
 
 /// (2/π) ∫ₐʳ f/√(r² − x²) dx; at an end of a piece, where f may be undefined, it is taken as zero.
 ///
-/// f may vanish all but for rounding over a piece, as between a kink and an extremum of g that is a few roundings away. So an
-/// error is accepted, too, which is below the tolerance relative to the integral of `term`, the largest of the terms that cancel
-/// in f, and of the largest |f| in the middle of a piece.
+/// f may vanish all but for rounding over a piece, as between a kink and an extremum of g that is a few roundings away. An error
+/// is therefore also accepted if it is below the tolerance relative to the integral of `term`, the largest of the terms that
+/// cancel in f, and of the largest |f| in the middle of a piece.
 fn weighted<R: Real>([a, r]: [&R; 2], breaks: &[R], term: R, f: impl Fn(&R) -> Result<R>) -> Result<Estimate<R>> {
     let mut largest = r.lit(0);
     pieces(a, r, breaks, |from, to| {

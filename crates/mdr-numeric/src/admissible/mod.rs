@@ -55,7 +55,7 @@ pub struct Admissibility {
     touch: Option<FirstTouch>,
 }
 
-/// Where the separated surfaces of a formula first touch, as far as enclosures of f tell.
+/// Where the separated surfaces of a formula first touch, as far as enclosures of f decide it.
 #[derive(Clone, Debug)]
 pub enum FirstTouch {
     /// At the tip: f ≥ 0.
@@ -63,7 +63,7 @@ pub enum FirstTouch {
     /// On a ring, where f < 0.
     #[cfg(feature = "mp")]
     Ring(Box<LowestRing>),
-    /// Not known.
+    /// Not decided.
     Open {
         /// The indentation, in m, at which they certainly do not touch yet; −∞ if there is none.
         at_least: f64,
@@ -82,7 +82,7 @@ pub enum Verdict {
         /// The gap there, in m.
         gap: f64,
     },
-    /// Not known, with the reason.
+    /// Not decided, with the reason.
     Undecided(&'static str),
 }
 
@@ -113,8 +113,8 @@ impl Admissibility {
         Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None }
     }
 
-    /// For a transformed formula of which nothing else is proved: as [`Admissibility::new`], but what the search does not
-    /// find may exist nevertheless.
+    /// For a transformed formula of which nothing else is proved. The extrema are searched as by [`Admissibility::new`], but
+    /// interpenetrations that the search does not find may exist.
     pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
         Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: Some(touch) }
     }
@@ -124,7 +124,7 @@ impl Admissibility {
         Admissibility { terrain: None, touch: None }
     }
 
-    /// The same, shared by all such profiles.
+    /// A shared [`Admissibility`] for profiles with nondecreasing g: every state is admissible.
     pub fn rising() -> &'static Admissibility {
         static RISING: Admissibility = Admissibility { terrain: None, touch: None };
         &RISING
@@ -171,8 +171,8 @@ impl Admissibility {
         }
     }
 
-    /// For a formula, where it is not known at which indentation separated surfaces first touch: one at which they do not
-    /// touch yet, in m.
+    /// An indentation, in m, at which the separated surfaces of a formula do not touch yet, if the indentation at which they
+    /// first touch is not decided.
     pub(crate) fn open_touch(&self) -> Option<f64> {
         match self.touch {
             Some(FirstTouch::Open { at_least }) => Some(at_least),

@@ -10,9 +10,9 @@ use crate::contact::Contact;
 /// A circle outside the contact on which the surfaces touch or interpenetrate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ring<R> {
-    /// Its radius, in m.
+    /// The radius of the ring, in m.
     pub radius: R,
-    /// The gap there, in m: 0 where they touch.
+    /// The gap at this radius, in m: 0 where the surfaces touch.
     pub gap: R,
 }
 
@@ -48,7 +48,8 @@ const AT_KINK: f64 = 1e-6;
 /// ```
 ///
 /// # Errors
-/// Those of the transform and of the quadrature; [`Error::Undecided`] where it is not known, of a formula.
+/// Errors of the transform and of the quadrature; [`Error::Undecided`] if enclosures of a formula do not decide where the
+/// surfaces first touch.
 pub fn first_touch<R: Real>(curve: &Contact<R>, admissibility: &Admissibility) -> Result<Option<Touch<R>>> {
     if let Some(touch) = &admissibility.touch {
         return of_formula(touch, curve.modulus());
@@ -81,7 +82,7 @@ fn of_formula<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>>
 /// The radius and the height at which f < 0 is smallest, in double precision; `None` if f ≥ 0.
 ///
 /// # Errors
-/// As [`first_touch`].
+/// Errors of the transform; [`Error::Undecided`] if enclosures of a formula do not decide where the surfaces first touch.
 pub(crate) fn first_touch_roughly(admissibility: &Admissibility) -> Result<Option<[f64; 2]>> {
     if let Some(touch) = &admissibility.touch {
         return Ok(of_formula(touch, &0.0)?.map(|touch| [touch.radius, touch.indentation]));
@@ -91,11 +92,11 @@ pub(crate) fn first_touch_roughly(admissibility: &Admissibility) -> Result<Optio
     Ok(lowest.filter(|(_, height)| *height < 0.0).map(|(radius, height)| [radius, height]))
 }
 
-/// The last admissible state on the stable branch between two contact radii, of which the larger is not admissible, and
-/// the ring on which the surfaces touch there; `None` if they interpenetrate at the smaller radius too.
+/// The last admissible state on the stable branch between two contact radii, of which the larger is not admissible, and the ring
+/// on which the surfaces touch there; `None` if they also interpenetrate at the smaller radius.
 ///
 /// # Errors
-/// Those of the transform and of the quadrature; [`Error::NoConvergence`].
+/// Errors of the transform and of the quadrature; [`Error::NoConvergence`] if the iteration does not converge.
 pub fn last_admissible<R: Real>(
     curve: &Contact<R>,
     admissibility: &Admissibility,

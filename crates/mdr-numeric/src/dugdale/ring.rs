@@ -25,7 +25,7 @@ struct Piece<'a, R> {
     /// Its ends.
     from: &'a R,
     to: &'a R,
-    /// Its length, where it is narrow, too.
+    /// The length of the piece, stored because the difference of its ends would cancel where it is narrow.
     length: R,
     /// c less the outer end, 0 at the edge of the ring.
     beyond: R,

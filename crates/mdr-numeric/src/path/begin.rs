@@ -45,7 +45,7 @@ fn is_apart<R: Real, B: EquilibriumBranches<R>>(branches: &B, value: &R) -> Resu
     Ok(reaches(&depth)? != Ordering::Greater)
 }
 
-/// Where it is not known at which indentation separated surfaces first touch, one at which they do not yet.
+/// An indentation at which separated surfaces do not touch yet, if the indentation at which they first touch is not decided.
 pub(super) fn still_apart<R: Real, B: EquilibriumBranches<R>>(branches: &B, like: &R) -> Option<R> {
     let bound = branches.admissibility().open_touch()?;
     Some(R::from_f64(like.ctx(), if bound.is_finite() { bound } else { -f64::MAX }))

@@ -24,7 +24,7 @@ use crate::equilibrium::SearchedBranches;
 /// The energy dissipated in an event.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dissipation<R> {
-    /// This energy, in J.
+    /// A finite energy, in J.
     Finite(Estimate<R>),
     /// More than any number: a body pulled off by a dead load falls without end; on a half-space complete contact
     /// spreads without end.
@@ -45,7 +45,7 @@ pub struct EventEnergy<R> {
 /// The energies of the events of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathEnergy<R> {
-    /// One for each event of the path.
+    /// The energies of the events, one entry for each event of the path.
     pub entries: Vec<EventEnergy<R>>,
 }
 
@@ -94,8 +94,7 @@ impl<R: Real> PathEnergy<R> {
     /// ```
     ///
     /// # Errors
-    /// Those of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this
-    /// arithmetic.
+    /// Errors of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this arithmetic.
     pub fn new(path: &Path<R>, branches: &SearchedBranches<R>) -> Result<Self> {
         let integrals = EnergyIntegrals::new(branches);
         let mut entries = Vec::with_capacity(path.events.len());
@@ -116,7 +115,7 @@ impl<R: Real> PathEnergy<R> {
     /// of the path, integrals over the whole contact.
     ///
     /// # Errors
-    /// As [`PathEnergy::new`].
+    /// Errors of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this arithmetic.
     pub fn balance(&self, path: &Path<R>, branches: &SearchedBranches<R>) -> Result<Option<Balance<R>>> {
         EnergyIntegrals::new(branches).balance(path, &self.entries)
     }
@@ -126,7 +125,7 @@ impl<R: Real> PathEnergy<R> {
 /// complete contact.
 ///
 /// # Errors
-/// As [`PathEnergy::new`].
+/// Errors of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this arithmetic.
 pub fn stored<R: Real>(path: &Path<R>, branches: &SearchedBranches<R>) -> Result<Option<Estimate<R>>> {
     EnergyIntegrals::new(branches).more_stored(path)
 }
@@ -135,7 +134,7 @@ impl<R: Real> Dissipation<R> {
     /// The energies of the events of a path, computed separately, so that one may fail alone.
     ///
     /// # Errors
-    /// As [`PathEnergy::new`].
+    /// Errors of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this arithmetic.
     pub fn of_each(path: &Path<R>, branches: &SearchedBranches<R>) -> Vec<Result<Self>> {
         let integrals = EnergyIntegrals::new(branches);
         path.events.iter().map(|event| Ok(integrals.event(event)?.1)).collect()
@@ -259,8 +258,8 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
         self.terms_with(a, &a.lit(1), &a.lit(0))
     }
 
-    /// The same if g' may have an inverse root or a pole at a kink: there g varies over the distance from it instead of
-    /// the radius, and the accumulated rounding is bounded.
+    /// The magnitude of the lengths that make up d and the force at radius `a`, if g' may have an inverse root or a pole at a
+    /// kink: there g varies over the distance from the kink instead of the radius, and the accumulated rounding is bounded.
     fn terms_near_kinks(&self, a: &R, needed: &R) -> Result<R> {
         self.terms_with(a, &self.breaks.clearance(a).sqrt(), needed)
     }

@@ -36,7 +36,7 @@ pub enum Start<R> {
 }
 
 impl<R> Start<R> {
-    /// The same with its radius in another arithmetic.
+    /// Converts the radius to another arithmetic.
     pub fn map<S>(&self, number: impl FnOnce(&R) -> S) -> Start<S> {
         match self {
             Start::Largest => Start::Largest,
@@ -150,16 +150,18 @@ impl<R: Real> Path<R> {
     /// [`NoEquilibrium`](mdr_core::contact::Error::NoEquilibrium) if there is no stable equilibrium at the first way
     /// point, or for a detached start where the surfaces would interpenetrate;
     /// [`Domain`](mdr_core::contact::Error::Domain) without way points, or unless they are finite;
-    /// [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures; those of the transform.
+    /// [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures; errors of the transform.
     pub fn follow(branches: &impl EquilibriumBranches<R>, start: &Start<R>, way: &[R]) -> Result<Self> {
         follow::follow(branches, start, way, None).map(|events| Path { events })
     }
 
-    /// The same with a known order of each way point relative to the previous one. Enclosures of two equal numbers do
-    /// not show that they are equal.
+    /// Follows the contact like [`Path::follow`], with a given order of each way point relative to the previous one. Enclosures
+    /// of two equal numbers do not show that they are equal.
     ///
     /// # Errors
-    /// As [`Path::follow`].
+    /// Errors of the transform; [`NoEquilibrium`](mdr_core::contact::Error::NoEquilibrium),
+    /// [`Domain`](mdr_core::contact::Error::Domain) and [`Undecided`](mdr_core::contact::Error::Undecided) under the conditions
+    /// stated at [`Path::follow`].
     pub fn follow_ordered(
         branches: &impl EquilibriumBranches<R>,
         start: &Start<R>,
@@ -185,12 +187,14 @@ impl<R: Real> Path<R> {
     /// ```
     ///
     /// # Errors
-    /// As [`Path::follow`].
+    /// Errors of the transform; [`NoEquilibrium`](mdr_core::contact::Error::NoEquilibrium),
+    /// [`Domain`](mdr_core::contact::Error::Domain) and [`Undecided`](mdr_core::contact::Error::Undecided) under the conditions
+    /// stated at [`Path::follow`].
     pub fn first(branches: &impl EquilibriumBranches<R>, start: &Start<R>, value: &R) -> Result<ContactState<R>> {
         begin::begin(branches, start, value).map(|(_, state)| state)
     }
 
-    /// The same path with its numbers in another arithmetic, such as states proved over enclosures for the energies.
+    /// Converts the numbers of the path to another arithmetic, such as states proved over enclosures for the energies.
     pub fn map<S>(&self, number: impl Fn(&R) -> S) -> Path<S> {
         let event = |event: &Event<R>| Event {
             kind: event.kind,

@@ -50,7 +50,8 @@ impl ProvedBranches {
     /// The branches between folds that were proved in the precision of `curve` or in a lower one.
     ///
     /// # Errors
-    /// [`Error::Unproved`] with the first part of the range that was not decided; as [`EnclosedCurve::refine`].
+    /// [`Error::Unproved`] with the first part of the range that was not decided; [`Error::Undecided`] if a fold cannot be
+    /// refined; errors of the transform at a fold. See [`EnclosedCurve::refine`].
     pub fn new(curve: EnclosedCurve, proved: &ProvedFolds) -> Result<Self> {
         if let Some((from, to)) = proved.undecided.first() {
             let [from, to] = [(from, Round::Down), (to, Round::Up)]
@@ -67,12 +68,12 @@ impl ProvedBranches {
         Ok(ProvedBranches { curve, folds, range: proved.range.clone(), edge, equator, admissibility })
     }
 
-    /// As [`SearchedBranches::with_admissibility`](crate::equilibrium::SearchedBranches::with_admissibility).
+    /// Sets the admissibility, which is otherwise searched when needed.
     pub fn with_admissibility(self, admissibility: Arc<Admissibility>) -> Self {
         ProvedBranches { admissibility: OnceLock::from(admissibility), ..self }
     }
 
-    /// The range of radii on which [all equilibria](EquilibriumBranches::equilibria) are found; some beyond it are reported too.
+    /// The range of radii on which [all equilibria](EquilibriumBranches::equilibria) are found; some beyond it are also reported.
     pub fn range(&self) -> &(Float, Float) {
         &self.range
     }
@@ -107,7 +108,7 @@ impl ProvedBranches {
         Ok(End { enclosure: radius.clone(), radius, excess })
     }
 
-    /// As [`Contact::direction`](crate::contact::Contact::direction); if a point is not certainly on one side of a kink, more
+    /// The [direction of change](crate::contact::Contact::direction); if a point is not certainly on one side of a kink, more
     /// bits are needed.
     fn direction(&self, a: &Interval, value: &Interval) -> Result<Interval> {
         match self.curve.plain.direction_at(a, value) {
@@ -180,7 +181,7 @@ impl ProvedBranches {
         Ok(self.equilibrium(radius, d, force, value, stability))
     }
 
-    /// The same enclosure after a step of the interval Newton operator, if the slope has a certain sign.
+    /// The enclosure after a step of the interval Newton operator, if the slope has a certain sign.
     fn narrowed(&self, radius: Interval, value: &Interval) -> Result<Interval> {
         let middle = radius.midpoint();
         let at_middle = self.direction(&middle, value)?;

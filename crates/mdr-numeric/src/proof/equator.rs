@@ -16,7 +16,7 @@ impl EnclosedCurve {
     /// equator the first of 40, 80, 160, … for which there is certainly no fold closer to it.
     ///
     /// # Errors
-    /// As [`Transform::kink`](mdr_core::contact::Transform::kink).
+    /// Errors of the transform near its outer radius; see [`Transform::kink`](mdr_core::contact::Transform::kink).
     pub fn octaves_to_equator(&self) -> Result<u32> {
         let Some(outer) = self.plain.equator()? else { return Ok(kinks::FINEST) };
         let mut octaves = kinks::FINEST;

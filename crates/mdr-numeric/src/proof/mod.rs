@@ -58,7 +58,7 @@ impl ProvedFolds {
 }
 
 impl EnclosedCurve {
-    /// The same contact in both arithmetics.
+    /// A contact, given over enclosures and over dual numbers of enclosures.
     pub fn new(plain: Contact<Interval>, moving: Contact<Dual<Interval>>) -> Self {
         EnclosedCurve { plain, moving }
     }
@@ -73,8 +73,8 @@ impl EnclosedCurve {
     /// radius. An end at a kink of g includes the kink.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless 0 < lower < upper, and unless the range begins before that end of the profile; as
-    /// [`Control::check`](mdr_core::contact::Control::check) and [`Contact::tangency`].
+    /// [`Error::Domain`] unless 0 < lower < upper, unless the range begins before that end of the profile, and unless the
+    /// stiffness of a machine is positive and finite; errors of the transform.
     pub fn folds(&self, lower: &Float, upper: &Float, budget: usize) -> Result<ProvedFolds> {
         self.plain.control().check()?;
         if !(*lower > 0 && lower < upper && upper.is_finite()) {
@@ -135,10 +135,10 @@ impl EnclosedCurve {
         Ok(())
     }
 
-    /// The same fold in the precision of this curve, from an enclosure in a lower precision.
+    /// The fold in the precision of this curve, from an enclosure in a lower precision.
     ///
     /// # Errors
-    /// [`Error::Undecided`] if the enclosure of the derivative contains zero; as [`Contact::tangency`].
+    /// [`Error::Undecided`] if the enclosure of the derivative contains zero; errors of the transform at the fold.
     pub fn refine(&self, fold: &Fold<Interval>) -> Result<Fold<Interval>> {
         if let Some(kink) = self.fold_at_kink(fold)? {
             return Ok(kink);

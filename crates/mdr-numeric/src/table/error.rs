@@ -17,7 +17,7 @@ named! {
     }
 }
 
-/// What is wrong with a table. Every message states the line, the column, the text there and the remedy; numbers are
+/// The reason why a table is rejected. Every message states the line, the column, the text there and the remedy; numbers are
 /// quoted as in the file.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -167,9 +167,9 @@ pub enum TableError {
     /// A line that no row needs, or more of them than a table may have.
     #[error("{what}; {remedy}")]
     TooLarge {
-        /// What is too large, and how large it is.
+        /// The quantity that is too large, and its size.
         what: String,
-        /// What may help.
+        /// A possible remedy.
         remedy: &'static str,
     },
     /// Not enough rows.

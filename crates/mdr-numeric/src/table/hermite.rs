@@ -16,7 +16,7 @@ impl<R: Real> Quadratic<R> {
         (c2.clone() * s + c1) * s + c0
     }
 
-    /// The same polynomial in powers of s − centre.
+    /// The polynomial in powers of s − centre.
     pub(super) fn about(&self, centre: &R) -> [R; 3] {
         let [c0, c1, c2] = &self.0;
         let slope = c2.clone() * centre;

@@ -87,7 +87,7 @@ impl Table {
         unit.map_or_else(|| metres.to_owned(), |power| units::scaled(metres, -power))
     }
 
-    /// The same rows with other heights, one per row.
+    /// A table with these rows and other heights, one per row.
     pub fn with_heights(&self, heights: impl IntoIterator<Item = Literal>) -> Table {
         let row = |(row, height): (&Row, Literal)| Row { height, ..row.clone() };
         Table { rows: self.rows.iter().zip(heights).map(row).collect(), units: self.units.clone() }
@@ -116,9 +116,8 @@ impl Table {
 /// is to a row. That of g' is below 4L u Σᵢ (1 + rᵢ₊₁/Δrᵢ) |Δfᵢ/Δrᵢ| Δθᵢ: f'' is a second difference of the data, and
 /// with the limited slopes |f'| is up to three times, |Δrᵢ f''| up to twelve times |Δfᵢ/Δrᵢ|. An evaluation costs O(log
 /// rows) in f64. Above 64 bits it costs O(rows), with an additional rounding error of at worst (rows) u. Over intervals
-/// every piece is summed too, and the result is an enclosure for every table within the enclosures of the decimals;
-/// radii that straddle a row are rejected, and [`Transform::kink`](mdr_core::contact::Transform::kink) gives the bounds
-/// there.
+/// every piece is also summed, and the result is an enclosure for every table within the enclosures of the decimals; radii that
+/// straddle a row are rejected, and [`Transform::kink`](mdr_core::contact::Transform::kink) gives the bounds there.
 #[derive(Clone, Debug)]
 pub struct MeasuredProfile<R> {
     pieces: Vec<Piece<R>>,

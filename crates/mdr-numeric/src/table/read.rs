@@ -120,10 +120,10 @@ impl Table {
         if table.rows[0].radius.is_zero() { table.check_tip().map(|()| table) } else { Ok(table) }
     }
 
-    /// The same, for heights measured from any zero.
+    /// Reads a table like [`Table::from_csv`], with heights measured from any zero.
     ///
     /// # Errors
-    /// As [`Table::from_csv`], but for f(0).
+    /// [`TableError`], with the line, the column and the value. f(0) is not checked.
     pub fn from_csv_above_any_zero(mut source: impl Read) -> Result<Table, TableError> {
         let mut bytes = Vec::new();
         source.read_to_end(&mut bytes)?;

@@ -63,7 +63,7 @@ impl<R: Special> Angles<R> {
         Angles { lower: x.lit(0), upper: x.pi().over(2), origin: Origin::Tip, inner: None, outer: None }
     }
 
-    /// The quarter circle cut at those of these radii, ascending, that are inside x.
+    /// The quarter circle cut at the radii that are inside x; they ascend.
     pub(super) fn between(radii: &[R], x: &R) -> Vec<Self> {
         let zero = x.lit(0);
         let inside =

@@ -68,7 +68,7 @@ impl<R: Special> Quadrature<R, Heights<R>> {
     /// The transform of the sum of some shapes of the library.
     ///
     /// # Errors
-    /// Those of [`Heights::new`].
+    /// [`Error::Domain`] if a parameter of a shape is out of its domain; see [`Heights::new`].
     pub fn of(terms: impl Into<Vec<Shape<R>>>) -> Result<Self> {
         Heights::new(terms).map(Quadrature::new)
     }
@@ -93,12 +93,12 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         }
     }
 
-    /// The same with another rule.
+    /// Sets the quadrature rule.
     pub fn with_rule(self, rule: Rule) -> Self {
         Quadrature { rule, fixed: OnceLock::new(), ..self }
     }
 
-    /// The same with a relative tolerance; below 32 unit roundoffs it has no effect.
+    /// Sets the relative tolerance; below 32 unit roundoffs it has no effect.
     ///
     /// # Errors
     /// [`Error::Domain`] unless it is positive and finite.
@@ -107,8 +107,8 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         Ok(Quadrature { tolerance, ..self })
     }
 
-    /// The same, accepting a value that misses its tolerance if its estimated error is below this relative to ∫|…|: for
-    /// fewer digits than the arithmetic has.
+    /// Accepts a value that misses its tolerance if its estimated error is below `error` relative to ∫|…|: for fewer digits than
+    /// the arithmetic has.
     ///
     /// # Errors
     /// [`Error::Domain`] unless it is positive and finite.
@@ -117,7 +117,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         Ok(Quadrature { accepted, ..self })
     }
 
-    /// The same for profiles with up to about this many waves inside x, 500 by default; with more the result is
+    /// Sets the number of waves inside x that the quadrature can resolve, about 500 by default; with more the result is
     /// [`NoConvergence`](Error::NoConvergence).
     ///
     /// A wave costs about twenty heights in `f64`. A search for folds evaluates hundreds of radii out to where
@@ -137,7 +137,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     /// x and the kinks are taken to be exact: their own rounding is not in the error.
     ///
     /// # Errors
-    /// As [`Transform::g`].
+    /// Errors of the transform at x: a radius outside the profile, or a quadrature that does not converge.
     pub fn g_estimate(&self, x: &R) -> Result<Estimate<R>> {
         self.estimate(x, Integrand::Transform)
     }
@@ -145,7 +145,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     /// g'(x) with its error; see [`g_estimate`](Self::g_estimate).
     ///
     /// # Errors
-    /// As [`Transform::slope`].
+    /// Errors of the transform at x: a radius outside the profile, or a quadrature that does not converge.
     pub fn slope_estimate(&self, x: &R) -> Result<Estimate<R>> {
         self.estimate(x, Integrand::Slope)
     }
@@ -153,7 +153,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     /// (1/x)∫₀ˣ g with its error; see [`g_estimate`](Self::g_estimate).
     ///
     /// # Errors
-    /// As [`Transform::mean`].
+    /// Errors of the transform at x: a radius outside the profile, or a quadrature that does not converge.
     pub fn mean_estimate(&self, x: &R) -> Result<Estimate<R>> {
         self.estimate(x, Integrand::Height)
     }

@@ -1,4 +1,4 @@
-//! What is private in `mdr_numeric::table::far`.
+//! Tests of the private items of `mdr_numeric::table::far`.
 
 use super::super::MeasuredProfile;
 use super::super::arc::Spoke;

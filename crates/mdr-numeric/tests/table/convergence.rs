@@ -1,4 +1,4 @@
-//! What the interpolant reproduces exactly, and its order of convergence otherwise.
+//! Profiles that the interpolant reproduces exactly, and its order of convergence otherwise.
 
 use std::f64::consts::FRAC_PI_2;
 

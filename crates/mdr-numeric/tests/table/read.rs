@@ -1,4 +1,4 @@
-//! CSV tables: what is accepted, and what is rejected with its line and value.
+//! CSV tables: accepted ones, and rejected ones with their line and value.
 
 use mdr_numeric::table::{Row, Table, TableError};
 

@@ -28,7 +28,7 @@ pub(crate) fn sampled(radii: &[f64], profile: impl Fn(f64) -> f64) -> Points {
     radii.iter().map(|&r| (r, profile(r))).collect()
 }
 
-/// The same with noise of the given amplitude everywhere but at the tip.
+/// Adds noise of the given amplitude everywhere but at the tip.
 #[cfg(feature = "mp")]
 pub(crate) fn with_noise(mut points: Points, amplitude: f64) -> Points {
     let mut noise = noise(points.len() as u64);

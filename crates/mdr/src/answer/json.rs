@@ -10,8 +10,8 @@ use super::{Answer, Cell, Number, Promise, Row, Value, described};
 const SCHEMA: &str = "mdr.solve/1";
 
 impl Answer {
-    /// The answer as one line of JSON, schema `mdr.solve/1`. Certified digits are text, doubles are JSON numbers; what has no
-    /// number is null, with its status beside it.
+    /// The answer as one line of JSON, schema `mdr.solve/1`. Certified digits are text, doubles are JSON numbers; a value without
+    /// a number is null, with its status beside it.
     pub fn to_json(&self) -> String {
         serde_json::to_string(self).unwrap_or_default()
     }

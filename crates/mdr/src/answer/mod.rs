@@ -1,4 +1,4 @@
-//! What a scene answers: typed outputs, each number with its promise or the reason why there is none.
+//! The answer to a scene: typed outputs, each number with its promise or the reason why there is none.
 
 #[cfg(feature = "serde")]
 pub(crate) mod json;
@@ -69,7 +69,7 @@ impl OutputKind {
     }
 }
 
-/// One output that was wanted.
+/// One requested output.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Output {
@@ -91,7 +91,7 @@ pub enum Output {
     ForceCurve(Box<ForceCurve>),
 }
 
-/// The same expression for the list of whatever output.
+/// Evaluates one expression for the list of any output.
 macro_rules! with_list {
     ($output:expr, $list:ident => $value:expr) => {
         match $output {
@@ -114,7 +114,7 @@ macro_rules! with_list {
 }
 
 impl Output {
-    /// What it is.
+    /// The kind of this output.
     pub fn kind(&self) -> OutputKind {
         match self {
             Output::Transform(_) => OutputKind::Transform,
@@ -130,7 +130,7 @@ impl Output {
         }
     }
 
-    /// How far its numbers can be trusted.
+    /// How far the numbers of the output can be trusted.
     pub fn promise(&self) -> Promise {
         with_list!(self, list => list.promise)
     }
@@ -162,7 +162,7 @@ impl Output {
         }
     }
 
-    /// What has a promise of its own, by its key.
+    /// The parts with a promise of their own, by their keys.
     pub fn exceptions(&self) -> Vec<(&'static str, Promise)> {
         match self {
             Output::Path(path) => {
@@ -214,25 +214,25 @@ impl Output {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// In which it was asked for.
+    /// The requested arithmetic.
     pub arithmetic: Arithmetic,
     /// The name of the profile.
     pub profile: &'static str,
-    /// What is controlled; none where nothing is.
+    /// The kind of controlled quantity; `None` if nothing is controlled.
     pub control: Option<ControlKind>,
-    /// How the scene was read, where that may surprise.
+    /// Notes on how the scene was read, where that may surprise.
     pub notes: Vec<String>,
-    /// In the order of the scene.
+    /// The outputs, in the order of the scene.
     pub outputs: Vec<Output>,
-    /// How it was decided which states are admissible, where there are states.
+    /// How the admissible states were determined; `None` if there are no states.
     pub admissibility: Option<Basis>,
     /// Whether the theory holds, where the scene has a range of adhesion.
     pub validity: Option<Box<Validity>>,
-    /// What each output cost.
+    /// The cost of each output.
     pub costs: Vec<Cost>,
 }
 
-/// An accessor for each output, by its kind; none where it was not wanted.
+/// An accessor for each output, by its kind; `None` if the output was not requested.
 macro_rules! accessors {
     ($($(#[$doc:meta])* $name:ident: $type:ty = $pattern:pat => $value:expr;)*) => {
         impl Answer {
@@ -248,35 +248,35 @@ macro_rules! accessors {
 }
 
 accessors! {
-    /// The transformed profile, where it is wanted.
+    /// The transformed profile; `None` if it was not requested.
     transform: List<TransformSample> = Output::Transform(list) => list;
-    /// The equilibria at the values of the scene, where they are wanted.
+    /// The equilibria at the values of the scene; `None` if they were not requested.
     equilibria: List<AtValue<Equilibrium>> = Output::Equilibria(list) => list;
-    /// The folds, where they are wanted.
+    /// The folds; `None` if they were not requested.
     folds: List<Fold> = Output::Folds(list) => list;
-    /// The loading path, where it is wanted.
+    /// The loading path; `None` if it was not requested.
     path: LoadingPath = Output::Path(path) => &**path;
-    /// The curve of equilibria, where it is wanted.
+    /// The curve of equilibria; `None` if it was not requested.
     curve: List<CurvePoint> = Output::Curve(list) => list;
-    /// The pressure of states, where it is wanted.
+    /// The pressure of states; `None` if it was not requested.
     pressure: List<AtValue<FieldState>> = Output::Field(Field::Pressure, list) => list;
-    /// The gap of states, where it is wanted.
+    /// The gap of states; `None` if it was not requested.
     gap: List<AtValue<FieldState>> = Output::Field(Field::Gap, list) => list;
-    /// The surface displacement of states, where it is wanted.
+    /// The surface displacement of states; `None` if it was not requested.
     displacement: List<AtValue<FieldState>> = Output::Field(Field::Displacement, list) => list;
-    /// The sampled loading path, where it is wanted.
+    /// The sampled loading path; `None` if it was not requested.
     force_curve: ForceCurve = Output::ForceCurve(curve) => &**curve;
-    /// Energy and stiffness of states, where they are wanted.
+    /// Energy and stiffness of states; `None` if they were not requested.
     energy: List<AtValue<EnergyState>> = Output::Energy(list) => list;
 }
 
 impl Answer {
-    /// The output that answers a want.
+    /// The output that answers a request.
     pub fn output(&self, want: &Want) -> Option<&Output> {
         self.outputs.iter().find(|output| output.kind() == want.kind())
     }
 
-    /// The promise that was asked for.
+    /// The requested promise.
     pub fn promise(&self) -> Promise {
         self.arithmetic.promise()
     }

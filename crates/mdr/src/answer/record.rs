@@ -1,7 +1,7 @@
 //! Records: structures of numbers in one arithmetic, declared once, from which all views of an answer are made.
 //!
-//! The same record holds enclosures while digits are being decided and [`Number`]s in an answer. Every view, JSON, tables, CSV
-//! and other languages, walks its [`Row`].
+//! A record holds enclosures while digits are being decided, and [`Number`]s in an answer. Every view, JSON, tables, CSV and
+//! other languages, walks its [`Row`].
 
 use mdr_core::contact::{FoldKind, Stability, Status};
 use mdr_core::number::Literal;
@@ -10,12 +10,12 @@ use mdr_numeric::path::EventKind;
 use super::types::{Admission, CurveStability, Dissipation};
 use super::value::{Number, Value};
 
-/// What stands under one key of a record.
+/// The content below one key of a record.
 #[derive(Debug)]
 pub enum Cell<'a, N = Number> {
     /// A number, or why there is none.
     Value(&'a Value<N>),
-    /// Why it is not known whether a state is stable.
+    /// The reason why the stability of a state is not decided.
     UnknownStability(&'a Value<Stability>),
     /// An input, as it was written.
     Literal(&'a Literal),
@@ -54,9 +54,9 @@ impl<N> Cell<'_, N> {
 pub struct Row<'a, N = Number> {
     /// The cells with their keys.
     pub cells: Vec<(&'static str, Cell<'a, N>)>,
-    /// Whether the state of the record is admissible: none where it has no state, `Some(None)` where that is not known.
+    /// Whether the state of the record is admissible: `None` if the record has no state, `Some(None)` if that is not decided.
     pub admissible: Option<Option<bool>>,
-    /// A status that its numbers do not tell, and the reason of it.
+    /// A status that its numbers do not show, and its reason.
     pub(super) mark: Option<Status>,
     pub(super) why: Option<&'a str>,
     doubt: Option<&'static str>,
@@ -78,7 +78,7 @@ impl<'a, N> Row<'a, N> {
         self.mark.or_else(of_cells).unwrap_or(Status::Ok)
     }
 
-    /// Why the status is not `ok`, in words.
+    /// The reason, in words, if the status is not `ok`.
     pub fn why(&self) -> Option<String> {
         let of_cell = || self.cells.iter().find_map(|(_, cell)| cell.why());
         let doubt = || self.doubt.map(|why| format!("whether it is admissible is not known: {why}"));
@@ -98,7 +98,7 @@ impl<'a, N> Row<'a, N> {
 
 /// Numbers in a fixed structure: a record, or a list of records.
 pub(crate) trait Numbers<N>: Sized {
-    /// The same with numbers of another arithmetic.
+    /// This structure with numbers of another arithmetic.
     type With<M>: Numbers<M>;
 
     /// The key of a list of such records at a value.
@@ -167,7 +167,7 @@ pub(crate) trait Part<N>: Sized {
     /// Adds its cells to a row.
     fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>);
 
-    /// Adds to a row what stands there for a field that a record lacks: nothing, unless it is a number.
+    /// Adds to a row the cells of a field that a record lacks: nothing, unless the field is a number.
     fn put_absent(_key: &'static str, _row: &mut Row<'_, N>) {}
 }
 
@@ -209,7 +209,7 @@ impl<N> Part<N> for Dissipation<N> {
     }
 }
 
-/// What a record may lack.
+/// A field that a record may lack.
 impl<N, T: Part<N>> Part<N> for Option<T> {
     type With<M> = Option<T::With<M>>;
 
@@ -225,7 +225,7 @@ impl<N, T: Part<N>> Part<N> for Option<T> {
     }
 }
 
-/// Fields without a number of the arithmetic, each with what it adds to a row.
+/// Fields without a number of the arithmetic, each with the cells that it adds to a row.
 macro_rules! constant_parts {
     ($($(#[$doc:meta])* $type:ty: |$part:ident, $key:ident, $row:ident| $put:expr;)*) => {$(
         $(#[$doc])*

@@ -65,14 +65,14 @@ impl<N> Cell<'_, N> {
 }
 
 impl Output {
-    /// Its flat rows; the last cell of each is its status.
+    /// The flat rows of the output; the last cell of each row is its status.
     pub fn table(&self) -> Vec<FlatRow> {
         flat(&self.rows())
     }
 }
 
 impl crate::Validity {
-    /// Its flat row; the last cell is its status.
+    /// The flat row of the validity; its last cell is the status.
     pub fn table(&self) -> FlatRow {
         flat(&[self.row()]).remove(0)
     }
@@ -120,7 +120,8 @@ pub fn columns<'a>(rows: impl IntoIterator<Item = &'a FlatRow>) -> Vec<Cow<'stat
 }
 
 impl Output {
-    /// Why numbers are not known, each reason once with its status; that of a value without equilibria stands in its row.
+    /// The reasons why numbers are not decided, each once with its status; the reason of a value without equilibria stands in its
+    /// row.
     pub fn reasons(&self) -> Vec<(Status, String)> {
         let mut reasons = Vec::new();
         collect_reasons(&self.rows(), &mut reasons);
@@ -144,7 +145,7 @@ fn collect_reasons(rows: &[Row<'_>], reasons: &mut Vec<(Status, String)>) {
     }
 }
 
-/// What stands below a key.
+/// The cell below a key.
 pub fn find<'r>(row: &'r FlatRow, key: &str) -> Option<&'r FlatCell> {
     row.iter().find(|(name, _)| name == key).map(|(_, cell)| cell)
 }
@@ -193,7 +194,7 @@ impl Balance {
 }
 
 impl CurveSummary {
-    /// What is read off a force curve, in a sentence.
+    /// The summary of a force curve, in a sentence.
     pub fn sentence(&self, style: &NumberStyle) -> String {
         let part = |(name, value, unit): (&str, &Option<Value>, &str)| match value {
             Some(value) => format!("{name} {}", style.quantity(&value.to_string(), unit)),

@@ -3,10 +3,10 @@
 use super::{Answer, FlatCell, FlatRow, NumberStyle, Output, columns, title};
 use crate::scene::Scene;
 
-/// log₁₀ of what is out of range has a column of its own.
+/// log₁₀ of a number out of range has a column of its own.
 const LOG10: &str = "log10_";
 
-/// The same with such columns; `magnitude` gets log₁₀ in the unit of the SI and the key of the number.
+/// Moves log₁₀ of numbers out of range to columns of their own; `magnitude` takes log₁₀ in the SI unit and the key of the number.
 fn separated(row: FlatRow, magnitude: impl Fn(f64, &str) -> f64) -> FlatRow {
     row.into_iter()
         .flat_map(|(key, cell)| match cell {

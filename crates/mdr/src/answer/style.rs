@@ -114,9 +114,9 @@ impl Units {
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct NumberStyle {
-    /// How the digits are laid out.
+    /// The layout of digits.
     pub notation: Notation,
-    /// In place of SI units.
+    /// Units in place of those of the SI.
     pub units: Units,
 }
 
@@ -130,7 +130,7 @@ impl NumberStyle {
         }
     }
 
-    /// A cell in the SI unit `si`: what was typed keeps its notation.
+    /// A cell in the SI unit `si`; an input keeps its notation.
     pub fn cell(&self, cell: &FlatCell, si: &str) -> String {
         match cell {
             FlatCell::Number(text) => self.number(text, si),
@@ -140,7 +140,7 @@ impl NumberStyle {
         }
     }
 
-    /// The same units in the notation to be copied.
+    /// The units of this style in plain notation, for copying.
     pub fn plain(&self) -> Self {
         NumberStyle { notation: Notation::Plain, units: self.units.clone() }
     }
@@ -150,7 +150,7 @@ impl NumberStyle {
         format!("{} {}", self.number(text, si), self.unit(si))
     }
 
-    /// A number of an answer in the SI unit `si`, or what is known of it.
+    /// A number of an answer in the SI unit `si`; without a number its status, and its magnitude if that is computed.
     pub fn value(&self, value: &Value, si: &str) -> String {
         match (value.status(), value.log10()) {
             (status, Some(log10)) if log10.is_finite() => {
@@ -165,7 +165,7 @@ impl NumberStyle {
         log10 + self.units.shown(si).1 as f64
     }
 
-    /// What is shown for a unit of the SI.
+    /// The displayed unit for a unit of the SI.
     pub fn unit<'a>(&'a self, si: &'a str) -> Cow<'a, str> {
         self.units.shown(si).0
     }
@@ -184,7 +184,7 @@ struct Digits<'a> {
 }
 
 impl<'a> Digits<'a> {
-    /// None where the text is no decimal, or its exponent is beyond 64 bits.
+    /// `None` if the text is no decimal, or its exponent is beyond 64 bits.
     fn of(text: &'a str) -> Option<Self> {
         let (sign, rest) = text.strip_prefix('-').map_or(("", text), |rest| ("-", rest));
         let (mantissa, exponent) = rest.split_once('e').unwrap_or((rest, "0"));

@@ -12,18 +12,18 @@ use super::value::{Number, Promise, Value};
 /// Whether a state is admissible: whether the surfaces are apart everywhere outside the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Admission<N = Number> {
-    /// They are.
+    /// The surfaces are apart everywhere outside the contact.
     Admissible,
     /// They would overlap: the contact is not simply connected, and the theory does not hold.
     Interpenetrating {
         /// A radius where they do, with the gap there, and why a path ends for that.
         at: Option<Overlap<N>>,
-        /// What may be done.
+        /// A possible remedy.
         why: Option<String>,
     },
     /// It could not be decided.
     Unknown {
-        /// Why.
+        /// The reason.
         why: &'static str,
     },
 }
@@ -46,9 +46,9 @@ impl<N> Admission<N> {
 /// The energy that is lost in an event.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dissipation<N = Number> {
-    /// In joules.
+    /// A finite energy, in joules.
     Finite(Value<N>),
-    /// It has no bound: a dead load falls, or an infinite surface comes into contact.
+    /// An energy without bound: a dead load falls, or an infinite surface comes into contact.
     Unbounded,
 }
 
@@ -70,7 +70,7 @@ impl<N> Part<N> for Optional<N> {
     }
 }
 
-/// The stability of a state on the curve, or why it is not known.
+/// The stability of a state on the curve, or the reason why it is not decided.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveStability(pub Value<Stability>);
 
@@ -133,13 +133,14 @@ record! {
         force: Value<N>,
         /// Neutral at a fold.
         stability: CurveStability,
-        /// Whether the state is admissible; none where it has no indentation depth.
+        /// Whether the state is admissible; `None` if it has no indentation depth.
         admissible: Option<Admission<N>>,
     }
 
-    /// An event of a loading path. What has no value does not apply: there is no contact radius where the surfaces are apart.
+    /// An event of a loading path. A value that does not apply is missing: there is no contact radius where the surfaces are
+    /// apart.
     PathEvent {
-        /// What happens.
+        /// The kind of event.
         event: EventKind,
         /// D = d + F/k, on a machine.
         position: Optional<N>,
@@ -169,15 +170,15 @@ record! {
         direction: &'static str,
         /// D = d + F/k, on a machine.
         position: Optional<N>,
-        /// d; none of bodies apart under a dead load.
+        /// d; `None` for bodies apart under a dead load.
         indentation: Option<Value<N>>,
         /// F; 0 of bodies apart.
         force: Value<N>,
-        /// a; none of bodies apart.
+        /// a; `None` for bodies apart.
         contact_radius: Option<Value<N>>,
     }
 
-    /// What is read off a force curve; what the path does not reach has no value.
+    /// The characteristic values of a force curve; a quantity that the path does not reach has no value.
     CurveSummary {
         /// F at the fold from which the contact breaks. Where it shrinks to a point from a smaller contact, to which it has jumped
         /// before, F at the fold of that jump.
@@ -187,7 +188,7 @@ record! {
         jump_in_force: Option<Value<N>>,
         /// The minimum of F along the path, at an end of a stretch between two events or at a fold of F on it.
         minimum_force: Option<Value<N>>,
-        /// The energy lost in all events, in joules; none where it has no bound.
+        /// The energy lost in all events, in joules; `None` if it has no bound.
         hysteresis: Option<Value<N>>,
     }
 
@@ -197,7 +198,7 @@ record! {
         work: Value<N>,
         /// Lost in all events.
         dissipated: Value<N>,
-        /// What is stored at the end more than at the start.
+        /// The increase of the stored energy from the start to the end.
         stored: Value<N>,
     }
 
@@ -227,7 +228,7 @@ record! {
 }
 
 impl<N> Overlap<N> {
-    /// A ring that was found in f64, to six digits, none of which is a zero at the end.
+    /// A ring that was found in f64, rounded to six digits without a zero at the end.
     fn near(radius: f64, gap: f64) -> Option<Self> {
         let short = |x: f64| {
             let rounded = format!("{x:.5e}").parse::<f64>().ok()?;
@@ -271,7 +272,7 @@ impl<N> From<contact::Equilibrium<N>> for PlainState<N> {
 }
 
 named! {
-    /// What is measured along the surface of a state.
+    /// A quantity along the surface of a state.
     pub enum Field {
         /// The normal pressure within the contact, tension negative.
         Pressure = "pressure",
@@ -285,9 +286,9 @@ named! {
 /// A field at a radius.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FieldSample<N = Number> {
-    /// As the scene gives it, or chosen by the program.
+    /// The radius, as the scene gives it, or chosen by the program.
     pub r: Value<N>,
-    /// In pascals, or metres.
+    /// The value of the field, in pascals or metres.
     pub value: Value<N>,
 }
 
@@ -296,9 +297,9 @@ pub struct FieldSample<N = Number> {
 pub struct FieldState<N = Number> {
     /// The state.
     pub state: PlainState<N>,
-    /// Which field.
+    /// The kind of field.
     pub field: Field,
-    /// By the radii of the scene.
+    /// The samples, by the radii of the scene.
     pub samples: Vec<FieldSample<N>>,
     /// Whether the state is admissible.
     pub admissible: Admission<N>,
@@ -325,7 +326,7 @@ impl<N> Numbers<N> for FieldState<N> {
     }
 }
 
-/// What belongs to one value of the controlled quantity.
+/// The results at one value of the controlled quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AtValue<T> {
     /// The value, as it was given.
@@ -336,7 +337,7 @@ pub struct AtValue<T> {
     pub proved: Option<bool>,
     /// [`Status::NoEquilibrium`], or [`Status::Undecided`] where the states could not be computed.
     pub status: Status,
-    /// Why.
+    /// The reason for the status.
     pub why: Option<String>,
 }
 
@@ -370,28 +371,28 @@ impl<N, T: Numbers<N>> Numbers<N> for AtValue<T> {
     }
 }
 
-/// What is known of a list as a whole.
+/// The completeness of a list.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Completeness {
     /// Whether it is proved that nothing is missing within the range.
     pub proved: bool,
-    /// The smallest contact radius of the range; none where it is not limited.
+    /// The smallest contact radius of the range; `None` if it is not limited.
     pub from: Option<String>,
-    /// The largest.
+    /// The largest contact radius of the range; `None` if it is not limited.
     pub to: Option<String>,
-    /// By what it is proved, or why it is not.
+    /// The basis of the proof, or the reason why there is none.
     pub why: String,
 }
 
 /// The items of an output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct List<T> {
-    /// In their order.
+    /// The items, in their order.
     pub items: Vec<T>,
-    /// How far their numbers can be trusted.
+    /// How far the numbers of the items can be trusted.
     pub promise: Promise,
-    /// Whether they are all, where that is a question.
+    /// Whether the list is complete; `None` if not meaningful.
     pub complete: Option<Completeness>,
 }
 
@@ -429,7 +430,7 @@ impl<N> Numbers<N> for PathNumbers<N> {
 /// The loading path as a measurement shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceCurve {
-    /// In the order of the path.
+    /// The samples, in the order of the path.
     pub samples: List<ForceSample>,
     /// Pull-off force, jump-in, minimum force and hysteresis.
     pub summary: CurveSummary,
@@ -438,9 +439,9 @@ pub struct ForceCurve {
 /// A loading path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadingPath {
-    /// What happens, in its order.
+    /// The events, in their order.
     pub events: List<PathEvent>,
-    /// None where a term of it has no bound, or the path could not be followed to its end.
+    /// The energy balance; `None` if a term of it has no bound, or the path could not be followed to its end.
     pub balance: Option<Balance>,
     /// How far the energies can be trusted, where that is less than the rest.
     pub energy: Option<Promise>,
@@ -452,7 +453,7 @@ impl LoadingPath {
         LoadingPath { events: List::new(promise, events).complete(complete), balance, energy: None }
     }
 
-    /// The same path with the energies of another computation of it.
+    /// Takes the energies from another computation of the same path.
     #[cfg(feature = "mp")]
     pub(crate) fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
         for (event, other) in self.events.items.iter_mut().zip(other.events) {
@@ -461,7 +462,7 @@ impl LoadingPath {
         LoadingPath { balance: other.balance, energy: Some(promise), ..self }
     }
 
-    /// The same path where its energies are not known.
+    /// Marks the energies of the path as undecided, for the reason `why`.
     #[cfg(feature = "mp")]
     pub(crate) fn without_energy(mut self, why: &str) -> Self {
         let open = || Value::unknown(Status::Undecided, why);

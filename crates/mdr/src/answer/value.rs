@@ -30,7 +30,7 @@ pub enum Number {
 }
 
 impl Number {
-    /// How far it can be trusted.
+    /// How far the number can be trusted.
     pub fn promise(&self) -> Promise {
         match self {
             Number::Certified(_) => Promise::Certified,
@@ -48,7 +48,7 @@ impl Number {
     }
 }
 
-/// Every digit that is known; a double so that it reads back as itself.
+/// Writes every proved or estimated digit; a double is written so that it reads back as itself.
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -72,9 +72,9 @@ pub enum Value<N = Number> {
     Given(Literal),
     /// No number.
     Unknown {
-        /// What is wrong.
+        /// The kind of failure.
         status: Status,
-        /// log₁₀ of the magnitude, where that is known: of an overflow or underflow.
+        /// log₁₀ of the magnitude of an overflow or underflow, if it is computed.
         log10: Option<f64>,
         /// The reason in words.
         why: Option<String>,
@@ -85,7 +85,7 @@ impl<N> Value<N> {
     /// A result that may be out of range or out of its domain.
     ///
     /// # Errors
-    /// What concerns the whole computation and not this number.
+    /// Errors that concern the whole computation, not one value.
     pub(crate) fn from_result(result: Result<N>) -> Result<Self> {
         Ok(match result {
             Ok(value) => Value::Known(value),
@@ -125,7 +125,7 @@ impl<N> Value<N> {
         }
     }
 
-    /// Why there is no number.
+    /// The reason why there is no number.
     pub fn why(&self) -> Option<&str> {
         match self {
             Value::Unknown { why, .. } => why.as_deref(),
@@ -133,7 +133,7 @@ impl<N> Value<N> {
         }
     }
 
-    /// The same in another arithmetic, where a number may turn out to be unknown.
+    /// Converts the number to another arithmetic, where it may turn out to be unknown.
     pub(crate) fn and_then<M>(self, f: impl FnOnce(N) -> Value<M>) -> Value<M> {
         match self {
             Value::Known(number) => f(number),
@@ -144,7 +144,7 @@ impl<N> Value<N> {
 }
 
 impl Value {
-    /// The result; none where it is unknown or was given.
+    /// The result; `None` if it is unknown or was given.
     pub fn number(&self) -> Option<&Number> {
         match self {
             Value::Known(number) => Some(number),
@@ -152,7 +152,7 @@ impl Value {
         }
     }
 
-    /// The nearest double; none where there is no number, or none within the range of f64.
+    /// The nearest double; `None` if there is no number, or no double within the range of f64.
     ///
     /// ```
     /// use mdr::answer::{Number, Value};
@@ -172,13 +172,13 @@ impl Value {
         (nearest.is_finite() && (nearest != 0.0 || is_zero)).then_some(nearest)
     }
 
-    /// How far the number can be trusted; none where there is none, or where it was given.
+    /// How far the number can be trusted; `None` if there is no number, or it was given.
     pub fn promise(&self) -> Option<Promise> {
         self.number().map(Number::promise)
     }
 }
 
-/// The number with all its digits, else what is known: `overflow: about 10^400.2`, or the status.
+/// Writes the number with all its digits; without a number its magnitude, `overflow: about 10^400.2`, or its status.
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,4 +1,4 @@
-//! What is said of an answer beside its tables: reasons, sums, promises, completeness; how good a fit is.
+//! An answer in words, beside its tables: reasons, sums, promises, completeness, and the quality of a fit.
 
 use super::{Completeness, NumberStyle, Output};
 #[cfg(feature = "fit")]
@@ -8,7 +8,7 @@ use crate::fit::{Event, Fit, Interval, SmoothedFit};
 const MOST_REASONS: usize = 5;
 
 impl Output {
-    /// What is no row of its list, in a sentence each: the energy of a path, the summary of a force curve.
+    /// The results that are no row of the list, in a sentence each: the energy of a path, the summary of a force curve.
     pub fn sentences(&self, style: &NumberStyle) -> Vec<String> {
         match self {
             Output::Path(path) => path.balance.iter().map(|balance| balance.sentence(style)).collect(),
@@ -52,7 +52,7 @@ impl Completeness {
 
 #[cfg(feature = "fit")]
 impl Fit {
-    /// What was fitted to what, and how it ended, in a line; the reason below it where something is amiss.
+    /// The observation, the profile and the status of the fit, in a line; the reason below it if something is amiss.
     pub fn heading(&self) -> String {
         let Fit { profile, observation, distance, .. } = self;
         let (rows, status) = (self.rows.len(), self.status.name());
@@ -100,7 +100,7 @@ impl Fit {
         }
     }
 
-    /// Pull-off and first touch, predicted and measured, a sentence for each that is known.
+    /// The pull-off and the first touch, predicted and measured, in a sentence for each that has a value.
     pub fn events(&self) -> Vec<String> {
         let named = [
             ("Pull-off, predicted", &self.predicted_pull_off),
@@ -140,7 +140,7 @@ impl Fit {
 
 #[cfg(feature = "fit")]
 impl Event {
-    /// Its numbers, with their standard errors where they are known; X and Y are in the first two `units`.
+    /// Its numbers, with their standard errors if there are any; X and Y are in the first two `units`.
     fn sentence(&self, units: &[&str]) -> String {
         // The standard errors are in the order of the numbers.
         let number = |index: usize, value: f64| match self.stderr {

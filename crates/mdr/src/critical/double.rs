@@ -67,7 +67,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
     })
 }
 
-/// What takes more words than hardware arithmetic has, or exponents beyond theirs, takes digits.
+/// The answer in digits, for a state that takes more words than hardware arithmetic has, or exponents beyond its range.
 #[cfg(feature = "mp")]
 fn in_digits(
     _: Error,
@@ -126,7 +126,7 @@ fn effective_modulus(law: &PowerLaw) -> Result<f64> {
     }
 }
 
-/// That of two bodies, derived exactly.
+/// E* of two bodies, derived exactly.
 #[cfg(feature = "mp")]
 fn of_bodies(law: &PowerLaw, bodies: &[Body<Literal>; 2]) -> Result<f64> {
     use mdr_core::number::certify::Enclosure;

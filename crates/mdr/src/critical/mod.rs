@@ -30,7 +30,7 @@ pub struct PowerLaw {
     pub elasticity: Elasticity,
     /// w > 0, in J/m².
     pub work_of_adhesion: Literal,
-    /// What is controlled; the stiffness of a machine in N/m.
+    /// The control, with the stiffness of a machine in N/m.
     pub control: Control<Literal>,
 }
 
@@ -49,17 +49,17 @@ record! {
     CriticalFold {
         /// The state there.
         state: CriticalState<N>,
-        /// Of the controlled quantity, as a function of the contact radius.
+        /// The kind of extremum of the controlled quantity, as a function of the contact radius.
         kind: FoldKind,
     }
 }
 
-/// What decides at n = 1/2.
+/// The threshold that decides at n = 1/2.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Threshold {
     /// The C of (1.19) under this control.
     pub c: Value,
-    /// C over it.
+    /// C over the threshold.
     pub ratio: Value,
 }
 
@@ -80,12 +80,12 @@ pub struct Inputs {
     pub stiffness: Option<Value>,
 }
 
-/// The critical state of a power law, or what takes its place at n = 1/2.
+/// The critical state of a power law, or the threshold in its place at n = 1/2.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CriticalAnswer {
-    /// In which it was asked for.
+    /// The requested arithmetic.
     pub arithmetic: Arithmetic,
-    /// What was asked.
+    /// The power law and its control.
     pub law: PowerLaw,
     /// Pull-off above n = 1/2, complete contact below.
     pub regime: Regime,
@@ -93,11 +93,11 @@ pub struct CriticalAnswer {
     pub inputs: Inputs,
     /// κ_n of (1.12).
     pub kappa: Number,
-    /// Of the first number of the state that is out of range, else ok.
+    /// `Ok`, or the status of the first quantity out of range.
     pub status: Status,
-    /// The critical state; none where there is none.
+    /// The critical state; `None` if there is none.
     pub state: Option<CriticalState>,
-    /// At n = 1/2.
+    /// The threshold at n = 1/2.
     pub threshold: Option<Threshold>,
     /// On a machine: all folds, by increasing radius.
     pub folds: Option<Vec<CriticalFold>>,
@@ -106,11 +106,11 @@ pub struct CriticalAnswer {
 }
 
 impl CriticalAnswer {
-    /// The critical state of the same contact under the other of the two controls of a test by hand, fixed grips and a dead
-    /// load; none on a machine, and where there is no critical state.
+    /// The critical state of the same contact under the other of the two controls of a test by hand, fixed grips and a dead load;
+    /// `None` on a machine, and if there is no critical state.
     ///
     /// # Errors
-    /// As [`critical`].
+    /// [`Error::Domain`] for an input out of its domain, and in f64 out of its range.
     pub fn sibling(&self) -> Result<Option<CriticalAnswer>> {
         let control = match self.law.control {
             Control::Indentation => Control::Force,
@@ -121,10 +121,10 @@ impl CriticalAnswer {
         self.state.as_ref().map(|_| critical(&law, self.arithmetic)).transpose()
     }
 
-    /// The same with what the range z₀ of adhesion, in m, says of the contact under a dead load.
+    /// Adds whether the theory holds, by the range z₀ of adhesion, in m, for the contact under a dead load.
     ///
     /// # Errors
-    /// As [`Scene::range_of_adhesion`] and [`Scene::validity`].
+    /// A range that is no number, or not positive; an input out of its domain. See [`Scene::validity`].
     pub fn with_range(self, range: &Literal) -> Result<Self> {
         let PowerLaw { n, c, elasticity, work_of_adhesion, .. } = self.law.clone();
         let scene = Scene::new(Profile::Shape(Shape::Power { n, c }), elasticity, work_of_adhesion)?;
@@ -147,12 +147,12 @@ impl<N> From<Fold<N>> for CriticalFold<N> {
 }
 
 impl CriticalState {
-    /// Its quantities, in the order of a, d and F.
+    /// The quantities of the state, in the order of a, d and F.
     pub fn values(&self) -> [&Value; 3] {
         [&self.contact_radius, &self.indentation, &self.force]
     }
 
-    /// That of the first quantity that is out of range, else ok.
+    /// `Ok`, or the status of the first quantity out of range.
     pub fn status(&self) -> Status {
         first_trouble(self.values())
     }
@@ -209,7 +209,7 @@ impl PowerLaw {
     /// indentation depth; the stiffness is that of a machine.
     ///
     /// # Errors
-    /// [`Error::Scene`](crate::Error::Scene) with the key of what is missing, no number, or not positive.
+    /// [`Error::Scene`](crate::Error::Scene) with the key of an input that is missing, no number, or not positive.
     pub fn from_keys<'a>(text: impl Fn(&str) -> Option<&'a str>) -> Result<PowerLaw> {
         let refuse = |key: &str, why: String| Location::built(key).refuse(why);
         let number = |key: &str| -> Result<Literal> {
@@ -238,14 +238,14 @@ impl PowerLaw {
         })
     }
 
-    /// n and C of a paraboloid of radius of curvature R, f = r²/2R, exactly; none for a number of absurd length.
+    /// n and C of a paraboloid of radius of curvature R, f = r²/2R, exactly; `None` for a number of absurd length.
     #[cfg(feature = "mp")]
     pub fn paraboloid(radius: &Literal) -> Option<[Literal; 2]> {
         Some([2.into(), crate::scene::exactly(&(radius.to_rational() * 2u32).recip())?])
     }
 
-    /// n and C of a cone by the half angle at its apex, f = r cot α, to some digits more than are asked for; none where
-    /// they cannot be decided.
+    /// n and C of a cone by the half angle at its apex, f = r cot α, to some digits more than requested; `None` if they cannot be
+    /// decided.
     #[cfg(feature = "mp")]
     pub fn cone(degrees: &Literal, arithmetic: Arithmetic) -> Option<[Literal; 2]> {
         use mdr_core::contact::Flank;
@@ -341,7 +341,7 @@ fn rational_constants(profile: &Profile) -> Option<[Literal; 2]> {
     profile.exact_power_law(Literal::to_rational)
 }
 
-/// The same, with C = 1/2R in hardware arithmetic.
+/// n and C of a profile that is a power law, with C = 1/2R in hardware arithmetic.
 #[cfg(not(feature = "mp"))]
 fn rational_constants(profile: &Profile) -> Option<[Literal; 2]> {
     let halved = |radius: Literal| Literal::try_from(0.5 / radius.nearest_f64()).unwrap_or(radius);

@@ -3,11 +3,11 @@
 use super::{CriticalAnswer, CriticalFold, CriticalState};
 use crate::answer::{FlatRow, NumberStyle, Value, columns, find, title};
 
-/// A row of the table of critical states: what stands below each of [`CriticalRow::COLUMNS`], empty where there is nothing.
+/// A row of the table of critical states: the text below each of [`CriticalRow::COLUMNS`], empty where there is nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CriticalRow(pub [String; 24]);
 
-/// Each column with what stands below it, for an answer and one of its states.
+/// Each column with the text below it, for an answer and one of its states.
 macro_rules! columns {
     ($answer:ident, $state:ident, $fold:ident: $($title:literal = $text:expr,)*) => {
         impl CriticalRow {
@@ -58,7 +58,7 @@ fn known(value: Option<impl ToString>) -> String {
 }
 
 impl CriticalRow {
-    /// What stands below a title.
+    /// The text below a title.
     pub fn get(&self, title: &str) -> Option<&str> {
         let column = Self::COLUMNS.iter().position(|known| *known == title)?;
         Some(&self.0[column])
@@ -96,8 +96,8 @@ impl CriticalAnswer {
     }
 }
 
-/// One table for several answers, the titles first: [`CriticalRow::COLUMNS`], then those of [`Validity`](crate::Validity) with
-/// `validity_` before their keys where an answer has one.
+/// One table for several answers, the titles first: [`CriticalRow::COLUMNS`], then the keys of [`Validity`](crate::Validity) with
+/// the prefix `validity_`, if an answer has one.
 pub fn spreadsheet(answers: &[CriticalAnswer]) -> Vec<Vec<String>> {
     let validity = |answer: &CriticalAnswer| answer.validity.as_ref().map(|validity| validity.table());
     let tables: Vec<FlatRow> = answers.iter().filter_map(validity).collect();
@@ -129,7 +129,7 @@ const OVERVIEW: [(&str, &str, &str, bool); 9] = [
 /// The columns of [`OVERVIEW`] that only n = 1/2 has.
 const OF_HALF: [&str; 2] = ["threshold_c", "ratio"];
 
-/// What [`overview`] tells of [`Validity`](crate::Validity) where an answer has one.
+/// The keys of [`Validity`](crate::Validity) that [`overview`] shows, if an answer has one.
 const OF_VALIDITY: [&str; 3] = ["tabor", "regime", "maugis_dugdale_pull_off"];
 
 /// The main columns of [`spreadsheet`] for a reader, in the units of `style`; the titles first.

@@ -1,4 +1,4 @@
-//! A critical state in words: the question in a line, the quantities by name, and what happens there.
+//! A critical state in words: the question in a line, the quantities by name, and the behaviour there.
 
 use mdr_core::contact::{ControlKind, Regime};
 
@@ -70,7 +70,7 @@ impl CriticalAnswer {
         Some(format!("{control}: F = {force}{closed} at d = {d}, a = {a}."))
     }
 
-    /// What happens at the critical state, in a sentence or two.
+    /// The behaviour at the critical state, in a sentence or two.
     pub fn explanation(&self) -> String {
         let kind = self.law.control.kind();
         let controlled = match kind {

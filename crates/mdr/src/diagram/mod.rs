@@ -1,4 +1,5 @@
-//! What is drawn of a scene: its equilibria as polylines, its folds, and the events of its path, in f64 and SI units, for any canvas.
+//! The drawing of a scene: its equilibria as polylines, its folds, and the events of its path, in f64 and SI units, for any
+//! canvas.
 
 mod sampling;
 
@@ -26,20 +27,20 @@ use crate::solve;
 pub struct Branch {
     /// Whether its states are stable.
     pub stable: bool,
-    /// By increasing contact radius.
+    /// The samples, by increasing contact radius.
     pub samples: Vec<Sample>,
 }
 
 /// Something that happens on a path.
 #[derive(Clone, Copy, Debug)]
 pub struct Event {
-    /// What happens.
+    /// The kind of event.
     pub kind: EventKind,
     /// The controlled quantity.
     pub value: f64,
-    /// Where it begins and where it ends; detached is a = F = 0, and none where the surfaces touch everywhere.
+    /// The state in which the event begins: a = F = 0 if detached, `None` if the surfaces touch everywhere.
     pub before: Option<State>,
-    /// Likewise.
+    /// The state in which the event ends: a = F = 0 if detached, `None` if the surfaces touch everywhere.
     pub after: Option<State>,
 }
 
@@ -57,17 +58,17 @@ pub struct HeldCurve {
 /// All that is drawn of a scene.
 #[derive(Clone, Debug)]
 pub struct Diagram {
-    /// What is controlled.
+    /// The control.
     pub control: Control<f64>,
     /// E*.
     pub effective_modulus: f64,
-    /// By increasing radius; neighbours share the point of their fold.
+    /// The branches, by increasing radius; neighbours share the point of their fold.
     pub branches: Vec<Branch>,
-    /// Where the contact rests at a wall: from the first state on, along a straight line.
+    /// The states in which the contact edge stays at a vertical edge: from the first state on, along a straight line.
     pub wall: Option<[State; 2]>,
     /// The folds within the range of radii.
     pub folds: Vec<State>,
-    /// At the values that the scene asks for.
+    /// The curves at fixed values of the controlled quantity.
     pub held: Vec<HeldCurve>,
     /// The events of its path.
     pub path: Vec<Event>,
@@ -89,20 +90,20 @@ impl Event {
 const REACH: i64 = 40;
 
 impl Scene {
-    /// What is drawn of the scene: its branches, folds, and the events of its path, in f64. It chooses the range of radii, and at
-    /// most three values of the controlled quantity, from the path and the folds.
+    /// The drawing of the scene: its branches, folds, and the events of its path, in f64. The range of radii and at most three
+    /// values of the controlled quantity are chosen from the path and the folds.
     ///
     /// # Errors
-    /// A number of the scene that no double holds; those of the transform; a path that cannot start.
+    /// A number of the scene out of the range of doubles; errors of the transform; a path that cannot start.
     pub fn diagram(&self) -> Result<Diagram> {
         self.shown(None)
     }
 
-    /// The same for contact radii up to `radius`, in metres, and at all values: those of the instabilities on its path; without
-    /// a path those of the scene, or of its folds.
+    /// The drawing of the scene for contact radii up to `radius`, in metres, and at all values: those of the instabilities on its
+    /// path; without a path those of the scene, or of its folds.
     ///
     /// # Errors
-    /// As [`Scene::diagram`].
+    /// A number of the scene out of the range of doubles; errors of the transform; a path that cannot start.
     pub fn diagram_up_to(&self, radius: f64) -> Result<Diagram> {
         self.shown(Some(radius))
     }
@@ -130,7 +131,7 @@ impl Diagram {
     }
 
     /// The states between the two ends of a jump, out of equilibrium: at each contact radius, the indentation depth and the force
-    /// (1.6), 2E*(a d − ∫g), that the control leaves. None where the surfaces touch everywhere.
+    /// (1.6), 2E*(a d − ∫g), that the control leaves. `None` if the surfaces touch everywhere.
     pub fn jump(&self, event: &Event) -> Option<Vec<State>> {
         let (from, to) = (event.before?, event.after?);
         let (lower, upper) = (from.contact_radius.min(to.contact_radius), from.contact_radius.max(to.contact_radius));
@@ -198,8 +199,8 @@ impl Diagram {
     }
 }
 
-/// The values of the upper panel: of the path's beginning and of the instabilities it passes; else those asked for; else
-/// those of the folds.
+/// The values of the upper panel: at the beginning of the path and at the instabilities it passes; else the requested values;
+/// else the values of the folds.
 fn shown_values(branches: &SearchedBranches<f64>, path: &[Event], asked: &[f64], most: usize) -> Vec<f64> {
     let turns = |event: &&Event| match event.kind {
         EventKind::JumpIn | EventKind::Jump | EventKind::Detached | EventKind::CompleteContact => true,

@@ -1,4 +1,4 @@
-//! The curve of equilibria as a polyline that no reader can tell from the curve.
+//! The curve of equilibria as a polyline that looks like the curve itself.
 
 use mdr_core::contact::Result;
 use mdr_numeric::contact::Contact;
@@ -43,7 +43,7 @@ const DEPTH: u32 = 14;
 /// kinks, events) is a point, so that a fold stays sharp.
 ///
 /// # Errors
-/// Those of the transform.
+/// Errors of the transform.
 pub(super) fn samples(curve: &Contact<f64>, lower: f64, upper: f64, nodes: &[f64]) -> Result<Vec<Sample>> {
     const COARSE: u32 = 64;
     // Equal steps in √a: near the tip everything changes as a root or faster.

@@ -1,4 +1,4 @@
-//! Equilibria at many values of what is controlled.
+//! Equilibria at many values of the controlled quantity.
 
 use std::cmp::Ordering;
 
@@ -13,7 +13,7 @@ use super::{Choice, Contact, Equilibria, States, numbers, status_of};
 use crate::run::Stop;
 
 impl Contact {
-    /// All equilibria at each value of what is controlled.
+    /// All equilibria at each value of the controlled quantity.
     ///
     /// At a fold both branches that end there hold the double root, and the status is `Fold`.
     ///
@@ -31,15 +31,17 @@ impl Contact {
     /// answered, and without the code of the closed forms, which a web page need not load.
     ///
     /// # Errors
-    /// A value out of its domain; as [`Contact::equilibria`].
+    /// A value out of its domain; a stiffness that is not positive; errors of the transform; a fold beyond the range of f64;
+    /// [`Stopped`](crate::ContactError::Stopped).
     pub fn equilibria_at(&self, control: &Control<f64>, value: f64, stop: &Stop) -> Result<Vec<Equilibrium<f64>>> {
         self.branched(control, stop, false, |branches| branches.equilibria(&value))
     }
 
-    /// The stable equilibrium at each value of what is controlled, as if each were asked alone.
+    /// The stable equilibrium at each value of the controlled quantity, independent of the other values.
     ///
     /// # Errors
-    /// As [`Contact::equilibria`].
+    /// A stiffness that is not positive; errors of the transform; a fold beyond the range of f64;
+    /// [`Stopped`](crate::ContactError::Stopped).
     pub fn states(&self, control: &Control<f64>, values: &[f64], choice: Choice, stop: &Stop) -> Result<States> {
         if let Some(inverse) = self.inverse(control)? {
             return stable_by_closed_form(inverse, self.has_large_branch(), control, values);
@@ -107,7 +109,7 @@ fn stable(
     Ok(None)
 }
 
-/// What it means that no state was found.
+/// The status of a value without a state.
 fn nothing(branches: &SearchedBranches<f64>) -> Status {
     match branches.completeness() {
         SearchQuality::Doubtful => Status::Undecided,
@@ -147,7 +149,7 @@ fn searched(branches: &SearchedBranches<f64>, values: &[f64]) -> Result<Equilibr
     Ok(Equilibria { stable, contact_radius, indentation, force, admissible, status: statuses })
 }
 
-/// Values at a time: what is computed of them stays within the cache.
+/// Values at a time, so that their intermediate results stay within the cache.
 const BLOCK: usize = 1024;
 
 /// Both branches of a power law, whose states are all admissible.

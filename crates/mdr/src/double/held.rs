@@ -5,14 +5,14 @@ use mdr_core::contact::{Control, Error, Quantity, Result, Stability};
 use super::{Contact, within};
 use crate::run::Stop;
 
-/// What acts at the edge of a contact at each radius while the controlled quantity is held, as columns in m.
+/// The elongations at the edge of a contact at each radius, at a fixed controlled quantity, as columns in m.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Balance {
-    /// g(a) − d: the elongation of the spring at the edge, which elasticity asks for.
+    /// g(a) − d: the elongation of the spring at the edge that elasticity requires.
     pub excess: Vec<f64>,
     /// Δl(a) = √(2πaw/E*): the elongation that adhesion can hold.
     pub elongation: Vec<f64>,
-    /// d: what is held under fixed grips; under a dead load and on a machine it depends on a.
+    /// d: the controlled quantity under fixed grips; under a dead load and on a machine it depends on a.
     pub indentation: Vec<f64>,
 }
 
@@ -22,7 +22,7 @@ impl Contact {
     /// outside of the profile.
     ///
     /// # Errors
-    /// A value or a stiffness out of its domain; as [`Contact::transform`].
+    /// A value or a stiffness out of its domain; a quadrature that does not converge; [`Stopped`](crate::ContactError::Stopped).
     pub fn balance(&self, control: &Control<f64>, value: f64, radii: &[f64], stop: &Stop) -> Result<Balance> {
         control.check()?;
         control.check_value(&value)?;
@@ -46,10 +46,10 @@ impl Contact {
     }
 
     /// Whether the equilibrium with each contact radius is stable under a control: g'/Δl' above its value at a fold (1.10), which
-    /// is neutral. None outside of the profile.
+    /// is neutral. `None` outside of the profile.
     ///
     /// # Errors
-    /// A stiffness that is not positive; as [`Contact::transform`].
+    /// A stiffness that is not positive; a quadrature that does not converge; [`Stopped`](crate::ContactError::Stopped).
     pub fn stability(&self, control: &Control<f64>, radii: &[f64], stop: &Stop) -> Result<Vec<Option<Stability>>> {
         control.check()?;
         let curve = self.counted(control, stop);

@@ -1,4 +1,4 @@
-//! What a contact does while the controlled quantity moves slowly from value to value.
+//! The history of a contact while the controlled quantity moves slowly from value to value.
 
 use mdr_core::contact::{self, Control, Error, Result, Status};
 use mdr_numeric::branch::EquilibriumBranches;
@@ -25,7 +25,7 @@ pub struct State {
 /// Something that happens.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// What.
+    /// The kind of event.
     pub kind: EventKind,
     /// The controlled quantity.
     pub value: f64,
@@ -42,18 +42,18 @@ pub struct Event {
 pub struct History {
     /// The states at the values, in their order. Behind the end of a path that cannot be continued there are none.
     pub states: States,
-    /// What happens between them: every event but the arrival at a value.
+    /// The events between the values: every event but the arrival at a value.
     pub jumps: Vec<Event>,
 }
 
 /// Events, a curve to be drawn, and energy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadingPath {
-    /// In their order.
+    /// The events, in their order.
     pub events: Vec<Event>,
     /// The states of the events, with a number of states between each two.
     pub curve: Vec<State>,
-    /// Work of the control, energy lost, and energy stored at the end more than at the start, in J; none where one has no bound.
+    /// Work of the control, energy lost, and increase of the stored energy from start to end, in J; `None` if one has no bound.
     pub balance: Option<[f64; 3]>,
 }
 
@@ -61,7 +61,8 @@ impl Contact {
     /// A state for each value, in their order.
     ///
     /// # Errors
-    /// No value, or one that is not finite; no stable equilibrium at the first; as [`Contact::equilibria`].
+    /// No value, or one that is not finite; no stable equilibrium at the first; a stiffness that is not positive; errors of the
+    /// transform; [`Error::Stopped`].
     pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>, stop: &Stop) -> Result<History> {
         self.branched(control, stop, true, |branches| {
             let path = Path::follow(branches, start, values)?;
@@ -86,10 +87,11 @@ impl Contact {
         })
     }
 
-    /// What happens along way points, with the energy of each event, and `between` states between each two.
+    /// The events along way points, with the energy of each event, and `between` states between each two.
     ///
     /// # Errors
-    /// As [`Contact::follow`].
+    /// No way point, or one that is not finite; no stable equilibrium at the first; a stiffness that is not positive; errors of
+    /// the transform; [`Error::Stopped`].
     pub fn path(
         &self,
         control: &Control<f64>,
@@ -115,7 +117,8 @@ impl Contact {
     /// have been a stronger pull.
     ///
     /// # Errors
-    /// [`Error::NoEquilibrium`] where there is no contact to begin with, or where it does not come off; as [`Contact::follow`].
+    /// [`Error::NoEquilibrium`] if there is no contact to begin with, or if it does not come off; a stiffness that is not
+    /// positive; errors of the transform; [`Error::Stopped`].
     pub fn pull_off(&self, control: &Control<f64>, stop: &Stop) -> Result<State> {
         self.branched(control, stop, true, |branches| {
             let value = |fold: &contact::Fold<f64>| control.controlled(&fold.indentation, &fold.force);

@@ -1,4 +1,4 @@
-//! One contact in f64, asked at arrays of values: all equilibria, the stable ones, and histories.
+//! One contact in f64 at arrays of values: all equilibria, the stable ones, and histories.
 //!
 //! Answers are columns. Where there is no state at a value its numbers are NaN and a status says why; an error concerns the
 //! whole question.
@@ -45,18 +45,18 @@ pub struct States {
 /// All equilibria at some values, one branch of the curve of equilibria after the other, by increasing radius.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Equilibria {
-    /// Of each branch, whether its states are stable.
+    /// Whether the states of each branch are stable.
     pub stable: Vec<bool>,
     /// a on the first branch at every value, then on the second, and so on.
     pub contact_radius: Vec<f64>,
-    /// d, likewise.
+    /// d, in the order of `contact_radius`.
     pub indentation: Vec<f64>,
-    /// F, likewise.
+    /// F, in the order of `contact_radius`.
     pub force: Vec<f64>,
-    /// Whether the surfaces of the state are known to stay apart outside of the contact, likewise; false where there is no
-    /// state, and where that is not decided, as for a formula that may have narrow dips.
+    /// Whether the surfaces of the state are proved or found to stay apart outside of the contact, in the order of
+    /// `contact_radius`; false if there is no state, and if that is not decided, as for a formula that may have narrow dips.
     pub admissible: Vec<bool>,
-    /// Of each value.
+    /// The status of each value.
     pub status: Vec<Status>,
 }
 
@@ -91,11 +91,11 @@ pub struct Contact {
     law: Option<[f64; 2]>,
     /// Its closed forms under fixed grips and under a dead load, once they have been needed.
     inverses: [OnceLock<Inverse>; 2],
-    /// What was found under the control that was asked for last: a search for it takes longer than many equilibria.
+    /// The results of the search under the last control: a search takes longer than many equilibria.
     known: Mutex<Option<Arc<Known>>>,
 }
 
-/// What is known of a contact under one control.
+/// The results of the search for a contact under one control.
 struct Known {
     control: Control<f64>,
     folds: Folds<f64>,
@@ -104,7 +104,7 @@ struct Known {
 }
 
 impl Contact {
-    /// The contact of a scene; what it wants and controls is not used.
+    /// The contact of a scene; the outputs and the control of the scene are not used.
     ///
     /// # Errors
     /// A number that no double holds; a parameter out of its domain.
@@ -139,7 +139,7 @@ impl Contact {
     /// The equilibrium with each contact radius, stable or not; `DomainError` outside of the profile.
     ///
     /// # Errors
-    /// As [`Contact::transform`].
+    /// A quadrature that does not converge; [`Error::Stopped`].
     pub fn curve(&self, radii: &[f64], stop: &Stop) -> Result<States> {
         let curve = self.counted(&Control::Indentation, stop);
         let mut states = States::with_capacity(radii.len());
@@ -157,7 +157,7 @@ impl Contact {
     /// displacement of the surface outside of it, in m. NaN where it is not defined or infinite.
     ///
     /// # Errors
-    /// A contact radius that is not positive, or outside of the profile; as [`Contact::transform`].
+    /// A contact radius that is not positive, or outside of the profile; a quadrature that does not converge; [`Error::Stopped`].
     pub fn field(&self, field: Field, contact_radius: f64, radii: &[f64], stop: &Stop) -> Result<Vec<f64>> {
         let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
         let curve = self.counted(&Control::Indentation, stop);
@@ -173,7 +173,7 @@ impl Contact {
     /// All folds, by increasing radius.
     ///
     /// # Errors
-    /// A stiffness that is not positive; as [`Contact::transform`]; a fold beyond the range of f64.
+    /// A stiffness that is not positive; a quadrature that does not converge; a fold beyond the range of f64; [`Error::Stopped`].
     pub fn folds(&self, control: &Control<f64>, stop: &Stop) -> Result<Vec<Fold<f64>>> {
         self.branched(control, stop, false, |branches| {
             Ok(branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect())
@@ -186,7 +186,7 @@ impl Contact {
         self.contact.with_transform(Arc::new(counted)).with_control(control.clone())
     }
 
-    /// What `ask` finds on the branches under a control; with the admissibility of their states where that matters.
+    /// The result of `ask` on the branches under a control, with the admissibility of their states if `judged`.
     fn branched<T>(
         &self,
         control: &Control<f64>,
@@ -221,7 +221,7 @@ impl Contact {
         ask(&branches.with_admissibility(admissibility))
     }
 
-    /// What is known. A thread that panicked has left it whole: it is replaced at once.
+    /// The results of the last search. A thread that panicked has left them whole: they are replaced at once.
     fn last_known(&self) -> MutexGuard<'_, Option<Arc<Known>>> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -264,7 +264,7 @@ fn within(value: Result<f64>) -> Result<f64> {
     }
 }
 
-/// What an error at one value is in a column of statuses.
+/// The status of an error at one value, for a column of statuses.
 ///
 /// # Errors
 /// The error, where it concerns the whole question.
@@ -277,7 +277,7 @@ fn status_of(error: Error) -> Result<Status> {
     }
 }
 
-/// a, d and F of a state that was found at a value; what is controlled has that value.
+/// a, d and F of a state that was found at a value; the controlled quantity has that value.
 pub(crate) fn numbers(state: &Equilibrium<f64>, control: &Control<f64>, value: f64) -> [f64; 3] {
     let Equilibrium { contact_radius, indentation, force, .. } = state.clone().controlled(control, value);
     [contact_radius, indentation, force]

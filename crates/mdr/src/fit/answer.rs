@@ -1,4 +1,4 @@
-//! What a fit tells: estimates with their errors, or what the data cannot tell.
+//! The result of a fit: estimates with their errors, or the reason why the data do not determine them.
 
 use mdr_core::named;
 use mdr_core::number::Decimal;
@@ -35,9 +35,9 @@ pub struct Estimate {
     pub name: String,
     /// The estimate.
     pub value: Option<f64>,
-    /// Its standard error: from the stated σ, or scaled by the residuals where none is stated.
+    /// The standard error of the estimate: from the stated σ, or scaled by the residuals if none is stated.
     pub stderr: Option<f64>,
-    /// Its standard error scaled by the residuals: from JᵀJ and the residual variance.
+    /// The standard error of the estimate scaled by the residuals: from JᵀJ and the residual variance.
     pub scaled_stderr: Option<f64>,
     /// `Pa`, `J/m^2`, `N/m`, `m`, `N`, `1`.
     pub unit: &'static str,
@@ -47,13 +47,13 @@ pub struct Estimate {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Invariant {
-    /// Such as `e_star * radius^(1/2)`.
+    /// The product, such as `e_star * radius^(1/2)`.
     pub name: String,
-    /// Its value, in SI units.
+    /// The value of the product, in SI units.
     pub value: f64,
-    /// Its standard error: from the stated σ, or scaled by the residuals where none is stated.
+    /// The standard error of the value: from the stated σ, or scaled by the residuals if none is stated.
     pub stderr: f64,
-    /// Its standard error scaled by the residuals.
+    /// The standard error of the value scaled by the residuals.
     pub scaled_stderr: f64,
 }
 
@@ -62,13 +62,13 @@ pub struct Invariant {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Interval {
-    /// Its name.
+    /// The name of the free number.
     pub name: String,
     /// 0.68 or 0.95.
     pub level: f64,
-    /// Its smallest value; none where the data exclude none.
+    /// The smallest value; `None` if the data exclude none.
     pub lower: Option<f64>,
-    /// Its largest value; none where the data exclude none.
+    /// The largest value; `None` if the data exclude none.
     pub upper: Option<f64>,
 }
 
@@ -76,9 +76,9 @@ pub struct Interval {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SmoothedFit {
-    /// The length that its rows are smoothed over, in m; none for the rows as they are.
+    /// The length over which its rows are smoothed, in m; `None` for the rows as they are.
     pub length: Option<f64>,
-    /// In the order of the free numbers; none where the data do not determine one.
+    /// In the order of the free numbers; `None` if the data do not determine one.
     pub estimates: Vec<Option<f64>>,
     /// The sum of squares, in the unit of [`Fit::rss_unit`].
     pub rss: f64,
@@ -88,20 +88,20 @@ pub struct SmoothedFit {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedRow {
-    /// What was given, in SI units.
+    /// The given quantity X, in SI units.
     pub x: f64,
-    /// What was measured, in SI units.
+    /// The measured quantity Y, in SI units.
     pub y: f64,
     /// Approach or retract.
     #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
     pub leg: Leg,
     /// The arc it lies on, 0 the outermost; −1 detached.
     pub label: i32,
-    /// Its residual as it counts in the objective, curve minus datum, in units of σ.
+    /// The residual of the row as it counts in the objective, curve minus datum, in units of σ.
     pub residual: f64,
     /// The nearest point of the curve.
     pub fitted: [f64; 2],
-    /// The contact radius there, in m; none of a detached row.
+    /// The contact radius there, in m; `None` for a detached row.
     pub contact_radius: Option<f64>,
 }
 
@@ -113,13 +113,13 @@ pub struct Event {
     pub x: f64,
     /// Y as it is recorded.
     pub y: f64,
-    /// F, in N; none where the data do not determine it.
+    /// F, in N; `None` if the data do not determine it.
     pub force: Option<f64>,
-    /// d, in m; none where the data do not determine it.
+    /// d, in m; `None` if the data do not determine it.
     pub indentation: Option<f64>,
-    /// a, in m; none where the data do not determine it, and of what was measured.
+    /// a, in m; `None` if the data do not determine it, and for a measured event.
     pub contact_radius: Option<f64>,
-    /// Standard errors of x, y, force, indentation and contact radius; none of what was measured.
+    /// Standard errors of x, y, force, indentation and contact radius; `None` for a measured event.
     pub stderr: Option<[f64; 5]>,
 }
 
@@ -127,9 +127,9 @@ pub struct Event {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RunsTest {
-    /// How many runs of equal sign there are.
+    /// The number of runs of equal sign.
     pub runs: usize,
-    /// How many are expected.
+    /// The expected number of runs.
     pub expected: f64,
     /// The deviation in standard deviations.
     pub z: f64,
@@ -141,9 +141,9 @@ pub struct RunsTest {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Certified {
-    /// How many significant digits.
+    /// The number of significant digits.
     pub digits: u32,
-    /// In the order of the free numbers.
+    /// The estimates, in the order of the free numbers.
     pub parameters: Vec<CertifiedEstimate>,
     /// Whether the second derivatives are proved to be positive definite, so that the estimates are a local minimum of the sum of
     /// squares. Otherwise they are proved to be a stationary point.
@@ -157,26 +157,26 @@ pub struct Certified {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CertifiedEstimate {
-    /// Its name.
+    /// The name of the free number.
     pub name: String,
     /// The estimate.
     #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
     pub value: Decimal,
-    /// Its standard error scaled by the residuals.
+    /// The standard error of the estimate scaled by the residuals.
     #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
     pub scaled_stderr: Decimal,
     /// No other stationary point lies within this distance in each number at once.
     pub unique_within: f64,
 }
 
-/// An end of a descent: where it began, and what it came to.
+/// An end of a descent: its start and its result.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Attempt {
     /// `given`, by the problem; `two-points`, of a power law; `regression`, of known contact radii; `all-in-contact` and `jump`, hypotheses
     /// on the record; `search`, over w/E*.
     pub start: &'static str,
-    /// How many rows are out of contact.
+    /// The number of rows out of contact.
     pub detached: usize,
     /// The free numbers, in their order.
     pub estimates: Vec<f64>,
@@ -189,23 +189,23 @@ pub struct Attempt {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Fit {
-    /// How it ended.
+    /// How the fit ended.
     #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
     pub status: FitStatus,
-    /// What the status means for these data, in words; empty when all is well.
+    /// The meaning of the status for these data, in words; empty when all is well.
     pub reason: String,
     /// The name of the profile.
     pub profile: &'static str,
-    /// What was measured.
+    /// The given and the measured quantity.
     #[cfg_attr(feature = "serde", serde(serialize_with = "observation"))]
     pub observation: Observation,
-    /// In the order in which they were made free.
+    /// The estimates, in the order in which the numbers were made free.
     pub parameters: Vec<Estimate>,
-    /// Of the estimates, with the standard errors of [`Estimate::stderr`]; empty unless all are determined.
+    /// The covariance of the estimates, with the standard errors of [`Estimate::stderr`]; empty unless all are determined.
     pub covariance: Vec<Vec<f64>>,
-    /// Of the estimates; empty unless all are determined.
+    /// The correlation of the estimates; empty unless all are determined.
     pub correlation: Vec<Vec<f64>>,
-    /// What the data determine instead, where they do not determine the free numbers.
+    /// The combinations that the data determine, if they do not determine the free numbers.
     pub invariants: Vec<Invariant>,
     /// Singular values of the Jacobian with columns of unit length, descending.
     pub singular_values: Vec<f64>,
@@ -215,7 +215,7 @@ pub struct Fit {
     pub rss_unit: &'static str,
     /// Rows and priors less free numbers.
     pub dof: usize,
-    /// The sum of squares in units of σ, where σ is given; none where it is beyond the range of a double.
+    /// The sum of squares in units of σ, if σ is given; `None` if it is beyond the range of a double.
     pub chi2: Option<f64>,
     /// The probability of at least this χ².
     pub chi2_p: Option<f64>,
@@ -225,17 +225,17 @@ pub struct Fit {
     pub distance: &'static str,
     /// The order of the signs of the residuals.
     pub runs_test: Option<RunsTest>,
-    /// Each row beside the curve.
+    /// Each row, with its fitted state and its residual.
     pub rows: Vec<FittedRow>,
     /// The arcs of the fitted curve as points (X, Y, a), the outermost first.
     pub arcs: Vec<Vec<[f64; 3]>>,
-    /// Where the contact breaks, by the fitted curve.
+    /// The event in which the contact breaks, by the fitted curve.
     pub predicted_pull_off: Option<Event>,
     /// The last row in contact before the first detached one.
     pub measured_pull_off: Option<Event>,
     /// X of the last row in contact and of the first detached one: the contact breaks between them.
     pub pull_off_between: Option<[f64; 2]>,
-    /// Where the surfaces touch, by the fitted curve.
+    /// The event in which the surfaces touch, by the fitted curve.
     pub predicted_jump_in: Option<Event>,
     /// The first row in contact after the last detached one.
     pub measured_jump_in: Option<Event>,
@@ -243,18 +243,18 @@ pub struct Fit {
     pub jump_in_between: Option<[f64; 2]>,
     /// Whether the theory holds for the fitted contact, where the range of adhesion is given and the data determine it.
     pub validity: Option<Box<Validity>>,
-    /// What may mislead.
+    /// Warnings of results that may mislead.
     pub warnings: Vec<String>,
-    /// Proved digits, where they were asked for and are given; a warning says why they are not.
+    /// Proved digits, if they were requested and can be given; if they cannot, a warning states the reason.
     pub certified: Option<Certified>,
     /// Evaluations of the curve.
     pub evaluations: usize,
     /// Different ends of the descents from all starts, the least sum of squares first, which is the answer.
     pub tried: Vec<Attempt>,
-    /// Intervals of the free numbers, where [`profile_likelihood`](super::Problem::profile_likelihood) asks for them.
+    /// Intervals of the free numbers, if [`profile_likelihood`](super::Problem::profile_likelihood) was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub intervals: Vec<Interval>,
-    /// The estimates with other smoothings of a measured tip: what its noise does to them.
+    /// The estimates with other smoothings of a measured tip, which show the effect of its noise.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub smoothing: Vec<SmoothedFit>,
 }

@@ -42,7 +42,7 @@ pub(super) struct Turn {
 /// The folds of X(a), by increasing radius.
 ///
 /// # Errors
-/// As [`folds::find`].
+/// A material out of its domain; errors of the transform at a fold. See [`folds::find`].
 pub(super) fn turns(contact: &Contact<'_, f64>) -> Result<Vec<Turn>> {
     let material = Material::new(contact.numbers.e_star, contact.numbers.work)?;
     let control = match (contact.observation, contact.numbers.stiffness) {
@@ -91,7 +91,7 @@ pub(super) fn followed(contact: &Contact<'_, f64>, turns: &[Turn]) -> Option<Vec
 /// The arcs that reach into the range of X, the innermost first.
 ///
 /// # Errors
-/// Those of the transform.
+/// Errors of the transform.
 pub(super) fn arcs(contact: &Contact<'_, f64>, turns: &[Turn], x: [f64; 2]) -> Result<Vec<Arc>> {
     let mut arcs: Vec<Arc> = Vec::new();
     let mut lower: Option<&Turn> = None;
@@ -177,7 +177,7 @@ impl Arc {
     /// How the place of the foot moves with a number of the problem: at a fixed parameter, and with the end where it is one.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn partial(
         &self,
         contact: &Contact<'_, f64>,
@@ -204,7 +204,7 @@ impl Arc {
 /// How fast a fold moves along the curve with a number of the problem: −∂X'/X''; or with a kink or a vertical edge that it is at.
 ///
 /// # Errors
-/// Those of the transform.
+/// Errors of the transform.
 pub(super) fn end_speed(contact: &Contact<'_, f64>, kind: Kind, point: &Point<f64>) -> Result<f64> {
     if contact.edge == Some(point.a) {
         // At the edge the partial derivatives are at a fixed contact radius; the edge moves with the number that is its radius.

@@ -24,7 +24,7 @@ pub(super) struct Numbers<R> {
 }
 
 impl<R> Numbers<R> {
-    /// Those of a problem: `value` gets the index of a parameter; an offset that the problem lacks is `zero`.
+    /// The numbers of a problem: `value` gets the index of a parameter; an offset that the problem lacks is `zero`.
     pub(super) fn of(problem: &Problem, value: impl Fn(usize) -> R, zero: impl Fn() -> R) -> Self {
         let parameters = &problem.parameters;
         let of = |kind: Kind| parameters.iter().position(|parameter| parameter.kind == kind).map(&value);
@@ -39,7 +39,7 @@ impl<R> Numbers<R> {
         }
     }
 
-    /// That of a kind; none where the problem lacks it.
+    /// The number of a kind; `None` if the problem lacks it.
     #[cfg(feature = "mp")]
     pub(super) fn get(&self, kind: Kind) -> Option<&R> {
         match kind {
@@ -56,7 +56,7 @@ impl<R> Numbers<R> {
 /// g with its derivatives with respect to one number.
 type DualTransform<R> = Arc<dyn Transform<Dual<R>>>;
 
-/// A profile for one set of its numbers: its transform, and what derivatives need.
+/// A profile for one set of its numbers: its transform, and the data for derivatives.
 pub(super) struct Tip<R: Real> {
     /// g and its relatives.
     pub(super) transform: Arc<dyn Transform<R>>,
@@ -119,7 +119,7 @@ pub(super) struct Point<R> {
     pub(super) at: [R; 2],
     /// Derivatives of d, F and a with respect to the parameter of the curve.
     pub(super) slopes: [R; 3],
-    /// Those of X and Y.
+    /// Derivatives of X and Y with respect to the parameter of the curve.
     pub(super) tangent: [R; 2],
     beyond_edge: bool,
 }
@@ -139,7 +139,7 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
         Contact { tip, numbers, observation, edge }
     }
 
-    /// A linear map of (d, F, a): what is observed of them, without offsets.
+    /// The observed quantities as a linear map of (d, F, a), without offsets.
     fn observe(&self, d: R, f: R, a: R) -> [R; 2] {
         let bent = |f: &R| self.numbers.stiffness.as_ref().map_or_else(|| f.lit(0), |k| f.clone() / k);
         match self.observation {
@@ -152,7 +152,7 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
         }
     }
 
-    /// What offsets of the contact point and of the baseline add to X and Y.
+    /// The terms that offsets of the contact point and of the baseline add to X and Y.
     fn offsets(&self, point: R, line: R) -> [R; 2] {
         match self.observation {
             Observation::IndentationOfForce => [line, point],
@@ -165,7 +165,7 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
     /// The state at a parameter of the curve.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn point(&self, s: &R) -> Result<Point<R>> {
         let edge = self.edge.as_ref().filter(|edge| s > *edge);
         let a = edge.unwrap_or(s).clone();
@@ -196,7 +196,7 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
     /// ∂(X, Y) at a fixed parameter of the curve, with respect to an offset or to the logarithm of another number.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 2]> {
         let zero = || point.a.lit(0);
         match kind {
@@ -243,7 +243,7 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
     /// The second derivatives of X and Y with respect to the parameter of the curve.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn curvature(&self, point: &Point<R>) -> Result<[R; 2]> {
         let Point { a, elongation, .. } = point;
         if point.beyond_edge {
@@ -261,7 +261,7 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
     /// ∂X' at a fixed contact radius, before a vertical edge.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn x_slope_partial(&self, kind: Kind, point: &Point<R>) -> Result<R> {
         let Point { a, elongation, slopes: [d_slope, f_slope, _], .. } = point;
         let (quarter, half) = (elongation.clone() / &a.clone().times(4), elongation.clone().over(2));

@@ -12,7 +12,7 @@ use crate::scene::Location;
 /// The most rows of a measured curve.
 pub(super) const MOST_ROWS: usize = 1_000_000;
 
-/// What makes a curve shorter.
+/// How to make a curve shorter.
 pub(super) const FEWER_ROWS: &str = "average or leave out neighbouring rows";
 
 /// Rows from slices, with their legs by the order of X where none are given.
@@ -45,7 +45,7 @@ pub(super) fn legs_by_order(x: &[f64]) -> Vec<Leg> {
     (0..x.len()).map(|index| if index <= turn { first } else { second }).collect()
 }
 
-/// What a fit cannot begin with.
+/// Rejects rows with which a fit cannot begin.
 pub(super) fn check(rows: &[DataRow]) -> std::result::Result<(), String> {
     if rows.len() < 3 {
         return Err(format!("a fit needs at least three rows, got {}", rows.len()));
@@ -67,7 +67,7 @@ pub(super) fn check(rows: &[DataRow]) -> std::result::Result<(), String> {
     Ok(())
 }
 
-/// The columns that a file is asked for: their names, or the first two.
+/// The columns to read from a file: their names, or the first two.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Columns {
     pub(super) x: Option<String>,

@@ -45,7 +45,7 @@ pub(super) struct Attempt {
     pub(super) detached: usize,
 }
 
-/// The least minimum, and what was tried.
+/// The least minimum, and all attempts.
 pub(super) struct Found {
     pub(super) minimum: Minimum,
     pub(super) tried: Vec<Attempt>,
@@ -259,7 +259,7 @@ fn is_beyond(minimum: &Minimum) -> bool {
     minimum.evaluation.feet.iter().flatten().any(|foot| foot.is_end)
 }
 
-/// The last rows of arcs that lie beyond the fold or nearer to it than the noise tells.
+/// The last rows of arcs that lie beyond the fold or nearer to it than the noise resolves.
 fn near_fold(objective: &Objective<'_>, minimum: &Minimum) -> mdr_core::contact::Result<Vec<AtFold>> {
     let evaluation = &minimum.evaluation;
     let contact = evaluation.contact(objective.problem.observation);

@@ -1,4 +1,4 @@
-//! From a problem to its answer: the scatter of its rows, the least minimum, and what that says.
+//! From a problem to its answer: the scatter of its rows, the least minimum, and its assessment.
 
 use super::answer::{Fit, FitStatus, FittedRow};
 use super::arcs;
@@ -42,7 +42,7 @@ pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Fit> {
     answer(&objective, &scatter, &minimum, &tried)
 }
 
-/// What is wrong where no row is in contact.
+/// The reason why no row is in contact.
 fn out_of_contact(problem: &Problem) -> String {
     let given = problem.parameters.iter().filter(|parameter| {
         !parameter.free && matches!(parameter.kind, Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::Stiffness)
@@ -62,7 +62,7 @@ fn out_of_contact(problem: &Problem) -> String {
     )
 }
 
-/// What is not a problem of fitting.
+/// Rejects input that is not a problem of fitting.
 fn check(problem: &Problem) -> Result<()> {
     let refuse = |key: &str, why: String| Err(Location::built(key).refuse(why));
     let free = problem.parameters.iter().filter(|parameter| parameter.free).count();
@@ -270,7 +270,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     Ok(fit)
 }
 
-/// What a descent came to.
+/// The result of a descent.
 fn described(objective: &Objective<'_>, attempt: &descents::Attempt, alike: bool) -> super::answer::Attempt {
     let unit = if alike { objective.noise.y_scale } else { 1.0 / objective.noise.unit };
     let estimates = attempt.fitted.iter().enumerate().map(|(place, fitted)| objective.value(place, *fitted));
@@ -291,7 +291,7 @@ fn poor_fit(chi2: f64, dof: usize, p: f64) -> String {
     )
 }
 
-/// Why an end is no stationary point, and what helps.
+/// The reason why an end is no stationary point, and a remedy.
 fn not_converged(objective: &Objective<'_>, minimum: &Minimum) -> String {
     let Minimum { evaluation, gradient, evaluations, .. } = minimum;
     let is_at_fold = |(row, label): (&super::problem::DataRow, &usize)| {

@@ -1,4 +1,4 @@
-//! Errors of the free numbers, and what the data determine where they do not determine all.
+//! Errors of the free numbers, and the combinations that the data determine if they do not determine all.
 
 use nalgebra::DVector;
 
@@ -7,7 +7,7 @@ use super::judge::{self, Spectrum};
 use super::objective::Objective;
 use super::problem::Kind;
 
-/// Errors of the free numbers and of what follows from them.
+/// Errors of the free numbers and of quantities that follow from them.
 pub(super) struct Errors<'a> {
     pub(super) objective: &'a Objective<'a>,
     pub(super) fitted: &'a [f64],
@@ -23,7 +23,7 @@ impl Errors<'_> {
         self.kept.iter().map(|place| self.objective.kind(*place)).collect()
     }
 
-    /// The standard error of what depends so on the fitted values, from the stated σ where there is one.
+    /// The standard error of a quantity with this gradient in the fitted values, from the stated σ if there is one.
     pub(super) fn stderr(&self, gradient: &DVector<f64>) -> f64 {
         self.scales[0] * self.spectrum.covariance(gradient, gradient).sqrt()
     }
@@ -61,7 +61,7 @@ impl Errors<'_> {
         (0..self.fitted.len()).map(estimate).collect()
     }
 
-    /// Of all free numbers where a residual has this standard deviation; zero for one that a bound holds.
+    /// The covariance of all free numbers if a residual has this standard deviation; zero for a number that a bound holds.
     pub(super) fn covariance(&self, scale: f64) -> Vec<Vec<f64>> {
         let mut covariance = vec![vec![0.0; self.fitted.len()]; self.fitted.len()];
         for (one, row) in self.kept.iter().enumerate() {
@@ -73,7 +73,7 @@ impl Errors<'_> {
         covariance
     }
 
-    /// What the data determine instead, and that in words.
+    /// The combinations that the data determine instead, and a description in words.
     pub(super) fn invariants(&self) -> (Vec<Invariant>, String) {
         let names: Vec<&str> = self.kept.iter().map(|place| self.objective.parameter(*place).name.as_str()).collect();
         let fitted: Vec<f64> = self.kept.iter().map(|place| self.fitted[*place]).collect();

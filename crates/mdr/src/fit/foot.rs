@@ -25,7 +25,7 @@ pub(super) struct Foot {
 pub(super) struct Scales {
     pub(super) x: Option<f64>,
     pub(super) y: f64,
-    /// The scale of X for what lies beyond the end of an arc.
+    /// The scale of X for points beyond the end of an arc.
     pub(super) beyond: f64,
 }
 
@@ -33,7 +33,7 @@ impl Arc {
     /// The point to which a row is compared.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn foot(&self, contact: &Contact<'_, f64>, row: [f64; 2], scales: &Scales) -> Result<Foot> {
         match scales.x {
             None => self.vertical_foot(contact, row, scales),
@@ -149,7 +149,7 @@ fn slope_of_distance(at: [f64; 2], tangent: [f64; 2], row: [f64; 2], scales: [f6
     x * tangent[0] / scales[0] + y * tangent[1] / scales[1]
 }
 
-/// The minimum of the distance in a bracket, by the secant method with bisection. Where a step is as small as NEAR, what it leaves is
+/// The minimum of the distance in a bracket, by the secant method with bisection. After a step as small as NEAR the remainder is
 /// rounding.
 fn minimum(
     contact: &Contact<'_, f64>,

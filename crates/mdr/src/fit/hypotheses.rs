@@ -1,4 +1,4 @@
-//! Values to begin from by what a record may hold: all its rows in contact, or a jump between any two of them.
+//! Starting values from hypotheses on a record: all its rows in contact, or a jump between any two of them.
 //!
 //! With w/E* and the contact point given, the states of a tip are known but for the scale of forces, F = E*·φ(d), and the sum of squares
 //! of a record whose rows are in contact up to a jump and detached beyond it is that of a linear regression for E* and the baseline. On a
@@ -27,7 +27,7 @@ const BEFORE: [f64; 9] = [1e-3, 3e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.5, 1.0];
 /// How many minima of a hypothesis are followed.
 const MINIMA: usize = 3;
 
-/// Legs up to which each may have begun or ended where the surfaces touch, too.
+/// Legs up to which each may also have begun or ended where the surfaces touch.
 const PARTS: usize = 4;
 
 /// How often the grid is refined around a minimum.
@@ -72,7 +72,7 @@ struct Found {
 /// The names of the hypotheses: no row is detached, or some are.
 const NAMES: [&str; 2] = ["all-in-contact", "jump"];
 
-/// The starts of all hypotheses with their names, those of the least sums of squares first: E*, w, contact point and baseline.
+/// The starts of all hypotheses with their names, the least sums of squares first: E*, w, contact point and baseline.
 pub(super) fn starts(problem: &Problem, transform: &dyn Transform<f64>) -> Vec<(&'static str, [f64; 4])> {
     search(problem, transform).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! What a minimum says: standard errors, what the data cannot tell, tests of the residuals.
+//! The assessment of a minimum: standard errors, combinations that the data do not determine, tests of the residuals.
 
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
@@ -50,8 +50,8 @@ impl Spectrum {
         self.values.last().copied().unwrap_or(0.0) / self.values[0]
     }
 
-    /// The covariance of two linear combinations, in units of the variance of a residual; directions of which nothing is known
-    /// do not count.
+    /// The covariance of two linear combinations, in units of the variance of a residual; directions that the data do not
+    /// determine do not count.
     pub(super) fn covariance(&self, one: &DVector<f64>, other: &DVector<f64>) -> f64 {
         let along = |index: usize, combination: &DVector<f64>| -> f64 {
             let vector = self.vectors.column(index);
@@ -155,7 +155,7 @@ pub(super) fn product(names: &[&str], exponents: &DVector<f64>) -> String {
     names.iter().zip(exponents.iter()).filter_map(factor).collect::<Vec<_>>().join(" * ")
 }
 
-/// The test of Wald and Wolfowitz; none where all residuals have one sign or there are fewer than ten.
+/// The test of Wald and Wolfowitz; `None` if all residuals have one sign or there are fewer than ten.
 pub(super) fn runs_test(residuals: &[f64]) -> Option<RunsTest> {
     let signs: Vec<bool> =
         residuals.iter().filter(|residual| **residual != 0.0).map(|residual| *residual > 0.0).collect();

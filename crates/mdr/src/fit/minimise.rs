@@ -17,8 +17,8 @@ pub(super) struct Minimum {
     pub(super) at_fold: Vec<AtFold>,
 }
 
-/// What residuals grow by where the objective has no value: far above any that is a sum of squares of data, so that the step is
-/// refused and shortened.
+/// The factor on residuals where the objective has no value: far above any sum of squares of data, so that the step is refused
+/// and shortened.
 const REFUSED: f64 = 1e12;
 
 /// The factor by which a number may change in one descent: further off there is no minimum that the start leads to, but a direction
@@ -183,7 +183,7 @@ fn curvature(
     Some((&hessian + hessian.transpose()) * 0.5)
 }
 
-/// Newton's step by second derivatives; none along directions of which nothing is known.
+/// Newton's step by second derivatives; zero along directions that the data do not determine.
 fn newton_step(
     hessian: &DMatrix<f64>,
     jacobian: &DMatrix<f64>,

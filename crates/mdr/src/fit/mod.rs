@@ -1,8 +1,8 @@
 //! Fits of measured curves: E*, w and other unknowns of a contact from force, depth or contact radius, with their errors.
 //!
-//! A [`Problem`] says what was pressed, what was measured and what is unknown; its [`Fit`] has estimates with standard errors, or
-//! says what the data cannot tell. The theory decides on which branch a row lies and where the contact jumps: no row is clipped,
-//! and none is compared with a curve beyond its fold.
+//! A [`Problem`] has a profile, an observation, rows and unknowns; its [`Fit`] has estimates with standard errors, or states what
+//! the data do not determine. The theory decides on which branch a row lies and where the contact jumps: no row is clipped, and
+//! none is compared with a curve beyond its fold.
 //!
 //! ```
 //! use mdr::fit::{Observation, Problem};
@@ -20,9 +20,9 @@
 //! ```
 //!
 //! # The model
-//! A state is a function of its contact radius a: d = g(a) − Δl(a) (1.5), F = 2E*(a d − ∫₀ᵃ g) (1.6). What is given, X, and what
-//! is measured, Y, are listed at [`Observation`]. Stable arcs lie between the folds of X(a). Every row has a label: its arc, or
-//! detached; the labels of a leg are those of least cost that are monotone along it.
+//! A state is a function of its contact radius a: d = g(a) − Δl(a) (1.5), F = 2E*(a d − ∫₀ᵃ g) (1.6). The given quantity, X, and
+//! the measured quantity, Y, are listed at [`Observation`]. Stable arcs lie between the folds of X(a). Every row has a label: its
+//! arc, or detached; the labels of a leg are those of least cost that are monotone along it.
 //!
 //! # The objective
 //! A row in contact has its orthogonal distance to its arc, the end of the arc included, in units of (σ_X, σ_Y); with x exact,

@@ -31,17 +31,17 @@ pub(super) struct Objective<'p> {
     tip: Option<Shared<Tip<f64>>>,
 }
 
-/// The scatter of the data. The objective counts in a unit in which σ_Y is what the data show, so that a common factor of all stated
-/// standard deviations moves no estimate, and none is too small or too large for a double.
+/// The scatter of the data. The objective counts in a unit in which σ_Y is the scatter that the data show, so that a common
+/// factor of all stated standard deviations moves no estimate, and none is too small or too large for a double.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Noise {
     /// σ_Y, as it is stated or as the data show it.
     pub(super) y: f64,
     /// σ_Y as the data show it.
     pub(super) y_scale: f64,
-    /// The one over the other: what a distance in units of σ is multiplied by. One where σ is not stated.
+    /// The ratio of the two, by which a distance in units of σ is multiplied. One if σ is not stated.
     pub(super) unit: f64,
-    /// The scale of X for what lies beyond the end of an arc.
+    /// The scale of X for points beyond the end of an arc.
     pub(super) beyond: f64,
 }
 
@@ -68,7 +68,7 @@ pub(super) struct AtFold {
     pub(super) beyond: f64,
 }
 
-/// What the distance in X of a held fold is multiplied by, against that of a row beyond it.
+/// The factor on the distance in X of a held fold, against that of a row beyond it.
 const HELD: f64 = 1e3;
 
 /// The residuals at one set of numbers.
@@ -80,7 +80,7 @@ pub(super) struct Evaluation {
     pub(super) arcs: Vec<Arc>,
     /// The level of each row: 0 detached, else one more than the index of its arc.
     pub(super) labels: Vec<usize>,
-    /// Those of rows in contact.
+    /// The feet of rows in contact.
     pub(super) feet: Vec<Option<Foot>>,
     /// Residuals of the rows, of priors and of the pull-off.
     pub(super) residuals: DVector<f64>,
@@ -202,7 +202,7 @@ impl<'p> Objective<'p> {
     /// The residuals at these fitted values; folds are followed from an earlier evaluation where there is one.
     ///
     /// # Errors
-    /// A number out of its domain; those of the transform.
+    /// A number out of its domain; errors of the transform.
     pub(super) fn evaluate(&self, fitted: &[f64], before: Option<&Evaluation>) -> Result<Evaluation> {
         let numbers = self.numbers(fitted);
         let tip = match &self.tip {
@@ -321,7 +321,7 @@ impl<'p> Objective<'p> {
     /// The derivatives of the residuals with respect to the fitted values. A number at a bound that it presses against has none.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn jacobian(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
         let contact = evaluation.contact(self.problem.observation);
         let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), self.free.len());
@@ -372,11 +372,11 @@ impl<'p> Objective<'p> {
         Ok(jacobian)
     }
 
-    /// The Jacobian for standard errors: a row that is compared to the end of an arc tells in both directions, along the distance
-    /// and across it, where its residual is zero.
+    /// The Jacobian for standard errors: a row that is compared to the end of an arc counts in both directions, along the
+    /// distance and across it, where its residual is zero.
     ///
     /// # Errors
-    /// Those of the transform.
+    /// Errors of the transform.
     pub(super) fn information(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
         let contact = evaluation.contact(self.problem.observation);
         let across = |(index, foot): (usize, &Foot)| {

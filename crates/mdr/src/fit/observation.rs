@@ -1,8 +1,9 @@
-//! What was measured, in which direction, and how residuals count.
+//! The observed quantities, the legs of a curve, and the loss of residuals.
 
 use mdr_core::named;
 
-/// What is given of a row, X, and what is measured, Y. `contact_point` and `baseline` are offsets of what is recorded.
+/// The given quantity X and the measured quantity Y of a row. `contact_point` and `baseline` are offsets of the recorded
+/// quantities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Observation {
     /// `F(d)`: X = d + contact_point, Y = F + baseline.
@@ -20,7 +21,7 @@ pub enum Observation {
 }
 
 impl Observation {
-    /// Each with its name.
+    /// Each observation with its name.
     pub const NAMES: [(&'static str, Observation); 6] = [
         ("F(d)", Observation::ForceOfIndentation),
         ("F(D)", Observation::ForceOfPosition),
@@ -30,7 +31,7 @@ impl Observation {
         ("a(F)", Observation::RadiusOfForce),
     ];
 
-    /// Its name in a file, such as `delta(D)`.
+    /// The name of the observation in a file, such as `delta(D)`.
     pub fn name(self) -> &'static str {
         Self::NAMES.iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name)
     }

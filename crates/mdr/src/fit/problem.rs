@@ -1,4 +1,4 @@
-//! What is fitted: a profile, an observation, rows, and what is unknown.
+//! A problem of fitting: a profile, an observation, rows, and unknowns.
 
 use mdr_core::text::excerpt;
 
@@ -50,7 +50,7 @@ pub(super) struct DataRow {
     pub(super) sigma: [Option<f64>; 2],
 }
 
-/// A measured curve and what is to be found from it. All numbers are in SI units.
+/// A measured curve and the numbers to be found from it. All numbers are in SI units.
 #[derive(Clone, Debug)]
 pub struct Problem {
     pub(super) profile: Profile,
@@ -63,9 +63,9 @@ pub struct Problem {
     /// The place of the jump out of contact and its standard deviation, where it is a datum.
     pub(super) pull_off: Option<[f64; 2]>,
     pub(super) range_of_adhesion: Option<f64>,
-    /// Certified digits that are asked for.
+    /// The requested certified digits.
     pub(super) digits: Option<u32>,
-    /// Whether intervals by the profile of the sum of squares are asked for.
+    /// Whether intervals by the profile of the sum of squares are requested.
     pub(super) profile_likelihood: bool,
     pub(super) place: Location,
 }
@@ -130,8 +130,8 @@ impl Problem {
         })
     }
 
-    /// The same with these numbers unknown: `e_star`, `work_of_adhesion`, `stiffness`, `contact_point`, `baseline`, and the
-    /// numbers of the profile by their keys, such as `radius`.
+    /// Makes these numbers unknown: `e_star`, `work_of_adhesion`, `stiffness`, `contact_point`, `baseline`, and the numbers of
+    /// the profile by their keys, such as `radius`.
     ///
     /// # Errors
     /// A name that the problem does not have.
@@ -142,30 +142,31 @@ impl Problem {
         Ok(self)
     }
 
-    /// The same with a known number: `stiffness`, or E* or w where they are not free.
+    /// Sets a known number: `stiffness`, or E* or w where they are not free.
     ///
     /// # Errors
-    /// As [`Problem::free`]; a number that is not finite, or not positive where it must be.
+    /// A name that the problem does not have; a number that is not finite, or not positive where it must be.
     pub fn fixed(mut self, name: &str, value: f64) -> Result<Self> {
         let parameter = self.parameter_mut(name, "fit.fixed")?;
         parameter.value = Some(parameter.checked(value, "fit.fixed")?);
         Ok(self)
     }
 
-    /// The same with a value to begin from. Without it the program finds one.
+    /// Sets the starting value of a number. Without it the program finds one.
     ///
     /// # Errors
-    /// As [`Problem::fixed`].
+    /// A name that the problem does not have; a number that is not finite, or not positive where it must be.
     pub fn start(mut self, name: &str, value: f64) -> Result<Self> {
         let parameter = self.parameter_mut(name, "fit.start")?;
         parameter.start = Some(parameter.checked(value, "fit.start")?);
         Ok(self)
     }
 
-    /// The same with what is known of a number beforehand: its mean and standard deviation. The number becomes free.
+    /// Sets the prior of a number: its mean and standard deviation. The number becomes free.
     ///
     /// # Errors
-    /// As [`Problem::fixed`]; a standard deviation that is not positive.
+    /// A name that the problem does not have; a mean that is not finite, or not positive where it must be; a standard deviation
+    /// that is not positive.
     pub fn prior(mut self, name: &str, mean: f64, sd: f64) -> Result<Self> {
         let parameter = self.parameter_mut(name, "fit.prior")?;
         let mean = parameter.checked(mean, "fit.prior")?;
@@ -174,10 +175,11 @@ impl Problem {
         Ok(self)
     }
 
-    /// The same with a number kept between two bounds.
+    /// Keeps a number between two bounds.
     ///
     /// # Errors
-    /// As [`Problem::fixed`]; bounds that do not ascend.
+    /// A name that the problem does not have; a bound that is not finite, or not positive where it must be; bounds that do not
+    /// ascend.
     pub fn bounds(mut self, name: &str, [lower, upper]: [f64; 2]) -> Result<Self> {
         let parameter = self.parameter_mut(name, "fit.bounds")?;
         let bounds = [parameter.checked(lower, "fit.bounds")?, parameter.checked(upper, "fit.bounds")?];
@@ -191,7 +193,7 @@ impl Problem {
         Ok(self)
     }
 
-    /// The same with the standard deviation of what is given, for all rows. Without it, or with 0, it is exact: distances are
+    /// Sets the standard deviation of the given quantity X, for all rows. Without it, or with 0, X is exact: distances are
     /// vertical.
     ///
     /// # Errors
@@ -201,8 +203,8 @@ impl Problem {
         Ok(self)
     }
 
-    /// The same with the standard deviation of what is measured, for all rows. Without it, or with 0, standard errors are scaled
-    /// by the residuals. A factor common to it and to all other standard deviations moves no estimate.
+    /// Sets the standard deviation of the measured quantity Y, for all rows. Without it, or with 0, standard errors are scaled by
+    /// the residuals. A factor common to it and to all other standard deviations moves no estimate.
     ///
     /// # Errors
     /// A number that is negative or not finite.
@@ -211,7 +213,7 @@ impl Problem {
         Ok(self)
     }
 
-    /// The same with the leg of each row. Without it legs end where X turns.
+    /// Sets the leg of each row. Without it legs end where X turns.
     ///
     /// # Errors
     /// Another number of legs than of rows.
@@ -225,13 +227,13 @@ impl Problem {
         Ok(self)
     }
 
-    /// The same with another loss.
+    /// Sets the loss.
     pub fn loss(self, loss: Loss) -> Self {
         Problem { loss, ..self }
     }
 
-    /// The same with the measured place of the jump out of contact, a value of X, as a datum with its standard deviation. It
-    /// is reported beside its prediction in any case.
+    /// Adds the measured place of the jump out of contact, a value of X, as a datum with its standard deviation. It is reported
+    /// beside its prediction in any case.
     ///
     /// # Errors
     /// Numbers that are not finite; a standard deviation that is not positive.
@@ -243,18 +245,18 @@ impl Problem {
         Ok(self)
     }
 
-    /// The same with estimates in so many certified digits, too (feature `mp`).
+    /// Requests estimates in so many certified digits as well (feature `mp`).
     pub fn digits(self, digits: u32) -> Self {
         Problem { digits: Some(digits.max(1)), ..self }
     }
 
-    /// The same with [intervals](Fit::intervals) of 68 % and 95 % by profile likelihood, too. They need no linearised model; each
+    /// Requests [intervals](Fit::intervals) of 68 % and 95 % by profile likelihood as well. They need no linearised model; each
     /// takes some ten further fits.
     pub fn profile_likelihood(self) -> Self {
         Problem { profile_likelihood: true, ..self }
     }
 
-    /// The same with the range of adhesion, in m: the answer then says whether the theory holds for the fitted contact.
+    /// Sets the range of adhesion, in m: the answer then states whether the theory holds for the fitted contact.
     ///
     /// # Errors
     /// A range that is not positive and finite.
@@ -263,7 +265,7 @@ impl Problem {
         Ok(self)
     }
 
-    /// What is known of the number of a kind.
+    /// The value of the number of a kind, or its starting value.
     pub(super) fn known(&self, kind: Kind) -> Option<f64> {
         self.parameters.iter().find(|parameter| parameter.kind == kind)?.known()
     }
@@ -278,7 +280,7 @@ impl Problem {
         self.parameters.iter().filter(|parameter| parameter.prior.is_some()).count()
     }
 
-    /// What was measured.
+    /// The given and the measured quantity.
     pub fn observation(&self) -> Observation {
         self.observation
     }
@@ -288,11 +290,11 @@ impl Problem {
         self.rows.iter().map(|row| [row.x, row.y])
     }
 
-    /// The estimates, with their standard errors and what else the data tell.
+    /// The estimates, with their standard errors and further results.
     ///
     /// # Errors
-    /// A problem that cannot be fitted: nothing free, no more rows than unknowns, a missing number, all rows out of contact. What
-    /// the data cannot tell is no error, but the [status](Fit::status) of the answer.
+    /// A problem that cannot be fitted: nothing free, no more rows than unknowns, a missing number, all rows out of contact.
+    /// Numbers that the data do not determine are no error, but a [status](Fit::status) of the answer.
     pub fn fit(&self) -> Result<Fit> {
         super::drive::fit(self)
     }
@@ -310,12 +312,12 @@ impl Problem {
 }
 
 impl Parameter {
-    /// What is said of an unknown number: its start, or the mean of its prior.
+    /// The stated value of an unknown number: its start, or the mean of its prior.
     pub(super) fn guess(&self) -> Option<f64> {
         self.start.or(self.prior.map(|[mean, _]| mean))
     }
 
-    /// What is known of the number: its value, or where an unknown one begins.
+    /// The value of the number, or the starting value of an unknown one.
     pub(super) fn known(&self) -> Option<f64> {
         self.guess().filter(|_| self.free).or(self.value)
     }

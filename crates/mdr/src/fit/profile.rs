@@ -113,7 +113,7 @@ impl<'o, 'p> Profile<'o, 'p> {
         Profile { objective, minimum, problem, place, rise, others, lowest: f64::INFINITY, budget: BUDGET }
     }
 
-    /// The end of the interval in steps of `step` from the fitted value, the first of them `quantile` long; none where the sum of
+    /// The end of the interval in steps of `step` from the fitted value, the first of them `quantile` long; `None` if the sum of
     /// squares does not rise enough, or has no value.
     fn end(&mut self, step: f64, quantile: f64) -> Option<f64> {
         let mut last = self.sample(step, quantile).ok()?;

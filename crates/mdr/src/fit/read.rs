@@ -16,23 +16,24 @@ impl Problem {
     /// Reads a `.toml` or `.json` file; the data are read from a file beside it, or are in it.
     ///
     /// # Errors
-    /// With file, line and key.
+    /// A file that cannot be read, or is no fit, with file, line and key.
     pub fn open(file: impl AsRef<Path>) -> Result<Problem> {
         parse::open(file.as_ref(), |top| read(top, None))
     }
 
-    /// The same with another curve in place of its data.
+    /// Reads a fit like [`Problem::open`], with another curve in place of its data.
     ///
     /// # Errors
-    /// As [`Problem::open`].
+    /// A file that cannot be read, or is no fit, with file, line and key.
     pub fn open_for(file: impl AsRef<Path>, curve: impl AsRef<Path>) -> Result<Problem> {
         Problem::opener(file)?(curve.as_ref())
     }
 
-    /// What opens a fit for one curve after the other. The fit is read once, so that it may be a pipe; so may each curve.
+    /// A function that opens a fit for one curve after the other. The fit is read once, so that it may be a pipe; so may each
+    /// curve.
     ///
     /// # Errors
-    /// A fit that cannot be read; for each curve as [`Problem::open`].
+    /// A fit that cannot be read. For each curve: a file that cannot be read, or is no fit, with file, line and key.
     pub fn opener(file: impl AsRef<Path>) -> Result<impl Fn(&Path) -> Result<Problem> + Sync> {
         let source = parse::Source::open(file.as_ref())?;
         Ok(move |curve: &Path| {
@@ -43,10 +44,10 @@ impl Problem {
         })
     }
 
-    /// Reads a fit as TOML. `name` stands in complaints; `files` reads what it names.
+    /// Reads a fit as TOML. `name` stands in complaints; `files` reads the files that the fit names.
     ///
     /// # Errors
-    /// With name, line and key.
+    /// A text that is no fit, with name, line and key.
     pub fn from_toml(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
         parse::toml(text, name, files, |top| read(top, None))
     }
@@ -54,7 +55,7 @@ impl Problem {
     /// Reads a fit as JSON, with the keys of a TOML file.
     ///
     /// # Errors
-    /// As [`Problem::from_toml`].
+    /// A text that is no fit, with name, line and key.
     #[cfg(feature = "serde")]
     pub fn from_json(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
         parse::json(text, name, files, |top| read(top, None))
@@ -288,7 +289,7 @@ fn number(value: &Value<'_>) -> Result<f64> {
     Ok(value.number()?.nearest_f64())
 }
 
-/// The same complaint at a place.
+/// Moves a complaint to a place.
 fn at(error: Error, place: Location) -> Error {
     match error {
         Error::Scene { why, .. } => place.refuse(why),

@@ -1,4 +1,4 @@
-//! How the estimates move with the smoothing of a measured tip: what its noise does to them.
+//! The dependence of the estimates on the smoothing of a measured tip, which shows the effect of its noise.
 
 use super::answer::{Fit, SmoothedFit};
 use super::drive;
@@ -6,13 +6,13 @@ use super::problem::Problem;
 use super::start::Source;
 use crate::scene::Measured;
 
-/// Lengths against the one that is stated; none for the rows as they are.
+/// Lengths over the one that is stated; `None` for the rows as they are.
 const FACTORS: [Option<f64>; 3] = [None, Some(0.5), Some(2.0)];
 
 /// Lengths in spacings of the rows, where none is stated.
 const SPACINGS: [f64; 3] = [2.0, 8.0, 32.0];
 
-/// Adds the fits with other smoothings of the tip, and a warning where an estimate moves by more than its standard error tells.
+/// Adds the fits with other smoothings of the tip, and a warning if an estimate moves by more than its standard error.
 pub(super) fn add(fit: &mut Fit, problem: &Problem) {
     let tables = problem.profile.tables();
     let Some(first) = tables.first().filter(|_| fit.status.has_estimates()) else { return };
@@ -43,7 +43,7 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem) {
     }
 }
 
-/// The fit with the tip smoothed over another length, from the same estimates; none where there is no such tip, or no fit.
+/// The fit with the tip smoothed over another length, from the same estimates; `None` if there is no such tip, or no fit.
 fn with(fit: &Fit, problem: &Problem, length: Option<f64>) -> Option<SmoothedFit> {
     let smoothed = |table: &Measured| table.smoothed(length);
     let mut other = Problem { profile: problem.profile.with_tables(&smoothed)?, digits: None, ..problem.clone() };

@@ -21,7 +21,7 @@ const MINIMA: usize = 3;
 /// By how many typical steps Y rises at a pull-off.
 const JUMP: f64 = 5.0;
 
-/// What the record says of E*, w and the offsets without a fit.
+/// The data of a record from which E*, w and the offsets are estimated without a fit.
 struct Record {
     /// Rows as (d, F), without baseline, and up to the contact point.
     states: Vec<[f64; 2]>,
@@ -47,8 +47,8 @@ impl Source {
     pub(super) const ALL: [Source; 4] = [Source::Given, Source::Formula, Source::Record, Source::Search];
 }
 
-/// Fitted values to begin from with their names, in the order of the free numbers: what is given, completed from the data; then the data
-/// alone.
+/// Fitted values to begin from with their names, in the order of the free numbers: first the given numbers, completed from the
+/// data; then the data alone.
 pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<(&'static str, Vec<f64>)> {
     let problem = objective.problem;
     let given = (0..objective.free.len()).map(|place| {
@@ -161,7 +161,7 @@ impl Record {
             .fold([0.0, f64::INFINITY], |best, state| if state[1] < best[1] { state } else { best })
     }
 
-    /// The depth at which the force vanishes, deeper than where it is smallest; none where it never does.
+    /// The depth at which the force vanishes, deeper than where it is smallest; `None` if it never does.
     fn depth_without_force(&self) -> Option<f64> {
         let lowest = self.lowest();
         let mut inside: Vec<[f64; 2]> = self.states.iter().copied().filter(|state| state[0] > lowest[0]).collect();
@@ -232,7 +232,7 @@ fn by_search(problem: &Problem, record: &Record, tip: &Tip<f64>) -> Vec<[f64; 4]
 /// A row that a curve of the search goes through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Anchor {
-    /// That of the smallest force, the fold under a dead load.
+    /// The row of the smallest force, the fold under a dead load.
     SmallestForce,
     /// The last before the pull-off, the fold under fixed grips.
     PullOff,

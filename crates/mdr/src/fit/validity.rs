@@ -9,8 +9,8 @@ use super::problem::Problem;
 use crate::error::Result;
 use crate::scene::{Arithmetic, Scene};
 
-/// Adds what the range of adhesion says of the contact with these numbers, and a warning where the theory does not hold; nothing
-/// without a range, or where the data do not determine the contact.
+/// Adds whether the theory holds for the contact with these numbers, by the range of adhesion, and a warning if it does not;
+/// nothing without a range, or if the data do not determine the contact.
 pub(super) fn add(fit: &mut Fit, problem: &Problem, numbers: &Numbers<f64>) -> Result<()> {
     let Some(range) = problem.range_of_adhesion.filter(|_| fit.status == FitStatus::Fitted) else { return Ok(()) };
     let fitted: Vec<Literal> =

@@ -1,4 +1,4 @@
-//! What may mislead in a fit that has ended well.
+//! Warnings of results that may mislead, in a fit that has ended well.
 
 use mdr_core::contact::Shape;
 
@@ -16,7 +16,7 @@ const NEARLY_OPEN: f64 = 1e-3;
 /// The standard error of a positive number, against it, above which zero is not excluded.
 const NEAR_ZERO: f64 = 0.4;
 
-/// The difference of χ² up to which the data do not tell two minima apart.
+/// The difference of χ² up to which the data do not distinguish two minima.
 const ALIKE: f64 = 9.0;
 
 /// The deviation of the residuals over the scatter of neighbouring rows above which there is a warning.

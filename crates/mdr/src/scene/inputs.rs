@@ -5,8 +5,8 @@ use mdr_core::contact::Control;
 use super::{Profile, Scene};
 
 impl Scene {
-    /// What the states depend on, as written: name, SI unit (empty for a pure number) and value. The terms of a sum are counted
-    /// from 1; the rows of a table stay in their file.
+    /// The inputs on which the states depend, as written: name, SI unit (empty for a pure number) and value. The terms of a sum
+    /// are counted from 1; the rows of a table stay in their file.
     pub fn inputs(&self) -> Vec<(String, &'static str, String)> {
         let mut inputs = Vec::new();
         of_profile(&self.profile, "", &mut inputs);

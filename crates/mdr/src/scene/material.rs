@@ -1,4 +1,4 @@
-//! E* from what is given.
+//! E* from the given elastic constants.
 
 use std::cmp::Ordering;
 
@@ -52,13 +52,13 @@ pub(super) fn combined(bodies: &[Body<Literal>; 2]) -> Option<Literal> {
     Literal::try_from((compliance(&bodies[0]) + compliance(&bodies[1])).recip()).ok()
 }
 
-/// A rational number as a literal; none for one of absurd length.
+/// A rational number as a literal; `None` for one of absurd length.
 #[cfg(feature = "mp")]
 pub(crate) fn exactly(value: &rug::Rational) -> Option<Literal> {
     value.to_string().parse().ok()
 }
 
-/// A rational as a short decimal where it is one, else as a fraction; none for one of absurd length.
+/// A rational as a short decimal where it is one, else as a fraction; `None` for one of absurd length.
 #[cfg(feature = "mp")]
 pub fn decimal(value: &rug::Rational) -> Option<Literal> {
     let short: Option<Literal> =

@@ -1,4 +1,4 @@
-//! Measured profiles: the rows of a file, from where their heights count, and over what length they are smoothed.
+//! Measured profiles: the rows of a file, the zero of their heights, and the length over which they are smoothed.
 
 use mdr_core::number::Literal;
 use mdr_numeric::table::{Table, TableError};
@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 /// Measured rows of radius and height, with the zero of their heights and the length over which they are smoothed.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// What the contact is computed with.
+    /// The table with which the contact is computed.
     pub(crate) table: Table,
     /// The rows as they are, with heights from the tip.
     raw: Table,
@@ -51,8 +51,8 @@ impl Measured {
     /// ```
     ///
     /// # Errors
-    /// Slices of different lengths; a number that is not finite, with its index; as [`Measured::from_csv`], where a line is
-    /// the index of a row plus one.
+    /// Slices of different lengths; a number that is not finite, with its index; a row that is not accepted, with its line, which
+    /// is the index of the row plus one; heights that do not begin at a tip.
     pub fn from_rows(radii: &[f64], heights: &[f64]) -> Result<Measured> {
         let refuse = |why: String| Err(Location::built("profile.file").refuse(why));
         if radii.len() != heights.len() {
@@ -72,7 +72,7 @@ impl Measured {
         Measured { table: raw.clone(), raw, file, smoothing: None }
     }
 
-    /// The same unless a slope between rows is no double.
+    /// Rejects a table with a slope between rows that is no double.
     fn checked(self, refuse: impl FnOnce(String) -> Error) -> Result<Self> {
         match too_steep(&self.table) {
             Some(line) => Err(refuse(format!("line {line}: the slope from the row before is out of the range of f64"))),
@@ -128,7 +128,7 @@ impl Measured {
         self.smoothing.map(|smoothing| smoothing.length)
     }
 
-    /// The same rows smoothed over another length, or as they are.
+    /// The rows smoothed over another length, or as they are.
     pub(crate) fn smoothed(&self, length: Option<f64>) -> Option<Measured> {
         let table = match length {
             Some(length) => self.file.smoothed(length).ok()?.0,
@@ -175,7 +175,7 @@ fn lowered(table: &Table, zero: &Literal) -> Table {
     table.with_heights(table.rows().iter().map(|row| difference(&row.height).unwrap_or_else(|| row.height.clone())))
 }
 
-/// What is wrong with the tip, and the key that mends it.
+/// The fault of the tip, and the key that mends it.
 fn with_remedy(error: &TableError, table: &Table) -> String {
     let unit = table.units().map_or_else(String::new, |[_, f]| format!(" {f}"));
     match error {

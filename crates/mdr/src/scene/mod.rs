@@ -1,4 +1,4 @@
-//! Scenes: what is pressed, what is controlled, and what is wanted; built in Rust, or read from TOML or JSON.
+//! Scenes: a contact, its control, and the requested outputs; built in Rust, or read from TOML or JSON.
 
 #![cfg_attr(
     not(any(feature = "toml", feature = "serde")),
@@ -43,7 +43,7 @@ pub(crate) use place::double;
 /// The state at the first way point of a path.
 pub type Start = mdr_numeric::path::Start<Literal>;
 
-/// A contact and what is wanted of it. All numbers are exact as written, in SI units.
+/// A contact and the requested outputs. All numbers are exact as written, in SI units.
 ///
 /// ```
 /// use mdr::prelude::*;
@@ -63,11 +63,11 @@ pub type Start = mdr_numeric::path::Start<Literal>;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// E*, exactly: as given, or of the two bodies. One where there is no material, and nothing wanted depends on it.
+    /// E*, exactly: as given, or of the two bodies. One if there is no material, and no requested output depends on it.
     pub(crate) effective_modulus: Literal,
-    /// w, likewise.
+    /// w, exactly as given. One if there is no material, and no requested output depends on it.
     pub(crate) work_of_adhesion: Literal,
-    /// z₀, where the scene asks whether the theory holds.
+    /// z₀, if the scene requests whether the theory holds.
     pub(crate) range_of_adhesion: Option<Literal>,
     has_material: bool,
     has_control: bool,
@@ -92,7 +92,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A contact under fixed grips of which nothing is wanted yet.
+    /// A contact under fixed grips, without outputs yet.
     ///
     /// # Errors
     /// A number that is none; E* or w that is not positive; Poisson's ratio outside (−1, 1/2].
@@ -108,7 +108,7 @@ impl Scene {
         Ok(Scene { has_material: true, ..Scene::blank(profile, modulus, work, places) })
     }
 
-    /// A contact under fixed grips of which nothing is wanted.
+    /// A contact under fixed grips, without outputs.
     fn blank(profile: Profile, effective_modulus: Literal, work_of_adhesion: Literal, places: Places) -> Self {
         Scene {
             effective_modulus,
@@ -130,13 +130,12 @@ impl Scene {
         }
     }
 
-    /// The same under another control; its stiffness in N/m.
+    /// Sets the control; the stiffness of a machine in N/m.
     pub fn control(self, control: Control<Literal>) -> Self {
         Scene { control, has_control: true, ..self }
     }
 
-    /// The same with the range z₀ of the attraction, in m: the answer then says whether the theory holds, as its
-    /// [`Validity`].
+    /// Sets the range z₀ of the attraction, in m: the answer then states whether the theory holds, as its [`Validity`].
     ///
     /// ```
     /// use mdr::prelude::*;
@@ -164,7 +163,8 @@ impl Scene {
     /// Whether the theory holds for the contact, without any other output.
     ///
     /// # Errors
-    /// A scene without a range of adhesion; as [`Scene::solve`].
+    /// A scene without a range of adhesion; an input out of its domain, with its place; [`Error::NeedsMp`] for certified digits
+    /// in a build without them.
     pub fn validity(&self) -> Result<Validity> {
         self.check_arithmetic()?;
         let found = validity::of(self, &Stop::default().counts());
@@ -173,7 +173,7 @@ impl Scene {
             .ok_or_else(|| Location::built("material.range_of_adhesion").refuse("missing: the range of adhesion in m"))
     }
 
-    /// The same moved along way points of the controlled quantity.
+    /// Sets the way points of the controlled quantity along which the contact moves.
     ///
     /// # Errors
     /// A way point that is no number.
@@ -182,12 +182,12 @@ impl Scene {
         Ok(Scene { path, ..self })
     }
 
-    /// The same with another state at the first way point; [`Start::Largest`] without.
+    /// Sets the state at the first way point; the default is [`Start::Largest`].
     pub fn start(self, start: Start) -> Self {
         Scene { start, ..self }
     }
 
-    /// The same with one more output; in place of an earlier one of its kind.
+    /// Adds an output, in place of an earlier one of its kind.
     pub fn want(mut self, want: Want) -> Self {
         if let Want::Folds { range: Some(range) } = &want {
             self.range = Some(range.clone());
@@ -199,12 +199,12 @@ impl Scene {
         self
     }
 
-    /// The same in another arithmetic; 20 certified digits without.
+    /// Sets the arithmetic; the default is 20 certified digits.
     pub fn arithmetic(self, arithmetic: Arithmetic) -> Self {
         Scene { arithmetic, ..self }
     }
 
-    /// What is controlled.
+    /// The control.
     pub fn controlled(&self) -> &Control<Literal> {
         &self.control
     }
@@ -214,7 +214,7 @@ impl Scene {
         &self.profile
     }
 
-    /// What is wanted.
+    /// The requested outputs.
     pub fn wants(&self) -> &[Want] {
         &self.wants
     }
@@ -254,18 +254,17 @@ impl Scene {
         self.wants.iter().any(|want| which(want.kind()))
     }
 
-    /// What an answer says to be controlled.
+    /// Whether an answer names the controlled quantity.
     pub(crate) fn names_control(&self) -> bool {
         self.has_control || self.has(|kind| !kind.is_of_profile())
     }
 
-    /// A note for each key that was given and that nothing uses. A scene that is `drawn` has use for its way points and values,
-    /// wanted or not.
+    /// A note for each given key that nothing uses. A scene that is `drawn` uses its way points and values, requested or not.
     pub fn unused(&self, drawn: bool) -> Vec<String> {
         solve::unused(self, &self.given, drawn)
     }
 
-    /// The answer, with every output that is wanted and nothing else.
+    /// The answer, with all requested outputs and nothing else.
     ///
     /// # Errors
     /// An input out of its domain, with its place; no equilibrium to start a path from; [`Error::NeedsMp`] for certified digits
@@ -274,10 +273,11 @@ impl Scene {
         self.solve_with(&mut Run::default())
     }
 
-    /// The answer, like that of [`Scene::solve`], while an observer hears of each output; the run can be stopped.
+    /// Like [`Scene::solve`], but reports each output to an observer and can be stopped.
     ///
     /// # Errors
-    /// As [`Scene::solve`]; [`Error::Stopped`].
+    /// An input out of its domain, with its place; no equilibrium to start a path from; [`Error::NeedsMp`] for certified digits
+    /// in a build without them; [`Error::Stopped`].
     pub fn solve_with(&self, run: &mut Run<'_>) -> Result<Answer> {
         self.check()?;
         solve::solve(self, run)
@@ -313,7 +313,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Whether this build can answer in the arithmetic that is asked for.
+    /// Whether this build can answer in the requested arithmetic.
     fn check_arithmetic(&self) -> Result<()> {
         match self.arithmetic {
             Arithmetic::Certified { digits } if !(1..=MAX_DIGITS).contains(&digits) => {

@@ -38,21 +38,21 @@ impl Location {
 /// The places of a scene that a complaint about its contact can point at.
 #[derive(Clone, Debug)]
 pub(crate) struct Places {
-    /// Those of inputs that were read from a file, by their keys.
+    /// The places of inputs that were read from a file, by their keys.
     pub(super) read: Vec<(&'static str, Location)>,
     /// All numbers, in the order in which they were read.
     pub(super) numbers: Vec<(Literal, Location)>,
-    /// Those of the profile among them.
+    /// The range of the numbers of the profile in `numbers`.
     pub(super) parameters: Range<usize>,
 }
 
 impl Places {
-    /// That of an input by the key it has where the scene is built.
+    /// The place of an input, by the key it has where the scene is built.
     pub(crate) fn of(&self, key: &'static str) -> Location {
         self.read_at(key).unwrap_or_else(|| Location::built(key))
     }
 
-    /// The same of an input that was read from a file.
+    /// The place of an input that was read from a file, by its key.
     pub(crate) fn read_at(&self, key: &str) -> Option<Location> {
         self.read.iter().find(|(known, _)| *known == key).map(|(_, place)| place.clone())
     }
@@ -100,7 +100,7 @@ impl Places {
     }
 }
 
-/// The nearest double; none of what no double can hold.
+/// The nearest double; `None` if the number is out of the range of doubles.
 pub(crate) fn double(number: &Literal) -> Option<f64> {
     let nearest = number.nearest_f64();
     (nearest.is_finite() && (nearest == 0.0) == number.is_zero()).then_some(nearest)

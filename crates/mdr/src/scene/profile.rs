@@ -36,7 +36,7 @@ pub struct Formula {
     pub(crate) breaks: Breaks,
 }
 
-/// What can be the profile of a scene: a [`Profile`], or a [`Shape`] whose parameters are [exact](Exact).
+/// A type that can be the profile of a scene: a [`Profile`], or a [`Shape`] whose parameters are [exact](Exact).
 pub trait IntoProfile {
     /// The profile.
     ///
@@ -125,7 +125,7 @@ fn zero_at_the_tip(formula: &Expression, values: &BTreeMap<String, Literal>) -> 
     if nearer.times(2) < near { Ok(()) } else { Err(NO_LIMIT.to_owned()) }
 }
 
-/// The same in doubles, up to their rounding.
+/// Checks f(0) = 0 of a formula in doubles, up to their rounding.
 #[cfg(not(feature = "mp"))]
 fn zero_at_the_tip(formula: &Expression, values: &BTreeMap<String, Literal>) -> std::result::Result<(), String> {
     let profile = formula.bind::<f64>((), values).map_err(|error| error.to_string())?;
@@ -171,7 +171,8 @@ impl Profile {
         })
     }
 
-    /// The same exactly, of the numbers in an arithmetic; none for numbers of absurd length.
+    /// n and C of a power law, exactly, from the numbers in an arithmetic; `None` for another profile, and for numbers of absurd
+    /// length.
     #[cfg(feature = "mp")]
     pub(crate) fn exact_power_law(&self, number: impl Fn(&Literal) -> rug::Rational) -> Option<[Literal; 2]> {
         let [n, c] = self.power_law(number, |radius| (radius * 2u32).recip())?;
@@ -210,7 +211,7 @@ impl Profile {
         }
     }
 
-    /// The same with other tables; none where one cannot be had.
+    /// The profile with other tables; `None` if one of them cannot be made.
     pub(crate) fn with_tables(&self, change: &impl Fn(&Measured) -> Option<Measured>) -> Option<Profile> {
         Some(match self {
             Profile::Sum(terms) => {
@@ -234,7 +235,7 @@ impl Profile {
         }
     }
 
-    /// The same profile with other numbers, in the order of [`Profile::numbers`]; those that are not given stay.
+    /// The profile with other numbers, in the order of [`Profile::numbers`]; numbers that are not given stay.
     #[cfg(feature = "fit")]
     pub(crate) fn with_numbers(&self, numbers: &mut impl Iterator<Item = Literal>) -> Profile {
         match self {

@@ -1,16 +1,16 @@
-//! What is wanted of a scene, and in which arithmetic.
+//! The requested outputs of a scene, and the arithmetic.
 
 use mdr_core::number::Literal;
 
 use crate::answer::{OutputKind, Promise};
 
-/// The most digits that may be asked for.
+/// The most digits that may be requested.
 pub const MAX_DIGITS: u32 = 100_000;
 
-/// The digits of a certified answer when none are asked for.
+/// The default number of digits of a certified answer.
 pub const DEFAULT_DIGITS: u32 = 20;
 
-/// In which arithmetic to answer.
+/// The arithmetic of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Arithmetic {
     /// Every digit is proved where that can be; elsewhere two precisions agree on it, which the answer says.
@@ -23,7 +23,7 @@ pub enum Arithmetic {
 }
 
 impl Arithmetic {
-    /// The promise that is asked for.
+    /// The requested promise.
     pub fn promise(self) -> Promise {
         match self {
             Arithmetic::Certified { .. } => Promise::Certified,
@@ -31,7 +31,7 @@ impl Arithmetic {
         }
     }
 
-    /// The significant decimal digits that are asked for; `None` in f64.
+    /// The requested significant decimal digits; `None` in f64.
     pub fn digits(self) -> Option<u32> {
         match self {
             Arithmetic::Certified { digits } => Some(digits),
@@ -140,7 +140,7 @@ impl Want {
         self.kind().name()
     }
 
-    /// The values of the controlled quantity at which it is wanted.
+    /// The values of the controlled quantity at which the output is requested.
     pub fn values(&self) -> &[Literal] {
         match self {
             Want::Equilibria { at: values }
@@ -152,7 +152,7 @@ impl Want {
         }
     }
 
-    /// How many rows it has at least, by what is given.
+    /// The least number of rows of the output, by the given values.
     pub(super) fn rows(&self) -> usize {
         let radii = match self {
             Want::Transform { at } | Want::Curve { at } => return at.len(),
@@ -163,7 +163,7 @@ impl Want {
         self.values().len().max(1).saturating_mul(if radii == 0 { CHOSEN_RADII } else { radii })
     }
 
-    /// What it lacks in a scene with or without a material and a path.
+    /// The missing input of a scene with or without a material and a path.
     pub(super) fn missing(&self, has_material: bool, path: &[Literal]) -> Option<&'static str> {
         match self {
             want if !want.kind().is_of_profile() && !has_material => {

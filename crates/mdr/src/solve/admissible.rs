@@ -1,4 +1,4 @@
-//! Which states of a profile are admissible: by its form, by what enclosures prove of a formula, else by a search in f64.
+//! The admissible states of a profile: by its form, by enclosures of a formula, else by a search in f64.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use mdr_numeric::admissible::{Admissibility, FirstTouch, search_range};
 
 use crate::scene::Profile;
 
-/// What is known of a profile with a formula in it.
+/// Facts about a profile with a formula in it.
 struct Known {
     /// Whether g falls nowhere.
     rises: bool,

@@ -50,7 +50,7 @@ impl<'s> Certified<'s> {
     /// Which states are admissible: by the form of the profile, else in f64.
     ///
     /// # Errors
-    /// As [`Model::new`], and as [`Certified::search`].
+    /// A parameter of the profile or the material that is out of its domain; see [`Certified::search`].
     pub(super) fn admissibility(&self) -> Result<Arc<Admissibility>> {
         let found = once(&self.admissibility, || {
             let rises = self.model::<Float>(start(self.digits))?.transform().rises();
@@ -60,7 +60,7 @@ impl<'s> Certified<'s> {
     }
 
     /// # Errors
-    /// Those of the transform, of the quadratures and of the proofs.
+    /// Errors of the transform, of the quadratures and of the proofs.
     pub(crate) fn output(&self, want: &Want) -> Result<Output> {
         Ok(match want {
             Want::Transform { at } => Output::Transform(self.transform(at)?),
@@ -91,15 +91,15 @@ impl<'s> Certified<'s> {
         Ok(Output::Field(field, List::new(Promise::Estimated, items)))
     }
 
-    /// The same contact in f64.
+    /// The contact in f64, with its search.
     ///
     /// # Errors
-    /// As [`Model::new`].
+    /// A parameter of the profile or the material that is out of its domain.
     pub(super) fn search(&self) -> Result<&Search<'s>> {
         once(&self.search, || Search::of_lengths(self.scene, self.counts))
     }
 
-    /// The same contact in another arithmetic.
+    /// The contact in another arithmetic.
     pub(super) fn model<R: SceneReal>(&self, ctx: R::Ctx) -> Result<Model<R>> {
         Model::new(self.scene, ctx, self.counts)
     }
@@ -173,7 +173,7 @@ impl<'s> Certified<'s> {
         self.estimated_at(values, &|states, values| states.equilibria(values))
     }
 
-    /// What belongs to values at two precisions; where these do not agree, each value for itself.
+    /// The results at values, at two precisions; where these do not agree, each value for itself.
     fn estimated_at<T>(
         &self,
         values: &[Literal],
@@ -241,7 +241,7 @@ impl<'s> Certified<'s> {
         folds.map(Option::as_ref)
     }
 
-    /// What is computed at states that f64 has found.
+    /// The results at states that were found in f64.
     fn estimated<T: Numbers<Estimate<Float>> + Clone>(
         &self,
         compute: impl Fn(&States<'_, Float>) -> Result<T>,

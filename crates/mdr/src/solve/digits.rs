@@ -9,7 +9,7 @@ use rug::Float;
 use crate::answer::record::{Cell, Numbers, Row, cells};
 use crate::answer::{Number, Value};
 
-/// Bits beyond those of the digits asked for, to begin with.
+/// Bits beyond those of the requested digits, to begin with.
 const GUARD: u32 = 32;
 
 /// The precision at which a proved number that may be zero, or a decision, is left undecided, over that to begin with. A number
@@ -18,7 +18,7 @@ const MOST: u32 = 80;
 /// The most bits for any number.
 const LIMIT: u32 = 1 << 21;
 
-/// The same for estimated numbers, whose quadratures grow much faster with the precision.
+/// The most attempts for estimated numbers, whose quadratures grow much faster with the precision.
 const ESTIMATES: u32 = 3;
 
 /// The precision to begin with.
@@ -45,7 +45,7 @@ pub(crate) fn bits_of_quadratures(digits: u32) -> i64 {
 /// rounded. A number that stays open, as zero or a decimal tie does when its enclosure is not exact, is undecided.
 ///
 /// # Errors
-/// Those of `f`; [`Error::Undecided`] only when it is the last attempt that returns it.
+/// Errors of `f`; [`Error::Undecided`] only when it is the last attempt that returns it.
 pub(crate) fn decide<T: Numbers<Enclosure>>(
     digits: u32,
     f: impl FnMut(Precision) -> Result<T>,
@@ -53,10 +53,10 @@ pub(crate) fn decide<T: Numbers<Enclosure>>(
     decide_from(start(digits), digits, f)
 }
 
-/// The same, beginning with a given precision.
+/// Evaluates `f` at growing precision like [`decide`], beginning with a given precision.
 ///
 /// # Errors
-/// As [`decide`].
+/// Errors of `f`; [`Error::Undecided`] only when it is the last attempt that returns it.
 pub(crate) fn decide_from<T: Numbers<Enclosure>>(
     mut precision: Precision,
     digits: u32,
@@ -101,11 +101,11 @@ fn still_open<'a>(enclosures: &[&'a Enclosure], decided: &[Option<Decimal>]) -> 
     enclosures.iter().zip(decided).filter(|(_, decimal)| decimal.is_none()).map(|(enclosure, _)| *enclosure)
 }
 
-/// Evaluates `f` at two precisions and takes their difference, and what the finer one estimates, for the error; raises both
-/// until all `digits` are certain by it. What is not then is not printed.
+/// Evaluates `f` at two precisions and takes their difference and the error estimate of the finer one for the error; raises both
+/// until all `digits` are certain by it. Digits that are not certain then are not printed.
 ///
 /// # Errors
-/// Those of `f`.
+/// Errors of `f`.
 pub(crate) fn agree<T: Numbers<Estimate<Float>> + Clone>(
     digits: u32,
     mut f: impl FnMut(Precision) -> Result<T>,
@@ -151,8 +151,8 @@ pub(crate) fn agree<T: Numbers<Estimate<Float>> + Clone>(
     }
 }
 
-/// The finer records, each number with the difference of the two and its own error on both sides, and whether both have them
-/// all; one that either lacks is lacking, for its reason. None where they differ in their form.
+/// The finer records, each number with the difference of the two and its own error on both sides, and whether both have them all;
+/// one that either lacks is lacking, for its reason. `None` if they differ in their form.
 fn compared<T: Numbers<Estimate<Float>>>(coarse: &T, fine: T) -> Option<(T::With<Enclosure>, bool)> {
     let (rows, others) = (fine.rows(), coarse.rows());
     let (ones, others) = (cells(&rows), cells(&others));
@@ -200,7 +200,7 @@ fn around(fine: &Estimate<Float>, coarse: &Estimate<Float>) -> Enclosure {
     Enclosure::Value(Interval::point(fine.value.clone()).inflate(&error))
 }
 
-/// Rounds what is not decided yet.
+/// Rounds the enclosures that are not decided yet.
 fn round(enclosures: &[&Enclosure], digits: u32, decided: &mut Vec<Option<Decimal>>) {
     // The number of equilibria is no function of the precision; if it were, nothing before would count.
     if decided.len() != enclosures.len() {

@@ -17,10 +17,10 @@ use crate::answer::record::{Numbers, Part};
 use crate::answer::types::PathNumbers;
 use crate::answer::{Balance, Dissipation, PathEvent, Value};
 
-/// The equilibrium in which a path starts; none where it cannot, or where the surfaces are apart.
+/// The equilibrium in which a path starts; `None` if it cannot start, or if the surfaces are apart.
 ///
 /// # Errors
-/// As [`Path::first`].
+/// A decision that the enclosures do not make; see [`Path::first`].
 pub(super) fn start(law: &PowerLaw<'_>, curve: &Curve, first: &Literal) -> Result<Option<Point>> {
     let value = law.number(first);
     let branches = Branches::new(law, curve, vec![value.clone()]);
@@ -34,7 +34,7 @@ pub(super) fn start(law: &PowerLaw<'_>, curve: &Curve, first: &Literal) -> Resul
 /// The events of the path of a scene and the balance of its energy.
 ///
 /// # Errors
-/// As [`Path::follow`].
+/// No stable equilibrium at the first way point; a decision that the enclosures do not make. See [`Path::follow`].
 pub(super) fn events(law: &PowerLaw<'_>, curve: &Curve) -> Result<PathNumbers<Enclosure>> {
     let values: Vec<Rational> = law.scene.path.iter().map(|point| law.number(point)).collect();
     let branches = Branches::new(law, curve, values.clone());
@@ -48,7 +48,7 @@ pub(super) fn events(law: &PowerLaw<'_>, curve: &Curve) -> Result<PathNumbers<En
     Ok(PathNumbers { events, balance: branches.balance(&lines) })
 }
 
-/// What makes a state the same as another.
+/// The identity of a state.
 #[derive(Clone, PartialEq)]
 enum Name {
     On {
@@ -67,7 +67,7 @@ struct Known {
     point: Point,
 }
 
-/// An event with its states as far as they have a radius, and what is lost in it.
+/// An event with its states as far as they have a radius, and the energy lost in it.
 struct Line<'a> {
     event: &'a Event<Interval>,
     states: [Option<Known>; 2],
@@ -76,7 +76,7 @@ struct Line<'a> {
     dissipated: Option<Dissipation<Sum>>,
 }
 
-/// A sum of stored energies, each with how often it is in it: what cancels, cancels exactly.
+/// A sum of stored energies, each with its multiplicity, so that equal terms cancel exactly.
 #[derive(Clone, Default)]
 struct Sum(Vec<(Known, i64)>);
 
@@ -157,7 +157,7 @@ impl<'a> Branches<'a> {
         }
     }
 
-    /// The stable state past a fold, as the trait tells it.
+    /// The stable state past a fold, as the trait defines it.
     fn resting(&self, fold: usize) -> Result<Option<(usize, Point)>> {
         let (point, kind) = &self.curve.folds()[fold];
         let value = self.curve.controlled(point);
@@ -173,7 +173,7 @@ impl<'a> Branches<'a> {
         Ok(None)
     }
 
-    /// What is known of an event; those at way points come in their order.
+    /// The line of an event; events at way points come in their order.
     fn line<'e>(&self, event: &'e Event<Interval>, way: &mut impl Iterator<Item = Rational>) -> Result<Line<'e>> {
         let held = match event.kind {
             kind if path::is_arrival(kind) => way.next(),
@@ -244,8 +244,7 @@ impl<'a> Branches<'a> {
         record.dissipated = line.dissipated.clone().map_part(&mut |value| value.and_then(sum));
     }
 
-    /// The work of the control, the energy lost, and what is stored more than at the start. None where one of them has no
-    /// bound.
+    /// The work of the control, the energy lost, and the increase of the stored energy. `None` if one of them has no bound.
     fn balance(&self, lines: &[Line<'_>]) -> Option<Balance<Enclosure>> {
         let dissipated = lines.iter().try_fold(Sum::default(), |sum, line| match &line.dissipated {
             None => Some(sum),

@@ -22,7 +22,7 @@ pub(crate) trait SceneReal: Struve + Kappa {
     /// Its place among the [`ARITHMETICS`](crate::run::ARITHMETICS).
     const INDEX: usize;
 
-    /// The error of a quadrature that a scene accepts, where the arithmetic has more digits than were asked for.
+    /// The error of a quadrature that a scene accepts, if the arithmetic has more digits than requested.
     fn accepted(_: &Scene, _: Self::Ctx) -> Option<Self> {
         None
     }
@@ -105,12 +105,12 @@ impl<R: SceneReal> Model<R> {
 }
 
 impl Model<f64> {
-    /// The same contact with forces in units of E* times an area: all its lengths are the same, and the moduli may be out of
-    /// the range of f64.
+    /// The contact with forces in units of E* times an area: all its lengths are unchanged, and the moduli may be out of the
+    /// range of f64.
     ///
     /// # Errors
-    /// [`Error::Domain`] with the input as it was written, where no double holds a number of the profile, w/E* or k/E*; as
-    /// [`Model::new`].
+    /// [`Error::Domain`] with the input as it was written, if no double holds a number of the profile, w/E* or k/E*; a parameter
+    /// of the profile or the material that is out of its domain.
     #[cfg(feature = "mp")]
     pub(crate) fn in_units_of_modulus(scene: &Scene, counts: &Counts) -> Result<Self> {
         if let Some(number) = scene.places.parameter_beyond_doubles() {
@@ -178,10 +178,10 @@ pub(crate) fn transform<R: Struve + Kappa>(
     })
 }
 
-/// The same in f64.
+/// The transform of a profile in f64.
 ///
 /// # Errors
-/// As [`transform`].
+/// A parameter of the profile that is out of its domain.
 pub(crate) fn transform_in_doubles(profile: &Profile) -> Result<Box<dyn Transform<f64>>> {
     transform(profile, (), &mut Literal::nearest_f64, None)
 }

@@ -12,7 +12,7 @@ use crate::scene::{Scene, Want};
 /// More than fix the nearest double.
 pub(super) const DIGITS: u32 = 25;
 
-/// Whether a transform in f64 has lost numbers to the ends of the range: zeros beside numbers that are none, and what is below
+/// Whether a transform in f64 has lost numbers to the ends of the range: zeros beside numbers that are none, and numbers below
 /// the smallest normal double. A sample of zeros is a flat face.
 pub(super) fn lost_numbers(output: &Output) -> bool {
     let Output::Transform(list) = output else { return false };
@@ -29,7 +29,7 @@ pub(super) fn lost_numbers(output: &Output) -> bool {
 /// The output in doubles, with the status and log10 of each number that is none.
 ///
 /// # Errors
-/// As [`Certified::output`].
+/// Errors of the transform, of the quadratures and of the proofs.
 pub(super) fn output(scene: &Scene, want: &Want, counts: &Counts) -> Result<Output> {
     Ok(in_doubles(Certified::new(scene, DIGITS, counts).output(want)?))
 }
@@ -42,7 +42,7 @@ pub(super) fn in_doubles(output: Output) -> Output {
     })
 }
 
-/// The nearest double, or what is known of a number that has none.
+/// The nearest double, or the status and log₁₀ of a number that has none.
 fn nearest(decimal: &Decimal) -> Value {
     let nearest = decimal.to_f64();
     if decimal.is_zero() || nearest.abs() >= f64::MIN_POSITIVE && nearest.is_finite() {

@@ -1,4 +1,4 @@
-//! What is read off the curve of equilibria, once for every arithmetic.
+//! Outputs from the curve of equilibria, once for every arithmetic.
 
 use std::cmp::Ordering;
 
@@ -12,7 +12,7 @@ use crate::answer::{Admission, CurvePoint, CurveStability, Equilibrium, Fold, Tr
 /// g, g' and ∫₀ˣ g at the radii x.
 ///
 /// # Errors
-/// Those of the transform that are not about one number.
+/// Errors that concern the whole computation, not one value.
 pub(crate) fn transform<R: SceneReal>(model: &Model<R>, radii: &[Literal]) -> Result<Vec<TransformSample<R>>> {
     let transform = model.transform();
     let at = |literal: &Literal| {
@@ -30,7 +30,7 @@ pub(crate) fn transform<R: SceneReal>(model: &Model<R>, radii: &[Literal]) -> Re
 /// The equilibria with the given contact radii.
 ///
 /// # Errors
-/// As [`transform`].
+/// Errors that concern the whole computation, not one value.
 pub(crate) fn curve<R: SceneReal>(
     model: &Model<R>,
     radii: &[Literal],

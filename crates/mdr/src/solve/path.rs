@@ -19,7 +19,7 @@ use crate::scene::Scene;
 /// The path of a scene.
 ///
 /// # Errors
-/// As [`Path::follow`].
+/// No stable equilibrium at the first way point; errors of the transform. See [`Path::follow`].
 pub(crate) fn follow<R: SceneReal>(
     model: &Model<R>,
     branches: &impl EquilibriumBranches<R>,
@@ -60,7 +60,7 @@ fn admission<R: SceneReal>(event: &Event<R>, admissibility: &Admissibility) -> A
     })
 }
 
-/// Why a path ends, and what may be done.
+/// The reason why a path ends, and a remedy.
 fn remedy<R: SceneReal>(event: &Event<R>, ring: &Ring<R>) -> String {
     let radius = format!("{:.5e}", ring.radius.approx()).parse::<f64>().unwrap_or(f64::NAN);
     let remedy = "begin with a contact that reaches beyond it, start = \"largest\", or stay below this value";
@@ -130,7 +130,7 @@ fn open_reason<R: SceneReal>(event: &Event<R>) -> &'static str {
     }
 }
 
-/// What is known of a state that was not found.
+/// The values of a state that was not found.
 fn not_found<R: SceneReal>(control: &Control<R>, value: &R, why: &'static str) -> [Option<Value<R>>; 3] {
     let open = || Some(Value::unknown(Status::Undecided, why));
     let given = || Some(Value::Known(value.clone()));
@@ -144,7 +144,7 @@ fn not_found<R: SceneReal>(control: &Control<R>, value: &R, why: &'static str) -
 /// The events of a path with the energy lost in each, and the balance of its energy. `way` are its way points.
 ///
 /// # Errors
-/// Those of the transform; [`Error::OutOfRange`].
+/// Errors of the transform; [`Error::OutOfRange`] if an energy is not representable.
 pub(crate) fn with_energy<R: SceneReal>(
     path: &Path<R>,
     way: &[Literal],
@@ -182,14 +182,14 @@ fn unknown<N>(error: Error) -> Result<Value<N>> {
     }
 }
 
-/// Energy balance of a path: work, dissipation, increase of stored energy. None if a term is unbounded or the path could not be
+/// Energy balance of a path: work, dissipation, increase of stored energy. `None` if a term is unbounded or the path could not be
 /// followed.
 ///
 /// The work is the sum of the other two, which have one sign or are of one size. Its own integral would cancel on a way to
 /// and fro.
 ///
 /// # Errors
-/// As [`with_energy`].
+/// Errors of the transform; [`Error::OutOfRange`] if an energy is not representable.
 fn balance<R: SceneReal>(
     path: &Path<R>,
     way: &[Literal],
@@ -234,7 +234,7 @@ fn returns<R: SceneReal>(path: &Path<R>, way: &[Literal]) -> bool {
     path.is_finished() && closed && first == last
 }
 
-/// The work of the control, unless it is nothing but the rounding of what it is the sum of.
+/// The work of the control, unless it is nothing but the rounding of the terms of its sum.
 fn work<R: SceneReal>(dissipated: &Value<Estimate<R>>, stored: &Value<Estimate<R>>) -> Value<Estimate<R>> {
     /// Unit roundoffs of an energy.
     const ROUNDINGS: i64 = 1024;

@@ -26,10 +26,10 @@ pub(super) struct PowerLaw<'s> {
 }
 
 impl<'s> PowerLaw<'s> {
-    /// None where the profile is another one.
+    /// `None` if the profile is another one.
     ///
     /// # Errors
-    /// As [`Question::new`].
+    /// An input out of its domain; see [`Question::new`].
     pub(super) fn of(scene: &'s Scene) -> Result<Option<Self>> {
         let as_meant = |literal: &Literal| number(scene, literal);
         let Some([exponent, coefficient]) = scene.profile.exact_power_law(as_meant) else { return Ok(None) };
@@ -45,10 +45,10 @@ impl<'s> PowerLaw<'s> {
         Ok(Some(PowerLaw { scene, question, digits }))
     }
 
-    /// What the closed forms answer; none for what is read off at given radii.
+    /// The output by closed forms; `None` for outputs at given radii.
     ///
     /// # Errors
-    /// As [`Question::answer`], [`Question::curve`] and [`law_path::events`].
+    /// A decision that no precision makes; see [`Question::answer`], [`Question::curve`] and [`law_path::events`].
     pub(super) fn output(&self, want: &Want) -> Result<Option<Output>> {
         const PROVED: Promise = Promise::Certified;
         let output = match want {
@@ -147,7 +147,7 @@ impl<'s> PowerLaw<'s> {
         })
     }
 
-    /// What describes every equilibrium at values.
+    /// The records of every equilibrium at values.
     fn at_values<T: Numbers<Enclosure>>(
         &self,
         values: &[Literal],
@@ -172,7 +172,7 @@ impl<'s> PowerLaw<'s> {
     /// Fields of states that were searched in f64: where these are not all there are, the value says so.
     ///
     /// # Errors
-    /// As [`PowerLaw::output`].
+    /// A decision that no precision makes; see [`PowerLaw::output`].
     pub(super) fn checked(&self, output: Output, values: &[Literal]) -> Result<Output> {
         let Output::Field(field, mut list) = output else { return Ok(output) };
         let known = PowerLaw { digits: 1, question: self.question.clone(), ..*self }.energies(values)?;

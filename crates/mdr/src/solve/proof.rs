@@ -23,7 +23,7 @@ use crate::answer::{AtValue, Completeness, Equilibrium, Fold, List, LoadingPath,
 const ISOLATION: u32 = 64;
 /// Evaluations that the isolation may spend between two kinks.
 const BUDGET: usize = 4_000_000;
-/// The same between two rows of a table, where an evaluation is a sum over all rows and one fold the rule.
+/// The budget between two rows of a table, where an evaluation is a sum over all rows and one fold the rule.
 const BUDGET_OF_ROWS: usize = 10_000;
 
 /// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
@@ -45,18 +45,18 @@ impl Enclosed {
     }
 }
 
-/// All folds on a range of radii, in a precision that tells them apart.
+/// All folds on a range of radii, in a precision that separates them.
 pub(super) struct FoldProof {
     proved: ProvedFolds,
-    /// Whether they are proved to be all in the range.
+    /// The completeness of the folds in the range.
     pub(super) complete: Completeness,
 }
 
 impl FoldProof {
-    /// On the range that the scene names, else on one that holds what f64 has found.
+    /// On the range that the scene names, else on a range with all folds that were found in f64.
     ///
     /// # Errors
-    /// As [`EnclosedCurve::folds`].
+    /// A range out of its domain; errors of the transform. See [`EnclosedCurve::folds`].
     pub(super) fn new(certified: &Certified<'_>) -> Result<Self> {
         let range = match &certified.scene.range {
             Some(range) => range.clone(),
@@ -104,7 +104,7 @@ fn reason(undecided: &[(Float, Float)]) -> String {
 }
 
 /// # Errors
-/// As [`EnclosedCurve::refine`].
+/// A fold that no precision refines; errors of the transform. See [`EnclosedCurve::refine`].
 pub(super) fn folds(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
     let items = decide(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
@@ -117,10 +117,10 @@ pub(super) fn folds(certified: &Certified<'_>, folds: &FoldProof) -> Result<List
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
 }
 
-/// All equilibria at values, with what is proved of them; none where that cannot be proved.
+/// All equilibria at values, with their completeness; `None` if they cannot be proved.
 ///
 /// # Errors
-/// As [`EquilibriumBranches::equilibria`].
+/// A value out of its domain; errors of the transform. See [`EquilibriumBranches::equilibria`].
 pub(super) fn equilibria(
     certified: &Certified<'_>,
     folds: &FoldProof,
@@ -135,11 +135,11 @@ pub(super) fn equilibria(
     Ok(equilibria_at(certified, folds, values)?.map(list))
 }
 
-/// All equilibria in the range at each value, and those met beyond it unless the scene names the range; none where that cannot
-/// be proved.
+/// All equilibria in the range at each value, and those met beyond it unless the scene names the range; `None` if they cannot be
+/// proved.
 ///
 /// # Errors
-/// As [`EquilibriumBranches::equilibria`].
+/// A value out of its domain; errors of the transform. See [`EquilibriumBranches::equilibria`].
 pub(super) fn equilibria_at(
     certified: &Certified<'_>,
     folds: &FoldProof,
@@ -202,7 +202,8 @@ impl Followed {
     /// Every decision on the path is certain.
     ///
     /// # Errors
-    /// As [`Path::follow`]; [`Error::Unproved`] where more bits do not help.
+    /// No stable equilibrium at the first way point; errors of the transform, see [`Path::follow`]; [`Error::Unproved`] if more
+    /// bits do not help.
     fn new(certified: &Certified<'_>, folds: &FoldProof, precision: Precision) -> Result<Self> {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
@@ -231,7 +232,7 @@ impl Followed {
     /// searched again.
     ///
     /// # Errors
-    /// As [`path::with_energy`].
+    /// Errors of the transform; an energy that is not representable. See [`path::with_energy`].
     pub(super) fn with_energy(mut self, certified: &Certified<'_>, folds: &FoldProof) -> Result<PathNumbers<Number>> {
         agree(certified.digits, |precision| {
             if self.bits < guarded(precision).bits() {
@@ -249,10 +250,10 @@ impl Followed {
     }
 }
 
-/// The path without its energy, every decision of it proved; none where one cannot be.
+/// The path without its energy, every decision of it proved; `None` if one cannot be proved.
 ///
 /// # Errors
-/// As [`Path::follow`].
+/// No stable equilibrium at the first way point; errors of the transform. See [`Path::follow`].
 pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Option<(LoadingPath, Followed)>> {
     let scene = certified.scene;
     // As precise as the energies will need the states.
@@ -278,7 +279,7 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
     Ok(decided(events)?.map(path).zip(last))
 }
 
-/// The exact value of what is controlled at a way point. Surfaces apart carry no load, whatever is applied.
+/// The exact value of the controlled quantity at a way point. Surfaces apart carry no load, whatever is applied.
 fn set_exact(
     record: &mut PathEvent<Enclosure>,
     event: &Event<Interval>,
@@ -300,7 +301,7 @@ fn exactly(literal: &Literal) -> Value<Enclosure> {
     Value::Known(Enclosure::Exact(literal.to_rational()))
 }
 
-/// None where the question stays open.
+/// `None` if the question stays open.
 fn decided<T>(result: Result<T>) -> Result<Option<T>> {
     match result {
         Err(Error::Undecided { .. } | Error::Unproved { .. }) => Ok(None),

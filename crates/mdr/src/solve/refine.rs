@@ -7,10 +7,10 @@ use mdr_numeric::folds::{Folds, pole};
 
 use super::model::{Model, SceneReal};
 
-/// Folds that are known in f64, in another arithmetic: each is looked for near the radius that is known.
+/// Folds that were found in f64, in another arithmetic: each is searched near its radius in f64.
 ///
 /// # Errors
-/// Those of the transform; [`Error::NoConvergence`] when a fold is not found again.
+/// Errors of the transform; [`Error::NoConvergence`] when a fold is not found again.
 pub(crate) fn refined<R: SceneReal>(model: &Model<R>, searched: &Folds<f64>) -> Result<Folds<R>> {
     let curve = model.contact();
     let folds = searched.folds.iter().map(|fold| refine(model, &curve, fold)).collect::<Result<_>>()?;

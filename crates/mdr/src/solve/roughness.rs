@@ -1,4 +1,4 @@
-//! What the roughness of measured rows does to the answer, and what smoothing does about it.
+//! The effect of the roughness of measured rows on the answer, and the effect of smoothing.
 
 use std::sync::Arc;
 
@@ -10,8 +10,8 @@ use super::model;
 use super::search::Search;
 use crate::scene::{Measured, Profile, Scene};
 
-/// The folds between which the tangency ratio keeps closer to its threshold than so many standard deviations of what the
-/// scatter of the rows does to it, come from the scatter.
+/// Folds come from the scatter of the rows if the tangency ratio between them stays closer to its threshold than so many standard
+/// deviations of the effect of the scatter.
 const DEVIATIONS: f64 = 6.0;
 /// A fold is worth a closer look where the scatter is so large a part of the slope of g.
 const SHARE: f64 = 0.05;

@@ -12,7 +12,7 @@ use super::model::Model;
 const POINTS: usize = 41;
 /// How far a curve goes beyond its folds.
 const MARGIN: f64 = 4.0;
-/// How far folds are proved beyond those that are known.
+/// How far folds are proved beyond the folds found in f64.
 #[cfg(feature = "mp")]
 const REACH: f64 = 1e3;
 /// How close to the outer radius of a profile.
@@ -44,11 +44,11 @@ pub(crate) fn radii(model: &Model<f64>, folds: &Folds<f64>) -> Result<Vec<Litera
 }
 
 #[cfg(feature = "mp")]
-/// The range of contact radii on which all folds are to be proved: far around the folds that are known and the kinks, and with
-/// the radii to which the scene leads, to powers of ten.
+/// The range of contact radii on which all folds are to be proved: far around the folds found in f64 and the kinks, and with the
+/// radii to which the scene leads, to powers of ten.
 ///
 /// # Errors
-/// As [`radii`].
+/// When w/E* or a fold is out of the range of f64.
 pub(crate) fn range(model: &Model<f64>, folds: &Folds<f64>, visited: &[f64]) -> Result<[Literal; 2]> {
     let (lower, upper) = proof::range(&model.contact(), folds, REACH, visited);
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);

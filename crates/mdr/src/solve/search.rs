@@ -29,7 +29,7 @@ pub(crate) struct Search<'s> {
 
 impl<'s> Search<'s> {
     /// # Errors
-    /// As [`Model::new`].
+    /// A parameter of the profile or the material that is out of its domain.
     pub(crate) fn new(scene: &'s Scene, counts: &Counts) -> Result<Self> {
         Ok(Search::with(scene, Model::new(scene, (), counts)?, false))
     }
@@ -37,7 +37,7 @@ impl<'s> Search<'s> {
     /// The lengths of the contact alone, for other arithmetics to start from. Folds whose force is out of range are among them.
     ///
     /// # Errors
-    /// As [`Model::in_units_of_modulus`].
+    /// A number that no double holds; a parameter out of its domain. See [`Model::in_units_of_modulus`].
     #[cfg(feature = "mp")]
     pub(crate) fn of_lengths(scene: &'s Scene, counts: &Counts) -> Result<Self> {
         Ok(Search::with(scene, Model::in_units_of_modulus(scene, counts)?, true))
@@ -47,7 +47,7 @@ impl<'s> Search<'s> {
         Search { scene, model, folds: OnceCell::new(), admissibility: OnceCell::new(), radii_suffice }
     }
 
-    /// Which states are admissible: searched when something needs it, and once, around the folds that are known.
+    /// The admissible states: searched when they are needed, and once, around the folds that were found.
     pub(crate) fn admissibility(&self) -> Arc<Admissibility> {
         let search = || {
             let rises = self.model.transform().rises();
@@ -62,7 +62,7 @@ impl<'s> Search<'s> {
     }
 
     /// # Errors
-    /// As [`folds::find`].
+    /// Errors of the transform at a fold; see [`folds::find`].
     pub(crate) fn folds(&self) -> Result<&Folds<f64>> {
         once(&self.folds, || {
             let curve = self.model.contact();
@@ -80,7 +80,7 @@ impl<'s> Search<'s> {
     }
 
     /// # Errors
-    /// Those of the transform and of the quadratures.
+    /// Errors of the transform and of the quadratures.
     pub(crate) fn output(&self, want: &Want) -> Result<Output> {
         let field = |field, states: &[Literal], at: &[Literal]| {
             Ok(Output::Field(field, list(self.states()?.fields(self.scene, field, states, at)?)))
@@ -121,7 +121,7 @@ impl<'s> Search<'s> {
     }
 
     /// The contact radii to which the path of the scene leads, and those of the equilibria at its values, as far as they are
-    /// found, and where the scene wants any.
+    /// found, and if the scene requests any.
     #[cfg(feature = "mp")]
     pub(crate) fn visited(&self) -> Vec<f64> {
         let wants = &self.scene.wants;

@@ -51,7 +51,7 @@ impl<'a, R: SceneReal> States<'a, R> {
         Ok((equilibria.into_iter().map(|state| self.with_value(state, &value)).collect(), completeness))
     }
 
-    /// A state with the exact value of what is controlled, which at a fold is that of the fold.
+    /// A state with the exact value of the controlled quantity, which at a fold is that of the fold.
     fn with_value(&self, state: contact::Equilibrium<R>, value: &R) -> contact::Equilibrium<R> {
         match state.stability {
             Stability::Neutral => state,
@@ -59,7 +59,7 @@ impl<'a, R: SceneReal> States<'a, R> {
         }
     }
 
-    /// What describes each state at a value. If its equilibria cannot be computed the value is `undecided`; other values are
+    /// The record of each state at a value. If its equilibria cannot be computed the value is `undecided`; other values are
     /// unaffected.
     fn described_at<T>(
         &self,
@@ -84,7 +84,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// All equilibria at values of the controlled quantity.
     ///
     /// # Errors
-    /// As [`SearchedBranches::search`], of what concerns more than one value.
+    /// Errors of [`SearchedBranches::search`] that concern more than one value.
     pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium<Estimate<R>>>>> {
         let describe = |state| Ok(equilibrium(state, self.branches.admissibility()).convert(Estimate::exact));
         values.iter().map(|literal| self.described_at(literal, describe)).collect()
@@ -106,12 +106,13 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// The events of the path and the balance of its energy.
     ///
     /// # Errors
-    /// As [`path::follow`] and [`path::with_energy`].
+    /// No stable equilibrium at the first way point; errors of the transform; an energy that is not representable. See
+    /// [`path::follow`] and [`path::with_energy`].
     pub(crate) fn path(&self, scene: &Scene) -> Result<PathNumbers<Estimate<R>>> {
         path::with_energy(&path::follow(self.model, &self.branches, scene)?, &scene.path, &self.branches)
     }
 
-    /// What describes every equilibrium at the values, without any the state in which the path starts.
+    /// The record of every equilibrium at the values; without values, of the state in which the path starts.
     fn described<T>(
         &self,
         scene: &Scene,
@@ -127,7 +128,7 @@ impl<'a, R: SceneReal> States<'a, R> {
         }
     }
 
-    /// The equilibrium in which the path starts; none where it cannot, or where the surfaces are apart.
+    /// The equilibrium in which the path starts; `None` if it cannot start, or if the surfaces are apart.
     fn first(&self, scene: &Scene, first: &Literal) -> Result<Option<contact::Equilibrium<R>>> {
         let value = self.model.number(first);
         match Path::first(&self.branches, &scene.start.map(|radius| self.model.number(radius)), &value) {
@@ -140,7 +141,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// A field of every equilibrium at the values, or at the start of the path.
     ///
     /// # Errors
-    /// As [`States::equilibria`].
+    /// Errors that concern more than one value.
     pub(crate) fn fields(
         &self,
         scene: &Scene,
@@ -164,7 +165,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// Energy and stiffness of every equilibrium at the values, or at the start of the path.
     ///
     /// # Errors
-    /// As [`States::equilibria`].
+    /// Errors that concern more than one value.
     pub(crate) fn energies(&self, scene: &Scene, values: &[Literal]) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
         self.described(scene, values, |state| {
             let fields = Fields::of(self.model.contact(), &state)?;
@@ -225,7 +226,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     }
 }
 
-/// A field with its error where digits are decided by it, which those of doubles are not.
+/// A field with its error if digits are decided by it; digits of doubles are not.
 fn estimate<R: SceneReal>(estimate: Result<Estimate<R>>, settled: impl FnOnce() -> Result<R>) -> Result<Estimate<R>> {
     if R::INDEX == f64::INDEX { settled().map(Estimate::exact) } else { estimate }
 }

@@ -1,4 +1,4 @@
-//! What is read off a force curve: pull-off force, jump-in, minimum force, hysteresis.
+//! The characteristic values of a force curve: pull-off force, jump-in, minimum force, hysteresis.
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Error, FoldKind, Result, Status};
@@ -13,7 +13,7 @@ use crate::answer::{CurveSummary, ForceSample, Number, Value};
 /// The summary of a path. The samples hold the force at both ends of every stretch between two events.
 ///
 /// # Errors
-/// As [`folds::find`], apart from what is not decided.
+/// Errors of [`folds::find`], except for numbers that are not decided.
 pub(super) fn summary(
     model: &Model<f64>,
     path: &Path<f64>,
@@ -114,7 +114,7 @@ fn minimum(model: &Model<f64>, path: &Path<f64>, samples: &[ForceSample]) -> Res
     Ok(at_folds.map(|fold| fold.force).chain(at_ends).reduce(f64::min).map(known))
 }
 
-/// The energy lost in all events; none where it has no bound.
+/// The energy lost in all events; `None` if it has no bound.
 fn hysteresis(path: &Path<f64>, branches: &SearchedBranches<f64>) -> Result<Option<Value>> {
     let mut lost = Estimate::exact(0.0);
     let mut out_of_range = None;

@@ -1,4 +1,4 @@
-//! What a scene says that none of its outputs uses.
+//! Inputs of a scene that none of its outputs uses.
 
 use crate::answer::OutputKind;
 use crate::scene::{Arithmetic, LISTS, Scene};

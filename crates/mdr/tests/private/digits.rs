@@ -1,4 +1,4 @@
-//! What is private in `mdr::solve::digits`.
+//! Tests of the private items of `mdr::solve::digits`.
 
 use super::*;
 use crate::answer::Balance;
@@ -40,7 +40,7 @@ fn proved_digits_are_those_of_the_enclosure() {
     assert_eq!(status(&decide(5, zero).unwrap()), Status::Undecided);
 }
 
-/// A number that one precision lacks takes none of the others along, and is asked for again.
+/// A number that one precision lacks takes none of the others along, and is computed again.
 #[test]
 fn a_number_that_one_precision_lacks() {
     let third = |precision| Float::from_int(precision, 1).over(3);

@@ -1,4 +1,4 @@
-//! What is private in `mdr::diagram::sampling`.
+//! Tests of the private items of `mdr::diagram::sampling`.
 
 use mdr_analytic::profiles::{EllipticalDimple, WavyParaboloid};
 use mdr_core::contact::{Control, Material};

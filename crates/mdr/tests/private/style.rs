@@ -1,4 +1,4 @@
-//! Numbers for a reader: only the point moves, values stay, and units are told.
+//! Numbers for a reader: only the point moves, values stay, and units are shown.
 
 use super::*;
 

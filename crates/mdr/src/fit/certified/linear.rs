@@ -11,14 +11,14 @@ pub(super) fn midpoints(matrix: &[Vec<Interval>]) -> Vec<Vec<Interval>> {
     matrix.iter().map(|row| points(row)).collect()
 }
 
-/// The inverse by columns; none where a pivot may vanish.
+/// The inverse by columns; `None` if a pivot may vanish.
 pub(super) fn inverse(matrix: Vec<Vec<Interval>>) -> Option<Vec<Vec<Interval>>> {
     let entry = |row, column| matrix[0][0].lit(i64::from(row == column));
     let unit = (0..matrix.len()).map(|row| (0..matrix.len()).map(|column| entry(row, column)).collect()).collect();
     solve(matrix, unit)
 }
 
-/// Solves matrix · z = right for each right-hand side, by elimination with pivots; none where a pivot may vanish.
+/// Solves matrix · z = right for each right-hand side, by elimination with pivots; `None` if a pivot may vanish.
 pub(super) fn solve(mut matrix: Vec<Vec<Interval>>, mut right: Vec<Vec<Interval>>) -> Option<Vec<Vec<Interval>>> {
     let count = matrix.len();
     for place in 0..count {

@@ -32,7 +32,7 @@ const ROUNDS: u32 = 4;
 const SCALES: usize = 8;
 const ROUNDS_OF_A_BOX: usize = 24;
 
-/// A box, with what the normal equations are over it.
+/// A box, with the terms of the normal equations over it.
 struct Normal {
     /// Jᵀr, with its derivatives.
     gradient: Vec<Interval>,
@@ -72,7 +72,7 @@ struct Proof<'a> {
     priors: Vec<Prior>,
 }
 
-/// A free parameter by its place, and what is known of it.
+/// The prior of a free parameter, by its place.
 struct Prior {
     place: usize,
     mean: Interval,
@@ -103,7 +103,7 @@ pub(super) fn certified(
     Err(format!("{digits} digits are not decided at {precision} bits for a {}", problem.profile.name()))
 }
 
-/// What has a proof: least squares, closed forms.
+/// Checks that the fit can be proved: least squares, closed forms.
 fn possible(objective: &Objective<'_>, minimum: &Minimum) -> std::result::Result<(), String> {
     let problem = objective.problem;
     let fitted = &minimum.fitted;
@@ -261,13 +261,13 @@ struct Boxes<'a> {
 }
 
 impl<'a> Boxes<'a> {
-    /// None where H is nearly singular.
+    /// `None` if H is nearly singular.
     fn around(proof: &'a Proof<'a>, middle: Vec<Interval>) -> Result<Option<Self>> {
         let Normal { gradient, hessian, .. } = proof.normal(&middle)?;
         Ok(inverse(midpoints(&hessian)).map(|inverse| Boxes { proof, middle, gradient, inverse }))
     }
 
-    /// The enclosure of the zero in a box of these half widths that the operator maps into its interior; none for another box.
+    /// The enclosure of the zero in a box of these half widths that the operator maps into its interior; `None` for another box.
     fn contract(&self, mut reach: Vec<f64>) -> Option<Vec<Interval>> {
         let mut found = None;
         for _ in 0..ROUNDS_OF_A_BOX {

@@ -78,7 +78,7 @@ impl Row {
     /// The residual, and its derivatives with respect to numbers of these kinds; for the end of an arc both components of the distance.
     ///
     /// # Errors
-    /// [`Error::Undecided`] where the foot is not known well enough; those of the transform.
+    /// [`Error::Undecided`] if the foot is not enclosed well enough; errors of the transform.
     pub(super) fn residuals(&self, contact: &Contact<'_, Moving>, kinds: &[Kind]) -> Result<Vec<Residual>> {
         let residual = match self.foot {
             Foot::Detached => {
