@@ -137,7 +137,8 @@ fn the_energy_is_stationary_at_the_same_states() -> Result<()> {
     let paraboloid = TruncatedParaboloid::new(1.0, EDGE)?;
     let ridge: Sum<f64> = Sum::new(vec![Box::new(Paraboloid::new(1.0)?), Box::new(ParabolicDimple::new(0.003, EDGE)?)]);
     let (shallow, deep) = (dimple(0.001)?, dimple(0.003)?);
-    let tips: [(Arc<dyn Transform<f64>>, &[f64]); 5] = [
+    type Tip = Arc<dyn Transform<f64>>;
+    let tips: [(Tip, &[f64]); 5] = [
         (Arc::new(cone), &[0.01, -0.0079]),
         (Arc::new(paraboloid), &[0.0]),
         (Arc::new(ridge), &[-0.005]),

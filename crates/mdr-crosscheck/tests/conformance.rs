@@ -68,7 +68,7 @@ fn exists(path: &str) -> bool {
         segments.len().checked_sub(2).map(|at| segments[at]).filter(|owner| owner.starts_with(char::is_uppercase));
     let modules = segments[..segments.len() - 1].iter().filter(|segment| segment.starts_with(char::is_lowercase));
     let known = |module: &&str| texts.iter().any(|text| declares(text, module));
-    modules.into_iter().all(|module| known(module))
+    modules.into_iter().all(known)
         && texts.iter().any(|text| declares(text, last) && owner.is_none_or(|owner| mentions(text, owner)))
 }
 

@@ -82,7 +82,7 @@ pub struct CohesiveState<R> {
     pub force: R,
 }
 
-impl<'a, R: Special> Dugdale<R> {
+impl<R: Special> Dugdale<R> {
     /// A contact with the separation h₀ up to which the surfaces attract each other, in m; [`separation`] takes it from the
     /// range of adhesion. The control of the curve is not used.
     ///
