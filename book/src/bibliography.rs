@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use crate::error::{Error, Result};
 use crate::text::read;
 
-/// A work: its key, what a reference to it contains, its description, and its identifier if that was looked up.
+/// A work: its key, the words that a reference to it contains, its description, and its identifier if that was looked up.
 struct Work {
     key: String,
     part: String,

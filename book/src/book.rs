@@ -24,7 +24,7 @@ use crate::tex::Tex;
 use crate::text::{Text, read};
 use crate::values;
 
-/// What every page is made with.
+/// The data and tools that every page needs.
 pub(crate) struct Book<'a> {
     pub(crate) root: &'a Path,
     pub(crate) tex: Tex,
@@ -184,7 +184,7 @@ impl Book<'_> {
         Ok(sheets)
     }
 
-    /// A page whose text is in `book/text`, with what the build adds to it.
+    /// A page whose text is in `book/text`, with the additions of the build.
     fn written(&mut self, name: &str, judgements: &[Judgement]) -> Result<Sheet> {
         let file = format!("book/text/{name}.md");
         let page = self.markdown(&file, &read(self.root, &file)?, Math::Dollars)?;
@@ -281,7 +281,7 @@ fn table(judgements: &[Judgement]) -> Markup {
     }
 }
 
-/// What the book holds, in numbers.
+/// The contents of the book, in numbers.
 fn overview(judgements: &[Judgement]) -> Markup {
     let steps = || judgements.iter().flat_map(|judgement| &judgement.steps);
     let count = |verdict: Verdict| steps().filter(|step| step.step.verdict() == verdict).count();

@@ -1,4 +1,4 @@
-//! The rows of docs/conformance.md, which tell function, checks and tests of an entry.
+//! The rows of docs/conformance.md, which list function, checks and tests of an entry.
 
 use mdr_symbolic::derivations::Entry;
 

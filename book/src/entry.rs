@@ -172,7 +172,7 @@ impl Book<'_> {
         })
     }
 
-    /// What normal forms show, in words and formulas.
+    /// The result of normal forms, in words and formulas.
     fn witness(&self, step: &StepJudgement) -> Result<Option<String>> {
         let Some((_, decision)) = step.step.check().ok().and_then(|found| found.into_iter().next()) else {
             return Ok(None);

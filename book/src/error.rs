@@ -2,7 +2,7 @@
 
 use std::io;
 
-/// What is wrong in a source of the book.
+/// A fault in a source of the book.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// A file cannot be read or written.
@@ -26,7 +26,7 @@ pub enum Error {
     Page {
         /// The file.
         file: String,
-        /// What is missing or wrong.
+        /// The missing or wrong part.
         why: String,
     },
 }

@@ -34,7 +34,7 @@ impl Figures {
         Ok(Figures(figures))
     }
 
-    /// Those of an entry.
+    /// The pictures of an entry.
     pub(crate) fn of(&self, entry: &str) -> Vec<Markup> {
         let found = self.0.iter().filter(|(_, of, _)| *of == entry);
         found

@@ -7,7 +7,7 @@ use mdr_reference::{DataSet, Record};
 use crate::error::{Error, Result};
 use crate::values;
 
-/// What is fitted, the picture of the fit, the certified values, and the data to copy.
+/// The page of a data set: the fit, its picture, the certified values, and the data to copy.
 ///
 /// # Errors
 /// When the library refuses the data.

@@ -1,7 +1,7 @@
 //! The theory, equation by equation, as a static site: every formula, number and verdict is computed when it is made.
 //!
 //! Prose is in `book/text`, one file an entry; derivations come from `mdr-symbolic`, their verdicts from `mdr-crosscheck`, values
-//! from `mdr-reference`, and the documents of `docs/` become pages. The result needs no server and asks for nothing from anywhere.
+//! from `mdr-reference`, and the documents of `docs/` become pages. The result needs no server and loads nothing from elsewhere.
 
 #![forbid(unsafe_code)]
 

@@ -170,7 +170,7 @@ impl Reader<'_, '_> {
         [html(start)].into_iter().chain(inner).chain([html(end)]).collect()
     }
 
-    /// What becomes of an event that is no heading. `open` holds the links that are open, and whether they lead somewhere.
+    /// Converts an event that is no heading. `open` holds the links that are open, and whether they lead somewhere.
     fn element<'t>(&mut self, event: Event<'t>, open: &mut Vec<bool>) -> Result<Vec<Event<'t>>> {
         let html = |text: &'static str| Event::Html(CowStr::from(text));
         Ok(match event {

@@ -17,7 +17,7 @@ const DEPTHS: [f64; 2] = [-0.7, 1.2];
 /// The frame that is shown first: the load-free depth on the way back.
 const FIRST: usize = 97;
 
-/// The balance at the edge of the contact beside the force over the depth, with what moves them.
+/// The balance at the edge of the contact beside the force over the depth, with the controls that move them.
 ///
 /// # Errors
 /// When the library refuses the scene.

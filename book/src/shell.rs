@@ -1,4 +1,4 @@
-//! What stands around every page: contents, search, theme, previous and next.
+//! The frame of every page: contents, search, theme, previous and next.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use mdr_symbolic::derivations::Entry;

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 /// The longest formula that stands in a line of text without a box of its own that scrolls.
 const INLINE: usize = 70;
 
-/// What `\color{red}` and `\color{green}` become: the style sheet marks both by an underline, too.
+/// The classes for `\color{red}` and `\color{green}`: the style sheet also marks both by an underline.
 const MARKS: [(&str, &str); 2] = [("#FF0000", "wrong"), ("#03FF00", "right")];
 
 /// A converter of formulas.

@@ -1,4 +1,4 @@
-//! What is written by hand of an entry: `book/text/ID.md`, in sections.
+//! The hand-written part of an entry: `book/text/ID.md`, in sections.
 
 use std::path::Path;
 
@@ -7,9 +7,9 @@ use crate::error::{Error, Result};
 /// The sections of a text. Formulas stand between dollars.
 #[derive(Debug, Default)]
 pub(crate) struct Text {
-    /// The equation as the paper has it, in the paper's symbols; what is wrong is red.
+    /// The equation as the paper has it, in the paper's symbols; errors are red.
     pub(crate) printed: Option<String>,
-    /// The same, corrected; what is new is green.
+    /// The equation, corrected; corrections are green.
     pub(crate) corrected: Option<String>,
     /// A result beyond the paper.
     pub(crate) result: Option<String>,

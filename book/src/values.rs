@@ -9,7 +9,7 @@ use mdr_symbolic::derivations::Entry;
 use crate::entry::permalink;
 use crate::error::{Error, Result};
 
-/// The families, in the order of the theory: the formula of the records, what is asked.
+/// The families, in the order of the theory: the formula of the records, and its title.
 pub(crate) const FAMILIES: [(&str, &str); 15] = [
     ("kappa", "The factor κ of a power law"),
     ("critical", "Critical states of power laws"),
@@ -46,7 +46,7 @@ fn members(family: &str) -> Vec<&'static Record> {
     records().iter().filter(of).collect()
 }
 
-/// What a record asks, but for its quantity.
+/// The question of a record, but for its quantity.
 fn question(record: &Record) -> String {
     let inputs: Vec<_> = record.inputs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let control = record.control.as_deref().map_or(String::new(), |control| format!("; controlled {control}"));

@@ -1,4 +1,4 @@
-//! What the footer of a report tells of the build: the compiler, and a hash of Cargo.lock.
+//! Data on the build for the footer of a report: the compiler, and a hash of Cargo.lock.
 
 #![allow(clippy::print_stdout, reason = "this is how a build script answers")]
 

@@ -47,7 +47,7 @@ fn mdr(arguments: &str) -> Command {
     Command::new(env!("CARGO_BIN_EXE_mdr")).args(arguments.split_whitespace()).current_dir(root())
 }
 
-/// What a successful `mdr` writes on standard output.
+/// The standard output of a successful `mdr`.
 fn output(arguments: &str) -> String {
     let assert = mdr(arguments).assert().success().stderr_eq("");
     String::from_utf8(assert.get_output().stdout.clone()).unwrap()

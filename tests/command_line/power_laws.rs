@@ -51,7 +51,7 @@ fn states_beyond_doubles_are_listed() {
     assert!(list(pressure, "states").len() == 2 || text(pressure, "status") == "undecided", "{pressure}");
 }
 
-/// A stable state of 10^1281 m is one to start from; its energies are numbers, too.
+/// A path can start from a stable state of 10^1281 m; its energies are also numbers.
 #[test]
 fn paths_start_at_any_scale() {
     let path = scene(["0.501", "0.1", "1", "1"], "kind = \"indentation\", path = [\"1\", \"-1\"]", "want = [\"path\"]");

@@ -23,7 +23,7 @@ fn nanometres_and_nanonewtons() {
     }
 }
 
-/// The same digits in each notation; in a pipe they are to be copied, unless said otherwise.
+/// One number in each notation; in a pipe the digits are plain, to be copied, unless a notation is given.
 #[test]
 fn notations() {
     for (notation, force) in [

@@ -110,7 +110,7 @@ fn formulas_are_safe_from_markdown() {
 
 const CONFORMANCE: &str = include_str!("../../docs/conformance.md");
 
-/// Seconds, and half a unit of the last digit, of a cell such as "1.5 ms"; none where no method arrives.
+/// Seconds, and half a unit of the last digit, of a cell such as "1.5 ms"; `None` if no method arrives.
 fn time(cell: &str) -> Option<(f64, f64)> {
     let (number, unit) = cell.split_once(' ')?;
     let unit = match unit {

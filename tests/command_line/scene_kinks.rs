@@ -28,7 +28,7 @@ fn numbers(value: &Value, found: &mut Vec<f64>) {
     }
 }
 
-/// The same profile by its kind and as formulas, at three scales.
+/// Pairs of one profile by its kind and as formulas, at three scales.
 const SAME: [(&str, &[&str]); 4] = [
     (
         "kind = \"truncated-cone\"\nslope = 2\nflat = \"1b\"",

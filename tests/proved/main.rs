@@ -18,7 +18,7 @@ pub(crate) fn interval(text: &str) -> Interval {
     number(Precision::new(100), text)
 }
 
-/// What is controlled.
+/// The controlled quantity.
 #[derive(Clone, Copy)]
 pub(crate) enum Held {
     Indentation,
@@ -36,7 +36,7 @@ impl Held {
     }
 }
 
-/// A contact with E* = 1: a profile in both arithmetics, w/E*, and what is controlled.
+/// A contact with E* = 1: a profile in both arithmetics, w/E*, and the controlled quantity.
 pub(crate) struct Contact {
     pub(crate) bits: u32,
     pub(crate) plain: Arc<dyn Transform<Interval>>,

@@ -15,7 +15,7 @@ use crate::picture::{self, Sampled};
 /// Rows of results.
 type Rows<const N: usize> = Result<Vec<[f64; N]>, Error>;
 
-/// What the page asks about.
+/// The contact that the page shows.
 pub(crate) struct Engine {
     contact: Contact,
     control: Control<f64>,

@@ -45,10 +45,10 @@ pub(crate) struct Sampled {
 impl Sampled {
     const COUNT: u32 = 600;
 
-    /// Where it is to be known.
+    /// The radii at which the function is sampled.
     ///
     /// # Errors
-    /// As [`radii`].
+    /// Unless `high` is finite and not negative.
     pub(crate) fn radii(high: f64) -> Result<Vec<f64>> {
         // Not at the tip itself, which is no radius.
         radii(1e-12 * high, high, Self::COUNT, 2.0)

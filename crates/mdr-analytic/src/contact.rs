@@ -91,7 +91,7 @@ impl<R: Real> PowerLawContact<R> {
     /// The kind of instability, from the order of n and 1/2.
     ///
     /// # Errors
-    /// As [`PowerLaw::regime`].
+    /// [`Error::Undecided`] when n is an interval around 1/2.
     #[inline(always)]
     pub fn regime(&self) -> Result<Regime> {
         self.profile.regime()
@@ -123,7 +123,7 @@ impl<R: Real> PowerLawContact<R> {
     /// F(a) = 2E* a (n/(n+1) κ_n C aⁿ − Δl(a)) (1.6), (1.16), in N.
     ///
     /// # Errors
-    /// As [`PowerLawContact::indentation`].
+    /// [`Error::Domain`] unless a is positive and finite; [`Error::OutOfRange`].
     pub fn force(&self, a: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let n = self.profile.exponent();
@@ -202,7 +202,7 @@ impl<R: Real> PowerLawContact<R> {
     /// d'(a) = N aⁿ⁻¹ − √(B/a) along the equilibria; its zero is the condition (1.10), (1.14).
     ///
     /// # Errors
-    /// As [`PowerLawContact::indentation`].
+    /// [`Error::Domain`] unless a is positive and finite; [`Error::OutOfRange`].
     pub fn indentation_slope(&self, a: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let (n, one) = (self.profile.exponent(), a.lit(1));
@@ -216,7 +216,7 @@ impl<R: Real> PowerLawContact<R> {
     /// F'(a) = 2E*(a d'(a) − Δl(a)) = 2E* a (N aⁿ⁻¹ − 3√(B/a)) along the equilibria, in N/m.
     ///
     /// # Errors
-    /// As [`PowerLawContact::indentation`].
+    /// [`Error::Domain`] unless a is positive and finite; [`Error::OutOfRange`].
     pub fn force_slope(&self, a: &R) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
         let n = self.profile.exponent();

@@ -98,8 +98,8 @@ impl<R: Real> PowerLawContact<R> {
         representable(Quantity::ContactRadius, radius, || self.ln_length_scale(critical_ratio))
     }
 
-    /// The same where a square is out of range: a power of the root of the quotient, or of its two parts, or from the
-    /// logarithm.
+    /// The [length scale](PowerLawContact::length_scale) where a square is out of range: a power of the root of the quotient, or
+    /// of its two parts, or from the logarithm.
     #[cold]
     fn distant_length_scale(&self, critical_ratio: &R, slope: &R, excess: &R) -> R {
         let (edge, power) = (self.edge_root.clone() * critical_ratio, excess.lit(2) / excess);

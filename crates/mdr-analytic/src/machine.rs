@@ -256,8 +256,8 @@ impl<R: Real> Balance<R> {
         Ok(Some((top, (sum / mu.clone().times(3)).ln())))
     }
 
-    /// The root in a piece: an approximation, then [its enclosure](newton::enclosed). Over intervals the derivatives are
-    /// enclosed too: that of u − φ(u)/φ'(u) with respect to u is φφ''/φ'², which encloses 0 where u encloses the root, so
+    /// The root in a piece: an approximation, then [its enclosure](newton::enclosed). Over intervals the derivatives are also
+    /// enclosed: that of u − φ(u)/φ'(u) with respect to u is φφ''/φ'², which encloses 0 where u encloses the root, so
     /// the accuracy of the slope of u does not matter.
     fn root(&self, piece: &Piece<R>) -> Result<R> {
         let guess = self.steered().approximate_root(piece);
@@ -270,7 +270,7 @@ impl<R: Real> Balance<R> {
         })
     }
 
-    /// The same function with representative points as parameters.
+    /// This function with representative points as parameters.
     fn steered(&self) -> Self {
         Balance { slope: self.slope.midpoint(), offset: self.offset.midpoint() }
     }

@@ -77,7 +77,7 @@ pub(crate) fn product<const N: usize, R: Real>(factors: [&R; N]) -> R {
     plain
 }
 
-/// The same; each time the next factor is the one that leads back towards one.
+/// The product of some factors, where the next factor is always one that leads back towards one.
 #[cold]
 pub(crate) fn balanced<R: Real>(mut factors: Vec<&R>) -> R {
     factors.sort_by(|x, y| x.approx().abs().total_cmp(&y.approx().abs()));

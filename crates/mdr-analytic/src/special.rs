@@ -84,7 +84,7 @@ impl<R: Real> PowerLawContact<R> {
     /// Kendall's punch with the radius C⁻^{1/n} that this profile approaches for n → ∞.
     ///
     /// # Errors
-    /// As [`flat_punch_pull_off`], whose radius may be out of range too.
+    /// [`Error::OutOfRange`] if the radius, the indentation depth or the force is out of range.
     pub fn flat_punch_limit(&self) -> Result<State<R>> {
         let profile = self.profile();
         let ln_radius = -(profile.coefficient().ln() / profile.exponent());

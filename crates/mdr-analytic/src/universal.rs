@@ -30,7 +30,7 @@ pub fn universal_indentation<R: Real>(n: &R, scaled_radius: &R) -> Result<R> {
 /// F/|F_c| = (ãⁿ⁺¹ − 2(n+1)ã^{3/2})/(2n+1) along the equilibria, with ã = a/a_c of controlled indentation; −1 at ã = 1.
 ///
 /// # Errors
-/// As [`universal_indentation`].
+/// [`Error::Domain`] unless n > 0, n ≠ 1/2 and ã > 0 are finite; [`Error::OutOfRange`].
 pub fn universal_force<R: Real>(n: &R, scaled_radius: &R) -> Result<R> {
     let excess = checked(n, scaled_radius)?;
     let growth = scaled_radius.pow(&excess.clone().over(2));

@@ -20,7 +20,7 @@ pub(crate) struct Derive {
     #[arg(value_name = "ID", allow_hyphen_values = true, conflicts_with = "errata")]
     id: Option<String>,
 
-    /// What is to be corrected in the paper
+    /// Corrections to the paper
     #[arg(long)]
     errata: bool,
 
@@ -43,7 +43,7 @@ enum Shape {
 }
 
 impl Derive {
-    /// Writes the derivations on `out`; whether every step is what it claims to be.
+    /// Writes the derivations on `out`; returns whether the claim of every step holds.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         if self.format == Shape::Coq {
             out.text(statements_in_coq(self.entries()?).trim_end())?;
@@ -68,7 +68,7 @@ impl Derive {
         Ok(judgements.iter().all(Judgement::holds))
     }
 
-    /// What is asked for.
+    /// The wanted entries.
     fn entries(&self) -> Result<Vec<&'static Entry>> {
         let asked = |entry: &&Entry| !self.errata || entry.erratum.is_some();
         match &self.id {

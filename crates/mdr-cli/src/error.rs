@@ -15,7 +15,7 @@ pub(crate) enum Failure {
     Flag {
         /// With its dashes.
         flag: &'static str,
-        /// What is wrong.
+        /// The reason.
         why: String,
         /// As it was typed; `None` when the flag is missing or the reason names the value.
         got: Option<String>,
@@ -24,7 +24,7 @@ pub(crate) enum Failure {
     Answer(mdr::Error),
     /// A file could not be read or written.
     File {
-        /// Its name; standard output has one, too.
+        /// Its name; standard output also has one.
         name: String,
         /// The reason.
         source: io::Error,

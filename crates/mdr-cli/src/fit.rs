@@ -15,14 +15,14 @@ use crate::plot::PictureFlags;
 use crate::table::{CellStyle, cell, render_whole, table, text_table};
 use crate::{files, progress, validity};
 
-/// What is drawn.
+/// The help of `--plot`.
 const PICTURE: &str =
     "Draw data, fitted curve, residuals and contact radius as SVG, and write the data as CSV beside it";
 
 /// Fit E*, work of adhesion, contact point and more to a measured curve.
 ///
-/// The theory decides on which branch a row lies and where the contact jumps: no row is clipped. What the data cannot tell is
-/// said, not estimated.
+/// The theory decides on which branch a row lies and where the contact jumps: no row is clipped. Parameters that the data do
+/// not determine are reported, not estimated.
 #[derive(Debug, Args)]
 #[command(after_help = include_str!("../help/fit.txt"), mut_arg("plot", |flag| flag.help(PICTURE)))]
 pub(crate) struct Fit {
@@ -38,11 +38,11 @@ pub(crate) struct Fit {
     #[arg(long, value_name = "DIR")]
     batch: Option<PathBuf>,
 
-    /// Certify estimates, standard errors and sum of squares to this many significant digits, too
+    /// Also certify estimates, standard errors and sum of squares to this many significant digits
     #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(1..=1000))]
     digits: Option<u32>,
 
-    /// Give intervals of 68 % and 95 % by profile likelihood, too
+    /// Also give intervals of 68 % and 95 % by profile likelihood
     #[arg(long)]
     profile_likelihood: bool,
 

@@ -15,10 +15,10 @@ use crate::plot::PictureFlags;
 use crate::reference::size;
 use crate::table::{CellStyle, cell, render, table, text_table};
 
-/// What is drawn.
+/// The help of `--plot`.
 const PICTURE: &str = "Draw right digits and excess loss to this SVG file, and their data to a CSV file beside it";
 
-/// Mark the answers of another program: right digits, broken claims, and what is the algorithm's fault.
+/// Mark the answers of another program: right digits, broken claims, and the losses due to its algorithm.
 #[derive(Debug, Args)]
 #[command(after_help = include_str!("../help/judge.txt"), mut_arg("plot", |flag| flag.help(PICTURE)))]
 pub(crate) struct Judge {

@@ -1,4 +1,4 @@
-//! The program `mdr`: verify the theory, ask for critical quantities, solve whole scenes, prove the derivations.
+//! The program `mdr`: verify the theory, compute critical quantities, solve whole scenes, prove the derivations.
 
 #![forbid(unsafe_code)]
 
@@ -94,7 +94,7 @@ fn print_help(help: &clap::Error) -> Result<bool> {
     }
 }
 
-/// Arguments that make no command: what they are is repeated as in every other message.
+/// Arguments that make no command: they are repeated as in every other message.
 fn usage(mut error: clap::Error) -> ExitCode {
     let given: Vec<_> = error.context().map(|(kind, value)| (kind, value.clone())).collect();
     let mut changed = false;

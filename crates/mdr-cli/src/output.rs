@@ -18,7 +18,7 @@ pub(crate) enum Format {
     Csv,
 }
 
-/// A writer that goes on when the reader has closed the pipe: what a command found out still decides its exit status.
+/// A writer that goes on when the reader has closed the pipe: the result of a command still decides its exit status.
 pub(crate) struct Output<W>(W);
 
 impl Output<io::StdoutLock<'static>> {
@@ -38,7 +38,7 @@ impl<W: Write> Output<W> {
         self.finish(|out| writeln!(out, "{text}"))
     }
 
-    /// What is written already.
+    /// Bytes that need no formatting.
     pub(crate) fn bytes(&mut self, bytes: &[u8]) -> Result<()> {
         self.finish(|out| out.write_all(bytes))
     }

@@ -10,7 +10,7 @@ use mdr_plot::{Picture, Theme};
 use crate::error::{Failure, Result};
 use crate::files;
 
-/// The flags of a command that draws its answer; what is drawn, each command tells in its help.
+/// The flags of a command that draws its answer; the help of each command describes the picture.
 #[derive(Debug, Args)]
 pub(crate) struct PictureFlags {
     #[arg(long, value_name = "OUT.svg")]
@@ -25,13 +25,13 @@ impl PictureFlags {
     /// Whether a picture is asked for, into a file that may be written.
     ///
     /// # Errors
-    /// As [`check`].
+    /// Errors of [`check`] for a file that cannot or must not be written.
     pub(crate) fn wanted(&self) -> Result<bool> {
         self.plot.as_deref().map_or(Ok(()), check)?;
         Ok(self.plot.is_some())
     }
 
-    /// Draws what is asked for, and computes it only then.
+    /// Draws the picture if one is wanted, and computes it only then.
     ///
     /// # Errors
     /// When a file cannot be written, or nothing can be drawn.
@@ -40,7 +40,7 @@ impl PictureFlags {
     }
 }
 
-/// The values of the flag `--theme`, each with what it is for.
+/// The values of the flag `--theme`, each with its purpose.
 const THEMES: [(&str, Theme, &str); 4] = [
     ("auto", Theme::Auto, "Light or dark as the reader's system is"),
     ("light", Theme::Light, "For a light page"),

@@ -4,19 +4,19 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 
-/// A bar that fills up, with what is being done and for how long.
+/// A bar that fills up, with the current task and its duration.
 pub(crate) fn bar(total: usize) -> ProgressBar {
     styled(ProgressBar::new(total as u64), "{bar:40.green} {pos} of {len}  {elapsed} / {duration}  {msg}")
 }
 
-/// A spinner, where no one knows how much there is to do.
+/// A spinner, for work of unknown length.
 pub(crate) fn spinner(what: &'static str) -> ProgressBar {
     let spinner = styled(ProgressBar::new_spinner(), "{spinner} {msg} {elapsed}").with_message(what);
     spinner.enable_steady_tick(Duration::from_millis(200));
     spinner
 }
 
-/// A bar that leaves nothing behind, also where what it shows fails.
+/// A bar that leaves nothing behind, even if its task fails.
 fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
     let bar = bar.with_finish(ProgressFinish::AndClear);
     match ProgressStyle::with_template(template) {

@@ -161,7 +161,7 @@ fn export_table(file: &Path, table: &Table, out: &mut Output<impl std::io::Write
     out.text(format_args!("{name}: {} rows", table.rows().count()))
 }
 
-/// The tables, each with what it holds.
+/// The list of tables, each with its content.
 fn tables() -> String {
     let mut list = table(&["table", "rows", "what it holds"]);
     for known in Table::NAMES.into_iter().filter_map(Table::named) {
@@ -171,7 +171,7 @@ fn tables() -> String {
     format!("{}\n\nTo copy one: mdr reference --table jkr-sphere --export jkr_sphere.h", render(&list))
 }
 
-/// The columns of a table that tell what is asked and what is right.
+/// The columns of a table with the questions and the right answers.
 fn table_for_reader(wanted: &Table) -> String {
     const SHOWN: [&str; 6] = ["id", "status", "contact_radius", "indentation", "force", "tolerance"];
     let header = wanted.header();

@@ -7,7 +7,7 @@ use mdr::prelude::Status;
 use crate::solve::render::tone;
 use crate::table::{CellStyle, cell, render, table};
 
-/// A table of its numbers, and what they mean in a sentence.
+/// A table of its numbers, and their meaning in a sentence.
 pub(crate) fn text(validity: &Validity, style: &NumberStyle) -> String {
     let mut table = table(&["quantity", "value"]);
     for (key, value) in &validity.table() {

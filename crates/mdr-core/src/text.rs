@@ -1,4 +1,4 @@
-//! Text of others in messages: what a file or an argument says is never printed as it is.
+//! Text of others in messages: the text of a file or an argument is never printed unchanged.
 
 use std::fmt::{self, Write};
 
@@ -6,7 +6,7 @@ use std::fmt::{self, Write};
 pub const QUOTED: usize = 200;
 
 /// A text in a message: on one line, every character that is not printed escaped, and cut after at most [`QUOTED`] characters,
-/// escapes included. What is cut ends in `… (N characters)`, with the number of those of the text.
+/// escapes included. A text that is cut ends in `… (N characters)`, with the number of its characters.
 ///
 /// ```
 /// use mdr_core::text::excerpt;

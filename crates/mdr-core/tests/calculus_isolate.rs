@@ -47,7 +47,7 @@ fn impossible_ranges_are_refused() {
     }
 }
 
-/// A test that knows the roots: without one a cell is free of zeros, with one in it the sign changes.
+/// A test from given roots: without a root a cell is free of zeros, with one in it the sign changes.
 fn known(roots: &[f64]) -> impl Fn(&f64, &f64) -> Result<Behaviour> + '_ {
     |lower, upper| {
         Ok(match roots.iter().filter(|root| *lower <= **root && **root <= *upper).count() {

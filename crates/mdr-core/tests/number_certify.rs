@@ -100,7 +100,7 @@ fn bits(words: [u64; 4], precision: u32) -> Float {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 500 / 256))]
 
-    /// Against the conversion of MPFR, which rounds correctly too: a number and the same number as a rational.
+    /// Against the conversion of MPFR, which also rounds correctly: a number and the same number as a rational.
     #[test]
     fn a_point_rounds_as_mpfr_does(
         words in any::<[u64; 4]>(),

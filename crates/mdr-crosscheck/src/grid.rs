@@ -212,7 +212,7 @@ fn planted_coefficient(exponent: Exponent, lambda: f64, scales: Scales) -> Float
 const WORKING_BITS: u32 = 192;
 
 impl<R> Scene<R> {
-    /// The same contact in another arithmetic.
+    /// Converts the contact to another arithmetic.
     pub(crate) fn map<S>(&self, convert: impl Fn(&R) -> S) -> Scene<S> {
         let [n, c, e_star, work] = [&self.n, &self.c, &self.e_star, &self.work].map(convert);
         Scene { n, c, e_star, work }
@@ -230,7 +230,7 @@ impl<R: Kappa> Scene<R> {
         Material::new(self.e_star.clone(), self.work.clone())
     }
 
-    /// The same contact in a unit of length s times smaller, the unit of force kept; `s_to_one_minus_n` is s^(1−n).
+    /// The contact in a unit of length s times smaller, the unit of force kept; `s_to_one_minus_n` is s^(1−n).
     pub(crate) fn in_smaller_unit(&self, s: &R, s_to_one_minus_n: &R) -> Self {
         let Scene { n, c, e_star, work } = self.clone();
         Scene { n, c: c * s_to_one_minus_n, e_star: e_star / s.square(), work: work / s }

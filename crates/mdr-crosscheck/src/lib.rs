@@ -2,7 +2,7 @@
 //!
 //! [`run`] takes [`Options`] and gives a [`Report`]: one [`Row`] a check, with the worst error found, the error allowed
 //! for that case, and the case itself. A check compares two routes that share no formula. What it allows is derived from
-//! the error bounds of both routes and the condition of the question (module `tolerance`), never from what was found.
+//! the error bounds of both routes and the condition of the question (module `tolerance`), never from the results.
 //!
 //! ```
 //! use mdr_crosscheck::{Level, Options, run};

@@ -14,7 +14,7 @@ use crate::report::{Failure, Grid, Report, Row};
 /// The schema that every line names.
 const SCHEMA: &str = "mdr.verify/1";
 
-/// One line: a row or a failing case, with what identifies the run.
+/// One line: a row or a failing case, with the identity of the run.
 #[derive(Serialize, Deserialize)]
 struct Line {
     schema: String,
@@ -41,7 +41,7 @@ pub enum MergeError {
     Line {
         /// Counted from 1.
         line: usize,
-        /// What the parser says.
+        /// The error of the parser.
         source: serde_json::Error,
     },
     /// Lines of different grids, or of different partitions.
@@ -49,7 +49,7 @@ pub enum MergeError {
     Mixed {
         /// Counted from 1.
         line: usize,
-        /// What differs.
+        /// The property that differs.
         what: &'static str,
     },
     /// Not every part is there exactly once.
@@ -62,7 +62,7 @@ pub enum MergeError {
         /// Shards there should be.
         count: u32,
     },
-    /// The same part of the same check twice.
+    /// One part of a check occurs twice.
     #[error("line {line}: shard {shard} of check {} is here twice", excerpt(check))]
     Repeated {
         /// Counted from 1.

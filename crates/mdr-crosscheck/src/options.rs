@@ -1,4 +1,4 @@
-//! What is asked of a run: how many cases, how many digits, which seed, which part.
+//! The options of a run: how many cases, how many digits, which seed, which part.
 
 use std::fmt;
 use std::str::FromStr;
@@ -101,7 +101,7 @@ impl fmt::Display for Shard {
     }
 }
 
-/// What is asked of a run. The result is a pure function of these, whatever the number of threads.
+/// The options of a run. The result is a pure function of them, whatever the number of threads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
     /// How many cases.

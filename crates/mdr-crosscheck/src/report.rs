@@ -1,4 +1,4 @@
-//! What a run found: one row a check, and every case that failed.
+//! The result of a run: one row a check, and every case that failed.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use crate::short;
 use crate::trial::Trial;
 
 named! {
-    /// What an error is measured in.
+    /// The unit of an error.
     #[derive(Serialize, Deserialize)]
     #[serde(rename_all = "lowercase")]
     pub enum Unit {
@@ -26,7 +26,7 @@ named! {
 }
 
 impl Unit {
-    /// What an error of 1 is, in a sentence.
+    /// The meaning of an error of 1, in a sentence.
     pub fn description(self) -> &'static str {
         match self {
             Unit::Roundoffs => "relative error 2^-p at p bits: 1.1e-16 in f64, where 9 u are an error of 1e-15",
@@ -42,9 +42,9 @@ named! {
     #[derive(Serialize, Deserialize)]
     #[serde(rename_all = "lowercase")]
     pub enum Verdict {
-        /// No error exceeds what is allowed, and at least one case was compared.
+        /// No error exceeds its bound, and at least one case was compared.
         Pass = "pass",
-        /// Some error exceeds what is allowed, or a route gave no answer where it must.
+        /// Some error exceeds its bound, or a route gave no answer where it must.
         Fail = "fail",
         /// No case was compared.
         Skipped = "skipped",
@@ -97,7 +97,7 @@ pub struct Failure {
     pub index: usize,
     /// The inputs.
     pub inputs: String,
-    /// What went wrong.
+    /// The reason for the failure.
     pub reason: String,
 }
 
@@ -113,11 +113,11 @@ impl fmt::Display for Failure {
 pub struct Row {
     /// Stable name of the check.
     pub check: String,
-    /// What is compared with what.
+    /// The comparison in words.
     pub claim: String,
     /// The equations of the paper it covers.
     pub equations: Vec<String>,
-    /// What the errors are measured in.
+    /// The unit of the errors.
     pub unit: Unit,
     /// Cases that were compared.
     pub cases: usize,
@@ -131,18 +131,18 @@ pub struct Row {
     pub tightest: Option<Finding>,
     /// Pass, fail or skipped.
     pub verdict: Verdict,
-    /// All errors, ascending: what the quantiles are taken from, also after merging shards.
+    /// All errors, ascending, from which the quantiles are taken, also after merging shards.
     pub errors: Vec<f64>,
 }
 
 impl Row {
-    /// The `tau`-quantile of the errors found; nothing without errors.
+    /// The `tau`-quantile of the errors found; `None` without errors.
     pub fn quantile(&self, tau: f64) -> Option<f64> {
         use statrs::statistics::{Data, OrderStatistics};
         (!self.errors.is_empty()).then(|| Data::new(self.errors.clone()).quantile(tau))
     }
 
-    /// The finding that decides the verdict: the worst error relative to what is allowed, where there is one.
+    /// The finding that decides the verdict: the largest share of an allowed error, or else the largest error.
     pub fn decisive(&self) -> Option<&Finding> {
         self.tightest.as_ref().or(self.worst.as_ref())
     }
@@ -191,7 +191,7 @@ impl Row {
     }
 }
 
-/// What identifies the grid of a run.
+/// The identity of the grid of a run.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Grid {
     /// How many cases.
@@ -241,7 +241,7 @@ impl Report {
         )
     }
 
-    /// What the units of the rows mean, in lines.
+    /// The meaning of the units of the rows, in lines.
     pub fn units(&self) -> String {
         let mut text =
             "Units of the errors; the numbers of a case are rounded here, and exact in JSON and CSV:".to_owned();

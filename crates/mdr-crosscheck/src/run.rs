@@ -35,7 +35,7 @@ pub fn run(options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> Report {
     run_against(&ClosedForms::default(), options, progress)
 }
 
-/// As [`run`], with `closed` in the place of the closed forms: how deliberate faults are put in.
+/// Runs the checks like [`run`], with `closed` in the place of the closed forms, so that deliberate faults can be put in.
 pub fn run_against(closed: &ClosedForms, options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> Report {
     let asked = |check: &&Check| options.only.is_empty() || options.only.contains(&check.row.check);
     let checks: Vec<&Check> = registry().iter().filter(asked).collect();

@@ -1,6 +1,6 @@
 //! Texts whose numbers a person would write: four digits, and a power of ten only where it saves zeros.
 
-/// The same text with every decimal rounded to four digits. Whole numbers, names, and what no double holds stay.
+/// The text with every decimal rounded to four digits. Whole numbers, names, and numbers that no double holds stay.
 pub(crate) fn numbers(text: &str) -> String {
     let mut short = String::with_capacity(text.len());
     let mut rest = text;

@@ -1,4 +1,4 @@
-//! What a case is allowed to err: derived from the two routes and the question, never from what was found.
+//! The allowed error of a case: derived from the two routes and the question, never from the results.
 //!
 //! **Unit.** All bounds here are in unit roundoffs u = 2^−p of the arithmetic of the case.
 //!
@@ -146,7 +146,7 @@ impl Tangent {
 /// the quotient, the threshold.
 const TANGENCY: f64 = 10.0;
 
-/// What the balance φ(u) = μu + ln(N/√B) + μ ln(k/2E*) − ln λ(u) of a machine fold at u = ln(2E*a/k) is off by, at the
+/// The error of the balance φ(u) = μu + ln(N/√B) + μ ln(k/2E*) − ln λ(u) of a machine fold at u = ln(2E*a/k), at the
 /// computed fold: each term to its own size, u itself to two of its roundings.
 ///
 /// It is the relative error of g'/(λ√(B/a)) there, however flat φ is: the condition 1/φ' of u is not in it.
@@ -159,7 +159,7 @@ pub(crate) fn machine_balance(n: f64, u: f64, ln_stiffness_length: f64, ln_ratio
 
 /// Error of a quadrature of (1.1) for a profile of the order rⁿ, in u.
 ///
-/// What the rule itself says is left, a rounding for every term of its sum, and twice the profile's condition n: a node
+/// The error estimate of the rule itself, a rounding for every term of its sum, and twice the profile's condition n: a node
 /// r = xs is rounded once for x·s and once in its own place, and rⁿ with its logarithmic derivatives repeats that.
 pub(crate) fn quadrature<R: Real>(estimate: &Estimate<R>, n: f64) -> f64 {
     let left = (estimate.error.clone() / &estimate.value / estimate.value.unit_roundoff()).abs().approx();

@@ -1,4 +1,4 @@
-//! One case of a check: its inputs, drawn from its index alone, and what is compared.
+//! One case of a check: its inputs, drawn from its index alone, and its comparisons.
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use rug::Float;
 use crate::report::Finding;
 use crate::subject::closed::ClosedForms;
 
-/// What runs a case.
+/// A function that runs a case.
 pub(crate) type Case = fn(&mut Trial<'_>) -> Result<()>;
 
 /// One case: where its inputs come from and where its comparisons go.
@@ -26,7 +26,7 @@ pub(crate) struct Trial<'a> {
     random: Xoshiro256PlusPlus,
     /// The inputs, as a report prints them.
     pub(crate) inputs: String,
-    /// What was compared; nothing where the question cannot be asked in this arithmetic.
+    /// The comparisons; empty if the question is impossible in this arithmetic.
     pub(crate) comparisons: Vec<Finding>,
     /// Why a route gave no number, or an error where there must be an answer.
     pub(crate) broken: Option<String>,
@@ -67,8 +67,7 @@ impl<'a> Trial<'a> {
         self.inputs = format!("{}, {input}", self.inputs);
     }
 
-    /// Enters an error with what is allowed, both in the unit of the row. An error that is not a finite number breaks
-    /// the case.
+    /// Enters an error with its bound, both in the unit of the row. An error that is not a finite number breaks the case.
     pub(crate) fn enter(&mut self, quantity: impl Into<String>, error: f64, allowed: f64) {
         let quantity = quantity.into();
         if error.is_finite() && !allowed.is_nan() {

@@ -50,7 +50,7 @@ const ABOVE: &[Domain] = &[Domain::Above];
 const BELOW: &[Domain] = &[Domain::Below];
 const HALF: &[Domain] = &[Domain::Half];
 
-/// The same generic expression in both arithmetics.
+/// One generic expression in both arithmetics.
 macro_rules! tie {
     ($formula:literal, $domains:expr, |$at:ident| $closed:expr) => {
         Tie { formula: $formula, domains: $domains, interval: |$at| $closed, double: |$at| $closed }

@@ -48,7 +48,7 @@ fn names_are_unique_and_nothing_is_timed() {
     }
 }
 
-/// A right answer counts to its own last bit, a wrong one to its error, and none where there is no number.
+/// A right answer counts to its own last bit, a wrong one to its error; without a number there are no digits.
 #[test]
 fn outcomes() {
     let truth = Interval::from_int(Precision::new(300), 2).sqrt();

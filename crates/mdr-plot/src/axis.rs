@@ -1,6 +1,6 @@
 //! Axes: which quantity, over which range, in which unit, with which ticks.
 
-/// What a quantity is measured in.
+/// The unit of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// A ratio.

@@ -1,4 +1,4 @@
-//! The diagram {Δl, g − d} of equation (1.7): what scenes and figures have in common.
+//! The diagram {Δl, g − d} of equation (1.7), which scenes and figures have in common.
 
 use std::borrow::Cow;
 

@@ -1,4 +1,4 @@
-//! What is drawn, as plain data in physical units: a picture has panels, a panel two axes and layers.
+//! Pictures as plain data in physical units: a picture has panels, a panel two axes and layers.
 
 use crate::Axis;
 
@@ -10,7 +10,7 @@ pub type Point = [f64; 2];
 pub struct Picture {
     /// The `<title>` of the SVG.
     pub title: String,
-    /// Its `<desc>`: the caption, with what is seen in words and numbers.
+    /// The `<desc>` of the SVG: the caption, which describes the picture in words and numbers.
     pub description: String,
     /// In the order of reading.
     pub panels: Vec<Panel>,
@@ -54,7 +54,7 @@ pub struct Layer {
     pub look: Look,
     /// Of all that is drawn.
     pub colour: Colour,
-    /// What it means, for the legend. Layers with the same text share an entry.
+    /// The meaning of the layer, for the legend. Layers with the same text share an entry.
     pub legend: Option<String>,
 }
 
@@ -99,7 +99,7 @@ pub enum Mark {
     Open,
     /// A diamond: a critical state.
     Diamond,
-    /// A cross: what failed.
+    /// A cross, for failures.
     Cross,
 }
 
@@ -116,7 +116,7 @@ pub enum Side {
     Right,
 }
 
-/// A colour of the palette, which readers with any colour vision tell apart, on white and on black.
+/// A colour of the palette, which readers with any colour vision can distinguish, on white and on black.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Colour {
     /// Nearly black; nearly white in the dark.
@@ -127,9 +127,9 @@ pub enum Colour {
     Orange,
     /// Jumps and the energy that they lose.
     Purple,
-    /// What is right.
+    /// Right answers.
     Green,
-    /// What is there for comparison.
+    /// Series for comparison.
     Grey,
     /// One more series.
     Sky,
@@ -219,13 +219,13 @@ impl Layer {
         Self::new(text, anchors, Look::Label(side))
     }
 
-    /// The same in another colour; black without.
+    /// Sets the colour; the default is black.
     #[must_use]
     pub fn coloured(self, colour: Colour) -> Self {
         Layer { colour, ..self }
     }
 
-    /// The same with an entry in the legend.
+    /// Adds an entry in the legend.
     #[must_use]
     pub fn meaning(self, text: impl Into<String>) -> Self {
         Layer { legend: Some(text.into()), ..self }

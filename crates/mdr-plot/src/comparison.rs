@@ -5,7 +5,7 @@ use crate::{Axis, Colour, Layer, Mark, Panel, Picture, Stroke, Unit};
 /// A question that several methods answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Question<'a> {
-    /// What is asked.
+    /// The question in words.
     pub title: &'a str,
     /// The digits that any method in double precision is left with, drawn as a line of relative errors; without them the
     /// digits of the answers are drawn instead.
@@ -14,7 +14,7 @@ pub struct Question<'a> {
     pub methods: Vec<Method<'a>>,
 }
 
-/// A method, and what it answers with growing effort.
+/// A method, and its answers with growing effort.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Method<'a> {
     /// Its name.

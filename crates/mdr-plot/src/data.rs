@@ -1,4 +1,4 @@
-//! The data of a picture as a table: what is drawn, in base units, before it is scaled, cut and thinned out.
+//! The data of a picture as a table, in base units, before they are scaled, cut and thinned out for drawing.
 
 use std::io::Read;
 
@@ -8,7 +8,7 @@ use crate::markup::plain;
 /// The first line of the data of every picture.
 pub const CSV_HEADER: &str = "panel,element,series,style,x_quantity,x,y_quantity,y,units";
 
-/// Whether what is read begins as the data of a picture do.
+/// Whether a file begins like the data of a picture.
 pub fn is_data(from: impl Read) -> bool {
     let mut start = Vec::new();
     let read = from.take(CSV_HEADER.len() as u64).read_to_end(&mut start);

@@ -95,7 +95,8 @@ impl Heights {
         Heights { axis, of, edges: (most, least) }
     }
 
-    /// An answer of no right digit, or of the wrong kind, stands at its edge; none for a right answer without a number.
+    /// The height of an answer. One of no right digit, or of the wrong kind, stands at the edge; `None` for a right answer
+    /// without a number.
     fn height(&self, judged: &Judged<'_>) -> Option<f64> {
         let (nothing, exact) = self.edges;
         match judged.mark.lre {
@@ -131,7 +132,7 @@ fn decade(values: impl Iterator<Item = f64>, pick: fn(f64, f64) -> f64) -> Optio
     Some(10_f64.powf(beyond))
 }
 
-/// What is seen, in words and numbers.
+/// The caption: the picture in words and numbers.
 fn caption(report: &Report<'_>, limits: &Limits) -> String {
     let count = |verdict| report.count(verdict);
     let mut text = format!(

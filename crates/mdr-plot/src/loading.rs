@@ -8,7 +8,7 @@ use crate::chart::{Layer, Mark, Panel, Point, Side, Stroke};
 use crate::scene::radius_axis;
 use crate::{Axis, Unit};
 
-/// What the force is drawn against.
+/// The abscissa of the force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plane {
     Indentation,

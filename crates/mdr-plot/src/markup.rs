@@ -90,7 +90,7 @@ pub(crate) fn tspans(text: &str) -> String {
     svg
 }
 
-/// The text with what has a meaning in XML escaped.
+/// The text with the special characters of XML escaped.
 pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -79,7 +79,7 @@ impl Contact {
         }
     }
 
-    /// The same in certified digits, as Decimals.
+    /// a, d and F of the critical state in certified digits, as Decimals.
     #[pyo3(signature = (held, digits, stiffness = None))]
     fn certified<'py>(
         &self,
@@ -170,7 +170,7 @@ impl Contact {
         Ok(columns(py, states.map_err(of_contact)?))
     }
 
-    /// The same of one value, which without arrays takes a tenth of the time.
+    /// a, d, F and status of the stable equilibrium at one value, which without arrays takes a tenth of the time.
     fn state(&self, py: Python<'_>, value: f64, held: &str, largest: bool) -> PyResult<(Row, i8)> {
         let control = control(held, None)?;
         let choice = if largest { Choice::Largest } else { Choice::Smallest };
@@ -196,7 +196,7 @@ impl Contact {
         Ok(((a, d, force), admissible, stable, codes(py, &found.status)))
     }
 
-    /// a, d, F and status in the order of values, and what happens between them.
+    /// a, d, F and status in the order of values, and the events between them.
     #[pyo3(signature = (values, held, stiffness, start))]
     fn follow<'py>(
         &self,

@@ -1,4 +1,4 @@
-//! Long computations: without the GIL, on a thread of their own, and until a signal such as Ctrl-C asks to stop.
+//! Long computations: without the GIL, on a thread of their own, and stopped by a signal such as Ctrl-C.
 
 use std::any::Any;
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -19,7 +19,7 @@ const STACK: usize = 8 << 20;
 /// The result of `work`, which ends soon after its stop is asked for.
 ///
 /// # Errors
-/// What a handler of a signal raises: `KeyboardInterrupt`. A panic of the work is an `InternalError`.
+/// The exception of a signal handler, `KeyboardInterrupt`. A panic of the work is an `InternalError`.
 pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop::default();
     py.detach(|| {
@@ -50,7 +50,7 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) ->
 /// The result of `work` that cannot be stopped: after a signal it is left to end by itself.
 ///
 /// # Errors
-/// As [`interruptible`].
+/// The exception of a signal handler, `KeyboardInterrupt`. A panic of the work is an `InternalError`.
 pub(crate) fn abandonable<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
     let (done, result) = mpsc::channel();
     let run = move || {

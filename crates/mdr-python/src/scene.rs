@@ -14,7 +14,7 @@ use pyo3::types::PyType;
 use crate::errors::of_library;
 use crate::interrupt::interruptible;
 
-/// The answer to a scene as JSON. `form` is `file`, `toml` or `json`; what a text names is looked for among `files` and then
+/// The answer to a scene as JSON. `form` is `file`, `toml` or `json`; files named in a text are looked up in `files` and then
 /// on the disk.
 #[pyfunction]
 #[pyo3(signature = (form, text, files, digits, f64))]
@@ -75,7 +75,7 @@ fn read(form: &str, text: &str, files: &HashMap<String, Vec<u8>>) -> mdr::Result
     }
 }
 
-/// What a text names, among the files and then on the disk.
+/// Finds a named file among `files`, and then on the disk.
 fn at_hand(files: &HashMap<String, Vec<u8>>) -> impl Fn(&str) -> io::Result<Vec<u8>> {
     |name| files.get(name).cloned().map_or_else(|| mdr::files::named(name), Ok)
 }

@@ -69,7 +69,7 @@ impl<'a> RecordBuilder<'a> {
         answers.map(|((quantity, value), condition)| self.number(quantity, value, condition, scale)).collect()
     }
 
-    /// The same without what is controlled.
+    /// The records of those of a, d and F that are not controlled.
     pub(crate) fn uncontrolled(
         &self,
         values: &[Decimal; 3],
@@ -151,7 +151,7 @@ impl<'a> RecordBuilder<'a> {
     }
 }
 
-/// What a double can say of this number.
+/// Whether a double can represent this number.
 pub(crate) fn status(value: &Decimal) -> Status {
     match value.to_f64().abs() {
         f64::INFINITY => Status::Overflow,
@@ -169,7 +169,7 @@ pub(crate) fn certified(value: &Decimal) -> Certified {
 
 /// Conditions are orders of magnitude: three digits.
 pub(crate) fn three_digits(x: f64) -> f64 {
-    /// What rounding leaves of a condition that is zero is below this.
+    /// A condition below this is zero, up to rounding.
     const NOTHING: f64 = 1e-30;
     if x.abs() < NOTHING { 0.0 } else { format!("{:.2e}", x.abs()).parse().unwrap_or(x) }
 }

@@ -30,18 +30,18 @@ pub(crate) struct Case {
     pub(crate) name: String,
     pub(crate) contact: CaseContact,
     pub(crate) flags: Vec<String>,
-    /// Whether the records name what is controlled.
+    /// Whether the records name the controlled quantity.
     pub(crate) has_control: bool,
     /// Where it is asked: a radius, a value of the controlled quantity, the number of a fold. Empty where that is no
     /// question.
     pub(crate) at: String,
-    /// The same for the identifiers.
+    /// The part of the identifiers for `at`.
     pub(crate) label: String,
     /// The row of the data.
     pub(crate) row: Row,
 }
 
-/// What is published with the records of a kind.
+/// The properties of a formula that are published with the records of a kind.
 #[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Formula {
@@ -113,7 +113,7 @@ struct ContactRow {
     numbers: BTreeMap<String, String>,
 }
 
-/// What the cases name.
+/// The formulas and contacts that the cases name.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Names {
@@ -130,7 +130,7 @@ struct File {
 /// All cases in the order of their records, each with its file.
 ///
 /// # Errors
-/// What the data have no meaning for.
+/// [`RecordError`] for data without a meaning.
 pub(crate) fn all() -> std::result::Result<Vec<(&'static str, Case)>, RecordError> {
     let wrong = |file: &str| {
         let case = file.to_owned();
@@ -225,7 +225,7 @@ impl Row {
     }
 }
 
-/// Each item of a list that may be filtered; once none where the list itself is empty.
+/// Each item of a list that may be filtered; a single `None` if the list itself is empty.
 fn or_none<T, S>(items: impl Iterator<Item = T>, list: &[S]) -> impl Iterator<Item = Option<T>> {
     items.map(Some).chain(list.is_empty().then_some(None))
 }

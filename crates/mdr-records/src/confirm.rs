@@ -1,4 +1,4 @@
-//! The second method: whether the numerical route, which knows heights f(r) only, has the same answer.
+//! The second method: whether the numerical route, which uses heights f(r) only, has the same answer.
 //!
 //! A certified radius is confirmed by a change of sign: of the tangency, or of the direction of change, between
 //! a(1 − 10⁻⁴⁵) and a(1 + 10⁻⁴⁵), both from quadratures of the profile.
@@ -41,7 +41,7 @@ pub(crate) fn fold(contact: &CaseContact, values: &[Decimal; 3], conditions: &[C
     Failure::unless("the fold", state(contact, values, precision(conditions), tangency)?)
 }
 
-/// An equilibrium at a value of what is controlled: the direction of change turns at a, and d and F are on the curve.
+/// An equilibrium at a value of the controlled quantity: the direction of change turns at a, and d and F are on the curve.
 pub(crate) fn equilibrium(
     contact: &CaseContact,
     value: &Float,

@@ -27,7 +27,7 @@ pub(crate) struct CaseContact {
     pub(crate) range: Option<[Literal; 2]>,
 }
 
-/// The same in one arithmetic.
+/// Profile, material and control in one arithmetic.
 pub(crate) struct Model<R> {
     pub(crate) terms: Vec<Shape<R>>,
     pub(crate) material: Material<R>,
@@ -67,7 +67,7 @@ impl CaseContact {
         }
     }
 
-    /// The symbol of what is controlled.
+    /// The symbol of the controlled quantity.
     pub(crate) fn symbol(&self) -> &'static str {
         match self.control {
             Control::Indentation => "d",
@@ -123,7 +123,7 @@ impl CaseContact {
 }
 
 impl<R: Real> Model<R> {
-    /// What `f` reads off the curve of equilibria of the closed form.
+    /// The result of `f` for the curve of equilibria of the closed form.
     pub(crate) fn closed<T>(self, f: impl FnOnce(&Contact<R>) -> contact::Result<T>) -> contact::Result<T>
     where
         R: Struve + Kappa,
@@ -152,7 +152,7 @@ impl<R: Real> Model<R> {
 }
 
 impl Model<Float> {
-    /// What `f` reads off the curve of equilibria by quadrature of the heights.
+    /// The result of `f` for the curve of equilibria by quadrature of the heights.
     pub(crate) fn integrated<T>(self, f: impl FnOnce(&Contact<Float>) -> contact::Result<T>) -> contact::Result<T> {
         f(&Contact::half_space(&Arc::new(Quadrature::of(self.terms)?), &self.material, &self.control))
     }

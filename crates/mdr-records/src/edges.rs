@@ -71,7 +71,7 @@ fn enclosed_gap(contact: &CaseContact, (radius, offset): (&Literal, &Literal), a
     Ok(gap < gap.lit(0))
 }
 
-/// The same by quadrature of the transform by quadrature, in f64.
+/// Whether the gap at the ridge is negative in f64, by quadrature of a transform that is itself a quadrature of the heights.
 fn integrated_gap(contact: &CaseContact, offset: &Literal, a: &Literal) -> contact::Result<bool> {
     let model = contact.model(Literal::nearest_f64)?;
     let transform = Arc::new(Quadrature::of(model.terms)?);

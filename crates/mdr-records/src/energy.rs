@@ -51,8 +51,8 @@ pub(crate) fn record(case: &Case) -> Result<Vec<Record>> {
     Ok(vec![builder.number(("energy", "J"), &energy, condition, None)])
 }
 
-/// What a path loses in its first event that loses energy: −Π after it where the contact `forms`, Π before it where it
-/// breaks.
+/// The energy lost in the first event of a path that loses energy: −Π after it if the contact `forms`, Π before it if the
+/// contact breaks.
 fn lost(contact: &CaseContact, path: [Literal; 2], start: Start, forms: bool) -> Result<Jump> {
     let answer = contact.scene()?.path(path)?.start(start).want(Want::Path).solve()?;
     let events = answer.path().map(|path| path.events.items.as_slice()).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Equilibria at a value of what is controlled.
+//! Equilibria at a value of the controlled quantity.
 
 use mdr::answer::Equilibrium;
 use mdr::prelude::{EventKind, Literal, Stability, Start, Value, Want};
@@ -63,7 +63,7 @@ impl Target<'_> {
         })
     }
 
-    /// Confirms a state there; its conditions, by the implicit function theorem for what is controlled less the target.
+    /// Confirms a state there; its conditions, by the implicit function theorem for the controlled quantity less the target.
     fn confirmed(&self, contact: &CaseContact, state: &State) -> Result<[Conditions; 3]> {
         let conditions = on_curve(contact, self.given(contact), |curve, given| {
             let target = self.seeded(curve, given)?.slope;
@@ -94,7 +94,7 @@ pub(crate) fn at_value(case: &Case) -> Result<Vec<Record>> {
     Ok(builder.input(contact.symbol(), at).uncontrolled(&state, conditions).collect())
 }
 
-/// The same at the critical value times 1 − τ. No decimal is that value, and no scene asks for it.
+/// The equilibria of a power law at the critical value times 1 − τ. That value is no decimal, so no scene contains it.
 pub(crate) fn at_share(case: &Case) -> Result<Vec<Record>> {
     let (contact, share) = (&case.contact, case.value()?);
     let quantities = [Quantity::ContactRadius, Quantity::Indentation, Quantity::Force];
@@ -163,7 +163,7 @@ pub(crate) fn landing(case: &Case) -> Result<Vec<Record>> {
     Ok(builder.input("fold", case.value()?).flag("stable").uncontrolled(&state, conditions).collect())
 }
 
-/// What a scene answers at a value of the controlled quantity.
+/// The states in the answer to a scene at a value of the controlled quantity.
 struct States {
     /// The first fold: the critical state of a power law.
     fold: State,

@@ -26,7 +26,8 @@ const WORKING: u32 = 30;
 /// The relative step of its differences; they have the error of its square, and of rounding over it.
 const STEP: i64 = -8;
 
-/// What is left of the normal equations, against the lengths of their factors, and of sums of squares and standard errors.
+/// The scale of the relative error allowed in the normal equations (against the lengths of their factors), in sums of squares
+/// and in standard errors.
 const AGREED: f64 = 1e-10;
 
 /// The file of the release.
@@ -59,7 +60,7 @@ fn of(set: &DataSet) -> Result<Vec<Record>> {
     Ok(records)
 }
 
-/// What a data set states: the profile, and numbers that are not free.
+/// The statements of a data set: the profile, and numbers that are not free.
 struct Known {
     shape: Shape<Literal>,
     numbers: BTreeMap<String, Literal>,
@@ -200,7 +201,7 @@ fn inverse_diagonal(mut matrix: Vec<Vec<Float>>, place: usize) -> Float {
 /// The point of the curve with which a row is compared.
 #[derive(Clone)]
 struct Place {
-    /// Its contact radius; none where the row is detached.
+    /// The contact radius of the place; `None` if the row is detached.
     a: Option<Float>,
     kind: PlaceKind,
     /// How the equation of the place grows with the radius, once it is known.

@@ -1,6 +1,6 @@
 //! Generates the certified records of `mdr-reference`.
 //!
-//! The cases are data: `data/*.toml` name contacts and what is asked of them. Each is answered by [`mdr`] to fifty
+//! The cases are data: `data/*.toml` name contacts and the quantities wanted. Each is answered by [`mdr`] to fifty
 //! proved digits, with |d ln value/d ln input| from dual numbers, and confirmed by a second method that shares no closed
 //! form with the first, only the definitions of d and F: quadrature of the heights f(r). [`generate`] gives the files of the
 //! release, bit for bit the same on every machine.
@@ -53,7 +53,7 @@ pub struct RecordError {
     source: Failure,
 }
 
-/// What is wrong with a case.
+/// Why a case fails.
 #[derive(Debug, ThisError)]
 enum Failure {
     #[error(transparent)]
@@ -105,7 +105,7 @@ pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordErro
 /// Answers a case.
 type Answer = fn(&Case) -> Result<Vec<Record>>;
 
-/// What can be asked, by its name in the data; docs/reference/README.md has the formula of each.
+/// The kinds of cases, by their names in the data; docs/reference/README.md has the formula of each.
 const KINDS: [(&str, Answer); 18] = [
     ("kappa", profiles::kappa),
     ("transform", profiles::transform),
@@ -138,7 +138,7 @@ impl Case {
         records.map_err(|source| RecordError { case: format!("{formula} of {} {}", self.name, self.label), source })
     }
 
-    /// The quantity that the case asks for, under the identifier that it gives.
+    /// The records of the quantity that the case names, under its identifier.
     fn chosen(&self, mut records: Vec<Record>) -> Vec<Record> {
         records.retain(|record| self.row.quantity.as_ref().is_none_or(|quantity| record.quantity == *quantity));
         for record in &mut records {

@@ -21,7 +21,7 @@ pub(crate) fn largest(conditions: &[Conditions]) -> f64 {
     conditions.iter().flatten().map(|(_, x)| x).fold(1.0, |a: f64, b| a.max(*b))
 }
 
-/// The conditions of what `quantities` computes of a contact, with respect to its inputs and to a number that is given
+/// The conditions of the results of `quantities` for a contact, with respect to its inputs and to a number that is given
 /// with it.
 pub(crate) fn conditions<R: Real<Ctx = Precision>, const K: usize>(
     contact: &CaseContact,
@@ -47,7 +47,7 @@ pub(crate) fn conditions<R: Real<Ctx = Precision>, const K: usize>(
     Ok(conditions)
 }
 
-/// The conditions of what `quantities` reads off the curve of equilibria of the closed form.
+/// The conditions of the results of `quantities` on the curve of equilibria of the closed form.
 pub(crate) fn on_curve<const K: usize>(
     contact: &CaseContact,
     given: Option<(&'static str, &Literal)>,
@@ -70,7 +70,7 @@ pub(crate) fn implicit(a: &Seeded, residual: impl Fn(&Seeded) -> Result<Seeded>)
     Ok(Dual { value: a.value.clone(), slope: -along / across * &a.value })
 }
 
-/// What is controlled at a contact radius.
+/// The controlled quantity at a contact radius.
 pub(crate) fn controlled(curve: &Contact<Seeded>, a: &Seeded) -> Result<Seeded> {
     let (d, f) = curve.state(a)?;
     Ok(curve.control().controlled(&d, &f))

@@ -41,7 +41,7 @@ pub fn lines() -> impl Iterator<Item = &'static str> {
 /// Records whose ids begin alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Family<'a> {
-    /// What their ids begin with, up to the first slash.
+    /// The beginning of their ids, up to the first slash.
     pub name: &'a str,
     /// The first of them.
     pub example: &'a Record,
@@ -98,7 +98,7 @@ struct Term {
 /// Reads a value from a record.
 type Value = fn(&Record) -> Option<&str>;
 
-/// What a term may be about, with the value of a record; of flags it has any number.
+/// The keys of terms, each with the value of a record; a record has any number of flags.
 const KEYS: [(&str, Value); 9] = [
     ("id", |record| Some(&record.id)),
     ("profile", |record| Some(&record.profile)),
@@ -133,7 +133,7 @@ pub struct FilterError {
     wrong: Wrong,
 }
 
-/// What is wrong with a filter.
+/// The fault of a filter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Wrong {
     /// A term of another form.

@@ -4,7 +4,7 @@ use crate::catalogue::records;
 use crate::difficulty::Difficulty;
 use crate::record::Record;
 
-/// A curve, what is fitted to it, and its certified answer: estimates, their standard errors and the sum of squares.
+/// A curve, the fit to it, and its certified answer: estimates, their standard errors and the sum of squares.
 ///
 /// ```
 /// let set = mdr_reference::data_sets().iter().find(|set| set.name == "sphere1").expect("a data set");
@@ -17,9 +17,9 @@ pub struct DataSet {
     /// Its name, such as `sphere1`.
     pub name: &'static str,
     /// `Lower`: two or three numbers of one arc. `Average`: with offsets and the tail after pull-off. `Higher`: several arcs, or
-    /// numbers that the data hardly tell apart.
+    /// numbers that the data hardly distinguish.
     pub level: Difficulty,
-    /// What is fitted: a file for `mdr fit`, in TOML. Its comments have two starts.
+    /// The fit: a file for `mdr fit`, in TOML. Its comments have two starts.
     pub fit: &'static str,
     /// The rows: CSV with a header and a row of units.
     pub curve: &'static str,

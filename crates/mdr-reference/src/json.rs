@@ -79,15 +79,15 @@ const DEPTH: usize = 32;
 /// Reads one value.
 ///
 /// # Errors
-/// What was expected, and at which byte, counted from 1.
+/// A message with the expected text and the byte, counted from 1.
 pub(crate) fn read(text: &str) -> Result<Json<'_>, String> {
     Reader { text, at: 0, strict: true }.whole()
 }
 
-/// The same; any word without quotation marks is read as a number of that text.
+/// Reads one value, where any word without quotation marks is read as a number of that text.
 ///
 /// # Errors
-/// What was expected, and at which byte, counted from 1.
+/// A message with the expected text and the byte, counted from 1.
 pub(crate) fn read_tolerant(text: &str) -> Result<Json<'_>, String> {
     Reader { text, at: 0, strict: false }.whole()
 }

@@ -24,7 +24,7 @@ impl Record {
     /// The record of a line.
     ///
     /// # Errors
-    /// What is wrong with the line: its form, a field, or a hash that does not match the content.
+    /// A message about the fault of the line: its form, a field, or a hash that does not match the content.
     pub fn from_json(line: &str) -> Result<Record, String> {
         let json = read(line)?;
         let fields = Fields(&json);

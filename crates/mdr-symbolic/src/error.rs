@@ -78,7 +78,7 @@ pub enum Error {
     /// A text that is not a formula.
     #[error("not a formula: {why} in `{text}`")]
     Syntax {
-        /// What is wrong.
+        /// The reason.
         why: String,
         /// The whole text.
         text: String,

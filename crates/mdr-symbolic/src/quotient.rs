@@ -60,7 +60,7 @@ impl Quotient {
     /// The sum.
     ///
     /// # Errors
-    /// As [`Expression::times`].
+    /// [`Error::TooLarge`] for too many terms, or too large an exponent.
     pub fn plus(&self, other: &Self) -> Result<Self> {
         if self.denominator == other.denominator {
             return Quotient::new(&self.numerator + &other.numerator, self.denominator.clone());
@@ -77,7 +77,7 @@ impl Quotient {
     /// The difference.
     ///
     /// # Errors
-    /// As [`Expression::times`].
+    /// [`Error::TooLarge`] for too many terms, or too large an exponent.
     pub fn minus(&self, other: &Self) -> Result<Self> {
         self.plus(&other.negated())
     }
@@ -85,7 +85,7 @@ impl Quotient {
     /// The product.
     ///
     /// # Errors
-    /// As [`Expression::times`].
+    /// [`Error::TooLarge`] for too many terms, or too large an exponent.
     pub fn times(&self, other: &Self) -> Result<Self> {
         let numerator = self.numerator.times(&other.numerator)?;
         Quotient::new(numerator, self.denominator.times(&other.denominator)?)
@@ -102,7 +102,7 @@ impl Quotient {
     /// The power with an exponent in Q(n).
     ///
     /// # Errors
-    /// As [`Expression::power`].
+    /// Errors of [`Expression::power`] for the numerator or the denominator.
     pub fn power(&self, exponent: &RationalFunction, domain: Domain) -> Result<Self> {
         let negative = exponent.as_integer().is_some_and(|integer| integer < 0);
         if negative {
@@ -115,7 +115,7 @@ impl Quotient {
     /// The derivative with respect to a symbol.
     ///
     /// # Errors
-    /// As [`Expression::derivative`].
+    /// Errors of [`Expression::derivative`] for the numerator or the denominator; [`Error::TooLarge`].
     pub fn derivative(&self, variable: Symbol) -> Result<Self> {
         let rising = self.numerator.derivative(variable)?.times(&self.denominator)?;
         let falling = self.numerator.times(&self.denominator.derivative(variable)?)?;
@@ -126,8 +126,8 @@ impl Quotient {
     /// formula from which the sums were simplified is decided by [`crate::Formula::normalise`].
     ///
     /// # Errors
-    /// As [`Expression::power`], of `value`; [`Error::Transcendental`] when another symbol here is a function of the
-    /// replaced one.
+    /// Errors of [`Expression::power`] for powers of `value`; [`Error::Transcendental`] when another symbol here is a function of
+    /// the replaced one.
     pub fn substitute(&self, symbol: Symbol, value: &Quotient, domain: Domain) -> Result<Self> {
         let above = self.numerator.substitute(symbol, value, domain)?;
         above.over(&self.denominator.substitute(symbol, value, domain)?)
@@ -136,7 +136,7 @@ impl Quotient {
     /// This at an n of the domain on which it was formed.
     ///
     /// # Errors
-    /// As [`Expression::at_n`].
+    /// Errors of [`Expression::at_n`] for the numerator or the denominator.
     pub fn at_n(&self, n: &Rational, domain: Domain) -> Result<Self> {
         Quotient::new(self.numerator.at_n(n, domain)?, self.denominator.at_n(n, domain)?)
     }
@@ -144,7 +144,7 @@ impl Quotient {
     /// Whether the two are the same function; always decided.
     ///
     /// # Errors
-    /// As [`Expression::times`].
+    /// [`Error::TooLarge`] for too many terms, or too large an exponent.
     pub fn equals(&self, other: &Self) -> Result<bool> {
         Ok(self.numerator.times(&other.denominator)? == other.numerator.times(&self.denominator)?)
     }

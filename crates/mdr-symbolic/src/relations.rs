@@ -11,10 +11,10 @@ use crate::expression::Expression;
 use crate::rational_function::RationalFunction;
 use crate::symbol::Symbol;
 
-/// What belongs to one function of the radius.
+/// The symbols that belong to one function of the radius.
 pub(crate) const PROFILE: [&str; 4] = ["g", "g'", "G", "Q"];
 
-/// What belongs to one angle.
+/// The symbols that belong to one angle.
 const ANGLE: [&str; 3] = ["θ", "sinθ", "cosθ"];
 
 impl Symbol {

@@ -24,7 +24,7 @@ struct Entry {
     force: i64,
 }
 
-/// Those of `data/symbols.tsv`.
+/// The properties of all symbols, from `data/symbols.tsv`.
 static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
     let entry = |[name, text, tex, coq, constant, slope, force, meaning]: [&'static str; 8]| {
         let length = [constant.parse().ok()?, slope.parse().ok()?];

@@ -102,7 +102,7 @@ impl Question {
         self.curve_of(&self.contact(precision)?)
     }
 
-    /// The same for the contact over intervals.
+    /// The curve of equilibria, with its folds, of the contact over intervals.
     pub(super) fn curve_of(&self, contact: &PowerLawContact<Interval>) -> Result<Curve> {
         let (profile, material) = (contact.profile(), contact.material());
         let precision = profile.exponent().ctx();
@@ -184,7 +184,7 @@ impl Curve {
     /// The equilibrium at a value on the branch between fold `branch` − 1 and fold `branch`, the folds excluded.
     ///
     /// # Errors
-    /// As [`Curve::equilibria`].
+    /// [`Error::Undecided`] if the precision does not decide whether there is one, or where it is.
     pub fn on_branch(&self, branch: usize, value: &Scaled) -> Result<Option<Point>> {
         if branch > self.folds.len() {
             return Ok(None);
@@ -218,8 +218,7 @@ impl Curve {
         self.exact_folds.get(fold)?.as_ref()
     }
 
-    /// The same curve with the values of its folds replaced by those that `round` returns, for an arithmetic that does
-    /// not distinguish the two.
+    /// Replaces the values of the folds by those that `round` returns, for an arithmetic that does not distinguish the two.
     #[must_use]
     pub fn with_folds_rounded(mut self, round: impl Fn(&Scaled) -> Option<Rational>) -> Self {
         let rounded = |(fold, _): &(Point, FoldKind)| round(&self.controlled(fold));

@@ -156,7 +156,7 @@ impl Question {
         self.critical(precision)
     }
 
-    /// The same, by counted roundings if possible and by intervals otherwise.
+    /// κ_n, a, d and F of the critical state, by counted roundings if possible and by intervals otherwise.
     fn critical(&self, precision: Precision) -> Result<[Enclosure; 4]> {
         match self.counted(precision) {
             Some([kappa, a, d, f]) => {

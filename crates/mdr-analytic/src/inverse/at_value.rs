@@ -103,7 +103,7 @@ impl<R: Real> PowerLawContact<R> {
         Ok(a)
     }
 
-    /// The same contact with representative points as parameters.
+    /// This contact with representative points as parameters.
     fn steered(&self) -> Result<Self> {
         let (profile, material) = (self.profile(), self.material());
         let kappa = profile.kappa().midpoint();

@@ -20,7 +20,7 @@ pub(crate) struct FoldFrame<R> {
 
 impl<R: Real> FoldFrame<R> {
     /// # Errors
-    /// As [`PowerLawContact::critical`].
+    /// Errors of [`PowerLawContact::critical`] and [`PowerLawContact::regime`].
     #[inline(always)]
     pub(crate) fn new(contact: &PowerLawContact<R>, held: Held) -> Result<Self> {
         let state = contact.critical(&held.control())?;

@@ -58,7 +58,7 @@ impl<R> Equilibria<R> {
         self.as_slice().iter().find(|state| state.stability == Stability::Stable)
     }
 
-    /// The same with another type of number, or `None` if one of the states cannot be converted.
+    /// Converts the states to another type of number; `None` if one of them cannot be converted.
     pub(crate) fn transform<S>(&self, f: impl Fn(&Equilibrium<R>) -> Option<Equilibrium<S>>) -> Option<Equilibria<S>> {
         Some(match self {
             Equilibria::None => Equilibria::None,
@@ -185,7 +185,9 @@ impl<R: Real> PowerLawContact<R> {
     /// ```
     ///
     /// # Errors
-    /// As [`PowerLawContact::equilibria`]; [`Error::Domain`] at n = 1/2, where there is no fold.
+    /// [`Error::Domain`] unless the distance is finite, the control indentation or force, and n not 1/2, where there is no
+    /// fold; [`Error::Undecided`] if the arithmetic does not decide on which side of the fold an equilibrium lies;
+    /// [`Error::OutOfRange`].
     pub fn equilibria_at_distance(&self, control: &Control<R>, distance: &R) -> Result<Equilibria<R>> {
         let held = Held::of(control)?;
         if !distance.is_finite() {

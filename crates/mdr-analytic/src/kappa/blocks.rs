@@ -76,7 +76,7 @@ impl Series {
         (block, term)
     }
 
-    /// The same for two words.
+    /// As many terms from the given one as fit in two words, up to `to`; with the first term that is left.
     pub(super) fn double_word(&self, from: u32, to: u32) -> (Block<i128>, u32) {
         let (first, middle) = self.word(from, to);
         let (second, end) = self.word(middle, to);

@@ -37,7 +37,7 @@ pub(crate) fn rational_kappa(precision: Precision, n: &Rational) -> RoundingCoun
     elliptic::kappa(n, bits).unwrap_or_else(|| expansion(n, bits))
 }
 
-/// The same, for any denominator.
+/// κ_n for a rational n > 0 with any denominator, computed with the given number of bits.
 pub(super) fn expansion(n: &Rational, bits: u32) -> RoundingCount {
     let series = if n.to_f64() < f64::from(bits) / 16.0 { Series::new(n, bits) } else { None };
     match series {

@@ -58,7 +58,7 @@ trait ClosedForm<R: Special>: Scale {
     fn end(&self) -> Option<&R> {
         None
     }
-    /// Whether it ends with a vertical edge; its formulas then hold at the end too.
+    /// Whether the profile ends with a vertical edge; its formulas then also hold at the end.
     fn vertical_edge(&self) -> bool {
         false
     }

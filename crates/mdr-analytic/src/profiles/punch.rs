@@ -147,7 +147,7 @@ impl<R: Special> ClosedForm<R> for RoundedPunch<R> {
     }
 }
 
-/// What a formula says of a radius beyond the edge of a flat face, and 0 within.
+/// The value of a formula at a radius beyond the edge of a flat face, and 0 within.
 fn beyond<R: Special>(x: &R, flat: &R, formula: impl FnOnce(Edge<R>) -> R) -> R {
     Edge::at(x, flat).map_or_else(|| x.lit(0), formula)
 }

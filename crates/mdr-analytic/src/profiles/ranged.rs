@@ -68,7 +68,7 @@ fn times_power_of_two<R: Special>(x: &R, k: i64) -> Option<R> {
 
 /// Profiles whose lengths can be scaled.
 pub(super) trait Scale: Sized {
-    /// The same profile with all lengths times 2ᵏ; `None` if one of them leaves the range of the arithmetic.
+    /// The profile with all lengths times 2ᵏ; `None` if one of them leaves the range of the arithmetic.
     fn scaled(&self, k: i64) -> Option<Self>;
 }
 

@@ -56,7 +56,7 @@ fn power_series<R: Real>(z: &R, first: R, order: i64) -> (R, R) {
 }
 
 /// H₁(z)/z = (2/π) Σ (−1)ᵏ z^{2k+1}/((2k+1)!!² (2k+3)) for z < 2⁻²⁰, in range where H₁ may underflow; `None` for other
-/// z. The first omitted term bounds the derivatives of the remainder, too.
+/// z. The first omitted term also bounds the derivatives of the remainder.
 pub(crate) fn small_h1<R: Real>(z: &R) -> Option<R> {
     if !(*z < z.lit(2).powi(-20)) {
         return None;

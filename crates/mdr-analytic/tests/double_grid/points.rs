@@ -24,13 +24,13 @@ impl Point {
     }
 }
 
-/// The same radii under `control`: 3C under a dead load.
+/// The points with the same contact radii under `control`: 3C under a dead load.
 pub(crate) fn loaded(points: &[Point], control: &Control<f64>) -> Vec<Point> {
     let factor = if matches!(control, Control::Force) { 3.0 } else { 1.0 };
     points.iter().map(|p| Point { c: p.c * factor, ..*p }).collect()
 }
 
-/// Those whose results are normal numbers (or d = 0).
+/// The points whose results are normal numbers (or d = 0).
 pub(crate) fn representable(mut points: Vec<Point>, control: &Control<f64>) -> Vec<Point> {
     points.retain(|p| {
         let state = Material::new(p.e, p.w).and_then(|m| double::critical(p.n, p.c, &m, control));

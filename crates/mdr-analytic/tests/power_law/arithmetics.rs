@@ -1,4 +1,4 @@
-//! The same functions in other arithmetics.
+//! The functions of power laws in other arithmetics than f64.
 
 use approx::assert_relative_eq;
 use mdr_analytic::{PowerLaw, PowerLawContact, State, threshold};

@@ -48,7 +48,7 @@ pub(crate) struct Critical {
     #[arg(long, value_name = "W", allow_hyphen_values = true, required_unless_present = "batch")]
     work: Option<String>,
 
-    /// What is held while the contact finds its radius
+    /// Controlled quantity while the contact finds its radius
     #[arg(long, value_enum, default_value_t = ControlKind::Indentation)]
     control: ControlKind,
 

@@ -1,4 +1,4 @@
-//! Where and with what a report was made.
+//! The machine and the build with which a report was made.
 
 /// The machine and the program, in a sentence or two.
 pub(super) fn machine() -> String {

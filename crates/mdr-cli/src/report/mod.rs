@@ -36,7 +36,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Writes the files, and what is in them on `out`.
+    /// Writes the files, and their contents on `out`.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         files::make_folder("--out", &self.out)?;
         let (level, runs) = if self.quick { (Level::Quick, 3) } else { (Level::Full, 9) };
@@ -97,7 +97,7 @@ fn find(level: Level, runs: usize) -> Result<Findings> {
     Ok(findings?)
 }
 
-/// What is drawn of a question: the answers with a time.
+/// The part of a question that is drawn: the answers with a time.
 fn question(comparison: &Comparison) -> Question<'_> {
     let answer = |point: &Point| Some((point.seconds?, point.outcome.digits()));
     let method = |series: &Series| Method {

@@ -1,4 +1,4 @@
-//! What each output cost.
+//! The cost of each output.
 
 use std::io::Write;
 use std::time::Duration;

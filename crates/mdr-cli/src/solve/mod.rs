@@ -1,4 +1,4 @@
-//! `mdr solve`: whatever a scene asks for, and nothing else.
+//! `mdr solve`: the outputs that a scene wants, and nothing else.
 
 mod explain;
 pub(crate) mod render;
@@ -19,16 +19,16 @@ use crate::output::{Format, Output as Out};
 use crate::plot::PictureFlags;
 use crate::{files, progress};
 
-/// What hardware arithmetic is good for here: less than for single closed forms.
+/// The help of `--f64`: hardware arithmetic achieves less here than for single closed forms.
 const IN_F64: &str =
     "Hardware arithmetic instead: fast, to some roundings times the condition of what is asked; nothing is proved";
 
-/// What is drawn.
+/// The help of `--plot`.
 const PICTURE: &str = "Draw the contact, its branches and its path as SVG, and write the data as CSV beside it; in f64";
 
 /// Solve a scene: transform, equilibria, folds, loading path, curve, pressure, gap, displacement and energy of a contact.
 ///
-/// What is wanted, for which profile, material and control, is written in a TOML file. Nothing else is computed.
+/// A TOML file names the outputs wanted, the profile, the material and the control. Nothing else is computed.
 #[derive(Debug, Args)]
 #[command(after_help = include_str!("../../help/solve.txt"), mut_arg("f64", |flag| flag.help(IN_F64)), mut_arg("plot", |flag| flag.help(PICTURE)))]
 pub(crate) struct Solve {
@@ -116,7 +116,7 @@ fn not_drawn(failure: Failure) -> Failure {
     }
 }
 
-/// What is being computed, on a terminal and when it takes long; and what each output cost.
+/// Shows the running output on a terminal when it takes long, and collects the cost of each output.
 #[derive(Default)]
 struct Progress {
     running: Option<(ProgressBar, Instant)>,

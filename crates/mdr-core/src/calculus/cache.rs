@@ -6,7 +6,7 @@ use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 
 use crate::contact::Result;
 
-/// What determines a stored rule, beside its number type and precision.
+/// The key of a stored rule, beside its number type and precision.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub(super) enum Key {
     /// All levels of the double exponential rule.

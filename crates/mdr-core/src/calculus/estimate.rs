@@ -36,7 +36,7 @@ impl<R: Real> Estimate<R> {
     }
 }
 
-/// Errors and evaluations are added, too.
+/// Adds the values, the errors and the evaluations.
 impl<R: Real> AddAssign<&Self> for Estimate<R> {
     fn add_assign(&mut self, other: &Self) {
         self.value += &other.value;
@@ -97,24 +97,24 @@ impl<R: Real> Tolerance<R> {
         &self.limit
     }
 
-    /// The same goal; at the noise level of the integrand, an error below `limit` is accepted.
+    /// Accepts an error below `limit` at the noise level of the integrand; the goal is unchanged.
     pub fn or_noise_below(self, limit: R) -> Self {
         let limit = larger(limit.midpoint(), self.goal.clone());
         Tolerance { last: limit.clone(), limit, ..self }
     }
 
-    /// The same goal; if the finest rule misses it, its value is accepted when its error is below `limit`. Slow
+    /// Accepts the value of the finest rule when its error misses the goal but is below `limit`; the goal is unchanged. Slow
     /// convergence is not taken for noise.
     pub fn or_finest_below(self, limit: R) -> Self {
         Tolerance { last: larger(limit.midpoint(), self.limit.clone()), ..self }
     }
 
-    /// The same tolerance, or an absolute error below `absolute`.
+    /// Accepts any absolute error below `absolute`, even if it misses the relative goal.
     pub fn or_error_below(self, absolute: &R) -> Self {
         Tolerance { absolute: absolute.midpoint(), ..self }
     }
 
-    /// The same tolerance for an integrand with this relative `noise`: a change no larger than that counts as rounding.
+    /// Sets the relative `noise` of the integrand: a change no larger than that counts as rounding.
     /// Without it, the changes of two more refinements must be as small before they are trusted. The error estimate
     /// does not include the effect of the noise on the integral.
     pub fn with_noise(self, noise: &R) -> Self {

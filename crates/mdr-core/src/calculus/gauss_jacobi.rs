@@ -69,8 +69,8 @@ pub fn rule<R: Real>(n: usize, alpha: &R, beta: &R) -> Result<Arc<Rule<R>>> {
 /// ```
 ///
 /// # Errors
-/// Those of [`rule`] and of f; [`NoConvergence`](Error::NoConvergence) when 16 times the nodes that a power profile
-/// needs are not enough.
+/// Errors of [`rule`] and of f; [`Domain`](Error::Domain) where f is not finite; [`NoConvergence`](Error::NoConvergence)
+/// when 16 times the nodes that a power profile needs are not enough.
 pub fn integrate<R: Real>(
     alpha: &R,
     beta: &R,
@@ -107,10 +107,12 @@ impl<R: Real> Ladder<R> {
         Ok(self.rules[rung].get_or_init(|| rule))
     }
 
-    /// As the function [`integrate`].
+    /// ∫₀¹ tᵝ(1−t)ᵅ f(t) dt to a `tolerance` relative to ∫ tᵝ(1−t)ᵅ|f|, by doubling the number of nodes; see the function
+    /// [`integrate`].
     ///
     /// # Errors
-    /// As [`integrate`].
+    /// Errors of [`rule`] and of f; [`Domain`](Error::Domain) where f is not finite; [`NoConvergence`](Error::NoConvergence)
+    /// when 16 times the nodes that a power profile needs are not enough.
     pub fn integrate(
         &self,
         tolerance: impl Into<Tolerance<R>>,
@@ -196,11 +198,11 @@ impl<R: Real> Rule<R> {
         Ok(total)
     }
 
-    /// The same with an error estimate: the difference from the rule with half as many nodes. That is the error of the
+    /// Σ wᵢ f(tᵢ) with an error estimate: the difference from the rule with half as many nodes. That is the error of the
     /// smaller rule, far too large for a smooth f; [`integrate`] compares more rules and is sharper.
     ///
     /// # Errors
-    /// As [`Rule::integrate`].
+    /// Errors of f; [`Domain`](Error::Domain) where f is not finite; errors of [`rule`] for the smaller rule.
     pub fn integrate_with_estimate(&self, mut f: impl FnMut(&R) -> Result<R>) -> Result<Estimate<R>> {
         let smaller = rule(self.nodes.len().div_ceil(2), &self.alpha, &self.beta)?;
         let (value, magnitude) = self.sums(&mut f)?;

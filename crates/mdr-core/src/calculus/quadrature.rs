@@ -50,10 +50,12 @@ pub fn tanh_sinh<R: Real>(
     })
 }
 
-/// As [`tanh_sinh`], for an integrand written in the distances from the ends: ∫₀¹ dx/√(1−x) = ∫ `from_upper`^(−1/2).
+/// ∫ₐᵇ f dx for an integrand written in the distances from the ends: ∫₀¹ dx/√(1−x) = ∫ `from_upper`^(−1/2). Otherwise it
+/// is like [`tanh_sinh`].
 ///
 /// # Errors
-/// As [`tanh_sinh`].
+/// [`NoConvergence`](crate::contact::Error::NoConvergence) with the error reached; a
+/// [`Domain`](crate::contact::Error::Domain) error where f is not finite; errors of f.
 pub fn tanh_sinh_near_ends<R: Real>(
     lower: &R,
     upper: &R,
@@ -66,7 +68,7 @@ pub fn tanh_sinh_near_ends<R: Real>(
 /// ∫ₐᵇ f(x) dx by [`tanh_sinh`] on each piece between the `breaks`, where f or a derivative of it jumps.
 ///
 /// The tolerance is relative to ∫|f| of each piece; the errors are added. Breaks may come in any order, and those
-/// outside (a, b) are ignored, so a list of all kinks can be passed. As there, a may be the larger end.
+/// outside (a, b) are ignored, so a list of all kinks can be passed. The end a may be larger than b.
 ///
 /// ```
 /// use mdr_core::calculus::{quadrature::tanh_sinh_pieces, roundoff_tolerance};
@@ -78,7 +80,8 @@ pub fn tanh_sinh_near_ends<R: Real>(
 /// ```
 ///
 /// # Errors
-/// As [`tanh_sinh`].
+/// [`NoConvergence`](crate::contact::Error::NoConvergence) with the error reached; a
+/// [`Domain`](crate::contact::Error::Domain) error where f is not finite; errors of f.
 pub fn tanh_sinh_pieces<R: Real>(
     lower: &R,
     upper: &R,

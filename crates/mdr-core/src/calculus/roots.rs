@@ -85,7 +85,7 @@ impl<R: Real> Bracket<R> {
     /// bracket by itself.
     ///
     /// # Errors
-    /// Those of [`Sample::take`].
+    /// [`Error::Domain`] when a value of f is not a number; errors of f.
     pub fn new(lower: &R, upper: &R, mut f: impl FnMut(&R) -> Result<R>) -> Result<Option<Self>> {
         let first = Sample::take(lower.clone(), &mut f)?;
         let second = Sample::take(upper.clone(), &mut f)?;
@@ -215,10 +215,11 @@ pub fn refine<R: Real>(bracket: Bracket<R>, tolerance: &R, mut f: impl FnMut(&R)
     Search::new(bracket, tolerance).run(|x| Ok((f(x)?, None)), |search, _| search.inverse_quadratic())
 }
 
-/// As [`refine`], by Newton's iteration: `f` returns the function and its slope.
+/// Refines a bracket by Newton's iteration to a relative `tolerance`, where `f` returns the function and its slope. See
+/// [`refine`] for the meaning of the tolerance and for intervals.
 ///
 /// # Errors
-/// As [`refine`].
+/// [`Error::Domain`] where f is not a number; errors of f.
 pub fn refine_with_slope<R: Real>(
     bracket: Bracket<R>,
     tolerance: &R,

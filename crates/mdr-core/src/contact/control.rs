@@ -1,4 +1,4 @@
-//! The controlled quantity: what is prescribed while the contact radius adjusts.
+//! The controlled quantity, which is prescribed while the contact radius adjusts.
 
 use super::{Error, Quantity, Result};
 use crate::named;
@@ -51,10 +51,10 @@ impl<N> Control<N> {
         }
     }
 
-    /// The same control with the stiffness in another type.
+    /// Converts the stiffness to another type of number.
     ///
     /// # Errors
-    /// That of `f`.
+    /// The error of `f`.
     pub fn try_map<M, E>(&self, f: impl FnOnce(&N) -> std::result::Result<M, E>) -> std::result::Result<Control<M>, E> {
         Ok(match self {
             Control::Indentation => Control::Indentation,

@@ -42,7 +42,7 @@ impl Sub for Evaluations {
 #[derive(Debug, Default)]
 pub struct EvaluationCounter {
     counts: [AtomicU64; 3],
-    /// What was spent within the transforms, as far as they tell.
+    /// The work done within the transforms, as far as it is counted there.
     work: AtomicU64,
     /// The sum of counts and work up to which evaluations are allowed; 0 without a limit.
     limit: AtomicU64,
@@ -65,7 +65,7 @@ impl EvaluationCounter {
         self.read().total().saturating_add(self.work.load(Ordering::Relaxed))
     }
 
-    /// Counts what a transform does during an evaluation.
+    /// Counts the work of a transform during an evaluation.
     fn working<T>(&self, work: impl Fn() -> u64, evaluate: impl FnOnce() -> T) -> T {
         let before = work();
         let value = evaluate();
@@ -108,12 +108,12 @@ pub struct CountingTransform<R> {
 }
 
 impl<R: Real> CountingTransform<R> {
-    /// Counts into `tally`.
+    /// Counts the evaluations of `inner` into `tally`.
     pub fn new(inner: Box<dyn Transform<R>>, tally: &Arc<EvaluationCounter>) -> Self {
         Self::sharing(Arc::from(inner), tally)
     }
 
-    /// The same of a transform that others use, too.
+    /// Counts the evaluations through this wrapper into `tally`; `inner` may be shared.
     pub fn sharing(inner: Arc<dyn Transform<R>>, tally: &Arc<EvaluationCounter>) -> Self {
         CountingTransform { inner, tally: Arc::clone(tally) }
     }

@@ -105,7 +105,7 @@ pub enum Error {
         quantity: Quantity,
         /// Its value.
         value: String,
-        /// What it must be.
+        /// The requirement on the input.
         requirement: &'static str,
     },
     /// The result is a number, but not representable in this arithmetic.
@@ -129,7 +129,7 @@ pub enum Error {
     /// An iteration ended before its tolerance was met.
     #[error("{quantity}: no convergence after {evaluations} evaluations, relative error about {error:.1e}")]
     NoConvergence {
-        /// What was being computed.
+        /// The computed quantity.
         quantity: Quantity,
         /// Evaluations spent.
         evaluations: usize,
@@ -139,11 +139,11 @@ pub enum Error {
     /// A rigorous computation could not decide between two results at any precision it may use.
     #[error("{quantity}: undecided at {bits} bits: {what}")]
     Undecided {
-        /// What was being computed.
+        /// The computed quantity.
         quantity: Quantity,
         /// The largest precision tried.
         bits: u32,
-        /// What could not be decided.
+        /// The open decision.
         what: &'static str,
     },
     /// The work that may be spent on an answer was spent before it was found.
@@ -151,7 +151,7 @@ pub enum Error {
         "the budget was spent, after {evaluations} evaluations of g and of what it is made of, before this was decided"
     )]
     BudgetSpent {
-        /// What was spent.
+        /// Evaluations spent.
         evaluations: u64,
     },
     /// The computation was stopped by its caller.
@@ -176,7 +176,7 @@ pub enum Error {
         from: String,
         /// The upper end.
         to: String,
-        /// What may help.
+        /// A possible remedy.
         remedy: &'static str,
     },
 }

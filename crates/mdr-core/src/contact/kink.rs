@@ -27,9 +27,9 @@ impl<R: Real> Kink<R> {
 /// Bounds of g' on an open interval that ends at a kink.
 #[derive(Clone, Debug)]
 pub struct Slopes<R> {
-    /// A lower bound of g'; `None` where there is none, or none is known.
+    /// A lower bound of g'; `None` if no bound exists or is known.
     pub least: Option<R>,
-    /// An upper bound of g', likewise.
+    /// An upper bound of g'; `None` if no bound exists or is known.
     pub greatest: Option<R>,
 }
 

@@ -65,7 +65,7 @@ impl<R: Real> Material<R> {
     /// From two bodies: 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂ (1.3).
     ///
     /// # Errors
-    /// As [`Material::new`].
+    /// [`Error::Domain`] unless the effective modulus and the work of adhesion are positive and finite.
     pub fn from_bodies(first: &Body<R>, second: &Body<R>, work_of_adhesion: R) -> Result<Self> {
         Self::new((first.compliance() + second.compliance()).inv(), work_of_adhesion)
     }

@@ -40,7 +40,7 @@ pub struct Equilibrium<R> {
 }
 
 impl<R> Equilibrium<R> {
-    /// The same state with its numbers in another arithmetic.
+    /// Converts the numbers of the state to another arithmetic.
     pub fn map<S>(&self, number: impl Fn(&R) -> S) -> Equilibrium<S> {
         Equilibrium {
             contact_radius: number(&self.contact_radius),
@@ -50,7 +50,7 @@ impl<R> Equilibrium<R> {
         }
     }
 
-    /// The same state where it was found at a `value` of the controlled quantity, which it has exactly.
+    /// Sets the controlled quantity of the state to the exact `value` at which the state was found.
     #[must_use]
     pub fn controlled<N>(self, control: &Control<N>, value: R) -> Self {
         match control {
@@ -100,7 +100,7 @@ pub struct Fold<R> {
 }
 
 impl<R> Fold<R> {
-    /// The same fold with its numbers in another arithmetic.
+    /// Converts the numbers of the fold to another arithmetic.
     pub fn map<S>(&self, number: impl Fn(&R) -> S) -> Fold<S> {
         Fold {
             contact_radius: number(&self.contact_radius),

@@ -19,19 +19,19 @@ pub trait Transform<R: Real>: Send + Sync {
     /// g'(x).
     ///
     /// # Errors
-    /// As [`Transform::g`].
+    /// Where x is outside the radius range, or a quadrature does not converge, see [`Transform::g`].
     fn slope(&self, x: &R) -> Result<R>;
 
     /// G(x) = ∫₀ˣ g.
     ///
     /// # Errors
-    /// As [`Transform::g`].
+    /// Where x is outside the radius range, or a quadrature does not converge, see [`Transform::g`].
     fn integral(&self, x: &R) -> Result<R>;
 
     /// The mean (1/x) ∫₀ˣ g, in m; it is in range wherever g is. The force is 2E*a (d − mean).
     ///
     /// # Errors
-    /// As [`Transform::g`].
+    /// Where x is outside the radius range, or a quadrature does not converge, see [`Transform::g`].
     fn mean(&self, x: &R) -> Result<R> {
         Ok(self.integral(x)? / x)
     }
@@ -40,15 +40,16 @@ pub trait Transform<R: Real>: Send + Sync {
     /// error is below `needed`.
     ///
     /// # Errors
-    /// As [`Transform::g`].
+    /// Where x is outside the radius range, or a quadrature does not converge, see [`Transform::g`].
     fn g_within(&self, x: &R, _needed: &R) -> Result<R> {
         self.g(x)
     }
 
-    /// As [`g_within`](Transform::g_within), for the [mean](Transform::mean).
+    /// The mean (1/x) ∫₀ˣ g, see [`mean`](Transform::mean). Where full relative accuracy is not available, the estimated
+    /// absolute error is below `needed`.
     ///
     /// # Errors
-    /// As [`Transform::g`].
+    /// Where x is outside the radius range, or a quadrature does not converge, see [`Transform::g`].
     fn mean_within(&self, x: &R, _needed: &R) -> Result<R> {
         self.mean(x)
     }
@@ -57,7 +58,7 @@ pub trait Transform<R: Real>: Send + Sync {
     /// mean nearly cancel, as for a power law with n → 0.
     ///
     /// # Errors
-    /// As [`Transform::g`].
+    /// Where x is outside the radius range, or a quadrature does not converge, see [`Transform::g`].
     fn above_mean(&self, x: &R) -> Result<R> {
         Ok(self.g(x)? - self.mean(x)?)
     }
@@ -68,7 +69,7 @@ pub trait Transform<R: Real>: Send + Sync {
     }
 
     /// Whether the profile has a vertical edge at its outer radius, so that the contact edge can stay there at any
-    /// larger indentation. If so, g, g' and ∫g are defined at the outer radius too, as limits from inside.
+    /// larger indentation depth. If so, g, g' and ∫g are also defined at the outer radius, as limits from inside.
     fn vertical_edge(&self) -> bool {
         false
     }
@@ -83,8 +84,8 @@ pub trait Transform<R: Real>: Send + Sync {
         false
     }
 
-    /// What the evaluations so far have cost beside their number, in heights f(r): what a budget counts. 0 where an evaluation
-    /// is a closed form.
+    /// The cost of all evaluations so far beyond their number, in heights f(r), as it is counted in a budget. 0 where an
+    /// evaluation is a closed form.
     fn work(&self) -> u64 {
         0
     }
@@ -97,7 +98,7 @@ pub trait Transform<R: Real>: Send + Sync {
     /// Bounds are guaranteed for enclosures only.
     ///
     /// # Errors
-    /// As [`Transform::g`].
+    /// Errors of [`Transform::g`] near the kink.
     fn kink(&self, _index: usize, _margin: &R) -> Result<Option<Kink<R>>> {
         Ok(None)
     }

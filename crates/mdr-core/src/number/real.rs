@@ -50,7 +50,7 @@ pub trait Real:
     + for<'a> MulAssign<&'a Self>
     + for<'a> DivAssign<&'a Self>
 {
-    /// What is needed to create a number: nothing for `f64`, a precision in bits otherwise.
+    /// The context for creating a number: nothing for `f64`, a precision in bits otherwise.
     type Ctx: Copy + Debug + PartialEq + Send + Sync + 'static;
 
     /// The context of this value.
@@ -134,8 +134,8 @@ pub trait Real:
         self
     }
 
-    /// As [`inflate`](Real::inflate), where the error and its derivative are at most |bound| and |bound'|: a dual
-    /// number over intervals keeps its slope, widened by that of the bound.
+    /// `self` after a truncation whose error and derivative of the error are at most |bound| and |bound'|: a dual number over
+    /// intervals keeps its slope, widened by that of the bound. See also [`inflate`](Real::inflate).
     fn inflate_with_slope(self, bound: &Self) -> Self {
         self.inflate(bound)
     }
@@ -169,7 +169,7 @@ pub trait Real:
     }
 }
 
-/// The order of numbers by their [representative points](Real::midpoint), which exists for overlapping enclosures too.
+/// The order of numbers by their [representative points](Real::midpoint), which exists even for overlapping enclosures.
 ///
 /// ```
 /// let mut radii = [3.0, 1.0, 2.0];

@@ -12,7 +12,7 @@ use crate::subject::double::*;
 use crate::subject::routine::Routine;
 use crate::trial::{Trial, ulps};
 
-/// What a function promises.
+/// The error bound that a function promises, in ulp.
 fn promised_ulp(name: &str) -> f64 {
     if matches!(name, "double::critical_states" | "double::Inverse::branches") { 2.0 } else { 1.0 }
 }
@@ -74,7 +74,7 @@ pub(super) fn functions(trial: &mut Trial<'_>) -> Result<()> {
     Ok(())
 }
 
-/// Compares what is shipped with the exact results, and hands back what was found.
+/// Compares the shipped functions with the exact results, and returns their results.
 fn compare(trial: &mut Trial<'_>, routines: &[Routine], inputs: &[f64]) -> Result<Vec<Ranged<f64>>> {
     let exact: Vec<_> = inputs.iter().copied().map(float).collect();
     let mut results = Vec::new();
@@ -204,7 +204,7 @@ fn float(x: f64) -> Float {
     Float::from_f64(Precision::new(REFERENCE_BITS), x)
 }
 
-/// The same contact at 400 bits.
+/// The contact of a scene at 400 bits.
 fn wide(scene: &Scene<f64>) -> Result<PowerLawContact<Float>> {
     scene.map(|x| float(*x)).contact()
 }

@@ -20,7 +20,7 @@ use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Held};
 use crate::trial::Trial;
 
-/// The ring of attraction by quadrature put into the closed equations, which are enclosed, too: over intervals of twice the
+/// The ring of attraction by quadrature put into the closed equations, which are also enclosed: over intervals of twice the
 /// precision the balance is proved to pass through 1 within the error that is allowed for c.
 ///
 /// * The closed equations do 40 roundings; they cancel by 1/(m − 1), and so does c − a.
@@ -64,7 +64,7 @@ pub(super) fn paraboloid<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ct
     Ok(())
 }
 
-/// Proves the balance to be below 1 at a ring that is narrower by what is allowed, and above at one that is wider.
+/// Proves the balance to be below 1 at a ring that is narrower by the allowed error, and above 1 at one that is wider by it.
 fn enclose<R: Arithmetic>(trial: &mut Trial<'_>, inputs: [&R; 5], c: &R, allowed: f64) -> Result<()> {
     let bits = Precision::new(2 * c.precision());
     let exact = |value: &R| Interval::point(Float::with_val(bits.bits(), value.widen()));
@@ -79,7 +79,7 @@ fn enclose<R: Arithmetic>(trial: &mut Trial<'_>, inputs: [&R; 5], c: &R, allowed
     Ok(())
 }
 
-/// The same states of fifteen profiles, from closed forms of g over a < x < c, against the heights: the gap at c is
+/// Maugis–Dugdale states of fifteen profiles, from closed forms of g over a < x < c, against the heights: the gap at c is
 /// f(c) − d + u(c), with u of the contact and of the ring, and F is the sum of both. It errs by 32 roundings of its terms.
 ///
 /// * The width of the ring is found to a rounding, and c is rounded: by 2u c. That changes f by 2u c f'(c), where f' is the

@@ -75,7 +75,7 @@ pub(super) fn stationary<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx
     Ok(())
 }
 
-/// What the numerical energy meets, in u of its integrand: 128 is its goal. g and g' are known to 32, the square to twice
+/// The error of the numerical energy, in u of its integrand: 128 is its goal. g and g' are known to 32, the square to twice
 /// that, and where this noise ends the refinement, its last changes may be four times as large.
 const ENERGY: f64 = 128.0 + 4.0 * 2.0 * 32.0;
 

@@ -17,7 +17,7 @@ use crate::grid::{Exponent, Family, Held, Scene};
 use crate::tolerance::{Tangent, quadrature};
 use crate::trial::Trial;
 
-/// A power law for the numerical route, which knows nothing of it but its heights.
+/// A power law for the numerical route, which uses nothing but its heights.
 pub(super) fn transform<R: Arithmetic>(scene: &Scene<R>) -> Result<Arc<Quadrature<R, Heights<R>>>> {
     Quadrature::of([Shape::Power { n: scene.n.clone(), c: scene.c.clone() }]).map(Arc::new)
 }
@@ -40,16 +40,16 @@ impl Quadratures {
     }
 }
 
-/// The fold of a power law by its closed form, for checks of what is beside it.
+/// The fold of a power law by its closed form, for checks beside it.
 pub(super) struct ClosedFold<R> {
     /// The law for the numerical route.
     pub(super) transform: Arc<Quadrature<R, Heights<R>>>,
     pub(super) tangent: Tangent,
     /// The controlled quantity at the fold.
     pub(super) value: R,
-    /// What the closed form may err in ln a_λ, in roundoffs.
+    /// The allowed error of the closed form in ln a_λ, in roundoffs.
     pub(super) radius_error: f64,
-    /// What both routes may err in the value, relative to itself, in roundoffs.
+    /// The allowed relative error of both routes in the value, in roundoffs.
     pub(super) value_error: f64,
 }
 

@@ -1,5 +1,5 @@
-//! The checks. To add one: a line in `data/checks.tsv`, which says what it compares, and in a module the function that runs
-//! one of its cases, with its name in [`RUNS`].
+//! The checks. To add one: a line in `data/checks.tsv`, which describes the comparison, and in a module the function that
+//! runs one of its cases, with its name in [`RUNS`].
 
 mod certified;
 mod double;
@@ -54,8 +54,8 @@ pub fn checks_of(id: SubjectId) -> Vec<&'static str> {
     registry().iter().filter(|check| check.subjects.contains(&id)).map(|check| check.row.check.as_str()).collect()
 }
 
-/// What runs a generic case by turns in f64 and in arbitrary precision, each in its own rounds of the grid: of `every` so many
-/// cases, two if nothing is said, the last is in arbitrary precision. Or `all profiles` in one arithmetic, then in the other.
+/// Runs a generic case by turns in f64 and in arbitrary precision, each in its own rounds of the grid: of `every` so many
+/// cases, by default two, the last is in arbitrary precision. Or `all profiles` in one arithmetic, then in the other.
 macro_rules! by_turns {
     (every $count:literal, $module:ident::$case:ident $(, $argument:expr)*) => {
         |trial| {
@@ -80,7 +80,7 @@ macro_rules! by_turns {
     };
 }
 
-/// What runs a case of each check.
+/// The function that runs a case, for each check.
 const RUNS: &[(&str, Case)] = &[
     ("gamma-libraries", kappa::libraries),
     ("effective-modulus", known::effective_modulus),
@@ -134,7 +134,7 @@ const RUNS: &[(&str, Case)] = &[
     ("unit-of-length", by_turns!(identities::unit_of_length)),
 ];
 
-/// A line of the table; none where it cannot be read, or where nothing runs the check.
+/// Reads a line of the table; `None` if it cannot be read, or if nothing runs the check.
 fn check(line: &'static str) -> Option<Check> {
     let cells: [&str; 8] = line.split('\t').collect::<Vec<_>>().try_into().ok()?;
     let [name, claim, equations, unit, quick, default, full, subjects] = cells;

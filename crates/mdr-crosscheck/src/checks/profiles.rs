@@ -86,7 +86,7 @@ impl<R: Real> std::fmt::Display for Drawn<R> {
 }
 
 impl Drawn<f64> {
-    /// The same profile, exactly, in another arithmetic.
+    /// The drawn profile, exactly, in another arithmetic.
     pub(super) fn lifted<R: Real>(&self, ctx: R::Ctx) -> Drawn<R> {
         let [length, second, slope] = [self.length, self.second, self.slope].map(|value| R::from_f64(ctx, value));
         Drawn { name: self.name, length, second, slope }

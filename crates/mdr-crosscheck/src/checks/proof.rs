@@ -1,4 +1,4 @@
-//! What is proved over enclosures against closed forms and against the searches in f64, for every profile and control.
+//! Proofs over enclosures against closed forms and against the searches in f64, for every profile and control.
 
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ impl<R: Real> Side<R> {
     }
 }
 
-/// A contact of the library in f64 and over enclosures, each with derivatives too.
+/// A contact of the library in f64 and over enclosures, each also with derivatives.
 struct Library {
     rough: Side<f64>,
     steered: Side<Dual<f64>>,

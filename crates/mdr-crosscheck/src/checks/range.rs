@@ -1,8 +1,8 @@
 //! Certified digits over the whole range of exponents, 10⁻³⁰⁰ to 10³⁰⁰, up to thousands of digits.
 //!
-//! What steers an expansion (how many terms, how many bits for each) must hold where doubles overflow, too. So κ_n is computed
-//! again with none of its code, by the series of positive terms where n is small beside the bits, else by ln Γ of MPFR, and
-//! a, d and F from it by logarithms, all over intervals.
+//! The rules for an expansion (how many terms, how many bits for each) must hold even where doubles overflow. So κ_n is
+//! computed again with none of its code, by the series of positive terms where n is small beside the bits, else by ln Γ of
+//! MPFR, and a, d and F from it by logarithms, all over intervals.
 
 use mdr_analytic::PowerLaw;
 use mdr_core::contact::{Error, Quantity, Result, Transform};
@@ -44,7 +44,7 @@ impl Exact {
         Ok(Exact { scene, held })
     }
 
-    /// ln κ, ln a, ln|d| and ln|F| from (1.15) and (1.17); none of d where it is 0.
+    /// ln κ, ln a, ln|d| and ln|F| from (1.15) and (1.17); `None` for d if it is 0.
     fn logarithms(&self, bits: u32) -> [Option<Interval>; 4] {
         let enclose = |x: &Rational| Interval::from_rational(Precision::new(bits), x);
         let ln = |x: &Rational| enclose(x).ln();
@@ -116,9 +116,9 @@ fn kappa(n: &Rational, bits: u32) -> Interval {
     ln_kappa(&working(bits + size + 64)).exp()
 }
 
-/// Digits against the second algorithm, in units of the last decimal: half of one, and what the reference is uncertain by.
+/// Digits against the second algorithm, in units of the last decimal: half of one, and the uncertainty of the reference.
 pub(super) fn digits(trial: &mut Trial<'_>) -> Result<()> {
-    /// What the reference may be uncertain by, in units of the last digit.
+    /// The uncertainty that the reference may have, in units of the last digit.
     const SHARP: f64 = 1e-12;
     let exact = Exact::draw_widely(trial)?;
     let digits = trial.many_digits();

@@ -74,7 +74,7 @@ impl Leading {
         Leading { factor: Point::interval(&value), power: Rational::new(), exact: Some(value) }
     }
 
-    /// The same with the exact value of an operation on two exact values.
+    /// Adds the exact value of an operation on two exact values.
     fn knowing(mut self, parts: [&Self; 2], join: impl FnOnce(&Rational, &Rational) -> Rational) -> Self {
         if let [Some(left), Some(right)] = parts.map(|part| part.exact.as_ref()) {
             self.exact = Some(join(left, right));
@@ -95,7 +95,7 @@ struct Beside<'a> {
 }
 
 impl Beside<'_> {
-    /// What contains t^q for all t, q ≥ 0; the entire line for q < 0.
+    /// An interval that contains t^q for all t, q ≥ 0; the entire line for q < 0.
     fn range(&self, q: &Rational) -> Interval {
         match q.cmp0() {
             std::cmp::Ordering::Less => self.unknown().factor,
@@ -104,7 +104,7 @@ impl Beside<'_> {
         }
     }
 
-    /// What contains the value for all t.
+    /// An interval that contains the value for all t.
     fn values(&self, of: &Leading) -> Interval {
         of.factor.clone() * self.range(&of.power)
     }

@@ -1,5 +1,5 @@
 //! The derivations of `mdr-symbolic`, judged: normal forms where they decide, rigorous intervals at random rational points
-//! where they do not, and counter-examples for what is refuted.
+//! where they do not, and counter-examples for refuted statements.
 //!
 //! Values are enclosed in intervals of [`BITS`] bits. A step that is
 //!
@@ -12,7 +12,7 @@
 //! * *refuted* fails by normal forms, and there is a point where its two sides certainly differ.
 //!
 //! Each statement that is proved or enclosed is also mutated ([`Mutants`]): with one sign, exponent or factor wrong, or with the
-//! opposite sense, it must not hold. [`Document`] writes what was judged.
+//! opposite sense, it must not hold. [`Document`] writes the verdicts.
 
 mod direct;
 mod document;
@@ -42,7 +42,7 @@ pub const SPOT_CHECKS: u32 = 3;
 /// Bits to which two sides that overlap have to be known to count as certain.
 pub const AGREEMENT: i64 = 12;
 
-/// What became of an entry.
+/// The verdicts on an entry.
 #[derive(Debug)]
 pub struct Judgement {
     /// The entry.
@@ -51,7 +51,7 @@ pub struct Judgement {
     pub steps: Vec<StepJudgement>,
 }
 
-/// What became of a step.
+/// The verdicts on a step.
 #[derive(Debug)]
 pub struct StepJudgement {
     /// The step.
@@ -62,12 +62,12 @@ pub struct StepJudgement {
     pub points: u32,
     /// Points at which it was certain, of those.
     pub certain: u32,
-    /// What became of its mutants.
+    /// The verdicts on its mutants.
     pub mutants: Mutants,
 }
 
 impl Judgement {
-    /// Whether every step is what it claims to be, and no mutant survives.
+    /// Whether the claim of every step holds, and no mutant survives.
     pub fn holds(&self) -> bool {
         self.steps.iter().all(StepJudgement::holds)
     }
@@ -79,7 +79,7 @@ impl Judgement {
 }
 
 impl StepJudgement {
-    /// Whether the step is what it claims to be, and no mutant survives.
+    /// Whether the claim of the step holds, and no mutant survives.
     pub fn holds(&self) -> bool {
         self.failure.is_none() && self.mutants.count(MutantVerdict::Survives) == 0
     }
@@ -104,7 +104,7 @@ fn judge_step(step: &'static Step) -> StepJudgement {
     judgement
 }
 
-/// What intervals say about a statement at a point.
+/// The verdict of intervals on a statement at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Truth {
     Certain,
@@ -163,14 +163,14 @@ fn points(step: &Step, statement: &Statement, domain: Domain) -> Points {
     Points::new(&statement.text(), domain, step.point)
 }
 
-/// What intervals say about a statement at a point, without normal forms.
+/// The verdict of intervals on a statement at a point, without normal forms.
 fn truth_as_written(statement: &Statement, domain: Domain, point: &Point) -> Result<Truth, Error> {
     let side = |side| evaluate(side, domain, &Direct::<Interval>::new(point, []));
     let (left, right) = (side(&statement.left)?, side(&statement.right)?);
     Ok(if point.is_undefined() { Truth::Undefined } else { compare(&left, statement.relation, &right) })
 }
 
-/// What intervals say about a statement at a point, after normal forms have carried out its derivatives and integrals.
+/// The verdict of intervals on a statement at a point, after normal forms have carried out its derivatives and integrals.
 fn truth(statement: &Statement, domain: Domain, point: &Point) -> Result<Truth, Error> {
     let sides = |statement: &Statement| -> Result<_, Error> {
         Ok((evaluate(&statement.left, domain, point)?, evaluate(&statement.right, domain, point)?))

@@ -1,4 +1,4 @@
-//! What becomes of the mutants of a step.
+//! The mutants of a step, and the verdict on each.
 
 use std::iter::Sum;
 
@@ -9,7 +9,7 @@ use mdr_symbolic::{Decision, Domain, Error, Statement};
 use super::{POINTS, Truth, points, truth};
 
 named! {
-    /// What became of a mutant, over all domains of its step the least favourable; the best first.
+    /// The verdict on a mutant, over all domains of its step the least favourable; the best first.
     #[derive(PartialOrd, Ord)]
     pub enum MutantVerdict {
         /// Its normal forms differ, or their difference has the other sign.
@@ -19,15 +19,14 @@ named! {
         /// A side has certainly no value at any random point: a division by 0, a root of a negative number, an integral that
         /// diverges.
         Meaningless = "meaningless",
-        /// Neither normal forms nor intervals can tell: a side has no finite enclosure, or the two sides overlap without
-        /// agreeing.
+        /// Neither normal forms nor intervals decide: a side has no finite enclosure, or the two sides overlap without agreeing.
         Undecided = "undecided",
-        /// It holds, by normal forms or as far as intervals can tell: the statement says less than it seems to.
+        /// It holds, by normal forms or as far as intervals can show: the statement says less than it seems to.
         Survives = "NOT refuted",
     }
 }
 
-/// The distinct mutants of a step, or of several, and what became of each.
+/// The distinct mutants of a step, or of several, and the verdict on each.
 #[derive(Clone, Debug, Default)]
 pub struct Mutants(Vec<(Statement, MutantVerdict)>);
 
@@ -58,7 +57,7 @@ impl Mutants {
         self.with(verdict).count()
     }
 
-    /// Those of this verdict.
+    /// The mutants with this verdict.
     pub fn with(&self, verdict: MutantVerdict) -> impl Iterator<Item = &Statement> {
         self.0.iter().filter(move |(_, other)| *other == verdict).map(|(mutant, _)| mutant)
     }

@@ -30,10 +30,10 @@ impl Findings {
     /// Parts of a run: the tasks, and the ladders.
     pub const PARTS: usize = TASKS.len() + 1;
 
-    /// Asks everything; `begin` gets the name of each part when it begins.
+    /// Runs all comparisons and ladders; `begin` gets the name of each part when it begins.
     ///
     /// # Errors
-    /// Those of [`Task::comparisons`].
+    /// Errors of [`Task::comparisons`].
     pub fn new(level: Level, clock: Clock, mut begin: impl FnMut(&'static str)) -> Result<Self> {
         let mut tasks = Vec::with_capacity(TASKS.len());
         for task in TASKS {

@@ -41,7 +41,7 @@ pub(super) struct Approach {
 }
 
 impl Approach {
-    /// A line; none where it cannot be read.
+    /// Reads a line; `None` if it cannot be read.
     fn read(line: &'static str) -> Option<Self> {
         let [functions, family, toward, axis, values, inputs]: [&str; 6] =
             line.split('\t').collect::<Vec<_>>().try_into().ok()?;
@@ -98,7 +98,7 @@ fn is_named(known: &str, name: &str) -> bool {
     known.strip_suffix('*').map_or(name == known, |beginning| name.starts_with(beginning))
 }
 
-/// What a name in an expression means after these inputs.
+/// The value of a name in an expression after these inputs.
 fn value(name: &str, t: f64, inputs: &[f64]) -> f64 {
     match (name, inputs) {
         ("t", _) => t,

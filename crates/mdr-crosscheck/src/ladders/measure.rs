@@ -16,7 +16,7 @@ const END: u32 = 12_288;
 /// Relative accuracy in bits with which a result counts as known: 2⁻⁴⁰ of a roundoff.
 const NARROW: u32 = 93;
 
-/// What the exact result is, for the doubles given.
+/// The exact result for the doubles given.
 #[derive(Clone, Debug)]
 enum Reference {
     /// A number; zero is exact.
@@ -27,7 +27,7 @@ enum Reference {
     None(Error),
 }
 
-/// One question to a routine, with what became of it.
+/// One question to a routine, with its outcome.
 pub(super) fn rung(routine: &Routine, parameter: f64, inputs: &[f64]) -> Rung {
     let inputs = inputs.to_vec();
     let (reference, bits) = match reference(routine, &inputs) {
@@ -108,7 +108,7 @@ fn excess(found: f64, exact: &Float, condition: f64) -> f64 {
     (error / unit / condition.max(1.0)).log10().approx()
 }
 
-/// What became of the question.
+/// The outcome of a question.
 fn judge(answer: Result<Ranged<f64>>, reference: &Reference, condition: f64) -> Found {
     match (answer, reference) {
         (Ok(Ranged::Value(value)), Reference::Number(exact)) => number(value, &exact.mid(), condition),

@@ -1,12 +1,12 @@
 //! Stability ladders: how the error of a function in double precision grows while its question becomes hard.
 //!
 //! A [`Ladder`] leads one function in one dangerous direction: towards n = 1/2, to the fold, to the edge of a face, to the
-//! ends of the range of doubles. On each [`Rung`] the error of our answer stands beside what the question itself costs,
+//! ends of the range of doubles. On each [`Rung`] the error of our answer stands beside the cost of the question itself,
 //! max(1, condition) roundoffs, and beside the error of the formula as textbooks write it. The truth is an enclosure of the
 //! exact result for the doubles given, at a precision that rises until it is far narrower than a double. Which inputs lead a
 //! function where is a line of `data/ladders.tsv`.
 //!
-//! The **excess loss** log₁₀(error/(u·max(1, condition))) tells a bad algorithm from a badly conditioned question.
+//! The **excess loss** log₁₀(error/(u·max(1, condition))) distinguishes a bad algorithm from a badly conditioned question.
 //! Acceptance ([`Ladder::accepted`]): no NaN, no infinity and no zero where there is a number, and an excess loss of one
 //! digit at most.
 
@@ -81,7 +81,7 @@ pub struct Ladder {
     pub family: Family,
     /// Its direction, such as "n → 1/2 from above".
     pub toward: String,
-    /// What the parameter of the rungs is, such as "|n − 1/2|".
+    /// The parameter of the rungs, such as "|n − 1/2|".
     pub axis: String,
     /// The names of the inputs.
     pub inputs: Vec<String>,
@@ -96,17 +96,17 @@ pub struct Ladder {
 pub struct Rung {
     /// Where on the ladder.
     pub parameter: f64,
-    /// What the function was asked, to the last bit.
+    /// The inputs of the function, to the last bit.
     pub inputs: Vec<f64>,
-    /// Σ|xᵢ ∂f/∂xᵢ|/|f| over the inputs, without an n that is a whole number; none where the result is 0.
+    /// Σ|xᵢ ∂f/∂xᵢ|/|f| over the inputs, without an n that is a whole number; `None` if the result is 0.
     pub condition: Option<f64>,
-    /// What our function did.
+    /// The result of the library's function.
     pub found: Found,
     /// The error of the naive formula in ulp, infinite where it gives no number.
     pub naive_ulp: Option<f64>,
 }
 
-/// What became of a question.
+/// The outcome of a question.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Found {
@@ -119,8 +119,8 @@ pub enum Found {
     },
     /// An exact result is out of the range of doubles, and was said to be, with its log₁₀.
     Beyond {
-        /// log₁₀ of (the error of the log₁₀ over what rounding costs there); −∞ where the function says that it does not
-        /// know the log₁₀.
+        /// log₁₀ of (the error of the log₁₀ over the cost of rounding there); −∞ if the function reports that the log₁₀ is
+        /// unknown.
         excess: f64,
     },
     /// A result below the least double, rounded to 0 by a function that is documented to do so.
@@ -133,11 +133,11 @@ pub enum Found {
     Wrong(String),
 }
 
-/// The digits that may be lost beyond what the question costs.
+/// The digits that may be lost beyond the cost of the question itself.
 pub const MOST_EXCESS: f64 = 1.0;
 
 impl Rung {
-    /// The excess loss; none where there is no number.
+    /// The excess loss; `None` if there is no number.
     pub fn excess(&self) -> Option<f64> {
         match self.found {
             Found::Number { excess, .. } | Found::Beyond { excess } => Some(excess),
@@ -145,7 +145,7 @@ impl Rung {
         }
     }
 
-    /// The error in units in the last place; none where there is no number, or none in the range of doubles.
+    /// The error in units in the last place; `None` if there is no number in the range of doubles.
     pub fn ulp(&self) -> Option<f64> {
         match self.found {
             Found::Number { ulp, .. } => Some(ulp),
@@ -187,7 +187,7 @@ pub fn ladders(level: Level) -> Vec<Ladder> {
     ladders_of(level, "")
 }
 
-/// Those of the functions whose names contain a word.
+/// The ladders of the functions whose names contain a word.
 pub fn ladders_of(level: Level, word: &str) -> Vec<Ladder> {
     let all = level != Level::Quick;
     let cases: Vec<_> = cases().into_iter().filter(|(routine, ..)| routine.name.contains(word)).collect();

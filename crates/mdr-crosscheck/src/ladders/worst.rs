@@ -6,8 +6,8 @@ use thiserror::Error as ThisError;
 use super::{Found, Ladder, Rung, measure};
 use crate::subject::routines;
 
-/// The list. It only grows: `cargo run --release -p mdr-crosscheck --example ladders -- --worst` writes it anew, with what
-/// was there and what was found to be worse.
+/// The list. It only grows: `cargo run --release -p mdr-crosscheck --example ladders -- --worst` writes it anew, with its old
+/// lines and the inputs that were found to be worse.
 const KEPT: &str = include_str!("../../data/worst.jsonl");
 
 /// An input that did worst.
@@ -23,13 +23,13 @@ pub struct Worst {
     pub excess: f64,
 }
 
-/// A line that cannot be read, or asks a function that is not there.
+/// A line that cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, ThisError)]
 #[error("worst inputs, line {line}: {what}")]
 pub struct WorstError {
     /// From 1.
     pub line: usize,
-    /// What is wrong.
+    /// The reason.
     pub what: String,
 }
 
@@ -45,13 +45,13 @@ pub fn worst_inputs() -> Result<Vec<Worst>, WorstError> {
 }
 
 impl Worst {
-    /// Asks again; none where there is no such function any more.
+    /// Evaluates the function at the kept inputs again; `None` if the function no longer exists.
     pub fn ask(&self) -> Option<Rung> {
         let routine = routines().into_iter().find(|routine| routine.name == self.function)?;
         Some(measure::rung(&routine, f64::NAN, &self.inputs))
     }
 
-    /// The worst rung of each function and family that is an error at all, where it is worse than what is kept.
+    /// The worst rung of each function and family that is an error at all, if it is worse than the kept one.
     pub fn found(ladders: &[Ladder], kept: &[Worst]) -> Vec<Worst> {
         let mut all = kept.to_vec();
         for ladder in ladders {

@@ -278,13 +278,13 @@ fn sign(fate: ScaleFreeOutcome) -> i64 {
     }
 }
 
-/// C, E*, w: what a critical state depends on beside n.
+/// C, E*, w: the parameters of a critical state beside n.
 fn given<R: Real>(contact: &PowerLawContact<R>) -> [&R; 3] {
     let (profile, material) = (contact.profile(), contact.material());
     [profile.coefficient(), material.effective_modulus(), material.work_of_adhesion()]
 }
 
-/// a, C, E*, w: what a state along the equilibria depends on beside n.
+/// a, C, E*, w: the parameters of a state along the equilibria beside n.
 fn along<'a, R: Real>(contact: &'a PowerLawContact<R>, a: &'a R) -> [&'a R; 4] {
     let [c, e_star, work] = given(contact);
     [a, c, e_star, work]

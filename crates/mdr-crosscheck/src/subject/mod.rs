@@ -49,7 +49,7 @@ fn library_ids() -> impl Iterator<Item = SubjectId> {
 }
 
 impl SubjectId {
-    /// Those of a word of `data/checks.tsv`: one by its name, or all of the library or of the functions for f64.
+    /// The subjects of a word of `data/checks.tsv`: one by its name, or all of the library or of the functions for f64.
     pub(crate) fn named(word: &str) -> Option<Vec<SubjectId>> {
         match word {
             "Library" => Some(library_ids().collect()),

@@ -1,4 +1,4 @@
-//! Deliberate faults: what a mistake in a closed form would look like.
+//! Deliberate faults, as a mistake in a closed form would cause them.
 
 use std::fmt;
 
@@ -23,7 +23,7 @@ pub enum Mutation {
     Sign,
     /// A factor p/q too much.
     Factor(i64, i64),
-    /// A factor 1 + 2⁻ᵏ too much: what double precision can just see.
+    /// A factor 1 + 2⁻ᵏ too much, which is just visible in double precision.
     Slight(i64),
     /// The power of the named input is wrong by p/q.
     Exponent {

@@ -57,7 +57,7 @@ fn searched(x: &[f64], control: &Control<f64>) -> Result<Vec<Equilibrium<f64>>> 
     Ok(equilibria(&Arc::new(PowerLaw::new(x[0], x[1])?), &material(&x[2..])?, control, &x[4])?.equilibria)
 }
 
-/// The same in closed form.
+/// The equilibria of a power law in closed form, with the controlled value after E* and w.
 fn proved<R: Kappa>(x: &[R], control: &Control<R>) -> Result<Equilibria<R>> {
     contact(x)?.equilibria(control, &x[4])
 }
@@ -87,13 +87,13 @@ pub(crate) const EQUILIBRIA: [Routine; 4] = [
     equilibrium!("equilibria, dead load, inner a", "F", Force, first),
 ];
 
-/// What the fields of f64 say of a paraboloid [R, E*, w, a, …].
+/// The result of `ask` for the fields of f64 of a paraboloid [R, E*, w, a, …].
 fn fields<T>(x: &[f64], ask: impl Fn(&Fields<f64>) -> Result<T>) -> Result<T> {
     let (ball, material, control) = (Arc::new(Paraboloid::new(x[0])?), material(&x[1..])?, Control::Indentation);
     ask(&Fields::new(Contact::half_space(&ball, &material, &control), x[3])?)
 }
 
-/// What its energies are.
+/// The result of `ask` for the energies of a paraboloid.
 fn energy<T>(x: &[f64], ask: impl Fn(&Energy<f64>) -> Result<T>) -> Result<T> {
     let (ball, material) = (Arc::new(Paraboloid::new(x[0])?), material(&x[1..])?);
     ask(&Energy::new(Contact::half_space(&ball, &material, &Control::Indentation))?)

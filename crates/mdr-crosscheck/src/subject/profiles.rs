@@ -42,8 +42,8 @@ pub(crate) fn terms<R>(name: &str, mut parameter: impl FnMut(&'static str) -> R)
     names.into_iter().filter_map(Shape::by_name).map(|blank| blank.map(|key, ()| parameter(key))).collect()
 }
 
-/// The same with all inputs but the last for parameters, in the order of [`Shape::parameters`]. One that is not given is no
-/// number.
+/// The shapes of a profile with all inputs but the last for parameters, in the order of [`Shape::parameters`]. A parameter
+/// that is not given is no number.
 fn ordered<R: Real>(name: &str, inputs: &[R]) -> Vec<Shape<R>> {
     let mut given = inputs[..inputs.len() - 1].iter().cloned();
     terms(name, |_| given.next().unwrap_or_else(|| inputs[0].lit(0).over(0)))
@@ -73,7 +73,7 @@ fn library<R: Struve + Lift<R> + Kappa>(name: &str, inputs: &[R]) -> Result<Box<
     closed_form(ordered(name, inputs))
 }
 
-/// The same by quadrature of its heights.
+/// The profile of all inputs but the last, by quadrature of its heights.
 fn integrated(name: &str, inputs: &[f64]) -> Result<Quadrature<f64, Heights<f64>>> {
     Quadrature::of(ordered(name, inputs))
 }
@@ -112,7 +112,7 @@ macro_rules! parts {
     };
 }
 
-/// The same of a shape of the library.
+/// g, g' and ∫g of a shape of the library; the last input is x.
 macro_rules! profile {
     ($shape:ident $name:literal $inputs:tt $($formulas:tt)*) => {
         ProfileRoutines {

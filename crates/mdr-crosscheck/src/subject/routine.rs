@@ -11,7 +11,7 @@ pub(crate) struct Routine {
     pub(crate) name: &'static str,
     /// The names of its inputs.
     pub(crate) inputs: &'static [&'static str],
-    /// What is shipped.
+    /// The shipped function.
     pub(crate) shipped: fn(&[f64]) -> Result<Ranged<f64>>,
     /// The exact result for the same inputs.
     pub(crate) exact: Exact,
@@ -44,7 +44,7 @@ impl Routine {
     }
 }
 
-/// A [`Routine`] of the inputs `x`: what is shipped, `exact` the generic expression, `textbook` the formula and its value.
+/// A [`Routine`] of the inputs `x`: the shipped function, `exact` the generic expression, `textbook` the formula and its value.
 macro_rules! routine {
     (textbook) => { None };
     (textbook $formula:expr => $value:expr) => {

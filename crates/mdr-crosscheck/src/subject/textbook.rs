@@ -1,4 +1,4 @@
-//! The formulas as textbooks write them, in doubles: what a reader would type. They are no part of what is shipped.
+//! The formulas as textbooks write them, in doubles, as a reader would type them. They are not part of the shipped library.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ pub(crate) fn kappa(n: f64) -> f64 {
     PI.sqrt() * Gamma::gamma(&(1.0 + n / 2.0)) / Gamma::gamma(&((n + 1.0) / 2.0))
 }
 
-/// The same as e to the difference of two log-gammas, which does not overflow.
+/// κ_n as √π e to the difference of two log-gammas, which does not overflow.
 pub(crate) fn kappa_by_logarithms(n: f64) -> f64 {
     PI.sqrt() * (Gamma::ln_gamma(&(1.0 + n / 2.0)) - Gamma::ln_gamma(&((n + 1.0) / 2.0))).exp()
 }

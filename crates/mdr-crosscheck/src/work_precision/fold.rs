@@ -29,7 +29,7 @@ const BITS: u32 = 128;
 
 const CONTROL: Control<f64> = Control::Indentation;
 
-/// What is asked, and what a method may know beforehand.
+/// A question, with the data that a method may use beforehand.
 struct Question {
     name: &'static str,
     words: &'static str,
@@ -208,7 +208,7 @@ impl Question {
         ([a, kappa * c * a.powf(n) - (2.0 * n.pi() * a * work / e_star).sqrt()], 1)
     }
 
-    /// The search of `mdr_numeric`, which knows no bracket and finds all.
+    /// The search of `mdr_numeric`, which needs no bracket and finds all folds.
     fn search(&self) -> Result<Found> {
         let transform = self.counted(())?;
         let found = folds(&transform, &self.material()?, &CONTROL)?;

@@ -1,4 +1,4 @@
-//! κ_n in double precision: what this workspace computes beside what one would type.
+//! κ_n in double precision: the function of this workspace beside formulas that one would type.
 
 use std::f64::consts::PI;
 use std::hint::black_box;

@@ -1,7 +1,7 @@
 //! Error against run time: several methods answer the same question with growing effort, and each answer is compared with
 //! an enclosure of the exact result that shares no code with any of them.
 //!
-//! A [`Task`] asks several questions; a [`Comparison`] is one question, a [`Series`] one method, a [`Point`] one setting
+//! A [`Task`] has several questions; a [`Comparison`] is one question, a [`Series`] one method, a [`Point`] one setting
 //! of its effort. Beside the methods of this workspace stand those that one would type from a textbook. Errors and numbers
 //! of evaluations are a function of the source, up to the last bit of elementary functions of the system; a test compares
 //! them with `docs/report/work-precision.csv`. Times are measured only when the [`Clock`] runs.
@@ -38,7 +38,7 @@ use crate::Level;
 pub struct Task {
     /// Its name, with which the names of its comparisons begin.
     pub name: &'static str,
-    /// What is asked, in one line.
+    /// The questions, in one line.
     pub title: &'static str,
     comparisons: fn(Level, Clock) -> Result<Vec<Comparison>>,
 }
@@ -47,7 +47,8 @@ pub struct Task {
 pub const TASKS: [Task; 4] = [kappa::TASK, transform::TASK, fold::TASK, digits::TASK];
 
 impl Task {
-    /// Asks its questions. The settings at [`Level::Quick`] are some of those at the other levels, which are alike.
+    /// Lets all methods answer the questions. The settings at [`Level::Quick`] are some of those at the other levels, which are
+    /// alike.
     ///
     /// # Errors
     /// None that is known: every question has parameters in the domain of its functions.
@@ -61,14 +62,14 @@ impl Task {
 pub struct Comparison {
     /// Stable name: "transform-power-0.25".
     pub id: String,
-    /// What is asked.
+    /// The question in words.
     pub title: String,
     /// Where the enclosure of the exact result comes from.
     pub truth: &'static str,
-    /// Digits that the question leaves to any method in double precision: −log₁₀(u·max(1, condition)), u = 2⁻⁵³. None
-    /// where more than double precision is asked for.
+    /// Digits that the question leaves to any method in double precision: −log₁₀(u·max(1, condition)), u = 2⁻⁵³. `None` if
+    /// more than double precision is wanted.
     pub attainable: Option<f64>,
-    /// The methods; the first is what a user of this workspace gets.
+    /// The methods; the first is the one that a user of this workspace gets.
     pub series: Vec<Series>,
 }
 
@@ -88,12 +89,12 @@ pub struct Series {
 pub struct Point {
     /// The effort: "12 nodes", "50 digits", "4096 springs".
     pub setting: String,
-    /// What was reached.
+    /// The accuracy reached.
     #[serde(flatten)]
     pub outcome: Outcome,
     /// Evaluations of the integrand, function or spring that the method is made of, where they are counted.
     pub evaluations: Option<u64>,
-    /// Seconds that one answer took; none where the clock is off.
+    /// Seconds that one answer took; `None` if the clock is off.
     pub seconds: Option<f64>,
 }
 
@@ -127,7 +128,7 @@ impl Series {
 }
 
 impl Point {
-    /// Answers once for the error, then as often as the clock asks for the time.
+    /// Answers once for the error, then as often as the clock needs for the time.
     fn measure<T: Answer>(
         setting: impl Into<String>,
         clock: Clock,
@@ -163,7 +164,7 @@ const SHORTEST: Duration = Duration::from_millis(2);
 const LONGEST: Duration = Duration::from_secs(2);
 
 impl Clock {
-    /// Seconds that one call of `work` takes, in the median; none where the clock is off.
+    /// The median of the seconds that one call of `work` takes; `None` if the clock is off.
     ///
     /// ```
     /// use mdr_crosscheck::work_precision::Clock;

@@ -5,7 +5,7 @@ use mdr_core::number::{Interval, Real};
 use rug::Float;
 use serde::Serialize;
 
-/// What a method reached.
+/// The accuracy that a method reached.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "outcome", content = "digits", rename_all = "kebab-case")]
 pub enum Outcome {
@@ -66,7 +66,7 @@ impl Outcome {
         Outcome::Failed { failed: reason.to_string() }
     }
 
-    /// The digits that are certainly right; none for a failure.
+    /// The digits that are certainly right; `None` for a failure.
     pub fn digits(&self) -> Option<f64> {
         match self {
             Outcome::Digits(digits) | Outcome::AtLeast(digits) => Some(*digits),
@@ -87,7 +87,7 @@ impl Outcome {
     }
 }
 
-/// What a method returns.
+/// The answer of a method.
 pub(super) trait Answer {
     /// Compares it with enclosures of the exact results, one for each number.
     fn outcome(&self, truths: &[Interval]) -> Outcome;

@@ -70,7 +70,7 @@ pub(super) fn power(n: &Interval, x: &Interval) -> Interval {
     kappa::by_gamma(n) * x.pow(n)
 }
 
-/// What is asked: g(x).
+/// A question: g(x).
 struct Question {
     name: String,
     words: String,

@@ -43,20 +43,20 @@ pub(super) fn figure_4() -> Result<Picture> {
     Ok(Picture { title: "Figure 4: a wavy paraboloid jumps from crest to crest".to_owned(), description, panels })
 }
 
-/// What happens on pulling from d = 0.
+/// The events on pulling from d = 0.
 struct History {
     /// a_0.
     start: f64,
     jumps: Vec<Jump>,
 }
 
-/// What happens where the curves touch.
+/// The event where the curves touch.
 struct Jump {
     /// The radius there, in m.
     from: f64,
     /// The indentation, in m.
     d: f64,
-    /// The radius at which the contact comes to rest, in m; none when it breaks.
+    /// The radius at which the contact comes to rest, in m; `None` if it breaks.
     to: Option<f64>,
 }
 

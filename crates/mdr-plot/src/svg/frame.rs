@@ -203,7 +203,7 @@ fn corners([[left, y], [right, _]]: [Point; 2], half: f64) -> [Point; 4] {
     [[left, y - half], [right, y - half], [right, y + half], [left, y + half]]
 }
 
-/// The data of a path through the places, broken where one is not finite. Places that nobody can tell apart are one.
+/// The data of a path through the places, broken where one is not finite. Indistinguishable places are one.
 fn polyline(places: &[Point]) -> String {
     let mut path = String::new();
     for part in places.split(|place| !place.iter().all(|x| x.is_finite())).filter(|part| part.len() > 1) {
@@ -220,7 +220,7 @@ fn polyline(places: &[Point]) -> String {
     path
 }
 
-/// The same, closed.
+/// The data of a closed path through the places.
 fn outline(places: &[Point]) -> String {
     format!("{}Z", polyline(places))
 }

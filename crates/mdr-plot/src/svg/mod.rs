@@ -42,7 +42,7 @@ const PALETTE: [(Colour, &str, &str, &str); 8] = [
 /// All that does not depend on light and dark, a rule a line. Halos keep labels legible on lines.
 const STYLE: &str = include_str!("style.css");
 
-/// What depends on them: name, in light, in the dark.
+/// The colours that depend on light and dark: name, light, dark.
 const SHADES: [(&str, &str, &str); 5] = [
     ("var-page", "#ffffff", "#1a1e23"),
     ("var-text", "#1c2127", "#e9ecef"),
@@ -59,7 +59,8 @@ impl Picture {
         self.svg_in(Theme::Auto)
     }
 
-    /// The same in fixed colours, for a page that is light or dark whatever the reader's system is, or for print.
+    /// The SVG in fixed colours, for print, or for a page that is light or dark whatever the system of the reader is. See
+    /// [`svg`](Picture::svg).
     pub fn svg_in(&self, theme: Theme) -> String {
         // Three panels fill a row; of other numbers two do.
         let columns = if self.panels.len() == 3 { 3 } else { self.panels.len().clamp(1, 2) };
@@ -93,7 +94,7 @@ impl Picture {
     }
 }
 
-/// The style sheet. Colours are written out, since some programs that print SVG know no variables.
+/// The style sheet. Colours are written out, since some programs that print SVG do not support variables.
 fn style(theme: Theme) -> String {
     let shaded = |dark: bool| {
         let colours = PALETTE
@@ -276,7 +277,7 @@ impl Room {
         Self::around(centre, width, height)
     }
 
-    /// What lies between a place and the middle of a room beside it.
+    /// The gap between a place and the middle of a room beside it.
     fn between([x, y]: Point, room: &Room) -> Self {
         let [u, v] = room.centre;
         let reach = |from: f64, to: f64, half: f64| ((to - from).abs() - half).max(1.0);

@@ -60,7 +60,7 @@ impl From<Status> for Answer {
 }
 
 impl Answer {
-    /// The same with a claimed bound of the absolute error.
+    /// Adds a claimed bound of the absolute error.
     ///
     /// # Errors
     /// [`ClaimError`] if it is negative or not finite.
@@ -71,7 +71,7 @@ impl Answer {
         }
     }
 
-    /// The same with a status, for example for the 0 that results from a number below the range of doubles.
+    /// Adds a status, for example for the 0 that results from a number below the range of doubles.
     pub fn with_status(self, status: Status) -> Self {
         Answer { status: Some(status), ..self }
     }
@@ -102,7 +102,7 @@ impl Answer {
     /// texts, decimal or hexadecimal; also as C prints them, `-nan` or `0x1.8p-3` without quotation marks. No key may be given twice.
     ///
     /// # Errors
-    /// What is wrong with the line.
+    /// A message about the fault of the line.
     pub fn from_json(line: &str) -> Result<(String, Answer), String> {
         let json = read_tolerant(line)?;
         let Json::Object(entries) = &json else {

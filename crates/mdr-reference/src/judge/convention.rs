@@ -1,7 +1,7 @@
-//! Conventions that programs mistake for those of the records, and the answers that follow from each.
+//! Conventions that programs mistake for the conventions of the records, and the answers that follow from each.
 //!
 //! A mistaken convention changes an input or the unit of an answer by a known factor, or answers a question next to the
-//! one that was asked. What it makes of a certified value is exact: most values are monomials of their inputs, and the
+//! one that was asked. Its effect on a certified value is exact: most values are monomials of their inputs, and the
 //! others have a sibling among the records. No equation is solved here.
 
 use std::f64::consts::PI;
@@ -13,12 +13,12 @@ use crate::record::{Record, Status};
 pub(crate) struct Convention {
     /// A stable name.
     pub(crate) name: String,
-    /// What follows `if` in a sentence.
+    /// The words after `if` in a sentence.
     pub(crate) statement: String,
     change: Change,
 }
 
-/// What a convention does to an answer.
+/// The effect of a convention on an answer.
 #[derive(Clone, Copy)]
 enum Change {
     /// An input, `w`, `E*` or `R`, is taken to be this many times as large.
@@ -39,7 +39,7 @@ enum Change {
 const POISSON: [&str; 10] = ["0.2", "0.25", "0.28", "0.3", "0.33", "0.35", "0.4", "0.45", "0.49", "0.5"];
 
 impl Convention {
-    /// All that are tested: those of `data/conventions.tsv`, the ones with a Poisson's ratio last and for each ratio.
+    /// All conventions of `data/conventions.tsv`, which are tested; those with a Poisson's ratio come last, once for each ratio.
     pub(crate) fn all() -> Vec<Convention> {
         let table = include_str!("../../data/conventions.tsv");
         let (of_poisson, plain): (Vec<_>, Vec<_>) =
@@ -49,7 +49,7 @@ impl Convention {
         plain.chain(of_poisson).filter_map(|(line, ratio)| Convention::read(line, ratio)).collect()
     }
 
-    /// The convention of a line of the table for a Poisson's ratio; none for a line that cannot be read.
+    /// The convention of a line of the table for a Poisson's ratio; `None` if the line cannot be read.
     fn read(line: &'static str, ratio: &str) -> Option<Convention> {
         let cells: [&str; 6] = line.split('\t').collect::<Vec<_>>().try_into().ok()?;
         let [name, statement, change, of, factor, power] = cells;
@@ -73,8 +73,8 @@ impl Convention {
         Some(Convention { name, statement, change })
     }
 
-    /// What a program with this convention answers where the certified value is `value`; none where this cannot be told
-    /// from the record, or is no normal double.
+    /// The answer of a program with this convention where the certified value is `value`; `None` if it does not follow from the
+    /// record, or is no normal double.
     pub(crate) fn predict(&self, record: &Record, value: f64) -> Option<f64> {
         let scaled = |factor: f64| Some(value * factor);
         let predicted = match self.change {
@@ -97,7 +97,7 @@ pub(crate) fn normal(record: &Record) -> Option<f64> {
     Some(record.nearest()).filter(|value| is_number && value.is_normal())
 }
 
-/// The power of an input to which the value is proportional; none where it is no monomial.
+/// The power of an input to which the value is proportional; `None` if the value is no monomial.
 ///
 /// At a given share of the critical state d ∝ √(wa/E*), F ∝ √(E*w) a^(3/2) and an energy ∝ wa² (1.16, 1.17). The contact radius
 /// itself is that of a punch, or (1.15 with its exponent corrected) a ∝ (w/(E*C²))^p, p = 1/(2n − 1).

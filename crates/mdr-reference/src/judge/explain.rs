@@ -11,19 +11,19 @@ use crate::record::Record;
 /// and a program that always prints the same number may agree with any.
 const LEAST: usize = 3;
 
-/// The relative difference up to which an answer agrees with what a convention predicts: that of six printed digits.
+/// The relative difference up to which an answer agrees with the prediction of a convention: that of six printed digits.
 const AGREES: f64 = 1e-5;
 
-/// The relative difference from the certified value below which a prediction tells nothing.
+/// The relative difference from the certified value below which a prediction is not used.
 const DIFFERS: f64 = 1e-3;
 
 /// The digits of a double that are compared.
 const DIGITS: f64 = 15.0;
 
-/// A mistaken convention, or several that cannot be told apart, that would make answers what they are.
+/// A mistaken convention, or several indistinguishable ones, that would explain the answers.
 ///
-/// Reported is what explains three different answers at least, to questions with different inputs, each to five digits or
-/// more.
+/// A convention is reported if it explains at least three different answers, to questions with different inputs, each to
+/// five digits or more.
 /// A convention is left out when it would make wrong an answer that is right, about a state of which it explains another
 /// answer, and when another convention explains all that it does, and more.
 ///
@@ -46,7 +46,7 @@ const DIGITS: f64 = 15.0;
 pub struct Explanation {
     /// Stable names of the conventions; more than one where each explains the same answers.
     pub names: Vec<String>,
-    /// What each says, in the same order.
+    /// The statement of each, in the same order.
     pub statements: Vec<String>,
     /// How many answers agree with it.
     pub explained: usize,
@@ -81,7 +81,7 @@ struct Compared<'a> {
     answer: f64,
 }
 
-/// What one convention explains.
+/// The answers that one convention explains.
 struct Match {
     convention: Convention,
     explanation: Explanation,
@@ -170,14 +170,14 @@ impl<'a> Compared<'a> {
         (&self.record.formula, self.record.control.as_deref(), &self.record.inputs)
     }
 
-    /// What a convention predicts; none where that is nothing, or the certified value itself.
+    /// The prediction of a convention; `None` if there is none, or if it is the certified value itself.
     fn predicted(&self, convention: &Convention) -> Option<f64> {
         let predicted = convention.predict(self.record, self.certified)?;
         (((predicted - self.certified) / self.certified).abs() > DIFFERS).then_some(predicted)
     }
 }
 
-/// A number to six digits, to tell whether two are the same.
+/// A number to six digits, for comparing two numbers.
 fn rounded(value: f64) -> String {
     format!("{value:.5e}")
 }

@@ -86,7 +86,7 @@ impl<'a> Judge<'a> {
     /// Judges the answers on all lines. Empty lines are skipped; lines that are not answers are counted.
     ///
     /// # Errors
-    /// Those of reading.
+    /// Errors of reading.
     pub fn read(&mut self, mut from: impl BufRead) -> io::Result<()> {
         let mut line = Vec::new();
         loop {

@@ -14,7 +14,7 @@ pub struct Judged<'a> {
     pub line: u64,
     /// The judgement.
     pub mark: Mark,
-    /// The double nearest to the answer; none where it is no finite number.
+    /// The double nearest to the answer; `None` if it is no finite number.
     pub value: Option<f64>,
 }
 

@@ -6,7 +6,7 @@ use crate::judge::maugis_unit;
 use crate::record::{Record, Status};
 use crate::table::{Cell, Column, Table};
 
-/// The questions, by the part of an identifier before its quantity, and what is to be learnt from each.
+/// The questions, by the part of an identifier before its quantity, each with a note on its purpose.
 const CASES: &str = include_str!("../../data/jkr-sphere.tsv");
 
 const fn text(name: &'static str) -> Column {
@@ -50,7 +50,7 @@ pub(super) fn table() -> Table {
     }
 }
 
-/// What the records say about one question: up to three of them, with the same inputs.
+/// The row of one question, from up to three records with the same inputs.
 fn row(case: &str, note: &str) -> Option<Vec<Cell>> {
     let of_case = |record: &&Record| record.id.rsplit_once('/').is_some_and(|(id, _)| id == case);
     let given: Vec<&Record> = records().iter().filter(of_case).collect();

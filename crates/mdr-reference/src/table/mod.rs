@@ -18,7 +18,7 @@ pub use write::TableFormat;
 pub struct Table {
     /// Its name: small letters and hyphens.
     pub name: &'static str,
-    /// What it holds, on one line.
+    /// The content of the table, on one line.
     pub title: &'static str,
     /// The columns.
     columns: &'static [Column],
@@ -37,7 +37,7 @@ struct Column {
 #[derive(Clone, Debug, PartialEq)]
 enum Cell {
     Text(String),
-    /// A finite double; none where there is no number.
+    /// A finite double; `None` if there is no number.
     Number(Option<f64>),
 }
 

@@ -4,7 +4,7 @@ use super::*;
 use proptest::prelude::*;
 use serde_json::Value;
 
-/// The same value as serde_json reads.
+/// Whether a value equals the one that serde_json reads.
 fn agrees(ours: &Json<'_>, theirs: &Value) -> bool {
     match (ours, theirs) {
         (Json::Null, Value::Null) => true,

@@ -3,7 +3,7 @@
 use super::{Claim, Entry, Step, entries};
 use crate::formula::Definition;
 
-/// What stands before the statements.
+/// The text before the statements.
 const BEGIN: &str = include_str!("../../data/statements.v");
 
 impl Step {
@@ -47,7 +47,7 @@ pub fn statements_in_coq(entries: impl IntoIterator<Item = &'static Entry>) -> S
     format!("{BEGIN}\n(** ** The formulas that have a name *)\n{named}\n{steps}")
 }
 
-/// What docs/proofs/Steps.v leaves out, with the reason: the table that `make proofs` compares with it.
+/// The statements that docs/proofs/Steps.v leaves out, each with the reason: the table that `make proofs` compares with it.
 const LEFT_OUT: &str = include_str!("../../data/left_out.tsv");
 
 impl Step {

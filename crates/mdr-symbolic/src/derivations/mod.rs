@@ -21,7 +21,7 @@ use crate::domain::Domain;
 use crate::error::Result;
 use crate::statement::{Decision, Statement};
 
-/// The claim of a step. What is shown of it is its [`Verdict`].
+/// The claim of a step. Whether and how it is shown is its [`Verdict`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Claim {
     /// True, by normal forms.
@@ -89,7 +89,7 @@ impl Step {
     /// The decision by normal forms, on each domain. Empty for a step that is enclosed or cited.
     ///
     /// # Errors
-    /// As [`Step::statement`].
+    /// None for the steps of this crate, whose statements all parse.
     pub fn check(&self) -> Result<Vec<(Domain, Decision)>> {
         match (self.claim, self.statement()?) {
             (Claim::Proved | Claim::Refuted, Some(statement)) => {
@@ -103,7 +103,7 @@ impl Step {
     /// enclosed or cited.
     ///
     /// # Errors
-    /// As [`Step::statement`].
+    /// None for the steps of this crate, whose statements all parse.
     pub fn contradictions(&self) -> Result<Vec<(Domain, Decision)>> {
         let as_claimed = |decision: &Decision| match self.claim {
             Claim::Refuted => matches!(decision, Decision::Refuted { .. }),
@@ -116,7 +116,7 @@ impl Step {
     /// cited.
     ///
     /// # Errors
-    /// As [`Step::statement`].
+    /// None for the steps of this crate, whose statements all parse.
     pub fn holds(&self) -> Result<bool> {
         Ok(self.contradictions()?.is_empty())
     }
@@ -125,7 +125,7 @@ impl Step {
     /// Empty for a step that is refuted or cited.
     ///
     /// # Errors
-    /// As [`Step::statement`].
+    /// None for the steps of this crate, whose statements all parse.
     pub fn mutants(&self) -> Result<Vec<Statement>> {
         let holds = matches!(self.claim, Claim::Proved | Claim::Enclosed);
         Ok(self.statement()?.filter(|_| holds).map(|statement| statement.mutants()).unwrap_or_default())

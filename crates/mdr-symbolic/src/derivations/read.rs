@@ -1,6 +1,6 @@
-//! Reads the entries from `data/derivations.txt`, which tells its format at its head.
+//! Reads the entries from `data/derivations.txt`, whose format is described at its head.
 //!
-//! What is read lives as long as the program, as if it stood in the source.
+//! The entries live as long as the program, as if they stood in the source.
 
 use super::{Claim, Entry, Erratum, Step};
 use crate::domain::Domain;
@@ -20,7 +20,7 @@ impl Draft {
         Entry { assumptions: assumptions.leak(), steps: steps.leak(), references: references.leak(), ..entry }
     }
 
-    /// Takes in a field; none for one that there is not, or that is not in its place.
+    /// Takes in a field; `None` if it is unknown or not in its place.
     fn take(&mut self, keyword: &str, detail: &str, text: &'static str) -> Option<()> {
         let step = |claim, domains, statement, why| Step { claim, domains, statement, point: &[], why };
         match (keyword, detail) {
@@ -66,7 +66,7 @@ pub(super) fn read(text: &'static str) -> Result<Vec<Entry>, String> {
     Ok(drafts.into_iter().map(Draft::finish).collect())
 }
 
-/// What stands before the colon of each field, and its text on one line.
+/// The keyword before the colon of each field, and its text on one line.
 fn fields(text: &'static str) -> Result<Vec<(&'static str, &'static str)>, String> {
     let mut fields: Vec<(&str, String)> = Vec::new();
     for line in text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {

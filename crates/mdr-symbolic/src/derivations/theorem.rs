@@ -12,7 +12,7 @@ pub struct Theorem {
     pub name: &'static str,
     /// The file below docs/proofs.
     pub file: &'static str,
-    /// What it says.
+    /// The statement in words.
     pub says: &'static str,
 }
 

@@ -1,9 +1,9 @@
-//! What is shown of a step, or of an entry as a whole.
+//! The verdict on a step, or on an entry as a whole.
 
 use super::{Claim, Entry, Step};
 use crate::statement::{Relation, Statement};
 
-/// What is shown, from the strongest to the weakest.
+/// The verdict on a step or an entry, from the strongest to the weakest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
     /// A theorem that Coq's kernel has checked.
@@ -72,7 +72,7 @@ impl Statement {
 }
 
 impl Step {
-    /// What is shown, where the step holds.
+    /// The verdict on the step, provided that it holds.
     pub fn verdict(&self) -> Verdict {
         let statement = self.statement().ok().flatten();
         let single = !self.point.is_empty() || statement.as_ref().is_some_and(Statement::is_number);
@@ -91,8 +91,8 @@ impl Step {
 }
 
 impl Entry {
-    /// What is shown of the entry: refuted where the equation as printed is; a theorem where Coq has checked its claim; else the
-    /// verdict of its weakest step.
+    /// The verdict on the entry: refuted if the equation as printed is; a theorem if Coq has checked its claim; else the
+    /// verdict on its weakest step.
     pub fn verdict(&self) -> Verdict {
         if self.refuted {
             return Verdict::Refuted;
@@ -103,7 +103,7 @@ impl Entry {
         self.weakest()
     }
 
-    /// The verdict of the weakest step that counts: what refutes the printed form, or repeats a definition, does not. An
+    /// The verdict of the weakest step that counts: a step that refutes the printed form, or repeats a definition, does not. An
     /// entry of which no step counts shows nothing: its verdict is that of a definition.
     pub fn weakest(&self) -> Verdict {
         let steps = self.steps.iter().map(Step::verdict);

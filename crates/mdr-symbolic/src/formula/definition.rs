@@ -18,13 +18,13 @@ struct Entry {
     formula: &'static str,
 }
 
-/// Those of `data/definitions.tsv`.
+/// All definitions, from `data/definitions.tsv`.
 static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
     let entry = |[name, text, tex, coq, formula]: [&'static str; 5]| Entry { name, text, tex, coq, formula };
     rows(include_str!("../../data/definitions.tsv")).map(entry).collect()
 });
 
-/// Their formulas.
+/// The formulas of the definitions, parsed.
 static FORMULAS: LazyLock<Vec<Result<Formula>>> =
     LazyLock::new(|| ENTRIES.iter().map(|entry| entry.formula.parse()).collect());
 

@@ -1,4 +1,4 @@
-//! What a formula divides by, as it is written.
+//! The divisors of a formula as it is written.
 //!
 //! A normal form has lost the divisors that cancel: x²/x² is 1. A formula without a value, such as x²/x² at x = 0, is
 //! recognised by the divisors of the tree.
@@ -38,7 +38,7 @@ impl Divisor {
     /// Whether it leaves the formula without a value on the whole domain once values are put in.
     ///
     /// # Errors
-    /// As [`Formula::normalise`], and those of `put_in`.
+    /// Errors of [`Formula::normalise`] and of `put_in`.
     fn is_pole(&self, domain: Domain, put_in: &impl Fn(&Quotient) -> Result<Quotient>) -> Result<bool> {
         let there = put_in(&self.part.normalise(domain)?)?;
         let is_zero = there.numerator().is_zero();
@@ -139,7 +139,7 @@ impl Formula {
         Ok(found)
     }
 
-    /// What this formula itself divides by, apart from its parts.
+    /// The divisor of this formula itself, apart from those of its parts.
     fn own_divisor(&self) -> Option<Divisor> {
         let (part, role) = match self {
             Formula::Quotient(_, below) => (&**below, Role::Denominator),
@@ -164,7 +164,7 @@ impl Formula {
         here.into_iter().chain(self.parts().into_iter().flat_map(Formula::symbols)).collect()
     }
 
-    /// What stands below a fraction bar or under a negative integer power, with the values that are substituted there: the
+    /// The formulas below a fraction bar or under a negative integer power, with the values that are substituted there: the
     /// hypotheses of a statement in Coq. Of an integrand, which may be infinite at single points, nothing is listed.
     pub(crate) fn divisors(&self) -> Vec<Formula> {
         match self {

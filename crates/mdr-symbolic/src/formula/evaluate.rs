@@ -39,7 +39,7 @@ pub trait Arithmetic {
     /// carried out exactly, by normal forms.
     ///
     /// # Errors
-    /// Those of [`Formula::normalise`].
+    /// Errors of [`Formula::normalise`].
     fn operation(&self, formula: &Formula, domain: Domain) -> Result<Self::Value>
     where
         Self: Sized,
@@ -51,7 +51,7 @@ pub trait Arithmetic {
 /// The value of a formula, part by part as it is written.
 ///
 /// # Errors
-/// Those of [`Arithmetic::operation`].
+/// Errors of [`Arithmetic::operation`].
 pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A) -> Result<A::Value> {
     let of = |formula: &Formula| evaluate(formula, domain, arithmetic);
     let combine = |parts: &[Formula], start: i32, join: fn(&A, &A::Value, &A::Value) -> A::Value| {

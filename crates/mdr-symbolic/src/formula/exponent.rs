@@ -53,7 +53,7 @@ impl Formula {
         }
     }
 
-    /// The formula with what its names abbreviate in their place, κ of a number too, and values put in where nothing has
+    /// The formula with its names replaced by their definitions, including κ of a number, and values put in where nothing has
     /// to be calculated.
     pub(crate) fn unfolded(&self) -> Formula {
         let inner = |definition: Definition| definition.formula().map_or_else(|_| self.clone(), |it| it.unfolded());

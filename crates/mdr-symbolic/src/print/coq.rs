@@ -78,7 +78,7 @@ impl Free {
         self.symbols.extend(radius);
     }
 
-    /// What is free beside a name; beside n also the κ that belongs to it is not.
+    /// Collects the free variables other than a bound name; if the name is n, the κ that belongs to it is also bound.
     fn collect_without(&mut self, inner: &Formula, bound: &str) {
         let within = Free::of(inner);
         self.n |= within.n && bound != "n";

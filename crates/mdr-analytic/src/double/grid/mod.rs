@@ -68,7 +68,7 @@ pub struct Points<'a> {
 /// One material for all points, or one for each.
 #[derive(Clone, Copy, Debug)]
 pub enum Materials<'a> {
-    /// The same for all points.
+    /// One material for all points.
     One(&'a Material<f64>),
     /// One for each point.
     Each {
@@ -115,7 +115,8 @@ pub fn critical_states(points: &Points<'_>, control: &Control<f64>, states: &mut
 /// [`critical_states`] with the instructions of `path`.
 ///
 /// # Errors
-/// As [`critical_states`].
+/// [`Error::Length`] when slices differ in length, [`Error::Domain`] for a machine whose stiffness is not positive and
+/// finite. Failures at a point are reported by its status.
 pub fn critical_states_on(
     path: Path,
     points: &Points<'_>,

@@ -35,7 +35,7 @@ pub struct BranchSlices<'a> {
 pub struct InverseBatch<'a> {
     /// Stable for n < 1/2.
     pub smaller: BranchSlices<'a>,
-    /// Stable for n > 1/2. The only equilibrium at n = 1/2, stable or not, is stored here too.
+    /// Stable for n > 1/2. The only equilibrium at n = 1/2, stable or not, is also stored here.
     pub larger: BranchSlices<'a>,
     /// The number of equilibria, or why there is none.
     pub status: &'a mut [Status],

@@ -91,7 +91,7 @@ impl Inverse {
         Ok(Inverse { n, c, material, held, path, word, constants, better })
     }
 
-    /// The same contact, evaluated with the instruction set of `path`.
+    /// Selects the instruction set `path` for the evaluation.
     #[must_use]
     pub fn with_instructions(self, path: Path) -> Self {
         Inverse { path, ..self }
@@ -116,7 +116,7 @@ impl Inverse {
         }
     }
 
-    /// The same for a single value.
+    /// The equilibria at a single value, without computing constants from two words.
     #[inline]
     fn once(&self, value: f64) -> Result<Equilibria<Ranged<f64>>> {
         finite(value)?;

@@ -70,7 +70,7 @@ impl Expression {
     /// Where the formula is not smooth, and where it ends, with these values of its parameters.
     ///
     /// # Errors
-    /// As [`Expression::bind`]; where the formula jumps, and where its kinks accumulate at the axis.
+    /// A parameter without a value, at its column; a formula that jumps; kinks that accumulate at the axis.
     pub fn breaks(&self, values: &BTreeMap<String, Literal>) -> Result<Breaks, ExpressionError> {
         let root = self.with_values(values)?;
         let mut parts = Vec::new();
@@ -167,7 +167,7 @@ impl Break {
 }
 
 impl<R: Special> ExpressionProfile<R> {
-    /// The same profile with the kinks and the end of its formula.
+    /// Sets the kinks of the profile, and the radius where its formula ends.
     pub fn broken_at(self, ctx: R::Ctx, breaks: &Breaks) -> Self {
         let kinks = breaks.kinks.iter().map(|kink| kink.in_arithmetic(ctx)).collect();
         let outer = breaks.outer.as_ref().map(|end| end.in_arithmetic(ctx));

@@ -25,7 +25,7 @@ use crate::text::excerpt;
 pub struct ExpressionError {
     /// The position in the formula, counted in characters from 1.
     pub column: usize,
-    /// What is wrong there, and what is expected.
+    /// The fault at that position, and the expected form.
     pub reason: String,
 }
 
@@ -114,7 +114,7 @@ functions! {
 const EXTREMES: [(&str, Operator); 2] = [("min", Operator::Minimum), ("max", Operator::Maximum)];
 
 impl<C> Node<C> {
-    /// The same formula with every constant replaced.
+    /// The formula with every constant replaced.
     fn map<D, E>(&self, replace: &mut impl FnMut(&C) -> Result<D, E>) -> Result<Node<D>, E> {
         Ok(match self {
             Node::Variable => Node::Variable,
@@ -199,10 +199,11 @@ impl Expression {
         Ok(ExpressionProfile { root, kinks: Vec::new(), outer: None, known_to: None })
     }
 
-    /// The same with the values of its parameters in that arithmetic, such as dual numbers of an unknown.
+    /// The formula with parameter values in the arithmetic of the result, such as dual numbers of an unknown. For values as
+    /// literals see [`Expression::bind`].
     ///
     /// # Errors
-    /// As [`Expression::bind`].
+    /// A parameter without a value, at its column.
     pub fn bind_numbers<R: Special>(
         &self,
         ctx: R::Ctx,

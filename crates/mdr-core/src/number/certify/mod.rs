@@ -19,7 +19,7 @@ pub fn require_digits(digits: u32) -> Result<u32> {
     Err(Error::Domain { quantity: Quantity::Digits, value: digits.to_string(), requirement: "from 1 to 1000000" })
 }
 
-/// What is proved about a real number.
+/// The proved information about a real number.
 #[derive(Clone, Debug)]
 pub enum Enclosure {
     /// The number lies in this interval.

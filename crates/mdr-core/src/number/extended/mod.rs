@@ -122,7 +122,7 @@ impl<const N: usize> Extended<N> {
         self.error
     }
 
-    /// The same number with a relative error larger by `units` of 2^(−64N).
+    /// This number with a relative error larger by `units` of 2^(−64N).
     #[inline]
     #[must_use]
     pub fn widened(self, units: f64) -> Self {
@@ -132,7 +132,7 @@ impl<const N: usize> Extended<N> {
         Self::from_parts(self.negative, self.limbs, self.exponent, units + Self::second_order(self.error))
     }
 
-    /// The same number with an absolute error larger by 2^exponent.
+    /// This number with an absolute error larger by 2^exponent.
     fn blurred(self, exponent: i64) -> Self {
         if self.is_zero() {
             return Self::around_zero(exponent);

@@ -20,7 +20,7 @@ impl Document<'_> {
     }
 }
 
-/// What stands before the notation, with the numbers that it names.
+/// The text before the notation, with the numbers that it names.
 fn introduction() -> String {
     let numbers = [
         ("{AGREEMENT}", AGREEMENT.to_string()),

@@ -10,7 +10,7 @@ use mdr_symbolic::{Decision, Domain};
 
 use super::{AGREEMENT, Judgement, MutantVerdict, Mutants, StepJudgement};
 
-/// What is written.
+/// The choice of derivations that a document contains.
 ///
 /// ```
 /// use mdr_crosscheck::derivations::{Document, judge};
@@ -24,7 +24,7 @@ pub enum Document<'a> {
     All(&'a [Judgement]),
     /// The steps of one entry.
     One(&'a Judgement),
-    /// What is to be corrected in the paper, with the steps that show it.
+    /// The corrections to the paper, with the steps that show them.
     Errata(&'a [Judgement]),
 }
 
@@ -73,7 +73,7 @@ fn joined(texts: &[&str], write: impl Fn(&str) -> String) -> String {
     texts.iter().map(|text| write(text)).collect::<Vec<_>>().join("; ")
 }
 
-/// What holds for the symbols of every statement of an entry.
+/// The hypotheses on the symbols of every statement of an entry.
 fn hypotheses(judgement: &Judgement) -> String {
     let names = |statement: &'static str| statement.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\''));
     let mut used = judgement.steps.iter().filter_map(|step| step.step.statement).flat_map(names);
@@ -90,7 +90,7 @@ fn shown(name: &str) -> &str {
     if name == "E" { "E*" } else { name }
 }
 
-/// What normal forms show on the first domain: the witness of a proof or of a refutation.
+/// The witness of a proof or of a refutation by normal forms on the first domain.
 fn witness(step: &StepJudgement) -> Option<mdr_symbolic::Witness> {
     match step.step.check().ok()?.into_iter().next()?.1 {
         Decision::Proved { because } | Decision::Refuted { because } => Some(because),
@@ -128,7 +128,7 @@ fn verdicts(mutants: &Mutants, shown: impl Fn(MutantVerdict) -> bool) -> String 
     verdicts.map(|verdict| format!("{} {}", mutants.count(verdict), verdict.name())).collect::<Vec<_>>().join(", ")
 }
 
-/// How many distinct mutants there were, and what became of them.
+/// The number of distinct mutants, and the verdicts on them.
 fn mutants(mutants: &Mutants) -> String {
     let occurs = |verdict| mutants.count(verdict) > 0;
     match (mutants.len(), &MutantVerdict::ALL.into_iter().filter(|verdict| occurs(*verdict)).collect::<Vec<_>>()[..]) {

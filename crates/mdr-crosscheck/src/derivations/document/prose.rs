@@ -19,7 +19,7 @@ pub(super) fn render(text: &str, words: impl Fn(&str) -> String, math: impl Fn(&
         .collect()
 }
 
-/// A row of `data/signs.tsv`; what there is not is empty.
+/// A row of `data/signs.tsv`; missing parts are empty.
 pub(super) struct Sign {
     /// In prose.
     pub(super) character: &'static str,
@@ -27,7 +27,7 @@ pub(super) struct Sign {
     pub(super) tex: &'static str,
     /// Of TeX, in a formula.
     command: &'static str,
-    /// What stands for the command in a line of text.
+    /// The replacement of the command in a line of text.
     text: &'static str,
 }
 
@@ -86,7 +86,7 @@ fn plain(tex: &str) -> String {
 mod tests {
     use super::*;
 
-    /// No command of TeX is left in what a terminal shows.
+    /// No command of TeX is left in the text for a terminal.
     #[test]
     fn every_text_is_plain_on_a_terminal() {
         for entry in mdr_symbolic::derivations::entries() {
