@@ -5,6 +5,8 @@
     allow(dead_code, unused_imports, reason = "what reads is not called")
 )]
 
+#[cfg(feature = "toml")]
+mod depth;
 mod inputs;
 mod material;
 mod measured;

@@ -14,6 +14,7 @@ pub(crate) struct Source {
     text: String,
     /// Where the files are that it names.
     folder: PathBuf,
+    #[cfg_attr(not(feature = "serde"), expect(dead_code, reason = "without serde no text is read as JSON"))]
     is_json: bool,
 }
 
@@ -148,6 +149,9 @@ fn toml_node(text: &str, document: &Document<'_>) -> Result<Node> {
         table.iter().map(entry).collect()
     }
 
+    if let Some(at) = super::depth::too_deep(text) {
+        return Err(document.place(at..at, "not TOML").refuse(too_deep()));
+    }
     match DeTable::parse(text) {
         Ok(table) => match entries(table.get_ref(), 0) {
             Some(entries) => Ok(Node { span: 0..0, content: Content::Table(entries), type_name: "table" }),
