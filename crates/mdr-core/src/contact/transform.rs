@@ -151,6 +151,10 @@ macro_rules! forward {
                 (**self).rises()
             }
 
+            fn work(&self) -> u64 {
+                (**self).work()
+            }
+
             fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
                 (**self).kink(index, margin)
             }

@@ -153,7 +153,7 @@ impl Want {
     }
 
     /// How many rows it has at least, by what is given.
-    pub(super) fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         let radii = match self {
             Want::Transform { at } | Want::Curve { at } => return at.len(),
             Want::ForceCurve { points } => return *points as usize,
