@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
 mod bad_input;
+mod budgets;
 mod critical;
 mod decimal;
 mod dependencies;

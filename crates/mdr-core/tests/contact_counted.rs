@@ -3,7 +3,9 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use mdr_core::contact::{CountingTransform, Error, EvaluationCounter, Evaluations, Kink, Quantity, Result, Transform};
+use mdr_core::contact::{
+    Budget, CountingTransform, Error, EvaluationCounter, Evaluations, Kink, Quantity, Result, Transform,
+};
 
 /// Returns a different value from every method, none of them the default of the trait.
 struct Peculiar;
@@ -128,4 +130,23 @@ fn a_count_can_be_shared() {
     let [one, other] = [(); 2].map(|()| CountingTransform::new(Box::new(Peculiar), &tally));
     assert!(one.g(&1.0).is_ok() && other.g(&1.0).is_ok());
     assert_eq!((one.evaluations().g, other.evaluations().g), (2, 2));
+}
+
+/// Two counts with one budget: what one spends the other lacks, by the weight of each.
+#[test]
+fn a_budget_can_be_shared() {
+    let budget = Arc::new(Budget::default());
+    let [light, heavy] = [1, 10].map(|weight| {
+        let tally = Arc::new(EvaluationCounter::default().within(&budget));
+        CountingTransform::new(Box::new(Peculiar), &tally).weighing(weight)
+    });
+    assert!((0..20).all(|_| heavy.g(&1.0).is_ok()), "without a limit nothing ends");
+    budget.allow(12);
+    assert!(heavy.g(&1.0).is_ok() && light.g(&1.0).is_ok() && light.slope(&1.0).is_ok());
+    assert_eq!(
+        (light.g(&1.0), heavy.mean(&1.0)),
+        (Err(Error::BudgetSpent { evaluations: 2 }), Err(Error::BudgetSpent { evaluations: 21 }))
+    );
+    budget.allow(1);
+    assert!(light.g(&1.0).is_ok() && light.g(&1.0).is_err());
 }

@@ -197,6 +197,7 @@ fn extend_to_end<R: Real>(
             Ok(ends_above || !equator)
         }
         // The survey has already reported that it could not reach the end.
+        [Err(error), _] | [_, Err(error)] if error.is_interruption() => Err(error),
         [Ok(before), Err(_)] => Ok(before > before.lit(1)),
         [Err(_), _] => Ok(true),
     }

@@ -56,6 +56,13 @@ pub(crate) struct Range<'a, R> {
     pub(crate) heights: u64,
 }
 
+/// A search that has seen nothing.
+impl<R> Default for Survey<R> {
+    fn default() -> Self {
+        Survey { crossings: Vec::new(), resolved: false, flat: false, widest: f64::INFINITY }
+    }
+}
+
 impl<'a, R: Real> Range<'a, R> {
     /// All radii of a profile, in units of ℓ = `scale`.
     pub(crate) fn whole(transform: &'a dyn Transform<R>, scale: R) -> Self {
@@ -90,9 +97,9 @@ const CEILING: f64 = 600.0;
 /// Finds the crossings of `ratio` through one, which must not be one up to rounding over a whole panel.
 ///
 /// # Errors
-/// [`Error::Undecided`] where it is.
+/// [`Error::Undecided`] where it is; as [`crossings`].
 pub(crate) fn survey<R: Real>(range: &Range<'_, R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Survey<R>> {
-    let found = crossings(range, ratio);
+    let found = crossings(range, ratio)?;
     if found.flat {
         let what = "which radius it is: the condition holds up to rounding over a whole range of them";
         return Err(Error::undecided(Quantity::ContactRadius, &range.scale, what));
@@ -101,15 +108,30 @@ pub(crate) fn survey<R: Real>(range: &Range<'_, R>, ratio: impl Fn(&R) -> Result
 }
 
 /// Finds the crossings of `ratio` through one.
-pub(crate) fn crossings<R: Real>(range: &Range<'_, R>, ratio: impl Fn(&R) -> Result<R>) -> Survey<R> {
+///
+/// # Errors
+/// [`Error::Stopped`] and [`Error::BudgetSpent`]: what was found up to there is not all.
+pub(crate) fn crossings<R: Real>(range: &Range<'_, R>, ratio: impl Fn(&R) -> Result<R>) -> Result<Survey<R>> {
     let roundoff = range.scale.unit_roundoff().approx();
     let crossings = Vec::new();
     let kinks = range.kinks.iter().map(|kink| position(kink, &range.scale)).collect();
     let scale = &range.scale;
     let (resolved, flat, widest, panels) = (true, false, 0.0, 0);
     let (transform, last) = (range.transform, range.transform.work().saturating_add(range.heights));
-    let mut search =
-        Search { transform, last, scale, kinks, ratio, roundoff, crossings, resolved, flat, widest, panels };
+    let mut search = Search {
+        transform,
+        last,
+        scale,
+        kinks,
+        ratio,
+        roundoff,
+        crossings,
+        resolved,
+        flat,
+        widest,
+        panels,
+        ended: None,
+    };
     let mut edge: Option<Sample> = None;
     for (lower, upper) in cut(range) {
         let (first, last) = search.panel(lower, upper, 0);
@@ -120,10 +142,13 @@ pub(crate) fn crossings<R: Real>(range: &Range<'_, R>, ratio: impl Fn(&R) -> Res
             search.push(before, after);
         }
         edge = last;
+        if let Some(error) = search.ended {
+            return Err(error);
+        }
     }
     search.crossings.sort_by(|a, b| order(&a.lower, &b.lower));
     let Search { crossings, resolved, flat, widest, .. } = search;
-    Survey { crossings, resolved, flat, widest }
+    Ok(Survey { crossings, resolved, flat, widest })
 }
 
 /// The radius up to which a search goes before an outer radius.
@@ -205,16 +230,24 @@ struct Search<'a, R, F> {
     /// The largest step between the samples of panels that were not halved.
     widest: f64,
     panels: usize,
+    /// What ended the evaluations.
+    ended: Option<Error>,
 }
 
 impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
     /// Searches one panel, which is nested in `quiet` quiet ones; returns its first and last sample, if they exist.
     fn panel(&mut self, lower: f64, upper: f64, quiet: usize) -> (Option<Sample>, Option<Sample>) {
+        if self.ended.is_some() {
+            return (None, None);
+        }
         if self.crossings.len() >= MOST || self.transform.work() >= self.last {
             self.resolved = false;
             return (None, None);
         }
         let (samples, blind) = self.samples(lower, upper);
+        if self.ended.is_some() {
+            return (None, None);
+        }
         self.panels += 1;
         let (first, last) = (samples[0], samples[DEGREE]);
         let known: Vec<Sample> = samples.into_iter().flatten().collect();
@@ -259,11 +292,17 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
     fn samples(&mut self, lower: f64, upper: f64) -> ([Option<Sample>; DEGREE + 1], bool) {
         let mut blind = false;
         let samples = std::array::from_fn(|i| {
+            if self.ended.is_some() {
+                return None;
+            }
             let t = lower * (1.0 - share(i)) + upper * share(i);
             match (self.ratio)(&radius(self.scale, t)) {
                 Ok(ratio) => sample(t, &ratio),
                 Err(Error::OutOfRange { .. } | Error::Domain { .. }) => None,
-                Err(_) => {
+                Err(error) => {
+                    if error.is_interruption() {
+                        self.ended = Some(error);
+                    }
                     blind = true;
                     None
                 }

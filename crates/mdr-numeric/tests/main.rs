@@ -6,6 +6,7 @@ mod claims;
 mod contact;
 mod dugdale;
 mod fields;
+mod interruption;
 mod path;
 mod path_energy;
 mod printed;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use mdr_core::contact::{self, EvaluationCounter, Evaluations};
+use mdr_core::contact::{self, Budget, EvaluationCounter, Evaluations};
 
 use crate::answer::{Output, OutputKind};
 use crate::scene::Want;
@@ -72,9 +72,10 @@ impl Stop {
         Arc::new(EvaluationCounter::until(&self.0))
     }
 
-    /// The same for each arithmetic.
+    /// One for each arithmetic, with a budget that they share.
     pub(crate) fn counts(&self) -> Counts {
-        std::array::from_fn(|_| self.tally())
+        let budget = Arc::new(Budget::default());
+        std::array::from_fn(|_| Arc::new(EvaluationCounter::until(&self.0).within(&budget)))
     }
 }
 
@@ -97,11 +98,10 @@ pub struct Run<'a> {
 /// machine is.
 pub const BUDGET: f64 = 10.0;
 
-/// What may be spent in a second of the budget in each of the [`ARITHMETICS`], in values of g and in heights of its
-/// quadratures.
-const PER_SECOND: [f64; ARITHMETICS.len()] = [1e7, 5e5, 4e5, 4e5];
-/// So many values of what is controlled have the budget of one output.
-const VALUES: usize = 64;
+/// The unit of work is a nanosecond of a machine of 2024: solve/weight.rs says what an evaluation costs.
+const PER_SECOND: f64 = 1e9;
+/// So many rows of an output have the budget of one.
+const ROWS: usize = 64;
 
 impl<'a> Run<'a> {
     /// With an observer and a stop.
@@ -109,18 +109,18 @@ impl<'a> Run<'a> {
         Run { observer: Some(observer), stop, budget: None }
     }
 
-    /// The same with another [`BUDGET`]. What is not found within it is `undecided`.
+    /// The same with another [`BUDGET`] for each output, and for each 64 rows of a long one. What is not found within it is
+    /// `undecided`.
     #[must_use]
     pub fn within(self, seconds: f64) -> Self {
         Run { budget: Some(seconds), ..self }
     }
 
-    /// Allows the work for an output with so many values of what is controlled.
-    pub(crate) fn allow(&self, counts: &Counts, values: usize) {
-        let seconds = self.budget.unwrap_or(BUDGET) * (1 + values / VALUES) as f64;
-        for (count, rate) in counts.iter().zip(PER_SECOND) {
-            count.allow((rate * seconds) as u64);
-        }
+    /// Allows the work for an output with so many rows.
+    pub(crate) fn allow(&self, counts: &Counts, rows: usize) {
+        let seconds = self.budget.unwrap_or(BUDGET) * (1 + rows / ROWS) as f64;
+        // They share it.
+        counts[0].allow((PER_SECOND * seconds) as u64);
     }
 }
 

@@ -42,11 +42,50 @@ impl Sub for Evaluations {
 #[derive(Debug, Default)]
 pub struct EvaluationCounter {
     counts: [AtomicU64; 3],
-    /// The work done within the transforms, as far as it is counted there.
-    work: AtomicU64,
-    /// The sum of counts and work up to which evaluations are allowed; 0 without a limit.
-    limit: AtomicU64,
+    budget: Arc<Budget>,
     stop: Arc<AtomicBool>,
+}
+
+/// The work that may be spent, which several counts may share.
+///
+/// ```
+/// use mdr_core::contact::Budget;
+/// let budget = Budget::default();
+/// assert!(!budget.is_spent()); // without a limit it never is
+/// budget.allow(2);
+/// budget.spend(2);
+/// assert!(budget.is_spent());
+/// budget.allow(1);
+/// assert!(!budget.is_spent());
+/// ```
+#[derive(Debug, Default)]
+pub struct Budget {
+    spent: AtomicU64,
+    /// The work up to which evaluations are allowed; 0 without a limit.
+    limit: AtomicU64,
+}
+
+impl Budget {
+    /// Allows so much work from now on.
+    pub fn allow(&self, work: u64) {
+        self.limit.store(self.spent().saturating_add(work).max(1), Ordering::Relaxed);
+    }
+
+    /// The work that was spent so far.
+    pub fn spent(&self) -> u64 {
+        self.spent.load(Ordering::Relaxed)
+    }
+
+    /// Spends some.
+    pub fn spend(&self, work: u64) {
+        self.spent.fetch_add(work, Ordering::Relaxed);
+    }
+
+    /// Whether nothing is left.
+    pub fn is_spent(&self) -> bool {
+        let limit = self.limit.load(Ordering::Relaxed);
+        limit > 0 && self.spent() >= limit
+    }
 }
 
 impl EvaluationCounter {
@@ -55,21 +94,29 @@ impl EvaluationCounter {
         EvaluationCounter { stop: Arc::clone(stop), ..Self::default() }
     }
 
-    /// Allows so much from now on: evaluations, and the [work](Transform::work) within them. Once it is spent every evaluation
-    /// returns [`Error::BudgetSpent`].
+    /// A count with a budget that others share. Once it is spent every evaluation returns [`Error::BudgetSpent`].
+    #[must_use]
+    pub fn within(self, budget: &Arc<Budget>) -> Self {
+        EvaluationCounter { budget: Arc::clone(budget), ..self }
+    }
+
+    /// Allows so much work from now on: a [weight](CountingTransform::weighing) for each evaluation, and for each height within
+    /// it. Once it is spent every evaluation returns [`Error::BudgetSpent`].
     pub fn allow(&self, work: u64) {
-        self.limit.store(self.spent().saturating_add(work).max(1), Ordering::Relaxed);
+        self.budget.allow(work);
     }
 
-    fn spent(&self) -> u64 {
-        self.read().total().saturating_add(self.work.load(Ordering::Relaxed))
+    /// The work that was spent so far, of all that share the budget.
+    pub fn spent(&self) -> u64 {
+        self.budget.spent()
     }
 
-    /// Counts the work of a transform during an evaluation.
-    fn working<T>(&self, work: impl Fn() -> u64, evaluate: impl FnOnce() -> T) -> T {
-        let before = work();
+    /// Counts what a transform does during an evaluation.
+    fn working<T>(&self, weight: u64, heights: impl Fn() -> u64, evaluate: impl FnOnce() -> T) -> T {
+        let before = heights();
         let value = evaluate();
-        self.work.fetch_add(work().saturating_sub(before), Ordering::Relaxed);
+        let heights = heights().saturating_sub(before);
+        self.budget.spend(weight.saturating_mul(heights.max(1)));
         value
     }
 
@@ -105,6 +152,7 @@ impl EvaluationCounter {
 pub struct CountingTransform<R> {
     inner: Arc<dyn Transform<R>>,
     tally: Arc<EvaluationCounter>,
+    weight: u64,
 }
 
 impl<R: Real> CountingTransform<R> {
@@ -115,7 +163,13 @@ impl<R: Real> CountingTransform<R> {
 
     /// Counts the evaluations through this wrapper into `tally`; `inner` may be shared.
     pub fn sharing(inner: Arc<dyn Transform<R>>, tally: &Arc<EvaluationCounter>) -> Self {
-        CountingTransform { inner, tally: Arc::clone(tally) }
+        CountingTransform { inner, tally: Arc::clone(tally), weight: 1 }
+    }
+
+    /// Counts with a weight: an evaluation of a closed form, or a height of a quadrature, costs so much of the budget; 1 by default.
+    #[must_use]
+    pub fn weighing(self, weight: u64) -> Self {
+        CountingTransform { weight: weight.max(1), ..self }
     }
 
     /// The evaluations so far, of all transforms that share the count.
@@ -128,12 +182,11 @@ impl<R: Real> CountingTransform<R> {
         if tally.stop.load(Ordering::Relaxed) {
             return Err(Error::Stopped);
         }
-        let (limit, spent) = (tally.limit.load(Ordering::Relaxed), tally.spent());
-        if limit > 0 && spent >= limit {
-            return Err(Error::BudgetSpent { evaluations: spent });
+        if tally.budget.is_spent() {
+            return Err(Error::BudgetSpent { evaluations: tally.read().total() });
         }
         tally.counts[part].fetch_add(1, Ordering::Relaxed);
-        tally.working(|| self.inner.work(), || evaluate(&*self.inner))
+        tally.working(self.weight, || self.inner.work(), || evaluate(&*self.inner))
     }
 }
 

@@ -148,10 +148,10 @@ pub enum Error {
     },
     /// The work that may be spent on an answer was spent before it was found.
     #[error(
-        "the budget was spent, after {evaluations} evaluations of g and of what it is made of, before this was decided"
+        "the budget was spent, with {evaluations} evaluations of g in this arithmetic so far, before this was decided"
     )]
     BudgetSpent {
-        /// Evaluations spent.
+        /// Evaluations of g, of its slope and of its integral so far.
         evaluations: u64,
     },
     /// The computation was stopped by its caller.
@@ -182,6 +182,12 @@ pub enum Error {
 }
 
 impl Error {
+    /// Whether all further evaluations end with this error, so that nothing is said of the one at which it came:
+    /// [`Stopped`](Error::Stopped) or [`BudgetSpent`](Error::BudgetSpent).
+    pub fn is_interruption(&self) -> bool {
+        matches!(self, Error::Stopped | Error::BudgetSpent { .. })
+    }
+
     /// An input outside its domain.
     pub fn domain<R: Real>(quantity: Quantity, value: &R, requirement: &'static str) -> Error {
         Error::Domain { quantity, value: printed(value), requirement }

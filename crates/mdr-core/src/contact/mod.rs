@@ -12,7 +12,7 @@ mod state;
 mod transform;
 
 pub use control::{Control, ControlKind};
-pub use counted::{CountingTransform, EvaluationCounter, Evaluations};
+pub use counted::{Budget, CountingTransform, EvaluationCounter, Evaluations};
 pub use error::{Error, Quantity, Result};
 #[cfg(feature = "mp")]
 pub use expression::{Breaks, FormulaShape, Lowest, LowestRing};

@@ -57,7 +57,7 @@ impl Terrain {
         };
         // Where g is constant up to rounding its direction does not matter.
         let reach = [(scale / lower).ln(), (upper / scale).ln()];
-        let found = survey::crossings(&Range { reach, ..Range::whole(&*transform, scale) }, ratio);
+        let found = survey::crossings(&Range { reach, ..Range::whole(&*transform, scale) }, ratio).unwrap_or_default();
         let (resolved, width) = (found.resolved, found.widest.exp_m1());
         let searched = [lower, upper];
         let mut radii = kinks.clone();
@@ -83,6 +83,8 @@ impl Terrain {
             })
             .collect();
         terrain.least.reverse();
+        // Where the work was ended on the way, edges may be missing or misplaced.
+        terrain.resolved &= !terrain.transform.g(&scale).is_err_and(|error| error.is_interruption());
         terrain.panels = terrain.edges.iter().skip(1).map(|_| OnceLock::new()).collect();
         terrain
     }

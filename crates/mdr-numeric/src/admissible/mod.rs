@@ -141,7 +141,9 @@ impl Admissibility {
     pub fn basis(&self) -> Basis {
         match &self.terrain {
             None => Basis::Bound,
-            Some(terrain) if self.touch.is_some() => Basis::Unproved { width: terrain.width },
+            Some(terrain) if self.touch.is_some() && terrain.width.is_finite() => {
+                Basis::Unproved { width: terrain.width }
+            }
             Some(terrain) if terrain.resolved => Basis::Searched,
             Some(_) => Basis::Doubtful,
         }

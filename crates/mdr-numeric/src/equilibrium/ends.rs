@@ -36,7 +36,10 @@ impl<R: Real> SearchedBranches<R> {
         let tends = rising == (at_beginning == Ordering::Less);
         // If g is known at the outer radius itself, the search includes the end.
         let outer = self.curve.transform().outer_radius();
-        let at_outer = outer.and_then(|outer| self.curve.direction_at(&outer, value).ok());
+        let at_outer = match outer.map(|outer| self.curve.direction_at(&outer, value)) {
+            Some(Err(error)) if error.is_interruption() => return Err(error),
+            direction => direction.and_then(Result::ok),
+        };
         Ok(tends && at_outer.is_none_or(|direction| sign(&direction) != at_beginning))
     }
 

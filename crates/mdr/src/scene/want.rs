@@ -153,7 +153,7 @@ impl Want {
     }
 
     /// The least number of rows of the output, by the given values.
-    pub(super) fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         let radii = match self {
             Want::Transform { at } | Want::Curve { at } => return at.len(),
             Want::ForceCurve { points } => return *points as usize,

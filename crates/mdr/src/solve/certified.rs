@@ -17,7 +17,7 @@ use super::proof::{self, FoldProof};
 use super::refine::refined;
 use super::search::{Search, not_proved};
 use super::states::States;
-use super::{once, outputs};
+use super::{Once, once, outputs};
 use crate::answer::record::Numbers;
 use crate::answer::{
     AtValue, Completeness, EnergyState, Equilibrium, Field, FieldState, List, LoadingPath, Number, Output, Promise,
@@ -33,9 +33,9 @@ pub(crate) struct Certified<'s> {
     pub(super) scene: &'s Scene,
     pub(super) digits: u32,
     counts: &'s Counts,
-    search: OnceCell<Search<'s>>,
-    folds: OnceCell<Option<FoldProof>>,
-    admissibility: OnceCell<Arc<Admissibility>>,
+    search: Once<Search<'s>>,
+    folds: Once<Option<FoldProof>>,
+    admissibility: Once<Arc<Admissibility>>,
 }
 
 /// The states at values, in the arithmetic of an estimate.

@@ -7,8 +7,9 @@ use mdr_numeric::path::ContactState;
 
 use super::path::{changes, follow, quantities};
 use super::states::States;
-use super::summary::summary;
+use super::summary::{summary, unknown};
 use crate::answer::{ForceCurve, ForceSample, List, Number, Optional, Promise, Value};
+use crate::run::lack;
 use crate::scene::Scene;
 
 /// At least so many samples between two events.
@@ -41,11 +42,11 @@ impl States<'_, f64> {
             for index in 0..=count {
                 let value = if index == count { to.value } else { from.value + step * (index as f64 / count as f64) };
                 let state = match index {
-                    0 => from.after.clone(),
-                    _ if index == count => to.before.clone(),
-                    _ => between(branches, &from.after, &to.before, value)?,
+                    0 => Ok(from.after.clone()),
+                    _ if index == count => Ok(to.before.clone()),
+                    _ => lack(between(branches, &from.after, &to.before, value))?,
                 };
-                samples.extend(sample(model.control(), segment, step, value, &state));
+                samples.extend(sample(model.control(), segment, step, value, state)?);
             }
         }
         let summary = summary(model, &path, branches, &samples)?;
@@ -70,26 +71,43 @@ fn between(
     let branch = branches.folds().partition_point(below);
     match branches.on_branch(branch, &value)? {
         Some(state) => Ok(ContactState::Contact(state)),
-        None => Err(Error::no_equilibrium(branches.control().quantity(), &value)),
+        // There is one, between those of the two events.
+        None => {
+            let what = "the equilibrium, of which f64 does not find the contact radius";
+            Err(Error::undecided(branches.control().quantity(), &value, what))
+        }
     }
 }
 
-/// None where the surfaces touch everywhere.
+/// None where the surfaces touch everywhere; without the numbers of a state that was not found.
 fn sample(
     control: &Control<f64>,
     segment: usize,
     step: f64,
     value: f64,
-    state: &ContactState<f64>,
-) -> Option<ForceSample> {
+    state: Result<ContactState<f64>>,
+) -> Result<Option<ForceSample>> {
     let known = |value: Value<f64>| value.and_then(|value| Value::Known(Number::Double(value)));
-    let [contact_radius, indentation, force] = quantities(control, state, &value).map(|quantity| quantity.map(known));
-    Some(ForceSample {
+    let numbers = match state {
+        Ok(state) => quantities(control, &state, &value),
+        Err(error) => {
+            let open = Some(unknown(error)?);
+            let held = Some(Value::Known(value));
+            match control {
+                Control::Indentation => [open.clone(), held, open],
+                Control::Force => [open.clone(), open, held],
+                Control::Machine { .. } => [open.clone(), open.clone(), open],
+            }
+        }
+    };
+    let [contact_radius, indentation, force] = numbers.map(|quantity| quantity.map(known));
+    let Some(force) = force else { return Ok(None) };
+    Ok(Some(ForceSample {
         segment,
         direction: if step < 0.0 { "retract" } else { "approach" },
         position: Optional(matches!(control, Control::Machine { .. }).then(|| known(Value::Known(value)))),
         indentation,
-        force: force?,
+        force,
         contact_radius,
-    })
+    }))
 }

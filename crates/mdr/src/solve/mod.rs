@@ -36,6 +36,7 @@ pub(crate) mod states;
 mod summary;
 mod undecided;
 mod unused;
+mod weight;
 
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -70,7 +71,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
             observer.begin(want);
         }
         let before = counts.each_ref().map(|count| count.read());
-        run.allow(&counts, want.values().len());
+        run.allow(&counts, rows(scene, want));
         let output = solver.output(want);
         // A stop may have been taken for a number that cannot be had.
         if run.stop.is_stopped() {
@@ -109,13 +110,26 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     })
 }
 
+/// How many rows an output has at least, by what is given.
+fn rows(scene: &Scene, want: &Want) -> usize {
+    let way = if matches!(want.kind(), OutputKind::Path | OutputKind::ForceCurve) { scene.path.len() } else { 0 };
+    want.rows().max(way)
+}
+
 /// What is computed when something needs it, and once.
-fn once<T>(cell: &OnceCell<T>, compute: impl FnOnce() -> contact::Result<T>) -> contact::Result<&T> {
-    if let Some(known) = cell.get() {
-        return Ok(known);
-    }
-    let found = compute()?;
-    Ok(cell.get_or_init(|| found))
+type Once<T> = OnceCell<contact::Result<T>>;
+
+/// The result of a computation that was made before, or now. One that spent the budget is not made again for the next output,
+/// which would spend its own on it.
+fn once<T>(cell: &Once<T>, compute: impl FnOnce() -> contact::Result<T>) -> contact::Result<&T> {
+    let known = match cell.get() {
+        Some(known) => known,
+        None => match compute() {
+            Err(error) if !matches!(error, contact::Error::BudgetSpent { .. }) => return Err(error),
+            found => cell.get_or_init(|| found),
+        },
+    };
+    known.as_ref().map_err(Clone::clone)
 }
 
 /// The branches of a scene in f64, `octaves` beyond its folds, for a drawing.
@@ -177,10 +191,11 @@ impl<'s> Solver<'s> {
                 output => output,
             },
             Route::Certified(certified) => certified.output(want),
-        }?;
-        match law {
-            Some(law) => law.checked(output, want.values()),
-            None => Ok(output),
+        };
+        match (law, output) {
+            (Some(law), Ok(output)) => law.checked(output, want.values()),
+            (Some(law), Err(error)) => Err(law.doubted(error)),
+            (None, output) => output,
         }
     }
 

@@ -12,6 +12,7 @@ use mdr_core::number::{Dual, Interval};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 
+use super::weight::weight;
 use crate::run::Counts;
 use crate::scene::{Profile, Scene};
 #[cfg(feature = "mp")]
@@ -77,7 +78,8 @@ impl<R: SceneReal> Model<R> {
     fn with(scene: &Scene, ctx: R::Ctx, material: Material<R>, control: Control<R>, counts: &Counts) -> Result<Self> {
         let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
         let transform = transform(&scene.profile, ctx, number, R::accepted(scene, ctx).as_ref())?;
-        let transform = Arc::new(CountingTransform::new(transform, &counts[R::INDEX]));
+        let transform = CountingTransform::new(transform, &counts[R::INDEX]);
+        let transform = Arc::new(transform.weighing(weight(&scene.profile, R::INDEX, R::from_int(ctx, 1).precision())));
         Ok(Model { ctx, contact: Contact::sharing(transform, (&material).into(), (&material).into(), control) })
     }
 

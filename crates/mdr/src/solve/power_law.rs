@@ -186,6 +186,20 @@ impl<'s> PowerLaw<'s> {
         Ok(Output::Field(field, list))
     }
 
+    /// A start of the path that f64 does not find exists where the closed forms have it.
+    pub(super) fn doubted(&self, error: Error) -> Error {
+        let Error::NoEquilibrium { quantity, .. } = error else { return error };
+        let start = |first: &Literal| law_path::start(self, &self.curve(super::digits::start(self.digits))?, first);
+        match self.scene.path.first().map(start) {
+            Some(Ok(None)) | None => error,
+            Some(_) => {
+                let what = "where the curve begins: the contact radius of that state is beyond the range of f64, in which the \
+                            curve is searched; path has its events";
+                Error::Undecided { quantity, bits: f64::MANTISSA_DIGITS, what }
+            }
+        }
+    }
+
     fn path(&self) -> Result<PathNumbers<Number>> {
         decide(self.digits, |precision| law_path::events(self, &self.curve(precision)?))
     }

@@ -11,7 +11,7 @@ use mdr_numeric::folds::{self, Folds, OutOfRangeFold, SearchQuality};
 
 use super::model::Model;
 use super::states::States;
-use super::{admissible, once, outputs, sample};
+use super::{Once, admissible, once, outputs, sample};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Field, List, LoadingPath, Number, Output, Promise, Value};
 use crate::run::Counts;
@@ -21,7 +21,7 @@ use crate::scene::{Scene, Want};
 pub(crate) struct Search<'s> {
     scene: &'s Scene,
     pub(crate) model: Model<f64>,
-    folds: OnceCell<Folds<f64>>,
+    folds: Once<Folds<f64>>,
     admissibility: OnceCell<Arc<Admissibility>>,
     /// Whether a fold is of use without its force, which is out of range.
     radii_suffice: bool,

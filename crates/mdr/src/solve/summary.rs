@@ -33,7 +33,7 @@ fn known(value: f64) -> Value {
 }
 
 /// A number that was not found takes nothing else with it.
-fn unknown(error: Error) -> Result<Value> {
+pub(super) fn unknown<N>(error: Error) -> Result<Value<N>> {
     match error {
         Error::Undecided { .. } => Ok(Value::unknown(Status::Undecided, error.to_string())),
         error => Value::from_result(Err(error)),
@@ -78,6 +78,7 @@ fn jump_in(events: &[Event<f64>]) -> Option<f64> {
 ///
 /// `undecided` where the folds of F were not resolved.
 fn minimum(model: &Model<f64>, path: &Path<f64>, samples: &[ForceSample]) -> Result<Option<Value>> {
+    // Forces in between are no less than at an end or a fold.
     let at_ends = samples.iter().filter_map(|sample| sample.force.to_f64()).reduce(f64::min);
     let stretches: Vec<[f64; 2]> = path
         .events

@@ -3,6 +3,8 @@
 #[cfg(feature = "mp")]
 mod breaks;
 #[cfg(feature = "mp")]
+mod jet;
+#[cfg(feature = "mp")]
 mod lowest;
 mod parse;
 
@@ -225,6 +227,11 @@ impl Expression {
         self.root.is_smooth()
     }
 
+    /// The number of operations of a height, a function or a power counted as twenty: what it costs.
+    pub fn operations(&self) -> u64 {
+        self.root.operations()
+    }
+
     /// The formula without parameters.
     fn with_values(&self, values: &BTreeMap<String, Literal>) -> Result<Node<Constant>, ExpressionError> {
         self.root.map(&mut |constant| match constant {
@@ -238,6 +245,19 @@ impl Expression {
 }
 
 impl<C> Node<C> {
+    fn operations(&self) -> u64 {
+        /// Of a function.
+        const FUNCTION: u64 = 20;
+        match self {
+            Node::Variable | Node::Constant(_) => 1,
+            Node::Operation(Operator::Power, base, exponent) => FUNCTION + base.operations() + exponent.operations(),
+            Node::Operation(_, left, right) => 1 + left.operations() + right.operations(),
+            Node::Negative(inner) | Node::Power(inner, _) => 1 + inner.operations(),
+            Node::Function(Function::Abs, inner) => 1 + inner.operations(),
+            Node::Function(_, inner) => FUNCTION + inner.operations(),
+        }
+    }
+
     fn is_smooth(&self) -> bool {
         match self {
             Node::Variable | Node::Constant(_) => true,
