@@ -187,11 +187,7 @@ def test_integers_of_numpy_are_digits() -> None:
     assert mdr.kappa(1, digits=np.int32(5)) == Decimal("1.5708") == mdr.kappa(1, digits=np.array(5))
 
 
-def test_a_text_may_have_a_unit_and_is_exact():
-    import numpy as np
-
-    import mdr
-
+def test_a_text_may_have_a_unit_and_is_exact() -> None:
     plain = mdr.jkr(radius="5e-6", e_star="1e9", work_of_adhesion="0.05").critical(mdr.Machine("0.3"), digits=30)
     ball = mdr.jkr(radius="5 um", e_star="1 GPa", work_of_adhesion="50 mJ/m^2")
     assert ball.critical(mdr.Machine("300 mN/m"), digits=30) == plain
