@@ -30,6 +30,7 @@ mod solve_costs;
 mod solve_paths;
 mod solve_statuses;
 mod solve_tables;
+mod units;
 mod validity;
 mod verify;
 

@@ -206,7 +206,8 @@ fn lengths_of_smoothing() {
     );
     assert!(refused(", smooth = 2").contains("must be shorter than the profile, which ends at 2e-8"));
     assert!(refused(", smooth = 0").contains("must be positive"));
-    assert!(refused(", smooth = \"2 V\"").contains("expected a number, alone or with a unit of length"));
+    assert!(refused(", smooth = \"2 V\"").contains("unknown unit `V`"));
+    assert!(refused(", smooth = \"2 nN\"").contains("smooth is in m; got \"2 nN\""));
     assert!(refused(", smooth = \"2 nm\", offset = 0").contains("cannot be given together with `offset`"));
     // A paraboloid is smooth already.
     let force = |keys: &str| pull_off(&solved(&scene(&file, keys, "want = [\"folds\"]"), ""));

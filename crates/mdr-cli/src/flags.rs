@@ -6,6 +6,7 @@ use std::num::IntErrorKind;
 use mdr::answer::{Notation, NumberStyle};
 use mdr::prelude::{Arithmetic, Literal};
 use mdr::scene::MAX_DIGITS;
+use mdr_core::units::{NumberError, SiUnit};
 
 use crate::error::{Failure, Result};
 
@@ -33,19 +34,18 @@ impl<'a> Flag<'a> {
         Failure::flag(self.name, why, self.text)
     }
 
-    /// An exact number.
-    pub(crate) fn number(self) -> Result<Literal> {
-        self.text.parse().map_err(|error| self.refuse(error))
+    /// An exact number in the unit of the flag, plain or with one of the same dimension: `0.3nm`.
+    pub(crate) fn number(self, unit: SiUnit) -> Result<Literal> {
+        unit.read(self.text).map_err(|error| match error {
+            // The message repeats the value.
+            NumberError::Dimension { .. } => Failure::refused(self.name, error),
+            error => self.refuse(error),
+        })
     }
 
-    /// A positive number.
-    pub(crate) fn positive(self) -> Result<Literal> {
-        self.require_positive(self.number()?)
-    }
-
-    /// A positive length in metres, plain or with its unit: `0.3nm`.
-    pub(crate) fn length(self) -> Result<Literal> {
-        mdr_numeric::table::length(self.text).map_or_else(|| self.positive(), |length| self.require_positive(length))
+    /// A positive number in the unit of the flag.
+    pub(crate) fn positive(self, unit: SiUnit) -> Result<Literal> {
+        self.require_positive(self.number(unit)?)
     }
 
     fn require_positive(self, value: Literal) -> Result<Literal> {
@@ -55,7 +55,7 @@ impl<'a> Flag<'a> {
 
     /// A Poisson's ratio: within (−1, 1/2].
     pub(crate) fn poissons_ratio(self) -> Result<Literal> {
-        let value = self.number()?;
+        let value = self.number(SiUnit::One)?;
         let above = value.compare(&Literal::from(-1)).is_gt();
         let within = above && "1/2".parse().is_ok_and(|half: Literal| value.compare(&half).is_le());
         if within { Ok(value) } else { Err(self.refuse("must be within (-1, 1/2]")) }

@@ -89,7 +89,7 @@ impl Judge {
         let mut limits = Limits::default();
         if let Some(text) = &self.excess {
             let flag = Flag::new("--excess", text);
-            limits.excess_loss = flag.number()?.nearest_f64();
+            limits.excess_loss = flag.number(mdr_core::units::SiUnit::One)?.nearest_f64();
             if !(0.0..=16.0).contains(&limits.excess_loss) {
                 return Err(flag.refuse("must be from 0 to 16, the digits of a double"));
             }

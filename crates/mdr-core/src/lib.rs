@@ -20,6 +20,7 @@
 //! |---|---|
 //! | compute in `f64`, arbitrary precision, enclosures, derivatives | [`number`]: [`Real`](number::Real), [`Dual`](number::Dual), [`Extended`](number::Extended), `Interval` |
 //! | read exact decimals and fractions | [`number`]: [`Literal`](number::Literal), [`Exact`](number::Exact) |
+//! | read numbers with their units | [`units`]: [`SiUnit`](units::SiUnit) |
 //! | prove decimal digits | `number::certify` |
 //! | integrate | [`calculus::quadrature`], [`calculus::gauss_jacobi`] |
 //! | find zeros: one, all on a range, with proof | [`calculus::roots`], [`calculus::isolate`], `calculus::verify` |
@@ -45,3 +46,4 @@ pub mod contact;
 mod named;
 pub mod number;
 pub mod text;
+pub mod units;

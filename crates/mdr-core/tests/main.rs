@@ -20,3 +20,4 @@ mod number_literal;
 mod number_support;
 mod number_wide;
 mod text;
+mod units;

@@ -22,7 +22,7 @@ mod _core {
     #[pymodule_export]
     use super::reference::{judge_lines, lines, numbers, select};
     #[pymodule_export]
-    use super::scene::{draw, fit, solve};
+    use super::scene::{draw, fit, in_si, solve};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -5,7 +5,8 @@ use std::io;
 
 use mdr::Run;
 use mdr::fit::Problem;
-use mdr::prelude::{Arithmetic, Scene};
+use mdr::prelude::{Arithmetic, Scene, Shape};
+use mdr::units::{NumberError, SiUnit};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -65,6 +66,26 @@ pub(crate) fn fit(
         Ok((fit.to_json(), picture))
     })?;
     fitted.map_err(of_library)
+}
+
+/// A number as text without its unit, in SI, where the unit of the key is known and one is given; any other text as it is. What
+/// is refused is called by its name.
+#[pyfunction]
+pub(crate) fn in_si(text: &str, key: &str, name: &str) -> PyResult<String> {
+    let unit = match key {
+        "e" | "e_star" => Some(SiUnit::Pascal),
+        "work_of_adhesion" => Some(SiUnit::JoulePerSquareMetre),
+        "stiffness" => Some(SiUnit::NewtonPerMetre),
+        "range_of_adhesion" | "offset" | "smooth" | "contact_point" => Some(SiUnit::Metre),
+        "parameters" => Some(SiUnit::Unstated),
+        key => Shape::unit_of_key(key),
+    };
+    match unit.map(|unit| unit.read(text)) {
+        Some(Ok(number)) => Ok(number.to_string()),
+        None | Some(Err(NumberError::Literal(_))) => Ok(text.to_owned()),
+        Some(Err(error @ NumberError::Dimension { .. })) => Err(PyValueError::new_err(error.of(name))),
+        Some(Err(error)) => Err(PyValueError::new_err(format!("{name}: {text:?} is {error}"))),
+    }
 }
 
 fn read(form: &str, text: &str, files: &HashMap<String, Vec<u8>>) -> mdr::Result<Scene> {

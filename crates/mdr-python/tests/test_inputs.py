@@ -185,3 +185,17 @@ def test_digits_are_whole_numbers(ask: Callable[[Any], Any], digits: Any) -> Non
 
 def test_integers_of_numpy_are_digits() -> None:
     assert mdr.kappa(1, digits=np.int32(5)) == Decimal("1.5708") == mdr.kappa(1, digits=np.array(5))
+
+
+def test_a_text_may_have_a_unit_and_is_exact() -> None:
+    plain = mdr.jkr(radius="5e-6", e_star="1e9", work_of_adhesion="0.05").critical(mdr.Machine("0.3"), digits=30)
+    ball = mdr.jkr(radius="5 um", e_star="1 GPa", work_of_adhesion="50 mJ/m^2")
+    assert ball.critical(mdr.Machine("300 mN/m"), digits=30) == plain
+    assert ball.critical(mdr.Machine("0.3 nN/nm")).force == float(plain.force)
+    bowl = mdr.Expression("r^2/(2*c)", c="5 um")
+    assert np.array_equal(bowl.g([1e-6]), mdr.Expression("r^2/(2*c)", c="5e-6").g([1e-6]))
+    assert mdr.effective_modulus("0.75 MPa", "1/2") == 1e6
+    with pytest.raises(ValueError, match="stiffness is in N/m; got"):
+        mdr.Machine("0.3 nm")
+    with pytest.raises(ValueError, match="did you mean `um`"):
+        mdr.Paraboloid("5 uM")

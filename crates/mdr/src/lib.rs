@@ -76,6 +76,7 @@ pub use answer::Answer;
 pub use critical::critical;
 pub use error::{Error, Place, Result};
 pub use mdr_core::contact::Error as ContactError;
+pub use mdr_core::units;
 pub use run::{ARITHMETICS, BUDGET, Cost, Observer, Run, Stop, free_thread_cache};
 pub use scene::{Scene, no_files};
 pub use validity::Validity;

@@ -80,8 +80,13 @@ fn json_lines(
         }
         let given: serde_json::Result<BTreeMap<String, Box<RawValue>>> = serde_json::from_str(&line);
         let given = given.map_err(|error| excerpt(&error.to_string()).to_string());
+        // A number as it is written, a text without its quotation marks and escapes.
+        let plain = |value: &RawValue| serde_json::from_str(value.get()).unwrap_or_else(|_| value.get().to_owned());
+        let given = given.map(|given| {
+            given.iter().map(|(key, value)| (key.clone(), plain(value))).collect::<BTreeMap<String, String>>()
+        });
         let answer = given.and_then(|given| {
-            let text = |key: &str| given.get(key).map(|value| value.get().trim_matches('"'));
+            let text = |key: &str| given.get(key).map(String::as_str);
             if let Some(unknown) = given.keys().find(|key| !PowerLaw::KEYS.contains(&key.as_str())) {
                 let (unknown, known) = (excerpt(unknown), PowerLaw::KEYS.join("`, `"));
                 return Err(format!("unknown key `{unknown}`; expected one of `{known}`"));

@@ -9,6 +9,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use mdr::critical::PowerLaw;
 use mdr::prelude::{Arithmetic, Body, Control, Elasticity, Literal};
+use mdr_core::units::SiUnit;
 
 use crate::error::{Failure, Result};
 use crate::flags::{ArithmeticFlags, Flag, StyleFlags};
@@ -24,7 +25,7 @@ pub(crate) struct Critical {
     #[command(flatten)]
     shape: shape::ShapeFlags,
 
-    /// Effective modulus E* > 0, in Pa; or give two bodies
+    /// Effective modulus E* > 0, in Pa or with a unit (1GPa); or give two bodies
     #[arg(long, value_name = "E*", allow_hyphen_values = true)]
     e_star: Option<String>,
 
@@ -44,7 +45,7 @@ pub(crate) struct Critical {
     #[arg(long, value_name = "NU2", allow_hyphen_values = true)]
     nu2: Option<String>,
 
-    /// Work of adhesion w > 0 per area, in J/m² (the full work of separation)
+    /// Work of adhesion w > 0 per area, in J/m² or with a unit (50mJ/m^2): the full work of separation
     #[arg(long, value_name = "W", allow_hyphen_values = true, required_unless_present = "batch")]
     work: Option<String>,
 
@@ -52,7 +53,7 @@ pub(crate) struct Critical {
     #[arg(long, value_enum, default_value_t = ControlKind::Indentation)]
     control: ControlKind,
 
-    /// Stiffness k > 0 of the machine, in N/m; with --control machine
+    /// Stiffness k > 0 of the machine, in N/m or with a unit (40mN/m); with --control machine
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     stiffness: Option<String>,
 
@@ -95,7 +96,9 @@ impl Critical {
             return batch::answer(file, arithmetic, out);
         }
         let laws = self.laws(arithmetic)?;
-        let range = Flag::given("--range-of-adhesion", &self.range_of_adhesion).map(Flag::length).transpose()?;
+        let range = Flag::given("--range-of-adhesion", &self.range_of_adhesion)
+            .map(|flag| flag.positive(SiUnit::Metre))
+            .transpose()?;
         let answer = |law: &PowerLaw| {
             let answer = mdr::critical(law, arithmetic)?;
             range.as_ref().map_or(Ok(answer.clone()), |range| answer.with_range(range))
@@ -110,7 +113,7 @@ impl Critical {
 
     fn laws(&self, arithmetic: Arithmetic) -> Result<Vec<PowerLaw>> {
         let work = self.work.as_deref().unwrap_or_default();
-        let work_of_adhesion = Flag::new("--work", work).positive()?;
+        let work_of_adhesion = Flag::new("--work", work).positive(SiUnit::JoulePerSquareMetre)?;
         let (elasticity, control) = (self.elasticity()?, self.controlled()?);
         let law = |[n, c]: [Literal; 2]| PowerLaw {
             n,
@@ -127,7 +130,7 @@ impl Critical {
             .map(|(name, text)| Flag::given(name, text).ok_or(name));
         let given = bodies.iter().flatten().next();
         match (&self.e_star, given) {
-            (Some(e_star), None) => Ok(Elasticity::Effective(Flag::new("--e-star", e_star).positive()?)),
+            (Some(e_star), None) => Ok(Elasticity::Effective(Flag::new("--e-star", e_star).positive(SiUnit::Pascal)?)),
             (Some(e_star), Some(body)) => Err(Flag::new("--e-star", e_star)
                 .refuse(format!("give E* or two bodies, not both ({} {} is given, too)", body.name, body.text))),
             (None, None) => Err(Failure::missing("--e-star", "give E*, or two bodies with --e1 --nu1 --e2 --nu2")),
@@ -135,7 +138,7 @@ impl Critical {
                 let given = format!("two bodies need --e1 --nu1 --e2 --nu2 ({} {} is given)", body.name, body.text);
                 let [e1, nu1, e2, nu2] = bodies.map(|flag| flag.map_err(|name| Failure::missing(name, &given)));
                 let body = |e: Flag<'_>, nu: Flag<'_>| -> Result<Body<Literal>> {
-                    Ok(Body { youngs_modulus: e.positive()?, poissons_ratio: nu.poissons_ratio()? })
+                    Ok(Body { youngs_modulus: e.positive(SiUnit::Pascal)?, poissons_ratio: nu.poissons_ratio()? })
                 };
                 Ok(Elasticity::bodies(body(e1?, nu1?)?, body(e2?, nu2?)?))
             }
@@ -144,7 +147,9 @@ impl Critical {
 
     fn controlled(&self) -> Result<Control<Literal>> {
         match (self.control, Flag::given("--stiffness", &self.stiffness)) {
-            (ControlKind::Machine, Some(flag)) => Ok(Control::Machine { stiffness: flag.positive()? }),
+            (ControlKind::Machine, Some(flag)) => {
+                Ok(Control::Machine { stiffness: flag.positive(SiUnit::NewtonPerMetre)? })
+            }
             (ControlKind::Machine, None) => {
                 Err(Failure::missing("--stiffness", "--control machine needs the stiffness of the machine, in N/m"))
             }

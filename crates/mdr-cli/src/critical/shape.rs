@@ -3,6 +3,7 @@
 use clap::Args;
 use mdr::critical::PowerLaw;
 use mdr::prelude::{Arithmetic, Literal};
+use mdr_core::units::SiUnit;
 
 use crate::error::{Failure, Result};
 use crate::flags::Flag;
@@ -18,11 +19,11 @@ pub(super) struct ShapeFlags {
     #[arg(long, value_name = "C", allow_hyphen_values = true, required_unless_present_any = ["sphere", "paraboloid", "cone", "batch"], conflicts_with_all = ["sphere", "paraboloid", "cone"])]
     c: Option<String>,
 
-    /// A sphere of radius R as in JKR's theory, f = r²/2R (for the true sphere write a scene)
+    /// A sphere of radius R, in m or with a unit (5um), as in JKR's theory, f = r²/2R (for the true sphere write a scene)
     #[arg(long, value_name = "R", allow_hyphen_values = true, conflicts_with_all = ["paraboloid", "cone"])]
     sphere: Option<String>,
 
-    /// A paraboloid of radius of curvature R, f = r²/2R
+    /// A paraboloid of radius of curvature R, in m or with a unit, f = r²/2R
     #[arg(long, value_name = "R", allow_hyphen_values = true, conflicts_with = "cone")]
     paraboloid: Option<String>,
 
@@ -40,12 +41,12 @@ impl ShapeFlags {
         let round = [("--sphere", &self.sphere), ("--paraboloid", &self.paraboloid)];
         if let Some((name, Some(radius))) = round.into_iter().find(|(_, radius)| radius.is_some()) {
             let flag = Flag::new(name, radius);
-            let law = PowerLaw::paraboloid(&flag.positive()?);
+            let law = PowerLaw::paraboloid(&flag.positive(SiUnit::Metre)?);
             return law.map(|law| vec![law]).ok_or_else(|| flag.refuse("has too many digits"));
         }
         if let Some(angle) = &self.cone {
             let flag = Flag::new("--cone", angle);
-            let degrees = flag.positive()?;
+            let degrees = flag.positive(SiUnit::Degree)?;
             if degrees.compare(&Literal::from(90)).is_ge() {
                 return Err(flag.refuse("must be below 90 degrees"));
             }
@@ -53,7 +54,7 @@ impl ShapeFlags {
             let why = "the slope of this cone cannot be rounded";
             return law.map(|law| vec![law]).ok_or_else(|| Failure::refused(flag.name, why));
         }
-        let c = Flag::new("--c", self.c.as_deref().unwrap_or_default()).positive()?;
+        let c = Flag::new("--c", self.c.as_deref().unwrap_or_default()).positive(SiUnit::Coefficient)?;
         let exponents = exponents(Flag::new("--n", self.n.as_deref().unwrap_or_default()))?;
         Ok(exponents.into_iter().map(|n| [n, c.clone()]).collect())
     }
@@ -73,10 +74,10 @@ fn exponents(flag: Flag<'_>) -> Result<Vec<Literal>> {
     for part in flag.text.split(',') {
         let ends: Vec<&str> = part.split(':').collect();
         match ends[..] {
-            [one] => all.push(Flag::new(flag.name, one).positive()?),
+            [one] => all.push(Flag::new(flag.name, one).positive(SiUnit::One)?),
             [first, last, step] => {
                 let part = |name: &str, text: &str| {
-                    Flag::new(flag.name, text).positive().map_err(|failure| match failure {
+                    Flag::new(flag.name, text).positive(SiUnit::One).map_err(|failure| match failure {
                         Failure::Flag { why, .. } => {
                             flag.refuse(format!("the {name} of the range {why}, it is {text}"))
                         }

@@ -11,6 +11,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 use mdr::prelude::*;
 use mdr::{BUDGET, Cost};
+use mdr_core::units::SiUnit;
 use mdr_plot::Picture;
 
 use crate::error::{Failure, Result};
@@ -73,7 +74,7 @@ impl Solve {
             let why = "a picture shows equilibria, and needs [material] in the scene";
             return Err(Failure::refused("--plot", why));
         }
-        let budget = Flag::new("--budget", &self.budget).positive()?.nearest_f64();
+        let budget = Flag::new("--budget", &self.budget).positive(SiUnit::One)?.nearest_f64();
         let mut progress = Progress::default();
         let mut answer = scene.solve_with(&mut Run::new(&mut progress, Stop::default()).within(budget))?;
         answer.notes.extend(scene.unused(drawn));

@@ -3,6 +3,7 @@
 use super::{Error, Quantity, Result};
 use crate::named;
 use crate::number::Real;
+use crate::units::SiUnit;
 
 /// The controlled quantity.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +38,14 @@ impl ControlKind {
             ControlKind::Indentation => "d",
             ControlKind::Force => "F",
             ControlKind::Machine => "D = d + F/k",
+        }
+    }
+
+    /// The unit of the controlled quantity.
+    pub fn unit(self) -> SiUnit {
+        match self {
+            ControlKind::Indentation | ControlKind::Machine => SiUnit::Metre,
+            ControlKind::Force => SiUnit::Newton,
         }
     }
 }

@@ -1,17 +1,23 @@
 //! The profiles of the library by name, with parameters of any type.
 
 use crate::number::Special;
+use crate::units::SiUnit;
 
-/// Declares the shapes: names, and parameters in their order, each a number `N` or a [`Flank`] of one.
+/// Declares the shapes: names, and parameters in their order, each a number `N` with its unit or a [`Flank`] of one.
 macro_rules! shapes {
     (@blank N) => { () };
     (@blank Flank) => { Flank::Slope(()) };
     (@parameter N $field:ident) => { (stringify!($field), $field) };
     (@parameter Flank $field:ident) => { $field.parameter() };
+    (@unit N $field:ident $unit:ident) => {{
+        let _ = $field;
+        (stringify!($field), SiUnit::$unit)
+    }};
+    (@unit Flank $field:ident) => { ($field.parameter().0, $field.unit()) };
     (@map N $field:ident $f:ident) => { $f(stringify!($field), $field)? };
     (@map Flank $field:ident $f:ident) => { $field.try_map(&mut $f)? };
     ($(#[$meta:meta])* {$(
-        $(#[$doc:meta])* $shape:ident = $name:literal { $($(#[$field_doc:meta])* $field:ident: $kind:ident $(<$of:ident>)?,)* },
+        $(#[$doc:meta])* $shape:ident = $name:literal { $($(#[$field_doc:meta])* $field:ident: $kind:ident $(<$of:ident>)? $(in $unit:ident)?,)* },
     )*}) => {
         $(#[$meta])*
         #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +41,13 @@ macro_rules! shapes {
             pub fn parameters(&self) -> Vec<(&'static str, &N)> {
                 match self {
                     $(Shape::$shape { $($field,)* } => vec![$(shapes!(@parameter $kind $field),)*],)*
+                }
+            }
+
+            /// The unit of each parameter with its key, in the order of [`Shape::parameters`].
+            pub fn units(&self) -> Vec<(&'static str, SiUnit)> {
+                match self {
+                    $(Shape::$shape { $($field,)* } => vec![$(shapes!(@unit $kind $field $($unit)?),)*],)*
                 }
             }
 
@@ -69,14 +82,14 @@ shapes! {
         /// f = `C*r^n`, the family of the paper (1.11).
         Power = "power" {
             /// n.
-            n: N,
+            n: N in One,
             /// C, in m^(1−n).
-            c: N,
+            c: N in Coefficient,
         },
         /// f = `r^2/(2*R)`, the profile of the JKR theory.
         Paraboloid = "paraboloid" {
             /// R, the radius of curvature.
-            radius: N,
+            radius: N in Metre,
         },
         /// f = `t*r`, t the slope tan θ.
         Cone = "cone" {
@@ -86,33 +99,33 @@ shapes! {
         /// f = `R - sqrt(R^2 - r^2)`, up to the equator.
         Sphere = "sphere" {
             /// R.
-            radius: N,
+            radius: N in Metre,
         },
         /// f = `h*(1 - sqrt(1 - r^2/b^2))`, up to the equator.
         Ellipsoid = "ellipsoid" {
             /// b, the half axis in the plane of contact.
-            lateral: N,
+            lateral: N in Metre,
             /// h, the half axis across it.
-            height: N,
+            height: N in Metre,
         },
         /// A flat face, f = `0`, with a vertical edge at b.
         FlatPunch = "flat-punch" {
             /// b, the radius of the face.
-            radius: N,
+            radius: N in Metre,
         },
         /// A cone with a flat face instead of its tip: f = `t*max(r - b, 0)`.
         TruncatedCone = "truncated-cone" {
             /// The steepness, of slope t.
             flank: Flank<N>,
             /// b, the radius of the face.
-            flat: N,
+            flat: N in Metre,
         },
         /// A paraboloid with a flat face instead of its tip: f = `max(r^2 - b^2, 0)/(2*R)`.
         TruncatedParaboloid = "truncated-paraboloid" {
             /// R, the radius of curvature.
-            radius: N,
+            radius: N in Metre,
             /// b, the radius of the face.
-            flat: N,
+            flat: N in Metre,
         },
         /// A cone that begins as a paraboloid, with one slope where they meet:
         /// f = `t*min(r, b)^2/(2*b) + t*max(r - b, 0)`.
@@ -120,7 +133,7 @@ shapes! {
             /// The steepness, of slope t.
             flank: Flank<N>,
             /// b, the radius where they meet.
-            cap: N,
+            cap: N in Metre,
         },
         /// A cone that begins as a sphere, with one slope where they meet:
         /// f = `R - sqrt(R^2 - min(r, R*t/sqrt(1 + t^2))^2) + t*max(r - R*t/sqrt(1 + t^2), 0)`.
@@ -128,52 +141,52 @@ shapes! {
             /// The steepness, of slope t.
             flank: Flank<N>,
             /// R, the radius of the sphere.
-            radius: N,
+            radius: N in Metre,
         },
         /// A hyperboloid of revolution: f = `t*(sqrt(r^2 + b^2) - b)`.
         Hyperboloid = "hyperboloid" {
             /// The steepness of the asymptote, of slope t.
             flank: Flank<N>,
             /// b, the half axis in the plane of contact.
-            lateral: N,
+            lateral: N in Metre,
         },
         /// A flat face with a parabolic rounding around it: f = `max(r - b, 0)^2/(2*R)`.
         RoundedPunch = "rounded-punch" {
             /// R, the radius of curvature of the rounding.
-            radius: N,
+            radius: N in Metre,
             /// b, the radius of the face.
-            flat: N,
+            flat: N in Metre,
         },
         /// A parabola with its vertex beside the axis: f = `(r^2 - 2*b*r)/(2*R)`. The vertex is a ridge, b²/2R below the tip.
         DisplacedParaboloid = "displaced-paraboloid" {
             /// R, the radius of curvature.
-            radius: N,
+            radius: N in Metre,
             /// b, the distance of the vertex from the axis.
-            offset: N,
+            offset: N in Metre,
         },
         /// A parabolic dimple in a flat face, which is h below the tip: f = `-h*min(r, b)^2/b^2`.
         ParabolicDimple = "parabolic-dimple" {
             /// h, its depth.
-            depth: N,
+            depth: N in Metre,
             /// b, its radius.
-            radius: N,
+            radius: N in Metre,
         },
         /// An elliptical dimple in a flat face, which is h below the tip: f = `h*(sqrt(1 - min(r, b)^2/b^2) - 1)`.
         /// Heights are known up to b, where g is −∞.
         EllipticalDimple = "elliptical-dimple" {
             /// h, its depth.
-            depth: N,
+            depth: N in Metre,
             /// b, its radius.
-            radius: N,
+            radius: N in Metre,
         },
         /// f = `r^2/(2*R) + A*(1 - cos(2*pi*r/L))`, figure 4 of the paper.
         WavyParaboloid = "wavy-paraboloid" {
             /// R, the radius of curvature.
-            radius: N,
+            radius: N in Metre,
             /// A, of either sign.
-            amplitude: N,
+            amplitude: N in Metre,
             /// L, the wavelength λ.
-            wavelength: N,
+            wavelength: N in Metre,
         },
     }
 }
@@ -193,6 +206,14 @@ impl<N> Flank<N> {
         match self {
             Flank::Slope(slope) => ("slope", slope),
             Flank::HalfAngleDegrees(angle) => ("half_angle_degrees", angle),
+        }
+    }
+
+    /// That of its number.
+    pub fn unit(&self) -> SiUnit {
+        match self {
+            Flank::Slope(_) => SiUnit::One,
+            Flank::HalfAngleDegrees(_) => SiUnit::Degree,
         }
     }
 
@@ -226,6 +247,13 @@ impl Shape<()> {
         BLANK.iter().map(Shape::name)
     }
 
+    /// The unit of the parameter that has this key in some shape: a key has one unit in all of them.
+    pub fn unit_of_key(key: &str) -> Option<SiUnit> {
+        let angle = Flank::HalfAngleDegrees(());
+        let mut all = BLANK.iter().flat_map(Shape::units).chain([(angle.parameter().0, angle.unit())]);
+        all.find(|(known, _)| *known == key).map(|(_, unit)| unit)
+    }
+
     /// The shape with this name, without parameters; cones by their slope.
     pub fn by_name(name: &str) -> Option<&'static Shape<()>> {
         BLANK.iter().find(|shape| shape.name() == name)
@@ -251,6 +279,11 @@ impl<N> Shape<N> {
     pub fn map<M>(&self, mut f: impl FnMut(&'static str, &N) -> M) -> Shape<M> {
         let Ok(shape) = self.try_map(|key, number| Ok::<M, std::convert::Infallible>(f(key, number)));
         shape
+    }
+
+    /// The unit of the parameter with this key.
+    pub fn unit_of(&self, key: &str) -> SiUnit {
+        self.units().into_iter().find(|(known, _)| *known == key).map_or(SiUnit::One, |(_, unit)| unit)
     }
 
     /// The steepness of a cone, for modification.

@@ -34,17 +34,17 @@ mod rough;
 mod smooth;
 mod tip;
 mod transform;
-mod units;
 
 pub use error::{Column, TableError};
 pub use read::{Line, separated};
 pub use rough::Scatter;
-pub use units::length;
 
 use far::FarField;
 use hermite::Piece;
 use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Literal, Special};
+use mdr_core::units::scaled;
+use read::metre_power;
 
 /// The fewest rows of a table. With four, two radii have slopes from data on both sides.
 pub const MINIMUM_ROWS: usize = 4;
@@ -83,8 +83,8 @@ impl Table {
 
     /// A number of metres in the unit of a column, in the notation of the table.
     fn written(&self, column: Column, metres: &str) -> String {
-        let unit = self.units().and_then(|units| units::decimal_power(&units[column as usize]));
-        unit.map_or_else(|| metres.to_owned(), |power| units::scaled(metres, -power))
+        let unit = self.units().and_then(|units| metre_power(&units[column as usize]));
+        unit.map_or_else(|| metres.to_owned(), |power| scaled(metres, -power))
     }
 
     /// A table with these rows and other heights, one per row.

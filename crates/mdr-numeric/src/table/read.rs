@@ -6,8 +6,8 @@ use std::ops::Range;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 use mdr_core::number::{Literal, LiteralError, order};
+use mdr_core::units::{SiUnit, bare, scaled};
 
-use super::units::{decimal_power, scaled};
 use super::{Column, MAXIMUM_ROWS, MINIMUM_ROWS, Row, Table, TableError};
 
 /// A row of separated columns and the number of its line.
@@ -35,8 +35,13 @@ impl Line {
     }
 
     fn is_units(&self) -> bool {
-        self.fields.iter().all(|field| decimal_power(field).is_some())
+        self.fields.iter().all(|field| metre_power(field).is_some())
     }
+}
+
+/// The k of a unit of 10ᵏ m, plain or in brackets.
+pub(super) fn metre_power(unit: &str) -> Option<i64> {
+    SiUnit::Metre.power_of(bare(unit))
 }
 
 /// The columns of r and f in a record, and their units.
@@ -73,7 +78,7 @@ impl Layout {
         units.width(self.width)?;
         for ((power, place), column) in self.power.iter_mut().zip(self.place).zip(COLUMNS) {
             let unit = &units.fields[place];
-            *power = decimal_power(unit).ok_or_else(|| TableError::UnknownUnit {
+            *power = metre_power(unit).ok_or_else(|| TableError::UnknownUnit {
                 line: units.number,
                 column,
                 unit: unit.to_owned(),

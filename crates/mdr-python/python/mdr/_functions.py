@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._contact import Contact, Control, held_by, stiffness_of
 from ._errors import DomainError
-from ._numbers import Number, array, digits_of, exact, positive, shaped
+from ._numbers import Number, array, digits_of, double, exact, positive, shaped
 from ._profiles import Paraboloid
 from ._states import States
 
@@ -94,7 +94,7 @@ def context(digits: int) -> decimal.Context:
     return decimal.Context(prec=digits_of(digits), Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=traps)
 
 
-def effective_modulus(e1: float, nu1: float, e2: float | None = None, nu2: float | None = None) -> float:
+def effective_modulus(e1: Number, nu1: Number, e2: Number | None = None, nu2: Number | None = None) -> float:
     """E* of two bodies by their Young's moduli and Poisson's ratios, 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂; the second one is
     rigid where it is not given.
 
@@ -108,8 +108,9 @@ def effective_modulus(e1: float, nu1: float, e2: float | None = None, nu2: float
         raise TypeError("e2 and nu2 go together")
     bodies = [(e1, nu1)] if e2 is None or nu2 is None else [(e1, nu1), (e2, nu2)]
     compliance = 0.0
-    for modulus, ratio in bodies:
-        positive(modulus, "e", "Young's modulus E")
+    for of_body, number in bodies:
+        positive(of_body, "e", "Young's modulus E")
+        modulus, ratio = double(of_body, "e"), double(number, "nu")
         if not -1 < ratio <= 0.5:
             quantity, requirement = "Poisson's ratio ν", "greater than -1 and not above 1/2"
             raise DomainError(f"{quantity} must be {requirement}, got {ratio}", quantity, str(ratio), requirement)

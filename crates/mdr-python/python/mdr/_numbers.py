@@ -12,7 +12,7 @@ from typing import Any, TypeAlias, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._core import MAX_DIGITS
+from ._core import MAX_DIGITS, in_si
 from ._errors import DomainError
 
 Number: TypeAlias = Union[int, float, str, Decimal, Fraction]
@@ -33,11 +33,12 @@ def plain(x: Number) -> Number:
     return x
 
 
-def exact(x: Number, name: str) -> str:
-    """A number as it was typed: 0.05 is 1/20, whatever double is next to it."""
+def exact(x: Number, name: str, key: str | None = None) -> str:
+    """A number as it was typed: 0.05 is 1/20, whatever double is next to it. A text may have a unit of the dimension that belongs
+    to the ``key``, or else to the ``name``: "5 um" is "5e-6"."""
     x = plain(x)
     if isinstance(x, str):
-        return x.strip()
+        return in_si(x.strip(), name if key is None else key, name)
     if isinstance(x, Fraction):
         return f"{x.numerator}/{x.denominator}"
     if isinstance(x, (float, np.floating)):
@@ -48,9 +49,9 @@ def exact(x: Number, name: str) -> str:
     raise TypeError(f"{name}: expected a number in SI units, got {type(x).__name__}")
 
 
-def double(x: Number, name: str) -> float:
+def double(x: Number, name: str, key: str | None = None) -> float:
     """The nearest double."""
-    text = exact(x, name)
+    text = exact(x, name, key)
     try:
         return float(Fraction(text)) if "/" in text else float(text)
     except ValueError:

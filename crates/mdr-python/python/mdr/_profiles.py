@@ -35,7 +35,7 @@ Files = dict[str, bytes]
 class Profile:
     """A profile: immutable, hashable, to be pickled; equal to another of the same kind and parameters.
 
-    Parameters are exact as typed (``int``, ``float``, ``str``, ``Decimal``, ``Fraction``), in SI units. Heights f count from the tip,
+    Parameters are exact as typed (``int``, ``float``, ``str``, ``Decimal``, ``Fraction``), in SI units; a ``str`` may have a unit, ``"5 um"``. Heights f count from the tip,
     outward: f(0) = 0.
     """
 
@@ -299,7 +299,7 @@ class Expression(Profile):
         object.__setattr__(self, "formula", formula)
         object.__setattr__(self, "values", tuple(sorted(parameters.items())))
         for name, value in parameters.items():
-            double(value, name)
+            double(value, name, "parameters")
 
     @property
     def parameters(self) -> Mapping[str, Number]:
@@ -307,7 +307,7 @@ class Expression(Profile):
         return MappingProxyType(dict(self.values))
 
     def _scene(self, files: Files) -> dict[str, Any]:
-        values = {name: exact(value, name) for name, value in self.values}
+        values = {name: exact(value, name, "parameters") for name, value in self.values}
         return {"kind": self.kind, "formula": self.formula, "parameters": values}
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -4,6 +4,8 @@
 use std::borrow::Cow;
 use std::str::FromStr;
 
+use mdr_core::units::SiUnit;
+
 use super::{FlatCell, Value};
 
 /// How the digits of a number are laid out.
@@ -35,46 +37,15 @@ struct Unit {
 #[error("`{}` is no unit of m, N, Pa, J or N/m with prefixes from q to Q, such as nm,nN,kPa,aJ,nN/nm", mdr_core::text::excerpt(.0))]
 pub struct UnitError(String);
 
-/// Prefixes and their powers of ten.
-const PREFIXES: [(&str, i64); 22] = [
-    ("q", -30),
-    ("r", -27),
-    ("y", -24),
-    ("z", -21),
-    ("a", -18),
-    ("f", -15),
-    ("p", -12),
-    ("n", -9),
-    ("u", -6),
-    ("µ", -6),
-    ("m", -3),
-    ("c", -2),
-    ("", 0),
-    ("k", 3),
-    ("M", 6),
-    ("G", 9),
-    ("T", 12),
-    ("P", 15),
-    ("E", 18),
-    ("Z", 21),
-    ("Y", 24),
-    ("Q", 30),
-];
-
-/// The power of ten of `name` in units of `base`.
-fn power(name: &str, base: &str) -> Option<i64> {
-    let prefix = name.strip_suffix(base)?;
-    PREFIXES.iter().find(|(known, _)| *known == prefix).map(|(_, power)| -power)
-}
-
 impl FromStr for Unit {
     type Err = UnitError;
 
     fn from_str(name: &str) -> Result<Self, UnitError> {
-        let found = match name.split_once('/') {
-            Some((over, under)) => power(over, "N").zip(power(under, "m")).map(|(over, under)| ("N/m", over - under)),
-            None => ["m", "N", "Pa", "J"].iter().find_map(|base| Some((*base, power(name, base)?))),
-        };
+        const SHOWN: [SiUnit; 5] =
+            [SiUnit::Metre, SiUnit::Newton, SiUnit::Pascal, SiUnit::Joule, SiUnit::NewtonPerMetre];
+        // A power has no unit of its own here: areas follow lengths.
+        let is_plain = name.chars().all(|letter| letter.is_alphabetic() || letter == '/');
+        let found = SHOWN.iter().filter(|_| is_plain).find_map(|unit| Some((unit.symbol(), -unit.power_of(name)?)));
         let (base, power) = found.ok_or_else(|| UnitError(name.to_owned()))?;
         Ok(Unit { name: name.to_owned(), base, power })
     }

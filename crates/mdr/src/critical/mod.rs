@@ -9,6 +9,7 @@ mod words;
 use mdr_core::contact::{Control, Elasticity, Error, Fold, FoldKind, Quantity, Regime, Shape, Status};
 use mdr_core::number::Literal;
 use mdr_core::text::excerpt;
+use mdr_core::units::SiUnit;
 
 use crate::answer::record::{Numbers, Part, Row, record};
 use crate::answer::{Number, Value};
@@ -205,23 +206,21 @@ impl PowerLaw {
     /// The keys of a question, as in a scene or in the header of a table.
     pub const KEYS: [&str; 6] = ["n", "c", "e_star", "work", "control", "stiffness"];
 
-    /// A question by its [`KEYS`](PowerLaw::KEYS): numbers as text, and the control by its name, by default the
+    /// A question by its [`KEYS`](PowerLaw::KEYS): numbers as text, in SI or with a unit such as `1 GPa`, and the control by its name, by default the
     /// indentation depth; the stiffness is that of a machine.
     ///
     /// # Errors
     /// [`Error::Scene`](crate::Error::Scene) with the key of an input that is missing, no number, or not positive.
     pub fn from_keys<'a>(text: impl Fn(&str) -> Option<&'a str>) -> Result<PowerLaw> {
         let refuse = |key: &str, why: String| Location::built(key).refuse(why);
-        let number = |key: &str| -> Result<Literal> {
-            let text = text(key).ok_or_else(|| refuse(key, "missing".to_owned()))?;
-            let literal: Literal =
-                text.parse().map_err(|error| refuse(key, format!("`{}` is {error}", excerpt(text))))?;
-            Location::built(key).require_positive(literal)
+        let number = |key: &str, unit: SiUnit| -> Result<Literal> {
+            let (text, place) = (text(key).ok_or_else(|| refuse(key, "missing".to_owned()))?, Location::built(key));
+            place.require_positive(unit.read(text).map_err(|error| place.no_number(text, &error))?)
         };
         let control = match text("control").unwrap_or("indentation") {
             "indentation" => Control::Indentation,
             "force" => Control::Force,
-            "machine" => Control::Machine { stiffness: number("stiffness")? },
+            "machine" => Control::Machine { stiffness: number("stiffness", SiUnit::NewtonPerMetre)? },
             other => {
                 return Err(refuse(
                     "control",
@@ -230,10 +229,10 @@ impl PowerLaw {
             }
         };
         Ok(PowerLaw {
-            n: number("n")?,
-            c: number("c")?,
-            elasticity: Elasticity::Effective(number("e_star")?),
-            work_of_adhesion: number("work")?,
+            n: number("n", SiUnit::One)?,
+            c: number("c", SiUnit::Coefficient)?,
+            elasticity: Elasticity::Effective(number("e_star", SiUnit::Pascal)?),
+            work_of_adhesion: number("work", SiUnit::JoulePerSquareMetre)?,
             control,
         })
     }

@@ -1,7 +1,9 @@
 //! Rows of a measured curve: columns by name, units, legs.
 
 use csv::StringRecord;
+use mdr_core::number::Literal;
 use mdr_core::text::excerpt;
+use mdr_core::units::{SiUnit, bare, scaled};
 use mdr_numeric::table::{self, Line};
 
 use super::observation::Leg;
@@ -150,12 +152,17 @@ pub(super) fn leg_of(name: &str) -> Option<Leg> {
     Leg::ALL.into_iter().find(|leg| leg.name() == name)
 }
 
+/// The unit of a column, by its name.
+pub(super) fn si_unit(base: &str) -> SiUnit {
+    if base == "m" { SiUnit::Metre } else { SiUnit::Newton }
+}
+
 /// A number with its unit in SI; the unit is a base, `m` or `N`, with a prefix. `None` for another unit or no number.
 pub(super) fn si(number: &str, unit: &str, base: &str) -> Option<f64> {
-    let bare = unit.trim_matches(['[', ']', '(', ')', ' ']);
-    // The prefixes of forces are those of lengths.
-    let as_length = if base == "m" { bare.to_owned() } else { format!("{}m", bare.strip_suffix(base)?) };
-    table::length(&format!("{} {as_length}", number.trim())).map(|literal| literal.nearest_f64())
+    let power = si_unit(base).power_of(bare(unit))?;
+    let number = number.trim();
+    number.parse::<Literal>().ok()?;
+    scaled(number, power).parse().ok().map(|literal: Literal| literal.nearest_f64())
 }
 
 /// The rows of a file, with the numbers of their lines.

@@ -48,7 +48,9 @@ fn out_of_contact(problem: &Problem) -> String {
         !parameter.free && matches!(parameter.kind, Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::Stiffness)
     });
     let given: Vec<String> = given
-        .filter_map(|parameter| Some(format!("`{}` = {:e} {}", parameter.name, parameter.value?, parameter.unit)))
+        .filter_map(|parameter| {
+            Some(format!("`{}` = {:e} {}", parameter.name, parameter.value?, parameter.unit_name()))
+        })
         .collect();
     if given.is_empty() {
         return "all rows are out of contact for every E* and w that was tried: nothing of the contact is in the data; check the signs of x \
@@ -311,7 +313,7 @@ fn not_converged(objective: &Objective<'_>, minimum: &Minimum) -> String {
         return format!(
             "`{name}` tends to zero, {:.1e} {}: the rows are fitted as well without it; give it as a small fixed number, or a lower bound",
             objective.value(place, minimum.fitted[place]),
-            objective.parameter(place).unit
+            objective.parameter(place).unit_name()
         );
     }
     format!(

@@ -55,7 +55,7 @@ impl Errors<'_> {
                 value: known.then(|| self.objective.value(place, self.fitted[place])),
                 stderr: stderr(self.scales[0]),
                 scaled_stderr: stderr(self.scales[1]),
-                unit: parameter.unit,
+                unit: parameter.unit_name(),
             }
         };
         (0..self.fitted.len()).map(estimate).collect()

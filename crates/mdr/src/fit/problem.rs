@@ -1,6 +1,7 @@
 //! A problem of fitting: a profile, an observation, rows, and unknowns.
 
 use mdr_core::text::excerpt;
+use mdr_core::units::SiUnit;
 
 use super::answer::Fit;
 use super::observation::{Leg, Loss, Observation};
@@ -31,7 +32,7 @@ impl Kind {
 pub(super) struct Parameter {
     pub(super) kind: Kind,
     pub(super) name: String,
-    pub(super) unit: &'static str,
+    pub(super) unit: SiUnit,
     pub(super) value: Option<f64>,
     pub(super) start: Option<f64>,
     pub(super) free: bool,
@@ -98,20 +99,19 @@ impl Problem {
             bounds: None,
         };
         let mut parameters = vec![
-            parameter(Kind::EffectiveModulus, "e_star", "Pa", None),
-            parameter(Kind::WorkOfAdhesion, "work_of_adhesion", "J/m^2", None),
+            parameter(Kind::EffectiveModulus, "e_star", SiUnit::Pascal, None),
+            parameter(Kind::WorkOfAdhesion, "work_of_adhesion", SiUnit::JoulePerSquareMetre, None),
         ];
         if observation.has_machine() {
-            parameters.push(parameter(Kind::Stiffness, "stiffness", "N/m", None));
+            parameters.push(parameter(Kind::Stiffness, "stiffness", SiUnit::NewtonPerMetre, None));
         }
         if !observation.sees_radius() {
-            parameters.push(parameter(Kind::ContactPoint, "contact_point", "m", Some(0.0)));
+            parameters.push(parameter(Kind::ContactPoint, "contact_point", SiUnit::Metre, Some(0.0)));
         }
-        let of_baseline = if observation == Observation::DeflectionOfPosition { "m" } else { "N" };
+        let of_baseline = if observation == Observation::DeflectionOfPosition { SiUnit::Metre } else { SiUnit::Newton };
         parameters.push(parameter(Kind::Baseline, "baseline", of_baseline, Some(0.0)));
-        for (index, (number, location)) in profile.numbers().into_iter().enumerate() {
+        for (index, ((number, location), unit)) in profile.numbers().into_iter().zip(profile.units()).enumerate() {
             let name = location.key.trim_start_matches("profile.").to_owned();
-            let unit = unit_of(&name);
             parameters.push(parameter(Kind::Profile(index), &name, unit, Some(number.nearest_f64())));
         }
         number_repeated_names(&mut parameters);
@@ -299,6 +299,13 @@ impl Problem {
         super::drive::fit(self)
     }
 
+    /// The unit of a number by its name; where there is none of this name, the name is what is refused.
+    pub(super) fn unit_of(&self, name: &str) -> SiUnit {
+        let bare = name.strip_prefix("profile.").unwrap_or(name);
+        let parameter = self.parameters.iter().find(|parameter| parameter.name == bare);
+        parameter.map_or(SiUnit::Unstated, |parameter| parameter.unit)
+    }
+
     fn parameter_mut(&mut self, name: &str, key: &str) -> Result<&mut Parameter> {
         let bare = name.strip_prefix("profile.").unwrap_or(name);
         match self.parameters.iter().position(|parameter| parameter.name == bare) {
@@ -312,6 +319,17 @@ impl Problem {
 }
 
 impl Parameter {
+    /// The unit as answers write it.
+    pub(super) fn unit_name(&self) -> &'static str {
+        match self.unit {
+            SiUnit::One => "1",
+            SiUnit::Degree => "degree",
+            SiUnit::JoulePerSquareMetre => "J/m^2",
+            SiUnit::Unstated => "SI",
+            unit => unit.symbol(),
+        }
+    }
+
     /// The stated value of an unknown number: its start, or the mean of its prior.
     pub(super) fn guess(&self) -> Option<f64> {
         self.start.or(self.prior.map(|[mean, _]| mean))
@@ -356,17 +374,6 @@ fn not_negative(key: &str, value: f64) -> Result<f64> {
         Ok(value)
     } else {
         Err(refuse(key, format!("must be a finite number, zero or above, got {value}")))
-    }
-}
-
-/// The unit of a number of a profile.
-fn unit_of(name: &str) -> &'static str {
-    match name {
-        "n" | "slope" => "1",
-        "c" => "m^(1-n)",
-        "half_angle_degrees" => "degree",
-        name if name.starts_with("parameters.") => "SI",
-        _ => "m",
     }
 }
 

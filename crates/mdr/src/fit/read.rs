@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use mdr_core::text::excerpt;
+use mdr_core::units::SiUnit;
 
 use super::data::{self, Columns};
 use super::observation::{Loss, Observation};
@@ -84,7 +85,8 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     if let Some(material) = top.optional_section("material")? {
         for key in ["e_star", "work_of_adhesion"] {
             if let Some(value) = material.optional(key) {
-                problem = problem.fixed(key, number(&value)?).map_err(|error| at(error, value.place()))?;
+                let number = number(&value, problem.unit_of(key))?;
+                problem = problem.fixed(key, number).map_err(|error| at(error, value.place()))?;
             }
         }
         material.finish()?;
@@ -92,7 +94,8 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     problem = control(problem, top.optional_section("control")?)?;
     problem = unknowns(problem, &top.section("fit")?)?;
     if let Some(events) = top.optional_section("events")? {
-        let [place, sigma] = [number(&events.required("pull_off")?)?, number(&events.required("sigma")?)?];
+        let unit = data::si_unit(observation.units()[0]);
+        let [place, sigma] = [number(&events.required("pull_off")?, unit)?, number(&events.required("sigma")?, unit)?];
         problem = problem.pull_off(place, sigma).map_err(|error| at(error, events.place()))?;
         events.finish()?;
     }
@@ -102,7 +105,7 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
             problem.profile_likelihood =
                 intervals.choice("intervals", &[("standard-errors", false), ("profile-likelihood", true)])?;
         }
-        let range = output.optional("range_of_adhesion").map(|range| range.positive_length()).transpose()?;
+        let range = output.optional("range_of_adhesion").map(|range| range.positive(SiUnit::Metre)).transpose()?;
         problem.range_of_adhesion = range.map(|range| range.nearest_f64());
         output.finish()?;
     }
@@ -132,7 +135,7 @@ fn rows_of(
             let Some(value) = section.optional(key) else { continue };
             match value.text().ok().filter(|text| text.starts_with(|c: char| c.is_alphabetic())) {
                 Some(name) => columns.sigma[axis] = Some(name.to_owned()),
-                None => sigma[axis] = Some(standard_deviation(&value, bases[axis])?),
+                None => sigma[axis] = Some(value.not_negative(data::si_unit(bases[axis]))?.nearest_f64()),
             }
         }
         section.finish()?;
@@ -186,10 +189,11 @@ fn inline(value: &Value<'_>, columns: &Columns, bases: [&str; 2]) -> Result<Vec<
 
 /// A number of the data, in SI.
 fn in_si(value: &Value<'_>, columns: &Columns, axis: usize, bases: [&str; 2]) -> Result<f64> {
-    let literal = value.row_number()?;
-    match &columns.units {
-        None => Ok(literal.nearest_f64()),
-        Some(units) => data::si(&literal.to_string(), &units[axis], bases[axis])
+    let si = || value.row_number(data::si_unit(bases[axis])).map(|literal| literal.nearest_f64());
+    match (&columns.units, value.row_number(SiUnit::One)) {
+        // A unit of its own counts more than that of the column.
+        (None, _) | (Some(_), Err(_)) => si(),
+        (Some(units), Ok(literal)) => data::si(&literal.to_string(), &units[axis], bases[axis])
             .ok_or_else(|| value.refuse(format!("`{}` is no unit of it", excerpt(&units[axis])))),
     }
 }
@@ -205,18 +209,6 @@ fn pair_of_units(value: &Value<'_>) -> Result<[String; 2]> {
     <[String; 2]>::try_from(units).map_err(|units| value.refuse(format!("expected two units, got {}", units.len())))
 }
 
-/// σ in SI, as a number or with its unit.
-fn standard_deviation(value: &Value<'_>, base: &str) -> Result<f64> {
-    let with_unit = value.text().ok().and_then(|text| {
-        let (number, unit) = text.split_once(' ')?;
-        data::si(number, unit, base)
-    });
-    match with_unit {
-        Some(sigma) if sigma > 0.0 => Ok(sigma),
-        _ => Ok(value.not_negative()?.nearest_f64()),
-    }
-}
-
 /// The table `[control]`, which has the stiffness of the machine.
 fn control(problem: Problem, section: Option<Section<'_>>) -> Result<Problem> {
     let Some(section) = section else { return Ok(problem) };
@@ -229,7 +221,7 @@ fn control(problem: Problem, section: Option<Section<'_>>) -> Result<Problem> {
     section.finish()?;
     match stiffness {
         Some(stiffness) if has_machine && problem.observation().has_machine() => {
-            let value = stiffness.positive()?.nearest_f64();
+            let value = stiffness.positive(SiUnit::NewtonPerMetre)?.nearest_f64();
             problem.fixed("stiffness", value)
         }
         Some(stiffness) => {
@@ -250,15 +242,16 @@ fn unknowns(mut problem: Problem, section: &Section<'_>) -> Result<Problem> {
     problem = each(problem, section.optional("start"), Problem::start)?;
     if let Some(priors) = section.optional("prior") {
         for (name, value) in priors.section()?.entries() {
-            let prior = value.section()?;
-            let [mean, sd] = [number(&prior.required("mean")?)?, number(&prior.required("sd")?)?];
+            let (prior, unit) = (value.section()?, problem.unit_of(&name));
+            let [mean, sd] = [number(&prior.required("mean")?, unit)?, number(&prior.required("sd")?, unit)?];
             prior.finish()?;
             problem = problem.prior(&name, mean, sd).map_err(|error| at(error, value.place()))?;
         }
     }
     if let Some(bounds) = section.optional("bounds") {
         for (name, value) in bounds.section()?.entries() {
-            let ends: Vec<f64> = value.list()?.iter().map(number).collect::<Result<_>>()?;
+            let unit = problem.unit_of(&name);
+            let ends: Vec<f64> = value.list()?.iter().map(|end| number(end, unit)).collect::<Result<_>>()?;
             let ends = <[f64; 2]>::try_from(ends)
                 .map_err(|ends| value.refuse(format!("expected two bounds, got {}", ends.len())))?;
             problem = problem.bounds(&name, ends).map_err(|error| at(error, value.place()))?;
@@ -280,13 +273,14 @@ fn each(
 ) -> Result<Problem> {
     let Some(table) = table else { return Ok(problem) };
     for (name, value) in table.section()?.entries() {
-        problem = set(problem, &name, number(&value)?).map_err(|error| at(error, value.place()))?;
+        let number = number(&value, problem.unit_of(&name))?;
+        problem = set(problem, &name, number).map_err(|error| at(error, value.place()))?;
     }
     Ok(problem)
 }
 
-fn number(value: &Value<'_>) -> Result<f64> {
-    Ok(value.number()?.nearest_f64())
+fn number(value: &Value<'_>, unit: SiUnit) -> Result<f64> {
+    Ok(value.number(unit)?.nearest_f64())
 }
 
 /// Moves a complaint to a place.

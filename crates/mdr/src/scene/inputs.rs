@@ -30,8 +30,11 @@ fn of_profile(profile: &Profile, prefix: &str, inputs: &mut Vec<(String, &'stati
     inputs.push((format!("{prefix}profile"), "", profile.name().to_owned()));
     match profile {
         Profile::Shape(shape) => {
-            let parameters = shape.parameters().into_iter();
-            inputs.extend(parameters.map(|(key, value)| (format!("{prefix}{key}"), unit_of(key), value.to_string())));
+            let parameters = shape.parameters().into_iter().zip(shape.units());
+            inputs.extend(
+                parameters
+                    .map(|((key, value), (_, unit))| (format!("{prefix}{key}"), unit.symbol(), value.to_string())),
+            );
         }
         Profile::Sum(terms) => {
             for (index, term) in terms.iter().enumerate() {
@@ -43,15 +46,5 @@ fn of_profile(profile: &Profile, prefix: &str, inputs: &mut Vec<(String, &'stati
             inputs.extend(parameters.map(|(name, value)| (format!("{prefix}{name}"), "", value.to_string())));
         }
         Profile::Table(_) => {}
-    }
-}
-
-/// The unit of a parameter of a shape; that of C depends on n.
-fn unit_of(key: &str) -> &'static str {
-    match key {
-        "n" | "slope" => "",
-        "c" => "m^(1-n)",
-        "half_angle_degrees" => "°",
-        _ => "m",
     }
 }

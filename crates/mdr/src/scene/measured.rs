@@ -1,6 +1,7 @@
 //! Measured profiles: the rows of a file, the zero of their heights, and the length over which they are smoothed.
 
 use mdr_core::number::Literal;
+use mdr_core::units::SiUnit;
 use mdr_numeric::table::{Table, TableError};
 
 use super::place::Location;
@@ -90,7 +91,7 @@ impl Measured {
         let name = file.text()?;
         let refuse = |why: &dyn std::fmt::Display| file.refuse_file(name, why);
         let table = Table::from_csv_above_any_zero(file.bytes(name)?.as_slice()).map_err(|error| refuse(&error))?;
-        let offset = section.optional("offset").map(|value| value.length()).transpose()?;
+        let offset = section.optional("offset").map(|value| value.number(SiUnit::Metre)).transpose()?;
         let smooth = section.optional("smooth");
         if let (Some(smooth), Some(_)) = (&smooth, &offset) {
             return Err(
@@ -115,7 +116,7 @@ impl Measured {
     }
 
     fn from_smooth_tip(file: Table, smooth: &Value<'_>) -> Result<Measured> {
-        let length = smooth.positive_length()?.nearest_f64();
+        let length = smooth.positive(SiUnit::Metre)?.nearest_f64();
         let (table, tip) = file.smoothed(length).map_err(|error| smooth.refuse(error.to_string()))?;
         let first = &file.rows()[0];
         let zero = if first.radius.is_zero() { Ok(first.height.clone()) } else { Literal::try_from(tip) };

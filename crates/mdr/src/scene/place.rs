@@ -5,6 +5,7 @@ use std::ops::Range;
 use mdr_core::contact::{self, Quantity};
 use mdr_core::number::Literal;
 use mdr_core::text::excerpt;
+use mdr_core::units::NumberError;
 
 use crate::error::{Error, Place, Result};
 
@@ -19,6 +20,14 @@ impl Location {
     /// A key of a scene that was built.
     pub(crate) fn built(key: &str) -> Self {
         Location { place: None, key: key.to_owned() }
+    }
+
+    /// A text that is no number in the unit of the key.
+    pub(crate) fn no_number(&self, text: &str, error: &NumberError) -> Error {
+        match error {
+            NumberError::Dimension { .. } => self.refuse(error.of(self.key.rsplit('.').next().unwrap_or_default())),
+            error => self.refuse(format!("`{}` is {error}", excerpt(text))),
+        }
     }
 
     /// A number that must be above zero.

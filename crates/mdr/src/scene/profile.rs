@@ -7,6 +7,7 @@ use mdr_core::contact::Breaks;
 use mdr_core::contact::{Expression, Flank, Profile as Height, Shape};
 use mdr_core::number::{Exact, Literal};
 use mdr_core::text::excerpt;
+use mdr_core::units::SiUnit;
 
 use super::Location;
 use super::measured::Measured;
@@ -235,6 +236,17 @@ impl Profile {
         }
     }
 
+    /// The units of its numbers, in the order of [`Profile::numbers`].
+    #[cfg(feature = "fit")]
+    pub(crate) fn units(&self) -> Vec<SiUnit> {
+        match self {
+            Profile::Shape(shape) => shape.units().into_iter().map(|(_, unit)| unit).collect(),
+            Profile::Sum(terms) => terms.iter().flat_map(Profile::units).collect(),
+            Profile::Formula(formula) => formula.parameters.keys().map(|_| SiUnit::Unstated).collect(),
+            Profile::Table(_) => Vec::new(),
+        }
+    }
+
     /// The profile with other numbers, in the order of [`Profile::numbers`]; numbers that are not given stay.
     #[cfg(feature = "fit")]
     pub(crate) fn with_numbers(&self, numbers: &mut impl Iterator<Item = Literal>) -> Profile {
@@ -279,8 +291,8 @@ fn shape(section: &Section<'_>, mut blank: Shape<()>) -> Result<Profile> {
         *flank = Flank::HalfAngleDegrees(());
     }
     let shape = blank.try_map(|key, ()| {
-        let value = section.required(key)?;
-        let number = if key == "amplitude" { value.number() } else { value.positive() }?;
+        let (value, unit) = (section.required(key)?, blank.unit_of(key));
+        let number = if key == "amplitude" { value.number(unit) } else { value.positive(unit) }?;
         if key == "half_angle_degrees" && number.compare(&Literal::from(90)).is_ge() {
             return Err(value.refuse(format!("must be below 90 degrees, got {}", excerpt(&number.to_string()))));
         }
@@ -311,7 +323,7 @@ fn formula(section: &Section<'_>) -> Result<Profile> {
         None => BTreeMap::new(),
         Some(table) => {
             let section = table.section()?;
-            section.entries().map(|(name, value)| Ok((name, value.number()?))).collect::<Result<_>>()?
+            section.entries().map(|(name, value)| Ok((name, value.number(SiUnit::Unstated)?))).collect::<Result<_>>()?
         }
     };
     let formula = Formula::with(text.text()?, parameters).map_err(|why| text.refuse(why))?;

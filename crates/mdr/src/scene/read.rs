@@ -7,6 +7,7 @@ use std::path::Path;
 use mdr_core::contact::{Body, Control, ControlKind};
 use mdr_core::number::Literal;
 use mdr_core::text::excerpt;
+use mdr_core::units::SiUnit;
 
 use super::place::{Location, Places};
 use super::profile::Profile;
@@ -113,9 +114,9 @@ fn read(top: &Section<'_>) -> Result<Scene> {
 
 /// The table `[material]`: E*, w and the range of adhesion.
 fn material_of(section: &Section<'_>) -> Result<(Literal, Literal, Option<Literal>)> {
-    let work = section.required("work_of_adhesion")?.positive()?;
+    let work = section.required("work_of_adhesion")?.positive(SiUnit::JoulePerSquareMetre)?;
     let modulus = match section.one_of(&["e_star", "body"])? {
-        (0, e_star) => e_star.positive()?,
+        (0, e_star) => e_star.positive(SiUnit::Pascal)?,
         (_, list) => {
             let bodies: Vec<Body<Literal>> = list.list()?.iter().map(body).collect::<Result<_>>()?;
             let bodies = <[Body<Literal>; 2]>::try_from(bodies)
@@ -123,16 +124,16 @@ fn material_of(section: &Section<'_>) -> Result<(Literal, Literal, Option<Litera
             material::combined(&bodies).ok_or_else(|| list.refuse("E* has more digits than can be meant"))?
         }
     };
-    let range = section.optional("range_of_adhesion").map(|range| range.positive_length()).transpose()?;
+    let range = section.optional("range_of_adhesion").map(|range| range.positive(SiUnit::Metre)).transpose()?;
     section.finish()?;
     Ok((modulus, work, range))
 }
 
 fn body(value: &Value<'_>) -> Result<Body<Literal>> {
     let section = value.section()?;
-    let youngs_modulus = section.required("e")?.positive()?;
+    let youngs_modulus = section.required("e")?.positive(SiUnit::Pascal)?;
     let nu = section.required("nu")?;
-    let poissons_ratio = nu.number()?;
+    let poissons_ratio = nu.number(SiUnit::One)?;
     if let Some(why) = material::refused_ratio(&poissons_ratio) {
         return Err(nu.refuse(why));
     }
@@ -145,27 +146,27 @@ fn start_of(value: &Value<'_>) -> Result<Start> {
         Ok("largest") => Ok(Start::Largest),
         Ok("smallest") => Ok(Start::Smallest),
         Ok("detached") => Ok(Start::Detached),
-        _ => value
-            .positive()
-            .map(Start::Nearest)
-            .map_err(|_| value.refuse("expected \"largest\", \"smallest\", \"detached\" or a positive contact radius")),
+        _ => value.positive(SiUnit::Metre).map(Start::Nearest).map_err(|_| {
+            let expected = "expected \"largest\", \"smallest\", \"detached\" or a positive contact radius";
+            value.refused_unit(SiUnit::Metre).unwrap_or_else(|| value.refuse(expected))
+        }),
     }
 }
 
 /// What shortens a path.
 pub(super) const FEWER_WAY_POINTS: &str = "leave out those on the way to others, or follow it in parts with `start`";
 
-/// How a number of a list is read.
-type Reader = fn(&Value<'_>) -> Result<Literal>;
+/// How a number of a list is read in its unit.
+type Reader = fn(&Value<'_>, SiUnit) -> Result<Literal>;
 
 /// The outputs whose table has a list `at`, and how a number in it is read.
 pub(crate) const LISTS: [(OutputKind, Reader); 6] = [
-    (OutputKind::Transform, |value| value.positive()),
-    (OutputKind::Equilibria, |value| value.number()),
-    (OutputKind::Curve, |value| value.positive()),
-    (OutputKind::Pressure, |value| value.not_negative()),
-    (OutputKind::Gap, |value| value.positive()),
-    (OutputKind::Displacement, |value| value.positive()),
+    (OutputKind::Transform, |value, unit| value.positive(unit)),
+    (OutputKind::Equilibria, |value, unit| value.number(unit)),
+    (OutputKind::Curve, |value, unit| value.positive(unit)),
+    (OutputKind::Pressure, |value, unit| value.not_negative(unit)),
+    (OutputKind::Gap, |value, unit| value.positive(unit)),
+    (OutputKind::Displacement, |value, unit| value.positive(unit)),
 ];
 
 impl Scene {
@@ -173,7 +174,9 @@ impl Scene {
     fn take_control(&mut self, section: &Section<'_>) -> Result<()> {
         let kind = section.required("kind")?.choice("control", &ControlKind::ALL.map(|kind| (kind.name(), kind)))?;
         self.control = match (kind, section.optional("stiffness")) {
-            (ControlKind::Machine, _) => Control::Machine { stiffness: section.required("stiffness")?.positive()? },
+            (ControlKind::Machine, _) => {
+                Control::Machine { stiffness: section.required("stiffness")?.positive(SiUnit::NewtonPerMetre)? }
+            }
             (_, Some(stiffness)) => return Err(stiffness.refuse("only a machine has a stiffness: kind = \"machine\"")),
             (ControlKind::Indentation, None) => Control::Indentation,
             (ControlKind::Force, None) => Control::Force,
@@ -182,7 +185,7 @@ impl Scene {
         if let Some(path) = section.optional("path") {
             self.places.read.push(("control.path", path.place()));
             let points = path.list_of(MOST_WAY_POINTS, FEWER_WAY_POINTS)?;
-            self.path = points.iter().map(Value::number).collect::<Result<_>>()?;
+            self.path = points.iter().map(|point| point.number(kind.unit())).collect::<Result<_>>()?;
             self.given.extend((!self.path.is_empty()).then(|| "[control] path".to_owned()));
         }
         if let Some(start) = section.optional("start") {
@@ -204,7 +207,10 @@ impl Scene {
         let stated = arithmetic(section)?;
         let mut lists = Vec::new();
         for (kind, read) in LISTS {
-            let found = at(section, kind.name(), read)?;
+            // Equilibria are wanted at values of what is held, all else at radii.
+            let is_held = kind == OutputKind::Equilibria;
+            let unit = if is_held { self.control.kind().unit() } else { SiUnit::Metre };
+            let found = at(section, kind.name(), unit, read)?;
             self.given.extend((!found.is_empty()).then(|| format!("[output.{}]", kind.name())));
             lists.push((kind, found));
         }
@@ -239,7 +245,7 @@ impl Scene {
                     return Err(range.refuse("needs a material: [material] e_star, work_of_adhesion"));
                 }
                 Some(_) => return Err(range.refuse("is given in [material], too")),
-                None => self.range_of_adhesion = Some(range.positive_length()?),
+                None => self.range_of_adhesion = Some(range.positive(SiUnit::Metre)?),
             }
         }
         section.finish()?;
@@ -276,12 +282,12 @@ fn arithmetic(section: &Section<'_>) -> Result<Option<Arithmetic>> {
 }
 
 /// The list `at` of a sub-table of `[output]`.
-fn at(section: &Section<'_>, key: &'static str, read: Reader) -> Result<Vec<Literal>> {
+fn at(section: &Section<'_>, key: &'static str, unit: SiUnit, read: Reader) -> Result<Vec<Literal>> {
     let Some(value) = section.optional(key) else {
         return Ok(Vec::new());
     };
     let inner = value.section()?;
-    let list = inner.required("at")?.numbers(read);
+    let list = inner.required("at")?.numbers(unit, read);
     inner.finish()?;
     list
 }
@@ -293,7 +299,7 @@ fn range(section: &Section<'_>) -> Result<Option<([Literal; 2], Location)>> {
     };
     let inner = value.section()?;
     let list = inner.required("range")?;
-    let ends = list.numbers(Value::positive)?;
+    let ends = list.numbers(SiUnit::Metre, Value::positive)?;
     inner.finish()?;
     let [lower, upper] = <[Literal; 2]>::try_from(ends)
         .map_err(|ends| list.refuse(format!("expected two contact radii, got {}", ends.len())))?;

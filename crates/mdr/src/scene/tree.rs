@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use mdr_core::number::Literal;
 use mdr_core::text::excerpt;
-use mdr_numeric::table;
+use mdr_core::units::{NumberError, SiUnit};
 
 use super::place::Location;
 use crate::error::{Error, Place, Result};
@@ -201,57 +201,50 @@ impl<'a> Value<'a> {
         self.refuse(format!("expected {what}, got a {} {}", self.document.format, self.node.type_name))
     }
 
-    /// An exact number: a number, whose decimals are kept, or a string such as "1e-4" or "1/3".
-    pub(crate) fn number(&self) -> Result<Literal> {
-        let number = self.row_number()?;
+    /// An exact number: a number, whose decimals are kept, or a string such as "1e-4", "1/3", or "5 um" in a unit of the dimension of
+    /// `unit`.
+    pub(crate) fn number(&self, unit: SiUnit) -> Result<Literal> {
+        let number = self.row_number(unit)?;
         self.document.numbers.borrow_mut().push((number.clone(), self.place()));
         Ok(number)
     }
 
     /// A number of measured data, whose place is not kept for later complaints.
-    pub(crate) fn row_number(&self) -> Result<Literal> {
+    pub(crate) fn row_number(&self, unit: SiUnit) -> Result<Literal> {
         let (Content::Text(text) | Content::Number(text)) = &self.node.content else {
             return Err(self.expected("a number"));
         };
-        text.parse().map_err(|error| self.refuse(format!("`{}` is {error}", excerpt(text))))
+        unit.read(text).map_err(|error| self.place().no_number(text, &error))
     }
 
-    /// A length: a number, or one with its unit, `"2 nm"`, in metres.
-    pub(crate) fn length(&self) -> Result<Literal> {
-        match &self.node.content {
-            Content::Text(text) if text.ends_with(|c: char| !c.is_ascii_digit() && c != '.') => {
-                let unit = "expected a number, alone or with a unit of length, such as \"2 nm\"";
-                let number =
-                    table::length(text).ok_or_else(|| self.refuse(format!("{unit}, got `{}`", excerpt(text))))?;
-                self.document.numbers.borrow_mut().push((number.clone(), self.place()));
-                Ok(number)
-            }
-            _ => self.number(),
-        }
-    }
-
-    /// A [length](Value::length) above zero.
-    pub(crate) fn positive_length(&self) -> Result<Literal> {
-        self.place().require_positive(self.length()?)
+    /// Why its number has a unit that cannot be its own, if it has.
+    pub(crate) fn refused_unit(&self, unit: SiUnit) -> Option<Error> {
+        let text = self.text().ok()?;
+        let error = unit.read(text).err().filter(|error| !matches!(error, NumberError::Literal(_)))?;
+        Some(self.place().no_number(text, &error))
     }
 
     /// A number above zero.
-    pub(crate) fn positive(&self) -> Result<Literal> {
-        self.place().require_positive(self.number()?)
+    pub(crate) fn positive(&self, unit: SiUnit) -> Result<Literal> {
+        self.place().require_positive(self.number(unit)?)
     }
 
     /// Zero or a number above it.
-    pub(crate) fn not_negative(&self) -> Result<Literal> {
-        let number = self.number()?;
+    pub(crate) fn not_negative(&self, unit: SiUnit) -> Result<Literal> {
+        let number = self.number(unit)?;
         if number.is_negative() {
             return Err(self.refuse(format!("must not be negative, got {}", excerpt(&number.to_string()))));
         }
         Ok(number)
     }
 
-    /// A list of numbers, each read by `read`.
-    pub(crate) fn numbers(&self, read: fn(&Value<'a>) -> Result<Literal>) -> Result<Vec<Literal>> {
-        self.list()?.iter().map(read).collect()
+    /// A list of numbers of a unit, each read by `read`.
+    pub(crate) fn numbers(
+        &self,
+        unit: SiUnit,
+        read: fn(&Value<'a>, SiUnit) -> Result<Literal>,
+    ) -> Result<Vec<Literal>> {
+        self.list()?.iter().map(|value| read(value, unit)).collect()
     }
 
     pub(crate) fn text(&self) -> Result<&'a str> {
@@ -271,7 +264,7 @@ impl<'a> Value<'a> {
     }
 
     pub(crate) fn whole(&self, least: u32, most: u32) -> Result<u32> {
-        let number = self.number()?;
+        let number = self.number(SiUnit::One)?;
         let whole = number.to_string().parse::<u32>().ok().filter(|value| (least..=most).contains(value));
         let given = number.to_string();
         whole.ok_or_else(|| {
