@@ -93,7 +93,19 @@ impl Spectrum {
 
     /// Exponents of products that the data determine, in reduced form: each of the numbers that stay carries one power of itself
     /// and powers of the last ones, as many as there are null directions. Also the places of those last ones.
+    ///
+    /// Null directions have noise, by as much as the least direction that the data determine is below the largest: the smallest
+    /// share of a number in a direction that counts is raised until all exponents are simple fractions.
     pub(super) fn exponents(&self) -> (Vec<DVector<f64>>, Vec<usize>) {
+        const SHARES: [f64; 4] = [1e-5, 1e-4, 1e-3, 1e-2];
+        let is_simple = |exponents: &DVector<f64>| exponents.iter().all(|exponent| whole_multiple(*exponent).is_some());
+        let found = SHARES.into_iter().map(|least| self.exponents_above(least));
+        let simple = found.into_iter().find(|(exponents, _)| exponents.iter().all(is_simple));
+        simple.unwrap_or_else(|| self.exponents_above(SHARES[0]))
+    }
+
+    /// The exponents where a share of a number in a null direction counts above `least`.
+    fn exponents_above(&self, least: f64) -> (Vec<DVector<f64>>, Vec<usize>) {
         let directions = self.unit_directions();
         let (numbers, nullity) = (directions.nrows(), directions.ncols());
         // Eliminate from the last number on: each pivot is a number that would have to be given.
@@ -106,7 +118,7 @@ impl Spectrum {
             }
             let column = (done..nullity)
                 .max_by(|one, other| reduced[(place, *one)].abs().total_cmp(&reduced[(place, *other)].abs()));
-            let Some(column) = column.filter(|column| reduced[(place, *column)].abs() > 1e-5) else { continue };
+            let Some(column) = column.filter(|column| reduced[(place, *column)].abs() > least) else { continue };
             reduced.swap_columns(done, column);
             let pivot = reduced[(place, done)];
             reduced.column_mut(done).scale_mut(1.0 / pivot);
@@ -118,7 +130,7 @@ impl Spectrum {
             pivots.push(place);
         }
         let stays = (0..numbers).filter(|place| !pivots.contains(place));
-        let involved = stays.filter(|place| reduced.row(*place).iter().any(|share| share.abs() > 1e-5));
+        let involved = stays.filter(|place| reduced.row(*place).iter().any(|share| share.abs() > least));
         let exponents = involved.map(|place| {
             let mut exponents = DVector::zeros(numbers);
             exponents[place] = 1.0;
@@ -137,20 +149,22 @@ fn simple(exponent: f64) -> f64 {
     near.into_iter().find(|simple| (simple - exponent).abs() < 1e-3).unwrap_or(exponent)
 }
 
+/// The smallest number up to four that makes an exponent whole.
+fn whole_multiple(exponent: f64) -> Option<i32> {
+    (1..=4).find(|whole| (exponent * f64::from(*whole)).fract() == 0.0)
+}
+
 /// A product of powers as it is printed.
 pub(super) fn product(names: &[&str], exponents: &DVector<f64>) -> String {
     let factor = |(name, exponent): (&&str, &f64)| match *exponent {
         0.0 => None,
         1.0 => Some((*name).to_owned()),
         exponent if exponent.fract() == 0.0 && exponent > 0.0 => Some(format!("{name}^{exponent}")),
-        exponent => {
-            let whole = (1..=4).find(|whole| (exponent * f64::from(*whole)).fract() == 0.0);
-            Some(match whole {
-                Some(1) => format!("{name}^({exponent})"),
-                Some(whole) => format!("{name}^({}/{whole})", exponent * f64::from(whole)),
-                None => format!("{name}^({exponent:.4})"),
-            })
-        }
+        exponent => Some(match whole_multiple(exponent) {
+            Some(1) => format!("{name}^({exponent})"),
+            Some(whole) => format!("{name}^({}/{whole})", exponent * f64::from(whole)),
+            None => format!("{name}^({exponent:.4})"),
+        }),
     };
     names.iter().zip(exponents.iter()).filter_map(factor).collect::<Vec<_>>().join(" * ")
 }
