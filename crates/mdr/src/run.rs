@@ -109,7 +109,7 @@ impl<'a> Run<'a> {
         Run { observer: Some(observer), stop, budget: None }
     }
 
-    /// The same with another [`BUDGET`] for each output, and for each 64 rows of a long one. What is not found within it is
+    /// The run with another [`BUDGET`] for each output, and for each 64 rows of a long one. What is not found within it is
     /// `undecided`.
     #[must_use]
     pub fn within(self, seconds: f64) -> Self {

@@ -51,7 +51,7 @@ macro_rules! shapes {
                 }
             }
 
-            /// As [`Shape::map`], where `f` may fail.
+            /// The shape with other parameters, where `f`, which gets each with its key, may fail.
             ///
             /// # Errors
             /// The first error of `f`.
@@ -275,7 +275,7 @@ impl<N> Shape<N> {
         }
     }
 
-    /// The same shape with other parameters; `f` gets each with its key, in the order of [`Shape::parameters`].
+    /// The shape with other parameters; `f` gets each with its key, in the order of [`Shape::parameters`].
     pub fn map<M>(&self, mut f: impl FnMut(&'static str, &N) -> M) -> Shape<M> {
         let Ok(shape) = self.try_map(|key, number| Ok::<M, std::convert::Infallible>(f(key, number)));
         shape

@@ -92,10 +92,10 @@ pub(crate) fn toml<T>(_: &str, name: &str, _: Files<'_>, _: impl FnOnce(&Section
     Err(Error::Io { name: name.to_owned(), source })
 }
 
-/// The same of a text in JSON, with the keys of TOML; numbers keep their text.
+/// What `read` makes of a text in JSON, with the keys of TOML; numbers keep their text.
 ///
 /// # Errors
-/// As [`toml`].
+/// A text that is no JSON or is nested too deep, and what `read` refuses, with name, line and key.
 #[cfg(feature = "serde")]
 pub(crate) fn json<T>(
     text: &str,

@@ -41,7 +41,7 @@ impl Scene {
     /// Reads a scene as JSON, with the keys of a TOML scene.
     ///
     /// # Errors
-    /// As [`Scene::from_toml`].
+    /// A text that is no JSON or is nested too deep; a key or a number that is refused, with file, line and key.
     ///
     /// ```
     /// use mdr::prelude::*;
@@ -56,7 +56,7 @@ impl Scene {
         parse::json(text, name, files, read)
     }
 
-    /// The same with an arithmetic that takes precedence over that of the file.
+    /// The scene with an arithmetic that takes precedence over that of the file.
     #[must_use]
     pub fn in_arithmetic(mut self, asked: Option<Arithmetic>) -> Self {
         if let Some(arithmetic) = asked {

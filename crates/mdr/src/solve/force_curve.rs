@@ -19,7 +19,7 @@ impl States<'_, f64> {
     /// The path as a measurement shows it: its samples, and what is read off a measured curve.
     ///
     /// # Errors
-    /// As [`follow`]; those of the transform.
+    /// A path that cannot start or be followed; errors of the transform.
     pub(super) fn force_curve(&self, scene: &Scene, points: usize) -> Result<ForceCurve> {
         let (model, branches) = (self.model, &self.branches);
         let path = follow(model, branches, scene)?;

@@ -217,7 +217,7 @@ impl<'s> Solver<'s> {
         }
     }
 
-    /// Which states are admissible; none where that cannot be had.
+    /// The admissibility of states; `None` if it cannot be computed.
     fn admissibility(&self) -> Option<Arc<Admissibility>> {
         match &self.route {
             Route::Search(search) => Some(search.admissibility()),

@@ -62,7 +62,7 @@ impl Expression {
     /// 10^−301 to 10^301, or to the outer radius.
     ///
     /// # Errors
-    /// As [`Expression::bind`].
+    /// A name without a value, or a value without a name: see [`Expression::bind`].
     pub fn shape(&self, values: &BTreeMap<String, Literal>, breaks: &Breaks) -> Result<FormulaShape, ExpressionError> {
         let root = self.with_values(values)?;
         let outer = breaks.outer_radius(BITS);
