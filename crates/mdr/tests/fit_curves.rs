@@ -2,9 +2,13 @@
 #![cfg(feature = "fit")]
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
+mod normal;
+
 use mdr::fit::{Fit, FitStatus, Loss, Observation, Problem};
 use mdr::prelude::*;
 use std::f64::consts::PI;
+
+use normal::Normal;
 
 fn digits(value: f64, expected: f64) -> f64 {
     -((value - expected).abs() / expected.abs()).max(1e-17).log10()
@@ -38,22 +42,6 @@ fn tips() -> Vec<(Shape<&'static str>, Formula, [f64; 2])> {
 
 const E_STAR: f64 = 2e6;
 const WORK: f64 = 0.05;
-
-/// Normal numbers that are the same on every machine.
-struct Normal(u64);
-
-impl Normal {
-    fn uniform(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        ((self.0 >> 11) as f64 + 0.5) / (1u64 << 53) as f64
-    }
-
-    fn next(&mut self) -> f64 {
-        (-2.0 * self.uniform().ln()).sqrt() * (2.0 * PI * self.uniform()).cos()
-    }
-}
 
 /// A curve on retraction from states at given radii, all of them stable, with noise in F of this share of the largest force, an
 /// offset of depth, and a detached tail.

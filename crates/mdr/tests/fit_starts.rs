@@ -2,9 +2,13 @@
 #![cfg(feature = "fit")]
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
+mod normal;
+
 use mdr::fit::{Fit, FitStatus, Leg, Observation, Problem};
 use mdr::prelude::*;
 use std::f64::consts::PI;
+
+use normal::Normal;
 
 /// g and its integral, by hand.
 type Formula = fn(f64) -> [f64; 2];
@@ -44,22 +48,6 @@ fn tips() -> Vec<Tip> {
 
 const E_STAR: f64 = 2e6;
 const CONTACT_POINT: f64 = 1e-7;
-
-/// Normal numbers that are the same on every machine.
-struct Normal(u64);
-
-impl Normal {
-    fn uniform(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        ((self.0 >> 11) as f64 + 0.5) / (1u64 << 53) as f64
-    }
-
-    fn next(&mut self) -> f64 {
-        (-2.0 * self.uniform().ln()).sqrt() * (2.0 * PI * self.uniform()).cos()
-    }
-}
 
 /// How a curve is recorded.
 #[derive(Clone, Copy, Debug)]
