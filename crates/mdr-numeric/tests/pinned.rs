@@ -1,4 +1,4 @@
-//! Paths between two works of adhesion: MEDIA's values, the rule step by step, and the balance of the energy.
+//! Paths between two works of adhesion: known values, the rule step by step, and the balance of the energy.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -101,7 +101,7 @@ fn of_kind(path: &Path<f64>, kind: EventKind) -> &Event<f64> {
     path.events.iter().find(|event| event.kind == kind).unwrap()
 }
 
-/// Values of a sphere with E* = R = 1, w₁ = 1/100, w₂ = 4/100, to 30 digits: `MEDIA.md` §4.
+/// Values of a sphere with E* = R = 1, w₁ = 1/100, w₂ = 4/100, from closed forms.
 #[test]
 fn sphere_has_known_values() {
     let case = Case::ball([0.01, 0.04], Control::Indentation);
@@ -125,10 +125,10 @@ fn sphere_has_known_values() {
     let off = of_kind(&path, EventKind::Detached);
     assert_eq!((off.fold, off.edge), (None, Some(Edge::Receding)));
     let force = off.before.contact().unwrap().force;
-    assert!((force / -0.079_013_192_795_700_19 - 1.0).abs() < 4e-15, "{force}");
+    assert!((force / -0.079_013_192_795_700_2 - 1.0).abs() < 4e-15, "{force}");
 }
 
-/// The loop at fixed grips with its losses, to 30 digits: `MEDIA.md` §4.
+/// The loop at fixed grips with its losses, from closed forms.
 #[test]
 fn loop_has_known_losses() {
     let case = Case::ball([0.01, 0.04], Control::Indentation);
@@ -211,7 +211,7 @@ fn path_obeys_the_rule_in_small_steps() {
         (Case::ball([0.01, 0.04], Control::Force), &[0.0, 0.1, -0.1, 0.15, -0.18]),
         (Case::wavy([5e-5, 1e-4], Control::Indentation), &[0.0, 0.01, -0.001, 0.003, -0.002, 0.004]),
         (Case::wavy([2e-5, 1e-4], machine()), &[0.0, 0.02, 0.0, 0.01, -0.003, 0.01]),
-        (Case::wavy([2e-5, 1e-4], Control::Force), &[0.0, 4e-4, -4e-4, 3e-4, -4e-4, 3e-4]),
+        (Case::wavy([8e-5, 1e-4], Control::Force), &[0.0, 4e-4, -3e-4, 3e-4, -3.5e-4, 3e-4]),
     ];
     for (number, (case, way)) in cases.iter().enumerate() {
         let first = case.follow(&Start::Detached, &[-1e-9, 0.0]);
